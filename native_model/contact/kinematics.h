@@ -1,0 +1,42 @@
+// Contact of a disc in a ring, (5)-(8) of the paper with d from the ring's to the rotor's centre:
+//   delta = |d|, e_r = d / delta, e_t = e_z x e_r
+//   g_N = delta_0 - delta,  gdot_N = -e_r . ddot,  gdot_T = e_t . ddot + r Omega_c
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rotorub {
+
+struct ContactPoint {
+  Eigen::Vector2d d{0.0, 0.0};    // m
+  Eigen::Vector2d dv{0.0, 0.0};   // m/s, ddot
+  double spin = 0.0;              // rad/s, Omega_c, with torsion
+  double delta = 0.0;             // m
+  Eigen::Vector2d e_r{1.0, 0.0};  // outward normal; (1, 0) where delta is 0 and there is none
+  double gap = 0.0;               // m, g_N
+  double gap_rate = 0.0;          // m/s, gdot_N; 0 where delta is 0
+  double slip = 0.0;              // m/s, gdot_T; r Omega_c where delta is 0
+  bool has_normal = false;
+  Eigen::Vector2d e_t() const { return {-e_r.y(), e_r.x()}; }
+  // Speed of the relative centre along e_t, m/s.
+  double whirl_speed() const { return e_t().dot(dv); }
+};
+
+// Under this distance (m) the centres coincide and there is no normal.
+inline constexpr double kNoNormal = 1e-15;
+
+ContactPoint contact_kinematics(const Eigen::Vector2d& d, const Eigen::Vector2d& dv, double spin,
+                                double radius, double clearance);
+
+// The 2x2 Delassus matrix of (N, T) for the normal e_r from the contact-space admittance A
+// (relative x, relative y, spin): W_N = (-e_r, 0), W_T = (e_t, r).
+struct Delassus {
+  double nn, nt, tn, tt;
+};
+Delassus delassus(const Eigen::Matrix3d& admittance, const Eigen::Vector2d& e_r, double radius);
+
+// Load on the rotor (x, y, torque) of normal and friction impulse or force (N, T).
+Eigen::Vector3d contact_load(const Eigen::Vector2d& e_r, double radius, double normal,
+                             double friction);
+
+}  // namespace rotorub

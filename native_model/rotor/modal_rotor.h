@@ -1,0 +1,82 @@
+// The rotor in modal coordinates: what a shaft with discs and bearings is reduced to, and what the
+// modal form of a scene states directly. Equation (1) of the paper with q_r the coordinates of the
+// undamped planar eigenmodes at rest:
+//
+//   x:  M_x x'' + (D_x + D_i,xx) x' + K_x x + Omega g y'   + Omega D_i,xy y   = loads
+//   y:  M_y y'' + (D_y + D_i,yy) y' + K_y y - Omega g^T x' - Omega D_i,xy^T x = loads
+//
+// M, K diagonal. Each bending mode is scaled to 1 at the contact station, so that the deflection
+// there is the plain sum of the modal coordinates; a mode with a node there moves the contact point
+// by nothing (contact shape 0) and is scaled to 1 at its largest deflection, as is every mode of a
+// rotor without a contact.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "native_model/scene/scene.h"
+
+namespace rotorub {
+
+// Mode values at one station, for the two planes (n each, dimensionless).
+struct ModeShape {
+  Eigen::VectorXd x, y;
+};
+
+struct PlaneModes {
+  Eigen::VectorXd mass;       // kg, n, > 0
+  Eigen::VectorXd stiffness;  // N/m, n, >= 0
+  Eigen::VectorXd damping;    // N s/m, n, >= 0, external modal damping (without the bearings')
+};
+
+// Dashpots of one bearing: force -damping .* (shape . qdot) at its station.
+struct StationDamper {
+  ModeShape shape;
+  Eigen::Vector2d damping;  // N s/m, x and y
+};
+
+struct DiscUnbalance {
+  ModeShape shape;
+  double static_moment;  // kg m, m e
+  double phase;          // rad
+};
+
+// Torsion about z: rotation at a station = rigid spin + sum of shape_k theta_k; shape 1 at the
+// contact. With a drive: free-free modes. Without: those of a shaft held at the motor's station.
+struct TorsionModes {
+  Eigen::VectorXd inertia;      // kg m^2, > 0
+  Eigen::VectorXd stiffness;    // N m/rad, > 0
+  Eigen::VectorXd damping;      // N m s/rad, >= 0
+  Eigen::VectorXd drive_shape;  // 1, at the motor
+  Eigen::VectorXd contact_shape;  // 1, at the contact: 1, or 0 for a node there
+};
+
+// The deflection lines, for pictures: station z (k), mode values (k x n) of each plane.
+struct ModeLines {
+  Eigen::VectorXd z;
+  Eigen::MatrixXd x, y;
+};
+
+struct ModalRotor {
+  PlaneModes x, y;
+  ModeShape contact_shape;           // 1 or 0 for each mode
+  Eigen::MatrixXd gyroscopic;        // kg, n x n, g: rows x modes, columns y modes
+  Eigen::MatrixXd internal_xx, internal_xy, internal_yy;  // N s/m, n x n, rotating damping D_i
+  std::vector<StationDamper> bearing_dampers;
+  std::vector<DiscUnbalance> unbalances;
+  std::vector<ModeShape> force_shapes;            // one for each of Scene.forces
+  std::optional<ModeShape> magnetic_bearing_shape;
+  Eigen::VectorXd gravity_x, gravity_y;           // kg, n, load of each mode per unit acceleration
+  double spin_inertia = 0.0;                      // kg m^2, rigid rotor with the motor's
+  TorsionModes torsion;                           // empty lists without [rotor.torsion]
+  std::optional<ModeLines> lines;                 // geometry form only
+  int modes() const { return static_cast<int>(x.mass.size()); }
+};
+
+// Either form of the scene's rotor. Geometry form: Ritz ansatz with Hermite cubic elements.
+// Throws scene::SceneError where the geometry has no mode below max_frequency or is not supported
+// against rigid motion as a scene must be.
+ModalRotor modal_rotor(const scene::Scene& scene);
+
+}  // namespace rotorub

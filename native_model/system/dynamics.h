@@ -1,0 +1,58 @@
+// The right-hand side of (9) without contact, the contact's kinematics and the controller's
+// command, as functions of (model, t, q, v). Nothing here allocates.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "native_model/contact/kinematics.h"
+#include "native_model/system/model.h"
+
+namespace rotorub {
+
+double spin_angle(const Model& model, double t, const double* q);   // rad, phi, without torsion
+double spin_speed(const Model& model, const double* v);             // rad/s, Omega, without torsion
+double contact_spin(const Model& model, const double* v);           // rad/s, Omega_c, with torsion
+
+// f(t, q, v, u), nq values: all loads but the contact's. u: actuator force on the ring, N.
+void smooth_force(const Model& model, double t, const double* q, const double* v,
+                  const Eigen::Vector2d& u, double* f);
+
+// The part of f that a diagonal spring-damper chain does not have by itself: f without
+// -stiffness q - damping v. What the plugin adds to MuJoCo's joints (u excluded).
+void coupling_force(const Model& model, double t, const double* q, const double* v, double* f);
+
+// a = M(phi)^-1 f, nq values; may be in place.
+void solve_mass(const Model& model, double t, const double* q, const double* f, double* a);
+
+// Rotor centre and ring centre in the contact plane.
+Eigen::Vector2d rotor_point(const Model& model, const double* q);
+Eigen::Vector2d stator_point(const Model& model, const double* q);  // also of velocities
+ContactPoint contact_point(const Model& model, const double* q, const double* v);
+
+// Contact-space admittance A = J M^-1 J^T (1/kg ...), 3 x 3, J: (relative x, relative y, spin at
+// the contact) = J qdot.
+Eigen::Matrix3d contact_admittance(const Model& model, double t, const double* q);
+// f += J^T p, p: impulse or force on the rotor (x, y) and torque about z.
+void add_contact_load(const Model& model, const Eigen::Vector3d& p, double* f);
+
+// Kinetic and elastic energy, J, and the power of all forces in f that are not the diagonal or
+// station springs', W.
+double energy(const Model& model, double t, const double* q, const double* v);
+double external_power(const Model& model, double t, const double* q, const double* v,
+                      const Eigen::Vector2d& u);
+
+// The controller's command at (t, q, v), limited by the actuator; 0 before it is on and for
+// passive bearings. first_touch: s, infinity before.
+Eigen::Vector2d control_force(const Model& model, double t, const double* q, const double* v,
+                              double first_touch);
+// Limits a force on each actuator axis.
+Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit);
+
+// Instants at which a sampled controller samples: k sample_time. Held in between.
+struct Sampler {
+  double sample_time = 0.0;
+  double next = 0.0;
+  Eigen::Vector2d held{0.0, 0.0};
+};
+
+}  // namespace rotorub

@@ -1,0 +1,111 @@
+// The constant part of a system: everything that a scene states, assembled once. A Model is
+// immutable and may be shared between threads; what changes is a State.
+//
+// Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k | ring x, y
+// Equations:            M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T          (9), (20)
+// M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "native_model/bearing/drive.h"
+#include "native_model/control/controller.h"
+#include "native_model/rotor/modal_rotor.h"
+#include "native_model/scene/scene.h"
+#include "native_model/system/mode_matrix.h"
+
+namespace rotorub {
+
+// Where each part of q begins; a part that is absent has length 0.
+struct Layout {
+  int modes = 0;    // n, bending modes in each plane
+  int spin = 0;     // 1 with a drive, else 0
+  int torsion = 0;  // elastic torsion modes
+  int stator = 0;   // 2 with a moving ring, else 0
+  int x() const { return 0; }
+  int y() const { return modes; }
+  int phi() const { return 2 * modes; }
+  int theta() const { return 2 * modes + spin; }
+  int ring() const { return theta() + torsion; }
+  int nq() const { return ring() + stator; }
+};
+
+// A load A(t) (c(t), s(t)) through the mode values of its station. Times: on <= t < off.
+struct AppliedForce {
+  scene::ForceKind kind;
+  double amplitude, frequency, phase;  // N, rad/s, rad
+  Eigen::Vector2d vector;              // N
+  double on, off, ramp;                // s
+  ModeShape shape;
+  // Envelope in [0, 1].
+  double envelope(double t) const {
+    if (t < on || t >= off) return 0.0;
+    return (ramp > 0.0 && t < on + ramp) ? (t - on) / ramp : 1.0;
+  }
+  // Force at time t, N.
+  Eigen::Vector2d at(double t) const;
+};
+
+// A spring of rank one in each plane: force -stiffness (shape . q) at its station.
+struct StationSpring {
+  ModeShape shape;
+  Eigen::Vector2d stiffness;  // N/m, negative for a magnetic bearing
+};
+
+struct ContactParameters {
+  double radius, clearance;              // m
+  double friction;                       // mu
+  double restitution;                    // eps_N
+  double tangential_restitution;         // eps_T
+  double compression_time, expansion_time;  // s
+};
+
+struct Model {
+  Layout layout;
+  Eigen::VectorXd mass;       // nq, diagonal of M, kg or kg m^2
+  Eigen::VectorXd stiffness;  // nq, diagonal
+  Eigen::VectorXd damping;    // nq, diagonal, inertial frame
+
+  // Rotor terms beyond the diagonal; absent where the scene has none.
+  ModeMatrix gyroscopic;                                // kg
+  ModeMatrix internal_xx, internal_xy, internal_yy;     // N s/m, rotating damping
+  std::vector<StationDamper> dampers;                   // bearings
+  std::vector<StationSpring> springs;                   // magnetic bearing
+  std::vector<AppliedForce> forces;
+  std::vector<DiscUnbalance> unbalances;                // eccentric discs
+  Eigen::VectorXd weight;                               // nq or empty, N, gravity
+
+  // Spin. Without a drive phi = spin_angle + speed t.
+  double speed = 0.0;                  // rad/s at t = 0
+  double spin_angle = 0.0;             // rad at t = 0
+  std::optional<Drive> drive;
+  Eigen::VectorXd drive_shape;         // torsion, mode values at the motor
+  Eigen::VectorXd torsion_contact;     // torsion, mode values at the contact
+
+  ModeShape contact_shape;             // n each, 1 or 0
+  std::optional<ContactParameters> contact;
+
+  std::shared_ptr<const Controller> controller;  // null: passive
+  double control_on = 0.0;                       // s
+  double sample_time = 0.0;                      // s, 0: continuous
+  double force_limit = 0.0;                      // N, on each actuator axis
+
+  Eigen::VectorXd q0, v0;                        // initial state
+  std::optional<ModeLines> lines;                // deflection lines for pictures
+  int nq() const { return layout.nq(); }
+};
+
+// What changes: time, coordinates and velocities.
+struct State {
+  double t = 0.0;
+  Eigen::VectorXd q, v;  // nq
+};
+
+Model make_model(const scene::Scene& scene);
+State initial_state(const Model& model);
+
+}  // namespace rotorub

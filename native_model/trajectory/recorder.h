@@ -1,0 +1,61 @@
+// Turns the states of an engine, fed step by step, into a Trajectory: series rows at the requested
+// times (exactly as given; cubic Hermite between the steps of a fixed-step engine, linear across an
+// impact), impacts, changes of mode, statistics, energy balance.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub {
+
+// All that is known at one instant; q, v point to nq values, valid during the call.
+struct Snapshot {
+  double t = 0.0;
+  const double* q = nullptr;
+  const double* v = nullptr;
+  double normal_force = 0.0;    // N, of persistent contact, >= 0
+  double friction_force = 0.0;  // N, on the rotor along e_t
+  Mode mode = Mode::kFree;
+  Eigen::Vector2d control{0.0, 0.0};  // N, force of the actuator on the ring
+};
+
+// The requested times: multiples of series_step in [0, end], the end and output_times, ascending,
+// without doubles.
+std::vector<double> output_times(const scene::Run& run);
+
+class Recorder {
+ public:
+  // `times`: the rows wanted, ascending.
+  Recorder(const Model& model, std::vector<double> times);
+
+  void begin(const Snapshot& start);
+  // One fixed step from the last snapshot to `now`; impulses over the step, N s, all of them,
+  // with an impact's. `impact`: velocities are not continuous within this step.
+  void step(const Snapshot& now, double normal_impulse, double friction_impulse, bool impact);
+  void add(const Impact& impact);
+  void add(const Event& event);
+  // For engines with dense output of their own: the next wanted time (infinity: none left), a row
+  // at exactly that time, and the statistics.
+  double next_time() const;
+  void row(const Snapshot& exact);
+  Statistics& statistics() { return statistics_; }
+
+  // Ends the recording at time `end`; the recorder is empty afterwards.
+  Trajectory finish(double end);
+
+ private:
+  const Model* model_;
+  std::vector<double> times_;
+  std::size_t next_ = 0;
+  Snapshot last_;
+  std::vector<double> last_q_, last_v_, q_, v_;
+  double last_gap_rate_ = 0.0, last_slip_ = 0.0, last_power_ = 0.0;
+  std::vector<Column> columns_;
+  std::vector<Impact> impacts_;
+  std::vector<Event> events_;
+  Statistics statistics_;
+};
+
+}  // namespace rotorub

@@ -1,0 +1,85 @@
+// The one result type: what every engine gives and everything downstream reads.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "native_model/system/model.h"
+
+namespace rotorub {
+
+enum class Mode : std::uint8_t { kFree = 0, kSlide = 1, kStick = 2 };
+const char* to_string(Mode mode);
+
+// One column of the series. `mode` holds the number of the Mode.
+struct Column {
+  std::string name;
+  std::string unit;
+  std::vector<double> values;
+};
+
+// An impact, or with a soft contact an episode of contact. Impulses on the rotor: normal >= 0,
+// tangential signed along e_t. Speeds: gap rate (negative closing) and slip gdot_T.
+struct Impact {
+  double t = 0.0;                                          // s
+  double normal_impulse = 0.0, friction_impulse = 0.0;     // N s
+  double gap_rate_before = 0.0, gap_rate_after = 0.0;      // m/s
+  double slip_before = 0.0, slip_after = 0.0;              // m/s
+  double energy_change = 0.0;                              // J, of the system, <= 0
+};
+inline constexpr double kCountedGapRate = -1e-4;  // m/s: an impact counts below this
+inline bool counts(const Impact& impact) { return impact.gap_rate_before < kCountedGapRate; }
+
+enum class EventKind : std::uint8_t { kImpact, kSlide, kStick, kLiftOff };
+const char* to_string(EventKind kind);
+struct Event {
+  double t = 0.0;
+  EventKind kind = EventKind::kImpact;
+};
+
+enum class Status { kOk, kDiverged, kNoSolution, kAmbiguous, kStepTooLarge, kInterrupted };
+const char* to_string(Status status);
+
+// Figures gathered over every step, whatever the spacing of the series.
+struct Statistics {
+  double first_touch = -1.0;        // s; -1: never touched
+  double contact_time = 0.0;        // s with normal force > 0; an impact of a fixed step: one step
+  double impulse_total = 0.0;       // N s, normal
+  double friction_impulse = 0.0;    // N s, signed
+  double friction_work = 0.0;       // J, <= 0
+  double max_penetration = 0.0;     // m
+  double penetration_square = 0.0;  // m^2 s, integral of penetration^2
+  double force_square = 0.0;        // N^2 s, integral of (impulse of the step / step)^2 in contact
+  double peak_force = 0.0;          // N, largest impulse of a step / step
+  double gap_rate_square = 0.0;     // m^2/s, integral of gap_rate^2 from first touch
+  double energy_start = 0.0;        // J
+  double energy_end = 0.0;          // J
+  double external_work = 0.0;       // J, of all forces that are not springs or contact
+  double contact_work = 0.0;        // J
+  double energy_scale = 0.0;        // J, largest energy met
+  double energy_residual() const;   // |E_end - E_start - works| / scale, 0 for a scale of 0
+};
+
+struct Trajectory {
+  std::string engine, integrator, contact_model;  // contact_model: "rigid", "coulomb", "cone"
+  double step = 0.0;                              // s; `event`: 0
+  std::int64_t steps = 0;
+  double wall_s = 0.0;                            // integration alone
+  double end = 0.0;                               // s, reached
+  std::vector<Column> series;
+  std::vector<Impact> impacts;
+  std::vector<Event> events;
+  Statistics statistics;
+  Status status = Status::kOk;
+  std::string message;
+
+  std::size_t rows() const { return series.empty() ? 0 : series.front().values.size(); }
+  // Asserts that the column exists.
+  const std::vector<double>& column(const std::string& name) const;
+  bool has(const std::string& name) const;
+  double contact_fraction() const;   // from first touch to the end, 0 when never touched
+  double mean_force() const;         // N, impulse_total / (end - first touch)
+};
+
+}  // namespace rotorub
