@@ -1,0 +1,73 @@
+# How everything here is compiled: language, output folders, floating point, sanitizers, warnings.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+# native_model is linked into the preloaded plugin too.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+# The same bits on every machine: no contraction to FMA, and never -ffast-math or -march=native.
+add_compile_options(-ffp-contract=off)
+
+if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+endif()
+if(ROTORUB_NAN_INIT)
+  add_compile_definitions(EIGEN_INITIALIZE_MATRICES_BY_NAN)
+endif()
+
+# A program that preloads an instrumented library must have the sanitizer's run-time library before it.
+set(ROTORUB_SANITIZER_RUNTIME "")
+if(ROTORUB_SANITIZE)
+  add_compile_options(-fsanitize=${ROTORUB_SANITIZE} -fno-sanitize-recover=all
+                      -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${ROTORUB_SANITIZE})
+  if(ROTORUB_SANITIZE MATCHES "address")
+    execute_process(
+      COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libasan.so
+      OUTPUT_VARIABLE ROTORUB_SANITIZER_RUNTIME
+      OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+endif()
+
+# Every target links this privately: warnings are errors.
+add_library(rotorub_warnings INTERFACE)
+target_compile_options(
+  rotorub_warnings
+  INTERFACE -Wall
+            -Wextra
+            -Wpedantic
+            -Wshadow
+            -Wconversion
+            -Wdouble-promotion
+            -Wnon-virtual-dtor
+            -Woverloaded-virtual
+            -Wold-style-cast
+            -Wcast-qual
+            -Wformat=2
+            -Wduplicated-cond
+            -Wlogical-op
+            -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ 12 reports a false overlap in every "text" + std::string (its bug 105651).
+  target_compile_options(rotorub_warnings INTERFACE -Wno-restrict)
+  if(ROTORUB_SANITIZE)
+    # The sanitizers' checks hide initialisations from the optimiser.
+    target_compile_options(rotorub_warnings INTERFACE -Wno-maybe-uninitialized)
+  endif()
+endif()

@@ -1,0 +1,49 @@
+# install() and the CMake package `rotorub`:
+#   find_package(rotorub)  ->  rotorub::native_model, rotorub::mjcf, rotorub::plugin (the MuJoCo C++ API)
+# The headers keep their paths below include/rotorub: #include "native_model/scene/scene.h".
+
+include(CMakePackageConfigHelpers)
+
+set(ROTORUB_PACKAGE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/rotorub")
+
+foreach(part native_model mjcf plugin)
+  set_target_properties(rotorub_${part} PROPERTIES EXPORT_NAME ${part})
+  add_library(rotorub::${part} ALIAS rotorub_${part})
+  install(TARGETS rotorub_${part} EXPORT rotorubTargets ARCHIVE DESTINATION
+                                                                "${CMAKE_INSTALL_LIBDIR}")
+  install(
+    DIRECTORY "${PROJECT_SOURCE_DIR}/${part}"
+    DESTINATION include/rotorub
+    FILES_MATCHING
+    PATTERN "*.h"
+    PATTERN "cmake" EXCLUDE)
+endforeach()
+install(
+  EXPORT rotorubTargets
+  NAMESPACE rotorub::
+  DESTINATION "${ROTORUB_PACKAGE_DIR}")
+
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/rotorubConfig.cmake.in" "${PROJECT_BINARY_DIR}/rotorubConfig.cmake"
+  INSTALL_DESTINATION "${ROTORUB_PACKAGE_DIR}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/rotorubConfigVersion.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+install(
+  FILES "${PROJECT_BINARY_DIR}/rotorubConfig.cmake"
+        "${PROJECT_BINARY_DIR}/rotorubConfigVersion.cmake"
+        "${CMAKE_CURRENT_LIST_DIR}/RotorubMujoco.cmake"
+  DESTINATION "${ROTORUB_PACKAGE_DIR}")
+
+# The products of use: the program, the library to preload, the scenes.
+foreach(product rotorub rotorub_mujoco)
+  if(TARGET ${product})
+    install(TARGETS ${product} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
+                               LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  endif()
+endforeach()
+install(
+  DIRECTORY "${PROJECT_SOURCE_DIR}/mjcf/"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/rotorub/mjcf"
+  FILES_MATCHING
+  PATTERN "*.toml"
+  PATTERN "*.xml")

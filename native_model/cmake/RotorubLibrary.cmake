@@ -1,0 +1,34 @@
+# rotorub_library(<name> [EXCLUDE <regex>] [PUBLIC <target>...] [PRIVATE <target>...])
+#
+# The static library of the current folder: every .cc below it but main.cc and what EXCLUDE matches (a regular
+# expression on the path from the folder). PUBLIC and PRIVATE are what it links. Includes are written from the
+# root of the repository.
+function(rotorub_library name)
+  cmake_parse_arguments(ARG "" "EXCLUDE" "PUBLIC;PRIVATE" ${ARGN})
+  file(
+    GLOB_RECURSE sources CONFIGURE_DEPENDS
+    RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}"
+    "*.cc" "*.h")
+  list(FILTER sources EXCLUDE REGEX "(^|/)main\\.cc$")
+  if(ARG_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX "${ARG_EXCLUDE}")
+  endif()
+  set(units ${sources})
+  list(FILTER units INCLUDE REGEX "\\.cc$")
+  if(NOT units)
+    # Headers alone, or nothing yet.
+    add_library(${name} INTERFACE)
+    target_include_directories(${name} INTERFACE "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
+                                                 "$<INSTALL_INTERFACE:include/rotorub>")
+    target_link_libraries(${name} INTERFACE ${ARG_PUBLIC} ${ARG_PRIVATE})
+    return()
+  endif()
+  add_library(${name} STATIC ${sources})
+  target_include_directories(${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
+                                            "$<INSTALL_INTERFACE:include/rotorub>")
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_link_libraries(
+    ${name}
+    PUBLIC ${ARG_PUBLIC}
+    PRIVATE ${ARG_PRIVATE} "$<BUILD_INTERFACE:rotorub_warnings>")
+endfunction()

@@ -1,0 +1,84 @@
+include(GoogleTest)
+
+# Where a test finds what it needs; as string literals.
+set(ROTORUB_TEST_DEFINITIONS
+    ROTORUB_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    ROTORUB_MJCF_DIR="${PROJECT_SOURCE_DIR}/mjcf"
+    ROTORUB_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/tests/data"
+    ROTORUB_VERSION="${PROJECT_VERSION}"
+    ROTORUB_BINARY="${PROJECT_BINARY_DIR}/bin/rotorub"
+    ROTORUB_PLUGIN="${PROJECT_BINARY_DIR}/lib/librotorub_mujoco.so"
+    # To stand before ROTORUB_PLUGIN in LD_PRELOAD; empty without sanitizers.
+    ROTORUB_SANITIZER_RUNTIME="${ROTORUB_SANITIZER_RUNTIME}")
+
+# rotorub_test_support(): fixtures, comparisons and tolerances that several areas share (tests/support).
+function(rotorub_test_support)
+  file(GLOB sources CONFIGURE_DEPENDS "support/*.cc" "support/*.h")
+  set(units ${sources})
+  list(FILTER units INCLUDE REGEX "\\.cc$")
+  list(FILTER units EXCLUDE REGEX "_test\\.cc$")
+  set(links rotorub_native_model rotorub_mjcf rotorub_plugin GTest::gtest)
+  if(units)
+    add_library(rotorub_test_support STATIC ${units})
+    target_link_libraries(
+      rotorub_test_support
+      PUBLIC ${links}
+      PRIVATE rotorub_warnings)
+    target_compile_definitions(rotorub_test_support PRIVATE ${ROTORUB_TEST_DEFINITIONS})
+  else()
+    add_library(rotorub_test_support INTERFACE)
+    target_link_libraries(rotorub_test_support INTERFACE ${links})
+  endif()
+endfunction()
+
+# rotorub_tests(<area> [<target>...]): the test programs of tests/<area>, linked with the targets.
+# `ninja tests_<area>` builds them.
+function(rotorub_tests area)
+  file(
+    GLOB_RECURSE sources CONFIGURE_DEPENDS
+    RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}"
+    "${area}/*_test.cc")
+  add_custom_target(tests_${area})
+
+  set(folders "")
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    list(APPEND folders "${folder}")
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+
+  foreach(folder IN LISTS folders)
+    set(units ${sources})
+    list(FILTER units INCLUDE REGEX "^${folder}/[^/]+$")
+    string(REPLACE "/" "_" name "test_${folder}")
+    add_executable(${name} ${units})
+    target_link_libraries(${name} PRIVATE ${ARGN} rotorub_test_support GTest::gtest_main
+                                          rotorub_warnings)
+    target_compile_definitions(${name} PRIVATE ${ROTORUB_TEST_DEFINITIONS})
+    add_dependencies(tests_${area} ${name})
+    rotorub_discover(${name} ${area})
+  endforeach()
+
+  # Some tests start the program or preload the plugin.
+  foreach(product rotorub rotorub_mujoco)
+    if(TARGET ${product})
+      add_dependencies(tests_${area} ${product})
+    endif()
+  endforeach()
+endfunction()
+
+# One ctest entry a test case, in two passes, because a label is given to all that one pass finds.
+function(rotorub_discover name area)
+  set(environment "ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1"
+                  "UBSAN_OPTIONS=print_stacktrace=1")
+  gtest_discover_tests(
+    ${name}
+    TEST_FILTER "-*Long*"
+    DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "fast;${area}" TIMEOUT 300 ENVIRONMENT "${environment}")
+  gtest_discover_tests(
+    ${name}
+    TEST_FILTER "*Long*"
+    DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "long;${area}" TIMEOUT 1800 ENVIRONMENT "${environment}")
+endfunction()
