@@ -1,0 +1,24 @@
+# Everything from outside, by the folder that first needs it. compare/setup installs the Debian packages.
+
+# native_model
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt 9 REQUIRED)
+find_path(ROTORUB_TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
+
+# plugin
+include(RotorubMujoco)
+
+# renders
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
+
+# compare
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+find_package(spdlog 1.10 REQUIRED)
+
+# tests
+if(ROTORUB_BUILD_TESTS)
+  find_package(GTest 1.12 REQUIRED)
+  find_package(benchmark 1.7 REQUIRED)
+endif()
