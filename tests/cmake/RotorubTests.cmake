@@ -67,18 +67,13 @@ function(rotorub_tests area)
   endforeach()
 endfunction()
 
-# One ctest entry a test case, in two passes, because a label is given to all that one pass finds.
+# One ctest entry a test case. Its labels are given when ctest reads the list, because gtest_discover_tests
+# gives all tests of a program the same ones, and one label alone.
 function(rotorub_discover name area)
-  set(environment "ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1"
-                  "UBSAN_OPTIONS=print_stacktrace=1")
-  gtest_discover_tests(
-    ${name}
-    TEST_FILTER "-*Long*"
-    DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "fast;${area}" TIMEOUT 300 ENVIRONMENT "${environment}")
-  gtest_discover_tests(
-    ${name}
-    TEST_FILTER "*Long*"
-    DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "long;${area}" TIMEOUT 1800 ENVIRONMENT "${environment}")
+  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
+  configure_file(cmake/test_properties.cmake.in ${name}_properties.cmake @ONLY)
+  set_property(
+    DIRECTORY
+    APPEND
+    PROPERTY TEST_INCLUDE_FILES "${CMAKE_CURRENT_BINARY_DIR}/${name}_properties.cmake")
 endfunction()
