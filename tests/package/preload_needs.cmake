@@ -1,0 +1,23 @@
+# cmake -DLIBRARY=... -P preload_needs.cmake
+execute_process(
+  COMMAND readelf --dynamic --wide "${LIBRARY}"
+  OUTPUT_VARIABLE dynamic COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "NEEDED[^\n]*\\[[^]\n]*" needed "${dynamic}")
+if(NOT needed)
+  message(FATAL_ERROR "no library at all is named in\n${dynamic}")
+endif()
+foreach(entry IN LISTS needed)
+  string(REGEX REPLACE ".*\\[" "" library "${entry}")
+  if(NOT library MATCHES "^(libmujoco|libstdc\\+\\+|libgcc_s|libc|libm|ld-linux[^.]*)\\.so")
+    message(SEND_ERROR "${LIBRARY} needs ${library}")
+  endif()
+endforeach()
+
+# A symbol it shows could take the place of one in the program it is loaded into.
+execute_process(
+  COMMAND nm --dynamic --defined-only --demangle "${LIBRARY}"
+  OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCH "[^\n]*rotorub::[^\n]*" shown "${symbols}")
+if(shown)
+  message(SEND_ERROR "${LIBRARY} shows ${shown}")
+endif()
