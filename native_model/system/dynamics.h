@@ -48,11 +48,4 @@ Eigen::Vector2d control_force(const Model& model, double t, const double* q, con
 // Limits a force on each actuator axis.
 Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit);
 
-// Instants at which a sampled controller samples: k sample_time. Held in between.
-struct Sampler {
-  double sample_time = 0.0;
-  double next = 0.0;
-  Eigen::Vector2d held{0.0, 0.0};
-};
-
 }  // namespace rotorub

@@ -20,6 +20,9 @@
 
 namespace rotorub {
 
+// Bound on nq, so that a step needs no heap; make_model refuses more (scene::SceneError).
+inline constexpr int kMaxCoordinates = 512;
+
 // Where each part of q begins; a part that is absent has length 0.
 struct Layout {
   int modes = 0;    // n, bending modes in each plane
@@ -96,6 +99,12 @@ struct Model {
 
   Eigen::VectorXd q0, v0;                        // initial state
   std::optional<ModeLines> lines;                // deflection lines for pictures
+
+  // Contact-space admittance J M^-1 J^T of (relative x, relative y, spin) without the spin-bending
+  // coupling of unbalance; constant. 1/kg, 1/kg, 1/(kg m^2).
+  Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();
+  // Unbalance couples spin and bending where the spin is free.
+  bool coupled_mass() const { return layout.spin == 1 && !unbalances.empty(); }
   int nq() const { return layout.nq(); }
 };
 

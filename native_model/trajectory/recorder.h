@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "native_model/contact/kinematics.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
@@ -46,12 +47,15 @@ class Recorder {
   Trajectory finish(double end);
 
  private:
+  void keep(const Snapshot& now, const ContactPoint& point);
+  void rows_until(const Snapshot& now, bool impact);
+
   const Model* model_;
   std::vector<double> times_;
   std::size_t next_ = 0;
   Snapshot last_;
   std::vector<double> last_q_, last_v_, q_, v_;
-  double last_gap_rate_ = 0.0, last_slip_ = 0.0, last_power_ = 0.0;
+  double last_gap_rate_ = 0.0, last_slip_ = 0.0, last_whole_slip_ = 0.0, last_power_ = 0.0;
   std::vector<Column> columns_;
   std::vector<Impact> impacts_;
   std::vector<Event> events_;

@@ -1,0 +1,35 @@
+// Sliding mode with boundary layer, (22)-(29) of the paper: the ring tracks the rotor at the gap
+// reference g_d(t), which falls smoothly from the gap met at switch-on to 0.
+//
+//   q_fd = r_rotor - (delta_0 - g_d) e_r,    e = q_f - q_fd = (g_N - g_d) e_r
+//   s = edot + psi e
+//   u = M_f (-f + qddot_fd - psi edot - k sat(s / phi)),   M_f f = -D_f qdot_f - K_f q_f
+//
+// (25) and (28) add accelerations to forces; the law above has the one unit. The error is radial
+// by construction, so only the normal direction is driven: e_r . qddot_fd follows from the rotor's
+// contact-free acceleration and the whirl, e_r . qddot_f = e_r . rddot + v_t^2 / delta + gddot_N.
+#pragma once
+
+#include "native_model/control/controller.h"
+
+namespace rotorub {
+
+class SlidingController final : public Controller {
+ public:
+  SlidingController(const scene::Controller& settings, const Plant& plant);
+  Eigen::Vector2d force(const Measurement& measurement) const override;
+  bool needs_rotor_acceleration() const override { return true; }
+
+  // Gap reference and its first two derivatives at time t: delta_0 (1 - 10 s^3 + 15 s^4 - 6 s^5),
+  // s = (t - on) / gap_time in [0, 1].
+  struct Reference {
+    double gap, rate, acceleration;  // m, m/s, m/s^2
+  };
+  Reference reference(double t) const;
+
+ private:
+  scene::Controller settings_;
+  Plant plant_;
+};
+
+}  // namespace rotorub

@@ -1,0 +1,268 @@
+#include "native_model/system/dynamics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace rotorub {
+namespace {
+
+using Map = Eigen::Map<Eigen::VectorXd>;
+using ConstMap = Eigen::Map<const Eigen::VectorXd>;
+
+ConstMap part(const double* q, int at, Eigen::Index size) { return {q + at, size}; }
+
+// f += shape (fx, fy): a force at a station.
+void add_station_force(const Layout& l, const ModeShape& shape, const Eigen::Vector2d& force,
+                       double* f) {
+  Map(f + l.x(), l.modes).noalias() += force.x() * shape.x;
+  Map(f + l.y(), l.modes).noalias() += force.y() * shape.y;
+}
+
+Eigen::Vector2d at_station(const Layout& l, const ModeShape& shape, const double* q) {
+  return {shape.x.dot(part(q, l.x(), l.modes)), shape.y.dot(part(q, l.y(), l.modes))};
+}
+
+// Gyroscopic moments and rotating damping, see modal_rotor.h.
+void add_spin_coupling(const Model& m, const double* q, const double* v, double omega, double* f) {
+  const int n = m.layout.modes, x = m.layout.x(), y = m.layout.y();
+  m.gyroscopic.add(-omega, v + y, f + x, n);
+  m.gyroscopic.add_transposed(omega, v + x, f + y, n);
+  if (m.internal_xx.absent() && m.internal_yy.absent()) return;
+  m.internal_xx.add(-1.0, v + x, f + x, n);
+  m.internal_yy.add(-1.0, v + y, f + y, n);
+  m.internal_xy.add(-omega, q + y, f + x, n);
+  m.internal_xy.add_transposed(omega, q + x, f + y, n);
+}
+
+// m e Omega^2 at the disc's angle; the m e dOmega/dt part is in the mass matrix.
+void add_unbalance(const Model& m, double angle, double omega, double* f) {
+  for (const DiscUnbalance& u : m.unbalances) {
+    const double a = angle + u.phase, size = u.static_moment * omega * omega;
+    add_station_force(m.layout, u.shape, {size * std::cos(a), size * std::sin(a)}, f);
+  }
+}
+
+void add_drive(const Model& m, const double* v, double* f) {
+  if (!m.drive) return;
+  const Layout& l = m.layout;
+  double speed = v[l.phi()];
+  for (int k = 0; k < l.torsion; ++k) speed += m.drive_shape[k] * v[l.theta() + k];
+  const double torque = m.drive->torque(speed);
+  f[l.phi()] += torque;
+  for (int k = 0; k < l.torsion; ++k) f[l.theta() + k] += m.drive_shape[k] * torque;
+}
+
+// Row of M(phi) that couples the spin with the bending modes, kg m: b_x = -m e sin, b_y = m e cos.
+Eigen::Vector2d unbalance_arm(const DiscUnbalance& u, double angle) {
+  return u.static_moment * Eigen::Vector2d(-std::sin(angle + u.phase), std::cos(angle + u.phase));
+}
+
+}  // namespace
+
+double spin_angle(const Model& m, double t, const double* q) {
+  return m.layout.spin ? q[m.layout.phi()] : m.spin_angle + m.speed * t;
+}
+
+double spin_speed(const Model& m, const double* v) {
+  return m.layout.spin ? v[m.layout.phi()] : m.speed;
+}
+
+double contact_spin(const Model& m, const double* v) {
+  double omega = spin_speed(m, v);
+  for (int k = 0; k < m.layout.torsion; ++k) {
+    omega += m.torsion_contact[k] * v[m.layout.theta() + k];
+  }
+  return omega;
+}
+
+void coupling_force(const Model& m, double t, const double* q, const double* v, double* f) {
+  const Layout& l = m.layout;
+  if (m.weight.size() > 0) {
+    Map(f, l.nq()) = m.weight;
+  } else {
+    Map(f, l.nq()).setZero();
+  }
+  const double omega = spin_speed(m, v);
+  add_spin_coupling(m, q, v, omega, f);
+  for (const StationDamper& d : m.dampers) {
+    add_station_force(l, d.shape, -d.damping.cwiseProduct(at_station(l, d.shape, v)), f);
+  }
+  for (const StationSpring& s : m.springs) {
+    add_station_force(l, s.shape, -s.stiffness.cwiseProduct(at_station(l, s.shape, q)), f);
+  }
+  for (const AppliedForce& force : m.forces) {
+    if (t >= force.on && t < force.off) add_station_force(l, force.shape, force.at(t), f);
+  }
+  if (!m.unbalances.empty()) add_unbalance(m, spin_angle(m, t, q), omega, f);
+  add_drive(m, v, f);
+}
+
+void smooth_force(const Model& m, double t, const double* q, const double* v,
+                  const Eigen::Vector2d& u, double* f) {
+  const Layout& l = m.layout;
+  coupling_force(m, t, q, v, f);
+  for (int i = 0; i < l.nq(); ++i) f[i] -= m.stiffness[i] * q[i] + m.damping[i] * v[i];
+  if (l.stator) {
+    f[l.ring()] += u.x();
+    f[l.ring() + 1] += u.y();
+  }
+}
+
+void solve_mass(const Model& m, double t, const double* q, const double* f, double* a) {
+  const Layout& l = m.layout;
+  if (!m.coupled_mass()) {
+    for (int i = 0; i < l.nq(); ++i) a[i] = f[i] / m.mass[i];
+    return;
+  }
+  // M = diag + b e_phi^T + e_phi b^T with b in the bending rows: eliminate those.
+  const double angle = spin_angle(m, t, q);
+  double torque = f[l.phi()], inertia = m.mass[l.phi()];
+  const auto bending = [&](int k) {  // b_k
+    Eigen::Vector2d b{0.0, 0.0};
+    for (const DiscUnbalance& u : m.unbalances) {
+      const Eigen::Vector2d arm = unbalance_arm(u, angle);
+      b += Eigen::Vector2d(arm.x() * u.shape.x[k], arm.y() * u.shape.y[k]);
+    }
+    return b;
+  };
+  for (int k = 0; k < l.modes; ++k) {
+    const Eigen::Vector2d b = bending(k);
+    torque -= b.x() * f[l.x() + k] / m.mass[l.x() + k] + b.y() * f[l.y() + k] / m.mass[l.y() + k];
+    inertia -= b.x() * b.x() / m.mass[l.x() + k] + b.y() * b.y() / m.mass[l.y() + k];
+  }
+  const double acceleration = torque / inertia;
+  for (int i = 0; i < l.nq(); ++i) a[i] = f[i] / m.mass[i];
+  a[l.phi()] = acceleration;
+  for (int k = 0; k < l.modes; ++k) {
+    const Eigen::Vector2d b = bending(k);
+    a[l.x() + k] -= b.x() * acceleration / m.mass[l.x() + k];
+    a[l.y() + k] -= b.y() * acceleration / m.mass[l.y() + k];
+  }
+}
+
+Eigen::Vector2d rotor_point(const Model& m, const double* q) {
+  return at_station(m.layout, m.contact_shape, q);
+}
+
+Eigen::Vector2d stator_point(const Model& m, const double* q) {
+  if (!m.layout.stator) return {0.0, 0.0};
+  return {q[m.layout.ring()], q[m.layout.ring() + 1]};
+}
+
+ContactPoint contact_point(const Model& m, const double* q, const double* v) {
+  const double radius = m.contact ? m.contact->radius : 0.0;
+  const double clearance = m.contact ? m.contact->clearance : 0.0;
+  return contact_kinematics(rotor_point(m, q) - stator_point(m, q),
+                            rotor_point(m, v) - stator_point(m, v), contact_spin(m, v), radius,
+                            clearance);
+}
+
+Eigen::Matrix3d contact_admittance(const Model& m, double t, const double* q) {
+  if (!m.coupled_mass()) return m.admittance;
+  // M^-1 = D0^-1 + w w^T / s, w = (-D^-1 b, 1), s = J - b^T D^-1 b; D0^-1 is 0 at the spin.
+  const Layout& l = m.layout;
+  const double angle = spin_angle(m, t, q);
+  double s = m.mass[l.phi()];
+  Eigen::Vector3d jw{0.0, 0.0, 1.0};
+  for (int k = 0; k < l.modes; ++k) {
+    Eigen::Vector2d b{0.0, 0.0};
+    for (const DiscUnbalance& u : m.unbalances) {
+      const Eigen::Vector2d arm = unbalance_arm(u, angle);
+      b += Eigen::Vector2d(arm.x() * u.shape.x[k], arm.y() * u.shape.y[k]);
+    }
+    const double wx = -b.x() / m.mass[l.x() + k], wy = -b.y() / m.mass[l.y() + k];
+    s += b.x() * wx + b.y() * wy;
+    jw.x() += m.contact_shape.x[k] * wx;
+    jw.y() += m.contact_shape.y[k] * wy;
+  }
+  Eigen::Matrix3d a = m.admittance;
+  a(2, 2) -= 1.0 / m.mass[l.phi()];
+  a.noalias() += jw * jw.transpose() / s;
+  return a;
+}
+
+void add_contact_load(const Model& m, const Eigen::Vector3d& p, double* f) {
+  const Layout& l = m.layout;
+  add_station_force(l, m.contact_shape, p.head<2>(), f);
+  if (l.spin) f[l.phi()] += p.z();
+  for (int k = 0; k < l.torsion; ++k) f[l.theta() + k] += m.torsion_contact[k] * p.z();
+  if (l.stator) {
+    f[l.ring()] -= p.x();
+    f[l.ring() + 1] -= p.y();
+  }
+}
+
+double energy(const Model& m, double t, const double* q, const double* v) {
+  const Layout& l = m.layout;
+  double e = 0.0;
+  for (int i = 0; i < l.nq(); ++i) {
+    e += 0.5 * (m.mass[i] * v[i] * v[i] + m.stiffness[i] * q[i] * q[i]);
+  }
+  for (const StationSpring& s : m.springs) {
+    const Eigen::Vector2d r = at_station(l, s.shape, q);
+    e += 0.5 * s.stiffness.dot(r.cwiseProduct(r));
+  }
+  if (m.coupled_mass()) {
+    const double angle = spin_angle(m, t, q);
+    for (const DiscUnbalance& u : m.unbalances) {
+      e += v[l.phi()] * unbalance_arm(u, angle).dot(at_station(l, u.shape, v));
+    }
+  }
+  return e;
+}
+
+double external_power(const Model& m, double t, const double* q, const double* v,
+                      const Eigen::Vector2d& u) {
+  const Layout& l = m.layout;
+  constexpr int kStack = kMaxCoordinates;
+  assert(l.nq() <= kStack);
+  double f[kStack];
+  smooth_force(m, t, q, v, u, f);
+  double power = 0.0;
+  for (int i = 0; i < l.nq(); ++i) power += (f[i] + m.stiffness[i] * q[i]) * v[i];
+  for (const StationSpring& s : m.springs) {
+    power += s.stiffness.cwiseProduct(at_station(l, s.shape, q)).dot(at_station(l, s.shape, v));
+  }
+  if (m.coupled_mass()) {
+    // With a free spin m e Omega^2 is inertial: it moves energy between spin and bending.
+    const double angle = spin_angle(m, t, q), omega = spin_speed(m, v);
+    for (const DiscUnbalance& b : m.unbalances) {
+      const double size = b.static_moment * omega * omega, a = angle + b.phase;
+      power -= size * Eigen::Vector2d(std::cos(a), std::sin(a)).dot(at_station(l, b.shape, v));
+    }
+  }
+  return power;
+}
+
+Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit) {
+  // a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2.
+  const double h = std::sqrt(0.5);
+  const double f1 = std::clamp(h * (force.x() + force.y()), -limit, limit);
+  const double f2 = std::clamp(h * (force.y() - force.x()), -limit, limit);
+  return {h * (f1 - f2), h * (f1 + f2)};
+}
+
+Eigen::Vector2d control_force(const Model& m, double t, const double* q, const double* v,
+                              double first_touch) {
+  if (!m.controller || t < m.control_on) return {0.0, 0.0};
+  Measurement now;
+  now.t = t;
+  now.rotor = rotor_point(m, q);
+  now.rotor_velocity = rotor_point(m, v);
+  now.stator = stator_point(m, q);
+  now.stator_velocity = stator_point(m, v);
+  now.spin_speed = spin_speed(m, v);
+  now.first_touch = first_touch;
+  if (m.controller->needs_rotor_acceleration()) {
+    constexpr int kStack = kMaxCoordinates;
+    assert(m.nq() <= kStack);
+    double a[kStack];
+    smooth_force(m, t, q, v, {0.0, 0.0}, a);
+    solve_mass(m, t, q, a, a);
+    now.rotor_acceleration = rotor_point(m, a);
+  }
+  return limited(m.controller->force(now), m.force_limit);
+}
+
+}  // namespace rotorub

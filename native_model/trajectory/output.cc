@@ -1,0 +1,103 @@
+#include "native_model/trajectory/output.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace rotorub {
+namespace {
+
+// 17 significant digits: reads back to the same bits.
+void append(std::string& text, double value) {
+  char buffer[40];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 17);
+  text.append(buffer, end.ptr);
+}
+
+void append_row(std::string& text, std::initializer_list<double> values) {
+  bool first = true;
+  for (double value : values) {
+    if (!first) text += ',';
+    first = false;
+    append(text, value);
+  }
+  text += '\n';
+}
+
+}  // namespace
+
+void write_series(const Trajectory& trajectory, const std::filesystem::path& file) {
+  std::string text;
+  text.reserve(trajectory.rows() * trajectory.series.size() * 24);
+  for (const Column& column : trajectory.series) {
+    if (!text.empty()) text += ',';
+    text += column.name;
+  }
+  text += '\n';
+  for (std::size_t row = 0; row < trajectory.rows(); ++row) {
+    bool first = true;
+    for (const Column& column : trajectory.series) {
+      if (!first) text += ',';
+      first = false;
+      if (column.name == "mode") {
+        text += to_string(static_cast<Mode>(static_cast<int>(column.values[row])));
+      } else {
+        append(text, column.values[row]);
+      }
+    }
+    text += '\n';
+  }
+  write_whole(file, text);
+}
+
+void write_impacts(const Trajectory& trajectory, const std::filesystem::path& file) {
+  std::string text =
+      "t,normal_impulse,friction_impulse,gap_rate_before,gap_rate_after,slip_before,slip_after,"
+      "energy_change\n";
+  for (const Impact& i : trajectory.impacts) {
+    append_row(text, {i.t, i.normal_impulse, i.friction_impulse, i.gap_rate_before,
+                      i.gap_rate_after, i.slip_before, i.slip_after, i.energy_change});
+  }
+  write_whole(file, text);
+}
+
+void write_events(const Trajectory& trajectory, const std::filesystem::path& file) {
+  std::string text = "t,event\n";
+  for (const Event& e : trajectory.events) {
+    append(text, e.t);
+    text += ',';
+    text += to_string(e.kind);
+    text += '\n';
+  }
+  write_whole(file, text);
+}
+
+void write_whole(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path aside = file.string() + ".part-" + std::to_string(::getpid());
+  const auto fail = [&](const char* what) {
+    const std::string reason = std::error_code(errno, std::generic_category()).message();
+    std::error_code ignored;
+    std::filesystem::remove(aside, ignored);
+    throw std::runtime_error("cannot " + std::string(what) + " " + file.string() + ": " + reason);
+  };
+  {
+    std::ofstream out(aside, std::ios::binary | std::ios::trunc);
+    if (!out) fail("open");
+    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    out.flush();
+    if (!out) fail("write");
+  }
+  std::error_code error;
+  std::filesystem::rename(aside, file, error);
+  if (error) {
+    errno = error.value();
+    fail("rename to");
+  }
+}
+
+}  // namespace rotorub

@@ -1,0 +1,212 @@
+#include "native_model/trajectory/recorder.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "native_model/system/dynamics.h"
+
+namespace rotorub {
+namespace {
+
+std::vector<Column> make_columns(const Model& model) {
+  const Layout& l = model.layout;
+  std::vector<Column> c;
+  const auto add = [&c](std::string name, std::string unit) {
+    c.push_back({std::move(name), std::move(unit), {}});
+  };
+  add("t", "s");
+  for (const char* body : {"rotor", "stator"}) {
+    const std::string name = body;
+    add(name + "_x", "m");
+    add(name + "_y", "m");
+    add(name + "_vx", "m/s");
+    add(name + "_vy", "m/s");
+  }
+  add("spin_angle", "rad");
+  add("spin_speed", "rad/s");
+  add("gap", "m");
+  add("gap_rate", "m/s");
+  add("slip", "m/s");
+  add("normal_force", "N");
+  add("friction_force", "N");
+  add("mode", "");
+  const auto numbered = [&](const std::string& name, const std::string& unit, int count) {
+    for (int k = 1; k <= count; ++k) add(name + "_" + std::to_string(k), unit);
+  };
+  numbered("x", "m", l.modes);
+  numbered("y", "m", l.modes);
+  numbered("vx", "m/s", l.modes);
+  numbered("vy", "m/s", l.modes);
+  numbered("torsion", "rad", l.torsion);
+  numbered("torsion_speed", "rad/s", l.torsion);
+  if (l.stator && model.controller) {
+    add("control_x", "N");
+    add("control_y", "N");
+  }
+  return c;
+}
+
+// The contact's rate of work on the coordinates is N gdot_N + T gdot_T, without what the machine
+// that holds a prescribed speed does.
+double dof_slip(const Model& model, const ContactPoint& p) {
+  if (model.layout.spin || !model.contact) return p.slip;
+  return p.slip - model.contact->radius * model.speed;
+}
+
+}  // namespace
+
+std::vector<double> output_times(const scene::Run& run) {
+  std::vector<double> times;
+  const double spacing = run.series_step();
+  const auto count = static_cast<std::int64_t>(std::floor(run.end / spacing * (1.0 + 1e-12)));
+  times.reserve(static_cast<std::size_t>(count) + run.output_times.size() + 2);
+  for (std::int64_t k = 0; k <= count; ++k) {
+    const double t = std::min(run.end, static_cast<double>(k) * spacing);
+    // The last multiple is the end itself where round-off alone keeps them apart.
+    times.push_back(run.end - t < 1e-9 * spacing ? run.end : t);
+  }
+  times.push_back(run.end);
+  times.insert(times.end(), run.output_times.begin(), run.output_times.end());
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+Recorder::Recorder(const Model& model, std::vector<double> times)
+    : model_(&model), times_(std::move(times)), columns_(make_columns(model)) {
+  assert(std::is_sorted(times_.begin(), times_.end()));
+  for (Column& column : columns_) column.values.reserve(times_.size());
+  const auto n = static_cast<std::size_t>(model.nq());
+  for (auto* v : {&last_q_, &last_v_, &q_, &v_}) v->assign(n, 0.0);
+}
+
+double Recorder::next_time() const {
+  return next_ < times_.size() ? times_[next_] : std::numeric_limits<double>::infinity();
+}
+
+void Recorder::keep(const Snapshot& now, const ContactPoint& point) {
+  last_ = now;
+  std::copy_n(now.q, last_q_.size(), last_q_.begin());
+  std::copy_n(now.v, last_v_.size(), last_v_.begin());
+  last_.q = last_q_.data();
+  last_.v = last_v_.data();
+  last_gap_rate_ = point.gap_rate;
+  last_slip_ = dof_slip(*model_, point);
+  last_whole_slip_ = point.slip;
+  last_power_ = external_power(*model_, now.t, now.q, now.v, now.control);
+}
+
+void Recorder::begin(const Snapshot& start) {
+  const ContactPoint point = contact_point(*model_, start.q, start.v);
+  keep(start, point);
+  statistics_.energy_start = energy(*model_, start.t, start.q, start.v);
+  statistics_.energy_end = statistics_.energy_start;
+  statistics_.energy_scale = std::abs(statistics_.energy_start);
+  while (next_time() <= start.t) row(start);
+}
+
+void Recorder::step(const Snapshot& now, double normal_impulse, double friction_impulse,
+                    bool impact) {
+  const double h = now.t - last_.t;
+  const ContactPoint point = contact_point(*model_, now.q, now.v);
+  rows_until(now, impact);
+
+  Statistics& s = statistics_;
+  if (normal_impulse > 0.0) {
+    if (s.first_touch < 0.0) s.first_touch = last_.t;
+    const double force = normal_impulse / h;
+    s.contact_time += h;
+    s.impulse_total += normal_impulse;
+    s.friction_impulse += friction_impulse;
+    s.friction_work += 0.5 * friction_impulse * (last_whole_slip_ + point.slip);
+    s.force_square += force * force * h;
+    s.peak_force = std::max(s.peak_force, force);
+  }
+  if (model_->contact) {
+    const double penetration = std::max(0.0, -point.gap);
+    s.max_penetration = std::max(s.max_penetration, penetration);
+    s.penetration_square += penetration * penetration * h;
+    if (s.first_touch >= 0.0) s.gap_rate_square += point.gap_rate * point.gap_rate * h;
+  }
+  const double gap_rate = last_gap_rate_, slip = last_slip_, power = last_power_;
+  keep(now, point);
+  s.contact_work += 0.5 * (normal_impulse * (gap_rate + last_gap_rate_) +
+                           friction_impulse * (slip + last_slip_));
+  s.external_work += 0.5 * h * (power + last_power_);
+  s.energy_end = energy(*model_, now.t, now.q, now.v);
+  s.energy_scale = std::max(s.energy_scale, std::abs(s.energy_end));
+}
+
+// Rows in (last, now]: at the step's own time its state to the bit, else interpolated.
+void Recorder::rows_until(const Snapshot& now, bool impact) {
+  const double h = now.t - last_.t;
+  const double same = 1e-9 * h;  // a requested time this near to a step is that step
+  while (next_time() <= now.t + same) {
+    const double t = next_time(), s = (t - last_.t) / h;
+    if (std::abs(now.t - t) <= same) {
+      Snapshot exact = now;
+      exact.t = t;
+      row(exact);
+      continue;
+    }
+    const double s2 = s * s, s3 = s2 * s;
+    for (std::size_t i = 0; i < q_.size(); ++i) {
+      const double q0 = last_q_[i], q1 = now.q[i], v0 = last_v_[i], v1 = now.v[i];
+      q_[i] = impact ? q0 + s * (q1 - q0)
+                     : (2 * s3 - 3 * s2 + 1) * q0 + (s3 - 2 * s2 + s) * h * v0 +
+                           (3 * s2 - 2 * s3) * q1 + (s3 - s2) * h * v1;
+      v_[i] = v0 + s * (v1 - v0);
+    }
+    Snapshot between = now;
+    between.t = t;
+    between.q = q_.data();
+    between.v = v_.data();
+    row(between);
+  }
+}
+
+void Recorder::add(const Impact& impact) { impacts_.push_back(impact); }
+void Recorder::add(const Event& event) { events_.push_back(event); }
+
+void Recorder::row(const Snapshot& now) {
+  const Model& m = *model_;
+  const Layout& l = m.layout;
+  const ContactPoint p = contact_point(m, now.q, now.v);
+  const Eigen::Vector2d r = rotor_point(m, now.q), rv = rotor_point(m, now.v);
+  const Eigen::Vector2d f = stator_point(m, now.q), fv = stator_point(m, now.v);
+  auto column = columns_.begin();
+  const auto put = [&column](double value) { (column++)->values.push_back(value); };
+  for (double value : {next_time(), r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(),
+                       spin_angle(m, now.t, now.q), spin_speed(m, now.v), p.gap, p.gap_rate,
+                       p.slip, now.normal_force, now.friction_force,
+                       static_cast<double>(now.mode)}) {
+    put(value);
+  }
+  const auto block = [&](const double* from, int at, int count) {
+    for (int k = 0; k < count; ++k) put(from[at + k]);
+  };
+  block(now.q, l.x(), 2 * l.modes);
+  block(now.v, l.x(), 2 * l.modes);
+  block(now.q, l.theta(), l.torsion);
+  block(now.v, l.theta(), l.torsion);
+  if (l.stator && m.controller) {
+    put(now.control.x());
+    put(now.control.y());
+  }
+  assert(column == columns_.end());
+  ++next_;
+}
+
+Trajectory Recorder::finish(double end) {
+  Trajectory t;
+  t.end = end;
+  t.series = std::move(columns_);
+  t.impacts = std::move(impacts_);
+  t.events = std::move(events_);
+  t.statistics = statistics_;
+  return t;
+}
+
+}  // namespace rotorub
