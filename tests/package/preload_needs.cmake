@@ -1,13 +1,16 @@
 # cmake -DLIBRARY=... -P preload_needs.cmake
+set(ENV{LC_ALL} C)
 execute_process(
   COMMAND readelf --dynamic --wide "${LIBRARY}"
   OUTPUT_VARIABLE dynamic COMMAND_ERROR_IS_FATAL ANY)
-string(REGEX MATCHALL "NEEDED[^\n]*\\[[^]\n]*" needed "${dynamic}")
+# An unbalanced bracket would glue the elements of a list together.
+string(REGEX REPLACE "[][]" "" dynamic "${dynamic}")
+string(REGEX MATCHALL "Shared library: [^\n]+" needed "${dynamic}")
 if(NOT needed)
   message(FATAL_ERROR "no library at all is named in\n${dynamic}")
 endif()
 foreach(entry IN LISTS needed)
-  string(REGEX REPLACE ".*\\[" "" library "${entry}")
+  string(REPLACE "Shared library: " "" library "${entry}")
   if(NOT library MATCHES "^(libmujoco|libstdc\\+\\+|libgcc_s|libc|libm|ld-linux[^.]*)\\.so")
     message(SEND_ERROR "${LIBRARY} needs ${library}")
   endif()
