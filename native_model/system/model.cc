@@ -19,7 +19,6 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
 // The diagonals of mass, stiffness and damping in the order of the layout.
 void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
   const Layout& l = model.layout;
-  const auto n = l.modes;
   for (auto* vector : {&model.mass, &model.stiffness, &model.damping}) {
     *vector = Eigen::VectorXd::Zero(l.nq());
   }
@@ -34,7 +33,7 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   if (l.spin) model.mass[l.phi()] = rotor.spin_inertia;
   put(l.theta(), rotor.torsion.inertia, rotor.torsion.stiffness, rotor.torsion.damping);
   if (l.stator) put(l.ring(), scene.stator->mass, scene.stator->stiffness, scene.stator->damping);
-  assert(n > 0);
+  assert(l.modes > 0);
 }
 
 void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
@@ -95,7 +94,6 @@ void fill_initial(const scene::Scene& scene, Model& model) {
 // J M^-1 J^T for the diagonal M.
 Eigen::Matrix3d diagonal_admittance(const Model& model) {
   const Layout& l = model.layout;
-  const auto n = l.modes;
   const auto sum = [&](const Eigen::VectorXd& shape, int at) {
     return (shape.array().square() / model.mass.segment(at, shape.size()).array()).sum();
   };
@@ -103,7 +101,7 @@ Eigen::Matrix3d diagonal_admittance(const Model& model) {
                     sum(model.torsion_contact, l.theta())};
   if (l.spin) a.z() += 1.0 / model.mass[l.phi()];
   if (l.stator) a.head<2>() += model.mass.segment<2>(l.ring()).cwiseInverse();
-  assert(n == model.contact_shape.x.size());
+  assert(l.modes == model.contact_shape.x.size());
   return a.asDiagonal();
 }
 
