@@ -23,11 +23,11 @@ inline constexpr double kNever = 1e300;  // s, a switching time that is never re
 enum class Integrator { kEvent, kPaper };
 
 struct Run {
-  double end = 1.0;                                // s, > 0
-  double step = 1e-5;                              // s, > 0: fixed step of `paper` and of MuJoCo
-  Integrator integrator = Integrator::kPaper;      // of the native engine
-  std::optional<double> output_step;               // s, > 0; default end / 1000
-  std::vector<double> output_times;                // s, in [0, end], ascending after reading
+  double end = 1.0;                            // s, > 0
+  double step = 1e-5;                          // s, > 0: fixed step of `paper` and of MuJoCo
+  Integrator integrator = Integrator::kPaper;  // of the native engine
+  std::optional<double> output_step;           // s, > 0; default end / 1000
+  std::vector<double> output_times;            // s, in [0, end], ascending after reading
   double series_step() const { return output_step.value_or(end / 1000.0); }
 };
 
@@ -49,50 +49,51 @@ struct Disc {
 };
 
 struct ShaftBearing {
-  double z = 0.0;                              // m, station
-  PlanePair stiffness{0.0, 0.0};               // N/m, >= 0
-  PlanePair damping{0.0, 0.0};                 // N s/m, >= 0
+  double z = 0.0;                 // m, station
+  PlanePair stiffness{0.0, 0.0};  // N/m, >= 0
+  PlanePair damping{0.0, 0.0};    // N s/m, >= 0
 };
 
 // Geometry form: a continuous Euler-Bernoulli shaft.
 struct RotorGeometry {
-  double length = 0.0;                         // m, > 0
-  double E = 0.0;                              // Pa, > 0
-  double G = 0.0;                              // Pa, > 0: given, or E / (2 (1 + nu))
-  double rho = 0.0;                            // kg/m^3, > 0
-  std::optional<int> modes;                    // bending modes kept in each plane, >= 1
-  std::optional<double> max_frequency;         // rad/s: modes kept up to this frequency
-  double damping_ratio = 0.0;                  // external modal damping, >= 0
-  double internal_damping_ratio = 0.0;         // rotating modal damping, >= 0
-  std::vector<ShaftSection> sections;          // contiguous from 0 to length
+  double length = 0.0;                  // m, > 0
+  double E = 0.0;                       // Pa, > 0
+  std::optional<double> nu;             // 1, in (-1, 0.5]; at most one of nu and G
+  double G = 0.0;                       // Pa, > 0: given, or E / (2 (1 + nu)); nu: 0.3
+  double rho = 0.0;                     // kg/m^3, > 0
+  std::optional<int> modes;             // bending modes kept in each plane, >= 1
+  std::optional<double> max_frequency;  // rad/s: modes kept up to this frequency
+  double damping_ratio = 0.0;           // external modal damping, >= 0
+  double internal_damping_ratio = 0.0;  // rotating modal damping, >= 0
+  std::vector<ShaftSection> sections;   // contiguous from 0 to length
   std::vector<Disc> discs;
   std::vector<ShaftBearing> bearings;
 };
 
 // Modal form: every bending mode scaled to 1 at the contact station. All of one length n >= 1.
 struct RotorModal {
-  std::vector<double> mass, mass_y;                // kg, > 0
-  std::vector<double> stiffness, stiffness_y;      // N/m, >= 0
-  std::vector<double> damping, damping_y;          // N s/m, >= 0, external (inertial frame)
-  std::vector<double> internal_damping;            // N s/m, >= 0, rotating with the shaft
-  std::vector<double> gyroscopic;                  // kg: force on x: -Omega g vy, on y: +Omega g vx
-  double inertia = 0.0;                            // kg m^2, > 0 with [drive]: rigid spin
+  std::vector<double> mass, mass_y;            // kg, > 0
+  std::vector<double> stiffness, stiffness_y;  // N/m, >= 0
+  std::vector<double> damping, damping_y;      // N s/m, >= 0, external (inertial frame)
+  std::vector<double> internal_damping;        // N s/m, >= 0, rotating with the shaft
+  std::vector<double> gyroscopic;              // kg: force on x: -Omega g vy, on y: +Omega g vx
+  double inertia = 0.0;                        // kg m^2, > 0 with [drive]: rigid spin
 };
 
 // Geometry form: `modes` elastic torsion modes. Modal form: the lists, one length, every mode 1 at
 // the contact station.
 struct Torsion {
-  int modes = 0;                       // geometry form, >= 1
-  double damping_ratio = 0.0;          // geometry form, >= 0; default: [rotor].damping_ratio
-  std::vector<double> inertia;         // kg m^2, > 0
-  std::vector<double> stiffness;       // N m/rad, > 0
-  std::vector<double> damping;         // N m s/rad, >= 0
-  std::vector<double> drive_shape;     // 1, mode value at the motor, default 0
+  int modes = 0;                    // geometry form, >= 1
+  double damping_ratio = 0.0;       // geometry form, >= 0; default: [rotor].damping_ratio
+  std::vector<double> inertia;      // kg m^2, > 0
+  std::vector<double> stiffness;    // N m/rad, > 0
+  std::vector<double> damping;      // N m s/rad, >= 0
+  std::vector<double> drive_shape;  // 1, mode value at the motor, default 0
 };
 
 struct Rotor {
-  double speed = 0.0;                            // rad/s, Omega at t = 0; constant without [drive]
-  std::optional<RotorGeometry> geometry;         // exactly one of geometry and modal
+  double speed = 0.0;                     // rad/s, Omega at t = 0; constant without [drive]
+  std::optional<RotorGeometry> geometry;  // exactly one of geometry and modal
   std::optional<RotorModal> modal;
   std::optional<Torsion> torsion;
 };
@@ -102,15 +103,15 @@ enum class DriveKind { kFree, kLinear, kKloss, kTable };
 
 struct Drive {
   DriveKind kind = DriveKind::kFree;
-  double gain = 0.0;               // linear: N m s, T = gain (speed - Omega_d), >= 0
-  double speed = 0.0;              // linear: rad/s
-  double breakdown_torque = 0.0;   // kloss: N m, > 0
-  double breakdown_slip = 0.0;     // kloss: 1, > 0
-  double synchronous_speed = 0.0;  // kloss: rad/s, > 0
+  double gain = 0.0;                 // linear: N m s, T = gain (speed - Omega_d), >= 0
+  double speed = 0.0;                // linear: rad/s
+  double breakdown_torque = 0.0;     // kloss: N m, > 0
+  double breakdown_slip = 0.0;       // kloss: 1, > 0
+  double synchronous_speed = 0.0;    // kloss: rad/s, > 0
   std::vector<double> table_speed;   // table: rad/s, ascending, at least 2
   std::vector<double> table_torque;  // table: N m
-  double station = 0.0;            // m, geometry form
-  double inertia = 0.0;            // kg m^2, >= 0, geometry form: of the motor's rotor at `station`
+  double station = 0.0;              // m, geometry form
+  double inertia = 0.0;  // kg m^2, >= 0, geometry form: of the motor's rotor at `station`
 };
 
 // ---------------------------------------------------------------- [[force]], [magnetic_bearing]
@@ -169,16 +170,16 @@ enum class ControllerKind { kPassive, kSliding };
 
 struct Controller {
   ControllerKind kind = ControllerKind::kPassive;
-  double on = 0.0;              // s, switch-on time
-  double sample_time = 0.0;     // s, >= 0; 0: continuous
+  double on = 0.0;           // s, switch-on time
+  double sample_time = 0.0;  // s, >= 0; 0: continuous
   // sliding mode with boundary layer (22)-(29), tracking q_fd = r_rotor - (delta_0 - g_d) e_r
-  double bandwidth = 2000.0;        // 1/s, psi, > 0
-  double boundary_layer = 0.02;     // m/s, phi, > 0
-  double switching_gain = 200.0;    // m/s^2, k, >= 0: bound on the unknown acceleration
-  double gap_time = 0.008;          // s, > 0: the gap reference falls smoothly to 0 in this time
+  double bandwidth = 2000.0;      // 1/s, psi, > 0
+  double boundary_layer = 0.02;   // m/s, phi, > 0
+  double switching_gain = 200.0;  // m/s^2, k, >= 0: bound on the unknown acceleration
+  double gap_time = 0.008;        // s, > 0: the gap reference falls smoothly to 0 in this time
   // passive: an extra spring and damper emulated through the actuator
-  double stiffness = 0.0;           // N/m, >= 0
-  double damping = 0.0;             // N s/m, >= 0
+  double stiffness = 0.0;  // N/m, >= 0
+  double damping = 0.0;    // N s/m, >= 0
 };
 
 // ---------------------------------------------------------------- [gravity], [initial], [mujoco]
@@ -191,28 +192,31 @@ struct Gravity {
 
 // Missing lists mean 0. Modal coordinates at t = 0.
 struct Initial {
-  std::vector<double> x, y, vx, vy;             // m, m/s
-  double spin_angle = 0.0;                      // rad
-  std::vector<double> torsion, torsion_speed;   // rad, rad/s
-  Eigen::Vector2d stator{0.0, 0.0};             // m
-  Eigen::Vector2d stator_velocity{0.0, 0.0};    // m/s
+  std::vector<double> x, y, vx, vy;            // m, m/s
+  double spin_angle = 0.0;                     // rad
+  std::vector<double> torsion, torsion_speed;  // rad, rad/s
+  Eigen::Vector2d stator{0.0, 0.0};            // m
+  Eigen::Vector2d stator_velocity{0.0, 0.0};   // m/s
 };
 
 enum class MujocoRotor { kModal, kSegments };
 enum class ContactModel { kRigid, kCoulomb, kCone };
 enum class MujocoIntegrator { kEuler, kImplicit, kRk4 };
+enum class MujocoSolver { kNewton, kCg, kPgs };
 
 struct Mujoco {
   MujocoRotor rotor = MujocoRotor::kModal;
   ContactModel contact = ContactModel::kCoulomb;
   MujocoIntegrator integrator = MujocoIntegrator::kEuler;
+  MujocoSolver solver = MujocoSolver::kNewton;
   double solref_stiffness = 0.0;  // 1/s^2, > 0: direct solref K (0: chosen from the step)
 };
 
 // ---------------------------------------------------------------- the whole
 struct Scene {
   std::string name;  // file name without folder and ending
-  std::string text;  // the TOML text with overrides applied; what the MJCF carries and the hash is of
+  std::string
+      text;  // the TOML text with overrides applied; what the MJCF carries and the hash is of
   Run run;
   Rotor rotor;
   std::optional<Drive> drive;

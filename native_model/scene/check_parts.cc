@@ -1,0 +1,154 @@
+// Cross-checks of everything around the rotor.
+
+#include <algorithm>
+#include <cstdio>
+
+#include "native_model/scene/checker.h"
+
+namespace rotorub::scene {
+namespace {
+
+constexpr double kMostRows = 1e8;  // of a series
+constexpr double kGapTolerance =
+    1e-9;  // of the clearance: a rotor that starts on the ring is meant to
+
+std::string element(const std::string& list, std::size_t index) {
+  return list + "[" + std::to_string(index) + "]";
+}
+
+std::string text(double number) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%g", number);
+  return buffer;
+}
+
+void check_run(const Checker& check) {
+  const Run& run = check.scene.run;
+  if (!check.record.sound({"run.end"})) return;
+  const std::string end = "run.end = " + text(run.end) + " s";
+  if (check.record.sound({"run.step"}) && run.step > run.end) {
+    check.fail("run.step", "must be at most " + end);
+  }
+  if (check.record.sound({"run.output_step"}) && run.end / run.series_step() > kMostRows) {
+    check.fail("run.output_step",
+               "gives more than 1e8 rows; expected at least " + text(run.end / kMostRows) + " s");
+  }
+  if (!check.record.sound({"run.output_times"})) return;
+  for (std::size_t i = 0; i < run.output_times.size(); ++i) {
+    if (run.output_times[i] > run.end) {
+      check.fail(element("run.output_times", i), "must be in [0, " + end + "]");
+    }
+  }
+}
+
+void check_drive(const Checker& check, const Drive& drive) {
+  check.station("drive.station", drive.station);
+  if (drive.kind != DriveKind::kTable || !check.record.given("drive.table_speed") ||
+      !check.record.sound({"drive.table_speed"})) {
+    return;
+  }
+  const std::vector<double>& speed = drive.table_speed;
+  if (speed.size() < 2) check.fail("drive.table_speed", "expected two speeds or more");
+  if (std::adjacent_find(speed.begin(), speed.end(), std::greater_equal<>()) != speed.end()) {
+    check.fail("drive.table_speed", "must be strictly ascending");
+  }
+  check.list_length("drive.table_torque", drive.table_torque, speed.size(),
+                    "speed of drive.table_speed");
+}
+
+void check_forces(const Checker& check) {
+  const auto modes = check.bending_modes();
+  for (std::size_t i = 0; i < check.scene.forces.size(); ++i) {
+    const std::string path = element("force", i);
+    const Force& force = check.scene.forces[i];
+    check.station(path + ".station", force.station);
+    if (modes) check.list_length(path + ".shape", force.shape, *modes, "bending mode");
+    if (check.record.sound({path + ".on", path + ".off"}) && force.off < force.on) {
+      check.fail(path + ".off", "must not be before `on` = " + text(force.on) + " s");
+    }
+  }
+  if (const auto& magnetic = check.scene.magnetic_bearing) {
+    check.station("magnetic_bearing.station", magnetic->station);
+    if (modes) check.list_length("magnetic_bearing.shape", magnetic->shape, *modes, "bending mode");
+  }
+}
+
+void check_ring(const Checker& check) {
+  const Scene& scene = check.scene;
+  const bool has_ring = check.record.given("stator");
+  if (scene.contact) check.station("contact.station", scene.contact->station);
+  if (scene.actuator && !has_ring) {
+    check.fail("actuator", "needs [stator]: the ring is fixed, and there is nothing to move");
+  }
+  if (scene.controller && !has_ring) {
+    check.fail("controller", "needs [stator]: the ring is fixed, and there is nothing to move");
+  }
+  if (scene.controller && scene.controller->kind == ControllerKind::kSliding &&
+      !check.record.given("contact")) {
+    check.fail("controller",
+               "kind \"sliding\" needs [contact]: it tracks the rotor at the clearance");
+  }
+  for (const char* key : {"initial.stator", "initial.stator_velocity"}) {
+    if (check.record.given(key) && !has_ring) {
+      check.fail(key, "needs [stator]: the ring is fixed and stays at [0, 0]");
+    }
+  }
+}
+
+void check_initial_lists(const Checker& check) {
+  const Initial& initial = check.scene.initial;
+  if (const auto modes = check.bending_modes()) {
+    check.list_length("initial.x", initial.x, *modes, "bending mode");
+    check.list_length("initial.y", initial.y, *modes, "bending mode");
+    check.list_length("initial.vx", initial.vx, *modes, "bending mode");
+    check.list_length("initial.vy", initial.vy, *modes, "bending mode");
+    if (check.scene.gravity) {
+      check.list_length("gravity.participation", check.scene.gravity->participation, *modes,
+                        "bending mode");
+    }
+  }
+  const auto torsion_list = [&](const char* path, const std::vector<double>& list) {
+    if (check.record.given(path) && !check.record.given("rotor.torsion")) {
+      check.fail(path, "needs [rotor.torsion]: the rotor has no torsion modes");
+    } else if (const auto modes = check.torsion_modes()) {
+      check.list_length(path, list, *modes, "torsion mode");
+    }
+  };
+  torsion_list("initial.torsion", initial.torsion);
+  torsion_list("initial.torsion_speed", initial.torsion_speed);
+}
+
+// Modal form: the contact point is the plain sum of the modes. (In the geometry form a mode with a
+// node at the contact is scaled otherwise; that is known only once the modes are.)
+void check_initial_gap(const Checker& check) {
+  const Scene& scene = check.scene;
+  if (!scene.rotor.modal || !scene.contact ||
+      !check.record.sound({"contact.clearance", "initial.x", "initial.y", "initial.stator"})) {
+    return;
+  }
+  Eigen::Vector2d offset = -scene.initial.stator;
+  for (double x : scene.initial.x) offset.x() += x;
+  for (double y : scene.initial.y) offset.y() += y;
+  const double clearance = scene.contact->clearance;
+  if (offset.norm() > clearance * (1.0 + kGapTolerance)) {
+    const char* key = check.record.given("initial.x")   ? "initial.x"
+                      : check.record.given("initial.y") ? "initial.y"
+                                                        : "initial.stator";
+    check.fail(key, "the rotor starts outside the ring, " + text(offset.norm()) +
+                        " m from its centre; expected at most contact.clearance = " +
+                        text(clearance) + " m");
+  }
+}
+
+}  // namespace
+
+void check_parts(const Checker& check) {
+  check_run(check);
+  if (check.scene.drive) check_drive(check, *check.scene.drive);
+  check_forces(check);
+  check_ring(check);
+  check_initial_lists(check);
+  check_initial_gap(check);
+}
+
+}  // namespace rotorub::scene

@@ -1,0 +1,140 @@
+// Cross-checks of [rotor].
+
+#include <algorithm>
+#include <cmath>
+
+#include "native_model/scene/checker.h"
+
+namespace rotorub::scene {
+namespace {
+
+// Sections meet within this part of the length: stations are often rounded decimals.
+constexpr double kSectionTolerance = 1e-9;
+// Jp <= 2 Jt for every rigid body; data sheets round.
+constexpr double kInertiaTolerance = 0.01;
+
+std::string element(const std::string& list, std::size_t index) {
+  return list + "[" + std::to_string(index) + "]";
+}
+
+std::string metres(double z) { return std::to_string(z) + " m"; }
+
+// Sections in the order of the file cover 0 to length.
+void check_sections(const Checker& check, const RotorGeometry& shaft) {
+  if (shaft.sections.empty()) {
+    check.fail("rotor.section", "missing: [[rotor.section]] from 0 to rotor.length");
+    return;
+  }
+  bool sound = check.record.sound({"rotor.length"});
+  for (std::size_t i = 0; i < shaft.sections.size(); ++i) {
+    const std::string path = element("rotor.section", i);
+    const ShaftSection& section = shaft.sections[i];
+    if (check.record.sound({path + ".diameter", path + ".inner_diameter"}) &&
+        section.inner_diameter >= section.diameter) {
+      check.fail(path + ".inner_diameter",
+                 "must be below the outer diameter, " + metres(section.diameter));
+    }
+    if (!check.record.sound({path + ".from", path + ".to"})) {
+      sound = false;
+    } else if (section.to <= section.from) {
+      check.fail(path + ".to", "must be beyond `from`, " + metres(section.from));
+      sound = false;
+    }
+  }
+  if (!sound) return;
+
+  const double slack = kSectionTolerance * shaft.length;
+  double covered = 0.0;
+  for (std::size_t i = 0; i < shaft.sections.size(); ++i) {
+    const ShaftSection& section = shaft.sections[i];
+    if (std::abs(section.from - covered) > slack) {
+      check.fail(element("rotor.section", i) + ".from",
+                 "the sections must cover 0 to rotor.length in order, without gap or overlap: "
+                 "expected " +
+                     metres(covered) + ", got " + metres(section.from));
+    }
+    covered = section.to;
+  }
+  if (std::abs(covered - shaft.length) > slack) {
+    check.fail(element("rotor.section", shaft.sections.size() - 1) + ".to",
+               "the sections must cover 0 to rotor.length: expected " + metres(shaft.length) +
+                   ", got " + metres(covered));
+  }
+}
+
+void check_discs_and_bearings(const Checker& check, const RotorGeometry& shaft) {
+  for (std::size_t i = 0; i < shaft.discs.size(); ++i) {
+    const std::string path = element("rotor.disc", i);
+    const Disc& disc = shaft.discs[i];
+    check.station(path + ".z", disc.z);
+    if (check.record.sound({path + ".Jt", path + ".Jp"}) &&
+        disc.Jp > 2.0 * disc.Jt * (1.0 + kInertiaTolerance)) {
+      check.fail(path + ".Jp", "no rigid body has Jp > 2 Jt; a thin disc has Jp = 2 Jt");
+    }
+  }
+  for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
+    check.station(element("rotor.bearing", i) + ".z", shaft.bearings[i].z);
+  }
+}
+
+void check_geometry(const Checker& check, const RotorGeometry& shaft) {
+  const Record& record = check.record;
+  check_sections(check, shaft);
+  check_discs_and_bearings(check, shaft);
+  if (record.given("rotor.modes") && record.given("rotor.max_frequency")) {
+    check.fail("rotor.max_frequency", "give `modes` or `max_frequency`, not both");
+  }
+  if (!record.given("rotor.modes") && !record.given("rotor.max_frequency")) {
+    check.fail("rotor.modes", "missing: expected `modes` (a whole number >= 1) or `max_frequency`");
+  }
+  if (record.given("rotor.nu") && record.given("rotor.G")) {
+    check.fail("rotor.G", "give `nu` or `G`, not both");
+  }
+  if (check.scene.rotor.torsion && !record.given("rotor.nu") && !record.given("rotor.G")) {
+    check.fail("rotor.nu", "missing: torsion needs `nu` (in (-1, 0.5]) or `G` (in Pa)");
+  }
+}
+
+void check_modal(const Checker& check, const RotorModal& modal) {
+  if (const auto modes = check.bending_modes()) {
+    const auto same = [&](const char* name, const std::vector<double>& list) {
+      check.list_length(std::string("rotor.modal.") + name, list, *modes,
+                        "mode (rotor.modal.mass has " + std::to_string(*modes) + ")");
+    };
+    same("mass_y", modal.mass_y);
+    same("stiffness", modal.stiffness);
+    same("stiffness_y", modal.stiffness_y);
+    same("damping", modal.damping);
+    same("damping_y", modal.damping_y);
+    same("internal_damping", modal.internal_damping);
+    same("gyroscopic", modal.gyroscopic);
+  }
+  if (check.scene.drive && check.record.sound({"rotor.modal.inertia"}) && modal.inertia <= 0.0) {
+    check.fail("rotor.modal.inertia",
+               "with [drive] the spin is free and needs an inertia in kg m^2, > 0");
+  }
+}
+
+void check_modal_torsion(const Checker& check, const Torsion& torsion) {
+  const auto modes = check.torsion_modes();
+  if (!modes) return;
+  const auto same = [&](const char* name, const std::vector<double>& list) {
+    check.list_length(std::string("rotor.torsion.") + name, list, *modes,
+                      "torsion mode (rotor.torsion.inertia has " + std::to_string(*modes) + ")");
+  };
+  same("stiffness", torsion.stiffness);
+  same("damping", torsion.damping);
+  same("drive_shape", torsion.drive_shape);
+}
+
+}  // namespace
+
+void check_rotor(const Checker& check) {
+  const Rotor& rotor = check.scene.rotor;
+  if (rotor.geometry && rotor.modal) return;  // already refused
+  if (rotor.geometry) check_geometry(check, *rotor.geometry);
+  if (rotor.modal) check_modal(check, *rotor.modal);
+  if (rotor.modal && rotor.torsion) check_modal_torsion(check, *rotor.torsion);
+}
+
+}  // namespace rotorub::scene

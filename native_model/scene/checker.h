@@ -1,0 +1,35 @@
+// Shared by the cross-checks: where a fault is reported, and checks that several parts need.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "native_model/scene/record.h"
+#include "native_model/scene/scene.h"
+
+namespace rotorub::scene {
+
+struct Checker {
+  const Scene& scene;
+  const Record& record;
+  std::vector<Diagnostic>& diagnostics;
+
+  void fail(const std::string& path, std::string reason) const {
+    diagnostics.push_back(record.diagnostic(path, std::move(reason)));
+  }
+  // "out of the shaft" for a station beyond the length.
+  void station(const std::string& path, double z) const;
+  // A list at `path`, if it is given, has `length` values; `of` says what counts them.
+  void list_length(const std::string& path, const std::vector<double>& list, std::size_t length,
+                   const std::string& of) const;
+  // How many bending (torsion) modes there are, where the scene says so: not with max_frequency.
+  std::optional<std::size_t> bending_modes() const;
+  std::optional<std::size_t> torsion_modes() const;
+};
+
+void check_rotor(const Checker& check);  // [rotor] and its tables
+void check_parts(const Checker& check);  // everything else
+
+}  // namespace rotorub::scene

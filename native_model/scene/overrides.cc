@@ -1,0 +1,195 @@
+#include "native_model/scene/overrides.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "native_model/scene/schema.h"
+
+namespace rotorub::scene {
+namespace {
+
+using Kind = TomlNode::Kind;
+
+// One part of a path: a key, or the number of an element.
+struct Step {
+  std::string key;
+  std::size_t index = 0;
+  bool is_index = false;
+};
+
+constexpr std::size_t kLongestPath = 8;
+
+std::optional<std::size_t> as_index(std::string_view text) {
+  std::size_t index = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), index);
+  const bool whole = status == std::errc() && end == text.data() + text.size() && !text.empty();
+  return whole ? std::optional(index) : std::nullopt;
+}
+
+// "force[0].shape" or "force.0.shape" in parts; nothing if it is no path.
+std::optional<std::vector<Step>> parse_path(std::string_view text) {
+  std::vector<Step> steps;
+  while (true) {
+    const std::string_view part = text.substr(0, text.find('.'));
+    const std::string_view name = part.substr(0, part.find('['));
+    if (name.empty() || steps.size() >= kLongestPath) return std::nullopt;
+    const std::optional<std::size_t> number = as_index(name);
+    steps.push_back({std::string(name), number.value_or(0), number.has_value()});
+    if (name.size() < part.size()) {
+      if (part.back() != ']') return std::nullopt;
+      const auto index = as_index(part.substr(name.size() + 1, part.size() - name.size() - 2));
+      if (!index) return std::nullopt;
+      steps.push_back({{}, *index, true});
+    }
+    if (part.size() == text.size()) break;
+    text.remove_prefix(part.size() + 1);
+  }
+  return steps.front().is_index ? std::nullopt : std::optional(steps);
+}
+
+TomlNode parse_value(std::string_view text) {
+  std::vector<Diagnostic> unread;
+  const TomlDocument document = parse_toml("v = " + std::string(text), kOverrideFile, unread);
+  if (document.whole && document.root.entries.size() == 1) {
+    return document.root.entries.front().second;
+  }
+  TomlNode word;
+  word.kind = Kind::kString;
+  word.file = kOverrideFile;
+  word.text = text;
+  return word;
+}
+
+// Overrides have no lines.
+void forget_lines(TomlNode& node) {
+  node.line = 0;
+  for (auto& [key, value] : node.entries) forget_lines(value);
+  for (TomlNode& item : node.items) forget_lines(item);
+}
+
+TomlNode empty_node(Kind kind) {
+  TomlNode node;
+  node.kind = kind;
+  node.file = kOverrideFile;
+  return node;
+}
+
+// The child that `step` leads to, made if need be; nullptr: there is none and there cannot be.
+TomlNode* descend(TomlNode& node, const Step& step, Kind kind_if_made, std::string& reason) {
+  if (step.is_index) {
+    if (node.kind != Kind::kArray) {
+      reason = "is " + std::string(kind_name(node.kind)) + " and has no element";
+      return nullptr;
+    }
+    if (step.index > node.items.size()) {
+      reason = "has " + std::to_string(node.items.size()) +
+               " elements, counted from 0; the next is [" + std::to_string(node.items.size()) + "]";
+      return nullptr;
+    }
+    if (step.index == node.items.size()) node.items.push_back(empty_node(kind_if_made));
+    return &node.items[step.index];
+  }
+  if (node.kind != Kind::kTable) {
+    reason = node.kind == Kind::kArray
+                 ? "is a list; name an element, as in force[0].amplitude"
+                 : "is " + std::string(kind_name(node.kind)) + ", not a table";
+    return nullptr;
+  }
+  if (TomlNode* found = node.find(step.key)) return found;
+  node.entries.emplace_back(step.key, empty_node(kind_if_made));
+  return &node.entries.back().second;
+}
+
+void remove(TomlNode& node, const Step& step) {
+  if (step.is_index) {
+    if (step.index < node.items.size()) {
+      node.items.erase(node.items.begin() + static_cast<std::ptrdiff_t>(step.index));
+    }
+    return;
+  }
+  std::erase_if(node.entries, [&](const auto& entry) { return entry.first == step.key; });
+}
+
+// "rotor.disc" of the steps before the last.
+std::string table_path(const std::vector<Step>& steps) {
+  std::string path;
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    if (!steps[i].is_index) path += (path.empty() ? "" : ".") + steps[i].key;
+  }
+  return path;
+}
+
+// A changed kind: the keys of the other kinds alone would be refused.
+void drop_other_kinds(TomlNode& table, const std::string& path, std::string_view kind) {
+  const Table* schema = find_table(path);
+  if (schema == nullptr || table.kind != Kind::kTable) return;
+  std::erase_if(table.entries, [&](const auto& entry) {
+    const Key* key = schema->find(entry.first);
+    return key != nullptr && entry.second.file != kOverrideFile && !key->is_for(kind);
+  });
+}
+
+// Why the override cannot be applied; empty: done.
+std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_view text) {
+  const bool removing = text == "none";
+  TomlNode* node = &root;
+  std::string reason, path;
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    if (removing && !steps[i].is_index && node->kind == Kind::kTable && !node->find(steps[i].key)) {
+      return {};
+    }
+    node = descend(*node, steps[i], steps[i + 1].is_index ? Kind::kArray : Kind::kTable, reason);
+    path += steps[i].is_index ? "[" + std::to_string(steps[i].index) + "]"
+                              : (path.empty() ? "" : ".") + steps[i].key;
+    if (node == nullptr) return "cannot be set: " + path + " " + reason;
+  }
+  if (removing) {
+    remove(*node, steps.back());
+    return {};
+  }
+  TomlNode value = parse_value(text);
+  forget_lines(value);
+  const std::string kind = value.text;
+  TomlNode* target = descend(*node, steps.back(), Kind::kString, reason);
+  if (target == nullptr) return "cannot be set: " + (path.empty() ? "it" : path) + " " + reason;
+  *target = std::move(value);
+  if (steps.back().key == "kind") drop_other_kinds(*node, table_path(steps), kind);
+  return {};
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+void apply_overrides(TomlNode& root, std::span<const std::string> overrides,
+                     std::vector<Diagnostic>& diagnostics) {
+  for (const std::string& override_text : overrides) {
+    const std::string_view text = override_text;
+    const std::size_t equals = text.find('=');
+    const std::string_view path = trimmed(text.substr(0, equals));
+    const std::string_view value =
+        equals == std::string_view::npos ? std::string_view() : trimmed(text.substr(equals + 1));
+    const auto steps = parse_path(path);
+    if (!steps || value.empty()) {
+      diagnostics.push_back({kOverrideFile,
+                             0,
+                             {},
+                             "expected table.key=value, as in contact.friction=0.2 or "
+                             "force[0].amplitude=\"100 N\", got '" +
+                                 override_text + "'"});
+      continue;
+    }
+    const std::string reason = apply(root, *steps, value);
+    if (!reason.empty()) diagnostics.push_back({kOverrideFile, 0, std::string(path), reason});
+  }
+}
+
+}  // namespace rotorub::scene

@@ -1,0 +1,36 @@
+#include "native_model/scene/record.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rotorub::scene {
+
+void Record::note(const std::string& path, const TomlNode& node, bool sound) {
+  marks_[path] = {node.file, node.line, sound, true};
+}
+
+bool Record::given(std::string_view path) const {
+  const auto found = marks_.find(path);
+  return found != marks_.end() && found->second.given;
+}
+
+bool Record::sound(std::initializer_list<std::string> paths) const {
+  return std::all_of(paths.begin(), paths.end(), [&](const std::string& path) {
+    const auto found = marks_.find(path);
+    return found == marks_.end() || found->second.sound;
+  });
+}
+
+Diagnostic Record::diagnostic(const std::string& path, std::string reason) const {
+  for (std::string above = path;;) {
+    const auto found = marks_.find(above);
+    if (found != marks_.end() && found->second.given) {
+      return {found->second.file, found->second.line, path, std::move(reason)};
+    }
+    if (above.empty()) return {{}, 0, path, std::move(reason)};
+    const std::size_t cut = above.find_last_of(".[");
+    above = cut == std::string::npos ? std::string() : above.substr(0, cut);
+  }
+}
+
+}  // namespace rotorub::scene

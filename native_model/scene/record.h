@@ -1,0 +1,37 @@
+// What the reading of a scene noticed beside the values: which keys stand where, and which of them
+// are faulty. The cross-checks ask it, so that one slip is not reported twice.
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "native_model/scene/toml_source.h"
+
+namespace rotorub::scene {
+
+class Record {
+ public:
+  // `path` stands at `node` ("force[0].amplitude", "contact"); sound: its value can be used.
+  void note(const std::string& path, const TomlNode& node, bool sound);
+  // A required key that is not there.
+  void note_missing(const std::string& path) { marks_[path] = {{}, 0, false, false}; }
+
+  bool given(std::string_view path) const;
+  // Every path is given and sound, or optional and absent.
+  bool sound(std::initializer_list<std::string> paths) const;
+  // A diagnostic at `path`, or at the nearest part above it that has a place in the file.
+  Diagnostic diagnostic(const std::string& path, std::string reason) const;
+
+ private:
+  struct Mark {
+    std::string file;
+    int line = 0;
+    bool sound = true;
+    bool given = true;
+  };
+  std::map<std::string, Mark, std::less<>> marks_;
+};
+
+}  // namespace rotorub::scene

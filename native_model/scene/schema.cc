@@ -1,0 +1,119 @@
+#include "native_model/scene/schema.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace rotorub::scene {
+namespace {
+
+std::string number_text(double number) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%g", number);
+  return buffer.data();
+}
+
+}  // namespace
+
+std::string Range::text() const {
+  const bool bounded_below = low > -std::numeric_limits<double>::infinity();
+  const bool bounded_above = high < std::numeric_limits<double>::infinity();
+  if (bounded_below && bounded_above) {
+    return std::string("in ") + (low_open ? "(" : "[") + number_text(low) + ", " +
+           number_text(high) + (high_open ? ")" : "]");
+  }
+  if (bounded_below) return (low_open ? "> " : ">= ") + number_text(low);
+  if (bounded_above) return (high_open ? "< " : "<= ") + number_text(high);
+  return {};
+}
+
+Key& Key::above(double low) {
+  range.low = low;
+  range.low_open = true;
+  return *this;
+}
+
+Key& Key::at_least(double low) {
+  range.low = low;
+  return *this;
+}
+
+Key& Key::below(double high) {
+  range.high = high;
+  range.high_open = true;
+  return *this;
+}
+
+Key& Key::between(double low, double high) {
+  range.low = low;
+  range.high = high;
+  return *this;
+}
+
+Key& Key::in(Form of_form) {
+  form = of_form;
+  return *this;
+}
+
+Key& Key::of(std::vector<std::string_view> of_kinds) {
+  kinds = std::move(of_kinds);
+  return *this;
+}
+
+Key& Key::otherwise(std::string_view text) {
+  fallback = text;
+  return *this;
+}
+
+bool Key::is_for(std::string_view kind) const {
+  return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+std::string Key::expected() const {
+  const std::string bounds = range.text().empty() ? "" : ", " + range.text();
+  const std::string unit = quantity.unit == kPure.unit ? "" : " in " + std::string(quantity.unit);
+  const std::string what = std::string(quantity.name) + unit + bounds;
+  switch (type) {
+    case ValueType::kNumber:
+      return what;
+    case ValueType::kWhole:
+      return "a whole number" + bounds;
+    case ValueType::kPlanes:
+      return what + ", or [x, y] of them";
+    case ValueType::kVector:
+      return "[x, y], each " + what;
+    case ValueType::kList:
+      return "a list, each " + what;
+    case ValueType::kWord:
+      break;
+  }
+  std::string text = words.size() > 1 ? "one of " : "";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i > 0 ? ", \"" : "\"") + std::string(words[i]) + "\"";
+  }
+  return text;
+}
+
+const Key* Table::find(std::string_view name) const {
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+std::span<const Table> tables() {
+  static const std::vector<Table> all = [] {
+    std::vector<Table> result = rotor_tables();
+    for (Table& table : part_tables()) result.push_back(std::move(table));
+    return result;
+  }();
+  return all;
+}
+
+const Table* find_table(std::string_view path) {
+  const std::span<const Table> all = tables();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Table& table) { return table.path == path; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace rotorub::scene

@@ -1,0 +1,197 @@
+// Every table and key that a scene may hold, as data: name, quantity, range, default, when it is
+// needed, where it is stored. The reader, the search for unknown keys and the reference
+// (mjcf/README.md) all work from this one description; the rows stand in schema_rotor.cc and
+// schema_parts.cc.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "native_model/scene/scene.h"
+#include "native_model/scene/units.h"
+
+namespace rotorub::scene {
+
+// A rotor is given as a shaft (geometry) or by its modes; some keys belong to one form alone.
+enum class Form { kEither, kGeometry, kModal };
+
+enum class ValueType {
+  kNumber,  // one number
+  kWhole,   // one whole number
+  kWord,    // one of a few words
+  kPlanes,  // a number for both bending planes, or [x, y]
+  kVector,  // [x, y]
+  kList,    // numbers
+};
+
+// Allowed numbers; of a pair or a list: each of them.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;   // low itself is refused
+  bool high_open = false;  // high itself is refused
+
+  bool contains(double value) const {
+    return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+  }
+  std::string text() const;  // "> 0", "in [0, 1]"; empty: any
+};
+
+// What was read; the member that the type names is set.
+struct Value {
+  double number = 0.0;         // kNumber, SI
+  int whole = 0;               // kWhole; kWord: which word
+  Eigen::Vector2d pair{0, 0};  // kPlanes, kVector, SI
+  std::vector<double> list;    // kList, SI
+};
+
+struct Key {
+  std::string_view name;
+  ValueType type = ValueType::kNumber;
+  Quantity quantity = kPure;
+  std::string_view meaning;
+  void (*store)(void* object, const Value& value) = nullptr;  // object: the table's
+  std::vector<std::string_view> words;                        // kWord: in the order of the enum
+  Range range;
+  Form form = Form::kEither;            // the form it belongs to
+  std::vector<std::string_view> kinds;  // values of the table's `kind` that take it; empty: all
+  std::string_view fallback;            // the default, in words; empty: the key is required
+
+  Key& above(double low);                 // > low
+  Key& at_least(double low);              // >= low
+  Key& below(double high);                // < high
+  Key& between(double low, double high);  // [low, high]
+  Key& in(Form of_form);
+  Key& of(std::vector<std::string_view> of_kinds);
+  Key& otherwise(std::string_view text);  // optional, with this default
+
+  bool required() const { return fallback.empty(); }
+  bool belongs_to(Form to_form) const { return form == Form::kEither || form == to_form; }
+  bool is_for(std::string_view kind) const;
+  std::string expected() const;  // "a length in m, > 0"
+};
+
+struct Table {
+  std::string_view path;  // "rotor.disc"
+  bool list = false;      // [[path]]: any number of them
+  Form form = Form::kEither;
+  std::string_view meaning;
+  std::string_view when_absent;
+  void* (*object)(Scene& scene) = nullptr;  // makes the part (list: one more) and returns it
+  std::vector<Key> keys;
+
+  const Key* find(std::string_view name) const;
+};
+
+// All tables, parents before children.
+std::span<const Table> tables();
+const Table* find_table(std::string_view path);
+
+// The rows.
+std::vector<Table> rotor_tables();
+std::vector<Table> part_tables();
+
+// ---------------------------------------------------------------- rows from pointers to members
+
+namespace detail {
+
+template <typename T>
+struct IsOptional : std::false_type {};
+template <typename T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+
+template <typename Member>
+struct ClassOf;
+template <typename T, typename Class>
+struct ClassOf<T Class::*> {
+  using type = Class;
+};
+
+// object.*first.*rest..., where an empty optional on the way is made.
+template <auto First, auto... Rest, typename Object>
+auto& resolve(Object& object) {
+  auto& member = object.*First;
+  if constexpr (sizeof...(Rest) == 0) {
+    return member;
+  } else {
+    if (!member) member.emplace();
+    return resolve<Rest...>(*member);
+  }
+}
+
+template <typename T>
+void assign(T& target, const Value& value) {
+  if constexpr (IsOptional<T>::value) {
+    assign(target.emplace(), value);
+  } else if constexpr (std::is_same_v<T, double>) {
+    target = value.number;
+  } else if constexpr (std::is_same_v<T, int>) {
+    target = value.whole;
+  } else if constexpr (std::is_enum_v<T>) {
+    target = static_cast<T>(value.whole);
+  } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
+    target = value.pair;
+  } else {
+    target = value.list;
+  }
+}
+
+template <typename T>
+constexpr ValueType type_of() {
+  if constexpr (IsOptional<T>::value) {
+    return type_of<typename T::value_type>();
+  } else if constexpr (std::is_same_v<T, double>) {
+    return ValueType::kNumber;
+  } else if constexpr (std::is_same_v<T, int>) {
+    return ValueType::kWhole;
+  } else if constexpr (std::is_enum_v<T>) {
+    return ValueType::kWord;
+  } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
+    return ValueType::kVector;
+  } else {
+    static_assert(std::is_same_v<T, std::vector<double>>);
+    return ValueType::kList;
+  }
+}
+
+}  // namespace detail
+
+// A key stored in the member that the pointers lead to; the type of value follows from the member.
+template <auto First, auto... Rest>
+Key key(std::string_view name, const Quantity& quantity, std::string_view meaning) {
+  using Object = typename detail::ClassOf<decltype(First)>::type;
+  using Target =
+      std::remove_reference_t<decltype(detail::resolve<First, Rest...>(std::declval<Object&>()))>;
+  Key result;
+  result.name = name;
+  result.type = detail::type_of<Target>();
+  result.quantity = quantity;
+  result.meaning = meaning;
+  result.store = [](void* object, const Value& value) {
+    detail::assign(detail::resolve<First, Rest...>(*static_cast<Object*>(object)), value);
+  };
+  return result;
+}
+
+// A number for both bending planes, or [x, y].
+template <auto Member>
+Key planes(std::string_view name, const Quantity& quantity, std::string_view meaning) {
+  Key result = key<Member>(name, quantity, meaning);
+  result.type = ValueType::kPlanes;
+  return result;
+}
+
+// One of `words`, which stand in the order of the member's enum.
+template <auto Member>
+Key word(std::string_view name, std::vector<std::string_view> words, std::string_view meaning) {
+  Key result = key<Member>(name, kPure, meaning);
+  result.words = std::move(words);
+  return result;
+}
+
+}  // namespace rotorub::scene

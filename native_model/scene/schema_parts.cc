@@ -1,0 +1,237 @@
+// The rows of everything around the rotor: drive, forces, contact, ring, control, start, MuJoCo.
+
+#include "native_model/scene/schema.h"
+
+namespace rotorub::scene {
+namespace {
+
+Table drive() {
+  return {"drive",
+          false,
+          Form::kEither,
+          "The motor: its torque acts on the spin.",
+          "the spin speed is held at `rotor.speed`",
+          [](Scene& scene) -> void* { return &scene.drive.emplace(); },
+          {word<&Drive::kind>(
+               "kind", {"free", "linear", "kloss", "table"},
+               "no torque; T = `gain` (`speed` - Omega); asynchronous motor, T = 2 T_b s "
+               "s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; a table"),
+           key<&Drive::gain>("gain", kAngularDamping, "").at_least(0).of({"linear"}),
+           key<&Drive::speed>("speed", kSpin, "at which the torque is 0").of({"linear"}),
+           key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "T_b").above(0).of({"kloss"}),
+           key<&Drive::breakdown_slip>("breakdown_slip", kPure, "s_b").above(0).of({"kloss"}),
+           key<&Drive::synchronous_speed>("synchronous_speed", kSpin, "").above(0).of({"kloss"}),
+           key<&Drive::table_speed>("table_speed", kSpin, "ascending, two or more").of({"table"}),
+           key<&Drive::table_torque>("table_torque", kTorque, "one for each speed").of({"table"}),
+           key<&Drive::station>("station", kLength, "of the motor")
+               .at_least(0)
+               .in(Form::kGeometry)
+               .otherwise("0"),
+           key<&Drive::inertia>("inertia", kInertia, "of the motor's rotor")
+               .at_least(0)
+               .in(Form::kGeometry)
+               .otherwise("0")}};
+}
+
+Table force() {
+  return {"force",
+          true,
+          Form::kEither,
+          "Forces on the rotor. Each acts for `on` <= t < `off` and rises linearly over `ramp`.",
+          "none",
+          [](Scene& scene) -> void* { return &scene.forces.emplace_back(); },
+          {word<&Force::kind>(
+               "kind", {"rotating", "constant"},
+               "`amplitude` (cos(w t + `phase`), sin(w t + `phase`)) with t absolute and w "
+               "= `frequency`; `vector`"),
+           key<&Force::amplitude>("amplitude", kForce, "").of({"rotating"}),
+           key<&Force::frequency>("frequency", kSpin, "negative: backward").of({"rotating"}),
+           key<&Force::phase>("phase", kAngle, "").of({"rotating"}).otherwise("0"),
+           key<&Force::vector>("vector", kForce, "").of({"constant"}),
+           key<&Force::on>("on", kTime, "").otherwise("0"),
+           key<&Force::off>("off", kTime, "not before `on`").otherwise("never"),
+           key<&Force::ramp>("ramp", kTime, "").at_least(0).otherwise("0"),
+           key<&Force::shape>("shape", kPure, "value of each bending mode at the station")
+               .in(Form::kModal)
+               .otherwise("all 1"),
+           key<&Force::station>("station", kLength, "").at_least(0).in(Form::kGeometry)}};
+}
+
+Table magnetic_bearing() {
+  return {"magnetic_bearing",
+          false,
+          Form::kEither,
+          "Adds the force + `negative_stiffness` times the deflection at its station; its "
+          "excitation is a "
+          "[[force]] at the same station.",
+          "none",
+          [](Scene& scene) -> void* { return &scene.magnetic_bearing.emplace(); },
+          {key<&MagneticBearing::negative_stiffness>("negative_stiffness", kStiffness, "its size")
+               .at_least(0),
+           key<&MagneticBearing::shape>("shape", kPure, "value of each bending mode at the station")
+               .in(Form::kModal)
+               .otherwise("all 1"),
+           key<&MagneticBearing::station>("station", kLength, "").at_least(0).in(Form::kGeometry)}};
+}
+
+Table contact() {
+  return {
+      "contact",
+      false,
+      Form::kEither,
+      "The rotor in the ring of the auxiliary bearing.",
+      "no contact",
+      [](Scene& scene) -> void* { return &scene.contact.emplace(); },
+      {key<&Contact::radius>("radius", kLength, "of the rotor at the contact").above(0),
+       key<&Contact::clearance>("clearance", kLength, "delta_0, radial").above(0),
+       key<&Contact::friction>("friction", kPure, "mu").at_least(0),
+       key<&Contact::restitution>("restitution", kPure, "eps_N, normal").between(0, 1),
+       key<&Contact::tangential_restitution>("tangential_restitution", kPure, "eps_T")
+           .between(0, 1)
+           .otherwise("0"),
+       key<&Contact::compression_time>("compression_time", kTime, "tau_C")
+           .at_least(0)
+           .otherwise("0"),
+       key<&Contact::expansion_time>("expansion_time", kTime, "tau_E").at_least(0).otherwise("0"),
+       key<&Contact::station>("station", kLength, "").at_least(0).in(Form::kGeometry)}};
+}
+
+Table stator() {
+  return {"stator",
+          false,
+          Form::kEither,
+          "The movable ring of the auxiliary bearing.",
+          "the ring is fixed to the base",
+          [](Scene& scene) -> void* { return &scene.stator.emplace(); },
+          {planes<&Stator::mass>("mass", kMass, "").above(0),
+           planes<&Stator::damping>("damping", kDamping, "to the base").at_least(0).otherwise("0"),
+           planes<&Stator::stiffness>("stiffness", kStiffness,
+                                      "mechanical spring to the base, always acting")
+               .at_least(0)}};
+}
+
+Table actuator() {
+  return {"actuator",
+          false,
+          Form::kEither,
+          "The two axes that move the ring, at 45 degrees: (1, 1)/sqrt 2 and (-1, 1)/sqrt 2. Needs "
+          "[stator].",
+          "an ideal, unlimited force",
+          [](Scene& scene) -> void* { return &scene.actuator.emplace(); },
+          {key<&Actuator::force_limit>("force_limit", kForce, "on each axis")
+               .above(0)
+               .otherwise("none")}};
+}
+
+Table controller() {
+  return {
+      "controller",
+      false,
+      Form::kEither,
+      "What commands the ring. Needs [stator]; `sliding` needs [contact].",
+      "no command",
+      [](Scene& scene) -> void* { return &scene.controller.emplace(); },
+      {word<&Controller::kind>(
+           "kind", {"passive", "sliding"},
+           "an extra spring and damper emulated by the actuator; sliding mode with a "
+           "boundary layer, which brings the ring to the rotor"),
+       key<&Controller::on>("on", kTime, "switched on").otherwise("0"),
+       key<&Controller::sample_time>("sample_time", kTime, "held between samples; 0: continuous")
+           .at_least(0)
+           .otherwise("0"),
+       key<&Controller::bandwidth>("bandwidth", kRate, "psi, decay of the tracking error")
+           .above(0)
+           .of({"sliding"})
+           .otherwise("2000"),
+       key<&Controller::boundary_layer>("boundary_layer", kVelocity, "phi, half its width")
+           .above(0)
+           .of({"sliding"})
+           .otherwise("0.02"),
+       key<&Controller::switching_gain>("switching_gain", kAcceleration,
+                                        "k, bound on the unknown acceleration")
+           .at_least(0)
+           .of({"sliding"})
+           .otherwise("200"),
+       key<&Controller::gap_time>("gap_time", kTime, "in which the gap reference falls to 0")
+           .above(0)
+           .of({"sliding"})
+           .otherwise("0.008"),
+       key<&Controller::stiffness>("stiffness", kStiffness, "of the emulated spring")
+           .at_least(0)
+           .of({"passive"})
+           .otherwise("0"),
+       key<&Controller::damping>("damping", kDamping, "of the emulated damper")
+           .at_least(0)
+           .of({"passive"})
+           .otherwise("0")}};
+}
+
+Table gravity() {
+  return {"gravity",
+          false,
+          Form::kEither,
+          "A constant acceleration in the plane of bending.",
+          "none",
+          [](Scene& scene) -> void* { return &scene.gravity.emplace(); },
+          {key<&Gravity::acceleration>("acceleration", kAcceleration, ""),
+           key<&Gravity::participation>("participation", kMass,
+                                        "load of each bending mode per unit acceleration")
+               .in(Form::kModal)
+               .otherwise("the modal mass")}};
+}
+
+Table initial() {
+  const std::string_view modal = "bending modes, one value a mode";
+  return {
+      "initial",
+      false,
+      Form::kEither,
+      "State at t = 0. The spin speed is `rotor.speed`.",
+      "all 0",
+      [](Scene& scene) -> void* { return &scene.initial; },
+      {key<&Initial::x>("x", kLength, modal).otherwise("0"),
+       key<&Initial::y>("y", kLength, modal).otherwise("0"),
+       key<&Initial::vx>("vx", kVelocity, modal).otherwise("0"),
+       key<&Initial::vy>("vy", kVelocity, modal).otherwise("0"),
+       key<&Initial::spin_angle>("spin_angle", kAngle, "").otherwise("0"),
+       key<&Initial::torsion>("torsion", kAngle, "torsion modes").otherwise("0"),
+       key<&Initial::torsion_speed>("torsion_speed", kSpin, "torsion modes").otherwise("0"),
+       key<&Initial::stator>("stator", kLength, "position of the ring; needs [stator]")
+           .otherwise("[0, 0]"),
+       key<&Initial::stator_velocity>("stator_velocity", kVelocity, "of the ring; needs [stator]")
+           .otherwise("[0, 0]")}};
+}
+
+Table mujoco() {
+  return {"mujoco",
+          false,
+          Form::kEither,
+          "How MuJoCo runs the scene.",
+          "the defaults",
+          [](Scene& scene) -> void* { return &scene.mujoco; },
+          {word<&Mujoco::rotor>(
+               "rotor", {"modal", "segments"},
+               "modal chain, in the native model's coordinates; chain of rigid segments")
+               .otherwise("\"modal\""),
+           word<&Mujoco::contact>("contact", {"rigid", "coulomb", "cone"},
+                                  "rigid impulses by the plugin; MuJoCo's soft normal contact with "
+                                  "Coulomb friction by the plugin; MuJoCo's own friction cone")
+               .otherwise("\"coulomb\""),
+           word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, "of MuJoCo")
+               .otherwise("\"euler\""),
+           word<&Mujoco::solver>("solver", {"newton", "cg", "pgs"}, "MuJoCo's constraint solver")
+               .otherwise("\"newton\""),
+           key<&Mujoco::solref_stiffness>("solref_stiffness", kRateSquared,
+                                          "K of the soft contact (direct solref)")
+               .above(0)
+               .otherwise("chosen from the step")}};
+}
+
+}  // namespace
+
+std::vector<Table> part_tables() {
+  return {drive(),    force(),      magnetic_bearing(), contact(), stator(),
+          actuator(), controller(), gravity(),          initial(), mujoco()};
+}
+
+}  // namespace rotorub::scene

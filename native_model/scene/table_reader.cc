@@ -1,0 +1,184 @@
+#include "native_model/scene/table_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rotorub::scene {
+namespace {
+
+using Kind = TomlNode::Kind;
+
+constexpr const char* kGeometryForm = "the geometry form ([rotor] with length, E, rho, ...)";
+constexpr const char* kModalForm = "the modal form ([rotor.modal])";
+
+const TomlNode* find_path(const TomlNode& root, std::string_view path) {
+  const TomlNode* node = &root;
+  while (node != nullptr && !path.empty()) {
+    const std::string_view key = path.substr(0, path.find('.'));
+    node = node->kind == Kind::kTable ? node->find(key) : nullptr;
+    path.remove_prefix(std::min(key.size() + 1, path.size()));
+  }
+  return node;
+}
+
+std::string child_path(const std::string& path, std::string_view key) {
+  return path.empty() ? std::string(key) : path + "." + std::string(key);
+}
+
+// Where a key of this name may stand: "[rotor], [rotor.torsion]".
+std::string homes_of(std::string_view name) {
+  std::string text;
+  for (const Table& table : tables()) {
+    if (table.find(name) == nullptr) continue;
+    text += (text.empty() ? "" : ", ") + std::string(table.list ? "[[" : "[") +
+            std::string(table.path) + (table.list ? "]]" : "]");
+  }
+  return text;
+}
+
+}  // namespace
+
+void TableReader::fail(const TomlNode& node, const std::string& path, std::string reason) {
+  diagnostics_.push_back({node.file, node.line, path, std::move(reason)});
+}
+
+void TableReader::read(const TomlNode& root, bool missing_matters) {
+  missing_matters_ = missing_matters;
+  record_.note({}, root, true);
+  refuse_unknown(root, {}, {});
+  find_form(root);
+  for (const Table& table : tables()) read_table(table, root);
+}
+
+// Modal if there is a [rotor.modal], geometry if there is anything of a geometry.
+void TableReader::find_form(const TomlNode& root) {
+  const TomlNode* rotor = find_path(root, "rotor");
+  if (rotor == nullptr || rotor->kind != Kind::kTable) return;
+  const TomlNode* modal = rotor->find("modal");
+  std::string geometry;  // its first key
+  for (const auto& [name, value] : rotor->entries) {
+    const Key* key = find_table("rotor")->find(name);
+    const Table* table = find_table("rotor." + name);
+    if ((key && key->form == Form::kGeometry) || (table && table->form == Form::kGeometry)) {
+      geometry = geometry.empty() ? name : geometry;
+    }
+  }
+  if (modal != nullptr && !geometry.empty()) {
+    fail(*modal, "rotor.modal",
+         "the rotor is given by its modes and by its geometry (`rotor." + geometry +
+             "`); give one of them");
+  } else if (modal != nullptr) {
+    form_ = Form::kModal;
+  } else if (!geometry.empty()) {
+    form_ = Form::kGeometry;
+  } else if (missing_matters_) {
+    fail(*rotor, "rotor",
+         std::string("no rotor is given: expected ") + kGeometryForm + " or " + kModalForm);
+  }
+}
+
+void TableReader::read_table(const Table& table, const TomlNode& root) {
+  const std::string path(table.path);
+  const TomlNode* node = find_path(root, table.path);
+  if (node == nullptr) {
+    if (path == "rotor" && missing_matters_) {
+      fail(root, path, "missing: every scene has a [rotor]");
+    }
+    return;
+  }
+  const std::string header = (table.list ? "[[" : "[") + path + (table.list ? "]]" : "]");
+  if (table.list && node->kind == Kind::kArray) {
+    record_.note(path, *node, true);
+    for (std::size_t i = 0; i < node->items.size(); ++i) {
+      const std::string element = path + "[" + std::to_string(i) + "]";
+      if (node->items[i].kind == Kind::kTable) {
+        read_object(table, node->items[i], element);
+      } else {
+        fail(node->items[i], element, "expected a table " + header);
+      }
+    }
+  } else if (!table.list && node->kind == Kind::kTable) {
+    read_object(table, *node, path);
+  } else {
+    record_.note(path, *node, false);
+    fail(*node, path,
+         "expected " + std::string(table.list ? "a list of tables " : "one table ") + header +
+             ", got " + std::string(kind_name(node->kind)));
+  }
+}
+
+void TableReader::read_object(const Table& table, const TomlNode& node, const std::string& path) {
+  record_.note(path, node, true);
+  refuse_unknown(node, table.path, path);
+  const TomlNode* kind_node = node.find("kind");
+  std::string_view kind;
+  if (const Key* key = table.find("kind"); key && kind_node && kind_node->kind == Kind::kString) {
+    const auto found = std::find(key->words.begin(), key->words.end(), kind_node->text);
+    if (found != key->words.end()) kind = *found;
+  }
+
+  void* object = table.object(scene_);
+  for (const Key& key : table.keys) {
+    const std::string key_path = child_path(path, key.name);
+    if (const TomlNode* value = node.find(key.name)) {
+      read_key(key, kind, *value, key_path, object);
+    } else if (key.required() && missing_matters_ && key.belongs_to(form_) &&
+               (key.kinds.empty() || (!kind.empty() && key.is_for(kind)))) {
+      record_.note_missing(key_path);
+      fail(node, key_path, "missing: expected " + key.expected());
+    }
+  }
+}
+
+void TableReader::read_key(const Key& key, std::string_view kind, const TomlNode& node,
+                           const std::string& path, void* object) {
+  record_.note(path, node, false);
+  if (form_ != Form::kEither && !key.belongs_to(form_)) {
+    fail(node, path,
+         std::string("belongs to ") + (form_ == Form::kModal ? kGeometryForm : kModalForm) +
+             ", and the rotor is in " + (form_ == Form::kModal ? kModalForm : kGeometryForm));
+    return;
+  }
+  if (!kind.empty() && !key.is_for(kind)) {
+    fail(node, path,
+         "belongs to kind = \"" + join(key.kinds) + "\" and has no effect with \"" +
+             std::string(kind) + "\"");
+    return;
+  }
+  Value value;
+  if (!read_value(key, node, path, value)) return;
+  key.store(object, value);
+  record_.note(path, node, true);
+}
+
+void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_path,
+                                 const std::string& path) {
+  // What may stand here: the keys of the table and the tables below it.
+  std::vector<std::string_view> known;
+  if (const Table* table = find_table(table_path)) {
+    for (const Key& key : table->keys) known.push_back(key.name);
+  }
+  const std::string prefix = table_path.empty() ? "" : std::string(table_path) + ".";
+  for (const Table& table : tables()) {
+    const std::string_view below = table.path.substr(std::min(prefix.size(), table.path.size()));
+    const bool is_below = table.path.starts_with(prefix) && !below.empty();
+    if (is_below && below.find('.') == std::string_view::npos) known.push_back(below);
+  }
+  for (const auto& [name, value] : node.entries) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const bool is_table =
+        value.kind == Kind::kTable || (value.kind == Kind::kArray && !value.items.empty() &&
+                                       value.items.front().kind == Kind::kTable);
+    std::string reason = is_table ? "unknown table" : "unknown key";
+    if (const std::string_view meant = nearest(name, known); !meant.empty()) {
+      reason += ", did you mean `" + std::string(meant) + "`?";
+    } else if (const std::string homes = homes_of(name); !homes.empty()) {
+      reason += " here; it stands in " + homes + ";";
+    } else {
+      reason += ";";
+    }
+    fail(value, child_path(path, name), reason + " accepted: " + join(known));
+  }
+}
+
+}  // namespace rotorub::scene

@@ -1,0 +1,50 @@
+// Fills the structs of a scene from a TOML tree after the schema, and refuses what does not fit it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "native_model/scene/record.h"
+#include "native_model/scene/schema.h"
+#include "native_model/scene/toml_source.h"
+
+namespace rotorub::scene {
+
+class TableReader {
+ public:
+  TableReader(Scene& scene, std::vector<Diagnostic>& diagnostics)
+      : scene_(scene), diagnostics_(diagnostics) {}
+
+  // Reads all tables below `root`. `missing_matters`: a required key that is not there is reported
+  // (not where a part of the text could not be read).
+  void read(const TomlNode& root, bool missing_matters);
+
+  const Record& record() const { return record_; }
+
+ private:
+  void fail(const TomlNode& node, const std::string& path, std::string reason);
+  void find_form(const TomlNode& root);
+  void read_table(const Table& table, const TomlNode& root);
+  void read_object(const Table& table, const TomlNode& node, const std::string& path);
+  void read_key(const Key& key, std::string_view kind, const TomlNode& node,
+                const std::string& path, void* object);
+  void refuse_unknown(const TomlNode& node, std::string_view table_path, const std::string& path);
+
+  bool read_value(const Key& key, const TomlNode& node, const std::string& path, Value& value);
+  bool read_number(const Key& key, const TomlNode& node, const std::string& path, double& number);
+  bool read_whole(const Key& key, const TomlNode& node, const std::string& path, int& whole);
+  bool read_word(const Key& key, const TomlNode& node, const std::string& path, int& index);
+  bool read_pair(const Key& key, const TomlNode& node, const std::string& path,
+                 Eigen::Vector2d& pair);
+  bool read_list(const Key& key, const TomlNode& node, const std::string& path,
+                 std::vector<double>& list);
+
+  Scene& scene_;
+  std::vector<Diagnostic>& diagnostics_;
+  Record record_;
+  Form form_ = Form::kEither;  // kEither: not known
+  bool missing_matters_ = true;
+};
+
+}  // namespace rotorub::scene

@@ -1,0 +1,255 @@
+#include "native_model/scene/units.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace rotorub::scene {
+namespace {
+
+// SI value = number times / over. Two whole numbers where they can be, so that "18 mm" is 0.018 to
+// the last bit.
+struct Unit {
+  double times = 1.0;
+  double over = 1.0;
+  Dimension dimension;
+};
+
+struct NamedUnit {
+  std::string_view name;
+  Unit unit;
+};
+
+constexpr double kPi = std::numbers::pi;
+constexpr Dimension kForceDimension{1, 1, -2, 0, 0};
+constexpr Dimension kPressureDimension{-1, 1, -2, 0, 0};
+constexpr Dimension kSpinDimension{0, 0, -1, 0, 1};
+constexpr Dimension kTimeDimension{0, 0, 1, 0, 0};
+constexpr Dimension kLengthDimension{1, 0, 0, 0, 0};
+constexpr Dimension kMassDimension{0, 1, 0, 0, 0};
+constexpr Dimension kAngleDimension{0, 0, 0, 0, 1};
+
+constexpr auto kUnits = std::to_array<NamedUnit>({
+    {"m", {1.0, 1.0, kLengthDimension}},
+    {"km", {1e3, 1.0, kLengthDimension}},
+    {"cm", {1.0, 1e2, kLengthDimension}},
+    {"mm", {1.0, 1e3, kLengthDimension}},
+    {"um", {1.0, 1e6, kLengthDimension}},
+    {"\u00b5m", {1.0, 1e6, kLengthDimension}},
+    {"\u03bcm", {1.0, 1e6, kLengthDimension}},
+    {"nm", {1.0, 1e9, kLengthDimension}},
+    {"s", {1.0, 1.0, kTimeDimension}},
+    {"ms", {1.0, 1e3, kTimeDimension}},
+    {"us", {1.0, 1e6, kTimeDimension}},
+    {"\u00b5s", {1.0, 1e6, kTimeDimension}},
+    {"\u03bcs", {1.0, 1e6, kTimeDimension}},
+    {"ns", {1.0, 1e9, kTimeDimension}},
+    {"min", {60.0, 1.0, kTimeDimension}},
+    {"kg", {1.0, 1.0, kMassDimension}},
+    {"g", {1.0, 1e3, kMassDimension}},
+    {"mg", {1.0, 1e6, kMassDimension}},
+    {"t", {1e3, 1.0, kMassDimension}},
+    {"N", {1.0, 1.0, kForceDimension}},
+    {"mN", {1.0, 1e3, kForceDimension}},
+    {"kN", {1e3, 1.0, kForceDimension}},
+    {"MN", {1e6, 1.0, kForceDimension}},
+    {"Nm", {1.0, 1.0, {2, 1, -2, 0, 0}}},
+    {"Nmm", {1.0, 1e3, {2, 1, -2, 0, 0}}},
+    {"Ns", {1.0, 1.0, {1, 1, -1, 0, 0}}},
+    {"Pa", {1.0, 1.0, kPressureDimension}},
+    {"kPa", {1e3, 1.0, kPressureDimension}},
+    {"MPa", {1e6, 1.0, kPressureDimension}},
+    {"GPa", {1e9, 1.0, kPressureDimension}},
+    {"J", {1.0, 1.0, {2, 1, -2, 0, 0}}},
+    {"W", {1.0, 1.0, {2, 1, -3, 0, 0}}},
+    {"A", {1.0, 1.0, {0, 0, 0, 1, 0}}},
+    {"mA", {1.0, 1e3, {0, 0, 0, 1, 0}}},
+    {"V", {1.0, 1.0, {2, 1, -3, -1, 0}}},
+    {"Hz", {2.0 * kPi, 1.0, kSpinDimension}},
+    {"kHz", {2e3 * kPi, 1.0, kSpinDimension}},
+    {"rpm", {2.0 * kPi, 60.0, kSpinDimension}},
+    {"rad", {1.0, 1.0, kAngleDimension}},
+    {"mrad", {1.0, 1e3, kAngleDimension}},
+    {"deg", {kPi, 180.0, kAngleDimension}},
+    {"\u00b0", {kPi, 180.0, kAngleDimension}},
+    {"%", {1.0, 100.0, {}}},
+});
+
+Unit power(const Unit& base, int exponent) {
+  const Dimension& d = base.dimension;
+  const int size = std::abs(exponent);
+  const double times = std::pow(base.times, size), over = std::pow(base.over, size);
+  return {exponent < 0 ? over : times,
+          exponent < 0 ? times : over,
+          {d.metre * exponent, d.kilogram * exponent, d.second * exponent, d.ampere * exponent,
+           d.radian * exponent}};
+}
+
+Unit product(const Unit& a, const Unit& b) {
+  const Dimension &p = a.dimension, &q = b.dimension;
+  return {a.times * b.times,
+          a.over * b.over,
+          {p.metre + q.metre, p.kilogram + q.kilogram, p.second + q.second, p.ampere + q.ampere,
+           p.radian + q.radian}};
+}
+
+// Recursive descent over the grammar in the header. A failure leaves its reason in error().
+class UnitParser {
+ public:
+  explicit UnitParser(std::string_view text) : rest_(text) {}
+
+  Unit parse() {
+    const Unit unit = parse_product(0);
+    skip_space();
+    if (error_.empty() && !rest_.empty())
+      fail("unexpected '" + std::string(rest_) + "' in the unit");
+    return unit;
+  }
+  const std::string& error() const { return error_; }
+
+ private:
+  static constexpr int kDeepest = 16;  // nested brackets
+  static constexpr int kHighestPower = 9;
+
+  void fail(std::string reason) {
+    if (error_.empty()) error_ = std::move(reason);
+  }
+  void skip_space() {
+    while (!rest_.empty() && (rest_.front() == ' ' || rest_.front() == '\t'))
+      rest_.remove_prefix(1);
+  }
+  bool take(std::string_view token) {
+    if (!rest_.starts_with(token)) return false;
+    rest_.remove_prefix(token.size());
+    return true;
+  }
+
+  Unit parse_product(int depth) {
+    if (depth > kDeepest) {
+      fail("too many brackets in the unit");
+      return {};
+    }
+    skip_space();
+    Unit result;
+    bool divided = take("/");
+    result = power(parse_factor(depth), divided ? -1 : 1);
+    while (error_.empty()) {
+      skip_space();
+      if (rest_.empty() || rest_.front() == ')') break;
+      if (take("/")) {
+        result = product(result, power(parse_factor(depth), -1));
+        divided = true;
+        continue;
+      }
+      if (divided) {
+        fail("ambiguous unit: after '/' put the factors in brackets, as in N/(m s)");
+        break;
+      }
+      if (!take("*") && !take("\u00b7")) take("\u22c5");
+      result = product(result, parse_factor(depth));
+    }
+    return result;
+  }
+
+  Unit parse_factor(int depth) {
+    skip_space();
+    Unit base;
+    if (take("(")) {
+      base = parse_product(depth + 1);
+      skip_space();
+      if (!take(")")) fail("a bracket is not closed in the unit");
+    } else if (!take("1")) {
+      base = parse_name();
+    }
+    return error_.empty() ? power(base, parse_power()) : Unit{};
+  }
+
+  Unit parse_name() {
+    const std::size_t length = std::min(rest_.find_first_of(" \t*/^()0123456789-+"), rest_.size());
+    std::string_view name = rest_.substr(0, length);
+    for (std::string_view mark : {"\u00b7", "\u22c5", "\u00b2", "\u00b3"}) {
+      name = name.substr(0, name.find(mark));
+    }
+    const auto* found = std::find_if(kUnits.begin(), kUnits.end(),
+                                     [&](const NamedUnit& unit) { return unit.name == name; });
+    if (found == kUnits.end()) {
+      fail(name.empty() ? "a unit is missing" : "unknown unit '" + std::string(name) + "'");
+      return {};
+    }
+    rest_.remove_prefix(name.size());
+    return found->unit;
+  }
+
+  int parse_power() {
+    if (take("\u00b2")) return 2;
+    if (take("\u00b3")) return 3;
+    if (!take("^")) return 1;
+    take("+");
+    int exponent = 0;
+    const auto [end, status] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), exponent);
+    if (status != std::errc() || std::abs(exponent) > kHighestPower) {
+      fail("a power in a unit is a whole number between -9 and 9");
+      return 1;
+    }
+    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+    return exponent;
+  }
+
+  std::string_view rest_;
+  std::string error_;
+};
+
+// Angles are free beside other dimensions (N m/rad is N m); a quantity of dimension 1 is either an
+// angle or a pure number.
+bool fits(const Dimension& unit, const Dimension& key) {
+  const bool same = unit.metre == key.metre && unit.kilogram == key.kilogram &&
+                    unit.second == key.second && unit.ampere == key.ampere;
+  const bool dimensionless =
+      key.metre == 0 && key.kilogram == 0 && key.second == 0 && key.ampere == 0;
+  return same && (!dimensionless || unit.radian == key.radian);
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+ParsedQuantity parse_quantity(std::string_view text, const Quantity& quantity) {
+  const std::string expected = "expected " + std::string(quantity.name) + " (a number in " +
+                               std::string(quantity.unit) +
+                               ", or a string with a unit: " + std::string(quantity.examples) +
+                               "), got \"" + std::string(text) + "\"";
+  std::string_view rest = trimmed(text);
+  if (rest.starts_with('+')) rest.remove_prefix(1);
+
+  // The number. std::from_chars would also take "inf", "nan" and "+-1": those are refused.
+  const std::string_view digits = rest.starts_with('-') ? rest.substr(1) : rest;
+  if (digits.empty() || (digits.front() != '.' && (digits.front() < '0' || digits.front() > '9'))) {
+    return {0.0, expected};
+  }
+  double number = 0.0;
+  const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+  if (status == std::errc::invalid_argument) return {0.0, expected};
+  if (status != std::errc()) return {0.0, expected + ": out of the range of a double"};
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+
+  // The unit.
+  if (trimmed(rest).empty()) return {number, {}};
+  UnitParser parser(rest);
+  const Unit unit = parser.parse();
+  if (!parser.error().empty()) return {0.0, expected + ": " + parser.error()};
+  if (!fits(unit.dimension, quantity.dimension)) return {0.0, expected};
+  const double value = number * unit.times / unit.over;
+  if (!std::isfinite(value)) return {0.0, expected + ": out of the range of a double"};
+  return {value, {}};
+}
+
+}  // namespace rotorub::scene

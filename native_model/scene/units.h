@@ -1,0 +1,70 @@
+// Quantities written with a unit: "0.5 mm", "50 Hz", "1.2 kN/mm", "3 N/(m/s)".
+//
+//   quantity := number [space] [unit]          number: decimal, "12", "-0.5", ".5", "1e-3"
+//   unit     := factor { [space | * | ·] factor | / factor }
+//   factor   := (name | 1 | ( unit )) [^ integer | ² | ³]
+//
+// After a division a further factor needs brackets or its own stroke: "N/m s" is refused, being
+// either N s/m or N/(m s).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rotorub::scene {
+
+// Powers of m, kg, s, A. An angle is a number: rad has dimension 1, but it is kept apart, so that a
+// pure number is not taken in degrees.
+struct Dimension {
+  int metre = 0;
+  int kilogram = 0;
+  int second = 0;
+  int ampere = 0;
+  int radian = 0;
+};
+
+// What a key holds. `name` is said in messages ("a length"), `unit` is the SI unit of a plain
+// number, `examples` lists units that are taken.
+struct Quantity {
+  std::string_view name;
+  std::string_view unit;
+  std::string_view examples;
+  Dimension dimension;
+};
+
+inline constexpr Quantity kPure{"a pure number", "1", "no unit, or %", {}};
+inline constexpr Quantity kAngle{"an angle", "rad", "rad, deg", {0, 0, 0, 0, 1}};
+inline constexpr Quantity kTime{"a time", "s", "s, ms, us", {0, 0, 1, 0, 0}};
+inline constexpr Quantity kLength{"a length", "m", "m, mm, um", {1, 0, 0, 0, 0}};
+inline constexpr Quantity kMass{"a mass", "kg", "kg, g", {0, 1, 0, 0, 0}};
+inline constexpr Quantity kSpin{
+    "a speed of rotation or a frequency", "rad/s", "rad/s, Hz, rpm", {0, 0, -1, 0, 1}};
+inline constexpr Quantity kRate{"a rate", "1/s", "1/s, 1/ms, Hz", {0, 0, -1, 0, 0}};
+inline constexpr Quantity kRateSquared{"a rate squared", "1/s^2", "1/s^2", {0, 0, -2, 0, 0}};
+inline constexpr Quantity kVelocity{"a velocity", "m/s", "m/s, mm/s", {1, 0, -1, 0, 0}};
+inline constexpr Quantity kAcceleration{
+    "an acceleration", "m/s^2", "m/s^2, mm/s^2", {1, 0, -2, 0, 0}};
+inline constexpr Quantity kForce{"a force", "N", "N, kN", {1, 1, -2, 0, 0}};
+inline constexpr Quantity kTorque{"a torque", "N m", "N m, N mm", {2, 1, -2, 0, 0}};
+inline constexpr Quantity kStiffness{"a stiffness", "N/m", "N/m, N/mm, kN/mm", {0, 1, -2, 0, 0}};
+inline constexpr Quantity kDamping{
+    "a damping", "N s/m", "N s/m, N s/mm, N/(m/s)", {0, 1, -1, 0, 0}};
+inline constexpr Quantity kInertia{
+    "a moment of inertia", "kg m^2", "kg m^2, kg mm^2, g mm^2", {2, 1, 0, 0, 0}};
+inline constexpr Quantity kAngularStiffness{
+    "a torsional stiffness", "N m/rad", "N m/rad, N m, kN m/rad", {2, 1, -2, 0, -1}};
+inline constexpr Quantity kAngularDamping{
+    "a torsional damping", "N m s/rad", "N m s/rad, N m s, N m/(rad/s)", {2, 1, -1, 0, -1}};
+inline constexpr Quantity kPressure{"a pressure", "Pa", "Pa, MPa, GPa, N/mm^2", {-1, 1, -2, 0, 0}};
+inline constexpr Quantity kDensity{"a density", "kg/m^3", "kg/m^3, g/cm^3", {-3, 1, 0, 0, 0}};
+
+// The SI value (rad, rad/s for angles and speeds), or why there is none.
+struct ParsedQuantity {
+  double value = 0.0;  // finite if error is empty
+  std::string error;   // empty: done
+};
+
+// `text` as a value of `quantity`. Without a unit it is in SI. Never throws.
+ParsedQuantity parse_quantity(std::string_view text, const Quantity& quantity);
+
+}  // namespace rotorub::scene

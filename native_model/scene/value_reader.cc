@@ -1,0 +1,139 @@
+// TableReader: single values.
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "native_model/scene/table_reader.h"
+
+namespace rotorub::scene {
+namespace {
+
+using Kind = TomlNode::Kind;
+
+std::string got(const TomlNode& node) {
+  if (node.kind == Kind::kString) return ", got \"" + node.text + "\"";
+  if (node.kind == Kind::kInteger) return ", got " + std::to_string(node.integer);
+  return ", got " + std::string(kind_name(node.kind));
+}
+
+std::string element(const std::string& path, std::size_t index) {
+  return path + "[" + std::to_string(index) + "]";
+}
+
+}  // namespace
+
+bool TableReader::read_value(const Key& key, const TomlNode& node, const std::string& path,
+                             Value& value) {
+  switch (key.type) {
+    case ValueType::kNumber:
+      return read_number(key, node, path, value.number);
+    case ValueType::kWhole:
+      return read_whole(key, node, path, value.whole);
+    case ValueType::kWord:
+      return read_word(key, node, path, value.whole);
+    case ValueType::kPlanes:
+    case ValueType::kVector:
+      return read_pair(key, node, path, value.pair);
+    case ValueType::kList:
+      return read_list(key, node, path, value.list);
+  }
+  return false;
+}
+
+bool TableReader::read_number(const Key& key, const TomlNode& node, const std::string& path,
+                              double& number) {
+  // What one number is, whatever the list or pair around it.
+  Key one = key;
+  one.type = ValueType::kNumber;
+  if (node.kind == Kind::kString) {
+    const ParsedQuantity parsed = parse_quantity(node.text, key.quantity);
+    if (!parsed.error.empty()) {
+      fail(node, path, parsed.error);
+      return false;
+    }
+    number = parsed.value;
+  } else if (node.kind == Kind::kInteger) {
+    number = static_cast<double>(node.integer);
+  } else if (node.kind == Kind::kFloat) {
+    number = node.number;
+  } else {
+    fail(node, path, "expected " + one.expected() + got(node));
+    return false;
+  }
+  if (!std::isfinite(number)) {
+    fail(node, path, "must be finite: expected " + one.expected());
+    return false;
+  }
+  if (!key.range.contains(number)) {
+    fail(node, path, "out of range: must be " + key.range.text() + " (" + one.expected() + ")");
+    return false;
+  }
+  return true;
+}
+
+bool TableReader::read_whole(const Key& key, const TomlNode& node, const std::string& path,
+                             int& whole) {
+  if (node.kind != Kind::kInteger || !key.range.contains(static_cast<double>(node.integer))) {
+    fail(node, path, "expected " + key.expected() + got(node));
+    return false;
+  }
+  whole = static_cast<int>(node.integer);
+  return true;
+}
+
+bool TableReader::read_word(const Key& key, const TomlNode& node, const std::string& path,
+                            int& index) {
+  for (std::size_t i = 0; i < key.words.size(); ++i) {
+    if (node.kind == Kind::kString && node.text == key.words[i]) {
+      index = static_cast<int>(i);
+      return true;
+    }
+  }
+  std::string reason = "expected " + key.expected() + got(node);
+  const std::string_view meant = node.kind == Kind::kString ? nearest(node.text, key.words) : "";
+  if (!meant.empty()) reason += ", did you mean \"" + std::string(meant) + "\"?";
+  fail(node, path, reason);
+  return false;
+}
+
+bool TableReader::read_pair(const Key& key, const TomlNode& node, const std::string& path,
+                            Eigen::Vector2d& pair) {
+  if (key.type == ValueType::kPlanes && node.kind != Kind::kArray) {
+    double number = 0.0;
+    if (!read_number(key, node, path, number)) return false;
+    pair.setConstant(number);
+    return true;
+  }
+  if (node.kind != Kind::kArray || node.items.size() != 2) {
+    fail(node, path,
+         "expected " + key.expected() +
+             (node.kind == Kind::kArray ? ", got a list of " + std::to_string(node.items.size())
+                                        : got(node)));
+    return false;
+  }
+  const bool x_good = read_number(key, node.items[0], element(path, 0), pair.x());
+  const bool y_good = read_number(key, node.items[1], element(path, 1), pair.y());
+  return x_good && y_good;
+}
+
+bool TableReader::read_list(const Key& key, const TomlNode& node, const std::string& path,
+                            std::vector<double>& list) {
+  if (node.kind != Kind::kArray) {
+    fail(node, path, "expected " + key.expected() + got(node));
+    return false;
+  }
+  if (node.items.empty() && key.required()) {
+    fail(node, path, "expected " + key.expected() + ", got an empty list");
+    return false;
+  }
+  bool good = true;
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    double number = 0.0;
+    good = read_number(key, node.items[i], element(path, i), number) && good;
+    list.push_back(number);
+  }
+  return good;
+}
+
+}  // namespace rotorub::scene
