@@ -23,11 +23,10 @@ Eigen::Vector2d at_station(const Layout& l, const ModeShape& shape, const double
   return {shape.x.dot(part(q, l.x(), l.modes)), shape.y.dot(part(q, l.y(), l.modes))};
 }
 
-// Gyroscopic moments and rotating damping, see modal_rotor.h.
-void add_spin_coupling(const Model& m, const double* q, const double* v, double omega, double* f) {
+// Rotating damping, see modal_rotor.h: -D_i (qdot - Omega e_z x q).
+void add_rotating_damping(const Model& m, const double* q, const double* v, double omega,
+                          double* f) {
   const int n = m.layout.modes, x = m.layout.x(), y = m.layout.y();
-  m.gyroscopic.add(-omega, v + y, f + x, n);
-  m.gyroscopic.add_transposed(omega, v + x, f + y, n);
   if (m.internal_xx.absent() && m.internal_yy.absent()) return;
   m.internal_xx.add(-1.0, v + x, f + x, n);
   m.internal_yy.add(-1.0, v + y, f + y, n);
@@ -58,6 +57,16 @@ Eigen::Vector2d unbalance_arm(const DiscUnbalance& u, double angle) {
   return u.static_moment * Eigen::Vector2d(-std::sin(angle + u.phase), std::cos(angle + u.phase));
 }
 
+// b_k of bending mode k: M holds b e_phi^T + e_phi b^T.
+Eigen::Vector2d coupling_row(const Model& m, double angle, int k) {
+  Eigen::Vector2d b{0.0, 0.0};
+  for (const DiscUnbalance& u : m.unbalances) {
+    const Eigen::Vector2d arm = unbalance_arm(u, angle);
+    b += Eigen::Vector2d(arm.x() * u.shape.x[k], arm.y() * u.shape.y[k]);
+  }
+  return b;
+}
+
 }  // namespace
 
 double spin_angle(const Model& m, double t, const double* q) {
@@ -77,6 +86,14 @@ double contact_spin(const Model& m, const double* v) {
 }
 
 void coupling_force(const Model& m, double t, const double* q, const double* v, double* f) {
+  load_force(m, t, q, v, f);
+  const int n = m.layout.modes, x = m.layout.x(), y = m.layout.y();
+  const double omega = spin_speed(m, v);
+  m.gyroscopic.add(-omega, v + y, f + x, n);
+  m.gyroscopic.add_transposed(omega, v + x, f + y, n);
+}
+
+void load_force(const Model& m, double t, const double* q, const double* v, double* f) {
   const Layout& l = m.layout;
   if (m.weight.size() > 0) {
     Map(f, l.nq()) = m.weight;
@@ -84,7 +101,7 @@ void coupling_force(const Model& m, double t, const double* q, const double* v, 
     Map(f, l.nq()).setZero();
   }
   const double omega = spin_speed(m, v);
-  add_spin_coupling(m, q, v, omega, f);
+  add_rotating_damping(m, q, v, omega, f);
   for (const StationDamper& d : m.dampers) {
     add_station_force(l, d.shape, -d.damping.cwiseProduct(at_station(l, d.shape, v)), f);
   }
@@ -110,34 +127,32 @@ void smooth_force(const Model& m, double t, const double* q, const double* v,
 }
 
 void solve_mass(const Model& m, double t, const double* q, const double* f, double* a) {
+  solve_mass(m, m.mass.data(), t, q, f, a);
+}
+
+void solve_mass(const Model& m, const double* mass, double t, const double* q, const double* f,
+                double* a) {
   const Layout& l = m.layout;
   if (!m.coupled_mass()) {
-    for (int i = 0; i < l.nq(); ++i) a[i] = f[i] / m.mass[i];
+    for (int i = 0; i < l.nq(); ++i) a[i] = f[i] / mass[i];
     return;
   }
   // M = diag + b e_phi^T + e_phi b^T with b in the bending rows: eliminate those.
   const double angle = spin_angle(m, t, q);
-  double torque = f[l.phi()], inertia = m.mass[l.phi()];
-  const auto bending = [&](int k) {  // b_k
-    Eigen::Vector2d b{0.0, 0.0};
-    for (const DiscUnbalance& u : m.unbalances) {
-      const Eigen::Vector2d arm = unbalance_arm(u, angle);
-      b += Eigen::Vector2d(arm.x() * u.shape.x[k], arm.y() * u.shape.y[k]);
-    }
-    return b;
-  };
+  double torque = f[l.phi()], inertia = mass[l.phi()];
   for (int k = 0; k < l.modes; ++k) {
-    const Eigen::Vector2d b = bending(k);
-    torque -= b.x() * f[l.x() + k] / m.mass[l.x() + k] + b.y() * f[l.y() + k] / m.mass[l.y() + k];
-    inertia -= b.x() * b.x() / m.mass[l.x() + k] + b.y() * b.y() / m.mass[l.y() + k];
+    const Eigen::Vector2d b = coupling_row(m, angle, k);
+    const double mx = mass[l.x() + k], my = mass[l.y() + k];
+    torque -= b.x() * f[l.x() + k] / mx + b.y() * f[l.y() + k] / my;
+    inertia -= b.x() * b.x() / mx + b.y() * b.y() / my;
   }
   const double acceleration = torque / inertia;
-  for (int i = 0; i < l.nq(); ++i) a[i] = f[i] / m.mass[i];
+  for (int i = 0; i < l.nq(); ++i) a[i] = f[i] / mass[i];
   a[l.phi()] = acceleration;
   for (int k = 0; k < l.modes; ++k) {
-    const Eigen::Vector2d b = bending(k);
-    a[l.x() + k] -= b.x() * acceleration / m.mass[l.x() + k];
-    a[l.y() + k] -= b.y() * acceleration / m.mass[l.y() + k];
+    const Eigen::Vector2d b = coupling_row(m, angle, k);
+    a[l.x() + k] -= b.x() * acceleration / mass[l.x() + k];
+    a[l.y() + k] -= b.y() * acceleration / mass[l.y() + k];
   }
 }
 
@@ -160,26 +175,41 @@ ContactPoint contact_point(const Model& m, const double* q, const double* v) {
 
 Eigen::Matrix3d contact_admittance(const Model& m, double t, const double* q) {
   if (!m.coupled_mass()) return m.admittance;
-  // M^-1 = D0^-1 + w w^T / s, w = (-D^-1 b, 1), s = J - b^T D^-1 b; D0^-1 is 0 at the spin.
+  return contact_admittance(m, m.mass.data(), t, q);
+}
+
+Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t, const double* q) {
   const Layout& l = m.layout;
+  Eigen::Vector3d a{0.0, 0.0, 0.0};
+  for (int k = 0; k < l.modes; ++k) {
+    a.x() += m.contact_shape.x[k] * m.contact_shape.x[k] / mass[l.x() + k];
+    a.y() += m.contact_shape.y[k] * m.contact_shape.y[k] / mass[l.y() + k];
+  }
+  for (int k = 0; k < l.torsion; ++k) {
+    a.z() += m.torsion_contact[k] * m.torsion_contact[k] / mass[l.theta() + k];
+  }
+  if (l.stator) {
+    a.x() += 1.0 / mass[l.ring()];
+    a.y() += 1.0 / mass[l.ring() + 1];
+  }
+  if (!m.coupled_mass()) {
+    if (l.spin) a.z() += 1.0 / mass[l.phi()];
+    return a.asDiagonal();
+  }
+  // M^-1 = D0^-1 + w w^T / s, w = (-D^-1 b, 1), s = J - b^T D^-1 b; D0^-1 is 0 at the spin.
   const double angle = spin_angle(m, t, q);
-  double s = m.mass[l.phi()];
+  double s = mass[l.phi()];
   Eigen::Vector3d jw{0.0, 0.0, 1.0};
   for (int k = 0; k < l.modes; ++k) {
-    Eigen::Vector2d b{0.0, 0.0};
-    for (const DiscUnbalance& u : m.unbalances) {
-      const Eigen::Vector2d arm = unbalance_arm(u, angle);
-      b += Eigen::Vector2d(arm.x() * u.shape.x[k], arm.y() * u.shape.y[k]);
-    }
-    const double wx = -b.x() / m.mass[l.x() + k], wy = -b.y() / m.mass[l.y() + k];
+    const Eigen::Vector2d b = coupling_row(m, angle, k);
+    const double wx = -b.x() / mass[l.x() + k], wy = -b.y() / mass[l.y() + k];
     s += b.x() * wx + b.y() * wy;
     jw.x() += m.contact_shape.x[k] * wx;
     jw.y() += m.contact_shape.y[k] * wy;
   }
-  Eigen::Matrix3d a = m.admittance;
-  a(2, 2) -= 1.0 / m.mass[l.phi()];
-  a.noalias() += jw * jw.transpose() / s;
-  return a;
+  Eigen::Matrix3d full = a.asDiagonal();
+  full.noalias() += jw * jw.transpose() / s;
+  return full;
 }
 
 void add_contact_load(const Model& m, const Eigen::Vector3d& p, double* f) {

@@ -21,8 +21,14 @@ void smooth_force(const Model& model, double t, const double* q, const double* v
 // -stiffness q - damping v. What the plugin adds to MuJoCo's joints (u excluded).
 void coupling_force(const Model& model, double t, const double* q, const double* v, double* f);
 
+// coupling_force without the gyroscopic part, for integrators that treat that implicitly.
+void load_force(const Model& model, double t, const double* q, const double* v, double* f);
+
 // a = M(phi)^-1 f, nq values; may be in place.
 void solve_mass(const Model& model, double t, const double* q, const double* f, double* a);
+// The same with another diagonal in the place of the masses, e.g. M + h/2 D.
+void solve_mass(const Model& model, const double* diagonal, double t, const double* q,
+                const double* f, double* a);
 
 // Rotor centre and ring centre in the contact plane.
 Eigen::Vector2d rotor_point(const Model& model, const double* q);
@@ -32,6 +38,9 @@ ContactPoint contact_point(const Model& model, const double* q, const double* v)
 // Contact-space admittance A = J M^-1 J^T (1/kg ...), 3 x 3, J: (relative x, relative y, spin at
 // the contact) = J qdot.
 Eigen::Matrix3d contact_admittance(const Model& model, double t, const double* q);
+// The same with another diagonal in the place of the masses.
+Eigen::Matrix3d contact_admittance(const Model& model, const double* diagonal, double t,
+                                   const double* q);
 // f += J^T p, p: impulse or force on the rotor (x, y) and torque about z.
 void add_contact_load(const Model& model, const Eigen::Vector3d& p, double* f);
 

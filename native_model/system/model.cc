@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "native_model/system/dynamics.h"
+
 namespace rotorub {
 namespace {
 
@@ -91,20 +93,6 @@ void fill_initial(const scene::Scene& scene, Model& model) {
   model.spin_angle = initial.spin_angle;
 }
 
-// J M^-1 J^T for the diagonal M.
-Eigen::Matrix3d diagonal_admittance(const Model& model) {
-  const Layout& l = model.layout;
-  const auto sum = [&](const Eigen::VectorXd& shape, int at) {
-    return (shape.array().square() / model.mass.segment(at, shape.size()).array()).sum();
-  };
-  Eigen::Vector3d a{sum(model.contact_shape.x, l.x()), sum(model.contact_shape.y, l.y()),
-                    sum(model.torsion_contact, l.theta())};
-  if (l.spin) a.z() += 1.0 / model.mass[l.phi()];
-  if (l.stator) a.head<2>() += model.mass.segment<2>(l.ring()).cwiseInverse();
-  assert(l.modes == model.contact_shape.x.size());
-  return a.asDiagonal();
-}
-
 }  // namespace
 
 Eigen::Vector2d AppliedForce::at(double t) const {
@@ -146,7 +134,7 @@ Model make_model(const scene::Scene& scene) {
   model.force_limit = scene.actuator.value_or(scene::Actuator{}).force_limit;
   fill_initial(scene, model);
   fill_control(scene, model);
-  model.admittance = diagonal_admittance(model);
+  model.admittance = contact_admittance(model, model.mass.data(), 0.0, model.q0.data());
   return model;
 }
 

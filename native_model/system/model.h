@@ -100,8 +100,8 @@ struct Model {
   Eigen::VectorXd q0, v0;                        // initial state
   std::optional<ModeLines> lines;                // deflection lines for pictures
 
-  // Contact-space admittance J M^-1 J^T of (relative x, relative y, spin) without the spin-bending
-  // coupling of unbalance; constant. 1/kg, 1/kg, 1/(kg m^2).
+  // Contact-space admittance J M^-1 J^T of (relative x, relative y, spin), 1/kg, 1/kg, 1/(kg m^2);
+  // constant unless coupled_mass().
   Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();
   // Unbalance couples spin and bending where the spin is free.
   bool coupled_mass() const { return layout.spin == 1 && !unbalances.empty(); }

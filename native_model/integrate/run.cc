@@ -1,0 +1,129 @@
+#include "native_model/integrate/run.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "native_model/integrate/paper.h"
+#include "native_model/system/dynamics.h"
+#include "native_model/trajectory/recorder.h"
+
+namespace rotorub {
+namespace {
+
+// The command over a step: held between the samples of a sampled controller.
+class Command {
+ public:
+  explicit Command(const Model& model) : model_(&model) {}
+  const Eigen::Vector2d& at(const State& state, double first_touch) {
+    if (!model_->controller || state.t < model_->control_on) return held_;
+    if (model_->sample_time > 0.0) {
+      // The sample of index floor(t / T); a step that ends short of it by round-off counts.
+      const double sample = std::floor(state.t / model_->sample_time * (1.0 + 1e-12));
+      if (sample == last_sample_) return held_;
+      last_sample_ = sample;
+    }
+    held_ = control_force(*model_, state.t, state.q.data(), state.v.data(), first_touch);
+    return held_;
+  }
+
+ private:
+  const Model* model_;
+  Eigen::Vector2d held_{0.0, 0.0};
+  double last_sample_ = -1.0;
+};
+
+void record_mode_change(Recorder& recorder, double t, Mode before, const PaperStep& step) {
+  if (step.impact) {
+    recorder.add(step.detail);
+    recorder.add(Event{step.detail.t, EventKind::kImpact});
+  }
+  if (step.mode == before) return;
+  const EventKind kind = step.mode == Mode::kSlide   ? EventKind::kSlide
+                         : step.mode == Mode::kStick ? EventKind::kStick
+                                                     : EventKind::kLiftOff;
+  recorder.add(Event{t, kind});
+}
+
+const char* reason(Status status) {
+  switch (status) {
+    case Status::kDiverged: return "the state is no longer finite";
+    case Status::kNoSolution: return "the contact laws have no solution (Painleve)";
+    case Status::kAmbiguous: return "the contact laws have several solutions (Painleve)";
+    case Status::kInterrupted: return "interrupted";
+    default: return "";
+  }
+}
+
+Trajectory run_paper(const Model& model, const scene::Run& run, double step,
+                     const NativeOptions& options) {
+  Recorder recorder(model, options.output_times.value_or(output_times(run)));
+  PaperStepper stepper(model, step);
+  State state = initial_state(model);
+  if (options.perturbation_ulps != 0) {
+    double& x = state.q[0];
+    for (int k = 0; k < std::abs(options.perturbation_ulps); ++k) {
+      x = std::nextafter(x, options.perturbation_ulps > 0 ? 1.0 : -1.0);
+    }
+  }
+  Command command(model);
+  double first_touch = std::numeric_limits<double>::infinity();
+  recorder.begin({0.0, state.q.data(), state.v.data(), 0.0, 0.0, Mode::kFree,
+                  command.at(state, first_touch)});
+
+  const auto steps = static_cast<std::int64_t>(std::ceil(run.end / step - 1e-9));
+  Status status = Status::kOk;
+  std::string message = stepper.refusal();
+  if (!message.empty()) status = Status::kStepTooLarge;
+  std::int64_t k = 0;
+  Mode mode = Mode::kFree;
+  const auto start = std::chrono::steady_clock::now();
+  for (; k < steps && status == Status::kOk; ++k) {
+    state.t = static_cast<double>(k) * step;
+    const Eigen::Vector2d& u = command.at(state, first_touch);
+    const PaperStep done = stepper.step(state, u);
+    if (done.status != Status::kOk) {
+      status = done.status;
+      break;
+    }
+    state.t = static_cast<double>(k + 1) * step;
+    if (done.normal_impulse > 0.0 && !std::isfinite(first_touch)) first_touch = state.t - step;
+    record_mode_change(recorder, state.t, mode, done);
+    mode = done.mode;
+    // An impact's impulse is no force of lasting contact.
+    const double scale = done.impact ? 0.0 : 1.0 / step;
+    recorder.step({state.t, state.q.data(), state.v.data(), done.normal_impulse * scale,
+                   done.friction_impulse * scale, mode, u},
+                  done.normal_impulse, done.friction_impulse, done.impact);
+    if ((k & 0xfff) == 0) {
+      if (options.interrupt && options.interrupt->load(std::memory_order_relaxed)) {
+        status = Status::kInterrupted;
+      }
+      if (options.progress) options.progress(static_cast<double>(k) / static_cast<double>(steps));
+    }
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  Trajectory out = recorder.finish(status == Status::kOk ? run.end : state.t);
+  out.engine = "native";
+  out.integrator = "paper";
+  out.contact_model = "rigid";
+  out.step = step;
+  out.steps = k;
+  out.wall_s = wall.count();
+  out.status = status;
+  if (message.empty() && status != Status::kOk) {
+    message = std::string(reason(status)) + " at t = " + std::to_string(state.t) + " s";
+  }
+  out.message = message;
+  return out;
+}
+
+}  // namespace
+
+Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
+  const Model model = make_model(scene);
+  return run_paper(model, scene.run, options.step.value_or(scene.run.step), options);
+}
+
+}  // namespace rotorub
