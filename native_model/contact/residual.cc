@@ -1,0 +1,61 @@
+#include "native_model/contact/residual.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rotorub {
+namespace {
+
+// Distance of T from the multivalued -set of slip u: upper where u < 0, lower where u > 0, between
+// for u = 0, as the distance of (u, T) from the maximal monotone graph, both scaled.
+double graph_distance(double u, double force, double lower, double upper, double u_scale,
+                      double f_scale) {
+  const double outside = std::max({0.0, lower - force, force - upper}) / f_scale;
+  const double to_axis = std::hypot(u / u_scale, outside);                         // u = 0
+  const double to_lower = std::hypot(std::min(0.0, u) / u_scale, (force - lower) / f_scale);
+  const double to_upper = std::hypot(std::max(0.0, u) / u_scale, (force - upper) / f_scale);
+  return std::min({to_axis, to_lower, to_upper});
+}
+
+// min-map of a complementary pair: 0 iff a, b >= 0 and ab = 0.
+double min_map(double a, double b) { return std::abs(std::min(a, b)); }
+
+}  // namespace
+
+ImpactResidual impact_residual(const ImpactRecord& r) {
+  const double nc = r.normal_compression, tc = r.friction_compression;
+  const double ne = r.normal_expansion, te = r.friction_expansion;
+  const double n_c = r.g_nn * nc + r.g_nt * tc + r.gap_rate_before;
+  const double t_c = r.g_nt * nc + r.g_tt * tc + r.slip_before;
+  const double n_e = n_c + r.g_nn * ne + r.g_nt * te;
+  const double t_e = t_c + r.g_nt * ne + r.g_tt * te;
+
+  // Velocities by the largest met, impulses by what would make them.
+  const double v = std::max({std::abs(r.gap_rate_before), std::abs(r.slip_before), std::abs(n_c),
+                             std::abs(t_c), std::abs(n_e), std::abs(t_e), 1e-300});
+  const double p = std::max({v / std::max(r.g_nn, r.g_tt), nc + ne, std::abs(tc), std::abs(te)});
+
+  ImpactResidual out{};
+  out.compression = std::max(min_map(n_c / v, nc / p),
+                             graph_distance(t_c, tc, -r.friction * nc, r.friction * nc, v, p));
+  const double excess = ne - r.restitution * nc;
+  const double poisson = min_map(n_e / v, excess / p);
+  const double s = tc < 0.0 ? -1.0 : 1.0;
+  const double floor = tc == 0.0 ? -r.friction * ne
+                                 : r.restitution * r.tangential_restitution * std::abs(tc);
+  out.expansion =
+      std::max(poisson, graph_distance(s * t_e, s * te, floor, r.friction * ne, v, p));
+  const double work = 0.5 * ((nc + ne) * (r.gap_rate_before + n_e) +
+                             (tc + te) * (r.slip_before + t_e));
+  out.energy_gain = work / (v * p);
+  return out;
+}
+
+ContactResidual contact_residual(double gap, double normal, double friction_force, double slip,
+                                 double mu, double gap_scale, double force_scale,
+                                 double slip_scale) {
+  return {min_map(gap / gap_scale, normal / force_scale),
+          graph_distance(slip, friction_force, -mu * normal, mu * normal, slip_scale, force_scale)};
+}
+
+}  // namespace rotorub
