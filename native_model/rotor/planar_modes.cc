@@ -1,0 +1,32 @@
+#include "native_model/rotor/planar_modes.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace rotorub {
+
+PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(mass, stiffness);
+  if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite()) {
+    throw std::runtime_error("eigenmodes of the shaft: no convergence");
+  }
+  // Ascending omega^-2, so the modes come in reverse. Those that round-off leaves without a
+  // frequency of their own are given the highest one that can be told from zero.
+  const Eigen::VectorXd compliance = solver.eigenvalues().reverse();
+  const double least = std::numeric_limits<double>::epsilon() * compliance[0];
+  if (!(least > 0.0))
+    throw std::runtime_error("eigenmodes of the shaft: mass or stiffness is not positive");
+
+  PlanarModes modes;
+  modes.frequency = compliance.cwiseMax(least).cwiseSqrt().cwiseInverse();
+  modes.shape = solver.eigenvectors().rowwise().reverse();
+  for (Eigen::Index j = 0; j < modes.shape.cols(); ++j) {
+    const double norm = modes.shape.col(j).dot(mass * modes.shape.col(j));
+    modes.shape.col(j) /= std::sqrt(norm);
+  }
+  return modes;
+}
+
+}  // namespace rotorub

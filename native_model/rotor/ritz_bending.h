@@ -1,0 +1,34 @@
+// Matrices of the bending Ritz ansatz, equation (1) of the paper before modal reduction:
+//
+//   M = int rho A u'u + rho I u_z'u_z dz + sum m u'u + J_t u_z'u_z
+//   G = int 2 rho I u_z'u_z dz + sum J_p u_z'u_z        (I_p = 2 I)
+//   K = int E I u_zz'u_zz dz + sum k u'u
+//
+// u, u_z: rows of shape functions (BendingBasis). All integrals are exact.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "native_model/rotor/shaft_basis.h"
+#include "native_model/scene/scene.h"
+
+namespace rotorub {
+
+struct RitzBending {
+  BendingBasis basis;
+  Eigen::MatrixXd mass;                      // N x N, symmetric, positive definite
+  Eigen::MatrixXd gyroscopic;                // N x N, symmetric, >= 0
+  Eigen::MatrixXd stiffness_x, stiffness_y;  // N x N, symmetric, positive definite
+  Eigen::VectorXd gravity;                   // N, int rho A u dz + sum m u, load per acceleration
+  bool isotropic = true;                     // stiffness the same in x and y, bit for bit
+};
+
+// Mesh for bending waves up to omega (rad/s). Elements end at discs, bearings and `stations` (m).
+std::vector<ShaftElement> bending_mesh(const scene::RotorGeometry& geometry,
+                                       const std::vector<double>& stations, double omega);
+
+// Throws scene::SceneError where a plane is not held at two stations.
+RitzBending ritz_bending(const scene::RotorGeometry& geometry, std::vector<ShaftElement> mesh);
+
+}  // namespace rotorub

@@ -1,0 +1,92 @@
+#include "native_model/rotor/rotor_modes.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "native_model/scene/diagnostic.h"
+
+namespace rotorub {
+namespace {
+
+// Gyroscopic stiffening lifts forward whirl: waves up to this multiple of the frequency at rest.
+constexpr double kWhirlMargin = 2.0;
+
+// Where elements must end beside discs and bearings: every station a force may act on the shaft.
+std::vector<double> loaded_stations(const scene::Scene& scene) {
+  std::vector<double> stations;
+  for (const scene::Force& force : scene.forces) stations.push_back(force.station);
+  if (scene.magnetic_bearing) stations.push_back(scene.magnetic_bearing->station);
+  if (scene.contact) stations.push_back(scene.contact->station);
+  return stations;
+}
+
+// A first guess: the highest mode wanted of a uniform shaft on two pins, of the stiffest section.
+double pinned_frequency(const scene::RotorGeometry& geometry, int modes) {
+  const double k = modes * std::numbers::pi / geometry.length;
+  double diameter = 0.0;
+  for (const scene::ShaftSection& section : geometry.sections) {
+    diameter = std::max(diameter, section.diameter);
+  }
+  return 0.25 * diameter * std::sqrt(geometry.E / geometry.rho) * k * k;
+}
+
+int count_below(const PlanarModes& modes, double frequency) {
+  return static_cast<int>((modes.frequency.array() <= frequency).count());
+}
+
+RotorModes solve(const scene::Scene& scene, double omega) {
+  const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  RitzBending ritz =
+      ritz_bending(geometry, bending_mesh(geometry, loaded_stations(scene), kWhirlMargin * omega));
+  RotorModes result{std::move(ritz), {}, {}, {}};
+  const RitzBending& r = result.ritz;
+  result.x = planar_modes(r.mass, r.stiffness_x);
+  result.y = r.isotropic ? result.x : planar_modes(r.mass, r.stiffness_y);
+  result.mean =
+      r.isotropic ? result.x : planar_modes(r.mass, 0.5 * (r.stiffness_x + r.stiffness_y));
+  return result;
+}
+
+}  // namespace
+
+double RotorModes::highest() const {
+  if (kept > x.frequency.size()) return std::numeric_limits<double>::infinity();
+  return kept == 0 ? 0.0 : std::max(x.frequency[kept - 1], y.frequency[kept - 1]);
+}
+
+RotorModes rotor_modes(const scene::Scene& scene) {
+  assert(scene.rotor.geometry);
+  const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+
+  // A number of modes: the frequency that the mesh must carry is found on the way.
+  if (geometry.modes) {
+    return solve_refined(pinned_frequency(geometry, *geometry.modes), [&](double omega) {
+      RotorModes result = solve(scene, omega);
+      result.kept = *geometry.modes;
+      return result;
+    });
+  }
+
+  // A bound on the frequency: Ritz frequencies come from above, so none is missed on a mesh for it.
+  assert(geometry.max_frequency);
+  const double bound = *geometry.max_frequency;
+  RotorModes result = solve(scene, bound);
+  result.kept = std::max(count_below(result.x, bound), count_below(result.y, bound));
+  if (result.kept == 0) {
+    const double lowest = std::min(result.x.frequency[0], result.y.frequency[0]);
+    throw scene::SceneError({{"", 0, "rotor.max_frequency",
+                              "keeps no bending mode: the lowest is at " + std::to_string(lowest) +
+                                  " rad/s; accepted: a higher frequency"}});
+  }
+  return result;
+}
+
+Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const PlanarModes& modes, double ratio) {
+  const Eigen::MatrixXd momentum = mass * modes.shape;
+  return momentum * (2.0 * ratio * modes.frequency).asDiagonal() * momentum.transpose();
+}
+
+}  // namespace rotorub
