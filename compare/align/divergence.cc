@@ -1,0 +1,36 @@
+#include "compare/align/divergence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rotorub {
+
+Divergence divergence(const Trajectory& a, const Trajectory& b, double threshold) {
+  const auto& time_a = a.column("t");
+  const auto& time_b = b.column("t");
+  const auto &ax = a.column("rotor_x"), &ay = a.column("rotor_y");
+  const auto &bx = b.column("rotor_x"), &by = b.column("rotor_y");
+
+  Divergence result;
+  result.threshold = threshold;
+  double square = 0.0;
+  // Both series ascend in time and print requested times exactly: rows match by equality.
+  for (std::size_t i = 0, j = 0; i < time_a.size() && j < time_b.size();) {
+    if (time_a[i] < time_b[j]) {
+      ++i;
+    } else if (time_b[j] < time_a[i]) {
+      ++j;
+    } else {
+      const double distance = std::hypot(ax[i] - bx[j], ay[i] - by[j]);
+      result.max_distance = std::max(result.max_distance, distance);
+      square += distance * distance;
+      ++result.rows;
+      if (distance > threshold && !result.time) result.time = time_a[i];
+      ++i, ++j;
+    }
+  }
+  if (result.rows > 0) result.rms_distance = std::sqrt(square / static_cast<double>(result.rows));
+  return result;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,39 @@
+// What a run has settled to: a name for its last part, by stated definitions.
+#pragma once
+
+#include "compare/metrics/relative_motion.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub {
+
+// Looked at over the last fifth of the run (kSettledShare), with `contact` the share of its rows
+// with a normal force:
+enum class Attractor {
+  kNoContact,        // no row in contact and no counted impact
+  kChattering,       // contact in fewer than 99 % of the rows: bouncing
+  kSynchronousRub,   // else, forward whirl within 2 % of the mean spin speed: full annular rub
+  kForwardRub,       // else, forward whirl at another frequency
+  kBackwardWhip,     // else, backward whirl that slips: dry-friction whip
+  kRolling,          // contact, and the slip under 1 % of the surface speed: rolls in the ring
+  kUnknown           // too few rows (under 20)
+};
+const char* to_string(Attractor attractor);       // one or two words
+const char* explanation(Attractor attractor);     // the definition, in a sentence
+
+struct Settled {
+  Attractor attractor = Attractor::kUnknown;
+  double from = 0.0;             // s, where the last part begins
+  double contact_share = 0.0;    // in [0, 1]
+  double whirl_frequency = 0.0;  // rad/s, signed
+  double spin_speed = 0.0;       // rad/s, mean
+  std::size_t impacts = 0;       // counted ones
+};
+
+inline constexpr double kSettledShare = 0.2;
+inline constexpr double kPermanentContact = 0.99;
+inline constexpr double kSynchronousTolerance = 0.02;
+inline constexpr double kRollingTolerance = 0.01;
+
+Settled settled(const Trajectory& trajectory);
+
+}  // namespace rotorub

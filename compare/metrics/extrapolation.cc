@@ -1,0 +1,43 @@
+#include "compare/metrics/extrapolation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rotorub {
+
+Extrapolation extrapolate(const std::array<double, 3>& values) {
+  Extrapolation e;
+  e.values = values;
+  e.limit = values[2];
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  e.uncertainty = *high - *low;
+
+  if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); })) {
+    e.reason = "a run has no finite value";
+    return e;
+  }
+  const double scale = std::max(std::abs(*low), std::abs(*high));
+  if (e.uncertainty <= kRoundOff * scale) {
+    e.valid = true;
+    return e;
+  }
+
+  const double first = values[1] - values[0];
+  const double second = values[2] - values[1];
+  if (first * second <= 0.0) {
+    e.reason = "not monotone in the step: the figure scatters (chaotic motion, or already at its "
+               "limit within its own scatter)";
+    return e;
+  }
+  e.order = std::log2(first / second);
+  if (e.order < kLowestOrder || e.order > kHighestOrder) {
+    e.reason = "does not converge at a usable order over these steps";
+    return e;
+  }
+  e.valid = true;
+  e.limit = values[2] + second / (std::exp2(e.order) - 1.0);
+  e.uncertainty = std::abs(e.limit - values[2]);
+  return e;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,27 @@
+// The value that a figure tends to as the step goes to 0, from runs at dt, dt/2 and dt/4.
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace rotorub {
+
+// Richardson extrapolation with the order taken from the data: with d1 = q(dt/2) - q(dt) and
+// d2 = q(dt/4) - q(dt/2), order p = log2(d1/d2) and limit = q(dt/4) + d2 / (2^p - 1).
+struct Extrapolation {
+  std::array<double, 3> values{};  // at dt, dt/2, dt/4
+  bool valid = false;              // monotone, order in [0.5, 4]; or no difference at all
+  double limit = 0.0;              // where not valid: the value at dt/4, for what it is worth
+  double order = 0.0;              // p; 0 where there is none
+  double uncertainty = 0.0;        // |limit - q(dt/4)|; where not valid: the spread of the values
+  std::string reason;              // why it is not valid; empty where it is
+};
+
+inline constexpr double kLowestOrder = 0.5, kHighestOrder = 4.0;
+// Differences below this share of the largest value are round-off: the figure does not depend on
+// the step.
+inline constexpr double kRoundOff = 1e-12;
+
+Extrapolation extrapolate(const std::array<double, 3>& values);
+
+}  // namespace rotorub

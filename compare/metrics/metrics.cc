@@ -1,0 +1,75 @@
+#include "compare/metrics/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rotorub {
+namespace {
+
+// Rms of v_t over the rows in contact: a disc that follows a ring of curvature 1/delta_0 along the
+// tangent for one step ends (v_t dt)^2 / (2 delta_0) beyond it.
+double whirl_penetration(const Trajectory& trajectory, double clearance) {
+  const auto points = relative_motion(trajectory);
+  const auto& normal = trajectory.column("normal_force");
+  double square = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (normal[i] <= 0.0) continue;
+    square += points[i].whirl_speed * points[i].whirl_speed;
+    ++count;
+  }
+  if (count == 0) return 0.0;
+  const double mean_square = square / static_cast<double>(count);
+  return mean_square * trajectory.step * trajectory.step / (2.0 * clearance);
+}
+
+void gather_forces(const Trajectory& trajectory, Metrics& m) {
+  const Statistics& s = trajectory.statistics;
+  const double span = trajectory.end - s.first_touch;
+  if (s.first_touch < 0.0 || span <= 0.0) return;
+  m.first_touch = s.first_touch;
+  m.mean_force = trajectory.mean_force();
+  const double variance = s.force_square / span - m.mean_force * m.mean_force;
+  m.force_deviation = std::sqrt(std::max(0.0, variance));
+  m.gap_rate_rms = std::sqrt(s.gap_rate_square / span);
+  m.rms_penetration = std::sqrt(s.penetration_square / span);
+}
+
+void gather_impacts(const Trajectory& trajectory, Metrics& m) {
+  for (const Impact& impact : trajectory.impacts) {
+    m.impacts += counts(impact) ? 1 : 0;
+    m.peak_impulse = std::max(m.peak_impulse, impact.normal_impulse);
+  }
+}
+
+}  // namespace
+
+std::optional<ContactFacts> contact_facts(const scene::Scene& scene) {
+  if (!scene.contact) return std::nullopt;
+  return ContactFacts{scene.contact->clearance, scene.contact->radius, scene.contact->friction};
+}
+
+Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>& facts) {
+  const Statistics& s = trajectory.statistics;
+  Metrics m;
+  gather_forces(trajectory, m);
+  gather_impacts(trajectory, m);
+  m.peak_force = s.peak_force;
+  m.contact_fraction = trajectory.contact_fraction();
+  m.impulse_total = s.impulse_total;
+  m.friction_impulse = s.friction_impulse;
+  m.friction_work = s.friction_work;
+  m.max_penetration = s.max_penetration;
+  m.energy_residual = s.energy_residual();
+  m.settled = settled(trajectory);
+  if (facts) {
+    m.whirl_penetration = whirl_penetration(trajectory, facts->clearance);
+    m.residuals = contact_residuals(trajectory, *facts);
+  }
+  m.steps = trajectory.steps;
+  if (m.steps > 0) m.us_per_step = 1e6 * trajectory.wall_s / static_cast<double>(m.steps);
+  if (trajectory.wall_s > 0.0) m.real_time_factor = trajectory.end / trajectory.wall_s;
+  return m;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,46 @@
+// The figures of one run: functions of its Trajectory alone (and of the contact's constants).
+#pragma once
+
+#include <optional>
+
+#include "compare/metrics/attractor.h"
+#include "compare/metrics/residuals.h"
+#include "native_model/scene/scene.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub {
+
+// "From first touch" is from Statistics::first_touch to the end; all of those are 0 without one.
+// Forces are averages over one step (impulse of the step / step), so that an impact counts with its
+// whole impulse: peak and scatter of a run with impacts therefore grow as the step shrinks.
+struct Metrics {
+  std::optional<double> first_touch;  // s
+  double mean_force = 0.0;            // N, normal impulse / time from first touch
+  double force_deviation = 0.0;       // N, standard deviation over the time from first touch
+  double peak_force = 0.0;            // N
+  double contact_fraction = 0.0;      // [0, 1], of the time from first touch
+  double impulse_total = 0.0;         // N s, normal
+  double friction_impulse = 0.0;      // N s, signed along e_t
+  double friction_work = 0.0;         // J, <= 0
+  std::size_t impacts = 0;            // counted ones (closing faster than 1e-4 m/s)
+  double peak_impulse = 0.0;          // N s, largest of one impact
+  double gap_rate_rms = 0.0;          // m/s, from first touch
+  double max_penetration = 0.0;       // m
+  double rms_penetration = 0.0;       // m, over the time from first touch
+  double whirl_penetration = 0.0;     // m, (v_t dt)^2 / (2 delta_0), v_t the rms speed of the
+                                      // relative centre along e_t over the rows in contact
+  double energy_residual = 0.0;       // 1, |E_end - E_start - work| / largest energy
+  Settled settled;
+  Residuals residuals;
+  // Cost.
+  std::int64_t steps = 0;
+  double us_per_step = 0.0;           // 0 for no step
+  double real_time_factor = 0.0;      // simulated time / wall time
+};
+
+// Nothing of the contact, where the scene has none.
+std::optional<ContactFacts> contact_facts(const scene::Scene& scene);
+
+Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>& facts);
+
+}  // namespace rotorub

@@ -1,0 +1,67 @@
+#include "compare/metrics/relative_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rotorub {
+namespace {
+
+RelativePoint polar(double t, double x, double y, double vx, double vy) {
+  RelativePoint point;
+  point.t = t;
+  point.delta = std::hypot(x, y);
+  if (point.delta == 0.0) return point;
+  point.angle = std::atan2(y, x);
+  point.radial_rate = (x * vx + y * vy) / point.delta;
+  point.whirl_speed = (x * vy - y * vx) / point.delta;
+  point.angle_rate = point.whirl_speed / point.delta;
+  return point;
+}
+
+}  // namespace
+
+std::vector<RelativePoint> relative_motion(const Trajectory& trajectory) {
+  const auto& t = trajectory.column("t");
+  const auto& rotor_x = trajectory.column("rotor_x");
+  const auto& rotor_y = trajectory.column("rotor_y");
+  const auto& rotor_vx = trajectory.column("rotor_vx");
+  const auto& rotor_vy = trajectory.column("rotor_vy");
+  const auto& stator_x = trajectory.column("stator_x");
+  const auto& stator_y = trajectory.column("stator_y");
+  const auto& stator_vx = trajectory.column("stator_vx");
+  const auto& stator_vy = trajectory.column("stator_vy");
+
+  std::vector<RelativePoint> points(t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    points[i] = polar(t[i], rotor_x[i] - stator_x[i], rotor_y[i] - stator_y[i],
+                      rotor_vx[i] - stator_vx[i], rotor_vy[i] - stator_vy[i]);
+  }
+  return points;
+}
+
+RowRange rows_between(const std::vector<RelativePoint>& points, double from, double to) {
+  const auto begin = points.begin();
+  const auto first = std::lower_bound(begin, points.end(), from,
+                                      [](const RelativePoint& p, double t) { return p.t < t; });
+  const auto last = std::upper_bound(first, points.end(), to,
+                                     [](double t, const RelativePoint& p) { return t < p.t; });
+  return {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin)};
+}
+
+double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range) {
+  if (range.size() < 2) return 0.0;
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  double total = 0.0;
+  for (std::size_t i = range.first + 1; i < range.last; ++i) {
+    const RelativePoint& a = points[i - 1];
+    const RelativePoint& b = points[i];
+    const double expected = 0.5 * (a.angle_rate + b.angle_rate) * (b.t - a.t);
+    const double seen = b.angle - a.angle;
+    total += seen + kTurn * std::round((expected - seen) / kTurn);
+  }
+  const double span = points[range.last - 1].t - points[range.first].t;
+  return span > 0.0 ? total / span : 0.0;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,39 @@
+// Motion of the rotor's centre relative to the ring's, computed again from the positions and
+// velocities of a series, row by row, by code that no engine shares.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub {
+
+// d = r_rotor - r_ring in polar form. Where the centres coincide (delta = 0) there is no direction:
+// angle, rates and whirl speed are 0.
+struct RelativePoint {
+  double t = 0.0;            // s
+  double delta = 0.0;        // m, |d|, >= 0
+  double angle = 0.0;        // rad, of d from the x axis, in (-pi, pi]
+  double radial_rate = 0.0;  // m/s, d delta / dt
+  double whirl_speed = 0.0;  // m/s, v_t = e_t . ddot, along e_t = e_z x e_r
+  double angle_rate = 0.0;   // rad/s, v_t / delta
+};
+
+// One point a row. Asserts the columns t, rotor_*, stator_* of the contract.
+std::vector<RelativePoint> relative_motion(const Trajectory& trajectory);
+
+// Rows of `points` (ascending in t) with from <= t <= to: the half-open range of their indices.
+struct RowRange {
+  std::size_t first = 0, last = 0;
+  std::size_t size() const { return last - first; }
+};
+RowRange rows_between(const std::vector<RelativePoint>& points, double from, double to);
+
+// Mean whirl frequency d(angle)/dt over the rows of a range, rad/s, forward (along +z) positive;
+// 0 for fewer than two rows. The angle is unwrapped with the help of its rate, so that rows may be
+// further apart than half a turn: the whole turns between two rows are those that come nearest to
+// the mean of the two rates.
+double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range);
+
+}  // namespace rotorub

@@ -1,0 +1,63 @@
+#include "compare/metrics/residuals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rotorub {
+namespace {
+
+double mean_contact_force(const std::vector<double>& force) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const double f : force) {
+    if (f <= 0.0) continue;
+    sum += f;
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 1.0;
+}
+
+double largest_magnitude(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double v : values) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
+void raise(double& residual, double violation) { residual = std::max(residual, violation); }
+
+}  // namespace
+
+Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& facts) {
+  const auto points = relative_motion(trajectory);
+  const auto& gap_column = trajectory.column("gap");
+  const auto& slip = trajectory.column("slip");
+  const auto& normal = trajectory.column("normal_force");
+  const auto& friction = trajectory.column("friction_force");
+
+  Residuals r;
+  r.force_scale = mean_contact_force(normal);
+  const double F = r.force_scale;
+  const double v = std::max(largest_magnitude(slip), 1e-300);
+
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double gap = facts.clearance - points[i].delta;
+    const double pressed = std::max(0.0, normal[i]);
+    raise(r.gap_error, std::abs(gap_column[i] - gap) / facts.clearance);
+
+    // Normal law (13): g_N >= 0, lambda_N >= 0, g_N lambda_N = 0.
+    raise(r.penetration, -gap / facts.clearance);
+    raise(r.adhesion, -normal[i] / F);
+    raise(r.complementarity, std::max(0.0, gap) * pressed / (facts.clearance * F));
+
+    // Coulomb: |lambda_T| <= mu lambda_N; sliding: lambda_T = -mu lambda_N sign(gdot_T).
+    raise(r.cone, (std::abs(friction[i]) - facts.friction * pressed) / F);
+    raise(r.power, friction[i] * slip[i] / (F * v));
+    if (pressed > 0.0 && std::abs(slip[i]) > kSlipThreshold * v) {
+      const double due = -facts.friction * pressed * (slip[i] > 0.0 ? 1.0 : -1.0);
+      raise(r.sliding, std::abs(friction[i] - due) / F);
+    }
+  }
+  return r;
+}
+
+}  // namespace rotorub

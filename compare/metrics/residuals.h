@@ -1,0 +1,36 @@
+// How well a recorded series obeys the laws of unilateral contact and Coulomb friction, whoever
+// made it. Shares no code with the solvers: gaps come from the positions in the series.
+#pragma once
+
+#include "compare/metrics/relative_motion.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub {
+
+// What the laws need to know beside the series.
+struct ContactFacts {
+  double clearance = 0.0;  // m, delta_0, > 0
+  double radius = 0.0;     // m, r, > 0
+  double friction = 0.0;   // mu, >= 0
+};
+
+// Largest violation over all rows, every one dimensionless, >= 0 and 0 for a perfect series. Forces
+// are scaled by `force_scale`, lengths by the clearance.
+struct Residuals {
+  double force_scale = 0.0;      // N: mean normal force of the rows in contact; 1 N without any
+  double penetration = 0.0;      // max(0, -g_N) / delta_0                        g_N >= 0
+  double adhesion = 0.0;         // max(0, -lambda_N) / F                         lambda_N >= 0
+  double complementarity = 0.0;  // max(0, g_N) max(0, lambda_N) / (delta_0 F)    g_N lambda_N = 0
+  double cone = 0.0;             // max(0, |lambda_T| - mu lambda_N) / F          |lambda_T| <= ...
+  double sliding = 0.0;          // |lambda_T + mu lambda_N sign(gdot_T)| / F     rows that slide
+  double power = 0.0;            // max(0, lambda_T gdot_T) / (F v)               friction brakes
+  double gap_error = 0.0;        // |gap column - (delta_0 - |d|)| / delta_0      the series itself
+};
+
+// A row slides where it is in contact and |gdot_T| exceeds this share of the largest |gdot_T| of
+// the series (v above); below it the direction of slip is not defined.
+inline constexpr double kSlipThreshold = 1e-3;
+
+Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& facts);
+
+}  // namespace rotorub
