@@ -53,9 +53,9 @@ std::optional<std::vector<Step>> parse_path(std::string_view text) {
 
 TomlNode parse_value(std::string_view text) {
   std::vector<Diagnostic> unread;
-  const TomlDocument document = parse_toml("v = " + std::string(text), kOverrideFile, unread);
-  if (document.whole && document.root.entries.size() == 1) {
-    return document.root.entries.front().second;
+  const auto document = parse_toml("v = " + std::string(text), kOverrideFile, unread);
+  if (document && unread.empty() && document->entries.size() == 1) {
+    return document->entries.front().second;
   }
   TomlNode word;
   word.kind = Kind::kString;

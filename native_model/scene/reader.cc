@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <optional>
+#include <utility>
 
 #include "native_model/scene/overrides.h"
 #include "native_model/scene/table_reader.h"
@@ -52,15 +54,16 @@ Scene read_scene(const std::filesystem::path& path, std::span<const std::string>
 Scene parse_scene(std::string_view text, const std::string& file_name,
                   std::span<const std::string> overrides) {
   std::vector<Diagnostic> diagnostics;
-  TomlDocument document = parse_toml(text, file_name, diagnostics);
-  apply_overrides(document.root, overrides, diagnostics);
+  std::optional<TomlNode> root = parse_toml(text, file_name, diagnostics);
+  if (!root) throw SceneError(std::move(diagnostics));
+  apply_overrides(*root, overrides, diagnostics);
 
   Scene scene;
   scene.name = std::filesystem::path(file_name).stem().string();
-  scene.text = overrides.empty() ? std::string(text) : write_toml(document.root);
+  scene.text = overrides.empty() ? std::string(text) : write_toml(*root);
   TableReader reader(scene, diagnostics);
-  reader.read(document.root, document.whole);
-  if (document.whole) validate(scene, reader.record(), diagnostics);
+  reader.read(*root);
+  validate(scene, reader.record(), diagnostics);
   if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
   complete(scene, reader.record());
   return scene;

@@ -6,31 +6,34 @@ namespace rotorub::scene {
 namespace {
 
 Table drive() {
-  return {"drive",
-          false,
-          Form::kEither,
-          "The motor: its torque acts on the spin.",
-          "the spin speed is held at `rotor.speed`",
-          [](Scene& scene) -> void* { return &scene.drive.emplace(); },
-          {word<&Drive::kind>(
-               "kind", {"free", "linear", "kloss", "table"},
-               "no torque; T = `gain` (`speed` - Omega); asynchronous motor, T = 2 T_b s "
-               "s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; a table"),
-           key<&Drive::gain>("gain", kAngularDamping, "").at_least(0).of({"linear"}),
-           key<&Drive::speed>("speed", kSpin, "at which the torque is 0").of({"linear"}),
-           key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "T_b").above(0).of({"kloss"}),
-           key<&Drive::breakdown_slip>("breakdown_slip", kPure, "s_b").above(0).of({"kloss"}),
-           key<&Drive::synchronous_speed>("synchronous_speed", kSpin, "").above(0).of({"kloss"}),
-           key<&Drive::table_speed>("table_speed", kSpin, "ascending, two or more").of({"table"}),
-           key<&Drive::table_torque>("table_torque", kTorque, "one for each speed").of({"table"}),
-           key<&Drive::station>("station", kLength, "of the motor")
-               .at_least(0)
-               .in(Form::kGeometry)
-               .otherwise("0"),
-           key<&Drive::inertia>("inertia", kInertia, "of the motor's rotor")
-               .at_least(0)
-               .in(Form::kGeometry)
-               .otherwise("0")}};
+  return {
+      "drive",
+      false,
+      Form::kEither,
+      "The motor: its torque acts on the spin.",
+      "the spin speed is held at `rotor.speed`",
+      [](Scene& scene) -> void* { return &scene.drive.emplace(); },
+      {word<&Drive::kind>(
+           "kind", {"free", "linear", "kloss", "table"},
+           "no torque; T = `gain` (`speed` - Omega); asynchronous motor, T = 2 T_b s "
+           "s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; a table"),
+       key<&Drive::gain>("gain", kAngularDamping, "torque per speed").at_least(0).of({"linear"}),
+       key<&Drive::speed>("speed", kSpin, "at which the torque is 0").of({"linear"}),
+       key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "T_b").above(0).of({"kloss"}),
+       key<&Drive::breakdown_slip>("breakdown_slip", kPure, "s_b").above(0).of({"kloss"}),
+       key<&Drive::synchronous_speed>("synchronous_speed", kSpin, "at which the torque is 0")
+           .above(0)
+           .of({"kloss"}),
+       key<&Drive::table_speed>("table_speed", kSpin, "ascending, two or more").of({"table"}),
+       key<&Drive::table_torque>("table_torque", kTorque, "one for each speed").of({"table"}),
+       key<&Drive::station>("station", kLength, "of the motor")
+           .at_least(0)
+           .in(Form::kGeometry)
+           .otherwise("0"),
+       key<&Drive::inertia>("inertia", kInertia, "of the motor's rotor")
+           .at_least(0)
+           .in(Form::kGeometry)
+           .otherwise("0")}};
 }
 
 Table force() {
@@ -44,17 +47,22 @@ Table force() {
                "kind", {"rotating", "constant"},
                "`amplitude` (cos(w t + `phase`), sin(w t + `phase`)) with t absolute and w "
                "= `frequency`; `vector`"),
-           key<&Force::amplitude>("amplitude", kForce, "").of({"rotating"}),
+           key<&Force::amplitude>("amplitude", kForce, "size; turned by pi if negative")
+               .of({"rotating"}),
            key<&Force::frequency>("frequency", kSpin, "negative: backward").of({"rotating"}),
-           key<&Force::phase>("phase", kAngle, "").of({"rotating"}).otherwise("0"),
-           key<&Force::vector>("vector", kForce, "").of({"constant"}),
-           key<&Force::on>("on", kTime, "").otherwise("0"),
-           key<&Force::off>("off", kTime, "not before `on`").otherwise("never"),
-           key<&Force::ramp>("ramp", kTime, "").at_least(0).otherwise("0"),
+           key<&Force::phase>("phase", kAngle, "direction at t = 0, from the x axis")
+               .of({"rotating"})
+               .otherwise("0"),
+           key<&Force::vector>("vector", kForce, "fixed in space").of({"constant"}),
+           key<&Force::on>("on", kTime, "acts from here").otherwise("0"),
+           key<&Force::off>("off", kTime, "acts up to here, not before `on`").otherwise("never"),
+           key<&Force::ramp>("ramp", kTime, "rise from 0 after `on`").at_least(0).otherwise("0"),
            key<&Force::shape>("shape", kPure, "value of each bending mode at the station")
                .in(Form::kModal)
                .otherwise("all 1"),
-           key<&Force::station>("station", kLength, "").at_least(0).in(Form::kGeometry)}};
+           key<&Force::station>("station", kLength, "along the shaft")
+               .at_least(0)
+               .in(Form::kGeometry)}};
 }
 
 Table magnetic_bearing() {
@@ -71,7 +79,9 @@ Table magnetic_bearing() {
            key<&MagneticBearing::shape>("shape", kPure, "value of each bending mode at the station")
                .in(Form::kModal)
                .otherwise("all 1"),
-           key<&MagneticBearing::station>("station", kLength, "").at_least(0).in(Form::kGeometry)}};
+           key<&MagneticBearing::station>("station", kLength, "along the shaft")
+               .at_least(0)
+               .in(Form::kGeometry)}};
 }
 
 Table contact() {
@@ -93,7 +103,9 @@ Table contact() {
            .at_least(0)
            .otherwise("0"),
        key<&Contact::expansion_time>("expansion_time", kTime, "tau_E").at_least(0).otherwise("0"),
-       key<&Contact::station>("station", kLength, "").at_least(0).in(Form::kGeometry)}};
+       key<&Contact::station>("station", kLength, "along the shaft")
+           .at_least(0)
+           .in(Form::kGeometry)}};
 }
 
 Table stator() {
@@ -173,7 +185,7 @@ Table gravity() {
           "A constant acceleration in the plane of bending.",
           "none",
           [](Scene& scene) -> void* { return &scene.gravity.emplace(); },
-          {key<&Gravity::acceleration>("acceleration", kAcceleration, ""),
+          {key<&Gravity::acceleration>("acceleration", kAcceleration, "as of a falling body"),
            key<&Gravity::participation>("participation", kMass,
                                         "load of each bending mode per unit acceleration")
                .in(Form::kModal)
@@ -193,7 +205,7 @@ Table initial() {
        key<&Initial::y>("y", kLength, modal).otherwise("0"),
        key<&Initial::vx>("vx", kVelocity, modal).otherwise("0"),
        key<&Initial::vy>("vy", kVelocity, modal).otherwise("0"),
-       key<&Initial::spin_angle>("spin_angle", kAngle, "").otherwise("0"),
+       key<&Initial::spin_angle>("spin_angle", kAngle, "of the rotor's own x axis").otherwise("0"),
        key<&Initial::torsion>("torsion", kAngle, "torsion modes").otherwise("0"),
        key<&Initial::torsion_speed>("torsion_speed", kSpin, "torsion modes").otherwise("0"),
        key<&Initial::stator>("stator", kLength, "position of the ring; needs [stator]")

@@ -42,8 +42,7 @@ void TableReader::fail(const TomlNode& node, const std::string& path, std::strin
   diagnostics_.push_back({node.file, node.line, path, std::move(reason)});
 }
 
-void TableReader::read(const TomlNode& root, bool missing_matters) {
-  missing_matters_ = missing_matters;
+void TableReader::read(const TomlNode& root) {
   record_.note({}, root, true);
   refuse_unknown(root, {}, {});
   find_form(root);
@@ -71,7 +70,7 @@ void TableReader::find_form(const TomlNode& root) {
     form_ = Form::kModal;
   } else if (!geometry.empty()) {
     form_ = Form::kGeometry;
-  } else if (missing_matters_) {
+  } else {
     fail(*rotor, "rotor",
          std::string("no rotor is given: expected ") + kGeometryForm + " or " + kModalForm);
   }
@@ -81,9 +80,7 @@ void TableReader::read_table(const Table& table, const TomlNode& root) {
   const std::string path(table.path);
   const TomlNode* node = find_path(root, table.path);
   if (node == nullptr) {
-    if (path == "rotor" && missing_matters_) {
-      fail(root, path, "missing: every scene has a [rotor]");
-    }
+    if (path == "rotor") fail(root, path, "missing: every scene has a [rotor]");
     return;
   }
   const std::string header = (table.list ? "[[" : "[") + path + (table.list ? "]]" : "]");
@@ -122,7 +119,7 @@ void TableReader::read_object(const Table& table, const TomlNode& node, const st
     const std::string key_path = child_path(path, key.name);
     if (const TomlNode* value = node.find(key.name)) {
       read_key(key, kind, *value, key_path, object);
-    } else if (key.required() && missing_matters_ && key.belongs_to(form_) &&
+    } else if (key.required() && key.belongs_to(form_) &&
                (key.kinds.empty() || (!kind.empty() && key.is_for(kind)))) {
       record_.note_missing(key_path);
       fail(node, key_path, "missing: expected " + key.expected());
@@ -133,6 +130,7 @@ void TableReader::read_object(const Table& table, const TomlNode& node, const st
 void TableReader::read_key(const Key& key, std::string_view kind, const TomlNode& node,
                            const std::string& path, void* object) {
   record_.note(path, node, false);
+  if (node.kind == Kind::kFaulty) return;
   if (form_ != Form::kEither && !key.belongs_to(form_)) {
     fail(node, path,
          std::string("belongs to ") + (form_ == Form::kModal ? kGeometryForm : kModalForm) +

@@ -16,9 +16,8 @@ class TableReader {
   TableReader(Scene& scene, std::vector<Diagnostic>& diagnostics)
       : scene_(scene), diagnostics_(diagnostics) {}
 
-  // Reads all tables below `root`. `missing_matters`: a required key that is not there is reported
-  // (not where a part of the text could not be read).
-  void read(const TomlNode& root, bool missing_matters);
+  // Reads all tables below `root`.
+  void read(const TomlNode& root);
 
   const Record& record() const { return record_; }
 
@@ -44,7 +43,6 @@ class TableReader {
   std::vector<Diagnostic>& diagnostics_;
   Record record_;
   Form form_ = Form::kEither;  // kEither: not known
-  bool missing_matters_ = true;
 };
 
 }  // namespace rotorub::scene

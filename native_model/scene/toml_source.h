@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,7 +14,8 @@
 namespace rotorub::scene {
 
 struct TomlNode {
-  enum class Kind { kTable, kArray, kString, kInteger, kFloat, kBoolean, kDate };
+  // kFaulty: a value that could not be read and is already reported.
+  enum class Kind { kTable, kArray, kString, kInteger, kFloat, kBoolean, kDate, kFaulty };
 
   Kind kind = Kind::kTable;
   std::string file;                                       // where it stands
@@ -33,15 +35,12 @@ struct TomlNode {
 // "a string", "an array", ...
 std::string_view kind_name(TomlNode::Kind kind);
 
-struct TomlDocument {
-  TomlNode root;       // a table
-  bool whole = false;  // false: some of the text could not be read, and `root` lacks it
-};
-
-// Reads `text`. Syntax errors and duplicate keys go to `diagnostics`; where the fault is a single
-// `key = value` line, the reading goes on without it. Never throws on bad text, never aborts.
-TomlDocument parse_toml(std::string_view text, const std::string& file,
-                        std::vector<Diagnostic>& diagnostics);
+// Reads `text`; nothing if it cannot be read to its end. Syntax errors and duplicates go to
+// `diagnostics`. Where the fault lies in a single `key = value` line or a table given twice, the
+// reading goes on, so that one slip does not hide the others. Never throws on bad text, never
+// aborts.
+std::optional<TomlNode> parse_toml(std::string_view text, const std::string& file,
+                                   std::vector<Diagnostic>& diagnostics);
 
 // TOML text of a table: parse_toml gives the same tree again (numbers to the last bit), lines
 // aside.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -39,11 +40,11 @@ std::string key_text(std::string_view key) {
   return bare ? std::string(key) : quoted(key);
 }
 
-// 17 significant digits: the same double when read again.
+// The shortest digits that give the same double when read again.
 std::string float_text(double number) {
   std::array<char, 40> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.17g", number);
-  std::string text = buffer.data();
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
+  const std::string text(buffer.data(), end);
   const bool whole = text.find_first_of(".en") == std::string::npos;  // n: inf and nan
   return whole ? text + ".0" : text;
 }
@@ -59,6 +60,7 @@ std::string value_text(const TomlNode& node) {
     case Kind::kBoolean:
       return node.boolean ? "true" : "false";
     case Kind::kDate:
+    case Kind::kFaulty:
       return quoted(node.text);
     case Kind::kArray: {
       std::string text = "[";

@@ -1,7 +1,9 @@
 // TableReader: single values.
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <utility>
 
 #include "native_model/scene/table_reader.h"
@@ -11,9 +13,16 @@ namespace {
 
 using Kind = TomlNode::Kind;
 
+std::string number_text(double number) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%g", number);
+  return buffer.data();
+}
+
 std::string got(const TomlNode& node) {
   if (node.kind == Kind::kString) return ", got \"" + node.text + "\"";
   if (node.kind == Kind::kInteger) return ", got " + std::to_string(node.integer);
+  if (node.kind == Kind::kFloat) return ", got " + number_text(node.number);
   return ", got " + std::string(kind_name(node.kind));
 }
 
@@ -61,12 +70,9 @@ bool TableReader::read_number(const Key& key, const TomlNode& node, const std::s
     fail(node, path, "expected " + one.expected() + got(node));
     return false;
   }
-  if (!std::isfinite(number)) {
-    fail(node, path, "must be finite: expected " + one.expected());
-    return false;
-  }
-  if (!key.range.contains(number)) {
-    fail(node, path, "out of range: must be " + key.range.text() + " (" + one.expected() + ")");
+  if (!std::isfinite(number) || !key.range.contains(number)) {
+    const std::string where = std::isfinite(number) ? "out of range" : "not finite";
+    fail(node, path, where + ": expected " + one.expected() + got(node));
     return false;
   }
   return true;

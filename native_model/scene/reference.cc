@@ -1,0 +1,68 @@
+#include "native_model/scene/reference.h"
+
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/schema.h"
+
+namespace rotorub::scene {
+namespace {
+
+std::string form_text(Form form) {
+  if (form == Form::kGeometry) return "geometry form";
+  return form == Form::kModal ? "modal form" : "";
+}
+
+std::string type_text(const Key& key) {
+  switch (key.type) {
+    case ValueType::kNumber:
+      return std::string(key.quantity.unit);
+    case ValueType::kWhole:
+      return "whole number";
+    case ValueType::kPlanes:
+      return std::string(key.quantity.unit) + ", one or [x, y]";
+    case ValueType::kVector:
+      return std::string(key.quantity.unit) + ", [x, y]";
+    case ValueType::kList:
+      return std::string(key.quantity.unit) + ", list";
+    case ValueType::kWord:
+      break;
+  }
+  std::string text;
+  for (std::string_view word : key.words)
+    text += (text.empty() ? "`" : ", `") + std::string(word) + "`";
+  return text;
+}
+
+// The quantity's name ("a force") is the meaning where no other is given.
+std::string meaning_text(const Key& key) {
+  std::string text(key.meaning.empty() ? key.quantity.name : key.meaning);
+  std::string limits;
+  if (!key.kinds.empty()) limits = "`" + join(key.kinds) + "` only";
+  if (const std::string form = form_text(key.form); !form.empty()) {
+    limits += (limits.empty() ? "" : ", ") + form;
+  }
+  return limits.empty() ? text : text + " (" + limits + ")";
+}
+
+std::string row(const Key& key) {
+  return "| `" + std::string(key.name) + "` | " + type_text(key) + " | " + key.range.text() +
+         " | " + (key.required() ? "required" : std::string(key.fallback)) + " | " +
+         meaning_text(key) + " |\n";
+}
+
+}  // namespace
+
+std::string reference_markdown() {
+  std::string text;
+  for (const Table& table : tables()) {
+    const std::string path(table.path);
+    text += "### `" + (table.list ? "[[" + path + "]]" : "[" + path + "]") + "`\n\n";
+    text += std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".\n\n";
+    text +=
+        "| key | unit or words | range | default | meaning |\n| --- | --- | --- | --- | --- |\n";
+    for (const Key& key : table.keys) text += row(key);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace rotorub::scene
