@@ -1,0 +1,54 @@
+// Names of the elements in a generated MJCF, as the plugin, the engine and the renderer look them
+// up. Joints: x_1.., y_1.. (bending modes), spin, torsion_1.., ring_x, ring_y.
+#pragma once
+
+#include <string>
+
+namespace rotorub::mjcf_names {
+
+// <custom><text>
+inline constexpr const char* kSceneText = "rotorub_scene";      // the scene's TOML
+inline constexpr const char* kContactText = "rotorub_contact";  // "coulomb" | "cone" | "rigid"
+
+// Bodies and geoms
+inline constexpr const char* kRotor = "rotor";             // body; its visible disc
+inline constexpr const char* kRotorNodes = "rotor_nodes";  // body: modes with a node at the contact
+inline constexpr const char* kRing = "ring";               // body; its visible bore
+inline constexpr const char* kRotorContact = "rotor_contact";  // geoms that stand for the contact
+inline constexpr const char* kRingContact = "ring_contact";
+
+// Joints
+inline std::string bending_joint(char plane, int mode) {  // mode: 1-based
+  return std::string(1, plane) + "_" + std::to_string(mode);
+}
+inline std::string torsion_joint(int mode) { return "torsion_" + std::to_string(mode); }
+inline constexpr const char* kSpinJoint = "spin";
+inline constexpr const char* kRingX = "ring_x";
+inline constexpr const char* kRingY = "ring_y";
+
+// Actuators and the tendons that they pull, s_k = a_k . q_f
+inline constexpr const char* kActuator[2] = {"actuator_1", "actuator_2"};
+inline constexpr const char* kAxis[2] = {"axis_1", "axis_2"};
+
+// Keyframes with the initial state; mujoco-testspeed starts from one called "test"
+inline constexpr const char* kStartKey = "start";
+inline constexpr const char* kTestKey = "test";
+
+// Cameras
+inline constexpr const char* kContactCamera = "contact";  // along -z onto the contact plane
+inline constexpr const char* kObliqueCamera = "oblique";
+inline constexpr const char* kSideCamera = "side";
+
+// User sensors
+inline constexpr const char* kActive = "rotorub_active";         // 1 with the plugin, 0 without
+inline constexpr const char* kGap = "gap";                       // m
+inline constexpr const char* kGapRate = "gap_rate";              // m/s
+inline constexpr const char* kSlip = "slip";                     // m/s
+inline constexpr const char* kNormalForce = "normal_force";      // N
+inline constexpr const char* kFrictionForce = "friction_force";  // N, on the rotor along e_t
+inline constexpr const char* kControlForce = "control_force";    // N, x and y, on the ring
+
+// mjData.userdata entries that the plugin uses (plugin/state.h)
+inline constexpr int kUserData = 12;
+
+}  // namespace rotorub::mjcf_names

@@ -1,0 +1,49 @@
+#include "mjcf/soft_contact.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace rotorub {
+
+double soft_restitution(double zeta) {
+  assert(zeta >= 0.0);
+  // Near zeta = 1 both branches are 0/0; the exponent is -2 - 4/3 (zeta - 1) + ...
+  if (std::abs(zeta - 1.0) < 1e-6) return std::exp(-2.0 - (zeta - 1.0) * 4.0 / 3.0);
+  if (zeta < 1.0) {
+    const double s = std::sqrt(1.0 - zeta * zeta);
+    const double phase = std::atan2(2.0 * zeta * s, 1.0 - 2.0 * zeta * zeta);
+    return std::exp(-zeta / s * (std::numbers::pi - phase));
+  }
+  const double s = std::sqrt(zeta * zeta - 1.0);
+  // (zeta + s)/(zeta - s) = (zeta + s)^2, without cancellation.
+  return std::exp(-zeta / s * 2.0 * std::log(zeta + s));
+}
+
+double soft_damping_ratio(double restitution) {
+  assert(restitution >= 0.0 && restitution <= 1.0);
+  if (restitution >= 1.0) return 0.0;
+  if (restitution <= soft_restitution(kMaxDampingRatio)) return kMaxDampingRatio;
+  // Falls from 1 to 0 as zeta rises: bisection to round-off.
+  double low = 0.0, high = kMaxDampingRatio;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (soft_restitution(middle) > restitution ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+SoftContact soft_contact(double restitution, double step, double stiffness) {
+  assert(step > 0.0 && stiffness >= 0.0);
+  const double zeta = soft_damping_ratio(restitution);
+  double root = std::sqrt(stiffness);  // 1/s
+  if (stiffness == 0.0) {
+    // B step = 2 zeta sqrt(K) step <= 1 keeps the velocity from changing sign in one step.
+    const double fraction = std::min(kContactStepFraction, 0.5 / std::max(zeta, 1e-300));
+    root = fraction / step;
+  }
+  return {root * root, 2.0 * zeta * root, 0.9999};  // 0.9999: the largest MuJoCo takes
+}
+
+}  // namespace rotorub

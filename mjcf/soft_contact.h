@@ -1,0 +1,33 @@
+// MuJoCo's soft contact made to bounce like a given restitution.
+//
+// With an impedance d near 1 and direct solref (-K, -B) the gap of a closing contact obeys
+//   x'' = -B x' - K x  while x < 0 and the force pushes,   zeta = B / (2 sqrt K),
+// and it lets go when the force is 0, with the ratio of speeds
+//   zeta < 1:  e = exp(-zeta/sqrt(1-zeta^2) (pi - atan2(2 zeta sqrt(1-zeta^2), 1 - 2 zeta^2)))
+//   zeta > 1:  e = exp(-zeta/s ln((zeta+s)/(zeta-s))),  s = sqrt(zeta^2-1);   zeta = 1: e^-2.
+#pragma once
+
+namespace rotorub {
+
+struct SoftContact {
+  double stiffness = 0.0;  // 1/s^2, K > 0
+  double damping = 0.0;    // 1/s, B >= 0
+  double impedance = 0.0;  // 1, d, constant (solimp)
+};
+
+// Ratio of the speeds after and before for a damping ratio zeta >= 0, in (0, 1].
+double soft_restitution(double zeta);
+
+// Its inverse for a restitution in [0, 1]. A plastic contact needs infinite damping: capped at
+// kMaxDampingRatio, where B step = 1 stops the rotor within a step.
+double soft_damping_ratio(double restitution);
+inline constexpr double kMaxDampingRatio = 5.0;
+
+// sqrt(K) step of the default stiffness: a bounce is resolved by about pi / 0.1 = 31 steps, and the
+// restitution met is within 2 % of the one asked for (twice as stiff: 4 %, half: 1 %).
+inline constexpr double kContactStepFraction = 0.1;
+
+// `step`: s, > 0. `stiffness`: 1/s^2; 0: as stiff as the step allows.
+SoftContact soft_contact(double restitution, double step, double stiffness = 0.0);
+
+}  // namespace rotorub

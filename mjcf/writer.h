@@ -1,0 +1,24 @@
+// A scene as MJCF: the modal chain. One slide joint per bending mode and plane in series, with the
+// modal mass as armature and the modal stiffness and damping on the joint; spin and torsion hinges
+// about z; the disc at the end of the chain. Every mode is 1 at the contact station, so the disc's
+// position is the sum of the modal coordinates and MuJoCo's coordinates are those of the native
+// model, exactly (its links weigh 1e-12 kg). A mode with a node at the contact hangs on a branch of
+// its own. The ring has two slides; two actuators pull on its 45 degree axes.
+//
+// The scene's text stands in <custom>, so that the file alone is enough for the plugin. Without the
+// plugin there is no contact at all: the two geoms of the contact pair never touch, only their
+// bounding spheres do, which is what makes MuJoCo ask the pair's collision function every step.
+#pragma once
+
+#include <string>
+
+#include "native_model/scene/scene.h"
+#include "native_model/system/model.h"
+
+namespace rotorub {
+
+// The whole document. Throws std::invalid_argument for what MuJoCo cannot be told yet (segment
+// rotor, contact model `rigid`, integrators other than Euler), naming key and accepted values.
+std::string mjcf(const scene::Scene& scene);
+
+}  // namespace rotorub
