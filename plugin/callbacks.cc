@@ -1,0 +1,128 @@
+#include "plugin/callbacks.h"
+
+#include <mujoco/mujoco.h>
+
+#include "plugin/config_cache.h"
+#include "plugin/contact/annular.h"
+#include "plugin/contact/cone.h"
+#include "plugin/contact/coulomb.h"
+#include "plugin/control.h"
+#include "plugin/coordinates.h"
+#include "plugin/passive.h"
+#include "plugin/sensors.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+namespace {
+
+// One place in MuJoCo's tables. Written while no other thread steps, read by all.
+template <typename Function>
+struct Hook {
+  Function previous = nullptr;
+  bool buried = false;  // another library stands in front of us and calls us
+
+  void put_in_front(Function& place, Function ours) {
+    if (buried || place == ours) return;
+    previous = place;
+    place = ours;
+  }
+  void give_back(Function& place, Function ours) {
+    buried = place != ours;
+    if (!buried) place = previous;
+  }
+};
+
+bool active = false;
+Hook<mjfGeneric> control_hook, passive_hook;
+Hook<mjfSensor> sensor_hook;
+Hook<mjfCollision> collision_hook;
+
+void passive(const mjModel* m, mjData* d) {
+  if (passive_hook.previous) passive_hook.previous(m, d);
+  if (!active) return;
+  const Config* config = find_config_checked(m, d);
+  if (!config) return;
+  add_passive_force(*config, m, d, Coordinates(*config, d));
+  d->userdata[kPassiveFresh] = 1.0;
+}
+
+// MuJoCo may run this stage again without the one before (mj_forwardSkip): then what it added to
+// the velocity stage's results is taken out by computing those anew.
+void refresh_velocity_stage(const mjModel* m, mjData* d) {
+  if (d->userdata[kPassiveFresh] == 0.0) {
+    mj_passive(m, d);
+    mj_referenceConstraint(m, d);
+  }
+  d->userdata[kPassiveFresh] = 0.0;
+}
+
+void control(const mjModel* m, mjData* d) {
+  if (control_hook.previous) control_hook.previous(m, d);
+  if (!active) return;
+  const Config* config = find_config(m, d);
+  if (!config) return;
+  const Coordinates state(*config, d);
+  note_first_touch(*config, d, state);
+  write_command(*config, d, state);
+  if (!config->model.contact) return;
+  refresh_velocity_stage(m, d);
+  d->userdata[kFrictionForce] = 0.0;
+  d->userdata[kMode] = 0.0;
+  const mjContact* contact = find_contact(*config, d);
+  if (!contact) return;
+  if (config->contact == scene::ContactModel::kCoulomb) {
+    apply_coulomb(*config, m, d, *contact, state);
+  } else {
+    apply_cone(*config, d, *contact);
+  }
+}
+
+void sensor(const mjModel* m, mjData* d, int stage) {
+  if (sensor_hook.previous) sensor_hook.previous(m, d, stage);
+  if (!active) return;
+  if (const Config* config = find_config(m, d)) fill_sensors(*config, d, stage);
+}
+
+int pass_on(const mjModel* m, const mjData* d, mjContact* con, int g1, int g2, mjtNum margin) {
+  return collision_hook.previous ? collision_hook.previous(m, d, con, g1, g2, margin) : 0;
+}
+
+// The arguments of mjfCollision have changed between MuJoCo's versions; whatever they are, they
+// are taken from its type.
+template <typename Function>
+struct Collision;
+
+template <typename Model, typename Data, typename Contact, typename... Rest>
+struct Collision<int (*)(Model, Data, Contact, int, int, Rest...)> {
+  static int collide(Model m, Data d, Contact con, int g1, int g2, Rest... rest) {
+    const Config* config = active ? find_config(m, d) : nullptr;
+    const bool ours = config && ((g1 == config->rotor_geom && g2 == config->ring_geom) ||
+                                 (g1 == config->ring_geom && g2 == config->rotor_geom));
+    if (!ours) return pass_on(m, d, con, g1, g2, rest...);
+    return collide_annular(*config, d, con, g1, g2);
+  }
+};
+
+constexpr mjfCollision kCollide = &Collision<mjfCollision>::collide;
+
+mjfCollision& collision_entry() { return mjCOLLISIONFUNC[mjGEOM_SPHERE][mjGEOM_CAPSULE]; }
+
+}  // namespace
+
+void install_callbacks() {
+  passive_hook.put_in_front(mjcb_passive, passive);
+  control_hook.put_in_front(mjcb_control, control);
+  sensor_hook.put_in_front(mjcb_sensor, sensor);
+  collision_hook.put_in_front(collision_entry(), kCollide);
+  active = true;
+}
+
+void restore_callbacks() {
+  active = false;
+  passive_hook.give_back(mjcb_passive, passive);
+  control_hook.give_back(mjcb_control, control);
+  sensor_hook.give_back(mjcb_sensor, sensor);
+  collision_hook.give_back(collision_entry(), kCollide);
+}
+
+}  // namespace rotorub::plugin

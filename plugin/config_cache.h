@@ -1,0 +1,19 @@
+// Finds the Config of a model in the callbacks, from any thread, without a lock once it is known.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "plugin/config.h"
+
+namespace rotorub::plugin {
+
+// Null for a model without our text. Compares the model's address and the mark that `d` carries, so
+// an address that a new model inherits is told apart by its new, unmarked mjData. Valid until
+// this thread asks again. On bad text or elements: mju_error.
+const Config* find_config(const mjModel* m, const mjData* d);
+
+// The same, comparing the model's whole text and names as well: called once a step, so that a
+// model that was changed in place is noticed.
+const Config* find_config_checked(const mjModel* m, const mjData* d);
+
+}  // namespace rotorub::plugin

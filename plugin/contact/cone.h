@@ -1,0 +1,15 @@
+// Contact model `cone`: MuJoCo's own soft contact with its elliptic friction cone, as it is. Only
+// where the spin is held constant and so is no degree of freedom, the slip that it does not see,
+// r Omega, is put into the reference of the tangential row.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "plugin/config.h"
+
+namespace rotorub::plugin {
+
+// Called in mjcb_control.
+void apply_cone(const Config& config, mjData* d, const mjContact& contact);
+
+}  // namespace rotorub::plugin

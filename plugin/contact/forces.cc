@@ -1,0 +1,30 @@
+#include "plugin/contact/forces.h"
+
+#include <cmath>
+
+#include "plugin/contact/annular.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+
+ContactForces contact_forces(const Config& config, const mjData* d) {
+  const mjContact* contact = config.model.contact ? find_contact(config, d) : nullptr;
+  if (!contact) return {};
+  const int row = contact->efc_address;
+  ContactForces out;
+  out.normal = d->efc_force[row];
+  if (!(out.normal > 0.0)) return {};
+  if (config.contact == scene::ContactModel::kCoulomb) {
+    out.friction = d->userdata[kFrictionForce];
+    out.mode = static_cast<Mode>(static_cast<int>(d->userdata[kMode]));
+    return out;
+  }
+  // A force on geom 2 along the frame. Turning the frame turns e_t and the body that it acts on.
+  out.friction = contact->dim >= 3 ? -d->efc_force[row + 1] : 0.0;
+  // MuJoCo regularises: on the cone's surface it slides.
+  const bool inside = std::abs(out.friction) < (1.0 - 1e-6) * contact->friction[0] * out.normal;
+  out.mode = contact->dim >= 3 && inside ? Mode::kStick : Mode::kSlide;
+  return out;
+}
+
+}  // namespace rotorub::plugin

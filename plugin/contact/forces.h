@@ -1,0 +1,20 @@
+// The contact forces of a forward pass, whichever model made them.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "native_model/trajectory/trajectory.h"
+#include "plugin/config.h"
+
+namespace rotorub::plugin {
+
+struct ContactForces {
+  double normal = 0.0;    // N, >= 0
+  double friction = 0.0;  // N, on the rotor along e_t
+  Mode mode = Mode::kFree;
+};
+
+// After mj_forward or mj_step: of the forward pass done last.
+ContactForces contact_forces(const Config& config, const mjData* d);
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,57 @@
+#include "plugin/control.h"
+
+#include <cmath>
+#include <limits>
+
+#include "native_model/system/dynamics.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+namespace {
+
+constexpr double kHalfRoot = 0.70710678118654752440;  // a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2
+
+double first_touch(const mjData* d) {
+  return d->userdata[kTouched] != 0.0 ? d->userdata[kFirstTouch]
+                                      : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+void note_first_touch(const Config& config, mjData* d, const Coordinates& state) {
+  if (!config.model.contact || d->userdata[kTouched] != 0.0) return;
+  if (contact_point(config.model, state.q(), state.v()).gap < 0.0) {
+    d->userdata[kTouched] = 1.0;
+    d->userdata[kFirstTouch] = d->time;
+  }
+}
+
+void write_command(const Config& config, mjData* d, const Coordinates& state) {
+  const Model& model = config.model;
+  if (!model.controller) return;
+  // Before it is on: 0, the value of mj_resetData.
+  Eigen::Vector2d u{d->userdata[kHeldX], d->userdata[kHeldY]};
+  if (d->time >= model.control_on) {
+    // The sample of index floor(t / T); a step that ends short of it by round-off counts.
+    const double sample = model.sample_time > 0.0
+                              ? 1.0 + std::floor(d->time / model.sample_time * (1.0 + 1e-12))
+                              : 0.0;
+    if (sample == 0.0 || sample != d->userdata[kSample]) {
+      u = control_force(model, d->time, state.q(), state.v(), first_touch(d));
+      d->userdata[kHeldX] = u.x();
+      d->userdata[kHeldY] = u.y();
+      d->userdata[kSample] = sample;
+    }
+  }
+  d->ctrl[config.actuator[0]] = kHalfRoot * (u.x() + u.y());
+  d->ctrl[config.actuator[1]] = kHalfRoot * (u.y() - u.x());
+}
+
+Eigen::Vector2d actuator_force(const Config& config, const mjData* d) {
+  if (config.actuator[0] < 0 || config.actuator[1] < 0) return {0.0, 0.0};
+  const double f1 = d->actuator_force[config.actuator[0]];
+  const double f2 = d->actuator_force[config.actuator[1]];
+  return {kHalfRoot * (f1 - f2), kHalfRoot * (f1 + f2)};
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,28 @@
+// The C++ API of the plugin: installs MuJoCo's callbacks for as long as a Hooks lives.
+//
+//   rotorub::plugin::Hooks hooks;          // mjcb_control, mjcb_passive, mjcb_sensor, collision
+//   mjModel* m = mj_loadXML("bench_ring.xml", ...);   // any model; others are left alone
+//
+// What was installed before is called first, and comes back at the end. MuJoCo's callbacks are
+// global to the process: make and destroy Hooks while no other thread steps. Several may live at a
+// time; the last one restores. Where librotorub_mujoco.so is preloaded, it does the work and Hooks
+// does nothing.
+//
+// Errors in a model's custom text are reported by mju_error, while the model is loaded: mj_loadXML
+// then fails with the message.
+#pragma once
+
+namespace rotorub::plugin {
+
+class Hooks {
+ public:
+  Hooks();
+  ~Hooks();
+  Hooks(const Hooks&) = delete;
+  Hooks& operator=(const Hooks&) = delete;
+};
+
+// True while the callbacks are installed, by Hooks or by the preloaded library.
+bool hooks_installed();
+
+}  // namespace rotorub::plugin

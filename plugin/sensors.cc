@@ -1,0 +1,41 @@
+#include "plugin/sensors.h"
+
+#include "native_model/system/dynamics.h"
+#include "plugin/contact/forces.h"
+#include "plugin/control.h"
+#include "plugin/coordinates.h"
+
+namespace rotorub::plugin {
+namespace {
+
+void put(mjData* d, int address, double value) {
+  if (address >= 0) d->sensordata[address] = value;
+}
+
+}  // namespace
+
+void fill_sensors(const Config& config, mjData* d, int stage) {
+  const SensorAddresses& s = config.sensors;
+  if (stage == mjSTAGE_POS) put(d, s.active, 1.0);
+  if (stage == mjSTAGE_ACC && s.control_force >= 0) {
+    const Eigen::Vector2d u = actuator_force(config, d);
+    put(d, s.control_force, u.x());
+    put(d, s.control_force + 1, u.y());
+  }
+  if (!config.model.contact) return;
+  if (stage == mjSTAGE_ACC) {
+    const ContactForces forces = contact_forces(config, d);
+    put(d, s.normal_force, forces.normal);
+    put(d, s.friction_force, forces.friction);
+    return;
+  }
+  const Coordinates state(config, d);
+  const ContactPoint point = contact_point(config.model, state.q(), state.v());
+  if (stage == mjSTAGE_POS) put(d, s.gap, point.gap);
+  if (stage == mjSTAGE_VEL) {
+    put(d, s.gap_rate, point.gap_rate);
+    put(d, s.slip, point.slip);
+  }
+}
+
+}  // namespace rotorub::plugin
