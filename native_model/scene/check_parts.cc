@@ -108,7 +108,8 @@ void check_initial_lists(const Checker& check) {
     }
   }
   const auto torsion_list = [&](const char* path, const std::vector<double>& list) {
-    if (check.record.given(path) && !check.record.given("rotor.torsion")) {
+    if (check.record.given(path) && check.record.given("rotor") &&
+        !check.record.given("rotor.torsion")) {
       check.fail(path, "needs [rotor.torsion]: the rotor has no torsion modes");
     } else if (const auto modes = check.torsion_modes()) {
       check.list_length(path, list, *modes, "torsion mode");

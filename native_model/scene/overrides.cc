@@ -133,6 +133,21 @@ void drop_other_kinds(TomlNode& table, const std::string& path, std::string_view
   });
 }
 
+std::optional<double> seconds(const TomlNode& node) {
+  if (node.kind == Kind::kFloat) return node.number;
+  if (node.kind == Kind::kInteger) return static_cast<double>(node.integer);
+  const ParsedQuantity parsed = parse_quantity(node.text, kTime);
+  return parsed.error.empty() ? std::optional(parsed.value) : std::nullopt;
+}
+
+// An earlier end: the later times asked for are out of reach.
+void drop_times_beyond(TomlNode& run, const TomlNode& end) {
+  const std::optional<double> last = seconds(end);
+  TomlNode* times = run.find("output_times");
+  if (!last || times == nullptr || times->file == kOverrideFile) return;
+  std::erase_if(times->items, [&](const TomlNode& time) { return seconds(time) > last; });
+}
+
 // Why the override cannot be applied; empty: done.
 std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_view text) {
   const bool removing = text == "none";
@@ -158,6 +173,7 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
   if (target == nullptr) return "cannot be set: " + (path.empty() ? "it" : path) + " " + reason;
   *target = std::move(value);
   if (steps.back().key == "kind") drop_other_kinds(*node, table_path(steps), kind);
+  if (path == "run" && steps.back().key == "end") drop_times_beyond(*node, *target);
   return {};
 }
 

@@ -4,7 +4,8 @@
 //   gravity={acceleration=[0,-9.81]}             controller=none (takes a part or a key away)
 //
 // The value is TOML, or else a bare word or a quantity with a unit, taken as a string. A new `kind`
-// takes away the keys that belong to the other kinds of that table alone.
+// takes away the keys that belong to the other kinds of that table alone; a new run.end takes away
+// the output_times of the file beyond it.
 #pragma once
 
 #include <span>

@@ -207,7 +207,11 @@ std::optional<TomlNode> parse_toml(std::string_view text, const std::string& fil
     std::string remaining;
     for (const std::string& line : lines) remaining += line;
     const toml::parse_result parsed = toml::parse(remaining, file);
-    if (parsed) return converted(parsed.table(), file, attempt > 0);
+    if (parsed) {
+      TomlNode root = converted(parsed.table(), file, attempt > 0);
+      root.line = 0;  // the file as a whole
+      return root;
+    }
 
     // "Error while parsing key-value pair: what": the line says the rest.
     std::string description(parsed.error().description());

@@ -228,7 +228,7 @@ ParsedQuantity parse_quantity(std::string_view text, const Quantity& quantity) {
                                ", or a string with a unit: " + std::string(quantity.examples) +
                                "), got \"" + std::string(text) + "\"";
   std::string_view rest = trimmed(text);
-  if (rest.starts_with('+')) rest.remove_prefix(1);
+  if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
 
   // The number. std::from_chars would also take "inf", "nan" and "+-1": those are refused.
   const std::string_view digits = rest.starts_with('-') ? rest.substr(1) : rest;

@@ -1,0 +1,192 @@
+#include "native_model/scene/reader.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "tests/native_model/scene/scene_samples.h"
+
+namespace rotorub::scene {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+std::filesystem::path shipped(const std::string& name) {
+  return std::filesystem::path(ROTORUB_MJCF_DIR) / (name + ".toml");
+}
+
+TEST(Reader, FillsEveryFieldOfTheContractsExample) {
+  const Scene scene = parse_scene(kFullModalScene, "some/where/example.toml");
+  EXPECT_EQ(scene.name, "example");
+  EXPECT_EQ(scene.text, kFullModalScene);
+  EXPECT_EQ(scene.run.end, 0.5);
+  EXPECT_EQ(scene.run.step, 1e-5);
+  EXPECT_EQ(scene.run.integrator, Integrator::kEvent);
+  EXPECT_EQ(scene.run.series_step(), 1e-3);
+  EXPECT_EQ(scene.run.output_times, (std::vector<double>{0.1234, 0.4}));  // sorted
+
+  EXPECT_EQ(scene.rotor.speed, 100.0 * kPi);
+  EXPECT_FALSE(scene.rotor.geometry);
+  ASSERT_TRUE(scene.rotor.modal);
+  EXPECT_EQ(scene.rotor.modal->mass, (std::vector<double>{2.0, 0.8}));
+  EXPECT_EQ(scene.rotor.modal->stiffness, (std::vector<double>{2e5, 3e6}));
+  EXPECT_EQ(scene.rotor.modal->damping, (std::vector<double>{40.0, 60.0}));
+  EXPECT_EQ(scene.rotor.modal->inertia, 1e-3);
+  ASSERT_TRUE(scene.rotor.torsion);
+  EXPECT_EQ(scene.rotor.torsion->stiffness, std::vector<double>{60.0});
+
+  ASSERT_TRUE(scene.drive);
+  EXPECT_EQ(scene.drive->kind, DriveKind::kLinear);
+  EXPECT_EQ(scene.drive->gain, 0.5);
+  EXPECT_EQ(scene.drive->speed, 100.0 * kPi);
+
+  ASSERT_TRUE(scene.contact);
+  EXPECT_EQ(scene.contact->radius, 0.05);
+  EXPECT_EQ(scene.contact->clearance, 0.5e-3);
+  EXPECT_EQ(scene.contact->friction, 0.15);
+  EXPECT_EQ(scene.contact->restitution, 0.5);
+  ASSERT_TRUE(scene.stator);
+  EXPECT_EQ(scene.stator->mass, PlanePair(1.0, 1.0));         // one number: both planes
+  EXPECT_EQ(scene.stator->damping, PlanePair(200.0, 300.0));  // a whole number is taken too
+
+  ASSERT_EQ(scene.forces.size(), 2u);
+  EXPECT_EQ(scene.forces[0].kind, ForceKind::kRotating);
+  EXPECT_EQ(scene.forces[0].amplitude, 150.0);
+  EXPECT_EQ(scene.forces[0].phase, kPi / 2.0);
+  EXPECT_EQ(scene.forces[0].off, 1e9);
+  EXPECT_EQ(scene.forces[1].kind, ForceKind::kConstant);
+  EXPECT_EQ(scene.forces[1].vector, Eigen::Vector2d(0.0, -20.0));
+  EXPECT_EQ(scene.initial.x, (std::vector<double>{1e-4, 0.0}));
+}
+
+TEST(Reader, FillsInTheDefaults) {
+  const Scene scene =
+      parse_scene(std::string(kModalSample) + "[[force]]\nkind = \"constant\"\n" +
+                      "vector = [1, 2]\n[rotor.torsion]\ninertia = [1]\n" + "stiffness = [2]\n",
+                  "scene.toml");
+  EXPECT_EQ(scene.run.end, 1.0);
+  EXPECT_EQ(scene.run.step, 1e-5);
+  EXPECT_EQ(scene.run.series_step(), 1e-3);
+  const RotorModal& modal = *scene.rotor.modal;
+  EXPECT_EQ(modal.damping, (std::vector<double>{0.0, 0.0}));
+  EXPECT_EQ(modal.internal_damping, modal.damping);
+  EXPECT_EQ(modal.gyroscopic, modal.damping);
+  EXPECT_EQ(modal.mass_y, modal.mass);
+  EXPECT_EQ(modal.stiffness_y, modal.stiffness);
+  EXPECT_EQ(modal.damping_y, modal.damping);
+  EXPECT_EQ(scene.forces[0].shape, (std::vector<double>{1.0, 1.0}));
+  EXPECT_EQ(scene.forces[0].on, 0.0);
+  EXPECT_EQ(scene.forces[0].off, kNever);
+  EXPECT_EQ(scene.rotor.torsion->drive_shape, std::vector<double>{0.0});
+  EXPECT_EQ(scene.contact->tangential_restitution, 0.0);
+  EXPECT_FALSE(scene.drive || scene.stator || scene.actuator || scene.controller || scene.gravity ||
+               scene.magnetic_bearing);
+}
+
+TEST(Reader, ReadsTheGeometryForm) {
+  const std::string text = std::string(kGeometrySample) + R"(inner_diameter = 0.004
+[[rotor.disc]]
+z = 0.3
+mass = 2
+Jt = 1.8e-3
+Jp = 3.6e-3
+phase = "90 deg"
+[[rotor.bearing]]
+z = 0.03
+stiffness = [2e7, "1 kN/mm"]
+[[rotor.bearing]]
+z = 0.57
+stiffness = 2e7
+damping = 5
+)";
+  const Scene scene = parse_scene(text, "scene.toml");
+  ASSERT_TRUE(scene.rotor.geometry);
+  EXPECT_FALSE(scene.rotor.modal);
+  const RotorGeometry& shaft = *scene.rotor.geometry;
+  EXPECT_EQ(shaft.length, 0.6);
+  EXPECT_EQ(shaft.modes, 2);
+  EXPECT_EQ(shaft.G, 2.1e11 / 2.6);  // nu = 0.3 where no torsion needs it
+  ASSERT_EQ(shaft.sections.size(), 1u);
+  EXPECT_EQ(shaft.sections[0].inner_diameter, 0.004);
+  ASSERT_EQ(shaft.discs.size(), 1u);
+  EXPECT_EQ(shaft.discs[0].phase, kPi / 2.0);
+  ASSERT_EQ(shaft.bearings.size(), 2u);
+  EXPECT_EQ(shaft.bearings[0].stiffness, PlanePair(2e7, 1e6));
+  EXPECT_EQ(shaft.bearings[1].damping, PlanePair(5.0, 5.0));
+}
+
+TEST(Reader, TakesTheShearModulusFromNuOrAsItIs) {
+  const auto with = [](const std::string& keys) {
+    std::string text(kGeometrySample);
+    text.insert(text.find("modes"), keys + "\n");
+    return parse_scene(text + "[rotor.torsion]\nmodes = 1\n", "scene.toml").rotor;
+  };
+  EXPECT_EQ(with("nu = 0.25").geometry->G, 2.1e11 / 2.5);
+  EXPECT_EQ(with("G = \"81.2 GPa\"").geometry->G, 81.2e9);
+  // Torsion is damped as bending is, unless it says otherwise.
+  EXPECT_EQ(with("nu = 0.3\ndamping_ratio = 0.01").torsion->damping_ratio, 0.01);
+}
+
+TEST(Reader, ReadsEveryDrive) {
+  const auto drive = [](const std::string& keys) {
+    std::string text(kModalSample);
+    text.insert(text.find("[contact]"), "inertia = 1e-3\n");
+    return *parse_scene(text + "[drive]\n" + keys, "scene.toml").drive;
+  };
+  EXPECT_EQ(drive("kind = \"free\"\n").kind, DriveKind::kFree);
+  const Drive kloss = drive(
+      "kind = \"kloss\"\nbreakdown_torque = 3\nbreakdown_slip = 0.2\nsynchronous_speed = \"50 "
+      "Hz\"\n");
+  EXPECT_EQ(kloss.kind, DriveKind::kKloss);
+  EXPECT_EQ(kloss.breakdown_slip, 0.2);
+  const Drive table =
+      drive("kind = \"table\"\ntable_speed = [0, \"50 Hz\"]\ntable_torque = [1.5, 0]\n");
+  EXPECT_EQ(table.kind, DriveKind::kTable);
+  EXPECT_EQ(table.table_speed, (std::vector<double>{0.0, 100.0 * kPi}));
+}
+
+TEST(Reader, TakesALineEndingOrAByteOrderMarkFromOtherSystems) {
+  std::string text = "\xef\xbb\xbf";
+  for (char c : kModalSample) text += c == '\n' ? "\r\n" : std::string(1, c);
+  EXPECT_EQ(parse_scene(text, "scene.toml").contact->friction, 0.15);
+}
+
+TEST(Reader, ReadsTheShippedScenes) {
+  const Scene ring = read_scene(shipped("bench_ring"));
+  EXPECT_EQ(ring.name, "bench_ring");
+  EXPECT_EQ(ring.rotor.modal->stiffness, std::vector<double>{2e5});
+  EXPECT_EQ(ring.drive->speed, 100.0 * kPi);
+  EXPECT_EQ(ring.stator->stiffness, PlanePair(1e5, 1e5));
+  const Scene billiard = read_scene(shipped("bench_billiard"));
+  EXPECT_EQ(billiard.contact->restitution, 1.0);
+  EXPECT_FALSE(billiard.stator || billiard.drive);
+  EXPECT_EQ(read_scene(shipped("bench_drop")).forces[0].vector, Eigen::Vector2d(0.0, -19.62));
+
+  const Scene passive = read_scene(shipped("paper_passive"));
+  const Scene sliding = read_scene(shipped("paper_sliding"));
+  EXPECT_FALSE(passive.controller);
+  EXPECT_EQ(sliding.controller->kind, ControllerKind::kSliding);
+  EXPECT_EQ(sliding.controller->gap_time, 0.008);
+  EXPECT_EQ(passive.rotor.geometry->discs[0].eccentricity, 20e-6);
+  EXPECT_EQ(passive.rotor.torsion->damping_ratio, 0.01);
+  // But for the controller the two are the same rig.
+  const std::string& text = passive.text;
+  EXPECT_EQ(sliding.text.substr(sliding.text.find("[run]")).find(text.substr(text.find("[run]"))),
+            0u);
+}
+
+TEST(Reader, HashesTheTextAlone) {
+  const Scene one = parse_scene(kModalSample, "one.toml"),
+              two = parse_scene(kModalSample, "two.toml");
+  EXPECT_EQ(scene_hash(one), scene_hash(two));
+  const Scene other = parse_scene(std::string(kModalSample) + "# note\n", "one.toml");
+  EXPECT_NE(scene_hash(one), scene_hash(other));
+  Scene known;
+  known.text = "foobar";
+  EXPECT_EQ(scene_hash(known), "85944171f73967e8");  // published FNV-1a of "foobar"
+}
+
+}  // namespace
+}  // namespace rotorub::scene

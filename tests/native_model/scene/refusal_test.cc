@@ -1,0 +1,317 @@
+// Bad scenes: each is refused with the right file, line, key and reason, and with nothing else.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "native_model/scene/reader.h"
+#include "tests/native_model/scene/scene_samples.h"
+
+namespace rotorub::scene {
+namespace {
+
+std::vector<Diagnostic> refusal(const std::string& text) {
+  try {
+    parse_scene(text, "s.toml");
+  } catch (const SceneError& error) {
+    return error.diagnostics();
+  }
+  return {};
+}
+
+std::string replaced(std::string_view sample, const std::string& from, const std::string& to) {
+  std::string text(sample);
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+struct Wrong {
+  const char* why;
+  std::string text;
+  int line;
+  const char* key;
+  const char* reason;  // must stand in the message
+};
+
+void expect_refused(const std::vector<Wrong>& cases) {
+  for (const Wrong& wrong : cases) {
+    const std::vector<Diagnostic> found = refusal(wrong.text);
+    ASSERT_EQ(found.size(), 1u) << wrong.why << (found.empty() ? "" : ": " + to_string(found[0]));
+    EXPECT_EQ(found[0].file, "s.toml") << wrong.why;
+    EXPECT_EQ(found[0].line, wrong.line) << wrong.why;
+    EXPECT_EQ(found[0].key, wrong.key) << wrong.why;
+    EXPECT_NE(found[0].reason.find(wrong.reason), std::string::npos)
+        << wrong.why << " gave: " << found[0].reason;
+  }
+}
+
+std::string modal(const std::string& from, const std::string& to) {
+  return replaced(kModalSample, from, to);
+}
+std::string geometry(const std::string& from, const std::string& to) {
+  return replaced(kGeometrySample, from, to);
+}
+std::string full(const std::string& from, const std::string& to) {
+  return replaced(kFullModalScene, from, to);
+}
+std::string modal_and(const std::string& more) { return std::string(kModalSample) + more; }
+std::string geometry_and(const std::string& more) { return std::string(kGeometrySample) + more; }
+
+TEST(Refusal, NamesUnknownKeysAndTables) {
+  expect_refused({
+      {"misspelt optional key", modal_and("tangential_restituton = 0\n"), 11,
+       "contact.tangential_restituton", "did you mean `tangential_restitution`?"},
+      {"wrong case", geometry_and("[[rotor.disc]]\nz = 0.1\nmass = 1\nJt = 1\nJp = 1\njP = 1\n"),
+       15, "rotor.disc[0].jP", "did you mean `Jp`?"},
+      {"misspelt table", modal_and("[gravty]\nacceleration = [0, 0]\n"), 11, "gravty",
+       "did you mean `gravity`?"},
+      {"nothing like it", modal_and("[zzz]\n"), 11, "zzz", "accepted: run, rotor"},
+      {"key of another table", modal_and("gain = 1\n"), 11, "contact.gain", "it stands in [drive]"},
+      {"key at the top", "friction = 0.1\n" + std::string(kModalSample), 1, "friction",
+       "it stands in [contact]"},
+      {"unknown below a known table", modal_and("[contact.more]\nx = 1\n"), 11, "contact.more",
+       "unknown table"},
+  });
+}
+
+TEST(Refusal, NamesWrongTypesAndUnits) {
+  expect_refused({
+      {"frequency for a length", modal("\"0.5 mm\"", "\"50 Hz\""), 8, "contact.clearance",
+       "a length"},
+      {"length for a speed", modal("\"50 Hz\"", "\"0.5 mm\""), 2, "rotor.speed", "rad/s, Hz, rpm"},
+      {"word for a number", modal("0.15", "\"low\""), 9, "contact.friction", "a pure number"},
+      {"boolean", modal("0.15", "true"), 9, "contact.friction", "got a boolean"},
+      {"list for a number", modal("0.15", "[0.15]"), 9, "contact.friction", "got an array"},
+      {"date", modal("0.15", "1979-05-27"), 9, "contact.friction", "got a date"},
+      {"number for a list", modal("[2.0, 0.8]", "2.0"), 4, "rotor.modal.mass", "a list"},
+      {"word in a list", modal("0.8]", "\"x\"]"), 4, "rotor.modal.mass[1]", "a mass"},
+      {"empty list", modal("[2.0, 0.8]", "[]"), 4, "rotor.modal.mass", "an empty list"},
+      {"three planes", full("[200.0, 300]", "[1, 2, 3]"), 35, "stator.damping", "got a list of 3"},
+      {"a number for a vector", full("[0.0, -20.0]", "20.0"), 48, "force[1].vector", "[x, y]"},
+      {"fraction of a mode", geometry("modes = 2", "modes = 2.5"), 5, "rotor.modes",
+       "a whole number"},
+      {"unknown word", full("\"linear\"", "\"linaer\""), 22, "drive.kind",
+       "did you mean \"linear\"?"},
+      {"number for a word", full("\"event\"", "3"), 4, "run.integrator", "\"event\", \"paper\""},
+      {"list of tables for a table", modal("[contact]", "[[contact]]"), 6, "contact",
+       "expected one table [contact]"},
+      {"table for a list of tables", modal_and("[force]\nkind = \"constant\"\n"), 11, "force",
+       "expected a list of tables [[force]]"},
+      {"value for a table", "run = 3\n" + std::string(kModalSample), 1, "run",
+       "expected one table [run]"},
+      {"numbers for a list of tables", "force = [1]\n" + std::string(kModalSample), 1, "force[0]",
+       "expected a table [[force]]"},
+  });
+}
+
+TEST(Refusal, NamesMissingKeys) {
+  expect_refused({
+      {"required", modal("radius = 0.05\n", ""), 6, "contact.radius",
+       "missing: expected a length in m"},
+      {"friction has no silent default", modal("friction = 0.15\n", ""), 6, "contact.friction",
+       "missing"},
+      {"of a kind", full("gain = 0.5\n", ""), 21, "drive.gain", "missing"},
+      {"kind", full("kind = \"rotating\"\n", ""), 37, "force[0].kind",
+       "one of \"rotating\", \"constant\""},
+      {"of the geometry form",
+       geometry_and("[contact]\nradius = 0.02\nclearance = 1e-3\n"
+                    "friction = 0\nrestitution = 0\n"),
+       10, "contact.station", "missing"},
+      {"sections", "[rotor]\nlength = 1\nE = 1\nrho = 1\nmodes = 1\n", 1, "rotor.section",
+       "missing"},
+      {"modes and max_frequency", geometry("modes = 2\n", ""), 1, "rotor.modes", "`max_frequency`"},
+      {"nu and G, with torsion", geometry_and("[rotor.torsion]\nmodes = 1\n"), 1, "rotor.nu",
+       "or `G`"},
+      {"rotor", "[run]\nend = 1\n", 0, "rotor", "missing"},
+      {"form", "[rotor]\nspeed = 1\n", 1, "rotor", "no rotor is given"},
+      {"inertia for a drive", full("inertia = 1e-3\n", ""), 9, "rotor.modal.inertia",
+       "needs an inertia"},
+  });
+}
+
+TEST(Refusal, NamesImpossibleValues) {
+  expect_refused({
+      {"negative mass", modal("[2.0, 0.8]", "[2.0, -0.8]"), 4, "rotor.modal.mass[1]", "> 0"},
+      {"zero mass", modal("[2.0, 0.8]", "[2.0, 0]"), 4, "rotor.modal.mass[1]", "> 0"},
+      {"restitution over 1", modal("restitution = 0.5", "restitution = 1.01"), 10,
+       "contact.restitution", "in [0, 1]"},
+      {"no clearance", modal("\"0.5 mm\"", "0"), 8, "contact.clearance", "> 0"},
+      {"nan", modal("0.15", "nan"), 9, "contact.friction", "not finite"},
+      {"inf", modal("0.15", "inf"), 9, "contact.friction", "not finite"},
+      {"-inf in a list", modal("0.8]", "-inf]"), 4, "rotor.modal.mass[1]", "not finite"},
+      {"nan in a string", modal("0.15", "\"nan\""), 9, "contact.friction", "a pure number"},
+      {"no modes", geometry("modes = 2", "modes = 0"), 5, "rotor.modes", "[1, 1000]"},
+      {"modes past int", geometry("modes = 2", "modes = 4294967297"), 5, "rotor.modes",
+       "[1, 1000]"},
+      {"nu of -1", geometry("modes = 2", "modes = 2\nnu = -1"), 6, "rotor.nu", "(-1, 0.5]"},
+      {"backwards in time", modal_and("[run]\nend = -1\n"), 12, "run.end", "> 0"},
+      {"output beyond the end", modal_and("[run]\nend = 1\noutput_times = [2]\n"), 13,
+       "run.output_times[0]", "run.end = 1 s"},
+      {"step beyond the end", modal_and("[run]\nend = 1\nstep = 2\n"), 13, "run.step",
+       "at most run.end"},
+      {"rows without end", modal_and("[run]\nend = 1\noutput_step = 1e-12\n"), 13,
+       "run.output_step", "1e8 rows"},
+      {"off before on", full("off = 1e9", "off = 0.05"), 43, "force[0].off", "not be before `on`"},
+      {"disc that is no body", geometry_and("[[rotor.disc]]\nz = 0\nmass = 1\nJt = 1\nJp = 3\n"),
+       14, "rotor.disc[0].Jp", "Jp > 2 Jt"},
+      {"bore over the shaft", geometry_and("inner_diameter = 0.02\n"), 10,
+       "rotor.section[0].inner_diameter", "below the outer diameter"},
+  });
+}
+
+TEST(Refusal, NamesWhatDoesNotFitTogether) {
+  const std::string ring = "[stator]\nmass = 1\nstiffness = 1\n";
+  expect_refused({
+      {"both forms", modal("[rotor.modal]", "length = 1\n[rotor.modal]"), 4, "rotor.modal",
+       "by its modes and by its geometry"},
+      {"key of the other form", modal_and("station = 0.2\n"), 11, "contact.station",
+       "the geometry form"},
+      {"shape in the geometry form",
+       geometry_and("[magnetic_bearing]\nnegative_stiffness = 1\nstation = 0\nshape = [1, 1]\n"),
+       13, "magnetic_bearing.shape", "the modal form"},
+      {"key of another kind", full("gain = 0.5", "gain = 0.5\nbreakdown_slip = 1"), 24,
+       "drive.breakdown_slip", "kind = \"kloss\""},
+      {"lists of two lengths", modal("[2e5, 3e6]", "[2e5]"), 5, "rotor.modal.stiffness",
+       "expected 2 value(s)"},
+      {"short shape", full("shape = [1.0, 1.0]", "shape = [1.0]"), 45, "force[0].shape",
+       "expected 2 value(s)"},
+      {"short torsion list", full("drive_shape = [0.0]", "drive_shape = []"), 20,
+       "rotor.torsion.drive_shape", "expected 1 value(s)"},
+      {"short start", modal_and("[initial]\nvx = [1]\n"), 12, "initial.vx", "expected 2 value(s)"},
+      {"long start", geometry_and("[initial]\nx = [0, 0, 0]\n"), 11, "initial.x",
+       "expected 2 value(s)"},
+      {"torsion without torsion", modal_and("[initial]\ntorsion = [1]\n"), 12, "initial.torsion",
+       "needs [rotor.torsion]"},
+      {"ring without ring", modal_and("[initial]\nstator = [0, 0]\n"), 12, "initial.stator",
+       "needs [stator]"},
+      {"actuator without ring", modal_and("[actuator]\n"), 11, "actuator", "needs [stator]"},
+      {"controller without ring", modal_and("[controller]\nkind = \"passive\"\n"), 11, "controller",
+       "needs [stator]"},
+      {"sliding without contact", geometry_and(ring + "[controller]\nkind = \"sliding\"\n"), 13,
+       "controller", "needs [contact]"},
+      {"starts outside the ring", modal_and("[initial]\nx = [4e-4, 2e-4]\n"), 12, "initial.x",
+       "outside the ring"},
+      {"ring starts off the rotor", modal_and(ring + "[initial]\nstator = [0, 6e-4]\n"), 15,
+       "initial.stator", "outside the ring"},
+      {"gap in the sections", geometry("from = 0.0", "from = 0.1"), 7, "rotor.section[0].from",
+       "without gap"},
+      {"sections too short", geometry("to = 0.6", "to = 0.5"), 8, "rotor.section[0].to",
+       "cover 0 to"},
+      {"section backwards", geometry("from = 0.0", "from = 0.7"), 8, "rotor.section[0].to",
+       "beyond"},
+      {"overlap", geometry_and("[[rotor.section]]\nfrom = 0.5\nto = 0.6\ndiameter = 0.1\n"), 11,
+       "rotor.section[1].from", "overlap"},
+      {"station off the shaft",
+       geometry_and("[magnetic_bearing]\nnegative_stiffness = 1\nstation = 0.61\n"), 12,
+       "magnetic_bearing.station", "out of the shaft"},
+      {"bearing off the shaft", geometry_and("[[rotor.bearing]]\nz = 1\nstiffness = 1\n"), 11,
+       "rotor.bearing[0].z", "out of the shaft"},
+      {"modes and max_frequency", geometry("modes = 2", "modes = 2\nmax_frequency = 900"), 6,
+       "rotor.max_frequency", "not both"},
+      {"nu and G", geometry("modes = 2", "modes = 2\nnu = 0.3\nG = 8e10"), 7, "rotor.G",
+       "not both"},
+      {"table of one speed",
+       full("\"linear\"\ngain = 0.5\nspeed = \"50 Hz\"",
+            "\"table\"\ntable_speed = [1]\ntable_torque = [1]"),
+       23, "drive.table_speed", "two speeds"},
+      {"table out of order",
+       full("\"linear\"\ngain = 0.5\nspeed = \"50 Hz\"",
+            "\"table\"\ntable_speed = [1, 1]\ntable_torque = [1, 2]"),
+       23, "drive.table_speed", "ascending"},
+      {"table of two lengths",
+       full("\"linear\"\ngain = 0.5\nspeed = \"50 Hz\"",
+            "\"table\"\ntable_speed = [1, 2]\ntable_torque = [1]"),
+       24, "drive.table_torque", "expected 2 value(s)"},
+  });
+}
+
+TEST(Refusal, NamesTheLineOfASyntaxError) {
+  expect_refused({
+      {"unit without quotes", modal("\"0.5 mm\"", "0.5 mm"), 8, "contact.clearance", "\"0.5 mm\""},
+      {"word without quotes", full("\"linear\"", "linear"), 22, "drive.kind",
+       "a word stands in quotes"},
+      {"no value", modal("0.15", ""), 9, "contact.friction", "TOML"},
+      {"key given twice", modal("friction = 0.15", "friction = 0.15\nfriction = 0.2"), 10,
+       "contact.friction", "given twice"},
+      {"table given twice", modal_and("[contact]\nradius = 1\n"), 11, "contact", "given twice"},
+      {"table not closed", modal("[contact]", "[contact"), 6, "", "TOML"},
+      {"in the second force", full("vector = [0.0, -20.0]", "vector = 1 N"), 48, "force[1].vector",
+       "TOML"},
+      {"three brackets", modal_and("[[[a]]]\n"), 11, "", "TOML"},
+      {"not UTF-8", modal_and("# \xff\n"), 11, "", "TOML"},
+  });
+}
+
+TEST(Refusal, TellsEverythingAtOnceInTheOrderOfTheFile) {
+  const std::string text = R"([run]
+end = -1
+stepp = 1e-5
+[rotor]
+speed = "50 mm"
+[rotor.modal]
+mass = [2.0, 1.0]
+stiffness = [2e5]
+[contact]
+radius = 0.05
+clearance = 0.5 mm
+friction = 0.15
+friction = 0.2
+restitution = 1.5
+[initial]
+stator = [1, 2]
+[actuator]
+)";
+  const std::vector<std::pair<int, std::string>> expected = {{2, "run.end"},
+                                                             {3, "run.stepp"},
+                                                             {5, "rotor.speed"},
+                                                             {8, "rotor.modal.stiffness"},
+                                                             {11, "contact.clearance"},
+                                                             {13, "contact.friction"},
+                                                             {14, "contact.restitution"},
+                                                             {16, "initial.stator"},
+                                                             {17, "actuator"}};
+  const std::vector<Diagnostic> found = refusal(text);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].line, expected[i].first);
+    EXPECT_EQ(found[i].key, expected[i].second);
+  }
+}
+
+TEST(Refusal, WritesOneLineAProblem) {
+  try {
+    parse_scene(modal("0.15", "-1") + "[zzz]\n", "dir/s.toml");
+    FAIL() << "not refused";
+  } catch (const SceneError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "dir/s.toml:9: contact.friction: out of range: expected a pure number, >= 0, got -1\n"
+        "dir/s.toml:11: zzz: unknown table; accepted: run, rotor, drive, force, "
+        "magnetic_bearing, contact, stator, actuator, controller, gravity, initial, mujoco");
+  }
+}
+
+TEST(Refusal, OfFilesThatCannotBeRead) {
+  for (const std::string& path :
+       {std::string("/no/such/scene.toml"), std::string("/"), std::string()}) {
+    try {
+      read_scene(path);
+      FAIL() << path;
+    } catch (const SceneError& error) {
+      ASSERT_EQ(error.diagnostics().size(), 1u);
+      EXPECT_EQ(error.diagnostics()[0].file, path);
+      EXPECT_EQ(error.diagnostics()[0].line, 0);
+    }
+  }
+  EXPECT_THROW(read_scene("/dev/zero"), SceneError);  // ends at the largest size
+}
+
+// A rotor that starts on the ring, to round-off, starts in contact and not outside.
+TEST(Refusal, NotOfAStartOnTheRing) {
+  EXPECT_NO_THROW(parse_scene(modal_and("[initial]\nx = [3e-4, 0]\ny = [4e-4, 0]\n"), "s.toml"));
+}
+
+}  // namespace
+}  // namespace rotorub::scene

@@ -1,0 +1,94 @@
+// Scenes that several tests change in one place.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "native_model/scene/reader.h"
+
+namespace rotorub::scene {
+
+// The smallest scene in modal form.
+inline constexpr std::string_view kModalSample = R"([rotor]
+speed = "50 Hz"
+[rotor.modal]
+mass = [2.0, 0.8]
+stiffness = [2e5, 3e6]
+[contact]
+radius = 0.05
+clearance = "0.5 mm"
+friction = 0.15
+restitution = 0.5
+)";
+
+// The smallest scene in geometry form.
+inline constexpr std::string_view kGeometrySample = R"([rotor]
+length = 0.6
+E = 2.1e11
+rho = 7850
+modes = 2
+[[rotor.section]]
+from = 0.0
+to = 0.6
+diameter = "18 mm"
+)";
+
+// Everything that the modal form can hold: the public contract's example.
+inline constexpr std::string_view kFullModalScene = R"([run]
+end = 0.5
+step = 1e-5
+integrator = "event"
+output_step = 1e-3
+output_times = [0.4, 0.1234]
+[rotor]
+speed = "50 Hz"
+[rotor.modal]
+mass = [2.0, 0.8]
+stiffness = [2e5, 3e6]
+damping = [40.0, 60.0]
+internal_damping = [0.0, 0.0]
+gyroscopic = [0.0, 0.0]
+inertia = 1e-3
+[rotor.torsion]
+inertia = [4e-4]
+stiffness = [60.0]
+damping = [0.01]
+drive_shape = [0.0]
+[drive]
+kind = "linear"
+gain = 0.5
+speed = "50 Hz"
+[contact]
+radius = 0.05
+clearance = "0.5 mm"
+friction = 0.15
+restitution = 0.5
+tangential_restitution = 0.0
+compression_time = 0.0
+expansion_time = 0.0
+[stator]
+mass = 1.0
+damping = [200.0, 300]
+stiffness = 1e5
+[[force]]
+kind = "rotating"
+amplitude = 150.0
+frequency = "50 Hz"
+phase = "90 deg"
+on = 0.1
+off = 1e9
+ramp = 0.0
+shape = [1.0, 1.0]
+[[force]]
+kind = "constant"
+vector = [0.0, -20.0]
+[initial]
+x = [1e-4, 0.0]
+spin_angle = 0.0
+torsion = [0.0]
+torsion_speed = [0.0]
+stator = [0.0, 0.0]
+stator_velocity = [0.0, 0.0]
+)";
+
+}  // namespace rotorub::scene

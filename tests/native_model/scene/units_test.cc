@@ -1,0 +1,131 @@
+#include "native_model/scene/units.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace rotorub::scene {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+struct Good {
+  const char* text;
+  Quantity quantity;
+  double value;
+};
+
+TEST(Units, GiveTheSiValueToTheLastBits) {
+  const std::vector<Good> cases = {
+      {"0.5 mm", kLength, 0.5e-3},
+      {"0.5mm", kLength, 0.5e-3},
+      {"18 mm", kLength, 0.018},
+      {"20 um", kLength, 20e-6},
+      {"20 \u00b5m", kLength, 20e-6},
+      {"20 \u03bcm", kLength, 20e-6},
+      {"-1.5e-3 m", kLength, -1.5e-3},
+      {"+2 m", kLength, 2.0},
+      {".5 m", kLength, 0.5},
+      {"  7 m ", kLength, 7.0},
+      {"3", kLength, 3.0},
+      {"10us", kTime, 10e-6},
+      {"8 ms", kTime, 0.008},
+      {"1e-5s", kTime, 1e-5},
+      {"50 Hz", kSpin, 100.0 * kPi},
+      {"-50 Hz", kSpin, -100.0 * kPi},
+      {"4000 rpm", kSpin, 4000.0 * 2.0 * kPi / 60.0},
+      {"12 rad/s", kSpin, 12.0},
+      {"12 1/s", kSpin, 12.0},
+      {"12 s^-1", kSpin, 12.0},
+      {"180 deg/s", kSpin, kPi},
+      {"90 deg", kAngle, kPi / 2.0},
+      {"2 rad", kAngle, 2.0},
+      {"30 %", kPure, 0.3},
+      {"0.6 kN", kForce, 600.0},
+      {"500 g", kMass, 0.5},
+      {"210 GPa", kPressure, 210e9},
+      {"210e3 N/mm^2", kPressure, 210e9},
+      {"7.85 g/cm^3", kDensity, 7850.0},
+      {"20 kN/mm", kStiffness, 20e6},
+      {"300 N s/m", kDamping, 300.0},
+      {"300 N*s/m", kDamping, 300.0},
+      {"300 N\u00b7s/m", kDamping, 300.0},
+      {"300 N/(m/s)", kDamping, 300.0},
+      {"0.3 N s/mm", kDamping, 300.0},
+      {"300 kg/s", kDamping, 300.0},
+      {"1800 kg mm^2", kInertia, 1.8e-3},
+      {"1 kg m\u00b2", kInertia, 1.0},
+      {"0.5 N m s", kAngularDamping, 0.5},
+      {"0.5 N m s/rad", kAngularDamping, 0.5},
+      {"0.5 Nm/(rad/s)", kAngularDamping, 0.5},
+      {"60 N m/rad", kAngularStiffness, 60.0},
+      {"60 N m", kAngularStiffness, 60.0},
+      {"2 Nm", kTorque, 2.0},
+      {"20 mm/s", kVelocity, 0.02},
+      {"9.81 m/s^2", kAcceleration, 9.81},
+      {"9.81 m/s/s", kAcceleration, 9.81},
+      {"2000 1/s", kRate, 2000.0},
+      {"4 1/ms^2", kRateSquared, 4e6},
+  };
+  constexpr double kRoundOff = 4.5e-16;  // relative: two roundings, number and factor
+  for (const Good& good : cases) {
+    const ParsedQuantity parsed = parse_quantity(good.text, good.quantity);
+    EXPECT_EQ(parsed.error, "") << good.text;
+    EXPECT_NEAR(parsed.value, good.value, kRoundOff * std::abs(good.value)) << good.text;
+  }
+  // A decimal unit adds no error of its own: the same double as the literal.
+  EXPECT_EQ(parse_quantity("18 mm", kLength).value, 0.018);
+  EXPECT_EQ(parse_quantity("20 um", kLength).value, 20e-6);
+  EXPECT_EQ(parse_quantity("50 Hz", kSpin).value, 100.0 * kPi);
+}
+
+struct Bad {
+  const char* text;
+  Quantity quantity;
+  const char* reason;  // must stand in the message
+};
+
+TEST(Units, RefuseWhatDoesNotFitAndSayWhatWould) {
+  const std::vector<Bad> cases = {
+      {"50 Hz", kLength, "m, mm, um"},
+      {"0.5 mm", kSpin, "rad/s, Hz, rpm"},
+      {"5 m/s", kAcceleration, "an acceleration"},
+      {"5 N", kTorque, "N m"},
+      {"17 deg", kPure, "a pure number"},
+      {"30 %", kAngle, "an angle"},
+      {"3 rad m", kPure, "a pure number"},
+      {"", kLength, "a length"},
+      {"mm", kLength, "a length"},
+      {"inf m", kLength, "a length"},
+      {"nan", kLength, "a length"},
+      {"-inf", kLength, "a length"},
+      {"+-1 m", kLength, "a length"},
+      {"--1 m", kLength, "a length"},
+      {"0x10 m", kLength, "unknown unit 'x'"},
+      {"1,5 mm", kLength, "unknown unit ','"},
+      {"5 mn", kLength, "unknown unit 'mn'"},
+      {"5 Mm", kLength, "unknown unit 'Mm'"},
+      {"5 N/m s", kDamping, "ambiguous"},
+      {"5 N/(m", kStiffness, "not closed"},
+      {"5 N/", kForce, "a unit is missing"},
+      {"5 m)", kLength, "unexpected ')'"},
+      {"5 m^", kLength, "whole number"},
+      {"5 m^1.5", kLength, "unknown unit '.'"},
+      {"5 m^99", kLength, "between -9 and 9"},
+      {"5 m^99999999999999", kLength, "between -9 and 9"},
+      {"1e999 m", kLength, "range of a double"},
+      {"1e308 km", kLength, "range of a double"},
+      {"5 ((((((((((((((((((((m))))))))))))))))))))", kLength, "too many brackets"},
+  };
+  for (const Bad& bad : cases) {
+    const ParsedQuantity parsed = parse_quantity(bad.text, bad.quantity);
+    EXPECT_NE(parsed.error.find(bad.reason), std::string::npos)
+        << "'" << bad.text << "' gave '" << parsed.error << "'";
+    EXPECT_EQ(parsed.value, 0.0) << bad.text;
+  }
+}
+
+}  // namespace
+}  // namespace rotorub::scene
