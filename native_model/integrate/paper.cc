@@ -182,9 +182,28 @@ PaperStep PaperStepper::contact(const State& state) {
   return persist(state, e_r, clearance - predicted.norm());
 }
 
+// A midpoint outside the ring (a flight of more than the clearance within half a step, round-off
+// otherwise) goes back to the circle: q_m += M^-1 W_N (-g_N / G_NN). Left to (12), the depth over
+// the step would come back as speed.
+void PaperStepper::project(double t) {
+  const Model& m = *model_;
+  const Eigen::Vector2d d = rotor_point(m, q_.data()) - stator_point(m, q_.data());
+  const double clearance = m.contact->clearance;
+  if (d.squaredNorm() <= clearance * clearance) return;
+  const double delta = d.norm();
+  const Eigen::Vector2d e_r = d / delta;
+  const double g_nn =
+      delassus(contact_admittance(m, t, q_.data()), e_r, m.contact->radius).nn;
+  f_.setZero();
+  add_contact_load(m, contact_load(e_r, 0.0, (delta - clearance) / g_nn, 0.0), f_.data());
+  solve_mass(m, t, q_.data(), f_.data(), f_.data());
+  q_ += f_;
+}
+
 PaperStep PaperStepper::step(State& state, const Eigen::Vector2d& u) {
   const double h = step_;
   q_ = state.q + 0.5 * h * state.v;
+  if (model_->contact) project(state.t + 0.5 * h);
   free_velocity(state, u);
   PaperStep out;
   if (model_->contact) out = contact(state);

@@ -41,6 +41,7 @@ class PaperStepper {
   bool in_contact() const { return in_contact_; }
 
  private:
+  void project(double t);
   void free_velocity(const State& state, const Eigen::Vector2d& u);
   PaperStep contact(const State& state);
   PaperStep impact(const State& state, const Eigen::Vector2d& e_r, double closing_time);

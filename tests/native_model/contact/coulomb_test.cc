@@ -65,12 +65,19 @@ TEST(Coulomb, RandomCoupledProblemsSatisfyTheLaws) {
 }
 
 TEST(Coulomb, PainleveIsSaidNotHidden) {
-  // mu a_nt > a_nn: sliding pushes itself in. Free flight and two contacts are all solutions where
-  // the bodies part, and none is where they close.
+  // mu a_nt > a_nn: sliding pushes itself in. Where the bodies part, free flight, sliding and a jam
+  // are all solutions; where they close, the jam alone.
   const Delassus a{1.0, 1.9, 1.9, 4.0};
   const double mu = 1.0;
-  EXPECT_GT(solve_coulomb(a, 0.5, 5.0, mu).solutions, 1);
-  EXPECT_EQ(solve_coulomb(a, -0.5, 5.0, mu).solutions, 0);
+  EXPECT_EQ(solve_coulomb(a, 0.5, 5.0, mu).solutions, 3);
+  const CoulombSolution jam = solve_coulomb(a, -0.5, 5.0, mu);
+  EXPECT_EQ(jam.solutions, 1);
+  EXPECT_EQ(jam.contact_case, ContactCase::kStick);
+}
+
+TEST(Coulomb, AnUnsymmetricMatrixMayHaveNoSolution) {
+  const Delassus a{1.0, 2.0, 3.0, 1.0};
+  EXPECT_EQ(solve_coulomb(a, -0.5, 5.0, 1.0).solutions, 0);
 }
 
 }  // namespace
