@@ -45,7 +45,7 @@ std::string meaning_text(const Key& key) {
 
 std::string row(const Key& key) {
   return "| `" + std::string(key.name) + "` | " + type_text(key) + " | " + key.range.text() +
-         " | " + (key.required() ? "required" : std::string(key.fallback)) + " | " +
+         " | " + (key.required() ? "required" : key.fallback) + " | " +
          meaning_text(key) + " |\n";
 }
 

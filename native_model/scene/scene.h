@@ -177,6 +177,9 @@ struct Controller {
   double boundary_layer = 0.02;   // m/s, phi, > 0
   double switching_gain = 200.0;  // m/s^2, k, >= 0: bound on the unknown acceleration
   double gap_time = 0.008;        // s, > 0: the gap reference falls smoothly to 0 in this time
+  // With the gap reference at 0 the ring is pressed on the rotor by so much; the contact carries
+  // preload / (1 + M_f / m), m the rotor's effective mass at the contact. 0 leaves the two grazing.
+  double preload = 20.0;            // N, >= 0
   // passive: an extra spring and damper emulated through the actuator
   double stiffness = 0.0;  // N/m, >= 0
   double damping = 0.0;    // N s/m, >= 0

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 namespace rotorub::scene {
-namespace {
+namespace detail {
 
 std::string number_text(double number) {
   std::array<char, 32> buffer{};
@@ -13,7 +13,9 @@ std::string number_text(double number) {
   return buffer.data();
 }
 
-}  // namespace
+}  // namespace detail
+
+using detail::number_text;
 
 std::string Range::text() const {
   const bool bounded_below = low > -std::numeric_limits<double>::infinity();
@@ -64,6 +66,8 @@ Key& Key::otherwise(std::string_view text) {
   fallback = text;
   return *this;
 }
+
+Key& Key::optional() { return otherwise(standard); }
 
 bool Key::is_for(std::string_view kind) const {
   return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();

@@ -60,7 +60,8 @@ struct Key {
   Range range;
   Form form = Form::kEither;            // the form it belongs to
   std::vector<std::string_view> kinds;  // values of the table's `kind` that take it; empty: all
-  std::string_view fallback;            // the default, in words; empty: the key is required
+  std::string standard;                 // the member's value in a new object, where it has a text
+  std::string fallback;                 // the default, in words; empty: the key is required
 
   Key& above(double low);                 // > low
   Key& at_least(double low);              // >= low
@@ -69,6 +70,7 @@ struct Key {
   Key& in(Form of_form);
   Key& of(std::vector<std::string_view> of_kinds);
   Key& otherwise(std::string_view text);  // optional, with this default
+  Key& optional();                        // optional; the default is the member's own
 
   bool required() const { return fallback.empty(); }
   bool belongs_to(Form to_form) const { return form == Form::kEither || form == to_form; }
@@ -159,6 +161,22 @@ constexpr ValueType type_of() {
   }
 }
 
+std::string number_text(double number);  // "%g"
+
+// What a new object holds, for the reference; lists and words have no text here.
+template <typename T>
+std::string standard_text(const T& value) {
+  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>) {
+    return number_text(value);
+  } else if constexpr (std::is_enum_v<T>) {
+    return std::to_string(static_cast<int>(value));
+  } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
+    return "[" + number_text(value.x()) + ", " + number_text(value.y()) + "]";
+  } else {
+    return {};
+  }
+}
+
 }  // namespace detail
 
 // A key stored in the member that the pointers lead to; the type of value follows from the member.
@@ -172,6 +190,8 @@ Key key(std::string_view name, const Quantity& quantity, std::string_view meanin
   result.type = detail::type_of<Target>();
   result.quantity = quantity;
   result.meaning = meaning;
+  Object fresh;
+  result.standard = detail::standard_text(detail::resolve<First, Rest...>(fresh));
   result.store = [](void* object, const Value& value) {
     detail::assign(detail::resolve<First, Rest...>(*static_cast<Object*>(object)), value);
   };
@@ -183,6 +203,7 @@ template <auto Member>
 Key planes(std::string_view name, const Quantity& quantity, std::string_view meaning) {
   Key result = key<Member>(name, quantity, meaning);
   result.type = ValueType::kPlanes;
+  result.standard = result.standard.substr(1, result.standard.find(',') - 1);
   return result;
 }
 
@@ -191,6 +212,7 @@ template <auto Member>
 Key word(std::string_view name, std::vector<std::string_view> words, std::string_view meaning) {
   Key result = key<Member>(name, kPure, meaning);
   result.words = std::move(words);
+  result.standard = "`" + std::string(result.words[std::stoul(result.standard)]) + "`";
   return result;
 }
 

@@ -29,11 +29,11 @@ Table drive() {
        key<&Drive::station>("station", kLength, "of the motor")
            .at_least(0)
            .in(Form::kGeometry)
-           .otherwise("0"),
+           .optional(),
        key<&Drive::inertia>("inertia", kInertia, "of the motor's rotor")
            .at_least(0)
            .in(Form::kGeometry)
-           .otherwise("0")}};
+           .optional()}};
 }
 
 Table force() {
@@ -52,11 +52,11 @@ Table force() {
            key<&Force::frequency>("frequency", kSpin, "negative: backward").of({"rotating"}),
            key<&Force::phase>("phase", kAngle, "direction at t = 0, from the x axis")
                .of({"rotating"})
-               .otherwise("0"),
+               .optional(),
            key<&Force::vector>("vector", kForce, "fixed in space").of({"constant"}),
-           key<&Force::on>("on", kTime, "acts from here").otherwise("0"),
+           key<&Force::on>("on", kTime, "acts from here").optional(),
            key<&Force::off>("off", kTime, "acts up to here, not before `on`").otherwise("never"),
-           key<&Force::ramp>("ramp", kTime, "rise from 0 after `on`").at_least(0).otherwise("0"),
+           key<&Force::ramp>("ramp", kTime, "rise from 0 after `on`").at_least(0).optional(),
            key<&Force::shape>("shape", kPure, "value of each bending mode at the station")
                .in(Form::kModal)
                .otherwise("all 1"),
@@ -98,11 +98,9 @@ Table contact() {
        key<&Contact::restitution>("restitution", kPure, "eps_N, normal").between(0, 1),
        key<&Contact::tangential_restitution>("tangential_restitution", kPure, "eps_T")
            .between(0, 1)
-           .otherwise("0"),
-       key<&Contact::compression_time>("compression_time", kTime, "tau_C")
-           .at_least(0)
-           .otherwise("0"),
-       key<&Contact::expansion_time>("expansion_time", kTime, "tau_E").at_least(0).otherwise("0"),
+           .optional(),
+       key<&Contact::compression_time>("compression_time", kTime, "tau_C").at_least(0).optional(),
+       key<&Contact::expansion_time>("expansion_time", kTime, "tau_E").at_least(0).optional(),
        key<&Contact::station>("station", kLength, "along the shaft")
            .at_least(0)
            .in(Form::kGeometry)}};
@@ -116,7 +114,7 @@ Table stator() {
           "the ring is fixed to the base",
           [](Scene& scene) -> void* { return &scene.stator.emplace(); },
           {planes<&Stator::mass>("mass", kMass, "").above(0),
-           planes<&Stator::damping>("damping", kDamping, "to the base").at_least(0).otherwise("0"),
+           planes<&Stator::damping>("damping", kDamping, "to the base").at_least(0).optional(),
            planes<&Stator::stiffness>("stiffness", kStiffness,
                                       "mechanical spring to the base, always acting")
                .at_least(0)}};
@@ -147,35 +145,40 @@ Table controller() {
            "kind", {"passive", "sliding"},
            "an extra spring and damper emulated by the actuator; sliding mode with a "
            "boundary layer, which brings the ring to the rotor"),
-       key<&Controller::on>("on", kTime, "switched on").otherwise("0"),
+       key<&Controller::on>("on", kTime, "switched on").optional(),
        key<&Controller::sample_time>("sample_time", kTime, "held between samples; 0: continuous")
            .at_least(0)
-           .otherwise("0"),
+           .optional(),
        key<&Controller::bandwidth>("bandwidth", kRate, "psi, decay of the tracking error")
            .above(0)
            .of({"sliding"})
-           .otherwise("2000"),
+           .optional(),
        key<&Controller::boundary_layer>("boundary_layer", kVelocity, "phi, half its width")
            .above(0)
            .of({"sliding"})
-           .otherwise("0.02"),
+           .optional(),
        key<&Controller::switching_gain>("switching_gain", kAcceleration,
                                         "k, bound on the unknown acceleration")
            .at_least(0)
            .of({"sliding"})
-           .otherwise("200"),
+           .optional(),
        key<&Controller::gap_time>("gap_time", kTime, "in which the gap reference falls to 0")
            .above(0)
            .of({"sliding"})
-           .otherwise("0.008"),
+           .optional(),
+       key<&Controller::preload>("preload", kForce,
+                                 "presses the ring on the rotor once the gap is closed")
+           .at_least(0)
+           .of({"sliding"})
+           .optional(),
        key<&Controller::stiffness>("stiffness", kStiffness, "of the emulated spring")
            .at_least(0)
            .of({"passive"})
-           .otherwise("0"),
+           .optional(),
        key<&Controller::damping>("damping", kDamping, "of the emulated damper")
            .at_least(0)
            .of({"passive"})
-           .otherwise("0")}};
+           .optional()}};
 }
 
 Table gravity() {
@@ -205,13 +208,12 @@ Table initial() {
        key<&Initial::y>("y", kLength, modal).otherwise("0"),
        key<&Initial::vx>("vx", kVelocity, modal).otherwise("0"),
        key<&Initial::vy>("vy", kVelocity, modal).otherwise("0"),
-       key<&Initial::spin_angle>("spin_angle", kAngle, "of the rotor's own x axis").otherwise("0"),
+       key<&Initial::spin_angle>("spin_angle", kAngle, "of the rotor's own x axis").optional(),
        key<&Initial::torsion>("torsion", kAngle, "torsion modes").otherwise("0"),
        key<&Initial::torsion_speed>("torsion_speed", kSpin, "torsion modes").otherwise("0"),
-       key<&Initial::stator>("stator", kLength, "position of the ring; needs [stator]")
-           .otherwise("[0, 0]"),
+       key<&Initial::stator>("stator", kLength, "position of the ring; needs [stator]").optional(),
        key<&Initial::stator_velocity>("stator_velocity", kVelocity, "of the ring; needs [stator]")
-           .otherwise("[0, 0]")}};
+           .optional()}};
 }
 
 Table mujoco() {
@@ -224,15 +226,15 @@ Table mujoco() {
           {word<&Mujoco::rotor>(
                "rotor", {"modal", "segments"},
                "modal chain, in the native model's coordinates; chain of rigid segments")
-               .otherwise("\"modal\""),
+               .optional(),
            word<&Mujoco::contact>("contact", {"rigid", "coulomb", "cone"},
                                   "rigid impulses by the plugin; MuJoCo's soft normal contact with "
                                   "Coulomb friction by the plugin; MuJoCo's own friction cone")
-               .otherwise("\"coulomb\""),
+               .optional(),
            word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, "of MuJoCo")
-               .otherwise("\"euler\""),
+               .optional(),
            word<&Mujoco::solver>("solver", {"newton", "cg", "pgs"}, "MuJoCo's constraint solver")
-               .otherwise("\"newton\""),
+               .optional(),
            key<&Mujoco::solref_stiffness>("solref_stiffness", kRateSquared,
                                           "K of the soft contact (direct solref)")
                .above(0)

@@ -25,10 +25,9 @@ Table run() {
       "How long, how finely and what to write.",
       "the defaults",
       [](Scene& scene) -> void* { return &scene.run; },
-      {key<&Run::end>("end", kTime, "end of the run, which starts at 0").above(0).otherwise("1"),
-       key<&Run::step>("step", kTime, "step of `paper` and of MuJoCo").above(0).otherwise("1e-5"),
-       word<&Run::integrator>("integrator", {"event", "paper"}, "of the native engine")
-           .otherwise("\"paper\""),
+      {key<&Run::end>("end", kTime, "end of the run, which starts at 0").above(0).optional(),
+       key<&Run::step>("step", kTime, "step of `paper` and of MuJoCo").above(0).optional(),
+       word<&Run::integrator>("integrator", {"event", "paper"}, "of the native engine").optional(),
        key<&Run::output_step>("output_step", kTime, "spacing of the rows of the series")
            .above(0)
            .otherwise("`end` / 1000"),
@@ -49,7 +48,7 @@ Table rotor() {
       [](Scene& scene) -> void* { return &scene.rotor; },
       {key<&Rotor::speed>("speed", kSpin,
                           "spin speed at t = 0, positive about +z; held without [drive]")
-           .otherwise("0"),
+           .optional(),
        shaft<&RotorGeometry::length>("length", kLength, "of the shaft, from 0").above(0),
        shaft<&RotorGeometry::E>("E", kPressure, "Young's modulus").above(0),
        shaft<&RotorGeometry::nu>("nu", kPure, "Poisson's ratio; not beside `G`")
@@ -71,12 +70,12 @@ Table rotor() {
        shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure,
                                             "external damping of each bending mode")
            .at_least(0)
-           .otherwise("0"),
+           .optional(),
        shaft<&RotorGeometry::internal_damping_ratio>(
            "internal_damping_ratio", kPure,
            "damping of each bending mode that turns with the shaft")
            .at_least(0)
-           .otherwise("0")}};
+           .optional()}};
 }
 
 Table section() {
@@ -91,7 +90,7 @@ Table section() {
            key<&ShaftSection::diameter>("diameter", kLength, "outer diameter").above(0),
            key<&ShaftSection::inner_diameter>("inner_diameter", kLength, "bore, below `diameter`")
                .at_least(0)
-               .otherwise("0")}};
+               .optional()}};
 }
 
 Table disc() {
@@ -108,9 +107,9 @@ Table disc() {
                .at_least(0),
            key<&Disc::eccentricity>("eccentricity", kLength, "of the centre of mass")
                .at_least(0)
-               .otherwise("0"),
+               .optional(),
            key<&Disc::phase>("phase", kAngle, "of the eccentricity, from the rotor's own x axis")
-               .otherwise("0")}};
+               .optional()}};
 }
 
 Table bearing() {
@@ -122,7 +121,7 @@ Table bearing() {
           [](Scene& scene) -> void* { return &geometry(scene).bearings.emplace_back(); },
           {key<&ShaftBearing::z>("z", kLength, "station").at_least(0),
            planes<&ShaftBearing::stiffness>("stiffness", kStiffness, "").at_least(0),
-           planes<&ShaftBearing::damping>("damping", kDamping, "").at_least(0).otherwise("0")}};
+           planes<&ShaftBearing::damping>("damping", kDamping, "").at_least(0).optional()}};
 }
 
 Table modal() {
@@ -152,7 +151,7 @@ Table modal() {
            .otherwise("0"),
        key<&RotorModal::inertia>("inertia", kInertia, "of the rigid spin; required with [drive]")
            .at_least(0)
-           .otherwise("0")}};
+           .optional()}};
 }
 
 Table torsion() {

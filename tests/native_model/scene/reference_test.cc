@@ -2,23 +2,36 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string>
 
 #include "native_model/scene/schema.h"
 
 namespace rotorub::scene {
 namespace {
 
+// ROTORUB_UPDATE_REFERENCE=1 in the environment writes it instead.
 TEST(Reference, StandsInTheReadmeAsTheSchemaHasIt) {
-  std::ifstream file(std::string(ROTORUB_MJCF_DIR) + "/README.md");
-  std::stringstream readme;
-  readme << file.rdbuf();
-  const std::string expected = kReferenceBegin + ("\n" + reference_markdown()) + kReferenceEnd;
-  EXPECT_NE(readme.str().find(expected), std::string::npos)
-      << "mjcf/README.md is behind the schema; between its marks it should hold\n"
-      << expected;
+  const std::string path = std::string(ROTORUB_MJCF_DIR) + "/README.md";
+  std::ifstream file(path);
+  std::stringstream content;
+  content << file.rdbuf();
+  std::string readme = content.str();
+  const std::size_t begin = readme.find(kReferenceBegin), end = readme.find(kReferenceEnd);
+  ASSERT_TRUE(begin != std::string::npos && end != std::string::npos) << "no marks in " << path;
+
+  const std::size_t first = begin + std::string(kReferenceBegin).size();
+  const std::string expected = "\n" + reference_markdown();
+  if (std::getenv("ROTORUB_UPDATE_REFERENCE") != nullptr) {
+    std::ofstream(path) << readme.replace(first, end - first, expected);
+    return;
+  }
+  EXPECT_EQ(readme.substr(first, end - first), expected)
+      << path << " is behind the schema; run this test with ROTORUB_UPDATE_REFERENCE=1";
 }
 
 TEST(Schema, NamesEveryKeyOnceAndKeepsKindsAndWordsInStep) {
