@@ -1,0 +1,171 @@
+#include "native_model/rotor/campbell.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+
+#include "native_model/rotor/whirl_eigenvalues.h"
+
+namespace rotorub {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Positive Omega of K u = Omega^2 A u for Hermitian K and A, A not necessarily definite.
+template <typename Matrix>
+std::vector<double> synchronous_speeds(const Matrix& K, const Matrix& A) {
+  std::vector<double> inverse_squares;
+  if (Eigen::LLT<Matrix>(K).info() == Eigen::Success) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(A, K, Eigen::EigenvaluesOnly);
+    inverse_squares.assign(solver.eigenvalues().begin(), solver.eigenvalues().end());
+  } else {
+    // A magnetic bearing stronger than the shaft: K^-1 A, whose real eigenvalues count.
+    constexpr double kReal = 1e-9;
+    const Eigen::MatrixXcd product =
+        K.template cast<Complex>().fullPivLu().solve(A.template cast<Complex>());
+    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(product, false);
+    for (const Complex& mu : solver.eigenvalues()) {
+      if (std::abs(mu.imag()) <= kReal * std::abs(mu)) inverse_squares.push_back(mu.real());
+    }
+  }
+  std::vector<double> speeds;
+  for (double mu : inverse_squares) {
+    if (mu > 0.0) speeds.push_back(1.0 / std::sqrt(mu));
+  }
+  std::sort(speeds.begin(), speeds.end());
+  return speeds;
+}
+
+// |s| below this share of the highest is a rigid mode: what it has is round-off.
+constexpr double kRigid = 1e-7;
+
+double highest(const std::vector<Complex>& values) {
+  double size = 0.0;
+  for (const Complex& s : values) size = std::max(size, std::abs(s));
+  return size;
+}
+
+// Largest Re s / |s| of the kept modes: > 0 where one grows.
+double growth(const WhirlSystem& system, double speed) {
+  const std::vector<Complex> values = whirl_eigenvalues(system, speed);
+  const double size = highest(values);
+  double largest = -1.0;
+  for (const Complex& s : values) {
+    if (std::abs(s) > kRigid * size) largest = std::max(largest, s.real() / std::abs(s));
+  }
+  return largest;
+}
+
+// Nothing can grow: no rotating damping, and no negative stiffness left in either plane.
+bool passive(const WhirlSystem& system) {
+  const auto holds = [](const Eigen::MatrixXd& K) {
+    constexpr double kRoundOff = 1e-14;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(K, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues().minCoeff() >= -kRoundOff * solver.eigenvalues().maxCoeff();
+  };
+  return system.internal_xy.isZero(0.0) && holds(system.stiffness_x) && holds(system.stiffness_y);
+}
+
+// Zero of growth between a stable and an unstable speed: Ridders' method, which keeps the bracket.
+double crossing(const WhirlSystem& system, double stable, double unstable) {
+  constexpr double kAccuracy = 1e-10;
+  constexpr int kSteps = 60;
+  double low = growth(system, stable), high = growth(system, unstable);
+  double last = unstable;
+  const auto narrow = [&](double speed, double value) {
+    (value > 0.0 ? unstable : stable) = speed;
+    (value > 0.0 ? high : low) = value;
+  };
+  for (int step = 0; step < kSteps && unstable - stable > kAccuracy * unstable; ++step) {
+    const double half = 0.5 * (unstable - stable);
+    const double middle = stable + half;
+    const double value = growth(system, middle);
+    const double root = std::sqrt(value * value - low * high);
+    const bool usable = low < 0.0 && high > 0.0 && root > 0.0;
+    const double better = middle - half * value / root;  // low < 0: towards the stable side if > 0
+    narrow(middle, value);
+    if (!usable || !(better > stable && better < unstable)) continue;
+    const double best = growth(system, better);
+    narrow(better, best);
+    if (best == 0.0 || std::abs(better - last) <= kAccuracy * better) return better;
+    last = better;
+  }
+  return unstable;
+}
+
+}  // namespace
+
+WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed) {
+  std::vector<Complex> values = whirl_eigenvalues(system, speed);
+  if (speed == 0.0 && !system.isotropic) {
+    // Orbits at rest are planar: their sense is that of the orbits at a small spin. Frequencies
+    // keep their order, so that the senses carry over one by one.
+    constexpr double kSmallSpin = 1e-3;
+    const std::vector<Complex> spun =
+        whirl_eigenvalues(system, kSmallSpin * std::abs(values.front()));
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      if (values[j].imag() * spun[j].imag() < 0.0) values[j] = std::conj(values[j]);
+    }
+  }
+  WhirlSpectrum spectrum{speed, {}};
+  for (const Complex& s : values) {
+    const double size = std::abs(s);
+    spectrum.modes.push_back({s.imag(), size > 0.0 ? -s.real() / size : 0.0});
+  }
+  return spectrum;
+}
+
+std::vector<double> critical_speeds(const WhirlSystem& system) {
+  const Eigen::Index n = system.size();
+  std::vector<double> speeds;
+  std::size_t most = static_cast<std::size_t>(system.kept);
+  if (system.isotropic) {
+    // Forward: x + i y ~ e^{i Omega t}.
+    const Eigen::MatrixXd inertia = Eigen::MatrixXd::Identity(n, n) - system.gyroscopic;
+    speeds = synchronous_speeds(system.stiffness_x, inertia);
+  } else {
+    // (x, y) ~ e^{i Omega t}: 1 - i [0 G; -G^T 0], Hermitian.
+    Eigen::MatrixXcd K = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
+    K.topLeftCorner(n, n) = system.stiffness_x.cast<Complex>();
+    K.bottomRightCorner(n, n) = system.stiffness_y.cast<Complex>();
+    Eigen::MatrixXcd A = Eigen::MatrixXcd::Identity(2 * n, 2 * n);
+    A.topRightCorner(n, n) = Complex(0.0, -1.0) * system.gyroscopic;
+    A.bottomLeftCorner(n, n) = Complex(0.0, 1.0) * system.gyroscopic.transpose();
+    speeds = synchronous_speeds(K, A);
+    most *= 2;
+  }
+  if (speeds.size() > most) speeds.resize(most);
+  return speeds;
+}
+
+double stability_bound(const WhirlSystem& system) {
+  constexpr double kBound = 20.0;
+  return kBound * highest(whirl_eigenvalues(system, 0.0));
+}
+
+std::optional<double> stability_threshold(const WhirlSystem& system) {
+  if (passive(system)) return std::nullopt;
+  constexpr double kGrows = 1e-9;  // of |s|: beyond the round-off of an undamped mode
+  constexpr double kStep = 1.25;
+  constexpr double kFirst = 0.1;  // of the lowest frequency
+  if (growth(system, 0.0) > kGrows) return 0.0;
+
+  const double bound = stability_bound(system);
+  double lowest = bound;
+  for (const Complex& s : whirl_eigenvalues(system, 0.0)) {
+    if (std::abs(s) > kRigid * bound) lowest = std::min(lowest, std::abs(s));
+  }
+  double stable = 0.0;
+  for (double speed = kFirst * lowest; stable < bound; speed *= kStep) {
+    const double next = std::min(speed, bound);
+    if (growth(system, next) > kGrows) return crossing(system, stable, next);
+    stable = next;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,130 @@
+#include "native_model/rotor/whirl_eigenvalues.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+namespace rotorub {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Velocities and W q as state, W about the frequencies: all entries are then of the size of a
+// frequency, whatever the mode. A coordinate without a stiffness is left as it is.
+Eigen::VectorXd state_scale(const Eigen::MatrixXd& stiffness) {
+  return stiffness.diagonal().unaryExpr([](double k) { return k > 0.0 ? std::sqrt(k) : 1.0; });
+}
+
+// v' = -C W^-1 (W q) - B v,  (W q)' = W v
+template <typename Matrix>
+Matrix state_matrix(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W) {
+  const Eigen::Index n = W.size();
+  Matrix A = Matrix::Zero(2 * n, 2 * n);
+  A.topRightCorner(n, n).diagonal() = W.template cast<typename Matrix::Scalar>();
+  A.bottomLeftCorner(n, n) =
+      -C * W.cwiseInverse().template cast<typename Matrix::Scalar>().asDiagonal();
+  A.bottomRightCorner(n, n) = -B;
+  return A;
+}
+
+[[noreturn]] void fail() { throw std::runtime_error("eigenvalues of the rotor: no convergence"); }
+
+// x + i y: r'' + (D + N - i Omega G) r' + (K - i Omega N) r = 0. Each eigenvalue is one whirl.
+std::vector<Complex> isotropic_eigenvalues(const WhirlSystem& system, double speed) {
+  const Complex turn(0.0, speed);
+  const Eigen::MatrixXcd B =
+      (system.damping_x + system.internal_xx).cast<Complex>() - turn * system.gyroscopic;
+  const Eigen::MatrixXcd C = system.stiffness_x.cast<Complex>() - turn * system.internal_xx;
+  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(
+      state_matrix(B, C, state_scale(system.stiffness_x)), false);
+  if (solver.info() != Eigen::Success) fail();
+  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+}
+
+// Sense of the orbit x = Re(x^ e^{st}), y = Re(y^ e^{st}), Im s > 0: the sign of its angular
+// momentum, sum Im(x^ conj(y^)) in coordinates of unit mass; planar to round-off: forward.
+bool forward(const Eigen::VectorXcd& x, const Eigen::VectorXcd& y) {
+  constexpr double kPlanar = 1e-10;
+  const double momentum = (x.array() * y.array().conjugate()).imag().sum();
+  return momentum > -kPlanar * (x.squaredNorm() + y.squaredNorm());
+}
+
+// Both planes as real equations. Of each complex pair one eigenvalue stands for the whirl, and of
+// the real ones, which also come in twos, every other.
+std::vector<Complex> anisotropic_eigenvalues(const WhirlSystem& system, double speed) {
+  const Eigen::Index n = system.size();
+  Eigen::MatrixXd B(2 * n, 2 * n), C(2 * n, 2 * n);
+  B << system.damping_x + system.internal_xx, speed * system.gyroscopic,
+      -speed * system.gyroscopic.transpose(), system.damping_y + system.internal_yy;
+  C << system.stiffness_x, speed * system.internal_xy, -speed * system.internal_xy.transpose(),
+      system.stiffness_y;
+  Eigen::VectorXd W(2 * n);
+  W << state_scale(system.stiffness_x), state_scale(system.stiffness_y);
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(state_matrix(B, C, W));
+  if (solver.info() != Eigen::Success) fail();
+
+  std::vector<Complex> whirls;
+  std::vector<double> real;
+  for (Eigen::Index j = 0; j < 4 * n; ++j) {
+    const Complex s = solver.eigenvalues()[j];
+    if (s.imag() == 0.0) real.push_back(s.real());
+    if (!(s.imag() > 0.0)) continue;
+    const Eigen::VectorXcd velocity = solver.eigenvectors().col(j).tail(2 * n);
+    const bool sense = forward(velocity.head(n), velocity.tail(n));
+    whirls.push_back(sense ? s : std::conj(s));
+  }
+  std::sort(real.begin(), real.end());
+  for (std::size_t i = 1; i < real.size(); i += 2) whirls.emplace_back(real[i], 0.0);
+  return whirls;
+}
+
+void sort_by_frequency(std::vector<Complex>& s) {
+  std::sort(s.begin(), s.end(), [](const Complex& a, const Complex& b) {
+    return std::abs(a.imag()) < std::abs(b.imag());
+  });
+  // Whirl at rest comes in pairs that differ by round-off alone: backward first, as it is at speed.
+  constexpr double kEqual = 1e-9;
+  for (std::size_t i = 0; i + 1 < s.size(); ++i) {
+    const double difference = std::abs(s[i + 1].imag()) - std::abs(s[i].imag());
+    const bool equal = difference <= kEqual * std::abs(s[i].imag());
+    if (equal && s[i].imag() > 0.0 && s[i + 1].imag() < 0.0) std::swap(s[i], s[i + 1]);
+  }
+}
+
+// The lowest by |s|, which overdamping does not make small. Isotropic planes: as many of each
+// sense, since the spin lowers backward whirl and lifts the other.
+std::vector<Complex> lowest(std::vector<Complex> s, const WhirlSystem& system) {
+  constexpr double kReal = 1e-9;  // |Im s| / |s| of an overdamped mode, which has no sense
+  const std::size_t kept = static_cast<std::size_t>(system.kept);
+  std::stable_sort(s.begin(), s.end(),
+                   [](const Complex& a, const Complex& b) { return std::abs(a) < std::abs(b); });
+  if (!system.isotropic) {
+    s.resize(std::min(s.size(), 2 * kept));
+    return s;
+  }
+  std::vector<Complex> chosen;
+  std::size_t forward_count = 0, backward_count = 0;
+  for (const Complex& value : s) {
+    const bool real = std::abs(value.imag()) <= kReal * std::abs(value);
+    const bool is_forward = real ? forward_count <= backward_count : value.imag() > 0.0;
+    std::size_t& count = is_forward ? forward_count : backward_count;
+    if (count == kept) continue;
+    ++count;
+    chosen.push_back(value);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<Complex> whirl_eigenvalues(const WhirlSystem& system, double speed) {
+  std::vector<Complex> s = lowest(system.isotropic ? isotropic_eigenvalues(system, speed)
+                                                   : anisotropic_eigenvalues(system, speed),
+                                  system);
+  sort_by_frequency(s);
+  return s;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,16 @@
+// Eigenvalues of a WhirlSystem with the sense of each whirl: the numerical part of campbell.h.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "native_model/rotor/whirl_system.h"
+
+namespace rotorub {
+
+// s of the mode x + i y ~ e^{s t} (forward: Im s > 0, backward: Im s < 0), two for each mode kept:
+// those of least |s|, by rising |Im s|, backward before forward where they are equal. Throws
+// std::runtime_error where the iteration does not converge.
+std::vector<std::complex<double>> whirl_eigenvalues(const WhirlSystem& system, double speed);
+
+}  // namespace rotorub

@@ -1,0 +1,101 @@
+#include "native_model/rotor/whirl_system.h"
+
+#include <cassert>
+
+#include "native_model/rotor/modal_rotor.h"
+#include "native_model/rotor/rotor_modes.h"
+
+namespace rotorub {
+namespace {
+
+bool same_planes(const WhirlSystem& s) {
+  return s.stiffness_x == s.stiffness_y && s.damping_x == s.damping_y &&
+         s.internal_xx == s.internal_yy && s.internal_xx == s.internal_xy &&
+         s.gyroscopic == s.gyroscopic.transpose();
+}
+
+// Untruncated: coordinates are all modes of the mean stiffness, of unit mass.
+WhirlSystem geometry_system(const scene::Scene& scene) {
+  const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  const RotorModes modes = rotor_modes(scene);
+  const RitzBending& ritz = modes.ritz;
+  const Eigen::MatrixXd& phi = modes.mean.shape;
+  const Eigen::VectorXd& omega = modes.mean.frequency;
+  // Symmetric to the last bit, so that equal planes are seen as equal.
+  const auto projected = [&](const Eigen::MatrixXd& matrix) {
+    const Eigen::MatrixXd p = phi.transpose() * matrix * phi;
+    return Eigen::MatrixXd(0.5 * (p + p.transpose()));
+  };
+
+  WhirlSystem system;
+  system.kept = modes.kept;
+  system.gyroscopic = projected(ritz.gyroscopic);
+  system.internal_xx = (2.0 * geometry.internal_damping_ratio * omega).asDiagonal();
+  system.internal_xy = system.internal_yy = system.internal_xx;
+  if (ritz.isotropic) {
+    system.stiffness_x = system.stiffness_y = omega.cwiseAbs2().asDiagonal();
+    system.damping_x = system.damping_y = (2.0 * geometry.damping_ratio * omega).asDiagonal();
+  } else {
+    // K_x = mean + half the difference, which comes from the bearings alone.
+    const Eigen::MatrixXd half = projected(0.5 * (ritz.stiffness_x - ritz.stiffness_y));
+    const Eigen::MatrixXd mean = omega.cwiseAbs2().asDiagonal();
+    system.stiffness_x = mean + half;
+    system.stiffness_y = mean - half;
+    system.damping_x = projected(modal_damping(ritz.mass, modes.x, geometry.damping_ratio));
+    system.damping_y = projected(modal_damping(ritz.mass, modes.y, geometry.damping_ratio));
+  }
+
+  // Dashpots of the bearings and the magnetic bearing, at their stations.
+  for (const scene::ShaftBearing& bearing : geometry.bearings) {
+    const Eigen::RowVectorXd u = ritz.basis.deflection(bearing.z) * phi;
+    system.damping_x += bearing.damping.x() * u.transpose() * u;
+    system.damping_y += bearing.damping.y() * u.transpose() * u;
+  }
+  if (scene.magnetic_bearing) {
+    const Eigen::RowVectorXd u = ritz.basis.deflection(scene.magnetic_bearing->station) * phi;
+    const double stiffness = scene.magnetic_bearing->negative_stiffness;
+    system.stiffness_x -= stiffness * u.transpose() * u;
+    system.stiffness_y -= stiffness * u.transpose() * u;
+  }
+  return system;
+}
+
+// As stated: the modes are the coordinates, divided by the roots of their masses.
+WhirlSystem modal_system(const scene::Scene& scene) {
+  const ModalRotor rotor = modal_rotor(scene);
+  const Eigen::VectorXd sx = rotor.x.mass.cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd sy = rotor.y.mass.cwiseSqrt().cwiseInverse();
+  const auto scaled = [](const Eigen::VectorXd& left, const Eigen::MatrixXd& matrix,
+                         const Eigen::VectorXd& right) {
+    return Eigen::MatrixXd(left.asDiagonal() * matrix * right.asDiagonal());
+  };
+
+  WhirlSystem system;
+  system.kept = rotor.modes();
+  system.stiffness_x = rotor.x.stiffness.cwiseQuotient(rotor.x.mass).asDiagonal();
+  system.stiffness_y = rotor.y.stiffness.cwiseQuotient(rotor.y.mass).asDiagonal();
+  system.damping_x = rotor.x.damping.cwiseQuotient(rotor.x.mass).asDiagonal();
+  system.damping_y = rotor.y.damping.cwiseQuotient(rotor.y.mass).asDiagonal();
+  system.gyroscopic = scaled(sx, rotor.gyroscopic, sy);
+  system.internal_xx = scaled(sx, rotor.internal_xx, sx);
+  system.internal_xy = scaled(sx, rotor.internal_xy, sy);
+  system.internal_yy = scaled(sy, rotor.internal_yy, sy);
+  if (scene.magnetic_bearing) {
+    const Eigen::VectorXd ux = rotor.magnetic_bearing_shape->x.cwiseProduct(sx);
+    const Eigen::VectorXd uy = rotor.magnetic_bearing_shape->y.cwiseProduct(sy);
+    system.stiffness_x -= scene.magnetic_bearing->negative_stiffness * ux * ux.transpose();
+    system.stiffness_y -= scene.magnetic_bearing->negative_stiffness * uy * uy.transpose();
+  }
+  return system;
+}
+
+}  // namespace
+
+WhirlSystem whirl_system(const scene::Scene& scene) {
+  assert(scene.rotor.geometry.has_value() != scene.rotor.modal.has_value());
+  WhirlSystem system = scene.rotor.geometry ? geometry_system(scene) : modal_system(scene);
+  system.isotropic = same_planes(system);
+  return system;
+}
+
+}  // namespace rotorub
