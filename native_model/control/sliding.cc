@@ -35,7 +35,8 @@ Eigen::Vector2d SlidingController::force(const Measurement& now) const {
   // M_f (-f): what the ring's own spring and damper do is compensated.
   const Eigen::Vector2d own = plant_.stator_stiffness.cwiseProduct(now.stator) +
                               plant_.stator_damping.cwiseProduct(now.stator_velocity);
-  return plant_.stator_mass.cwiseProduct(radial * e_r) + e_r.dot(own) * e_r;
+  const double preload = settings_.preload * (1.0 - wanted.gap / plant_.clearance);
+  return plant_.stator_mass.cwiseProduct(radial * e_r) + (e_r.dot(own) - preload) * e_r;
 }
 
 }  // namespace rotorub

@@ -5,6 +5,9 @@
 //   s = edot + psi e
 //   u = M_f (-f + qddot_fd - psi edot - k sat(s / phi)),   M_f f = -D_f qdot_f - K_f q_f
 //
+// With the gap closed a small preload presses the ring on the rotor: tracking alone would leave the
+// two grazing, without a force to speak of. It comes in as the reference falls.
+//
 // (25) and (28) add accelerations to forces; the law above has the one unit. The error is radial
 // by construction, so only the normal direction is driven: e_r . qddot_fd follows from the rotor's
 // contact-free acceleration and the whirl, e_r . qddot_f = e_r . rddot + v_t^2 / delta + gddot_N.

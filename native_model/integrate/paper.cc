@@ -175,8 +175,11 @@ PaperStep PaperStepper::contact(const State& state) {
   const double closing = e_r.dot(free.head<2>());
   start_velocity_ = contact_velocity(m, state.v.data());
   if (!in_contact_ && closing > 0.0) {
-    // A rebound that the loads would undo within the step is no impact but lasting contact.
-    const double gained = e_r.dot(free.head<2>() - start_velocity_.head<2>());
+    // A rebound that the loads and the ring's curvature would undo within the step is no impact but
+    // lasting contact: -gddot_N h = e_r . (ddot+ - ddot) + h v_t^2 / delta.
+    const double whirl = e_r.x() * free.y() - e_r.y() * free.x();
+    const double gained = e_r.dot(free.head<2>() - start_velocity_.head<2>()) +
+                          step_ * whirl * whirl / clearance;
     if (m.contact->restitution * closing > gained) return impact(state, e_r, closing_time);
   }
   return persist(state, e_r, clearance - predicted.norm());
