@@ -114,7 +114,7 @@ WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed) {
   WhirlSpectrum spectrum{speed, {}};
   for (const Complex& s : values) {
     const double size = std::abs(s);
-    spectrum.modes.push_back({s.imag(), size > 0.0 ? -s.real() / size : 0.0});
+    spectrum.modes.push_back({s.imag(), size > 0.0 ? (0.0 - s.real()) / size : 0.0});
   }
   return spectrum;
 }

@@ -21,7 +21,8 @@ struct WhirlMode {
   double damping_ratio;  // -Re s / |s|, negative where unstable; 0 for s = 0
 };
 
-// Two modes for each one kept, by rising |frequency|, backward before forward where they are equal.
+// Two modes for each one kept (isotropic planes: one forward, one backward), by rising |frequency|,
+// backward before forward where they are equal.
 struct WhirlSpectrum {
   double speed;  // rad/s
   std::vector<WhirlMode> modes;

@@ -8,9 +8,10 @@
 
 namespace rotorub {
 
-// s of the mode x + i y ~ e^{s t} (forward: Im s > 0, backward: Im s < 0), two for each mode kept:
-// those of least |s|, by rising |Im s|, backward before forward where they are equal. Throws
-// std::runtime_error where the iteration does not converge.
+// s of the mode x + i y ~ e^{s t} (forward: Im s > 0, backward: Im s < 0): two for each mode kept,
+// those of least |s|; isotropic planes: as many forward as backward. Ordered by |Im s|, backward
+// before forward where they are equal.
+// Throws std::runtime_error where the iteration does not converge.
 std::vector<std::complex<double>> whirl_eigenvalues(const WhirlSystem& system, double speed);
 
 }  // namespace rotorub
