@@ -1,0 +1,59 @@
+// What the subcommands share: exit codes, common options, and how they join the program.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "native_model/scene/scene.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace CLI {
+class App;
+}
+
+namespace rotorub {
+
+// The contract's exit codes.
+enum ExitCode { kDone = 0, kOutside = 1, kBadInput = 2, kFailed = 3, kStopped = 130 };
+
+// A mistake on the command line that the parser cannot see: exit code 2.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+// The user stopped it (SIGINT): exit code 130.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+struct CommonOptions {
+  std::vector<std::string> overrides;  // "table.key=value"
+  std::string step, end;               // overrides of run.step and run.end; empty: none
+  bool json = false, quiet = false;
+};
+
+// --set, --json, --quiet, and --step and --end.
+void add_common_options(CLI::App& command, CommonOptions& options);
+void add_run_options(CLI::App& command, CommonOptions& options);
+
+// The scene with all overrides applied, --step and --end last. Throws scene::SceneError.
+scene::Scene read_scene(const std::string& file, const CommonOptions& options);
+
+// Adds a subcommand to the program. The action runs after parsing and gives the exit code.
+using Action = std::function<int()>;
+struct Command {
+  CLI::App* app = nullptr;
+  Action action;
+};
+Command add_run_command(CLI::App& program);
+Command add_compare_command(CLI::App& program);
+Command add_modes_command(CLI::App& program);
+Command add_mjcf_command(CLI::App& program);
+Command add_render_command(CLI::App& program);
+
+// The exit code for the status of a run.
+int exit_code_of(Status status);
+
+}  // namespace rotorub

@@ -1,0 +1,167 @@
+// rotorub compare: scenes in MuJoCo and in the native model, side by side.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compare/commands/command.h"
+#include "compare/commands/compare_output.h"
+#include "compare/commands/interrupt.h"
+#include "compare/commands/progress.h"
+#include "compare/study/json.h"
+#include "compare/study/table.h"
+#include "native_model/scene/reader.h"
+#include "native_model/scene/units.h"
+
+namespace rotorub {
+namespace {
+
+struct Options : CommonOptions {
+  std::vector<std::string> scenes;
+  std::string mode = "lockstep", tolerance = "1%", folder = "runs/compare";
+  bool no_video = false;
+};
+
+// Share of a scene's time that its films take, for the progress bar.
+constexpr double kFilmShare = 0.5;
+
+double tolerance_of(const std::string& text) {
+  const auto parsed = scene::parse_quantity(text, scene::kPure);
+  if (!parsed.error.empty() || parsed.value < 0.0) {
+    throw UsageError(fmt::format("--tolerance {}: accepted is a share of 0 or more, as 1% or 0.01",
+                                 text));
+  }
+  return parsed.value;
+}
+
+void check_mode(const std::string& mode) {
+  if (mode != "lockstep") {
+    throw UsageError(fmt::format("--mode {} is not in this version; accepted: lockstep", mode));
+  }
+}
+
+// All scenes, or one SceneError with everything that is wrong in any of them.
+std::vector<scene::Scene> read_scenes(const Options& options) {
+  std::vector<scene::Scene> scenes;
+  std::vector<scene::Diagnostic> wrong;
+  for (const std::string& file : options.scenes) {
+    try {
+      scenes.push_back(read_scene(file, options));
+    } catch (const scene::SceneError& error) {
+      wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
+    }
+  }
+  if (!wrong.empty()) throw scene::SceneError(wrong);
+  for (std::size_t a = 0; a < scenes.size(); ++a) {
+    for (std::size_t b = a + 1; b < scenes.size(); ++b) {
+      if (scenes[a].name == scenes[b].name) {
+        throw UsageError(fmt::format("{} and {} have the same name, which names their results",
+                                     options.scenes[a], options.scenes[b]));
+      }
+    }
+  }
+  return scenes;
+}
+
+// Films are worth having, but no reason to lose the figures.
+void film(const Options& options, const SceneComparison& comparison, PageScene& page,
+          const std::function<void(double)>& progress) {
+  if (options.no_video) {
+    page.no_films = "switched off by --no-video.";
+    return;
+  }
+  try {
+    page.films = write_films(options.folder, comparison, [&](double share) {
+      if (interrupted()) throw Interrupted();
+      progress(share);
+    });
+  } catch (const Interrupted&) {
+    page.no_films = "interrupted.";
+  } catch (const std::runtime_error& error) {
+    page.no_films = error.what();
+    fmt::print(stderr, "rotorub: {}: no film: {}\n", comparison.scene.name, error.what());
+  }
+}
+
+int exit_code(const std::vector<SceneComparison>& comparisons) {
+  if (interrupted()) return kStopped;
+  int code = kDone;
+  for (const SceneComparison& c : comparisons) {
+    const int run = exit_code_of(c.status());
+    if (run != kDone) return run;
+    if (!c.within()) code = kOutside;
+  }
+  return code;
+}
+
+int compare(const Options& options) {
+  check_mode(options.mode);
+  const double tolerance = tolerance_of(options.tolerance);
+  const auto scenes = read_scenes(options);
+  ProgressBar bar(options.quiet);
+  std::vector<SceneComparison> comparisons;
+  comparisons.reserve(scenes.size());  // pages point into it
+  std::vector<PageScene> pages;
+
+  for (std::size_t k = 0; k < scenes.size() && !interrupted(); ++k) {
+    const auto show = [&](double share, const std::string& what) {
+      bar.show((static_cast<double>(k) + share) / static_cast<double>(scenes.size()),
+               scenes[k].name + ": " + what);
+    };
+    const double work = options.no_video ? 1.0 : 1.0 - kFilmShare;
+    CompareOptions how;
+    how.tolerance = tolerance;
+    how.interrupt = &interrupted();
+    how.progress = [&](double share, const std::string& what) { show(work * share, what); };
+
+    const SceneComparison& c = comparisons.emplace_back(compare_scene(scenes[k], how));
+    bar.clear();
+    write_runs(options.folder, c);
+    if (c.interrupted) break;
+    if (!options.json && !options.quiet) {
+      fmt::print("{}{}", k > 0 ? "\n" : "", comparison_table(c));
+      std::fflush(stdout);
+    }
+    PageScene& page = pages.emplace_back();
+    page.comparison = &c;
+    film(options, c, page, [&](double share) { show(work + kFilmShare * share, "film"); });
+  }
+  bar.clear();
+  write_report(options.folder, comparisons, pages);
+
+  if (options.json) {
+    std::cout << comparisons_json(comparisons).dump(2) << "\n";
+  } else if (!options.quiet) {
+    fmt::print("\nreport: {}/report.html\n", options.folder);
+  }
+  return exit_code(comparisons);
+}
+
+}  // namespace
+
+Command add_compare_command(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand(
+      "compare", "Run scenes in MuJoCo and in the native model and say how far apart they are");
+  app->add_option("SCENE", options->scenes, "Scene files (.toml)")->required();
+  app->add_option("--mode", options->mode, "How the two sides are coupled: lockstep")
+      ->check(CLI::IsMember({"lockstep", "replay", "resync"}))
+      ->capture_default_str();
+  app->add_option("--tolerance", options->tolerance,
+                  "On mean normal force, contact fraction and total impulse")
+      ->type_name("SHARE")
+      ->capture_default_str();
+  app->add_option("-o,--output", options->folder, "Folder of the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app->add_flag("--no-video", options->no_video, "Leave the films out");
+  add_run_options(*app, *options);
+  add_common_options(*app, *options);
+  return {app, [options] { return compare(*options); }};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,62 @@
+// rotorub mjcf: a scene as MuJoCo's XML.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compare/commands/command.h"
+#include "mjcf/writer.h"
+#include "native_model/scene/reader.h"
+#include "native_model/trajectory/output.h"
+
+namespace rotorub {
+namespace {
+
+struct Options : CommonOptions {
+  std::string scene, file;
+};
+
+int write_mjcf(const Options& options) {
+  const scene::Scene scene = read_scene(options.scene, options);
+  const std::string xml = mjcf(scene);
+  if (options.file.empty()) {
+    if (options.json) {
+      std::cout << nlohmann::json{{"scene", scene.name},
+                                  {"scene_hash", scene::scene_hash(scene)},
+                                  {"mjcf", xml}}
+                       .dump(2)
+                << "\n";
+    } else {
+      std::cout << xml;
+    }
+    return kDone;
+  }
+  write_whole(options.file, xml);
+  if (options.json) {
+    std::cout << nlohmann::json{{"scene", scene.name},
+                                {"scene_hash", scene::scene_hash(scene)},
+                                {"file", options.file}}
+                     .dump(2)
+              << "\n";
+  } else if (!options.quiet) {
+    fmt::print("written to {}\n", options.file);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+Command add_mjcf_command(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand("mjcf", "Write a scene as MuJoCo's XML");
+  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
+  app->add_option("-o,--output", options->file, "File (default: standard output)")
+      ->type_name("FILE");
+  add_common_options(*app, *options);
+  return {app, [options] { return write_mjcf(*options); }};
+}
+
+}  // namespace rotorub

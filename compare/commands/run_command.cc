@@ -1,0 +1,99 @@
+// rotorub run: one scene, one engine, a folder of results.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compare/commands/command.h"
+#include "compare/commands/interrupt.h"
+#include "compare/commands/progress.h"
+#include "compare/engine/engine.h"
+#include "compare/study/json.h"
+#include "compare/study/run_directory.h"
+#include "compare/study/table.h"
+
+namespace rotorub {
+namespace {
+
+struct Options : CommonOptions {
+  std::string scene, engine = "native", integrator, contact, folder;
+};
+
+scene::ContactModel contact_of(const std::string& name) {
+  if (name == "rigid") return scene::ContactModel::kRigid;
+  return name == "cone" ? scene::ContactModel::kCone : scene::ContactModel::kCoulomb;
+}
+
+std::unique_ptr<Engine> engine_of(const Options& options, const scene::Scene& scene) {
+  if (options.engine == "native") {
+    if (!options.contact.empty() && options.contact != "rigid") {
+      throw UsageError(fmt::format(
+          "--contact {} belongs to --engine mujoco; the native engine accepts: rigid",
+          options.contact));
+    }
+    const auto asked = options.integrator == "event"   ? scene::Integrator::kEvent
+                       : options.integrator == "paper" ? scene::Integrator::kPaper
+                                                       : scene.run.integrator;
+    return native_engine(asked);
+  }
+  if (!options.integrator.empty()) {
+    throw UsageError("--integrator belongs to --engine native; MuJoCo's is [mujoco] integrator");
+  }
+  return mujoco_engine(options.contact.empty() ? scene.mujoco.contact
+                                               : contact_of(options.contact));
+}
+
+int run(const Options& options) {
+  const scene::Scene scene = read_scene(options.scene, options);
+  const auto engine = engine_of(options, scene);
+  const std::filesystem::path folder =
+      options.folder.empty() ? std::filesystem::path("runs") / (scene.name + "-" + engine->name())
+                             : std::filesystem::path(options.folder);
+
+  ProgressBar bar(options.quiet);
+  RunRequest request;
+  request.interrupt = &interrupted();
+  request.progress = [&](double share) { bar.show(share, engine->name()); };
+  const Trajectory trajectory = engine->run(scene, request);
+  bar.clear();
+  write_run(folder, scene, trajectory);
+
+  if (options.json) {
+    std::cout << summary_json(scene, trajectory).dump(2) << "\n";
+  } else if (!options.quiet) {
+    fmt::print("{}written to {}\n", run_table(scene, trajectory), folder.string());
+  }
+  if (trajectory.status != Status::kOk) {
+    fmt::print(stderr, "rotorub: {}: {} at t = {} s: {}\n", scene.name,
+               to_string(trajectory.status), trajectory.end, trajectory.message);
+  }
+  return exit_code_of(trajectory.status);
+}
+
+}  // namespace
+
+Command add_run_command(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand("run", "Run one scene and write its series");
+  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
+  app->add_option("--engine", options->engine, "native or mujoco")
+      ->check(CLI::IsMember({"native", "mujoco"}))
+      ->capture_default_str();
+  app->add_option("--integrator", options->integrator, "Of the native engine: event or paper")
+      ->check(CLI::IsMember({"event", "paper"}));
+  app->add_option("--contact", options->contact, "In MuJoCo: rigid, coulomb or cone")
+      ->check(CLI::IsMember({"rigid", "coulomb", "cone"}));
+  add_run_options(*app, *options);
+  app->add_option("-o,--output", options->folder,
+                  "Folder of the results (default: runs/<scene>-<engine>)")
+      ->type_name("DIR");
+  add_common_options(*app, *options);
+  return {app, [options] { return run(*options); }};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,89 @@
+#include "compare/engine/engine.h"
+
+#include <cmath>
+
+#include "compare/engine/mujoco_engine.h"
+#include "native_model/integrate/run.h"
+
+namespace rotorub {
+namespace {
+
+class NativeEngine final : public Engine {
+ public:
+  explicit NativeEngine(scene::Integrator integrator) : integrator_(integrator) {}
+  std::string name() const override { return std::string("native-") + to_string(integrator_); }
+  Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
+    NativeOptions options;
+    options.integrator = integrator_;
+    options.step = request.step;
+    options.output_times = request.output_times;
+    options.progress = request.progress;
+    options.interrupt = request.interrupt;
+    return run_native(perturbed(scene, request.perturbation_ulps), options);
+  }
+
+ private:
+  scene::Integrator integrator_;
+};
+
+class MujocoEngine final : public Engine {
+ public:
+  explicit MujocoEngine(scene::ContactModel contact) : contact_(contact) {}
+  std::string name() const override { return std::string("mujoco-") + to_string(contact_); }
+  Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
+    MujocoOptions options;
+    options.contact = contact_;
+    options.step = request.step;
+    options.output_times = request.output_times;
+    options.progress = request.progress;
+    options.interrupt = request.interrupt;
+    return run_mujoco(perturbed(scene, request.perturbation_ulps), options);
+  }
+
+ private:
+  scene::ContactModel contact_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> native_engine(scene::Integrator integrator) {
+  if (integrator == scene::Integrator::kEvent) {
+    throw NotOffered("integrator `event` is not in this version; accepted: paper");
+  }
+  return std::make_unique<NativeEngine>(integrator);
+}
+
+std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact) {
+  if (contact == scene::ContactModel::kRigid) {
+    throw NotOffered(
+        "contact model `rigid` of MuJoCo is not in this version; accepted: coulomb, cone");
+  }
+  return std::make_unique<MujocoEngine>(contact);
+}
+
+const char* to_string(scene::Integrator integrator) {
+  return integrator == scene::Integrator::kEvent ? "event" : "paper";
+}
+
+const char* to_string(scene::ContactModel contact) {
+  switch (contact) {
+    case scene::ContactModel::kRigid: return "rigid";
+    case scene::ContactModel::kCoulomb: return "coulomb";
+    case scene::ContactModel::kCone: return "cone";
+  }
+  return "";
+}
+
+scene::Scene perturbed(const scene::Scene& scene, int ulps) {
+  if (ulps == 0) return scene;
+  scene::Scene moved = scene;
+  // A unit in the last place of a coordinate that is 0 would vanish in the first sum: take the
+  // clearance's, which is the size that the coordinates reach.
+  const double size = scene.contact ? scene.contact->clearance : 1e-3;
+  const double unit = std::nextafter(size, 2.0 * size) - size;
+  if (moved.initial.x.empty()) moved.initial.x.push_back(0.0);
+  moved.initial.x.front() += ulps * unit;
+  return moved;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,53 @@
+// One interface of everything that can run a scene: what compares and reports knows no engine.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "native_model/scene/scene.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub {
+
+// How a run differs from what the scene says.
+struct RunRequest {
+  std::optional<double> step;                       // s, > 0
+  std::optional<std::vector<double>> output_times;  // s, ascending: the rows of the series
+  // Moves the first bending coordinate at t = 0 by so many units in the last place of the clearance
+  // (of 1 mm without a contact): the least that two runs can differ by.
+  int perturbation_ulps = 0;
+  std::function<void(double)> progress;             // share done, in [0, 1]
+  const std::atomic<bool>* interrupt = nullptr;     // true: stop and keep what there is
+};
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  // For columns and folders: "native-paper", "mujoco-coulomb".
+  virtual std::string name() const = 0;
+  // Failing numerics are a status of the result; scenes that the engine cannot run at all throw
+  // std::runtime_error.
+  virtual Trajectory run(const scene::Scene& scene, const RunRequest& request) const = 0;
+};
+
+// What was asked for is no part of this version; the message names what is.
+class NotOffered : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Both throw NotOffered.
+std::unique_ptr<Engine> native_engine(scene::Integrator integrator);
+std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);
+
+const char* to_string(scene::Integrator integrator);
+const char* to_string(scene::ContactModel contact);
+
+// The scene with its initial state moved (see RunRequest::perturbation_ulps).
+scene::Scene perturbed(const scene::Scene& scene, int ulps);
+
+}  // namespace rotorub

@@ -1,0 +1,109 @@
+#include "compare/report/page.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "compare/report/assets.h"
+#include "compare/report/base64.h"
+#include "compare/report/page_values.h"
+#include "compare/report/plots.h"
+#include "compare/report/template.h"
+#include "compare/report/web/plotly.h"
+#include "compare/study/format.h"
+#include "compare/version.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+std::string file_bytes(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in && !in.eof()) throw std::runtime_error("cannot read " + file.string());
+  if (bytes.empty()) throw std::runtime_error("cannot read " + file.string() + ", or it is empty");
+  return bytes;
+}
+
+json film_values(const std::vector<Film>& films) {
+  json all = json::array();
+  for (const Film& film : films) {
+    all.push_back({{"data", base64(file_bytes(film.file))}, {"caption", film.caption}});
+  }
+  return all;
+}
+
+json plot_values(const SceneComparison& comparison) {
+  json all = json::array();
+  for (const PlotKind& kind : plot_kinds(comparison)) {
+    all.push_back({{"key", kind.key},
+                   {"title", kind.title},
+                   {"unit", kind.unit},
+                   {"text", kind.text},
+                   {"shape", kind.shape}});
+  }
+  return all;
+}
+
+json window_values(const SceneComparison& comparison) {
+  json all = json::array();
+  for (const Window& window : plot_windows(comparison)) {
+    all.push_back({{"index", all.size()}, {"name", window.name}});
+  }
+  return all;
+}
+
+// "</" would end the script element that holds the data.
+std::string for_script(std::string text) {
+  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3)) {
+    text.replace(at, 2, "<\\/");
+  }
+  return text;
+}
+
+std::string title_of(const std::vector<PageScene>& scenes) {
+  std::string names;
+  for (const PageScene& scene : scenes) {
+    if (!names.empty()) names += ", ";
+    names += scene.comparison->scene.name;
+  }
+  return "Can MuJoCo's contact forces be trusted? " + names;
+}
+
+}  // namespace
+
+std::string report_page(const std::vector<PageScene>& scenes) {
+  json pages = json::array();
+  json plots = json::array();
+  for (const PageScene& scene : scenes) {
+    const SceneComparison& comparison = *scene.comparison;
+    json values = scene_values(comparison);
+    values["index"] = pages.size();
+    values["id"] = fmt::format("scene-{}", pages.size() + 1);
+    values["has_films"] = !scene.films.empty();
+    values["films"] = film_values(scene.films);
+    values["no_films"] = scene.no_films;
+    values["plots"] = plot_values(comparison);
+    values["windows"] = window_values(comparison);
+    pages.push_back(std::move(values));
+    plots.push_back(plot_data(comparison));
+  }
+  const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
+  const json values = {{"title", title_of(scenes)},
+                       {"mode", "lockstep"},
+                       {"version", program_version()},
+                       {"mujoco_version", mujoco_version()},
+                       {"tolerance", percent_text(tolerance)},
+                       {"css", report_css()},
+                       {"js", report_js()},
+                       {"plotly", plotly_js()},
+                       {"data", for_script(json{{"scenes", plots}}.dump())},
+                       {"scenes", pages}};
+  return fill_template(report_html(), values);
+}
+
+}  // namespace rotorub

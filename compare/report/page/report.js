@@ -1,0 +1,177 @@
+// Draws the plots of every scene from the page's data, links their time axes and legends, and
+// follows the light or dark theme. Without it the page still shows verdicts, films and tables.
+'use strict';
+(() => {
+  const data = JSON.parse(document.getElementById('data').textContent);
+  const root = document.documentElement;
+  const css = (name) => getComputedStyle(root).getPropertyValue(name).trim();
+
+  // ------------------------------------------------------------------ traces
+  const dashes = {native: 'solid', coulomb: 'solid', cone: 'solid'};
+  const line = (side, width) => ({color: css('--' + side), width, dash: dashes[side] || 'dot'});
+
+  // A series over time, in the window that is shown.
+  function timeTraces(scene, key, window) {
+    return scene.sides.filter((side) => side.series[key]).map((side) => {
+      const {t, y} = side.series[key][window];
+      return {x: t, y, name: side.label, meta: side.label, type: 'scatter', mode: 'lines',
+        line: line(side.label, side.label === 'native' ? 1.8 : 1.2),
+        hovertemplate: '%{y:.5g}<extra>' + side.label + '</extra>'};
+    });
+  }
+
+  function impactTraces(scene) {
+    return scene.sides.map((side) => ({x: side.impacts.t, y: side.impacts.y, name: side.label,
+      meta: side.label, type: 'scatter', mode: 'markers',
+      marker: {color: css('--' + side.label), size: 5, opacity: 0.75,
+        symbol: side.label === 'native' ? 'circle' : side.label === 'cone' ? 'triangle-up-open' : 'circle-open'},
+      hovertemplate: 't = %{x:.6g} s<br>%{y:.4g} mN s<extra>' + side.label + '</extra>'}));
+  }
+
+  function curve(side, xy, text, width, dash) {
+    return {x: xy.x, y: xy.y, name: side.label, meta: side.label, type: 'scatter', mode: 'lines',
+      line: {color: css('--' + side.label), width, dash},
+      hovertemplate: '(%{x:.1f}, %{y:.1f}) um<extra>' + side.label + ' ' + text + '</extra>'};
+  }
+  const orbitTraces = (scene, window) => scene.sides.flatMap((side) => [
+    curve(side, side.rotor[window], 'rotor', 1.6, 'solid'),
+    curve(side, side.ring[window], 'ring', 1.1, 'dot')]);
+  const relativeTraces = (scene, window) =>
+    scene.sides.map((side) => curve(side, side.relative[window], 'relative', 1.3, 'solid'));
+
+  // ------------------------------------------------------------------ layouts
+  function axes(extra) {
+    return Object.assign({gridcolor: css('--hair'), zerolinecolor: css('--line'), linecolor: css('--line'),
+      tickcolor: css('--line'), ticks: 'outside', ticklen: 4, automargin: true}, extra);
+  }
+  function layout(extra) {
+    return Object.assign({
+      paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', showlegend: false,
+      font: {family: getComputedStyle(document.body).fontFamily, size: 12, color: css('--soft')},
+      margin: {l: 56, r: 12, t: 8, b: 40}, hovermode: 'x unified',
+      hoverlabel: {bgcolor: css('--panel'), bordercolor: css('--line'), font: {color: css('--ink')}},
+    }, extra);
+  }
+  const config = {responsive: true, displaylogo: false, displayModeBar: false};
+
+  // ------------------------------------------------------------------ one scene
+  class Scene {
+    constructor(element, scene) {
+      this.element = element;
+      this.scene = scene;
+      this.plots = [...element.querySelectorAll('.plot')];
+      this.hidden = new Set();
+      this.quiet = false;
+      this.range = this.span(scene.first_window);
+      element.querySelectorAll('[data-window]').forEach((button) => button.addEventListener('click',
+        () => this.show(this.span(Number(button.dataset.window)))));
+      element.querySelectorAll('.legend-item').forEach((button) => button.addEventListener('click',
+        () => this.toggle(button)));
+      const playAll = element.querySelector('.play-all');
+      if (playAll) playAll.addEventListener('click', () => this.playTogether());
+    }
+
+    span(window) {
+      const {from, to} = this.scene.windows[window];
+      return [from, to];
+    }
+
+    // The narrowest window with data for all of the range.
+    window() {
+      let best = 0;
+      this.scene.windows.forEach((w, k) => {
+        const holds = w.from <= this.range[0] + 1e-9 && w.to >= this.range[1] - 1e-9;
+        const narrower = w.to - w.from < this.scene.windows[best].to - this.scene.windows[best].from;
+        if (holds && narrower) best = k;
+      });
+      return best;
+    }
+
+    draw(plot) {
+      const key = plot.dataset.plot;
+      const window = this.window();
+      let traces, shape;
+      if (key === 'orbit' || key === 'relative') {
+        traces = key === 'orbit' ? orbitTraces(this.scene, window) : relativeTraces(this.scene, window);
+        const r = 1e6 * this.scene.clearance;
+        const circle = {type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}};
+        shape = layout({hovermode: 'closest', shapes: key === 'relative' && r > 0 ? [circle] : [],
+          xaxis: axes({title: {text: 'x / um', standoff: 8}}),
+          yaxis: axes({title: {text: 'y / um', standoff: 8}, scaleanchor: 'x'})});
+      } else {
+        traces = key === 'impacts' ? impactTraces(this.scene) : timeTraces(this.scene, key, window);
+        shape = layout({xaxis: axes({title: {text: 't / s', standoff: 6}, range: this.range.slice(),
+            hoverformat: '.5f'}),
+          yaxis: axes(key === 'impacts' ? {type: 'log', exponentformat: 'power', dtick: 1} : {})});
+        if (key === 'impacts') shape.hovermode = 'closest';
+      }
+      traces.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : true; });
+      const first = !plot.classList.contains('drawn');
+      Plotly.react(plot, traces, shape, config);
+      if (first) {
+        plot.classList.add('drawn');
+        plot.on('plotly_relayout', (change) => this.follow(key, change));
+      }
+    }
+
+    drawAll() {
+      this.quiet = true;
+      this.plots.forEach((plot) => this.draw(plot));
+      this.quiet = false;
+      const shown = this.window();
+      const whole = this.span(shown);
+      const exact = Math.abs(whole[0] - this.range[0]) + Math.abs(whole[1] - this.range[1]) < 1e-9;
+      this.element.querySelectorAll('[data-window]').forEach((button) => button.classList.toggle('on',
+        exact && Number(button.dataset.window) === shown));
+    }
+
+    // Zooming one plot in time zooms all of them; a double click shows the whole run.
+    follow(key, change) {
+      if (this.quiet || key === 'orbit' || key === 'relative') return;
+      if (change['xaxis.autorange']) this.show(this.span(0));
+      const from = change['xaxis.range[0]'], to = change['xaxis.range[1]'];
+      if (from === undefined || to === undefined) return;
+      this.show([Math.max(this.scene.windows[0].from, from), Math.min(this.scene.windows[0].to, to)]);
+    }
+
+    show(range) {
+      this.range = range;
+      this.drawAll();
+    }
+
+    toggle(button) {
+      const side = button.dataset.side;
+      if (!this.hidden.delete(side)) this.hidden.add(side);
+      button.setAttribute('aria-pressed', String(!this.hidden.has(side)));
+      this.drawAll();
+    }
+
+    playTogether() {
+      const films = [...this.element.querySelectorAll('video')];
+      const start = films.every((film) => film.paused);
+      films.forEach((film) => {
+        if (!start) { film.pause(); return; }
+        film.currentTime = 0;
+        film.play();
+      });
+    }
+  }
+
+  // ------------------------------------------------------------------ theme
+  const scenes = [...document.querySelectorAll('.scene')].map(
+    (element) => new Scene(element, data.scenes[Number(element.dataset.scene)]));
+  const prefersDark = matchMedia('(prefers-color-scheme: dark)');
+  let chosen = null;
+  function theme(name) {
+    root.dataset.theme = name || chosen || (prefersDark.matches ? 'dark' : 'light');
+    scenes.forEach((scene) => scene.drawAll());
+  }
+  document.getElementById('theme').addEventListener('click', () => {
+    chosen = root.dataset.theme === 'dark' ? 'light' : 'dark';
+    theme();
+  });
+  prefersDark.addEventListener('change', () => theme());
+  addEventListener('beforeprint', () => theme('light'));
+  addEventListener('afterprint', () => theme());
+  theme();
+})();

@@ -1,0 +1,260 @@
+#include "compare/report/page_values.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compare/study/format.h"
+#include "compare/study/verdict.h"
+#include "compare/version.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+const char* tone(bool within) { return within ? "good" : "bad"; }
+const char* mark(bool within) { return within ? "✓" : "✗"; }
+
+json side_values(const SceneComparison& c) {
+  json sides = json::array();
+  for (std::size_t k = 0; k < c.sides.size(); ++k) {
+    sides.push_back({{"label", c.sides[k].label},
+                     {"other", k > 0},
+                     {"settled", to_string(c.sides[k].metrics.settled.attractor)}});
+  }
+  return sides;
+}
+
+json verdict_values(const SceneComparison& c) {
+  json all = json::array();
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    const SideDifference& d = c.differences[k];
+    all.push_back({{"tone", tone(d.within)},
+                   {"mark", mark(d.within)},
+                   {"headline", headline(c, c.sides[k + 1], d)},
+                   {"reasons", d.reasons}});
+  }
+  return all;
+}
+
+// Value cells of one figure, with the chip of its deviation.
+json cells_of(const SceneComparison& c, std::size_t figure) {
+  json cells = json::array();
+  const Figure& f = figures()[figure];
+  for (std::size_t k = 0; k < c.sides.size(); ++k) {
+    json cell = {{"value", figure_value(f, f.value(c.sides[k].metrics))}, {"other", k > 0}};
+    if (k > 0) {
+      const FigureDifference& d = c.differences[k - 1].figures[figure];
+      cell["deviation"] = deviation_text(f, d.deviation);
+      cell["tone"] = f.judged ? tone(d.within) : "";
+    }
+    cells.push_back(std::move(cell));
+  }
+  return cells;
+}
+
+json figure_rows(const SceneComparison& c, bool judged_only) {
+  json rows = json::array();
+  for (std::size_t k = 0; k < figures().size(); ++k) {
+    const Figure& f = figures()[k];
+    if (judged_only && !f.judged) continue;
+    rows.push_back({{"label", f.label},
+                    {"unit", f.unit},
+                    {"meaning", f.meaning},
+                    {"cells", cells_of(c, k)}});
+  }
+  return rows;
+}
+
+json card_values(const SceneComparison& c) {
+  json rows = json::array();
+  for (const FigureDifference& d : c.differences.front().figures) {
+    if (!d.figure->judged) continue;
+    const std::string unit = d.figure->unit;
+    rows.push_back({{"label", d.figure->label},
+                    {"native", figure_value(*d.figure, d.native) + " " + unit},
+                    {"other", figure_value(*d.figure, d.other) + " " + unit},
+                    {"side", c.sides[1].label},
+                    {"deviation", deviation_text(*d.figure, d.deviation)},
+                    {"tone", tone(d.within)}});
+  }
+  return rows;
+}
+
+// The other contact models in one line each: their headline, or what is most telling.
+json card_others(const SceneComparison& c) {
+  json lines = json::array();
+  for (std::size_t k = 1; k < c.differences.size(); ++k) {
+    const SideDifference& d = c.differences[k];
+    const std::string text = d.within || d.reasons.empty()
+                                 ? headline(c, c.sides[k + 1], d)
+                                 : c.sides[k + 1].label + ": " + d.reasons.front();
+    lines.push_back({{"tone", tone(d.within)}, {"mark", mark(d.within)}, {"text", text}});
+  }
+  return lines;
+}
+
+json split_rows(const SceneComparison& c) {
+  json rows = json::array();
+  for (std::size_t k = 0; k < figures().size(); ++k) {
+    const Figure& f = figures()[k];
+    if (!f.split) continue;
+    for (std::size_t side = 1; side < c.sides.size(); ++side) {
+      const FigureDifference& d = c.differences[side - 1].figures[k];
+      rows.push_back(
+          {{"label", f.label},
+           {"unit", f.unit},
+           {"side", c.sides[side].label},
+           {"difference", figure_value(f, d.split.difference)},
+           {"model_gap", figure_value(f, d.split.model_gap)},
+           {"step_error", figure_value(f, d.split.step_error)},
+           {"native_step_error", figure_value(f, d.split.native_step_error)},
+           {"floor", deviation_text(f, d.floor)},
+           {"tone", d.split.valid ? "" : "unsure"},
+           {"note", d.split.valid ? fmt::format("valid, ± {}", figure_value(f, d.split.uncertainty))
+                                  : "not valid: " + d.split.reason}});
+    }
+  }
+  return rows;
+}
+
+struct ResidualRow {
+  const char* label;
+  const char* meaning;
+  double Residuals::*value;
+};
+constexpr ResidualRow kResidualRows[] = {
+    {"law g ≥ 0", "Deepest penetration in a recorded row, over the clearance.",
+     &Residuals::penetration},
+    {"law λ ≥ 0", "Largest pull (a contact cannot pull), over the mean force in contact.",
+     &Residuals::adhesion},
+    {"law g λ = 0", "Largest product of open gap and force: force without touch.",
+     &Residuals::complementarity},
+    {"friction cone", "Friction beyond mu times the normal force.", &Residuals::cone},
+    {"sliding law", "While sliding: distance of the friction from -mu λ sign(slip).",
+     &Residuals::sliding},
+    {"friction brakes", "Friction power above 0: friction that drives.", &Residuals::power},
+    {"series itself", "Recorded gap against the gap of the recorded positions.",
+     &Residuals::gap_error},
+};
+
+json residual_rows(const SceneComparison& c) {
+  json rows = json::array();
+  for (const ResidualRow& row : kResidualRows) {
+    json cells = json::array();
+    for (const Side& side : c.sides) {
+      cells.push_back(fmt::format("{:.1e}", side.metrics.residuals.*row.value));
+    }
+    rows.push_back({{"label", row.label}, {"meaning", row.meaning}, {"cells", cells}});
+  }
+  return rows;
+}
+
+json cost_rows(const SceneComparison& c) {
+  json speed = json::array(), spread = json::array(), steps = json::array(), factor = json::array();
+  for (const Side& side : c.sides) {
+    const Timing& t = side.timing;
+    speed.push_back(fmt::format("{:.3g} us", t.median));
+    spread.push_back(fmt::format("{:.3g} – {:.3g} us", t.lowest, t.highest));
+    steps.push_back(fmt::format("{}", side.trajectory.steps));
+    factor.push_back(t.median > 0.0
+                         ? fmt::format("{:.3g}", 1e6 * side.trajectory.step / t.median)
+                         : std::string("–"));
+  }
+  return json::array({
+      {{"label", "time of a step"}, {"cells", speed},
+       {"meaning", "Median of repeated runs that record nothing, engines taken in turn."}},
+      {{"label", "its spread"}, {"cells", spread}, {"meaning", "Fastest and slowest of them."}},
+      {{"label", "steps"}, {"cells", steps}, {"meaning", "Of the run that is shown."}},
+      {{"label", "real-time factor"}, {"cells", factor},
+       {"meaning", "Simulated time over computing time; above 1: faster than the machine."}},
+  });
+}
+
+json impact_rows(const SceneComparison& c) {
+  std::vector<std::vector<Impact>> columns;
+  std::size_t count = 0;
+  for (const SideDifference& d : c.differences) count = std::max(count, d.impacts.size());
+  for (const Side& side : c.sides) columns.push_back(first_impacts(side.trajectory, count));
+  json rows = json::array();
+  for (std::size_t i = 0; i < count; ++i) {
+    json cells = json::array();
+    for (const auto& column : columns) {
+      const bool has = i < column.size();
+      cells.push_back(
+          {{"time", has ? fmt::format("{:.4f}", 1e3 * column[i].t) : std::string("–")},
+           {"impulse",
+            has ? short_number(1e3 * column[i].normal_impulse) : std::string("–")}});
+    }
+    rows.push_back({{"number", i + 1}, {"cells", cells}});
+  }
+  return rows;
+}
+
+std::string part_text(const Divergence& d) {
+  return d.time ? fmt::format("part by more than {:.3g} um at t = {:.5g} s", 1e6 * d.threshold,
+                              *d.time)
+                : fmt::format("never part by more than {:.3g} um", 1e6 * d.threshold);
+}
+
+std::string divergence_text(const SceneComparison& c) {
+  std::string text = "Rotor positions: native runs that start one unit in the last place apart " +
+                     part_text(c.twin);
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    text += fmt::format("; native and {} {}", c.sides[k + 1].label,
+                        part_text(c.differences[k].divergence));
+  }
+  return text + ".";
+}
+
+json condition_values(const SceneComparison& c) {
+  json rows = json::array();
+  const auto add = [&](const char* name, std::string value) {
+    rows.push_back({{"name", name}, {"value", std::move(value)}});
+  };
+  add("rotorub", program_version());
+  add("MuJoCo", mujoco_version());
+  add("scene hash", scene::scene_hash(c.scene));
+  add("step", time_text(c.scene.run.step));
+  add("tolerance", percent_text(c.tolerance));
+  for (const Side& side : c.sides) {
+    const Trajectory& t = side.trajectory;
+    add(side.label.c_str(), fmt::format("{}, integrator {}, contact {}, {}", t.engine,
+                                        t.integrator, t.contact_model, to_string(t.status)));
+  }
+  return rows;
+}
+
+}  // namespace
+
+json scene_values(const SceneComparison& c) {
+  const bool within = c.within();
+  const json impacts = impact_rows(c);
+  return {{"name", c.scene.name},
+          {"tone", tone(within)},
+          {"mark", mark(within)},
+          {"verdict", fmt::format("`{}` {} {}", c.sides[1].label,
+                                  within ? "agrees within" : "is outside",
+                                  percent_text(c.tolerance))},
+          {"card", card_values(c)},
+          {"others", card_others(c)},
+          {"step", time_text(c.scene.run.step)},
+          {"end", time_text(c.scene.run.end)},
+          {"hash", scene::scene_hash(c.scene)},
+          {"sides", side_values(c)},
+          {"verdicts", verdict_values(c)},
+          {"judged", figure_rows(c, true)},
+          {"all", figure_rows(c, false)},
+          {"splits", split_rows(c)},
+          {"residuals", residual_rows(c)},
+          {"cost", cost_rows(c)},
+          {"has_impacts", !impacts.empty()},
+          {"impacts", impacts},
+          {"divergence", divergence_text(c)},
+          {"conditions", condition_values(c)},
+          {"text", c.scene.text}};
+}
+
+}  // namespace rotorub

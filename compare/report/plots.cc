@@ -1,0 +1,205 @@
+#include "compare/report/plots.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "compare/report/thin.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using Values = std::vector<double>;
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kMicro = 1e6;
+
+// Six or seven significant digits: a plot shows no more, and the page stays small.
+double rounded(double value, int digits) {
+  char text[40];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
+  double short_value = value;
+  std::from_chars(text, end.ptr, short_value);
+  return short_value;
+}
+
+json pick(const Values& values, const std::vector<std::size_t>& rows, int digits) {
+  json out = json::array();
+  for (const std::size_t i : rows) out.push_back(rounded(values[i], digits));
+  return out;
+}
+
+Values scaled(Values values, double factor) {
+  for (double& v : values) v *= factor;
+  return values;
+}
+
+// The twist at the contact: each torsion mode is 1 there.
+Values torsion(const Trajectory& t) {
+  Values sum(t.rows(), 0.0);
+  for (int k = 1; t.has("torsion_" + std::to_string(k)); ++k) {
+    const Values& mode = t.column("torsion_" + std::to_string(k));
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += mode[i];
+  }
+  return scaled(std::move(sum), 1e3);
+}
+
+Values magnitude(const Values& x, const Values& y) {
+  Values r(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) r[i] = std::hypot(x[i], y[i]);
+  return r;
+}
+
+// The values of a plot over time in its unit; empty where the run has none.
+Values series_of(const std::string& key, const Trajectory& t) {
+  if (key == "gap") return scaled(t.column("gap"), kMicro);
+  if (key == "normal_force" || key == "friction_force") return t.column(key);
+  if (key == "spin") return scaled(t.column("spin_speed"), 60.0 / kTurn);
+  if (key == "torsion" && t.has("torsion_1")) return torsion(t);
+  if (key == "control" && t.has("control_x")) {
+    return magnitude(t.column("control_x"), t.column("control_y"));
+  }
+  return {};
+}
+
+constexpr PlotKind kKinds[] = {
+    {"gap", "Gap", "um", "0: contact; below 0: penetration", "wide"},
+    {"normal_force", "Normal force", "N",
+     "of lasting contact; impulses of the rigid law's impacts are below", ""},
+    {"friction_force", "Friction force", "N", "on the rotor, along the ring", ""},
+    {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", ""},
+    {"spin", "Spin speed", "rpm", "what friction takes from the drive", ""},
+    {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", ""},
+    {"control", "Control force", "N", "magnitude of the actuators' force on the ring", ""},
+    {"orbit", "Orbits", "um", "rotor solid, ring dotted", "square"},
+    {"relative", "Rotor in the ring", "um", "relative to the ring's centre; dashed: the clearance",
+     "square"},
+};
+
+bool over_time(const std::string& key) {
+  return key != "impacts" && key != "orbit" && key != "relative";
+}
+
+struct Rows {
+  std::size_t first, last;
+};
+
+Rows rows_of(const Values& t, const Window& window) {
+  const auto first = std::lower_bound(t.begin(), t.end(), window.from);
+  const auto last = std::upper_bound(first, t.end(), window.to);
+  return {static_cast<std::size_t>(first - t.begin()), static_cast<std::size_t>(last - t.begin())};
+}
+
+json time_series(const Values& t, const Values& y, const std::vector<Window>& windows) {
+  json out = json::array();
+  for (const Window& window : windows) {
+    const auto [first, last] = rows_of(t, window);
+    const auto kept = thin(y, first, last, kPlotBuckets);
+    out.push_back({{"t", pick(t, kept, 8)}, {"y", pick(y, kept, 6)}});
+  }
+  return out;
+}
+
+json curves(const Values& t, const Values& x, const Values& y, const std::vector<Window>& windows) {
+  json out = json::array();
+  for (const Window& window : windows) {
+    const auto [first, last] = rows_of(t, window);
+    const auto kept = thin_curve(x, y, first, last, kPlotBuckets / 2);
+    out.push_back({{"x", pick(x, kept, 6)}, {"y", pick(y, kept, 6)}});
+  }
+  return out;
+}
+
+json impact_data(const Trajectory& trajectory) {
+  std::vector<std::size_t> counted;
+  Values t, impulse;
+  for (const Impact& impact : trajectory.impacts) {
+    if (!counts(impact) || impact.normal_impulse <= 0.0) continue;
+    t.push_back(impact.t);
+    impulse.push_back(1e3 * impact.normal_impulse);
+  }
+  const auto kept = thin(impulse, 0, impulse.size(), kPlotBuckets);
+  return {{"t", pick(t, kept, 8)}, {"y", pick(impulse, kept, 5)}};
+}
+
+json side_data(const Side& side, const std::vector<PlotKind>& kinds,
+               const std::vector<Window>& windows) {
+  const Trajectory& trajectory = side.trajectory;
+  const Values& t = trajectory.column("t");
+  json series = json::object();
+  for (const PlotKind& kind : kinds) {
+    if (!over_time(kind.key)) continue;
+    const Values y = series_of(kind.key, trajectory);
+    if (!y.empty()) series[kind.key] = time_series(t, y, windows);
+  }
+  const Values rotor_x = scaled(trajectory.column("rotor_x"), kMicro);
+  const Values rotor_y = scaled(trajectory.column("rotor_y"), kMicro);
+  const Values ring_x = scaled(trajectory.column("stator_x"), kMicro);
+  const Values ring_y = scaled(trajectory.column("stator_y"), kMicro);
+  Values x(t.size()), y(t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    x[i] = rotor_x[i] - ring_x[i];
+    y[i] = rotor_y[i] - ring_y[i];
+  }
+  return {{"label", side.label},
+          {"series", series},
+          {"rotor", curves(t, rotor_x, rotor_y, windows)},
+          {"ring", curves(t, ring_x, ring_y, windows)},
+          {"relative", curves(t, x, y, windows)},
+          {"impacts", impact_data(trajectory)}};
+}
+
+}  // namespace
+
+std::vector<Window> plot_windows(const SceneComparison& comparison) {
+  const scene::Scene& scene = comparison.scene;
+  const double end = scene.run.end;
+  const double speed = std::abs(scene.rotor.speed);
+  const double turn = speed > 0.0 ? std::min(kTurn / speed, end) : 0.05 * end;
+
+  std::vector<Window> windows{{"whole run", 0.0, end}};
+  double touch = end;
+  for (const Side& side : comparison.sides) {
+    touch = std::min(touch, side.metrics.first_touch.value_or(end));
+  }
+  if (touch < end) {
+    windows.push_back({"first contact", std::max(0.0, touch - 0.1 * turn),
+                       std::min(end, touch + turn)});
+  }
+  windows.push_back({"last turns", std::max(0.0, end - 2.0 * turn), end});
+  return windows;
+}
+
+std::vector<PlotKind> plot_kinds(const SceneComparison& comparison) {
+  std::vector<PlotKind> kinds;
+  for (const PlotKind& kind : kKinds) {
+    const bool has_data = std::any_of(
+        comparison.sides.begin(), comparison.sides.end(), [&](const Side& side) {
+          return !over_time(kind.key) || !series_of(kind.key, side.trajectory).empty();
+        });
+    if (has_data) kinds.push_back(kind);
+  }
+  return kinds;
+}
+
+json plot_data(const SceneComparison& comparison) {
+  const auto windows = plot_windows(comparison);
+  const auto kinds = plot_kinds(comparison);
+  json sides = json::array();
+  for (const Side& side : comparison.sides) sides.push_back(side_data(side, kinds, windows));
+  json spans = json::array();
+  for (const Window& w : windows) {
+    spans.push_back({{"name", w.name}, {"from", w.from}, {"to", w.to}});
+  }
+  return {{"name", comparison.scene.name},
+          {"clearance", comparison.scene.contact ? comparison.scene.contact->clearance : 0.0},
+          {"windows", spans},
+          {"first_window", 0},
+          {"sides", sides}};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,22 @@
+// A page from a template and values: the subset of Mustache (mustache(5)) that the report needs.
+//
+//   {{name}}             the value, with & < > " ' escaped for HTML
+//   {{{name}}}           the value as it is
+//   {{#name}}..{{/name}} once for each element of an array, once inside an object, once if true or a
+//                        non-empty string or number; nothing for null, false, "" and []
+//   {{^name}}..{{/name}} only where the section above would give nothing
+//   {{.}}                the current value;  a.b: a member of a member
+// Names are looked up from the innermost section outwards.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+namespace rotorub {
+
+// Throws std::invalid_argument for a name that is nowhere in `values` and for a section that is not
+// closed: a mistake in the template must not become a gap in the page.
+std::string fill_template(std::string_view text, const nlohmann::json& values);
+
+}  // namespace rotorub

@@ -1,0 +1,38 @@
+// The figures that runs are compared by: one list that the table, the JSON, the page and the split
+// into model gap and step error all go by.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "compare/metrics/metrics.h"
+
+namespace rotorub {
+
+// How the difference of two values is judged and written.
+enum class Scale {
+  kRelative,  // difference / value of the native side
+  kPoints     // difference itself: shares of time, in points
+};
+
+struct Figure {
+  const char* key;      // in JSON
+  const char* label;    // in tables
+  const char* unit;     // of the value as written
+  double per_unit;      // written value = value in SI * per_unit
+  Scale scale;
+  bool judged;          // the tolerance is on it
+  bool split;           // converges with the step: split into model gap and step error
+  const char* meaning;  // one sentence
+  double (*value)(const Metrics&);
+};
+
+std::span<const Figure> figures();
+// Asserts that the key is one of the list.
+const Figure& figure(const std::string& key);
+
+// Difference on the scale of a figure, as a share (0.01: 1 % or 1 point); 0 for two zeros, infinite
+// where the native value alone is 0 on a relative scale.
+double deviation(const Figure& figure, double native, double other);
+
+}  // namespace rotorub

@@ -1,0 +1,44 @@
+#include "compare/study/format.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rotorub {
+
+std::string short_number(double value) {
+  if (value == 0.0) return "0";
+  const double size = std::abs(value);
+  if (!std::isfinite(value)) return value > 0.0 ? "∞" : value < 0.0 ? "-∞" : "not a number";
+  if (size >= 1e6 || size < 1e-3) return fmt::format("{:.2e}", value);
+  if (value == std::round(value)) return fmt::format("{:.0f}", value);
+  // Four significant digits, without an exponent.
+  const int decimals = std::max(0, 3 - static_cast<int>(std::floor(std::log10(size))));
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string figure_value(const Figure& figure, double value) {
+  return short_number(value * figure.per_unit);
+}
+
+std::string deviation_text(const Figure& figure, double deviation) {
+  const char* unit = figure.scale == Scale::kPoints ? "pts" : "%";
+  if (!std::isfinite(deviation)) return deviation > 0.0 ? "+∞" : "-∞";
+  const double percent = 100.0 * deviation;
+  const double size = std::abs(percent);
+  if (size < 0.005) return fmt::format("0.00 {}", unit);
+  if (size < 10.0) return fmt::format("{:+.2f} {}", percent, unit);
+  if (size < 1e4) return fmt::format("{:+.0f} {}", percent, unit);
+  return fmt::format("{:+.1e} {}", percent, unit);
+}
+
+std::string percent_text(double share) { return fmt::format("{:.6g} %", 100.0 * share); }
+
+std::string time_text(double seconds) {
+  if (seconds == 0.0) return "0 s";
+  if (std::abs(seconds) < 1e-3) return fmt::format("{:.6g} us", 1e6 * seconds);
+  if (std::abs(seconds) < 0.1) return fmt::format("{:.6g} ms", 1e3 * seconds);
+  return fmt::format("{:.6g} s", seconds);
+}
+
+}  // namespace rotorub

@@ -1,0 +1,179 @@
+#include "compare/study/json.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "compare/study/verdict.h"
+#include "compare/version.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+json or_null(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
+
+json residuals_json(const Residuals& r) {
+  return {{"force_scale", r.force_scale},       {"penetration", r.penetration},
+          {"adhesion", r.adhesion},             {"complementarity", r.complementarity},
+          {"cone", r.cone},                     {"sliding", r.sliding},
+          {"power", r.power},                   {"gap_error", r.gap_error}};
+}
+
+json divergence_json(const Divergence& d) {
+  return {{"threshold", d.threshold},
+          {"time", or_null(d.time)},
+          {"max_distance", d.max_distance},
+          {"rms_distance", d.rms_distance}};
+}
+
+json extrapolation_json(const Extrapolation& e) {
+  return {{"values", e.values}, {"limit", e.limit}, {"order", e.order},
+          {"uncertainty", e.uncertainty}, {"valid", e.valid}, {"reason", e.reason}};
+}
+
+json split_json(const Split& s) {
+  return {{"model_gap", s.model_gap},
+          {"step_error", s.step_error},
+          {"native_step_error", s.native_step_error},
+          {"uncertainty", s.uncertainty},
+          {"valid", s.valid},
+          {"reason", s.reason}};
+}
+
+json impact_json(const std::optional<Impact>& impact) {
+  if (!impact) return nullptr;
+  return {{"t", impact->t},
+          {"normal_impulse", impact->normal_impulse},
+          {"friction_impulse", impact->friction_impulse}};
+}
+
+json side_json(const scene::Scene& scene, const Side& side) {
+  json limits = json::object();
+  for (std::size_t k = 0; k < side.limits.size(); ++k) {
+    if (figures()[k].split) limits[figures()[k].key] = extrapolation_json(side.limits[k]);
+  }
+  return {{"engine", side.engine},
+          {"summary", summary_json(scene, side.trajectory)},
+          {"metrics", metrics_json(side.metrics)},
+          {"step_to_zero", limits},
+          {"timing",
+           {{"us_per_step", side.timing.us_per_step},
+            {"median", side.timing.median},
+            {"lowest", side.timing.lowest},
+            {"highest", side.timing.highest}}}};
+}
+
+json difference_json(const SceneComparison& comparison, const Side& side,
+                     const SideDifference& difference) {
+  json by_figure = json::object();
+  for (const FigureDifference& f : difference.figures) {
+    json entry = {{"native", f.native},
+                  {"other", f.other},
+                  {"difference", f.other - f.native},
+                  {"deviation", f.deviation},
+                  {"twin_deviation", f.floor},
+                  {"judged", f.figure->judged}};
+    if (f.figure->judged) entry["within"] = f.within;
+    if (f.figure->split) entry["split"] = split_json(f.split);
+    by_figure[f.figure->key] = std::move(entry);
+  }
+  json impacts = json::array();
+  for (const ImpactPair& pair : difference.impacts) {
+    impacts.push_back({{"native", impact_json(pair.a)}, {"other", impact_json(pair.b)}});
+  }
+  return {{"within", difference.within},
+          {"decides", difference.trusted_as_default},
+          {"headline", headline(comparison, side, difference)},
+          {"reasons", difference.reasons},
+          {"figures", by_figure},
+          {"divergence", divergence_json(difference.divergence)},
+          {"impacts", impacts}};
+}
+
+}  // namespace
+
+json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
+  const Statistics& s = trajectory.statistics;
+  const double us = trajectory.steps > 0
+                        ? 1e6 * trajectory.wall_s / static_cast<double>(trajectory.steps)
+                        : 0.0;
+  return {{"program", "rotorub"},
+          {"version", program_version()},
+          {"mujoco_version", mujoco_version()},
+          {"scene", scene.name},
+          {"scene_hash", scene::scene_hash(scene)},
+          {"engine", trajectory.engine},
+          {"integrator", trajectory.integrator},
+          {"contact_model", trajectory.contact_model},
+          {"step", trajectory.step},
+          {"steps", trajectory.steps},
+          {"end", trajectory.end},
+          {"wall_s", trajectory.wall_s},
+          {"us_per_step", us},
+          {"max_penetration", s.max_penetration},
+          {"contact_fraction", trajectory.contact_fraction()},
+          {"mean_force", trajectory.mean_force()},
+          {"impulse_total", s.impulse_total},
+          {"impacts", std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), counts)},
+          {"energy_residual", s.energy_residual()},
+          {"status", to_string(trajectory.status)},
+          {"message", trajectory.message}};
+}
+
+json metrics_json(const Metrics& m) {
+  json all = json::object();
+  for (const Figure& f : figures()) all[f.key] = f.value(m);
+  all["first_touch"] = or_null(m.first_touch);
+  all["friction_impulse"] = m.friction_impulse;
+  all["real_time_factor"] = m.real_time_factor;
+  all["settled"] = {{"attractor", to_string(m.settled.attractor)},
+                    {"from", m.settled.from},
+                    {"contact_share", m.settled.contact_share},
+                    {"whirl_frequency", m.settled.whirl_frequency},
+                    {"spin_speed", m.settled.spin_speed},
+                    {"impacts", m.settled.impacts}};
+  all["residuals"] = residuals_json(m.residuals);
+  return all;
+}
+
+json comparison_json(const SceneComparison& comparison) {
+  json sides = json::object();
+  for (const Side& side : comparison.sides) {
+    sides[side.label] = side_json(comparison.scene, side);
+  }
+  json differences = json::object();
+  for (std::size_t k = 0; k < comparison.differences.size(); ++k) {
+    const Side& side = comparison.sides[k + 1];
+    differences[side.label] = difference_json(comparison, side, comparison.differences[k]);
+  }
+  return {{"scene", comparison.scene.name},
+          {"scene_hash", scene::scene_hash(comparison.scene)},
+          {"step", comparison.scene.run.step},
+          {"end", comparison.scene.run.end},
+          {"status", to_string(comparison.status())},
+          {"within", comparison.within()},
+          {"runs", sides},
+          {"differences", differences},
+          {"twin", divergence_json(comparison.twin)}};
+}
+
+json comparisons_json(const std::vector<SceneComparison>& comparisons) {
+  json scenes = json::array();
+  bool within = !comparisons.empty();
+  for (const SceneComparison& c : comparisons) {
+    scenes.push_back(comparison_json(c));
+    within = within && c.within();
+  }
+  return {{"program", "rotorub"},
+          {"version", program_version()},
+          {"mujoco_version", mujoco_version()},
+          {"mode", "lockstep"},
+          {"contact", to_string(kDefaultContact)},
+          {"tolerance", comparisons.empty() ? 0.0 : comparisons.front().tolerance},
+          {"within", within},
+          {"scenes", scenes}};
+}
+
+}  // namespace rotorub

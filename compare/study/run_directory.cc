@@ -1,0 +1,162 @@
+#include "compare/study/run_directory.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+#include "compare/study/json.h"
+#include "native_model/scene/reader.h"
+#include "native_model/trajectory/output.h"
+
+namespace rotorub {
+namespace {
+
+using std::filesystem::path;
+
+constexpr const char* kSeries = "series.csv";
+constexpr const char* kImpacts = "impacts.csv";
+constexpr const char* kEvents = "events.csv";
+constexpr const char* kScene = "scene.toml";
+constexpr const char* kSummary = "summary.json";
+
+std::string text_of(const path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  while (true) {
+    const std::size_t comma = line.find(',');
+    fields.push_back(line.substr(0, comma));
+    if (comma == std::string_view::npos) return fields;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+// Calls row(fields, line number) for every line after the header, which it returns.
+template <class Row>
+std::vector<std::string> read_csv(const path& file, Row row) {
+  const std::string text = text_of(file);
+  std::vector<std::string> header;
+  std::size_t at = 0;
+  for (int number = 1; at < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const auto fields = fields_of(std::string_view(text).substr(at, end - at));
+    at = end + 1;
+    if (header.empty()) {
+      header.assign(fields.begin(), fields.end());
+    } else if (fields.size() != header.size()) {
+      throw std::runtime_error(fmt::format("{}:{}: {} fields where the header has {}",
+                                           file.string(), number, fields.size(), header.size()));
+    } else {
+      row(fields, number);
+    }
+  }
+  if (header.empty()) throw std::runtime_error(file.string() + " is empty");
+  return header;
+}
+
+double number_of(std::string_view field, const path& file, int line) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size()) {
+    throw std::runtime_error(
+        fmt::format("{}:{}: `{}` is not a number", file.string(), line, field));
+  }
+  return value;
+}
+
+double value_of(std::string_view field, const path& file, int line) {
+  for (const Mode mode : {Mode::kFree, Mode::kSlide, Mode::kStick}) {
+    if (field == to_string(mode)) return static_cast<double>(mode);
+  }
+  return number_of(field, file, line);
+}
+
+void read_series(const path& file, Trajectory& trajectory) {
+  std::vector<std::vector<double>> columns;
+  const auto header = read_csv(file, [&](const auto& fields, int line) {
+    columns.resize(fields.size());
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      columns[k].push_back(value_of(fields[k], file, line));
+    }
+  });
+  columns.resize(header.size());
+  for (std::size_t k = 0; k < header.size(); ++k) {
+    trajectory.series.push_back({header[k], "", std::move(columns[k])});
+  }
+}
+
+void read_impacts(const path& file, Trajectory& trajectory) {
+  read_csv(file, [&](const auto& fields, int line) {
+    if (fields.size() != 8) {
+      throw std::runtime_error(fmt::format("{}:{}: not eight columns", file.string(), line));
+    }
+    const auto value = [&](std::size_t k) { return number_of(fields[k], file, line); };
+    trajectory.impacts.push_back({value(0), value(1), value(2), value(3), value(4), value(5),
+                                  value(6), value(7)});
+  });
+}
+
+Status status_of(const std::string& name) {
+  for (const Status status : {Status::kOk, Status::kDiverged, Status::kNoSolution,
+                              Status::kAmbiguous, Status::kStepTooLarge, Status::kInterrupted}) {
+    if (name == to_string(status)) return status;
+  }
+  return Status::kDiverged;
+}
+
+nlohmann::json summary_of(const path& file) {
+  try {
+    return nlohmann::json::parse(text_of(file));
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+}  // namespace
+
+void write_run(const path& folder, const scene::Scene& scene, const Trajectory& trajectory) {
+  std::filesystem::create_directories(folder);
+  std::filesystem::remove(folder / kSummary);
+  write_series(trajectory, folder / kSeries);
+  write_impacts(trajectory, folder / kImpacts);
+  write_events(trajectory, folder / kEvents);
+  write_whole(folder / kScene, scene.text);
+  write_whole(folder / kSummary, summary_json(scene, trajectory).dump(2) + "\n");
+}
+
+StoredRun read_run(const path& folder) {
+  const nlohmann::json summary = summary_of(folder / kSummary);
+  StoredRun run;
+  Trajectory& t = run.trajectory;
+  try {
+    run.scene = scene::parse_scene(text_of(folder / kScene),
+                                   summary.at("scene").get<std::string>() + ".toml");
+    t.engine = summary.at("engine");
+    t.integrator = summary.at("integrator");
+    t.contact_model = summary.at("contact_model");
+    t.step = summary.at("step");
+    t.steps = summary.at("steps");
+    t.end = summary.at("end");
+    t.status = status_of(summary.at("status"));
+    t.message = summary.at("message");
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(
+        fmt::format("{}: {}", (folder / kSummary).string(), error.what()));
+  }
+  read_series(folder / kSeries, t);
+  read_impacts(folder / kImpacts, t);
+  return run;
+}
+
+}  // namespace rotorub
