@@ -173,9 +173,9 @@ struct Controller {
   double on = 0.0;           // s, switch-on time
   double sample_time = 0.0;  // s, >= 0; 0: continuous
   // sliding mode with boundary layer (22)-(29), tracking q_fd = r_rotor - (delta_0 - g_d) e_r
-  double bandwidth = 2000.0;      // 1/s, psi, > 0
-  double boundary_layer = 0.02;   // m/s, phi, > 0
-  double switching_gain = 200.0;  // m/s^2, k, >= 0: bound on the unknown acceleration
+  double bandwidth = 1500.0;      // 1/s, psi, > 0
+  double boundary_layer = 0.03;   // m/s, phi, > 0
+  double switching_gain = 120.0;  // m/s^2, k, >= 0: bound on the unknown acceleration
   double gap_time = 0.008;        // s, > 0: the gap reference falls smoothly to 0 in this time
   // With the gap reference at 0 the ring is pressed on the rotor by so much; the contact carries
   // preload / (1 + M_f / m), m the rotor's effective mass at the contact. 0 leaves the two grazing.
