@@ -31,9 +31,10 @@ function(rotorub_test_support)
   endif()
 endfunction()
 
-# rotorub_tests(<area> [<target>...]): the test programs of tests/<area>, linked with the targets.
-# `ninja tests_<area>` builds them.
+# rotorub_tests(<area> [LINK <target>...] [START <target>...]): the test programs of tests/<area>, linked with
+# the targets of LINK. `ninja tests_<area>` builds them, and what they start or preload (START).
 function(rotorub_tests area)
+  cmake_parse_arguments(ARG "" "" "LINK;START" ${ARGN})
   file(
     GLOB_RECURSE sources CONFIGURE_DEPENDS
     RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}"
@@ -52,15 +53,14 @@ function(rotorub_tests area)
     list(FILTER units INCLUDE REGEX "^${folder}/[^/]+$")
     string(REPLACE "/" "_" name "test_${folder}")
     add_executable(${name} ${units})
-    target_link_libraries(${name} PRIVATE ${ARGN} rotorub_test_support GTest::gtest_main
+    target_link_libraries(${name} PRIVATE ${ARG_LINK} rotorub_test_support GTest::gtest_main
                                           rotorub_warnings)
     target_compile_definitions(${name} PRIVATE ${ROTORUB_TEST_DEFINITIONS})
     add_dependencies(tests_${area} ${name})
     rotorub_discover(${name} ${area})
   endforeach()
 
-  # Some tests start the program or preload the plugin.
-  foreach(product rotorub rotorub_mujoco)
+  foreach(product IN LISTS ARG_START)
     if(TARGET ${product})
       add_dependencies(tests_${area} ${product})
     endif()
