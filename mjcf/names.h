@@ -48,7 +48,10 @@ inline constexpr const char* kNormalForce = "normal_force";      // N
 inline constexpr const char* kFrictionForce = "friction_force";  // N, on the rotor along e_t
 inline constexpr const char* kControlForce = "control_force";    // N, x and y, on the ring
 
-// mjData.userdata entries that the plugin uses (plugin/state.h)
-inline constexpr int kUserData = 12;
+// mjData.userdata entries that the plugin uses (plugin/user_data.h)
+inline constexpr int kUserDataSingle = 12;
+inline int user_data_size(int nq, bool controlled) {
+  return kUserDataSingle + (controlled ? 2 * nq : 0);
+}
 
 }  // namespace rotorub::mjcf_names

@@ -63,13 +63,15 @@ void control(const mjModel* m, mjData* d) {
   if (!config) return;
   const Coordinates state(*config, d);
   note_first_touch(*config, d, state);
-  write_command(*config, d, state);
+  write_command(*config, m, d, state);
   if (!config->model.contact) return;
   refresh_velocity_stage(m, d);
   d->userdata[kFrictionForce] = 0.0;
-  d->userdata[kMode] = 0.0;
   const mjContact* contact = find_contact(*config, d);
-  if (!contact) return;
+  if (!contact) {
+    d->userdata[kMode] = 0.0;
+    return;
+  }
   if (config->contact == scene::ContactModel::kCoulomb) {
     apply_coulomb(*config, m, d, *contact, state);
   } else {
@@ -87,6 +89,11 @@ int pass_on(const mjModel* m, const mjData* d, mjContact* con, int g1, int g2, m
   return collision_hook.previous ? collision_hook.previous(m, d, con, g1, g2, margin) : 0;
 }
 
+// The pair's, where the model has one; it is not among the arguments of every version.
+double margin_of(const mjModel* m, const Config& config) {
+  return config.pair >= 0 ? m->pair_margin[config.pair] : 0.0;
+}
+
 // The arguments of mjfCollision have changed between MuJoCo's versions; whatever they are, they
 // are taken from its type.
 template <typename Function>
@@ -99,7 +106,7 @@ struct Collision<int (*)(Model, Data, Contact, int, int, Rest...)> {
     const bool ours = config && ((g1 == config->rotor_geom && g2 == config->ring_geom) ||
                                  (g1 == config->ring_geom && g2 == config->rotor_geom));
     if (!ours) return pass_on(m, d, con, g1, g2, rest...);
-    return collide_annular(*config, d, con, g1, g2);
+    return collide_annular(*config, d, con, g1, margin_of(m, *config));
   }
 };
 

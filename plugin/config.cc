@@ -80,6 +80,18 @@ void map_contact(const mjModel* m, Config& config) {
   };
   check(config.rotor_geom, names::kRotorContact, mjGEOM_SPHERE, "sphere");
   check(config.ring_geom, names::kRingContact, mjGEOM_CAPSULE, "capsule");
+  for (int i = 0; i < m->npair; ++i) {
+    const int a = m->pair_geom1[i], b = m->pair_geom2[i];
+    if ((a == config.rotor_geom && b == config.ring_geom) ||
+        (a == config.ring_geom && b == config.rotor_geom)) {
+      config.pair = i;
+    }
+  }
+  if (config.pair < 0) {
+    throw ConfigError("rotorub: <contact><pair geom1=\"" + std::string(names::kRotorContact) +
+                      "\" geom2=\"" + names::kRingContact +
+                      "\">: missing, but the scene in <custom> has a contact");
+  }
 }
 
 void map_actuators(const mjModel* m, Config& config) {
@@ -144,9 +156,9 @@ Config make_config(const mjModel* m) {
   if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
     throw ConfigError(in_text(names::kSceneText, "mujoco.rotor: accepted: \"modal\""));
   }
-  if (m->nuserdata < names::kUserData) {
-    throw ConfigError("rotorub: <size nuserdata>: at least " + std::to_string(names::kUserData) +
-                      " needed");
+  const int needed = names::user_data_size(config.model.nq(), config.model.controller != nullptr);
+  if (m->nuserdata < needed) {
+    throw ConfigError("rotorub: <size nuserdata>: at least " + std::to_string(needed) + " needed");
   }
   map_joints(m, config);
   if (scene.contact) {

@@ -27,6 +27,7 @@ struct Config {
   bool same_order = false;  // both are 0, 1, 2, ...
 
   int rotor_geom = -1, ring_geom = -1;  // of the contact pair; -1 without [contact]
+  int pair = -1;                        // their <pair>
   int actuator[2] = {-1, -1};           // -1 without actuators
   SensorAddresses sensors;
 

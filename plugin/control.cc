@@ -5,6 +5,7 @@
 
 #include "native_model/system/dynamics.h"
 #include "plugin/user_data.h"
+#include "plugin/velocity_history.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -26,9 +27,11 @@ void note_first_touch(const Config& config, mjData* d, const Coordinates& state)
   }
 }
 
-void write_command(const Config& config, mjData* d, const Coordinates& state) {
+void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
   const Model& model = config.model;
   if (!model.controller) return;
+  double v[kMaxCoordinates];
+  velocity_at_time(config, m, d, state, v);
   // Before it is on: 0, the value of mj_resetData.
   Eigen::Vector2d u{d->userdata[kHeldX], d->userdata[kHeldY]};
   if (d->time >= model.control_on) {
@@ -37,7 +40,7 @@ void write_command(const Config& config, mjData* d, const Coordinates& state) {
                               ? 1.0 + std::floor(d->time / model.sample_time * (1.0 + 1e-12))
                               : 0.0;
     if (sample == 0.0 || sample != d->userdata[kSample]) {
-      u = control_force(model, d->time, state.q(), state.v(), first_touch(d));
+      u = control_force(model, d->time, state.q(), v, first_touch(d));
       d->userdata[kHeldX] = u.x();
       d->userdata[kHeldY] = u.y();
       d->userdata[kSample] = sample;

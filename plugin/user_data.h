@@ -1,5 +1,6 @@
 // The plugin's entries in mjData.userdata: all of its memory, so that resetting and copying an
-// mjData takes it along. mj_resetData makes them 0.
+// mjData takes it along. mj_resetData makes them 0. After the single entries, with a controller:
+// the velocities of the last two forward passes, nq each (velocity_history.h).
 #pragma once
 
 #include "mjcf/names.h"
@@ -16,8 +17,11 @@ enum UserDataEntry : int {
   kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last (`coulomb`)
   kMode,           // number of the Mode of that pass
   kPassiveFresh,   // 1 between mjcb_passive and mjcb_control
-  kUserDataUsed
+  kHistoryLength,  // forward passes in the history: 0, 1, 2
+  kEarlierTime,    // s, of the one before
+  kLatestTime,     // s, of the latest
+  kUserDataSingle
 };
-static_assert(kUserDataUsed <= mjcf_names::kUserData);
+static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
 
 }  // namespace rotorub::plugin

@@ -6,7 +6,7 @@
 
 namespace rotorub::plugin {
 
-int collide_annular(const Config& config, const mjData* d, mjContact* con, int g1, int) {
+int collide_annular(const Config& config, const mjData* d, mjContact* con, int g1, double margin) {
   const ContactParameters& c = *config.model.contact;
   const mjtNum* rotor = d->geom_xpos + 3 * config.rotor_geom;
   // The ring's geom is a rod beside the plane; its x and y are the ring's.
@@ -14,7 +14,7 @@ int collide_annular(const Config& config, const mjData* d, mjContact* con, int g
   const double dx = rotor[0] - ring[0], dy = rotor[1] - ring[1];
   const double delta = std::sqrt(dx * dx + dy * dy);
   const double gap = c.clearance - delta;
-  if (!(gap < 0.0) || delta <= kNoNormal) return 0;
+  if (!(gap < margin) || delta <= kNoNormal) return 0;
 
   const double ex = dx / delta, ey = dy / delta;
   // MuJoCo's normal points from geom 1 to geom 2; a force on geom 2 along it is positive. The disc

@@ -7,11 +7,12 @@
 
 namespace rotorub::plugin {
 
-// Fills con[0] where the disc has passed the clearance, and returns the number of contacts (0, 1).
+// Fills con[0] where the gap is below the pair's margin, and returns the number of contacts (0, 1).
 // dist is the gap g_N (negative: penetration), the frame (e_r, e_t, e_z) seen from the rotor's geom
 // (turned where it is the second), the position the rotor's surface point, so that the lever arm of
-// friction about the rotor's axis is its radius. con: at least one, uninitialised.
-int collide_annular(const Config& config, const mjData* d, mjContact* con, int g1, int g2);
+// friction about the rotor's axis is its radius. con: at least one, uninitialised; g1: the first
+// geom.
+int collide_annular(const Config& config, const mjData* d, mjContact* con, int g1, double margin);
 
 // The contact of the pair in this forward pass, or null: none, or not handed to the solver.
 const mjContact* find_contact(const Config& config, const mjData* d);

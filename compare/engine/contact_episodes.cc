@@ -1,0 +1,45 @@
+#include "compare/engine/contact_episodes.h"
+
+#include <algorithm>
+
+namespace rotorub {
+
+void ContactEpisodes::step(const SoftStep& s) {
+  const bool pressed = s.normal > 0.0;
+  if (pressed && !open_) {
+    open_ = true;
+    // The gap was open a step earlier: it closed where the line between the two meets 0.
+    const double fall = last_gap_ - s.before.gap;
+    const double share = fall > 0.0 && s.t > 0.0 ? std::clamp(-s.before.gap / fall, 0.0, 1.0) : 0.0;
+    impact_ = Impact{};
+    impact_.t = s.t - share * s.h;
+    impact_.gap_rate_before = s.before.gap_rate;
+    impact_.slip_before = s.before.slip;
+    recorder_->add(Event{impact_.t, EventKind::kImpact});
+  }
+  if (s.mode != mode_) {
+    recorder_->add(Event{s.t, s.mode == Mode::kSlide   ? EventKind::kSlide
+                              : s.mode == Mode::kStick ? EventKind::kStick
+                                                       : EventKind::kLiftOff});
+    mode_ = s.mode;
+  }
+  if (pressed) {
+    impact_.normal_impulse += s.h * s.normal;
+    impact_.friction_impulse += s.h * s.friction;
+    impact_.energy_change += 0.5 * s.h *
+                             (s.normal * (s.before.gap_rate + s.after.gap_rate) +
+                              s.friction * (s.before.slip + s.after.slip));
+    impact_.gap_rate_after = s.after.gap_rate;
+    impact_.slip_after = s.after.slip;
+  } else {
+    finish();
+  }
+  last_gap_ = s.before.gap;
+}
+
+void ContactEpisodes::finish() {
+  if (open_) recorder_->add(impact_);
+  open_ = false;
+}
+
+}  // namespace rotorub

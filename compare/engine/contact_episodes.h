@@ -1,0 +1,33 @@
+// Impacts and changes of mode of a soft contact: an impact is an episode of contact, from the
+// instant the gap closes to the first step without a force, the impulses integrated over it.
+#pragma once
+
+#include "native_model/contact/kinematics.h"
+#include "native_model/trajectory/recorder.h"
+
+namespace rotorub {
+
+// One fixed step: the states at both ends and the contact force held over it.
+struct SoftStep {
+  double t = 0.0, h = 0.0;  // s, begin and length
+  ContactPoint before, after;
+  double normal = 0.0;    // N, >= 0
+  double friction = 0.0;  // N, on the rotor along e_t
+  Mode mode = Mode::kFree;
+};
+
+class ContactEpisodes {
+ public:
+  explicit ContactEpisodes(Recorder& recorder) : recorder_(&recorder) {}
+  void step(const SoftStep& step);
+  void finish();  // closes the episode that is open
+
+ private:
+  Recorder* recorder_;
+  bool open_ = false;
+  Impact impact_;
+  Mode mode_ = Mode::kFree;
+  double last_gap_ = 0.0;  // m, one step earlier
+};
+
+}  // namespace rotorub

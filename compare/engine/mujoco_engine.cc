@@ -1,0 +1,204 @@
+#include "compare/engine/mujoco_engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "compare/engine/contact_episodes.h"
+#include "compare/engine/mujoco_messages.h"
+#include "compare/engine/mujoco_model.h"
+#include "mjcf/writer.h"
+#include "native_model/integrate/paper.h"
+#include "native_model/system/dynamics.h"
+#include "native_model/trajectory/recorder.h"
+#include "plugin/config.h"
+#include "plugin/contact/forces.h"
+#include "plugin/control.h"
+#include "plugin/hooks.h"
+
+namespace rotorub {
+namespace {
+
+// What a step left behind: the state at its end and the forces that acted over it.
+struct StepResult {
+  plugin::ContactForces forces;
+  Eigen::Vector2d control{0.0, 0.0};
+};
+
+// Steps in chunks, so that only mj_step and the copying of its results are timed.
+class ChunkedRun {
+ public:
+  ChunkedRun(const mjModel* m, const plugin::Config& config)
+      : m_(m), config_(config), data_(make_start(m)), results_(kChunk) {
+    states_.resize(2 * kChunk * size());
+    for (std::size_t i = 0; i < size(); ++i) read_state(i);
+  }
+
+  static constexpr std::size_t kChunk = 256;
+
+  // Up to `wanted` steps; the number that were good.
+  std::size_t advance(std::size_t wanted) {
+    const std::size_t count = std::min(wanted, kChunk);
+    const auto start = std::chrono::steady_clock::now();
+    std::size_t done = 0;
+    for (; done < count && !failed_; ++done) {
+      mj_step(m_, data_.get());
+      failed_ = bad();
+      if (failed_) break;
+      StepResult& r = results_[done];
+      r.forces = plugin::contact_forces(config_, data_.get());
+      r.control = plugin::actuator_force(config_, data_.get());
+      double* q = states_.data() + 2 * done * size();
+      for (std::size_t i = 0; i < size(); ++i) {
+        q[i] = data_->qpos[config_.qpos_address[i]];
+        q[size() + i] = data_->qvel[config_.dof_address[i]];
+      }
+    }
+    wall_ += std::chrono::steady_clock::now() - start;
+    return done;
+  }
+
+  const StepResult& result(std::size_t i) const { return results_[i]; }
+  const double* q(std::size_t i) const { return states_.data() + 2 * i * size(); }
+  const double* v(std::size_t i) const { return q(i) + size(); }
+  const double* start_q() const { return start_.data(); }
+  const double* start_v() const { return start_.data() + size(); }
+  bool failed() const { return failed_; }
+  double wall() const { return wall_.count(); }
+
+ private:
+  std::size_t size() const { return config_.qpos_address.size(); }
+
+  void read_state(std::size_t i) {
+    start_.resize(2 * size());
+    start_[i] = data_->qpos[config_.qpos_address[i]];
+    start_[size() + i] = data_->qvel[config_.dof_address[i]];
+  }
+
+  // MuJoCo resets a state that is not finite (or beyond 1e10) and warns.
+  bool bad() const {
+    const mjWarningStat* w = data_->warning;
+    return (w[mjWARN_BADQPOS].number | w[mjWARN_BADQVEL].number | w[mjWARN_BADQACC].number) != 0;
+  }
+
+  const mjModel* m_;
+  const plugin::Config& config_;
+  MujocoData data_;
+  std::vector<StepResult> results_;
+  std::vector<double> states_, start_;
+  bool failed_ = false;
+  std::chrono::duration<double> wall_{0.0};
+};
+
+scene::Scene with_options(const scene::Scene& scene, const MujocoOptions& options) {
+  if (scene.text.empty()) {
+    throw std::invalid_argument("scene " + scene.name +
+                                ": MuJoCo's plugin reads the scene's text, and it has none");
+  }
+  scene::Scene own = scene;
+  own.mujoco.contact = options.contact.value_or(scene.mujoco.contact);
+  own.run.step = options.step.value_or(scene.run.step);
+  return own;
+}
+
+const char* contact_name(scene::ContactModel contact) {
+  return contact == scene::ContactModel::kCone ? "cone" : "coulomb";
+}
+
+// Feeds the recorder.
+class Record {
+ public:
+  Record(const Model& model, double step, std::vector<double> times)
+      : model_(model), step_(step), recorder_(model, std::move(times)), episodes_(recorder_) {}
+
+  void begin(const double* q, const double* v) {
+    const Eigen::Vector2d u = control_force(model_, 0.0, q, v, scene::kNever);
+    recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, u});
+    point_ = contact_point(model_, q, v);
+  }
+
+  // Step k (from 0), time counted as k step.
+  void step(std::int64_t k, const double* q, const double* v, const StepResult& r) {
+    const double t = static_cast<double>(k) * step_;
+    const ContactPoint after = contact_point(model_, q, v);
+    if (model_.contact) {
+      episodes_.step({t, step_, point_, after, r.forces.normal, r.forces.friction, r.forces.mode});
+    }
+    recorder_.step({static_cast<double>(k + 1) * step_, q, v, r.forces.normal, r.forces.friction,
+                    r.forces.mode, r.control},
+                   step_ * r.forces.normal, step_ * r.forces.friction, false);
+    point_ = after;
+  }
+
+  Trajectory finish(double end) {
+    episodes_.finish();
+    return recorder_.finish(end);
+  }
+
+ private:
+  const Model& model_;
+  double step_;
+  Recorder recorder_;
+  ContactEpisodes episodes_;
+  ContactPoint point_;
+};
+
+}  // namespace
+
+Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
+  const scene::Scene scene = with_options(given, options);
+  const double step = scene.run.step;
+  const MujocoMessages messages;
+  const plugin::Hooks hooks;
+  const MujocoModel m = load_mjcf(mjcf(scene));
+  const plugin::Config config = plugin::make_config(m.get());
+  const Model& model = config.model;
+
+  ChunkedRun run(m.get(), config);
+  Record record(model, step, options.output_times.value_or(output_times(scene.run)));
+  record.begin(run.start_q(), run.start_v());
+
+  const auto steps = static_cast<std::int64_t>(std::ceil(scene.run.end / step - 1e-9));
+  Status status = Status::kOk;
+  std::string message = PaperStepper(model, step).refusal();
+  if (!message.empty()) status = Status::kStepTooLarge;
+  std::int64_t k = 0;
+  try {
+    while (k < steps && status == Status::kOk) {
+      const std::size_t good = run.advance(static_cast<std::size_t>(steps - k));
+      for (std::size_t i = 0; i < good; ++i, ++k) {
+        record.step(k, run.q(i), run.v(i), run.result(i));
+      }
+      if (run.failed()) {
+        status = Status::kDiverged;
+        const std::vector<std::string> warnings = messages.warnings();
+        message = warnings.empty() ? "the state is no longer finite" : warnings.back();
+      } else if (options.interrupt && options.interrupt->load(std::memory_order_relaxed)) {
+        status = Status::kInterrupted;
+        message = "interrupted";
+      }
+      if (options.progress) options.progress(static_cast<double>(k) / static_cast<double>(steps));
+    }
+  } catch (const MujocoError& error) {
+    status = Status::kDiverged;
+    message = error.what();
+  }
+
+  const double reached = static_cast<double>(k) * step;
+  Trajectory out = record.finish(status == Status::kOk ? scene.run.end : reached);
+  out.engine = "mujoco";
+  out.integrator = "euler";
+  out.contact_model = contact_name(scene.mujoco.contact);
+  out.step = step;
+  out.steps = k;
+  out.wall_s = run.wall();
+  out.status = status;
+  if (status != Status::kOk && status != Status::kStepTooLarge) {
+    message += " at t = " + std::to_string(reached) + " s";
+  }
+  out.message = message;
+  return out;
+}
+
+}  // namespace rotorub

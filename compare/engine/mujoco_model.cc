@@ -1,0 +1,39 @@
+#include "compare/engine/mujoco_model.h"
+
+#include <cstring>
+#include <stdexcept>
+
+#include "mjcf/names.h"
+
+namespace rotorub {
+
+MujocoModel load_mjcf(const std::string& document) {
+  // A file in memory; mjVFS is too large for the stack.
+  const auto files = std::make_unique<mjVFS>();
+  mj_defaultVFS(files.get());
+  constexpr const char* kFile = "scene.xml";
+  if (mj_makeEmptyFileVFS(files.get(), kFile, static_cast<int>(document.size())) != 0) {
+    throw std::runtime_error("MuJoCo: no memory for the model's document");
+  }
+  std::memcpy(files->filedata[mj_findFileVFS(files.get(), kFile)], document.data(),
+              document.size());
+  char error[1000] = "";
+  MujocoModel model(mj_loadXML(kFile, files.get(), error, sizeof error));
+  mj_deleteVFS(files.get());
+  if (!model) throw std::runtime_error(std::string("MuJoCo: ") + error);
+  return model;
+}
+
+MujocoData make_start(const mjModel* m) {
+  MujocoData data(mj_makeData(m));
+  if (!data) throw std::runtime_error("MuJoCo: no memory for mjData");
+  for (const char* name : {mjcf_names::kStartKey, mjcf_names::kTestKey}) {
+    const int key = mj_name2id(m, mjOBJ_KEY, name);
+    if (key < 0) continue;
+    mj_resetDataKeyframe(m, data.get(), key);
+    break;
+  }
+  return data;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,167 @@
+#include "mjcf/bodies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "mjcf/names.h"
+
+namespace rotorub {
+namespace {
+
+namespace names = mjcf_names;
+
+// What MuJoCo demands of a moving body (it takes no less than 1e-15). The inertia that the chain
+// has comes from the joints' armature; this much is added to it.
+constexpr const char* kMassless =
+    R"(<inertial pos="0 0 0" mass="1e-12" diaginertia="1e-12 1e-12 1e-12"/>)";
+
+// Half the thickness of the drawn disc over its radius; sizes below are in these terms, m.
+constexpr double kThickness = 0.15;
+constexpr double kRadiusWithoutContact = 0.02;
+
+class Bodies {
+ public:
+  Bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model)
+      : xml_(xml), scene_(scene), model_(model), radius_(drawn_radius(scene)) {}
+
+  void write() {
+    rotor();
+    rotor_nodes();
+    ring();
+  }
+
+ private:
+  void joint(const std::string& name, const char* type, const char* axis, int at) {
+    std::string text = fmt::format(R"(<joint name="{}" type="{}" axis="{}" armature="{}")", name,
+                                   type, axis, model_.mass[at]);
+    if (model_.stiffness[at] != 0.0) {
+      text += fmt::format(R"( stiffness="{}")", model_.stiffness[at]);
+    }
+    if (model_.damping[at] != 0.0) text += fmt::format(R"( damping="{}")", model_.damping[at]);
+    xml_.line(text + "/>");
+  }
+
+  // The bending modes whose contact shape is 1 (in the chain) or 0 (on the branch).
+  void bending_joints(double contact_shape) {
+    const Layout& l = model_.layout;
+    for (const bool y : {false, true}) {
+      const Eigen::VectorXd& shape = y ? model_.contact_shape.y : model_.contact_shape.x;
+      for (int k = 0; k < l.modes; ++k) {
+        if (shape[k] != contact_shape) continue;
+        joint(names::bending_joint(y ? 'y' : 'x', k + 1), "slide", y ? "0 1 0" : "1 0 0",
+              (y ? l.y() : l.x()) + k);
+      }
+    }
+  }
+  void torsion_joints(double contact_shape) {
+    const Layout& l = model_.layout;
+    for (int k = 0; k < l.torsion; ++k) {
+      if (model_.torsion_contact[k] != contact_shape) continue;
+      joint(names::torsion_joint(k + 1), "hinge", "0 0 1", l.theta() + k);
+    }
+  }
+
+  void rotor() {
+    const double r = radius_, half = kThickness * radius_;
+    xml_.open(fmt::format(R"(<body name="{}">)", names::kRotor));
+    xml_.line(kMassless);
+    bending_joints(1.0);
+    if (model_.layout.spin) joint(names::kSpinJoint, "hinge", "0 0 1", model_.layout.phi());
+    torsion_joints(1.0);
+    xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
+                          R"(conaffinity="0" group="1" rgba="0.72 0.74 0.78 1"/>)",
+                          names::kRotor, r, half));
+    // A mark that shows the spin.
+    xml_.line(fmt::format(R"(<geom name="rotor_mark" type="box" pos="{} 0 {}" size="{} {} {}" )"
+                          R"(mass="0" contype="0" conaffinity="0" group="1" )"
+                          R"(rgba="0.85 0.3 0.1 1"/>)",
+                          0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half));
+    if (scene_.contact) {
+      // Stands for the disc in the pair; its size is of no meaning.
+      xml_.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
+                            R"(conaffinity="0" group="4"/>)",
+                            names::kRotorContact, 0.1 * r));
+    }
+    xml_.close("body");
+  }
+
+  bool has_nodes() const {
+    const auto any = [](const Eigen::VectorXd& shape) {
+      return std::any_of(shape.begin(), shape.end(), [](double value) { return value == 0.0; });
+    };
+    return any(model_.contact_shape.x) || any(model_.contact_shape.y) ||
+           any(model_.torsion_contact);
+  }
+
+  void rotor_nodes() {
+    if (!has_nodes()) return;
+    xml_.open(fmt::format(R"(<body name="{}">)", names::kRotorNodes));
+    xml_.line(kMassless);
+    bending_joints(0.0);
+    torsion_joints(0.0);
+    xml_.close("body");
+  }
+
+  void ring() {
+    if (!scene_.contact && !scene_.stator) return;
+    const double half = kThickness * radius_;
+    xml_.open(fmt::format(R"(<body name="{}">)", names::kRing));
+    xml_.line(kMassless);  // of a fixed ring too: MuJoCo weighs it with the world
+    if (model_.layout.stator) {
+      joint(names::kRingX, "slide", "1 0 0", model_.layout.ring());
+      joint(names::kRingY, "slide", "0 1 0", model_.layout.ring() + 1);
+    }
+    const double clearance = scene_.contact ? scene_.contact->clearance : 0.0;
+    xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
+                          R"(conaffinity="0" group="1" rgba="0.2 0.45 0.7 0.25"/>)",
+                          names::kRing, radius_ + clearance, 0.9 * half));
+    if (scene_.contact) {
+      // A rod half a length above the plane: far from the rotor's sphere, with a bounding sphere
+      // that holds it wherever the two go.
+      const double length = 1.0 + 1000.0 * (radius_ + clearance);
+      xml_.line(fmt::format(R"(<geom name="{}" type="capsule" fromto="{} 0 {} {} 0 {}" )"
+                            R"(size="{}" mass="0" contype="0" conaffinity="0" group="4"/>)",
+                            names::kRingContact, -length, 0.5 * length, length, 0.5 * length,
+                            0.1 * radius_));
+    }
+    xml_.close("body");
+  }
+
+  XmlWriter& xml_;
+  const scene::Scene& scene_;
+  const Model& model_;
+  double radius_;  // m, of the drawn disc
+};
+
+}  // namespace
+
+void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model) {
+  Bodies(xml, scene, model).write();
+}
+
+std::vector<int> joint_order(const Model& model) {
+  const Layout& l = model.layout;
+  std::vector<int> order;
+  for (const double on : {1.0, 0.0}) {
+    for (int k = 0; k < l.modes; ++k) {
+      if (model.contact_shape.x[k] == on) order.push_back(l.x() + k);
+    }
+    for (int k = 0; k < l.modes; ++k) {
+      if (model.contact_shape.y[k] == on) order.push_back(l.y() + k);
+    }
+    if (on == 1.0 && l.spin) order.push_back(l.phi());
+    for (int k = 0; k < l.torsion; ++k) {
+      if (model.torsion_contact[k] == on) order.push_back(l.theta() + k);
+    }
+  }
+  for (int k = 0; k < l.stator; ++k) order.push_back(l.ring() + k);
+  return order;
+}
+
+double drawn_radius(const scene::Scene& scene) {
+  return scene.contact ? scene.contact->radius : kRadiusWithoutContact;
+}
+
+}  // namespace rotorub

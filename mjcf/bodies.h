@@ -1,0 +1,22 @@
+// The bodies of a generated MJCF: rotor with the modal chain, branch of the modes with a node at
+// the contact, ring.
+#pragma once
+
+#include <vector>
+
+#include "mjcf/xml.h"
+#include "native_model/scene/scene.h"
+#include "native_model/system/model.h"
+
+namespace rotorub {
+
+void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model);
+
+// Index in q of each of MuJoCo's coordinates: chain, branch, ring. The layout's own order where
+// there is no branch.
+std::vector<int> joint_order(const Model& model);
+
+// Radius of the drawn disc, m.
+double drawn_radius(const scene::Scene& scene);
+
+}  // namespace rotorub

@@ -1,0 +1,34 @@
+#include "plugin/velocity_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+
+void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
+                      double* now) {
+  const int n = config.model.nq();
+  const double* v = state.v();
+  double* data = d->userdata;
+  double* earlier = data + kUserDataSingle;
+  double* latest = earlier + n;
+  if (data[kHistoryLength] == 0.0 || d->time < data[kLatestTime]) {
+    data[kHistoryLength] = 1.0;
+  } else if (d->time > data[kLatestTime]) {
+    std::copy_n(latest, n, earlier);
+    data[kEarlierTime] = data[kLatestTime];
+    data[kHistoryLength] = 2.0;
+  }
+  std::copy_n(v, n, latest);
+  data[kLatestTime] = d->time;
+
+  const double h = m->opt.timestep;
+  const bool stepped = data[kHistoryLength] == 2.0 &&
+                       std::abs(data[kLatestTime] - data[kEarlierTime] - h) < 1e-6 * h;
+  const double share = stepped && m->opt.integrator != mjINT_RK4 ? 0.5 : 0.0;
+  for (int i = 0; i < n; ++i) now[i] = v[i] + share * (v[i] - earlier[i]);
+}
+
+}  // namespace rotorub::plugin
