@@ -1,0 +1,329 @@
+#include "native_model/rotor/campbell.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "native_model/rotor/modal_rotor.h"
+#include "tests/native_model/rotor/rotors.h"
+
+namespace rotorub {
+namespace {
+
+using test::kShaft;
+using test::pinned_shaft;
+using test::scene_of;
+
+constexpr double kBeam = 1e-7;   // relative: what beam frequencies must be right to
+constexpr double kTight = 1e-9;  // relative: closed forms in few modes
+
+constexpr double k4000Rpm = 4000.0 * std::numbers::pi / 30.0;
+
+// Distance to the nearest frequency of the spectrum, relative.
+double miss(const WhirlSpectrum& spectrum, double frequency) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const WhirlMode& mode : spectrum.modes) {
+    least = std::min(least, std::abs(mode.frequency / frequency - 1.0));
+  }
+  return least;
+}
+
+// One mode in each plane.
+scene::Scene jeffcott(double mass, double stiffness, double damping) {
+  scene::Scene s;
+  scene::RotorModal modal;
+  modal.mass = {mass};
+  modal.stiffness = {stiffness};
+  modal.damping = {damping};
+  s.rotor.modal = modal;
+  return s;
+}
+
+TEST(RayleighShaft, OracleSatisfiesItsQuadratic) {
+  const double r2 = kShaft.inertia() / kShaft.area();
+  for (int n : {1, 5, 30}) {
+    for (double speed : {0.0, 300.0, 1e5}) {
+      const double lambda2 = std::pow(n * std::numbers::pi / kShaft.length, 2);
+      const double stiffness = kShaft.E * r2 / kShaft.rho * lambda2 * lambda2;
+      for (double w : {kShaft.forward(n, speed), kShaft.backward(n, speed)}) {
+        const double left = (1.0 + r2 * lambda2) * w * w - 2.0 * speed * r2 * lambda2 * w;
+        EXPECT_NEAR(left / stiffness, 1.0, 1e-9);
+      }
+      EXPECT_GE(kShaft.forward(n, speed), -kShaft.backward(n, speed));
+    }
+  }
+}
+
+TEST(Campbell, RayleighShaft) {
+  constexpr int kModes = 8;
+  const WhirlSystem system = whirl_system(scene_of(pinned_shaft(kModes)));
+  for (double speed : {0.0, 1.0, 500.0, 5e3, 1e5}) {
+    const WhirlSpectrum spectrum = whirl_spectrum(system, speed);
+    ASSERT_EQ(spectrum.modes.size(), 2u * kModes);
+    for (int n = 1; n <= kModes; ++n) {
+      EXPECT_LT(miss(spectrum, kShaft.forward(n, speed)), kBeam) << n << " at " << speed;
+      EXPECT_LT(miss(spectrum, kShaft.backward(n, speed)), kBeam) << n << " at " << speed;
+    }
+  }
+}
+
+TEST(Campbell, FriswellRotorAt4000Rpm) {
+  const WhirlSpectrum spectrum =
+      whirl_spectrum(whirl_system(scene_of(oracle::friswell_rotor())), k4000Rpm);
+  ASSERT_EQ(spectrum.modes.size(), oracle::kFriswellAt4000Rpm.size());
+  for (std::size_t j = 0; j < spectrum.modes.size(); ++j) {
+    const double digits = j == 5 ? 5e-3 : 5e-4;  // half a unit of the last digit printed
+    EXPECT_NEAR(spectrum.modes[j].frequency, oracle::kFriswellAt4000Rpm[j], digits);
+    EXPECT_NEAR(spectrum.modes[j].damping_ratio, 0.0, 1e-11);
+  }
+}
+
+// The reduced model of a run misses whirl at speed by what the modes left out would add; with more
+// modes it goes to the untruncated figures from one side.
+TEST(Campbell, ReducedModelConvergesToTheUntruncatedShaft) {
+  const double exact =
+      whirl_spectrum(whirl_system(scene_of(oracle::friswell_rotor())), k4000Rpm).modes[5].frequency;
+  double last = std::numeric_limits<double>::infinity();
+  for (int kept : {3, 6, 12, 24}) {
+    scene::RotorGeometry g = oracle::friswell_rotor();
+    g.modes = kept;
+    const ModalRotor rotor = modal_rotor(scene_of(g));
+    scene::Scene reduced;
+    reduced.rotor.modal.emplace();
+    reduced.rotor.modal->mass.assign(rotor.x.mass.begin(), rotor.x.mass.end());
+    reduced.rotor.modal->stiffness.assign(rotor.x.stiffness.begin(), rotor.x.stiffness.end());
+    WhirlSystem system = whirl_system(reduced);
+    const Eigen::VectorXd scale = rotor.x.mass.cwiseSqrt().cwiseInverse();
+    system.gyroscopic = scale.asDiagonal() * rotor.gyroscopic * scale.asDiagonal();
+    system.gyroscopic = (0.5 * (system.gyroscopic + system.gyroscopic.transpose())).eval();
+    const double error =
+        std::abs(whirl_spectrum(system, k4000Rpm).modes[5].frequency / exact - 1.0);
+    EXPECT_LT(error, 0.7 * last) << kept << " modes";
+    last = error;
+  }
+  EXPECT_LT(last, 1e-3);
+}
+
+TEST(Campbell, AtRestIsotropicModesComeTwice) {
+  const WhirlSpectrum spectrum =
+      whirl_spectrum(whirl_system(scene_of(oracle::friswell_rotor())), 0.0);
+  for (std::size_t j = 0; j < 6; j += 2) {
+    EXPECT_LT(spectrum.modes[j].frequency, 0.0);
+    EXPECT_NEAR(spectrum.modes[j].frequency, -spectrum.modes[j + 1].frequency, 1e-7);
+    EXPECT_NEAR(spectrum.modes[j + 1].frequency, oracle::kFriswellAtRest[j / 2], 5e-4);
+  }
+}
+
+TEST(Campbell, BackwardSpinMirrorsForwardSpin) {
+  const WhirlSystem isotropic = whirl_system(scene_of(oracle::friswell_rotor()));
+  const WhirlSystem anisotropic = whirl_system(test::anisotropic_rotor());
+  for (const WhirlSystem& system : {isotropic, anisotropic}) {
+    const WhirlSpectrum plus = whirl_spectrum(system, 300.0);
+    const WhirlSpectrum minus = whirl_spectrum(system, -300.0);
+    for (const WhirlMode& mode : plus.modes) EXPECT_LT(miss(minus, -mode.frequency), kTight);
+  }
+}
+
+// The two formulations, complex and real, must agree where both apply.
+TEST(Campbell, NearlyIsotropicIsIsotropic) {
+  scene::Scene s = scene_of(oracle::friswell_rotor());
+  s.rotor.geometry->damping_ratio = 0.02;
+  s.rotor.geometry->internal_damping_ratio = 0.005;
+  const WhirlSystem isotropic = whirl_system(s);
+  s.rotor.geometry->bearings[0].stiffness.y() *= 1.0 + 1e-9;
+  const WhirlSystem nearly = whirl_system(s);
+  ASSERT_TRUE(isotropic.isotropic);
+  ASSERT_FALSE(nearly.isotropic);
+  for (double speed : {50.0, k4000Rpm}) {
+    const WhirlSpectrum expected = whirl_spectrum(isotropic, speed);
+    const WhirlSpectrum found = whirl_spectrum(nearly, speed);
+    for (std::size_t j = 0; j < expected.modes.size(); ++j) {
+      EXPECT_NEAR(found.modes[j].frequency / expected.modes[j].frequency, 1.0, 1e-8);
+      EXPECT_NEAR(found.modes[j].damping_ratio, expected.modes[j].damping_ratio, 1e-7);
+    }
+  }
+}
+
+TEST(Campbell, AnisotropicPlanesAtRestAreThePlanarModes) {
+  const scene::Scene s = test::anisotropic_rotor();
+  const ModalRotor rotor = modal_rotor(s);
+  const WhirlSpectrum spectrum = whirl_spectrum(whirl_system(s), 0.0);
+  for (int n = 0; n < 3; ++n) {
+    const double x = std::sqrt(rotor.x.stiffness[n] / rotor.x.mass[n]);
+    const double y = std::sqrt(rotor.y.stiffness[n] / rotor.y.mass[n]);
+    // Softer in y: the lower mode of each pair turns backward as soon as the shaft spins.
+    EXPECT_LT(miss(spectrum, -y), kTight);
+    EXPECT_LT(miss(spectrum, x), kTight);
+  }
+}
+
+// One mode in each plane with gyroscopic coupling: (w_x^2 - w^2)(w_y^2 - w^2) = (Omega g w / m)^2.
+TEST(Campbell, AnisotropicJeffcottWithGyroscopicTerm) {
+  scene::Scene s = jeffcott(2.0, 2e5, 0.0);
+  s.rotor.modal->stiffness_y = {1.2e5};
+  s.rotor.modal->gyroscopic = {0.8};
+  const double speed = 200.0, a = 1e5, b = 0.6e5, c = std::pow(speed * 0.4, 2);
+  const double p = 0.5 * (a + b + c);
+  const double root = std::sqrt(p * p - a * b);
+  const WhirlSpectrum spectrum = whirl_spectrum(whirl_system(s), speed);
+  ASSERT_EQ(spectrum.modes.size(), 2u);
+  EXPECT_NEAR(spectrum.modes[0].frequency / -std::sqrt(p - root), 1.0, kTight);
+  EXPECT_NEAR(spectrum.modes[1].frequency / std::sqrt(p + root), 1.0, kTight);
+}
+
+TEST(Campbell, DampedJeffcott) {
+  const WhirlSpectrum spectrum = whirl_spectrum(whirl_system(jeffcott(2.0, 2e5, 40.0)), 100.0);
+  const double omega = std::sqrt(1e5), zeta = 10.0 / omega;
+  ASSERT_EQ(spectrum.modes.size(), 2u);
+  EXPECT_NEAR(spectrum.modes[0].frequency, -omega * std::sqrt(1.0 - zeta * zeta), kTight * omega);
+  EXPECT_NEAR(spectrum.modes[1].frequency, omega * std::sqrt(1.0 - zeta * zeta), kTight * omega);
+  EXPECT_NEAR(spectrum.modes[1].damping_ratio, zeta, kTight);
+}
+
+TEST(Campbell, OverdampedModesHaveNoFrequency) {
+  for (bool anisotropic : {false, true}) {
+    scene::Scene s = jeffcott(1.0, 100.0, 101.0);  // s = -1 and -100
+    if (anisotropic) s.rotor.modal->stiffness_y = {400.0};
+    for (const WhirlMode& mode : whirl_spectrum(whirl_system(s), 0.0).modes) {
+      EXPECT_EQ(mode.frequency, 0.0);
+      EXPECT_NEAR(mode.damping_ratio, 1.0, kTight);
+    }
+  }
+}
+
+// A dashpot of the bearing damps the modes by the deflection they have there: c u^2 / (2 m omega).
+TEST(Campbell, BearingDampers) {
+  scene::Scene s = scene_of(oracle::friswell_rotor());
+  constexpr double kDamping = 10.0;  // N s/m, weak: of first order
+  for (scene::ShaftBearing& b : s.rotor.geometry->bearings) b.damping = {kDamping, kDamping};
+  const WhirlSpectrum spectrum = whirl_spectrum(whirl_system(s), 0.0);
+  const ModalRotor rotor = modal_rotor(s);
+  for (int n = 0; n < 3; ++n) {
+    double at_bearings = 0.0;
+    for (const StationDamper& d : rotor.bearing_dampers) at_bearings += d.shape.x[n] * d.shape.x[n];
+    const double expected =
+        kDamping * at_bearings / (2.0 * std::sqrt(rotor.x.mass[n] * rotor.x.stiffness[n]));
+    EXPECT_NEAR(spectrum.modes[static_cast<std::size_t>(2 * n)].damping_ratio / expected, 1.0,
+                1e-4);
+  }
+}
+
+TEST(Campbell, MagneticBearingSoftensTheRotor) {
+  scene::Scene s = jeffcott(2.0, 2e5, 0.0);
+  s.magnetic_bearing.emplace().negative_stiffness = 0.5e5;
+  const WhirlSystem system = whirl_system(s);
+  EXPECT_NEAR(whirl_spectrum(system, 10.0).modes[1].frequency, std::sqrt(0.75e5), 1e-6);
+  EXPECT_FALSE(stability_threshold(system));
+
+  // Stronger than the shaft: the rotor falls to one side without turning.
+  s.magnetic_bearing->negative_stiffness = 2.1e5;
+  const std::optional<double> threshold = stability_threshold(whirl_system(s));
+  ASSERT_TRUE(threshold);
+  EXPECT_EQ(*threshold, 0.0);
+}
+
+TEST(CriticalSpeeds, RayleighShaft) {
+  const std::vector<double> speeds = critical_speeds(whirl_system(scene_of(pinned_shaft(6))));
+  ASSERT_EQ(speeds.size(), 6u);
+  for (int n = 1; n <= 6; ++n) {
+    EXPECT_NEAR(speeds[static_cast<std::size_t>(n - 1)] / kShaft.critical_speed(n), 1.0, kBeam);
+  }
+}
+
+// At a critical speed some whirl is in step with the spin.
+TEST(CriticalSpeeds, LieOnTheCampbellDiagram) {
+  const WhirlSystem isotropic = whirl_system(scene_of(oracle::friswell_rotor()));
+  for (double speed : critical_speeds(isotropic)) {
+    EXPECT_LT(miss(whirl_spectrum(isotropic, speed), speed), kTight);
+  }
+  const WhirlSystem anisotropic = whirl_system(test::anisotropic_rotor());
+  const std::vector<double> speeds = critical_speeds(anisotropic);
+  ASSERT_EQ(speeds.size(), 6u);
+  for (double speed : speeds) {
+    const WhirlSpectrum spectrum = whirl_spectrum(anisotropic, speed);
+    EXPECT_LT(std::min(miss(spectrum, speed), miss(spectrum, -speed)), kTight);
+  }
+}
+
+// A disc with J_p > J_t is never caught up with by its tilting whirl.
+TEST(CriticalSpeeds, AFlatDiscHasFewer) {
+  scene::Scene s = jeffcott(2.0, 2e5, 0.0);
+  s.rotor.modal->gyroscopic = {2.5};
+  EXPECT_TRUE(critical_speeds(whirl_system(s)).empty());
+  s.rotor.modal->gyroscopic = {1.0};
+  const std::vector<double> speeds = critical_speeds(whirl_system(s));
+  ASSERT_EQ(speeds.size(), 1u);
+  EXPECT_NEAR(speeds[0], std::sqrt(2e5 / (2.0 - 1.0)), 1e-6);
+}
+
+// Omega = omega (1 + d_e / d_i).
+TEST(StabilityThreshold, Jeffcott) {
+  for (double external : {0.0, 5.0, 40.0}) {
+    scene::Scene s = jeffcott(2.0, 2e5, external);
+    s.rotor.modal->internal_damping = {10.0};
+    const WhirlSystem system = whirl_system(s);
+    const std::optional<double> threshold = stability_threshold(system);
+    ASSERT_TRUE(threshold);
+    const double exact = std::sqrt(1e5) * (1.0 + external / 10.0);
+    EXPECT_NEAR(*threshold / exact, 1.0, kTight);
+    // Forward whirl grows beyond, and nothing before.
+    EXPECT_GT(whirl_spectrum(system, 0.99 * exact).modes[1].damping_ratio, 0.0);
+    const WhirlSpectrum beyond = whirl_spectrum(system, 1.01 * exact);
+    EXPECT_LT(beyond.modes[1].damping_ratio, 0.0);
+    EXPECT_GT(beyond.modes[1].frequency, 0.0);
+    EXPECT_GT(beyond.modes[0].damping_ratio, 0.0);
+  }
+}
+
+TEST(StabilityThreshold, ShaftWithoutGyroscopicTerms) {
+  scene::Scene s = scene_of(oracle::friswell_rotor());
+  s.rotor.geometry->damping_ratio = 0.02;
+  s.rotor.geometry->internal_damping_ratio = 0.01;
+  WhirlSystem system = whirl_system(s);
+  system.gyroscopic.setZero();
+  const double first =
+      whirl_spectrum(system, 0.0).modes[1].frequency / std::sqrt(1.0 - 0.03 * 0.03);  // undamped
+  EXPECT_NEAR(*stability_threshold(system) / (3.0 * first), 1.0, kTight);
+}
+
+// With internal damping alone whirl grows as soon as the spin is faster than it: the threshold is
+// the first critical speed, found by another equation.
+TEST(StabilityThreshold, InternalDampingAloneIsTheCriticalSpeed) {
+  scene::Scene s = scene_of(oracle::friswell_rotor());
+  s.rotor.geometry->internal_damping_ratio = 0.002;
+  const WhirlSystem system = whirl_system(s);
+  EXPECT_NEAR(*stability_threshold(system) / critical_speeds(system).front(), 1.0, kTight);
+}
+
+TEST(StabilityThreshold, AnisotropyStabilises) {
+  scene::Scene s = scene_of(oracle::friswell_rotor());
+  s.rotor.geometry->internal_damping_ratio = 0.002;
+  const double isotropic = *stability_threshold(whirl_system(s));
+  s.rotor.geometry->bearings[0].stiffness =
+      s.rotor.geometry->bearings[1].stiffness = {1.2e6, 0.8e6};
+  EXPECT_GT(*stability_threshold(whirl_system(s)), isotropic);
+}
+
+TEST(StabilityThreshold, NoneWithoutInternalDamping) {
+  scene::Scene s = scene_of(oracle::friswell_rotor());
+  EXPECT_FALSE(stability_threshold(whirl_system(s))) << "undamped";
+  s.rotor.geometry->damping_ratio = 0.01;
+  EXPECT_FALSE(stability_threshold(whirl_system(s)));
+  EXPECT_FALSE(stability_threshold(whirl_system(jeffcott(2.0, 0.0, 0.0)))) << "free body";
+}
+
+// External damping so large that the threshold lies beyond the search: stated by its bound.
+TEST(StabilityThreshold, BeyondTheBound) {
+  scene::Scene s = jeffcott(2.0, 2e5, 40.0);
+  s.rotor.modal->internal_damping = {1.0};  // 41 omega
+  const WhirlSystem system = whirl_system(s);
+  EXPECT_FALSE(stability_threshold(system));
+  EXPECT_NEAR(stability_bound(system) / (20.0 * std::sqrt(1e5)), 1.0, kTight);
+}
+
+}  // namespace
+}  // namespace rotorub

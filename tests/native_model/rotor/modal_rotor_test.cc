@@ -1,0 +1,222 @@
+#include "native_model/rotor/modal_rotor.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <numbers>
+
+#include "tests/native_model/rotor/rotors.h"
+
+namespace rotorub {
+namespace {
+
+using test::add_contact;
+using test::kShaft;
+using test::pinned_shaft;
+using test::scene_of;
+
+constexpr double kTight = 1e-9;  // relative: mode values, one order looser than frequencies
+
+Eigen::VectorXd frequencies(const PlaneModes& plane) {
+  return plane.stiffness.cwiseQuotient(plane.mass).cwiseSqrt();
+}
+
+TEST(ModalRotor, PinnedShaftScaledAtMidSpan) {
+  scene::Scene s = scene_of(pinned_shaft(5));
+  add_contact(s, 0.5);
+  const ModalRotor rotor = modal_rotor(s);
+  for (int n = 1; n <= 5; ++n) {
+    // sin(n pi z / L): 1 or -1 at mid span, or a node there and 1 at the largest deflection.
+    const bool node = n % 2 == 0;
+    EXPECT_EQ(rotor.contact_shape.x[n - 1], node ? 0.0 : 1.0);
+    EXPECT_NEAR(rotor.x.mass[n - 1] / kShaft.modal_mass(n), 1.0, kTight);
+    EXPECT_NEAR(frequencies(rotor.x)[n - 1] / kShaft.forward(n, 0.0), 1.0, kTight);
+    // g = int 2 rho I u_z^2 for a slope amplitude of n pi / L
+    const double lambda = n * std::numbers::pi / kShaft.length;
+    const double g = kShaft.rho * kShaft.inertia() * lambda * lambda * kShaft.length;
+    EXPECT_NEAR(rotor.gyroscopic(n - 1, n - 1) / g, 1.0, kTight);
+    // int rho A sin = 2 rho A L / (n pi), with the sign of the scaling; the peaks of even modes
+    // cancel.
+    const double sign = n % 4 == 3 ? -1.0 : 1.0;
+    const double load = 2.0 * kShaft.rho * kShaft.area() / lambda * sign;
+    EXPECT_NEAR(rotor.gravity_x[n - 1], node ? 0.0 : load, kTight * 10.0);
+  }
+}
+
+TEST(ModalRotor, ModeLinesAreSines) {
+  scene::Scene s = scene_of(pinned_shaft(2));
+  add_contact(s, 0.25);
+  const ModalRotor rotor = modal_rotor(s);
+  ASSERT_TRUE(rotor.lines);
+  EXPECT_EQ(rotor.lines->z[0], 0.0);
+  EXPECT_EQ(rotor.lines->z[rotor.lines->z.size() - 1], 1.0);
+  for (Eigen::Index i = 0; i < rotor.lines->z.size(); ++i) {
+    const double z = std::numbers::pi * rotor.lines->z[i];
+    EXPECT_NEAR(rotor.lines->x(i, 0), std::sin(z) * std::numbers::sqrt2, kTight);
+    EXPECT_NEAR(rotor.lines->x(i, 1), std::sin(2.0 * z), kTight);
+  }
+}
+
+TEST(ModalRotor, WithoutContactEveryModePeaksAtOne) {
+  const ModalRotor rotor = modal_rotor(scene_of(pinned_shaft(6)));
+  for (int n = 0; n < 6; ++n) {
+    EXPECT_NEAR(rotor.lines->x.col(n).maxCoeff(), 1.0, 0.04) << "stations beside the peak";
+    EXPECT_NEAR(rotor.x.mass[n] / kShaft.modal_mass(n + 1), 1.0, kTight);
+    EXPECT_GT(rotor.lines->x(3, n), 0.0) << "the first of equal peaks is the positive one";
+  }
+}
+
+// The deflection at any station is the sum over modes: a static load against the beam formula.
+TEST(ModalRotor, StaticSagOfManyModes) {
+  scene::Scene s = scene_of(pinned_shaft(25));
+  add_contact(s, 0.5);
+  s.forces.resize(1);
+  s.forces[0].station = 0.3;
+  const ModalRotor rotor = modal_rotor(s);
+  const double EI = kShaft.E * kShaft.inertia();
+
+  // Weight: 5 rho A g L^4 / (384 E I) at mid span, modes beyond n leave n^-5.
+  const double sag = rotor.contact_shape.x.dot(rotor.gravity_x.cwiseQuotient(rotor.x.stiffness));
+  EXPECT_NEAR(sag / (5.0 * kShaft.rho * kShaft.area() / (384.0 * EI)), 1.0, 1e-6);
+
+  // A point load at a = 0.3 L: a^2 b^2 / (3 E I L) under it, modes beyond n leave n^-3.
+  const Eigen::VectorXd& u = rotor.force_shapes[0].x;
+  const double flexibility = u.cwiseAbs2().cwiseQuotient(rotor.x.stiffness).sum();
+  EXPECT_NEAR(flexibility / (0.09 * 0.49 / (3.0 * EI)), 1.0, 1e-4);
+}
+
+TEST(ModalRotor, IsotropicPlanesAreTheSameBits) {
+  scene::Scene s = test::reference_rig();
+  s.rotor.geometry->internal_damping_ratio = 0.003;
+  const ModalRotor rotor = modal_rotor(s);
+  EXPECT_EQ(rotor.x.mass, rotor.y.mass);
+  EXPECT_EQ(rotor.x.stiffness, rotor.y.stiffness);
+  EXPECT_EQ(rotor.x.damping, rotor.y.damping);
+  EXPECT_EQ(rotor.contact_shape.x, rotor.contact_shape.y);
+  EXPECT_EQ(rotor.gravity_x, rotor.gravity_y);
+  EXPECT_EQ(rotor.lines->x, rotor.lines->y);
+  EXPECT_EQ(rotor.gyroscopic, rotor.gyroscopic.transpose());
+  EXPECT_EQ(rotor.internal_xx, rotor.internal_yy);
+  EXPECT_EQ(rotor.internal_xx, rotor.internal_xy);
+  // Off-diagonal exactly zero.
+  const Eigen::MatrixXd diagonal = rotor.internal_xx.diagonal().asDiagonal();
+  EXPECT_EQ(rotor.internal_xx, diagonal);
+}
+
+TEST(ModalRotor, SameSceneSameBits) {
+  const ModalRotor a = modal_rotor(test::anisotropic_rotor());
+  const ModalRotor b = modal_rotor(test::anisotropic_rotor());
+  EXPECT_EQ(a.x.stiffness, b.x.stiffness);
+  EXPECT_EQ(a.y.mass, b.y.mass);
+  EXPECT_EQ(a.gyroscopic, b.gyroscopic);
+}
+
+TEST(ModalRotor, ReferenceRig) {
+  const ModalRotor rotor = modal_rotor(test::reference_rig());
+  const Eigen::VectorXd hertz = frequencies(rotor.x) / (2.0 * std::numbers::pi);
+  EXPECT_NEAR(hertz[0], 57.0, 0.5);
+  EXPECT_NEAR(hertz[1], 394.0, 0.5);
+  EXPECT_EQ(rotor.contact_shape.x, Eigen::VectorXd::Ones(3));
+  for (int n = 0; n < 3; ++n) {
+    EXPECT_DOUBLE_EQ(rotor.x.damping[n], 0.02 * std::sqrt(rotor.x.stiffness[n] * rotor.x.mass[n]));
+  }
+  // The eccentric disc sits where the first mode has its peak.
+  ASSERT_EQ(rotor.unbalances.size(), 1u);
+  EXPECT_DOUBLE_EQ(rotor.unbalances[0].static_moment, 2.0 * 20e-6);
+  EXPECT_GT(rotor.unbalances[0].shape.x[0], 1.0);
+}
+
+TEST(ModalRotor, StationsOfTheScene) {
+  scene::Scene s = test::reference_rig();
+  s.forces.resize(2);
+  s.forces[0].station = 0.24;  // the contact's
+  s.forces[1].station = 0.42;
+  s.magnetic_bearing.emplace().station = 0.42;
+  s.rotor.geometry->bearings[0].damping = {5.0, 7.0};
+  const ModalRotor rotor = modal_rotor(s);
+  ASSERT_EQ(rotor.force_shapes.size(), 2u);
+  EXPECT_LT((rotor.force_shapes[0].x - Eigen::VectorXd::Ones(3)).cwiseAbs().maxCoeff(), 1e-12);
+  ASSERT_TRUE(rotor.magnetic_bearing_shape);
+  EXPECT_EQ(rotor.magnetic_bearing_shape->x, rotor.force_shapes[1].x);
+  ASSERT_EQ(rotor.bearing_dampers.size(), 1u) << "a bearing without damping has no dashpot";
+  EXPECT_EQ(rotor.bearing_dampers[0].damping, Eigen::Vector2d(5.0, 7.0));
+  EXPECT_LT(std::abs(rotor.bearing_dampers[0].shape.x[0]), 0.1) << "near a stiff bearing";
+}
+
+TEST(ModalRotor, AnisotropicBearings) {
+  const ModalRotor rotor = modal_rotor(test::anisotropic_rotor());
+  scene::Scene soft = test::anisotropic_rotor();
+  soft.rotor.geometry->bearings[1].stiffness = {0.6e6, 0.6e6};
+  const ModalRotor as_y = modal_rotor(soft);
+  // Each plane on its own is the isotropic rotor with that stiffness.
+  EXPECT_LT((frequencies(rotor.y) - frequencies(as_y.y)).cwiseAbs().maxCoeff(), 1e-7);
+  EXPECT_LT((frequencies(rotor.x) - frequencies(modal_rotor(scene_of(oracle::friswell_rotor())).x))
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-7);
+  // Modes of the two planes differ, so that rotation couples each with every other.
+  EXPECT_GT(std::abs(rotor.gyroscopic(0, 1) - rotor.gyroscopic(1, 0)), 1e-3);
+}
+
+// The internal damping belongs to the shaft, not to a plane: as a quadratic form it is positive,
+// and for bearings nearly isotropic it goes over into the diagonal.
+TEST(ModalRotor, InternalDampingOfAnisotropicBearings) {
+  scene::Scene s = test::anisotropic_rotor();
+  s.rotor.geometry->internal_damping_ratio = 0.01;
+  const ModalRotor rotor = modal_rotor(s);
+  EXPECT_EQ(rotor.internal_xx.llt().info(), Eigen::Success);
+  EXPECT_EQ(rotor.internal_yy.llt().info(), Eigen::Success);
+
+  s.rotor.geometry->bearings[1].stiffness = {1e6, 1e6 * (1.0 + 1e-6)};
+  const ModalRotor nearly = modal_rotor(s);
+  s.rotor.geometry->bearings[1].stiffness = {1e6, 1e6};
+  const ModalRotor exactly = modal_rotor(s);
+  const double size = exactly.internal_xx.cwiseAbs().maxCoeff();
+  EXPECT_LT((nearly.internal_xx - exactly.internal_xx).cwiseAbs().maxCoeff(), 1e-5 * size);
+  EXPECT_LT((nearly.internal_xy - exactly.internal_xy).cwiseAbs().maxCoeff(), 1e-5 * size);
+}
+
+TEST(ModalRotor, ModalFormIsCopied) {
+  scene::Scene s;
+  scene::RotorModal modal;
+  modal.mass = {2.0, 0.8};
+  modal.stiffness = {2e5, 3e6};
+  modal.stiffness_y = {1e5, 2e6};
+  modal.damping = {40.0, 60.0};
+  modal.internal_damping = {1.0, 2.0};
+  modal.gyroscopic = {0.1, 0.2};
+  modal.inertia = 1e-3;
+  s.rotor.modal = modal;
+  s.rotor.torsion.emplace();
+  s.rotor.torsion->inertia = {4e-4};
+  s.rotor.torsion->stiffness = {60.0};
+  s.forces.resize(2);
+  s.forces[1].shape = {1.0, -0.5};
+  s.magnetic_bearing.emplace().negative_stiffness = 10.0;
+
+  const ModalRotor rotor = modal_rotor(s);
+  EXPECT_EQ(rotor.x.mass, Eigen::Vector2d(2.0, 0.8));
+  EXPECT_EQ(rotor.y.mass, rotor.x.mass) << "missing: as in x";
+  EXPECT_EQ(rotor.y.stiffness, Eigen::Vector2d(1e5, 2e6));
+  EXPECT_EQ(rotor.y.damping, Eigen::Vector2d(40.0, 60.0));
+  EXPECT_EQ(rotor.gyroscopic, Eigen::Matrix2d(Eigen::Vector2d(0.1, 0.2).asDiagonal()));
+  EXPECT_EQ(rotor.internal_xy, Eigen::Matrix2d(Eigen::Vector2d(1.0, 2.0).asDiagonal()));
+  EXPECT_EQ(rotor.contact_shape.y, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(rotor.force_shapes[0].x, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(rotor.force_shapes[1].y, Eigen::Vector2d(1.0, -0.5));
+  EXPECT_EQ(rotor.magnetic_bearing_shape->x, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(rotor.gravity_x, rotor.x.mass);
+  EXPECT_EQ(rotor.spin_inertia, 1e-3);
+  EXPECT_EQ(rotor.torsion.damping[0], 0.0);
+  EXPECT_EQ(rotor.torsion.drive_shape[0], 0.0);
+  EXPECT_EQ(rotor.torsion.contact_shape[0], 1.0);
+  EXPECT_FALSE(rotor.lines);
+  EXPECT_TRUE(rotor.bearing_dampers.empty());
+
+  s.gravity.emplace().participation = {3.0, 0.0};
+  EXPECT_EQ(modal_rotor(s).gravity_y, Eigen::Vector2d(3.0, 0.0));
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,216 @@
+#include "native_model/rotor/ritz_bending.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "native_model/rotor/planar_modes.h"
+#include "native_model/rotor/rotor_modes.h"
+#include "native_model/scene/diagnostic.h"
+#include "tests/native_model/rotor/rotors.h"
+
+namespace rotorub {
+namespace {
+
+using test::kShaft;
+using test::pinned_shaft;
+using test::scene_of;
+
+constexpr double kBeam = 1e-7;    // relative: what beam frequencies must be right to
+constexpr double kTight = 1e-10;  // relative: what the mesh is made for, with the pins' own error
+
+// The shaft in equal elements, each with so many functions.
+std::vector<ShaftElement> equal_elements(const scene::RotorGeometry& g, int count, int functions) {
+  std::vector<ShaftElement> mesh;
+  const ShaftElement whole = shaft_mesh(g, {}, [](const ShaftElement&) { return 0.0; }).front();
+  for (int i = 0; i < count; ++i) {
+    ShaftElement element = whole;
+    element.from = g.length * i / count;
+    element.to = g.length * (i + 1) / count;
+    element.functions = functions;
+    mesh.push_back(element);
+  }
+  return mesh;
+}
+
+double frequency_error(int elements, int functions, int mode) {
+  const scene::RotorGeometry g = pinned_shaft(1);
+  const RitzBending ritz = ritz_bending(g, equal_elements(g, elements, functions));
+  const PlanarModes modes = planar_modes(ritz.mass, ritz.stiffness_x);
+  return modes.frequency[mode - 1] / kShaft.forward(mode, 0.0) - 1.0;
+}
+
+TEST(BendingBasis, IsSmoothAndZeroAtTheAnchors) {
+  const scene::RotorGeometry g = pinned_shaft(1);
+  const BendingBasis basis(equal_elements(g, 3, 4), 0.2, 0.9);
+  for (double z : {0.2, 0.9}) {
+    EXPECT_LT(basis.deflection(z).tail(basis.size() - 2).cwiseAbs().maxCoeff(), 1e-16);
+  }
+  EXPECT_NEAR(basis.deflection(0.2)[0], 1.0, 1e-15);
+  EXPECT_NEAR(basis.deflection(0.9)[1], 1.0, 1e-15);
+
+  // Deflection and slope go through the ends of elements; the slope is the derivative.
+  constexpr double kStep = 1e-7;
+  for (double z : {0.1, 1.0 / 3.0, 0.5, 2.0 / 3.0, 0.95}) {
+    const Eigen::RowVectorXd before = basis.deflection(z - kStep);
+    const Eigen::RowVectorXd after = basis.deflection(z + kStep);
+    EXPECT_LT(((after - before) / (2.0 * kStep) - basis.slope(z)).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_LT((basis.slope(z + kStep) - basis.slope(z - kStep)).cwiseAbs().maxCoeff(), 1e-6);
+  }
+}
+
+// A Hermite cubic element has a linear curvature: its frequencies err by (k h)^4 / 1440.
+TEST(RitzBending, HermiteCubicsConvergeWithFourthOrder) {
+  for (int mode : {1, 3}) {
+    double last = frequency_error(8, 2, mode);
+    for (int elements : {16, 32}) {
+      const double error = frequency_error(elements, 2, mode);
+      EXPECT_GT(error, 0.0);
+      EXPECT_NEAR(std::log2(last / error), 4.0, 0.15) << elements << " elements, mode " << mode;
+      last = error;
+    }
+  }
+}
+
+TEST(RitzBending, MoreFunctionsBeatMoreElements) {
+  // The same number of coordinates.
+  EXPECT_LT(frequency_error(2, 8, 3), 1e-3 * frequency_error(8, 2, 3));
+}
+
+TEST(RotorModes, RayleighShaftAtRest) {
+  constexpr int kModes = 20;
+  const RotorModes modes = rotor_modes(scene_of(pinned_shaft(kModes)));
+  for (int n = 1; n <= kModes; ++n) {
+    EXPECT_NEAR(modes.x.frequency[n - 1] / kShaft.forward(n, 0.0), 1.0, kTight * n) << n;
+  }
+}
+
+TEST(RotorModes, HollowShaft) {
+  oracle::RayleighShaft tube = kShaft;
+  tube.inner_diameter = 0.04;
+  const RotorModes modes = rotor_modes(scene_of(pinned_shaft(5, tube)));
+  for (int n = 1; n <= 5; ++n) {
+    EXPECT_NEAR(modes.x.frequency[n - 1] / tube.forward(n, 0.0), 1.0, kTight * n) << n;
+  }
+}
+
+TEST(RotorModes, FriswellRotorAtRest) {
+  const RotorModes modes = rotor_modes(scene_of(oracle::friswell_rotor()));
+  for (std::size_t n = 0; n < oracle::kFriswellAtRest.size(); ++n) {
+    // To the digits printed.
+    EXPECT_NEAR(modes.x.frequency[static_cast<Eigen::Index>(n)], oracle::kFriswellAtRest[n], 5e-4);
+  }
+}
+
+// The mesh is an internal affair: cuts that change nothing, however short, and more modes than
+// wanted give the same low frequencies.
+TEST(RotorModes, DoNotDependOnTheMesh) {
+  scene::Scene plain = test::reference_rig();
+  const RotorModes expected = rotor_modes(plain);
+
+  scene::Scene cut = plain;
+  cut.rotor.geometry->sections = {{.from = 0.0, .to = 0.1, .diameter = 0.018},
+                                  {.from = 0.1, .to = 0.1 + 1e-7, .diameter = 0.018},
+                                  {.from = 0.1 + 1e-7, .to = 0.6, .diameter = 0.018}};
+  scene::Scene rich = plain;
+  rich.rotor.geometry->modes = 12;
+  for (const scene::Scene& other : {cut, rich}) {
+    const RotorModes modes = rotor_modes(other);
+    for (int n = 0; n < 3; ++n) {
+      EXPECT_NEAR(modes.x.frequency[n] / expected.x.frequency[n], 1.0, kTight) << n;
+    }
+  }
+}
+
+// A shaft in three pieces against Hermite cubics refined until they agree with themselves: the same
+// physics by another space.
+TEST(RotorModes, SteppedShaftWithOverhang) {
+  scene::RotorGeometry g = pinned_shaft(4);
+  g.sections = {{.from = 0.0, .to = 0.25, .diameter = 0.03},
+                {.from = 0.25, .to = 0.5, .diameter = 0.06, .inner_diameter = 0.02},
+                {.from = 0.5, .to = 1.0, .diameter = 0.04}};
+  g.bearings = {{.z = 0.25, .stiffness = {1e8, 1e8}}, {.z = 0.75, .stiffness = {5e7, 5e7}}};
+  g.discs = {{.z = 1.0, .mass = 5.0, .Jt = 0.02, .Jp = 0.04}};
+  const RotorModes modes = rotor_modes(scene_of(g));
+
+  std::vector<ShaftElement> fine;
+  for (const ShaftElement& part : bending_mesh(g, {}, 0.0)) {
+    constexpr int kParts = 24;
+    for (int i = 0; i < kParts; ++i) {
+      ShaftElement element = part;
+      element.from = part.from + part.length() * i / kParts;
+      element.to = part.from + part.length() * (i + 1) / kParts;
+      element.functions = 2;
+      fine.push_back(element);
+    }
+  }
+  const RitzBending cubic = ritz_bending(g, fine);
+  const PlanarModes reference = planar_modes(cubic.mass, cubic.stiffness_x);
+  for (int n = 0; n < 4; ++n) {
+    const double difference = reference.frequency[n] / modes.x.frequency[n] - 1.0;
+    EXPECT_GT(difference, -kTight) << "the coarser space cannot be lower";
+    EXPECT_LT(difference, kBeam) << n;
+  }
+}
+
+TEST(RotorModes, AreOrthogonal) {
+  const RotorModes modes = rotor_modes(test::anisotropic_rotor());
+  const auto check = [&](const PlanarModes& plane, const Eigen::MatrixXd& stiffness) {
+    constexpr int kLow = 8;
+    const Eigen::MatrixXd phi = plane.shape.leftCols(kLow);
+    const Eigen::MatrixXd mass = phi.transpose() * modes.ritz.mass * phi;
+    EXPECT_LT((mass - Eigen::MatrixXd::Identity(kLow, kLow)).cwiseAbs().maxCoeff(), 1e-9);
+    const Eigen::VectorXd omega = plane.frequency.head(kLow);
+    const Eigen::MatrixXd scaled = omega.cwiseInverse().asDiagonal() * phi.transpose() * stiffness *
+                                   phi * omega.cwiseInverse().asDiagonal();
+    EXPECT_LT((scaled - Eigen::MatrixXd::Identity(kLow, kLow)).cwiseAbs().maxCoeff(), 1e-9);
+  };
+  check(modes.x, modes.ritz.stiffness_x);
+  check(modes.y, modes.ritz.stiffness_y);
+  EXPECT_LT(modes.y.frequency[0], modes.x.frequency[0]);
+}
+
+TEST(RotorModes, MaxFrequencyKeepsEveryModeBelow) {
+  scene::RotorGeometry g = pinned_shaft(1);
+  g.modes.reset();
+  for (int n : {1, 4, 9}) {
+    g.max_frequency = kShaft.forward(n, 0.0) * (1.0 + 1e-6);
+    EXPECT_EQ(rotor_modes(scene_of(g)).kept, n);
+    g.max_frequency = kShaft.forward(n + 1, 0.0) * (1.0 - 1e-6);
+    EXPECT_EQ(rotor_modes(scene_of(g)).kept, n);
+  }
+}
+
+TEST(RotorModes, MaxFrequencyBelowTheFirstModeIsRefused) {
+  scene::RotorGeometry g = pinned_shaft(1);
+  g.modes.reset();
+  g.max_frequency = 0.99 * kShaft.forward(1, 0.0);
+  try {
+    rotor_modes(scene_of(g));
+    FAIL() << "no mode, no complaint";
+  } catch (const scene::SceneError& error) {
+    EXPECT_EQ(error.diagnostics().front().key, "rotor.max_frequency");
+  }
+}
+
+TEST(RotorModes, RigidMotionIsRefused) {
+  for (int left : {0, 1}) {
+    scene::RotorGeometry g = pinned_shaft(2);
+    g.bearings.resize(static_cast<std::size_t>(left));
+    EXPECT_THROW(rotor_modes(scene_of(g)), scene::SceneError) << left << " bearings";
+  }
+  // Two bearings at one place, and a plane that one of them leaves free.
+  scene::RotorGeometry together = pinned_shaft(2);
+  together.bearings[1].z = 0.0;
+  EXPECT_THROW(rotor_modes(scene_of(together)), scene::SceneError);
+  scene::RotorGeometry half = pinned_shaft(2);
+  half.bearings[1].stiffness.y() = 0.0;
+  EXPECT_THROW(rotor_modes(scene_of(half)), scene::SceneError);
+}
+
+TEST(RotorModes, AnAbsurdNumberOfModesIsRefused) {
+  EXPECT_THROW(rotor_modes(scene_of(pinned_shaft(5000))), scene::SceneError);
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,73 @@
+// Rotors in geometry form, built in code.
+#pragma once
+
+#include "native_model/oracles/friswell_rotor.h"
+#include "native_model/oracles/rayleigh_shaft.h"
+#include "native_model/scene/scene.h"
+
+namespace rotorub::test {
+
+// A scene around a shaft, without contact and drive.
+inline scene::Scene scene_of(const scene::RotorGeometry& geometry) {
+  scene::Scene s;
+  s.name = "rotor";
+  s.rotor.geometry = geometry;
+  return s;
+}
+
+inline void add_contact(scene::Scene& s, double station) {
+  scene::Contact contact;
+  contact.radius = 0.02;
+  contact.clearance = 0.5e-3;
+  contact.station = station;
+  s.contact = contact;
+}
+
+// 1 m x 50 mm.
+inline constexpr oracle::RayleighShaft kShaft{
+    .length = 1.0, .diameter = 0.05, .inner_diameter = 0.0, .E = 2.1e11, .rho = 7850.0};
+
+// N/m: rigid pins, but for a relative error of 2 E I lambda^2 / (k L), 5e-13 n^2 for this shaft.
+inline constexpr double kPin = 1e19;
+
+inline scene::RotorGeometry pinned_shaft(int modes, const oracle::RayleighShaft& shaft = kShaft) {
+  scene::RotorGeometry g;
+  g.length = shaft.length;
+  g.E = shaft.E;
+  g.G = shaft.E / 2.6;
+  g.rho = shaft.rho;
+  g.modes = modes;
+  g.sections = {{.from = 0.0,
+                 .to = shaft.length,
+                 .diameter = shaft.diameter,
+                 .inner_diameter = shaft.inner_diameter}};
+  g.bearings = {{.z = 0.0, .stiffness = {kPin, kPin}},
+                {.z = shaft.length, .stiffness = {kPin, kPin}}};
+  return g;
+}
+
+// The rig of the shipped paper scenes.
+inline scene::Scene reference_rig() {
+  scene::RotorGeometry g;
+  g.length = 0.6;
+  g.E = 2.1e11;
+  g.G = 2.1e11 / 2.6;
+  g.rho = 7850.0;
+  g.modes = 3;
+  g.damping_ratio = 0.01;
+  g.sections = {{.from = 0.0, .to = 0.6, .diameter = 0.018}};
+  g.discs = {{.z = 0.3, .mass = 2.0, .Jt = 1.8e-3, .Jp = 3.6e-3, .eccentricity = 20e-6}};
+  g.bearings = {{.z = 0.03, .stiffness = {2e7, 2e7}}, {.z = 0.57, .stiffness = {2e7, 2e7}}};
+  scene::Scene s = scene_of(g);
+  add_contact(s, 0.24);
+  return s;
+}
+
+// Softer in y than in x at one bearing.
+inline scene::Scene anisotropic_rotor() {
+  scene::Scene s = scene_of(oracle::friswell_rotor());
+  s.rotor.geometry->bearings[1].stiffness = {1e6, 0.6e6};
+  return s;
+}
+
+}  // namespace rotorub::test
