@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "native_model/scene/scene.h"
 
@@ -40,6 +41,8 @@ class Controller {
   virtual Eigen::Vector2d force(const Measurement& measurement) const = 0;
   // True where force() reads rotor_acceleration (it costs a model evaluation).
   virtual bool needs_rotor_acceleration() const { return false; }
+  // Instants, s, at which the law is not smooth in time by itself.
+  virtual std::vector<double> breaks() const { return {}; }
 };
 
 // Null for an absent table and for a passive one without emulated spring and damper.

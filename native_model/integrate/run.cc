@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "native_model/integrate/event.h"
 #include "native_model/integrate/paper.h"
 #include "native_model/system/dynamics.h"
 #include "native_model/trajectory/recorder.h"
@@ -34,6 +35,12 @@ class Command {
   double last_sample_ = -1.0;
 };
 
+State perturbed(State state, int ulps) {
+  double& x = state.q[0];
+  for (int k = 0; k < std::abs(ulps); ++k) x = std::nextafter(x, ulps > 0 ? 1.0 : -1.0);
+  return state;
+}
+
 void record_mode_change(Recorder& recorder, double t, Mode before, const PaperStep& step) {
   if (step.impact) {
     recorder.add(step.detail);
@@ -60,13 +67,7 @@ Trajectory run_paper(const Model& model, const scene::Run& run, double step,
                      const NativeOptions& options) {
   Recorder recorder(model, options.output_times.value_or(output_times(run)));
   PaperStepper stepper(model, step);
-  State state = initial_state(model);
-  if (options.perturbation_ulps != 0) {
-    double& x = state.q[0];
-    for (int k = 0; k < std::abs(options.perturbation_ulps); ++k) {
-      x = std::nextafter(x, options.perturbation_ulps > 0 ? 1.0 : -1.0);
-    }
-  }
+  State state = perturbed(initial_state(model), options.perturbation_ulps);
   Command command(model);
   double first_touch = std::numeric_limits<double>::infinity();
   recorder.begin({0.0, state.q.data(), state.v.data(), 0.0, 0.0, Mode::kFree,
@@ -119,10 +120,32 @@ Trajectory run_paper(const Model& model, const scene::Run& run, double step,
   return out;
 }
 
+Trajectory run_event(const Model& model, const scene::Run& run, const NativeOptions& options) {
+  Recorder recorder(model, options.output_times.value_or(output_times(run)));
+  EventIntegrator integrator(model);
+  const auto start = std::chrono::steady_clock::now();
+  const EventIntegrator::Result result = integrator.run(
+      perturbed(initial_state(model), options.perturbation_ulps), run.end, recorder,
+      options.progress, options.interrupt);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  Trajectory out = recorder.finish(result.end);
+  out.engine = "native";
+  out.integrator = "event";
+  out.contact_model = "rigid";
+  out.steps = result.steps;
+  out.wall_s = wall.count();
+  out.status = result.status;
+  out.message = result.message;
+  return out;
+}
+
 }  // namespace
 
 Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
   const Model model = make_model(scene);
+  if (options.integrator.value_or(scene.run.integrator) == scene::Integrator::kEvent) {
+    return run_event(model, scene.run, options);
+  }
   return run_paper(model, scene.run, options.step.value_or(scene.run.step), options);
 }
 

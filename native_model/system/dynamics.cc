@@ -251,6 +251,12 @@ double external_power(const Model& m, double t, const double* q, const double* v
   smooth_force(m, t, q, v, u, f);
   double power = 0.0;
   for (int i = 0; i < l.nq(); ++i) power += (f[i] + m.stiffness[i] * q[i]) * v[i];
+  return power + extra_power(m, t, q, v);
+}
+
+double extra_power(const Model& m, double t, const double* q, const double* v) {
+  const Layout& l = m.layout;
+  double power = 0.0;
   for (const StationSpring& s : m.springs) {
     power += s.stiffness.cwiseProduct(at_station(l, s.shape, q)).dot(at_station(l, s.shape, v));
   }

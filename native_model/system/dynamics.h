@@ -49,6 +49,8 @@ void add_contact_load(const Model& model, const Eigen::Vector3d& p, double* f);
 double energy(const Model& model, double t, const double* q, const double* v);
 double external_power(const Model& model, double t, const double* q, const double* v,
                       const Eigen::Vector2d& u);
+// What external_power has beyond (f + stiffness q) . v, for callers that hold f already.
+double extra_power(const Model& model, double t, const double* q, const double* v);
 
 // The controller's command at (t, q, v), limited by the actuator; 0 before it is on and for
 // passive bearings. first_touch: s, infinity before.

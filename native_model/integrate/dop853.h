@@ -1,0 +1,149 @@
+// One step of DOP853, order 8 with an error estimate of order 5(3) and dense output of order 7
+// (Hairer, Norsett, Wanner, section II.10). The driver owns time, step size and events.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "native_model/integrate/dop853_tableau.h"
+
+namespace rotorub {
+
+class Dop853 {
+ public:
+  static constexpr int kDenseTerms = 7;
+
+  // size: components of y. All storage is allocated here.
+  explicit Dop853(int size)
+      : size_(size),
+        stages_(static_cast<std::size_t>(size * dop853::kExtendedStages)),
+        dense_(static_cast<std::size_t>(size * kDenseTerms)),
+        start_(static_cast<std::size_t>(size)),
+        end_(static_cast<std::size_t>(size)),
+        work_(static_cast<std::size_t>(size)) {}
+
+  // f(t, y) at the start of the next step: to be set first, and after every jump of y or f.
+  double* first_slope() { return stage(0); }
+
+  // A trial step from (t, y) over h; f(t, y, dy) fills dy. Gives the error in units of the
+  // tolerance: max over components of |error_i| / tolerance_i; accept at <= 1. Components with an
+  // infinite tolerance are carried along.
+  template <class F>
+  double trial(F&& f, double t, const double* y, double h, const double* tolerance) {
+    using namespace dop853;
+    std::copy_n(y, size_, start_.begin());
+    step_ = h;
+    for (int s = 1; s < kStages; ++s) {
+      combine(kMatrix[static_cast<std::size_t>(s)], work_.data());
+      f(t + kNodes[static_cast<std::size_t>(s)] * h, work_.data(), stage(s));
+    }
+    combine(kMatrix[kStages], end_.data());
+    f(t + h, end_.data(), stage(kStages));
+    return error(tolerance);
+  }
+
+  const double* end() const { return end_.data(); }
+
+  // After a trial: the extra stages of its dense output. t: the step's start.
+  template <class F>
+  void prepare_dense(F&& f, double t) {
+    using namespace dop853;
+    for (int s = kStages + 1; s < kExtendedStages; ++s) {
+      combine(kMatrix[static_cast<std::size_t>(s)], work_.data());
+      f(t + kNodes[static_cast<std::size_t>(s)] * step_, work_.data(), stage(s));
+    }
+    const double *f0 = stage(0), *f1 = stage(kStages);
+    for (int i = 0; i < size_; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const double dy = end_[k] - start_[k];
+      dense_term(0)[i] = dy;
+      dense_term(1)[i] = step_ * f0[i] - dy;
+      dense_term(2)[i] = 2.0 * dy - step_ * (f1[i] + f0[i]);
+    }
+    for (int d = 0; d < 4; ++d) {
+      double* to = dense_term(3 + d);
+      std::fill_n(to, size_, 0.0);
+      const Row& row = kDense[static_cast<std::size_t>(d)];
+      for (int j = 0; j < row.count; ++j) {
+        const Term& w = row.terms[static_cast<std::size_t>(j)];
+        const double *from = stage(w.stage), weight = step_ * w.weight;
+        for (int i = 0; i < size_; ++i) to[i] += weight * from[i];
+      }
+    }
+  }
+
+  // y(t + theta h) - y(t), theta in [0, 1], nested: theta (F_0 + (1 - theta)(F_1 + theta (...))).
+  void increment(double theta, double* y) const {
+    for (int i = 0; i < size_; ++i) {
+      double sum = 0.0;
+      for (int d = kDenseTerms - 1; d >= 0; --d) {
+        sum = (sum + term(d)[i]) * (d % 2 == 0 ? theta : 1.0 - theta);
+      }
+      y[i] = sum;
+    }
+  }
+  void dense(double theta, double* y) const {
+    increment(theta, y);
+    for (int i = 0; i < size_; ++i) y[i] += start_[static_cast<std::size_t>(i)];
+  }
+  // F_d of the nested form, for polynomials in theta of functions of y.
+  const double* term(int d) const { return dense_.data() + static_cast<std::ptrdiff_t>(d) * size_; }
+
+  // The last trial's end becomes the next start: its slope is known.
+  void advance() { std::copy_n(stage(dop853::kStages), size_, stage(0)); }
+  double step() const { return step_; }
+  int size() const { return size_; }
+
+ private:
+  double* stage(int s) { return stages_.data() + static_cast<std::ptrdiff_t>(s) * size_; }
+  double* dense_term(int d) { return dense_.data() + static_cast<std::ptrdiff_t>(d) * size_; }
+
+  // y = start + h sum of the row.
+  void combine(const dop853::Row& row, double* y) {
+    std::fill_n(y, size_, 0.0);
+    for (int j = 0; j < row.count; ++j) {
+      const dop853::Term& w = row.terms[static_cast<std::size_t>(j)];
+      const double *from = stage(w.stage), weight = w.weight;
+      for (int i = 0; i < size_; ++i) y[i] += weight * from[i];
+    }
+    for (int i = 0; i < size_; ++i) y[i] = start_[static_cast<std::size_t>(i)] + step_ * y[i];
+  }
+
+  // Hairer's blend of the two estimates, by the largest component:
+  // |h| e5^2 / sqrt(e5^2 + 0.01 e3^2).
+  double error(const double* tolerance) {
+    using namespace dop853;
+    double largest5 = 0.0, largest3 = 0.0;
+    for (int i = 0; i < size_; ++i) {
+      double e5 = 0.0, e3 = 0.0;
+      for (int j = 0; j < kFifth[0].count; ++j) {
+        const Term& w = kFifth[0].terms[static_cast<std::size_t>(j)];
+        e5 += w.weight * stage(w.stage)[i];
+      }
+      const Row& eighth = kMatrix[kStages];
+      for (int j = 0; j < eighth.count; ++j) {
+        const Term& w = eighth.terms[static_cast<std::size_t>(j)];
+        e3 += w.weight * stage(w.stage)[i];
+      }
+      for (int j = 0; j < kThird.count; ++j) {
+        const Term& w = kThird.terms[static_cast<std::size_t>(j)];
+        e3 -= w.weight * stage(w.stage)[i];
+      }
+      largest5 = std::max(largest5, std::abs(e5) / tolerance[i]);
+      largest3 = std::max(largest3, std::abs(e3) / tolerance[i]);
+      if (!std::isfinite(e5)) return std::numeric_limits<double>::infinity();
+    }
+    if (largest5 == 0.0) return 0.0;
+    return std::abs(step_) * largest5 * largest5 /
+           std::sqrt(largest5 * largest5 + 0.01 * largest3 * largest3);
+  }
+
+  int size_;
+  double step_ = 0.0;
+  std::vector<double> stages_, dense_, start_, end_, work_;
+};
+
+}  // namespace rotorub

@@ -1,0 +1,103 @@
+#include "native_model/integrate/phase.h"
+
+#include <cmath>
+#include <limits>
+
+namespace rotorub {
+namespace {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+}  // namespace
+
+Phase::Phase(const Model& model)
+    : model_(&model),
+      first_touch_(kInfinity),
+      f_(Eigen::VectorXd::Zero(model.nq())),
+      a_(Eigen::VectorXd::Zero(model.nq())) {}
+
+Eigen::Vector2d Phase::command(double t, const double* y) const {
+  const Model& m = *model_;
+  if (!m.controller || m.sample_time > 0.0) return held_;
+  return control_force(m, t, y, y + m.nq(), first_touch_);
+}
+
+void Phase::accelerate(double t, const double* q, const double* v, const Eigen::Vector2d& u) {
+  smooth_force(*model_, t, q, v, u, f_.data());
+  solve_mass(*model_, t, q, f_.data(), a_.data());
+}
+
+Phase::Contact Phase::contact_of(double t, const double* q, const double* v) const {
+  const Model& m = *model_;
+  Contact c;
+  c.point = contact_point(m, q, v);
+  const Eigen::Vector2d dd = rotor_point(m, a_.data()) - stator_point(m, a_.data());
+  // The spin's part: a without drive holds no spin, and the speed is constant.
+  double spin = m.layout.spin ? a_[m.layout.phi()] : 0.0;
+  for (int k = 0; k < m.layout.torsion; ++k) {
+    spin += m.torsion_contact[k] * a_[m.layout.theta() + k];
+  }
+  const double whirl = c.point.whirl_speed();
+  c.gap_acceleration = -c.point.e_r.dot(dd) - whirl * whirl / c.point.delta;
+  c.slip_acceleration = c.point.e_t().dot(dd) + m.contact->radius * spin +
+                        whirl / c.point.delta * c.point.gap_rate;
+  c.g = delassus(contact_admittance(m, t, q), c.point.e_r, m.contact->radius);
+  return c;
+}
+
+Phase::Contact Phase::contact(double t, const double* y) {
+  const double *q = y, *v = y + model_->nq();
+  accelerate(t, q, v, command(t, y));
+  return contact_of(t, q, v);
+}
+
+void Phase::derivative(double t, const double* y, double* dy) {
+  const Model& m = *model_;
+  const int n = m.nq();
+  const double *q = y, *v = y + n;
+  const Eigen::Vector2d u = command(t, y);
+  accelerate(t, q, v, u);
+
+  double* integrals = dy + 2 * n;
+  double power = 0.0;
+  for (int i = 0; i < n; ++i) power += (f_[i] + m.stiffness[i] * q[i]) * v[i];
+  integrals[kExternalWork] = power + extra_power(m, t, q, v);
+  for (int k = 0; k < kExternalWork; ++k) integrals[k] = 0.0;
+  integrals[kForceSquare] = integrals[kGapRateSquare] = 0.0;
+
+  multipliers_ = {};
+  margins_ = {kInfinity, kInfinity};
+  if (mode_ != Mode::kFree) {
+    const Contact c = contact_of(t, q, v);
+    const double mu = m.contact->friction, slip = c.point.slip;
+    double normal = 0.0, friction = 0.0;
+    if (mode_ == Mode::kSlide) {
+      normal = -c.gap_acceleration / (c.g.nn - mu * sign_ * c.g.nt);
+      friction = -mu * sign_ * normal;
+      margins_ = {normal, sign_ * slip};
+    } else {
+      const double determinant = c.g.nn * c.g.tt - c.g.nt * c.g.tn;
+      normal = (-c.gap_acceleration * c.g.tt + c.slip_acceleration * c.g.nt) / determinant;
+      friction = (-c.slip_acceleration * c.g.nn + c.gap_acceleration * c.g.tn) / determinant;
+      margins_ = {normal, mu * normal - std::abs(friction)};
+    }
+    multipliers_ = {normal, friction};
+    f_.setZero();
+    add_contact_load(m, contact_load(c.point.e_r, m.contact->radius, normal, friction), f_.data());
+    solve_mass(m, t, q, f_.data(), f_.data());
+    a_ += f_;
+    const double held = m.layout.spin ? 0.0 : m.contact->radius * m.speed;
+    integrals[kNormalImpulse] = normal;
+    integrals[kFrictionImpulse] = friction;
+    integrals[kFrictionWork] = friction * slip;
+    integrals[kContactWork] = friction * (slip - held);
+    integrals[kForceSquare] = normal * normal;
+  } else if (m.contact && std::isfinite(first_touch_)) {
+    const double rate = contact_point(m, q, v).gap_rate;
+    integrals[kGapRateSquare] = rate * rate;
+  }
+  for (int i = 0; i < n; ++i) {
+    dy[i] = v[i];
+    dy[n + i] = a_[i];
+  }
+}
+
+}  // namespace rotorub
