@@ -136,6 +136,7 @@ void EventIntegrator::project(bool velocity, bool slip) {
 }
 
 void EventIntegrator::enter(Mode mode, double sign) {
+  if (!std::isfinite(phase_.first_touch())) phase_.first_touch(t_);
   if (mode != phase_.mode()) {
     recorder_->add(Event{t_, mode == Mode::kSlide ? EventKind::kSlide : EventKind::kStick});
   }

@@ -1,0 +1,229 @@
+// The event-driven integrator against every exact answer that concerns motion.
+#include "native_model/integrate/event.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "native_model/integrate/run.h"
+#include "native_model/oracles/annular_rub.h"
+#include "native_model/oracles/backward_whip.h"
+#include "native_model/oracles/billiard.h"
+#include "native_model/oracles/drop.h"
+#include "native_model/scene/reader.h"
+#include "tests/support/jeffcott.h"
+
+namespace rotorub {
+namespace {
+
+using test::Jeffcott;
+using test::make_scene;
+
+scene::Scene shipped(const std::string& name) {
+  return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
+}
+
+Trajectory run(const scene::Scene& scene) {
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  return run_native(scene, options);
+}
+
+Eigen::Vector2d rotor(const Trajectory& t, std::size_t row) {
+  return {t.column("rotor_x")[row], t.column("rotor_y")[row]};
+}
+
+std::size_t row_at(const Trajectory& t, double time) {
+  const auto& times = t.column("t");
+  return static_cast<std::size_t>(std::find(times.begin(), times.end(), time) - times.begin());
+}
+
+TEST(EventBilliard, EveryRowAndImpactToRoundOff) {
+  const Trajectory t = run(shipped("bench_billiard"));
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const oracle::Billiard exact(0.5e-3, {1e-4, 0.0}, {0.3, 0.4});
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    ASSERT_LT((rotor(t, k) - exact.position(t.column("t")[k])).norm(), 1e-13) << k;
+  }
+  ASSERT_EQ(t.impacts.size(), 101u);
+  for (std::size_t k = 0; k < t.impacts.size(); ++k) {
+    const double time = exact.first_impact() + static_cast<double>(k) * exact.chord_time();
+    ASSERT_NEAR(t.impacts[k].t, time, 1e-12);
+  }
+}
+
+TEST(EventDrop, BouncesAndRestToRoundOff) {
+  const Trajectory t = run(shipped("bench_drop"));
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const oracle::Drop exact{0.5e-3, 9.81, 0.5};
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    const double height = exact.height_at(t.column("t")[k]);
+    ASSERT_NEAR(t.column("rotor_y")[k], height - 0.5e-3, 1e-13) << t.column("t")[k];
+  }
+  for (int k = 0; k < 20; ++k) {
+    ASSERT_NEAR(t.impacts[static_cast<std::size_t>(k)].t, exact.impact_time(k), 1e-12) << k;
+  }
+  // The accumulation closes at the rest time, short of it by the flights under 1e-9 m/s.
+  ASSERT_EQ(t.events.back().kind, EventKind::kStick);
+  EXPECT_NEAR(t.events.back().t, exact.rest_time(), 1e-9 / 9.81 * 2.0);
+  EXPECT_NEAR(t.column("normal_force").back(), 19.62, 1e-12);
+}
+
+TEST(EventBenchRing, ThePublishedStates) {
+  scene::Scene scene = shipped("bench_ring");
+  scene.run.output_times = {0.02};
+  const Trajectory t = run(scene);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const double digits = 2e-15;  // the published ones are given to 1e-13 relative
+  EXPECT_LT((rotor(t, row_at(t, 0.02)) - Eigen::Vector2d(3.200529602935e-4, -1.197270224039e-3))
+                .norm(), digits);
+  EXPECT_LT((rotor(t, t.rows() - 1) - Eigen::Vector2d(5.15768981628e-4, -2.036936721118e-3))
+                .norm(), digits);
+  EXPECT_NEAR(t.column("normal_force").back(), 121.7020407, 5e-8);
+  const double published[] = {4.0601e-3, 7.5981e-3, 8.9758e-3, 9.5869e-3, 9.8768e-3};
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(t.impacts[k].t, published[k], 6e-8);
+  EXPECT_NEAR(t.impacts.back().t, 10.158e-3, 1e-6);
+  EXPECT_LT(t.statistics.energy_residual(), 1e-12);
+}
+
+struct Rub {
+  Jeffcott rotor{.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .friction = 0.15, .speed = 300.0};
+  double load = 150.0, frequency = 100.0 * std::numbers::pi;
+};
+
+void start_on(scene::Scene& scene, std::complex<double> rotor, std::complex<double> ring,
+              double frequency) {
+  const std::complex<double> turn{0.0, frequency};
+  scene.initial.x = {rotor.real()};
+  scene.initial.y = {rotor.imag()};
+  scene.initial.vx = {(turn * rotor).real()};
+  scene.initial.vy = {(turn * rotor).imag()};
+  scene.initial.stator = {ring.real(), ring.imag()};
+  scene.initial.stator_velocity = {(turn * ring).real(), (turn * ring).imag()};
+}
+
+void expect_on(const Trajectory& t, const oracle::AnnularRub& exact, double frequency,
+               double clearance) {
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_EQ(t.contact_fraction(), 1.0);
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    const std::complex<double> z =
+        exact.rotor * std::polar(1.0, frequency * t.column("t")[k]);
+    ASSERT_NEAR(t.column("rotor_x")[k], z.real(), 1e-10 * clearance);
+    ASSERT_NEAR(t.column("rotor_y")[k], z.imag(), 1e-10 * clearance);
+    ASSERT_NEAR(t.column("normal_force")[k], exact.force, 1e-10 * exact.force);
+  }
+}
+
+TEST(EventAnnularRub, OnAFixedRing) {
+  const Rub r;
+  const auto exact =
+      oracle::annular_rub({r.rotor.mass, r.rotor.damping, r.rotor.stiffness}, r.rotor.clearance,
+                          r.rotor.friction, r.load, r.frequency);
+  ASSERT_TRUE(exact);
+  scene::Scene scene = make_scene(r.rotor);
+  test::add_rotating_force(scene, r.load, r.frequency);
+  start_on(scene, exact->rotor, 0.0, r.frequency);
+  scene.run.end = 0.2;
+  expect_on(run(scene), *exact, r.frequency, r.rotor.clearance);
+}
+
+TEST(EventAnnularRub, OnAnElasticRing) {
+  const Rub r;
+  const auto exact = oracle::annular_rub({r.rotor.mass, r.rotor.damping, r.rotor.stiffness},
+                                         {1.0, 200.0, 1e5}, r.rotor.clearance, r.rotor.friction,
+                                         r.load, r.frequency);
+  ASSERT_TRUE(exact);
+  scene::Scene scene = make_scene(r.rotor);
+  test::add_ring(scene, 1.0, 200.0, 1e5);
+  test::add_rotating_force(scene, r.load, r.frequency);
+  start_on(scene, exact->rotor, exact->stator, r.frequency);
+  scene.run.end = 0.2;
+  expect_on(run(scene), *exact, r.frequency, r.rotor.clearance);
+}
+
+// Backward whip: the Riccati equation while sliding, then rolling at nu = Omega r / delta_0.
+TEST(EventWhip, GrowsByTheRiccatiEquationUntilItRolls) {
+  const Jeffcott j{.mass = 2.0, .damping = 5.0, .stiffness = 2e5, .radius = 0.02, .friction = 0.2,
+                   .speed = 200.0};
+  const oracle::BackwardWhip exact{j.mass, j.damping, j.stiffness, j.friction, j.clearance};
+  const double start = 1.3 * exact.growth_threshold();
+  const double rolling = j.speed * j.radius / j.clearance;
+  scene::Scene scene = make_scene(j);
+  scene.initial.x = {j.clearance};
+  scene.initial.vy = {-start * j.clearance};
+  scene.run.end = exact.blow_up(start);
+  const Trajectory t = run(scene);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  bool slid = false;
+  for (std::size_t k = 1; k < t.rows(); ++k) {
+    const double x = t.column("rotor_x")[k], y = t.column("rotor_y")[k];
+    const double vx = t.column("rotor_vx")[k], vy = t.column("rotor_vy")[k];
+    const double nu = -(x * vy - y * vx) / (j.clearance * j.clearance);
+    if (static_cast<Mode>(t.column("mode")[k]) == Mode::kSlide) {
+      slid = true;
+      ASSERT_NEAR(nu, exact.whirl_speed(start, t.column("t")[k]), 1e-10 * nu);
+      ASSERT_NEAR(t.column("normal_force")[k], exact.normal_force(nu),
+                  1e-9 * exact.normal_force(nu));
+    } else {
+      ASSERT_EQ(static_cast<Mode>(t.column("mode")[k]), Mode::kStick);
+      ASSERT_NEAR(nu, rolling, 1e-10 * rolling);
+    }
+  }
+  EXPECT_TRUE(slid);
+  ASSERT_EQ(t.events.back().kind, EventKind::kStick);
+}
+
+// Free whirl of an undamped Jeffcott rotor: an ellipse in closed form.
+TEST(EventFree, HarmonicMotionToTheTolerance) {
+  scene::Scene scene = make_scene({.mass = 2.0, .stiffness = 2e5, .clearance = 1.0});
+  scene.initial.x = {1e-3};
+  scene.initial.vy = {0.2};
+  scene.run.end = 1.0;
+  const Trajectory t = run(scene);
+  const double omega = std::sqrt(1e5);
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    const double time = t.column("t")[k];
+    ASSERT_NEAR(t.column("rotor_x")[k], 1e-3 * std::cos(omega * time), 1e-13);
+    ASSERT_NEAR(t.column("rotor_y")[k], 0.2 / omega * std::sin(omega * time), 1e-13);
+  }
+}
+
+// Rotating damping above Omega = omega (1 + d_e / d_i) feeds the forward whirl, below it does not.
+TEST(EventFree, InternalDampingThreshold) {
+  const double omega = std::sqrt(1e5), external = 8.0, internal = 20.0;
+  const double threshold = omega * (1.0 + external / internal);
+  for (const double factor : {0.98, 1.02}) {
+    scene::Scene scene = make_scene({.mass = 2.0, .damping = external, .stiffness = 2e5,
+                                     .clearance = 1.0, .speed = factor * threshold});
+    scene.rotor.modal->internal_damping = {internal};
+    scene.initial.x = {1e-4};
+    scene.initial.vy = {omega * 1e-4};
+    scene.run.end = 2.0;
+    const Trajectory t = run(scene);
+    const double end = rotor(t, t.rows() - 1).norm();
+    EXPECT_EQ(end > 1e-4, factor > 1.0) << end;
+  }
+}
+
+TEST(EventOutput, RowsDoNotDisturbTheSteps) {
+  scene::Scene few = shipped("bench_ring"), many = few;
+  few.run.output_step = 0.1;
+  many.run.output_step = 1e-4;
+  many.run.output_times = {0.0123456789, 0.3333333333};
+  const Trajectory a = run(few), b = run(many);
+  EXPECT_EQ(a.steps, b.steps);
+  EXPECT_EQ(rotor(a, a.rows() - 1), rotor(b, b.rows() - 1)) << "to the bit";
+  EXPECT_EQ(b.column("t")[row_at(b, 0.0123456789)], 0.0123456789);
+}
+
+TEST(EventDeterminism, SameSceneSameBits) {
+  const Trajectory a = run(shipped("paper_passive")), b = run(shipped("paper_passive"));
+  ASSERT_EQ(a.impacts.size(), b.impacts.size());
+  for (const Column& column : a.series) EXPECT_EQ(column.values, b.column(column.name));
+}
+
+}  // namespace
+}  // namespace rotorub
