@@ -1,0 +1,125 @@
+#include "renders/canvas.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+
+namespace rotorub::renders {
+
+namespace {
+
+using RowMatrix = Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>;
+
+void copy(const Eigen::Vector3d& from, float (&to)[3]) {
+  for (int i = 0; i < 3; ++i) to[i] = static_cast<float>(from[i]);
+}
+
+void set(float (&to)[3], float value) { std::fill(std::begin(to), std::end(to), value); }
+
+}  // namespace
+
+mjvGeom& Canvas::add(int type, const Point& size, const Point& center, const Eigen::Matrix3d& axes,
+                     const Color& color) {
+  assert(scene_->ngeom < scene_->maxgeom);
+  mjvGeom& geom = scene_->geoms[scene_->ngeom++];
+  const RowMatrix rows = axes;
+  const float rgba[4] = {color.red, color.green, color.blue, color.alpha};
+  mjv_initGeom(&geom, type, size.data(), center.data(), rows.data(), rgba);
+  geom.category = mjCAT_DECOR;
+  geom.emission = finish_.glow;
+  geom.specular = finish_.specular;
+  geom.shininess = finish_.shininess;
+  return geom;
+}
+
+void Canvas::connector(int type, const Point& from, const Point& to, double width,
+                       const Color& color) {
+  mjvGeom& geom = add(type, Point::Zero(), Point::Zero(), Eigen::Matrix3d::Identity(), color);
+  mjv_makeConnector(&geom, type, width, from[0], from[1], from[2], to[0], to[1], to[2]);
+}
+
+void Canvas::cylinder(const Point& from, const Point& to, double radius, const Color& color) {
+  connector(mjGEOM_CYLINDER, from, to, radius, color);
+}
+
+void Canvas::capsule(const Point& from, const Point& to, double radius, const Color& color) {
+  connector(mjGEOM_CAPSULE, from, to, radius, color);
+}
+
+void Canvas::sphere(const Point& center, double radius, const Color& color) {
+  add(mjGEOM_SPHERE, Point::Constant(radius), center, Eigen::Matrix3d::Identity(), color);
+}
+
+void Canvas::box(const Point& center, const Point& half_size, const Color& color,
+                 const Eigen::Matrix3d& axes) {
+  add(mjGEOM_BOX, half_size, center, axes, color);
+}
+
+void Canvas::arrow(const Point& from, const Point& to, double width, const Color& color) {
+  // MuJoCo draws an arrow half as long as its connector.
+  connector(mjGEOM_ARROW, from, from + 2.0 * (to - from), width, color);
+}
+
+void Canvas::line(const Point& from, const Point& to, double pixels, const Color& color) {
+  connector(mjGEOM_LINE, from, to, pixels, color);
+}
+
+void Canvas::mesh(int id, const Point& center, const Eigen::Matrix3d& axes, const Color& color) {
+  // MuJoCo counts a mesh and its convex hull: 2 id and 2 id + 1.
+  add(mjGEOM_MESH, Point::Ones(), center, axes, color).dataid = 2 * id;
+}
+
+void set_view(mjvScene& scene, const View& view) {
+  const Eigen::Vector3d ahead = view.target - view.position;
+  const double distance = ahead.norm();
+  const Eigen::Vector3d forward = ahead / distance;
+  const Eigen::Vector3d up = (view.up - view.up.dot(forward) * forward).normalized();
+  const double near = std::max(0.02 * distance, distance - view.depth);
+  for (mjvGLCamera& camera : scene.camera) {
+    copy(view.position, camera.pos);
+    copy(forward, camera.forward);
+    copy(up, camera.up);
+    camera.frustum_center = 0.0F;
+    camera.frustum_top = static_cast<float>(view.half_height * near / distance);
+    camera.frustum_bottom = -camera.frustum_top;
+    camera.frustum_near = static_cast<float>(near);
+    camera.frustum_far = static_cast<float>(distance + view.depth);
+  }
+}
+
+View fitted(View view, std::span<const Eigen::Vector3d> points, double aspect, double margin) {
+  const Eigen::Vector3d offset = view.position - view.target;
+  const double distance = offset.norm();
+  const Eigen::Vector3d forward = -offset / distance;
+  const Eigen::Vector3d right = forward.cross(view.up).normalized();
+  const Eigen::Vector3d up = right.cross(forward);
+  // Perspective makes the box of the points depend on the target: a few rounds settle it.
+  for (int round = 0; round < 8; ++round) {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector3d& point : points) {
+      const Eigen::Vector3d seen = point - view.position;
+      const double scale = distance / seen.dot(forward);  // to the plane of the target
+      box.extend(Eigen::Vector2d(scale * seen.dot(right), scale * seen.dot(up)));
+    }
+    view.target += box.center()[0] * right + box.center()[1] * up;
+    view.position = view.target + offset;
+    view.half_height =
+        0.5 * std::max(box.sizes()[0] / aspect, box.sizes()[1]) / (1.0 - 2.0 * margin);
+  }
+  return view;
+}
+
+void set_lights(mjvScene& scene, const Eigen::Vector3d& key_direction, float ambient) {
+  scene.nlight = 1;
+  mjvLight& light = scene.lights[0];
+  light = mjvLight{};
+  light.directional = 1;
+  copy(key_direction.normalized(), light.dir);
+  copy(-10.0 * key_direction.normalized(), light.pos);
+  light.attenuation[0] = 1.0F;
+  set(light.ambient, ambient);
+  set(light.diffuse, 0.95F - ambient);
+  set(light.specular, 0.35F);
+}
+
+}  // namespace rotorub::renders

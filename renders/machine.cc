@@ -1,0 +1,253 @@
+#include "renders/machine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace rotorub::renders {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kSpans = 48;  // of the drawn shaft
+// Shares of the rotor's radius: a clearance that is seen well, and the least that is seen.
+constexpr double kClearanceShare = 0.45;
+constexpr double kLeastShare = 0.15;
+constexpr double kRingMotionShare = 0.9;   // of the rotor's radius, for the cross-section
+constexpr double kMotionShare = 0.1;       // of the shaft's length, for the machine
+constexpr double kWidestClearance = 0.06;  // of the shaft's length, for the machine
+
+// Values at `to` of a line given at ascending stations `from`, one column a mode.
+Eigen::MatrixXd resample(const Eigen::VectorXd& from, const Eigen::MatrixXd& values,
+                         const Eigen::VectorXd& to) {
+  Eigen::MatrixXd result(to.size(), values.cols());
+  for (Eigen::Index i = 0; i < to.size(); ++i) {
+    const auto after = std::upper_bound(from.begin(), from.end(), to[i]);
+    const Eigen::Index next = std::clamp<Eigen::Index>(after - from.begin(), 1, from.size() - 1);
+    const double s = std::clamp((to[i] - from[next - 1]) / (from[next] - from[next - 1]), 0.0, 1.0);
+    result.row(i) = (1.0 - s) * values.row(next - 1) + s * values.row(next);
+  }
+  return result;
+}
+
+// Even spacing, and every change of diameter: metres.
+Eigen::VectorXd shaft_stations(const scene::RotorGeometry& geometry) {
+  std::vector<double> stations;
+  for (int i = 0; i <= kSpans; ++i) stations.push_back(geometry.length * i / kSpans);
+  for (const scene::ShaftSection& section : geometry.sections) stations.push_back(section.from);
+  std::sort(stations.begin(), stations.end());
+  const double least = 1e-6 * geometry.length;
+  const auto end = std::unique(stations.begin(), stations.end(),
+                               [least](double a, double b) { return b - a < least; });
+  return Eigen::VectorXd::Map(stations.data(), end - stations.begin());
+}
+
+double diameter_at(const scene::RotorGeometry& geometry, double z) {
+  for (const scene::ShaftSection& section : geometry.sections) {
+    if (z >= section.from && z <= section.to) return section.diameter;
+  }
+  return 0.03 * geometry.length;
+}
+
+// A disc stated by its mass and inertia drawn as the solid cylinder that has them:
+// J_p = m R^2 / 2, m = rho pi R^2 (2 h).
+DrawnDisc drawn_disc(const scene::Disc& disc, const scene::RotorGeometry& geometry, double unit) {
+  const double shaft = 0.5 * diameter_at(geometry, disc.z) * unit;
+  double radius = 0.08;
+  double half_width = 0.015;
+  if (disc.mass > 0.0 && disc.Jp > 0.0) {
+    const double metres = std::sqrt(2.0 * disc.Jp / disc.mass);
+    radius = metres * unit;
+    half_width = 0.5 * disc.mass / (geometry.rho * kPi * metres * metres) * unit;
+  }
+  return {disc.z * unit, std::clamp(radius, 1.3 * shaft, 0.2), std::clamp(half_width, 0.006, 0.06)};
+}
+
+void draw_geometry(Machine& machine, const scene::Scene& scene, const ModeLines& lines) {
+  const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  machine.unit = 1.0 / geometry.length;
+  const Eigen::VectorXd stations = shaft_stations(geometry);
+  machine.z = stations * machine.unit;
+  machine.modes_x = resample(lines.z, lines.x, stations);
+  machine.modes_y = resample(lines.z, lines.y, stations);
+  double thickest = 0.0;
+  for (Eigen::Index i = 0; i + 1 < stations.size(); ++i) {
+    const double middle = 0.5 * (stations[i] + stations[i + 1]);
+    machine.span_radius.push_back(0.5 * diameter_at(geometry, middle) * machine.unit);
+    thickest = std::max(thickest, machine.span_radius.back());
+  }
+  for (const scene::Disc& disc : geometry.discs) {
+    machine.discs.push_back(drawn_disc(disc, geometry, machine.unit));
+  }
+  for (const scene::ShaftBearing& bearing : geometry.bearings) {
+    machine.bearings.push_back(bearing.z * machine.unit);
+  }
+  machine.bearing_bore = 1.05 * thickest;
+  if (scene.drive) machine.motor = scene.drive->station * machine.unit;
+}
+
+// Modal data say nothing of a shape: a shaft of proportions that please, bent like a half wave
+// where a spring holds it and straight where none does.
+void draw_modal(Machine& machine, const scene::Scene& scene) {
+  const double radius = scene.contact ? scene.contact->radius : 0.05;
+  machine.unit = 1.0 / (14.0 * radius);
+  machine.z = Eigen::VectorXd::LinSpaced(kSpans + 1, 0.0, 1.0);
+  machine.span_radius.assign(kSpans, 0.35 / 14.0);
+  const scene::RotorModal& modal = *scene.rotor.modal;
+  const bool held = std::any_of(modal.stiffness.begin(), modal.stiffness.end(),
+                                [](double stiffness) { return stiffness > 0.0; });
+  machine.bow = Eigen::VectorXd::Ones(machine.z.size());
+  if (!held) return;
+  constexpr double kEnd = 0.06;  // bearings this far from the ends
+  machine.bow = ((machine.z.array() - kEnd) * kPi / (1.0 - 2.0 * kEnd)).sin();
+  machine.bearings = {kEnd, 1.0 - kEnd};
+  machine.bearing_bore = 1.05 * machine.span_radius.front();
+  if (scene.drive) machine.motor = 0.0;
+}
+
+// Largest drawn motion of any station for a magnification of 1, at the rows of the film.
+double largest_motion(const Machine& machine, const Playback& playback, double from, double to) {
+  constexpr int kLooks = 600;
+  double largest = 0.0;
+  for (int i = 0; i <= kLooks; ++i) {
+    const Pose pose = playback.at(from + (to - from) * i / kLooks);
+    const Eigen::Matrix2Xd line = machine.centre_line(pose) / machine.magnification;
+    largest = std::max(largest, line.colwise().norm().maxCoeff());
+  }
+  return largest;
+}
+
+double machine_magnification(const scene::Scene& scene, double unit, double motion) {
+  double most = motion > 0.0 ? kMotionShare / motion : 1e300;
+  if (scene.contact) {
+    const double clearance = scene.contact->clearance * unit;
+    const double least = kLeastShare * scene.contact->radius * unit / clearance;
+    most = std::clamp(most, least, std::max(least, kWidestClearance / clearance));
+  }
+  if (most > 1e200) return 1.0;
+  return std::max(1.0, plain_number_below(most));
+}
+
+// Largest magnified motion of one station.
+double motion_at(const Machine& machine, const Playback& playback, double from, double to,
+                 double z) {
+  constexpr int kLooks = 200;
+  double largest = 0.0;
+  for (int i = 0; i <= kLooks; ++i) {
+    const Pose pose = playback.at(from + (to - from) * i / kLooks);
+    largest = std::max(largest, machine.centre(machine.centre_line(pose), z).tail<2>().norm());
+  }
+  return largest;
+}
+
+// Where a magnetic bearing sits, m: the scene's own, or one that makes its first rotating force.
+std::optional<double> exciter_station(const scene::Scene& scene) {
+  if (!scene.rotor.geometry) return std::nullopt;
+  if (scene.magnetic_bearing) return scene.magnetic_bearing->station;
+  for (const scene::Force& force : scene.forces) {
+    if (force.kind == scene::ForceKind::kRotating) return force.station;
+  }
+  return std::nullopt;
+}
+
+void draw_contact(Machine& machine, const scene::Scene& scene) {
+  const scene::Contact& contact = *scene.contact;
+  const double z = scene.rotor.geometry ? contact.station * machine.unit : 0.5;
+  const double radius = contact.radius * machine.unit;
+  const double clearance = machine.displaced(contact.clearance);
+  machine.clearance = contact.clearance;
+  machine.ring_moves = scene.stator.has_value();
+  machine.contact = {z, radius, clearance, radius + clearance + 0.45 * radius, 0.4 * radius};
+}
+
+}  // namespace
+
+double section_magnification(const scene::Scene& scene, double motion) {
+  if (!scene.contact) return 1.0;
+  const double ratio = scene.contact->radius / scene.contact->clearance;
+  double most = kClearanceShare * ratio;
+  if (motion > 0.0) {
+    most = std::clamp(kRingMotionShare * scene.contact->radius / motion, kLeastShare * ratio, most);
+  }
+  return std::max(1.0, plain_number_below(most));
+}
+
+double plain_number_below(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  double best = power;
+  for (const double plain : {1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0}) {
+    if (plain * power <= value * (1.0 + 1e-12)) best = plain * power;
+  }
+  return best;
+}
+
+Eigen::Matrix2Xd Machine::centre_line(const Pose& pose) const {
+  Eigen::Matrix2Xd line(2, z.size());
+  if (bow.size() > 0) {
+    line.row(0) = bow.transpose() * pose.rotor[0];
+    line.row(1) = bow.transpose() * pose.rotor[1];
+  } else {
+    line.row(0) = (modes_x * pose.x).transpose();
+    line.row(1) = (modes_y * pose.y).transpose();
+  }
+  return line * displaced(1.0);
+}
+
+Eigen::Vector3d Machine::centre(const Eigen::Matrix2Xd& line, double station) const {
+  const Eigen::Vector2d at =
+      resample(z, line.transpose(), Eigen::VectorXd::Constant(1, station)).row(0).transpose();
+  return {station, at[0], at[1]};
+}
+
+Eigen::Vector3d Machine::tangent(const Eigen::Matrix2Xd& line, double station) const {
+  constexpr double kReach = 0.03;
+  const double before = std::max(0.0, station - kReach);
+  const double after = std::min(1.0, station + kReach);
+  return (centre(line, after) - centre(line, before)).normalized();
+}
+
+Machine make_machine(const scene::Scene& scene, const std::optional<ModeLines>& lines,
+                     const Playback& playback, double from, double to,
+                     std::optional<double> magnification) {
+  Machine machine;
+  if (scene.rotor.geometry && lines) {
+    draw_geometry(machine, scene, *lines);
+    if (machine.modes_x.cols() != playback.modes()) {
+      throw std::runtime_error(
+          fmt::format("the series has {} bending modes and the scene `{}` has {}: they do not "
+                      "belong together",
+                      playback.modes(), scene.name, machine.modes_x.cols()));
+    }
+  } else {
+    draw_modal(machine, scene);
+  }
+  const double motion = largest_motion(machine, playback, from, to);
+  machine.magnification =
+      magnification.value_or(machine_magnification(scene, machine.unit, motion));
+  if (scene.contact) draw_contact(machine, scene);
+  if (const auto station = exciter_station(scene)) {
+    const double z = *station * machine.unit;
+    const double shaft = 0.5 * diameter_at(*scene.rotor.geometry, *station);
+    const double bore = 1.6 * shaft * machine.unit + motion_at(machine, playback, from, to, z);
+    machine.magnetic_bearing = {z, bore, bore + 0.035, 0.025};
+  }
+
+  // The base plate lies below everything that moves.
+  double reach = 0.08;
+  if (machine.contact) {
+    reach = std::max(reach, machine.contact->ring_outer +
+                                machine.displaced(playback.largest_stator(from, to)) + 0.06);
+  }
+  for (const DrawnDisc& disc : machine.discs) {
+    reach = std::max(reach, disc.radius + motion * machine.magnification + 0.02);
+  }
+  if (machine.magnetic_bearing) reach = std::max(reach, machine.magnetic_bearing->outer + 0.02);
+  machine.floor = -reach;
+  return machine;
+}
+
+}  // namespace rotorub::renders

@@ -1,0 +1,238 @@
+#include "renders/machine_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renders/palette.h"
+
+namespace rotorub::renders {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+const Matrix3d kUpright = Matrix3d::Identity();
+
+// The part of a ring that is kept: what is cut away faces the camera.
+constexpr double kKeptFrom = 212.0 * kDegree;
+constexpr double kKeptTo = 452.0 * kDegree;
+
+constexpr double kPlateHalfDepth = 0.13;
+
+// Width of the rotor's body at the contact, in widths of the ring.
+constexpr double kRotorWidth = 1.25;
+
+// A ghost's shaft against the shaft: hidden within it where the two agree.
+constexpr double kWithin = 0.96;
+
+// Proud of the body it marks, so that it is seen.
+constexpr double kProud = 1.02;
+
+int add_mesh(std::vector<Mesh>& meshes, const RingShape& shape) {
+  const int id = static_cast<int>(meshes.size());
+  meshes.push_back(ring_mesh("machine_" + std::to_string(id), shape));
+  return id;
+}
+
+// A quarter of the disc.
+RingShape mark_shape(double radius, double half_width) {
+  return {0.3 * radius, kProud * radius, half_width + 0.02 * radius, 0.0, 90.0 * kDegree, 24};
+}
+
+Vector3d at(double station, const Vector2d& yz) { return {station, yz[0], yz[1]}; }
+
+}  // namespace
+
+MachineView::MachineView(const Machine& machine, std::vector<Mesh>& meshes) : machine_(machine) {
+  if (machine.contact) {
+    const DrawnContact& contact = *machine.contact;
+    ring_ = add_mesh(meshes, {contact.ring_bore(), contact.ring_outer, contact.half_width,
+                              kKeptFrom, kKeptTo, 72});
+    rotor_ = {add_mesh(meshes, {0.0, contact.rotor_radius, kRotorWidth * contact.half_width}),
+              add_mesh(meshes, mark_shape(contact.rotor_radius, kRotorWidth * contact.half_width))};
+  }
+  for (const DrawnDisc& disc : machine.discs) {
+    discs_.push_back({add_mesh(meshes, {0.0, disc.radius, disc.half_width}),
+                      add_mesh(meshes, mark_shape(disc.radius, disc.half_width))});
+  }
+  if (!machine.bearings.empty()) {
+    bearing_ = add_mesh(meshes, {machine.bearing_bore, 2.2 * machine.bearing_bore, 0.018});
+  }
+  if (machine.magnetic_bearing) {
+    const DrawnMagneticBearing& magnet = *machine.magnetic_bearing;
+    magnet_ = add_mesh(
+        meshes, {magnet.bore + 0.012, magnet.outer, magnet.half_width, kKeptFrom, kKeptTo, 72});
+  }
+}
+
+void MachineView::set_up(mjvScene& scene, double aspect) const {
+  // From the side of the ring where no disc stands before it.
+  double side = 1.0;
+  double nearest = 2.0;
+  for (const DrawnDisc& disc : machine_.discs) {
+    if (!machine_.contact) break;
+    const double away = disc.z - machine_.contact->z;
+    if (std::abs(away) < nearest) side = away > 0.0 ? -1.0 : 1.0;
+    nearest = std::min(nearest, std::abs(away));
+  }
+  View view;
+  view.target = {0.5, 0.0, 0.0};
+  view.position = view.target + 3.0 * Vector3d(0.62 * side, -1.0, 0.5).normalized();
+  view.depth = 2.0;
+  std::vector<Vector3d> corners;
+  for (const double x : {plate_left(), plate_right()}) {
+    for (const double y : {-kPlateHalfDepth, kPlateHalfDepth}) {
+      corners.push_back({x, y, machine_.floor});
+    }
+    corners.push_back({x, 0.0, 0.08});
+  }
+  set_view(scene, fitted(view, corners, aspect, 0.03));
+  set_lights(scene, {0.35, 0.8, -1.0}, 0.42F);
+}
+
+double MachineView::plate_left() const {
+  return machine_.motor && *machine_.motor < 0.5 ? -0.15 : -0.04;
+}
+
+double MachineView::plate_right() const {
+  return machine_.motor && *machine_.motor >= 0.5 ? 1.15 : 1.04;
+}
+
+void MachineView::draw(const Stage& stage, mjvScene& scene, const Instant& instant,
+                       const Pose* ghost, double force_length) const {
+  Canvas canvas(scene);
+  canvas.clear();
+  draw_base(stage, canvas);
+  const Eigen::Matrix2Xd line = machine_.centre_line(instant.pose);
+  canvas.finish(kMetal);
+  draw_shaft(canvas, line, palette::kShaft, 1.0);
+  draw_bodies(stage, canvas, instant.pose, line);
+  if (machine_.contact) {
+    const DrawnSection section = drawn_section(machine_, instant.pose);
+    draw_ring(stage, canvas, section, palette::kRing);
+    draw_contact(canvas, instant, section, force_length);
+  }
+  if (ghost != nullptr) {
+    canvas.finish(kMatt);
+    const Color color = palette::kGhost.with_alpha(0.45);
+    draw_shaft(canvas, machine_.centre_line(*ghost), color, kWithin);
+    if (machine_.contact) draw_ring(stage, canvas, drawn_section(machine_, *ghost), color);
+  }
+}
+
+void MachineView::draw_pedestal(Canvas& canvas, double z, double top, double half_width,
+                                double half_depth) const {
+  const double half_height = 0.5 * (top - machine_.floor);
+  canvas.box({z, 0.0, machine_.floor + half_height}, {half_width, half_depth, half_height},
+             palette::kHousing);
+}
+
+void MachineView::draw_base(const Stage& stage, Canvas& canvas) const {
+  canvas.finish(kMatt);
+  constexpr double kPlateThickness = 0.012;
+  const double left = plate_left();
+  const double right = plate_right();
+  canvas.box({0.5 * (left + right), 0.0, machine_.floor - kPlateThickness},
+             {0.5 * (right - left), kPlateHalfDepth, kPlateThickness}, palette::kPlate);
+
+  for (const double z : machine_.bearings) {
+    draw_pedestal(canvas, z, -1.6 * machine_.bearing_bore, 0.014, 1.6 * machine_.bearing_bore);
+    stage.draw_mesh(canvas, bearing_, {z, 0.0, 0.0}, kUpright, palette::kHousing);
+  }
+  if (machine_.motor) {
+    // On the outer side of the shaft's end, or around the shaft.
+    const double z = *machine_.motor;
+    const double middle = z < 0.1 ? z - 0.075 : (z > 0.9 ? z + 0.075 : z);
+    draw_pedestal(canvas, middle, -0.03, 0.04, 0.04);
+    canvas.cylinder({middle - 0.06, 0.0, 0.0}, {middle + 0.06, 0.0, 0.0}, 0.06, palette::kMotor);
+  }
+  if (machine_.magnetic_bearing) {
+    const DrawnMagneticBearing& magnet = *machine_.magnetic_bearing;
+    draw_pedestal(canvas, magnet.z, -0.9 * magnet.outer, 0.6 * magnet.half_width, 0.03);
+    stage.draw_mesh(canvas, magnet_, {magnet.z, 0.0, 0.0}, kUpright, palette::kHousing);
+    for (int pole = 0; pole < 8; ++pole) {
+      const double angle = (22.5 + 45.0 * pole) * kDegree;
+      if (angle > kKeptTo - 2.0 * std::numbers::pi && angle < kKeptFrom) continue;
+      const Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d::UnitX()).toRotationMatrix();
+      const double radius = magnet.bore + 0.01;
+      canvas.box(turn * Vector3d(0.0, radius, 0.0) + Vector3d(magnet.z, 0.0, 0.0),
+                 {0.8 * magnet.half_width, 0.01, 0.2 * radius}, palette::kCopper, turn);
+    }
+  }
+}
+
+void MachineView::draw_shaft(Canvas& canvas, const Eigen::Matrix2Xd& line, const Color& color,
+                             double thickness) const {
+  for (Eigen::Index i = 0; i + 1 < machine_.z.size(); ++i) {
+    const Vector3d from = at(machine_.z[i], line.col(i));
+    const Vector3d to = at(machine_.z[i + 1], line.col(i + 1));
+    // Closes the wedge on the outside of a bend; where one sees through, it would show twice.
+    const Vector3d overlap = (color.alpha < 1.0F ? 0.0 : 0.06) * (to - from);
+    canvas.cylinder(from - overlap, to + overlap,
+                    thickness * machine_.span_radius[static_cast<std::size_t>(i)], color);
+  }
+}
+
+void MachineView::draw_bodies(const Stage& stage, Canvas& canvas, const Pose& pose,
+                              const Eigen::Matrix2Xd& line) const {
+  // A body sits square on the bent shaft and turns about it; its mark shows the turning.
+  const auto draw = [&](double z, const Body& body, const Color& color) {
+    const Vector3d centre = machine_.centre(line, z);
+    const Matrix3d axes =
+        (Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), machine_.tangent(line, z)) *
+         Eigen::AngleAxisd(pose.spin_angle, Vector3d::UnitX()))
+            .toRotationMatrix();
+    stage.draw_mesh(canvas, body.solid, centre, axes, color);
+    stage.draw_mesh(canvas, body.mark, centre, axes, palette::kMark);
+  };
+  for (std::size_t i = 0; i < discs_.size(); ++i) {
+    draw(machine_.discs[i].z, discs_[i], palette::kDisc);
+  }
+  if (machine_.contact) draw(machine_.contact->z, rotor_, palette::kRotor);
+}
+
+void MachineView::draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
+                            const Color& color) const {
+  const DrawnContact& contact = *machine_.contact;
+  stage.draw_mesh(canvas, ring_, at(contact.z, section.ring), kUpright, color);
+  // Its feet: two struts at 45 degrees, stretching with the ring or, for a fixed one, rigid.
+  for (const double angle : {225.0 * kDegree, 315.0 * kDegree}) {
+    const Vector2d direction(std::cos(angle), std::sin(angle));
+    const Vector2d from = section.ring + 0.97 * contact.ring_outer * direction;
+    const Vector2d to = direction * (machine_.floor / direction[1]);
+    const double middle = machine_.ring_moves ? 0.5 : 0.0;
+    const Vector2d joint = from + middle * (to - from);
+    canvas.cylinder(at(contact.z, joint), at(contact.z, to), 0.016, palette::kHousing);
+    if (machine_.ring_moves) {
+      canvas.cylinder(at(contact.z, from), at(contact.z, joint), 0.008, palette::kShaft);
+    }
+  }
+}
+
+void MachineView::draw_contact(Canvas& canvas, const Instant& instant, const DrawnSection& section,
+                               double force_length) const {
+  const DrawnContact& contact = *machine_.contact;
+  canvas.finish(kFlat);
+  // In front of the ring's near face, so that nothing hides them.
+  const double station = contact.z + 1.6 * contact.half_width;
+  for (const Spark& spark : instant.sparks) {
+    canvas.sphere(at(station, section.ring + contact.ring_bore() * spark.e_r),
+                  (0.3 + 0.4 * spark.strength) * contact.half_width,
+                  palette::kStrike.with_alpha(spark.brightness));
+  }
+  if (!section.in_contact) return;
+  const Vector3d touch = at(station, section.touch);
+  canvas.sphere(touch, 0.3 * contact.half_width, palette::kNormal);
+  const Vector2d force = -instant.pose.normal_force * force_length * section.e_r;
+  if (force.norm() > 0.02 * contact.rotor_radius) {
+    canvas.arrow(touch, touch + Vector3d(0.0, force[0], force[1]), 0.2 * contact.half_width,
+                 palette::kNormal);
+  }
+}
+
+}  // namespace rotorub::renders

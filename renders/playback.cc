@@ -1,0 +1,170 @@
+#include "renders/playback.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace rotorub::renders {
+
+namespace {
+
+const std::vector<double>& need(const Trajectory& trajectory, const std::string& name) {
+  if (!trajectory.has(name)) {
+    throw std::runtime_error(fmt::format("the series has no column `{}`", name));
+  }
+  const std::vector<double>& values = trajectory.column(name);
+  if (values.empty() || values.size() != trajectory.rows()) {
+    throw std::runtime_error(fmt::format("the series has no values in column `{}`", name));
+  }
+  return values;
+}
+
+// Cubic Hermite on [0, h]: values a, b and slopes da, db at the ends.
+double hermite(double a, double da, double b, double db, double h, double t) {
+  const double s = t / h;
+  const double rest = 1.0 - s;
+  return rest * rest * ((1.0 + 2.0 * s) * a + t * da) +
+         s * s * ((3.0 - 2.0 * s) * b - rest * h * db);
+}
+
+Eigen::Vector2d direction(const Eigen::Vector2d& d) {
+  const double length = d.norm();
+  return length > 0.0 ? Eigen::Vector2d(d / length) : Eigen::Vector2d::Zero();
+}
+
+}  // namespace
+
+Eigen::Vector2d Pose::e_r() const { return direction(rotor - stator); }
+
+Playback::Playback(const Trajectory& trajectory)
+    : trajectory_(&trajectory),
+      time_(&need(trajectory, "t")),
+      gap_(&need(trajectory, "gap")),
+      normal_(&need(trajectory, "normal_force")),
+      friction_(&need(trajectory, "friction_force")),
+      mode_(&need(trajectory, "mode")),
+      rotor_x_(track("rotor_x", "rotor_vx")),
+      rotor_y_(track("rotor_y", "rotor_vy")),
+      stator_x_(track("stator_x", "stator_vx")),
+      stator_y_(track("stator_y", "stator_vy")),
+      spin_(track("spin_angle", "spin_speed")) {
+  for (int i = 1; trajectory.has(fmt::format("x_{}", i)); ++i) {
+    x_.push_back(track(fmt::format("x_{}", i), fmt::format("vx_{}", i)));
+    y_.push_back(track(fmt::format("y_{}", i), fmt::format("vy_{}", i)));
+  }
+  if (!std::is_sorted(time_->begin(), time_->end())) {
+    throw std::runtime_error("the times of the series do not ascend");
+  }
+  for (const Impact& impact : trajectory.impacts) {
+    if (!counts(impact)) continue;
+    strikes_.push_back({impact.t, impact.normal_impulse, {1.0, 0.0}});
+  }
+  std::stable_sort(strikes_.begin(), strikes_.end(),
+                   [](const Strike& a, const Strike& b) { return a.t < b.t; });
+  for (Strike& strike : strikes_) strike.e_r = at(strike.t).e_r();
+}
+
+Playback::Track Playback::track(const std::string& value, const std::string& rate) const {
+  return {&need(*trajectory_, value), trajectory_->has(rate) ? &need(*trajectory_, rate) : nullptr};
+}
+
+std::size_t Playback::row_before(double t) const {
+  const auto after = std::upper_bound(time_->begin(), time_->end(), t);
+  return after == time_->begin() ? 0 : static_cast<std::size_t>(after - time_->begin()) - 1;
+}
+
+bool Playback::impact_between(double from, double to) const {
+  const auto first =
+      std::lower_bound(strikes_.begin(), strikes_.end(), from,
+                       [](const Strike& strike, double time) { return strike.t < time; });
+  return first != strikes_.end() && first->t <= to;
+}
+
+double Playback::interpolate(const Track& track, std::size_t row, double t, bool smooth) const {
+  const Values& value = *track.value;
+  if (row + 1 >= value.size()) return value[row];
+  const double from = (*time_)[row];
+  const double h = (*time_)[row + 1] - from;
+  if (h <= 0.0) return value[row + 1];
+  if (smooth && track.rate != nullptr) {
+    return hermite(value[row], (*track.rate)[row], value[row + 1], (*track.rate)[row + 1], h,
+                   t - from);
+  }
+  const double s = (t - from) / h;
+  return (1.0 - s) * value[row] + s * value[row + 1];
+}
+
+Pose Playback::at(double t) const {
+  Pose pose;
+  pose.t = std::clamp(t, start(), end());
+  const std::size_t row = row_before(pose.t);
+  const std::size_t next = std::min(row + 1, time_->size() - 1);
+  const bool smooth = !impact_between((*time_)[row], (*time_)[next]);
+  const auto value = [&](const Track& track) { return interpolate(track, row, pose.t, smooth); };
+
+  pose.rotor = {value(rotor_x_), value(rotor_y_)};
+  pose.stator = {value(stator_x_), value(stator_y_)};
+  pose.spin_angle = value(spin_);
+  pose.x.resize(modes());
+  pose.y.resize(modes());
+  for (int i = 0; i < modes(); ++i) {
+    pose.x[i] = value(x_[static_cast<std::size_t>(i)]);
+    pose.y[i] = value(y_[static_cast<std::size_t>(i)]);
+  }
+  pose.gap = interpolate({gap_, nullptr}, row, pose.t, false);
+
+  // Forces: within one contact between the rows, else as the row before says.
+  pose.mode = static_cast<Mode>(std::lround((*mode_)[row]));
+  const bool lasting = pose.mode != Mode::kFree && (*mode_)[next] > 0.0;
+  pose.normal_force =
+      lasting ? interpolate({normal_, nullptr}, row, pose.t, false) : (*normal_)[row];
+  pose.friction_force =
+      lasting ? interpolate({friction_, nullptr}, row, pose.t, false) : (*friction_)[row];
+  return pose;
+}
+
+double Playback::first_touch() const {
+  double first = trajectory_->statistics.first_touch;
+  const auto earlier = [&first](double t) { first = first < 0.0 ? t : std::min(first, t); };
+  if (!trajectory_->impacts.empty()) earlier(trajectory_->impacts.front().t);
+  for (std::size_t i = 0; i < time_->size(); ++i) {
+    if ((*normal_)[i] <= 0.0) continue;
+    earlier((*time_)[i]);
+    break;
+  }
+  return first;
+}
+
+double Playback::largest(const Track& x, const Track& y, double from, double to) const {
+  double result = 0.0;
+  for (std::size_t i = 0; i < time_->size(); ++i) {
+    if ((*time_)[i] < from || (*time_)[i] > to) continue;
+    result = std::max(result, std::hypot((*x.value)[i], (*y.value)[i]));
+  }
+  return result;
+}
+
+double Playback::largest_rotor(double from, double to) const {
+  return largest(rotor_x_, rotor_y_, from, to);
+}
+
+double Playback::largest_stator(double from, double to) const {
+  return largest(stator_x_, stator_y_, from, to);
+}
+
+double Playback::force_quantile(double quantile, double from, double to) const {
+  Values forces;
+  for (std::size_t i = 0; i < time_->size(); ++i) {
+    if ((*time_)[i] < from || (*time_)[i] > to || (*normal_)[i] <= 0.0) continue;
+    forces.push_back((*normal_)[i]);
+  }
+  if (forces.empty()) return 0.0;
+  const double place = quantile * static_cast<double>(forces.size() - 1);
+  const auto nth = forces.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(forces.begin(), nth, forces.end());
+  return *nth;
+}
+
+}  // namespace rotorub::renders

@@ -1,0 +1,78 @@
+// A trajectory read as a film is: the pose of the machine at any time, not at the rows alone.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub::renders {
+
+// All that a picture shows of one instant. Lengths in m, angles in rad, forces in N.
+struct Pose {
+  double t = 0.0;                    // s
+  Eigen::Vector2d rotor{0.0, 0.0};   // centre of the rotor at the contact station
+  Eigen::Vector2d stator{0.0, 0.0};  // centre of the ring
+  Eigen::VectorXd x, y;              // n, modal coordinates
+  double spin_angle = 0.0;
+  double gap = 0.0;             // negative: penetration
+  double normal_force = 0.0;    // >= 0
+  double friction_force = 0.0;  // on the rotor along e_t = e_z x e_r
+  Mode mode = Mode::kFree;
+
+  // Outward normal from the ring's centre to the rotor's; 0 where they coincide.
+  Eigen::Vector2d e_r() const;
+};
+
+// An impact with the place on the ring where it happened.
+struct Strike {
+  double t = 0.0;                 // s
+  double impulse = 0.0;           // N s, normal
+  Eigen::Vector2d e_r{1.0, 0.0};  // from the ring's centre to the point of contact
+};
+
+// Between two rows positions follow the cubic Hermite of positions and velocities; the straight
+// line where an impact lies between them, or where the velocities are not in the series. Two points
+// inside a ring never give one outside of it that way. Forces are interpolated within one contact
+// and hold the value of the row before otherwise.
+class Playback {
+ public:
+  // Throws std::runtime_error naming the column where the series lacks one that the contract
+  // promises, and where it has no row. The trajectory must outlive the playback.
+  explicit Playback(const Trajectory& trajectory);
+
+  Pose at(double t) const;  // t is clamped to the rows' range
+
+  double start() const { return time_->front(); }  // s
+  double end() const { return time_->back(); }
+  // Time of the first contact, from impacts and rows; negative: none.
+  double first_touch() const;
+  int modes() const { return static_cast<int>(x_.size()); }
+  const std::vector<Strike>& strikes() const { return strikes_; }
+  // Largest |rotor|, |stator| over the rows from `from` to `to`, m, and quantile of the normal
+  // force over the rows in contact there, N (0: no contact).
+  double largest_rotor(double from, double to) const;
+  double largest_stator(double from, double to) const;
+  double force_quantile(double quantile, double from, double to) const;
+
+ private:
+  using Values = std::vector<double>;
+  // A position and its velocity, null where the series has none.
+  struct Track {
+    const Values* value = nullptr;
+    const Values* rate = nullptr;
+  };
+  Track track(const std::string& value, const std::string& rate) const;
+  std::size_t row_before(double t) const;
+  double interpolate(const Track& track, std::size_t row, double t, bool smooth) const;
+  bool impact_between(double from, double to) const;
+  double largest(const Track& x, const Track& y, double from, double to) const;
+
+  const Trajectory* trajectory_;
+  const Values *time_, *gap_, *normal_, *friction_, *mode_;
+  Track rotor_x_, rotor_y_, stator_x_, stator_y_, spin_;
+  std::vector<Track> x_, y_;
+  std::vector<Strike> strikes_;
+};
+
+}  // namespace rotorub::renders

@@ -1,0 +1,55 @@
+// Pictures to a file, by the program `ffmpeg`: H.264 film (mp4) or a still.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "renders/image.h"
+
+namespace rotorub::renders {
+
+struct Encoding {
+  double frames_per_second = 25.0;  // > 0
+  int quality = 25;                 // x264's constant rate factor, 0 (lossless) to 51
+};
+
+// A film in the making. The file appears whole when finish() returns, or not at all: frames go to
+// `<stem>.part<extension>` beside it, which is renamed at the end and removed on every other way
+// out. All errors are std::runtime_error and carry what ffmpeg said.
+class VideoFile {
+ public:
+  // Starts ffmpeg. Width and height must be even (yuv420p).
+  VideoFile(const std::filesystem::path& file, int width, int height, const Encoding& encoding);
+  ~VideoFile();
+  VideoFile(const VideoFile&) = delete;
+  VideoFile& operator=(const VideoFile&) = delete;
+
+  // One more frame, of the size given above.
+  void add(const Image& frame);
+  // Waits for ffmpeg, checks its exit status and puts the file in its place.
+  void finish();
+
+ private:
+  friend void write_picture(const Image& picture, const std::filesystem::path& file);
+  // `output`: ffmpeg's arguments between its input and the name of the file.
+  VideoFile(const std::filesystem::path& file, int width, int height, double frames_per_second,
+            std::vector<std::string> output);
+
+  void close_pipe();
+  int wait();
+  [[noreturn]] void fail(const std::string& reason);
+
+  std::filesystem::path file_, part_;
+  int width_, height_;
+  pid_t encoder_ = -1;
+  int pipe_ = -1;  // raw frames to ffmpeg
+  int log_ = -1;   // what ffmpeg says on standard error, in memory
+};
+
+// One picture as PNG. Whole or not at all.
+void write_picture(const Image& picture, const std::filesystem::path& file);
+
+}  // namespace rotorub::renders
