@@ -1,0 +1,229 @@
+#include "renders/frame.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/renders/samples.h"
+
+namespace rotorub::renders {
+namespace {
+
+// Small and without smoothing: every pixel has one of the plain colours.
+RenderOptions small_options() {
+  RenderOptions options;
+  options.width = 640;
+  options.height = 360;
+  options.samples = 0;
+  options.from = 0.0;
+  options.magnification = 40.0;
+  return options;
+}
+
+Image picture_of(const Row& row, const RenderOptions& options = small_options()) {
+  const scene::Scene scene = ring_scene();
+  const Trajectory run = resting_run(row);
+  return FramePainter(scene, run, options).paint(0.05);
+}
+
+// The cross-section is the right part above the curves; its first line is text.
+Found in_section(const Image& picture, const Test& test) {
+  return find(picture, picture.width * 58 / 100, 30, picture.width, picture.height * 3 / 4, test);
+}
+Found in_machine(const Image& picture, const Test& test) {
+  return find(picture, 0, 0, picture.width / 2, picture.height * 3 / 4, test);
+}
+
+TEST(Frame, ShowsEveryPartInItsColour) {
+  const Image picture = picture_of({});
+  ASSERT_EQ(picture.rgb.size(), 3u * 640u * 360u);
+  EXPECT_GT(in_section(picture, is_rotor).count, 2000);
+  EXPECT_GT(in_section(picture, is_ring).count, 2000);
+  EXPECT_GT(in_machine(picture, is_rotor).count, 100);
+  EXPECT_GT(in_machine(picture, is_ring).count, 50);
+  EXPECT_GT(find(picture, is_light).count, 640 * 360 / 5);  // the ground stays light
+  // Text: dark pixels in the corner above the machine.
+  EXPECT_GT(find(picture, 0, 0, 200, 30, [](int r, int g, int b) { return r + g + b < 200; }).count,
+            50);
+}
+
+TEST(Frame, RotorMovesAsItsStateDoes) {
+  constexpr double kMove = 0.4 * kClearance;
+  const Found rest = in_section(picture_of({}), is_rotor);
+  const Found right = in_section(picture_of({.rotor_x = kMove}), is_rotor);
+  const Found up = in_section(picture_of({.rotor_y = kMove}), is_rotor);
+  // x to the right, y up: the picture is neither mirrored nor upside down. Rows count downwards.
+  EXPECT_GT(right.column - rest.column, 4.0);
+  EXPECT_GT(rest.row - up.row, 4.0);
+  // The same length in both directions, and none across: within what the mark, which hides a part
+  // of the rotor, and whole pixels change of a mean.
+  constexpr double kPixels = 1.0;
+  EXPECT_NEAR(right.column - rest.column, rest.row - up.row, kPixels);
+  EXPECT_NEAR(right.row, rest.row, kPixels);
+  EXPECT_NEAR(up.column, rest.column, kPixels);
+}
+
+TEST(Frame, RingMovesAsItsStateDoes) {
+  // The ring of a resting rotor, off centre; what is seen is wider then, so measure the direction.
+  const Image picture = picture_of({.stator_x = 0.4 * kClearance});
+  const Found ring = in_section(picture, is_ring);
+  const Found rotor = in_section(picture, is_rotor);
+  EXPECT_GT(ring.column, rotor.column + 4.0);
+}
+
+TEST(Frame, MagnificationScalesTheMotionAlone) {
+  RenderOptions options = small_options();
+  const auto moved = [&](double magnification) {
+    options.magnification = magnification;
+    return in_section(picture_of({.rotor_x = 0.4 * kClearance}, options), is_rotor).column -
+           in_section(picture_of({}, options), is_rotor).column;
+  };
+  EXPECT_GT(moved(40.0), 1.5 * moved(20.0));
+}
+
+// Walks from the rotor's middle outwards until the ring: how many light pixels lie between.
+int light_pixels_outwards(const Image& picture, int column, int row, int step) {
+  int light = 0;
+  for (; column > 0 && column < picture.width; column += step) {
+    const std::uint8_t* p = picture.pixel(column, row);
+    if (is_ring(p[0], p[1], p[2])) return light;
+    if (is_light(p[0], p[1], p[2])) ++light;
+  }
+  return -1;
+}
+
+TEST(Frame, CirclesTouchWhenTheRotorTouches) {
+  const Image touching = picture_of({.rotor_x = kClearance});
+  const Found rotor = in_section(touching, is_rotor);
+  // A row below the axis through the middle, which is a line of its own.
+  const int row = static_cast<int>(rotor.row) + 4;
+  const int column = static_cast<int>(rotor.column);
+  // At most what the picture's grid leaves open, against the whole clearance on the other side.
+  EXPECT_LE(light_pixels_outwards(touching, column, row, 1), 2);
+  EXPECT_GT(light_pixels_outwards(touching, column, row, -1), 20);
+}
+
+TEST(Frame, ForcesAreDrawnInContactOnly) {
+  const Image free = picture_of({.rotor_x = kClearance});
+  const Image pressed =
+      picture_of({.rotor_x = kClearance, .normal_force = 100.0, .friction_force = -30.0});
+  EXPECT_EQ(in_section(free, is_red).count, 0);
+  EXPECT_EQ(in_section(free, is_green).count, 0);
+  const Found normal = in_section(pressed, is_red);
+  const Found friction = in_section(pressed, is_green);
+  EXPECT_GT(normal.count, 60);
+  EXPECT_GT(friction.count, 15);
+  // On the rotor: the normal force points from the ring inwards, to the left here; friction -30 N
+  // along e_t = e_y points down.
+  const Found rotor = in_section(pressed, is_rotor);
+  EXPECT_GT(normal.column, rotor.column);
+  EXPECT_GT(friction.row, normal.row);
+}
+
+TEST(Frame, MarkTurnsWithTheRotor) {
+  const auto mark = [](int r, int g, int b) { return b > 240 && r > 170 && r < 230 && g > 200; };
+  const Found first = in_section(picture_of({}), mark);
+  const Found quarter = in_section(picture_of({.spin_angle = 1.5707963}), mark);
+  ASSERT_GT(first.count, 100);
+  ASSERT_GT(quarter.count, 100);
+  // From the right upper quarter to the left upper one: spin about +z is counter-clockwise.
+  EXPECT_LT(quarter.column, first.column - 10.0);
+  EXPECT_NEAR(quarter.row, first.row, 3.0);
+}
+
+TEST(Frame, ShaftBendsWithTheRotor) {
+  const Found rest = in_machine(picture_of({}), is_rotor);
+  const Found up = in_machine(picture_of({.rotor_y = 0.8 * kClearance}), is_rotor);
+  EXPECT_GT(rest.row - up.row, 2.0);
+}
+
+TEST(Frame, ShadowIsDrawnTranslucent) {
+  const auto ghost = [](int r, int g, int b) {
+    return r > 100 && b > 120 && g + 50 < std::min(r, b);
+  };
+  const scene::Scene scene = ring_scene();
+  const Trajectory run = resting_run({});
+  const Trajectory other = resting_run({.rotor_x = -kClearance});
+  RenderOptions options = small_options();
+  EXPECT_EQ(in_section(FramePainter(scene, run, options).paint(0.05), ghost).count, 0);
+  options.shadow = &other;
+  const Image picture = FramePainter(scene, run, options).paint(0.05);
+  EXPECT_GT(in_section(picture, ghost).count, 50);
+  // The run itself is still seen through it.
+  EXPECT_LT(in_section(picture, ghost).column, in_section(picture, is_rotor).column);
+}
+
+TEST(Frame, SameInputSamePicture) {
+  const scene::Scene scene = ring_scene();
+  const Trajectory run = whirling_run();
+  FramePainter first(scene, run, small_options());
+  const Image before = first.paint(0.03);
+  first.paint(0.07);
+  const Image again = first.paint(0.03);
+  const Image other = FramePainter(scene, run, small_options()).paint(0.03);
+  EXPECT_EQ(before.rgb, again.rgb);
+  EXPECT_EQ(before.rgb, other.rgb);
+}
+
+TEST(Frame, TwoPaintersDoNotDisturbEachOther) {
+  const scene::Scene scene = ring_scene();
+  const Trajectory run = whirling_run();
+  RenderOptions large = small_options();
+  large.width = 800;
+  large.height = 450;
+  const Image alone = FramePainter(scene, run, small_options()).paint(0.03);
+  FramePainter first(scene, run, small_options());
+  FramePainter second(scene, run, large);
+  EXPECT_EQ(second.paint(0.03).width, 800);
+  EXPECT_EQ(first.paint(0.03).rgb, alone.rgb);
+}
+
+TEST(Frame, SceneWithoutContactShowsTheMachineAlone) {
+  RenderOptions options = small_options();
+  options.magnification.reset();
+  const scene::Scene scene = free_scene();
+  const Trajectory low = resting_run({});
+  const Trajectory high = resting_run({.rotor_x = 1e-3, .rotor_y = 1e-3});
+  const auto shaft = [](int r, int g, int b) {
+    return r > 60 && r < 200 && std::abs(r - g) < 25 && b > r && b < r + 45;
+  };
+  options.machine_magnification = 50.0;
+  const Image rest = FramePainter(scene, low, options).paint(0.05);
+  const Image moved = FramePainter(scene, high, options).paint(0.05);
+  EXPECT_GT(find(rest, shaft).count, 500);
+  EXPECT_NE(rest.rgb, moved.rgb);
+}
+
+TEST(Frame, ShippedRigIsDrawnFromItsGeometry) {
+  // Two modes in the scene, one in the run: they do not belong together.
+  const scene::Scene rig = shipped_scene("paper_passive");
+  const Trajectory run = whirling_run();
+  try {
+    FramePainter painter(rig, run, small_options());
+    FAIL() << "a run of another scene was taken";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("paper_passive"), std::string::npos) << error.what();
+  }
+
+  Trajectory both = whirling_run();
+  Column x2{"x_2", "m", std::vector<double>(both.rows(), 0.0)};
+  Column y2 = x2;
+  y2.name = "y_2";
+  both.series.push_back(x2);
+  both.series.push_back(y2);
+  FramePainter painter(rig, both, small_options());
+  const Image picture = painter.paint(0.02);
+  EXPECT_GT(in_section(picture, is_rotor).count, 1000);
+}
+
+TEST(Frame, ChosenMagnificationsArePlainAndStated) {
+  RenderOptions options = small_options();
+  options.magnification.reset();
+  const scene::Scene scene = ring_scene();
+  const Trajectory run = whirling_run();
+  const FramePainter painter(scene, run, options);
+  // 0.45 of the rotor's radius of 50 mm for 0.5 mm: at most 45.
+  EXPECT_EQ(painter.framing().magnification, 40.0);
+  EXPECT_GT(painter.framing().machine_magnification, 1.0);
+}
+
+}  // namespace
+}  // namespace rotorub::renders

@@ -1,0 +1,110 @@
+#include "renders/playback.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/renders/samples.h"
+
+namespace rotorub::renders {
+namespace {
+
+// Positions of a cubic and its exact velocities at three rows: Hermite interpolation is exact.
+double cubic(double t) { return 1e-4 * (1.0 + 20.0 * t - 300.0 * t * t + 900.0 * t * t * t); }
+double cubic_rate(double t) { return 1e-4 * (20.0 - 600.0 * t + 2700.0 * t * t); }
+
+Trajectory cubic_run() {
+  Trajectory run = made_run(3, [](double t) { return Row{.rotor_x = cubic(t)}; });
+  for (const char* name : {"rotor_vx", "vx_1"}) {
+    run.series.push_back({name, "m/s", {cubic_rate(0.0), cubic_rate(0.05), cubic_rate(0.1)}});
+  }
+  return run;
+}
+
+constexpr double kRoundOff = 1e-16;  // m, of values of 1e-3 m
+
+TEST(Playback, FollowsPositionAndVelocityBetweenRows) {
+  const Trajectory run = cubic_run();
+  const Playback playback(run);
+  for (const double t : {0.0, 0.013, 0.05, 0.0777, 0.1}) {
+    EXPECT_NEAR(playback.at(t).rotor[0], cubic(t), kRoundOff) << t;
+    EXPECT_NEAR(playback.at(t).x[0], cubic(t), kRoundOff) << t;
+  }
+}
+
+TEST(Playback, GoesStraightAcrossAnImpact) {
+  Trajectory run = cubic_run();
+  run.impacts.push_back({.t = 0.02, .normal_impulse = 1.0, .gap_rate_before = -0.1});
+  const Playback playback(run);
+  const double straight = 0.8 * cubic(0.0) + 0.2 * cubic(0.05);
+  EXPECT_NEAR(playback.at(0.01).rotor[0], straight, kRoundOff);
+  EXPECT_NE(playback.at(0.01).rotor[0], cubic(0.01));
+  EXPECT_NEAR(playback.at(0.08).rotor[0], cubic(0.08), kRoundOff);  // no impact there
+}
+
+TEST(Playback, GoesStraightWhereVelocitiesAreNotGiven) {
+  const Trajectory run = made_run(3, [](double t) { return Row{.rotor_y = t * t}; });
+  EXPECT_NEAR(Playback(run).at(0.025).rotor[1], 0.5 * 0.05 * 0.05, kRoundOff);
+}
+
+TEST(Playback, NeverLeavesTheRingBetweenTwoPointsInIt) {
+  // A bounce at the wall between the rows: positions inside, velocities outwards and inwards.
+  Trajectory run = made_run(
+      3, [](double t) { return Row{.rotor_x = t < 0.04 ? 0.9 * kClearance : 0.8 * kClearance}; });
+  run.series.push_back({"rotor_vx", "m/s", {1.0, -0.5, 0.0}});
+  run.impacts.push_back({.t = 0.01, .normal_impulse = 1.0, .gap_rate_before = -1.0});
+  const Playback playback(run);
+  for (double t = 0.0; t <= 0.05; t += 0.001) {
+    EXPECT_LE(playback.at(t).rotor.norm(), kClearance) << t;
+  }
+}
+
+TEST(Playback, HoldsForcesAcrossALiftOff) {
+  const Trajectory run = made_run(
+      3, [](double t) { return Row{.normal_force = t < 0.01 ? 10.0 : (t < 0.06 ? 30.0 : 0.0)}; });
+  const Playback playback(run);
+  EXPECT_NEAR(playback.at(0.025).normal_force, 20.0, 1e-12);  // within one contact
+  EXPECT_EQ(playback.at(0.075).normal_force, 30.0);           // the row before
+  EXPECT_EQ(playback.at(0.075).mode, Mode::kSlide);
+  EXPECT_EQ(playback.at(0.1).normal_force, 0.0);
+  EXPECT_EQ(playback.at(0.1).mode, Mode::kFree);
+}
+
+TEST(Playback, ClampsToTheRun) {
+  const Trajectory run = cubic_run();
+  const Playback playback(run);
+  EXPECT_EQ(playback.at(-1.0).t, 0.0);
+  EXPECT_EQ(playback.at(9.0).t, 0.1);
+  EXPECT_NEAR(playback.at(9.0).rotor[0], cubic(0.1), kRoundOff);
+}
+
+TEST(Playback, FindsTheFirstContact) {
+  Trajectory run =
+      made_run(11, [](double t) { return Row{.normal_force = t > 0.055 ? 1.0 : 0.0}; });
+  EXPECT_NEAR(Playback(run).first_touch(), 0.06, 1e-15);
+  run.impacts.push_back({.t = 0.031, .normal_impulse = 1.0, .gap_rate_before = -0.1});
+  EXPECT_EQ(Playback(run).first_touch(), 0.031);
+  EXPECT_LT(Playback(resting_run({})).first_touch(), 0.0);
+}
+
+TEST(Playback, RemembersWhereImpactsStruck) {
+  Trajectory run = resting_run({.rotor_x = 0.0, .rotor_y = -kClearance});
+  run.impacts.push_back({.t = 0.05, .normal_impulse = 2.0, .gap_rate_before = -0.1});
+  run.impacts.push_back({.t = 0.06, .normal_impulse = 2.0, .gap_rate_before = -1e-6});  // too soft
+  const Playback playback(run);
+  ASSERT_EQ(playback.strikes().size(), 1u);
+  EXPECT_NEAR((playback.strikes()[0].e_r - Eigen::Vector2d(0.0, -1.0)).norm(), 0.0, 1e-12);
+}
+
+TEST(Playback, RefusesASeriesWithoutAColumnByItsName) {
+  Trajectory run = whirling_run();
+  std::erase_if(run.series, [](const Column& column) { return column.name == "stator_y"; });
+  try {
+    const Playback playback(run);
+    FAIL() << "a series without stator_y was taken";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("stator_y"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(Playback{Trajectory{}}, std::runtime_error);
+}
+
+}  // namespace
+}  // namespace rotorub::renders

@@ -1,0 +1,185 @@
+#include "renders/video.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "renders/film.h"
+#include "tests/renders/samples.h"
+
+namespace rotorub::renders {
+namespace {
+
+// What ffprobe says of a file, "key=value" lines.
+std::string probe(const std::filesystem::path& file) {
+  const std::string command =
+      "ffprobe -v error -count_frames -show_entries "
+      "stream=codec_name,width,height,pix_fmt,nb_read_frames,avg_frame_rate -of default=nw=1 '" +
+      file.string() + "'";
+  std::string text;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return text;
+  char line[256];
+  while (std::fgets(line, sizeof line, pipe) != nullptr) text += line;
+  pclose(pipe);
+  return text;
+}
+
+std::string bytes(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+Image plain(int width, int height, std::uint8_t value) {
+  return {width, height,
+          std::vector<std::uint8_t>(
+              3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value)};
+}
+
+RenderOptions short_film() {
+  RenderOptions options;
+  options.width = 320;
+  options.height = 180;
+  options.samples = 0;
+  options.duration = 1.0;
+  options.frames_per_second = 12.0;
+  return options;
+}
+
+// PATH as it is for one scope.
+class Path {
+ public:
+  explicit Path(const std::string& value) : before_(std::getenv("PATH")) {
+    setenv("PATH", value.c_str(), 1);
+  }
+  ~Path() { setenv("PATH", before_.c_str(), 1); }
+
+ private:
+  std::string before_;
+};
+
+TEST(Video, FilmHasItsFramesSizeAndFormat) {
+  const Folder folder;
+  const Trajectory run = whirling_run();
+  std::vector<double> told;
+  RenderOptions options = short_film();
+  options.progress = [&](double done) { told.push_back(done); };
+  const RenderResult result = render(ring_scene(), run, options, folder / "film.mp4");
+  EXPECT_EQ(result.framing.frames, 12);
+  EXPECT_DOUBLE_EQ(result.film_s, 1.0);
+  const std::string said = probe(folder / "film.mp4");
+  for (const char* line : {"codec_name=h264\n", "width=320\n", "height=180\n", "pix_fmt=yuv420p\n",
+                           "nb_read_frames=12\n", "avg_frame_rate=12/1\n"}) {
+    EXPECT_NE(said.find(line), std::string::npos) << line << said;
+  }
+  // Nothing else is left beside it, and the index comes first, for playing while loading.
+  EXPECT_EQ(folder.entries(), 1u);
+  const std::string content = bytes(folder / "film.mp4");
+  EXPECT_LT(content.find("moov"), content.find("mdat"));
+
+  ASSERT_EQ(told.size(), 12u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.back(), 1.0);
+}
+
+TEST(Video, SameInputSameBytes) {
+  const Folder folder;
+  const Trajectory run = whirling_run();
+  render(ring_scene(), run, short_film(), folder / "a.mp4");
+  render(ring_scene(), run, short_film(), folder / "b.mp4");
+  EXPECT_EQ(bytes(folder / "a.mp4"), bytes(folder / "b.mp4"));
+}
+
+TEST(Video, MissingEncoderIsNamedAndLeavesNothing) {
+  const Folder folder;
+  const Folder* const empty = &folder;
+  const Path path(empty->path().string());
+  try {
+    render(ring_scene(), whirling_run(), short_film(), folder / "film.mp4");
+    FAIL() << "a film without ffmpeg";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("ffmpeg"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(Video, ErrorHalfwayKeepsTheFileBefore) {
+  const Folder folder;
+  std::ofstream(folder / "film.mp4") << "before";
+  RenderOptions options = short_film();
+  options.progress = [](double done) {
+    if (done > 0.5) throw std::domain_error("enough");
+  };
+  EXPECT_THROW(render(ring_scene(), whirling_run(), options, folder / "film.mp4"),
+               std::domain_error);
+  EXPECT_EQ(folder.entries(), 1u);
+  EXPECT_EQ(bytes(folder / "film.mp4"), "before");
+}
+
+TEST(Video, FolderThatIsNotThereIsAnErrorWithTheEncodersWords) {
+  const Folder folder;
+  try {
+    render(ring_scene(), whirling_run(), short_film(), folder.path() / "nowhere" / "film.mp4");
+    FAIL() << "a film in a folder that is not there";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("No such file or directory"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(Video, EncoderThatFailsAtTheEndIsNoticed) {
+  // A stand-in named ffmpeg that takes every frame and then fails.
+  const Folder folder;
+  const Folder& tools = folder;
+  std::filesystem::create_directory(tools / "bin");
+  {
+    std::ofstream script(tools / "bin/ffmpeg");
+    script << "#!/bin/sh\n/bin/cat > /dev/null\necho 'disc full' >&2\nexit 3\n";
+  }
+  std::filesystem::permissions(tools / "bin/ffmpeg", std::filesystem::perms::owner_all);
+  const Path path((tools / "bin").string());
+  VideoFile video(folder / "film.mp4", 64, 64, {});
+  for (int i = 0; i < 3; ++i) video.add(plain(64, 64, 128));
+  try {
+    video.finish();
+    FAIL() << "the failure of the encoder was not noticed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("disc full"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "film.mp4"));
+}
+
+TEST(Video, NameMustSayTheFormat) {
+  const Folder folder;
+  EXPECT_THROW(render(ring_scene(), whirling_run(), short_film(), folder / "film.avi"),
+               std::invalid_argument);
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(Video, StillKeepsEveryPixel) {
+  const Folder folder;
+  Image picture = plain(6, 4, 10);
+  picture.rgb[0] = 250;  // red in the upper left corner
+  write_picture(picture, folder / "still.png");
+  EXPECT_EQ(folder.entries(), 1u);
+  const std::string command = "ffmpeg -v error -i '" + (folder / "still.png").string() +
+                              "' -f rawvideo -pix_fmt rgb24 '" + (folder / "raw").string() + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string raw = bytes(folder / "raw");
+  EXPECT_EQ(std::vector<std::uint8_t>(raw.begin(), raw.end()), picture.rgb);
+}
+
+TEST(Video, StillOfARun) {
+  const Folder folder;
+  render_still(ring_scene(), whirling_run(), 0.03, short_film(), folder / "still.png");
+  EXPECT_NE(probe(folder / "still.png").find("codec_name=png"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rotorub::renders
