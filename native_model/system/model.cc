@@ -2,8 +2,10 @@
 
 #include <cassert>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
+#include "native_model/scene/diagnostic.h"
 #include "native_model/system/dynamics.h"
 
 namespace rotorub {
@@ -60,9 +62,11 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
 }
 
 void fill_control(const scene::Scene& scene, Model& model) {
-  if (!scene.controller || !scene.stator || !scene.contact) return;
-  const Plant plant{scene.contact->clearance, scene.stator->mass, scene.stator->damping,
-                    scene.stator->stiffness};
+  if (!scene.controller || !scene.stator) return;
+  // Only a law that tracks the rotor needs a contact (scene validation).
+  assert(scene.contact || scene.controller->kind == scene::ControllerKind::kPassive);
+  const double clearance = scene.contact ? scene.contact->clearance : 0.0;
+  const Plant plant{clearance, scene.stator->mass, scene.stator->damping, scene.stator->stiffness};
   model.controller = make_controller(scene, plant);
   model.control_on = scene.controller->on;
   model.sample_time = scene.controller->sample_time;
@@ -93,6 +97,74 @@ void fill_initial(const scene::Scene& scene, Model& model) {
   model.spin_angle = initial.spin_angle;
 }
 
+// ---- what only the modes can show; everything else is refused with the scene's file
+
+[[noreturn]] void refuse(const scene::Scene& scene, std::vector<scene::Diagnostic> diagnostics) {
+  for (scene::Diagnostic& d : diagnostics) {
+    if (!scene.name.empty()) d.file = scene.name + ".toml";
+  }
+  throw scene::SceneError(std::move(diagnostics));
+}
+
+std::string text(double number) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%g", number);
+  return buffer;
+}
+
+// The part of the scene that sets how many bending modes there are.
+const char* modes_key(const scene::Rotor& rotor) {
+  if (!rotor.geometry) return "rotor.modal.mass";
+  return rotor.geometry->modes ? "rotor.modes" : "rotor.max_frequency";
+}
+
+void check_size(const scene::Scene& scene, int nq) {
+  if (nq <= kMaxCoordinates) return;
+  refuse(scene, {{"", 0, modes_key(scene.rotor),
+                  "gives " + std::to_string(nq) + " coordinates or more; accepted: at most " +
+                      std::to_string(kMaxCoordinates) +
+                      ", of bending modes in both planes, torsion modes, spin and ring"}});
+}
+
+// With max_frequency the length of these lists is known only now.
+void check_initial_lists(const scene::Scene& scene, const Layout& l) {
+  std::vector<scene::Diagnostic> wrong;
+  const auto check = [&](const char* key, const std::vector<double>& list, int length,
+                         const char* of) {
+    if (list.empty() || list.size() == static_cast<std::size_t>(length)) return;
+    wrong.push_back({"", 0, key,
+                     "expected " + std::to_string(length) + " value(s), one for each " + of +
+                         " mode, got " + std::to_string(list.size())});
+  };
+  const scene::Initial& initial = scene.initial;
+  check("initial.x", initial.x, l.modes, "bending");
+  check("initial.y", initial.y, l.modes, "bending");
+  check("initial.vx", initial.vx, l.modes, "bending");
+  check("initial.vy", initial.vy, l.modes, "bending");
+  check("initial.torsion", initial.torsion, l.torsion, "torsion");
+  check("initial.torsion_speed", initial.torsion_speed, l.torsion, "torsion");
+  if (!wrong.empty()) refuse(scene, std::move(wrong));
+}
+
+// A mode with a node at the contact moves the contact point by nothing: that is known only now.
+void check_initial_gap(const scene::Scene& scene, const Model& model) {
+  if (!model.contact) return;
+  const double* q = model.q0.data();
+  const double delta = (rotor_point(model, q) - stator_point(model, q)).norm();
+  const double clearance = model.contact->clearance;
+  // On the ring is meant.
+  constexpr double kTolerance = 1e-9;  // of the clearance
+  if (delta <= clearance * (1.0 + kTolerance)) return;
+  const Layout& l = model.layout;
+  const char* key = !model.q0.segment(l.x(), l.modes).isZero(0.0)   ? "initial.x"
+                    : !model.q0.segment(l.y(), l.modes).isZero(0.0) ? "initial.y"
+                                                                    : "initial.stator";
+  refuse(scene, {{"", 0, key,
+                  "the rotor starts outside the ring, " + text(delta) +
+                      " m from its centre; accepted: at most contact.clearance = " +
+                      text(clearance) + " m"}});
+}
+
 }  // namespace
 
 Eigen::Vector2d AppliedForce::at(double t) const {
@@ -104,9 +176,15 @@ Eigen::Vector2d AppliedForce::at(double t) const {
 }
 
 Model make_model(const scene::Scene& scene) {
+  // What is known beforehand saves the reduction of a shaft that is refused anyhow.
+  if (const auto& geometry = scene.rotor.geometry; geometry && geometry->modes) {
+    check_size(scene, 2 * *geometry->modes);
+  }
   ModalRotor rotor = modal_rotor(scene);
   Model model;
   model.layout = make_layout(scene, rotor);
+  check_size(scene, model.nq());
+  check_initial_lists(scene, model.layout);
   fill_diagonals(scene, rotor, model);
   fill_loads(scene, rotor, model);
   model.gyroscopic = ModeMatrix(rotor.gyroscopic);
@@ -126,13 +204,13 @@ Model make_model(const scene::Scene& scene) {
   model.lines = std::move(rotor.lines);
   if (scene.contact) {
     const scene::Contact& c = *scene.contact;
-    model.contact = ContactParameters{c.radius,           c.clearance,
-                                      c.friction,         c.restitution,
-                                      c.tangential_restitution, c.compression_time,
-                                      c.expansion_time};
+    model.contact = ContactParameters{
+        c.radius,           c.clearance,     c.friction, c.restitution, c.tangential_restitution,
+        c.compression_time, c.expansion_time};
   }
   model.force_limit = scene.actuator.value_or(scene::Actuator{}).force_limit;
   fill_initial(scene, model);
+  check_initial_gap(scene, model);
   fill_control(scene, model);
   model.admittance = contact_admittance(model, model.mass.data(), 0.0, model.q0.data());
   return model;

@@ -114,6 +114,8 @@ struct State {
   Eigen::VectorXd q, v;  // nq
 };
 
+// Throws scene::SceneError for what only the modes can show: more than kMaxCoordinates, lists of
+// [initial] of another length than the modes kept, a start outside the ring; and as modal_rotor.
 Model make_model(const scene::Scene& scene);
 State initial_state(const Model& model);
 
