@@ -1,0 +1,232 @@
+// What a scene becomes: layout, the parts that are absent, and what only the modes can refuse.
+#include "native_model/system/model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/reader.h"
+#include "native_model/system/dynamics.h"
+#include "tests/native_model/rotor/rotors.h"
+#include "tests/support/jeffcott.h"
+#include "tests/support/machine.h"
+
+namespace rotorub {
+namespace {
+
+using test::Jeffcott;
+using test::make_scene;
+
+// The one diagnostic that make_model refuses `scene` with.
+scene::Diagnostic refusal(const scene::Scene& scene) {
+  try {
+    make_model(scene);
+  } catch (const scene::SceneError& error) {
+    EXPECT_EQ(error.diagnostics().size(), 1u) << error.what();
+    return error.diagnostics().front();
+  }
+  ADD_FAILURE() << "accepted";
+  return {};
+}
+
+void expect_refusal(const scene::Scene& scene, const std::string& key, const std::string& says) {
+  const scene::Diagnostic d = refusal(scene);
+  EXPECT_EQ(d.file, scene.name + ".toml");
+  EXPECT_EQ(d.line, 0);
+  EXPECT_EQ(d.key, key);
+  EXPECT_NE(d.reason.find(says), std::string::npos) << d.reason;
+  EXPECT_TRUE(d.reason.find("accepted") != std::string::npos ||
+              d.reason.find("expected") != std::string::npos)
+      << "says what would be taken: " << d.reason;
+}
+
+TEST(Layout, APartThatIsAbsentHasNoCoordinate) {
+  scene::Scene s = make_scene({});
+  EXPECT_EQ(make_model(s).nq(), 2) << "two planes of one mode, and nothing else";
+  test::add_ring(s, 1.0, 0.0, 0.0);
+  EXPECT_EQ(make_model(s).nq(), 4);
+  s.rotor.modal->inertia = 1e-3;
+  s.drive = scene::Drive{};
+  EXPECT_EQ(make_model(s).nq(), 5);
+  scene::Torsion torsion;
+  torsion.inertia = torsion.stiffness = {1.0, 2.0};
+  s.rotor.torsion = torsion;
+  const Layout l = make_model(s).layout;
+  EXPECT_EQ(l.nq(), 7);
+  EXPECT_EQ(l.x(), 0);
+  EXPECT_EQ(l.y(), 1);
+  EXPECT_EQ(l.phi(), 2);
+  EXPECT_EQ(l.theta(), 3);
+  EXPECT_EQ(l.ring(), 5);
+  s.drive.reset();
+  const Layout held = make_model(s).layout;
+  EXPECT_EQ(held.spin, 0) << "a prescribed speed is no degree of freedom";
+  EXPECT_EQ(held.nq(), 6);
+}
+
+TEST(Model, AbsentPartsLeaveNothingToCompute) {
+  const Model m = make_model(make_scene({}));
+  EXPECT_TRUE(m.gyroscopic.absent());
+  EXPECT_TRUE(m.internal_xx.absent());
+  EXPECT_TRUE(m.dampers.empty());
+  EXPECT_TRUE(m.springs.empty());
+  EXPECT_TRUE(m.forces.empty());
+  EXPECT_TRUE(m.unbalances.empty());
+  EXPECT_EQ(m.weight.size(), 0);
+  EXPECT_FALSE(m.drive);
+  EXPECT_FALSE(m.lines);
+  EXPECT_FALSE(m.controller);
+  EXPECT_FALSE(m.coupled_mass());
+  scene::Scene s = make_scene({});
+  s.contact.reset();
+  EXPECT_FALSE(make_model(s).contact);
+}
+
+TEST(Model, ModalFormIsCopied) {
+  const Model m = make_model(test::machine_scene(true));
+  Eigen::VectorXd mass(9), stiffness(9);
+  mass << 2.0, 0.8, 2.2, 0.7, 1e-3, 4e-4, 1e-4, 1.5, 1.2;
+  stiffness << 2.0e5, 3.0e6, 1.6e5, 2.5e6, 0.0, 60.0, 90.0, 1.0e5, 1.4e5;
+  EXPECT_EQ(m.mass, mass);
+  EXPECT_EQ(m.stiffness, stiffness);
+  EXPECT_EQ(m.contact_shape.x, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(m.torsion_contact, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(m.drive_shape, Eigen::Vector2d(0.3, -0.5));
+  EXPECT_EQ(m.contact->friction, 0.2);
+  EXPECT_EQ(m.springs.at(0).stiffness, Eigen::Vector2d(-3e4, -3e4));
+  EXPECT_EQ(m.gyroscopic.kind(), ModeMatrix::Kind::kDiagonal);
+}
+
+TEST(Model, InitialStateIsTheScenes) {
+  scene::Scene s = test::machine_scene(true);
+  s.initial = {{1e-4, -2e-4}, {3e-5, 0.0}, {0.1, 0.2},    {0.3, 0.4},  0.7,
+               {0.01, 0.02},  {1.5, -2.5}, {1e-5, -3e-5}, {0.02, 0.03}};
+  const State state = initial_state(make_model(s));
+  Eigen::VectorXd q(9), v(9);
+  q << 1e-4, -2e-4, 3e-5, 0.0, 0.7, 0.01, 0.02, 1e-5, -3e-5;
+  v << 0.1, 0.2, 0.3, 0.4, 310.0, 1.5, -2.5, 0.02, 0.03;
+  EXPECT_EQ(state.t, 0.0);
+  EXPECT_EQ(state.q, q);
+  EXPECT_EQ(state.v, v);
+}
+
+TEST(Model, GeometryFormBringsTheShaftsOwnTerms) {
+  scene::Scene s = test::reference_rig();
+  s.rotor.speed = 314.0;
+  s.rotor.geometry->bearings[0].damping = {50.0, 60.0};
+  s.rotor.geometry->internal_damping_ratio = 0.002;
+  const Model m = make_model(s);
+  EXPECT_EQ(m.nq(), 6);
+  EXPECT_FALSE(m.gyroscopic.absent());
+  EXPECT_FALSE(m.internal_xy.absent());
+  EXPECT_EQ(m.dampers.size(), 1u) << "the other bearing has none";
+  ASSERT_EQ(m.unbalances.size(), 1u);
+  EXPECT_DOUBLE_EQ(m.unbalances[0].static_moment, 2.0 * 20e-6);
+  EXPECT_TRUE(m.lines);
+  EXPECT_EQ(m.contact_shape.x, Eigen::Vector3d(1.0, 1.0, 1.0)) << "scaled to 1 at the contact";
+  s.rotor.geometry->discs[0].eccentricity = 0.0;
+  EXPECT_TRUE(make_model(s).unbalances.empty());
+}
+
+TEST(ModelRefusal, AStartOutsideTheRing) {
+  scene::Scene s = test::reference_rig();
+  s.initial.x = {3e-4, 0.0, 0.0};
+  s.initial.y = {0.0, 3e-4, 0.0};
+  EXPECT_NO_THROW(make_model(s));
+  s.initial.y = {0.0, 5e-4, 0.0};
+  expect_refusal(s, "initial.x", "outside the ring, 0.000583095 m");
+  s.initial.x.clear();
+  s.initial.y = {-6e-4, 0.0, 0.0};
+  expect_refusal(s, "initial.y", "outside the ring");
+  s.initial.y.clear();
+  test::add_ring(s, 1.0, 0.0, 0.0);
+  s.initial.stator = {0.0, 6e-4};
+  expect_refusal(s, "initial.stator", "outside the ring");
+  s.initial.stator = {0.0, 5e-4};
+  EXPECT_NO_THROW(make_model(s)) << "on the ring is meant";
+}
+
+TEST(ModelRefusal, AModeWithANodeAtTheContactMovesNothingThere) {
+  // The rig is symmetric about 0.3 m: the second mode has its node there.
+  scene::Scene s = test::reference_rig();
+  s.contact->station = 0.3;
+  s.initial.x = {0.0, 1e-3, 0.0};
+  const Model m = make_model(s);
+  EXPECT_EQ(m.contact_shape.x, Eigen::Vector3d(1.0, 0.0, 1.0));
+  EXPECT_EQ(contact_point(m, m.q0.data(), m.v0.data()).gap, 0.5e-3);
+  s.initial.x = {1e-3, 0.0, 0.0};
+  expect_refusal(s, "initial.x", "outside the ring, 0.001 m");
+}
+
+TEST(ModelRefusal, MoreCoordinatesThanAStepHolds) {
+  scene::Scene s = make_scene({});
+  const auto modes = [&](std::size_t n) {
+    s.rotor.modal->mass.assign(n, 1.0);
+    s.rotor.modal->stiffness.assign(n, 1e5);
+    s.rotor.modal->damping.assign(n, 0.0);
+  };
+  modes(kMaxCoordinates / 2);
+  EXPECT_EQ(make_model(s).nq(), kMaxCoordinates);
+  test::add_ring(s, 1.0, 0.0, 0.0);
+  expect_refusal(s, "rotor.modal.mass", "514 coordinates");
+  s.stator.reset();
+  modes(kMaxCoordinates / 2 + 1);
+  expect_refusal(s, "rotor.modal.mass", "at most 512");
+  scene::Scene rig = test::reference_rig();
+  rig.rotor.geometry->modes = 257;
+  expect_refusal(rig, "rotor.modes", "514 coordinates");
+}
+
+TEST(ModelRefusal, ListsThatDoNotFitTheModesOfAFrequencyBound) {
+  scene::Scene s = test::reference_rig();
+  s.rotor.geometry->modes.reset();
+  s.rotor.geometry->max_frequency = 3000.0;  // two modes, near 57 and 394 Hz
+  s.initial.x = {1e-4, 0.0};
+  EXPECT_EQ(make_model(s).layout.modes, 2);
+  s.initial.x = {1e-4, 0.0, 0.0};
+  expect_refusal(s, "initial.x", "expected 2 value(s), one for each bending mode, got 3");
+  s.initial.x.clear();
+  s.initial.torsion_speed = {1.0};
+  expect_refusal(s, "initial.torsion_speed", "expected 0 value(s)");
+}
+
+TEST(ModelRefusal, ReachesAUserWhoWroteToml) {
+  const std::string text = R"([rotor]
+speed = 0.0
+length = 0.6
+E = 2.1e11
+rho = 7850.0
+modes = 2
+[[rotor.section]]
+from = 0.0
+to = 0.6
+diameter = 0.018
+[[rotor.bearing]]
+z = 0.0
+stiffness = 1e7
+[[rotor.bearing]]
+z = 0.6
+stiffness = 1e7
+[contact]
+station = 0.2
+radius = 0.02
+clearance = "0.5 mm"
+friction = 0.1
+restitution = 0.5
+[initial]
+x = [0.6e-3, 0.1e-3]
+)";
+  const scene::Scene s = scene::parse_scene(text, "folder/shaft.toml");
+  try {
+    make_model(s);
+    FAIL() << "accepted";
+  } catch (const scene::SceneError& error) {
+    EXPECT_STREQ(error.what(),
+                 "shaft.toml: initial.x: the rotor starts outside the ring, 0.0007 m from its "
+                 "centre; accepted: at most contact.clearance = 0.0005 m");
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
