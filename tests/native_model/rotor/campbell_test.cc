@@ -226,6 +226,22 @@ TEST(Campbell, MagneticBearingSoftensTheRotor) {
   EXPECT_EQ(*threshold, 0.0);
 }
 
+// At the station of a bearing it is the same as a bearing that much softer.
+TEST(Campbell, MagneticBearingInGeometryForm) {
+  scene::Scene magnetic = scene_of(oracle::friswell_rotor());
+  magnetic.magnetic_bearing.emplace().station = 1.5;
+  magnetic.magnetic_bearing->negative_stiffness = 0.4e6;
+  scene::Scene soft = scene_of(oracle::friswell_rotor());
+  soft.rotor.geometry->bearings[1].stiffness = {0.6e6, 0.6e6};
+  const WhirlSystem system = whirl_system(magnetic);
+  EXPECT_TRUE(system.isotropic);
+  const WhirlSpectrum expected = whirl_spectrum(whirl_system(soft), k4000Rpm);
+  const WhirlSpectrum found = whirl_spectrum(system, k4000Rpm);
+  for (std::size_t j = 0; j < expected.modes.size(); ++j) {
+    EXPECT_NEAR(found.modes[j].frequency / expected.modes[j].frequency, 1.0, kBeam) << j;
+  }
+}
+
 TEST(CriticalSpeeds, RayleighShaft) {
   const std::vector<double> speeds = critical_speeds(whirl_system(scene_of(pinned_shaft(6))));
   ASSERT_EQ(speeds.size(), 6u);

@@ -86,6 +86,19 @@ TEST(ModalRotor, StaticSagOfManyModes) {
   EXPECT_NEAR(flexibility / (0.09 * 0.49 / (3.0 * EI)), 1.0, 1e-4);
 }
 
+// A heavy disc on a shaft of hardly any mass: m a^2 b^2 / (3 E I L) under its own weight.
+TEST(ModalRotor, StaticSagUnderADisc) {
+  scene::RotorGeometry g = pinned_shaft(12);
+  g.rho = 1.0;
+  g.discs = {{.z = 0.3, .mass = 1e3, .Jt = 1e-6, .Jp = 1e-6}};
+  scene::Scene s = scene_of(g);
+  add_contact(s, 0.3);
+  const ModalRotor rotor = modal_rotor(s);
+  const double sag = rotor.contact_shape.x.dot(rotor.gravity_x.cwiseQuotient(rotor.x.stiffness));
+  const double exact = 1e3 * 0.09 * 0.49 / (3.0 * kShaft.E * kShaft.inertia());
+  EXPECT_NEAR(sag / exact, 1.0, 1e-5) << "the shaft weighs 2e-6 of the disc";
+}
+
 TEST(ModalRotor, IsotropicPlanesAreTheSameBits) {
   scene::Scene s = test::reference_rig();
   s.rotor.geometry->internal_damping_ratio = 0.003;
@@ -113,7 +126,9 @@ TEST(ModalRotor, SameSceneSameBits) {
 }
 
 TEST(ModalRotor, ReferenceRig) {
-  const ModalRotor rotor = modal_rotor(test::reference_rig());
+  scene::Scene s = test::reference_rig();
+  s.rotor.geometry->discs[0].phase = 0.7;
+  const ModalRotor rotor = modal_rotor(s);
   const Eigen::VectorXd hertz = frequencies(rotor.x) / (2.0 * std::numbers::pi);
   EXPECT_NEAR(hertz[0], 57.0, 0.5);
   EXPECT_NEAR(hertz[1], 394.0, 0.5);
@@ -124,6 +139,7 @@ TEST(ModalRotor, ReferenceRig) {
   // The eccentric disc sits where the first mode has its peak.
   ASSERT_EQ(rotor.unbalances.size(), 1u);
   EXPECT_DOUBLE_EQ(rotor.unbalances[0].static_moment, 2.0 * 20e-6);
+  EXPECT_EQ(rotor.unbalances[0].phase, 0.7);
   EXPECT_GT(rotor.unbalances[0].shape.x[0], 1.0);
 }
 
