@@ -58,19 +58,24 @@ double dof_slip(const Model& model, const ContactPoint& p) {
 }  // namespace
 
 std::vector<double> output_times(const scene::Run& run) {
-  std::vector<double> times;
-  const double spacing = run.series_step();
-  const auto count = static_cast<std::int64_t>(std::floor(run.end / spacing * (1.0 + 1e-12)));
-  times.reserve(static_cast<std::size_t>(count) + run.output_times.size() + 2);
-  for (std::int64_t k = 0; k <= count; ++k) {
-    const double t = std::min(run.end, static_cast<double>(k) * spacing);
-    // The last multiple is the end itself where round-off alone keeps them apart.
-    times.push_back(run.end - t < 1e-9 * spacing ? run.end : t);
-  }
+  std::vector<double> times = run.output_times;
   times.push_back(run.end);
-  times.insert(times.end(), run.output_times.begin(), run.output_times.end());
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
+  // A multiple that round-off alone keeps apart from one of these is that one.
+  const std::vector<double> exact = times;
+  const double spacing = run.series_step(), same = 1e-9 * spacing;
+  const auto known = [&](double t) {
+    const auto next = std::lower_bound(exact.begin(), exact.end(), t - same);
+    return next != exact.end() && *next <= t + same;
+  };
+  const auto count = static_cast<std::int64_t>(std::floor(run.end / spacing * (1.0 + 1e-12)));
+  times.reserve(exact.size() + static_cast<std::size_t>(count) + 1);
+  for (std::int64_t k = 0; k <= count; ++k) {
+    const double t = static_cast<double>(k) * spacing;
+    if (t < run.end && !known(t)) times.push_back(t);
+  }
+  std::sort(times.begin(), times.end());
   return times;
 }
 

@@ -23,7 +23,7 @@ struct Snapshot {
 };
 
 // The requested times: multiples of series_step in [0, end], the end and output_times, ascending,
-// without doubles.
+// without doubles: output_times and the end stand for a multiple within 1e-9 of the spacing.
 std::vector<double> output_times(const scene::Run& run);
 
 class Recorder {
