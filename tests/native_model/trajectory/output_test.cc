@@ -1,0 +1,175 @@
+// The files of a run: headers word for word, numbers that read back to the same bits, whole or not
+// at all.
+#include "native_model/trajectory/output.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "native_model/trajectory/recorder.h"
+#include "tests/support/jeffcott.h"
+#include "tests/support/machine.h"
+
+namespace rotorub {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, at);) parts.push_back(part);
+  return parts;
+}
+
+class OutputTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "rotorub-output-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+  std::string series_header(const Model& m) {
+    write_series(Recorder(m, {}).finish(0.0), folder_ / "series.csv");
+    return split(content(folder_ / "series.csv"), '\n').front();
+  }
+  fs::path folder_;
+};
+
+// As the contract has it.
+const std::string kCommon =
+    "t,rotor_x,rotor_y,rotor_vx,rotor_vy,stator_x,stator_y,stator_vx,stator_vy,spin_angle,"
+    "spin_speed,gap,gap_rate,slip,normal_force,friction_force,mode";
+
+TEST_F(OutputTest, SeriesHeaderIsTheContracts) {
+  EXPECT_EQ(series_header(make_model(test::make_scene({}))), kCommon + ",x_1,y_1,vx_1,vy_1");
+  EXPECT_EQ(series_header(make_model(test::machine_scene(true))),
+            kCommon +
+                ",x_1,x_2,y_1,y_2,vx_1,vx_2,vy_1,vy_2,torsion_1,torsion_2,torsion_speed_1,"
+                "torsion_speed_2")
+      << "a passive bearing has no command";
+  scene::Scene s = test::make_scene({});
+  test::add_ring(s, 1.0, 0.0, 1e5);
+  s.controller = scene::Controller{};
+  s.controller->kind = scene::ControllerKind::kSliding;
+  EXPECT_EQ(series_header(make_model(s)), kCommon + ",x_1,y_1,vx_1,vy_1,control_x,control_y");
+}
+
+TEST_F(OutputTest, SeriesReadsBackToTheSameBits) {
+  Trajectory t;
+  const std::vector<double> values{0.1,    1.0 / 3.0,    -2.036936721118e-3,
+                                   1e-300, 123456789.25, 5e-324,
+                                   0.0,    -0.0,         std::numeric_limits<double>::max()};
+  t.series = {{"t", "s", values},
+              {"mode", "", std::vector<double>(values.size(), 2.0)},
+              {"gap", "m", {values.rbegin(), values.rend()}}};
+  write_series(t, folder_ / "series.csv");
+  const std::vector<std::string> lines = split(content(folder_ / "series.csv"), '\n');
+  ASSERT_EQ(lines.size(), values.size() + 1);
+  EXPECT_EQ(lines[0], "t,mode,gap");
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::vector<std::string> row = split(lines[k + 1], ',');
+    ASSERT_EQ(row.size(), 3u);
+    EXPECT_EQ(std::strtod(row[0].c_str(), nullptr), values[k]) << row[0];
+    EXPECT_EQ(row[1], "stick");
+    EXPECT_EQ(std::strtod(row[2].c_str(), nullptr), values[values.size() - 1 - k]);
+  }
+  EXPECT_EQ(content(folder_ / "series.csv").find(' '), std::string::npos);
+}
+
+TEST_F(OutputTest, ModesAreWords) {
+  Trajectory t;
+  t.series = {{"mode", "", {0.0, 1.0, 2.0}}};
+  write_series(t, folder_ / "series.csv");
+  EXPECT_EQ(content(folder_ / "series.csv"), "mode\nfree\nslide\nstick\n");
+}
+
+TEST_F(OutputTest, ImpactsAndEvents) {
+  Trajectory t;
+  t.impacts = {{0.25, 2.0, -0.5, -1.0, 0.5, 15.0, 14.0, -0.125}};
+  t.events = {{0.25, EventKind::kImpact},
+              {0.5, EventKind::kSlide},
+              {0.75, EventKind::kStick},
+              {1.0, EventKind::kLiftOff}};
+  write_impacts(t, folder_ / "impacts.csv");
+  write_events(t, folder_ / "events.csv");
+  EXPECT_EQ(content(folder_ / "impacts.csv"),
+            "t,normal_impulse,friction_impulse,gap_rate_before,gap_rate_after,slip_before,"
+            "slip_after,energy_change\n0.25,2,-0.5,-1,0.5,15,14,-0.125\n");
+  EXPECT_EQ(content(folder_ / "events.csv"),
+            "t,event\n0.25,impact\n0.5,slide\n0.75,stick\n1,lift_off\n");
+}
+
+TEST_F(OutputTest, NothingHappenedIsAHeaderAlone) {
+  write_impacts({}, folder_ / "impacts.csv");
+  write_events({}, folder_ / "events.csv");
+  EXPECT_EQ(split(content(folder_ / "impacts.csv"), '\n').size(), 1u);
+  EXPECT_EQ(content(folder_ / "events.csv"), "t,event\n");
+  EXPECT_EQ(files(), 2u) << "and nothing is left aside";
+}
+
+TEST_F(OutputTest, ReplacesAnOlderFile) {
+  write_whole(folder_ / "a.txt", "a long first text");
+  write_whole(folder_ / "a.txt", "second");
+  EXPECT_EQ(content(folder_ / "a.txt"), "second");
+  EXPECT_EQ(files(), 1u);
+}
+
+// The message of the failure to write `file`.
+std::string failure(const fs::path& file, const std::string& text) {
+  try {
+    write_whole(file, text);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "written";
+}
+
+TEST_F(OutputTest, AFolderThatIsNotThereIsSaid) {
+  const fs::path file = folder_ / "absent" / "a.txt";
+  EXPECT_EQ(failure(file, "text"), "cannot open " + file.string() + ": No such file or directory");
+  EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(OutputTest, ATargetThatCannotBeReplacedLeavesNothingAside) {
+  fs::create_directories(folder_ / "a.txt" / "inside");
+  const std::string said = failure(folder_ / "a.txt", "text");
+  EXPECT_NE(said.find("cannot rename to"), std::string::npos) << said;
+  EXPECT_EQ(files(), 1u);
+  EXPECT_TRUE(fs::exists(folder_ / "a.txt" / "inside"));
+}
+
+TEST_F(OutputTest, AFullDiskKeepsTheOldFileAndNoHalfOfTheNew) {
+  write_whole(folder_ / "a.txt", "old");
+  // A bound on the size of files stands for the disk.
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{4096, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string said = failure(folder_ / "a.txt", std::string(100000, 'x'));
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(said.find("cannot write"), std::string::npos) << said;
+  EXPECT_NE(said.find("File too large"), std::string::npos) << said;
+  EXPECT_EQ(content(folder_ / "a.txt"), "old");
+  EXPECT_EQ(files(), 1u);
+}
+
+}  // namespace
+}  // namespace rotorub

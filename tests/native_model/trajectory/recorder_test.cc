@@ -1,0 +1,169 @@
+// Rows: at exactly the times asked for, interpolated as promised.
+#include "native_model/trajectory/recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "native_model/system/dynamics.h"
+#include "tests/support/jeffcott.h"
+#include "tests/support/machine.h"
+
+namespace rotorub {
+namespace {
+
+using Path = std::function<Eigen::VectorXd(double)>;
+
+Snapshot snapshot(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  Snapshot s;
+  s.t = t;
+  s.q = q.data();
+  s.v = v.data();
+  return s;
+}
+
+// Feeds (q, v)(t) at k step for k = 0 .. steps; impact(k) says that step k had one.
+Trajectory record(
+    const Model& model, std::vector<double> times, double step, int steps, const Path& q,
+    const Path& v, const std::function<bool(int)>& impact = [](int) { return false; }) {
+  Recorder recorder(model, std::move(times));
+  recorder.begin(snapshot(0.0, q(0.0), v(0.0)));
+  for (int k = 1; k <= steps; ++k) {
+    recorder.step(snapshot(k * step, q(k * step), v(k * step)), 0.0, 0.0, impact(k));
+  }
+  return recorder.finish(steps * step);
+}
+
+// One mode in two planes on a cubic and a parabola, mm and ms.
+Eigen::VectorXd cubic(double t) {
+  const double s = 1e3 * t;
+  return 1e-4 * Eigen::Vector2d(1.0 - s + 0.5 * s * s - 0.07 * s * s * s, 0.3 * s * s - s);
+}
+Eigen::VectorXd cubic_rate(double t) {
+  const double s = 1e3 * t;
+  return 0.1 * Eigen::Vector2d(-1.0 + s - 0.21 * s * s, 0.6 * s - 1.0);
+}
+
+TEST(RecorderRows, AtTheTimesAskedForToTheBit) {
+  const Model m = make_model(test::make_scene({}));
+  const std::vector<double> times{0.0, 1.0 / 3e3, 0.7e-3, 1.234e-3, std::nextafter(2e-3, 0.0),
+                                  5e-3};
+  const Trajectory t = record(m, times, 1e-3, 5, cubic, cubic_rate);
+  EXPECT_EQ(t.column("t"), times);
+  EXPECT_EQ(t.end, 5e-3);
+}
+
+TEST(RecorderRows, CubicsAreInterpolatedExactly) {
+  const Model m = make_model(test::make_scene({}));
+  std::vector<double> times;
+  for (int k = 0; k <= 97; ++k) times.push_back(k * 5e-3 / 97);
+  const Trajectory t = record(m, times, 1e-3, 5, cubic, cubic_rate);
+  ASSERT_EQ(t.rows(), times.size());
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    EXPECT_NEAR(t.column("rotor_x")[k], cubic(times[k])[0], 1e-18) << times[k];
+    EXPECT_NEAR(t.column("y_1")[k], cubic(times[k])[1], 1e-18) << times[k];
+    // The parabola's speed is linear.
+    EXPECT_NEAR(t.column("rotor_vy")[k], cubic_rate(times[k])[1], 1e-14) << times[k];
+  }
+}
+
+TEST(RecorderRows, AtAStepItsStateToTheBit) {
+  const Model m = make_model(test::make_scene({}));
+  // 0.3 is the third step but for round-off.
+  const Trajectory t = record(m, {0.1, 0.3}, 0.1, 5, cubic, cubic_rate);
+  EXPECT_EQ(t.column("t")[1], 0.3);
+  EXPECT_EQ(t.column("x_1")[1], cubic(3 * 0.1)[0]);
+  EXPECT_EQ(t.column("vx_1")[1], cubic_rate(3 * 0.1)[0]);
+}
+
+TEST(RecorderRows, StraightAcrossAnImpact) {
+  const Model m = make_model(test::make_scene({}));
+  const auto path = [](double t) { return Eigen::VectorXd(Eigen::Vector2d(1e-4 * t, 0.0)); };
+  const auto speed = [](double t) {
+    return Eigen::VectorXd(Eigen::Vector2d(t < 1.5 ? 9.0 : -9.0, 0));
+  };
+  const auto second = [](int k) { return k == 2; };
+  const Trajectory t = record(m, {1.25, 1.5, 1.75, 2.25}, 1.0, 3, path, speed, second);
+  for (const std::size_t k : {0u, 1u, 2u}) {
+    EXPECT_NEAR(t.column("x_1")[k], path(t.column("t")[k])[0], 1e-19) << "no wiggle of the cubic";
+  }
+  EXPECT_GT(std::abs(t.column("x_1")[3] - path(2.25)[0]), 0.1) << "elsewhere the cubic is back";
+}
+
+TEST(RecorderRows, HoldTheContactsKinematicsAndForces) {
+  const Model m = test::machine(true);
+  const State a = test::random_state(m, 1), b = test::random_state(m, 2);
+  Recorder recorder(m, {0.0, 1.0});
+  recorder.begin(snapshot(0.0, a.q, a.v));
+  Snapshot now = snapshot(1.0, b.q, b.v);
+  now.normal_force = 70.0;
+  now.friction_force = -14.0;
+  now.mode = Mode::kSlide;
+  recorder.step(now, 70.0, -14.0, false);
+  const Trajectory t = recorder.finish(1.0);
+  const ContactPoint p = contact_point(m, b.q.data(), b.v.data());
+  const Layout& l = m.layout;
+  const auto last = [&](const std::string& name) { return t.column(name)[1]; };
+  EXPECT_EQ(last("rotor_x"), rotor_point(m, b.q.data()).x());
+  EXPECT_EQ(last("rotor_vy"), rotor_point(m, b.v.data()).y());
+  EXPECT_EQ(last("stator_y"), b.q[l.ring() + 1]);
+  EXPECT_EQ(last("stator_vx"), b.v[l.ring()]);
+  EXPECT_EQ(last("spin_angle"), b.q[l.phi()]);
+  EXPECT_EQ(last("spin_speed"), b.v[l.phi()]);
+  EXPECT_EQ(last("gap"), p.gap);
+  EXPECT_EQ(last("gap_rate"), p.gap_rate);
+  EXPECT_EQ(last("slip"), p.slip);
+  EXPECT_EQ(last("normal_force"), 70.0);
+  EXPECT_EQ(last("friction_force"), -14.0);
+  EXPECT_EQ(last("mode"), 1.0);
+  EXPECT_EQ(last("y_2"), b.q[l.y() + 1]);
+  EXPECT_EQ(last("vx_2"), b.v[l.x() + 1]);
+  EXPECT_EQ(last("torsion_2"), b.q[l.theta() + 1]);
+  EXPECT_EQ(last("torsion_speed_1"), b.v[l.theta()]);
+}
+
+TEST(RecorderRows, APrescribedSpinTurnsOnByItself) {
+  const Model m = make_model(test::make_scene({.speed = 200.0}));
+  const Trajectory t = record(m, {0.0, 1.5e-3}, 1e-3, 2, cubic, cubic_rate);
+  EXPECT_DOUBLE_EQ(t.column("spin_angle")[1], 0.3);
+  EXPECT_EQ(t.column("spin_speed")[1], 200.0);
+}
+
+TEST(RecorderRows, CentresTogetherGiveNumbers) {
+  const Model m = make_model(test::make_scene({.speed = 200.0}));
+  const auto none = [](double) { return Eigen::VectorXd(Eigen::Vector2d(0.0, 0.0)); };
+  const auto speed = [](double) { return Eigen::VectorXd(Eigen::Vector2d(0.3, 0.4)); };
+  const Trajectory t = record(m, {0.0}, 1.0, 1, none, speed);
+  EXPECT_EQ(t.column("gap_rate")[0], 0.0);
+  EXPECT_EQ(t.column("slip")[0], 0.05 * 200.0);
+}
+
+TEST(Recorder, KeepsImpactsAndEventsInOrder) {
+  const Model m = make_model(test::make_scene({}));
+  Recorder recorder(m, {0.0});
+  recorder.add(Impact{.t = 0.1, .normal_impulse = 2.0, .gap_rate_before = -2e-4});
+  recorder.add(Impact{.t = 0.2, .normal_impulse = 1.0, .gap_rate_before = -0.5e-4});
+  recorder.add(Event{0.1, EventKind::kImpact});
+  recorder.add(Event{0.3, EventKind::kLiftOff});
+  const Trajectory t = recorder.finish(0.5);
+  ASSERT_EQ(t.impacts.size(), 2u);
+  EXPECT_TRUE(counts(t.impacts[0]));
+  EXPECT_FALSE(counts(t.impacts[1])) << "under 1e-4 m/s an impact is no impact in counts";
+  ASSERT_EQ(t.events.size(), 2u);
+  EXPECT_EQ(t.events[1].kind, EventKind::kLiftOff);
+}
+
+TEST(Recorder, SaysWhichTimeItWantsNext) {
+  const Model m = make_model(test::make_scene({}));
+  Recorder recorder(m, {0.0, 0.25, 0.5});
+  const Eigen::Vector2d q{0.0, 0.0};
+  recorder.begin(snapshot(0.0, q, q));
+  EXPECT_EQ(recorder.next_time(), 0.25);
+  recorder.row(snapshot(0.25, q, q));
+  recorder.row(snapshot(0.5, q, q));
+  EXPECT_TRUE(std::isinf(recorder.next_time()));
+}
+
+}  // namespace
+}  // namespace rotorub

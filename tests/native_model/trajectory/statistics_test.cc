@@ -1,0 +1,152 @@
+// Figures of a run on steps made by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "native_model/system/dynamics.h"
+#include "native_model/trajectory/recorder.h"
+#include "tests/support/jeffcott.h"
+#include "tests/support/machine.h"
+#include "tests/support/runge_kutta.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kRoundOff = 1e-14;
+
+// Feeds states of a one-mode rotor, 2 kg, clearance 0.5 mm, radius 0.05 m.
+class Feed {
+ public:
+  explicit Feed(const Model& model) : recorder_(model, {}) {}
+  void begin(const Eigen::Vector2d& q, const Eigen::Vector2d& v) {
+    recorder_.begin({0.0, q.data(), v.data()});
+  }
+  void step(double t, const Eigen::Vector2d& q, const Eigen::Vector2d& v, double normal = 0.0,
+            double friction = 0.0, bool impact = false) {
+    recorder_.step({t, q.data(), v.data()}, normal, friction, impact);
+  }
+  Trajectory finish(double end) { return recorder_.finish(end); }
+
+ private:
+  Recorder recorder_;
+};
+
+TEST(Statistics, NoContactNoFigures) {
+  const Model m = make_model(test::make_scene({}));
+  Feed feed(m);
+  feed.begin({0.0, 0.0}, {0.1, 0.0});
+  feed.step(1e-3, {1e-4, 0.0}, {0.1, 0.0});
+  const Trajectory t = feed.finish(1e-3);
+  EXPECT_EQ(t.statistics.first_touch, -1.0);
+  EXPECT_EQ(t.statistics.contact_time, 0.0);
+  EXPECT_EQ(t.statistics.impulse_total, 0.0);
+  EXPECT_EQ(t.contact_fraction(), 0.0);
+  EXPECT_EQ(t.mean_force(), 0.0);
+  EXPECT_EQ(t.statistics.energy_residual(), 0.0) << "free flight";
+}
+
+TEST(Statistics, ContactIsCountedFromFirstTouch) {
+  const Model m = make_model(test::make_scene({.speed = 100.0}));
+  const Eigen::Vector2d at{0.5e-3, 0.0}, whirl{0.0, 0.2}, resting{0.0, 0.0};
+  Feed feed(m);
+  feed.begin({0.4e-3, 0.0}, resting);
+  feed.step(1.0, at, resting);                   // free
+  feed.step(3.0, at, whirl, 8.0, -1.6);          // 2 s of contact, 4 N
+  feed.step(4.0, at, whirl, 0.0, 0.0);           // free again
+  feed.step(5.0, at, resting, 1.0, -0.2, true);  // an impact: one step
+  feed.step(9.0, {0.51e-3, 0.0}, {0.1, 0.0});    // 10 um too deep, opening at -0.1 m/s
+  const Trajectory t = feed.finish(9.0);
+  const Statistics& s = t.statistics;
+  EXPECT_EQ(s.first_touch, 1.0) << "the beginning of the step that touched";
+  EXPECT_EQ(s.contact_time, 3.0);
+  EXPECT_EQ(s.impulse_total, 9.0);
+  EXPECT_DOUBLE_EQ(s.friction_impulse, -1.8);
+  EXPECT_EQ(s.peak_force, 4.0);
+  EXPECT_EQ(s.force_square, 4.0 * 4.0 * 2.0 + 1.0);
+  EXPECT_DOUBLE_EQ(t.contact_fraction(), 3.0 / 8.0);
+  EXPECT_DOUBLE_EQ(t.mean_force(), 9.0 / 8.0);
+  EXPECT_NEAR(s.max_penetration, 1e-5, 1e-17);
+  EXPECT_NEAR(s.penetration_square, 1e-10 * 4.0, 1e-20);
+  EXPECT_NEAR(s.gap_rate_square, 0.01 * 4.0, 1e-15);
+  // Slip: whirl 0.2 + 0.05 * 100. At rest before the first contact step, whirling after it.
+  EXPECT_DOUBLE_EQ(s.friction_work, -1.6 * (5.0 + 5.2) / 2 - 0.2 * (5.2 + 5.0) / 2);
+  EXPECT_LT(s.friction_work, 0.0) << "friction only takes";
+}
+
+TEST(Statistics, ImpactsBalanceTheEnergyWithTheirOwnWork) {
+  // Head on with 0.4 m/s, back with 0.2: the work of the impulse is its mean gap rate times it.
+  const Model m = make_model(test::make_scene({}));
+  const auto run = [&](double impulse) {
+    Feed feed(m);
+    feed.begin({0.5e-3, 0.0}, {0.4, 0.0});
+    feed.step(1e-5, {0.5e-3, 0.0}, {-0.2, 0.0}, impulse, 0.0, true);
+    return feed.finish(1e-5).statistics;
+  };
+  const Statistics s = run(2.0 * 0.6);
+  EXPECT_DOUBLE_EQ(s.energy_start, 0.16);
+  EXPECT_DOUBLE_EQ(s.energy_end, 0.04);
+  EXPECT_NEAR(s.contact_work, -0.12, kRoundOff);
+  EXPECT_NEAR(s.energy_residual(), 0.0, kRoundOff);
+  EXPECT_NEAR(run(2.0 * 0.7).energy_residual(), 0.02 / 0.16, kRoundOff)
+      << "a wrong impulse does not balance";
+}
+
+TEST(Statistics, FrictionFromAHeldShaftFeedsTheOrbitAndIsBalanced) {
+  // Sliding at 5 m/s drags the centre backward by 0.1 N s / 2 kg; the shaft is held at its speed.
+  const Model m = make_model(test::make_scene({.speed = 100.0}));
+  Feed feed(m);
+  feed.begin({0.5e-3, 0.0}, {0.0, 0.0});
+  feed.step(1e-5, {0.5e-3, 0.0}, {0.0, -0.05}, 0.5, -0.1);
+  const Statistics s = feed.finish(1e-5).statistics;
+  EXPECT_DOUBLE_EQ(s.energy_end, 0.5 * 2.0 * 0.05 * 0.05);
+  EXPECT_NEAR(s.contact_work, s.energy_end, kRoundOff) << "what reaches the coordinates";
+  EXPECT_DOUBLE_EQ(s.friction_work, -0.1 * (5.0 + 4.95) / 2) << "what friction does in all";
+  EXPECT_NEAR(s.energy_residual(), 0.0, kRoundOff);
+}
+
+// The residual of the whole machine along a Runge-Kutta solution, at a step.
+double residual_along(const Model& m, int steps) {
+  const int n = m.nq();
+  State s = test::random_state(m, 9);
+  s.t = 0.0;
+  const auto rate = [&](double t, const Eigen::VectorXd& y) {
+    Eigen::VectorXd dy(2 * n);
+    dy.head(n) = y.tail(n);
+    smooth_force(m, t, y.data(), y.data() + n, {0.0, 0.0}, dy.data() + n);
+    solve_mass(m, t, y.data(), dy.data() + n, dy.data() + n);
+    return dy;
+  };
+  Eigen::VectorXd y(2 * n);
+  y << s.q, s.v;
+  Recorder recorder(m, {});
+  recorder.begin({0.0, y.data(), y.data() + n});
+  const double h = 0.02 / steps;
+  for (int k = 0; k < steps; ++k) {
+    y = test::runge_kutta(rate, k * h, h, y);
+    recorder.step({(k + 1) * h, y.data(), y.data() + n}, 0.0, 0.0, false);
+  }
+  return recorder.finish(0.02).statistics.energy_residual();
+}
+
+TEST(Statistics, EnergyResidualVanishesWithTheStepOnATrueSolution) {
+  for (const bool drive : {true, false}) {
+    const Model m = test::machine(drive);
+    const double coarse = residual_along(m, 1000), fine = residual_along(m, 4000);
+    EXPECT_LT(coarse, 1e-4) << "the trapezoidal rule over the work, at 20 us";
+    EXPECT_LT(fine, coarse / 12.0) << "second order";
+  }
+}
+
+TEST(Statistics, ResidualOfNothingIsNothing) {
+  EXPECT_EQ(Statistics{}.energy_residual(), 0.0);
+  Statistics s;
+  s.energy_scale = 4.0;
+  s.energy_start = 1.0;
+  s.energy_end = 4.0;
+  s.external_work = 2.0;
+  s.contact_work = -1.0;
+  EXPECT_EQ(s.energy_residual(), 0.5);
+}
+
+}  // namespace
+}  // namespace rotorub
