@@ -1,0 +1,192 @@
+#include "mjcf/writer.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "mjcf/bodies.h"
+#include "mjcf/names.h"
+#include "native_model/system/dynamics.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace names = mjcf_names;
+
+// The links weigh 1e-12 kg and kg m^2 beside masses of kilograms and inertias of 1e-3 kg m^2.
+constexpr double kLinks = 1e-8;
+
+class Writer : public MujocoTest {};
+class ShippedScene : public MujocoTest, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(ShippedScene, CommittedFileIsTheWritersOwn) {
+  const std::filesystem::path file =
+      std::filesystem::path(ROTORUB_MJCF_DIR) / (GetParam() + ".xml");
+  std::ifstream in(file, std::ios::binary);
+  ASSERT_TRUE(in) << file << " is missing: rotorub mjcf mjcf/" << GetParam() << ".toml";
+  std::stringstream committed;
+  committed << in.rdbuf();
+  EXPECT_EQ(committed.str(), mjcf(shipped(GetParam())))
+      << "write it anew: rotorub mjcf mjcf/" << GetParam() << ".toml";
+}
+
+TEST_P(ShippedScene, HasTheNativeModelsMassesStiffnessesAndStart) {
+  const scene::Scene scene = shipped(GetParam());
+  const Model model = make_model(scene);
+  const ModelPointer m = load(mjcf(scene));
+  ASSERT_EQ(m->nv, model.nq());
+  ASSERT_EQ(m->nq, model.nq());
+  const DataPointer d = start(m.get());
+  mj_forward(m.get(), d.get());
+  const std::vector<int> order = joint_order(model);
+  std::vector<double> full(static_cast<std::size_t>(m->nv * m->nv));
+  mj_fullM(m.get(), full.data(), d->qM);
+  for (int j = 0; j < m->nv; ++j) {
+    const int i = order[static_cast<std::size_t>(j)];
+    EXPECT_NEAR(full[static_cast<std::size_t>(j * m->nv + j)], model.mass[i],
+                kLinks * model.mass[i]);
+    EXPECT_DOUBLE_EQ(m->jnt_stiffness[j], model.stiffness[i]);
+    EXPECT_DOUBLE_EQ(m->dof_damping[j], model.damping[i]);
+    EXPECT_EQ(d->qpos[j], model.q0[i]);
+    EXPECT_EQ(d->qvel[j], model.v0[i]);
+  }
+}
+
+TEST_P(ShippedScene, CarriesItsWholeText) {
+  const scene::Scene scene = shipped(GetParam());
+  const ModelPointer m = load(mjcf(scene));
+  const int id = mj_name2id(m.get(), mjOBJ_TEXT, names::kSceneText);
+  ASSERT_GE(id, 0);
+  EXPECT_EQ(std::string(m->text_data + m->text_adr[id]), scene.text);
+}
+
+// Without the plugin MuJoCo must find no contact of its own, however deep the disc is in the ring.
+TEST_P(ShippedScene, DoesNotCollideWithoutThePlugin) {
+  const ModelPointer m = load(mjcf(shipped(GetParam())));
+  const DataPointer d = start(m.get());
+  for (const double x : {0.0, 1e-3, 0.02, 0.1, 1.0}) {
+    d->qpos[0] = x;
+    mj_forward(m.get(), d.get());
+    EXPECT_EQ(d->ncon, 0) << x;
+    EXPECT_EQ(sensor(m.get(), d.get(), names::kActive), 0.0);
+  }
+}
+
+TEST_P(ShippedScene, NamesCamerasKeysAndSensors) {
+  const ModelPointer m = load(mjcf(shipped(GetParam())));
+  for (const char* camera : {names::kContactCamera, names::kObliqueCamera, names::kSideCamera}) {
+    EXPECT_GE(mj_name2id(m.get(), mjOBJ_CAMERA, camera), 0) << camera;
+  }
+  for (const char* key : {names::kStartKey, names::kTestKey}) {
+    EXPECT_GE(mj_name2id(m.get(), mjOBJ_KEY, key), 0) << key;
+  }
+  for (const char* user : {names::kActive, names::kGap, names::kGapRate, names::kSlip,
+                           names::kNormalForce, names::kFrictionForce}) {
+    EXPECT_GE(mj_name2id(m.get(), mjOBJ_SENSOR, user), 0) << user;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedScene, ::testing::ValuesIn(shipped_names()),
+                         [](const auto& scene) { return scene.param; });
+
+constexpr const char* kBare = R"(
+[run]
+end = 0.1
+[rotor]
+speed = 0.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e5]
+damping = [40.0]
+)";
+
+TEST_F(Writer, AbsentPartsAreAbsent) {
+  const ModelPointer m = load(mjcf(parsed(kBare)));
+  EXPECT_EQ(m->nv, 2);
+  EXPECT_EQ(m->nu, 0);
+  EXPECT_EQ(m->npair, 0);
+  EXPECT_EQ(m->nsensor, 1);  // rotorub_active
+  EXPECT_LT(mj_name2id(m.get(), mjOBJ_BODY, names::kRing), 0);
+}
+
+// A contact at mid-span is a node of the second mode: that mode must not move the disc.
+constexpr const char* kNode = R"(
+[run]
+end = 0.1
+[rotor]
+speed = "50 Hz"
+length = 0.6
+E = "210 GPa"
+nu = 0.3
+rho = 7850.0
+modes = 3
+[[rotor.section]]
+from = 0.0
+to = 0.6
+diameter = "18 mm"
+[[rotor.bearing]]
+z = 0.0
+stiffness = 1e8
+[[rotor.bearing]]
+z = 0.6
+stiffness = 1e8
+[contact]
+station = 0.3
+radius = "20 mm"
+clearance = "0.5 mm"
+friction = 0.1
+restitution = 0.5
+)";
+
+TEST_F(Writer, ModeWithANodeAtTheContactHangsOnABranch) {
+  const scene::Scene scene = parsed(kNode);
+  const Model model = make_model(scene);
+  ASSERT_EQ(model.contact_shape.x[1], 0.0);
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  std::vector<double> q(static_cast<std::size_t>(model.nq()));
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] = 1e-4 * static_cast<double>(i + 1);
+  const std::vector<int> order = joint_order(model);
+  for (int j = 0; j < m->nq; ++j) {
+    d->qpos[j] = q[static_cast<std::size_t>(order[static_cast<std::size_t>(j)])];
+  }
+  mj_forward(m.get(), d.get());
+  const mjtNum* disc = d->geom_xpos + 3 * mj_name2id(m.get(), mjOBJ_GEOM, names::kRotorContact);
+  const Eigen::Vector2d expected = rotor_point(model, q.data());
+  EXPECT_DOUBLE_EQ(disc[0], expected.x());
+  EXPECT_DOUBLE_EQ(disc[1], expected.y());
+}
+
+TEST_F(Writer, ActuatorsPullOnTheFortyFiveDegreeAxes) {
+  const ModelPointer m = load(mjcf(shipped("paper_sliding")));
+  ASSERT_EQ(m->nu, 2);
+  const DataPointer d = start(m.get());
+  const int ring = m->jnt_dofadr[mj_name2id(m.get(), mjOBJ_JOINT, names::kRingX)];
+  for (int k = 0; k < 2; ++k) {
+    d->ctrl[0] = k == 0 ? 100.0 : 0.0;
+    d->ctrl[1] = k == 1 ? 100.0 : 0.0;
+    mj_forward(m.get(), d.get());
+    EXPECT_NEAR(d->qfrc_actuator[ring], (k == 0 ? 100.0 : -100.0) / std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(d->qfrc_actuator[ring + 1], 100.0 / std::sqrt(2.0), 1e-12);
+    EXPECT_EQ(m->actuator_ctrlrange[2 * k + 1], 600.0);
+  }
+}
+
+TEST_F(Writer, RefusesWhatIsNotOffered) {
+  scene::Scene scene = shipped("bench_ring");
+  scene.mujoco.contact = scene::ContactModel::kRigid;
+  EXPECT_THROW(mjcf(scene), std::invalid_argument);
+  scene = shipped("bench_ring");
+  scene.mujoco.rotor = scene::MujocoRotor::kSegments;
+  EXPECT_THROW(mjcf(scene), std::invalid_argument);
+  scene = shipped("bench_ring");
+  scene.mujoco.integrator = scene::MujocoIntegrator::kRk4;
+  EXPECT_THROW(mjcf(scene), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,150 @@
+#include "plugin/config.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "plugin/hooks.h"
+#include "tests/plugin/scenes.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+class ConfigTest : public MujocoTest {
+ protected:
+  // MuJoCo's message when it loads the document with `from` replaced by `to`.
+  static std::string refusal(std::string document, const std::string& from, const std::string& to) {
+    const std::size_t at = document.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    document.replace(at, from.size(), to);
+    std::string error;
+    const ModelPointer m = try_load(document, error);
+    EXPECT_EQ(m, nullptr) << to;
+    return error;
+  }
+  static void expect_in(const std::string& part, const std::string& whole) {
+    EXPECT_NE(whole.find(part), std::string::npos) << whole;
+  }
+  plugin::Hooks hooks_;
+};
+
+TEST_F(ConfigTest, BadSceneTextIsRefusedAtLoadWithElementLineAndKey) {
+  const std::string document = mjcf(shipped("bench_ring"));
+  const std::string error = refusal(document, "clearance = ", "clearanse = ");
+  expect_in("rotorub_scene", error);
+  expect_in("contact.clearanse", error);
+  expect_in("rotorub_scene", refusal(document, "[rotor]&#10;", "[rotor&#10;"));
+}
+
+TEST_F(ConfigTest, MissingElementsAreNamed) {
+  const std::string document = mjcf(shipped("bench_ring"));
+  expect_in("<joint name=\"spin\">", refusal(document, "name=\"spin\"", "name=\"turn\""));
+  expect_in("nuserdata", refusal(document, "nuserdata=\"12\"", "nuserdata=\"3\""));
+  expect_in("rotorub_contact", refusal(document, "name=\"rotorub_contact\" data=\"coulomb\"",
+                                       "name=\"rotorub_contact\" data=\"sticky\""));
+  expect_in("coulomb, cone", refusal(document, "name=\"rotorub_contact\" data=\"coulomb\"",
+                                     "name=\"rotorub_contact\" data=\"sticky\""));
+}
+
+TEST_F(ConfigTest, WrongSensorDimensionIsNamed) {
+  const std::string document = mjcf(shipped("bench_ring"));
+  const std::string from =
+      "<user name=\"gap\" objtype=\"body\" objname=\"rotor\" datatype=\"real\" "
+      "needstage=\"pos\" dim=\"1\"/>";
+  std::string to = from;
+  to.replace(to.find("dim=\"1\""), 7, "dim=\"3\"");
+  expect_in("<user name=\"gap\">", refusal(mjcf(shipped("bench_ring")), from, to));
+}
+
+// Sensors are for viewers: a user may take them out, or put the joints elsewhere.
+TEST_F(ConfigTest, OptionalElementsMayGo) {
+  std::string document = mjcf(shipped("bench_ring"));
+  const std::size_t begin = document.find("<sensor>"), end = document.find("</sensor>") + 9;
+  document.erase(begin, end - begin);
+  const ModelPointer m = load(document);
+  EXPECT_EQ(m->nsensor, 0);
+  EXPECT_EQ(state_after(m.get(), 1000), state_after(load(mjcf(shipped("bench_ring"))).get(), 1000));
+}
+
+TEST_F(ConfigTest, ReadsTheMapOfTheJoints) {
+  const ModelPointer m = load(mjcf(shipped("paper_sliding")));
+  const plugin::Config config = plugin::make_config(m.get());
+  EXPECT_TRUE(config.same_order);
+  EXPECT_GE(config.rotor_geom, 0);
+  EXPECT_GE(config.ring_geom, 0);
+  EXPECT_GE(config.actuator[1], 0);
+  EXPECT_TRUE(plugin::same_fingerprint(config, m.get()));
+}
+
+// Two models with different scenes, step by step in turn on one thread.
+TEST_F(ConfigTest, ModelsInTurnKeepTheirOwnScenes) {
+  const ModelPointer a = load(mjcf(shipped("bench_ring")));
+  const ModelPointer b = load(mjcf(shipped("bench_ring", {"contact.friction=0.05"})));
+  const std::vector<double> alone_a = state_after(a.get(), 3000);
+  const std::vector<double> alone_b = state_after(b.get(), 3000);
+  EXPECT_NE(alone_a, alone_b);
+  const DataPointer da = start(a.get()), db = start(b.get());
+  for (int k = 0; k < 3000; ++k) {
+    mj_step(a.get(), da.get());
+    mj_step(b.get(), db.get());
+  }
+  EXPECT_EQ(state_of(a.get(), da.get()), alone_a);
+  EXPECT_EQ(state_of(b.get(), db.get()), alone_b);
+}
+
+// More models than a thread remembers.
+TEST_F(ConfigTest, ManyModelsInTurn) {
+  std::vector<ModelPointer> models;
+  std::vector<DataPointer> data;
+  std::vector<std::vector<double>> alone;
+  for (int i = 0; i < 7; ++i) {
+    models.push_back(load(mjcf(
+        shipped("bench_ring", {"force[0].amplitude=" + std::to_string(150 + 10 * i) + ".0"}))));
+    alone.push_back(state_after(models.back().get(), 300));
+    data.push_back(start(models.back().get()));
+  }
+  for (int k = 0; k < 300; ++k) {
+    for (std::size_t i = 0; i < models.size(); ++i) mj_step(models[i].get(), data[i].get());
+  }
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    EXPECT_EQ(state_of(models[i].get(), data[i].get()), alone[i]) << i;
+  }
+}
+
+// malloc gives a freed model's address to the next of the same size.
+TEST_F(ConfigTest, ReusedAddressIsNotTheOldModel) {
+  const std::string first = mjcf(shipped("bench_ring", {"force[0].amplitude=150.0"}));
+  const std::string second = mjcf(shipped("bench_ring", {"force[0].amplitude=250.0"}));
+  ModelPointer m = load(second);
+  const std::vector<double> wanted = state_after(m.get(), 500);
+  const mjModel* address = m.get();
+  int reused = 0;
+  for (int i = 0; i < 20; ++i) {
+    m.reset();
+    m = load(first);
+    state_after(m.get(), 500);
+    const mjModel* old = m.get();
+    m.reset();
+    m = load(second);
+    if (m.get() == old || m.get() == address) ++reused;
+    EXPECT_EQ(state_after(m.get(), 500), wanted);
+  }
+  EXPECT_GT(reused, 0) << "the case did not arise";
+}
+
+TEST_F(ConfigTest, ModelChangedInPlaceIsNoticed) {
+  const ModelPointer m = load(mjcf(shipped("bench_ring", {"force[0].amplitude=150.0"})));
+  const ModelPointer other = load(mjcf(shipped("bench_ring", {"force[0].amplitude=250.0"})));
+  const DataPointer d = start(m.get());
+  mj_step(m.get(), d.get());
+  ASSERT_EQ(mj_copyModel(m.get(), other.get()), m.get());
+  mj_resetDataKeyframe(m.get(), d.get(), 0);
+  for (int k = 0; k < 500; ++k) mj_step(m.get(), d.get());
+  EXPECT_EQ(state_of(m.get(), d.get()), state_after(other.get(), 500));
+}
+
+}  // namespace
+}  // namespace rotorub::test

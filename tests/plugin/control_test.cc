@@ -1,0 +1,92 @@
+#include "plugin/control.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "native_model/system/dynamics.h"
+#include "plugin/hooks.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+class ControlTest : public MujocoTest {
+ protected:
+  plugin::Hooks hooks_;
+};
+
+Eigen::Vector2d force_on_ring(const mjModel* m, const mjData* d) {
+  const int id = mj_name2id(m, mjOBJ_SENSOR, mjcf_names::kControlForce);
+  const mjtNum* f = d->sensordata + m->sensor_adr[id];
+  return {f[0], f[1]};
+}
+
+TEST_F(ControlTest, CommandIsTheNativeLawsAtRest) {
+  const scene::Scene scene = shipped("paper_sliding", {"controller.on=0.0"});
+  const Model model = make_model(scene);
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  d->qpos[0] = 2e-4;
+  d->qpos[2] = -1e-4;
+  mj_forward(m.get(), d.get());
+  const Eigen::Vector2d wanted = control_force(model, 0.0, d->qpos, d->qvel, scene::kNever);
+  EXPECT_GT(wanted.norm(), 1.0);
+  EXPECT_NEAR((force_on_ring(m.get(), d.get()) - wanted).norm(), 0.0, 1e-12 * wanted.norm());
+}
+
+TEST_F(ControlTest, NothingBeforeItIsOn) {
+  const ModelPointer m = load(mjcf(shipped("paper_sliding")));
+  const DataPointer d = start(m.get());
+  d->qpos[0] = 2e-4;
+  d->ctrl[0] = 5.0;  // the controller's, not the user's
+  mj_forward(m.get(), d.get());
+  EXPECT_EQ(force_on_ring(m.get(), d.get()).norm(), 0.0);
+}
+
+TEST_F(ControlTest, HeldBetweenSamples) {
+  const double sample = 2e-4;
+  const ModelPointer m = load(mjcf(shipped(
+      "paper_sliding", {"controller.on=0.0", "controller.sample_time=2e-4", "force[0].on=0.0"})));
+  const DataPointer d = start(m.get());
+  int changes = 0;
+  Eigen::Vector2d last(NAN, NAN);
+  for (int k = 0; k < 1000; ++k) {
+    mj_step(m.get(), d.get());
+    const Eigen::Vector2d now = force_on_ring(m.get(), d.get());
+    if (k > 0 && now != last) {
+      ++changes;
+      // The command of step k was taken at k h: a multiple of the sample time.
+      EXPECT_EQ(k % static_cast<int>(std::lround(sample / m->opt.timestep)), 0) << k;
+    }
+    last = now;
+  }
+  EXPECT_EQ(changes, 49);
+}
+
+TEST_F(ControlTest, PassiveBearingObeysTheUser) {
+  const ModelPointer m = load(mjcf(shipped("paper_passive")));
+  ASSERT_EQ(m->nu, 2);
+  const DataPointer d = start(m.get());
+  d->ctrl[0] = 100.0;
+  mj_step(m.get(), d.get());
+  const double h = std::sqrt(0.5);
+  EXPECT_NEAR((force_on_ring(m.get(), d.get()) - Eigen::Vector2d(100.0 * h, 100.0 * h)).norm(), 0.0,
+              1e-12);
+}
+
+TEST_F(ControlTest, KeepsToTheForceLimit) {
+  const ModelPointer m =
+      load(mjcf(shipped("paper_sliding", {"controller.on=0.0", "actuator.force_limit=10.0"})));
+  const DataPointer d = start(m.get());
+  d->qpos[0] = 3e-4;
+  mj_forward(m.get(), d.get());
+  EXPECT_LE(std::abs(d->actuator_force[0]), 10.0);
+  EXPECT_LE(std::abs(d->actuator_force[1]), 10.0);
+  EXPECT_GT(force_on_ring(m.get(), d.get()).norm(), 9.9);
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,149 @@
+// Contact model `coulomb` against the exact answers of the rub.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "native_model/system/model.h"
+#include "plugin/hooks.h"
+#include "tests/plugin/scenes.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace names = mjcf_names;
+
+// The annular rub's force is to be met at a step of 1e-5; MuJoCo's implicit damping alone, d times
+// the velocity of half a step away, makes 6.5e-5 of it.
+constexpr double kForce = 1e-4;
+constexpr double kScatter = 1e-3;
+
+class CoulombContact : public MujocoTest {
+ protected:
+  plugin::Hooks hooks_;
+};
+
+struct Sample {
+  double mean = 0.0, deviation = 0.0;
+  int steps_in_contact = 0;
+};
+
+// Normal force over the last `steps` of a scene.
+Sample normal_force(const scene::Scene& scene, int steps) {
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  const auto all = static_cast<int>(std::lround(scene.run.end / scene.run.step));
+  double sum = 0.0, squares = 0.0;
+  Sample out;
+  for (int k = 0; k < all; ++k) {
+    mj_step(m.get(), d.get());
+    if (k < all - steps) continue;
+    const double force = sensor(m.get(), d.get(), names::kNormalForce);
+    sum += force;
+    squares += force * force;
+    if (force > 0.0) ++out.steps_in_contact;
+    EXPECT_NEAR(sensor(m.get(), d.get(), names::kFrictionForce), -scene.contact->friction * force,
+                1e-9 * force);
+  }
+  out.mean = sum / steps;
+  out.deviation = std::sqrt(std::max(0.0, squares / steps - out.mean * out.mean));
+  return out;
+}
+
+TEST_F(CoulombContact, AnnularRubOnARigidRing) {
+  const double m = 2.0, k = 3e5, c = 40.0, mu = 0.2, amplitude = 200.0, delta = 0.5e-3;
+  const double om = 100.0 * std::numbers::pi;
+  const double a = (k - m * om * om) * delta, b = c * om * delta, p = a + mu * b;
+  const double exact =
+      (-p + std::sqrt(p * p - (1 + mu * mu) * (a * a + b * b - amplitude * amplitude))) /
+      (1 + mu * mu);
+  const Sample found = normal_force(parsed(kAnnularRub), 20000);
+  EXPECT_NEAR(found.mean, exact, kForce * exact);
+  EXPECT_LT(found.deviation, kScatter * exact);
+  EXPECT_EQ(found.steps_in_contact, 20000);
+}
+
+TEST_F(CoulombContact, AnnularRubOnAnElasticRing) {
+  using Complex = std::complex<double>;
+  const std::string ring = R"(
+[stator]
+mass = 1.0
+damping = 200.0
+stiffness = 4e5
+)";
+  const double om = 100.0 * std::numbers::pi, mu = 0.2, u = 200.0, delta = 0.5e-3;
+  const Complex rotor(3e5 - 2.0 * om * om, 40.0 * om), stator(4e5 - om * om, 200.0 * om);
+  const Complex h = Complex(1.0, mu) * (1.0 / rotor + 1.0 / stator);
+  const double a = std::norm(h), b = delta * h.real();
+  const double constant = delta * delta - u * u / std::norm(rotor);
+  const double exact = (-b + std::sqrt(b * b - a * constant)) / a;
+  ASSERT_GT(exact, 0.0);
+  const Sample found = normal_force(parsed(kAnnularRub + ring), 20000);
+  EXPECT_NEAR(found.mean, exact, kForce * exact);
+  EXPECT_LT(found.deviation, kScatter * exact);
+  EXPECT_EQ(found.steps_in_contact, 20000);
+}
+
+TEST_F(CoulombContact, TheErrorFallsWithTheStep) {
+  const double exact = 145.5398062816846;  // of the rigid ring, above
+  const double coarse =
+      std::abs(normal_force(parsed(kAnnularRub, {"run.step=1e-4"}), 2000).mean - exact);
+  const double fine =
+      std::abs(normal_force(parsed(kAnnularRub, {"run.step=1e-5"}), 2000).mean - exact);
+  EXPECT_LT(fine, 0.15 * coarse);
+  EXPECT_LT(coarse, 1e-3 * exact);
+}
+
+// The spin comes to rest and stays: friction must not push it to and fro.
+TEST_F(CoulombContact, SticksWithoutFlippingItsSign) {
+  const ModelPointer m = load(mjcf(parsed(kBrake)));
+  const DataPointer d = start(m.get());
+  int flips = 0, last = 0;
+  for (int k = 0; k < 10000; ++k) {
+    mj_step(m.get(), d.get());
+    const double slip = sensor(m.get(), d.get(), names::kSlip);
+    const int sign = std::abs(slip) > 1e-9 ? (slip > 0.0 ? 1 : -1) : 0;
+    if (sign != 0 && last != 0 && sign != last) ++flips;
+    if (sign != 0) last = sign;
+    const double normal = sensor(m.get(), d.get(), names::kNormalForce);
+    EXPECT_LE(std::abs(sensor(m.get(), d.get(), names::kFrictionForce)), 0.5 * normal + 1e-9);
+  }
+  EXPECT_LE(flips, 2);
+  EXPECT_NEAR(sensor(m.get(), d.get(), names::kSlip), 0.0, 1e-9);
+  EXPECT_NEAR(sensor(m.get(), d.get(), names::kNormalForce), 100.0, 50.0);
+}
+
+// The bounce of the scene's restitution, without a load: MuJoCo's law makes up for loads while it
+// pushes, so one that presses on the contact costs some of the rebound, a / (v sqrt K).
+TEST_F(CoulombContact, BouncesByTheRestitution) {
+  const scene::Scene scene =
+      shipped("bench_billiard", {"mujoco.solref_stiffness=1e6", "run.step=2e-6",
+                                 "contact.restitution=0.5", "initial.vy=[0.0]"});
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 30000 && d->qvel[0] > 0.0; ++k) mj_step(m.get(), d.get());
+  for (int k = 0; k < 30000 && sensor(m.get(), d.get(), names::kGap) < 0.0; ++k) {
+    mj_step(m.get(), d.get());
+  }
+  EXPECT_NEAR(d->qvel[0], -0.5 * 0.3, 0.3 * 2e-3);  // sqrt(K) step = 2e-3
+}
+
+TEST_F(CoulombContact, StepsAreTheSameAfterASecondForward) {
+  const ModelPointer m = load(mjcf(shipped("bench_ring")));
+  const DataPointer once = start(m.get()), twice = start(m.get());
+  for (int k = 0; k < 3000; ++k) {
+    mj_step(m.get(), once.get());
+    mj_forward(m.get(), twice.get());
+    mj_forwardSkip(m.get(), twice.get(), mjSTAGE_VEL, 0);
+    mj_step(m.get(), twice.get());
+  }
+  // The solver's warm start differs; forces do not pile up.
+  for (int i = 0; i < m->nq; ++i) EXPECT_NEAR(once->qpos[i], twice->qpos[i], 1e-9);
+}
+
+}  // namespace
+}  // namespace rotorub::test

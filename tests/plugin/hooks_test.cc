@@ -1,0 +1,129 @@
+#include "plugin/hooks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "tests/plugin/scenes.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+class HooksTest : public MujocoTest {};
+
+int calls = 0;
+void count_control(const mjModel*, mjData*) { ++calls; }
+void count_passive(const mjModel*, mjData*) { ++calls; }
+
+TEST_F(HooksTest, InstallsAndRestores) {
+  const auto control = mjcb_control, passive = mjcb_passive;
+  const auto sensor_before = mjcb_sensor;
+  const auto collision = mjCOLLISIONFUNC[mjGEOM_SPHERE][mjGEOM_CAPSULE];
+  {
+    const plugin::Hooks outer;
+    EXPECT_NE(mjcb_control, control);
+    EXPECT_NE(mjCOLLISIONFUNC[mjGEOM_SPHERE][mjGEOM_CAPSULE], collision);
+    const auto ours = mjcb_control;
+    {
+      const plugin::Hooks inner;
+      EXPECT_EQ(mjcb_control, ours);
+    }
+    EXPECT_EQ(mjcb_control, ours) << "the last one restores";
+    EXPECT_TRUE(plugin::hooks_installed());
+  }
+  EXPECT_FALSE(plugin::hooks_installed());
+  EXPECT_EQ(mjcb_control, control);
+  EXPECT_EQ(mjcb_passive, passive);
+  EXPECT_EQ(mjcb_sensor, sensor_before);
+  EXPECT_EQ(mjCOLLISIONFUNC[mjGEOM_SPHERE][mjGEOM_CAPSULE], collision);
+}
+
+TEST_F(HooksTest, CallsWhatWasInstalledBefore) {
+  const ModelPointer m = load(mjcf(parsed(kNeverTouches)));
+  const DataPointer d = start(m.get());
+  mjcb_control = count_control;
+  mjcb_passive = count_passive;
+  {
+    const plugin::Hooks hooks;
+    calls = 0;
+    mj_step(m.get(), d.get());
+    EXPECT_EQ(calls, 2);
+    EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 1.0);
+  }
+  EXPECT_EQ(mjcb_control, &count_control);
+  EXPECT_EQ(mjcb_passive, &count_passive);
+  mjcb_control = nullptr;
+  mjcb_passive = nullptr;
+}
+
+mjfGeneric below = nullptr;
+void in_front(const mjModel* m, mjData* d) {
+  ++calls;
+  if (below) below(m, d);
+}
+
+// Another library that came after us stays where it is; coming back must not make a circle.
+TEST_F(HooksTest, LeavesWhoCameLaterInPlace) {
+  const ModelPointer m = load(mjcf(parsed(kAnnularRub)));
+  const DataPointer d = start(m.get());
+  {
+    const plugin::Hooks hooks;
+    below = mjcb_control;
+    mjcb_control = in_front;
+  }
+  EXPECT_EQ(mjcb_control, &in_front);
+  calls = 0;
+  mj_step(m.get(), d.get());
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 0.0) << "ours only passes on";
+  {
+    const plugin::Hooks again;
+    mj_step(m.get(), d.get());
+    EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 1.0);
+    mjcb_control = below;
+  }
+  EXPECT_EQ(mjcb_control, nullptr);
+}
+
+// A double pendulum over a floor, with an actuator and MuJoCo's own contacts.
+constexpr const char* kForeign = R"(<mujoco>
+  <option timestep="0.002"/><size nuserdata="20"/>
+  <custom><text name="note" data="another's text"/></custom>
+  <worldbody><geom type="plane" size="5 5 1"/>
+    <body pos="0 0 0.6"><joint name="a" type="hinge" axis="0 1 0" damping="0.01"/>
+      <geom type="capsule" fromto="0 0 0 0.3 0 0" size="0.05"/>
+      <body pos="0.3 0 0"><joint name="b" type="hinge" axis="0 1 0"/>
+        <geom type="sphere" size="0.08" pos="0.3 0 0"/>
+        <geom type="capsule" fromto="0 0 0 0.3 0 0" size="0.04"/></body></body>
+    <body pos="0.4 0 1.5"><freejoint/><geom type="sphere" size="0.1"/></body>
+  </worldbody>
+  <actuator><motor joint="a" gear="0.5"/></actuator>
+</mujoco>)";
+
+TEST_F(HooksTest, ForeignModelRunsBitForBitAsWithout) {
+  const ModelPointer m = load(kForeign);
+  const std::vector<double> without = state_after(m.get(), 2000);
+  const plugin::Hooks hooks;
+  EXPECT_EQ(state_after(m.get(), 2000), without);
+}
+
+TEST_F(HooksTest, RotorThatNeverTouchesRunsBitForBitAsWithout) {
+  const ModelPointer m = load(mjcf(parsed(kNeverTouches)));
+  const std::vector<double> without = state_after(m.get(), 10000);
+  EXPECT_NE(without[0], 1e-3) << "it must have moved";
+  const plugin::Hooks hooks;
+  EXPECT_EQ(state_after(m.get(), 10000), without);
+}
+
+TEST_F(HooksTest, TouchingRotorDoesNot) {
+  const ModelPointer m = load(mjcf(parsed(kAnnularRub)));
+  const std::vector<double> without = state_after(m.get(), 2000);
+  const plugin::Hooks hooks;
+  EXPECT_NE(state_after(m.get(), 2000), without);
+}
+
+}  // namespace
+}  // namespace rotorub::test

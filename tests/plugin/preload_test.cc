@@ -1,0 +1,112 @@
+// The plugin in a program that nobody here wrote: LD_PRELOAD with mujoco-testspeed gives the bits
+// of a linked run.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "mjcf/writer.h"
+#include "native_model/trajectory/output.h"
+#include "plugin/hooks.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Preload : public MujocoTest, public ::testing::WithParamInterface<const char*> {
+ protected:
+  Preload() {
+    std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    for (char& c : name) c = c == '/' ? '_' : c;
+    folder_ =
+        fs::temp_directory_path() / ("rotorub_preload_" + name + "_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  ~Preload() override { fs::remove_all(folder_); }
+
+  // Final states of mujoco-testspeed, as lines of hexadecimal bits; `plugin`: with ours preloaded.
+  std::vector<std::string> testspeed(const std::string& document, int steps, int threads,
+                                     bool plugin) const {
+    const fs::path xml = folder_ / "scene.xml", states = folder_ / "states";
+    fs::remove(states);
+    write_whole(xml, document);
+    const fs::path keeper = fs::path(ROTORUB_PLUGIN).parent_path() / "librotorub_final_state.so";
+    EXPECT_TRUE(fs::exists(keeper)) << keeper;
+    std::string libraries = ROTORUB_SANITIZER_RUNTIME;
+    if (!libraries.empty()) libraries += ":";
+    if (plugin) libraries += std::string(ROTORUB_PLUGIN) + ":";
+    libraries += keeper.string();
+    // No control noise. Leaks of the foreign program are not ours to judge.
+    const std::string command = "cd " + folder_.string() + " && ASAN_OPTIONS=detect_leaks=0 " +
+                                "ROTORUB_FINAL_STATE_FILE=" + states.string() +
+                                " LD_PRELOAD=" + libraries + " mujoco-testspeed " + xml.string() +
+                                " " + std::to_string(steps) + " " + std::to_string(threads) +
+                                " 0 > out.txt 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    std::vector<std::string> lines;
+    std::ifstream in(states);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    std::ifstream out(folder_ / "out.txt");
+    std::stringstream said;
+    said << out.rdbuf();
+    EXPECT_FALSE(lines.empty()) << said.str();
+    return lines;
+  }
+
+  static std::string bits(const mjModel* m, const mjData* d) {
+    std::string line;
+    const auto add = [&line](double value) {
+      char text[20];
+      std::snprintf(text, sizeof text, "%016llx ",
+                    static_cast<unsigned long long>(std::bit_cast<std::uint64_t>(value)));
+      line += text;
+    };
+    add(d->time);
+    for (const double value : state_of(m, d)) add(value);
+    return line;
+  }
+
+  // The same run here, with the plugin linked.
+  static std::string linked(const std::string& document, int steps) {
+    const plugin::Hooks hooks;
+    const ModelPointer m = load(document);
+    const DataPointer d = start(m.get());
+    for (int k = 0; k < steps; ++k) mj_step(m.get(), d.get());
+    return bits(m.get(), d.get());
+  }
+
+  fs::path folder_;
+};
+
+constexpr int kSteps = 20000;
+
+TEST_P(Preload, TestspeedGivesTheBitsOfALinkedRun) {
+  const std::string document = mjcf(shipped(GetParam()));
+  const std::string wanted = linked(document, kSteps);
+  const std::vector<std::string> one = testspeed(document, kSteps, 1, true);
+  EXPECT_EQ(one.back(), wanted);
+  EXPECT_NE(testspeed(document, kSteps, 1, false).back(), wanted) << "the plugin did nothing";
+}
+
+TEST_P(Preload, TwoThreadsGiveTheBitsOfOne) {
+  const std::string document = mjcf(shipped(GetParam()));
+  const std::string wanted = linked(document, kSteps);
+  const std::vector<std::string> two = testspeed(document, kSteps, 2, true);
+  ASSERT_GE(two.size(), 2u);
+  EXPECT_EQ(two[two.size() - 1], wanted);
+  EXPECT_EQ(two[two.size() - 2], wanted);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Preload,
+                         ::testing::Values("bench_ring", "paper_passive", "paper_sliding"));
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,93 @@
+#include "tests/support/mujoco_fixture.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+#include "native_model/scene/reader.h"
+
+namespace rotorub::test {
+namespace {
+
+void on_error(const char* message) { throw std::runtime_error(message); }
+void on_warning(const char* message) { ADD_FAILURE() << "MuJoCo warns: " << message; }
+
+}  // namespace
+
+MujocoTest::MujocoTest() : previous_error_(mju_user_error), previous_warning_(mju_user_warning) {
+  mju_user_error = on_error;
+  mju_user_warning = on_warning;
+}
+
+MujocoTest::~MujocoTest() {
+  mju_user_error = previous_error_;
+  mju_user_warning = previous_warning_;
+}
+
+ModelPointer try_load(const std::string& document, std::string& error) {
+  const auto files = std::make_unique<mjVFS>();  // too large for the stack
+  mj_defaultVFS(files.get());
+  mj_makeEmptyFileVFS(files.get(), "test.xml", static_cast<int>(document.size()));
+  std::memcpy(files->filedata[mj_findFileVFS(files.get(), "test.xml")], document.data(),
+              document.size());
+  char message[1000] = "";
+  ModelPointer model(mj_loadXML("test.xml", files.get(), message, sizeof message));
+  mj_deleteVFS(files.get());
+  error = message;
+  return model;
+}
+
+ModelPointer load(const std::string& document) {
+  std::string error;
+  ModelPointer model = try_load(document, error);
+  if (!model || !error.empty()) {
+    ADD_FAILURE() << "mj_loadXML: " << error;
+    throw std::runtime_error(error);
+  }
+  return model;
+}
+
+DataPointer start(const mjModel* m) {
+  DataPointer d(mj_makeData(m));
+  const int key = mj_name2id(m, mjOBJ_KEY, "start");
+  if (key >= 0) mj_resetDataKeyframe(m, d.get(), key);
+  return d;
+}
+
+std::vector<double> state_of(const mjModel* m, const mjData* d) {
+  std::vector<double> state(d->qpos, d->qpos + m->nq);
+  state.insert(state.end(), d->qvel, d->qvel + m->nv);
+  return state;
+}
+
+std::vector<double> state_after(const mjModel* m, int steps) {
+  const DataPointer d = start(m);
+  for (int k = 0; k < steps; ++k) mj_step(m, d.get());
+  return state_of(m, d.get());
+}
+
+double sensor(const mjModel* m, const mjData* d, const char* name) {
+  const int id = mj_name2id(m, mjOBJ_SENSOR, name);
+  if (id < 0) throw std::runtime_error(std::string("no sensor ") + name);
+  return d->sensordata[m->sensor_adr[id]];
+}
+
+scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides) {
+  return scene::read_scene(std::filesystem::path(ROTORUB_MJCF_DIR) / (name + ".toml"), overrides);
+}
+
+scene::Scene parsed(const std::string& text, const std::vector<std::string>& overrides) {
+  return scene::parse_scene(text, "test.toml", overrides);
+}
+
+std::vector<std::string> shipped_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(ROTORUB_MJCF_DIR)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace rotorub::test

@@ -1,0 +1,51 @@
+// MuJoCo in tests: whatever it warns of fails the test, and what it calls an error is thrown.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "native_model/scene/scene.h"
+
+namespace rotorub::test {
+
+struct MujocoDelete {
+  void operator()(mjModel* m) const { mj_deleteModel(m); }
+  void operator()(mjData* d) const { mj_deleteData(d); }
+};
+using ModelPointer = std::unique_ptr<mjModel, MujocoDelete>;
+using DataPointer = std::unique_ptr<mjData, MujocoDelete>;
+
+// Null, with MuJoCo's message in `error`, where the document is refused.
+ModelPointer try_load(const std::string& document, std::string& error);
+// A refusal fails the test and throws.
+ModelPointer load(const std::string& document);
+
+// mjData at the keyframe "start", or mj_resetData's where there is none.
+DataPointer start(const mjModel* m);
+
+// qpos and qvel, one after the other.
+std::vector<double> state_of(const mjModel* m, const mjData* d);
+std::vector<double> state_after(const mjModel* m, int steps);
+
+double sensor(const mjModel* m, const mjData* d, const char* name);
+
+// A shipped scene, and one written in the test.
+scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {});
+scene::Scene parsed(const std::string& text, const std::vector<std::string>& overrides = {});
+std::vector<std::string> shipped_names();  // every mjcf/*.toml, without ending
+
+class MujocoTest : public ::testing::Test {
+ protected:
+  MujocoTest();
+  ~MujocoTest() override;
+
+ private:
+  void (*previous_error_)(const char*);
+  void (*previous_warning_)(const char*);
+};
+
+}  // namespace rotorub::test
