@@ -1,8 +1,13 @@
 // Rotors in geometry form, built in code.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "native_model/oracles/friswell_rotor.h"
 #include "native_model/oracles/rayleigh_shaft.h"
+#include "native_model/rotor/campbell.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub::test {
@@ -67,6 +72,26 @@ inline scene::Scene reference_rig() {
 inline scene::Scene anisotropic_rotor() {
   scene::Scene s = scene_of(oracle::friswell_rotor());
   s.rotor.geometry->bearings[1].stiffness = {1e6, 0.6e6};
+  return s;
+}
+
+// Distance to the nearest frequency of the spectrum, relative.
+inline double miss(const WhirlSpectrum& spectrum, double frequency) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const WhirlMode& mode : spectrum.modes) {
+    least = std::min(least, std::abs(mode.frequency / frequency - 1.0));
+  }
+  return least;
+}
+
+// One mode in each plane.
+inline scene::Scene jeffcott(double mass, double stiffness, double damping) {
+  scene::Scene s;
+  scene::RotorModal modal;
+  modal.mass = {mass};
+  modal.stiffness = {stiffness};
+  modal.damping = {damping};
+  s.rotor.modal = modal;
   return s;
 }
 
