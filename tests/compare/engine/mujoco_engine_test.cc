@@ -1,0 +1,160 @@
+#include "compare/engine/mujoco_engine.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "native_model/integrate/run.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+// Not MujocoTest: the engine sets its own handlers.
+
+// bench_ring: two independent solvers agree to 1e-13 on these (design of the scene,
+// bench_ring.toml).
+constexpr double kRingX = 5.15768981628e-4, kRingY = -2.036936721118e-3;  // m, at 0.5 s
+constexpr double kRingForce = 121.7020407;                                // N
+
+TEST(MujocoEngine, CoulombFollowsTheRingBench) {
+  const Trajectory t = run_mujoco(shipped("bench_ring"));
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_EQ(t.engine, "mujoco");
+  EXPECT_EQ(t.contact_model, "coulomb");
+  EXPECT_EQ(t.steps, 50000);
+  EXPECT_EQ(t.column("t").back(), 0.5);
+  EXPECT_GT(t.wall_s, 0.0);
+  EXPECT_LT(std::hypot(t.column("rotor_x").back() - kRingX, t.column("rotor_y").back() - kRingY),
+            2e-5);
+  EXPECT_NEAR(t.column("normal_force").back(), kRingForce, 1e-3 * kRingForce);
+  EXPECT_GT(t.contact_fraction(), 0.97);
+  ASSERT_GE(t.impacts.size(), 2u);
+  EXPECT_NEAR(t.impacts[0].t, 4.0601e-3, 2e-5);
+  EXPECT_NEAR(t.impacts[1].t, 7.5981e-3, 1e-4);
+}
+
+TEST(MujocoEngine, CoulombIsOfFirstOrder) {
+  const auto error = [](double step) {
+    MujocoOptions options;
+    options.step = step;
+    const Trajectory t = run_mujoco(shipped("bench_ring"), options);
+    return std::hypot(t.column("rotor_x").back() - kRingX, t.column("rotor_y").back() - kRingY);
+  };
+  const double coarse = error(4e-5), fine = error(1e-5);
+  EXPECT_LT(fine, 0.35 * coarse);
+}
+
+TEST(MujocoEngine, SlidingControlAgreesWithNative) {
+  const scene::Scene scene = shipped("paper_sliding");
+  const Trajectory mujoco = run_mujoco(scene), native = run_native(scene);
+  ASSERT_EQ(mujoco.status, Status::kOk) << mujoco.message;
+  EXPECT_NEAR(mujoco.mean_force(), native.mean_force(), 0.02 * native.mean_force());
+  EXPECT_NEAR(mujoco.contact_fraction(), native.contact_fraction(), 0.02);
+}
+
+// MuJoCo's own contact: shown, whatever it gives. It must run, touch, and not gain energy wildly.
+TEST(MujocoEngine, ConeRunsAndIsWorse) {
+  MujocoOptions options;
+  options.contact = scene::ContactModel::kCone;
+  const Trajectory cone = run_mujoco(shipped("bench_ring"), options);
+  ASSERT_EQ(cone.status, Status::kOk) << cone.message;
+  EXPECT_EQ(cone.contact_model, "cone");
+  EXPECT_GT(cone.statistics.impulse_total, 0.0);
+  EXPECT_LT(cone.contact_fraction(), 0.9) << "a permanent rub chatters";
+}
+
+TEST(MujocoEngine, SeriesHasTheNativeColumns) {
+  const scene::Scene scene = shipped("paper_sliding", {"run.end=0.002"});
+  const Trajectory mujoco = run_mujoco(scene), native = run_native(scene);
+  ASSERT_EQ(mujoco.series.size(), native.series.size());
+  for (std::size_t i = 0; i < mujoco.series.size(); ++i) {
+    EXPECT_EQ(mujoco.series[i].name, native.series[i].name);
+    EXPECT_EQ(mujoco.series[i].values.size(), native.series[i].values.size());
+    for (const double value : mujoco.series[i].values) EXPECT_TRUE(std::isfinite(value));
+  }
+  EXPECT_EQ(mujoco.column("t"), native.column("t"));
+}
+
+TEST(MujocoEngine, AskedTimesArePrintedExactly) {
+  MujocoOptions options;
+  options.output_times = std::vector<double>{0.0, 1.23456e-3, 0.01};
+  const Trajectory t = run_mujoco(shipped("bench_ring", {"run.end=0.01"}), options);
+  EXPECT_EQ(t.column("t"), *options.output_times);
+}
+
+TEST(MujocoEngine, EpisodesHaveTheImpulseOfTheRun) {
+  const Trajectory t = run_mujoco(shipped("bench_drop"));
+  double sum = 0.0;
+  for (const Impact& impact : t.impacts) {
+    sum += impact.normal_impulse;
+    EXPECT_GE(impact.normal_impulse, 0.0);
+    EXPECT_LE(impact.gap_rate_before, 0.0);
+    EXPECT_LE(impact.energy_change, 1e-9);
+  }
+  EXPECT_NEAR(sum, t.statistics.impulse_total, 1e-12 * sum);
+  EXPECT_NEAR(t.impacts[0].t, 10.0964e-3, 2e-5);
+  EXPECT_NEAR(t.impacts[0].gap_rate_after / -t.impacts[0].gap_rate_before, 0.5, 0.04);
+}
+
+TEST(MujocoEngine, InterruptKeepsWhatThereIs) {
+  std::atomic<bool> stop{true};
+  MujocoOptions options;
+  options.interrupt = &stop;
+  const Trajectory t = run_mujoco(shipped("bench_ring"), options);
+  EXPECT_EQ(t.status, Status::kInterrupted);
+  EXPECT_LT(t.steps, 50000);
+  EXPECT_NEAR(t.end, static_cast<double>(t.steps) * 1e-5, 1e-15);
+  EXPECT_GE(t.rows(), 1u);
+}
+
+TEST(MujocoEngine, DivergenceIsAStatus) {
+  // A magnetic bearing stronger than the shaft: exponential growth past MuJoCo's bound.
+  const scene::Scene scene = parsed(R"(
+[run]
+end = 5.0
+step = 1e-4
+[rotor]
+speed = 0.0
+[rotor.modal]
+mass = [1.0]
+stiffness = [1e2]
+damping = [0.0]
+[magnetic_bearing]
+negative_stiffness = 1e4
+[initial]
+x = [1e-3]
+)");
+  const Trajectory t = run_mujoco(scene);
+  EXPECT_EQ(t.status, Status::kDiverged);
+  EXPECT_NE(t.message.find(" at t = "), std::string::npos) << t.message;
+  EXPECT_GT(t.rows(), 10u);
+  for (const double value : t.column("rotor_x")) EXPECT_TRUE(std::isfinite(value));
+  // The process goes on: the next run is as good as ever.
+  EXPECT_EQ(run_mujoco(shipped("bench_drop")).status, Status::kOk);
+}
+
+TEST(MujocoEngine, StepBeyondStabilityIsRefused) {
+  MujocoOptions options;
+  options.step = 0.01;  // 2 / omega is 6.3e-3
+  const Trajectory t = run_mujoco(shipped("bench_ring"), options);
+  EXPECT_EQ(t.status, Status::kStepTooLarge);
+  EXPECT_EQ(t.steps, 0);
+  EXPECT_FALSE(t.message.empty());
+}
+
+TEST(MujocoEngine, RefusesWhatIsNotOffered) {
+  MujocoOptions options;
+  options.contact = scene::ContactModel::kRigid;
+  EXPECT_THROW(run_mujoco(shipped("bench_ring"), options), std::invalid_argument);
+  scene::Scene scene = shipped("bench_ring");
+  scene.mujoco.integrator = scene::MujocoIntegrator::kRk4;
+  EXPECT_THROW(run_mujoco(scene), std::invalid_argument);
+  scene = shipped("bench_ring");
+  scene.text.clear();
+  EXPECT_THROW(run_mujoco(scene), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rotorub::test
