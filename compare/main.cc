@@ -44,14 +44,15 @@ int run(const Action& action) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App program("A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a "
-                   "native rigid-contact model",
-                   "rotorub");
-  program.set_version_flag("--version", "rotorub " + program_version() + " (MuJoCo " +
-                                            mujoco_version() + ")");
+  CLI::App program(
+      "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a "
+      "native rigid-contact model",
+      "rotorub");
+  program.set_version_flag("--version",
+                           "rotorub " + program_version() + " (MuJoCo " + mujoco_version() + ")");
   program.require_subcommand(1);
   const std::vector<Command> commands{add_run_command(program), add_compare_command(program),
-                                      add_mjcf_command(program),
+                                      add_modes_command(program), add_mjcf_command(program),
                                       add_render_command(program)};
   try {
     program.parse(argc, argv);

@@ -10,6 +10,7 @@
 
 #include "compare/commands/command.h"
 #include "compare/commands/compare_output.h"
+#include "compare/commands/films.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/study/json.h"
@@ -26,14 +27,14 @@ struct Options : CommonOptions {
   bool no_video = false;
 };
 
-// Share of a scene's time that its films take, for the progress bar.
+// Share of the time that films take, for the progress bar.
 constexpr double kFilmShare = 0.5;
 
 double tolerance_of(const std::string& text) {
   const auto parsed = scene::parse_quantity(text, scene::kPure);
   if (!parsed.error.empty() || parsed.value < 0.0) {
-    throw UsageError(fmt::format("--tolerance {}: accepted is a share of 0 or more, as 1% or 0.01",
-                                 text));
+    throw UsageError(
+        fmt::format("--tolerance {}: accepted is a share of 0 or more, as 1% or 0.01", text));
   }
   return parsed.value;
 }
@@ -67,24 +68,24 @@ std::vector<scene::Scene> read_scenes(const Options& options) {
   return scenes;
 }
 
-// Films are worth having, but no reason to lose the figures.
-void film(const Options& options, const SceneComparison& comparison, PageScene& page,
-          const std::function<void(double)>& progress) {
+// The pages' scenes, filmed or not: films are worth having, but no reason to lose the figures.
+std::vector<PageScene> pages_of(const Options& options,
+                                const std::vector<SceneComparison>& comparisons,
+                                const std::function<void(double)>& progress) {
+  std::vector<PageScene> pages;
+  for (const SceneComparison& c : comparisons) pages.push_back({&c, {}, "interrupted."});
   if (options.no_video) {
-    page.no_films = "switched off by --no-video.";
-    return;
+    for (PageScene& page : pages) page.no_films = "switched off by --no-video.";
+    return pages;
   }
-  try {
-    page.films = write_films(options.folder, comparison, [&](double share) {
-      if (interrupted()) throw Interrupted();
-      progress(share);
-    });
-  } catch (const Interrupted&) {
-    page.no_films = "interrupted.";
-  } catch (const std::runtime_error& error) {
-    page.no_films = error.what();
-    fmt::print(stderr, "rotorub: {}: no film: {}\n", comparison.scene.name, error.what());
+  auto films = write_films(options.folder, comparisons, interrupted(), progress);
+  for (std::size_t k = 0; k < pages.size(); ++k) {
+    pages[k].films = std::move(films[k].films);
+    if (films[k].failure.empty() || interrupted()) continue;
+    pages[k].no_films = films[k].failure;
+    fmt::print(stderr, "rotorub: {}: no film: {}\n", comparisons[k].scene.name, films[k].failure);
   }
+  return pages;
 }
 
 int exit_code(const std::vector<SceneComparison>& comparisons) {
@@ -98,27 +99,22 @@ int exit_code(const std::vector<SceneComparison>& comparisons) {
   return code;
 }
 
-int compare(const Options& options) {
-  check_mode(options.mode);
-  const double tolerance = tolerance_of(options.tolerance);
-  const auto scenes = read_scenes(options);
-  ProgressBar bar(options.quiet);
+// Runs and compares the scenes one by one, writes and prints each. An interrupted one is kept on
+// disk, but is no comparison.
+std::vector<SceneComparison> compare_all(const Options& options, double tolerance,
+                                         const std::vector<scene::Scene>& scenes,
+                                         ProgressBar& bar) {
   std::vector<SceneComparison> comparisons;
-  comparisons.reserve(scenes.size());  // pages point into it
-  std::vector<PageScene> pages;
-
+  const double work = options.no_video ? 1.0 : 1.0 - kFilmShare;
   for (std::size_t k = 0; k < scenes.size() && !interrupted(); ++k) {
-    const auto show = [&](double share, const std::string& what) {
-      bar.show((static_cast<double>(k) + share) / static_cast<double>(scenes.size()),
-               scenes[k].name + ": " + what);
-    };
-    const double work = options.no_video ? 1.0 : 1.0 - kFilmShare;
     CompareOptions how;
     how.tolerance = tolerance;
     how.interrupt = &interrupted();
-    how.progress = [&](double share, const std::string& what) { show(work * share, what); };
-
-    const SceneComparison& c = comparisons.emplace_back(compare_scene(scenes[k], how));
+    how.progress = [&](double share, const std::string& what) {
+      bar.show(work * (static_cast<double>(k) + share) / static_cast<double>(scenes.size()),
+               scenes[k].name + ": " + what);
+    };
+    SceneComparison c = compare_scene(scenes[k], how);
     bar.clear();
     write_runs(options.folder, c);
     if (c.interrupted) break;
@@ -126,16 +122,27 @@ int compare(const Options& options) {
       fmt::print("{}{}", k > 0 ? "\n" : "", comparison_table(c));
       std::fflush(stdout);
     }
-    PageScene& page = pages.emplace_back();
-    page.comparison = &c;
-    film(options, c, page, [&](double share) { show(work + kFilmShare * share, "film"); });
+    comparisons.push_back(std::move(c));
   }
+  return comparisons;
+}
+
+int compare(const Options& options) {
+  check_mode(options.mode);
+  const double tolerance = tolerance_of(options.tolerance);
+  const auto scenes = read_scenes(options);
+  ProgressBar bar(options.quiet);
+
+  const auto comparisons = compare_all(options, tolerance, scenes, bar);
+  const auto pages = pages_of(options, comparisons, [&](double share) {
+    bar.show(1.0 - kFilmShare + kFilmShare * share, "films");
+  });
   bar.clear();
   write_report(options.folder, comparisons, pages);
 
   if (options.json) {
     std::cout << comparisons_json(comparisons).dump(2) << "\n";
-  } else if (!options.quiet) {
+  } else if (!options.quiet && !pages.empty()) {
     fmt::print("\nreport: {}/report.html\n", options.folder);
   }
   return exit_code(comparisons);

@@ -10,7 +10,7 @@ namespace rotorub {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kPatience = 2s;      // shorter work shows nothing
+constexpr auto kPatience = 2s;  // shorter work shows nothing
 constexpr auto kRefresh = 100ms;
 constexpr int kWidth = 28;
 

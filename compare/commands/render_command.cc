@@ -51,8 +51,8 @@ int render_film(const Options& options) {
   const StoredRun run = is_run ? stored(options) : run_for_film(options, bar);
   const int code = is_run ? static_cast<int>(kDone) : exit_code_of(run.trajectory.status);
   if (code != kDone) {
-    fmt::print(stderr, "rotorub: {}: {}: {}\n", run.scene.name,
-               to_string(run.trajectory.status), run.trajectory.message);
+    fmt::print(stderr, "rotorub: {}: {}: {}\n", run.scene.name, to_string(run.trajectory.status),
+               run.trajectory.message);
     return code;
   }
 
@@ -76,10 +76,11 @@ int render_film(const Options& options) {
                      .dump(2)
               << "\n";
   } else if (!options.quiet) {
-    fmt::print("{}: {:.3g} s of film, slowed down {:.3g} times, displacements magnified {:.3g} "
-               "times\nwritten to {}\n",
-               run.scene.name, result.film_s, result.framing.slow_motion,
-               result.framing.magnification, file);
+    fmt::print(
+        "{}: {:.3g} s of film, slowed down {:.3g} times, displacements magnified {:.3g} "
+        "times\nwritten to {}\n",
+        run.scene.name, result.film_s, result.framing.slow_motion, result.framing.magnification,
+        file);
   }
   return kDone;
 }

@@ -32,9 +32,9 @@ scene::ContactModel contact_of(const std::string& name) {
 std::unique_ptr<Engine> engine_of(const Options& options, const scene::Scene& scene) {
   if (options.engine == "native") {
     if (!options.contact.empty() && options.contact != "rigid") {
-      throw UsageError(fmt::format(
-          "--contact {} belongs to --engine mujoco; the native engine accepts: rigid",
-          options.contact));
+      throw UsageError(
+          fmt::format("--contact {} belongs to --engine mujoco; the native engine accepts: rigid",
+                      options.contact));
     }
     const auto asked = options.integrator == "event"   ? scene::Integrator::kEvent
                        : options.integrator == "paper" ? scene::Integrator::kPaper

@@ -47,9 +47,6 @@ class MujocoEngine final : public Engine {
 }  // namespace
 
 std::unique_ptr<Engine> native_engine(scene::Integrator integrator) {
-  if (integrator == scene::Integrator::kEvent) {
-    throw NotOffered("integrator `event` is not in this version; accepted: paper");
-  }
   return std::make_unique<NativeEngine>(integrator);
 }
 
@@ -67,9 +64,12 @@ const char* to_string(scene::Integrator integrator) {
 
 const char* to_string(scene::ContactModel contact) {
   switch (contact) {
-    case scene::ContactModel::kRigid: return "rigid";
-    case scene::ContactModel::kCoulomb: return "coulomb";
-    case scene::ContactModel::kCone: return "cone";
+    case scene::ContactModel::kRigid:
+      return "rigid";
+    case scene::ContactModel::kCoulomb:
+      return "coulomb";
+    case scene::ContactModel::kCone:
+      return "cone";
   }
   return "";
 }
@@ -81,7 +81,9 @@ scene::Scene perturbed(const scene::Scene& scene, int ulps) {
   // clearance's, which is the size that the coordinates reach.
   const double size = scene.contact ? scene.contact->clearance : 1e-3;
   const double unit = std::nextafter(size, 2.0 * size) - size;
-  if (moved.initial.x.empty()) moved.initial.x.push_back(0.0);
+  if (moved.initial.x.empty()) {
+    moved.initial.x.assign(static_cast<std::size_t>(make_model(scene).layout.modes), 0.0);
+  }
   moved.initial.x.front() += ulps * unit;
   return moved;
 }

@@ -21,8 +21,8 @@ struct RunRequest {
   // Moves the first bending coordinate at t = 0 by so many units in the last place of the clearance
   // (of 1 mm without a contact): the least that two runs can differ by.
   int perturbation_ulps = 0;
-  std::function<void(double)> progress;             // share done, in [0, 1]
-  const std::atomic<bool>* interrupt = nullptr;     // true: stop and keep what there is
+  std::function<void(double)> progress;          // share done, in [0, 1]
+  const std::atomic<bool>* interrupt = nullptr;  // true: stop and keep what there is
 };
 
 class Engine {
@@ -40,8 +40,8 @@ class NotOffered : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Both throw NotOffered.
 std::unique_ptr<Engine> native_engine(scene::Integrator integrator);
+// Throws NotOffered.
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);
 
 const char* to_string(scene::Integrator integrator);

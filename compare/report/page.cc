@@ -65,13 +65,13 @@ std::string for_script(std::string text) {
   return text;
 }
 
-std::string title_of(const std::vector<PageScene>& scenes) {
+std::string names_of(const std::vector<PageScene>& scenes) {
   std::string names;
   for (const PageScene& scene : scenes) {
     if (!names.empty()) names += ", ";
     names += scene.comparison->scene.name;
   }
-  return "Can MuJoCo's contact forces be trusted? " + names;
+  return names;
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ std::string report_page(const std::vector<PageScene>& scenes) {
     plots.push_back(plot_data(comparison));
   }
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
-  const json values = {{"title", title_of(scenes)},
+  const json values = {{"names", names_of(scenes)},
                        {"mode", "lockstep"},
                        {"version", program_version()},
                        {"mujoco_version", mujoco_version()},

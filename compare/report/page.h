@@ -17,7 +17,7 @@ struct Film {
 struct PageScene {
   const SceneComparison* comparison = nullptr;  // a finished one
   std::vector<Film> films;
-  std::string no_films;                         // why there are none
+  std::string no_films;  // why there are none
 };
 
 // The whole page. Throws std::runtime_error where a film cannot be read.

@@ -34,6 +34,7 @@ json verdict_values(const SceneComparison& c) {
     all.push_back({{"tone", tone(d.within)},
                    {"mark", mark(d.within)},
                    {"headline", headline(c, c.sides[k + 1], d)},
+                   {"has_reasons", !d.reasons.empty()},
                    {"reasons", d.reasons}});
   }
   return all;
@@ -60,10 +61,8 @@ json figure_rows(const SceneComparison& c, bool judged_only) {
   for (std::size_t k = 0; k < figures().size(); ++k) {
     const Figure& f = figures()[k];
     if (judged_only && !f.judged) continue;
-    rows.push_back({{"label", f.label},
-                    {"unit", f.unit},
-                    {"meaning", f.meaning},
-                    {"cells", cells_of(c, k)}});
+    rows.push_back(
+        {{"label", f.label}, {"unit", f.unit}, {"meaning", f.meaning}, {"cells", cells_of(c, k)}});
   }
   return rows;
 }
@@ -76,11 +75,15 @@ json card_values(const SceneComparison& c) {
     rows.push_back({{"label", d.figure->label},
                     {"native", figure_value(*d.figure, d.native) + " " + unit},
                     {"other", figure_value(*d.figure, d.other) + " " + unit},
-                    {"side", c.sides[1].label},
                     {"deviation", deviation_text(*d.figure, d.deviation)},
                     {"tone", tone(d.within)}});
   }
   return rows;
+}
+
+// A reason that stands alone names its contact model.
+std::string standing_alone(const std::string& reason, const std::string& label) {
+  return reason.starts_with(label) ? reason : label + ": " + reason;
 }
 
 // The other contact models in one line each: their headline, or what is most telling.
@@ -90,7 +93,7 @@ json card_others(const SceneComparison& c) {
     const SideDifference& d = c.differences[k];
     const std::string text = d.within || d.reasons.empty()
                                  ? headline(c, c.sides[k + 1], d)
-                                 : c.sides[k + 1].label + ": " + d.reasons.front();
+                                 : standing_alone(d.reasons.front(), c.sides[k + 1].label);
     lines.push_back({{"tone", tone(d.within)}, {"mark", mark(d.within)}, {"text", text}});
   }
   return lines;
@@ -156,19 +159,20 @@ json cost_rows(const SceneComparison& c) {
   json speed = json::array(), spread = json::array(), steps = json::array(), factor = json::array();
   for (const Side& side : c.sides) {
     const Timing& t = side.timing;
-    speed.push_back(fmt::format("{:.3g} us", t.median));
-    spread.push_back(fmt::format("{:.3g} – {:.3g} us", t.lowest, t.highest));
+    speed.push_back(fmt::format("{:.3g} µs", t.median));
+    spread.push_back(fmt::format("{:.3g} – {:.3g} µs", t.lowest, t.highest));
     steps.push_back(fmt::format("{}", side.trajectory.steps));
-    factor.push_back(t.median > 0.0
-                         ? fmt::format("{:.3g}", 1e6 * side.trajectory.step / t.median)
-                         : std::string("–"));
+    factor.push_back(t.median > 0.0 ? fmt::format("{:.3g}", 1e6 * side.trajectory.step / t.median)
+                                    : std::string("–"));
   }
   return json::array({
-      {{"label", "time of a step"}, {"cells", speed},
+      {{"label", "time of a step"},
+       {"cells", speed},
        {"meaning", "Median of repeated runs that record nothing, engines taken in turn."}},
       {{"label", "its spread"}, {"cells", spread}, {"meaning", "Fastest and slowest of them."}},
       {{"label", "steps"}, {"cells", steps}, {"meaning", "Of the run that is shown."}},
-      {{"label", "real-time factor"}, {"cells", factor},
+      {{"label", "real-time factor"},
+       {"cells", factor},
        {"meaning", "Simulated time over computing time; above 1: faster than the machine."}},
   });
 }
@@ -185,8 +189,7 @@ json impact_rows(const SceneComparison& c) {
       const bool has = i < column.size();
       cells.push_back(
           {{"time", has ? fmt::format("{:.4f}", 1e3 * column[i].t) : std::string("–")},
-           {"impulse",
-            has ? short_number(1e3 * column[i].normal_impulse) : std::string("–")}});
+           {"impulse", has ? short_number(1e3 * column[i].normal_impulse) : std::string("–")}});
     }
     rows.push_back({{"number", i + 1}, {"cells", cells}});
   }
@@ -194,9 +197,9 @@ json impact_rows(const SceneComparison& c) {
 }
 
 std::string part_text(const Divergence& d) {
-  return d.time ? fmt::format("part by more than {:.3g} um at t = {:.5g} s", 1e6 * d.threshold,
+  return d.time ? fmt::format("part by more than {:.3g} µm at t = {:.5g} s", 1e6 * d.threshold,
                               *d.time)
-                : fmt::format("never part by more than {:.3g} um", 1e6 * d.threshold);
+                : fmt::format("never part by more than {:.3g} µm", 1e6 * d.threshold);
 }
 
 std::string divergence_text(const SceneComparison& c) {
@@ -221,8 +224,8 @@ json condition_values(const SceneComparison& c) {
   add("tolerance", percent_text(c.tolerance));
   for (const Side& side : c.sides) {
     const Trajectory& t = side.trajectory;
-    add(side.label.c_str(), fmt::format("{}, integrator {}, contact {}, {}", t.engine,
-                                        t.integrator, t.contact_model, to_string(t.status)));
+    add(side.label.c_str(), fmt::format("{}, integrator {}, contact {}, {}", t.engine, t.integrator,
+                                        t.contact_model, to_string(t.status)));
   }
   return rows;
 }
@@ -232,29 +235,30 @@ json condition_values(const SceneComparison& c) {
 json scene_values(const SceneComparison& c) {
   const bool within = c.within();
   const json impacts = impact_rows(c);
-  return {{"name", c.scene.name},
-          {"tone", tone(within)},
-          {"mark", mark(within)},
-          {"verdict", fmt::format("`{}` {} {}", c.sides[1].label,
-                                  within ? "agrees within" : "is outside",
-                                  percent_text(c.tolerance))},
-          {"card", card_values(c)},
-          {"others", card_others(c)},
-          {"step", time_text(c.scene.run.step)},
-          {"end", time_text(c.scene.run.end)},
-          {"hash", scene::scene_hash(c.scene)},
-          {"sides", side_values(c)},
-          {"verdicts", verdict_values(c)},
-          {"judged", figure_rows(c, true)},
-          {"all", figure_rows(c, false)},
-          {"splits", split_rows(c)},
-          {"residuals", residual_rows(c)},
-          {"cost", cost_rows(c)},
-          {"has_impacts", !impacts.empty()},
-          {"impacts", impacts},
-          {"divergence", divergence_text(c)},
-          {"conditions", condition_values(c)},
-          {"text", c.scene.text}};
+  return {
+      {"name", c.scene.name},
+      {"tone", tone(within)},
+      {"mark", mark(within)},
+      {"verdict", fmt::format("{} {} {}", c.sides[1].label, within ? "agrees within" : "is outside",
+                              percent_text(c.tolerance))},
+      {"side", c.sides[1].label},
+      {"card", card_values(c)},
+      {"others", card_others(c)},
+      {"step", time_text(c.scene.run.step)},
+      {"end", time_text(c.scene.run.end)},
+      {"hash", scene::scene_hash(c.scene)},
+      {"sides", side_values(c)},
+      {"verdicts", verdict_values(c)},
+      {"judged", figure_rows(c, true)},
+      {"all", figure_rows(c, false)},
+      {"splits", split_rows(c)},
+      {"residuals", residual_rows(c)},
+      {"cost", cost_rows(c)},
+      {"has_impacts", !impacts.empty()},
+      {"impacts", impacts},
+      {"divergence", divergence_text(c)},
+      {"conditions", condition_values(c)},
+      {"text", c.scene.text}};
 }
 
 }  // namespace rotorub

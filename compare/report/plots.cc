@@ -67,7 +67,7 @@ Values series_of(const std::string& key, const Trajectory& t) {
 }
 
 constexpr PlotKind kKinds[] = {
-    {"gap", "Gap", "um", "0: contact; below 0: penetration", "wide"},
+    {"gap", "Gap", "µm", "0: contact; below 0: penetration", "wide"},
     {"normal_force", "Normal force", "N",
      "of lasting contact; impulses of the rigid law's impacts are below", ""},
     {"friction_force", "Friction force", "N", "on the rotor, along the ring", ""},
@@ -75,8 +75,9 @@ constexpr PlotKind kKinds[] = {
     {"spin", "Spin speed", "rpm", "what friction takes from the drive", ""},
     {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", ""},
     {"control", "Control force", "N", "magnitude of the actuators' force on the ring", ""},
-    {"orbit", "Orbits", "um", "rotor solid, ring dotted", "square"},
-    {"relative", "Rotor in the ring", "um", "relative to the ring's centre; dashed: the clearance",
+    {"orbit", "Orbits", "µm", "rotor solid, ring dotted; the last turns, or the time zoomed to",
+     "square"},
+    {"relative", "Rotor in the ring", "µm", "relative to the ring's centre; dashed: the clearance",
      "square"},
 };
 
@@ -104,9 +105,16 @@ json time_series(const Values& t, const Values& y, const std::vector<Window>& wi
   return out;
 }
 
+// Nothing for the whole run, which is the first window: all turns on top of each other show
+// nothing.
 json curves(const Values& t, const Values& x, const Values& y, const std::vector<Window>& windows) {
   json out = json::array();
-  for (const Window& window : windows) {
+  for (std::size_t k = 0; k < windows.size(); ++k) {
+    if (k == 0) {
+      out.push_back(nullptr);
+      continue;
+    }
+    const Window& window = windows[k];
     const auto [first, last] = rows_of(t, window);
     const auto kept = thin_curve(x, y, first, last, kPlotBuckets / 2);
     out.push_back({{"x", pick(x, kept, 6)}, {"y", pick(y, kept, 6)}});
@@ -167,8 +175,8 @@ std::vector<Window> plot_windows(const SceneComparison& comparison) {
     touch = std::min(touch, side.metrics.first_touch.value_or(end));
   }
   if (touch < end) {
-    windows.push_back({"first contact", std::max(0.0, touch - 0.1 * turn),
-                       std::min(end, touch + turn)});
+    windows.push_back(
+        {"first contact", std::max(0.0, touch - 0.1 * turn), std::min(end, touch + turn)});
   }
   windows.push_back({"last turns", std::max(0.0, end - 2.0 * turn), end});
   return windows;
@@ -177,8 +185,8 @@ std::vector<Window> plot_windows(const SceneComparison& comparison) {
 std::vector<PlotKind> plot_kinds(const SceneComparison& comparison) {
   std::vector<PlotKind> kinds;
   for (const PlotKind& kind : kKinds) {
-    const bool has_data = std::any_of(
-        comparison.sides.begin(), comparison.sides.end(), [&](const Side& side) {
+    const bool has_data =
+        std::any_of(comparison.sides.begin(), comparison.sides.end(), [&](const Side& side) {
           return !over_time(kind.key) || !series_of(kind.key, side.trajectory).empty();
         });
     if (has_data) kinds.push_back(kind);

@@ -11,14 +11,14 @@ using nlohmann::json;
 using Context = std::vector<const json*>;  // innermost last
 
 struct Tag {
-  char kind = ' ';        // # ^ / { or a space for a plain value
+  char kind = ' ';  // # ^ / { or a space for a plain value
   std::string_view name;
   std::size_t begin = 0;  // of the braces
   std::size_t end = 0;    // after them
 };
 
 [[noreturn]] void fail(const std::string& what, std::string_view name) {
-  throw std::invalid_argument("template: " + what + " {{" + std::string(name) + "}}");
+  throw std::logic_error("template: " + what + " {{" + std::string(name) + "}}");
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -40,7 +40,8 @@ Tag next_tag(std::string_view text, std::size_t from) {
   tag.end = end + close.size();
   if (raw) {
     tag.kind = '{';
-  } else if (!body.empty() && std::string_view("#^/").find(body.front()) != std::string_view::npos) {
+  } else if (!body.empty() &&
+             std::string_view("#^/").find(body.front()) != std::string_view::npos) {
     tag.kind = body.front();
     body.remove_prefix(1);
   }
@@ -99,12 +100,23 @@ std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;

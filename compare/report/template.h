@@ -2,7 +2,8 @@
 //
 //   {{name}}             the value, with & < > " ' escaped for HTML
 //   {{{name}}}           the value as it is
-//   {{#name}}..{{/name}} once for each element of an array, once inside an object, once if true or a
+//   {{#name}}..{{/name}} once for each element of an array, once inside an object, once if true or
+//   a
 //                        non-empty string or number; nothing for null, false, "" and []
 //   {{^name}}..{{/name}} only where the section above would give nothing
 //   {{.}}                the current value;  a.b: a member of a member
@@ -15,7 +16,7 @@
 
 namespace rotorub {
 
-// Throws std::invalid_argument for a name that is nowhere in `values` and for a section that is not
+// Throws std::logic_error for a name that is nowhere in `values` and for a section that is not
 // closed: a mistake in the template must not become a gap in the page.
 std::string fill_template(std::string_view text, const nlohmann::json& values);
 

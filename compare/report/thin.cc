@@ -50,9 +50,8 @@ Indices thin(const std::vector<double>& y, std::size_t first, std::size_t last,
   assert(first <= last && last <= y.size() && buckets > 0);
   if (last - first <= 2 * buckets + 2) return all_rows(first, last);
   Indices kept;
-  for_each_bucket(first, last, buckets, [&](std::size_t begin, std::size_t end) {
-    keep_extremes(y, begin, end, kept);
-  });
+  for_each_bucket(first, last, buckets,
+                  [&](std::size_t begin, std::size_t end) { keep_extremes(y, begin, end, kept); });
   return in_order(std::move(kept), first, last);
 }
 

@@ -13,49 +13,49 @@ constexpr auto kRel = Scale::kRelative;
 constexpr auto kPts = Scale::kPoints;
 
 const Figure kFigures[] = {
-    {"mean_force", "mean normal force", "N", 1.0, kRel, true, true,
+    {"mean_force", "mean normal force", "N", 1.0, kRel, true, true, true,
      "Normal impulse over the time from first touch, divided by that time.",
      [](const Metrics& m) { return m.mean_force; }},
-    {"contact_fraction", "contact", "%", 100.0, kPts, true, true,
+    {"contact_fraction", "contact", "%", 100.0, kPts, true, true, true,
      "Share of the time from first touch in which the rotor presses on the ring; an impact of a "
      "fixed step counts as one step.",
      [](const Metrics& m) { return m.contact_fraction; }},
-    {"impulse_total", "total impulse", "N s", 1.0, kRel, true, true,
+    {"impulse_total", "total impulse", "N s", 1.0, kRel, true, true, true,
      "All the normal momentum that the ring gave to the rotor.",
      [](const Metrics& m) { return m.impulse_total; }},
-    {"force_deviation", "force scatter", "N", 1.0, kRel, false, false,
+    {"force_deviation", "force scatter", "N", 1.0, kRel, false, false, true,
      "Standard deviation of the step-averaged normal force from first touch; impacts make it grow "
      "as the step shrinks.",
      [](const Metrics& m) { return m.force_deviation; }},
-    {"peak_force", "peak force", "N", 1.0, kRel, false, false,
+    {"peak_force", "peak force", "N", 1.0, kRel, false, false, true,
      "Largest normal force, averaged over one step; an impact's grows as the step shrinks.",
      [](const Metrics& m) { return m.peak_force; }},
-    {"peak_impulse", "largest impact", "N s", 1.0, kRel, false, true,
+    {"peak_impulse", "largest impact", "N s", 1.0, kRel, false, false, false,
      "Largest normal impulse of one impact (soft contact: of one contact episode, lasting contact "
      "included).",
      [](const Metrics& m) { return m.peak_impulse; }},
-    {"impacts", "impacts", "", 1.0, kRel, false, false,
+    {"impacts", "impacts", "", 1.0, kRel, false, false, true,
      "Impacts that close faster than 0.1 mm/s (soft contact: contact episodes).",
      [](const Metrics& m) { return static_cast<double>(m.impacts); }},
-    {"friction_work", "friction work", "J", 1.0, kRel, false, true,
+    {"friction_work", "friction work", "J", 1.0, kRel, false, true, true,
      "Energy that friction took; never positive.",
      [](const Metrics& m) { return m.friction_work; }},
-    {"gap_rate_rms", "rms gap rate", "mm/s", 1e3, kRel, false, false,
+    {"gap_rate_rms", "rms gap rate", "mm/s", 1e3, kRel, false, false, true,
      "How restless the contact is: rms of the speed of the gap from first touch.",
      [](const Metrics& m) { return m.gap_rate_rms; }},
-    {"whirl_frequency", "whirl, last fifth", "Hz", kHertz, kRel, false, false,
+    {"whirl_frequency", "whirl, last fifth", "Hz", kHertz, kRel, false, false, true,
      "Mean turns per second of the rotor about the ring's centre; negative: backward.",
      [](const Metrics& m) { return m.settled.whirl_frequency; }},
-    {"max_penetration", "penetration, max", "um", 1e6, kRel, false, false,
+    {"max_penetration", "penetration, max", "µm", 1e6, kRel, false, false, false,
      "How deep the rotor sank into the ring; a rigid contact allows what one step of flight gives.",
      [](const Metrics& m) { return m.max_penetration; }},
-    {"rms_penetration", "penetration, rms", "um", 1e6, kRel, false, false,
+    {"rms_penetration", "penetration, rms", "µm", 1e6, kRel, false, false, false,
      "Rms of the penetration over the time from first touch.",
      [](const Metrics& m) { return m.rms_penetration; }},
-    {"whirl_penetration", "penetration of one step", "um", 1e6, kRel, false, false,
+    {"whirl_penetration", "penetration of one step", "µm", 1e6, kRel, false, false, false,
      "(v_t dt)^2 / (2 delta_0): what one step along the tangent costs a whirling rotor.",
      [](const Metrics& m) { return m.whirl_penetration; }},
-    {"energy_residual", "energy balance", "ppm", 1e6, kRel, false, false,
+    {"energy_residual", "energy balance", "ppm", 1e6, kRel, false, false, false,
      "|change of energy - work of all loads| over the largest energy met; 0 for exact integration.",
      [](const Metrics& m) { return m.energy_residual; }},
 };
@@ -77,7 +77,7 @@ double deviation(const Figure& figure, double native, double other) {
   const double difference = other - native;
   if (difference == 0.0 || figure.scale == Scale::kPoints) return difference;
   if (native == 0.0) return std::copysign(std::numeric_limits<double>::infinity(), difference);
-  return difference / std::abs(native);
+  return difference / native;
 }
 
 }  // namespace rotorub

@@ -16,13 +16,14 @@ enum class Scale {
 };
 
 struct Figure {
-  const char* key;      // in JSON
-  const char* label;    // in tables
-  const char* unit;     // of the value as written
-  double per_unit;      // written value = value in SI * per_unit
+  const char* key;    // in JSON
+  const char* label;  // in tables
+  const char* unit;   // of the value as written
+  double per_unit;    // written value = value in SI * per_unit
   Scale scale;
   bool judged;          // the tolerance is on it
   bool split;           // converges with the step: split into model gap and step error
+  bool comparable;      // means the same for a soft and for a rigid contact: has a difference
   const char* meaning;  // one sentence
   double (*value)(const Metrics&);
 };
@@ -31,8 +32,8 @@ std::span<const Figure> figures();
 // Asserts that the key is one of the list.
 const Figure& figure(const std::string& key);
 
-// Difference on the scale of a figure, as a share (0.01: 1 % or 1 point); 0 for two zeros, infinite
-// where the native value alone is 0 on a relative scale.
+// Difference on the scale of a figure, as a share (0.01: 1 % or 1 point); relative ones are
+// positive where the magnitude grows, 0 for two zeros, infinite where the native value alone is 0.
 double deviation(const Figure& figure, double native, double other);
 
 }  // namespace rotorub

@@ -22,21 +22,24 @@ std::string figure_value(const Figure& figure, double value) {
 }
 
 std::string deviation_text(const Figure& figure, double deviation) {
+  if (!figure.comparable) return "–";
   const char* unit = figure.scale == Scale::kPoints ? "pts" : "%";
   if (!std::isfinite(deviation)) return deviation > 0.0 ? "+∞" : "-∞";
   const double percent = 100.0 * deviation;
   const double size = std::abs(percent);
   if (size < 0.005) return fmt::format("0.00 {}", unit);
   if (size < 10.0) return fmt::format("{:+.2f} {}", percent, unit);
-  if (size < 1e4) return fmt::format("{:+.0f} {}", percent, unit);
-  return fmt::format("{:+.1e} {}", percent, unit);
+  if (figure.scale == Scale::kPoints || percent < 1000.0) {
+    return fmt::format("{:+.0f} {}", percent, unit);
+  }
+  return "×" + short_number(std::round(1.0 + deviation));
 }
 
 std::string percent_text(double share) { return fmt::format("{:.6g} %", 100.0 * share); }
 
 std::string time_text(double seconds) {
   if (seconds == 0.0) return "0 s";
-  if (std::abs(seconds) < 1e-3) return fmt::format("{:.6g} us", 1e6 * seconds);
+  if (std::abs(seconds) < 1e-3) return fmt::format("{:.6g} µs", 1e6 * seconds);
   if (std::abs(seconds) < 0.1) return fmt::format("{:.6g} ms", 1e3 * seconds);
   return fmt::format("{:.6g} s", seconds);
 }

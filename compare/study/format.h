@@ -11,11 +11,12 @@ namespace rotorub {
 std::string short_number(double value);
 // A value of a figure, in the unit that the figure is written in.
 std::string figure_value(const Figure& figure, double value);
-// "+0.52 %", "-77 pts" on the figure's scale; "∞" where the native value is 0.
+// "+0.52 %", "-77 pts", "×188" on the figure's scale; "∞" where the native value is 0; "–" for a
+// figure that is not comparable.
 std::string deviation_text(const Figure& figure, double deviation);
 // A share as a percentage: "1 %".
 std::string percent_text(double share);
-// A time with a fitting unit: "10 us", "0.5 s".
+// A time with a fitting unit: "10 µs", "0.5 s".
 std::string time_text(double seconds);
 
 }  // namespace rotorub

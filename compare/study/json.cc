@@ -15,10 +15,14 @@ using nlohmann::json;
 json or_null(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
 
 json residuals_json(const Residuals& r) {
-  return {{"force_scale", r.force_scale},       {"penetration", r.penetration},
-          {"adhesion", r.adhesion},             {"complementarity", r.complementarity},
-          {"cone", r.cone},                     {"sliding", r.sliding},
-          {"power", r.power},                   {"gap_error", r.gap_error}};
+  return {{"force_scale", r.force_scale},
+          {"penetration", r.penetration},
+          {"adhesion", r.adhesion},
+          {"complementarity", r.complementarity},
+          {"cone", r.cone},
+          {"sliding", r.sliding},
+          {"power", r.power},
+          {"gap_error", r.gap_error}};
 }
 
 json divergence_json(const Divergence& d) {
@@ -29,7 +33,7 @@ json divergence_json(const Divergence& d) {
 }
 
 json extrapolation_json(const Extrapolation& e) {
-  return {{"values", e.values}, {"limit", e.limit}, {"order", e.order},
+  return {{"values", e.values},           {"limit", e.limit}, {"order", e.order},
           {"uncertainty", e.uncertainty}, {"valid", e.valid}, {"reason", e.reason}};
 }
 
@@ -69,12 +73,9 @@ json difference_json(const SceneComparison& comparison, const Side& side,
                      const SideDifference& difference) {
   json by_figure = json::object();
   for (const FigureDifference& f : difference.figures) {
-    json entry = {{"native", f.native},
-                  {"other", f.other},
-                  {"difference", f.other - f.native},
-                  {"deviation", f.deviation},
-                  {"twin_deviation", f.floor},
-                  {"judged", f.figure->judged}};
+    json entry = {
+        {"native", f.native},       {"other", f.other},          {"difference", f.other - f.native},
+        {"deviation", f.deviation}, {"twin_deviation", f.floor}, {"judged", f.figure->judged}};
     if (f.figure->judged) entry["within"] = f.within;
     if (f.figure->split) entry["split"] = split_json(f.split);
     by_figure[f.figure->key] = std::move(entry);
@@ -96,9 +97,8 @@ json difference_json(const SceneComparison& comparison, const Side& side,
 
 json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
   const Statistics& s = trajectory.statistics;
-  const double us = trajectory.steps > 0
-                        ? 1e6 * trajectory.wall_s / static_cast<double>(trajectory.steps)
-                        : 0.0;
+  const double us =
+      trajectory.steps > 0 ? 1e6 * trajectory.wall_s / static_cast<double>(trajectory.steps) : 0.0;
   return {{"program", "rotorub"},
           {"version", program_version()},
           {"mujoco_version", mujoco_version()},
@@ -128,12 +128,10 @@ json metrics_json(const Metrics& m) {
   all["first_touch"] = or_null(m.first_touch);
   all["friction_impulse"] = m.friction_impulse;
   all["real_time_factor"] = m.real_time_factor;
-  all["settled"] = {{"attractor", to_string(m.settled.attractor)},
-                    {"from", m.settled.from},
-                    {"contact_share", m.settled.contact_share},
-                    {"whirl_frequency", m.settled.whirl_frequency},
-                    {"spin_speed", m.settled.spin_speed},
-                    {"impacts", m.settled.impacts}};
+  all["settled"] = {
+      {"attractor", to_string(m.settled.attractor)}, {"from", m.settled.from},
+      {"contact_share", m.settled.contact_share},    {"whirl_frequency", m.settled.whirl_frequency},
+      {"spin_speed", m.settled.spin_speed},          {"impacts", m.settled.impacts}};
   all["residuals"] = residuals_json(m.residuals);
   return all;
 }

@@ -102,8 +102,8 @@ void read_impacts(const path& file, Trajectory& trajectory) {
       throw std::runtime_error(fmt::format("{}:{}: not eight columns", file.string(), line));
     }
     const auto value = [&](std::size_t k) { return number_of(fields[k], file, line); };
-    trajectory.impacts.push_back({value(0), value(1), value(2), value(3), value(4), value(5),
-                                  value(6), value(7)});
+    trajectory.impacts.push_back(
+        {value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7)});
   });
 }
 
@@ -151,8 +151,7 @@ StoredRun read_run(const path& folder) {
     t.status = status_of(summary.at("status"));
     t.message = summary.at("message");
   } catch (const nlohmann::json::exception& error) {
-    throw std::runtime_error(
-        fmt::format("{}: {}", (folder / kSummary).string(), error.what()));
+    throw std::runtime_error(fmt::format("{}: {}", (folder / kSummary).string(), error.what()));
   }
   read_series(folder / kSeries, t);
   read_impacts(folder / kImpacts, t);

@@ -83,8 +83,8 @@ void time_runs(Runner& runner, const scene::Scene& scene, const std::vector<Cont
   for (int pass = 0; pass < repeats; ++pass) {
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (runner.interrupted() || sides[k].trajectory.status != Status::kOk) continue;
-      const Trajectory t = runner.run(*all[k].engine, without_rows(scene), all[k].work,
-                                      "timing " + all[k].label);
+      const Trajectory t =
+          runner.run(*all[k].engine, without_rows(scene), all[k].work, "timing " + all[k].label);
       if (t.steps > 0 && t.status == Status::kOk) {
         sides[k].timing.us_per_step.push_back(1e6 * t.wall_s / static_cast<double>(t.steps));
       }
@@ -227,8 +227,7 @@ SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& o
   }
   result.twin.threshold = divergence_threshold(scene, result.sides[0].trajectory);
   const double threshold = result.twin.threshold;
-  const auto floor =
-      twin_floor(runner, scene, all[0], times, result.sides[0], result.twin);
+  const auto floor = twin_floor(runner, scene, all[0], times, result.sides[0], result.twin);
   time_runs(runner, scene, all, options.timing_repeats, result.sides);
   if (runner.interrupted()) {
     result.interrupted = true;
@@ -237,8 +236,7 @@ SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& o
 
   // 3. The differences, and why.
   for (std::size_t k = 1; k < result.sides.size(); ++k) {
-    SideDifference d =
-        difference(result.sides[0], result.sides[k], floor, options, threshold);
+    SideDifference d = difference(result.sides[0], result.sides[k], floor, options, threshold);
     d.reasons = reasons(result, result.sides[k], d);
     result.differences.push_back(std::move(d));
   }

@@ -52,9 +52,9 @@ std::string side_line(const SceneComparison& c, const char* label, Text text) {
 }
 
 std::string split_lines(const SceneComparison& c) {
-  std::string text = fmt::format("\n  {:<{}}{:>12}{:>16}{:>12}{:>12}\n", "split of the difference",
-                                 kLabel + 10, "difference", "contact model", "MuJoCo step",
-                                 "native step");
+  std::string text =
+      fmt::format("\n  {:<{}}{:>12}{:>16}{:>12}{:>12}\n", "split of the difference", kLabel + 10,
+                  "difference", "contact model", "MuJoCo step", "native step");
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     for (const FigureDifference& d : c.differences[k].figures) {
       if (!d.figure->judged) continue;
@@ -94,21 +94,21 @@ std::string wrapped(const std::string& lead, const std::string& sentence) {
 }  // namespace
 
 std::string comparison_table(const SceneComparison& c) {
-  std::string text =
-      fmt::format("{}: step {}, {} simulated, scene {}\n", c.scene.name,
-                  time_text(c.scene.run.step), time_text(c.scene.run.end),
-                  scene::scene_hash(c.scene));
+  std::string text = fmt::format("{}: step {}, {} simulated, scene {}\n", c.scene.name,
+                                 time_text(c.scene.run.step), time_text(c.scene.run.end),
+                                 scene::scene_hash(c.scene));
   text += head(c);
   for (std::size_t k = 0; k < figures().size(); ++k) text += figure_line(c, k);
   text += side_line(c, "settles to",
                     [](const Side& s) { return to_string(s.metrics.settled.attractor); });
-  text += side_line(c, "time of a step, us",
+  text += side_line(c, "time of a step, µs",
                     [](const Side& s) { return short_number(s.timing.median); });
   text += fmt::format("  * judged: {}\n", percent_text(c.tolerance));
   text += split_lines(c);
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const SideDifference& d = c.differences[k];
-    text += "\n" + wrapped(d.within ? "  within   " : "  OUTSIDE  ", headline(c, c.sides[k + 1], d));
+    text +=
+        "\n" + wrapped(d.within ? "  within   " : "  OUTSIDE  ", headline(c, c.sides[k + 1], d));
     for (const std::string& reason : d.reasons) text += wrapped("           - ", reason);
   }
   return text;
@@ -116,24 +116,24 @@ std::string comparison_table(const SceneComparison& c) {
 
 std::string run_table(const scene::Scene& scene, const Trajectory& t) {
   const Metrics m = metrics(t, contact_facts(scene));
-  std::string text = fmt::format("{}: {} {}, contact {}, step {}, {} of {} simulated, {}\n",
-                                 scene.name, t.engine, t.integrator, t.contact_model,
-                                 time_text(t.step), time_text(t.end), time_text(scene.run.end),
-                                 to_string(t.status));
+  std::string text =
+      fmt::format("{}: {} {}, contact {}, step {}, {} of {} simulated, {}\n", scene.name, t.engine,
+                  t.integrator, t.contact_model, time_text(t.step), time_text(t.end),
+                  time_text(scene.run.end), to_string(t.status));
   if (!t.message.empty()) text += "  " + t.message + "\n";
   if (m.first_touch) {
     text += fmt::format("  {:<{}}{:>{}}\n", "first touch, ms", kLabel,
                         short_number(1e3 * *m.first_touch), kValue);
   }
   for (const Figure& f : figures()) {
-    text += fmt::format("  {:<{}}{:>{}}\n", label_of(f), kLabel, figure_value(f, f.value(m)),
-                        kValue);
+    text +=
+        fmt::format("  {:<{}}{:>{}}\n", label_of(f), kLabel, figure_value(f, f.value(m)), kValue);
   }
-  text += fmt::format("  {:<{}}{:>{}}\n", "settles to", kLabel,
-                      to_string(m.settled.attractor), kValue);
+  text +=
+      fmt::format("  {:<{}}{:>{}}\n", "settles to", kLabel, to_string(m.settled.attractor), kValue);
   text += fmt::format("  {:<{}}{:>{}}\n", "steps", kLabel, t.steps, kValue);
-  text += fmt::format("  {:<{}}{:>{}}\n", "time of a step, us", kLabel,
-                      short_number(m.us_per_step), kValue);
+  text += fmt::format("  {:<{}}{:>{}}\n", "time of a step, µs", kLabel, short_number(m.us_per_step),
+                      kValue);
   return text;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/study/format.h"
+
 namespace rotorub {
 namespace {
 
@@ -14,6 +16,11 @@ constexpr double kDominates = 2.0;         // one part of a split over the other
 constexpr double kStandsOut = 1.5;         // a peak or a scatter over the native one
 
 double percent(double share) { return 100.0 * share; }
+
+// A share of time, with a digit where it is small.
+std::string time_share(double share) {
+  return fmt::format("{:.{}f} %", percent(share), share > 0.0 && share < 0.01 ? 1 : 0);
+}
 
 double scatter(const Metrics& m) {
   return m.mean_force > 0.0 ? m.force_deviation / m.mean_force : 0.0;
@@ -35,17 +42,13 @@ const FigureDifference& worst(const SideDifference& d) {
                            });
 }
 
-std::string signed_share(const FigureDifference& f, double deviation) {
-  return f.figure->scale == Scale::kPoints ? fmt::format("{:+.2g} points", percent(deviation))
-                                           : fmt::format("{:+.2g} %", percent(deviation));
-}
-
 std::string attractor_sentence(const Side& native, const Side& other) {
   const Attractor a = native.metrics.settled.attractor;
   const Attractor b = other.metrics.settled.attractor;
   if (a == b || a == Attractor::kUnknown || b == Attractor::kUnknown) return {};
-  return fmt::format("it settles to something else: {} ({}), where the rigid law settles to {} ({})",
-                     to_string(b), explanation(b), to_string(a), explanation(a));
+  return fmt::format(
+      "it settles to something else: {} ({}), where the rigid law settles to {} ({})", to_string(b),
+      explanation(b), to_string(a), explanation(a));
 }
 
 std::string contact_sentence(const Side& native, const Side& other) {
@@ -53,16 +56,16 @@ std::string contact_sentence(const Side& native, const Side& other) {
   const double b = other.metrics.contact_fraction;
   if (b < a - kOftenEnough) {
     return fmt::format(
-        "{} chatters: in contact {:.0f} % of the time instead of {:.0f} %, with a force scatter of "
-        "{:.0f} % of the mean (rigid law: {:.0f} %)",
-        other.label, percent(b), percent(a), percent(scatter(other.metrics)),
+        "{} chatters: in contact {} of the time instead of {}, with a force scatter of {:.0f} % of "
+        "the mean (rigid law: {:.0f} %)",
+        other.label, time_share(b), time_share(a), percent(scatter(other.metrics)),
         percent(scatter(native.metrics)));
   }
   if (b > a + kOftenEnough) {
     return fmt::format(
-        "{} stays in contact longer: {:.0f} % of the time instead of {:.0f} %, because a soft "
-        "contact spreads each impact over several steps and damps small bounces",
-        other.label, percent(b), percent(a));
+        "{} stays in contact longer: {} of the time instead of {}, because a soft contact spreads "
+        "each impact over several steps and damps small bounces",
+        other.label, time_share(b), time_share(a));
   }
   return {};
 }
@@ -73,17 +76,26 @@ std::string scatter_sentence(const Side& native, const Side& other, const SideDi
   const double mean = std::abs(of(d, "mean_force").deviation);
   if (a <= 0.0 || !std::isfinite(mean) || mean > 0.1) return {};
   if (b < kStandsOut * a && a < kStandsOut * b) return {};
+  const std::string mean_text =
+      deviation_text(*of(d, "mean_force").figure, of(d, "mean_force").deviation);
+  if (b < a) {
+    return fmt::format(
+        "the mean force is about right ({}), single impacts are softened: no force above {:.3g} N, "
+        "where the rigid law's impacts give up to {:.3g} N over one step",
+        mean_text, b, a);
+  }
   return fmt::format(
-      "the mean force is about right ({:+.2g} %), single values are not: the largest force of a "
-      "step is {:.2g} times the rigid law's",
-      percent(of(d, "mean_force").deviation), b / a);
+      "the mean force is about right ({}), single values are not: the largest force of a step is "
+      "{:.2g} times the rigid law's",
+      mean_text, b / a);
 }
 
 // Whose fault the worst judged figure is.
 std::string split_sentence(const FigureDifference& f, double tolerance) {
   const Split& s = f.split;
   if (s.difference == 0.0) return {};
-  const std::string what = fmt::format("{} ({})", f.figure->label, signed_share(f, f.deviation));
+  const std::string what =
+      fmt::format("{} ({})", f.figure->label, deviation_text(*f.figure, f.deviation));
   if (!s.valid) {
     if (std::abs(f.deviation) <= tolerance) return {};
     return fmt::format("how much of the difference in {} is the step's cannot be told: {}", what,
@@ -114,9 +126,7 @@ std::string floor_sentence(const SceneComparison& c, const FigureDifference& f, 
     return fmt::format(
         "the motion is chaotic: native runs that start one unit in the last place apart differ by "
         "up to {} in {} themselves{}, so a tolerance of {:.2g} % cannot be decided by one run",
-        f.figure->scale == Scale::kPoints ? fmt::format("{:.2g} points", percent(f.floor))
-                                          : fmt::format("{:.2g} %", percent(f.floor)),
-        f.figure->label,
+        deviation_text(*f.figure, f.floor).substr(1), f.figure->label,
         c.twin.time ? fmt::format(" and part at t = {:.4g} s", *c.twin.time) : std::string(),
         percent(tolerance));
   }
@@ -127,7 +137,7 @@ std::string penetration_sentence(const SceneComparison& c, const Side& other) {
   if (!c.scene.contact) return {};
   const double share = other.metrics.max_penetration / c.scene.contact->clearance;
   if (share < kDeepPenetration) return {};
-  return fmt::format("the rotor sinks {:.0f} um into the ring, {:.0f} % of the clearance",
+  return fmt::format("the rotor sinks {:.0f} µm into the ring, {:.0f} % of the clearance",
                      1e6 * other.metrics.max_penetration, percent(share));
 }
 
@@ -160,17 +170,17 @@ std::string headline(const SceneComparison& comparison, const Side& other,
                      const SideDifference& difference) {
   const double tolerance = percent(comparison.tolerance);
   if (other.trajectory.status != Status::kOk) {
-    return fmt::format("MuJoCo with `{}` did not reach the end of the run.", other.label);
+    return fmt::format("MuJoCo's {} contact did not reach the end of the run.", other.label);
   }
   if (difference.within) {
     return fmt::format(
-        "MuJoCo with `{}` agrees with the rigid law within {:.3g} %: its contact forces can be "
+        "MuJoCo's {} contact agrees with the rigid law within {:.3g} %: its contact forces can be "
         "trusted here.",
         other.label, tolerance);
   }
   const FigureDifference& off = worst(difference);
-  return fmt::format("MuJoCo with `{}` is outside {:.3g} %: {} is off by {}.", other.label,
-                     tolerance, off.figure->label, signed_share(off, off.deviation));
+  return fmt::format("MuJoCo's {} contact is outside {:.3g} %: {} is off by {}.", other.label,
+                     tolerance, off.figure->label, deviation_text(*off.figure, off.deviation));
 }
 
 }  // namespace rotorub

@@ -10,12 +10,16 @@
   const dashes = {native: 'solid', coulomb: 'solid', cone: 'solid'};
   const line = (side, width) => ({color: css('--' + side), width, dash: dashes[side] || 'dot'});
 
+  // What scatters most lies behind, and the judged run thin on top of the native one.
+  const behindFirst = (sides) => [...sides.slice(2), ...sides.slice(0, 2)];
+
   // A series over time, in the window that is shown.
   function timeTraces(scene, key, window) {
-    return scene.sides.filter((side) => side.series[key]).map((side) => {
+    return behindFirst(scene.sides).filter((side) => side.series[key]).map((side) => {
       const {t, y} = side.series[key][window];
       return {x: t, y, name: side.label, meta: side.label, type: 'scatter', mode: 'lines',
-        line: line(side.label, side.label === 'native' ? 1.8 : 1.2),
+        opacity: side.label === 'cone' ? 0.6 : 1,
+        line: line(side.label, side.label === 'native' ? 2.4 : 1.2),
         hovertemplate: '%{y:.5g}<extra>' + side.label + '</extra>'};
     });
   }
@@ -31,13 +35,35 @@
   function curve(side, xy, text, width, dash) {
     return {x: xy.x, y: xy.y, name: side.label, meta: side.label, type: 'scatter', mode: 'lines',
       line: {color: css('--' + side.label), width, dash},
-      hovertemplate: '(%{x:.1f}, %{y:.1f}) um<extra>' + side.label + ' ' + text + '</extra>'};
+      hovertemplate: '(%{x:.1f}, %{y:.1f}) µm<extra>' + side.label + ' ' + text + '</extra>'};
   }
-  const orbitTraces = (scene, window) => scene.sides.flatMap((side) => [
-    curve(side, side.rotor[window], 'rotor', 1.6, 'solid'),
-    curve(side, side.ring[window], 'ring', 1.1, 'dot')]);
+  const orbitTraces = (scene, window) => behindFirst(scene.sides).flatMap((side) => [
+    curve(side, side.rotor[window], 'rotor', side.label === 'native' ? 2.4 : 1.2, 'solid'),
+    curve(side, side.ring[window], 'ring', side.label === 'native' ? 1.8 : 1, 'dot')]);
   const relativeTraces = (scene, window) =>
-    scene.sides.map((side) => curve(side, side.relative[window], 'relative', 1.3, 'solid'));
+    behindFirst(scene.sides).map((side) =>
+      curve(side, side.relative[window], 'relative', side.label === 'native' ? 2.4 : 1.2, 'solid'));
+
+  // The first two runs, native and the contact model that is judged, set the height of a force plot;
+  // a run that leaves it says so, rather than flattening the others.
+  function heightFor(traces) {
+    const extent = (list) => list.reduce((e, trace) => trace.y.reduce(
+      (f, y) => [Math.min(f[0], y), Math.max(f[1], y)], e), [0, 0]);
+    const [low, high] = extent(traces.slice(-2));
+    const room = 0.08 * (high - low);
+    const range = [low < 0 ? low - room : -room, high > 0 ? high + room : room];
+    const notes = [];
+    for (const trace of traces.slice(0, -2)) {
+      const [least, most] = extent([trace]);
+      const far = Math.abs(least) > most ? least : most;
+      if (high === low || (least >= 3 * range[0] && most <= 3 * range[1])) continue;
+      notes.push({text: trace.name + ' reaches ' + Number(far.toPrecision(3)).toLocaleString('en') + ' N',
+        xref: 'paper', yref: 'paper', x: 0.01, y: far > 0 ? 1 : 0, xanchor: 'left',
+        yanchor: far > 0 ? 'top' : 'bottom', showarrow: false, bgcolor: css('--paper'),
+        font: {color: trace.line.color, size: 12}});
+    }
+    return notes.length ? {axis: {range}, notes} : {};
+  }
 
   // ------------------------------------------------------------------ layouts
   function axes(extra) {
@@ -91,18 +117,22 @@
       const key = plot.dataset.plot;
       const window = this.window();
       let traces, shape;
+      // All turns of a run on top of each other show nothing: the last ones stand for it.
+      const turns = window > 0 ? window : this.scene.windows.length - 1;
       if (key === 'orbit' || key === 'relative') {
-        traces = key === 'orbit' ? orbitTraces(this.scene, window) : relativeTraces(this.scene, window);
+        traces = key === 'orbit' ? orbitTraces(this.scene, turns) : relativeTraces(this.scene, turns);
         const r = 1e6 * this.scene.clearance;
         const circle = {type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}};
         shape = layout({hovermode: 'closest', shapes: key === 'relative' && r > 0 ? [circle] : [],
-          xaxis: axes({title: {text: 'x / um', standoff: 8}}),
-          yaxis: axes({title: {text: 'y / um', standoff: 8}, scaleanchor: 'x'})});
+          xaxis: axes({title: {text: 'x / µm', standoff: 8}, automargin: false, constrain: 'domain'}),
+          yaxis: axes({title: {text: 'y / µm', standoff: 8}, automargin: false, constrain: 'domain', scaleanchor: 'x'})});
       } else {
         traces = key === 'impacts' ? impactTraces(this.scene) : timeTraces(this.scene, key, window);
+        const height = key.endsWith('_force') ? heightFor(traces) : {};
         shape = layout({xaxis: axes({title: {text: 't / s', standoff: 6}, range: this.range.slice(),
             hoverformat: '.5f'}),
-          yaxis: axes(key === 'impacts' ? {type: 'log', exponentformat: 'power', dtick: 1} : {})});
+          yaxis: axes(key === 'impacts' ? {type: 'log', exponentformat: 'power', dtick: 1} : height.axis),
+          annotations: height.notes || []});
         if (key === 'impacts') shape.hovermode = 'closest';
       }
       traces.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : true; });
