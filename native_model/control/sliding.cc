@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "native_model/contact/kinematics.h"
+
 namespace rotorub {
 
 SlidingController::SlidingController(const scene::Controller& settings, const Plant& plant)
@@ -10,16 +12,16 @@ SlidingController::SlidingController(const scene::Controller& settings, const Pl
 SlidingController::Reference SlidingController::reference(double t) const {
   const double time = settings_.gap_time;
   const double s = std::clamp((t - settings_.on) / time, 0.0, 1.0);
-  const double s2 = s * s, g0 = plant_.clearance;
-  return {g0 * (1.0 - s * s2 * (10.0 - 15.0 * s + 6.0 * s2)),
-          -g0 * 30.0 * s2 * (1.0 - 2.0 * s + s2) / time,
-          -g0 * 60.0 * s * (1.0 - 3.0 * s + 2.0 * s2) / (time * time)};
+  // With r = 1 - s the polynomial is r^3 (1 + 3 s + 6 s^2): never below 0, and 0 at the end.
+  const double r = 1.0 - s, g0 = plant_.clearance;
+  return {g0 * r * r * r * (1.0 + 3.0 * s + 6.0 * s * s), -g0 * 30.0 * s * s * r * r / time,
+          -g0 * 60.0 * s * r * (r - s) / (time * time)};
 }
 
 Eigen::Vector2d SlidingController::force(const Measurement& now) const {
   const Eigen::Vector2d d = now.rotor - now.stator;
   const double delta = d.norm();
-  if (delta == 0.0) return {0.0, 0.0};  // no direction to track
+  if (delta <= kNoNormal) return {0.0, 0.0};  // no direction to track
   const Eigen::Vector2d e_r = d / delta, e_t{-e_r.y(), e_r.x()};
   const Eigen::Vector2d dv = now.rotor_velocity - now.stator_velocity;
   const Reference wanted = reference(now.t);
@@ -32,11 +34,12 @@ Eigen::Vector2d SlidingController::force(const Measurement& now) const {
   const double whirl = e_t.dot(dv);
   const double radial =
       e_r.dot(now.rotor_acceleration) + whirl * whirl / delta + gap_acceleration;
-  // M_f (-f): what the ring's own spring and damper do is compensated.
+  // -f along e_r: what the ring's own spring and damper do to it is compensated.
   const Eigen::Vector2d own = plant_.stator_stiffness.cwiseProduct(now.stator) +
                               plant_.stator_damping.cwiseProduct(now.stator_velocity);
+  const double compensation = e_r.dot(own.cwiseQuotient(plant_.stator_mass));
   const double preload = settings_.preload * (1.0 - wanted.gap / plant_.clearance);
-  return plant_.stator_mass.cwiseProduct(radial * e_r) + (e_r.dot(own) - preload) * e_r;
+  return plant_.stator_mass.cwiseProduct((radial + compensation) * e_r) - preload * e_r;
 }
 
 }  // namespace rotorub

@@ -1,5 +1,5 @@
 // Sliding mode with boundary layer, (22)-(29) of the paper: the ring tracks the rotor at the gap
-// reference g_d(t), which falls smoothly from the gap met at switch-on to 0.
+// reference g_d(t), which falls smoothly from the clearance at switch-on to 0.
 //
 //   q_fd = r_rotor - (delta_0 - g_d) e_r,    e = q_f - q_fd = (g_N - g_d) e_r
 //   s = edot + psi e

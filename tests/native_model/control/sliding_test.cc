@@ -1,0 +1,227 @@
+// The sliding law: its reference, and the error dynamics that it promises, on a ring that a rotor
+// on a prescribed orbit is put before.
+#include "native_model/control/sliding.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/runge_kutta.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kClearance = 0.5e-3;
+
+scene::Controller settings() {
+  scene::Controller c;
+  c.kind = scene::ControllerKind::kSliding;
+  c.on = 0.1;
+  c.bandwidth = 1500.0;
+  c.boundary_layer = 0.03;
+  c.switching_gain = 120.0;
+  c.gap_time = 0.008;
+  c.preload = 0.0;
+  return c;
+}
+
+Plant plant() { return {kClearance, {1.5, 1.5}, {300.0, 250.0}, {2e5, 1.4e5}}; }
+
+// ------------------------------------------------------------------ reference
+
+TEST(SlidingReference, FallsFromTheClearanceToZero) {
+  const SlidingController c(settings(), plant());
+  EXPECT_EQ(c.reference(0.0).gap, kClearance);
+  EXPECT_EQ(c.reference(0.1).gap, kClearance);
+  EXPECT_NEAR(c.reference(0.104).gap, 0.5 * kClearance, 1e-15);
+  EXPECT_NEAR(c.reference(0.108).gap, 0.0, 1e-18);
+  EXPECT_NEAR(c.reference(5.0).gap, 0.0, 1e-18);
+  double last = kClearance;
+  for (double t = 0.1; t < 0.109; t += 1e-5) {
+    const SlidingController::Reference r = c.reference(t);
+    ASSERT_LE(r.gap, last);
+    ASSERT_LE(r.rate, 0.0);
+    last = r.gap;
+  }
+}
+
+TEST(SlidingReference, IsTwiceContinuouslyDifferentiable) {
+  const SlidingController c(settings(), plant());
+  const double h = 1e-7;
+  const double speed = kClearance / 0.008, acceleration = speed / 0.008;
+  for (double t = 0.0995; t < 0.109; t += 1.3e-5) {
+    const auto before = c.reference(t - h), now = c.reference(t), after = c.reference(t + h);
+    ASSERT_NEAR(now.rate, (after.gap - before.gap) / (2 * h), 1e-6 * speed) << t;
+    ASSERT_NEAR(now.acceleration, (after.rate - before.rate) / (2 * h), 2e-3 * acceleration) << t;
+    // No jump anywhere, the ends included: the third derivative is bounded by 60 g0 / T^3.
+    ASSERT_LT(std::abs(after.acceleration - before.acceleration), 130.0 * h / 0.008 * acceleration)
+        << t;
+  }
+  for (const double t : {0.1, 0.108}) {
+    EXPECT_NEAR(c.reference(t).rate, 0.0, 1e-12 * speed);
+    EXPECT_NEAR(c.reference(t).acceleration, 0.0, 1e-9 * acceleration);
+  }
+}
+
+// ------------------------------------------------------------------ closed loop
+
+// A rotor that swells while it whirls, r = R(t) e^{i w t}; what it does is prescribed.
+Measurement orbit(double t) {
+  const double growth = 0.02, w = 314.0;  // m/s, rad/s
+  const double radius = 0.6e-3 + growth * (t - 0.1);
+  const Eigen::Vector2d e{std::cos(w * t), std::sin(w * t)}, n{-e.y(), e.x()};
+  Measurement m;
+  m.t = t;
+  m.rotor = radius * e;
+  m.rotor_velocity = growth * e + radius * w * n;
+  m.rotor_acceleration = 2.0 * growth * w * n - radius * w * w * e;
+  return m;
+}
+
+// Law, ring and orbit; y = (q_f, qdot_f).
+class Loop {
+ public:
+  explicit Loop(const scene::Controller& c, const Plant& p = plant()) : law_(c, p), plant_(p) {}
+
+  // A ring on the near side of the rotor with the given gap and gap rate, and a speed sideways.
+  static Eigen::Vector4d ring(double t, double gap, double gap_rate) {
+    const Measurement m = orbit(t);
+    const double a = 314.0 * t + 0.7;
+    const Eigen::Vector2d e_r{std::cos(a), std::sin(a)}, e_t{-e_r.y(), e_r.x()};
+    Eigen::Vector4d y;
+    y << m.rotor - (kClearance - gap) * e_r, m.rotor_velocity + gap_rate * e_r - 0.05 * e_t;
+    return y;
+  }
+  struct Error {
+    double e, s;  // g_N - g_d, and edot + psi e
+  };
+  Error error(double t, const Eigen::VectorXd& y) const {
+    const Measurement m = orbit(t);
+    const Eigen::Vector2d d = m.rotor - y.head(2), dv = m.rotor_velocity - y.tail(2);
+    const auto wanted = law_.reference(t);
+    const double e = kClearance - d.norm() - wanted.gap;
+    return {e, -d.normalized().dot(dv) - wanted.rate + settings().bandwidth * e};
+  }
+  // 2 us resolve the boundary layer's 250 us and the orbit's 20 ms to 1e-9.
+  Eigen::VectorXd run(double from, double end, const Eigen::VectorXd& start) const {
+    const auto rate = [&](double t, const Eigen::VectorXd& y) {
+      Measurement m = orbit(t);
+      m.stator = y.head(2);
+      m.stator_velocity = y.tail(2);
+      const Eigen::Vector2d own = plant_.stator_stiffness.cwiseProduct(m.stator) +
+                                  plant_.stator_damping.cwiseProduct(m.stator_velocity);
+      Eigen::VectorXd dy(4);
+      dy << m.stator_velocity, (law_.force(m) - own).cwiseQuotient(plant_.stator_mass);
+      return dy;
+    };
+    return test::runge_kutta(rate, from, end, static_cast<int>((end - from) / 2e-6) + 1, start);
+  }
+
+ private:
+  SlidingController law_;
+  Plant plant_;
+};
+
+// Within the boundary layer sdot = -k s / phi and edot = -psi e + s: two exponentials, whatever the
+// rotor does and whatever spring, damper and mass the ring has.
+void expect_linear_decay(const Plant& p) {
+  const scene::Controller c = settings();
+  const Loop loop(c, p);
+  const double from = 0.109;  // the reference is 0
+  const double psi = c.bandwidth, decay = c.switching_gain / c.boundary_layer;
+  Eigen::VectorXd y = Loop::ring(from, 1e-5, 0.01);
+  const Loop::Error start = loop.error(from, y);
+  ASSERT_LT(std::abs(start.s), c.boundary_layer);
+  for (const double t : {0.25e-3, 0.5e-3, 1e-3}) {
+    const Loop::Error now = loop.error(from + t, loop.run(from, from + t, y));
+    const double s = start.s * std::exp(-decay * t), forced = start.s / (psi - decay);
+    const double e = (start.e - forced) * std::exp(-psi * t) + forced * std::exp(-decay * t);
+    EXPECT_NEAR(now.s, s, 1e-6 * start.s) << t;
+    EXPECT_NEAR(now.e, e, 1e-6 * start.e) << t;
+  }
+}
+
+TEST(SlidingLoop, ErrorDecaysAsTheLawPromises) { expect_linear_decay(plant()); }
+
+TEST(SlidingLoop, ErrorDecaysAsTheLawPromisesOnARingHeavierOneWay) {
+  Plant p = plant();
+  p.stator_mass = {1.5, 3.0};
+  expect_linear_decay(p);
+}
+
+TEST(SlidingLoop, ReachesTheLayerAtTheRateOfTheSwitchingGain) {
+  const Loop loop(settings());
+  const double from = 0.109;
+  const Eigen::VectorXd y = Loop::ring(from, 1.8e-4, 0.03);
+  const double s = loop.error(from, y).s;
+  ASSERT_GT(s, 10 * settings().boundary_layer - 0.01);
+  for (const double t : {0.5e-3, 1e-3, 2e-3}) {
+    EXPECT_NEAR(loop.error(from + t, loop.run(from, from + t, y)).s, s - 120.0 * t, 1e-6) << t;
+  }
+}
+
+TEST(SlidingLoop, GapFollowsTheReferenceToZero) {
+  const Loop loop(settings());
+  Eigen::VectorXd y = Loop::ring(0.1, 0.8 * kClearance, -0.05);
+  double worst = 0.0, last = 0.1;
+  for (double t = 0.1005; t < 0.13; t += 0.5e-3) {
+    y = loop.run(last, t, y);
+    last = t;
+    // 0.1 mm of error: psi e / k = 1.3 ms to the layer, and 1/psi = 0.7 ms a decay from there.
+    if (t > 0.106) worst = std::max(worst, std::abs(loop.error(t, y).e));
+  }
+  EXPECT_LT(worst, 0.01 * kClearance);
+  EXPECT_LT(std::abs(loop.error(last, y).e), 1e-7 * kClearance) << "and stays there";
+}
+
+TEST(SlidingLoop, PreloadPressesOnceTheReferenceIsClosed) {
+  scene::Controller c = settings();
+  c.preload = 20.0;
+  const Loop loop(c);
+  const Eigen::VectorXd y = loop.run(0.109, 0.13, Loop::ring(0.109, 1e-5, 0.0));
+  // Without a contact to hold it the ring goes on by P phi / (M k psi).
+  EXPECT_NEAR(loop.error(0.13, y).e, -20.0 * 0.03 / (1.5 * 120.0 * 1500.0), 1e-11);
+  // As the reference falls, so the preload comes: none at switch-on, half of it halfway.
+  scene::Controller none = settings();
+  const auto pressed = [&](double t) {
+    Measurement m = orbit(t);
+    m.stator = m.rotor - Eigen::Vector2d(3e-4, 0.0);
+    return SlidingController(c, plant()).force(m).x() -
+           SlidingController(none, plant()).force(m).x();
+  };
+  EXPECT_NEAR(pressed(0.1), 0.0, 1e-10);
+  EXPECT_NEAR(pressed(0.104), -10.0, 1e-10);
+  EXPECT_NEAR(pressed(0.2), -20.0, 1e-10) << "against e_r: on to the rotor";
+}
+
+TEST(SlidingForce, TurnsWithTheWorld) {
+  Plant p = plant();
+  p.stator_stiffness = {2e5, 2e5};
+  p.stator_damping = {300.0, 300.0};
+  const SlidingController law(settings(), p);
+  const double a = 1.1;
+  const Eigen::Matrix2d turn{{std::cos(a), -std::sin(a)}, {std::sin(a), std::cos(a)}};
+  Measurement m = orbit(0.103);
+  m.stator = {1e-4, 2e-4};
+  m.stator_velocity = {0.03, -0.02};
+  Measurement n = m;
+  for (Eigen::Vector2d* v :
+       {&n.rotor, &n.rotor_velocity, &n.rotor_acceleration, &n.stator, &n.stator_velocity}) {
+    *v = turn * *v;
+  }
+  EXPECT_LT((law.force(n) - turn * law.force(m)).norm(), 1e-12 * law.force(m).norm());
+}
+
+TEST(SlidingForce, CentresTogetherAskForNothing) {
+  const SlidingController law(settings(), plant());
+  for (const double delta : {0.0, 5e-324, 1e-300, 1e-160, 1e-16}) {
+    Measurement m = orbit(0.103);
+    m.stator = m.rotor = {0.0, 0.0};
+    m.rotor.x() = delta;
+    EXPECT_EQ(law.force(m), Eigen::Vector2d(0.0, 0.0)) << delta << ": no direction to track";
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
