@@ -37,9 +37,19 @@ Analysis analyse(const scene::Scene& scene, std::vector<double> speeds) {
   return analysis;
 }
 
-const char* sense(double frequency) {
-  if (frequency == 0.0) return "overdamped";
-  return frequency > 0.0 ? "forward" : "backward";
+const char* sense(const WhirlMode& mode) {
+  if (mode.frequency == 0.0) return mode.damping_ratio == 0.0 ? "rigid" : "overdamped";
+  return mode.frequency > 0.0 ? "forward" : "backward";
+}
+
+std::string stability_text(const Analysis& analysis) {
+  if (analysis.stability_threshold) {
+    return fmt::format("unstable above {:.7g} rad/s ({:.7g} rpm)", *analysis.stability_threshold,
+                       *analysis.stability_threshold * kRpm);
+  }
+  if (std::isinf(analysis.stability_bound)) return "no whirl grows at any speed";
+  return fmt::format("no whirl grows up to {:.5g} rad/s ({:.5g} rpm)", analysis.stability_bound,
+                     analysis.stability_bound * kRpm);
 }
 
 std::string spectrum_table(const WhirlSpectrum& spectrum) {
@@ -48,8 +58,8 @@ std::string spectrum_table(const WhirlSpectrum& spectrum) {
   text += fmt::format("  {:<12}{:>14}{:>14}{:>16}\n", "whirl", "rad/s", "Hz", "damping ratio");
   for (const WhirlMode& mode : spectrum.modes) {
     const double size = std::abs(mode.frequency);
-    text += fmt::format("  {:<12}{:>14.7g}{:>14.7g}{:>16.4g}\n", sense(mode.frequency), size,
-                        size * kHz, mode.damping_ratio);
+    text += fmt::format("  {:<12}{:>14.7g}{:>14.7g}{:>16.4g}\n", sense(mode), size, size * kHz,
+                        mode.damping_ratio);
   }
   return text;
 }
@@ -69,8 +79,11 @@ nlohmann::json modes_json(const scene::Scene& scene, const std::vector<double>& 
   nlohmann::json result{{"speeds", spectra},
                         {"critical_speeds", analysis.critical_speeds},
                         {"stability_threshold", nullptr},
-                        {"stability_bound", analysis.stability_bound}};
+                        {"stability_bound", nullptr}};
   if (analysis.stability_threshold) result["stability_threshold"] = *analysis.stability_threshold;
+  if (std::isfinite(analysis.stability_bound)) {
+    result["stability_bound"] = analysis.stability_bound;
+  }
   return result;
 }
 
@@ -86,11 +99,7 @@ std::string modes_table(const scene::Scene& scene, const std::vector<double>& sp
   }
   if (analysis.critical_speeds.empty()) text += "  none\n";
 
-  text += analysis.stability_threshold
-              ? fmt::format("\nunstable above {:.7g} rad/s ({:.7g} rpm)\n",
-                            *analysis.stability_threshold, *analysis.stability_threshold * kRpm)
-              : fmt::format("\nstable up to {:.5g} rad/s ({:.5g} rpm) at least\n",
-                            analysis.stability_bound, analysis.stability_bound * kRpm);
+  text += "\n" + stability_text(analysis) + "\n";
   return text;
 }
 

@@ -16,7 +16,8 @@ namespace rotorub {
 
 // {"speeds": [{"speed", "modes": [{"frequency", "damping_ratio"}]}], "critical_speeds": [],
 // "stability_threshold": null, "stability_bound"}: rad/s; forward whirl positive, backward
-// negative; modes by rising absolute frequency. No threshold up to the bound: null.
+// negative; modes by rising absolute frequency. No threshold up to the bound: null; a bound of
+// null: nothing can grow at any speed.
 nlohmann::json modes_json(const scene::Scene& scene, const std::vector<double>& speeds);
 
 // The same for people, with Hz and rpm; ends with a line break.

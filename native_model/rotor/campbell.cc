@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 
 #include "native_model/rotor/whirl_eigenvalues.h"
 
@@ -143,6 +144,7 @@ std::vector<double> critical_speeds(const WhirlSystem& system) {
 }
 
 double stability_bound(const WhirlSystem& system) {
+  if (passive(system)) return std::numeric_limits<double>::infinity();
   constexpr double kBound = 20.0;
   return kBound * highest(whirl_eigenvalues(system, 0.0));
 }

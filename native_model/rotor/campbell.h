@@ -42,7 +42,8 @@ std::vector<double> critical_speeds(const WhirlSystem& system);
 // quarter in speed: a window of instability narrower than a step may pass unseen.
 std::optional<double> stability_threshold(const WhirlSystem& system);
 
-// rad/s: 20 times the highest kept frequency at rest.
+// Up to where stability_threshold looks, rad/s: 20 times the highest kept frequency at rest.
+// Infinite where nothing can grow: no internal damping, and no magnetic bearing too strong.
 double stability_bound(const WhirlSystem& system);
 
 }  // namespace rotorub

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "native_model/rotor/modal_reduction.h"
+#include "native_model/rotor/refusal.h"
 #include "native_model/rotor/rotor_modes.h"
 #include "native_model/rotor/torsion.h"
 
@@ -72,7 +73,8 @@ ModalRotor geometry_form(const scene::Scene& scene) {
 
 ModalRotor modal_rotor(const scene::Scene& scene) {
   assert(scene.rotor.geometry.has_value() != scene.rotor.modal.has_value());
-  return scene.rotor.geometry ? geometry_form(scene) : modal_form(scene);
+  return with_file_name(
+      scene, [&] { return scene.rotor.geometry ? geometry_form(scene) : modal_form(scene); });
 }
 
 }  // namespace rotorub

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "native_model/rotor/modal_rotor.h"
+#include "native_model/rotor/refusal.h"
 #include "native_model/rotor/rotor_modes.h"
 
 namespace rotorub {
@@ -93,7 +94,8 @@ WhirlSystem modal_system(const scene::Scene& scene) {
 
 WhirlSystem whirl_system(const scene::Scene& scene) {
   assert(scene.rotor.geometry.has_value() != scene.rotor.modal.has_value());
-  WhirlSystem system = scene.rotor.geometry ? geometry_system(scene) : modal_system(scene);
+  WhirlSystem system = with_file_name(
+      scene, [&] { return scene.rotor.geometry ? geometry_system(scene) : modal_system(scene); });
   system.isotropic = same_planes(system);
   return system;
 }

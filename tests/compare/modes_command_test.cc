@@ -34,6 +34,7 @@ TEST(ModesJson, HasTheContractsShape) {
   }
   EXPECT_EQ(result.at("critical_speeds").size(), 3u);
   EXPECT_TRUE(result.at("stability_threshold").is_null());
+  EXPECT_TRUE(result.at("stability_bound").is_null()) << "undamped: nothing can grow";
 }
 
 TEST(ModesJson, WithoutSpeedsTakesTheScenes) {
@@ -50,13 +51,30 @@ TEST(ModesJson, GivesTheThreshold) {
               result["critical_speeds"][0].get<double>(), 1e-6);
 }
 
+TEST(ModesTable, FreeBodyAndBoundedSearch) {
+  scene::Scene s;
+  s.name = "one";
+  s.rotor.modal.emplace().mass = {2.0};
+  s.rotor.modal->stiffness = {0.0};
+  EXPECT_NE(modes_table(s, {}).find("rigid"), std::string::npos);
+
+  // Threshold at 41 omega, beyond the search.
+  s.rotor.modal->stiffness = {2e5};
+  s.rotor.modal->damping = {40.0};
+  s.rotor.modal->internal_damping = {1.0};
+  EXPECT_NE(modes_table(s, {}).find("no whirl grows up to 6324.6 rad/s"), std::string::npos);
+  const nlohmann::json result = modes_json(s, {});
+  EXPECT_TRUE(result["stability_threshold"].is_null());
+  EXPECT_NEAR(result["stability_bound"].get<double>(), 20.0 * std::sqrt(1e5), 1e-6);
+}
+
 TEST(ModesTable, SaysWhatTheJsonSays) {
   scene::Scene s = friswell();
   const std::string stable = modes_table(s, {0.0});
   EXPECT_NE(stable.find("friswell"), std::string::npos);
   EXPECT_NE(stable.find("backward          86.71405      13.80097"), std::string::npos) << stable;
   EXPECT_NE(stable.find("86.96099 rad/s (830.4163 rpm)"), std::string::npos) << stable;
-  EXPECT_NE(stable.find("stable up to"), std::string::npos);
+  EXPECT_NE(stable.find("no whirl grows at any speed"), std::string::npos);
   EXPECT_EQ(stable.back(), '\n');
 
   s.rotor.geometry->internal_damping_ratio = 0.01;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "native_model/scene/diagnostic.h"
 #include "tests/native_model/rotor/rotors.h"
 
 namespace rotorub {
@@ -191,6 +192,18 @@ TEST(ModalRotor, InternalDampingOfAnisotropicBearings) {
   const double size = exactly.internal_xx.cwiseAbs().maxCoeff();
   EXPECT_LT((nearly.internal_xx - exactly.internal_xx).cwiseAbs().maxCoeff(), 1e-5 * size);
   EXPECT_LT((nearly.internal_xy - exactly.internal_xy).cwiseAbs().maxCoeff(), 1e-5 * size);
+}
+
+TEST(ModalRotor, RefusalsNameTheFile) {
+  scene::Scene s = test::reference_rig();
+  s.rotor.geometry->bearings.pop_back();
+  try {
+    modal_rotor(s);
+    FAIL() << "a shaft on one bearing";
+  } catch (const scene::SceneError& error) {
+    EXPECT_EQ(error.diagnostics().front().file, "rotor.toml");
+    EXPECT_EQ(error.diagnostics().front().key, "rotor.bearing");
+  }
 }
 
 TEST(ModalRotor, ModalFormIsCopied) {
