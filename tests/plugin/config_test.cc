@@ -132,7 +132,9 @@ TEST_F(ConfigTest, ReusedAddressIsNotTheOldModel) {
     if (m.get() == old || m.get() == address) ++reused;
     EXPECT_EQ(state_after(m.get(), 500), wanted);
   }
+#ifndef __SANITIZE_ADDRESS__  // which keeps freed memory apart
   EXPECT_GT(reused, 0) << "the case did not arise";
+#endif
 }
 
 TEST_F(ConfigTest, ModelChangedInPlaceIsNoticed) {
