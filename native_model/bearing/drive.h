@@ -16,6 +16,8 @@ class Drive {
   double torque(double speed) const;  // speed: rad/s at the motor
   // d torque / d speed, N m s.
   double slope(double speed) const;
+  scene::DriveKind kind() const { return drive_.kind; }
+  double target() const { return drive_.speed; }  // rad/s, linear
 
  private:
   scene::Drive drive_;

@@ -9,10 +9,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 
-#include "native_model/contact/impact.h"
-#include "native_model/integrate/gyroscopic_rotation.h"
 #include "native_model/system/model.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -27,36 +26,27 @@ struct PaperStep {
   Impact detail;
 };
 
+// Empty, or why a fixed step cannot work: beyond 2 / omega_max nothing is stable.
+std::string step_refusal(const Model& model, double step);
+
 class PaperStepper {
  public:
-  // step: s, > 0. The model must outlive the stepper.
+  // From the model's initial state, or from another at t = 0. step: s, > 0. The model must outlive
+  // the stepper.
   PaperStepper(const Model& model, double step);
+  PaperStepper(const Model& model, double step, const State& start);
+  ~PaperStepper();
 
-  // Empty, or why this step cannot work: beyond 2 / omega_max nothing is stable.
-  std::string refusal() const;
+  // From t = k step to (k + 1) step under the actuator force u, held over it. k counts from 0, one
+  // by one. No allocation. With a status the state stays where it was.
+  PaperStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0});
 
-  // One step of `state` under the actuator force u, held over it. No allocation.
-  PaperStep step(State& state, const Eigen::Vector2d& u);
-
-  bool in_contact() const { return in_contact_; }
+  const double* q() const;  // nq each
+  const double* v() const;
 
  private:
-  void project(double t);
-  void free_velocity(const State& state, const Eigen::Vector2d& u);
-  PaperStep contact(const State& state);
-  PaperStep impact(const State& state, const Eigen::Vector2d& e_r, double closing_time);
-  PaperStep persist(const State& state, const Eigen::Vector2d& e_r, double predicted_gap);
-  void apply(const State& state, const double* diagonal, const Eigen::Vector2d& e_r, double normal,
-             double friction);
-
-  const Model* model_;
-  double step_;
-  GyroscopicRotation gyroscopic_;
-  Eigen::VectorXd implicit_mass_;      // M + h/2 D, diagonal
-  Eigen::VectorXd q_, v_, f_;          // midpoint, new velocity, loads
-  Eigen::Matrix3d implicit_admittance_;
-  Eigen::Vector3d start_velocity_;     // contact space, of the state before
-  bool in_contact_ = false;
+  struct Kernel;
+  std::unique_ptr<Kernel> kernel_;
 };
 
 }  // namespace rotorub

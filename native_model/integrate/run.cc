@@ -17,15 +17,15 @@ namespace {
 class Command {
  public:
   explicit Command(const Model& model) : model_(&model) {}
-  const Eigen::Vector2d& at(const State& state, double first_touch) {
-    if (!model_->controller || state.t < model_->control_on) return held_;
+  const Eigen::Vector2d& at(double t, const double* q, const double* v, double first_touch) {
+    if (!model_->controller || t < model_->control_on) return held_;
     if (model_->sample_time > 0.0) {
       // The sample of index floor(t / T); a step that ends short of it by round-off counts.
-      const double sample = std::floor(state.t / model_->sample_time * (1.0 + 1e-12));
+      const double sample = std::floor(t / model_->sample_time * (1.0 + 1e-12));
       if (sample == last_sample_) return held_;
       last_sample_ = sample;
     }
-    held_ = control_force(*model_, state.t, state.q.data(), state.v.data(), first_touch);
+    held_ = control_force(*model_, t, q, v, first_touch);
     return held_;
   }
 
@@ -66,35 +66,35 @@ const char* reason(Status status) {
 Trajectory run_paper(const Model& model, const scene::Run& run, double step,
                      const NativeOptions& options) {
   Recorder recorder(model, options.output_times.value_or(output_times(run)));
-  PaperStepper stepper(model, step);
   State state = perturbed(initial_state(model), options.perturbation_ulps);
+  PaperStepper stepper(model, step, state);
   Command command(model);
   double first_touch = std::numeric_limits<double>::infinity();
   recorder.begin({0.0, state.q.data(), state.v.data(), 0.0, 0.0, Mode::kFree,
-                  command.at(state, first_touch)});
+                  command.at(0.0, state.q.data(), state.v.data(), first_touch)});
 
   const auto steps = static_cast<std::int64_t>(std::ceil(run.end / step - 1e-9));
   Status status = Status::kOk;
-  std::string message = stepper.refusal();
+  std::string message = step_refusal(model, step);
   if (!message.empty()) status = Status::kStepTooLarge;
   std::int64_t k = 0;
   Mode mode = Mode::kFree;
   const auto start = std::chrono::steady_clock::now();
   for (; k < steps && status == Status::kOk; ++k) {
-    state.t = static_cast<double>(k) * step;
-    const Eigen::Vector2d& u = command.at(state, first_touch);
-    const PaperStep done = stepper.step(state, u);
+    const double t = static_cast<double>(k) * step, next = static_cast<double>(k + 1) * step;
+    const Eigen::Vector2d& u = command.at(t, stepper.q(), stepper.v(), first_touch);
+    const PaperStep done = stepper.step(k, u);
     if (done.status != Status::kOk) {
       status = done.status;
       break;
     }
-    state.t = static_cast<double>(k + 1) * step;
-    if (done.normal_impulse > 0.0 && !std::isfinite(first_touch)) first_touch = state.t - step;
+    state.t = next;
+    if (done.normal_impulse > 0.0 && !std::isfinite(first_touch)) first_touch = t;
     record_mode_change(recorder, state.t, mode, done);
     mode = done.mode;
     // An impact's impulse is no force of lasting contact.
     const double scale = done.impact ? 0.0 : 1.0 / step;
-    recorder.step({state.t, state.q.data(), state.v.data(), done.normal_impulse * scale,
+    recorder.step({state.t, stepper.q(), stepper.v(), done.normal_impulse * scale,
                    done.friction_impulse * scale, mode, u},
                   done.normal_impulse, done.friction_impulse, done.impact);
     if ((k & 0xfff) == 0) {
