@@ -161,7 +161,7 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
 
   const auto steps = static_cast<std::int64_t>(std::ceil(scene.run.end / step - 1e-9));
   Status status = Status::kOk;
-  std::string message = PaperStepper(model, step).refusal();
+  std::string message = step_refusal(model, step);
   if (!message.empty()) status = Status::kStepTooLarge;
   std::int64_t k = 0;
   try {
