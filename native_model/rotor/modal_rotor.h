@@ -45,10 +45,10 @@ struct DiscUnbalance {
 // Torsion about z: rotation at a station = rigid spin + sum of shape_k theta_k; shape 1 at the
 // contact. With a drive: free-free modes. Without: those of a shaft held at the motor's station.
 struct TorsionModes {
-  Eigen::VectorXd inertia;      // kg m^2, > 0
-  Eigen::VectorXd stiffness;    // N m/rad, > 0
-  Eigen::VectorXd damping;      // N m s/rad, >= 0
-  Eigen::VectorXd drive_shape;  // 1, at the motor
+  Eigen::VectorXd inertia;        // kg m^2, > 0
+  Eigen::VectorXd stiffness;      // N m/rad, > 0
+  Eigen::VectorXd damping;        // N m s/rad, >= 0
+  Eigen::VectorXd drive_shape;    // 1, at the motor
   Eigen::VectorXd contact_shape;  // 1, at the contact: 1, or 0 for a node there
 };
 
@@ -60,17 +60,17 @@ struct ModeLines {
 
 struct ModalRotor {
   PlaneModes x, y;
-  ModeShape contact_shape;           // 1 or 0 for each mode
-  Eigen::MatrixXd gyroscopic;        // kg, n x n, g: rows x modes, columns y modes
+  ModeShape contact_shape;     // 1 or 0 for each mode
+  Eigen::MatrixXd gyroscopic;  // kg, n x n, g: rows x modes, columns y modes
   Eigen::MatrixXd internal_xx, internal_xy, internal_yy;  // N s/m, n x n, rotating damping D_i
   std::vector<StationDamper> bearing_dampers;
   std::vector<DiscUnbalance> unbalances;
-  std::vector<ModeShape> force_shapes;            // one for each of Scene.forces
+  std::vector<ModeShape> force_shapes;  // one for each of Scene.forces
   std::optional<ModeShape> magnetic_bearing_shape;
-  Eigen::VectorXd gravity_x, gravity_y;           // kg, n, load of each mode per unit acceleration
-  double spin_inertia = 0.0;                      // kg m^2, rigid rotor with the motor's
-  TorsionModes torsion;                           // empty lists without [rotor.torsion]
-  std::optional<ModeLines> lines;                 // geometry form only
+  Eigen::VectorXd gravity_x, gravity_y;  // kg, n, load of each mode per unit acceleration
+  double spin_inertia = 0.0;             // kg m^2, rigid rotor with the motor's
+  TorsionModes torsion;                  // empty lists without [rotor.torsion]
+  std::optional<ModeLines> lines;        // geometry form only
   int modes() const { return static_cast<int>(x.mass.size()); }
 };
 
