@@ -46,6 +46,7 @@ void advance(Kernel& kernel, Totals& totals, double step, std::int64_t from, std
     totals.contact_steps += lanes::select(touched, one, zero);
     totals.impulse_total += impulse;
     totals.peak_impulse = lanes::larger(totals.peak_impulse, impulse);
+    if (!kernel.any_impact()) continue;
     for (int lane = 0; lane < lanes::kWidth; ++lane) {
       if (kernel.impacted[lane] && counts(kernel.impact[lane])) ++totals.impacts[lane];
     }

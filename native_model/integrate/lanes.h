@@ -88,9 +88,16 @@ ROTORUB_INLINE Lane select(const LaneMask& mask, const Lane& a, const Lane& b) {
 
 ROTORUB_INLINE bool any(bool mask) { return mask; }
 ROTORUB_INLINE bool any(const LaneMask& mask) {
-  std::int64_t bits = 0;
-  for (int i = 0; i < kWidth; ++i) bits |= mask.raw[i];
-  return bits != 0;
+  // Halving keeps it in vector registers.
+  typedef std::int64_t Half __attribute__((vector_size(kBytes / 2)));     // NOLINT
+  typedef std::int64_t Quarter __attribute__((vector_size(kBytes / 4)));  // NOLINT
+  Half half[2];
+  __builtin_memcpy(half, &mask.raw, sizeof half);
+  const Half both = half[0] | half[1];
+  Quarter quarter[2];
+  __builtin_memcpy(quarter, &both, sizeof quarter);
+  const Quarter all = quarter[0] | quarter[1];
+  return (all[0] | all[1]) != 0;
 }
 
 ROTORUB_INLINE double square_root(double x) { return __builtin_sqrt(x); }

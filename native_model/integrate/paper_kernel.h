@@ -34,6 +34,7 @@ class PaperKernel {
   const T& in_contact() const { return in_contact_; }  // 1 in lasting contact, else 0
   Impact impact[kLanes];
   bool impacted[kLanes] = {};
+  bool any_impact() const { return impacts_; }
   Status status[kLanes] = {};
 
   // From t = k step to (k + 1) step. A lane with a status stays where it was.
@@ -105,7 +106,7 @@ class PaperKernel {
   T drive_gain_{}, drive_speed_{}, speed_{}, spin_angle_{};
   T radius_{}, clearance_{}, friction_{}, restitution_{};
   T in_contact_{};
-  bool failed_ = false;
+  bool failed_ = false, impacts_ = false;  // some lane has a status; had an impact last step
   Admittance constant_{}, constant_implicit_{};
 };
 

@@ -73,7 +73,6 @@ void PaperKernel<T>::persist(Mask on, T ex, T ey, T gap, Centre free, T spin) {
     friction = lanes::select(not_plus, lanes::select(minus, mu * n_minus, f_stick), friction);
     sign = lanes::select(not_plus, lanes::select(minus, -one, zero), sign);
   }
-  Mask carried = on;
   if (const Mask jams = mu * lanes::magnitude(nt) >= nn; lanes::any(jams)) {
     for (int lane = 0; lane < kLanes; ++lane) {
       if (!lanes::get(on, lane) || !lanes::get(jams, lane)) continue;
@@ -81,8 +80,10 @@ void PaperKernel<T>::persist(Mask on, T ex, T ey, T gap, Centre free, T spin) {
       const CoulombSolution s =
           solve_coulomb({lanes::get(nn, lane), off, off, lanes::get(tt, lane)},
                         lanes::get(b_n, lane), lanes::get(b_t, lane), lanes::get(mu, lane));
-      if (s.solutions == 0) status[lane] = Status::kNoSolution;
-      if (s.solutions > 1) status[lane] = Status::kAmbiguous;
+      if (s.solutions != 1) {
+        status[lane] = s.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous;
+        failed_ = true;
+      }
       lanes::set(normal, lane, s.normal);
       lanes::set(friction, lane, s.friction);
       lanes::set(sign, lane, s.contact_case == ContactCase::kSlidePositive   ? 1.0
@@ -90,11 +91,11 @@ void PaperKernel<T>::persist(Mask on, T ex, T ey, T gap, Centre free, T spin) {
                                                                              : 0.0);
     }
   }
-  normal_impulse = lanes::select(carried, normal, normal_impulse);
-  friction_impulse = lanes::select(carried, friction, friction_impulse);
-  slip_sign = lanes::select(carried, sign, slip_sign);
-  in_contact_ = lanes::select(carried, lanes::select(normal > zero, one, zero), in_contact_);
-  add_contact(implicit_inverse_.data(), v_new_.data(), ex, ey, normal, friction, carried);
+  normal_impulse = lanes::select(on, normal, normal_impulse);
+  friction_impulse = lanes::select(on, friction, friction_impulse);
+  slip_sign = lanes::select(on, sign, slip_sign);
+  in_contact_ = lanes::select(on, lanes::select(normal > zero, one, zero), in_contact_);
+  add_contact(implicit_inverse_.data(), v_new_.data(), ex, ey, normal, friction, on);
 }
 
 template <class T>
@@ -164,25 +165,30 @@ void PaperKernel<T>::step(std::int64_t k) {
   const T* v_new = v_new_.data();
   for (int i = 0; i < nq; ++i) mid[i] = q[i] + half * v[i];
   normal_impulse = friction_impulse = slip_sign = zero;
-  for (int lane = 0; lane < kLanes; ++lane) impacted[lane] = false;
+  if (impacts_) {
+    for (int lane = 0; lane < kLanes; ++lane) impacted[lane] = false;
+    impacts_ = false;
+  }
   if (contact_present_) project();
   free_velocity(k);
   if (contact_present_) touch(k);
   T sum{};
   for (int i = 0; i < nq; ++i) sum += v_new[i];
-  Mask moves = sum - sum == zero;  // finite
-  if (lanes::any(sum - sum != zero) || failed_) {
+  const T rest = sum - sum;  // 0 where finite
+  if (lanes::any(rest != zero)) {
+    failed_ = true;
     for (int lane = 0; lane < kLanes; ++lane) {
-      if (status[lane] == Status::kOk && !lanes::get(moves, lane)) status[lane] = Status::kDiverged;
+      if (status[lane] == Status::kOk && lanes::get(rest, lane) != 0.0) {
+        status[lane] = Status::kDiverged;
+      }
     }
   }
-  for (int lane = 0; lane < kLanes; ++lane) failed_ = failed_ || status[lane] != Status::kOk;
   if (failed_) {
     T ok{};
     for (int lane = 0; lane < kLanes; ++lane) {
       lanes::set(ok, lane, status[lane] == Status::kOk ? 1.0 : 0.0);
     }
-    moves = ok > zero;
+    const Mask moves = ok > zero;
     for (int i = 0; i < nq; ++i) {
       q[i] = lanes::select(moves, mid[i] + half * v_new[i], q[i]);
       v[i] = lanes::select(moves, v_new[i], v[i]);
@@ -219,11 +225,12 @@ void PaperKernel<T>::impact_lane(int lane, std::int64_t k, const Eigen::Vector2d
   if (r.status != ImpactStatus::kOk) {
     status[lane] =
         r.status == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous;
+    failed_ = true;
     return;
   }
   lanes::set(normal_impulse, lane, r.normal());
   lanes::set(friction_impulse, lane, r.friction());
-  impacted[lane] = true;
+  impacted[lane] = impacts_ = true;
   const Eigen::Vector3d after =
       free + in.admittance * contact_load(e_r, c.radius, r.normal(), r.friction());
   const Eigen::Vector2d e_t{-e_r.y(), e_r.x()};
