@@ -47,9 +47,9 @@ struct Contestant {
   double work;
 };
 
-std::vector<Contestant> contestants() {
+std::vector<Contestant> contestants(const scene::Scene& scene) {
   std::vector<Contestant> all;
-  all.push_back({"native", native_engine(scene::Integrator::kPaper), kNativeWork});
+  all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
   for (const auto contact : {kDefaultContact, scene::ContactModel::kCone}) {
     all.push_back({to_string(contact), mujoco_engine(contact), kMujocoWork});
   }
@@ -201,7 +201,7 @@ SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& o
   SceneComparison result;
   result.scene = scene;
   result.tolerance = options.tolerance;
-  const auto all = contestants();
+  const auto all = contestants(scene);
   Runner runner(scene, options, total_work(all, options));
   const auto times = dense_times(scene.run, options.rows);
 

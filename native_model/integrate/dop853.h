@@ -77,13 +77,15 @@ class Dop853 {
 
   // y(t + theta h) - y(t), theta in [0, 1], nested: theta (F_0 + (1 - theta)(F_1 + theta (...))).
   void increment(double theta, double* y) const {
-    for (int i = 0; i < size_; ++i) {
-      double sum = 0.0;
-      for (int d = kDenseTerms - 1; d >= 0; --d) {
-        sum = (sum + term(d)[i]) * (d % 2 == 0 ? theta : 1.0 - theta);
-      }
-      y[i] = sum;
+    for (int i = 0; i < size_; ++i) y[i] = increment(i, theta);
+  }
+  // The same of one component.
+  double increment(int i, double theta) const {
+    double sum = 0.0;
+    for (int d = kDenseTerms - 1; d >= 0; --d) {
+      sum = (sum + term(d)[i]) * (d % 2 == 0 ? theta : 1.0 - theta);
     }
+    return sum;
   }
   void dense(double theta, double* y) const {
     increment(theta, y);

@@ -22,6 +22,9 @@ struct EventOptions {
   double tolerance = 1e-12;
   // Gap rate, m/s, under which an impact takes no rebound: an accumulation closes.
   double closing_gap_rate = 1e-9;
+  // Width, s, of the bins over which the normal force is averaged for its peak and mean square;
+  // 0: neither is found.
+  double force_bin = 0.0;
   // Events at one instant before the run is given up.
   int stall_limit = 1000;
 };
@@ -75,6 +78,7 @@ class EventIntegrator {
 
   // Rows.
   Snapshot snapshot(double t, const double* y);
+  void bins_until(double now);
   void rows_before(double t);
   void rows_at_now();
 
@@ -99,6 +103,9 @@ class EventIntegrator {
   double force_scale_ = 1e-300;      // N, largest normal force met
   double contact_time_ = 0.0;
   double impact_work_ = 0.0;         // J, on the coordinates
+  double impact_impulse_ = 0.0;      // N s, normal, of all impacts so far
+  double bin_ = 0.0;                 // index of the current force bin
+  double bin_start_ = 0.0;           // N s, total normal impulse at its start
   double next_sample_ = 0.0;         // index of the next controller sample
   int stalled_ = 0;
   double last_event_ = -1.0;

@@ -242,6 +242,7 @@ void EventIntegrator::book(Impact& record, double held_slip) {
   impact_work_ += record.energy_change - record.friction_impulse * held_slip;
   Statistics& s = recorder_->statistics();
   s.impulse_total += record.normal_impulse;
+  impact_impulse_ += record.normal_impulse;
   s.friction_impulse += record.friction_impulse;
   s.friction_work += 0.5 * record.friction_impulse * (record.slip_before + record.slip_after);
   recorder_->add(record);

@@ -61,7 +61,7 @@ void Phase::derivative(double t, const double* y, double* dy) {
   for (int i = 0; i < n; ++i) power += (f_[i] + m.stiffness[i] * q[i]) * v[i];
   integrals[kExternalWork] = power + extra_power(m, t, q, v);
   for (int k = 0; k < kExternalWork; ++k) integrals[k] = 0.0;
-  integrals[kForceSquare] = integrals[kGapRateSquare] = 0.0;
+  integrals[kGapRateSquare] = 0.0;
 
   multipliers_ = {};
   margins_ = {kInfinity, kInfinity};
@@ -89,7 +89,6 @@ void Phase::derivative(double t, const double* y, double* dy) {
     integrals[kFrictionImpulse] = friction;
     integrals[kFrictionWork] = friction * slip;
     integrals[kContactWork] = friction * (slip - held);
-    integrals[kForceSquare] = normal * normal;
   } else if (m.contact && std::isfinite(first_touch_)) {
     const double rate = contact_point(m, q, v).gap_rate;
     integrals[kGapRateSquare] = rate * rate;

@@ -20,7 +20,7 @@ namespace rotorub {
 
 // Integrals carried along with the state, for statistics and the energy balance.
 enum Integral { kNormalImpulse, kFrictionImpulse, kFrictionWork, kContactWork, kExternalWork,
-                kForceSquare, kGapRateSquare, kIntegrals };
+                kGapRateSquare, kIntegrals };
 
 struct Multipliers {
   double normal = 0.0, friction = 0.0;  // N, lambda_N, lambda_T

@@ -122,7 +122,9 @@ Trajectory run_paper(const Model& model, const scene::Run& run, double step,
 
 Trajectory run_event(const Model& model, const scene::Run& run, const NativeOptions& options) {
   Recorder recorder(model, options.output_times.value_or(output_times(run)));
-  EventIntegrator integrator(model);
+  EventOptions settings;
+  settings.force_bin = options.step.value_or(run.step);
+  EventIntegrator integrator(model, settings);
   const auto start = std::chrono::steady_clock::now();
   const EventIntegrator::Result result = integrator.run(
       perturbed(initial_state(model), options.perturbation_ulps), run.end, recorder,

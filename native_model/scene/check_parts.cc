@@ -141,6 +141,15 @@ void check_initial_gap(const Checker& check) {
   }
 }
 
+void check_mujoco(const Checker& check) {
+  const Scene& scene = check.scene;
+  if (scene.mujoco.rotor == MujocoRotor::kSegments && scene.rotor.modal) {
+    check.fail("mujoco.rotor",
+               "\"segments\" needs the rotor's geometry, and the scene gives its modes; accepted: "
+               "\"modal\"");
+  }
+}
+
 }  // namespace
 
 void check_parts(const Checker& check) {
@@ -150,6 +159,7 @@ void check_parts(const Checker& check) {
   check_ring(check);
   check_initial_lists(check);
   check_initial_gap(check);
+  check_mujoco(check);
 }
 
 }  // namespace rotorub::scene

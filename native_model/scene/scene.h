@@ -25,7 +25,7 @@ enum class Integrator { kEvent, kPaper };
 struct Run {
   double end = 1.0;                            // s, > 0
   double step = 1e-5;                          // s, > 0: fixed step of `paper` and of MuJoCo
-  Integrator integrator = Integrator::kPaper;  // of the native engine
+  Integrator integrator = Integrator::kEvent;  // of the native engine
   std::optional<double> output_step;           // s, > 0; default end / 1000
   std::vector<double> output_times;            // s, in [0, end], ascending after reading
   double series_step() const { return output_step.value_or(end / 1000.0); }
@@ -209,6 +209,7 @@ enum class MujocoSolver { kNewton, kCg, kPgs };
 
 struct Mujoco {
   MujocoRotor rotor = MujocoRotor::kModal;
+  int segments = 20;  // of the segment rotor, [2, 200]
   ContactModel contact = ContactModel::kCoulomb;
   MujocoIntegrator integrator = MujocoIntegrator::kEuler;
   MujocoSolver solver = MujocoSolver::kNewton;

@@ -225,7 +225,12 @@ Table mujoco() {
           [](Scene& scene) -> void* { return &scene.mujoco; },
           {word<&Mujoco::rotor>(
                "rotor", {"modal", "segments"},
-               "modal chain, in the native model's coordinates; chain of rigid segments")
+               "modal chain, in the native model's coordinates; chain of rigid segments "
+               "(geometry form only)")
+               .optional(),
+           key<&Mujoco::segments>("segments", kPure,
+                                  "pieces that the segment rotor's shaft is cut into")
+               .between(2, 200)
                .optional(),
            word<&Mujoco::contact>("contact", {"rigid", "coulomb", "cone"},
                                   "rigid impulses by the plugin; MuJoCo's soft normal contact with "

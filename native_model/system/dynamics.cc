@@ -1,26 +1,31 @@
 #include "native_model/system/dynamics.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
 namespace rotorub {
 namespace {
 
-using Map = Eigen::Map<Eigen::VectorXd>;
-using ConstMap = Eigen::Map<const Eigen::VectorXd>;
-
-ConstMap part(const double* q, int at, Eigen::Index size) { return {q + at, size}; }
-
-// f += shape (fx, fy): a force at a station.
+// f += shape (fx, fy): a force at a station. Plain loops: n is small.
 void add_station_force(const Layout& l, const ModeShape& shape, const Eigen::Vector2d& force,
                        double* f) {
-  Map(f + l.x(), l.modes).noalias() += force.x() * shape.x;
-  Map(f + l.y(), l.modes).noalias() += force.y() * shape.y;
+  const double *x = shape.x.data(), *y = shape.y.data();
+  for (int k = 0; k < l.modes; ++k) {
+    f[k] += force.x() * x[k];
+    f[l.modes + k] += force.y() * y[k];
+  }
 }
 
 Eigen::Vector2d at_station(const Layout& l, const ModeShape& shape, const double* q) {
-  return {shape.x.dot(part(q, l.x(), l.modes)), shape.y.dot(part(q, l.y(), l.modes))};
+  const double *x = shape.x.data(), *y = shape.y.data();
+  double sum_x = 0.0, sum_y = 0.0;
+  for (int k = 0; k < l.modes; ++k) {
+    sum_x += x[k] * q[k];
+    sum_y += y[k] * q[l.modes + k];
+  }
+  return {sum_x, sum_y};
 }
 
 // Rotating damping, see modal_rotor.h: -D_i (qdot - Omega e_z x q).
@@ -52,20 +57,33 @@ void add_drive(const Model& m, const double* v, double* f) {
   for (int k = 0; k < l.torsion; ++k) f[l.theta() + k] += m.drive_shape[k] * torque;
 }
 
-// Row of M(phi) that couples the spin with the bending modes, kg m: b_x = -m e sin, b_y = m e cos.
-Eigen::Vector2d unbalance_arm(const DiscUnbalance& u, double angle) {
-  return u.static_moment * Eigen::Vector2d(-std::sin(angle + u.phase), std::cos(angle + u.phase));
-}
-
-// b_k of bending mode k: M holds b e_phi^T + e_phi b^T.
-Eigen::Vector2d coupling_row(const Model& m, double angle, int k) {
-  Eigen::Vector2d b{0.0, 0.0};
-  for (const DiscUnbalance& u : m.unbalances) {
-    const Eigen::Vector2d arm = unbalance_arm(u, angle);
-    b += Eigen::Vector2d(arm.x() * u.shape.x[k], arm.y() * u.shape.y[k]);
+// m e (-sin, cos) of each eccentric disc at the spin angle, kg m: with the mode values of its
+// station the rows of M(phi) that couple the spin with the bending modes.
+class UnbalanceArms {
+ public:
+  UnbalanceArms(const Model& m, double angle) : model_(m) {
+    assert(m.unbalances.size() <= kMaxUnbalances);
+    for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
+      const DiscUnbalance& u = m.unbalances[i];
+      const double a = angle + u.phase;
+      arms_[i] = u.static_moment * Eigen::Vector2d(-std::sin(a), std::cos(a));
+    }
   }
-  return b;
-}
+  const Eigen::Vector2d& arm(std::size_t i) const { return arms_[i]; }
+  // b_k of bending mode k: M holds b e_phi^T + e_phi b^T.
+  Eigen::Vector2d row(int k) const {
+    Eigen::Vector2d b{0.0, 0.0};
+    for (std::size_t i = 0; i < model_.unbalances.size(); ++i) {
+      const ModeShape& shape = model_.unbalances[i].shape;
+      b += Eigen::Vector2d(arms_[i].x() * shape.x[k], arms_[i].y() * shape.y[k]);
+    }
+    return b;
+  }
+
+ private:
+  const Model& model_;
+  std::array<Eigen::Vector2d, kMaxUnbalances> arms_;
+};
 
 }  // namespace
 
@@ -96,9 +114,9 @@ void coupling_force(const Model& m, double t, const double* q, const double* v, 
 void load_force(const Model& m, double t, const double* q, const double* v, double* f) {
   const Layout& l = m.layout;
   if (m.weight.size() > 0) {
-    Map(f, l.nq()) = m.weight;
+    std::copy_n(m.weight.data(), l.nq(), f);
   } else {
-    Map(f, l.nq()).setZero();
+    std::fill_n(f, l.nq(), 0.0);
   }
   const double omega = spin_speed(m, v);
   add_rotating_damping(m, q, v, omega, f);
@@ -138,10 +156,10 @@ void solve_mass(const Model& m, const double* mass, double t, const double* q, c
     return;
   }
   // M = diag + b e_phi^T + e_phi b^T with b in the bending rows: eliminate those.
-  const double angle = spin_angle(m, t, q);
+  const UnbalanceArms arms(m, spin_angle(m, t, q));
   double torque = f[l.phi()], inertia = mass[l.phi()];
   for (int k = 0; k < l.modes; ++k) {
-    const Eigen::Vector2d b = coupling_row(m, angle, k);
+    const Eigen::Vector2d b = arms.row(k);
     const double mx = mass[l.x() + k], my = mass[l.y() + k];
     torque -= b.x() * f[l.x() + k] / mx + b.y() * f[l.y() + k] / my;
     inertia -= b.x() * b.x() / mx + b.y() * b.y() / my;
@@ -150,7 +168,7 @@ void solve_mass(const Model& m, const double* mass, double t, const double* q, c
   for (int i = 0; i < l.nq(); ++i) a[i] = f[i] / mass[i];
   a[l.phi()] = acceleration;
   for (int k = 0; k < l.modes; ++k) {
-    const Eigen::Vector2d b = coupling_row(m, angle, k);
+    const Eigen::Vector2d b = arms.row(k);
     a[l.x() + k] -= b.x() * acceleration / mass[l.x() + k];
     a[l.y() + k] -= b.y() * acceleration / mass[l.y() + k];
   }
@@ -197,11 +215,11 @@ Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t,
     return a.asDiagonal();
   }
   // M^-1 = D0^-1 + w w^T / s, w = (-D^-1 b, 1), s = J - b^T D^-1 b; D0^-1 is 0 at the spin.
-  const double angle = spin_angle(m, t, q);
+  const UnbalanceArms arms(m, spin_angle(m, t, q));
   double s = mass[l.phi()];
   Eigen::Vector3d jw{0.0, 0.0, 1.0};
   for (int k = 0; k < l.modes; ++k) {
-    const Eigen::Vector2d b = coupling_row(m, angle, k);
+    const Eigen::Vector2d b = arms.row(k);
     const double wx = -b.x() / mass[l.x() + k], wy = -b.y() / mass[l.y() + k];
     s += b.x() * wx + b.y() * wy;
     jw.x() += m.contact_shape.x[k] * wx;
@@ -234,9 +252,9 @@ double energy(const Model& m, double t, const double* q, const double* v) {
     e += 0.5 * s.stiffness.dot(r.cwiseProduct(r));
   }
   if (m.coupled_mass()) {
-    const double angle = spin_angle(m, t, q);
-    for (const DiscUnbalance& u : m.unbalances) {
-      e += v[l.phi()] * unbalance_arm(u, angle).dot(at_station(l, u.shape, v));
+    const UnbalanceArms arms(m, spin_angle(m, t, q));
+    for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
+      e += v[l.phi()] * arms.arm(i).dot(at_station(l, m.unbalances[i].shape, v));
     }
   }
   return e;

@@ -7,18 +7,20 @@ ModeMatrix::ModeMatrix(const Eigen::MatrixXd& matrix) {
   const Eigen::MatrixXd off = matrix - Eigen::MatrixXd(matrix.diagonal().asDiagonal());
   if ((off.array() == 0.0).all()) {
     kind_ = Kind::kDiagonal;
-    diagonal_ = matrix.diagonal();
-  } else {
-    kind_ = Kind::kFull;
-    full_ = matrix;
+    values_.assign(matrix.diagonal().begin(), matrix.diagonal().end());
+    return;
   }
+  kind_ = Kind::kFull;
+  for (const auto row : matrix.rowwise()) values_.insert(values_.end(), row.begin(), row.end());
 }
 
 Eigen::MatrixXd ModeMatrix::dense(int n) const {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   switch (kind_) {
     case Kind::kAbsent: return Eigen::MatrixXd::Zero(n, n);
-    case Kind::kDiagonal: return diagonal_.asDiagonal();
-    case Kind::kFull: return full_;
+    case Kind::kDiagonal:
+      return Eigen::Map<const Eigen::VectorXd>(values_.data(), n).asDiagonal();
+    case Kind::kFull: return Eigen::Map<const RowMajor>(values_.data(), n, n);
   }
   return {};
 }

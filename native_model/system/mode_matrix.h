@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace rotorub {
 
@@ -17,30 +18,32 @@ class ModeMatrix {
   bool absent() const { return kind_ == Kind::kAbsent; }
   Eigen::MatrixXd dense(int n) const;
 
-  // out += factor * A * in, n values each.
+  // out += factor * A * in, n values each. Plain loops: n is small, and nothing may allocate.
   void add(double factor, const double* in, double* out, int n) const {
-    switch (kind_) {
-      case Kind::kAbsent: return;
-      case Kind::kDiagonal:
-        for (int i = 0; i < n; ++i) out[i] += factor * diagonal_[i] * in[i];
-        return;
-      case Kind::kFull:
-        Eigen::Map<Eigen::VectorXd>(out, n).noalias() +=
-            factor * (full_ * Eigen::Map<const Eigen::VectorXd>(in, n));
-        return;
+    const double* a = values_.data();
+    if (kind_ == Kind::kDiagonal) {
+      for (int i = 0; i < n; ++i) out[i] += factor * a[i] * in[i];
+    } else if (kind_ == Kind::kFull) {
+      for (int i = 0; i < n; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < n; ++j) sum += a[i * n + j] * in[j];
+        out[i] += factor * sum;
+      }
     }
   }
   // out += factor * A^T * in.
   void add_transposed(double factor, const double* in, double* out, int n) const {
     if (kind_ != Kind::kFull) return add(factor, in, out, n);
-    Eigen::Map<Eigen::VectorXd>(out, n).noalias() +=
-        factor * (full_.transpose() * Eigen::Map<const Eigen::VectorXd>(in, n));
+    const double* a = values_.data();
+    for (int i = 0; i < n; ++i) {
+      const double scaled = factor * in[i];
+      for (int j = 0; j < n; ++j) out[j] += a[i * n + j] * scaled;
+    }
   }
 
  private:
   Kind kind_ = Kind::kAbsent;
-  Eigen::VectorXd diagonal_;
-  Eigen::MatrixXd full_;
+  std::vector<double> values_;  // the diagonal, or row by row
 };
 
 }  // namespace rotorub

@@ -126,6 +126,13 @@ void check_size(const scene::Scene& scene, int nq) {
                       ", of bending modes in both planes, torsion modes, spin and ring"}});
 }
 
+void check_unbalances(const scene::Scene& scene, std::size_t count) {
+  if (count <= kMaxUnbalances) return;
+  refuse(scene, {{"", 0, "rotor.disc",
+                  std::to_string(count) + " eccentric discs; accepted: at most " +
+                      std::to_string(kMaxUnbalances)}});
+}
+
 // With max_frequency the length of these lists is known only now.
 void check_initial_lists(const scene::Scene& scene, const Layout& l) {
   std::vector<scene::Diagnostic> wrong;
@@ -197,6 +204,7 @@ Model make_model(const scene::Scene& scene) {
   for (DiscUnbalance& unbalance : rotor.unbalances) {
     if (unbalance.static_moment != 0.0) model.unbalances.push_back(std::move(unbalance));
   }
+  check_unbalances(scene, model.unbalances.size());
   if (scene.drive) model.drive.emplace(*scene.drive);
   model.drive_shape = rotor.torsion.drive_shape;
   model.torsion_contact = rotor.torsion.contact_shape;

@@ -22,6 +22,8 @@ namespace rotorub {
 
 // Bound on nq, so that a step needs no heap; make_model refuses more (scene::SceneError).
 inline constexpr int kMaxCoordinates = 512;
+// Bound on eccentric discs, for the same reason.
+inline constexpr std::size_t kMaxUnbalances = 32;
 
 // Where each part of q begins; a part that is absent has length 0.
 struct Layout {

@@ -1,0 +1,139 @@
+#include "native_model/rotor/segment_chain.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include "native_model/scene/diagnostic.h"
+
+namespace rotorub {
+namespace {
+
+// Ends of the shaft and everything that acts at one place, ascending, none twice.
+std::vector<double> stations(const scene::Scene& scene) {
+  const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  std::vector<double> all{0.0, geometry.length};
+  for (const scene::Disc& disc : geometry.discs) all.push_back(disc.z);
+  for (const scene::ShaftBearing& bearing : geometry.bearings) all.push_back(bearing.z);
+  for (const scene::Force& force : scene.forces) all.push_back(force.station);
+  if (scene.magnetic_bearing) all.push_back(scene.magnetic_bearing->station);
+  if (scene.contact) all.push_back(scene.contact->station);
+  if (scene.drive) all.push_back(scene.drive->station);
+  std::sort(all.begin(), all.end());
+  constexpr double kSame = 1e-9;  // of the length
+  const auto same = [&](double a, double b) { return b - a <= kSame * geometry.length; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  all.back() = geometry.length;
+  return all;
+}
+
+// The intervals between stations, cut where they are longest until there are `count`.
+std::vector<double> nodes(const std::vector<double>& stations, int count) {
+  const std::size_t intervals = stations.size() - 1;
+  if (static_cast<std::size_t>(count) < intervals) {
+    throw scene::SceneError(
+        {{"", 0, "mujoco.segments",
+          "too few: the scene's stations cut the shaft into " + std::to_string(intervals) +
+              "; accepted: " + std::to_string(intervals) + " to 200, got " +
+              std::to_string(count)}});
+  }
+  std::vector<int> parts(intervals, 1);
+  const auto length = [&](std::size_t i) { return (stations[i + 1] - stations[i]) / parts[i]; };
+  for (std::size_t cut = intervals; cut < static_cast<std::size_t>(count); ++cut) {
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < intervals; ++i) {
+      if (length(i) > length(longest) * (1.0 + 1e-9)) longest = i;
+    }
+    ++parts[longest];
+  }
+  std::vector<double> result;
+  for (std::size_t i = 0; i < intervals; ++i) {
+    for (int k = 0; k < parts[i]; ++k) result.push_back(stations[i] + k * length(i));
+  }
+  result.push_back(stations.back());
+  return result;
+}
+
+// Calls add(length, middle, A, I) for each piece of constant section of the range.
+template <typename Add>
+void for_each_piece(const scene::RotorGeometry& geometry, double from, double to, const Add& add) {
+  for (const scene::ShaftSection& section : geometry.sections) {
+    const double a = std::max(from, section.from), b = std::min(to, section.to);
+    if (b <= a) continue;
+    const double outer = section.diameter, inner = section.inner_diameter;
+    add(b - a, 0.5 * (a + b), std::numbers::pi / 4.0 * (outer * outer - inner * inner),
+        std::numbers::pi / 64.0 * (std::pow(outer, 4) - std::pow(inner, 4)));
+  }
+}
+
+Segment rigid_segment(const scene::RotorGeometry& geometry, double node, double from, double to) {
+  Segment s{node, from, to, 0.0, 0.0, 0.0, 0.0};
+  for_each_piece(geometry, from, to, [&](double length, double z, double A, double) {
+    s.mass += geometry.rho * A * length;
+    s.centre += geometry.rho * A * length * z;
+  });
+  s.centre /= s.mass;
+  for_each_piece(geometry, from, to, [&](double length, double z, double A, double I) {
+    const double mass = geometry.rho * A * length, arm = z - s.centre;
+    s.Jt += geometry.rho * I * length + mass * (length * length / 12.0 + arm * arm);
+    s.Jp += geometry.rho * 2.0 * I * length;
+  });
+  return s;
+}
+
+}  // namespace
+
+SegmentChain segment_chain(const scene::Scene& scene) {
+  assert(scene.rotor.geometry);
+  const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  const std::vector<double> z = nodes(stations(scene), scene.mujoco.segments);
+  SegmentChain chain;
+  double from = 0.0;
+  for (std::size_t k = 0; k < z.size(); ++k) {
+    const bool last = k + 1 == z.size();
+    const double to = last ? geometry.length : 0.5 * (z[k] + z[k + 1]);
+    chain.segments.push_back(rigid_segment(geometry, z[k], from, to));
+    from = to;
+    if (last) break;
+    double flexibility = 0.0;  // 1/m^3, int dz / I
+    for_each_piece(geometry, z[k], z[k + 1],
+                   [&](double length, double, double, double I) { flexibility += length / I; });
+    chain.joint.push_back(to);
+    chain.bending_stiffness.push_back(geometry.E / flexibility);
+    chain.torsion_stiffness.push_back(2.0 * geometry.G / flexibility);
+  }
+  return chain;
+}
+
+Eigen::RowVectorXd SegmentChain::deflection(double z) const {
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(plane_size());
+  row[0] = 1.0;
+  row[1] = z - segments.front().node;
+  for (std::size_t k = 0; k < joint.size() && joint[k] < z; ++k) {
+    row[static_cast<Eigen::Index>(k) + 2] = z - joint[k];
+  }
+  return row;
+}
+
+Eigen::RowVectorXd SegmentChain::slope(double z) const {
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(plane_size());
+  row[1] = 1.0;
+  for (std::size_t k = 0; k < joint.size() && joint[k] < z; ++k) {
+    row[static_cast<Eigen::Index>(k) + 2] = 1.0;
+  }
+  return row;
+}
+
+int SegmentChain::node_at(double z) const {
+  return static_cast<int>(std::lower_bound(joint.begin(), joint.end(), z) - joint.begin());
+}
+
+bool has_elastic_torsion(const scene::Scene& scene) {
+  return scene.rotor.torsion.has_value() || scene.drive.has_value();
+}
+
+}  // namespace rotorub
