@@ -44,8 +44,8 @@ EventIntegrator::EventIntegrator(const Model& model, const EventOptions& options
 void EventIntegrator::fail(Status status, const std::string& why) {
   if (result_.status != Status::kOk) return;
   result_.status = status;
-  result_.message = why + " at t = " + std::to_string(t_) + " s, " +
-                    to_string(phase_.mode()) + " contact state";
+  result_.message =
+      why + " at t = " + std::to_string(t_) + " s, " + to_string(phase_.mode()) + " contact state";
 }
 
 double EventIntegrator::next_break() const {
@@ -134,7 +134,7 @@ void EventIntegrator::begin(const State& start) {
 
 double EventIntegrator::trial_until_accepted(double limit) {
   const auto f = [this](double t, const double* y, double* dy) {
-    phase_.derivative(t, y, dy);
+    phase_.derivative(before_break(t), y, dy);
     const Phase::Margins& m = phase_.margins();
     lowest_.force = std::min(lowest_.force, m.force);
     lowest_.cone = std::min(lowest_.cone, m.cone);
@@ -160,6 +160,7 @@ double EventIntegrator::trial_until_accepted(double limit) {
 
 void EventIntegrator::advance(double limit) {
   dense_ready_ = false;
+  smooth_end_ = std::nextafter(limit, t_);
   const double h = trial_until_accepted(limit);
   if (result_.status != Status::kOk) return;
   ++result_.steps;
@@ -198,10 +199,12 @@ void EventIntegrator::advance(double limit) {
   update_tolerances();
 }
 
-// Loads or the command jump here: lasting contact is decided anew.
+// Loads or the command jump here: lasting contact, and contact lost this very instant, is decided
+// anew.
 void EventIntegrator::arrive_at_break() {
   sample_controller();
-  if (phase_.mode() != Mode::kFree) {
+  const bool just_left = departure_ == Departure::kParting || departure_ == Departure::kLiftOff;
+  if (phase_.mode() != Mode::kFree || just_left) {
     decide(phase_.mode() == Mode::kStick, Departure::kParting);
   }
   phase_.derivative(t_, y_.data(), step_.first_slope());
@@ -233,7 +236,8 @@ void EventIntegrator::bins_until(double now) {
       prepare_dense();
       carried += step_.increment(static_cast<int>(impulse), (edge - t_) / step_.step());
     }
-    const double total = carried + impact_impulse_, force = (total - bin_start_) / options_.force_bin;
+    const double total = carried + impact_impulse_,
+                 force = (total - bin_start_) / options_.force_bin;
     Statistics& s = recorder_->statistics();
     s.peak_force = std::max(s.peak_force, force);
     s.force_square += force * force * options_.force_bin;
@@ -258,8 +262,9 @@ void EventIntegrator::rows_at_now() {
 
 void EventIntegrator::prepare_dense() {
   if (dense_ready_) return;
-  step_.prepare_dense([this](double t, const double* y, double* dy) { phase_.derivative(t, y, dy); },
-                      t_);
+  step_.prepare_dense(
+      [this](double t, const double* y, double* dy) { phase_.derivative(before_break(t), y, dy); },
+      t_);
   dense_ready_ = true;
 }
 

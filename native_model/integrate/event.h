@@ -50,6 +50,8 @@ class EventIntegrator {
   // The loop.
   void begin(const State& start);
   double next_break() const;
+  // Within a step the loads are those on its own side of the break that ends it.
+  double before_break(double t) const { return t < smooth_end_ ? t : smooth_end_; }
   void advance(double limit);
   double trial_until_accepted(double limit);
   void update_tolerances();
@@ -95,6 +97,7 @@ class EventIntegrator {
   std::vector<double> breaks_;       // s, instants at which a load or the control is not smooth
   std::vector<double> y_, row_, row_slope_, tolerance_, load_;
   double t_ = 0.0, h_ = 0.0, end_ = 0.0;
+  double smooth_end_ = 0.0;          // s, the last instant before the next break
   double largest_displacement_ = 0.0, largest_speed_ = 0.0;
   double largest_turn_ = 0.0, largest_spin_ = 0.0;
   Departure departure_ = Departure::kInside;

@@ -50,7 +50,7 @@ double EventIntegrator::locate_contact() {
 // The least of the margins at theta, each scaled; negative: the phase has ended before.
 double EventIntegrator::margin_at(double theta) {
   step_.dense(theta, row_.data());
-  phase_.derivative(t_ + theta * step_.step(), row_.data(), row_slope_.data());
+  phase_.derivative(before_break(t_ + theta * step_.step()), row_.data(), row_slope_.data());
   const Phase::Margins& m = phase_.margins();
   const double speed = std::max(largest_speed_, model_->contact->radius * largest_spin_);
   const double cone_scale = phase_.mode() == Mode::kSlide ? speed : force_scale_;
@@ -179,7 +179,7 @@ void EventIntegrator::decide(bool slip_is_zero, Departure departure) {
 
 // A margin of lasting contact is reached.
 void EventIntegrator::end_of_contact() {
-  phase_.derivative(t_, y_.data(), row_slope_.data());
+  phase_.derivative(before_break(t_), y_.data(), row_slope_.data());
   const Phase::Margins m = phase_.margins();
   const Multipliers lambda = phase_.multipliers();
   const double speed = std::max(largest_speed_, model_->contact->radius * largest_spin_);

@@ -1,0 +1,128 @@
+// The pass rules of every hard case: finite and complete rows, the contact laws on every row by
+// the independent residual, no impact that gains energy, bounded penetration, a closed energy
+// balance.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "native_model/contact/residual.h"
+#include "native_model/integrate/run.h"
+#include "native_model/scene/reader.h"
+#include "tests/support/jeffcott.h"
+
+namespace rotorub::test {
+
+inline constexpr double kLaws = 1e-10;   // scaled residual of complementarity and Coulomb
+inline constexpr double kEnergy = 1e-9;  // energy residual of `event`: tolerance x steps, with room
+inline constexpr double kRoundOff = 1e-12;
+
+inline Trajectory run_event(const scene::Scene& scene) {
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  return run_native(scene, options);
+}
+
+inline Trajectory run_paper(const scene::Scene& scene, double step) {
+  NativeOptions options;
+  options.integrator = scene::Integrator::kPaper;
+  options.step = step;
+  return run_native(scene, options);
+}
+
+inline scene::Scene shipped(const std::string& name) {
+  return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
+}
+
+inline double largest(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double x : values) most = std::max(most, std::abs(x));
+  return most;
+}
+
+// Every requested time has its row, and nothing in it is NaN or infinite.
+inline void expect_finite(const Trajectory& t) {
+  ASSERT_FALSE(t.series.empty());
+  for (const Column& column : t.series) {
+    ASSERT_EQ(column.values.size(), t.rows()) << column.name;
+    for (const double x : column.values) ASSERT_TRUE(std::isfinite(x)) << column.name;
+  }
+  for (const Impact& i : t.impacts) {
+    ASSERT_TRUE(std::isfinite(i.t + i.normal_impulse + i.friction_impulse + i.gap_rate_after +
+                              i.slip_after + i.energy_change));
+  }
+}
+
+// Impacts push, friction stays in its cone, and none gives energy.
+inline void expect_dissipative_impacts(const scene::Scene& scene, const Trajectory& t) {
+  if (!scene.contact) return;
+  const double mu = scene.contact->friction;
+  for (const Impact& i : t.impacts) {
+    ASSERT_GE(i.normal_impulse, 0.0);
+    ASSERT_LE(std::abs(i.friction_impulse), mu * i.normal_impulse * (1.0 + kRoundOff) + 1e-300);
+    const double size =
+        i.normal_impulse * (std::abs(i.gap_rate_before) + std::abs(i.gap_rate_after)) +
+        std::abs(i.friction_impulse) * (std::abs(i.slip_before) + std::abs(i.slip_after));
+    ASSERT_LE(i.energy_change, kRoundOff * size) << "at " << i.t;
+  }
+}
+
+inline void expect_in_cone(const scene::Scene& scene, const Trajectory& t) {
+  if (!scene.contact) return;
+  const auto &normal = t.column("normal_force"), &friction = t.column("friction_force");
+  const double scale = std::max(largest(normal), 1e-300);
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    ASSERT_GE(normal[k], 0.0);
+    ASSERT_LE(std::abs(friction[k]), scene.contact->friction * normal[k] + kLaws * scale);
+  }
+}
+
+// All rules of a run of `event` that is expected to succeed.
+inline void expect_sound_event(const scene::Scene& scene, const Trajectory& t) {
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  expect_finite(t);
+  ASSERT_DOUBLE_EQ(t.column("t").back(), scene.run.end);
+  EXPECT_LT(t.statistics.energy_residual(), kEnergy);
+  if (!scene.contact) return;
+  expect_dissipative_impacts(scene, t);
+  expect_in_cone(scene, t);
+  const auto &gap = t.column("gap"), &slip = t.column("slip"), &mode = t.column("mode");
+  const auto &normal = t.column("normal_force"), &friction = t.column("friction_force");
+  const double force = std::max(largest(normal), 1e-9), speed = std::max(largest(slip), 1e-9);
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    const ContactResidual r =
+        contact_residual(gap[k], normal[k], friction[k], slip[k], scene.contact->friction,
+                         scene.contact->clearance, force, speed);
+    ASSERT_LT(r.complementarity, kLaws) << "t = " << t.column("t")[k];
+    if (static_cast<Mode>(mode[k]) != Mode::kFree) {
+      ASSERT_LT(r.coulomb, kLaws) << "t = " << t.column("t")[k];
+    }
+  }
+}
+
+// Of a run of `paper`: its complementarity is of the midpoints (see paper_laws_test.cc); at the
+// rows the depth is bounded by what the curvature of the ring leaves in one step and by one step
+// of flight at first touch. fastest: m/s, relative speed that the scene cannot exceed.
+inline void expect_sound_paper(const scene::Scene& scene, const Trajectory& t, double step,
+                               double fastest) {
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  expect_finite(t);
+  ASSERT_DOUBLE_EQ(t.column("t").back(), scene.run.end);
+  if (!scene.contact) return;
+  expect_dissipative_impacts(scene, t);
+  expect_in_cone(scene, t);
+  EXPECT_LE(t.statistics.max_penetration, fastest * step);
+}
+
+// No status without a word of the reason, and what there is is whole.
+inline void expect_refused_or_finite(const Trajectory& t) {
+  if (t.status != Status::kOk) {
+    EXPECT_FALSE(t.message.empty());
+  }
+  expect_finite(t);
+}
+
+}  // namespace rotorub::test

@@ -1,0 +1,152 @@
+// Loads and commands that switch: nothing of what comes after a switch may leak into the step
+// before it, in flight or in contact.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/native_model/hard/rules.h"
+
+namespace rotorub {
+namespace {
+
+using test::Jeffcott;
+using test::make_scene;
+
+// A free mass under a constant force until t = off: a polynomial before, a straight line after. A
+// step that saw the jump would need thousands of tiny ones to get past it.
+TEST(HardSwitching, AForceThatEndsCostsNoSteps) {
+  scene::Scene scene = make_scene({.mass = 2.0, .clearance = 1.0});
+  test::add_constant_force(scene, {3.0, 0.0});
+  scene.forces[0].off = 0.01;
+  scene.run.end = 0.02;
+  const Trajectory t = test::run_event(scene);
+  test::expect_sound_event(scene, t);
+  const double a = 1.5, off = 0.01, exact = 0.5 * a * off * off + a * off * 0.01;
+  EXPECT_NEAR(t.column("rotor_x").back(), exact, 1e-15 * 100.0 * exact);
+  EXPECT_LT(t.steps, 40);
+}
+
+// The ring carries the rotor; the load that presses it there goes, comes and ramps.
+scene::Scene pressed() {
+  scene::Scene scene = make_scene({.mass = 2.0,
+                                   .damping = 10.0,
+                                   .stiffness = 1e4,
+                                   .friction = 0.3,
+                                   .restitution = 0.4,
+                                   .speed = 200.0});
+  test::add_ring(scene, 1.0, 100.0, 2e5);
+  test::add_constant_force(scene, {30.0, 0.0});
+  scene.run.end = 0.1;
+  return scene;
+}
+
+TEST(HardSwitching, InContactOffOnAndRamp) {
+  for (const double ramp : {0.0, 0.004}) {
+    scene::Scene scene = pressed();
+    scene.forces[0].off = 0.04;
+    test::add_constant_force(scene, {0.0, 40.0});
+    scene.forces[1].on = 0.04;
+    scene.forces[1].ramp = ramp;
+    const Trajectory t = test::run_event(scene);
+    test::expect_sound_event(scene, t);
+    EXPECT_GT(t.contact_fraction(), 0.2);
+    const Trajectory p = test::run_paper(scene, 1e-6);
+    test::expect_sound_paper(scene, p, 1e-6, 2.0);
+    EXPECT_NEAR(p.column("rotor_x").back(), t.column("rotor_x").back(), 2e-5);
+    EXPECT_NEAR(p.statistics.impulse_total, t.statistics.impulse_total,
+                0.01 * t.statistics.impulse_total);
+  }
+}
+
+// Whether or not the switch falls on the very instant at which contact ends.
+TEST(HardSwitching, AtTheInstantOfAnEvent) {
+  scene::Scene scene = pressed();
+  scene.forces[0].off = 0.04;
+  const Trajectory first = test::run_event(scene);
+  ASSERT_EQ(first.status, Status::kOk) << first.message;
+  int checked = 0;
+  for (const Event& event : first.events) {
+    if (event.t <= 0.0 || event.t >= 0.04 || checked >= 12) continue;
+    scene::Scene changed = scene;
+    test::add_constant_force(changed, {0.0, 5.0});
+    for (const double t : {std::nextafter(event.t, 0.0), event.t, std::nextafter(event.t, 1.0)}) {
+      changed.forces[1].on = t;
+      SCOPED_TRACE(t);
+      test::expect_sound_event(changed, test::run_event(changed));
+    }
+    ++checked;
+  }
+  EXPECT_GT(checked, 3);
+}
+
+// Control that comes on 4 ms before contact, as in the published rig.
+TEST(HardSwitching, ControlFourMillisecondsBeforeContact) {
+  scene::Scene scene = test::shipped("paper_sliding");
+  scene::Scene passive = scene;
+  passive.controller.reset();
+  passive.run.end = scene.run.end = 0.2;
+  const double touch = test::run_event(passive).statistics.first_touch;
+  ASSERT_GT(touch, 0.1);
+  scene.controller->on = touch - 0.004;
+  const Trajectory t = test::run_event(scene);
+  test::expect_sound_event(scene, t);
+  EXPECT_GT(t.statistics.first_touch, scene.controller->on);
+  const Trajectory p = test::run_paper(scene, 1e-5);
+  test::expect_sound_paper(scene, p, 1e-5, 5.0);
+  EXPECT_NEAR(p.statistics.first_touch, t.statistics.first_touch, 5e-5);
+}
+
+// Each command is limited on its own axis; the run goes on through saturation.
+TEST(HardSwitching, SaturatedActuator) {
+  scene::Scene scene = test::shipped("paper_sliding");
+  scene.run.end = 0.2;
+  for (const double limit : {5.0, 40.0}) {
+    scene.actuator = scene::Actuator{limit};
+    const Trajectory t = test::run_event(scene);
+    test::expect_sound_event(scene, t);
+    double most = 0.0;
+    for (std::size_t k = 0; k < t.rows(); ++k) {
+      const double x = t.column("control_x")[k], y = t.column("control_y")[k];
+      most = std::max({most, std::abs(x + y) / std::sqrt(2.0), std::abs(y - x) / std::sqrt(2.0)});
+    }
+    EXPECT_NEAR(most, limit, 1e-9 * limit) << "it saturates, and not beyond";
+    test::expect_sound_paper(scene, test::run_paper(scene, 1e-5), 1e-5, 5.0);
+  }
+}
+
+// A sampled command is a staircase with its jumps at the samples, the same in both integrators.
+TEST(HardSwitching, SampledCommandsAtTheSameInstants) {
+  scene::Scene scene = test::shipped("paper_sliding");
+  scene.run.end = 0.106;  // before the first touch: both integrators are on the same path
+  scene.controller->on = 0.1;
+  scene.controller->sample_time = 1e-4;
+  scene.run.output_times.clear();
+  // Two instants within each sample, none on its edge.
+  for (int k = 0; k < 60; ++k) {
+    scene.run.output_times.push_back(0.1 + 1e-4 * k + 2e-5);
+    scene.run.output_times.push_back(0.1 + 1e-4 * k + 8e-5);
+  }
+  scene.run.output_step = scene.run.end;
+  const Trajectory t = test::run_event(scene), p = test::run_paper(scene, 1e-6);
+  test::expect_sound_event(scene, t);
+  ASSERT_EQ(p.status, Status::kOk);
+  ASSERT_EQ(t.rows(), 122u);  // with the start and the end
+  ASSERT_EQ(p.rows(), t.rows());
+  for (const char* axis : {"control_x", "control_y"}) {
+    const auto &event = t.column(axis), &paper = p.column(axis);
+    const double scale = test::largest(event);
+    ASSERT_GT(scale, 0.0);
+    for (std::size_t k = 1; k + 1 < t.rows(); k += 2) {
+      EXPECT_EQ(event[k], event[k + 1]) << "held at " << t.column("t")[k];
+      EXPECT_EQ(paper[k], paper[k + 1]) << "held at " << t.column("t")[k];
+      // A command taken a sample late would differ by tens of percent.
+      EXPECT_NEAR(paper[k], event[k], 0.01 * scale) << t.column("t")[k];
+      if (k > 2) {
+        EXPECT_NE(event[k], event[k - 1]) << "sampled anew at " << t.column("t")[k];
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
