@@ -9,11 +9,11 @@ namespace rotorub {
 
 // Distance between the rotor's positions in two runs, over the rows whose times both have.
 struct Divergence {
-  double threshold = 0.0;        // m
-  std::optional<double> time;    // s, of the first row beyond the threshold; none: never
-  double max_distance = 0.0;     // m
-  double rms_distance = 0.0;     // m
-  std::size_t rows = 0;          // compared
+  double threshold = 0.0;      // m
+  std::optional<double> time;  // s, of the first row beyond the threshold; none: never
+  double max_distance = 0.0;   // m
+  double rms_distance = 0.0;   // m
+  std::size_t rows = 0;        // compared
 };
 
 inline constexpr double kDivergenceShare = 0.01;  // threshold as a share of the clearance

@@ -33,8 +33,8 @@ double relative_slip(const std::vector<RelativePoint>& points, const std::vector
 Attractor permanent(const Settled& s, double slip) {
   if (slip < kRollingTolerance) return Attractor::kRolling;
   if (s.whirl_frequency < 0.0) return Attractor::kBackwardWhip;
-  const bool synchronous = std::abs(s.whirl_frequency - s.spin_speed) <=
-                           kSynchronousTolerance * std::abs(s.spin_speed);
+  const bool synchronous =
+      std::abs(s.whirl_frequency - s.spin_speed) <= kSynchronousTolerance * std::abs(s.spin_speed);
   return synchronous ? Attractor::kSynchronousRub : Attractor::kForwardRub;
 }
 
@@ -42,29 +42,40 @@ Attractor permanent(const Settled& s, double slip) {
 
 const char* to_string(Attractor attractor) {
   switch (attractor) {
-    case Attractor::kNoContact: return "no contact";
-    case Attractor::kChattering: return "chattering";
-    case Attractor::kSynchronousRub: return "synchronous rub";
-    case Attractor::kForwardRub: return "forward rub";
-    case Attractor::kBackwardWhip: return "backward whip";
-    case Attractor::kRolling: return "rolling";
-    case Attractor::kUnknown: return "unknown";
+    case Attractor::kNoContact:
+      return "no contact";
+    case Attractor::kChattering:
+      return "chattering";
+    case Attractor::kSynchronousRub:
+      return "synchronous rub";
+    case Attractor::kForwardRub:
+      return "forward rub";
+    case Attractor::kBackwardWhip:
+      return "backward whip";
+    case Attractor::kRolling:
+      return "rolling";
+    case Attractor::kUnknown:
+      return "unknown";
   }
   return "unknown";
 }
 
 const char* explanation(Attractor attractor) {
   switch (attractor) {
-    case Attractor::kNoContact: return "nothing touches in the last fifth of the run";
-    case Attractor::kChattering: return "contact comes and goes in the last fifth of the run";
+    case Attractor::kNoContact:
+      return "nothing touches in the last fifth of the run";
+    case Attractor::kChattering:
+      return "contact comes and goes in the last fifth of the run";
     case Attractor::kSynchronousRub:
       return "permanent contact that whirls forward with the spin (full annular rub)";
     case Attractor::kForwardRub:
       return "permanent contact that whirls forward, but not with the spin";
     case Attractor::kBackwardWhip:
       return "permanent contact that whirls backward and slips (dry-friction whip)";
-    case Attractor::kRolling: return "permanent contact that rolls in the ring without slip";
-    case Attractor::kUnknown: return "too few rows to tell";
+    case Attractor::kRolling:
+      return "permanent contact that rolls in the ring without slip";
+    case Attractor::kUnknown:
+      return "too few rows to tell";
   }
   return "";
 }

@@ -9,16 +9,16 @@ namespace rotorub {
 // Looked at over the last fifth of the run (kSettledShare), with `contact` the share of its rows
 // with a normal force:
 enum class Attractor {
-  kNoContact,        // no row in contact and no counted impact
-  kChattering,       // contact in fewer than 99 % of the rows: bouncing
-  kSynchronousRub,   // else, forward whirl within 2 % of the mean spin speed: full annular rub
-  kForwardRub,       // else, forward whirl at another frequency
-  kBackwardWhip,     // else, backward whirl that slips: dry-friction whip
-  kRolling,          // contact, and the slip under 1 % of the surface speed: rolls in the ring
-  kUnknown           // too few rows (under 20)
+  kNoContact,       // no row in contact and no counted impact
+  kChattering,      // contact in fewer than 99 % of the rows: bouncing
+  kSynchronousRub,  // else, forward whirl within 2 % of the mean spin speed: full annular rub
+  kForwardRub,      // else, forward whirl at another frequency
+  kBackwardWhip,    // else, backward whirl that slips: dry-friction whip
+  kRolling,         // contact, and the slip under 1 % of the surface speed: rolls in the ring
+  kUnknown          // too few rows (under 20)
 };
-const char* to_string(Attractor attractor);       // one or two words
-const char* explanation(Attractor attractor);     // the definition, in a sentence
+const char* to_string(Attractor attractor);    // one or two words
+const char* explanation(Attractor attractor);  // the definition, in a sentence
 
 struct Settled {
   Attractor attractor = Attractor::kUnknown;

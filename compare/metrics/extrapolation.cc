@@ -25,8 +25,9 @@ Extrapolation extrapolate(const std::array<double, 3>& values) {
   const double first = values[1] - values[0];
   const double second = values[2] - values[1];
   if (first * second <= 0.0) {
-    e.reason = "not monotone in the step: the figure scatters (chaotic motion, or already at its "
-               "limit within its own scatter)";
+    e.reason =
+        "not monotone in the step: the figure scatters (chaotic motion, or already at its "
+        "limit within its own scatter)";
     return e;
   }
   e.order = std::log2(first / second);

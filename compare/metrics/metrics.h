@@ -34,8 +34,8 @@ struct Metrics {
   Residuals residuals;
   // Cost.
   std::int64_t steps = 0;
-  double us_per_step = 0.0;           // 0 for no step
-  double real_time_factor = 0.0;      // simulated time / wall time
+  double us_per_step = 0.0;       // 0 for no step
+  double real_time_factor = 0.0;  // simulated time / wall time
 };
 
 // Nothing of the contact, where the scene has none.

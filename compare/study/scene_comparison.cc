@@ -50,7 +50,8 @@ struct Contestant {
 std::vector<Contestant> contestants(const scene::Scene& scene) {
   std::vector<Contestant> all;
   all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
-  for (const auto contact : {kDefaultContact, scene::ContactModel::kCone}) {
+  for (const auto contact :
+       {kDefaultContact, scene::ContactModel::kCoulomb, scene::ContactModel::kCone}) {
     all.push_back({to_string(contact), mujoco_engine(contact), kMujocoWork});
   }
   return all;

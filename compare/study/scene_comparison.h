@@ -1,5 +1,5 @@
-// One scene, run by the native model and by MuJoCo with each contact model, and everything that can
-// be said about the difference.
+// One scene, run by the native model (with the scene's integrator) and by MuJoCo with each contact
+// model, and everything that can be said about the difference.
 #pragma once
 
 #include <atomic>
@@ -74,7 +74,7 @@ struct SceneComparison {
 };
 
 // The contact model that MuJoCo takes by default, which decides the verdict.
-inline constexpr scene::ContactModel kDefaultContact = scene::ContactModel::kCoulomb;
+inline constexpr scene::ContactModel kDefaultContact = scene::ContactModel::kRigid;
 
 // Throws what the engines throw. An interrupt ends it early with what there is.
 SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& options);

@@ -1,0 +1,65 @@
+// rotorub modes as a user starts it: the page, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+using Files = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(CliModesPage, IsOneWholeFile) {
+  const Folder folder;
+  const Outcome done = folder.run({"modes", shipped("paper_passive"), "-o", "deep/whirl.html"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(folder.files(), Files{"deep/whirl.html"}) << "nothing left beside it";
+  EXPECT_TRUE(contains(done.out, "written to deep/whirl.html")) << done.out;
+  EXPECT_TRUE(contains(done.out, "mode shapes at rest")) << done.out;
+  const std::string page = folder.text("deep/whirl.html");
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  EXPECT_TRUE(contains(page, "data-plot=\"shapes\""));
+}
+
+TEST(CliModesPage, GoesIntoAFolder) {
+  const Folder folder;
+  const Outcome done = folder.run({"modes", shipped("bench_ring"), "-o", "out", "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(folder.files(), Files{"out/modes.html"});
+  const nlohmann::json modes = nlohmann::json::parse(done.out);
+  EXPECT_TRUE(modes.at("mode_shapes").is_null()) << "modal form";
+}
+
+TEST(CliModesPage, ReachesUpToTheSpeedAskedFor) {
+  const Folder folder;
+  ASSERT_EQ(folder
+                .run({"modes", shipped("bench_ring"), "-o", "ring.html", "--up-to", "12000 rpm",
+                      "--quiet"})
+                .code,
+            0);
+  EXPECT_TRUE(contains(folder.text("ring.html"), "up to 12000 rpm"));
+}
+
+TEST(CliModesPage, RefusesWhatMakesNoDiagram) {
+  const Folder folder;
+  for (const char* range : {"0", "-3000 rpm", "4 kg"}) {
+    const Outcome refused = folder.run(
+        {"modes", shipped("bench_ring"), "-o", "ring.html", std::string("--up-to=") + range});
+    EXPECT_EQ(refused.code, 2) << range;
+    EXPECT_TRUE(contains(refused.err, "--up-to")) << refused.err;
+  }
+  EXPECT_EQ(folder.run({"modes", shipped("bench_ring"), "--up-to", "9000 rpm"}).code, 2)
+      << "there is no diagram without a page";
+  EXPECT_EQ(folder.run({"modes", shipped("bench_ring"), "-o", "standard_error/page.html"}).code, 2)
+      << "a file where a folder should be";
+  EXPECT_TRUE(folder.files().empty());
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,115 @@
+// Starts the built program as a user would, and looks at what it leaves.
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rotorub::test {
+
+struct Outcome {
+  int code = -1;  // exit code; 128 + signal
+  std::string out, err;
+};
+
+inline std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  EXPECT_TRUE(in.good()) << file;
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// The program, running in a folder of its own.
+class Program {
+ public:
+  Program(std::filesystem::path folder, const std::vector<std::string>& arguments)
+      : folder_(std::move(folder)) {
+    std::vector<std::string> words{ROTORUB_BINARY};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    process_ = fork();
+    if (process_ == 0) become(words);
+  }
+
+  void interrupt() const { kill(process_, SIGINT); }
+
+  Outcome wait() const {
+    int status = 0;
+    waitpid(process_, &status, 0);
+    Outcome outcome;
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    outcome.out = read_text(folder_ / kOut);
+    outcome.err = read_text(folder_ / kErr);
+    return outcome;
+  }
+
+  static constexpr const char* kOut = "standard_output";
+  static constexpr const char* kErr = "standard_error";
+
+ private:
+  [[noreturn]] void become(std::vector<std::string>& words) const {
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    if (chdir(folder_.c_str()) != 0) _exit(127);
+    for (const auto& [name, stream] : {std::pair{kOut, 1}, std::pair{kErr, 2}}) {
+      dup2(open(name, O_WRONLY | O_CREAT | O_TRUNC, 0600), stream);
+    }
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+
+  std::filesystem::path folder_;
+  pid_t process_ = -1;
+};
+
+// An empty folder for a test, removed with it.
+class Folder {
+ public:
+  Folder() {
+    std::string name = testing::TempDir() + "/rotorub_cli_XXXXXX";
+    path_ = mkdtemp(name.data());
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  Outcome run(const std::vector<std::string>& arguments) const {
+    return Program(path_, arguments).wait();
+  }
+  std::string text(const std::string& file) const { return read_text(path_ / file); }
+  bool has(const std::string& file) const { return std::filesystem::exists(path_ / file); }
+
+  // All files below it, relative and sorted, but the program's own output.
+  std::vector<std::string> files() const {
+    std::vector<std::string> all;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
+      const std::string name = std::filesystem::relative(entry.path(), path_).string();
+      if (!entry.is_regular_file() || name == Program::kOut || name == Program::kErr) continue;
+      all.push_back(name);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string shipped(const std::string& scene) {
+  return std::string(ROTORUB_MJCF_DIR) + "/" + scene + ".toml";
+}
+
+inline std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace rotorub::test

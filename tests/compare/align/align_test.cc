@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include "compare/align/divergence.h"
+#include "compare/align/impacts.h"
+#include "tests/compare/hand_made.h"
+
+namespace rotorub {
+namespace {
+
+using test::hand_made;
+using test::Row;
+
+// A rotor that moves away from the origin along x at the given speed.
+Trajectory moving(double speed, std::size_t rows = 101, double spacing = 0.01) {
+  return hand_made(rows, spacing, [&](double t) {
+    Row row;
+    row.x = speed * t;
+    return row;
+  });
+}
+
+TEST(Divergence, FindsTheFirstRowBeyondTheThreshold) {
+  const Divergence d = divergence(moving(1.0), moving(1.5), 0.1049);
+  ASSERT_TRUE(d.time);
+  EXPECT_NEAR(*d.time, 0.21, 1e-12);
+  EXPECT_NEAR(d.max_distance, 0.5, 1e-12);
+  EXPECT_EQ(d.rows, 101U);
+}
+
+TEST(Divergence, EqualRunsNeverPart) {
+  const Divergence d = divergence(moving(1.0), moving(1.0), 1e-12);
+  EXPECT_FALSE(d.time);
+  EXPECT_EQ(d.max_distance, 0.0);
+  EXPECT_EQ(d.rms_distance, 0.0);
+}
+
+// Only rows at the same time are compared: one run is twice as dense, and goes on for longer.
+TEST(Divergence, ComparesEqualTimesAlone) {
+  const Divergence d = divergence(moving(1.0, 11, 0.5), moving(1.0, 41, 0.25), 1e-12);
+  EXPECT_EQ(d.rows, 11U);
+  EXPECT_FALSE(d.time);
+}
+
+Impact closing_at(double t) {
+  Impact impact;
+  impact.t = t;
+  impact.normal_impulse = t;
+  impact.gap_rate_before = -0.1;
+  return impact;
+}
+
+TEST(Impacts, ArePairedByOrder) {
+  Trajectory a, b;
+  for (const double t : {0.1, 0.2, 0.3}) a.impacts.push_back(closing_at(t));
+  for (const double t : {0.11, 0.22}) b.impacts.push_back(closing_at(t));
+  // A touch that does not count is no partner.
+  a.impacts.insert(a.impacts.begin() + 1, Impact{});
+
+  const auto pairs = pair_impacts(a, b, 5);
+  ASSERT_EQ(pairs.size(), 3U);
+  EXPECT_EQ(pairs[0].a->t, 0.1);
+  EXPECT_EQ(pairs[0].b->t, 0.11);
+  EXPECT_EQ(pairs[1].a->t, 0.2);
+  EXPECT_EQ(pairs[1].b->t, 0.22);
+  EXPECT_EQ(pairs[2].a->t, 0.3);
+  EXPECT_FALSE(pairs[2].b);
+  EXPECT_EQ(pair_impacts(a, b, 1).size(), 1U);
+}
+
+}  // namespace
+}  // namespace rotorub

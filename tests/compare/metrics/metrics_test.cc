@@ -1,0 +1,93 @@
+#include "compare/metrics/metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/compare/hand_made.h"
+
+namespace rotorub {
+namespace {
+
+using test::hand_made;
+using test::sliding;
+using test::Whirl;
+
+const Whirl kWhirl;
+const ContactFacts kFacts{kWhirl.clearance, kWhirl.radius, kWhirl.friction};
+
+// Half a second in contact from t = 0.5 s of 1 s, with 100 N on for half of that time.
+Trajectory half_touched() {
+  Trajectory t = hand_made(1001, 1e-3, [](double time) { return sliding(kWhirl, time); });
+  Statistics& s = t.statistics;
+  s.first_touch = 0.5;
+  s.contact_time = 0.25;
+  s.impulse_total = 25.0;
+  s.force_square = 100.0 * 100.0 * 0.25;
+  s.peak_force = 130.0;
+  s.friction_impulse = -5.0;
+  s.friction_work = -3.0;
+  s.max_penetration = 2e-6;
+  s.penetration_square = 0.5 * 1e-12;
+  s.gap_rate_square = 0.5 * 4e-6;
+  t.steps = 1000;
+  t.wall_s = 0.002;
+  return t;
+}
+
+TEST(Metrics, AreTakenFromFirstTouch) {
+  const Metrics m = metrics(half_touched(), kFacts);
+  ASSERT_TRUE(m.first_touch);
+  EXPECT_DOUBLE_EQ(*m.first_touch, 0.5);
+  EXPECT_DOUBLE_EQ(m.mean_force, 50.0);
+  EXPECT_DOUBLE_EQ(m.force_deviation, 50.0);  // half the time 100 N, half 0
+  EXPECT_DOUBLE_EQ(m.contact_fraction, 0.5);
+  EXPECT_DOUBLE_EQ(m.rms_penetration, 1e-6);
+  EXPECT_DOUBLE_EQ(m.gap_rate_rms, 2e-3);
+  EXPECT_DOUBLE_EQ(m.peak_force, 130.0);
+  EXPECT_DOUBLE_EQ(m.impulse_total, 25.0);
+  EXPECT_DOUBLE_EQ(m.friction_impulse, -5.0);
+  EXPECT_DOUBLE_EQ(m.friction_work, -3.0);
+  EXPECT_DOUBLE_EQ(m.us_per_step, 2.0);
+  EXPECT_DOUBLE_EQ(m.real_time_factor, 500.0);
+}
+
+// A disc that leaves along the tangent at v_t = omega delta_0 is (v_t dt)^2 / (2 delta_0) beyond
+// the ring after dt.
+TEST(Metrics, PredictsThePenetrationOfOneStep) {
+  const Metrics m = metrics(half_touched(), kFacts);
+  const double way = kWhirl.frequency * kWhirl.clearance * 1e-3;
+  EXPECT_NEAR(m.whirl_penetration, way * way / (2.0 * kWhirl.clearance), 1e-18);
+  // To second order that is what the geometry says.
+  const double exact = std::hypot(kWhirl.clearance, way) - kWhirl.clearance;
+  EXPECT_NEAR(m.whirl_penetration, exact, 0.03 * exact);
+}
+
+TEST(Metrics, CountImpactsThatClose) {
+  Trajectory t = half_touched();
+  t.impacts.push_back({0.5, 0.02, 0.0, -0.1, 0.05, 0.0, 0.0, 0.0});
+  t.impacts.push_back({0.6, 0.05, 0.0, -0.2, 0.1, 0.0, 0.0, 0.0});
+  t.impacts.push_back({0.7, 1e-9, 0.0, -1e-8, 0.0, 0.0, 0.0, 0.0});
+  const Metrics m = metrics(t, kFacts);
+  EXPECT_EQ(m.impacts, 2U);
+  EXPECT_DOUBLE_EQ(m.peak_impulse, 0.05);
+}
+
+TEST(Metrics, OfARotorThatNeverTouchesAreZero) {
+  const Trajectory t = hand_made(100, 1e-3, [](double) {
+    test::Row row;
+    row.gap = kWhirl.clearance;
+    return row;
+  });
+  const Metrics m = metrics(t, kFacts);
+  EXPECT_FALSE(m.first_touch);
+  EXPECT_EQ(m.mean_force, 0.0);
+  EXPECT_EQ(m.contact_fraction, 0.0);
+  EXPECT_EQ(m.force_deviation, 0.0);
+  EXPECT_EQ(m.whirl_penetration, 0.0);
+  EXPECT_EQ(m.settled.attractor, Attractor::kNoContact);
+  EXPECT_EQ(m.us_per_step, 0.0);
+}
+
+}  // namespace
+}  // namespace rotorub

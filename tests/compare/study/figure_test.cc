@@ -1,0 +1,66 @@
+#include "compare/study/figure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "compare/study/format.h"
+
+namespace rotorub {
+namespace {
+
+TEST(Figures, TheContractsThreeAreJudged) {
+  std::set<std::string> judged, keys;
+  for (const Figure& f : figures()) {
+    EXPECT_TRUE(keys.insert(f.key).second) << f.key;
+    if (f.judged) judged.insert(f.key);
+  }
+  EXPECT_EQ(judged, (std::set<std::string>{"mean_force", "contact_fraction", "impulse_total"}));
+}
+
+TEST(Figures, DeviationIsRelativeOrInPoints) {
+  const Figure& force = figure("mean_force");
+  EXPECT_DOUBLE_EQ(deviation(force, 200.0, 190.0), -0.05);
+  EXPECT_EQ(deviation(force, 0.0, 0.0), 0.0);
+  EXPECT_TRUE(std::isinf(deviation(force, 0.0, 1.0)));
+  EXPECT_DOUBLE_EQ(deviation(figure("contact_fraction"), 1.0, 0.25), -0.75);
+  // Work is negative: more of it is a larger magnitude.
+  EXPECT_DOUBLE_EQ(deviation(figure("friction_work"), -10.0, -11.0), 0.1);
+}
+
+TEST(Figures, AreWrittenInTheirUnits) {
+  EXPECT_EQ(figure_value(figure("contact_fraction"), 0.9995), "99.95");
+  EXPECT_EQ(figure_value(figure("max_penetration"), 12.5e-6), "12.50");
+  EXPECT_EQ(figure_value(figure("impacts"), 665.0), "665");
+}
+
+TEST(Figures, DeviationsAreWrittenWithTheirScale) {
+  const Figure& force = figure("mean_force");
+  EXPECT_EQ(deviation_text(force, 0.0052), "+0.52 %");
+  EXPECT_EQ(deviation_text(force, -0.77), "-77 %");
+  EXPECT_EQ(deviation_text(force, 187.0), "×188");
+  EXPECT_EQ(deviation_text(force, 1e-6), "0.00 %");
+  EXPECT_EQ(deviation_text(figure("contact_fraction"), -0.77), "-77 pts");
+  EXPECT_EQ(deviation_text(figure("peak_impulse"), 3.0), "–");
+  EXPECT_EQ(deviation_text(force, std::numeric_limits<double>::infinity()), "+∞");
+}
+
+TEST(Format, ShortNumbers) {
+  EXPECT_EQ(short_number(0.0), "0");
+  EXPECT_EQ(short_number(3.0), "3");
+  EXPECT_EQ(short_number(48.9999), "49.00");
+  EXPECT_EQ(short_number(-0.011234), "-0.01123");
+  EXPECT_EQ(short_number(12269.4), "12269");
+  EXPECT_EQ(short_number(1.234e-7), "1.23e-07");
+  EXPECT_EQ(short_number(-std::numeric_limits<double>::infinity()), "-∞");
+}
+
+TEST(Format, Times) {
+  EXPECT_EQ(time_text(1e-5), "10 µs");
+  EXPECT_EQ(time_text(2.5e-3), "2.5 ms");
+  EXPECT_EQ(time_text(0.5), "0.5 s");
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,63 @@
+#include "compare/study/run_directory.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "compare/engine/engine.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+class RunDirectory : public testing::Test {
+ protected:
+  RunDirectory() {
+    std::filesystem::remove_all(folder_);
+    scene_ = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
+                               std::vector<std::string>{"run.end=0.02"});
+    run_ = native_engine(scene::Integrator::kPaper)->run(scene_, {});
+  }
+  ~RunDirectory() override { std::filesystem::remove_all(folder_); }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / "rotorub_run_directory";
+  scene::Scene scene_;
+  Trajectory run_;
+};
+
+TEST_F(RunDirectory, ReadsBackTheSameBits) {
+  write_run(folder_, scene_, run_);
+  const StoredRun stored = read_run(folder_);
+  EXPECT_EQ(stored.scene.name, scene_.name);
+  EXPECT_EQ(scene::scene_hash(stored.scene), scene::scene_hash(scene_));
+  ASSERT_EQ(stored.trajectory.series.size(), run_.series.size());
+  for (std::size_t k = 0; k < run_.series.size(); ++k) {
+    EXPECT_EQ(stored.trajectory.series[k].name, run_.series[k].name);
+    EXPECT_EQ(stored.trajectory.series[k].values, run_.series[k].values);
+  }
+  ASSERT_EQ(stored.trajectory.impacts.size(), run_.impacts.size());
+  ASSERT_FALSE(run_.impacts.empty());
+  EXPECT_EQ(stored.trajectory.impacts[0].t, run_.impacts[0].t);
+  EXPECT_EQ(stored.trajectory.engine, "native");
+  EXPECT_EQ(stored.trajectory.step, run_.step);
+}
+
+TEST_F(RunDirectory, NamesFileAndLineOfDamage) {
+  write_run(folder_, scene_, run_);
+  std::ofstream(folder_ / "series.csv", std::ios::app) << "1,2,nonsense\n";
+  try {
+    read_run(folder_);
+    FAIL() << "damage was not seen";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("series.csv:"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(RunDirectory, AFolderWithoutARunIsRefused) {
+  std::filesystem::create_directories(folder_);
+  EXPECT_THROW(read_run(folder_), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace rotorub

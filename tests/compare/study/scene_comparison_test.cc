@@ -1,0 +1,202 @@
+#include "compare/study/scene_comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "compare/report/page.h"
+#include "compare/report/plots.h"
+#include "compare/study/json.h"
+#include "compare/study/table.h"
+#include "compare/study/verdict.h"
+#include "native_model/scene/reader.h"
+#include "native_model/trajectory/recorder.h"
+#include "tests/compare/hand_made.h"
+
+namespace rotorub {
+namespace {
+
+scene::Scene bench_ring(const std::vector<std::string>& overrides) {
+  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml", overrides);
+}
+
+// bench_ring settles to a sliding contact at about 10 ms: long enough to compare, quick to run.
+const SceneComparison& short_comparison() {
+  static const SceneComparison comparison = [] {
+    CompareOptions options;
+    options.timing_repeats = 1;
+    options.tolerance = 0.05;
+    return compare_scene(bench_ring({"run.end=0.06"}), options);
+  }();
+  return comparison;
+}
+
+TEST(SceneComparison, RunsEverySide) {
+  const SceneComparison& c = short_comparison();
+  ASSERT_EQ(c.sides.size(), 4U);
+  EXPECT_EQ(c.sides[0].label, "native");
+  EXPECT_EQ(c.sides[1].label, "rigid");
+  EXPECT_EQ(c.sides[2].label, "coulomb");
+  EXPECT_EQ(c.sides[3].label, "cone");
+  for (const Side& side : c.sides) {
+    EXPECT_EQ(side.trajectory.status, Status::kOk) << side.trajectory.message;
+    EXPECT_EQ(side.trajectory.end, 0.06);
+    EXPECT_EQ(side.limits.size(), figures().size());
+    EXPECT_GT(side.timing.median, 0.0);
+    EXPECT_LE(side.timing.lowest, side.timing.median);
+  }
+  EXPECT_EQ(c.status(), Status::kOk);
+  EXPECT_FALSE(c.interrupted);
+}
+
+// The ranking that the tool exists to show.
+TEST(SceneComparison, RigidAndCoulombAreNearerThanConeAndConeChatters) {
+  const SceneComparison& c = short_comparison();
+  ASSERT_EQ(c.differences.size(), 3U);
+  const auto fraction = [&](std::size_t side) { return c.sides[side].metrics.contact_fraction; };
+  EXPECT_LT(std::abs(fraction(1) - fraction(0)), 0.05);
+  EXPECT_LT(std::abs(fraction(2) - fraction(0)), 0.05);
+  EXPECT_LT(fraction(3), 0.7 * fraction(0));
+  EXPECT_FALSE(c.differences[2].within);
+  const auto& why = c.differences[2].reasons;
+  EXPECT_TRUE(std::any_of(why.begin(), why.end(), [](const std::string& reason) {
+    return reason.find("cone chatters") != std::string::npos;
+  }));
+  EXPECT_TRUE(c.differences[0].trusted_as_default);
+  EXPECT_EQ(c.within(), c.differences[0].within);
+}
+
+// The independent checker finds the native laws kept, and the cone's broken.
+TEST(SceneComparison, NativeObeysTheLaws) {
+  const Residuals& native = short_comparison().sides[0].metrics.residuals;
+  constexpr double kFirstOrder = 1e-3;  // gap and force of one step are not those of one instant
+  EXPECT_LT(native.penetration, kFirstOrder);
+  EXPECT_LT(native.complementarity, kFirstOrder);
+  EXPECT_LT(native.cone, 1e-12);
+  EXPECT_LT(native.sliding, 1e-12);
+  EXPECT_LT(native.power, 1e-12);
+  EXPECT_LT(native.gap_error, 1e-9);
+  EXPECT_EQ(native.adhesion, 0.0);
+}
+
+TEST(SceneComparison, SplitsAddUp) {
+  for (const SideDifference& d : short_comparison().differences) {
+    for (const FigureDifference& f : d.figures) {
+      const Split& s = f.split;
+      const double scale = std::abs(f.native) + std::abs(f.other) + 1e-300;
+      EXPECT_NEAR(s.model_gap + s.step_error - s.native_step_error, f.other - f.native,
+                  1e-9 * scale)
+          << f.figure->key;
+    }
+  }
+}
+
+TEST(SceneComparison, JsonHasWhatTheContractNames) {
+  const nlohmann::json j = comparison_json(short_comparison());
+  EXPECT_EQ(j.at("scene"), "bench_ring");
+  for (const char* side : {"native", "rigid", "coulomb", "cone"}) {
+    const auto& summary = j.at("runs").at(side).at("summary");
+    for (const char* key :
+         {"program", "version", "mujoco_version", "scene", "scene_hash", "engine", "integrator",
+          "contact_model", "step", "steps", "wall_s", "us_per_step", "max_penetration",
+          "contact_fraction", "impulse_total", "energy_residual", "status", "message"}) {
+      EXPECT_TRUE(summary.contains(key)) << key;
+    }
+    EXPECT_EQ(summary.at("status"), "ok");
+  }
+  EXPECT_TRUE(j.at("differences").at("cone").at("figures").at("mean_force").contains("split"));
+  EXPECT_FALSE(j.dump().empty());
+}
+
+TEST(SceneComparison, TableNamesEverySideFigureAndVerdict) {
+  const std::string table = comparison_table(short_comparison());
+  for (const char* text :
+       {"bench_ring", "native", "rigid", "coulomb", "cone", "mean normal force, N", "contact, %",
+        "total impulse, N s", "OUTSIDE", "cone chatters"}) {
+    EXPECT_NE(table.find(text), std::string::npos) << text;
+  }
+}
+
+// The page: one file, no address that a browser would fetch from, plots and their data inside.
+TEST(Report, StandsAlone) {
+  const std::string page = report_page({{&short_comparison(), {}, "none in this test."}});
+  std::string own = page;  // without plotly's own text, which cites addresses
+  const std::size_t begin = own.find("<script id=\"plotly\">");
+  const std::size_t end = own.find("</script>", begin);
+  ASSERT_NE(begin, std::string::npos);
+  EXPECT_GT(end - begin, 500000U);
+  own.erase(begin, end - begin);
+  for (const char* address : {"http://", "https://", "//cdn", "<link", "src=\"/", "@import"}) {
+    EXPECT_EQ(own.find(address), std::string::npos) << address;
+  }
+  for (const char* plot : {"gap", "normal_force", "friction_force", "impacts", "spin", "orbit"}) {
+    EXPECT_NE(own.find(std::string("data-plot=\"") + plot + "\""), std::string::npos) << plot;
+  }
+  EXPECT_NE(own.find("none in this test."), std::string::npos);
+  EXPECT_EQ(own.find("{{"), std::string::npos);
+
+  const std::string open = "<script id=\"data\" type=\"application/json\">";
+  const std::size_t from = own.find(open) + open.size();
+  const auto data = nlohmann::json::parse(own.substr(from, own.find("</script>", from) - from));
+  ASSERT_EQ(data.at("scenes").size(), 1U);
+  const auto& side = data.at("scenes")[0].at("sides")[0];
+  EXPECT_EQ(side.at("label"), "native");
+  for (const auto& window : side.at("series").at("normal_force")) {
+    EXPECT_EQ(window.at("t").size(), window.at("y").size());
+    EXPECT_GT(window.at("t").size(), 100U);
+    EXPECT_LE(window.at("t").size(), 2 * kPlotBuckets + 2);
+  }
+}
+
+TEST(SceneComparison, AnInterruptKeepsWhatThereIs) {
+  const std::atomic<bool> stop{true};
+  CompareOptions options;
+  options.interrupt = &stop;
+  const SceneComparison c = compare_scene(bench_ring({"run.end=0.06"}), options);
+  EXPECT_TRUE(c.interrupted);
+  ASSERT_EQ(c.sides.size(), 1U);
+  EXPECT_EQ(c.sides[0].trajectory.status, Status::kInterrupted);
+  EXPECT_EQ(c.status(), Status::kInterrupted);
+  EXPECT_FALSE(c.within());
+}
+
+TEST(DenseTimes, HoldEveryRequestedTimeAndAreBounded) {
+  scene::Run run;
+  run.end = 0.5;
+  run.step = 1e-5;
+  run.output_times = {0.1234567};
+  const auto times = dense_times(run, 5000);
+  EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+  EXPECT_EQ(std::adjacent_find(times.begin(), times.end()), times.end());
+  for (const double t : output_times(run)) {
+    EXPECT_TRUE(std::binary_search(times.begin(), times.end(), t)) << t;
+  }
+  EXPECT_LE(times.size(), 5000U + output_times(run).size() + 1);
+  EXPECT_EQ(times.back(), run.end);
+}
+
+TEST(RowsAt, KeepsTheWantedRowsAlone) {
+  const Trajectory all = test::hand_made(11, 0.5, [](double t) {
+    test::Row row;
+    row.x = 10.0 * t;
+    return row;
+  });
+  const Trajectory some = rows_at(all, {1.0, 1.1, 2.5});
+  EXPECT_EQ(some.column("t"), (std::vector<double>{1.0, 2.5}));
+  EXPECT_EQ(some.column("rotor_x"), (std::vector<double>{10.0, 25.0}));
+}
+
+// One unit in the last place of the clearance survives the first sums, whatever the start.
+TEST(Perturbed, MovesTheStartByAlmostNothing) {
+  const scene::Scene scene = bench_ring({});
+  const scene::Scene moved = perturbed(scene, 1);
+  ASSERT_FALSE(moved.initial.x.empty());
+  const double by = moved.initial.x[0] - (scene.initial.x.empty() ? 0.0 : scene.initial.x[0]);
+  EXPECT_GT(by, 0.0);
+  EXPECT_LT(by, 1e-18);
+  EXPECT_EQ(perturbed(scene, 0).initial.x, scene.initial.x);
+}
+
+}  // namespace
+}  // namespace rotorub
