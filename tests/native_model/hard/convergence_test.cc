@@ -1,0 +1,92 @@
+// `paper` tends to `event` at first order: a tenth of the step, a tenth of the error.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/native_model/hard/rules.h"
+
+namespace rotorub {
+namespace {
+
+double distance(const Trajectory& a, const Trajectory& b) {
+  double most = 0.0;
+  for (const char* column : {"rotor_x", "rotor_y", "stator_x", "stator_y"}) {
+    for (std::size_t k = 0; k < a.rows(); ++k) {
+      most = std::max(most, std::abs(a.column(column)[k] - b.column(column)[k]));
+    }
+  }
+  return most;
+}
+
+// Over two decades of steps. Impacts fall at random within their steps, so that single ratios
+// scatter around 10; over both decades a first-order scheme gains a factor of 100.
+void expect_first_order(const scene::Scene& scene) {
+  SCOPED_TRACE(scene.name);
+  const Trajectory exact = test::run_event(scene);
+  test::expect_sound_event(scene, exact);
+  EXPECT_GT(exact.statistics.first_touch, 0.0);
+  const double coarse = distance(test::run_paper(scene, 2e-5), exact);
+  const double middle = distance(test::run_paper(scene, 2e-6), exact);
+  const double fine = distance(test::run_paper(scene, 2e-7), exact);
+  EXPECT_LT(middle, coarse / 3.0);
+  EXPECT_LT(fine, middle / 3.0);
+  EXPECT_LT(fine, coarse / 30.0) << coarse << ' ' << middle << ' ' << fine;
+  EXPECT_GT(fine, coarse / 3000.0) << "a faithful first-order scheme: " << coarse << ' ' << fine;
+}
+
+TEST(HardConvergence, BenchRing) {
+  scene::Scene scene = test::shipped("bench_ring");
+  scene.run.end = 0.05;
+  expect_first_order(scene);
+}
+
+TEST(HardConvergence, HeldSpinOnAStiffRing) {
+  scene::Scene scene = test::make_scene({.mass = 1.5,
+                                         .damping = 100.0,
+                                         .stiffness = 3e5,
+                                         .friction = 0.1,
+                                         .restitution = 0.3,
+                                         .speed = 250.0});
+  scene.name = "held_spin";
+  test::add_ring(scene, 2.0, 600.0, 1e6);
+  test::add_rotating_force(scene, 260.0, 300.0);
+  scene.run.end = 0.04;
+  expect_first_order(scene);
+}
+
+TEST(HardConvergence, TwoModesWithTorsionAndGyroscopics) {
+  scene::Scene scene = test::shipped("bench_ring");
+  scene.name = "two_modes";
+  scene::RotorModal& m = *scene.rotor.modal;
+  m.mass = m.mass_y = {2.0, 0.8};
+  m.stiffness = m.stiffness_y = {2e5, 3e6};
+  m.damping = m.damping_y = {60.0, 200.0};
+  m.internal_damping = {5.0, 5.0};
+  m.gyroscopic = {0.05, 0.1};
+  scene.rotor.torsion = scene::Torsion{0, 0.0, {4e-4}, {60.0}, {0.02}, {-0.5}};
+  scene.contact->restitution = 0.2;
+  scene.forces[0].shape = {1.0, 0.3};
+  scene.forces[0].ramp = 0.01;
+  scene.run.end = 0.03;
+  expect_first_order(scene);
+}
+
+TEST(HardConvergence, GravityInAnAnisotropicRing) {
+  scene::Scene scene = test::make_scene({.mass = 2.0,
+                                         .damping = 50.0,
+                                         .stiffness = 2e4,
+                                         .friction = 0.2,
+                                         .restitution = 0.3,
+                                         .speed = 40.0});
+  scene.name = "anisotropic";
+  test::add_ring(scene, 1.0, 300.0, 2e5);
+  scene.stator->mass.y() = 1.4;
+  scene.stator->stiffness.y() = 3e5;
+  scene.gravity = scene::Gravity{{0.0, -9.81}, {}};
+  test::add_constant_force(scene, {20.0, 0.0});
+  scene.run.end = 0.06;
+  expect_first_order(scene);
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,181 @@
+// Eight runs at once are eight runs: the same bits as alone, whatever the parts of the scene.
+#include "native_model/integrate/ensemble.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "native_model/integrate/paper.h"
+#include "native_model/system/dynamics.h"
+#include "tests/native_model/hard/rules.h"
+#include "tests/support/machine.h"
+
+namespace rotorub {
+namespace {
+
+struct Single {
+  Eigen::VectorXd q, v;
+  double impulse = 0.0, first_touch = -1.0;
+  std::int64_t contact_steps = 0;
+  Status status = Status::kOk;
+};
+
+// The run alone, with its own loop: a command each step, or held between samples.
+Single alone(const Model& model, double step, std::int64_t steps) {
+  PaperStepper stepper(model, step);
+  Single out;
+  Eigen::Vector2d u{0.0, 0.0};
+  double last = -1.0;
+  for (std::int64_t k = 0; k < steps; ++k) {
+    const double t = static_cast<double>(k) * step;
+    if (model.controller && t >= model.control_on) {
+      const double sample =
+          model.sample_time > 0.0 ? std::floor(t / model.sample_time * (1.0 + 1e-12)) : -2.0;
+      if (sample == -2.0 || sample != last) {
+        u = control_force(
+            model, t, stepper.q(), stepper.v(),
+            out.first_touch < 0.0 ? std::numeric_limits<double>::infinity() : out.first_touch);
+      }
+      last = sample;
+    }
+    const PaperStep done = stepper.step(k, u);
+    if (done.status != Status::kOk) {
+      out.status = done.status;
+      break;
+    }
+    if (done.normal_impulse > 0.0) {
+      if (out.first_touch < 0.0) out.first_touch = t;
+      ++out.contact_steps;
+    }
+    out.impulse += done.normal_impulse;
+  }
+  out.q = Eigen::Map<const Eigen::VectorXd>(stepper.q(), model.nq());
+  out.v = Eigen::Map<const Eigen::VectorXd>(stepper.v(), model.nq());
+  return out;
+}
+
+// 11 runs: a full group of lanes and a part of one, each with values of its own.
+void expect_same_bits(const std::function<Model(int)>& make, std::int64_t steps = 3000) {
+  constexpr int kRuns = 11;
+  const double step = 1e-5;
+  std::vector<Model> models;
+  for (int i = 0; i < kRuns; ++i) {
+    models.push_back(make(i));
+    if (models.back().contact) models.back().contact->friction = 0.02 + 0.05 * i;
+    models.back().q0[0] += 1e-6 * i;
+  }
+  const std::vector<EnsembleRun> runs = Ensemble(models, step).run(steps);
+  ASSERT_EQ(runs.size(), models.size());
+  int touched = 0;
+  for (int i = 0; i < kRuns; ++i) {
+    SCOPED_TRACE(i);
+    const auto at = static_cast<std::size_t>(i);
+    const Single single = alone(models[at], step, steps);
+    ASSERT_EQ(runs[at].status, single.status);
+    for (int k = 0; k < models[at].nq(); ++k) {
+      const auto c = static_cast<std::size_t>(k);
+      ASSERT_EQ(runs[at].q[c], single.q[k]) << "coordinate " << k;
+      ASSERT_EQ(runs[at].v[c], single.v[k]) << "speed " << k;
+    }
+    EXPECT_EQ(runs[at].impulse_total, single.impulse);
+    EXPECT_EQ(runs[at].first_touch, single.first_touch);
+    EXPECT_EQ(runs[at].contact_steps, single.contact_steps);
+    touched += single.first_touch >= 0.0 ? 1 : 0;
+  }
+  if (models[0].contact) {
+    EXPECT_GT(touched, 0);
+  }
+}
+
+TEST(HardEnsemble, SpinFreeAndHeld) {
+  expect_same_bits([](int) { return make_model(test::shipped("bench_ring")); });
+  expect_same_bits([](int) {
+    scene::Scene scene = test::shipped("bench_ring");
+    scene.drive.reset();
+    return make_model(scene);
+  });
+}
+
+// Torsion, gyroscopics and internal damping between modes, unbalance, dashpots, magnetic bearing,
+// gravity, anisotropic everything; with a free spin the mass matrix is coupled.
+TEST(HardEnsemble, EveryPartAtOnce) {
+  for (const bool driven : {false, true}) {
+    SCOPED_TRACE(driven);
+    expect_same_bits([&](int i) {
+      Model m = test::machine(driven);
+      m.admittance = contact_admittance(m, m.mass.data(), 0.0, m.q0.data());
+      for (AppliedForce& f : m.forces) f.amplitude *= 3.0 + 0.1 * i;
+      return m;
+    });
+  }
+}
+
+TEST(HardEnsemble, TheShippedRigs) {
+  for (const char* name : {"paper_passive", "paper_sliding"}) {
+    SCOPED_TRACE(name);
+    expect_same_bits(
+        [&](int) {
+          scene::Scene scene = test::shipped(name);
+          scene.forces[0].on = 0.0;  // contact within the few steps of a test
+          if (scene.controller) scene.controller->on = 0.001;
+          return make_model(scene);
+        },
+        3000);
+  }
+}
+
+TEST(HardEnsemble, SampledControllers) {
+  expect_same_bits([](int i) {
+    scene::Scene scene = test::shipped("paper_sliding");
+    scene.forces[0].on = 0.0;
+    scene.controller->on = 0.0013;
+    scene.controller->sample_time = 1e-4 * (1 + i % 3);
+    return make_model(scene);
+  });
+}
+
+TEST(HardEnsemble, MotorsThatAreNotLinear) {
+  expect_same_bits([](int i) {
+    scene::Scene scene = test::shipped("bench_ring");
+    scene.drive->kind = scene::DriveKind::kKloss;
+    scene.drive->breakdown_torque = 1.0 + 0.1 * i;
+    scene.drive->breakdown_slip = 0.2;
+    scene.drive->synchronous_speed = 330.0;
+    return make_model(scene);
+  });
+}
+
+TEST(HardEnsemble, SwitchedForcesAndTorsion) {
+  expect_same_bits([](int i) {
+    scene::Scene scene = test::shipped("bench_ring");
+    scene.rotor.torsion = scene::Torsion{0, 0.0, {1e-4}, {60.0}, {0.01}, {-0.5}};
+    scene.forces[0].on = 1e-3;
+    scene.forces[0].off = 0.02 + 1e-4 * i;
+    scene.forces[0].ramp = 1e-3;
+    return make_model(scene);
+  });
+}
+
+// A lane that fails leaves its neighbours alone.
+TEST(HardEnsemble, AFailedRunStaysItsOwn) {
+  std::vector<Model> models;
+  for (int i = 0; i < 8; ++i) {
+    Model m = make_model(test::shipped("bench_ring"));
+    m.q0[0] += 1e-6 * i;
+    if (i == 3) m.q0[0] = std::numeric_limits<double>::quiet_NaN();
+    models.push_back(m);
+  }
+  const auto runs = Ensemble(models, 1e-5).run(2000);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    EXPECT_EQ(runs[i].status == Status::kOk, i != 3) << i;
+    if (i == 3) continue;
+    const Single single = alone(models[i], 1e-5, 2000);
+    EXPECT_EQ(runs[i].q[0], single.q[0]) << i;
+    EXPECT_EQ(runs[i].v[1], single.v[1]) << i;
+  }
+}
+
+}  // namespace
+}  // namespace rotorub

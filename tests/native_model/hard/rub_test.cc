@@ -1,0 +1,273 @@
+// Lasting contact where it is hard: friction from little to absurd, spin and mass far from the
+// usual, whip that turns into rolling, more than one attractor, stick-slip, a motor that stalls.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "native_model/oracles/annular_rub.h"
+#include "native_model/oracles/backward_whip.h"
+#include "tests/native_model/hard/rules.h"
+
+namespace rotorub {
+namespace {
+
+using test::Jeffcott;
+using test::make_scene;
+
+scene::Scene ring_scene(double end) {
+  scene::Scene scene = test::shipped("bench_ring");
+  scene.run.end = end;
+  return scene;
+}
+
+double fastest(const Trajectory& t) {
+  return 2.0 *
+         std::max({1.0, test::largest(t.column("rotor_vx")), test::largest(t.column("rotor_vy")),
+                   test::largest(t.column("stator_vx")), test::largest(t.column("stator_vy"))});
+}
+
+void expect_both_sound(const scene::Scene& scene, double step) {
+  test::expect_sound_event(scene, test::run_event(scene));
+  const Trajectory p = test::run_paper(scene, step);
+  test::expect_sound_paper(scene, p, step, fastest(p));
+}
+
+TEST(HardFriction, FromATenthToTen) {
+  for (const double mu : {0.1, 0.3, 1.0, 3.0, 10.0}) {
+    SCOPED_TRACE(mu);
+    scene::Scene scene = ring_scene(0.05);
+    scene.contact->friction = mu;
+    expect_both_sound(scene, 1e-5);
+    scene.contact->tangential_restitution = 0.5;
+    expect_both_sound(scene, 1e-5);
+  }
+}
+
+TEST(HardSpin, ToAHundredThousand) {
+  for (const double speed : {1e3, 1e4, 1e5, -1e5}) {
+    for (const bool free : {true, false}) {
+      SCOPED_TRACE(speed);
+      scene::Scene scene = ring_scene(0.03);
+      scene.rotor.speed = speed;
+      scene.drive->speed = speed;
+      if (!free) scene.drive.reset();
+      expect_both_sound(scene, 1e-5);
+    }
+  }
+}
+
+TEST(HardMassRatio, RingFromATenThousandthToTenThousandRotors) {
+  for (const double ratio : {1e-4, 1e-2, 1e2, 1e4}) {
+    SCOPED_TRACE(ratio);
+    scene::Scene scene = ring_scene(0.03);
+    const double m = 2.0 * ratio, k = m * 1e5;  // the same natural frequency throughout
+    scene.stator = scene::Stator{{m, m}, {0.3 * std::sqrt(k * m), 0.3 * std::sqrt(k * m)}, {k, k}};
+    expect_both_sound(scene, 1e-5);
+  }
+}
+
+// A mode that the step cannot follow: refused before the first step, with the limit in the message;
+// `event` takes it as it is.
+TEST(HardStiffModes, RefusedOrSolved) {
+  scene::Scene scene = ring_scene(0.01);
+  scene.rotor.modal->mass = {2.0, 1e-3};
+  scene.rotor.modal->stiffness = {2e5, 1e9};  // 1e6 rad/s
+  scene.rotor.modal->damping = {40.0, 100.0};
+  scene.rotor.modal->internal_damping = scene.rotor.modal->gyroscopic = {0.0, 0.0};
+  for (auto* list : {&scene.rotor.modal->mass_y, &scene.rotor.modal->stiffness_y,
+                     &scene.rotor.modal->damping_y}) {
+    list->clear();
+  }
+  scene.rotor.modal->mass_y = scene.rotor.modal->mass;
+  scene.rotor.modal->stiffness_y = scene.rotor.modal->stiffness;
+  scene.rotor.modal->damping_y = scene.rotor.modal->damping;
+  for (const double step : {1e-5, 2.01e-6}) {
+    const Trajectory t = test::run_paper(scene, step);
+    EXPECT_EQ(t.status, Status::kStepTooLarge);
+    EXPECT_NE(t.message.find("omega_max"), std::string::npos) << t.message;
+    EXPECT_EQ(t.steps, 0);
+    test::expect_finite(t);
+  }
+  const Trajectory p = test::run_paper(scene, 1e-6);
+  test::expect_sound_paper(scene, p, 1e-6, fastest(p));
+  const Trajectory t = test::run_event(scene);
+  test::expect_sound_event(scene, t);
+  EXPECT_LT(std::hypot(p.column("rotor_x").back() - t.column("rotor_x").back(),
+                       p.column("rotor_y").back() - t.column("rotor_y").back()),
+            1e-5);
+}
+
+// A rotor that is driven through sticking: phases of stick last, they do not flicker.
+TEST(HardStickSlip, NoChangeOfSignEveryStep) {
+  scene::Scene scene = make_scene({.mass = 2.0,
+                                   .damping = 20.0,
+                                   .stiffness = 1e4,
+                                   .friction = 0.4,
+                                   .restitution = 0.0,
+                                   .speed = 0.0});
+  test::add_constant_force(scene, {0.0, -60.0});  // held on the ring
+  scene::Force shaking;
+  shaking.kind = scene::ForceKind::kRotating;
+  shaking.amplitude = 30.0;
+  shaking.frequency = 200.0;
+  shaking.on = 0.05;
+  scene.forces.push_back(shaking);
+  scene.run.end = 0.5;
+  const Trajectory t = test::run_event(scene);
+  test::expect_sound_event(scene, t);
+  const auto count = [](const Trajectory& run, EventKind kind, double from) {
+    return std::count_if(run.events.begin(), run.events.end(),
+                         [&](const Event& e) { return e.kind == kind && e.t > from; });
+  };
+  // 16 periods of shaking: some sticks in each, not thousands.
+  const auto sticks = count(t, EventKind::kStick, 0.05);
+  EXPECT_GT(sticks, 8);
+  EXPECT_LT(sticks, 100);
+  const Trajectory p = test::run_paper(scene, 1e-5);
+  test::expect_sound_paper(scene, p, 1e-5, 2.0);
+  EXPECT_NEAR(static_cast<double>(count(p, EventKind::kStick, 0.05)), static_cast<double>(sticks),
+              0.3 * static_cast<double>(sticks) + 4.0);
+  // While it slips the sign does not alternate row by row.
+  int flips = 0, slips = 0;
+  for (std::size_t k = 1; k < p.rows(); ++k) {
+    if (p.column("mode")[k] != 1.0 || p.column("mode")[k - 1] != 1.0) continue;
+    ++slips;
+    flips += p.column("slip")[k] * p.column("slip")[k - 1] < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(slips, 20);
+  EXPECT_LT(flips, slips / 4);
+}
+
+TEST(HardWhip, BackwardUntilItRolls) {
+  const Jeffcott j{.mass = 2.0,
+                   .damping = 5.0,
+                   .stiffness = 2e5,
+                   .radius = 0.02,
+                   .friction = 0.3,
+                   .speed = 200.0};
+  const oracle::BackwardWhip exact{j.mass, j.damping, j.stiffness, j.friction, j.clearance};
+  const double start = 1.2 * exact.growth_threshold();
+  scene::Scene scene = make_scene(j);
+  scene.initial.x = {j.clearance};
+  scene.initial.vy = {-start * j.clearance};
+  scene.run.end = 1.2 * exact.blow_up(start);
+  const double rolling = j.speed * j.radius / j.clearance;
+  const auto nu = [&](const Trajectory& t) {
+    const std::size_t k = t.rows() - 1;
+    return -(t.column("rotor_x")[k] * t.column("rotor_vy")[k] -
+             t.column("rotor_y")[k] * t.column("rotor_vx")[k]) /
+           (j.clearance * j.clearance);
+  };
+  const Trajectory t = test::run_event(scene);
+  test::expect_sound_event(scene, t);
+  EXPECT_NEAR(nu(t), rolling, 1e-9 * rolling);
+  EXPECT_EQ(static_cast<Mode>(t.column("mode").back()), Mode::kStick);
+  const double step = 1e-6;
+  const Trajectory p = test::run_paper(scene, step);
+  test::expect_sound_paper(scene, p, step, 2.0 * j.speed * j.radius);
+  EXPECT_NEAR(nu(p), rolling, 1e-3 * rolling);
+  EXPECT_EQ(static_cast<Mode>(p.column("mode").back()), Mode::kStick);
+}
+
+// Free flight, forward rub and backward whip live side by side. Each start goes to its own
+// attractor, whatever the step.
+TEST(HardAttractors, TheSameFromTheSameStart) {
+  const Jeffcott j{.mass = 2.0,
+                   .damping = 150.0,
+                   .stiffness = 2e5,
+                   .radius = 0.02,
+                   .friction = 0.15,
+                   .restitution = 0.2,
+                   .speed = 250.0};
+  const double load = 70.0, frequency = 420.0;
+  const auto rub = oracle::annular_rub({j.mass, j.damping, j.stiffness}, j.clearance, j.friction,
+                                       load, frequency);
+  ASSERT_TRUE(rub);
+  const std::complex<double> free_orbit =
+      load /
+      std::complex<double>(j.stiffness - j.mass * frequency * frequency, j.damping * frequency);
+  ASSERT_LT(std::abs(free_orbit), j.clearance);
+  const auto whirl = [&](const Trajectory& t) {
+    const std::size_t k = t.rows() - 1;
+    const double x = t.column("rotor_x")[k], y = t.column("rotor_y")[k];
+    return (x * t.column("rotor_vy")[k] - y * t.column("rotor_vx")[k]) / (x * x + y * y);
+  };
+  scene::Scene scene = make_scene(j);
+  test::add_rotating_force(scene, load, frequency);
+  scene.run.end = 0.4;
+  // On the rub, on the free orbit (where there is one), and in backward whip.
+  for (const double start : {frequency, 0.0, -3000.0}) {
+    SCOPED_TRACE(start);
+    scene::Scene from = scene;
+    if (start >= 0.0) {
+      const std::complex<double> z = start > 0.0 ? rub->rotor : free_orbit;
+      const std::complex<double> v = std::complex<double>(0.0, frequency) * z;
+      from.initial.x = {z.real()};
+      from.initial.y = {z.imag()};
+      from.initial.vx = {v.real()};
+      from.initial.vy = {v.imag()};
+    } else {
+      from.initial.x = {j.clearance};
+      from.initial.vy = {start * j.clearance};
+    }
+    const Trajectory reference = test::run_event(from);
+    test::expect_sound_event(from, reference);
+    const double speed = whirl(reference);
+    EXPECT_EQ(reference.contact_fraction(), start == 0.0 ? 0.0 : 1.0);
+    for (const double step : {1e-5, 3e-6, 1e-6}) {
+      const Trajectory t = test::run_paper(from, step);
+      test::expect_sound_paper(from, t, step, fastest(t));
+      EXPECT_NEAR(whirl(t), speed, 0.02 * std::abs(speed)) << step;
+      EXPECT_EQ(t.column("normal_force").back() > 0.0,
+                reference.column("normal_force").back() > 0.0);
+    }
+  }
+}
+
+// An induction motor that cannot pull an unbalanced rotor through its resonance stays there.
+TEST(HardRunUp, StallsAtTheResonance) {
+  double resonance = 0.0;
+  const auto speed_after = [&](double torque, bool event) {
+    scene::Scene scene;
+    scene.name = "run_up";
+    scene::RotorGeometry g;
+    g.length = 0.6;
+    g.E = 2.1e11;
+    g.nu = 0.3;
+    g.rho = 7850.0;
+    g.modes = 1;
+    g.damping_ratio = 0.005;
+    g.sections = {{0.0, 0.6, 0.012, 0.0}};
+    g.discs = {{0.3, 2.0, 1.8e-3, 3.6e-3, 400e-6, 0.0}};
+    g.bearings = {{0.03, {2e7, 2e7}, {0.0, 0.0}}, {0.57, {2e7, 2e7}, {0.0, 0.0}}};
+    g.G = g.E / 2.6;
+    scene.rotor.geometry = g;
+    scene::Drive drive;
+    drive.kind = scene::DriveKind::kKloss;
+    drive.breakdown_torque = torque;
+    drive.breakdown_slip = 0.3;
+    drive.synchronous_speed = 600.0;
+    drive.inertia = 2e-3;
+    scene.drive = drive;
+    scene.run.end = 20.0;  // at 16 rad/s^2 it takes 10 s to the resonance
+    scene.run.output_step = 0.1;
+    const Trajectory t = event ? test::run_event(scene) : test::run_paper(scene, 1e-4);
+    EXPECT_EQ(t.status, Status::kOk) << t.message;
+    test::expect_finite(t);
+    if (event) {
+      EXPECT_LT(t.statistics.energy_residual(), test::kEnergy);
+    }
+    const Model m = make_model(scene);
+    resonance = std::sqrt(m.stiffness[0] / m.mass[0]);
+    return t.column("spin_speed").back();
+  };
+  const double weak = speed_after(0.15, true), strong = speed_after(1.5, true);
+  EXPECT_NEAR(weak, resonance, 0.1 * resonance);
+  EXPECT_GT(strong, 1.8 * resonance);
+  EXPECT_NEAR(speed_after(0.15, false), weak, 0.03 * weak);
+}
+
+}  // namespace
+}  // namespace rotorub
