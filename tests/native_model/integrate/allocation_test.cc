@@ -1,0 +1,150 @@
+// No heap allocation in a step. This program's operator new counts; what the sanitizers replace
+// themselves is left to them, and the test says so.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <string>
+
+#include "native_model/integrate/ensemble.h"
+#include "native_model/integrate/event.h"
+#include "native_model/integrate/paper.h"
+#include "native_model/scene/reader.h"
+#include "native_model/system/dynamics.h"
+#include "native_model/trajectory/recorder.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define ROTORUB_COUNTS_ALLOCATIONS 0
+#else
+#define ROTORUB_COUNTS_ALLOCATIONS 1
+#endif
+
+namespace {
+std::atomic<std::int64_t> allocations{0};
+}
+
+#if ROTORUB_COUNTS_ALLOCATIONS
+// g++ 12 inlines one of a pair and takes the other for the library's.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+// The unaligned and the aligned form; the array forms call these.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto a = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(a, (size + a - 1) / a * a)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+#endif
+
+namespace rotorub {
+namespace {
+
+class Allocation : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!ROTORUB_COUNTS_ALLOCATIONS) GTEST_SKIP() << "the sanitizer owns operator new";
+    // The counter counts, or nothing below means anything. A direct call: no compiler may take it
+    // away as it may a new-expression.
+    const std::int64_t before = allocations;
+    ::operator delete(::operator new(64));
+    ASSERT_EQ(allocations - before, 1);
+  }
+};
+
+// Every kind of work in a step: free flight, impacts, sliding, torsion, unbalance, control.
+scene::Scene shipped(const std::string& name) {
+  scene::Scene scene =
+      scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
+  if (name.starts_with("paper")) {
+    scene.forces[0].on = 0.0;
+    if (scene.controller) scene.controller->on = 0.002;
+  }
+  return scene;
+}
+
+constexpr const char* kScenes[] = {"bench_ring", "bench_billiard", "bench_drop", "paper_passive",
+                                   "paper_sliding"};
+
+TEST_F(Allocation, NoneInAStepOfPaper) {
+  for (const char* name : kScenes) {
+    SCOPED_TRACE(name);
+    const Model model = make_model(shipped(name));
+    PaperStepper stepper(model, 1e-5);
+    Eigen::Vector2d u{0.0, 0.0};
+    bool touched = false;
+    const std::int64_t before = allocations;
+    for (std::int64_t k = 0; k < 5000; ++k) {
+      u = control_force(model, 1e-5 * static_cast<double>(k), stepper.q(), stepper.v(), 1e300);
+      touched |= stepper.step(k, u).normal_impulse > 0.0;
+    }
+    const std::int64_t count = allocations - before;
+    EXPECT_EQ(count, 0);
+    EXPECT_TRUE(touched);
+  }
+}
+
+// A run of `event` allocates where it begins and where its lists of impacts and events grow, which
+// doubles them: a number that does not depend on the steps. A run of four times the length, with
+// its events, may allocate for those doublings only.
+TEST_F(Allocation, NoneInAStepOrEventOfEvent) {
+  for (const char* name : kScenes) {
+    SCOPED_TRACE(name);
+    const Model model = make_model(shipped(name));
+    struct Run {
+      std::int64_t allocations, steps;
+      std::size_t impacts, events;
+    };
+    const auto run = [&](double end) {
+      EventIntegrator integrator(model);
+      Recorder recorder(model, {end});
+      const State start = initial_state(model);
+      const std::int64_t before = allocations;
+      const auto result = integrator.run(start, end, recorder);
+      const std::int64_t count = allocations - before;
+      EXPECT_EQ(result.status, Status::kOk) << result.message;
+      const Trajectory t = recorder.finish(end);
+      return Run{count, result.steps, t.impacts.size(), t.events.size()};
+    };
+    const auto doublings = [](std::size_t n) {
+      std::int64_t count = 0;
+      for (std::size_t room = 0; room < n; room = room == 0 ? 1 : 2 * room) ++count;
+      return count;
+    };
+    const Run brief = run(0.02), whole = run(0.08);
+    EXPECT_GT(whole.steps, brief.steps + 20);
+    const auto grown = [&](const Run& r) { return doublings(r.impacts) + doublings(r.events); };
+    EXPECT_LE(whole.allocations - grown(whole), brief.allocations - grown(brief))
+        << whole.steps << " steps, " << whole.events << " events";
+    EXPECT_LT(whole.allocations, 60);
+  }
+}
+
+// What an ensemble allocates is the same for ten times the steps.
+TEST_F(Allocation, NoneInAStepOfAnEnsemble) {
+  for (const char* name : kScenes) {
+    SCOPED_TRACE(name);
+    Ensemble ensemble(std::vector<Model>(9, make_model(shipped(name))), 1e-5);
+    const auto count = [&](std::int64_t steps) {
+      const std::int64_t before = allocations;
+      const auto runs = ensemble.run(steps);
+      const std::int64_t after = allocations;
+      EXPECT_EQ(runs[8].status, Status::kOk);
+      return after - before;
+    };
+    const std::int64_t brief = count(500), whole = count(5000);
+    EXPECT_EQ(brief, whole);
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
