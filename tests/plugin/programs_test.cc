@@ -1,0 +1,105 @@
+// The plugin in the windowed programs of MuJoCo, which nobody here wrote: they start under Xvfb,
+// step, and get the bits of a linked run. Their exit codes say nothing.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "mjcf/writer.h"
+#include "native_model/trajectory/output.h"
+#include "plugin/hooks.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSteps = 3000;
+
+class Programs : public MujocoTest {
+ protected:
+  Programs() {
+    folder_ = fs::temp_directory_path() / ("rotorub_programs_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  ~Programs() override { fs::remove_all(folder_); }
+
+  // The line that an mjData of the program leaves after kSteps steps from time 0 (step_log.cc).
+  std::string logged(const std::string& document, const std::string& program,
+                     const std::string& arguments, bool plugin) const {
+    const fs::path xml = folder_ / "scene.xml", log = folder_ / "log";
+    fs::remove(log);
+    write_whole(xml, document);
+    const fs::path logger = fs::path(ROTORUB_PLUGIN).parent_path() / "librotorub_step_log.so";
+    EXPECT_TRUE(fs::exists(logger)) << logger;
+    const std::string libraries =
+        (plugin ? std::string(ROTORUB_PLUGIN) + ":" : std::string()) + logger.string();
+    const std::string command = "cd " + folder_.string() + " && TMPDIR=" + folder_.string() + " " +
+                                ROTORUB_SOURCE_DIR + "/tests/support/until_logged " + log.string() +
+                                " env LD_PRELOAD=" + libraries +
+                                " ROTORUB_STEP_LOG_FILE=" + log.string() +
+                                " ROTORUB_STEP_LOG_AT=" + std::to_string(kSteps) + " " + program +
+                                " " + xml.string() + " " + arguments + " > out.txt 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    std::ifstream in(log);
+    std::string line;
+    std::getline(in, line);
+    std::ifstream out(folder_ / "out.txt");
+    std::stringstream said;
+    said << out.rdbuf();
+    EXPECT_FALSE(line.empty()) << program << " did not step; it said: " << said.str();
+    return line;
+  }
+
+  // The same run here, with the plugin linked: from mj_makeData, as the programs start.
+  static std::string linked(const std::string& document) {
+    const plugin::Hooks hooks;
+    const ModelPointer m = load(document);
+    const DataPointer d(mj_makeData(m.get()));
+    for (int k = 0; k < kSteps; ++k) mj_step(m.get(), d.get());
+    std::string line = "1 ";
+    const auto add = [&line](double value) {
+      char text[20];
+      std::snprintf(text, sizeof text, "%016llx ",
+                    static_cast<unsigned long long>(std::bit_cast<std::uint64_t>(value)));
+      line += text;
+    };
+    add(d->time);
+    for (const double value : state_of(m.get(), d.get())) add(value);
+    return line;
+  }
+
+  // Programs that open a window are not started with a sanitizer's run time in front of the
+  // graphics driver's.
+  static bool sanitized() { return std::string(ROTORUB_SANITIZER_RUNTIME) != ""; }
+
+  fs::path folder_;
+};
+
+TEST_F(Programs, SimulateStepsWithThePlugin) {
+  if (sanitized()) GTEST_SKIP() << "not under sanitizers";
+  const std::string document = mjcf(shipped("bench_ring"));
+  const std::string with = logged(document, "mujoco-simulate", "", true);
+  EXPECT_EQ(with, linked(document));
+  const std::string without = logged(document, "mujoco-simulate", "", false);
+  EXPECT_EQ(without.substr(0, 2), "0 ");
+  EXPECT_NE(without, with);
+}
+
+TEST_F(Programs, RecordStepsWithThePlugin) {
+  if (sanitized()) GTEST_SKIP() << "not under sanitizers";
+  const std::string document = mjcf(shipped("bench_ring"));
+  const std::string with = logged(document, "mujoco-record", "0.05 60 frames.rgb", true);
+  EXPECT_EQ(with, linked(document));
+  EXPECT_GT(fs::file_size(folder_ / "frames.rgb"), 0u);
+}
+
+}  // namespace
+}  // namespace rotorub::test
