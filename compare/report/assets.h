@@ -1,12 +1,17 @@
-// The page's own files (compare/report/page), part of the program.
+// The pages' own files (compare/report/page), part of the program.
 #pragma once
 
 #include <string_view>
 
 namespace rotorub {
 
-std::string_view report_html();  // the template (see template.h)
+// Of every page.
 std::string_view report_css();
+std::string_view page_js();
+// Of the comparison's report and of the modes' page: the template (see template.h) and the script.
+std::string_view report_html();
 std::string_view report_js();
+std::string_view modes_html();
+std::string_view modes_js();
 
 }  // namespace rotorub

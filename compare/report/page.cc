@@ -9,10 +9,10 @@
 
 #include "compare/report/assets.h"
 #include "compare/report/base64.h"
+#include "compare/report/page_frame.h"
 #include "compare/report/page_values.h"
 #include "compare/report/plots.h"
 #include "compare/report/template.h"
-#include "compare/report/web/plotly.h"
 #include "compare/study/format.h"
 #include "compare/version.h"
 
@@ -57,14 +57,6 @@ json window_values(const SceneComparison& comparison) {
   return all;
 }
 
-// "</" would end the script element that holds the data.
-std::string for_script(std::string text) {
-  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3)) {
-    text.replace(at, 2, "<\\/");
-  }
-  return text;
-}
-
 std::string names_of(const std::vector<PageScene>& scenes) {
   std::string names;
   for (const PageScene& scene : scenes) {
@@ -93,16 +85,12 @@ std::string report_page(const std::vector<PageScene>& scenes) {
     plots.push_back(plot_data(comparison));
   }
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
-  const json values = {{"names", names_of(scenes)},
-                       {"mode", "lockstep"},
-                       {"version", program_version()},
-                       {"mujoco_version", mujoco_version()},
-                       {"tolerance", percent_text(tolerance)},
-                       {"css", report_css()},
-                       {"js", report_js()},
-                       {"plotly", plotly_js()},
-                       {"data", for_script(json{{"scenes", plots}}.dump())},
-                       {"scenes", pages}};
+  json values = page_frame(report_js(), {{"scenes", plots}});
+  values["names"] = names_of(scenes);
+  values["mode"] = "lockstep";
+  values["mujoco_version"] = mujoco_version();
+  values["tolerance"] = percent_text(tolerance);
+  values["scenes"] = pages;
   return fill_template(report_html(), values);
 }
 

@@ -1,11 +1,11 @@
 #include "compare/report/plots.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "compare/report/rounded.h"
 #include "compare/report/thin.h"
 
 namespace rotorub {
@@ -16,16 +16,6 @@ using Values = std::vector<double>;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kMicro = 1e6;
-
-// Six or seven significant digits: a plot shows no more, and the page stays small.
-double rounded(double value, int digits) {
-  char text[40];
-  const auto end =
-      std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
-  double short_value = value;
-  std::from_chars(text, end.ptr, short_value);
-  return short_value;
-}
 
 json pick(const Values& values, const std::vector<std::size_t>& rows, int digits) {
   json out = json::array();

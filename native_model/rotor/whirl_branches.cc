@@ -6,6 +6,8 @@
 #include <complex>
 #include <cstddef>
 
+#include "native_model/rotor/whirl_eigenvalues.h"
+
 namespace rotorub {
 namespace {
 
@@ -82,7 +84,43 @@ std::vector<std::size_t> append(std::vector<WhirlBranch>& branches,
   return next;
 }
 
+WhirlSystem leading(const WhirlSystem& system, Eigen::Index n) {
+  const auto block = [&](const Eigen::MatrixXd& matrix) {
+    return Eigen::MatrixXd(matrix.topLeftCorner(n, n));
+  };
+  WhirlSystem part = system;
+  for (Eigen::MatrixXd* matrix :
+       {&part.stiffness_x, &part.stiffness_y, &part.damping_x, &part.damping_y, &part.gyroscopic,
+        &part.internal_xx, &part.internal_xy, &part.internal_yy}) {
+    *matrix = block(*matrix);
+  }
+  return part;
+}
+
+bool agree(const std::vector<Complex>& a, const std::vector<Complex>& b, double accuracy) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t j = 0; j < a.size(); ++j) {
+    if (std::abs(a[j] - b[j]) > accuracy * std::abs(b[j])) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+WhirlSystem condensed(const WhirlSystem& system, double speed, double accuracy) {
+  Eigen::Index n = 2 * Eigen::Index{system.kept} + 4;
+  if (n >= system.size()) return system;
+  const std::vector<Complex> at_rest = whirl_eigenvalues(system, 0.0);
+  const std::vector<Complex> at_speed = whirl_eigenvalues(system, speed);
+  for (; n < system.size(); n += n / 2) {
+    WhirlSystem part = leading(system, n);
+    if (agree(whirl_eigenvalues(part, 0.0), at_rest, accuracy) &&
+        agree(whirl_eigenvalues(part, speed), at_speed, accuracy)) {
+      return part;
+    }
+  }
+  return system;
+}
 
 std::vector<WhirlBranch> whirl_branches(const WhirlSystem& system,
                                         const std::vector<double>& speeds,

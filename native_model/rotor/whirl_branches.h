@@ -25,6 +25,11 @@ std::vector<WhirlBranch> whirl_branches(const WhirlSystem& system,
                                         const std::vector<double>& speeds,
                                         const std::function<void(double)>& progress = {});
 
+// The system in so few of its leading coordinates (those of the lowest modes) that the kept modes
+// at rest and at `speed` (rad/s) keep their s to `accuracy`, relative; many spectra then cost
+// little.
+WhirlSystem condensed(const WhirlSystem& system, double speed, double accuracy);
+
 // 0 to highest in equal steps (rad/s, count >= 2 of them).
 std::vector<double> even_speeds(double highest, int count);
 

@@ -2,9 +2,7 @@
 // follows the light or dark theme. Without it the page still shows verdicts, films and tables.
 'use strict';
 (() => {
-  const data = JSON.parse(document.getElementById('data').textContent);
-  const root = document.documentElement;
-  const css = (name) => getComputedStyle(root).getPropertyValue(name).trim();
+  const {data, css, axes, layout, config} = page;
 
   // ------------------------------------------------------------------ traces
   const dashes = {native: 'solid', coulomb: 'solid', cone: 'solid'};
@@ -64,21 +62,6 @@
     }
     return notes.length ? {axis: {range}, notes} : {};
   }
-
-  // ------------------------------------------------------------------ layouts
-  function axes(extra) {
-    return Object.assign({gridcolor: css('--hair'), zerolinecolor: css('--line'), linecolor: css('--line'),
-      tickcolor: css('--line'), ticks: 'outside', ticklen: 4, automargin: true}, extra);
-  }
-  function layout(extra) {
-    return Object.assign({
-      paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', showlegend: false,
-      font: {family: getComputedStyle(document.body).fontFamily, size: 12, color: css('--soft')},
-      margin: {l: 56, r: 12, t: 8, b: 40}, hovermode: 'x unified',
-      hoverlabel: {bgcolor: css('--panel'), bordercolor: css('--line'), font: {color: css('--ink')}},
-    }, extra);
-  }
-  const config = {responsive: true, displaylogo: false, displayModeBar: false};
 
   // ------------------------------------------------------------------ one scene
   class Scene {
@@ -187,21 +170,7 @@
     }
   }
 
-  // ------------------------------------------------------------------ theme
   const scenes = [...document.querySelectorAll('.scene')].map(
     (element) => new Scene(element, data.scenes[Number(element.dataset.scene)]));
-  const prefersDark = matchMedia('(prefers-color-scheme: dark)');
-  let chosen = null;
-  function theme(name) {
-    root.dataset.theme = name || chosen || (prefersDark.matches ? 'dark' : 'light');
-    scenes.forEach((scene) => scene.drawAll());
-  }
-  document.getElementById('theme').addEventListener('click', () => {
-    chosen = root.dataset.theme === 'dark' ? 'light' : 'dark';
-    theme();
-  });
-  prefersDark.addEventListener('change', () => theme());
-  addEventListener('beforeprint', () => theme('light'));
-  addEventListener('afterprint', () => theme());
-  theme();
+  page.start(() => scenes.forEach((scene) => scene.drawAll()));
 })();

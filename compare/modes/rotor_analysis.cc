@@ -1,0 +1,42 @@
+#include "compare/modes/rotor_analysis.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compare/modes/units.h"
+#include "native_model/rotor/modal_rotor.h"
+
+namespace rotorub {
+
+RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>& speeds) {
+  RotorAnalysis analysis;
+  analysis.system = whirl_system(scene);
+  analysis.critical_speeds = critical_speeds(analysis.system);
+  analysis.stability_threshold = stability_threshold(analysis.system);
+  analysis.stability_bound = stability_bound(analysis.system);
+  analysis.shapes = mode_shapes(scene);
+  if (scene.rotor.torsion) analysis.torsion = torsion_frequencies(modal_rotor(scene));
+  const std::vector<double> own{scene.rotor.speed};
+  for (double speed : speeds.empty() ? own : speeds) {
+    analysis.spectra.push_back(whirl_spectrum(analysis.system, speed));
+  }
+  return analysis;
+}
+
+const char* sense_of(const WhirlMode& mode) {
+  if (mode.frequency == 0.0) return mode.damping_ratio == 0.0 ? "rigid" : "overdamped";
+  return mode.frequency > 0.0 ? "forward" : "backward";
+}
+
+std::string stability_text(const RotorAnalysis& analysis) {
+  if (analysis.stability_threshold) {
+    return fmt::format("unstable above {:.7g} rad/s ({:.7g} rpm)", *analysis.stability_threshold,
+                       *analysis.stability_threshold * kRpm);
+  }
+  if (std::isinf(analysis.stability_bound)) return "no whirl grows at any speed";
+  return fmt::format("no whirl grows up to {:.5g} rad/s ({:.5g} rpm)", analysis.stability_bound,
+                     analysis.stability_bound * kRpm);
+}
+
+}  // namespace rotorub

@@ -1,0 +1,35 @@
+// Everything that `rotorub modes` says of a rotor, computed once for text, JSON and page.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "native_model/rotor/campbell.h"
+#include "native_model/rotor/mode_shapes.h"
+#include "native_model/rotor/whirl_system.h"
+#include "native_model/scene/scene.h"
+
+namespace rotorub {
+
+struct RotorAnalysis {
+  WhirlSystem system;
+  std::vector<WhirlSpectrum> spectra;         // at the speeds asked for
+  std::vector<double> critical_speeds;        // rad/s, ascending
+  std::optional<double> stability_threshold;  // rad/s
+  double stability_bound = 0.0;               // rad/s, may be infinite (campbell.h)
+  std::optional<ModeShapes> shapes;           // geometry form only
+  std::vector<TorsionMode> torsion;
+};
+
+// speeds: rad/s, of either sign; none: the scene's own rotor.speed. Throws scene::SceneError for a
+// rotor without modes (modal_rotor.h), std::runtime_error where an eigenvalue iteration fails.
+RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>& speeds);
+
+// "forward", "backward", "overdamped", or "rigid" for s = 0.
+const char* sense_of(const WhirlMode& mode);
+// One sentence without a full stop: "unstable above ...", "no whirl grows up to ...", or at any
+// speed.
+std::string stability_text(const RotorAnalysis& analysis);
+
+}  // namespace rotorub

@@ -1,0 +1,162 @@
+#include "compare/modes/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/modes/units.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+std::string spectrum_table(const WhirlSpectrum& spectrum) {
+  std::string text =
+      fmt::format("at {:.6g} rad/s ({:.6g} rpm)\n", spectrum.speed, spectrum.speed * kRpm);
+  text += fmt::format("  {:<12}{:>14}{:>14}{:>16}\n", "whirl", "rad/s", "Hz", "damping ratio");
+  for (const WhirlMode& mode : spectrum.modes) {
+    const double size = std::abs(mode.frequency);
+    text += fmt::format("  {:<12}{:>14.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode), size, size * kHz,
+                        mode.damping_ratio);
+  }
+  return text;
+}
+
+// A column for each mode: its frequency at rest, then its value at each station.
+std::string plane_table(const std::vector<Station>& stations, const PlaneShapes& plane) {
+  constexpr Eigen::Index kColumns = 6;
+  const Eigen::Index n = std::min(kColumns, plane.frequency.size());
+  std::string text = fmt::format("  {:<18}{:>10}", "station", "z / mm");
+  for (Eigen::Index j = 0; j < n; ++j) {
+    text += fmt::format("{:>13}", fmt::format("{:.5g} Hz", plane.frequency[j] * kHz));
+  }
+  text += "\n";
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    text += fmt::format("  {:<18}{:>10.5g}", stations[i].name, 1e3 * stations[i].z);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      text += fmt::format("{:>13.4f}", plane.at_stations(static_cast<Eigen::Index>(i), j));
+    }
+    text += "\n";
+  }
+  const Eigen::Index left = plane.frequency.size() - n;
+  if (left > 0) text += fmt::format("  and {} higher modes, in the output of --json\n", left);
+  return text;
+}
+
+std::string shapes_table(const RotorAnalysis& analysis) {
+  if (!analysis.shapes) {
+    return "mode shapes: none, the scene gives its modes without a shaft; each is 1 at the "
+           "contact\n";
+  }
+  const ModeShapes& shapes = *analysis.shapes;
+  const std::string title = "mode shapes at rest, 1 at the contact or at the peak";
+  if (shapes.same_planes) {
+    return fmt::format("{}, planes x and y alike\n", title) +
+           plane_table(shapes.stations, shapes.x);
+  }
+  return fmt::format("{}, plane x\n", title) + plane_table(shapes.stations, shapes.x) +
+         fmt::format("\n{}, plane y\n", title) + plane_table(shapes.stations, shapes.y);
+}
+
+std::string torsion_table(const RotorAnalysis& analysis) {
+  if (analysis.torsion.empty()) return "";
+  std::string text = "\ntorsion, elastic modes\n";
+  for (const TorsionMode& mode : analysis.torsion) {
+    text += fmt::format("  {:<12}{:>14.7g}{:>14.7g}{:>16.4g}\n", "torsion", mode.frequency,
+                        mode.frequency * kHz, mode.damping_ratio);
+  }
+  return text;
+}
+
+std::vector<double> list(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
+
+json plane_json(const PlaneShapes& plane) {
+  json modes = json::array();
+  for (Eigen::Index j = 0; j < plane.frequency.size(); ++j) {
+    modes.push_back({{"frequency", plane.frequency[j]},
+                     {"shape", list(plane.shape.col(j))},
+                     {"at_stations", list(plane.at_stations.col(j))}});
+  }
+  return modes;
+}
+
+json shapes_json(const std::optional<ModeShapes>& shapes) {
+  if (!shapes) return nullptr;
+  json stations = json::array();
+  for (const Station& station : shapes->stations) {
+    stations.push_back(
+        {{"kind", to_string(station.kind)}, {"name", station.name}, {"z", station.z}});
+  }
+  return {{"z", list(shapes->z)},
+          {"stations", stations},
+          {"same_planes", shapes->same_planes},
+          {"x", plane_json(shapes->x)},
+          {"y", plane_json(shapes->y)}};
+}
+
+}  // namespace
+
+json modes_json(const RotorAnalysis& analysis) {
+  json spectra = json::array();
+  for (const WhirlSpectrum& spectrum : analysis.spectra) {
+    json modes = json::array();
+    for (const WhirlMode& mode : spectrum.modes) {
+      modes.push_back({{"frequency", mode.frequency}, {"damping_ratio", mode.damping_ratio}});
+    }
+    spectra.push_back({{"speed", spectrum.speed}, {"modes", modes}});
+  }
+  json torsion = json::array();
+  for (const TorsionMode& mode : analysis.torsion) {
+    torsion.push_back({{"frequency", mode.frequency}, {"damping_ratio", mode.damping_ratio}});
+  }
+  json result{{"speeds", spectra},
+              {"critical_speeds", analysis.critical_speeds},
+              {"stability_threshold", nullptr},
+              {"stability_bound", nullptr},
+              {"torsion", torsion},
+              {"mode_shapes", shapes_json(analysis.shapes)}};
+  if (analysis.stability_threshold) result["stability_threshold"] = *analysis.stability_threshold;
+  if (std::isfinite(analysis.stability_bound)) {
+    result["stability_bound"] = analysis.stability_bound;
+  }
+  return result;
+}
+
+std::string modes_table(const std::string& name, const RotorAnalysis& analysis) {
+  std::string text = fmt::format("{}: whirl of the free rotor\n", name);
+  for (const WhirlSpectrum& spectrum : analysis.spectra) text += "\n" + spectrum_table(spectrum);
+  text += torsion_table(analysis);
+
+  text += fmt::format("\ncritical speeds, undamped, {}\n",
+                      analysis.system.isotropic ? "forward whirl" : "whirl of either sense");
+  for (double speed : analysis.critical_speeds) {
+    text += fmt::format("  {:.7g} rad/s ({:.7g} rpm)\n", speed, speed * kRpm);
+  }
+  if (analysis.critical_speeds.empty()) text += "  none\n";
+
+  text += "\n" + stability_text(analysis) + "\n";
+  return text + "\n" + shapes_table(analysis);
+}
+
+const char* to_string(StationKind kind) {
+  switch (kind) {
+    case StationKind::kDisc:
+      return "disc";
+    case StationKind::kBearing:
+      return "bearing";
+    case StationKind::kContact:
+      return "contact";
+    case StationKind::kDrive:
+      return "drive";
+    case StationKind::kMagneticBearing:
+      return "magnetic_bearing";
+    case StationKind::kForce:
+      break;
+  }
+  return "force";
+}
+
+}  // namespace rotorub

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/modes/text.h"
+#include "compare/modes/units.h"
+#include "compare/report/modes_page.h"
+#include "compare/report/rounded.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kDigits = 7;
+constexpr double kMilli = 1e3;
+
+json list(const Eigen::VectorXd& values, double factor) {
+  json out = json::array();
+  for (double value : values) out.push_back(rounded(value * factor, kDigits));
+  return out;
+}
+
+// A branch cut where its sense changes, each piece from the last point of the one before.
+void add_pieces(const WhirlBranch& branch, json& pieces) {
+  constexpr double kRoundOff = 1e-10;  // of a damping ratio: an undamped mode
+  json piece;
+  const auto add = [&](std::size_t k) {
+    const WhirlMode& mode = branch.modes[k];
+    const double ratio = std::abs(mode.damping_ratio) < kRoundOff ? 0.0 : mode.damping_ratio;
+    piece["speed"].push_back(rounded(branch.speed[k] * kRpm, kDigits));
+    piece["frequency"].push_back(rounded(std::abs(mode.frequency) * kHz, kDigits));
+    piece["damping"].push_back(rounded(100.0 * ratio, kDigits));
+  };
+  for (std::size_t k = 0; k < branch.modes.size(); ++k) {
+    const std::string sense = sense_of(branch.modes[k]);
+    if (k == 0 || piece["sense"] != sense) {
+      if (k > 0) pieces.push_back(piece);
+      piece = {{"sense", sense},
+               {"speed", json::array()},
+               {"frequency", json::array()},
+               {"damping", json::array()}};
+      if (k > 0) add(k - 1);
+    }
+    add(k);
+  }
+  pieces.push_back(piece);
+}
+
+json campbell(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
+              const std::vector<WhirlBranch>& branches) {
+  json pieces = json::array();
+  for (const WhirlBranch& branch : branches) add_pieces(branch, pieces);
+  json critical = json::array();
+  for (double speed : analysis.critical_speeds) {
+    if (speed <= range) critical.push_back(rounded(speed * kRpm, kDigits));
+  }
+  json threshold = nullptr;
+  if (analysis.stability_threshold) {
+    threshold = rounded(*analysis.stability_threshold * kRpm, kDigits);
+  }
+  return {{"top", rounded(range * kRpm, kDigits)},
+          {"running", rounded(std::abs(scene.rotor.speed) * kRpm, kDigits)},
+          {"critical", critical},
+          {"threshold", threshold},
+          {"pieces", pieces}};
+}
+
+json plane(const char* name, const PlaneShapes& shapes) {
+  json modes = json::array();
+  for (Eigen::Index j = 0; j < shapes.frequency.size(); ++j) {
+    // Of one height in the picture, whatever the value at the contact.
+    const double scale = 1.0 / shapes.shape.col(j).cwiseAbs().maxCoeff();
+    modes.push_back({{"plane", name},
+                     {"number", j + 1},
+                     {"frequency", rounded(shapes.frequency[j] * kHz, kDigits)},
+                     {"shape", list(shapes.shape.col(j), scale)},
+                     {"at_stations", list(shapes.at_stations.col(j), scale)}});
+  }
+  return modes;
+}
+
+// mm; of a disc that is thin, from J_p = m r^2 / 2. Null without a polar moment.
+json disc_radius(const scene::Disc& disc) {
+  if (!(disc.mass > 0.0 && disc.Jp > 0.0)) return nullptr;
+  return rounded(kMilli * std::sqrt(2.0 * disc.Jp / disc.mass), kDigits);
+}
+
+json shapes(const scene::Scene& scene, const RotorAnalysis& analysis) {
+  if (!analysis.shapes) return nullptr;
+  const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  json sections = json::array();
+  for (const scene::ShaftSection& section : geometry.sections) {
+    sections.push_back({{"from", kMilli * section.from},
+                        {"to", kMilli * section.to},
+                        {"diameter", kMilli * section.diameter}});
+  }
+  json discs = json::array();
+  for (const scene::Disc& disc : geometry.discs) {
+    discs.push_back({{"z", kMilli * disc.z}, {"radius", disc_radius(disc)}});
+  }
+  json stations = json::array();
+  for (const Station& station : analysis.shapes->stations) {
+    stations.push_back({{"kind", to_string(station.kind)},
+                        {"name", station.name},
+                        {"z", rounded(kMilli * station.z, kDigits)}});
+  }
+  json modes = plane("x", analysis.shapes->x);
+  if (!analysis.shapes->same_planes) {
+    for (json& mode : plane("y", analysis.shapes->y)) modes.push_back(std::move(mode));
+  }
+  return {{"z", list(analysis.shapes->z, kMilli)},
+          {"stations", stations},
+          {"sections", sections},
+          {"discs", discs},
+          {"same_planes", analysis.shapes->same_planes},
+          {"modes", modes}};
+}
+
+}  // namespace
+
+double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis) {
+  constexpr double kFar = 4.0;      // times what is shown anyway: too far to be shown too
+  constexpr double kMargin = 1.15;  // beyond the last thing of interest
+  double shown = std::abs(scene.rotor.speed);
+  for (const WhirlSpectrum& spectrum : analysis.spectra) {
+    shown = std::max(shown, std::abs(spectrum.speed));
+  }
+  for (double speed : analysis.critical_speeds) {
+    if (shown == 0.0 || speed <= kFar * shown) shown = std::max(shown, speed);
+  }
+  const std::optional<double> threshold = analysis.stability_threshold;
+  if (threshold && (shown == 0.0 || *threshold <= kFar * shown)) {
+    shown = std::max(shown, *threshold);
+  }
+  // Nothing turns and nothing is critical: as far as the highest frequency.
+  if (shown == 0.0) shown = std::abs(analysis.spectra.front().modes.back().frequency);
+  return kMargin * (shown > 0.0 ? shown : 1.0);
+}
+
+json modes_plots(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
+                 const std::vector<WhirlBranch>& branches) {
+  return {{"campbell", campbell(scene, analysis, range, branches)},
+          {"shapes", shapes(scene, analysis)}};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,168 @@
+// Draws the Campbell diagram, the damping ratios and the mode shapes from the page's data. Without it
+// the page still shows its tables.
+'use strict';
+(() => {
+  const {data, css, axes, layout, config} = page;
+  const {campbell, shapes} = data;
+
+  // ------------------------------------------------------------------ against the spin speed
+  const senses = {forward: {color: '--forward', dash: 'solid'}, backward: {color: '--backward', dash: 'dash'},
+    overdamped: {color: '--soft', dash: 'dot'}, rigid: {color: '--soft', dash: 'dot'}};
+
+  const once = () => {
+    const seen = new Set();
+    return (name) => !seen.has(name) && Boolean(seen.add(name));
+  };
+
+  // A value of all pieces against speed; what grows lies thick on top.
+  function branches(key, unit) {
+    const first = once();
+    const trace = (piece, y, name, line) => ({x: piece.speed, y, name, legendgroup: name, showlegend: first(name),
+      type: 'scatter', mode: 'lines', line, customdata: piece.speed.map((_, k) => [piece.frequency[k], piece.damping[k]]),
+      hovertemplate: '%{x:.5g} rpm: %{customdata[0]:.5g} Hz, damping %{customdata[1]:.3g} %<extra>' + name + '</extra>'});
+    // Backward whirl, dashed, over the forward whirl that it may coincide with.
+    const order = [...campbell.pieces].sort((a, b) => (a.sense === 'backward') - (b.sense === 'backward'));
+    const plain = order.map((piece) => {
+      const {color, dash} = senses[piece.sense];
+      return trace(piece, piece[key], piece.sense, {color: css(color), width: 2, dash});
+    });
+    const growing = campbell.pieces.filter((piece) => piece.damping.some((d) => d < 0)).map((piece) =>
+      trace(piece, piece[key].map((y, k) => (piece.damping[k] < 0 ? y : null)), 'growing',
+        {color: css('--bad'), width: 4}));
+    return [...plain, ...growing];
+  }
+
+  const across = (x, color, dash) => ({type: 'line', x0: x, x1: x, yref: 'paper', y0: 0, y1: 1,
+    line: {color: css(color), width: 1.2, dash}});
+  const besides = (x, text, color, y) => ({x, xref: 'x', y, yref: 'paper', text, showarrow: false,
+    xanchor: x > 0.8 * campbell.top ? 'right' : 'left', xshift: x > 0.8 * campbell.top ? -5 : 5, yanchor: 'top',
+    bgcolor: css('--paper'), font: {color: css(color), size: 12}});
+
+  // The scene's speed and the threshold of stability, with the unstable range behind everything.
+  function marks(lettered) {
+    const lines = [], notes = [];
+    if (campbell.running > 0 && campbell.running <= campbell.top) {
+      lines.push(across(campbell.running, '--soft', 'dot'));
+      if (lettered) notes.push(besides(campbell.running, "scene's speed", '--soft', 1));
+    }
+    const threshold = campbell.threshold;
+    if (threshold !== null && threshold <= campbell.top) {
+      lines.push({type: 'rect', x0: threshold, x1: campbell.top, yref: 'paper', y0: 0, y1: 1, layer: 'below',
+        fillcolor: css('--bad-bg'), opacity: 0.7, line: {width: 0}}, across(threshold, '--bad', 'dash'));
+      if (lettered) notes.push(besides(threshold, 'unstable above ' + Number(threshold.toPrecision(5)) + ' rpm', '--bad', 0.93));
+    }
+    return {shapes: lines, annotations: notes};
+  }
+  const speedAxis = () => axes({title: {text: 'spin speed / rpm', standoff: 6}, range: [0, campbell.top],
+    exponentformat: 'none', separatethousands: true});
+  const valueAxis = (extra) => axes(Object.assign({automargin: false}, extra));
+  const legend = (extra) => Object.assign({orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}}, extra);
+
+  // High enough for 1x and the two lowest modes of either sense; a double click shows the rest.
+  function ceiling() {
+    const highest = campbell.pieces.filter((piece) => piece.speed[0] === 0)
+      .map((piece) => Math.max(...piece.frequency)).sort((a, b) => a - b);
+    return 1.08 * Math.max(campbell.top / 60, ...highest.slice(0, 4));
+  }
+
+  function drawCampbell(plot) {
+    const once1 = {type: 'scatter', x: [0, campbell.top], y: [0, campbell.top / 60], name: '1×', mode: 'lines',
+      line: {color: css('--ink'), width: 1.2, dash: 'longdashdot'}, hoverinfo: 'skip'};
+    const critical = {type: 'scatter', x: campbell.critical, y: campbell.critical.map((n) => n / 60), name: 'critical speed',
+      mode: 'markers+text', text: campbell.critical.map((n) => Number(n.toPrecision(4)) + ' rpm'),
+      // On either side of 1x in turn: critical speeds come in near pairs.
+      textposition: campbell.critical.map((_, k) => (campbell.critical.length > 1 && k % 2 === 0 ? 'top left' : 'bottom right')), textfont: {color: css('--ink')}, cliponaxis: false,
+      marker: {color: css('--paper'), size: 10, line: {color: css('--ink'), width: 2}},
+      hovertemplate: 'critical: %{x:.6g} rpm, %{y:.5g} Hz<extra></extra>'};
+    Plotly.react(plot, [...branches('frequency'), once1, critical], layout({...marks(true), hovermode: 'closest',
+      showlegend: true, legend: legend(), margin: {l: 64, r: 24, t: 30, b: 44}, xaxis: speedAxis(),
+      yaxis: valueAxis({title: {text: 'whirl frequency / Hz', standoff: 8}, range: [0, ceiling()]})}), config);
+  }
+
+  function drawDamping(plot) {
+    const most = Math.max(0, ...campbell.pieces.flatMap((piece) => piece.damping));
+    const least = Math.min(0, ...campbell.pieces.flatMap((piece) => piece.damping));
+    const room = 0.1 * (most - least) || 0.1;
+    Plotly.react(plot, branches('damping'), layout({...marks(false), hovermode: 'closest',
+      margin: {l: 64, r: 24, t: 8, b: 44}, xaxis: speedAxis(),
+      yaxis: valueAxis({title: {text: 'damping ratio / %', standoff: 8}, range: [least - room, most + room],
+        zeroline: true, zerolinecolor: css('--soft')})}), config);
+  }
+
+  // ------------------------------------------------------------------ along the shaft
+  const kinds = {disc: ['square', '--ink'], bearing: ['triangle-up', '--good'], contact: ['circle-open', '--bad'],
+    drive: ['star', '--mode-4'], magnetic_bearing: ['diamond', '--mode-5'], force: ['arrow-bar-down', '--backward']};
+
+  const length = () => shapes.z[shapes.z.length - 1];
+
+  // The modes, with a mark at every station: colour the mode, dashes the plane y where it differs.
+  function modeTraces() {
+    return shapes.modes.map((mode) => {
+      const color = css('--mode-' + (((mode.number - 1) % 6) + 1));
+      const name = 'mode ' + mode.number + (shapes.same_planes ? '' : ' ' + mode.plane) + ', ' +
+        Number(mode.frequency.toPrecision(4)) + ' Hz';
+      return {x: shapes.z, y: mode.shape, name, type: 'scatter', mode: 'lines',
+        visible: mode.number <= 4 ? true : 'legendonly',
+        line: {color, width: 2.2, dash: mode.plane === 'y' ? 'dash' : 'solid'},
+        hovertemplate: 'z = %{x:.1f} mm: %{y:.3f}<extra>' + name + '</extra>'};
+    });
+  }
+
+  const tallest = () => Math.max(...shapes.sections.map((s) => s.diameter / 2), ...shapes.discs.map((d) => d.radius || 0));
+  const radiusAt = (z) => Math.max(0, ...shapes.sections.filter((s) => s.from <= z && z <= s.to).map((s) => s.diameter / 2));
+
+  // The rotor itself as rectangles on the lower axes, and a hairline through the modes at each station.
+  function rotorShapes() {
+    const box = (x0, x1, radius, fill) => ({type: 'rect', yref: 'y2', layer: 'between', x0, x1, y0: -radius, y1: radius, fillcolor: css(fill),
+      line: {color: css('--soft'), width: 1}});
+    const half = 0.006 * length();
+    return [
+      ...shapes.stations.map(({z}) => ({type: 'line', x0: z, x1: z, yref: 'paper', y0: 0.3, y1: 1, layer: 'below',
+        line: {color: css('--line'), width: 1}})),
+      ...shapes.sections.map((s) => box(s.from, s.to, s.diameter / 2, '--line')),
+      ...shapes.discs.map((d) => box(d.z - half, d.z + half, d.radius || 0.6 * tallest(), '--soft'))];
+  }
+
+  // One trace of symbols: bearings from below, all else from above the shaft.
+  function stationTrace() {
+    const shown = shapes.stations.filter(({kind}) => kind !== 'disc');
+    const high = 0.22 * tallest();
+    const y = ({kind, z}) => (kind === 'bearing' ? -radiusAt(z) - high : kind === 'force' ? radiusAt(z) + high :
+      kind === 'contact' || kind === 'drive' ? 0 : radiusAt(z) + high);
+    return {x: shown.map(({z}) => z), y: shown.map(y), yaxis: 'y2', type: 'scatter', mode: 'markers', showlegend: false,
+      text: shown.map(({name}) => name), hovertemplate: '%{text}, z = %{x:.1f} mm<extra></extra>', cliponaxis: false,
+      marker: {size: shown.map(({kind}) => (kind === 'contact' ? 17 : 12)), symbol: shown.map(({kind}) => kinds[kind][0]),
+        color: shown.map(({kind}) => css(kinds[kind][1])), line: {width: shown.map(({kind}) => (kind === 'contact' ? 2.5 : 0))}}};
+  }
+
+  // Names under the rotor, each on the first line where it has room.
+  function stationNames(width) {
+    const ends = [];
+    return shapes.stations.map(({kind, name, z}) => {
+      const middle = (z / length()) * width, half = 3.6 * name.length + 6;
+      let row = ends.findIndex((end) => end < middle - half);
+      if (row < 0) row = ends.length;
+      ends[row] = middle + half;
+      return {x: z, xref: 'x', y: 0, yref: 'paper', yanchor: 'top', yshift: -22 - 15 * row, text: name, showarrow: false,
+        font: {color: css(kinds[kind][1]), size: 12}, row};
+    });
+  }
+
+  function drawShapes(plot) {
+    const names = stationNames(0.9 * (plot.clientWidth || 1000));
+    const rows = 1 + Math.max(0, ...names.map(({row}) => row));
+    const tall = 1.6 * tallest();
+    Plotly.react(plot, [...modeTraces(), stationTrace()], layout({hovermode: 'closest', showlegend: true, legend: legend(),
+      shapes: rotorShapes(), annotations: names.map(({row, ...note}) => note),
+      margin: {l: 56, r: 24, t: 30, b: 44 + 15 * rows},
+      xaxis: axes({title: {text: 'z / mm', standoff: 10 + 15 * rows}, range: [-0.02 * length(), 1.02 * length()],
+        anchor: 'y2', zeroline: false, automargin: false}),
+      yaxis: axes({title: {text: 'deflection', standoff: 8}, domain: [0.3, 1], range: [-1.1, 1.1], dtick: 0.5,
+        zerolinecolor: css('--soft')}),
+      yaxis2: axes({domain: [0, 0.25], range: [-tall, tall], visible: false, fixedrange: true})}), config);
+  }
+
+  // ------------------------------------------------------------------ all of them
+  const drawers = {campbell: drawCampbell, damping: drawDamping, shapes: drawShapes};
+  page.start(() => document.querySelectorAll('.plot').forEach((plot) => drawers[plot.dataset.plot](plot)));
+})();

@@ -1,0 +1,198 @@
+#include "compare/report/modes_page.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/modes/units.h"
+#include "compare/report/web/plotly.h"
+#include "native_model/oracles/friswell_rotor.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kDrawn = 1e-6;   // relative: the page's data have seven digits
+constexpr double kRange = 500.0;  // rad/s
+constexpr int kSpeeds = 26;
+
+scene::Scene friswell() {
+  scene::Scene s;
+  s.name = "friswell";
+  s.rotor.speed = 100.0;
+  s.rotor.geometry = oracle::friswell_rotor();
+  return s;
+}
+
+scene::Scene jeffcott() {
+  scene::Scene s;
+  s.name = "jeffcott";
+  s.rotor.speed = 100.0;
+  s.rotor.modal.emplace().mass = {2.0};
+  s.rotor.modal->stiffness = {2e5};
+  s.rotor.modal->damping = {40.0};
+  return s;
+}
+
+std::vector<WhirlBranch> branches_of(const RotorAnalysis& analysis) {
+  return whirl_branches(analysis.system, even_speeds(kRange, kSpeeds));
+}
+
+json plots_of(const scene::Scene& s) {
+  const RotorAnalysis analysis = analyse_rotor(s, {});
+  return modes_plots(s, analysis, kRange, branches_of(analysis));
+}
+
+std::string page_of(const scene::Scene& s) {
+  const RotorAnalysis analysis = analyse_rotor(s, {});
+  return modes_page(s, analysis, kRange, branches_of(analysis));
+}
+
+// Between two strings.
+std::string part(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t begin = text.find(from);
+  EXPECT_NE(begin, std::string::npos) << from;
+  const std::size_t end = text.find(to, begin + from.size());
+  return text.substr(begin + from.size(), end - begin - from.size());
+}
+
+TEST(ModesPlots, DrawTheSpectraOfTheModel) {
+  const scene::Scene s = friswell();
+  const WhirlSystem system = whirl_system(s);
+  const json campbell = plots_of(s).at("campbell");
+  ASSERT_EQ(campbell.at("pieces").size(), 6u);
+  for (const json& piece : campbell["pieces"]) {
+    ASSERT_EQ(piece.at("speed").size(), static_cast<std::size_t>(kSpeeds));
+    const double sign = piece.at("sense") == "forward" ? 1.0 : -1.0;
+    const double speed = kRange;
+    const double drawn = piece.at("frequency").back().get<double>() / kHz * sign;
+    double nearest = 1.0;
+    for (const WhirlMode& mode : whirl_spectrum(system, speed).modes) {
+      nearest = std::min(nearest, std::abs(mode.frequency / drawn - 1.0));
+    }
+    EXPECT_LT(nearest, kDrawn) << drawn;
+    for (const json& ratio : piece.at("damping")) EXPECT_EQ(ratio, 0.0) << "undamped";
+  }
+  EXPECT_NEAR(campbell.at("running").get<double>(), 100.0 * kRpm, 1e-3);
+  EXPECT_NEAR(campbell.at("top").get<double>(), kRange * kRpm, 1e-2);
+}
+
+TEST(ModesPlots, MarkCriticalSpeedsWithinTheDiagram) {
+  const scene::Scene s = friswell();
+  const std::vector<double> expected = critical_speeds(whirl_system(s));
+  const json drawn = plots_of(s)["campbell"].at("critical");
+  ASSERT_EQ(expected.size(), 3u);
+  ASSERT_LT(expected[1], kRange);
+  ASSERT_GT(expected[2], kRange);
+  ASSERT_EQ(drawn.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(drawn[k].get<double>() / (expected[k] * kRpm), 1.0, kDrawn);
+  }
+}
+
+TEST(ModesPlots, MarkTheThresholdOrSayThereIsNone) {
+  scene::Scene s = friswell();
+  EXPECT_TRUE(plots_of(s)["campbell"].at("threshold").is_null());
+  s.rotor.geometry->internal_damping_ratio = 0.01;
+  const double expected = stability_threshold(whirl_system(s)).value();
+  const json campbell = plots_of(s)["campbell"];
+  EXPECT_NEAR(campbell.at("threshold").get<double>() / (expected * kRpm), 1.0, kDrawn);
+
+  // Forward whirl grows beyond it, and there alone.
+  for (const json& piece : campbell["pieces"]) {
+    for (std::size_t k = 0; k < piece["speed"].size(); ++k) {
+      const bool below = piece["speed"][k].get<double>() < expected * kRpm;
+      const double damping = piece["damping"][k];
+      if (below || piece["sense"] == "backward") {
+        EXPECT_GT(damping, 0.0);
+      }
+    }
+  }
+  EXPECT_LT(campbell["pieces"][1]["damping"].back().get<double>(), 0.0);
+}
+
+TEST(ModesPlots, DrawModesOneHigh) {
+  scene::Scene s = friswell();
+  s.rotor.geometry->bearings[0].stiffness.y() *= 0.5;
+  const json shapes = plots_of(s).at("shapes");
+  EXPECT_EQ(shapes.at("same_planes"), false);
+  EXPECT_EQ(shapes.at("discs").size(), 2u);
+  ASSERT_EQ(shapes.at("modes").size(), 6u) << "three in each plane";
+  EXPECT_EQ(shapes["modes"][0].at("plane"), "x");
+  EXPECT_EQ(shapes["modes"][5].at("plane"), "y");
+  for (const json& mode : shapes["modes"]) {
+    double highest = 0.0;
+    ASSERT_EQ(mode.at("shape").size(), shapes.at("z").size());
+    for (const json& value : mode["shape"]) {
+      highest = std::max(highest, std::abs(value.get<double>()));
+    }
+    EXPECT_EQ(highest, 1.0);
+  }
+  EXPECT_TRUE(plots_of(jeffcott()).at("shapes").is_null());
+}
+
+TEST(ModesPage, HoldsAllItNeeds) {
+  std::string page = page_of(friswell());
+  const std::size_t script = page.find(plotly_js());
+  ASSERT_NE(script, std::string::npos);
+  page.erase(script, plotly_js().size());
+  EXPECT_EQ(page.find("http"), std::string::npos) << "nothing from a network";
+  EXPECT_EQ(page.find("src="), std::string::npos) << "nothing from another file";
+  EXPECT_EQ(page.find("<link"), std::string::npos);
+  EXPECT_EQ(page.find("@import"), std::string::npos);
+  EXPECT_EQ(page.find("{{"), std::string::npos) << "every name of the template filled";
+  EXPECT_EQ(json::parse(part(page, "type=\"application/json\">", "</script>")),
+            plots_of(friswell()));
+}
+
+TEST(ModesPage, SaysWhatTheModelSays) {
+  scene::Scene s = friswell();
+  EXPECT_NE(page_of(s).find("stable at any speed"), std::string::npos);
+  s.rotor.geometry->internal_damping_ratio = 0.01;
+  const std::string page = page_of(s);
+  EXPECT_NE(page.find("unstable above 830.42 rpm"), std::string::npos) << "as the first critical";
+  EXPECT_NE(page.find("954.93 rpm, unstable"), std::string::npos) << "100 rad/s lies above";
+  EXPECT_NE(page.find("nearest critical speed 830.42 rpm, 13 % below"), std::string::npos);
+  EXPECT_NE(page.find("Beyond the diagram: 1 critical speed."), std::string::npos);
+}
+
+TEST(ModesPage, OfAModalFormSaysWhyItHasNoShapes) {
+  const std::string page = page_of(jeffcott());
+  EXPECT_NE(page.find("No mode shapes"), std::string::npos);
+  EXPECT_EQ(page.find("data-plot=\"shapes\""), std::string::npos);
+  EXPECT_NE(page_of(friswell()).find("data-plot=\"shapes\""), std::string::npos);
+}
+
+// A text that would end the script element, and HTML in the scene.
+TEST(ModesPage, EscapesTheScene) {
+  scene::Scene s = jeffcott();
+  s.text = "# </script><b>";
+  const std::string page = page_of(s);
+  EXPECT_EQ(page.find("# </script>"), std::string::npos);
+  EXPECT_NE(page.find("# &lt;/script&gt;&lt;b&gt;"), std::string::npos);
+}
+
+TEST(CampbellRange, ShowsWhatMattersAndNoMore) {
+  scene::Scene s = jeffcott();  // critical at 316 rad/s
+  const double critical = std::sqrt(1e5);
+  const auto range = [&](const std::vector<double>& speeds) {
+    return campbell_range(s, analyse_rotor(s, speeds)) / critical;
+  };
+  EXPECT_GT(range({}), 1.0);
+  EXPECT_LT(range({}), 1.3);
+  EXPECT_GT(range({2.0 * critical}), 2.0) << "speeds asked for";
+  s.rotor.speed = 0.0;
+  EXPECT_GT(range({}), 1.0);
+  s.rotor.modal->internal_damping = {40.0};  // threshold at twice the critical speed
+  EXPECT_GT(range({}), 2.0);
+  s.rotor.modal->internal_damping = {4.0};  // at eleven times
+  EXPECT_LT(range({}), 1.3);
+  s.rotor.modal->stiffness = {0.0};  // nothing whirls
+  EXPECT_GT(campbell_range(s, analyse_rotor(s, {})), 0.0);
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,97 @@
+#include "native_model/rotor/mode_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/native_model/rotor/rotors.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kShape = 1e-8;  // of a mode 1 high: Ritz shapes are right to the root of 1e-16
+
+// Rayleigh's shaft on two pins: sin(n pi z / L), whatever its rotary inertia.
+TEST(ModeShapes, OfAPinnedShaftAreSines) {
+  const ModeShapes shapes = mode_shapes(test::scene_of(test::pinned_shaft(4))).value();
+  ASSERT_EQ(shapes.x.shape.cols(), 4);
+  EXPECT_TRUE(shapes.same_planes);
+  EXPECT_EQ(shapes.z[0], 0.0);
+  EXPECT_EQ(shapes.z[shapes.z.size() - 1], 1.0);
+  for (int n = 1; n <= 4; ++n) {
+    EXPECT_NEAR(shapes.x.frequency[n - 1] / test::kShaft.forward(n, 0.0), 1.0, 1e-9);
+    for (Eigen::Index i = 0; i < shapes.z.size(); ++i) {
+      const double sine = std::sin(n * kPi * shapes.z[i]);
+      EXPECT_NEAR(std::abs(shapes.x.shape(i, n - 1)), std::abs(sine), 1e-6) << n << " " << i;
+    }
+  }
+  EXPECT_EQ(shapes.x.shape, shapes.y.shape);
+}
+
+// At a station between the points of the line too, here the drive's.
+TEST(ModeShapes, GiveTheValuesAtTheStations) {
+  scene::Scene s = test::scene_of(test::pinned_shaft(2));
+  test::add_contact(s, 0.3);
+  s.drive.emplace().station = 0.123456789;
+  s.forces.resize(2);
+  s.forces[0].station = 0.8;
+  s.forces[1].station = 0.6;
+  s.rotor.geometry->discs = {{.z = 0.5}};
+  const ModeShapes shapes = mode_shapes(s).value();
+
+  std::vector<std::string> names;
+  for (const Station& station : shapes.stations) names.push_back(station.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"bearing 1", "drive", "contact", "disc", "force 2",
+                                             "force 1", "bearing 2"}));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (int n = 1; n <= 2; ++n) {
+      const double expected =
+          std::sin(n * kPi * shapes.stations[i].z) / std::sin(n * kPi * s.contact->station);
+      EXPECT_NEAR(shapes.x.at_stations(static_cast<Eigen::Index>(i), n - 1), expected, kShape)
+          << names[i] << ", mode " << n;
+    }
+  }
+}
+
+// The mode values that the model itself uses, of both planes.
+TEST(ModeShapes, AreThoseOfTheModel) {
+  scene::Scene s = test::anisotropic_rotor();
+  test::add_contact(s, 0.4);
+  s.magnetic_bearing.emplace().station = 0.9;
+  const ModeShapes shapes = mode_shapes(s).value();
+  const ModalRotor rotor = modal_rotor(s);
+  EXPECT_FALSE(shapes.same_planes);
+  EXPECT_GT((shapes.x.frequency - shapes.y.frequency).minCoeff(), 0.0) << "softer in y";
+  bool found = false;
+  for (std::size_t i = 0; i < shapes.stations.size(); ++i) {
+    if (shapes.stations[i].kind != StationKind::kMagneticBearing) continue;
+    found = true;
+    const Eigen::Index row = static_cast<Eigen::Index>(i);
+    const Eigen::VectorXd x = shapes.x.at_stations.row(row), y = shapes.y.at_stations.row(row);
+    EXPECT_LT((x - rotor.magnetic_bearing_shape->x).cwiseAbs().maxCoeff(), kShape);
+    EXPECT_LT((y - rotor.magnetic_bearing_shape->y).cwiseAbs().maxCoeff(), kShape);
+    EXPECT_GT((x - y).cwiseAbs().maxCoeff(), 1e-3) << "the planes differ";
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(ModeShapes, ModalFormHasNone) {
+  EXPECT_FALSE(mode_shapes(test::jeffcott(2.0, 2e5, 40.0)).has_value());
+}
+
+TEST(TorsionFrequencies, OfThePublishedRotor) {
+  scene::Scene s = test::scene_of(oracle::friswell_rotor());
+  EXPECT_TRUE(torsion_frequencies(modal_rotor(s)).empty());
+  s.drive.emplace();
+  s.rotor.torsion.emplace().modes = 1;
+  s.rotor.torsion->damping_ratio = 0.02;
+  const std::vector<TorsionMode> modes = torsion_frequencies(modal_rotor(s));
+  ASSERT_EQ(modes.size(), 1u);
+  EXPECT_NEAR(modes[0].frequency, oracle::kFriswellTorsion, 5e-4);
+  EXPECT_NEAR(modes[0].damping_ratio, 0.02, 1e-14);
+}
+
+}  // namespace
+}  // namespace rotorub
