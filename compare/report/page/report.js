@@ -5,7 +5,7 @@
   const {data, css, axes, layout, config} = page;
 
   // ------------------------------------------------------------------ traces
-  const dashes = {native: 'solid', coulomb: 'solid', cone: 'solid'};
+  const dashes = {native: 'solid', rigid: 'solid', coulomb: 'solid', cone: 'solid'};
   const line = (side, width) => ({color: css('--' + side), width, dash: dashes[side] || 'dot'});
 
   // What scatters most lies behind, and the judged run thin on top of the native one.
