@@ -2,8 +2,10 @@
 
 # native_model
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(fmt 9 REQUIRED)
 find_path(ROTORUB_TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
+
+# mjcf
+find_package(fmt 9 REQUIRED)
 
 # plugin
 include(RotorubMujoco)
@@ -15,7 +17,6 @@ pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
 # compare
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
-find_package(spdlog 1.10 REQUIRED)
 
 # tests
 if(ROTORUB_BUILD_TESTS)

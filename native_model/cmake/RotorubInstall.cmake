@@ -35,12 +35,8 @@ install(
   DESTINATION "${ROTORUB_PACKAGE_DIR}")
 
 # The products of use: the program, the library to preload, the scenes.
-foreach(product rotorub rotorub_mujoco)
-  if(TARGET ${product})
-    install(TARGETS ${product} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
-                               LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-  endif()
-endforeach()
+install(TARGETS rotorub rotorub_mujoco RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
+                                       LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(
   DIRECTORY "${PROJECT_SOURCE_DIR}/mjcf/"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/rotorub/mjcf"

@@ -13,16 +13,6 @@ function(rotorub_library name)
   if(ARG_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX "${ARG_EXCLUDE}")
   endif()
-  set(units ${sources})
-  list(FILTER units INCLUDE REGEX "\\.cc$")
-  if(NOT units)
-    # Headers alone, or nothing yet.
-    add_library(${name} INTERFACE)
-    target_include_directories(${name} INTERFACE "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
-                                                 "$<INSTALL_INTERFACE:include/rotorub>")
-    target_link_libraries(${name} INTERFACE ${ARG_PUBLIC} ${ARG_PRIVATE})
-    return()
-  endif()
   add_library(${name} STATIC ${sources})
   target_include_directories(${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
                                             "$<INSTALL_INTERFACE:include/rotorub>")

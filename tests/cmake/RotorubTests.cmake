@@ -13,22 +13,14 @@ set(ROTORUB_TEST_DEFINITIONS
 
 # rotorub_test_support(): fixtures, comparisons and tolerances that several areas share (tests/support).
 function(rotorub_test_support)
-  file(GLOB sources CONFIGURE_DEPENDS "support/*.cc" "support/*.h")
-  set(units ${sources})
-  list(FILTER units INCLUDE REGEX "\\.cc$")
-  list(FILTER units EXCLUDE REGEX "_test\\.cc$")
-  set(links rotorub_native_model rotorub_mjcf rotorub_plugin GTest::gtest)
-  if(units)
-    add_library(rotorub_test_support STATIC ${units})
-    target_link_libraries(
-      rotorub_test_support
-      PUBLIC ${links}
-      PRIVATE rotorub_warnings)
-    target_compile_definitions(rotorub_test_support PRIVATE ${ROTORUB_TEST_DEFINITIONS})
-  else()
-    add_library(rotorub_test_support INTERFACE)
-    target_link_libraries(rotorub_test_support INTERFACE ${links})
-  endif()
+  file(GLOB sources CONFIGURE_DEPENDS "support/*.cc")
+  list(FILTER sources EXCLUDE REGEX "_test\\.cc$")
+  add_library(rotorub_test_support STATIC ${sources})
+  target_link_libraries(
+    rotorub_test_support
+    PUBLIC rotorub_native_model rotorub_mjcf rotorub_plugin GTest::gtest
+    PRIVATE rotorub_warnings)
+  target_compile_definitions(rotorub_test_support PRIVATE ${ROTORUB_TEST_DEFINITIONS})
 endfunction()
 
 # rotorub_tests(<area> [LINK <target>...] [START <target>...]): the test programs of tests/<area>, linked with
@@ -60,11 +52,9 @@ function(rotorub_tests area)
     rotorub_discover(${name} ${area})
   endforeach()
 
-  foreach(product IN LISTS ARG_START)
-    if(TARGET ${product})
-      add_dependencies(tests_${area} ${product})
-    endif()
-  endforeach()
+  if(ARG_START)
+    add_dependencies(tests_${area} ${ARG_START})
+  endif()
 endfunction()
 
 # One ctest entry a test case. Its labels are given when ctest reads the list, because gtest_discover_tests
