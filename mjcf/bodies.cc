@@ -31,6 +31,7 @@ class Bodies {
     rotor_nodes();
     ring();
   }
+  void write_ring() { ring(); }
 
  private:
   void joint(const std::string& name, const char* type, const char* axis, int at) {
@@ -40,7 +41,27 @@ class Bodies {
       text += fmt::format(R"( stiffness="{}")", model_.stiffness[at]);
     }
     if (model_.damping[at] != 0.0) text += fmt::format(R"( damping="{}")", model_.damping[at]);
-    xml_.line(text + "/>");
+    joints_.push_back(text + "/>");
+  }
+
+  // A body, open, that moves by the joints collected. MuJoCo gives a body six at most: what is
+  // beyond goes on links before it.
+  void open_moving_body(const char* name) {
+    constexpr std::size_t kMostJoints = 6;
+    open_bodies_ = 0;
+    for (std::size_t at = 0; at == 0 || at < joints_.size(); at += kMostJoints) {
+      const std::size_t end = std::min(at + kMostJoints, joints_.size());
+      ++open_bodies_;
+      xml_.open(end == joints_.size()
+                    ? fmt::format(R"(<body name="{}">)", name)
+                    : fmt::format(R"(<body name="{}_link_{}">)", name, open_bodies_));
+      xml_.line(kMassless);
+      for (std::size_t i = at; i < end; ++i) xml_.line(joints_[i]);
+    }
+    joints_.clear();
+  }
+  void close_moving_body() {
+    for (; open_bodies_ > 0; --open_bodies_) xml_.close("body");
   }
 
   // The bending modes whose contact shape is 1 (in the chain) or 0 (on the branch).
@@ -65,11 +86,10 @@ class Bodies {
 
   void rotor() {
     const double r = radius_, half = kThickness * radius_;
-    xml_.open(fmt::format(R"(<body name="{}">)", names::kRotor));
-    xml_.line(kMassless);
     bending_joints(1.0);
     if (model_.layout.spin) joint(names::kSpinJoint, "hinge", "0 0 1", model_.layout.phi());
     torsion_joints(1.0);
+    open_moving_body(names::kRotor);
     xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
                           R"(conaffinity="0" group="1" rgba="0.72 0.74 0.78 1"/>)",
                           names::kRotor, r, half));
@@ -84,7 +104,7 @@ class Bodies {
                             R"(conaffinity="0" group="4"/>)",
                             names::kRotorContact, 0.1 * r));
     }
-    xml_.close("body");
+    close_moving_body();
   }
 
   bool has_nodes() const {
@@ -97,22 +117,20 @@ class Bodies {
 
   void rotor_nodes() {
     if (!has_nodes()) return;
-    xml_.open(fmt::format(R"(<body name="{}">)", names::kRotorNodes));
-    xml_.line(kMassless);
     bending_joints(0.0);
     torsion_joints(0.0);
-    xml_.close("body");
+    open_moving_body(names::kRotorNodes);
+    close_moving_body();
   }
 
   void ring() {
     if (!scene_.contact && !scene_.stator) return;
     const double half = kThickness * radius_;
-    xml_.open(fmt::format(R"(<body name="{}">)", names::kRing));
-    xml_.line(kMassless);  // of a fixed ring too: MuJoCo weighs it with the world
     if (model_.layout.stator) {
       joint(names::kRingX, "slide", "1 0 0", model_.layout.ring());
       joint(names::kRingY, "slide", "0 1 0", model_.layout.ring() + 1);
     }
+    open_moving_body(names::kRing);  // massless where fixed too: MuJoCo weighs it with the world
     const double clearance = scene_.contact ? scene_.contact->clearance : 0.0;
     xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
                           R"(conaffinity="0" group="1" rgba="0.2 0.45 0.7 0.25"/>)",
@@ -126,19 +144,25 @@ class Bodies {
                             names::kRingContact, -length, 0.5 * length, length, 0.5 * length,
                             0.1 * radius_));
     }
-    xml_.close("body");
+    close_moving_body();
   }
 
   XmlWriter& xml_;
   const scene::Scene& scene_;
   const Model& model_;
-  double radius_;  // m, of the drawn disc
+  double radius_;                    // m, of the drawn disc
+  std::vector<std::string> joints_;  // of the next moving body
+  int open_bodies_ = 0;
 };
 
 }  // namespace
 
 void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model) {
   Bodies(xml, scene, model).write();
+}
+
+void write_ring(XmlWriter& xml, const scene::Scene& scene, const Model& model) {
+  Bodies(xml, scene, model).write_ring();
 }
 
 std::vector<int> joint_order(const Model& model) {

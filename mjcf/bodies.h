@@ -11,6 +11,8 @@
 namespace rotorub {
 
 void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model);
+// The ring alone, for a rotor that is written otherwise.
+void write_ring(XmlWriter& xml, const scene::Scene& scene, const Model& model);
 
 // Index in q of each of MuJoCo's coordinates: chain, branch, ring. The layout's own order where
 // there is no branch.

@@ -2,6 +2,7 @@
 // up. Joints: x_1.., y_1.. (bending modes), spin, torsion_1.., ring_x, ring_y.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace rotorub::mjcf_names {
@@ -9,6 +10,15 @@ namespace rotorub::mjcf_names {
 // <custom><text>
 inline constexpr const char* kSceneText = "rotorub_scene";      // the scene's TOML
 inline constexpr const char* kContactText = "rotorub_contact";  // "coulomb" | "cone" | "rigid"
+
+// <custom> of a user's own model (plugin/own/own_config.h): texts, then numerics
+inline constexpr const char* kOwnRotorGeom = "rotorub_rotor_geom";
+inline constexpr const char* kOwnRingGeom = "rotorub_ring_geom";
+inline constexpr const char* kOwnClearance = "rotorub_clearance";
+inline constexpr const char* kOwnRadius = "rotorub_radius";
+inline constexpr const char* kOwnFriction = "rotorub_friction";
+inline constexpr const char* kOwnRestitution = "rotorub_restitution";
+inline constexpr const char* kOwnTangential = "rotorub_tangential_restitution";
 
 // Bodies and geoms
 inline constexpr const char* kRotor = "rotor";             // body; its visible disc
@@ -23,6 +33,16 @@ inline std::string bending_joint(char plane, int mode) {  // mode: 1-based
 }
 inline std::string torsion_joint(int mode) { return "torsion_" + std::to_string(mode); }
 inline constexpr const char* kSpinJoint = "spin";
+// Segment rotor, k from 0: carrier bodies with their tilt joints, spinning bodies with theirs, and
+// the slides of the first carrier.
+inline std::string segment(std::size_t k) { return "segment_" + std::to_string(k); }
+inline std::string spinning(std::size_t k) { return "spinning_" + std::to_string(k); }
+inline std::string tilt(char plane, std::size_t k) {
+  return std::string("tilt_") + plane + "_" + std::to_string(k);
+}
+inline std::string spin(std::size_t k) { return "spin_" + std::to_string(k); }
+inline constexpr const char* kEndX = "end_x";
+inline constexpr const char* kEndY = "end_y";
 inline constexpr const char* kRingX = "ring_x";
 inline constexpr const char* kRingY = "ring_y";
 
@@ -49,7 +69,7 @@ inline constexpr const char* kFrictionForce = "friction_force";  // N, on the ro
 inline constexpr const char* kControlForce = "control_force";    // N, x and y, on the ring
 
 // mjData.userdata entries that the plugin uses (plugin/user_data.h)
-inline constexpr int kUserDataSingle = 12;
+inline constexpr int kUserDataSingle = 22;
 inline int user_data_size(int nq, bool controlled) {
   return kUserDataSingle + (controlled ? 2 * nq : 0);
 }

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "mjcf/bodies.h"
 #include "mjcf/names.h"
+#include "mjcf/segment_bodies.h"
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
 
@@ -32,21 +34,20 @@ void refuse_unsupported(const scene::Scene& scene) {
   const auto refuse = [&](const std::string& what) {
     throw std::invalid_argument("scene " + scene.name + ": " + what);
   };
-  if (mujoco.rotor == scene::MujocoRotor::kSegments) {
-    refuse("mujoco.rotor: \"segments\" is not available; accepted: \"modal\"");
+  if (mujoco.rotor == scene::MujocoRotor::kSegments && !scene.rotor.geometry) {
+    refuse("mujoco.rotor: \"segments\" needs the rotor's geometry; accepted: \"modal\"");
   }
-  if (scene.contact && mujoco.contact == scene::ContactModel::kRigid) {
-    refuse("mujoco.contact: \"rigid\" is not available; accepted: \"coulomb\", \"cone\"");
-  }
-  if (mujoco.integrator != scene::MujocoIntegrator::kEuler) {
-    refuse("mujoco.integrator: accepted: \"euler\"");
+  if (mujoco.integrator == scene::MujocoIntegrator::kRk4) {
+    refuse("mujoco.integrator: accepted: \"euler\", \"implicit\"");
   }
 }
 
 class Document {
  public:
   explicit Document(const scene::Scene& scene)
-      : scene_(scene), model_(make_model(scene)), radius_(drawn_radius(scene)) {}
+      : scene_(scene), model_(make_model(scene)), radius_(drawn_radius(scene)) {
+    if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) segments_.emplace(scene_, model_);
+  }
 
   std::string write() {
     xml_.open(fmt::format(R"(<mujoco model="{}">)", xml_escape(scene_.name)));
@@ -54,9 +55,15 @@ class Document {
     visual();
     xml_.open("<worldbody>");
     surroundings();
-    write_bodies(xml_, scene_, model_);
+    if (segments_) {
+      segments_->write_bodies(xml_);
+      write_ring(xml_, scene_, model_);
+    } else {
+      write_bodies(xml_, scene_, model_);
+    }
     xml_.close("worldbody");
     if (scene_.contact) contact();
+    if (segments_ || actuated()) tendons();
     if (actuated()) actuators();
     sensors();
     keyframes();
@@ -69,11 +76,15 @@ class Document {
   bool actuated() const { return scene_.stator && (scene_.actuator || scene_.controller); }
 
   void options() {
+    const bool implicit = scene_.mujoco.integrator == scene::MujocoIntegrator::kImplicit;
+    // Gravity does not act on armatures: the plugin puts it on the modes.
+    const Eigen::Vector2d weight =
+        segments_ && scene_.gravity ? scene_.gravity->acceleration : Eigen::Vector2d::Zero();
     // One contact at most, solved in one Newton step: the tolerance stops the second.
     xml_.line(
-        fmt::format(R"(<option timestep="{}" gravity="0 0 0" integrator="Euler" cone="elliptic" )"
+        fmt::format(R"(<option timestep="{}" gravity="{} {} 0" integrator="{}" cone="elliptic" )"
                     R"(jacobian="dense" solver="Newton" iterations="50" tolerance="1e-12"/>)",
-                    scene_.run.step));
+                    scene_.run.step, weight.x(), weight.y(), implicit ? "implicit" : "Euler"));
     xml_.line(fmt::format(R"(<size njmax="32" nconmax="8" nuserdata="{}"/>)",
                           names::user_data_size(model_.nq(), model_.controller != nullptr)));
   }
@@ -108,26 +119,38 @@ class Document {
     const bool is_cone = scene_.mujoco.contact == scene::ContactModel::kCone;
     // In a lasting rub `coulomb` holds the gap at 0 to within the step's error: the contact must
     // not come and go with the sign of a nanometre. `cone` would keep the margin as a gap.
-    const double margin = is_cone ? 0.0 : 1e-3 * c.clearance;
+    // `rigid` shows the contact from a little further off, for viewers, and keeps it from MuJoCo's
+    // solver by a gap that no depth makes up for.
+    const bool is_rigid = scene_.mujoco.contact == scene::ContactModel::kRigid;
+    const double margin = is_cone ? 0.0 : (is_rigid ? 1e-2 : 1e-3) * c.clearance;
     xml_.open("<contact>");
-    xml_.line(fmt::format(
-        R"(<pair name="rub" geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0" )"
-        R"(solref="{} {}" solimp="{} {} 0.001" margin="{}" gap="0"/>)",
-        names::kRotorContact, names::kRingContact, is_cone && c.friction > 0.0 ? 3 : 1, c.friction,
-        c.friction, -soft.stiffness, -soft.damping, soft.impedance, soft.impedance, margin));
+    xml_.line(
+        fmt::format(R"(<pair name="rub" geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0" )"
+                    R"(solref="{} {}" solimp="{} {} 0.001" margin="{}" gap="{}"/>)",
+                    names::kRotorContact, names::kRingContact, is_cone && c.friction > 0.0 ? 3 : 1,
+                    c.friction, c.friction, -soft.stiffness, -soft.damping, soft.impedance,
+                    soft.impedance, margin, is_rigid ? 1e3 : 0.0));
     xml_.close("contact");
   }
 
-  void actuators() {
-    const double h = 0.70710678118654752440;  // a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2
+  void tendons() {
     xml_.open("<tendon>");
+    if (segments_) segments_->write_tendons(xml_);
+    if (actuated()) axes();
+    xml_.close("tendon");
+  }
+
+  void axes() {
+    const double h = 0.70710678118654752440;  // a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2
     for (int k = 0; k < 2; ++k) {
       xml_.open(fmt::format(R"(<fixed name="{}">)", names::kAxis[k]));
       xml_.line(fmt::format(R"(<joint joint="{}" coef="{}"/>)", names::kRingX, k == 0 ? h : -h));
       xml_.line(fmt::format(R"(<joint joint="{}" coef="{}"/>)", names::kRingY, h));
       xml_.close("fixed");
     }
-    xml_.close("tendon");
+  }
+
+  void actuators() {
     const double limit = model_.force_limit;
     const std::string range =
         limit < 1e300 ? fmt::format(R"(ctrllimited="true" ctrlrange="{} {}")", -limit, limit)
@@ -143,7 +166,7 @@ class Document {
   void sensor(const char* name, const char* stage, int dim = 1) {
     xml_.line(fmt::format(R"(<user name="{}" objtype="body" objname="{}" datatype="real" )"
                           R"(needstage="{}" dim="{}"/>)",
-                          name, names::kRotor, stage, dim));
+                          name, segments_ ? names::segment(0) : names::kRotor, stage, dim));
   }
   void sensors() {
     xml_.open("<sensor>");
@@ -160,17 +183,27 @@ class Document {
   }
 
   void keyframes() {
-    const auto listed = [&](const Eigen::VectorXd& values) {
+    const auto listed = [](const Eigen::VectorXd& values) {
       std::string text;
-      for (const int at : joint_order(model_)) {
-        text += (text.empty() ? "" : " ") + fmt::format("{}", values[at]);
-      }
+      for (const double value : values)
+        text += (text.empty() ? "" : " ") + fmt::format("{}", value);
       return text;
     };
+    const Layout& l = model_.layout;
+    const auto with_ring = [&](Eigen::VectorXd rotor, const Eigen::VectorXd& all) {
+      rotor.conservativeResize(rotor.size() + l.stator);
+      rotor.tail(l.stator) = all.segment(l.ring(), l.stator);
+      return rotor;
+    };
+    const std::vector<int> order = joint_order(model_);
+    const Eigen::VectorXd q = segments_ ? with_ring(segments_->start_position(), model_.q0)
+                                        : Eigen::VectorXd(model_.q0(order));
+    const Eigen::VectorXd v = segments_ ? with_ring(segments_->start_velocity(), model_.v0)
+                                        : Eigen::VectorXd(model_.v0(order));
     xml_.open("<keyframe>");
     for (const char* name : {names::kStartKey, names::kTestKey}) {
-      xml_.line(fmt::format(R"(<key name="{}" time="0" qpos="{}" qvel="{}"/>)", name,
-                            listed(model_.q0), listed(model_.v0)));
+      xml_.line(fmt::format(R"(<key name="{}" time="0" qpos="{}" qvel="{}"/>)", name, listed(q),
+                            listed(v)));
     }
     xml_.close("keyframe");
   }
@@ -188,6 +221,7 @@ class Document {
 
   const scene::Scene& scene_;
   Model model_;
+  std::optional<SegmentRotor> segments_;
   double radius_;  // m, of the drawn disc
   XmlWriter xml_;
 };

@@ -6,9 +6,14 @@
 #include "plugin/contact/annular.h"
 #include "plugin/contact/cone.h"
 #include "plugin/contact/coulomb.h"
+#include "plugin/contact/rigid.h"
+#include "plugin/contact/segment_coulomb.h"
+#include "plugin/contact/segment_rigid.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
+#include "plugin/own/own_contact.h"
 #include "plugin/passive.h"
+#include "plugin/segment_loads.h"
 #include "plugin/sensors.h"
 #include "plugin/user_data.h"
 
@@ -35,14 +40,25 @@ struct Hook {
 bool active = false;
 Hook<mjfGeneric> control_hook, passive_hook;
 Hook<mjfSensor> sensor_hook;
-Hook<mjfCollision> collision_hook;
+// By the types of the two geoms, from sphere to box: those of a scene are a sphere and a capsule,
+// those of a user's own model may be any.
+constexpr int kFirstShape = mjGEOM_SPHERE, kShapes = mjGEOM_BOX - mjGEOM_SPHERE + 1;
+Hook<mjfCollision> collision_hooks[kShapes][kShapes];
 
 void passive(const mjModel* m, mjData* d) {
   if (passive_hook.previous) passive_hook.previous(m, d);
   if (!active) return;
   const Config* config = find_config_checked(m, d);
   if (!config) return;
-  add_passive_force(*config, m, d, Coordinates(*config, d));
+  if (config->own) {
+    d->userdata[kPassiveFresh] = 1.0;
+    return;
+  }
+  if (config->segments) {
+    add_segment_loads(*config, d);
+  } else {
+    add_passive_force(*config, m, d, Coordinates(*config, d));
+  }
   d->userdata[kPassiveFresh] = 1.0;
 }
 
@@ -61,18 +77,36 @@ void control(const mjModel* m, mjData* d) {
   if (!active) return;
   const Config* config = find_config(m, d);
   if (!config) return;
+  if (config->own) {
+    refresh_velocity_stage(m, d);
+    apply_own_contact(*config, m, d);
+    return;
+  }
   const Coordinates state(*config, d);
   note_first_touch(*config, d, state);
   write_command(*config, m, d, state);
   if (!config->model.contact) return;
   refresh_velocity_stage(m, d);
+  if (config->contact == scene::ContactModel::kRigid) {
+    if (config->segments) {
+      apply_segment_rigid(*config, m, d, state);
+    } else {
+      apply_rigid(*config, m, d, state);
+    }
+    return;
+  }
   d->userdata[kFrictionForce] = 0.0;
   const mjContact* contact = find_contact(*config, d);
   if (!contact) {
     d->userdata[kMode] = 0.0;
     return;
   }
-  if (config->contact == scene::ContactModel::kCoulomb) {
+  if (config->segments) {
+    // `cone` needs nothing: the segments spin.
+    if (config->contact == scene::ContactModel::kCoulomb) {
+      apply_segment_coulomb(*config, m, d, *contact, state);
+    }
+  } else if (config->contact == scene::ContactModel::kCoulomb) {
     apply_coulomb(*config, m, d, *contact, state);
   } else {
     apply_cone(*config, d, *contact);
@@ -82,11 +116,11 @@ void control(const mjModel* m, mjData* d) {
 void sensor(const mjModel* m, mjData* d, int stage) {
   if (sensor_hook.previous) sensor_hook.previous(m, d, stage);
   if (!active) return;
-  if (const Config* config = find_config(m, d)) fill_sensors(*config, d, stage);
+  if (const Config* config = find_config(m, d)) fill_sensors(*config, m, d, stage);
 }
 
-int pass_on(const mjModel* m, const mjData* d, mjContact* con, int g1, int g2, mjtNum margin) {
-  return collision_hook.previous ? collision_hook.previous(m, d, con, g1, g2, margin) : 0;
+Hook<mjfCollision>& collision_hook(const mjModel* m, int g1, int g2) {
+  return collision_hooks[m->geom_type[g1] - kFirstShape][m->geom_type[g2] - kFirstShape];
 }
 
 // The pair's, where the model has one; it is not among the arguments of every version.
@@ -105,14 +139,26 @@ struct Collision<int (*)(Model, Data, Contact, int, int, Rest...)> {
     const Config* config = active ? find_config(m, d) : nullptr;
     const bool ours = config && ((g1 == config->rotor_geom && g2 == config->ring_geom) ||
                                  (g1 == config->ring_geom && g2 == config->rotor_geom));
-    if (!ours) return pass_on(m, d, con, g1, g2, rest...);
+    if (!ours) {
+      const auto previous = collision_hook(m, g1, g2).previous;
+      return previous ? previous(m, d, con, g1, g2, rest...) : 0;
+    }
+    if (config->own) return collide_own(*config, d, con, g1, margin_of(m, *config));
     return collide_annular(*config, d, con, g1, margin_of(m, *config));
   }
 };
 
 constexpr mjfCollision kCollide = &Collision<mjfCollision>::collide;
 
-mjfCollision& collision_entry() { return mjCOLLISIONFUNC[mjGEOM_SPHERE][mjGEOM_CAPSULE]; }
+// MuJoCo's table is of ordered types.
+template <typename Action>
+void for_each_collision(Action action) {
+  for (int i = 0; i < kShapes; ++i) {
+    for (int j = i; j < kShapes; ++j) {
+      action(collision_hooks[i][j], mjCOLLISIONFUNC[kFirstShape + i][kFirstShape + j]);
+    }
+  }
+}
 
 }  // namespace
 
@@ -120,7 +166,7 @@ void install_callbacks() {
   passive_hook.put_in_front(mjcb_passive, passive);
   control_hook.put_in_front(mjcb_control, control);
   sensor_hook.put_in_front(mjcb_sensor, sensor);
-  collision_hook.put_in_front(collision_entry(), kCollide);
+  for_each_collision([](auto& hook, mjfCollision& place) { hook.put_in_front(place, kCollide); });
   active = true;
 }
 
@@ -129,7 +175,7 @@ void restore_callbacks() {
   passive_hook.give_back(mjcb_passive, passive);
   control_hook.give_back(mjcb_control, control);
   sensor_hook.give_back(mjcb_sensor, sensor);
-  collision_hook.give_back(collision_entry(), kCollide);
+  for_each_collision([](auto& hook, mjfCollision& place) { hook.give_back(place, kCollide); });
 }
 
 }  // namespace rotorub::plugin

@@ -1,24 +1,18 @@
 #include "plugin/config.h"
 
-#include <array>
 #include <atomic>
 #include <cstring>
+#include <iterator>
 #include <string_view>
 
 #include "mjcf/names.h"
 #include "native_model/scene/reader.h"
+#include "plugin/own/own_config.h"
 
 namespace rotorub::plugin {
 namespace {
 
 namespace names = mjcf_names;
-
-const char* custom_text(const mjModel* m, std::string_view name) {
-  for (int i = 0; i < m->ntext; ++i) {
-    if (name == m->names + m->name_textadr[i]) return m->text_data + m->text_adr[i];
-  }
-  return nullptr;
-}
 
 std::string in_text(const char* name, const std::string& reason) {
   return "rotorub: <custom><text name=\"" + std::string(name) + "\">: " + reason;
@@ -43,31 +37,38 @@ std::string joint_name(const Layout& l, int i) {
   return i == l.ring() ? names::kRingX : names::kRingY;
 }
 
+JointAddress find_joint(const mjModel* m, const std::string& name) {
+  const int joint = required(m, mjOBJ_JOINT, "joint", name);
+  const int type = m->jnt_type[joint];
+  if (type != mjJNT_SLIDE && type != mjJNT_HINGE) {
+    throw ConfigError("rotorub: <joint name=\"" + name + "\">: accepted types: slide, hinge");
+  }
+  return {m->jnt_qposadr[joint], m->jnt_dofadr[joint]};
+}
+
+void map_segments(const mjModel* m, const scene::Scene& scene, Config& config) {
+  const auto find = [m](const std::string& name) { return find_joint(m, name); };
+  const Layout& l = config.model.layout;
+  config.segments = make_segments(scene, config.model, find);
+  config.qpos_address.assign(static_cast<std::size_t>(l.nq()), -1);
+  config.dof_address = config.qpos_address;
+  for (int i = l.ring(); i < l.nq(); ++i) {
+    const JointAddress ring = find(joint_name(l, i));
+    config.qpos_address[static_cast<std::size_t>(i)] = ring.position;
+    config.dof_address[static_cast<std::size_t>(i)] = ring.velocity;
+  }
+}
+
 void map_joints(const mjModel* m, Config& config) {
   const Layout& l = config.model.layout;
   config.same_order = true;
   for (int i = 0; i < l.nq(); ++i) {
-    const std::string name = joint_name(l, i);
-    const int joint = required(m, mjOBJ_JOINT, "joint", name);
-    const int type = m->jnt_type[joint];
-    if (type != mjJNT_SLIDE && type != mjJNT_HINGE) {
-      throw ConfigError("rotorub: <joint name=\"" + name + "\">: accepted types: slide, hinge");
-    }
-    config.qpos_address.push_back(m->jnt_qposadr[joint]);
-    config.dof_address.push_back(m->jnt_dofadr[joint]);
+    const JointAddress joint = find_joint(m, joint_name(l, i));
+    config.qpos_address.push_back(joint.position);
+    config.dof_address.push_back(joint.velocity);
     config.same_order =
         config.same_order && config.qpos_address.back() == i && config.dof_address.back() == i;
   }
-}
-
-scene::ContactModel contact_model(const mjModel* m, const scene::Scene& scene) {
-  const char* text = custom_text(m, names::kContactText);
-  if (!text) return scene.mujoco.contact;
-  const std::string_view name = text;
-  if (name == "coulomb") return scene::ContactModel::kCoulomb;
-  if (name == "cone") return scene::ContactModel::kCone;
-  throw ConfigError(
-      in_text(names::kContactText, "\"" + std::string(name) + "\"; accepted: coulomb, cone"));
 }
 
 void map_contact(const mjModel* m, Config& config) {
@@ -80,13 +81,7 @@ void map_contact(const mjModel* m, Config& config) {
   };
   check(config.rotor_geom, names::kRotorContact, mjGEOM_SPHERE, "sphere");
   check(config.ring_geom, names::kRingContact, mjGEOM_CAPSULE, "capsule");
-  for (int i = 0; i < m->npair; ++i) {
-    const int a = m->pair_geom1[i], b = m->pair_geom2[i];
-    if ((a == config.rotor_geom && b == config.ring_geom) ||
-        (a == config.ring_geom && b == config.rotor_geom)) {
-      config.pair = i;
-    }
-  }
+  config.pair = find_pair(m, config.rotor_geom, config.ring_geom);
   if (config.pair < 0) {
     throw ConfigError("rotorub: <contact><pair geom1=\"" + std::string(names::kRotorContact) +
                       "\" geom2=\"" + names::kRingContact +
@@ -123,29 +118,84 @@ void map_sensors(const mjModel* m, Config& config) {
   s.control_force = address(names::kControlForce, 2);
 }
 
-// Sizes, custom text and names: a model with the same is mapped in the same way.
-std::array<int, 8> sizes(const mjModel* m) {
-  return {m->nq, m->nv, m->nu, m->njnt, m->ngeom, m->nsensor, m->ntextdata, m->nnames};
+// Sizes, custom text and numbers, names, and what decides who solves a pair: a model with the same
+// is mapped in the same way. Calls action(bytes, count) for each part until it says false.
+template <typename Action>
+bool for_each_part(const mjModel* m, Action action) {
+  const int sizes[] = {m->nq,        m->nv,     m->nu,           m->njnt,      m->ngeom, m->nsensor,
+                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair};
+  const auto part = [&action](const auto* data, int count) {
+    return count == 0 || action(reinterpret_cast<const char*>(data),
+                                sizeof *data * static_cast<std::size_t>(count));
+  };
+  return part(sizes, static_cast<int>(std::size(sizes))) && part(m->text_data, m->ntextdata) &&
+         part(m->names, m->nnames) && part(m->numeric_data, m->nnumericdata) &&
+         part(m->pair_dim, m->npair) && part(m->pair_margin, m->npair) &&
+         part(m->pair_gap, m->npair);
+}
+
+void take_fingerprint(const mjModel* m, Config& config) {
+  config.fingerprint.clear();
+  for_each_part(m, [&config](const char* bytes, std::size_t count) {
+    config.fingerprint.append(bytes, count);
+    return true;
+  });
 }
 
 }  // namespace
 
+const char* custom_text(const mjModel* m, std::string_view name) {
+  for (int i = 0; i < m->ntext; ++i) {
+    if (name == m->names + m->name_textadr[i]) return m->text_data + m->text_adr[i];
+  }
+  return nullptr;
+}
+
+scene::ContactModel contact_model(const mjModel* m, scene::ContactModel otherwise) {
+  const char* text = custom_text(m, names::kContactText);
+  if (!text) return otherwise;
+  const std::string_view name = text;
+  if (name == "rigid") return scene::ContactModel::kRigid;
+  if (name == "coulomb") return scene::ContactModel::kCoulomb;
+  if (name == "cone") return scene::ContactModel::kCone;
+  throw ConfigError(in_text(names::kContactText,
+                            "\"" + std::string(name) + "\"; accepted: rigid, coulomb, cone"));
+}
+
+int find_pair(const mjModel* m, int geom_a, int geom_b) {
+  for (int i = 0; i < m->npair; ++i) {
+    const int a = m->pair_geom1[i], b = m->pair_geom2[i];
+    if ((a == geom_a && b == geom_b) || (a == geom_b && b == geom_a)) return i;
+  }
+  return -1;
+}
+
+bool is_ours(const mjModel* m) { return scene_text(m) || has_own_contact(m); }
+
 const char* scene_text(const mjModel* m) { return custom_text(m, names::kSceneText); }
 
 bool same_fingerprint(const Config& config, const mjModel* m) {
-  const std::array<int, 8> s = sizes(m);
-  const auto text = static_cast<std::size_t>(m->ntextdata);
-  const auto named = static_cast<std::size_t>(m->nnames);
   const char* kept = config.fingerprint.data();
-  return config.fingerprint.size() == sizeof s + text + named &&
-         std::memcmp(kept, s.data(), sizeof s) == 0 &&
-         std::memcmp(kept + sizeof s, m->text_data, text) == 0 &&
-         std::memcmp(kept + sizeof s + text, m->names, named) == 0;
+  const char* const end = kept + config.fingerprint.size();
+  const bool same = for_each_part(m, [&](const char* bytes, std::size_t count) {
+    if (static_cast<std::size_t>(end - kept) < count) return false;
+    if (std::memcmp(kept, bytes, count) != 0) return false;
+    kept += count;
+    return true;
+  });
+  return same && kept == end;
 }
 
 Config make_config(const mjModel* m) {
   static std::atomic<int> count{0};
   Config config;
+  if (!scene_text(m)) {
+    map_own_contact(m, config);
+    map_sensors(m, config);
+    take_fingerprint(m, config);
+    config.id = 1.0 + count.fetch_add(1);
+    return config;
+  }
   scene::Scene scene;
   try {
     scene = scene::parse_scene(scene_text(m), names::kSceneText);
@@ -153,25 +203,26 @@ Config make_config(const mjModel* m) {
   } catch (const std::exception& error) {
     throw ConfigError(in_text(names::kSceneText, error.what()));
   }
-  if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
-    throw ConfigError(in_text(names::kSceneText, "mujoco.rotor: accepted: \"modal\""));
-  }
   const int needed = names::user_data_size(config.model.nq(), config.model.controller != nullptr);
   if (m->nuserdata < needed) {
     throw ConfigError("rotorub: <size nuserdata>: at least " + std::to_string(needed) + " needed");
   }
-  map_joints(m, config);
+  if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
+    try {
+      map_segments(m, scene, config);
+    } catch (const scene::SceneError& error) {
+      throw ConfigError(in_text(names::kSceneText, error.what()));
+    }
+  } else {
+    map_joints(m, config);
+  }
   if (scene.contact) {
-    config.contact = contact_model(m, scene);
+    config.contact = contact_model(m, scene.mujoco.contact);
     map_contact(m, config);
   }
   map_actuators(m, config);
   map_sensors(m, config);
-  const std::array<int, 8> s = sizes(m);
-  config.fingerprint.resize(sizeof s);
-  std::memcpy(config.fingerprint.data(), s.data(), sizeof s);
-  config.fingerprint.append(m->text_data, static_cast<std::size_t>(m->ntextdata));
-  config.fingerprint.append(m->names, static_cast<std::size_t>(m->nnames));
+  take_fingerprint(m, config);
   config.id = 1.0 + count.fetch_add(1);
   return config;
 }

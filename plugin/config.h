@@ -4,11 +4,14 @@
 
 #include <mujoco/mujoco.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "native_model/system/model.h"
+#include "plugin/segments.h"
 
 namespace rotorub::plugin {
 
@@ -20,18 +23,25 @@ struct SensorAddresses {
 
 struct Config {
   Model model;
-  scene::ContactModel contact = scene::ContactModel::kCoulomb;
+  scene::ContactModel contact = scene::ContactModel::kRigid;
 
-  // Coordinate i of the native layout is qpos[qpos_address[i]], qvel[dof_address[i]].
+  // Coordinate i of the native layout is qpos[qpos_address[i]], qvel[dof_address[i]]. With a
+  // segment rotor only those of the ring are; the others are -1.
   std::vector<int> qpos_address, dof_address;
   bool same_order = false;  // both are 0, 1, 2, ...
+
+  std::optional<Segments> segments;  // the segment rotor
+
+  // A user's own model with our contact (own/own_config.h): model.contact is all of `model` that is
+  // filled.
+  bool own = false;
 
   int rotor_geom = -1, ring_geom = -1;  // of the contact pair; -1 without [contact]
   int pair = -1;                        // their <pair>
   int actuator[2] = {-1, -1};           // -1 without actuators
   SensorAddresses sensors;
 
-  // What the above was made from, to recognise the model: all custom text and all names, sizes.
+  // What the above was made from, to recognise the model.
   std::string fingerprint;
   double id = 0.0;  // unique in the process, > 0
 };
@@ -45,8 +55,16 @@ class ConfigError : public std::runtime_error {
 // The text of <custom><text name="rotorub_scene">, or null: not our model.
 const char* scene_text(const mjModel* m);
 
+// Whether <custom> asks for anything of ours: a scene, or a contact of the user's own geoms.
+bool is_ours(const mjModel* m);
+
 // Throws ConfigError.
 Config make_config(const mjModel* m);
+
+// Parts of make_config that own/ uses too.
+const char* custom_text(const mjModel* m, std::string_view name);  // null: none of that name
+scene::ContactModel contact_model(const mjModel* m, scene::ContactModel otherwise);
+int find_pair(const mjModel* m, int geom_a, int geom_b);  // -1: none
 
 bool same_fingerprint(const Config& config, const mjModel* m);
 

@@ -86,7 +86,7 @@ const Config* find(const mjModel* m, const mjData* d, bool check) {
   if (m->ntext == 0) return nullptr;
   const Config* config = known_config(m, d);
   if (config && (!check || same_fingerprint(*config, m))) return config;
-  if (!scene_text(m)) return nullptr;
+  if (!is_ours(m)) return nullptr;
   config = look_up(m, d);
   if (!config) mju_error(message);
   return config;

@@ -12,15 +12,20 @@ namespace {
 
 constexpr double kHalfRoot = 0.70710678118654752440;  // a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2
 
-double first_touch(const mjData* d) {
-  return d->userdata[kTouched] != 0.0 ? d->userdata[kFirstTouch]
-                                      : std::numeric_limits<double>::infinity();
+// `rigid` meets the ring after the command of the same step has been written: the command knows it
+// from the next step on, whether or not this step's forward pass is repeated.
+double first_touch(const Config& config, const mjData* d) {
+  const bool late = config.contact == scene::ContactModel::kRigid;
+  const double touch = d->userdata[kFirstTouch];
+  const bool known = d->userdata[kTouched] != 0.0 && !(late && touch >= d->time);
+  return known ? touch : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
 void note_first_touch(const Config& config, mjData* d, const Coordinates& state) {
   if (!config.model.contact || d->userdata[kTouched] != 0.0) return;
+  if (config.contact == scene::ContactModel::kRigid) return;  // notes it itself
   if (contact_point(config.model, state.q(), state.v()).gap < 0.0) {
     d->userdata[kTouched] = 1.0;
     d->userdata[kFirstTouch] = d->time;
@@ -40,7 +45,7 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
                               ? 1.0 + std::floor(d->time / model.sample_time * (1.0 + 1e-12))
                               : 0.0;
     if (sample == 0.0 || sample != d->userdata[kSample]) {
-      u = control_force(model, d->time, state.q(), v, first_touch(d));
+      u = control_force(model, d->time, state.q(), v, first_touch(config, d));
       d->userdata[kHeldX] = u.x();
       d->userdata[kHeldY] = u.y();
       d->userdata[kSample] = sample;

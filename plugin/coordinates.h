@@ -16,7 +16,12 @@ class Coordinates {
       return;
     }
     const auto n = static_cast<std::size_t>(config.model.nq());
+    if (config.segments) {
+      native_position(*config.segments, config.model, d->qpos, own_q_);
+      native_velocity(*config.segments, config.model, d->qvel, own_v_);
+    }
     for (std::size_t i = 0; i < n; ++i) {
+      if (config.qpos_address[i] < 0) continue;
       own_q_[i] = d->qpos[config.qpos_address[i]];
       own_v_[i] = d->qvel[config.dof_address[i]];
     }

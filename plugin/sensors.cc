@@ -4,6 +4,7 @@
 #include "plugin/contact/forces.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
+#include "plugin/own/own_space.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -12,9 +13,15 @@ void put(mjData* d, int address, double value) {
   if (address >= 0) d->sensordata[address] = value;
 }
 
+ContactPoint point_of(const Config& config, const mjModel* m, mjData* d) {
+  if (config.own) return own_contact_point(config, m, d);
+  const Coordinates state(config, d);
+  return contact_point(config.model, state.q(), state.v());
+}
+
 }  // namespace
 
-void fill_sensors(const Config& config, mjData* d, int stage) {
+void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) {
   const SensorAddresses& s = config.sensors;
   if (stage == mjSTAGE_POS) put(d, s.active, 1.0);
   if (stage == mjSTAGE_ACC && s.control_force >= 0) {
@@ -29,8 +36,7 @@ void fill_sensors(const Config& config, mjData* d, int stage) {
     put(d, s.friction_force, forces.friction);
     return;
   }
-  const Coordinates state(config, d);
-  const ContactPoint point = contact_point(config.model, state.q(), state.v());
+  const ContactPoint point = point_of(config, m, d);
   if (stage == mjSTAGE_POS) put(d, s.gap, point.gap);
   if (stage == mjSTAGE_VEL) {
     put(d, s.gap_rate, point.gap_rate);

@@ -8,6 +8,6 @@
 namespace rotorub::plugin {
 
 // Fills those of the stage (mjSTAGE_POS, mjSTAGE_VEL, mjSTAGE_ACC).
-void fill_sensors(const Config& config, mjData* d, int stage);
+void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage);
 
 }  // namespace rotorub::plugin

@@ -14,12 +14,23 @@ enum UserDataEntry : int {
   kSample,      // sampled controller: index of the sample held, plus 1; 0: none yet
   kHeldX,       // N, command held
   kHeldY,
-  kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last (`coulomb`)
+  kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last
   kMode,           // number of the Mode of that pass
   kPassiveFresh,   // 1 between mjcb_passive and mjcb_control
   kHistoryLength,  // forward passes in the history: 0, 1, 2
   kEarlierTime,    // s, of the one before
   kLatestTime,     // s, of the latest
+  // Of `rigid` (contact/memory.h):
+  kNormalForce,    // N, mean over the step that the pass is for
+  kContactTime,    // s, of the pass that the next three are of
+  kContactBefore,  // 1: contact lasted over the step before
+  kContactNow,     // 1: it lasts over this one
+  kContactStatus,  // number of the Status of the contact laws
+  kImpact,         // 1: the step's impulses are an impact's, with
+  kGapRateBefore,  // m/s
+  kGapRateAfter,
+  kSlipBefore,
+  kSlipAfter,
   kUserDataSingle
 };
 static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);

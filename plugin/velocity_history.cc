@@ -27,7 +27,9 @@ void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const C
   const double h = m->opt.timestep;
   const bool stepped = data[kHistoryLength] == 2.0 &&
                        std::abs(data[kLatestTime] - data[kEarlierTime] - h) < 1e-6 * h;
-  const double share = stepped && m->opt.integrator != mjINT_RK4 ? 0.5 : 0.0;
+  // An impact of the step before is over: half a step of it is not to come.
+  const bool smooth = data[kImpact] == 0.0 && m->opt.integrator != mjINT_RK4;
+  const double share = stepped && smooth ? 0.5 : 0.0;
   for (int i = 0; i < n; ++i) now[i] = v[i] + share * (v[i] - earlier[i]);
 }
 

@@ -51,10 +51,6 @@ std::unique_ptr<Engine> native_engine(scene::Integrator integrator) {
 }
 
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact) {
-  if (contact == scene::ContactModel::kRigid) {
-    throw NotOffered(
-        "contact model `rigid` of MuJoCo is not in this version; accepted: coulomb, cone");
-  }
   return std::make_unique<MujocoEngine>(contact);
 }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "compare/engine/contact_episodes.h"
+#include "compare/engine/engine.h"
 #include "compare/engine/mujoco_messages.h"
 #include "compare/engine/mujoco_model.h"
 #include "mjcf/writer.h"
@@ -15,6 +16,7 @@
 #include "plugin/config.h"
 #include "plugin/contact/forces.h"
 #include "plugin/control.h"
+#include "plugin/coordinates.h"
 #include "plugin/hooks.h"
 
 namespace rotorub {
@@ -32,7 +34,8 @@ class ChunkedRun {
   ChunkedRun(const mjModel* m, const plugin::Config& config)
       : m_(m), config_(config), data_(make_start(m)), results_(kChunk) {
     states_.resize(2 * kChunk * size());
-    for (std::size_t i = 0; i < size(); ++i) read_state(i);
+    start_.resize(2 * size());
+    read_state(start_.data());
   }
 
   static constexpr std::size_t kChunk = 256;
@@ -49,11 +52,12 @@ class ChunkedRun {
       StepResult& r = results_[done];
       r.forces = plugin::contact_forces(config_, data_.get());
       r.control = plugin::actuator_force(config_, data_.get());
-      double* q = states_.data() + 2 * done * size();
-      for (std::size_t i = 0; i < size(); ++i) {
-        q[i] = data_->qpos[config_.qpos_address[i]];
-        q[size() + i] = data_->qvel[config_.dof_address[i]];
+      if (r.forces.status != Status::kOk) {
+        contact_status_ = r.forces.status;
+        failed_ = true;
+        break;
       }
+      read_state(states_.data() + 2 * done * size());
     }
     wall_ += std::chrono::steady_clock::now() - start;
     return done;
@@ -65,15 +69,18 @@ class ChunkedRun {
   const double* start_q() const { return start_.data(); }
   const double* start_v() const { return start_.data() + size(); }
   bool failed() const { return failed_; }
+  // kNoSolution, kAmbiguous: what `rigid` failed by.
+  Status contact_status() const { return contact_status_; }
   double wall() const { return wall_.count(); }
 
  private:
   std::size_t size() const { return config_.qpos_address.size(); }
 
-  void read_state(std::size_t i) {
-    start_.resize(2 * size());
-    start_[i] = data_->qpos[config_.qpos_address[i]];
-    start_[size() + i] = data_->qvel[config_.dof_address[i]];
+  // Coordinates, then velocities, in the native layout.
+  void read_state(double* to) const {
+    const plugin::Coordinates state(config_, data_.get());
+    std::copy_n(state.q(), size(), to);
+    std::copy_n(state.v(), size(), to + size());
   }
 
   // MuJoCo resets a state that is not finite (or beyond 1e10) and warns.
@@ -88,6 +95,7 @@ class ChunkedRun {
   std::vector<StepResult> results_;
   std::vector<double> states_, start_;
   bool failed_ = false;
+  Status contact_status_ = Status::kOk;
   std::chrono::duration<double> wall_{0.0};
 };
 
@@ -102,15 +110,34 @@ scene::Scene with_options(const scene::Scene& scene, const MujocoOptions& option
   return own;
 }
 
-const char* contact_name(scene::ContactModel contact) {
-  return contact == scene::ContactModel::kCone ? "cone" : "coulomb";
+Impact impact_of(const plugin::ContactForces& f, double t, double h) {
+  Impact i;
+  i.t = t;
+  i.normal_impulse = h * f.normal;
+  i.friction_impulse = h * f.friction;
+  i.gap_rate_before = f.gap_rate_before;
+  i.gap_rate_after = f.gap_rate_after;
+  i.slip_before = f.slip_before;
+  i.slip_after = f.slip_after;
+  i.energy_change = 0.5 * (i.normal_impulse * (f.gap_rate_before + f.gap_rate_after) +
+                           i.friction_impulse * (f.slip_before + f.slip_after));
+  return i;
+}
+
+const char* contact_reason(Status status) {
+  return status == Status::kNoSolution ? "the contact laws have no solution (Painleve)"
+                                       : "the contact laws have several solutions (Painleve)";
 }
 
 // Feeds the recorder.
 class Record {
  public:
-  Record(const Model& model, double step, std::vector<double> times)
-      : model_(model), step_(step), recorder_(model, std::move(times)), episodes_(recorder_) {}
+  Record(const Model& model, bool rigid, double step, std::vector<double> times)
+      : model_(model),
+        rigid_(rigid),
+        step_(step),
+        recorder_(model, std::move(times)),
+        episodes_(recorder_) {}
 
   void begin(const double* q, const double* v) {
     const Eigen::Vector2d u = control_force(model_, 0.0, q, v, scene::kNever);
@@ -122,23 +149,49 @@ class Record {
   void step(std::int64_t k, const double* q, const double* v, const StepResult& r) {
     const double t = static_cast<double>(k) * step_;
     const ContactPoint after = contact_point(model_, q, v);
-    if (model_.contact) {
-      episodes_.step({t, step_, point_, after, r.forces.normal, r.forces.friction, r.forces.mode});
+    const double next = static_cast<double>(k + 1) * step_;
+    const plugin::ContactForces& f = r.forces;
+    const Impact impact = f.impact ? impact_of(f, impact_time(t, f), step_) : Impact{};
+    if (model_.contact && rigid_) note_rigid(next, f, impact);
+    if (model_.contact && !rigid_) {
+      episodes_.step({t, step_, point_, after, f.normal, f.friction, f.mode});
     }
-    recorder_.step({static_cast<double>(k + 1) * step_, q, v, r.forces.normal, r.forces.friction,
-                    r.forces.mode, r.control},
-                   step_ * r.forces.normal, step_ * r.forces.friction, false);
+    // An impact's impulse is no force of lasting contact.
+    const double lasting = f.impact ? 0.0 : 1.0;
+    recorder_.step({next, q, v, lasting * f.normal, lasting * f.friction, f.mode, r.control},
+                   step_ * f.normal, step_ * f.friction, f.impact, f.impact ? &impact : nullptr);
     point_ = after;
   }
 
   Trajectory finish(double end) {
-    episodes_.finish();
+    if (!rigid_) episodes_.finish();
     return recorder_.finish(end);
   }
 
  private:
+  // As the native side: one row an impact. The velocity that jumps is that of half a step ago.
+  void note_rigid(double next, const plugin::ContactForces& f, const Impact& impact) {
+    if (f.impact) {
+      recorder_.add(impact);
+      recorder_.add(Event{impact.t, EventKind::kImpact});
+    }
+    if (f.mode == mode_) return;
+    recorder_.add(Event{next, f.mode == Mode::kSlide   ? EventKind::kSlide
+                              : f.mode == Mode::kStick ? EventKind::kStick
+                                                       : EventKind::kLiftOff});
+    mode_ = f.mode;
+  }
+
+  // When the gap at t closes at the rate before the impact, within the step.
+  double impact_time(double t, const plugin::ContactForces& f) const {
+    const double closing = point_.gap / std::max(-f.gap_rate_before, 1e-300);
+    return t + std::clamp(closing, 0.0, step_);
+  }
+
   const Model& model_;
+  bool rigid_;
   double step_;
+  Mode mode_ = Mode::kFree;
   Recorder recorder_;
   ContactEpisodes episodes_;
   ContactPoint point_;
@@ -156,12 +209,14 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const Model& model = config.model;
 
   ChunkedRun run(m.get(), config);
-  Record record(model, step, options.output_times.value_or(output_times(scene.run)));
+  Record record(model, config.contact == scene::ContactModel::kRigid, step,
+                options.output_times.value_or(output_times(scene.run)));
   record.begin(run.start_q(), run.start_v());
 
   const auto steps = static_cast<std::int64_t>(std::ceil(scene.run.end / step - 1e-9));
   Status status = Status::kOk;
-  std::string message = step_refusal(model, step);
+  std::string message = config.segments ? plugin::segment_step_refusal(*config.segments, step)
+                                        : step_refusal(model, step);
   if (!message.empty()) status = Status::kStepTooLarge;
   std::int64_t k = 0;
   try {
@@ -170,7 +225,10 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
       for (std::size_t i = 0; i < good; ++i, ++k) {
         record.step(k, run.q(i), run.v(i), run.result(i));
       }
-      if (run.failed()) {
+      if (run.contact_status() != Status::kOk) {
+        status = run.contact_status();
+        message = contact_reason(status);
+      } else if (run.failed()) {
         status = Status::kDiverged;
         const std::vector<std::string> warnings = messages.warnings();
         message = warnings.empty() ? "the state is no longer finite" : warnings.back();
@@ -188,8 +246,9 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const double reached = static_cast<double>(k) * step;
   Trajectory out = record.finish(status == Status::kOk ? scene.run.end : reached);
   out.engine = "mujoco";
-  out.integrator = "euler";
-  out.contact_model = contact_name(scene.mujoco.contact);
+  out.integrator =
+      scene.mujoco.integrator == scene::MujocoIntegrator::kImplicit ? "implicit" : "euler";
+  out.contact_model = to_string(scene.mujoco.contact);
   out.step = step;
   out.steps = k;
   out.wall_s = run.wall();

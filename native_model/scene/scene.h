@@ -210,7 +210,7 @@ enum class MujocoSolver { kNewton, kCg, kPgs };
 struct Mujoco {
   MujocoRotor rotor = MujocoRotor::kModal;
   int segments = 20;  // of the segment rotor, [2, 200]
-  ContactModel contact = ContactModel::kCoulomb;
+  ContactModel contact = ContactModel::kRigid;
   MujocoIntegrator integrator = MujocoIntegrator::kEuler;
   MujocoSolver solver = MujocoSolver::kNewton;
   double solref_stiffness = 0.0;  // 1/s^2, > 0: direct solref K (0: chosen from the step)

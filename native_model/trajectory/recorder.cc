@@ -113,7 +113,7 @@ void Recorder::begin(const Snapshot& start) {
 }
 
 void Recorder::step(const Snapshot& now, double normal_impulse, double friction_impulse,
-                    bool impact) {
+                    bool impact, const Impact* detail) {
   const double h = now.t - last_.t;
   const ContactPoint point = contact_point(*model_, now.q, now.v);
   rows_until(now, impact);
@@ -125,7 +125,9 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
     s.contact_time += h;
     s.impulse_total += normal_impulse;
     s.friction_impulse += friction_impulse;
-    s.friction_work += 0.5 * friction_impulse * (last_whole_slip_ + point.slip);
+    const double slips =
+        detail ? detail->slip_before + detail->slip_after : last_whole_slip_ + point.slip;
+    s.friction_work += 0.5 * friction_impulse * slips;
     s.force_square += force * force * h;
     s.peak_force = std::max(s.peak_force, force);
   }
@@ -135,10 +137,16 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
     s.penetration_square += penetration * penetration * h;
     if (s.first_touch >= 0.0) s.gap_rate_square += point.gap_rate * point.gap_rate * h;
   }
-  const double gap_rate = last_gap_rate_, slip = last_slip_, power = last_power_;
+  double gap_rates = last_gap_rate_, slips = last_slip_;
+  const double power = last_power_;
   keep(now, point);
-  s.contact_work += 0.5 * (normal_impulse * (gap_rate + last_gap_rate_) +
-                           friction_impulse * (slip + last_slip_));
+  gap_rates += last_gap_rate_;
+  slips += last_slip_;
+  if (detail) {
+    gap_rates = detail->gap_rate_before + detail->gap_rate_after;
+    slips = detail->slip_before + detail->slip_after - 2.0 * (point.slip - last_slip_);
+  }
+  s.contact_work += 0.5 * (normal_impulse * gap_rates + friction_impulse * slips);
   s.external_work += 0.5 * h * (power + last_power_);
   s.energy_end = energy(*model_, now.t, now.q, now.v);
   s.energy_scale = std::max(s.energy_scale, std::abs(s.energy_end));
@@ -184,9 +192,8 @@ void Recorder::row(const Snapshot& now) {
   auto column = columns_.begin();
   const auto put = [&column](double value) { (column++)->values.push_back(value); };
   for (double value : {next_time(), r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(),
-                       spin_angle(m, now.t, now.q), spin_speed(m, now.v), p.gap, p.gap_rate,
-                       p.slip, now.normal_force, now.friction_force,
-                       static_cast<double>(now.mode)}) {
+                       spin_angle(m, now.t, now.q), spin_speed(m, now.v), p.gap, p.gap_rate, p.slip,
+                       now.normal_force, now.friction_force, static_cast<double>(now.mode)}) {
     put(value);
   }
   const auto block = [&](const double* from, int at, int count) {

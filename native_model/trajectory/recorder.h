@@ -33,8 +33,11 @@ class Recorder {
 
   void begin(const Snapshot& start);
   // One fixed step from the last snapshot to `now`; impulses over the step, N s, all of them,
-  // with an impact's. `impact`: velocities are not continuous within this step.
-  void step(const Snapshot& now, double normal_impulse, double friction_impulse, bool impact);
+  // with an impact's. `impact`: velocities are not continuous within this step. `detail`: the
+  // impact, for engines whose states are not those just before and after it: its work is taken
+  // from its own rates.
+  void step(const Snapshot& now, double normal_impulse, double friction_impulse, bool impact,
+            const Impact* detail = nullptr);
   void add(const Impact& impact);
   void add(const Event& event);
   // For engines with dense output of their own: the next wanted time (infinity: none left), a row

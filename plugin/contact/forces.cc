@@ -6,8 +6,28 @@
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
+namespace {
+
+ContactForces rigid_forces(const mjData* d) {
+  const mjtNum* entry = d->userdata;
+  ContactForces out;
+  out.normal = entry[kNormalForce];
+  out.friction = entry[kFrictionForce];
+  out.mode = static_cast<Mode>(static_cast<int>(entry[kMode]));
+  out.status = static_cast<Status>(static_cast<int>(entry[kContactStatus]));
+  out.impact = entry[kImpact] != 0.0;
+  if (!out.impact) return out;
+  out.gap_rate_before = entry[kGapRateBefore];
+  out.gap_rate_after = entry[kGapRateAfter];
+  out.slip_before = entry[kSlipBefore];
+  out.slip_after = entry[kSlipAfter];
+  return out;
+}
+
+}  // namespace
 
 ContactForces contact_forces(const Config& config, const mjData* d) {
+  if (config.model.contact && config.contact == scene::ContactModel::kRigid) return rigid_forces(d);
   const mjContact* contact = config.model.contact ? find_contact(config, d) : nullptr;
   if (!contact) return {};
   const int row = contact->efc_address;

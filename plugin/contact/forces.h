@@ -12,6 +12,10 @@ struct ContactForces {
   double normal = 0.0;    // N, >= 0
   double friction = 0.0;  // N, on the rotor along e_t
   Mode mode = Mode::kFree;
+  // `rigid`: the forces are an impact's impulses over the step. Rates before and after it, m/s.
+  bool impact = false;
+  double gap_rate_before = 0.0, gap_rate_after = 0.0, slip_before = 0.0, slip_after = 0.0;
+  Status status = Status::kOk;  // `rigid`: of the contact laws
 };
 
 // After mj_forward or mj_step: of the forward pass done last.

@@ -178,9 +178,6 @@ TEST_F(Writer, ActuatorsPullOnTheFortyFiveDegreeAxes) {
 
 TEST_F(Writer, RefusesWhatIsNotOffered) {
   scene::Scene scene = shipped("bench_ring");
-  scene.mujoco.contact = scene::ContactModel::kRigid;
-  EXPECT_THROW(mjcf(scene), std::invalid_argument);
-  scene = shipped("bench_ring");
   scene.mujoco.rotor = scene::MujocoRotor::kSegments;
   EXPECT_THROW(mjcf(scene), std::invalid_argument);
   scene = shipped("bench_ring");

@@ -42,11 +42,13 @@ TEST_F(ConfigTest, BadSceneTextIsRefusedAtLoadWithElementLineAndKey) {
 TEST_F(ConfigTest, MissingElementsAreNamed) {
   const std::string document = mjcf(shipped("bench_ring"));
   expect_in("<joint name=\"spin\">", refusal(document, "name=\"spin\"", "name=\"turn\""));
-  expect_in("nuserdata", refusal(document, "nuserdata=\"12\"", "nuserdata=\"3\""));
-  expect_in("rotorub_contact", refusal(document, "name=\"rotorub_contact\" data=\"coulomb\"",
-                                       "name=\"rotorub_contact\" data=\"sticky\""));
-  expect_in("coulomb, cone", refusal(document, "name=\"rotorub_contact\" data=\"coulomb\"",
-                                     "name=\"rotorub_contact\" data=\"sticky\""));
+  const std::string size =
+      "nuserdata=\"" + std::to_string(mjcf_names::user_data_size(5, false)) + "\"";
+  expect_in("nuserdata", refusal(document, size, "nuserdata=\"3\""));
+  const std::string contact = "name=\"rotorub_contact\" data=\"rigid\"";
+  const std::string sticky = "name=\"rotorub_contact\" data=\"sticky\"";
+  expect_in("rotorub_contact", refusal(document, contact, sticky));
+  expect_in("rigid, coulomb, cone", refusal(document, contact, sticky));
 }
 
 TEST_F(ConfigTest, WrongSensorDimensionIsNamed) {

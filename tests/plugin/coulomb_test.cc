@@ -27,6 +27,11 @@ class CoulombContact : public MujocoTest {
   plugin::Hooks hooks_;
 };
 
+scene::Scene coulomb(const std::string& text, std::vector<std::string> overrides = {}) {
+  overrides.push_back("mujoco.contact=coulomb");
+  return parsed(text, overrides);
+}
+
 struct Sample {
   double mean = 0.0, deviation = 0.0;
   int steps_in_contact = 0;
@@ -61,7 +66,7 @@ TEST_F(CoulombContact, AnnularRubOnARigidRing) {
   const double exact =
       (-p + std::sqrt(p * p - (1 + mu * mu) * (a * a + b * b - amplitude * amplitude))) /
       (1 + mu * mu);
-  const Sample found = normal_force(parsed(kAnnularRub), 20000);
+  const Sample found = normal_force(coulomb(kAnnularRub), 20000);
   EXPECT_NEAR(found.mean, exact, kForce * exact);
   EXPECT_LT(found.deviation, kScatter * exact);
   EXPECT_EQ(found.steps_in_contact, 20000);
@@ -69,12 +74,6 @@ TEST_F(CoulombContact, AnnularRubOnARigidRing) {
 
 TEST_F(CoulombContact, AnnularRubOnAnElasticRing) {
   using Complex = std::complex<double>;
-  const std::string ring = R"(
-[stator]
-mass = 1.0
-damping = 200.0
-stiffness = 4e5
-)";
   const double om = 100.0 * std::numbers::pi, mu = 0.2, u = 200.0, delta = 0.5e-3;
   const Complex rotor(3e5 - 2.0 * om * om, 40.0 * om), stator(4e5 - om * om, 200.0 * om);
   const Complex h = Complex(1.0, mu) * (1.0 / rotor + 1.0 / stator);
@@ -82,7 +81,7 @@ stiffness = 4e5
   const double constant = delta * delta - u * u / std::norm(rotor);
   const double exact = (-b + std::sqrt(b * b - a * constant)) / a;
   ASSERT_GT(exact, 0.0);
-  const Sample found = normal_force(parsed(kAnnularRub + ring), 20000);
+  const Sample found = normal_force(coulomb(kAnnularRub + kElasticRing), 20000);
   EXPECT_NEAR(found.mean, exact, kForce * exact);
   EXPECT_LT(found.deviation, kScatter * exact);
   EXPECT_EQ(found.steps_in_contact, 20000);
@@ -91,16 +90,16 @@ stiffness = 4e5
 TEST_F(CoulombContact, TheErrorFallsWithTheStep) {
   const double exact = 145.5398062816846;  // of the rigid ring, above
   const double coarse =
-      std::abs(normal_force(parsed(kAnnularRub, {"run.step=1e-4"}), 2000).mean - exact);
+      std::abs(normal_force(coulomb(kAnnularRub, {"run.step=1e-4"}), 2000).mean - exact);
   const double fine =
-      std::abs(normal_force(parsed(kAnnularRub, {"run.step=1e-5"}), 2000).mean - exact);
+      std::abs(normal_force(coulomb(kAnnularRub, {"run.step=1e-5"}), 2000).mean - exact);
   EXPECT_LT(fine, 0.15 * coarse);
   EXPECT_LT(coarse, 1e-3 * exact);
 }
 
 // The spin comes to rest and stays: friction must not push it to and fro.
 TEST_F(CoulombContact, SticksWithoutFlippingItsSign) {
-  const ModelPointer m = load(mjcf(parsed(kBrake)));
+  const ModelPointer m = load(mjcf(coulomb(kBrake)));
   const DataPointer d = start(m.get());
   int flips = 0, last = 0;
   for (int k = 0; k < 10000; ++k) {
@@ -121,8 +120,8 @@ TEST_F(CoulombContact, SticksWithoutFlippingItsSign) {
 // pushes, so one that presses on the contact costs some of the rebound, a / (v sqrt K).
 TEST_F(CoulombContact, BouncesByTheRestitution) {
   const scene::Scene scene =
-      shipped("bench_billiard", {"mujoco.solref_stiffness=1e6", "run.step=2e-6",
-                                 "contact.restitution=0.5", "initial.vy=[0.0]"});
+      shipped("bench_billiard", {"mujoco.contact=coulomb", "mujoco.solref_stiffness=1e6",
+                                 "run.step=2e-6", "contact.restitution=0.5", "initial.vy=[0.0]"});
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());
   for (int k = 0; k < 30000 && d->qvel[0] > 0.0; ++k) mj_step(m.get(), d.get());
@@ -133,7 +132,7 @@ TEST_F(CoulombContact, BouncesByTheRestitution) {
 }
 
 TEST_F(CoulombContact, StepsAreTheSameAfterASecondForward) {
-  const ModelPointer m = load(mjcf(shipped("bench_ring")));
+  const ModelPointer m = load(mjcf(shipped("bench_ring", {"mujoco.contact=coulomb"})));
   const DataPointer once = start(m.get()), twice = start(m.get());
   for (int k = 0; k < 3000; ++k) {
     mj_step(m.get(), once.get());

@@ -86,10 +86,19 @@ class Preload : public MujocoTest, public ::testing::WithParamInterface<const ch
   fs::path folder_;
 };
 
+// A shipped scene's, or the example that is written by hand.
+std::string document_of(const std::string& name) {
+  if (name != "own_model") return mjcf(shipped(name));
+  std::ifstream in(fs::path(ROTORUB_SOURCE_DIR) / "mjcf/examples/own_model.xml");
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
 constexpr int kSteps = 20000;
 
 TEST_P(Preload, TestspeedGivesTheBitsOfALinkedRun) {
-  const std::string document = mjcf(shipped(GetParam()));
+  const std::string document = document_of(GetParam());
   const std::string wanted = linked(document, kSteps);
   const std::vector<std::string> one = testspeed(document, kSteps, 1, true);
   EXPECT_EQ(one.back(), wanted);
@@ -97,7 +106,7 @@ TEST_P(Preload, TestspeedGivesTheBitsOfALinkedRun) {
 }
 
 TEST_P(Preload, TwoThreadsGiveTheBitsOfOne) {
-  const std::string document = mjcf(shipped(GetParam()));
+  const std::string document = document_of(GetParam());
   const std::string wanted = linked(document, kSteps);
   const std::vector<std::string> two = testspeed(document, kSteps, 2, true);
   ASSERT_GE(two.size(), 2u);
@@ -106,7 +115,8 @@ TEST_P(Preload, TwoThreadsGiveTheBitsOfOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Preload,
-                         ::testing::Values("bench_ring", "paper_passive", "paper_sliding"));
+                         ::testing::Values("bench_ring", "paper_passive", "paper_sliding",
+                                           "own_model"));
 
 }  // namespace
 }  // namespace rotorub::test

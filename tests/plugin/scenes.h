@@ -85,6 +85,14 @@ amplitude = 200.0
 frequency = "50 Hz"
 )";
 
+// A ring for it, on springs.
+inline const std::string kElasticRing = R"(
+[stator]
+mass = 1.0
+damping = 200.0
+stiffness = 4e5
+)";
+
 // A shaft pressed on a fixed ring: friction brakes its free spin to rest, and holds it there.
 inline const std::string kBrake = R"(
 [run]

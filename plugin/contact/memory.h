@@ -1,0 +1,47 @@
+// What `rigid` keeps in mjData.userdata: whether contact lasts, and what the step's impulses were.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "plugin/contact/rigid_law.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+
+class ContactMemory {
+ public:
+  // Of the forward pass at d->time. A pass at a later time turns "now" into "before"; further
+  // passes at the same time (mj_forward before mj_step) find the same "before".
+  explicit ContactMemory(mjData* d) : d_(d), entry_(d->userdata) {
+    if (entry_[kContactTime] == d->time) return;
+    entry_[kContactTime] = d->time;
+    entry_[kContactBefore] = entry_[kContactNow];
+  }
+
+  bool was_in_contact() const { return entry_[kContactBefore] != 0.0; }
+
+  // Forces are means over the step of length h (s).
+  void note(const RigidResult& r, double h) {
+    entry_[kContactNow] = r.mode == Mode::kFree ? 0.0 : 1.0;
+    entry_[kMode] = static_cast<double>(r.mode);
+    entry_[kNormalForce] = r.normal / h;
+    entry_[kFrictionForce] = r.friction / h;
+    entry_[kContactStatus] = static_cast<double>(r.status);
+    entry_[kImpact] = r.impact ? 1.0 : 0.0;
+    if (r.normal > 0.0 && entry_[kTouched] == 0.0) {
+      entry_[kTouched] = 1.0;
+      entry_[kFirstTouch] = d_->time;
+    }
+    if (!r.impact) return;
+    entry_[kGapRateBefore] = r.gap_rate_before;
+    entry_[kGapRateAfter] = r.gap_rate_after;
+    entry_[kSlipBefore] = r.slip_before;
+    entry_[kSlipAfter] = r.slip_after;
+  }
+
+ private:
+  mjData* d_;
+  mjtNum* entry_;
+};
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,110 @@
+#include "plugin/contact/rigid_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "native_model/contact/coulomb.h"
+#include "native_model/contact/impact_map.h"
+
+namespace rotorub::plugin {
+namespace {
+
+Eigen::Vector2d tangent(const Eigen::Vector2d& e_r) { return {-e_r.y(), e_r.x()}; }
+
+double slip(const Eigen::Vector2d& e_r, double radius, const Eigen::Vector3d& velocity) {
+  return tangent(e_r).dot(velocity.head<2>()) + radius * velocity.z();
+}
+
+// The point where the path d + s v leaves the ring, from inside it.
+Eigen::Vector2d exit_point(const Eigen::Vector2d& d, const Eigen::Vector2d& v, double radius) {
+  const double a = v.squaredNorm(), b = d.dot(v), c = d.squaredNorm() - radius * radius;
+  const double root = std::sqrt(std::max(0.0, b * b - a * c));
+  return d + (b > 0.0 ? -c / (b + root) : (root - b) / a) * v;
+}
+
+// The normal at q_k. Where the step is so long that the path does not close along that one, the
+// normal where it meets the ring.
+Eigen::Vector2d contact_normal(const RigidStep& step, double clearance) {
+  const double delta = step.d.norm();
+  const Eigen::Vector2d free = step.free.head<2>();
+  const bool closes = delta > kNoNormal && step.d.dot(free) > 0.0;
+  if (closes || delta >= clearance) return step.d / delta;
+  return exit_point(step.d, free, clearance).normalized();
+}
+
+// -gddot_N h of the loads and of the ring's curvature: a slower rebound closes within the step.
+bool rebound_lasts(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactParameters& c) {
+  const double closing = e_r.dot(step.free.head<2>());
+  const double whirl = tangent(e_r).dot(step.free.head<2>());
+  const double undone =
+      e_r.dot((step.free - step.start).head<2>()) + step.h * whirl * whirl / c.clearance;
+  return closing > 0.0 && c.restitution * closing > undone;
+}
+
+Status status_of(ImpactStatus status) {
+  return status == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous;
+}
+
+void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
+  ImpactInput in;
+  in.admittance = step.impact_admittance;
+  in.e_r = out.e_r;
+  in.radius = c.radius;
+  in.delta = c.clearance;
+  in.acceleration = (step.free - step.start) / step.h;
+  in.compression_time = c.compression_time;
+  in.expansion_time = c.expansion_time;
+  // The loads of the whole step are in `free`: what acts during the impact is taken back.
+  in.velocity = step.free - in.acceleration * (c.compression_time + c.expansion_time);
+  const ImpactResult r = solve_impact(in, {c.friction, c.restitution, c.tangential_restitution});
+  if (r.status != ImpactStatus::kOk) {
+    out.status = status_of(r.status);
+    return;
+  }
+  out.impact = true;
+  out.normal = r.normal();
+  out.friction = r.friction();
+  const Eigen::Vector3d after =
+      step.free + in.admittance * contact_load(out.e_r, c.radius, out.normal, out.friction);
+  out.gap_rate_before = -out.e_r.dot(step.free.head<2>());
+  out.gap_rate_after = -out.e_r.dot(after.head<2>());
+  out.slip_before = slip(out.e_r, c.radius, step.free);
+  out.slip_after = slip(out.e_r, c.radius, after);
+}
+
+// (12), (13): y_N = gap / h at the end of the step, y_T = slip there.
+void lasting(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
+  const double gap = c.clearance - (step.d + step.h * step.free.head<2>()).norm();
+  const double depth = std::max(0.0, step.d.norm() - c.clearance);
+  const CoulombSolution s = solve_coulomb(delassus(step.lasting_admittance, out.e_r, c.radius),
+                                          (gap + (1.0 - kRecovery) * depth) / step.h,
+                                          slip(out.e_r, c.radius, step.free), c.friction);
+  if (s.solutions != 1) {
+    out.status = s.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous;
+    return;
+  }
+  out.normal = s.normal;
+  out.friction = s.friction;
+  if (s.normal > 0.0) {
+    out.mode = s.contact_case == ContactCase::kStick ? Mode::kStick : Mode::kSlide;
+  }
+}
+
+}  // namespace
+
+bool reaches_ring(const RigidStep& step, double clearance) {
+  return (step.d + step.h * step.free.head<2>()).squaredNorm() > clearance * clearance;
+}
+
+RigidResult solve_rigid_step(const RigidStep& step, const ContactParameters& contact) {
+  RigidResult out;
+  out.e_r = contact_normal(step, contact.clearance);
+  if (!step.was_in_contact && rebound_lasts(step, out.e_r, contact)) {
+    impact(step, contact, out);
+  } else {
+    lasting(step, contact, out);
+  }
+  return out;
+}
+
+}  // namespace rotorub::plugin

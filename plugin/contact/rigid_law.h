@@ -1,0 +1,52 @@
+// The set-valued contact (12)-(19) over one step of MuJoCo, in contact space: (relative x, relative
+// y, spin at the contact). The laws are the native model's (native_model/contact).
+//
+// MuJoCo's Euler step is semi-implicit,
+//   v_k+1 = v_k + H^-1 (h f(t_k, q_k) + J^T p),  H = M + h D,   q_k+1 = q_k + h v_k+1,
+// which is the paper's scheme (11) with q_k for its midpoints. So, as there:
+// - normal and lever arm are those of q_k. An impulse along q_k leaves q_k x v alone, so that a
+//   billiard keeps speed and angular momentum to round-off;
+// - the gap of (12) is that of q_k+1, so that lasting contact does not drift;
+// - Poisson's law (15)-(19) is for a contact that was open, and whose rebound outlives the step: a
+//   rebound that the loads and the ring's curvature undo within it is lasting contact.
+// A depth that is there already (a start inside the ring's wall) is not thrown out in one step, as
+// it would come back as speed: kRecovery of it is.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "native_model/system/model.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub::plugin {
+
+inline constexpr double kRecovery = 0.2;  // share of a depth undone in a step, in (0, 1]
+
+struct RigidStep {
+  double h = 0.0;                      // s
+  Eigen::Vector2d d{0.0, 0.0};         // m, ring's to rotor's centre, at q_k
+  Eigen::Vector3d start, free;         // m/s, m/s, rad/s: v_k, and v_k+1 without contact
+  bool was_in_contact = false;         // over the step before
+  Eigen::Matrix3d lasting_admittance;  // J H^-1 J^T: a force over the step
+  Eigen::Matrix3d impact_admittance;   // J M^-1 J^T: an impulse in no time
+};
+
+struct RigidResult {
+  Status status = Status::kOk;    // kNoSolution, kAmbiguous: no impulse is given
+  bool impact = false;            // by Poisson's law; else lasting contact or none
+  Mode mode = Mode::kFree;        // of lasting contact
+  Eigen::Vector2d e_r{1.0, 0.0};  // normal of the impulses
+  double normal = 0.0;            // N s, >= 0
+  double friction = 0.0;          // N s, on the rotor along e_t
+  // Of an impact: m/s.
+  double gap_rate_before = 0.0, gap_rate_after = 0.0, slip_before = 0.0, slip_after = 0.0;
+};
+
+// True where the step would end outside the ring without a contact: only then is the contact
+// closed. Needs h, d and free alone.
+bool reaches_ring(const RigidStep& step, double clearance);
+
+// The contact's impulses over a step that reaches the ring.
+RigidResult solve_rigid_step(const RigidStep& step, const ContactParameters& contact);
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,88 @@
+#include "plugin/contact/segment_coulomb.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "native_model/contact/coulomb.h"
+#include "native_model/system/dynamics.h"
+#include "native_model/trajectory/trajectory.h"
+#include "plugin/contact/segment_space.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+namespace {
+
+struct Rates {
+  double gap, slip;  // m/s^2, without contact force
+};
+
+Rates free_rates(const ContactPoint& point, double radius, const Eigen::Vector3d& free) {
+  const double whirl = point.whirl_speed();
+  return {
+      -point.e_r.dot(free.head<2>()) - whirl * whirl / point.delta,
+      point.e_t().dot(free.head<2>()) + radius * free.z() + whirl / point.delta * point.gap_rate};
+}
+
+// MuJoCo's a_ref, with the gap rate of the state's own time (see coulomb.cc).
+double reference(const mjData* d, int row, const ContactPoint& point, double h) {
+  const double whirl = point.whirl_speed();
+  const double gap_rate = point.gap_rate + 0.5 * h * whirl * whirl / point.delta;
+  const mjtNum* kbip = d->efc_KBIP + 4 * row;
+  return -kbip[1] * gap_rate - kbip[0] * kbip[2] * point.gap;
+}
+
+// The aref with which MuJoCo's solver, l = (aref - J a_smooth)/(J M^-1 J^T + R), finds `normal`
+// beside the friction load.
+double solver_reference(const mjModel* m, mjData* d, int row, const SegmentSpace& space,
+                        const Eigen::Vector3d& friction, const ContactPoint& point, double normal) {
+  const int mark = d->pstack;
+  mjtNum* jacobian = mj_stackAlloc(d, m->nv);
+  mjtNum* flexible = mj_stackAlloc(d, m->nv);
+  if (mj_isSparse(m)) {
+    std::fill_n(jacobian, m->nv, 0.0);
+    space.add_load({-point.e_r.x(), -point.e_r.y(), 0.0}, jacobian);
+  } else {
+    std::copy_n(d->efc_J + row * m->nv, m->nv, jacobian);
+  }
+  mj_solveM(m, d, flexible, jacobian, 1);
+  const double own = mju_dot(jacobian, flexible, m->nv);
+  std::copy_n(d->qacc_smooth, m->nv, flexible);
+  space.add_acceleration(friction, flexible);
+  const double smooth = mju_dot(jacobian, flexible, m->nv);
+  d->pstack = mark;
+  // Open: well below, so that not even round-off leaves a force.
+  if (normal <= 0.0) return smooth - (1.0 + std::abs(smooth));
+  return smooth + (own + d->efc_R[row]) * normal;
+}
+
+}  // namespace
+
+void apply_segment_coulomb(const Config& config, const mjModel* m, mjData* d,
+                           const mjContact& contact, const Coordinates& state) {
+  const double h = m->opt.timestep, radius = config.model.contact->radius;
+  const int row = contact.efc_address;
+  mj_fwdActuation(m, d);
+  mj_fwdAcceleration(m, d);
+  const SegmentSpace space(config, m, d);
+  const ContactPoint point = contact_point(config.model, state.q(), state.v());
+  const Rates free = free_rates(point, radius, space.response(d->qfrc_smooth));
+
+  // As on the modal chain: a rebound that the loads undo within the step is no flight.
+  const bool lasts = d->userdata[kMode] != 0.0 && point.gap_rate <= -free.gap * h;
+  CoulombSolution solution;
+  if (point.gap < 0.0 || lasts) {
+    solution = solve_coulomb(delassus(space.flexibility(), point.e_r, radius),
+                             free.gap - reference(d, row, point, h), point.slip / h + free.slip,
+                             contact.friction[0]);
+  }
+  const bool sticks = solution.contact_case == ContactCase::kStick;
+  const Mode mode = solution.normal <= 0.0 ? Mode::kFree : (sticks ? Mode::kStick : Mode::kSlide);
+  d->userdata[kFrictionForce] = solution.friction;
+  d->userdata[kMode] = static_cast<double>(mode);
+
+  const Eigen::Vector3d friction = contact_load(point.e_r, radius, 0.0, solution.friction);
+  d->efc_aref[row] = solver_reference(m, d, row, space, friction, point, solution.normal);
+  space.add_load(friction, d->qfrc_passive);
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,47 @@
+#include "plugin/contact/segment_rigid.h"
+
+#include "native_model/system/dynamics.h"
+#include "plugin/contact/memory.h"
+#include "plugin/contact/rigid_law.h"
+#include "plugin/contact/segment_space.h"
+
+namespace rotorub::plugin {
+
+void apply_segment_rigid(const Config& config, const mjModel* m, mjData* d,
+                         const Coordinates& state) {
+  if (m->opt.integrator == mjINT_RK4) {
+    mju_error(
+        "rotorub: <option integrator=\"RK4\">: contact model `rigid` gives its impulses once a "
+        "step; accepted: Euler, implicit (or contact model coulomb or cone)");
+  }
+  const Model& model = config.model;
+  ContactMemory memory(d);
+  if (m->nu > 0) mj_fwdActuation(m, d);
+  mj_fwdAcceleration(m, d);
+  const SegmentSpace space(config, m, d);
+
+  RigidStep step;
+  step.h = m->opt.timestep;
+  step.d = rotor_point(model, state.q()) - stator_point(model, state.q());
+  step.start = space.rates(d->qvel);
+  step.free = step.start + step.h * space.response(d->qfrc_smooth);
+  if (!reaches_ring(step, model.contact->clearance)) {
+    memory.note({}, step.h);
+    return;
+  }
+  step.was_in_contact = memory.was_in_contact();
+  step.lasting_admittance = space.flexibility();
+  step.impact_admittance = space.admittance();
+  const RigidResult r = solve_rigid_step(step, *model.contact);
+  memory.note(r, step.h);
+  if (!(r.normal > 0.0)) return;
+  const Eigen::Vector3d load =
+      contact_load(r.e_r, model.contact->radius, r.normal / step.h, r.friction / step.h);
+  if (r.impact) {
+    space.add_impact(load, d->qfrc_passive);
+  } else {
+    space.add_load(load, d->qfrc_passive);
+  }
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,70 @@
+#include "plugin/contact/segment_space.h"
+
+#include <algorithm>
+
+namespace rotorub::plugin {
+
+SegmentSpace::SegmentSpace(const Config& config, const mjModel* m, mjData* d)
+    : d_(d), m_(m), config_(config), mark_(d->pstack), nv_(m->nv) {
+  jacobian_ = mj_stackAlloc(d, 3 * nv_);
+  plain_ = mj_stackAlloc(d, 3 * nv_);
+  damped_ = mj_stackAlloc(d, 3 * nv_);
+  std::fill_n(jacobian_, 3 * nv_, 0.0);
+  const Segments& s = *config.segments;
+  for (std::size_t i = 0; i < s.x.size(); ++i) {
+    const double u = s.contact_row[static_cast<Eigen::Index>(i)];
+    jacobian_[s.x[i].velocity] = u;
+    jacobian_[nv_ + s.y[i].velocity] = u;
+  }
+  jacobian_[2 * nv_ + s.spin[static_cast<std::size_t>(s.contact_node)].velocity] = 1.0;
+  const Layout& l = config.model.layout;
+  for (int k = 0; k < l.stator; ++k) {
+    jacobian_[k * nv_ + ring_dof(k)] = -1.0;
+  }
+  mj_solveM(m, d, plain_, jacobian_, 3);
+  std::copy_n(plain_, 3 * nv_, damped_);
+  for (int k = 0; k < l.stator; ++k) {
+    const int dof = ring_dof(k);
+    for (int row = 0; row < 3; ++row) damped_[row * nv_ + dof] /= damping_factor(dof);
+  }
+}
+
+int SegmentSpace::ring_dof(int plane) const {
+  const int at = config_.model.layout.ring() + plane;
+  return config_.dof_address[static_cast<std::size_t>(at)];
+}
+
+// H / M. The ring's slides alone have dampers that the step takes implicitly; each stands for
+// itself.
+double SegmentSpace::damping_factor(int dof) const {
+  return 1.0 + m_->opt.timestep * m_->dof_damping[dof] / m_->dof_M0[dof];
+}
+
+Eigen::Vector3d SegmentSpace::product(const mjtNum* rows, const mjtNum* v) const {
+  return {mju_dot(rows, v, nv_), mju_dot(rows + nv_, v, nv_), mju_dot(rows + 2 * nv_, v, nv_)};
+}
+
+Eigen::Matrix3d SegmentSpace::gram(const mjtNum* rows) const {
+  Eigen::Matrix3d g;
+  for (int j = 0; j < 3; ++j) g.col(j) = product(rows, jacobian_ + j * nv_);
+  return 0.5 * (g + g.transpose());
+}
+
+void SegmentSpace::add(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
+  for (int k = 0; k < 3; ++k) mju_addToScl(to, rows + k * nv_, load[k], nv_);
+}
+void SegmentSpace::add_load(const Eigen::Vector3d& load, mjtNum* to) const {
+  add(jacobian_, load, to);
+}
+void SegmentSpace::add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
+  add(jacobian_, load, to);
+  for (int k = 0; k < config_.model.layout.stator; ++k) {
+    const int dof = ring_dof(k);
+    to[dof] -= load[k] * (damping_factor(dof) - 1.0);
+  }
+}
+void SegmentSpace::add_acceleration(const Eigen::Vector3d& load, mjtNum* to) const {
+  add(plain_, load, to);
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,21 @@
+// The contact models on a user's own model.
+//   rigid    rigid_law.h, with MuJoCo's mass matrix
+//   coulomb  coulomb.h's: normal force and friction as one problem in accelerations, MuJoCo's
+//            reference set such that its solver finds the normal force
+//   cone     MuJoCo's own, in the exact circle
+// Other constraints of the user's that act on the same bodies are not known to the first two.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "plugin/config.h"
+
+namespace rotorub::plugin {
+
+// Called in mjcb_control, when the velocity stage is fresh. Adds to d->qfrc_passive.
+void apply_own_contact(const Config& config, const mjModel* m, mjData* d);
+
+// As collide_annular, in the frame of the ring's geom.
+int collide_own(const Config& config, const mjData* d, mjContact* con, int g1, double margin);
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,123 @@
+#include "plugin/segments.h"
+
+#include <cmath>
+
+#include "mjcf/names.h"
+
+namespace rotorub::plugin {
+namespace {
+
+namespace names = mjcf_names;
+
+void map_joints(Segments& s, const std::function<JointAddress(const std::string&)>& find) {
+  s.x.push_back(find(names::kEndX));
+  s.y.push_back(find(names::kEndY));
+  for (std::size_t k = 0; k < s.chain.segments.size(); ++k) {
+    s.x.push_back(find(names::tilt('x', k)));
+    s.y.push_back(find(names::tilt('y', k)));
+    s.spin.push_back(find(names::spin(k)));
+  }
+}
+
+// Share of each mode in a state: (phi^T M phi)^-1 phi^T M; the modes are orthogonal.
+Eigen::MatrixXd projection(const Eigen::MatrixXd& shape, const Eigen::MatrixXd& mass) {
+  Eigen::MatrixXd p = shape.transpose() * mass;
+  for (Eigen::Index j = 0; j < p.rows(); ++j) p.row(j) /= p.row(j).dot(shape.col(j));
+  return p;
+}
+
+// Adds what the modes miss of the value at the contact to the first one that moves it: it is the
+// softest, so that forces and accelerations which are found from the modes change least.
+void complete(const Eigen::VectorXd& contact_shape, double missing, double* q) {
+  for (Eigen::Index k = 0; k < contact_shape.size(); ++k) {
+    if (contact_shape[k] == 0.0) continue;
+    q[k] += missing / contact_shape[k];
+    return;
+  }
+}
+
+void to_native(const Segments& s, const Model& model, const mjtNum* from, AddressPart part,
+               double* to) {
+  const Layout& l = model.layout;
+  using Vector = Eigen::Map<Eigen::VectorXd>;
+  const auto plane = [&](const std::vector<JointAddress>& joints, const Eigen::MatrixXd& project,
+                         const Eigen::VectorXd& contact_shape, int at) {
+    const Eigen::VectorXd u = gather(joints, part, from);
+    Vector modes(to + at, l.modes);
+    modes = project * u;
+    if (s.contact_row.size() == 0) return;
+    complete(contact_shape, s.contact_row.dot(u) - contact_shape.dot(modes), to + at);
+  };
+  plane(s.x, s.project_x, model.contact_shape.x, l.x());
+  plane(s.y, s.project_y, model.contact_shape.y, l.y());
+
+  const Eigen::VectorXd spin = gather(s.spin, part, from);
+  Vector torsion(to + l.theta(), l.torsion);
+  torsion = s.project_torsion * spin;
+  // Without a drive the first segment is held, and what the modes hold is relative to it.
+  const double rigid = l.spin ? s.spin_share.dot(spin) : spin[0];
+  if (!l.spin) torsion -= s.project_torsion * Eigen::VectorXd::Constant(spin.size(), rigid);
+  if (l.spin) to[l.phi()] = rigid;
+  if (s.contact_node < 0) return;
+  const double missing = spin[s.contact_node] - rigid - model.torsion_contact.dot(torsion);
+  if (l.torsion) {
+    complete(model.torsion_contact, missing, to + l.theta());
+  } else if (l.spin) {
+    to[l.phi()] += missing;
+  }
+}
+
+}  // namespace
+
+Segments make_segments(const scene::Scene& scene, const Model& model,
+                       const std::function<JointAddress(const std::string&)>& find) {
+  const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  Segments s;
+  s.chain = segment_chain(scene);
+  map_joints(s, find);
+  const SegmentMatrices m =
+      segment_matrices(scene, s.chain, model.layout.modes, model.layout.torsion);
+  if (geometry.damping_ratio > 0.0 || geometry.internal_damping_ratio > 0.0) {
+    s.damping_x = m.damping_x + m.internal;
+    s.damping_y = m.damping_y + m.internal;
+  }
+  if (geometry.internal_damping_ratio > 0.0) s.internal = m.internal;
+  if (!m.torsion_damping.isZero(0.0)) s.torsion_damping = m.torsion_damping;
+  for (const scene::Force& force : scene.forces) {
+    s.force_rows.push_back(s.chain.deflection(force.station));
+  }
+  if (scene.magnetic_bearing) {
+    s.magnet_row = s.chain.deflection(scene.magnetic_bearing->station);
+    s.magnet_stiffness = scene.magnetic_bearing->negative_stiffness;
+  }
+  if (scene.drive) s.drive_node = s.chain.node_at(scene.drive->station);
+  s.spin_share = m.spin_inertia / m.spin_inertia.sum();
+  s.project_x = projection(m.shape_x, m.mass);
+  s.project_y = projection(m.shape_y, m.mass);
+  s.project_torsion = projection(m.shape_torsion, m.spin_inertia.asDiagonal());
+  if (scene.contact) {
+    s.contact_row = s.chain.deflection(scene.contact->station);
+    s.contact_node = s.chain.node_at(scene.contact->station);
+  }
+  s.highest = m.highest;
+  return s;
+}
+
+void native_position(const Segments& segments, const Model& model, const mjtNum* qpos, double* q) {
+  to_native(segments, model, qpos, &JointAddress::position, q);
+}
+
+void native_velocity(const Segments& segments, const Model& model, const mjtNum* qvel, double* v) {
+  to_native(segments, model, qvel, &JointAddress::velocity, v);
+}
+
+std::string segment_step_refusal(const Segments& segments, double step) {
+  const double limit = 2.0 / segments.highest;
+  if (step < limit) return {};
+  return "step " + std::to_string(step) +
+         " s is not below 2 / omega_max = " + std::to_string(limit) +
+         " s of the segment rotor; accepted: a smaller run.step, or fewer "
+         "mujoco.segments";
+}
+
+}  // namespace rotorub::plugin

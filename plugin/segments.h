@@ -1,0 +1,70 @@
+// The segment rotor in an mjModel: where its joints are, its state in the native model's
+// coordinates, and the loads that its joints do not have by themselves.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "native_model/rotor/segment_chain.h"
+#include "native_model/scene/scene.h"
+#include "native_model/system/model.h"
+
+namespace rotorub::plugin {
+
+// A joint of one coordinate: qpos[position], qvel[velocity].
+struct JointAddress {
+  int position = -1, velocity = -1;
+};
+
+using AddressPart = int JointAddress::*;
+
+// The joints' values in an array of mjData.
+inline Eigen::VectorXd gather(const std::vector<JointAddress>& joints, AddressPart part,
+                              const mjtNum* from) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(joints.size()));
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    values[static_cast<Eigen::Index>(i)] = from[joints[i].*part];
+  }
+  return values;
+}
+
+struct Segments {
+  SegmentChain chain;
+  std::vector<JointAddress> x, y;  // N + 2 each, in the chain's order
+  std::vector<JointAddress> spin;  // N + 1
+
+  // Loads, in the chain's coordinates.
+  Eigen::MatrixXd damping_x, damping_y;  // external and rotating
+  Eigen::MatrixXd internal;              // rotating; empty: none
+  Eigen::MatrixXd torsion_damping;       // empty: none
+  std::vector<Eigen::RowVectorXd> force_rows;
+  Eigen::RowVectorXd magnet_row;  // deflection at the magnetic bearing; empty: none
+  double magnet_stiffness = 0.0;  // N/m, negative stiffness's size
+  int drive_node = -1;            // -1: speed held
+  Eigen::VectorXd spin_share;     // N + 1, J_k / sum J: mean spin
+
+  // Native modal coordinates of a state of the chain: the share of each mode kept, and the whole
+  // deflection at the contact, of which the first mode takes what is not in the others.
+  Eigen::MatrixXd project_x, project_y, project_torsion;  // kept x coordinates
+  Eigen::RowVectorXd contact_row;                         // empty: no contact
+  int contact_node = -1;
+
+  double highest = 0.0;  // rad/s, highest frequency at rest
+};
+
+// The chain of the scene; find(name) gives the address of a joint. Throws scene::SceneError.
+Segments make_segments(const scene::Scene& scene, const Model& model,
+                       const std::function<JointAddress(const std::string&)>& find);
+
+// Fills the rotor's part of native coordinates (or of their rates) from qpos (qvel).
+void native_position(const Segments& segments, const Model& model, const mjtNum* qpos, double* q);
+void native_velocity(const Segments& segments, const Model& model, const mjtNum* qvel, double* v);
+
+// Empty, or why MuJoCo's step cannot carry the chain: it is explicit in the springs.
+std::string segment_step_refusal(const Segments& segments, double step);
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,133 @@
+// Contact model `rigid` of whole runs against the native `event` integrator, which locates its
+// events to round-off.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/engine/mujoco_engine.h"
+#include "native_model/integrate/run.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+Trajectory rigid(const scene::Scene& scene, double step) {
+  MujocoOptions options;
+  options.contact = scene::ContactModel::kRigid;
+  options.step = step;
+  return run_mujoco(scene, options);
+}
+
+Trajectory event(const scene::Scene& scene) {
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  return run_native(scene, options);
+}
+
+// Of the rotor's position over all rows, m.
+double largest_error(const Trajectory& a, const Trajectory& b) {
+  EXPECT_EQ(a.rows(), b.rows());
+  const auto &ax = a.column("rotor_x"), &ay = a.column("rotor_y");
+  const auto &bx = b.column("rotor_x"), &by = b.column("rotor_y");
+  double error = 0.0;
+  for (std::size_t i = 0; i < std::min(a.rows(), b.rows()); ++i) {
+    error = std::max(error, std::hypot(ax[i] - bx[i], ay[i] - by[i]));
+  }
+  return error;
+}
+
+int counted(const Trajectory& t) {
+  return static_cast<int>(std::count_if(t.impacts.begin(), t.impacts.end(),
+                                        [](const Impact& impact) { return counts(impact); }));
+}
+
+TEST(RigidEngine, FollowsTheRingBench) {
+  const scene::Scene scene = shipped("bench_ring");
+  const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_EQ(t.contact_model, "rigid");
+  EXPECT_LT(largest_error(t, reference), 5e-6);
+  EXPECT_GT(t.contact_fraction(), 0.98);
+  EXPECT_NEAR(t.mean_force(), reference.mean_force(), 1e-3 * reference.mean_force());
+  // Bounces, then an accumulation, then sliding: one row an impact.
+  ASSERT_GE(t.impacts.size(), 5U);
+  const double times[] = {4.0601e-3, 7.5981e-3, 8.9758e-3, 9.5869e-3, 9.8768e-3};
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Impact& impact = t.impacts[i];
+    // An impact acts at the end of its step, and so each shifts those after it, by up to a step.
+    EXPECT_NEAR(impact.t, times[i], static_cast<double>(i + 1) * 1e-5) << i;
+    EXPECT_NEAR(impact.gap_rate_after, -0.5 * impact.gap_rate_before, 1e-12) << i;
+    EXPECT_LT(impact.energy_change, 0.0) << i;
+  }
+  EXPECT_EQ(t.events.back().kind, EventKind::kSlide);
+}
+
+TEST(RigidEngine, IsOfFirstOrderOnTheRingBench) {
+  const scene::Scene scene = shipped("bench_ring", {"run.end=0.1"});
+  const Trajectory reference = event(scene);
+  const double coarse = largest_error(rigid(scene, 1e-4), reference);
+  const double middle = largest_error(rigid(scene, 1e-5), reference);
+  const double fine = largest_error(rigid(scene, 1e-6), reference);
+  EXPECT_LT(middle, 0.15 * coarse);
+  EXPECT_LT(fine, 0.15 * middle);
+  EXPECT_GT(fine, 0.05 * middle);
+}
+
+TEST(RigidEngine, KeepsABilliardsEnergy) {
+  const Trajectory t = rigid(shipped("bench_billiard"), 1e-5);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_GE(counted(t), 100);
+  EXPECT_LE(counted(t), 102);
+  const Statistics& s = t.statistics;
+  EXPECT_NEAR(s.energy_end, s.energy_start, 1e-9 * s.energy_start);
+  EXPECT_LT(s.energy_residual(), 1e-9);
+}
+
+TEST(RigidEngine, BouncesToRest) {
+  const scene::Scene scene = shipped("bench_drop");
+  const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
+  EXPECT_LT(largest_error(t, reference), 2e-6);
+  EXPECT_NEAR(t.impacts[0].t, 10.0964e-3, 2e-5);
+  EXPECT_NEAR(t.impacts[1].t, 20.1928e-3, 4e-5);
+  EXPECT_NEAR(t.column("normal_force").back(), 19.62, 1e-6 * 19.62);
+}
+
+// The paper's scenes at their own step. What a bouncing rotor does is compared by its means.
+TEST(RigidEngine, FollowsThePapersScenes) {
+  for (const char* name : {"paper_sliding", "paper_passive"}) {
+    SCOPED_TRACE(name);
+    const scene::Scene scene = shipped(name);
+    const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    EXPECT_NEAR(t.mean_force(), reference.mean_force(), 0.01 * reference.mean_force());
+    EXPECT_NEAR(t.contact_fraction(), reference.contact_fraction(), 0.02);
+    EXPECT_LT(t.statistics.max_penetration, 1e-8);
+  }
+}
+
+// Rankings: what the model is for.
+TEST(RigidEngine, IsNearerThanCoulombThanCone) {
+  const scene::Scene scene = shipped("bench_ring");
+  const Trajectory reference = event(scene);
+  const auto error = [&](scene::ContactModel contact) {
+    MujocoOptions options;
+    options.contact = contact;
+    return largest_error(run_mujoco(scene, options), reference);
+  };
+  const double rigid_error = error(scene::ContactModel::kRigid);
+  const double coulomb_error = error(scene::ContactModel::kCoulomb);
+  EXPECT_LT(rigid_error, coulomb_error);
+  EXPECT_LT(coulomb_error, error(scene::ContactModel::kCone));
+}
+
+TEST(RigidEngine, ImplicitIntegratorDoesTheSame) {
+  const scene::Scene scene = shipped("bench_ring", {"mujoco.integrator=implicit"});
+  const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_EQ(t.integrator, "implicit");
+  EXPECT_LT(largest_error(t, reference), 5e-6);
+}
+
+}  // namespace
+}  // namespace rotorub::test

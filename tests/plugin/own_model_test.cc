@@ -1,0 +1,244 @@
+// The contact in a model of the user's own, which has no scene of ours.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "mjcf/names.h"
+#include "native_model/integrate/run.h"
+#include "plugin/hooks.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace names = mjcf_names;
+
+// A rotor and a ring on springs, lying: the shaft is along the world's x, the bending planes are
+// those of a turned body.
+const std::string kMachine = R"(<mujoco>
+  <option timestep="1e-5" gravity="0 0 0" cone="elliptic"/>
+  <size nuserdata="32"/>
+  <worldbody>
+    <body euler="0 90 0" pos="0.1 0.2 0.3">
+      <body>
+        <joint type="slide" axis="1 0 0" stiffness="2e5" damping="40"/>
+        <joint type="slide" axis="0 1 0" stiffness="2e5" damping="40"/>
+        <joint type="hinge" axis="0 0 1"/>
+        <inertial pos="0 0 0" mass="2" diaginertia="1e-3 1e-3 1e-3"/>
+        <geom name="disc" type="cylinder" size="0.05 0.01" contype="0" conaffinity="0"/>
+      </body>
+      <body>
+        <joint type="slide" axis="1 0 0" stiffness="1e5" damping="200"/>
+        <joint type="slide" axis="0 1 0" stiffness="1e5" damping="200"/>
+        <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
+        <geom name="bore" type="box" size="0.06 0.06 0.01" contype="0" conaffinity="0"/>
+      </body>
+    </body>
+  </worldbody>
+  <contact>
+    <pair geom1="disc" geom2="bore" PAIR/>
+  </contact>
+  <sensor>
+    <user name="rotorub_active" objtype="geom" objname="disc" datatype="real" needstage="pos" dim="1"/>
+    <user name="gap" objtype="geom" objname="disc" datatype="real" needstage="pos" dim="1"/>
+    <user name="slip" objtype="geom" objname="disc" datatype="real" needstage="vel" dim="1"/>
+    <user name="normal_force" objtype="geom" objname="disc" datatype="real" needstage="acc" dim="1"/>
+    <user name="friction_force" objtype="geom" objname="disc" datatype="real" needstage="acc" dim="1"/>
+  </sensor>
+  <custom>
+    <text name="rotorub_rotor_geom" data="disc"/>
+    <text name="rotorub_ring_geom" data="bore"/>
+    <text name="rotorub_contact" data="MODEL"/>
+    <numeric name="rotorub_clearance" data="5e-4"/>
+    <numeric name="rotorub_friction" data="0.15"/>
+    <numeric name="rotorub_restitution" data="0.5"/>
+  </custom>
+</mujoco>)";
+
+// The same machine, as a scene.
+const std::string kScene = R"(
+[run]
+end = 0.1
+[rotor]
+speed = 100.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e5]
+damping = [40.0]
+inertia = 1e-3
+[drive]
+kind = "free"
+[contact]
+radius = 0.05
+clearance = "0.5 mm"
+friction = 0.15
+restitution = 0.5
+[stator]
+mass = 1.0
+damping = 200.0
+stiffness = 1e5
+[[force]]
+kind = "constant"
+vector = [200.0, 0.0]
+[initial]
+vx = [0.2]
+vy = [0.3]
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+std::string machine(const std::string& contact) {
+  // sqrt(K) h = 0.2; K and B of a restitution of 0.5, as bench_ring.xml has them.
+  const std::string soft = "solref=\"-4e8 -10211.0255\" solimp=\"0.9999 0.9999 0.001\" ";
+  const std::string pair = contact == "rigid" ? "condim=\"1\" margin=\"5e-6\" gap=\"1\""
+                           : contact == "coulomb"
+                               ? soft + "condim=\"1\" margin=\"5e-7\" gap=\"0\""
+                               : soft + "condim=\"3\" friction=\"0.15 0.15 0 0 0\" gap=\"0\"";
+  return replaced(replaced(kMachine, "PAIR", pair), "MODEL", contact);
+}
+
+std::string example() {
+  std::ifstream in(std::filesystem::path(ROTORUB_SOURCE_DIR) / "mjcf/examples/own_model.xml");
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class OwnModel : public MujocoTest {
+ protected:
+  static DataPointer begin(const mjModel* m) {
+    DataPointer d = start(m);
+    d->qvel[0] = 0.2;
+    d->qvel[1] = 0.3;
+    d->qvel[2] = 100.0;
+    d->qfrc_applied[0] = 200.0;
+    return d;
+  }
+
+  // Largest distance of rotor and ring from the native `event` run, every millisecond, m.
+  static double error(const std::string& contact, double step) {
+    const ModelPointer m = load(machine(contact));
+    m->opt.timestep = step;
+    const DataPointer d = begin(m.get());
+    NativeOptions options;
+    options.integrator = scene::Integrator::kEvent;
+    options.output_times.emplace();
+    for (int k = 1; k <= 100; ++k) options.output_times->push_back(1e-3 * k);
+    const Trajectory native = run_native(parsed(kScene), options);
+    double largest = 0.0;
+    const auto between = static_cast<int>(std::lround(1e-3 / step));
+    for (std::size_t row = 0; row < 100; ++row) {
+      for (int k = 0; k < between; ++k) mj_step(m.get(), d.get());
+      const double e[] = {
+          d->qpos[0] - native.column("rotor_x")[row], d->qpos[1] - native.column("rotor_y")[row],
+          d->qpos[3] - native.column("stator_x")[row], d->qpos[4] - native.column("stator_y")[row]};
+      largest = std::max({largest, std::hypot(e[0], e[1]), std::hypot(e[2], e[3])});
+    }
+    return largest;
+  }
+
+  static void expect_refused(const std::string& document, const std::string& from,
+                             const std::string& to, const std::string& named) {
+    std::string why;
+    EXPECT_EQ(try_load(replaced(document, from, to), why), nullptr) << to;
+    EXPECT_NE(why.find(named), std::string::npos) << why;
+  }
+
+  plugin::Hooks hooks_;
+};
+
+TEST_F(OwnModel, RigidFollowsTheNativeModelAtFirstOrder) {
+  const double coarse = error("rigid", 1e-4), fine = error("rigid", 1e-5);
+  EXPECT_LT(fine, 5e-6);
+  EXPECT_LT(fine, 0.2 * coarse);
+}
+
+TEST_F(OwnModel, CoulombFollowsTheNativeModel) { EXPECT_LT(error("coulomb", 1e-5), 2e-5); }
+
+TEST_F(OwnModel, ConeTouchesInTheSameRing) {
+  const ModelPointer m = load(machine("cone"));
+  const DataPointer d = begin(m.get());
+  double force = 0.0, depth = 0.0;
+  for (int k = 0; k < 10000; ++k) {
+    mj_step(m.get(), d.get());
+    force = std::max(force, sensor(m.get(), d.get(), names::kNormalForce));
+    depth = std::max(depth, -sensor(m.get(), d.get(), names::kGap));
+  }
+  EXPECT_GT(force, 1.0);
+  EXPECT_LT(depth, 5e-5);
+}
+
+// A contact of the shape that the frame of the ring's geom says, in the world's axes.
+TEST_F(OwnModel, ContactIsWhereTheWorldSeesIt) {
+  const ModelPointer m = load(machine("rigid"));
+  const DataPointer d = start(m.get());
+  d->qpos[0] = 0.3e-3;
+  d->qpos[1] = 0.4e-3;
+  mj_forward(m.get(), d.get());
+  ASSERT_EQ(d->ncon, 1);
+  EXPECT_EQ(d->nefc, 0);
+  const mjContact& c = d->contact[0];
+  EXPECT_NEAR(c.dist, 0.0, 1e-15);
+  // The bodies' x is the world's -z, their y the world's y.
+  const double out[] = {0.1, 0.2 + 0.8 * 0.0505, 0.3 - 0.6 * 0.0505};
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(c.pos[i], out[i], 1e-12) << i;
+  EXPECT_NEAR(std::abs(c.frame[1]), 0.8, 1e-12);
+  EXPECT_NEAR(std::abs(c.frame[2]), 0.6, 1e-12);
+}
+
+TEST_F(OwnModel, BadTextIsRefusedAtLoadByName) {
+  const std::string good = machine("rigid");
+  expect_refused(good, "data=\"bore\"", "data=\"boar\"", "rotorub_ring_geom");
+  expect_refused(good, "<numeric name=\"rotorub_clearance\" data=\"5e-4\"/>", "",
+                 "rotorub_clearance");
+  expect_refused(good, "data=\"0.15\"", "data=\"-0.15\"", "rotorub_friction");
+  expect_refused(good, "data=\"0.5\"", "data=\"1.5\"", "between 0 and 1");
+  expect_refused(good, "data=\"rigid\"", "data=\"soft\"", "rigid, coulomb, cone");
+  expect_refused(good, "gap=\"1\"", "gap=\"0\"", "gap");
+  expect_refused(machine("coulomb"), "condim=\"1\"", "condim=\"3\"", "condim");
+  expect_refused(good, "nuserdata=\"32\"", "nuserdata=\"2\"", "nuserdata");
+}
+
+TEST_F(OwnModel, ResetAndCopyGiveTheSameBits) {
+  const ModelPointer m = load(machine("rigid"));
+  const DataPointer d = begin(m.get());
+  for (int k = 0; k < 1000; ++k) mj_step(m.get(), d.get());
+  const DataPointer copy(mj_copyData(nullptr, m.get(), d.get()));
+  for (int k = 0; k < 1000; ++k) mj_step(m.get(), d.get());
+  for (int k = 0; k < 1000; ++k) mj_step(m.get(), copy.get());
+  EXPECT_EQ(state_of(m.get(), d.get()), state_of(m.get(), copy.get()));
+  mj_resetData(m.get(), copy.get());
+  copy->qvel[0] = 0.2;
+  copy->qvel[1] = 0.3;
+  copy->qvel[2] = 100.0;
+  copy->qfrc_applied[0] = 200.0;
+  for (int k = 0; k < 2000; ++k) mj_step(m.get(), copy.get());
+  EXPECT_EQ(state_of(m.get(), d.get()), state_of(m.get(), copy.get()));
+}
+
+// The hand-written example: the motor takes it through the resonance, it rubs, stays in its ring.
+TEST_F(OwnModel, ExampleRubs) {
+  const ModelPointer m = load(example());
+  const DataPointer d = start(m.get());
+  EXPECT_EQ(sensor(m.get(), d.get(), names::kActive), 0.0);
+  int pressed = 0;
+  double deepest = 0.0;
+  for (int k = 0; k < 50000; ++k) {
+    mj_step(m.get(), d.get());
+    if (sensor(m.get(), d.get(), names::kNormalForce) > 0.0) ++pressed;
+    deepest = std::max(deepest, -sensor(m.get(), d.get(), names::kGap));
+  }
+  EXPECT_EQ(sensor(m.get(), d.get(), names::kActive), 1.0);
+  EXPECT_GT(pressed, 1000);
+  EXPECT_LT(deepest, 1e-7);
+}
+
+}  // namespace
+}  // namespace rotorub::test

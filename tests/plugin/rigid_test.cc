@@ -1,0 +1,225 @@
+// Contact model `rigid` against the exact answers: bounces, rubs, sticking; and its manners inside
+// MuJoCo.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "native_model/system/dynamics.h"
+#include "plugin/hooks.h"
+#include "tests/plugin/scenes.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace names = mjcf_names;
+
+// The force of an annular rub is to be met at a step of 1e-5; MuJoCo's implicit damping alone, d
+// times the velocity of half a step away, makes 6.5e-5 of it.
+constexpr double kForce = 1e-4;
+constexpr double kScatter = 1e-3;
+
+class RigidContact : public MujocoTest {
+ protected:
+  plugin::Hooks hooks_;
+};
+
+scene::Scene rigid(const std::string& text, std::vector<std::string> overrides = {}) {
+  overrides.push_back("mujoco.contact=rigid");
+  return parsed(text, overrides);
+}
+
+scene::Scene rigid_bench(const std::string& name, std::vector<std::string> overrides = {}) {
+  overrides.push_back("mujoco.contact=rigid");
+  return shipped(name, overrides);
+}
+
+struct Sample {
+  double mean = 0.0, deviation = 0.0;
+  int steps_in_contact = 0;
+};
+
+// Normal force over the last `steps` of a scene.
+Sample normal_force(const scene::Scene& scene, int steps) {
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  const auto all = static_cast<int>(std::lround(scene.run.end / scene.run.step));
+  double sum = 0.0, squares = 0.0;
+  Sample out;
+  for (int k = 0; k < all; ++k) {
+    mj_step(m.get(), d.get());
+    if (k < all - steps) continue;
+    const double force = sensor(m.get(), d.get(), names::kNormalForce);
+    sum += force;
+    squares += force * force;
+    if (force > 0.0) ++out.steps_in_contact;
+    EXPECT_NEAR(sensor(m.get(), d.get(), names::kFrictionForce), -scene.contact->friction * force,
+                1e-9 * force);
+  }
+  out.mean = sum / steps;
+  out.deviation = std::sqrt(std::max(0.0, squares / steps - out.mean * out.mean));
+  return out;
+}
+
+double rigid_ring_force() {
+  const double m = 2.0, k = 3e5, c = 40.0, mu = 0.2, amplitude = 200.0, delta = 0.5e-3;
+  const double om = 100.0 * std::numbers::pi;
+  const double a = (k - m * om * om) * delta, b = c * om * delta, p = a + mu * b;
+  return (-p + std::sqrt(p * p - (1 + mu * mu) * (a * a + b * b - amplitude * amplitude))) /
+         (1 + mu * mu);
+}
+
+TEST_F(RigidContact, AnnularRubOnARigidRing) {
+  const double exact = rigid_ring_force();
+  for (const char* integrator : {"euler", "implicit"}) {
+    SCOPED_TRACE(integrator);
+    const Sample found =
+        normal_force(rigid(kAnnularRub, {std::string("mujoco.integrator=") + integrator}), 20000);
+    EXPECT_NEAR(found.mean, exact, kForce * exact);
+    EXPECT_LT(found.deviation, kScatter * exact);
+    EXPECT_EQ(found.steps_in_contact, 20000);
+  }
+}
+
+TEST_F(RigidContact, AnnularRubOnAnElasticRing) {
+  using Complex = std::complex<double>;
+  const double om = 100.0 * std::numbers::pi, mu = 0.2, u = 200.0, delta = 0.5e-3;
+  const Complex rotor(3e5 - 2.0 * om * om, 40.0 * om), stator(4e5 - om * om, 200.0 * om);
+  const Complex h = Complex(1.0, mu) * (1.0 / rotor + 1.0 / stator);
+  const double a = std::norm(h), b = delta * h.real();
+  const double constant = delta * delta - u * u / std::norm(rotor);
+  const double exact = (-b + std::sqrt(b * b - a * constant)) / a;
+  ASSERT_GT(exact, 0.0);
+  const Sample found = normal_force(rigid(kAnnularRub + kElasticRing), 20000);
+  EXPECT_NEAR(found.mean, exact, kForce * exact);
+  EXPECT_LT(found.deviation, kScatter * exact);
+  EXPECT_EQ(found.steps_in_contact, 20000);
+}
+
+TEST_F(RigidContact, TheErrorFallsWithTheStep) {
+  const double exact = rigid_ring_force();
+  const double coarse =
+      std::abs(normal_force(rigid(kAnnularRub, {"run.step=1e-4"}), 2000).mean - exact);
+  const double fine =
+      std::abs(normal_force(rigid(kAnnularRub, {"run.step=1e-5"}), 2000).mean - exact);
+  EXPECT_LT(fine, 0.15 * coarse);
+  EXPECT_LT(coarse, 1e-3 * exact);
+}
+
+// Without loads a bounce on the ring keeps energy and angular momentum: 101 impacts in 0.2 s.
+TEST_F(RigidContact, ABilliardKeepsEnergyAndAngularMomentum) {
+  const scene::Scene scene = rigid_bench("bench_billiard", {"run.step=1e-5"});
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  const auto momentum = [&] { return d->qpos[0] * d->qvel[1] - d->qpos[1] * d->qvel[0]; };
+  const auto energy = [&] { return mju_dot(d->qvel, d->qvel, 2); };
+  const double energy_start = energy(), momentum_start = momentum();
+  int impacts = 0;
+  for (int k = 0; k < 20000; ++k) {
+    mj_step(m.get(), d.get());
+    if (sensor(m.get(), d.get(), names::kNormalForce) > 0.0) ++impacts;
+  }
+  EXPECT_GE(impacts, 100);
+  EXPECT_LE(impacts, 102);
+  constexpr double kKept = 1e-9;  // relative; the chain's links weigh 5e-13 of the rotor
+  EXPECT_NEAR(energy(), energy_start, kKept * energy_start);
+  EXPECT_NEAR(momentum(), momentum_start, kKept * std::abs(momentum_start));
+}
+
+TEST_F(RigidContact, NeverLeavesTheRing) {
+  const ModelPointer m = load(mjcf(rigid_bench("bench_ring", {"run.step=1e-4"})));
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 5000; ++k) {
+    mj_step(m.get(), d.get());
+    // (v h)^2 / (2 delta_0) with v = 0.35 m/s: the normal is that of the step's begin.
+    ASSERT_GT(sensor(m.get(), d.get(), names::kGap), -1.5e-6) << k;
+  }
+}
+
+TEST_F(RigidContact, SticksWithoutFlippingItsSign) {
+  const ModelPointer m = load(mjcf(rigid(kBrake)));
+  const DataPointer d = start(m.get());
+  int flips = 0, last = 0;
+  for (int k = 0; k < 10000; ++k) {
+    mj_step(m.get(), d.get());
+    const double slip = sensor(m.get(), d.get(), names::kSlip);
+    const int sign = std::abs(slip) > 1e-9 ? (slip > 0.0 ? 1 : -1) : 0;
+    if (sign != 0 && last != 0 && sign != last) ++flips;
+    if (sign != 0) last = sign;
+  }
+  EXPECT_LE(flips, 2);
+  EXPECT_NEAR(sensor(m.get(), d.get(), names::kSlip), 0.0, 1e-9);
+  EXPECT_NEAR(sensor(m.get(), d.get(), names::kNormalForce), 100.0, 1.0);
+}
+
+TEST_F(RigidContact, IsSeenByMujocoButNotSolvedByIt) {
+  const ModelPointer m = load(mjcf(rigid(kAnnularRub)));
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 20000; ++k) mj_step(m.get(), d.get());
+  mj_forward(m.get(), d.get());
+  ASSERT_EQ(d->ncon, 1);
+  EXPECT_EQ(d->contact[0].exclude, 1);  // in gap
+  EXPECT_EQ(d->contact[0].efc_address, -1);
+  EXPECT_EQ(d->nefc, 0);
+  EXPECT_NEAR(d->contact[0].dist, 0.0, 1e-9);
+  EXPECT_NEAR(std::hypot(d->contact[0].pos[0], d->contact[0].pos[1]), 0.05 + 0.5e-3, 1e-9);
+}
+
+TEST_F(RigidContact, StepsAreTheSameAfterASecondForward) {
+  for (const char* name : {"bench_ring", "bench_billiard"}) {
+    const ModelPointer m = load(mjcf(rigid_bench(name)));
+    const DataPointer once = start(m.get()), twice = start(m.get());
+    for (int k = 0; k < 5000; ++k) {
+      mj_step(m.get(), once.get());
+      mj_forward(m.get(), twice.get());
+      mj_forwardSkip(m.get(), twice.get(), mjSTAGE_VEL, 0);
+      mj_step(m.get(), twice.get());
+    }
+    EXPECT_EQ(state_of(m.get(), once.get()), state_of(m.get(), twice.get())) << name;
+  }
+}
+
+// A load of the user's own counts, and stays as it was.
+TEST_F(RigidContact, LeavesTheUsersForcesAlone) {
+  const ModelPointer m = load(mjcf(rigid(kBrake)));
+  const DataPointer d = start(m.get());
+  const int y = m->jnt_dofadr[mj_name2id(m.get(), mjOBJ_JOINT, "y_1")];
+  d->qfrc_applied[y] = -50.0;
+  d->xfrc_applied[6 * mj_name2id(m.get(), mjOBJ_BODY, names::kRotor) + 1] = -25.0;
+  for (int k = 0; k < 10000; ++k) mj_step(m.get(), d.get());
+  EXPECT_EQ(d->qfrc_applied[y], -50.0);
+  EXPECT_NEAR(sensor(m.get(), d.get(), names::kNormalForce), 175.0, 1.75);
+}
+
+TEST_F(RigidContact, RefusesRungeKutta) {
+  const ModelPointer m = load(mjcf(rigid_bench("bench_ring")));
+  const DataPointer d = start(m.get());
+  m->opt.integrator = mjINT_RK4;
+  try {
+    mj_step(m.get(), d.get());
+    FAIL();
+  } catch (const std::exception& error) {
+    EXPECT_NE(std::string(error.what()).find("RK4"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("Euler, implicit"), std::string::npos);
+  }
+}
+
+// A start outside the wall comes back in and does not fly off.
+TEST_F(RigidContact, TakesADepthBackGently) {
+  const ModelPointer m = load(mjcf(rigid(kNeverTouches)));
+  const DataPointer d = start(m.get());
+  d->qpos[0] = 5.1e-3;
+  d->qpos[1] = 0.0;
+  d->qvel[0] = d->qvel[1] = 0.0;
+  const double elastic = 0.5 * 2e5 * 5.1e-3 * 5.1e-3;
+  for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());
+  EXPECT_GT(sensor(m.get(), d.get(), names::kGap), -1e-9);
+  EXPECT_LT(mju_dot(d->qvel, d->qvel, 2), 4.2e2 * elastic);
+}
+
+}  // namespace
+}  // namespace rotorub::test
