@@ -223,6 +223,15 @@ TEST_F(SegmentsTest, FollowsTheNativeOrbit) {
   EXPECT_LT(e20, 0.5 * e10);
 }
 
+TEST_F(SegmentsTest, NamesAJointThatIsGone) {
+  std::string document = mjcf(rotor(10));
+  const std::string joint = "name=\"spin_3\"";
+  document.replace(document.find(joint), joint.size(), "name=\"other\"");
+  std::string error;
+  EXPECT_EQ(try_load(document, error), nullptr);
+  EXPECT_NE(error.find("spin_3"), std::string::npos) << error;
+}
+
 // More joints than MuJoCo gives a body: the chain goes on over several.
 TEST_F(SegmentsTest, ModalChainOfManyModesLoads) {
   const ModelPointer m = load(mjcf(shipped("paper_passive", {"rotor.modes=5"})));

@@ -16,14 +16,17 @@ namespace rotorub::test {
 namespace {
 
 // Scenes that use all of the plugin's memory, and a model that is not ours.
-const std::array<std::string, 5>& documents() {
-  static const std::array<std::string, 5> all = {
+const std::array<std::string, 6>& documents() {
+  static const std::array<std::string, 6> all = {
       mjcf(shipped("bench_ring", {"mujoco.contact=\"coulomb\""})),
       mjcf(shipped("bench_ring", {"mujoco.contact=\"cone\"", "contact.friction=0.3"})),
       mjcf(shipped("bench_billiard", {"mujoco.contact=\"rigid\""})),
       mjcf(shipped("paper_sliding",
                    {"controller.on=0.0", "controller.sample_time=1e-4", "force[0].on=0.0",
                     "contact.clearance=\"0.1 mm\"", "mujoco.contact=\"rigid\""})),
+      mjcf(
+          shipped("paper_passive", {"mujoco={rotor=\"segments\", segments=10, contact=\"coulomb\"}",
+                                    "force[0].on=0.0", "contact.clearance=\"0.1 mm\""})),
       R"(<mujoco><size nuserdata="30"/><worldbody><geom type="plane" size="1 1 1"/>
            <body pos="0 0 1"><freejoint/><geom type="capsule" size="0.1 0.2"/></body>
          </worldbody></mujoco>)"};
@@ -63,7 +66,7 @@ class TortureTest : public MujocoTest {
  protected:
   TortureTest() {
     for (const std::string& document : documents()) plain_.emplace_back(document);
-    for (int i = 0; i < 8; ++i) runs_.push_back(fresh(static_cast<std::size_t>(i) % 5));
+    for (int i = 0; i < 8; ++i) runs_.push_back(fresh(static_cast<std::size_t>(i) % 6));
   }
 
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
@@ -79,7 +82,7 @@ class TortureTest : public MujocoTest {
     Life& run = any();
     run.data.reset();
     run.model.reset();
-    run = fresh(static_cast<std::size_t>(below(5)));
+    run = fresh(static_cast<std::size_t>(below(6)));
   }
   static void step(Life& run, int count) {
     for (int k = 0; k < count && run.steps < kMostSteps; ++k, ++run.steps) {
