@@ -61,7 +61,7 @@ struct SegmentMatrices {
 };
 
 // modes, torsion_modes: how many are kept. The torsion of a rotor whose speed is held is that of a
-// shaft held at its first node.
+// shaft held at its first node. Throws scene::SceneError where the chain has fewer modes.
 SegmentMatrices segment_matrices(const scene::Scene& scene, const SegmentChain& chain, int modes,
                                  int torsion_modes);
 

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "native_model/rotor/mode_scaling.h"
 #include "native_model/rotor/planar_modes.h"
 #include "native_model/rotor/rotor_modes.h"
 #include "native_model/rotor/segment_chain.h"
+#include "native_model/scene/diagnostic.h"
 
 namespace rotorub {
 namespace {
@@ -121,10 +123,22 @@ void fill_torsion(const scene::Scene& scene, const SegmentChain& chain, int kept
   m.highest = std::max(m.highest, modes.frequency.maxCoeff());
 }
 
+// A chain has as many modes as coordinates.
+void check_modes(const SegmentChain& chain, int modes, int torsion_modes) {
+  const auto segments = static_cast<int>(chain.joint.size());
+  const int needed = std::max(modes - 2, torsion_modes);
+  if (needed <= segments) return;
+  throw scene::SceneError(
+      {{"", 0, "mujoco.segments",
+        "too few for the modes that the scene keeps; accepted: " + std::to_string(needed) +
+            " to 200, got " + std::to_string(segments)}});
+}
+
 }  // namespace
 
 SegmentMatrices segment_matrices(const scene::Scene& scene, const SegmentChain& chain, int modes,
                                  int torsion_modes) {
+  check_modes(chain, modes, torsion_modes);
   const Eigen::Index n = chain.plane_size();
   SegmentMatrices m;
   m.mass = m.gyroscopic = Eigen::MatrixXd::Zero(n, n);

@@ -248,6 +248,7 @@ TEST_F(SegmentsTest, RefusesWhatItCannotCarry) {
   } catch (const std::exception& error) {
     EXPECT_NE(std::string(error.what()).find("mujoco.segments"), std::string::npos) << error.what();
   }
+  EXPECT_THROW(mjcf(rotor(5, {"rotor.modes=9"})), std::exception);
   EXPECT_THROW(parsed("[rotor.modal]\nmass=[1.0]\nstiffness=[1.0]\n[mujoco]\nrotor=\"segments\"\n"),
                std::exception);
   const ModelPointer m = load(mjcf(rotor(40)));
