@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace rotorub {
 namespace {
@@ -30,7 +31,10 @@ double relative_slip(const std::vector<RelativePoint>& points, const std::vector
   return *middle;
 }
 
-Attractor permanent(const Settled& s, double slip) {
+// span: s, of the rows looked at.
+Attractor permanent(const Settled& s, double slip, double span) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  if (std::abs(s.whirl_frequency) * span < kRestingTurn * kTurn) return Attractor::kResting;
   if (slip < kRollingTolerance) return Attractor::kRolling;
   if (s.whirl_frequency < 0.0) return Attractor::kBackwardWhip;
   const bool synchronous =
@@ -46,6 +50,8 @@ const char* to_string(Attractor attractor) {
       return "no contact";
     case Attractor::kChattering:
       return "chattering";
+    case Attractor::kResting:
+      return "resting";
     case Attractor::kSynchronousRub:
       return "synchronous rub";
     case Attractor::kForwardRub:
@@ -66,6 +72,8 @@ const char* explanation(Attractor attractor) {
       return "nothing touches in the last fifth of the run";
     case Attractor::kChattering:
       return "contact comes and goes in the last fifth of the run";
+    case Attractor::kResting:
+      return "permanent contact at one place of the ring";
     case Attractor::kSynchronousRub:
       return "permanent contact that whirls forward with the spin (full annular rub)";
     case Attractor::kForwardRub:
@@ -102,7 +110,8 @@ Settled settled(const Trajectory& trajectory) {
   } else if (s.contact_share < kPermanentContact) {
     s.attractor = Attractor::kChattering;
   } else {
-    s.attractor = permanent(s, relative_slip(points, trajectory.column("slip"), range));
+    s.attractor = permanent(s, relative_slip(points, trajectory.column("slip"), range),
+                            points[range.last - 1].t - points[range.first].t);
   }
   return s;
 }

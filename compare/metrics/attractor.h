@@ -11,6 +11,7 @@ namespace rotorub {
 enum class Attractor {
   kNoContact,       // no row in contact and no counted impact
   kChattering,      // contact in fewer than 99 % of the rows: bouncing
+  kResting,         // else, less than 1 % of a turn about the ring: rests on it
   kSynchronousRub,  // else, forward whirl within 2 % of the mean spin speed: full annular rub
   kForwardRub,      // else, forward whirl at another frequency
   kBackwardWhip,    // else, backward whirl that slips: dry-friction whip
@@ -31,6 +32,7 @@ struct Settled {
 
 inline constexpr double kSettledShare = 0.2;
 inline constexpr double kPermanentContact = 0.99;
+inline constexpr double kRestingTurn = 0.01;
 inline constexpr double kSynchronousTolerance = 0.02;
 inline constexpr double kRollingTolerance = 0.01;
 

@@ -9,9 +9,9 @@
 namespace rotorub {
 namespace {
 
-constexpr int kLabel = 26;
-constexpr int kValue = 16;
-constexpr int kDifference = 12;
+constexpr int kLabel = 27;
+constexpr int kValue = 11;
+constexpr int kDifference = 11;
 constexpr std::size_t kWidth = 98;
 
 std::string label_of(const Figure& f) {
@@ -48,6 +48,15 @@ std::string side_line(const SceneComparison& c, const char* label, Text text) {
     if (k > 0) line += std::string(kDifference, ' ');
   }
   while (line.back() == ' ') line.pop_back();
+  return line + "\n";
+}
+
+std::string settled_line(const SceneComparison& c) {
+  std::string line;
+  for (const Side& side : c.sides) {
+    line += fmt::format("{}{} {}", line.empty() ? "  settles to: " : ", ", side.label,
+                        to_string(side.metrics.settled.attractor));
+  }
   return line + "\n";
 }
 
@@ -99,11 +108,10 @@ std::string comparison_table(const SceneComparison& c) {
                                  scene::scene_hash(c.scene));
   text += head(c);
   for (std::size_t k = 0; k < figures().size(); ++k) text += figure_line(c, k);
-  text += side_line(c, "settles to",
-                    [](const Side& s) { return to_string(s.metrics.settled.attractor); });
   text += side_line(c, "time of a step, µs",
                     [](const Side& s) { return short_number(s.timing.median); });
   text += fmt::format("  * judged: {}\n", percent_text(c.tolerance));
+  text += settled_line(c);
   text += split_lines(c);
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const SideDifference& d = c.differences[k];

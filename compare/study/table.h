@@ -8,7 +8,7 @@
 namespace rotorub {
 
 // Figures side by side, the split of the judged differences, and a verdict with its reasons for
-// each contact model; under 100 columns, but for the sentences, which are wrapped.
+// each contact model; 96 columns with three contact models.
 std::string comparison_table(const SceneComparison& comparison);
 
 // What `run` says of one run.

@@ -80,9 +80,10 @@ std::string scatter_sentence(const Side& native, const Side& other, const SideDi
       deviation_text(*of(d, "mean_force").figure, of(d, "mean_force").deviation);
   if (b < a) {
     return fmt::format(
-        "the mean force is about right ({}), single impacts are softened: no force above {:.3g} N, "
-        "where the rigid law's impacts give up to {:.3g} N over one step",
-        mean_text, b, a);
+        "the mean force is about right ({}), single impacts are softened: no force above {} N, "
+        "where "
+        "the rigid law's impacts give up to {} N over one step",
+        mean_text, short_number(b), short_number(a));
   }
   return fmt::format(
       "the mean force is about right ({}), single values are not: the largest force of a step is "
@@ -169,8 +170,15 @@ std::vector<std::string> reasons(const SceneComparison& comparison, const Side& 
 std::string headline(const SceneComparison& comparison, const Side& other,
                      const SideDifference& difference) {
   const double tolerance = percent(comparison.tolerance);
+  const Side& native = comparison.sides.front();
   if (other.trajectory.status != Status::kOk) {
     return fmt::format("MuJoCo's {} contact did not reach the end of the run.", other.label);
+  }
+  if (difference.within && !native.metrics.first_touch && !other.metrics.first_touch) {
+    return fmt::format(
+        "Nothing touches, neither in MuJoCo ({}) nor in the native model: there is no "
+        "contact force to judge.",
+        other.label);
   }
   if (difference.within) {
     return fmt::format(

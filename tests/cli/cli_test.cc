@@ -53,9 +53,8 @@ constexpr const char* kSeries =
 TEST(CliRun, WritesTheContractsFiles) {
   for (const std::string engine : {"native", "mujoco"}) {
     const Folder folder;
-    const Outcome done = folder.run(
-        {"run", shipped("bench_ring"), "--engine", engine, "--integrator", "paper", "--end", "0.02",
-         "-o", "out"});
+    const Outcome done = folder.run({"run", shipped("bench_ring"), "--engine", engine, "--end",
+                                     "0.02", "--set", "run.integrator=paper", "-o", "out"});
     ASSERT_EQ(done.code, 0) << done.err;
     EXPECT_EQ(done.err, "");
     EXPECT_EQ(folder.files(),

@@ -47,6 +47,16 @@ TEST(Attractor, Rolling) {
   EXPECT_EQ(of(w).attractor, Attractor::kRolling);
 }
 
+// A rotor that lies on the ring, spinning or not, is no rub that whirls.
+TEST(Attractor, Resting) {
+  for (const double spin : {0.0, 300.0}) {
+    Whirl w;
+    w.frequency = 0.0;
+    w.spin_speed = spin;
+    EXPECT_EQ(of(w).attractor, Attractor::kResting);
+  }
+}
+
 TEST(Attractor, Chattering) {
   const Whirl w;
   const auto half = hand_made(1000, 1e-3, [&](double t) {
