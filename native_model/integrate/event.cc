@@ -132,6 +132,21 @@ void EventIntegrator::begin(const State& start) {
   }
 }
 
+// Sliding whose G_NN - mu s G_NT runs into 0 needs forces without bound.
+void EventIntegrator::fail_step() {
+  if (phase_.mode() == Mode::kSlide) {
+    const Delassus g = phase_.contact(t_, y_.data()).g;
+    const double carried = g.nn - model_->contact->friction * phase_.sign() * g.nt;
+    if (std::abs(carried) < 1e-3 * g.nn) {
+      return fail(
+          Status::kNoSolution,
+          "sliding begins to push itself in (mu |G_NT| reaches G_NN, Painleve): the contact "
+          "forces grow without bound");
+    }
+  }
+  fail(Status::kDiverged, "no step is small enough: the state is no longer smooth or finite");
+}
+
 double EventIntegrator::trial_until_accepted(double limit) {
   const auto f = [this](double t, const double* y, double* dy) {
     phase_.derivative(before_break(t), y, dy);
@@ -152,7 +167,7 @@ double EventIntegrator::trial_until_accepted(double limit) {
     ++result_.rejected;
     h_ = h * std::min(factor, 0.9);
     if (!(h_ > 1e-15 * std::max(1e-3, std::abs(t_)))) {
-      fail(Status::kDiverged, "no step is small enough: the state is no longer smooth or finite");
+      fail_step();
       return 0.0;
     }
   }
@@ -252,6 +267,7 @@ void EventIntegrator::rows_before(double t) {
     prepare_dense();
     const double time = recorder_->next_time();
     step_.dense((time - t_) / step_.step(), row_.data());
+    if (phase_.mode() != Mode::kFree) to_circle(time, row_.data());
     recorder_->row(snapshot(time, row_.data()));
   }
 }
@@ -283,9 +299,9 @@ EventIntegrator::Result EventIntegrator::run(const State& start, double end, Rec
     const double limit = next_break();
     advance(limit);
     if (result_.status != Status::kOk) break;
-    if (t_ == limit && t_ < end_) arrive_at_break();
+    if (t_ >= limit && t_ < end_) arrive_at_break();  // an impact that takes time may pass one
     rows_at_now();
-    if ((++ticks & 0xff) == 0) {
+    if ((ticks++ & 0xff) == 0) {
       if (progress) progress(t_ / end_);
       if (interrupt && interrupt->load(std::memory_order_relaxed)) {
         fail(Status::kInterrupted, "interrupted");

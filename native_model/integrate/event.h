@@ -54,6 +54,7 @@ class EventIntegrator {
   double before_break(double t) const { return t < smooth_end_ ? t : smooth_end_; }
   void advance(double limit);
   double trial_until_accepted(double limit);
+  void fail_step();
   void update_tolerances();
   void arrive_at_break();
   bool sample_controller();
@@ -68,6 +69,7 @@ class EventIntegrator {
 
   // What happens at an event.
   void impact();
+  bool outlasts_its_flight(const ContactPoint& p);
   void finite_impact(const ContactPoint& p, ImpactInput in, Impact& record);
   void book(Impact& record, double held_slip);
   void fail_impact(ImpactStatus status);
@@ -75,6 +77,7 @@ class EventIntegrator {
   void decide(bool slip_is_zero, Departure departure);
   void enter(Mode mode, double sign);
   void leave(Departure departure);
+  void to_circle(double t, double* q);
   void project(bool velocity, bool slip);
   void apply(const Eigen::Vector2d& e_r, double normal, double friction);
 

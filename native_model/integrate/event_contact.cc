@@ -35,8 +35,7 @@ double EventIntegrator::locate_contact() {
   };
   const Eigen::Vector2d d0 = centre(y_.data()), d1 = centre(step_.end());
   // Out of reach: no further than the larger end plus what the speeds, twice over, could add.
-  const double speed =
-      std::max(centre(y_.data() + n).norm(), centre(step_.end() + n).norm());
+  const double speed = std::max(centre(y_.data() + n).norm(), centre(step_.end() + n).norm());
   const double reach = std::max(d0.norm(), d1.norm()) + 2.0 * speed * step_.step();
   if (reach < m.contact->clearance) return kNone;
 
@@ -84,7 +83,8 @@ double EventIntegrator::locate_margin() {
   if (lo == 0.0) f_lo = std::max(margin_at(0.0), 0.0);
   // Regula falsi with the Illinois weights, closed by bisection where it crawls.
   for (int k = 0; k < 200 && hi - lo > 1e-16 * hi; ++k) {
-    double x = k % 8 == 7 || f_lo <= 0.0 ? 0.5 * (lo + hi) : (lo * f_hi - hi * f_lo) / (f_hi - f_lo);
+    double x =
+        k % 8 == 7 || f_lo <= 0.0 ? 0.5 * (lo + hi) : (lo * f_hi - hi * f_lo) / (f_hi - f_lo);
     if (!(x > lo && x < hi)) x = 0.5 * (lo + hi);
     if (x == lo || x == hi) break;
     const double f = margin_at(x);
@@ -110,19 +110,25 @@ void EventIntegrator::apply(const Eigen::Vector2d& e_r, double normal, double fr
   for (int i = 0; i < m.nq(); ++i) v()[i] += load_[static_cast<std::size_t>(i)];
 }
 
+// Coordinates back on the circle by the least change in the norm of M.
+void EventIntegrator::to_circle(double t, double* q) {
+  const Model& m = *model_;
+  for (int k = 0; k < 2; ++k) {  // one Newton step and what round-off leaves
+    const ContactPoint p = contact_point(m, q, v());
+    const Delassus g = delassus(contact_admittance(m, t, q), p.e_r, m.contact->radius);
+    std::fill(load_.begin(), load_.end(), 0.0);
+    add_contact_load(m, contact_load(p.e_r, 0.0, -p.gap / g.nn, 0.0), load_.data());
+    solve_mass(m, t, q, load_.data(), load_.data());
+    for (int i = 0; i < m.nq(); ++i) q[i] += load_[static_cast<std::size_t>(i)];
+  }
+}
+
 // Back on the circle (position), along it (velocity), without slip (slip): by the least change in
 // the norm of M.
 void EventIntegrator::project(bool velocity, bool slip) {
   const Model& m = *model_;
   const ContactParameters& c = *m.contact;
-  for (int k = 0; k < 2; ++k) {  // one Newton step and what round-off leaves
-    const ContactPoint p = contact_point(m, q(), v());
-    const Delassus g = delassus(contact_admittance(m, t_, q()), p.e_r, c.radius);
-    std::fill(load_.begin(), load_.end(), 0.0);
-    add_contact_load(m, contact_load(p.e_r, 0.0, -p.gap / g.nn, 0.0), load_.data());
-    solve_mass(m, t_, q(), load_.data(), load_.data());
-    for (int i = 0; i < m.nq(); ++i) q()[i] += load_[static_cast<std::size_t>(i)];
-  }
+  to_circle(t_, q());
   if (!velocity) return;
   const ContactPoint p = contact_point(m, q(), v());
   const Delassus g = delassus(contact_admittance(m, t_, q()), p.e_r, c.radius);
@@ -157,9 +163,10 @@ void EventIntegrator::decide(bool slip_is_zero, Departure departure) {
     const double sign = c.point.slip > 0.0 ? 1.0 : -1.0;
     const double carried = c.g.nn - mu * sign * c.g.nt;
     if (carried <= 0.0) {
-      return fail(c.gap_acceleration < 0.0 ? Status::kNoSolution : Status::kAmbiguous,
-                  "sliding pushes itself in (mu |G_NT| > G_NN, Painleve): the contact forces have " +
-                      std::string(c.gap_acceleration < 0.0 ? "no solution" : "several solutions"));
+      return fail(
+          c.gap_acceleration < 0.0 ? Status::kNoSolution : Status::kAmbiguous,
+          "sliding pushes itself in (mu |G_NT| > G_NN, Painleve): the contact forces have " +
+              std::string(c.gap_acceleration < 0.0 ? "no solution" : "several solutions"));
     }
     if (c.gap_acceleration >= 0.0) return leave(departure);
     return enter(Mode::kSlide, sign);
@@ -170,10 +177,14 @@ void EventIntegrator::decide(bool slip_is_zero, Departure departure) {
                 "the contact forces have " + std::to_string(s.solutions) + " solutions (Painleve)");
   }
   switch (s.contact_case) {
-    case ContactCase::kOpen: return leave(departure);
-    case ContactCase::kStick: return enter(Mode::kStick, 0.0);
-    case ContactCase::kSlidePositive: return enter(Mode::kSlide, 1.0);
-    case ContactCase::kSlideNegative: return enter(Mode::kSlide, -1.0);
+    case ContactCase::kOpen:
+      return leave(departure);
+    case ContactCase::kStick:
+      return enter(Mode::kStick, 0.0);
+    case ContactCase::kSlidePositive:
+      return enter(Mode::kSlide, 1.0);
+    case ContactCase::kSlideNegative:
+      return enter(Mode::kSlide, -1.0);
   }
 }
 
@@ -190,6 +201,16 @@ void EventIntegrator::end_of_contact() {
   if (sliding) return decide(true, Departure::kParting);
   // Friction at its limit: slip begins against it.
   enter(Mode::kSlide, lambda.friction > 0.0 ? -1.0 : 1.0);
+}
+
+// With compression and expansion times: pressed by gddot_N < 0, the flight after an impact takes
+// 2 eps_N |gdot_N| / |gddot_N|. Where the impact itself lasts as long there is no flight.
+bool EventIntegrator::outlasts_its_flight(const ContactPoint& p) {
+  const ContactParameters& c = *model_->contact;
+  const double duration = c.compression_time + c.expansion_time;
+  if (duration == 0.0) return false;
+  const double pressed = -phase_.contact(t_, y_.data()).gap_acceleration;
+  return -2.0 * c.restitution * p.gap_rate < pressed * duration;
 }
 
 void EventIntegrator::impact() {
@@ -214,9 +235,9 @@ void EventIntegrator::impact() {
   in.delta = c.clearance;
   in.velocity = in_contact_space(m, v());
   in.acceleration.setZero();
-  const bool closes = -p.gap_rate < options_.closing_gap_rate;
-  const bool lasts = c.compression_time + c.expansion_time > 0.0 && !closes;
-  if (lasts) return finite_impact(p, in, record);
+  const bool closes = -p.gap_rate < options_.closing_gap_rate || outlasts_its_flight(p);
+  const double duration = c.compression_time + c.expansion_time;
+  if (duration > 0.0 && !closes) return finite_impact(p, in, record);
 
   const ImpactLaw law{c.friction, closes ? 0.0 : c.restitution,
                       closes ? 0.0 : c.tangential_restitution};
@@ -228,6 +249,8 @@ void EventIntegrator::impact() {
   record.gap_rate_after = r.gap_rate;
   record.slip_after = r.slip;
   const bool stuck = r.slip == 0.0;
+  record.energy_change = 0.5 * (r.normal() * (record.gap_rate_before + r.gap_rate) +
+                                r.friction() * (record.slip_before + r.slip));
   if (r.gap_rate == 0.0) project(true, stuck);
   book(record, held);
   if (r.gap_rate > 0.0) return leave(Departure::kRebound);
@@ -236,9 +259,6 @@ void EventIntegrator::impact() {
 
 // Impulses and works into statistics, one row and one event.
 void EventIntegrator::book(Impact& record, double held_slip) {
-  record.energy_change =
-      0.5 * (record.normal_impulse * (record.gap_rate_before + record.gap_rate_after) +
-             record.friction_impulse * (record.slip_before + record.slip_after));
   impact_work_ += record.energy_change - record.friction_impulse * held_slip;
   Statistics& s = recorder_->statistics();
   s.impulse_total += record.normal_impulse;
@@ -268,12 +288,25 @@ void EventIntegrator::finite_impact(const ContactPoint& p, ImpactInput in, Impac
   in.acceleration = {dd.x(), dd.y(), spin};
   in.compression_time = c.compression_time;
   in.expansion_time = c.expansion_time;
-  const ImpactResult r =
-      solve_impact(in, {c.friction, c.restitution, c.tangential_restitution});
+  const ImpactResult r = solve_impact(in, {c.friction, c.restitution, c.tangential_restitution});
   if (r.status != ImpactStatus::kOk) return fail_impact(r.status);
+  // Rates along the normal of the touch, which the impulses have.
+  const auto rates = [&] {
+    const Eigen::Vector3d w = in_contact_space(m, v());
+    const Eigen::Vector2d e_t{-p.e_r.y(), p.e_r.x()};
+    return Eigen::Vector2d(-p.e_r.dot(w.head<2>()), e_t.dot(w.head<2>()) + c.radius * w.z());
+  };
   const auto phase = [&](double tau, double normal, double friction) {
-    for (int i = 0; i < m.nq(); ++i) v()[i] += tau * a[i];
+    tau = std::min(tau, end_ - t_);
+    Eigen::Map<Eigen::VectorXd> velocity(v(), m.nq()), mean(row_.data(), m.nq());
+    mean = 0.5 * velocity;
+    velocity += tau * Eigen::Map<const Eigen::VectorXd>(a, m.nq());
+    const Eigen::Vector2d before = rates(), impulse{normal, friction};
     apply(p.e_r, normal, friction);
+    mean += 0.5 * velocity;
+    record.energy_change += 0.5 * impulse.dot(before + rates());
+    y_[static_cast<std::size_t>(2 * m.nq() + kExternalWork)] +=
+        tau * external_power(m, t_, q(), mean.data(), phase_.command(t_, y_.data()));
     for (int i = 0; i < m.nq(); ++i) q()[i] += tau * v()[i];
     t_ += tau;
   };
