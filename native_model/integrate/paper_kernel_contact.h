@@ -217,10 +217,13 @@ void PaperKernel<T>::impact_lane(int lane, std::int64_t k, const Eigen::Vector2d
   in.delta = c.clearance;
   const double start_spin = of(spin_at_contact(v_.data()));
   in.acceleration = (free - Eigen::Vector3d(start.x(), start.y(), start_spin)) / step_;
-  in.compression_time = c.compression_time;
-  in.expansion_time = c.expansion_time;
-  // The loads of the whole step are in `free` already: what acts during the impact is taken back.
-  in.velocity = free - in.acceleration * (c.compression_time + c.expansion_time);
+  // An impact lasts a step at most. The loads of the whole step are in `free` already: what acts
+  // during the impact is taken back.
+  const double duration = c.compression_time + c.expansion_time;
+  const double within = duration > step_ ? step_ / duration : 1.0;
+  in.compression_time = within * c.compression_time;
+  in.expansion_time = within * c.expansion_time;
+  in.velocity = free - in.acceleration * (in.compression_time + in.expansion_time);
   const ImpactResult r = solve_impact(in, {c.friction, c.restitution, c.tangential_restitution});
   if (r.status != ImpactStatus::kOk) {
     status[lane] =

@@ -228,5 +228,51 @@ TEST(HardFiniteImpact, MovesTheCoordinatesOverBothPhases) {
   EXPECT_NEAR(t.column("rotor_vx").back(), -eps * v, 1e-15);
 }
 
+// The loads work on during the impact. What the straight lines of both phases leave out of the
+// balance goes with tau, even through an accumulation.
+TEST(HardFiniteImpact, TheBalanceClosesAsTheTimesGoToZero) {
+  double last = 1.0;
+  for (const double tau : {1e-5, 1e-6, 1e-7}) {
+    SCOPED_TRACE(tau);
+    scene::Scene scene = test::shipped("bench_ring");
+    scene.run.end = 0.05;
+    scene.contact->compression_time = scene.contact->expansion_time = tau;
+    const Trajectory t = test::run_event(scene);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    test::expect_finite(t);
+    const double residual = test::energy_residual(t);
+    EXPECT_LT(residual, 1e3 * tau) << "within a few times the natural frequencies times tau";
+    EXPECT_LT(residual, 0.3 * last);
+    last = residual;
+  }
+}
+
+// An impact may pass the instant of a sample; the controller goes on sampling, and the run ends at
+// its end.
+TEST(HardFiniteImpact, PassesASampleAndNotTheEnd) {
+  scene::Scene scene = test::shipped("bench_ring");
+  scene.actuator = scene::Actuator{100.0};
+  scene::Controller controller;
+  controller.stiffness = 2e4;
+  controller.damping = 50.0;
+  controller.sample_time = 1e-4;
+  scene.controller = controller;
+  scene.contact->compression_time = 2e-4;
+  scene.contact->expansion_time = 1e-4;
+  scene.run.end = 0.02;
+  scene.run.output_step = 2.5e-4;
+  const Trajectory t = test::run_event(scene);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  test::expect_finite(t);
+  EXPECT_EQ(t.end, scene.run.end);
+  ASSERT_GE(t.impacts.size(), 1u);
+  const auto& control = t.column("control_x");
+  EXPECT_NE(control[control.size() - 1], control[control.size() - 2]) << "still sampled";
+  // paper: an impact lasts a step at most.
+  const Trajectory p = test::run_paper(scene, 1e-5);
+  EXPECT_EQ(p.status, Status::kOk) << p.message;
+  test::expect_finite(p);
+}
+
 }  // namespace
 }  // namespace rotorub
