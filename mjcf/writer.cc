@@ -170,15 +170,18 @@ class Document {
   }
   void sensors() {
     xml_.open("<sensor>");
+    // `rigid` knows the forces before MuJoCo's last stage (plugin/sensors.h).
+    const bool is_rigid = scene_.contact && scene_.mujoco.contact == scene::ContactModel::kRigid;
+    const char* force_stage = is_rigid ? "vel" : "acc";
     sensor(names::kActive, "pos");
     if (scene_.contact) {
       sensor(names::kGap, "pos");
       sensor(names::kGapRate, "vel");
       sensor(names::kSlip, "vel");
-      sensor(names::kNormalForce, "acc");
-      sensor(names::kFrictionForce, "acc");
+      sensor(names::kNormalForce, force_stage);
+      sensor(names::kFrictionForce, force_stage);
     }
-    if (actuated()) sensor(names::kControlForce, "acc", 2);
+    if (actuated()) sensor(names::kControlForce, force_stage, 2);
     xml_.close("sensor");
   }
 

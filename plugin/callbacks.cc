@@ -80,6 +80,7 @@ void control(const mjModel* m, mjData* d) {
   if (config->own) {
     refresh_velocity_stage(m, d);
     apply_own_contact(*config, m, d);
+    if (config->contact == scene::ContactModel::kRigid) fill_sensors(*config, m, d, mjSTAGE_ACC);
     return;
   }
   const Coordinates state(*config, d);
@@ -93,6 +94,7 @@ void control(const mjModel* m, mjData* d) {
     } else {
       apply_rigid(*config, m, d, state);
     }
+    fill_sensors(*config, m, d, mjSTAGE_ACC);
     return;
   }
   d->userdata[kFrictionForce] = 0.0;

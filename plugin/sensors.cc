@@ -19,6 +19,14 @@ ContactPoint point_of(const Config& config, const mjModel* m, mjData* d) {
   return contact_point(config.model, state.q(), state.v());
 }
 
+double gap_of(const Config& config, const mjData* d) {
+  const double clearance = config.model.contact->clearance;
+  if (config.own) return clearance - own_position(config, d).norm();
+  const Coordinates state(config, d);
+  return clearance -
+         (rotor_point(config.model, state.q()) - stator_point(config.model, state.q())).norm();
+}
+
 }  // namespace
 
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) {
@@ -36,9 +44,9 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
     put(d, s.friction_force, forces.friction);
     return;
   }
-  const ContactPoint point = point_of(config, m, d);
-  if (stage == mjSTAGE_POS) put(d, s.gap, point.gap);
-  if (stage == mjSTAGE_VEL) {
+  if (stage == mjSTAGE_POS && s.gap >= 0) put(d, s.gap, gap_of(config, d));
+  if (stage == mjSTAGE_VEL && (s.gap_rate >= 0 || s.slip >= 0)) {
+    const ContactPoint point = point_of(config, m, d);
     put(d, s.gap_rate, point.gap_rate);
     put(d, s.slip, point.slip);
   }

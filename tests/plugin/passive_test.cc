@@ -83,6 +83,29 @@ TEST_F(PassiveForces, GyroscopicTermsDoNotFeed) {
   EXPECT_LT(highest, begin * (1.0 + 0.03));
 }
 
+// The same over a million steps: what swings stays within the same bounds at the end as at the
+// begin.
+TEST_F(PassiveForces, LongWhirlKeepsItsEnergy) {
+  const scene::Scene scene = parsed(kUndampedWhirl);
+  const Model model = make_model(scene);
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  constexpr int kBlocks = 100, kBlock = 10000;
+  double highest[kBlocks] = {}, mean[kBlocks] = {};
+  for (int block = 0; block < kBlocks; ++block) {
+    for (int k = 0; k < kBlock; ++k) {
+      mj_step(m.get(), d.get());
+      const double e = energy(model, 0.0, d->qpos, d->qvel);
+      highest[block] = std::max(highest[block], e);
+      mean[block] += e / kBlock;
+    }
+  }
+  for (int block = 0; block < kBlocks; ++block) {
+    EXPECT_LT(highest[block], highest[0] * 1.01) << block;
+    EXPECT_NEAR(mean[block], mean[0], 1e-3 * mean[0]) << block;
+  }
+}
+
 TEST_F(PassiveForces, GravityActsOnTheModes) {
   const std::string text = R"(
 [run]
