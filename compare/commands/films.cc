@@ -21,7 +21,7 @@ renders::RenderOptions film_options() {
   renders::RenderOptions options;
   options.width = 800;
   options.height = 450;
-  options.duration = 10.0;
+  options.duration = 8.0;
   options.quality = 27;
   return options;
 }

@@ -162,8 +162,9 @@ json cost_rows(const SceneComparison& c) {
     speed.push_back(fmt::format("{:.3g} µs", t.median));
     spread.push_back(fmt::format("{:.3g} – {:.3g} µs", t.lowest, t.highest));
     steps.push_back(fmt::format("{}", side.trajectory.steps));
-    factor.push_back(t.median > 0.0 ? fmt::format("{:.3g}", 1e6 * side.trajectory.step / t.median)
-                                    : std::string("–"));
+    const double wall = 1e-6 * t.median * static_cast<double>(side.trajectory.steps);
+    factor.push_back(wall > 0.0 ? fmt::format("{:.3g}", side.trajectory.end / wall)
+                                : std::string("–"));
   }
   return json::array({
       {{"label", "time of a step"},

@@ -104,22 +104,22 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
   }
   const double gap = std::abs(s.model_gap);
   const double step = std::abs(s.step_error - s.native_step_error);
-  const double unit = f.figure->per_unit;
+  const double per_unit = f.figure->per_unit;
+  const char* unit = f.figure->scale == Scale::kPoints ? "points" : f.figure->unit;
   if (gap > kDominates * step) {
     return fmt::format(
         "the difference in {} is the contact model's: {:+.3g} {} remain as the step goes to 0, a "
         "smaller step does not help",
-        what, s.model_gap * unit, f.figure->unit);
+        what, s.model_gap * per_unit, unit);
   }
   if (step > kDominates * gap) {
     return fmt::format("the difference in {} is the step's: {:+.3g} of {:+.3g} {} vanish with it",
-                       what, (s.step_error - s.native_step_error) * unit, s.difference * unit,
-                       f.figure->unit);
+                       what, (s.step_error - s.native_step_error) * per_unit,
+                       s.difference * per_unit, unit);
   }
   return fmt::format(
       "the difference in {} is the contact model's ({:+.3g} {}) and the step's ({:+.3g} {}) alike",
-      what, s.model_gap * unit, f.figure->unit, (s.step_error - s.native_step_error) * unit,
-      f.figure->unit);
+      what, s.model_gap * per_unit, unit, (s.step_error - s.native_step_error) * per_unit, unit);
 }
 
 std::string floor_sentence(const SceneComparison& c, const FigureDifference& f, double tolerance) {

@@ -57,7 +57,7 @@
       if (high === low || (least >= 3 * range[0] && most <= 3 * range[1])) continue;
       notes.push({text: trace.name + ' reaches ' + Number(far.toPrecision(3)).toLocaleString('en') + ' N',
         xref: 'paper', yref: 'paper', x: 0.01, y: far > 0 ? 1 : 0, xanchor: 'left',
-        yanchor: far > 0 ? 'top' : 'bottom', showarrow: false, bgcolor: css('--paper'),
+        yanchor: far > 0 ? 'top' : 'bottom', yshift: (far > 0 ? -18 : 18) * notes.length, showarrow: false, bgcolor: css('--paper'),
         font: {color: trace.line.color, size: 12}});
     }
     return notes.length ? {axis: {range}, notes} : {};
