@@ -26,6 +26,10 @@ class ContactMemory {
     entry_[kMode] = static_cast<double>(r.mode);
     entry_[kNormalForce] = r.normal / h;
     entry_[kFrictionForce] = r.friction / h;
+    // Once, not every step: MuJoCo writes its warnings to a file.
+    if (r.status != Status::kOk && entry_[kContactStatus] == 0.0) {
+      mju_warning("rotorub: the contact laws have no solution or several (Painleve): no impulse");
+    }
     entry_[kContactStatus] = static_cast<double>(r.status);
     entry_[kImpact] = r.impact ? 1.0 : 0.0;
     if (r.normal > 0.0 && entry_[kTouched] == 0.0) {
