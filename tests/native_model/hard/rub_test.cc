@@ -82,6 +82,7 @@ TEST(HardStiffModes, RefusedOrSolved) {
   }
   scene.rotor.modal->mass_y = scene.rotor.modal->mass;
   scene.rotor.modal->stiffness_y = scene.rotor.modal->stiffness;
+  scene.forces[0].shape = {1.0, 1.0};
   scene.rotor.modal->damping_y = scene.rotor.modal->damping;
   for (const double step : {1e-5, 2.01e-6}) {
     const Trajectory t = test::run_paper(scene, step);
