@@ -12,7 +12,7 @@ constexpr int kScenes = 200;
 // Sliding that pushes itself in needs mu |G_NT| >= G_NN.
 bool may_jam(const scene::Scene& s) { return s.contact->friction > 0.5; }
 
-TEST(HardRandom, EventKeepsEveryRule) {
+TEST(HardRandomLong, EventKeepsEveryRule) {
   test::RandomScenes scenes(20);
   int touched = 0;
   for (int k = 0; k < kScenes; ++k) {

@@ -94,7 +94,7 @@ TEST(StabilityThreshold, InternalDampingAloneIsTheCriticalSpeed) {
   EXPECT_NEAR(*stability_threshold(system) / critical_speeds(system).front(), 1.0, kTight);
 }
 
-TEST(StabilityThreshold, AnisotropyStabilises) {
+TEST(StabilityThresholdLong, AnisotropyStabilises) {
   scene::Scene s = scene_of(oracle::friswell_rotor());
   s.rotor.geometry->internal_damping_ratio = 0.002;
   const double isotropic = *stability_threshold(whirl_system(s));
