@@ -66,6 +66,7 @@ inline constexpr const char* kGapRate = "gap_rate";              // m/s
 inline constexpr const char* kSlip = "slip";                     // m/s
 inline constexpr const char* kNormalForce = "normal_force";      // N
 inline constexpr const char* kFrictionForce = "friction_force";  // N, on the rotor along e_t
+inline constexpr const char* kCurrent = "current";               // A, of the magnets' two axes
 inline constexpr const char* kControlForce = "control_force";    // N, x and y, on the ring
 
 // mjData.userdata entries that the plugin uses (plugin/user_data.h)

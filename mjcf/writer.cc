@@ -45,7 +45,7 @@ void refuse_unsupported(const scene::Scene& scene) {
 class Document {
  public:
   explicit Document(const scene::Scene& scene)
-      : scene_(scene), model_(make_model(scene)), radius_(drawn_radius(scene)) {
+      : scene_(scene), model_(without_coils(make_model(scene))), radius_(drawn_radius(scene)) {
     if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) segments_.emplace(scene_, model_);
   }
 
@@ -150,13 +150,21 @@ class Document {
     }
   }
 
+  // ctrl: the force on the ring, N, or the current asked for, A, whose force the plugin's gain and
+  // bias give.
   void actuators() {
-    const double limit = model_.force_limit;
+    const double limit = model_.magnets ? model_.magnets->current_limit : model_.force_limit;
     const std::string range =
         limit < 1e300 ? fmt::format(R"(ctrllimited="true" ctrlrange="{} {}")", -limit, limit)
                       : std::string(R"(ctrllimited="false")");
     xml_.open("<actuator>");
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < 2 && model_.magnets; ++k) {
+      xml_.line(fmt::format(R"(<general name="{}" tendon="{}" dyntype="{}" gaintype="user" )"
+                            R"(biastype="user" {}/>)",
+                            names::kActuator[k], names::kAxis[k],
+                            model_.magnets->coil_lag > 0.0 ? "user" : "none", range));
+    }
+    for (int k = 0; k < 2 && !model_.magnets; ++k) {
       xml_.line(fmt::format(R"(<motor name="{}" tendon="{}" {}/>)", names::kActuator[k],
                             names::kAxis[k], range));
     }
@@ -182,6 +190,7 @@ class Document {
       sensor(names::kFrictionForce, force_stage);
     }
     if (actuated()) sensor(names::kControlForce, force_stage, 2);
+    if (model_.magnets) sensor(names::kCurrent, force_stage, 2);
     xml_.close("sensor");
   }
 

@@ -11,6 +11,7 @@
 #include "plugin/contact/segment_rigid.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
+#include "plugin/magnets.h"
 #include "plugin/own/own_contact.h"
 #include "plugin/passive.h"
 #include "plugin/segment_loads.h"
@@ -40,6 +41,7 @@ struct Hook {
 bool active = false;
 Hook<mjfGeneric> control_hook, passive_hook;
 Hook<mjfSensor> sensor_hook;
+Hook<mjfAct> gain_hook, bias_hook, rate_hook;
 // By the types of the two geoms, from sphere to box: those of a scene are a sphere and a capsule,
 // those of a user's own model may be any.
 constexpr int kFirstShape = mjGEOM_SPHERE, kShapes = mjGEOM_BOX - mjGEOM_SPHERE + 1;
@@ -121,6 +123,28 @@ void sensor(const mjModel* m, mjData* d, int stage) {
   if (const Config* config = find_config(m, d)) fill_sensors(*config, m, d, stage);
 }
 
+// The config whose magnet this actuator is, or null.
+const Config* config_of_magnet(const mjModel* m, const mjData* d, int actuator) {
+  const Config* config = active ? find_config(m, d) : nullptr;
+  return config && is_magnet(*config, actuator) ? config : nullptr;
+}
+
+// Others' actuators have what MuJoCo gives without a callback, or what was installed before us.
+mjtNum gain(const mjModel* m, const mjData* d, int id) {
+  if (const Config* config = config_of_magnet(m, d, id)) return magnet_gain(*config, m, d, id);
+  return gain_hook.previous ? gain_hook.previous(m, d, id) : 1.0;
+}
+
+mjtNum bias(const mjModel* m, const mjData* d, int id) {
+  if (const Config* config = config_of_magnet(m, d, id)) return magnet_bias(*config, d, id);
+  return bias_hook.previous ? bias_hook.previous(m, d, id) : 0.0;
+}
+
+mjtNum activation_rate(const mjModel* m, const mjData* d, int id) {
+  if (const Config* config = config_of_magnet(m, d, id)) return coil_rate(*config, m, d, id);
+  return rate_hook.previous ? rate_hook.previous(m, d, id) : 0.0;
+}
+
 Hook<mjfCollision>& collision_hook(const mjModel* m, int g1, int g2) {
   return collision_hooks[m->geom_type[g1] - kFirstShape][m->geom_type[g2] - kFirstShape];
 }
@@ -168,6 +192,9 @@ void install_callbacks() {
   passive_hook.put_in_front(mjcb_passive, passive);
   control_hook.put_in_front(mjcb_control, control);
   sensor_hook.put_in_front(mjcb_sensor, sensor);
+  gain_hook.put_in_front(mjcb_act_gain, gain);
+  bias_hook.put_in_front(mjcb_act_bias, bias);
+  rate_hook.put_in_front(mjcb_act_dyn, activation_rate);
   for_each_collision([](auto& hook, mjfCollision& place) { hook.put_in_front(place, kCollide); });
   active = true;
 }
@@ -177,6 +204,9 @@ void restore_callbacks() {
   passive_hook.give_back(mjcb_passive, passive);
   control_hook.give_back(mjcb_control, control);
   sensor_hook.give_back(mjcb_sensor, sensor);
+  gain_hook.give_back(mjcb_act_gain, gain);
+  bias_hook.give_back(mjcb_act_bias, bias);
+  rate_hook.give_back(mjcb_act_dyn, activation_rate);
   for_each_collision([](auto& hook, mjfCollision& place) { hook.give_back(place, kCollide); });
 }
 

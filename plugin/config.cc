@@ -89,12 +89,25 @@ void map_contact(const mjModel* m, Config& config) {
   }
 }
 
+void check_magnet(const mjModel* m, const Config& config, int actuator) {
+  const bool force = m->actuator_gaintype[actuator] == mjGAIN_USER &&
+                     m->actuator_biastype[actuator] == mjBIAS_USER;
+  const bool lags = config.model.magnets->coil_lag > 0.0;
+  const bool current = m->actuator_dyntype[actuator] == (lags ? mjDYN_USER : mjDYN_NONE);
+  if (force && current) return;
+  throw ConfigError("rotorub: <general name=\"" +
+                    std::string(m->names + m->name_actuatoradr[actuator]) +
+                    "\">: a magnet; accepted: gaintype=\"user\" biastype=\"user\" dyntype=\"" +
+                    (lags ? "user" : "none") + "\"");
+}
+
 void map_actuators(const mjModel* m, Config& config) {
   for (int k = 0; k < 2; ++k) {
-    // A controller cannot do without; a passive bearing has them for the user's own commands.
-    config.actuator[k] = config.model.controller
+    // A controller and magnets cannot do without; else they are for the user's own commands.
+    config.actuator[k] = config.model.controller || config.model.magnets
                              ? required(m, mjOBJ_ACTUATOR, "actuator", names::kActuator[k])
                              : mj_name2id(m, mjOBJ_ACTUATOR, names::kActuator[k]);
+    if (config.model.magnets) check_magnet(m, config, config.actuator[k]);
   }
 }
 
@@ -116,6 +129,7 @@ void map_sensors(const mjModel* m, Config& config) {
   s.normal_force = address(names::kNormalForce, 1);
   s.friction_force = address(names::kFrictionForce, 1);
   s.control_force = address(names::kControlForce, 2);
+  s.current = address(names::kCurrent, 2);
 }
 
 // Sizes, custom text and numbers, names, and what decides who solves a pair: a model with the same
@@ -199,7 +213,7 @@ Config make_config(const mjModel* m) {
   scene::Scene scene;
   try {
     scene = scene::parse_scene(scene_text(m), names::kSceneText);
-    config.model = make_model(scene);
+    config.model = without_coils(make_model(scene));
   } catch (const std::exception& error) {
     throw ConfigError(in_text(names::kSceneText, error.what()));
   }

@@ -18,7 +18,7 @@ namespace rotorub::plugin {
 // Addresses in mjData.sensordata; -1: the model has no such sensor.
 struct SensorAddresses {
   int active = -1, gap = -1, gap_rate = -1, slip = -1;
-  int normal_force = -1, friction_force = -1, control_force = -1;
+  int normal_force = -1, friction_force = -1, control_force = -1, current = -1;
 };
 
 struct Config {

@@ -3,14 +3,15 @@
 #include <cmath>
 #include <limits>
 
+#include "native_model/bearing/actuator_axes.h"
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
+#include "plugin/magnets.h"
 #include "plugin/user_data.h"
 #include "plugin/velocity_history.h"
 
 namespace rotorub::plugin {
 namespace {
-
-constexpr double kHalfRoot = 0.70710678118654752440;  // a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2
 
 // `rigid` meets the ring after the command of the same step has been written: the command knows it
 // from the next step on, whether or not this step's forward pass is repeated.
@@ -45,21 +46,24 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
                               ? 1.0 + std::floor(d->time / model.sample_time * (1.0 + 1e-12))
                               : 0.0;
     if (sample == 0.0 || sample != d->userdata[kSample]) {
-      u = control_force(model, d->time, state.q(), v, first_touch(config, d));
+      u = control_command(model, d->time, state.q(), v, first_touch(config, d));
       d->userdata[kHeldX] = u.x();
       d->userdata[kHeldY] = u.y();
       d->userdata[kSample] = sample;
     }
   }
-  d->ctrl[config.actuator[0]] = kHalfRoot * (u.x() + u.y());
-  d->ctrl[config.actuator[1]] = kHalfRoot * (u.y() - u.x());
+  const Eigen::Vector2d told = model.magnets ? u : to_axes(u);
+  for (int k = 0; k < 2; ++k) d->ctrl[config.actuator[k]] = told[k];
 }
 
-Eigen::Vector2d actuator_force(const Config& config, const mjData* d) {
-  if (config.actuator[0] < 0 || config.actuator[1] < 0) return {0.0, 0.0};
-  const double f1 = d->actuator_force[config.actuator[0]];
-  const double f2 = d->actuator_force[config.actuator[1]];
-  return {kHalfRoot * (f1 - f2), kHalfRoot * (f1 + f2)};
+ActuatorState actuator_state(const Config& config, const mjModel* m, const mjData* d) {
+  if (config.actuator[0] < 0 || config.actuator[1] < 0) return {};
+  Eigen::Vector2d force, current{0.0, 0.0};
+  for (int k = 0; k < 2; ++k) {
+    force[k] = d->actuator_force[config.actuator[k]];
+    if (config.model.magnets) current[k] = coil_current(m, d, config.actuator[k]);
+  }
+  return {from_axes(force), current};
 }
 
 }  // namespace rotorub::plugin

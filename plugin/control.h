@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "native_model/system/actuation.h"
 #include "plugin/config.h"
 #include "plugin/coordinates.h"
 
@@ -15,7 +16,7 @@ void note_first_touch(const Config& config, mjData* d, const Coordinates& state)
 // scene has no active controller.
 void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
 
-// Force of the actuators on the ring, N, fixed frame, of the forward pass done last.
-Eigen::Vector2d actuator_force(const Config& config, const mjData* d);
+// Force of the actuators on the ring, of the forward pass done last, and the currents now.
+ActuatorState actuator_state(const Config& config, const mjModel* m, const mjData* d);
 
 }  // namespace rotorub::plugin

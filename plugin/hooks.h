@@ -1,6 +1,7 @@
 // The C++ API of the plugin: installs MuJoCo's callbacks for as long as a Hooks lives.
 //
-//   rotorub::plugin::Hooks hooks;          // mjcb_control, mjcb_passive, mjcb_sensor, collision
+//   rotorub::plugin::Hooks hooks;  // mjcb_control, _passive, _sensor, _act_gain, _act_bias,
+//                                  // _act_dyn and the collision table
 //   mjModel* m = mj_loadXML("bench_ring.xml", ...);   // any model; others are left alone
 //
 // What was installed before is called first, and comes back at the end. MuJoCo's callbacks are

@@ -13,6 +13,12 @@ void put(mjData* d, int address, double value) {
   if (address >= 0) d->sensordata[address] = value;
 }
 
+void put(mjData* d, int address, const Eigen::Vector2d& value) {
+  if (address < 0) return;
+  d->sensordata[address] = value.x();
+  d->sensordata[address + 1] = value.y();
+}
+
 ContactPoint point_of(const Config& config, const mjModel* m, mjData* d) {
   if (config.own) return own_contact_point(config, m, d);
   const Coordinates state(config, d);
@@ -32,10 +38,10 @@ double gap_of(const Config& config, const mjData* d) {
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) {
   const SensorAddresses& s = config.sensors;
   if (stage == mjSTAGE_POS) put(d, s.active, 1.0);
-  if (stage == mjSTAGE_ACC && s.control_force >= 0) {
-    const Eigen::Vector2d u = actuator_force(config, d);
-    put(d, s.control_force, u.x());
-    put(d, s.control_force + 1, u.y());
+  if (stage == mjSTAGE_ACC && (s.control_force >= 0 || s.current >= 0)) {
+    const ActuatorState actuator = actuator_state(config, m, d);
+    put(d, s.control_force, actuator.force);
+    put(d, s.current, actuator.current);
   }
   if (!config.model.contact) return;
   if (stage == mjSTAGE_ACC) {

@@ -12,7 +12,7 @@ enum UserDataEntry : int {
   kTouched,     // 1: the contact has been touched
   kFirstTouch,  // s, valid when touched
   kSample,      // sampled controller: index of the sample held, plus 1; 0: none yet
-  kHeldX,       // N, command held
+  kHeldX,       // command held: N, fixed frame, or the currents of the two axes, A
   kHeldY,
   kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last
   kMode,           // number of the Mode of that pass

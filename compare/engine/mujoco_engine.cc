@@ -11,6 +11,7 @@
 #include "compare/engine/mujoco_model.h"
 #include "mjcf/writer.h"
 #include "native_model/integrate/paper.h"
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "native_model/trajectory/recorder.h"
 #include "plugin/config.h"
@@ -25,7 +26,7 @@ namespace {
 // What a step left behind: the state at its end and the forces that acted over it.
 struct StepResult {
   plugin::ContactForces forces;
-  Eigen::Vector2d control{0.0, 0.0};
+  ActuatorState actuator;
 };
 
 // Steps in chunks, so that only mj_step and the copying of its results are timed.
@@ -51,7 +52,7 @@ class ChunkedRun {
       if (failed_) break;
       StepResult& r = results_[done];
       r.forces = plugin::contact_forces(config_, data_.get());
-      r.control = plugin::actuator_force(config_, data_.get());
+      r.actuator = plugin::actuator_state(config_, m_, data_.get());
       if (r.forces.status != Status::kOk) {
         contact_status_ = r.forces.status;
         failed_ = true;
@@ -140,8 +141,10 @@ class Record {
         episodes_(recorder_) {}
 
   void begin(const double* q, const double* v) {
-    const Eigen::Vector2d u = control_force(model_, 0.0, q, v, scene::kNever);
-    recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, u});
+    const Eigen::Vector2d u = control_command(model_, 0.0, q, v, scene::kNever);
+    // A coil that lags has no current yet.
+    const Eigen::Vector2d told = model_.magnets && model_.magnets->coil_lag > 0.0 ? 0.0 * u : u;
+    recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, actuator_state(model_, q, v, told)});
     point_ = contact_point(model_, q, v);
   }
 
@@ -158,7 +161,7 @@ class Record {
     }
     // An impact's impulse is no force of lasting contact.
     const double lasting = f.impact ? 0.0 : 1.0;
-    recorder_.step({next, q, v, lasting * f.normal, lasting * f.friction, f.mode, r.control},
+    recorder_.step({next, q, v, lasting * f.normal, lasting * f.friction, f.mode, r.actuator},
                    step_ * f.normal, step_ * f.friction, f.impact, f.impact ? &impact : nullptr);
     point_ = after;
   }

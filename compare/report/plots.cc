@@ -53,6 +53,9 @@ Values series_of(const std::string& key, const Trajectory& t) {
   if (key == "control" && t.has("control_x")) {
     return magnitude(t.column("control_x"), t.column("control_y"));
   }
+  if (key == "current" && t.has("current_1")) {
+    return magnitude(t.column("current_1"), t.column("current_2"));
+  }
   return {};
 }
 
@@ -65,6 +68,7 @@ constexpr PlotKind kKinds[] = {
     {"spin", "Spin speed", "rpm", "what friction takes from the drive", ""},
     {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", ""},
     {"control", "Control force", "N", "magnitude of the actuators' force on the ring", ""},
+    {"current", "Coil current", "A", "magnitude of the control currents of the two axes", ""},
     {"orbit", "Orbits", "µm", "rotor solid, ring dotted; the last turns, or the time zoomed to",
      "square"},
     {"relative", "Rotor in the ring", "µm", "relative to the ring's centre; dashed: the clearance",

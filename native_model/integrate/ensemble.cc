@@ -71,7 +71,7 @@ void command(Kernel& kernel, const std::vector<const Model*>& models, const Tota
     }
     const double touch = totals.first_touch[lane];
     const Eigen::Vector2d u =
-        control_force(m, t, q.data(), v.data(),
+        control_command(m, t, q.data(), v.data(),
                       touch < 0.0 ? std::numeric_limits<double>::infinity() : touch);
     lanes::set(kernel.command_x, lane, u.x());
     lanes::set(kernel.command_y, lane, u.y());
@@ -91,7 +91,8 @@ double EnsembleRun::mean_force(double end) const {
 
 bool same_structure(const Model& a, const Model& b) {
   const auto layout = [](const Model& m) {
-    return std::vector<int>{m.layout.modes, m.layout.spin, m.layout.torsion, m.layout.stator};
+    return std::vector<int>{m.layout.modes, m.layout.spin, m.layout.torsion, m.layout.stator,
+                            m.layout.coils, m.magnets.has_value()};
   };
   if (layout(a) != layout(b)) return false;
   if (a.forces.size() != b.forces.size() || a.springs.size() != b.springs.size()) return false;

@@ -65,15 +65,16 @@ bool EventIntegrator::sample_controller() {
   const bool starts = t_ == m.control_on;  // the first command is taken at switch-on
   if (!starts && t_ < next_sample_ * m.sample_time) return false;
   next_sample_ = std::floor(t_ / m.sample_time * (1.0 + 1e-12)) + 1.0;
-  if (t_ >= m.control_on) phase_.hold(control_force(m, t_, q(), v(), phase_.first_touch()));
+  if (t_ >= m.control_on) phase_.hold(control_command(m, t_, q(), v(), phase_.first_touch()));
   return true;
 }
 
-// Tolerances relative to the largest of each kind met so far: displacements, speeds, angles, spin.
+// Tolerances relative to the largest of each kind met so far: displacements, speeds, angles, spin;
+// of currents relative to their limit.
 void EventIntegrator::update_tolerances() {
   const Layout& l = model_->layout;
   const int n = l.nq();
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < l.mechanical(); ++i) {
     const bool angle = i >= l.phi() && i < l.ring();
     const double position = std::abs(y_[static_cast<std::size_t>(i)]);
     const double speed = std::abs(y_[static_cast<std::size_t>(n + i)]);
@@ -84,12 +85,18 @@ void EventIntegrator::update_tolerances() {
     largest_position = std::max(largest_position, spin ? 0.0 : position);
     largest_rate = std::max(largest_rate, speed);
   }
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < l.mechanical(); ++i) {
     const bool angle = i >= l.phi() && i < l.ring();
     tolerance_[static_cast<std::size_t>(i)] =
         options_.tolerance * (angle ? 1.0 : largest_displacement_);
     tolerance_[static_cast<std::size_t>(n + i)] =
         options_.tolerance * (angle ? std::max(1.0, largest_spin_) : largest_speed_);
+  }
+  // Nothing hangs on a coil's charge.
+  for (int i = l.coil(); i < n; ++i) {
+    tolerance_[static_cast<std::size_t>(i)] = kInfinity;
+    tolerance_[static_cast<std::size_t>(n + i)] =
+        options_.tolerance * model_->magnets->current_limit;
   }
   for (int k = 0; k < kIntegrals; ++k) {
     tolerance_[static_cast<std::size_t>(2 * n + k)] = kInfinity;
@@ -234,7 +241,7 @@ Snapshot EventIntegrator::snapshot(double t, const double* y) {
   s.normal_force = std::max(0.0, phase_.multipliers().normal);
   s.friction_force = phase_.multipliers().friction;
   s.mode = phase_.mode();
-  s.control = phase_.command(t, y);
+  s.actuator = actuator_state(*model_, s.q, s.v, phase_.command(t, y));
   return s;
 }
 

@@ -306,7 +306,8 @@ void EventIntegrator::finite_impact(const ContactPoint& p, ImpactInput in, Impac
     mean += 0.5 * velocity;
     record.energy_change += 0.5 * impulse.dot(before + rates());
     y_[static_cast<std::size_t>(2 * m.nq() + kExternalWork)] +=
-        tau * external_power(m, t_, q(), mean.data(), phase_.command(t_, y_.data()));
+        tau * external_power(m, t_, q(), mean.data(),
+                             actuator_state(m, q(), v(), phase_.command(t_, y_.data())).force);
     for (int i = 0; i < m.nq(); ++i) q()[i] += tau * v()[i];
     t_ += tau;
   };

@@ -37,8 +37,8 @@ class PaperStepper {
   PaperStepper(const Model& model, double step, const State& start);
   ~PaperStepper();
 
-  // From t = k step to (k + 1) step under the actuator force u, held over it. k counts from 0, one
-  // by one. No allocation. With a status the state stays where it was.
+  // From t = k step to (k + 1) step under the actuator's command u (system/actuation.h), held over
+  // it. k counts from 0, one by one. No allocation. With a status the state stays where it was.
   PaperStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0});
 
   const double* q() const;  // nq each

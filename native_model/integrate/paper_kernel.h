@@ -25,7 +25,8 @@ class PaperKernel {
   // State, nq each; written by the caller at the start.
   T* q() { return q_.data(); }
   T* v() { return v_.data(); }
-  // Actuator force on the ring, held over the next step.
+  // What the actuator is told, held over the next step (system/actuation.h): the force on the ring,
+  // or the currents of the two axes.
   T command_x{}, command_y{};
 
   // What the last step did.
@@ -73,6 +74,7 @@ class PaperKernel {
   ROTORUB_INLINE void unbalance_arms(double t);
   ROTORUB_INLINE void unbalance_load(T omega);
   ROTORUB_INLINE void drive_torque();
+  void magnet_force();
   ROTORUB_INLINE void free_velocity(std::int64_t k);
   ROTORUB_INLINE void solve(const T* inverse_mass, T* f) const;
   struct Admittance {
@@ -89,7 +91,7 @@ class PaperKernel {
 
   double step_;
   Layout layout_;
-  bool contact_present_ = false, coupled_ = false, controlled_ = false;
+  bool contact_present_ = false, coupled_ = false, controlled_ = false, magnets_ = false;
   std::vector<const Model*> models_;
   lanes::Array<T> q_, v_, q_mid_, v_new_, f_;
   lanes::Array<T> mass_, inverse_mass_, implicit_inverse_, stiffness_, damping_, weight_;

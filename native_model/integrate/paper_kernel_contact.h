@@ -26,6 +26,7 @@ void PaperKernel<T>::add_contact(const T* inverse, T* x, T ex, T ey, T normal, T
     f[layout_.ring()] = -px;
     f[layout_.ring() + 1] = -py;
   }
+  for (int k = 0; k < layout_.coils; ++k) f[layout_.coil() + k] = T{};
   solve(inverse, f);
   for (int i = 0; i < nq; ++i) x[i] += f[i];
 }

@@ -17,7 +17,7 @@ Phase::Phase(const Model& model)
 Eigen::Vector2d Phase::command(double t, const double* y) const {
   const Model& m = *model_;
   if (!m.controller || m.sample_time > 0.0) return held_;
-  return control_force(m, t, y, y + m.nq(), first_touch_);
+  return control_command(m, t, y, y + m.nq(), first_touch_);
 }
 
 void Phase::accelerate(double t, const double* q, const double* v, const Eigen::Vector2d& u) {
@@ -58,7 +58,7 @@ void Phase::derivative(double t, const double* y, double* dy) {
 
   double* integrals = dy + 2 * n;
   double power = 0.0;
-  for (int i = 0; i < n; ++i) power += (f_[i] + m.stiffness[i] * q[i]) * v[i];
+  for (int i = 0; i < m.layout.mechanical(); ++i) power += (f_[i] + m.stiffness[i] * q[i]) * v[i];
   integrals[kExternalWork] = power + extra_power(m, t, q, v);
   for (int k = 0; k < kExternalWork; ++k) integrals[k] = 0.0;
   integrals[kGapRateSquare] = 0.0;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "native_model/contact/coulomb.h"
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "native_model/system/model.h"
 #include "native_model/trajectory/trajectory.h"

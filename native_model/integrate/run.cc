@@ -7,7 +7,7 @@
 
 #include "native_model/integrate/event.h"
 #include "native_model/integrate/paper.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/system/actuation.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
@@ -25,7 +25,7 @@ class Command {
       if (sample == last_sample_) return held_;
       last_sample_ = sample;
     }
-    held_ = control_force(*model_, t, q, v, first_touch);
+    held_ = control_command(*model_, t, q, v, first_touch);
     return held_;
   }
 
@@ -71,7 +71,8 @@ Trajectory run_paper(const Model& model, const scene::Run& run, double step,
   Command command(model);
   double first_touch = std::numeric_limits<double>::infinity();
   recorder.begin({0.0, state.q.data(), state.v.data(), 0.0, 0.0, Mode::kFree,
-                  command.at(0.0, state.q.data(), state.v.data(), first_touch)});
+                  actuator_state(model, state.q.data(), state.v.data(),
+                                 command.at(0.0, state.q.data(), state.v.data(), first_touch))});
 
   const auto steps = static_cast<std::int64_t>(std::ceil(run.end / step - 1e-9));
   Status status = Status::kOk;
@@ -95,7 +96,8 @@ Trajectory run_paper(const Model& model, const scene::Run& run, double step,
     // An impact's impulse is no force of lasting contact.
     const double scale = done.impact ? 0.0 : 1.0 / step;
     recorder.step({state.t, stepper.q(), stepper.v(), done.normal_impulse * scale,
-                   done.friction_impulse * scale, mode, u},
+                   done.friction_impulse * scale, mode,
+                   actuator_state(model, stepper.q(), stepper.v(), u)},
                   done.normal_impulse, done.friction_impulse, done.impact);
     if ((k & 0xfff) == 0) {
       if (options.interrupt && options.interrupt->load(std::memory_order_relaxed)) {

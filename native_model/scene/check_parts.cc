@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "native_model/bearing/actuator_axes.h"
 #include "native_model/scene/checker.h"
 
 namespace rotorub::scene {
@@ -95,6 +96,29 @@ void check_ring(const Checker& check) {
   }
 }
 
+void check_actuator(const Checker& check, const Actuator& actuator) {
+  if (actuator.kind != ActuatorKind::kElectromagnet) return;
+  if (check.record.sound({"actuator.bias_current", "actuator.current_limit"}) &&
+      actuator.current_limit > actuator.bias_current) {
+    check.fail("actuator.current_limit",
+               "must be at most actuator.bias_current = " + text(actuator.bias_current) +
+                   " A: beyond it a magnet's current would turn round");
+  }
+  if (check.record.given("actuator.current_rate_limit") && actuator.coil_lag == 0.0 &&
+      check.record.sound({"actuator.coil_lag"})) {
+    check.fail("actuator.current_rate_limit",
+               "needs actuator.coil_lag: without it the current follows at once");
+  }
+  if (!check.record.sound({"actuator.air_gap", "initial.stator"})) return;
+  const Eigen::Vector2d start = to_axes(check.scene.initial.stator);
+  if (actuator.air_gap > 0.0 && start.cwiseAbs().maxCoeff() >= actuator.air_gap) {
+    check.fail("initial.stator", "is " + text(start.cwiseAbs().maxCoeff()) +
+                                     " m along an axis of the actuator; expected less than "
+                                     "actuator.air_gap = " +
+                                     text(actuator.air_gap) + " m");
+  }
+}
+
 void check_initial_lists(const Checker& check) {
   const Initial& initial = check.scene.initial;
   if (const auto modes = check.bending_modes()) {
@@ -157,6 +181,7 @@ void check_parts(const Checker& check) {
   if (check.scene.drive) check_drive(check, *check.scene.drive);
   check_forces(check);
   check_ring(check);
+  if (check.scene.actuator) check_actuator(check, *check.scene.actuator);
   check_initial_lists(check);
   check_initial_gap(check);
   check_mujoco(check);

@@ -159,10 +159,23 @@ struct Stator {
   PlanePair stiffness{0.0, 0.0};  // N/m, >= 0, mechanical spring to the base, always acting
 };
 
-// Two axes at 45 degrees, a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2. Ideal: the force asked for,
-// limited on each axis.
+enum class ActuatorKind { kIdeal, kElectromagnet };
+
+// Two axes at 45 degrees, a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2.
 struct Actuator {
+  ActuatorKind kind = ActuatorKind::kIdeal;
+  // ideal: the force asked for, limited
   double force_limit = std::numeric_limits<double>::infinity();  // N, > 0, on each axis
+  // electromagnet: F(s, i) of bearing/electromagnet.h on each axis
+  double force_constant = 0.0;  // N m^2/A^2, k_m > 0
+  double bias_current = 0.0;    // A, i_0 > 0
+  double air_gap = 0.0;         // m, s_0 > 0
+  double stiffness = 0.0;       // N/m, c >= 0
+  double current_limit = 0.0;   // A, of |i|, in (0, bias_current]; 0: bias_current
+  // The coil's current follows the one asked for: lag di/dt = asked - i, |di/dt| limited (by the
+  // voltage over the inductance).
+  double coil_lag = 0.0;                                                // s, >= 0; 0: at once
+  double current_rate_limit = std::numeric_limits<double>::infinity();  // A/s, > 0, needs coil_lag
 };
 
 // ---------------------------------------------------------------- [controller]

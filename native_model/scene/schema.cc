@@ -69,6 +69,11 @@ Key& Key::otherwise(std::string_view text) {
 
 Key& Key::optional() { return otherwise(standard); }
 
+std::string_view Key::default_word() const {
+  if (required() || type != ValueType::kWord) return {};
+  return std::string_view(standard).substr(1, standard.size() - 2);  // `word`
+}
+
 bool Key::is_for(std::string_view kind) const {
   return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }

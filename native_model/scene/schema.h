@@ -73,6 +73,7 @@ struct Key {
   Key& optional();                        // optional; the default is the member's own
 
   bool required() const { return fallback.empty(); }
+  std::string_view default_word() const;  // kWord; empty: required
   bool belongs_to(Form to_form) const { return form == Form::kEither || form == to_form; }
   bool is_for(std::string_view kind) const;
   std::string expected() const;  // "a length in m, > 0"

@@ -128,8 +128,46 @@ Table actuator() {
           "[stator].",
           "an ideal, unlimited force",
           [](Scene& scene) -> void* { return &scene.actuator.emplace(); },
-          {key<&Actuator::force_limit>("force_limit", kForce, "on each axis")
+          {word<&Actuator::kind>(
+               "kind", {"ideal", "electromagnet"},
+               "the force that is asked for; F(s, i) = `force_constant` [((`bias_current` + "
+               "i)/(`air_gap` - s))^2 - ((`bias_current` - i)/(`air_gap` + s))^2] - `stiffness` s, "
+               "s and i on each axis")
+               .optional(),
+           key<&Actuator::force_limit>("force_limit", kForce, "on each axis")
                .above(0)
+               .of({"ideal"})
+               .otherwise("none"),
+           key<&Actuator::force_constant>("force_constant", kMagnetConstant, "k_m")
+               .above(0)
+               .of({"electromagnet"}),
+           key<&Actuator::bias_current>("bias_current", kCurrent, "i_0, in both magnets")
+               .above(0)
+               .of({"electromagnet"}),
+           key<&Actuator::air_gap>("air_gap", kLength, "s_0, of each magnet at s = 0")
+               .above(0)
+               .of({"electromagnet"}),
+           key<&Actuator::stiffness>("stiffness", kStiffness, "c, of the actuator's own spring")
+               .at_least(0)
+               .of({"electromagnet"})
+               .optional(),
+           key<&Actuator::current_limit>("current_limit", kCurrent,
+                                         "of the current i that is asked for, at most "
+                                         "`bias_current`")
+               .above(0)
+               .of({"electromagnet"})
+               .otherwise("`bias_current`"),
+           key<&Actuator::coil_lag>("coil_lag", kTime,
+                                    "the coil's current follows: `coil_lag` di/dt = asked - i; 0: "
+                                    "at once")
+               .at_least(0)
+               .of({"electromagnet"})
+               .optional(),
+           key<&Actuator::current_rate_limit>("current_rate_limit", kCurrentRate,
+                                              "of the size of di/dt, the voltage over the "
+                                              "inductance; needs `coil_lag`")
+               .above(0)
+               .of({"electromagnet"})
                .otherwise("none")}};
 }
 

@@ -109,8 +109,9 @@ void TableReader::read_object(const Table& table, const TomlNode& node, const st
   refuse_unknown(node, table.path, path);
   const TomlNode* kind_node = node.find("kind");
   std::string_view kind;
-  if (const Key* key = table.find("kind"); key && kind_node && kind_node->kind == Kind::kString) {
-    const auto found = std::find(key->words.begin(), key->words.end(), kind_node->text);
+  if (const Key* key = table.find("kind")) {
+    const std::string_view given = kind_node ? kind_node->text : key->default_word();
+    const auto found = std::find(key->words.begin(), key->words.end(), given);
     if (found != key->words.end()) kind = *found;
   }
 

@@ -55,6 +55,11 @@ inline constexpr Quantity kAngularStiffness{
     "a torsional stiffness", "N m/rad", "N m/rad, N m, kN m/rad", {2, 1, -2, 0, -1}};
 inline constexpr Quantity kAngularDamping{
     "a torsional damping", "N m s/rad", "N m s/rad, N m s, N m/(rad/s)", {2, 1, -1, 0, -1}};
+inline constexpr Quantity kCurrent{"a current", "A", "A, mA", {0, 0, 0, 1, 0}};
+inline constexpr Quantity kCurrentRate{
+    "a rate of current", "A/s", "A/s, A/ms, kA/s", {0, 0, -1, 1, 0}};
+inline constexpr Quantity kMagnetConstant{
+    "a magnet's force constant", "N m^2/A^2", "N m^2/A^2, N mm^2/A^2", {3, 1, -2, -2, 0}};
 inline constexpr Quantity kPressure{"a pressure", "Pa", "Pa, MPa, GPa, N/mm^2", {-1, 1, -2, 0, 0}};
 inline constexpr Quantity kDensity{"a density", "kg/m^3", "kg/m^3, g/cm^3", {-3, 1, 0, 0, 0}};
 

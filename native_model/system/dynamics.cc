@@ -133,15 +133,9 @@ void load_force(const Model& m, double t, const double* q, const double* v, doub
   add_drive(m, v, f);
 }
 
-void smooth_force(const Model& m, double t, const double* q, const double* v,
-                  const Eigen::Vector2d& u, double* f) {
-  const Layout& l = m.layout;
+void unactuated_force(const Model& m, double t, const double* q, const double* v, double* f) {
   coupling_force(m, t, q, v, f);
-  for (int i = 0; i < l.nq(); ++i) f[i] -= m.stiffness[i] * q[i] + m.damping[i] * v[i];
-  if (l.stator) {
-    f[l.ring()] += u.x();
-    f[l.ring() + 1] += u.y();
-  }
+  for (int i = 0; i < m.nq(); ++i) f[i] -= m.stiffness[i] * q[i] + m.damping[i] * v[i];
 }
 
 void solve_mass(const Model& m, double t, const double* q, const double* f, double* a) {
@@ -244,7 +238,7 @@ void add_contact_load(const Model& m, const Eigen::Vector3d& p, double* f) {
 double energy(const Model& m, double t, const double* q, const double* v) {
   const Layout& l = m.layout;
   double e = 0.0;
-  for (int i = 0; i < l.nq(); ++i) {
+  for (int i = 0; i < l.mechanical(); ++i) {
     e += 0.5 * (m.mass[i] * v[i] * v[i] + m.stiffness[i] * q[i] * q[i]);
   }
   for (const StationSpring& s : m.springs) {
@@ -261,14 +255,15 @@ double energy(const Model& m, double t, const double* q, const double* v) {
 }
 
 double external_power(const Model& m, double t, const double* q, const double* v,
-                      const Eigen::Vector2d& u) {
+                      const Eigen::Vector2d& ring_force) {
   const Layout& l = m.layout;
   constexpr int kStack = kMaxCoordinates;
   assert(l.nq() <= kStack);
   double f[kStack];
-  smooth_force(m, t, q, v, u, f);
+  unactuated_force(m, t, q, v, f);
+  for (int k = 0; k < l.stator; ++k) f[l.ring() + k] += ring_force[k];
   double power = 0.0;
-  for (int i = 0; i < l.nq(); ++i) power += (f[i] + m.stiffness[i] * q[i]) * v[i];
+  for (int i = 0; i < l.mechanical(); ++i) power += (f[i] + m.stiffness[i] * q[i]) * v[i];
   return power + extra_power(m, t, q, v);
 }
 
@@ -287,36 +282,6 @@ double extra_power(const Model& m, double t, const double* q, const double* v) {
     }
   }
   return power;
-}
-
-Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit) {
-  // a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2.
-  const double h = std::sqrt(0.5);
-  const double f1 = std::clamp(h * (force.x() + force.y()), -limit, limit);
-  const double f2 = std::clamp(h * (force.y() - force.x()), -limit, limit);
-  return {h * (f1 - f2), h * (f1 + f2)};
-}
-
-Eigen::Vector2d control_force(const Model& m, double t, const double* q, const double* v,
-                              double first_touch) {
-  if (!m.controller || t < m.control_on) return {0.0, 0.0};
-  Measurement now;
-  now.t = t;
-  now.rotor = rotor_point(m, q);
-  now.rotor_velocity = rotor_point(m, v);
-  now.stator = stator_point(m, q);
-  now.stator_velocity = stator_point(m, v);
-  now.spin_speed = spin_speed(m, v);
-  now.first_touch = first_touch;
-  if (m.controller->needs_rotor_acceleration()) {
-    constexpr int kStack = kMaxCoordinates;
-    assert(m.nq() <= kStack);
-    double a[kStack];
-    smooth_force(m, t, q, v, {0.0, 0.0}, a);
-    solve_mass(m, t, q, a, a);
-    now.rotor_acceleration = rotor_point(m, a);
-  }
-  return limited(m.controller->force(now), m.force_limit);
 }
 
 }  // namespace rotorub

@@ -1,5 +1,5 @@
-// The right-hand side of (9) without contact, the contact's kinematics and the controller's
-// command, as functions of (model, t, q, v). Nothing here allocates.
+// The right-hand side of (9) without contact and the contact's kinematics, as functions of
+// (model, t, q, v). Nothing here allocates.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,12 +13,11 @@ double spin_angle(const Model& model, double t, const double* q);   // rad, phi,
 double spin_speed(const Model& model, const double* v);             // rad/s, Omega, without torsion
 double contact_spin(const Model& model, const double* v);           // rad/s, Omega_c, with torsion
 
-// f(t, q, v, u), nq values: all loads but the contact's. u: actuator force on the ring, N.
-void smooth_force(const Model& model, double t, const double* q, const double* v,
-                  const Eigen::Vector2d& u, double* f);
+// f(t, q, v), nq values: all loads but the contact's and the actuator's.
+void unactuated_force(const Model& model, double t, const double* q, const double* v, double* f);
 
 // The part of f that a diagonal spring-damper chain does not have by itself: f without
-// -stiffness q - damping v. What the plugin adds to MuJoCo's joints (u excluded).
+// -stiffness q - damping v. What the plugin adds to MuJoCo's joints.
 void coupling_force(const Model& model, double t, const double* q, const double* v, double* f);
 
 // coupling_force without the gyroscopic part, for integrators that treat that implicitly.
@@ -44,19 +43,12 @@ Eigen::Matrix3d contact_admittance(const Model& model, const double* diagonal, d
 // f += J^T p, p: impulse or force on the rotor (x, y) and torque about z.
 void add_contact_load(const Model& model, const Eigen::Vector3d& p, double* f);
 
-// Kinetic and elastic energy, J, and the power of all forces in f that are not the diagonal or
-// station springs', W.
+// Kinetic and elastic energy, J, and the power of all forces that are not the contact's nor the
+// diagonal or station springs', W; of the coils neither. ring_force: the actuator's, N.
 double energy(const Model& model, double t, const double* q, const double* v);
 double external_power(const Model& model, double t, const double* q, const double* v,
-                      const Eigen::Vector2d& u);
+                      const Eigen::Vector2d& ring_force);
 // What external_power has beyond (f + stiffness q) . v, for callers that hold f already.
 double extra_power(const Model& model, double t, const double* q, const double* v);
-
-// The controller's command at (t, q, v), limited by the actuator; 0 before it is on and for
-// passive bearings. first_touch: s, infinity before.
-Eigen::Vector2d control_force(const Model& model, double t, const double* q, const double* v,
-                              double first_touch);
-// Limits a force on each actuator axis.
-Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit);
 
 }  // namespace rotorub

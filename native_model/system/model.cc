@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "native_model/bearing/electromagnet.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/system/dynamics.h"
 
@@ -17,6 +18,7 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
   layout.spin = scene.drive ? 1 : 0;
   layout.torsion = static_cast<int>(rotor.torsion.inertia.size());
   layout.stator = scene.stator ? 2 : 0;
+  layout.coils = scene.actuator && scene.actuator->coil_lag > 0.0 ? layout.stator : 0;
   return layout;
 }
 
@@ -37,6 +39,9 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   if (l.spin) model.mass[l.phi()] = rotor.spin_inertia;
   put(l.theta(), rotor.torsion.inertia, rotor.torsion.stiffness, rotor.torsion.damping);
   if (l.stator) put(l.ring(), scene.stator->mass, scene.stator->stiffness, scene.stator->damping);
+  // lag dq''/dt + dq/dt = the current asked for, q the charge.
+  model.mass.tail(l.coils).setConstant(l.coils ? scene.actuator->coil_lag : 0.0);
+  model.damping.tail(l.coils).setOnes();
   assert(l.modes > 0);
 }
 
@@ -59,6 +64,16 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
     model.weight.segment(l.y(), l.modes) = g.y() * rotor.gravity_y;
     if (l.stator) model.weight.segment<2>(l.ring()) = g.cwiseProduct(scene.stator->mass);
   }
+}
+
+void fill_actuator(const scene::Scene& scene, Model& model) {
+  const scene::Actuator a = scene.actuator.value_or(scene::Actuator{});
+  model.force_limit = a.force_limit;
+  if (a.kind != scene::ActuatorKind::kElectromagnet || !scene.stator) return;
+  const Electromagnet::Parameters law{a.force_constant, a.bias_current, a.air_gap, a.stiffness};
+  model.magnets = MagneticActuator{std::make_shared<Electromagnet>(law),
+                                   a.current_limit > 0.0 ? a.current_limit : a.bias_current,
+                                   a.coil_lag, a.current_rate_limit};
 }
 
 void fill_control(const scene::Scene& scene, Model& model) {
@@ -216,7 +231,7 @@ Model make_model(const scene::Scene& scene) {
         c.radius,           c.clearance,     c.friction, c.restitution, c.tangential_restitution,
         c.compression_time, c.expansion_time};
   }
-  model.force_limit = scene.actuator.value_or(scene::Actuator{}).force_limit;
+  fill_actuator(scene, model);
   fill_initial(scene, model);
   check_initial_gap(scene, model);
   fill_control(scene, model);
@@ -225,5 +240,15 @@ Model make_model(const scene::Scene& scene) {
 }
 
 State initial_state(const Model& model) { return {0.0, model.q0, model.v0}; }
+
+Model without_coils(Model model) {
+  const int kept = model.layout.mechanical();
+  model.layout.coils = 0;
+  for (auto* vector : {&model.mass, &model.stiffness, &model.damping, &model.q0, &model.v0}) {
+    vector->conservativeResize(kept);
+  }
+  if (model.weight.size() > 0) model.weight.conservativeResize(kept);
+  return model;
+}
 
 }  // namespace rotorub

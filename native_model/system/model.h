@@ -1,7 +1,8 @@
 // The constant part of a system: everything that a scene states, assembled once. A Model is
 // immutable and may be shared between threads; what changes is a State.
 //
-// Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k | ring x, y
+// Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k | ring x, y |
+//                       charges of the two coils (with a coil lag; their rates are the currents)
 // Equations:            M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T          (9), (20)
 // M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
 #pragma once
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "native_model/bearing/drive.h"
+#include "native_model/bearing/force_law.h"
 #include "native_model/control/controller.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
@@ -31,12 +33,15 @@ struct Layout {
   int spin = 0;     // 1 with a drive, else 0
   int torsion = 0;  // elastic torsion modes
   int stator = 0;   // 2 with a moving ring, else 0
+  int coils = 0;    // 2 with currents that lag, else 0
   int x() const { return 0; }
   int y() const { return modes; }
   int phi() const { return 2 * modes; }
   int theta() const { return 2 * modes + spin; }
   int ring() const { return theta() + torsion; }
-  int nq() const { return ring() + stator; }
+  int coil() const { return ring() + stator; }
+  int mechanical() const { return coil(); }  // the coordinates before the coils'
+  int nq() const { return coil() + coils; }
 };
 
 // A load A(t) (c(t), s(t)) through the mode values of its station. Times: on <= t < off.
@@ -69,6 +74,14 @@ struct ContactParameters {
   double compression_time, expansion_time;  // s
 };
 
+// Magnets on the two axes of the actuator; they act with or without a controller.
+struct MagneticActuator {
+  std::shared_ptr<const ForceLaw> law;  // of each axis
+  double current_limit = 0.0;           // A, > 0
+  double coil_lag = 0.0;                // s, >= 0
+  double current_rate_limit = 0.0;      // A/s, > 0, infinity: none
+};
+
 struct Model {
   Layout layout;
   Eigen::VectorXd mass;       // nq, diagonal of M, kg or kg m^2
@@ -97,7 +110,8 @@ struct Model {
   std::shared_ptr<const Controller> controller;  // null: passive
   double control_on = 0.0;                       // s
   double sample_time = 0.0;                      // s, 0: continuous
-  double force_limit = 0.0;                      // N, on each actuator axis
+  double force_limit = 0.0;                      // N, on each axis of an ideal actuator
+  std::optional<MagneticActuator> magnets;       // absent: ideal actuator
 
   Eigen::VectorXd q0, v0;                        // initial state
   std::optional<ModeLines> lines;                // deflection lines for pictures
@@ -120,5 +134,8 @@ struct State {
 // [initial] of another length than the modes kept, a start outside the ring; and as modal_rotor.
 Model make_model(const scene::Scene& scene);
 State initial_state(const Model& model);
+
+// The same without the coils' coordinates, for who integrates the currents himself.
+Model without_coils(Model model);
 
 }  // namespace rotorub

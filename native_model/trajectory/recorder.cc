@@ -10,6 +10,10 @@
 namespace rotorub {
 namespace {
 
+bool has_actuator_columns(const Model& model) {
+  return model.layout.stator && (model.controller || model.magnets);
+}
+
 std::vector<Column> make_columns(const Model& model) {
   const Layout& l = model.layout;
   std::vector<Column> c;
@@ -41,10 +45,11 @@ std::vector<Column> make_columns(const Model& model) {
   numbered("vy", "m/s", l.modes);
   numbered("torsion", "rad", l.torsion);
   numbered("torsion_speed", "rad/s", l.torsion);
-  if (l.stator && model.controller) {
+  if (has_actuator_columns(model)) {
     add("control_x", "N");
     add("control_y", "N");
   }
+  numbered("current", "A", model.magnets ? 2 : 0);
   return c;
 }
 
@@ -100,7 +105,7 @@ void Recorder::keep(const Snapshot& now, const ContactPoint& point) {
   last_gap_rate_ = point.gap_rate;
   last_slip_ = dof_slip(*model_, point);
   last_whole_slip_ = point.slip;
-  last_power_ = external_power(*model_, now.t, now.q, now.v, now.control);
+  last_power_ = external_power(*model_, now.t, now.q, now.v, now.actuator.force);
 }
 
 void Recorder::begin(const Snapshot& start) {
@@ -203,9 +208,13 @@ void Recorder::row(const Snapshot& now) {
   block(now.v, l.x(), 2 * l.modes);
   block(now.q, l.theta(), l.torsion);
   block(now.v, l.theta(), l.torsion);
-  if (l.stator && m.controller) {
-    put(now.control.x());
-    put(now.control.y());
+  if (has_actuator_columns(m)) {
+    put(now.actuator.force.x());
+    put(now.actuator.force.y());
+  }
+  if (m.magnets) {
+    put(now.actuator.current.x());
+    put(now.actuator.current.y());
   }
   assert(column == columns_.end());
   ++next_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
+#include "native_model/system/actuation.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
@@ -19,7 +20,7 @@ struct Snapshot {
   double normal_force = 0.0;    // N, of persistent contact, >= 0
   double friction_force = 0.0;  // N, on the rotor along e_t
   Mode mode = Mode::kFree;
-  Eigen::Vector2d control{0.0, 0.0};  // N, force of the actuator on the ring
+  ActuatorState actuator{};
 };
 
 // The requested times: multiples of series_step in [0, end], the end and output_times, ascending,

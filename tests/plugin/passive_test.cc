@@ -5,6 +5,7 @@
 
 #include "mjcf/writer.h"
 #include "native_model/integrate/run.h"
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/scenes.h"

@@ -126,7 +126,7 @@ TEST_P(Preload, TwoThreadsGiveTheBitsOfOne) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Preload,
                          ::testing::Values("bench_ring", "paper_passive", "paper_sliding",
-                                           "own_model"));
+                                           "paper_magnetic", "own_model"));
 
 }  // namespace
 }  // namespace rotorub::test

@@ -95,7 +95,7 @@ TEST(RigidEngine, BouncesToRest) {
 
 // The paper's scenes at their own step. What a bouncing rotor does is compared by its means.
 TEST(RigidEngine, FollowsThePapersScenes) {
-  for (const char* name : {"paper_sliding", "paper_passive"}) {
+  for (const char* name : {"paper_sliding", "paper_passive", "paper_magnetic"}) {
     SCOPED_TRACE(name);
     const scene::Scene scene = shipped(name);
     const Trajectory reference = event(scene), t = rigid(scene, 1e-5);

@@ -9,6 +9,7 @@
 #include "native_model/control/emulated_support.h"
 #include "native_model/control/sliding.h"
 #include "native_model/integrate/run.h"
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
@@ -50,7 +51,7 @@ TEST(EmulatedSupport, IsTheMechanicalOneAddedThroughTheActuator) {
   const Model a = make_model(emulated), b = make_model(mechanical);
   const State s = test::random_state(a, 70);
   const double infinity = std::numeric_limits<double>::infinity();
-  const Eigen::Vector2d u = control_force(a, s.t, s.q.data(), s.v.data(), infinity);
+  const Eigen::Vector2d u = control_command(a, s.t, s.q.data(), s.v.data(), infinity);
   Eigen::VectorXd fa(a.nq()), fb(b.nq());
   smooth_force(a, s.t, s.q.data(), s.v.data(), u, fa.data());
   smooth_force(b, s.t, s.q.data(), s.v.data(), {0.0, 0.0}, fb.data());
@@ -65,7 +66,7 @@ TEST(EmulatedSupport, ActsWithoutAContactToo) {
   ASSERT_NE(m.controller, nullptr);
   State state = test::random_state(m, 71);
   state.q.segment<2>(m.layout.ring()) = Eigen::Vector2d(1e-3, -2e-3);
-  const Eigen::Vector2d u = control_force(m, 0.0, state.q.data(), state.v.data(), 0.0);
+  const Eigen::Vector2d u = control_command(m, 0.0, state.q.data(), state.v.data(), 0.0);
   EXPECT_LT((u - Eigen::Vector2d(-50.0, 100.0)).norm(), 1e-12);
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "native_model/integrate/paper.h"
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/machine.h"
@@ -34,7 +35,7 @@ Single alone(const Model& model, double step, std::int64_t steps) {
       const double sample =
           model.sample_time > 0.0 ? std::floor(t / model.sample_time * (1.0 + 1e-12)) : -2.0;
       if (sample == -2.0 || sample != last) {
-        u = control_force(
+        u = control_command(
             model, t, stepper.q(), stepper.v(),
             out.first_touch < 0.0 ? std::numeric_limits<double>::infinity() : out.first_touch);
       }
@@ -113,7 +114,7 @@ TEST(HardEnsemble, EveryPartAtOnce) {
 }
 
 TEST(HardEnsemble, TheShippedRigs) {
-  for (const char* name : {"paper_passive", "paper_sliding"}) {
+  for (const char* name : {"paper_passive", "paper_sliding", "paper_magnetic"}) {
     SCOPED_TRACE(name);
     expect_same_bits(
         [&](int) {
@@ -132,6 +133,17 @@ TEST(HardEnsemble, SampledControllers) {
     scene.forces[0].on = 0.0;
     scene.controller->on = 0.0013;
     scene.controller->sample_time = 1e-4 * (1 + i % 3);
+    return make_model(scene);
+  });
+}
+
+TEST(HardEnsemble, CoilsThatLag) {
+  expect_same_bits([](int i) {
+    scene::Scene scene = test::shipped("paper_magnetic");
+    scene.forces[0].on = 0.0;
+    scene.controller->on = 0.0013;
+    scene.actuator->coil_lag = 1e-4 * (1 + i % 3);
+    scene.actuator->current_rate_limit = 2000.0;
     return make_model(scene);
   });
 }

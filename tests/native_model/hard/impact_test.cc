@@ -251,7 +251,7 @@ TEST(HardFiniteImpact, TheBalanceClosesAsTheTimesGoToZero) {
 // its end.
 TEST(HardFiniteImpact, PassesASampleAndNotTheEnd) {
   scene::Scene scene = test::shipped("bench_ring");
-  scene.actuator = scene::Actuator{100.0};
+  scene.actuator = scene::Actuator{.force_limit = 100.0};
   scene::Controller controller;
   controller.stiffness = 2e4;
   controller.damping = 50.0;

@@ -100,7 +100,7 @@ class RandomScenes {
     if (chance(0.4)) s.stator->mass.y() *= between(0.5, 2.0);
     if (chance(0.4)) s.stator->stiffness.y() *= between(0.5, 2.0);
     if (!chance(0.5)) return;
-    s.actuator = scene::Actuator{chance(0.5) ? between(20.0, 300.0) : 600.0};
+    s.actuator = scene::Actuator{.force_limit = chance(0.5) ? between(20.0, 300.0) : 600.0};
     scene::Controller controller;
     controller.kind =
         chance(0.7) ? scene::ControllerKind::kSliding : scene::ControllerKind::kPassive;

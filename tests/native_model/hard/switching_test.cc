@@ -101,7 +101,7 @@ TEST(HardSwitching, SaturatedActuator) {
   scene::Scene scene = test::shipped("paper_sliding");
   scene.run.end = 0.2;
   for (const double limit : {5.0, 40.0}) {
-    scene.actuator = scene::Actuator{limit};
+    scene.actuator = scene::Actuator{.force_limit = limit};
     const Trajectory t = test::run_event(scene);
     test::expect_sound_event(scene, t);
     double most = 0.0;

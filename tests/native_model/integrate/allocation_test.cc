@@ -12,6 +12,7 @@
 #include "native_model/integrate/event.h"
 #include "native_model/integrate/paper.h"
 #include "native_model/scene/reader.h"
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "native_model/trajectory/recorder.h"
 
@@ -73,7 +74,7 @@ scene::Scene shipped(const std::string& name) {
 }
 
 constexpr const char* kScenes[] = {"bench_ring", "bench_billiard", "bench_drop", "paper_passive",
-                                   "paper_sliding"};
+                                   "paper_sliding",  "paper_magnetic"};
 
 TEST_F(Allocation, NoneInAStepOfPaper) {
   for (const char* name : kScenes) {
@@ -84,7 +85,7 @@ TEST_F(Allocation, NoneInAStepOfPaper) {
     bool touched = false;
     const std::int64_t before = allocations;
     for (std::int64_t k = 0; k < 5000; ++k) {
-      u = control_force(model, 1e-5 * static_cast<double>(k), stepper.q(), stepper.v(), 1e300);
+      u = control_command(model, 1e-5 * static_cast<double>(k), stepper.q(), stepper.v(), 1e300);
       touched |= stepper.step(k, u).normal_impulse > 0.0;
     }
     const std::int64_t count = allocations - before;

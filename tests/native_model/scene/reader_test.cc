@@ -171,6 +171,11 @@ TEST(Reader, ReadsTheShippedScenes) {
   EXPECT_EQ(sliding.controller->gap_time, 0.008);
   EXPECT_EQ(passive.rotor.geometry->discs[0].eccentricity, 20e-6);
   EXPECT_EQ(passive.rotor.torsion->damping_ratio, 0.01);
+  EXPECT_EQ(sliding.actuator->kind, ActuatorKind::kIdeal) << "where no kind is given";
+  const Actuator magnets = *read_scene(shipped("paper_magnetic")).actuator;
+  EXPECT_EQ(magnets.kind, ActuatorKind::kElectromagnet);
+  EXPECT_NEAR(magnets.force_constant, 416.7e-6, 1e-15);
+  EXPECT_EQ(magnets.air_gap, 5e-3);
   // But for the controller the two are the same rig.
   const std::string& text = passive.text;
   EXPECT_EQ(sliding.text.substr(sliding.text.find("[run]")).find(text.substr(text.find("[run]"))),

@@ -163,6 +163,9 @@ TEST(Refusal, NamesImpossibleValues) {
 
 TEST(Refusal, NamesWhatDoesNotFitTogether) {
   const std::string ring = "[stator]\nmass = 1\nstiffness = 1\n";
+  const std::string magnet =
+      "[actuator]\nkind = \"electromagnet\"\nforce_constant = 1e-4\nbias_current = 3\n"
+      "air_gap = \"0.1 mm\"\n";
   expect_refused({
       {"both forms", modal("[rotor.modal]", "length = 1\n[rotor.modal]"), 4, "rotor.modal",
        "by its modes and by its geometry"},
@@ -187,6 +190,18 @@ TEST(Refusal, NamesWhatDoesNotFitTogether) {
       {"ring without ring", modal_and("[initial]\nstator = [0, 0]\n"), 12, "initial.stator",
        "needs [stator]"},
       {"actuator without ring", modal_and("[actuator]\n"), 11, "actuator", "needs [stator]"},
+      {"limit of an ideal actuator on magnets",
+       modal_and(ring + magnet + "force_limit = 100\n"), 19, "actuator.force_limit",
+       "kind = \"ideal\""},
+      {"key of magnets on an ideal actuator", modal_and(ring + "[actuator]\nair_gap = 1\n"), 15,
+       "actuator.air_gap", "kind = \"electromagnet\""},
+      {"a magnet's current turned round", modal_and(ring + magnet + "current_limit = 4\n"), 19,
+       "actuator.current_limit", "actuator.bias_current = 3"},
+      {"rate of a current that follows at once",
+       modal_and(ring + magnet + "current_rate_limit = 1\n"), 19, "actuator.current_rate_limit",
+       "needs actuator.coil_lag"},
+      {"ring starts in a core", modal_and(ring + magnet + "[initial]\nstator = [0, 1.5e-4]\n"), 20,
+       "initial.stator", "actuator.air_gap = 0.0001"},
       {"controller without ring", modal_and("[controller]\nkind = \"passive\"\n"), 11, "controller",
        "needs [stator]"},
       {"sliding without contact", geometry_and(ring + "[controller]\nkind = \"sliding\"\n"), 13,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "tests/support/jeffcott.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
@@ -135,10 +136,10 @@ TEST(ControlForce, ShowsTheLawTheStateAndTheContactFreeAcceleration) {
   m.force_limit = 600.0;
   State s = test::random_state(m, 60);
   s.t = 0.0199;
-  EXPECT_EQ(control_force(m, s.t, s.q.data(), s.v.data(), 0.5), Eigen::Vector2d(0.0, 0.0));
+  EXPECT_EQ(control_command(m, s.t, s.q.data(), s.v.data(), 0.5), Eigen::Vector2d(0.0, 0.0));
   EXPECT_EQ(spy->calls, 0) << "not asked before it is on";
   s.t = 0.02;
-  const Eigen::Vector2d u = control_force(m, s.t, s.q.data(), s.v.data(), 0.015);
+  const Eigen::Vector2d u = control_command(m, s.t, s.q.data(), s.v.data(), 0.015);
   EXPECT_NEAR(u.x(), 600.0 * std::sqrt(2.0), 1e-9) << "limited by the actuator";
   const Measurement& seen = spy->seen;
   EXPECT_EQ(seen.t, 0.02);
@@ -167,7 +168,7 @@ TEST(ControlForce, ShowsTheLawTheStateAndTheContactFreeAcceleration) {
 TEST(ControlForce, APassiveBearingHasNone) {
   const Model m = test::machine(true);
   const State s = test::random_state(m, 61);
-  EXPECT_EQ(control_force(m, s.t, s.q.data(), s.v.data(), 0.0), Eigen::Vector2d(0.0, 0.0));
+  EXPECT_EQ(control_command(m, s.t, s.q.data(), s.v.data(), 0.0), Eigen::Vector2d(0.0, 0.0));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "tests/support/machine.h"
 #include "tests/support/runge_kutta.h"

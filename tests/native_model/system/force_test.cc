@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"

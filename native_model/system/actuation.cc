@@ -1,0 +1,78 @@
+#include "native_model/system/actuation.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "native_model/bearing/actuator_axes.h"
+#include "native_model/system/dynamics.h"
+
+namespace rotorub {
+namespace {
+
+Measurement measure(const Model& m, double t, const double* q, const double* v,
+                    double first_touch) {
+  Measurement now;
+  now.t = t;
+  now.rotor = rotor_point(m, q);
+  now.rotor_velocity = rotor_point(m, v);
+  now.stator = stator_point(m, q);
+  now.stator_velocity = stator_point(m, v);
+  now.spin_speed = spin_speed(m, v);
+  now.first_touch = first_touch;
+  if (m.controller->needs_rotor_acceleration()) {
+    constexpr int kStack = kMaxCoordinates;
+    assert(m.nq() <= kStack);
+    double a[kStack];
+    unactuated_force(m, t, q, v, a);
+    solve_mass(m, t, q, a, a);
+    now.rotor_acceleration = rotor_point(m, a);
+  }
+  return now;
+}
+
+}  // namespace
+
+Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit) {
+  return from_axes(to_axes(force).cwiseMin(limit).cwiseMax(-limit));
+}
+
+Eigen::Vector2d control_command(const Model& m, double t, const double* q, const double* v,
+                                double first_touch) {
+  if (!m.controller || t < m.control_on) return {0.0, 0.0};
+  const Eigen::Vector2d force = m.controller->force(measure(m, t, q, v, first_touch));
+  if (!m.magnets) return limited(force, m.force_limit);
+  const MagneticActuator& magnets = *m.magnets;
+  const Eigen::Vector2d s = to_axes(stator_point(m, q)), f = to_axes(force);
+  return {magnets.law->current(s.x(), f.x(), magnets.current_limit),
+          magnets.law->current(s.y(), f.y(), magnets.current_limit)};
+}
+
+ActuatorState actuator_state(const Model& m, const double* q, const double* v,
+                             const Eigen::Vector2d& command) {
+  if (!m.magnets) return {command, {0.0, 0.0}};
+  const Layout& l = m.layout;
+  const Eigen::Vector2d s = to_axes(stator_point(m, q));
+  const Eigen::Vector2d i = l.coils ? Eigen::Vector2d(v[l.coil()], v[l.coil() + 1]) : command;
+  const ForceLaw& law = *m.magnets->law;
+  return {from_axes({law.force(s.x(), i.x()), law.force(s.y(), i.y())}), i};
+}
+
+void smooth_force(const Model& m, double t, const double* q, const double* v,
+                  const Eigen::Vector2d& command, double* f) {
+  const Layout& l = m.layout;
+  unactuated_force(m, t, q, v, f);
+  if (!l.stator) return;
+  const Eigen::Vector2d force = actuator_state(m, q, v, command).force;
+  f[l.ring()] += force.x();
+  f[l.ring() + 1] += force.y();
+  for (int k = 0; k < l.coils; ++k) {
+    f[l.coil() + k] += coil_load(*m.magnets, command[k], v[l.coil() + k]);
+  }
+}
+
+double coil_load(const MagneticActuator& magnets, double asked, double current) {
+  const double most = magnets.coil_lag * magnets.current_rate_limit;
+  return std::abs(asked - current) <= most ? asked : current + std::copysign(most, asked - current);
+}
+
+}  // namespace rotorub

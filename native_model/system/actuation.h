@@ -1,0 +1,36 @@
+// What the controller tells the actuator, and what the actuator then does to the ring.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "native_model/system/model.h"
+
+namespace rotorub {
+
+// The command at (t, q, v): the force on the ring, N, fixed frame, limited on each axis; with
+// magnets the currents of the two axes, A, whose forces come nearest to that force at the ring's
+// place (feedback linearisation). 0 before the controller is on and for passive bearings.
+// first_touch: s, infinity before.
+Eigen::Vector2d control_command(const Model& model, double t, const double* q, const double* v,
+                                double first_touch);
+
+// What the actuator does at (q, v) when it is told `command`.
+struct ActuatorState {
+  Eigen::Vector2d force{0.0, 0.0};    // N, on the ring, fixed frame
+  Eigen::Vector2d current{0.0, 0.0};  // A, of each axis; 0 for an ideal actuator
+};
+ActuatorState actuator_state(const Model& model, const double* q, const double* v,
+                             const Eigen::Vector2d& command);
+
+// f(t, q, v, command), nq values: all loads but the contact's. No allocation.
+void smooth_force(const Model& model, double t, const double* q, const double* v,
+                  const Eigen::Vector2d& command, double* f);
+
+// The load on a coil's coordinate beyond -i: the current asked for, brought so near to the present
+// one that its rate keeps within the limit. A.
+double coil_load(const MagneticActuator& magnets, double asked, double current);
+
+// A force with its part along each axis of the actuator limited. N.
+Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit);
+
+}  // namespace rotorub

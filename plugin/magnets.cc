@@ -1,0 +1,50 @@
+#include "plugin/magnets.h"
+
+#include <algorithm>
+
+#include "native_model/system/actuation.h"
+
+namespace rotorub::plugin {
+namespace {
+
+// MuJoCo clamps its own copy of ctrl.
+double asked_current(const mjModel* m, const mjData* d, int actuator) {
+  const mjtNum* range = m->actuator_ctrlrange + 2 * actuator;
+  const bool clamps =
+      m->actuator_ctrllimited[actuator] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
+  return clamps ? std::clamp(d->ctrl[actuator], range[0], range[1]) : d->ctrl[actuator];
+}
+
+// MuJoCo's activations are those of its last actuators.
+const mjtNum* activation(const mjModel* m, const mjData* d, int actuator) {
+  if (m->actuator_dyntype[actuator] == mjDYN_NONE) return nullptr;
+  return d->act + actuator - (m->nu - m->na);
+}
+
+}  // namespace
+
+bool is_magnet(const Config& config, int actuator) {
+  return config.model.magnets && (actuator == config.actuator[0] || actuator == config.actuator[1]);
+}
+
+double coil_current(const mjModel* m, const mjData* d, int actuator) {
+  const mjtNum* act = activation(m, d, actuator);
+  return act ? *act : asked_current(m, d, actuator);
+}
+
+double magnet_gain(const Config& config, const mjModel* m, const mjData* d, int actuator) {
+  return config.model.magnets->law->gain(d->actuator_length[actuator],
+                                         coil_current(m, d, actuator));
+}
+
+double magnet_bias(const Config& config, const mjData* d, int actuator) {
+  return config.model.magnets->law->force(d->actuator_length[actuator], 0.0);
+}
+
+double coil_rate(const Config& config, const mjModel* m, const mjData* d, int actuator) {
+  const MagneticActuator& magnets = *config.model.magnets;
+  const double current = coil_current(m, d, actuator);
+  return (coil_load(magnets, asked_current(m, d, actuator), current) - current) / magnets.coil_lag;
+}
+
+}  // namespace rotorub::plugin

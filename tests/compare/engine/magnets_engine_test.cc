@@ -1,0 +1,57 @@
+// The magnetic actuator on both sides.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compare/engine/mujoco_engine.h"
+#include "native_model/integrate/run.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+// Both sides with lag and rate limit: the difference is MuJoCo's step and goes with it.
+TEST(MagnetsEngine, ConvergesToTheNativeRun) {
+  const scene::Scene scene = shipped(
+      "bench_ring", {"run.end=0.02", "actuator.kind=electromagnet", "actuator.force_constant=4e-4",
+                     "actuator.bias_current=3", "actuator.air_gap=5e-3", "actuator.coil_lag=2e-4",
+                     "actuator.current_rate_limit=2000", "controller.kind=passive",
+                     "controller.stiffness=5e4", "controller.damping=100"});
+  const Trajectory reference = run_native(scene);
+  ASSERT_EQ(reference.status, Status::kOk) << reference.message;
+  const auto error = [&](double step) {
+    MujocoOptions options;
+    options.step = step;
+    const Trajectory t = run_mujoco(scene, options);
+    EXPECT_EQ(t.status, Status::kOk) << t.message;
+    return std::hypot(t.column("rotor_x").back() - reference.column("rotor_x").back(),
+                      t.column("rotor_y").back() - reference.column("rotor_y").back());
+  };
+  const double coarse = error(1e-5), fine = error(1e-6);
+  EXPECT_LT(coarse, 2e-5);
+  EXPECT_LT(fine, 2e-6);
+  EXPECT_GT(coarse / fine, 5.0);
+  double most = 0.0;
+  for (const double i : reference.column("current_1")) most = std::max(most, std::abs(i));
+  EXPECT_GT(most, 0.1) << "or the magnets did nothing";
+}
+
+// With a lagging coil the current starts at 0 whatever is asked for.
+TEST(MagnetsEngine, WritesForcesAndCurrents) {
+  const scene::Scene scene = shipped("paper_magnetic", {"run.end=1e-3", "actuator.coil_lag=1e-4",
+                                                        "controller.on=0", "run.output_step=1e-5"});
+  const Trajectory t = run_mujoco(scene), native = run_native(scene);
+  for (const Trajectory* run : {&t, &native}) {
+    EXPECT_EQ(run->column("current_1").front(), 0.0);
+    EXPECT_EQ(run->column("control_x").front(), 0.0);
+    EXPECT_GT(std::abs(run->column("current_1").back()) + std::abs(run->column("control_x").back()),
+              0.0);
+  }
+  for (const char* name : {"current_1", "current_2"}) {
+    EXPECT_NEAR(t.column(name).back(), native.column(name).back(),
+                0.02 * std::abs(native.column(name).back()) + 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,164 @@
+// Runs with the magnetic actuator against exact answers: the ring on its axes alone, linear for
+// small motions, and a rub in which the magnets give exactly what an ideal actuator would.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "native_model/bearing/actuator_axes.h"
+#include "native_model/integrate/run.h"
+#include "native_model/scene/reader.h"
+#include "tests/support/jeffcott.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kMass = 1.0, kDamping = 200.0, kStiffness = 1e5;  // of the ring
+constexpr double kConstant = 3e-4, kBias = 3.0, kAirGap = 5e-3;    // of the magnets
+constexpr double kAddedStiffness = 8e4, kAddedDamping = 150.0;     // asked of them
+constexpr double kStart = 1e-7, kEnd = 0.02;                       // m along axis 1, s
+
+scene::Actuator magnets(double lag) {
+  return {.kind = scene::ActuatorKind::kElectromagnet,
+          .force_constant = kConstant,
+          .bias_current = kBias,
+          .air_gap = kAirGap,
+          .coil_lag = lag};
+}
+
+scene::Scene ring_alone(double lag, bool controlled) {
+  scene::Scene s = test::make_scene({.stiffness = 2e5});
+  test::add_ring(s, kMass, kDamping, kStiffness);
+  s.contact.reset();
+  s.run.end = kEnd;
+  s.initial.stator = from_axes({kStart, 0.0});
+  s.actuator = magnets(lag);
+  if (controlled) {
+    s.controller = scene::Controller{};
+    s.controller->stiffness = kAddedStiffness;
+    s.controller->damping = kAddedDamping;
+  }
+  return s;
+}
+
+// (s, s', i) of axis 1 at the end: the linear system of a ring near the middle,
+//   M s'' = -K s - D s' + k_s s + k_i i,   lag i' = -(k s + d s' + k_s s)/k_i - i.
+Eigen::Vector3d exact(double lag) {
+  const double k_s = 4.0 * kConstant * kBias * kBias / std::pow(kAirGap, 3);
+  const double k_i = 4.0 * kConstant * kBias / (kAirGap * kAirGap);
+  Eigen::Matrix3d a;
+  a << 0.0, 1.0, 0.0,  //
+      (k_s - kStiffness) / kMass, -kDamping / kMass, k_i / kMass,
+      -(kAddedStiffness + k_s) / (k_i * lag), -kAddedDamping / (k_i * lag), -1.0 / lag;
+  const Eigen::Matrix3d grown = (kEnd * a).exp();
+  return grown * Eigen::Vector3d(kStart, 0.0, 0.0);
+}
+
+// (s, s', i) of axis 1 in the last row.
+Eigen::Vector3d last(const Trajectory& t) {
+  const auto at = [&](const char* x, const char* y) {
+    return to_axes({t.column(x).back(), t.column(y).back()}).x();
+  };
+  return {at("stator_x", "stator_y"), at("stator_vx", "stator_vy"), t.column("current_1").back()};
+}
+
+// The terms left out are (s / s_0)^2 = 4e-10 of those kept.
+constexpr double kNonlinearity = 1e-8;
+
+TEST(MagneticRing, WithALagIsTheLinearSystem) {
+  for (const double lag : {5e-5, 1e-3}) {
+    const Trajectory t = run_native(ring_alone(lag, true));
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const Eigen::Vector3d found = last(t), expected = exact(lag);
+    const Eigen::Vector3d size{kStart, kStart * 500.0, 1e-4};
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(found[k], expected[k], kNonlinearity * size[k]) << lag << " " << k;
+    }
+    EXPECT_LT(t.statistics.energy_residual(), 1e-10);
+  }
+}
+
+TEST(MagneticRing, PaperConvergesToIt) {
+  const double lag = 1e-3;
+  const auto error = [&](double step) {
+    NativeOptions options;
+    options.integrator = scene::Integrator::kPaper;
+    options.step = step;
+    return std::abs((last(run_native(ring_alone(lag, true), options)) - exact(lag)).x());
+  };
+  const double coarse = error(2e-5), fine = error(2e-6);
+  EXPECT_LT(fine, 1e-3 * kStart);
+  EXPECT_NEAR(coarse / fine, 10.0, 1.0) << "first order: the command is held over the step";
+}
+
+// Without a command the bias current softens the ring's spring by k_s.
+TEST(MagneticRing, TheBiasCurrentIsANegativeSpring) {
+  const double k_s = 4.0 * kConstant * kBias * kBias / std::pow(kAirGap, 3);
+  const Trajectory t = run_native(ring_alone(0.0, false));
+  const double decay = kDamping / (2.0 * kMass);
+  const double omega = std::sqrt((kStiffness - k_s) / kMass - decay * decay);
+  ASSERT_LT(k_s, kStiffness);
+  const double expected = kStart * std::exp(-decay * kEnd) *
+                          (std::cos(omega * kEnd) + decay / omega * std::sin(omega * kEnd));
+  EXPECT_NEAR(last(t).x(), expected, kNonlinearity * kStart);
+  EXPECT_EQ(last(t).z(), 0.0);
+}
+
+// Currents within their limit: the rub is that of an ideal actuator.
+TEST(MagneticRub, IsThatOfAnIdealActuator) {
+  scene::Scene ideal = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml");
+  ideal.run.end = 0.1;
+  ideal.controller = scene::Controller{};
+  ideal.controller->stiffness = 5e4;
+  ideal.controller->damping = 100.0;
+  scene::Scene magnetic = ideal;
+  magnetic.actuator = magnets(0.0);
+  const Trajectory a = run_native(ideal), b = run_native(magnetic);
+  ASSERT_EQ(b.status, Status::kOk) << b.message;
+  ASSERT_GT(a.impacts.size(), 5U);
+  double most = 0.0;
+  for (const double i : b.column("current_1")) most = std::max(most, std::abs(i));
+  ASSERT_LT(most, kBias);
+  EXPECT_GT(most, 0.1);
+  for (const char* name : {"rotor_x", "rotor_y", "stator_x", "stator_y"}) {
+    EXPECT_NEAR(a.column(name).back(), b.column(name).back(), 1e-13) << name;
+  }
+  EXPECT_NEAR(a.column("control_x").back(), b.column("control_x").back(), 1e-7);
+}
+
+// Saturated currents and limited rates keep every rule; so does a ring that runs into the cores.
+TEST(MagneticRub, SaturationIsSolved) {
+  scene::Scene s = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/paper_magnetic.toml");
+  s.run.end = 0.15;
+  s.actuator->current_limit = 0.3;
+  for (const double lag : {0.0, 1e-4}) {
+    s.actuator->coil_lag = lag;
+    if (lag > 0.0) s.actuator->current_rate_limit = 1000.0;
+    for (const scene::Integrator integrator :
+         {scene::Integrator::kEvent, scene::Integrator::kPaper}) {
+      NativeOptions options;
+      options.integrator = integrator;
+      const Trajectory t = run_native(s, options);
+      ASSERT_EQ(t.status, Status::kOk) << t.message;
+      const std::vector<double>&current = t.column("current_1"), &time = t.column("t");
+      double most = 0.0, steepest = 0.0;
+      for (std::size_t k = 1; k < current.size(); ++k) {
+        most = std::max(most, std::abs(current[k]));
+        steepest =
+            std::max(steepest, std::abs(current[k] - current[k - 1]) / (time[k] - time[k - 1]));
+      }
+      EXPECT_LE(most, 0.3 * (1.0 + 1e-12));
+      EXPECT_GT(most, 0.25) << "or nothing was saturated";
+      if (lag > 0.0) {
+        EXPECT_LE(steepest, 1000.0 * (1.0 + 1e-9));
+        EXPECT_GT(steepest, 900.0);
+      }
+      EXPECT_LT(t.statistics.energy_residual(),
+                integrator == scene::Integrator::kEvent ? 1e-10 : 1e-2);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,148 @@
+// The magnetic actuator as MuJoCo's actuators: ctrl is a current, the force is F(s, i).
+#include "plugin/magnets.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "native_model/bearing/electromagnet.h"
+#include "plugin/hooks.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+// As in paper_magnetic.
+const Electromagnet kLaw({416.7e-6, 3.0, 5e-3, 0.0});
+constexpr double kLimit = 3.0;  // A
+
+class MagnetsTest : public MujocoTest {
+ protected:
+  plugin::Hooks hooks_;
+};
+
+// No controller: ctrl is the user's.
+scene::Scene by_hand(const std::vector<std::string>& more = {}) {
+  std::vector<std::string> overrides{"controller=none"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return shipped("paper_magnetic", overrides);
+}
+
+int dof(const mjModel* m, const char* joint) {
+  return m->jnt_dofadr[mj_name2id(m, mjOBJ_JOINT, joint)];
+}
+
+TEST_F(MagnetsTest, ForceIsTheLawOfPlaceAndCurrent) {
+  const ModelPointer m = load(mjcf(by_hand()));
+  ASSERT_EQ(m->nu, 2);
+  ASSERT_EQ(m->na, 0);
+  const DataPointer d = start(m.get());
+  const int x = dof(m.get(), mjcf_names::kRingX), y = dof(m.get(), mjcf_names::kRingY);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const double h = std::sqrt(0.5);
+  for (int k = 0; k < 200; ++k) {
+    d->qpos[x] = 3e-3 * unit(random);
+    d->qpos[y] = 3e-3 * unit(random);
+    for (int axis = 0; axis < 2; ++axis) d->ctrl[axis] = 3.0 * unit(random);
+    mj_forward(m.get(), d.get());
+    const double s[2] = {h * (d->qpos[x] + d->qpos[y]), h * (d->qpos[y] - d->qpos[x])};
+    for (int axis = 0; axis < 2; ++axis) {
+      const double force = kLaw.force(s[axis], d->ctrl[axis]);
+      EXPECT_NEAR(d->actuator_force[axis], force, 1e-11 * (1e3 + std::abs(force)));
+    }
+    const double f1 = d->actuator_force[0], f2 = d->actuator_force[1];
+    EXPECT_NEAR(d->qfrc_actuator[x], h * (f1 - f2), 1e-9);
+    EXPECT_NEAR(d->qfrc_actuator[y], h * (f1 + f2), 1e-9);
+    const int id = mj_name2id(m.get(), mjOBJ_SENSOR, mjcf_names::kCurrent);
+    for (int axis = 0; axis < 2; ++axis) {
+      EXPECT_EQ(d->sensordata[m->sensor_adr[id] + axis], d->ctrl[axis]);
+    }
+  }
+}
+
+TEST_F(MagnetsTest, CurrentIsClampedToItsLimit) {
+  const ModelPointer m = load(mjcf(by_hand()));
+  const DataPointer d = start(m.get());
+  d->ctrl[0] = 50.0;
+  d->ctrl[1] = -50.0;
+  mj_forward(m.get(), d.get());
+  EXPECT_NEAR(d->actuator_force[0], kLaw.force(0.0, kLimit), 1e-9);
+  EXPECT_NEAR(d->actuator_force[1], kLaw.force(0.0, -kLimit), 1e-9);
+}
+
+// MuJoCo steps activations by Euler: i_k = I (1 - (1 - h/lag)^k).
+TEST_F(MagnetsTest, CoilFollowsWithItsLag) {
+  const ModelPointer m = load(mjcf(by_hand({"actuator.coil_lag=1e-3"})));
+  ASSERT_EQ(m->na, 2);
+  const DataPointer d = start(m.get());
+  d->ctrl[0] = 2.0;
+  for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());
+  EXPECT_NEAR(d->act[0], 2.0 * (1.0 - std::pow(1.0 - 1e-2, 100)), 1e-12);
+  EXPECT_EQ(d->act[1], 0.0);
+  mj_forward(m.get(), d.get());
+  EXPECT_NEAR(d->actuator_force[0], kLaw.force(d->actuator_length[0], d->act[0]), 1e-9);
+}
+
+TEST_F(MagnetsTest, RateOfTheCurrentIsLimited) {
+  const ModelPointer m =
+      load(mjcf(by_hand({"actuator.coil_lag=1e-3", "actuator.current_rate_limit=500"})));
+  const DataPointer d = start(m.get());
+  d->ctrl[0] = 2.0;
+  mj_step(m.get(), d.get());
+  EXPECT_NEAR(d->act[0], 500.0 * 1e-5, 1e-12) << "2000 A/s without the limit";
+  for (int k = 1; k < 2000; ++k) mj_step(m.get(), d.get());
+  EXPECT_NEAR(d->act[0], 2.0, 1e-6);
+}
+
+TEST_F(MagnetsTest, EditedActuatorsAreRefused) {
+  std::string document = mjcf(by_hand()), error;
+  document.replace(document.find("gaintype=\"user\""), 15, "gaintype=\"fixed\"");
+  EXPECT_EQ(try_load(document, error), nullptr);
+  EXPECT_NE(error.find("<general name=\"actuator_1\">"), std::string::npos) << error;
+  EXPECT_NE(error.find("gaintype=\"user\""), std::string::npos) << error;
+  document = mjcf(by_hand());
+  document.replace(document.find("name=\"actuator_2\""), 17, "name=\"other\"");
+  EXPECT_EQ(try_load(document, error), nullptr);
+  EXPECT_NE(error.find("actuator_2"), std::string::npos) << error;
+}
+
+mjtNum seven(const mjModel*, const mjData*, int) { return 7.0; }
+
+// Somebody else's user actuator, in a model of ours and in one that is not.
+TEST(MagnetHooks, OthersKeepTheirCallbacks) {
+  const char* const kOther = R"(<mujoco><worldbody><body><joint name="a" type="slide"/>
+    <geom size="0.1"/></body></worldbody>
+    <actuator><general joint="a" gaintype="user" biastype="user"/></actuator></mujoco>)";
+  const auto force = [&](double ctrl) {
+    const ModelPointer m = load(kOther);
+    const DataPointer d = start(m.get());
+    d->ctrl[0] = ctrl;
+    mj_forward(m.get(), d.get());
+    return d->actuator_force[0];
+  };
+  const double plain = force(2.0);
+  {
+    const plugin::Hooks hooks;
+    EXPECT_EQ(force(2.0), plain) << "as MuJoCo without any callback";
+  }
+  mjcb_act_gain = seven;
+  mjcb_act_bias = seven;
+  {
+    const plugin::Hooks hooks;
+    EXPECT_EQ(force(2.0), 21.0);
+    const ModelPointer m = load(mjcf(by_hand()));
+    const DataPointer d = start(m.get());
+    mj_forward(m.get(), d.get());
+    EXPECT_EQ(d->actuator_force[0], 0.0) << "ours is ours";
+  }
+  EXPECT_EQ(mjcb_act_gain, &seven);
+  EXPECT_EQ(mjcb_act_bias, &seven);
+  mjcb_act_gain = mjcb_act_bias = nullptr;
+}
+
+}  // namespace
+}  // namespace rotorub::test
