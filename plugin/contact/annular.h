@@ -14,6 +14,11 @@ namespace rotorub::plugin {
 // geom.
 int collide_annular(const Config& config, const mjData* d, mjContact* con, int g1, double margin);
 
+// mu of the pair. MuJoCo raises a smaller one to mjMINMU: what stands there is meant as 0.
+inline double friction_of(const mjContact& contact) {
+  return contact.friction[0] > mjMINMU ? contact.friction[0] : 0.0;
+}
+
 // The contact of the pair in this forward pass, or null: none, or not handed to the solver.
 const mjContact* find_contact(const Config& config, const mjData* d);
 

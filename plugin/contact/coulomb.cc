@@ -6,6 +6,7 @@
 #include "native_model/contact/coulomb.h"
 #include "native_model/system/dynamics.h"
 #include "native_model/trajectory/trajectory.h"
+#include "plugin/contact/annular.h"
 #include "plugin/passive.h"
 #include "plugin/user_data.h"
 
@@ -122,7 +123,7 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d, const mjCo
     const Eigen::Matrix3d admittance = contact_admittance(model, p.mass, d->time, state.q());
     solution = solve_coulomb(delassus(admittance, p.point.e_r, model.contact->radius),
                              p.gap_acceleration - p.reference,
-                             p.point.slip / h + p.slip_acceleration, contact.friction[0]);
+                             p.point.slip / h + p.slip_acceleration, friction_of(contact));
   }
   d->userdata[kFrictionForce] = solution.friction;
   d->userdata[kMode] = static_cast<double>(mode_of(solution));

@@ -6,6 +6,7 @@
 #include "native_model/contact/coulomb.h"
 #include "native_model/system/dynamics.h"
 #include "native_model/trajectory/trajectory.h"
+#include "plugin/contact/annular.h"
 #include "plugin/contact/segment_space.h"
 #include "plugin/user_data.h"
 
@@ -73,7 +74,7 @@ void apply_segment_coulomb(const Config& config, const mjModel* m, mjData* d,
   if (point.gap < 0.0 || lasts) {
     solution = solve_coulomb(delassus(space.flexibility(), point.e_r, radius),
                              free.gap - reference(d, row, point, h), point.slip / h + free.slip,
-                             contact.friction[0]);
+                             friction_of(contact));
   }
   const bool sticks = solution.contact_case == ContactCase::kStick;
   const Mode mode = solution.normal <= 0.0 ? Mode::kFree : (sticks ? Mode::kStick : Mode::kSlide);

@@ -131,6 +131,19 @@ TEST_F(CoulombContact, BouncesByTheRestitution) {
   EXPECT_NEAR(d->qvel[0], -0.5 * 0.3, 0.3 * 2e-3);  // sqrt(K) step = 2e-3
 }
 
+// Hard: MuJoCo raises a friction coefficient of 0 to 1e-5 in its contacts.
+TEST_F(CoulombContact, WithoutFrictionThereIsNone) {
+  const ModelPointer m = load(mjcf(shipped("bench_billiard", {"mujoco.contact=coulomb"})));
+  const DataPointer d = start(m.get());
+  int touching = 0;
+  for (int k = 0; k < 2000; ++k) {
+    mj_step(m.get(), d.get());
+    touching += sensor(m.get(), d.get(), names::kNormalForce) > 0.0 ? 1 : 0;
+    EXPECT_EQ(sensor(m.get(), d.get(), names::kFrictionForce), 0.0);
+  }
+  EXPECT_GT(touching, 10);
+}
+
 TEST_F(CoulombContact, StepsAreTheSameAfterASecondForward) {
   const ModelPointer m = load(mjcf(shipped("bench_ring", {"mujoco.contact=coulomb"})));
   const DataPointer once = start(m.get()), twice = start(m.get());
