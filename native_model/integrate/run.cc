@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "native_model/control/sampling.h"
 #include "native_model/integrate/event.h"
 #include "native_model/integrate/paper.h"
 #include "native_model/system/dynamics.h"
@@ -20,8 +21,7 @@ class Command {
   const Eigen::Vector2d& at(double t, const double* q, const double* v, double first_touch) {
     if (!model_->controller || t < model_->control_on) return held_;
     if (model_->sample_time > 0.0) {
-      // The sample of index floor(t / T); a step that ends short of it by round-off counts.
-      const double sample = std::floor(t / model_->sample_time * (1.0 + 1e-12));
+      const double sample = sample_index(t, model_->sample_time);
       if (sample == last_sample_) return held_;
       last_sample_ = sample;
     }
