@@ -105,7 +105,7 @@ void PaperKernel<T>::rotate(T omega, double h) {
 // sine and cosine are taken anew every kResync steps, so that round-off does not gather.
 template <class T>
 void PaperKernel<T>::forces(std::int64_t k) {
-  const double t = (static_cast<double>(k) + 0.5) * step_;
+  const double t = origin + (static_cast<double>(k) + 0.5) * step_;
   for (Force& force : forces_) {
     T x = force.x, y = force.y;
     if (force.rotating) {
@@ -265,7 +265,7 @@ auto PaperKernel<T>::admittance(const T* inverse) const -> Admittance {
 template <class T>
 void PaperKernel<T>::free_velocity(std::int64_t k) {
   const int nq = layout_.nq(), n = layout_.modes;
-  const double h = step_, t = (static_cast<double>(k) + 0.5) * h;
+  const double h = step_, t = origin + (static_cast<double>(k) + 0.5) * h;
   T *f = f_.data(), *v = v_new_.data();
   const T* q = q_mid_.data();
   for (int i = 0; i < nq; ++i) v[i] = v_[static_cast<std::size_t>(i)];
@@ -307,7 +307,7 @@ void PaperKernel<T>::free_velocity(std::int64_t k) {
     unbalance_load(omega);
   }
   if (layout_.spin) drive_torque();
-  if (controlled_) {
+  if (commanded && layout_.stator) {
     f[layout_.ring()] += command_x;
     f[layout_.ring() + 1] += command_y;
   }
