@@ -41,12 +41,14 @@ PaperStepper::PaperStepper(const Model& model, double step)
 PaperStepper::PaperStepper(const Model& model, double step, const State& start)
     : kernel_(std::make_unique<Kernel>(std::vector<const Model*>{&model}, step)) {
   assert(step > 0.0);
-  std::copy_n(start.q.data(), model.nq(), kernel_->q());
-  std::copy_n(start.v.data(), model.nq(), kernel_->v());
-  kernel_->origin = start.t;
+  begin(start.t, start.q.data(), start.v.data());
 }
 
 PaperStepper::~PaperStepper() = default;
+
+void PaperStepper::begin(double t, const double* q, const double* v) {
+  kernel_->begin(t, q, v);
+}
 
 const double* PaperStepper::q() const { return kernel_->q(); }
 const double* PaperStepper::v() const { return kernel_->v(); }
@@ -54,6 +56,7 @@ const double* PaperStepper::v() const { return kernel_->v(); }
 std::size_t PaperStepper::memory_size(const Model& model) { return Kernel::memory_size(model); }
 void PaperStepper::save(double* to) const { kernel_->save(to); }
 void PaperStepper::restore(const double* from) { kernel_->restore(from); }
+const double* PaperStepper::saved_q(const double* memory) { return Kernel::saved_q(memory); }
 
 PaperStep PaperStepper::step(std::int64_t k, const Eigen::Vector2d& u) {
   Kernel& kernel = *kernel_;

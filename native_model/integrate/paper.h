@@ -43,6 +43,9 @@ class PaperStepper {
   // it was.
   PaperStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0});
 
+  // As newly made, from another state (nq values each) at time t. No allocation.
+  void begin(double t, const double* q, const double* v);
+
   const double* q() const;  // nq each
   const double* v() const;
 
@@ -52,6 +55,8 @@ class PaperStepper {
   static std::size_t memory_size(const Model& model);
   void save(double* to) const;
   void restore(const double* from);
+  // The coordinates in a memory; the velocities follow them.
+  static const double* saved_q(const double* memory);
 
  private:
   struct Kernel;

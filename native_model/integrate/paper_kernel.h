@@ -47,6 +47,8 @@ class PaperKernel {
   static std::size_t memory_size(const Model& model);
   void save(double* to) const;
   void restore(const double* from);
+  static const double* saved_q(const double* memory);
+  void begin(double t, const double* q, const double* v);
 
  private:
   struct Force {

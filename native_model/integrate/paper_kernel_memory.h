@@ -3,6 +3,7 @@
 // sines), and the directions of unbalance that project() has from the step before.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 
 #include "native_model/integrate/paper_kernel.h"
@@ -23,6 +24,22 @@ void PaperKernel<T>::for_each_kept(Kernel& kernel, Action action) {
   }
   for (auto& arm : kernel.arm_x_) action(arm);
   for (auto& arm : kernel.arm_y_) action(arm);
+}
+
+template <class T>
+const double* PaperKernel<T>::saved_q(const double* memory) {
+  return memory + 2;  // behind origin and contact
+}
+
+template <class T>
+void PaperKernel<T>::begin(double t, const double* q, const double* v) {
+  static_assert(kLanes == 1);
+  for_each_kept(*this, [](double& value) { value = 0.0; });
+  origin = t;
+  std::copy_n(q, layout_.nq(), q_.begin());
+  std::copy_n(v, layout_.nq(), v_.begin());
+  status[0] = Status::kOk;
+  failed_ = false;
 }
 
 template <class T>
