@@ -27,6 +27,9 @@ inline constexpr const char* kRing = "ring";               // body; its visible 
 inline constexpr const char* kRotorContact = "rotor_contact";  // geoms that stand for the contact
 inline constexpr const char* kRingContact = "ring_contact";
 
+inline constexpr const char* kGhostRotor = "ghost_rotor";  // mocap bodies that show the shadow
+inline constexpr const char* kGhostRing = "ghost_ring";
+
 // Joints
 inline std::string bending_joint(char plane, int mode) {  // mode: 1-based
   return std::string(1, plane) + "_" + std::to_string(mode);
@@ -68,11 +71,21 @@ inline constexpr const char* kNormalForce = "normal_force";      // N
 inline constexpr const char* kFrictionForce = "friction_force";  // N, on the rotor along e_t
 inline constexpr const char* kCurrent = "current";               // A, of the magnets' two axes
 inline constexpr const char* kControlForce = "control_force";    // N, x and y, on the ring
+// With [mujoco] shadow: MuJoCo's rotor, and what the native model beside it has
+inline constexpr const char* kRotorPosition = "rotor";                        // m, x and y
+inline constexpr const char* kShadowRotor = "shadow_rotor";                   // m, x and y
+inline constexpr const char* kShadowStator = "shadow_stator";                 // m, x and y
+inline constexpr const char* kShadowGap = "shadow_gap";                       // m
+inline constexpr const char* kShadowNormalForce = "shadow_normal_force";      // N
+inline constexpr const char* kShadowFrictionForce = "shadow_friction_force";  // N, as above
 
 // mjData.userdata entries that the plugin uses (plugin/user_data.h)
 inline constexpr int kUserDataSingle = 22;
 inline int user_data_size(int nq, bool controlled) {
   return kUserDataSingle + (controlled ? 2 * nq : 0);
 }
+// Behind them, with [mujoco] shadow: the shadow's, `memory` of them the stepper's.
+inline constexpr int kShadowSingle = 12;
+inline int shadow_data_size(std::size_t memory) { return kShadowSingle + static_cast<int>(memory); }
 
 }  // namespace rotorub::mjcf_names

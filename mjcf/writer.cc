@@ -7,10 +7,12 @@
 #include <string>
 
 #include "mjcf/bodies.h"
+#include "mjcf/ghosts.h"
 #include "mjcf/names.h"
 #include "mjcf/segment_bodies.h"
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
+#include "native_model/integrate/paper.h"
 
 namespace rotorub {
 namespace {
@@ -61,6 +63,7 @@ class Document {
     } else {
       write_bodies(xml_, scene_, model_);
     }
+    if (scene_.mujoco.shadow) write_ghosts(xml_, scene_, model_);
     xml_.close("worldbody");
     if (scene_.contact) contact();
     if (segments_ || actuated()) tendons();
@@ -85,8 +88,11 @@ class Document {
         fmt::format(R"(<option timestep="{}" gravity="{} {} 0" integrator="{}" cone="elliptic" )"
                     R"(jacobian="dense" solver="Newton" iterations="50" tolerance="1e-12"/>)",
                     scene_.run.step, weight.x(), weight.y(), implicit ? "implicit" : "Euler"));
-    xml_.line(fmt::format(R"(<size njmax="32" nconmax="8" nuserdata="{}"/>)",
-                          names::user_data_size(model_.nq(), model_.controller != nullptr)));
+    int user_data = names::user_data_size(model_.nq(), model_.controller != nullptr);
+    if (scene_.mujoco.shadow) {
+      user_data += names::shadow_data_size(PaperStepper::memory_size(make_model(scene_)));
+    }
+    xml_.line(fmt::format(R"(<size njmax="32" nconmax="8" nuserdata="{}"/>)", user_data));
   }
 
   void visual() {
@@ -191,7 +197,18 @@ class Document {
     }
     if (actuated()) sensor(names::kControlForce, force_stage, 2);
     if (model_.magnets) sensor(names::kCurrent, force_stage, 2);
+    if (scene_.mujoco.shadow) shadow_sensors();
     xml_.close("sensor");
+  }
+
+  void shadow_sensors() {
+    sensor(names::kRotorPosition, "vel", 2);
+    sensor(names::kShadowRotor, "vel", 2);
+    if (model_.layout.stator) sensor(names::kShadowStator, "vel", 2);
+    if (!scene_.contact) return;
+    sensor(names::kShadowGap, "vel");
+    sensor(names::kShadowNormalForce, "vel");
+    sensor(names::kShadowFrictionForce, "vel");
   }
 
   void keyframes() {

@@ -16,6 +16,7 @@
 #include "plugin/passive.h"
 #include "plugin/segment_loads.h"
 #include "plugin/sensors.h"
+#include "plugin/shadow.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -52,6 +53,7 @@ void passive(const mjModel* m, mjData* d) {
   if (!active) return;
   const Config* config = find_config_checked(m, d);
   if (!config) return;
+  if (config->shadow) advance_shadow(*config, m, d);
   if (config->own) {
     d->userdata[kPassiveFresh] = 1.0;
     return;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "mjcf/names.h"
+#include "native_model/integrate/paper.h"
 #include "native_model/scene/reader.h"
 #include "plugin/own/own_config.h"
 
@@ -111,25 +112,48 @@ void map_actuators(const mjModel* m, Config& config) {
   }
 }
 
+// Address in sensordata of the user sensor of that name; -1: taken out, or another's.
+int sensor_address(const mjModel* m, const char* name, int dim) {
+  const int id = mj_name2id(m, mjOBJ_SENSOR, name);
+  if (id < 0 || m->sensor_type[id] != mjSENS_USER) return -1;
+  if (m->sensor_dim[id] != dim) {
+    throw ConfigError("rotorub: <user name=\"" + std::string(name) +
+                      "\">: accepted dim: " + std::to_string(dim));
+  }
+  return m->sensor_adr[id];
+}
+
 void map_sensors(const mjModel* m, Config& config) {
-  const auto address = [&](const char* name, int dim) {
-    const int id = mj_name2id(m, mjOBJ_SENSOR, name);
-    if (id < 0 || m->sensor_type[id] != mjSENS_USER) return -1;  // taken out, or another's
-    if (m->sensor_dim[id] != dim) {
-      throw ConfigError("rotorub: <user name=\"" + std::string(name) +
-                        "\">: accepted dim: " + std::to_string(dim));
-    }
-    return m->sensor_adr[id];
-  };
   SensorAddresses& s = config.sensors;
-  s.active = address(names::kActive, 1);
-  s.gap = address(names::kGap, 1);
-  s.gap_rate = address(names::kGapRate, 1);
-  s.slip = address(names::kSlip, 1);
-  s.normal_force = address(names::kNormalForce, 1);
-  s.friction_force = address(names::kFrictionForce, 1);
-  s.control_force = address(names::kControlForce, 2);
-  s.current = address(names::kCurrent, 2);
+  s.active = sensor_address(m, names::kActive, 1);
+  s.gap = sensor_address(m, names::kGap, 1);
+  s.gap_rate = sensor_address(m, names::kGapRate, 1);
+  s.slip = sensor_address(m, names::kSlip, 1);
+  s.normal_force = sensor_address(m, names::kNormalForce, 1);
+  s.friction_force = sensor_address(m, names::kFrictionForce, 1);
+  s.control_force = sensor_address(m, names::kControlForce, 2);
+  s.current = sensor_address(m, names::kCurrent, 2);
+}
+
+void map_shadow(const mjModel* m, ShadowConfig& s) {
+  const std::string refusal = step_refusal(s.model, m->opt.timestep);
+  if (!refusal.empty()) {
+    throw ConfigError(in_text(names::kSceneText, "mujoco.shadow: the native model cannot run "
+                                                 "alongside: " + refusal +
+                                                     "; accepted: a smaller run.step, or false"));
+  }
+  s.gap = sensor_address(m, names::kShadowGap, 1);
+  s.normal_force = sensor_address(m, names::kShadowNormalForce, 1);
+  s.friction_force = sensor_address(m, names::kShadowFrictionForce, 1);
+  s.rotor = sensor_address(m, names::kShadowRotor, 2);
+  s.stator = sensor_address(m, names::kShadowStator, 2);
+  s.mujoco_rotor = sensor_address(m, names::kRotorPosition, 2);
+  const auto ghost = [m](const char* name) {
+    const int body = mj_name2id(m, mjOBJ_BODY, name);
+    return body < 0 || m->body_mocapid[body] < 0 ? -1 : 3 * m->body_mocapid[body];
+  };
+  s.ghost_rotor = ghost(names::kGhostRotor);
+  s.ghost_ring = ghost(names::kGhostRing);
 }
 
 // Sizes, custom text and numbers, names, and what decides who solves a pair: a model with the same
@@ -137,7 +161,8 @@ void map_sensors(const mjModel* m, Config& config) {
 template <typename Action>
 bool for_each_part(const mjModel* m, Action action) {
   const int sizes[] = {m->nq,        m->nv,     m->nu,           m->njnt,      m->ngeom, m->nsensor,
-                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair};
+                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair,
+                       m->nmocap};
   const auto part = [&action](const auto* data, int count) {
     return count == 0 || action(reinterpret_cast<const char*>(data),
                                 sizeof *data * static_cast<std::size_t>(count));
@@ -213,11 +238,19 @@ Config make_config(const mjModel* m) {
   scene::Scene scene;
   try {
     scene = scene::parse_scene(scene_text(m), names::kSceneText);
-    config.model = without_coils(make_model(scene));
+    const Model whole = make_model(scene);
+    config.model = without_coils(whole);
+    if (scene.mujoco.shadow) {
+      config.shadow.emplace().model = whole.controller ? whole : with_ideal_actuator(whole);
+    }
   } catch (const std::exception& error) {
     throw ConfigError(in_text(names::kSceneText, error.what()));
   }
-  const int needed = names::user_data_size(config.model.nq(), config.model.controller != nullptr);
+  int needed = names::user_data_size(config.model.nq(), config.model.controller != nullptr);
+  if (config.shadow) {
+    config.shadow->data = needed;
+    needed += names::shadow_data_size(PaperStepper::memory_size(config.shadow->model));
+  }
   if (m->nuserdata < needed) {
     throw ConfigError("rotorub: <size nuserdata>: at least " + std::to_string(needed) + " needed");
   }
@@ -236,6 +269,7 @@ Config make_config(const mjModel* m) {
   }
   map_actuators(m, config);
   map_sensors(m, config);
+  if (config.shadow) map_shadow(m, *config.shadow);
   take_fingerprint(m, config);
   config.id = 1.0 + count.fetch_add(1);
   return config;

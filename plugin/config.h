@@ -21,6 +21,18 @@ struct SensorAddresses {
   int normal_force = -1, friction_force = -1, control_force = -1, current = -1;
 };
 
+// The native model that runs alongside (shadow.h). -1: no such sensor or ghost.
+struct ShadowConfig {
+  // With a controller of its own the whole scene; without one the actuator is ideal, as the force on
+  // the ring is MuJoCo's.
+  Model model;
+  int data = -1;  // in mjData.userdata
+  int gap = -1, normal_force = -1, friction_force = -1;  // in mjData.sensordata
+  int rotor = -1, stator = -1;                           // x and y
+  int mujoco_rotor = -1;                                 // MuJoCo's own, x and y
+  int ghost_rotor = -1, ghost_ring = -1;                 // in mjData.mocap_pos
+};
+
 struct Config {
   Model model;
   scene::ContactModel contact = scene::ContactModel::kRigid;
@@ -40,6 +52,7 @@ struct Config {
   int pair = -1;                        // their <pair>
   int actuator[2] = {-1, -1};           // -1 without actuators
   SensorAddresses sensors;
+  std::optional<ShadowConfig> shadow;
 
   // What the above was made from, to recognise the model.
   std::string fingerprint;

@@ -1,9 +1,9 @@
 #include "plugin/control.h"
 
-#include <cmath>
 #include <limits>
 
 #include "native_model/bearing/actuator_axes.h"
+#include "native_model/control/sampling.h"
 #include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "plugin/magnets.h"
@@ -41,10 +41,8 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
   // Before it is on: 0, the value of mj_resetData.
   Eigen::Vector2d u{d->userdata[kHeldX], d->userdata[kHeldY]};
   if (d->time >= model.control_on) {
-    // The sample of index floor(t / T); a step that ends short of it by round-off counts.
-    const double sample = model.sample_time > 0.0
-                              ? 1.0 + std::floor(d->time / model.sample_time * (1.0 + 1e-12))
-                              : 0.0;
+    const double sample =
+        model.sample_time > 0.0 ? 1.0 + sample_index(d->time, model.sample_time) : 0.0;
     if (sample == 0.0 || sample != d->userdata[kSample]) {
       u = control_command(model, d->time, state.q(), v, first_touch(config, d));
       d->userdata[kHeldX] = u.x();

@@ -5,6 +5,7 @@
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/own/own_space.h"
+#include "plugin/shadow.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -43,6 +44,7 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
     put(d, s.control_force, actuator.force);
     put(d, s.current, actuator.current);
   }
+  if (stage == mjSTAGE_VEL && config.shadow) fill_shadow_sensors(config, d);
   if (!config.model.contact) return;
   if (stage == mjSTAGE_ACC) {
     const ContactForces forces = contact_forces(config, d);

@@ -35,4 +35,20 @@ enum UserDataEntry : int {
 };
 static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
 
+// The shadow's, from Config::shadow.data on (shadow.h); behind them the memory of its stepper.
+enum ShadowEntry : int {
+  kShadowBegun,       // 1: it runs
+  kShadowTime,        // s, mjData.time that it has come to
+  kShadowStep,        // s, its step
+  kShadowOrigin,      // s, where its steps are counted from
+  kShadowSteps,       // taken since
+  kShadowStatus,      // number of the Status; it stands still unless kOk
+  kShadowFirstTouch,  // s; infinity: none yet
+  kShadowNormal,      // N, mean over the last step
+  kShadowFriction,    // N, on the rotor along e_t
+  kShadowCommand,     // Command::kMemory of them
+  kShadowSingle = kShadowCommand + 3
+};
+static_assert(kShadowSingle == mjcf_names::kShadowSingle);
+
 }  // namespace rotorub::plugin

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "compare/commands/command.h"
 #include "compare/commands/interrupt.h"
@@ -58,6 +59,9 @@ int render_film(const Options& options) {
 
   const std::string file = options.file.empty() ? run.scene.name + ".mp4" : options.file;
   renders::RenderOptions film;
+  const std::optional<StoredRun> shadow =
+      is_run ? read_shadow(options.source, run) : std::optional<StoredRun>();
+  if (shadow) film.shadow = &shadow->trajectory;
   film.progress = [&](double share) {
     if (interrupted()) throw Interrupted();
     bar.show(0.1 + 0.9 * share, "film");
@@ -72,15 +76,16 @@ int render_film(const Options& options) {
                                 {"slow_motion", result.framing.slow_motion},
                                 {"magnification", result.framing.magnification},
                                 {"frames", result.framing.frames},
-                                {"film_s", result.film_s}}
+                                {"film_s", result.film_s},
+                                {"shadow", shadow.has_value()}}
                      .dump(2)
               << "\n";
   } else if (!options.quiet) {
     fmt::print(
         "{}: {:.3g} s of film, slowed down {:.3g} times, displacements magnified {:.3g} "
-        "times\nwritten to {}\n",
+        "times{}\nwritten to {}\n",
         run.scene.name, result.film_s, result.framing.slow_motion, result.framing.magnification,
-        file);
+        shadow ? ", its shadow as a ghost" : "", file);
   }
   return kDone;
 }

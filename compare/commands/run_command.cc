@@ -48,6 +48,27 @@ std::unique_ptr<Engine> engine_of(const Options& options, const scene::Scene& sc
                                                : contact_of(options.contact));
 }
 
+void say_failure(const scene::Scene& scene, const char* what, const Trajectory& trajectory) {
+  if (trajectory.status == Status::kOk) return;
+  fmt::print(stderr, "rotorub: {}: {}{} at t = {} s: {}\n", scene.name, what,
+             to_string(trajectory.status), trajectory.end, trajectory.message);
+}
+
+// The native model that ran alongside in the plugin. Nobody but a controller of the scene commands
+// it in such a run, so that a run of its own at the same step comes to the same bits
+// (tests/plugin/shadow_test.cc).
+void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene, ProgressBar& bar,
+                  bool quiet) {
+  RunRequest request;
+  request.interrupt = &interrupted();
+  request.progress = [&](double share) { bar.show(share, kShadowFolder); };
+  const Trajectory trajectory = native_engine(scene::Integrator::kPaper)->run(scene, request);
+  bar.clear();
+  write_run(folder / kShadowFolder, scene, trajectory);
+  if (!quiet) fmt::print("its shadow written to {}\n", (folder / kShadowFolder).string());
+  say_failure(scene, "shadow: ", trajectory);
+}
+
 int run(const Options& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const auto engine = engine_of(options, scene);
@@ -68,9 +89,10 @@ int run(const Options& options) {
   } else if (!options.quiet) {
     fmt::print("{}written to {}\n", run_table(scene, trajectory), folder.string());
   }
-  if (trajectory.status != Status::kOk) {
-    fmt::print(stderr, "rotorub: {}: {} at t = {} s: {}\n", scene.name,
-               to_string(trajectory.status), trajectory.end, trajectory.message);
+  say_failure(scene, "", trajectory);
+  const bool stopped = trajectory.status == Status::kInterrupted;
+  if (options.engine == "mujoco" && scene.mujoco.shadow && !stopped) {
+    write_shadow(folder, scene, bar, options.quiet || options.json);
   }
   return exit_code_of(trajectory.status);
 }

@@ -158,4 +158,14 @@ StoredRun read_run(const path& folder) {
   return run;
 }
 
+std::optional<StoredRun> read_shadow(const path& folder, const StoredRun& run) {
+  const path own = folder / kShadowFolder;
+  if (run.trajectory.engine != "mujoco" || !run.scene.mujoco.shadow) return std::nullopt;
+  if (!std::filesystem::exists(own / kSummary)) return std::nullopt;
+  StoredRun shadow = read_run(own);
+  // A later run of another scene may have been written over the one that this belongs to.
+  if (shadow.scene.text != run.scene.text) return std::nullopt;
+  return shadow;
+}
+
 }  // namespace rotorub

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
@@ -21,5 +22,12 @@ struct StoredRun {
 
 // Reads what write_run wrote. Throws std::runtime_error naming file and line for anything else.
 StoredRun read_run(const std::filesystem::path& folder);
+
+// Folder, within that of a MuJoCo run, of the native model that ran alongside ([mujoco] shadow): a
+// run of its own.
+inline constexpr const char* kShadowFolder = "shadow";
+
+// That run; nothing where `run` has no shadow, or where the folder's is of another scene.
+std::optional<StoredRun> read_shadow(const std::filesystem::path& folder, const StoredRun& run);
 
 }  // namespace rotorub

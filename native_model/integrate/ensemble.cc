@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "native_model/control/sampling.h"
 #include "native_model/integrate/paper.h"
 #include "native_model/integrate/paper_kernel_contact.h"
 #include "native_model/integrate/paper_kernel_load.h"
@@ -61,9 +62,9 @@ void command(Kernel& kernel, const std::vector<const Model*>& models, const Tota
     const Model& m = *models[static_cast<std::size_t>(lane)];
     if (!m.controller || t < m.control_on) continue;
     if (m.sample_time > 0.0 && k > 0) {
-      const auto index = [&](double time) { return std::floor(time / m.sample_time * (1.0 + 1e-12)); };
       const double before = t - step;
-      if (before >= m.control_on && index(t) == index(before)) continue;
+      const bool same = sample_index(t, m.sample_time) == sample_index(before, m.sample_time);
+      if (before >= m.control_on && same) continue;
     }
     for (std::size_t i = 0; i < q.size(); ++i) {
       q[i] = kernel.q()[i][lane];

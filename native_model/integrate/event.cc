@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "native_model/control/sampling.h"
 #include "native_model/system/dynamics.h"
 
 namespace rotorub {
@@ -64,7 +65,7 @@ bool EventIntegrator::sample_controller() {
   if (!m.controller || m.sample_time <= 0.0) return false;
   const bool starts = t_ == m.control_on;  // the first command is taken at switch-on
   if (!starts && t_ < next_sample_ * m.sample_time) return false;
-  next_sample_ = std::floor(t_ / m.sample_time * (1.0 + 1e-12)) + 1.0;
+  next_sample_ = sample_index(t_, m.sample_time) + 1.0;
   if (t_ >= m.control_on) phase_.hold(control_command(m, t_, q(), v(), phase_.first_touch()));
   return true;
 }

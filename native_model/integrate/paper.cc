@@ -6,6 +6,7 @@
 
 #include "native_model/integrate/paper_kernel_contact.h"
 #include "native_model/integrate/paper_kernel_load.h"
+#include "native_model/integrate/paper_kernel_memory.h"
 
 namespace rotorub {
 
@@ -40,19 +41,28 @@ PaperStepper::PaperStepper(const Model& model, double step)
 PaperStepper::PaperStepper(const Model& model, double step, const State& start)
     : kernel_(std::make_unique<Kernel>(std::vector<const Model*>{&model}, step)) {
   assert(step > 0.0);
-  std::copy_n(start.q.data(), model.nq(), kernel_->q());
-  std::copy_n(start.v.data(), model.nq(), kernel_->v());
+  begin(start.t, start.q.data(), start.v.data());
 }
 
 PaperStepper::~PaperStepper() = default;
 
+void PaperStepper::begin(double t, const double* q, const double* v) {
+  kernel_->begin(t, q, v);
+}
+
 const double* PaperStepper::q() const { return kernel_->q(); }
 const double* PaperStepper::v() const { return kernel_->v(); }
+
+std::size_t PaperStepper::memory_size(const Model& model) { return Kernel::memory_size(model); }
+void PaperStepper::save(double* to) const { kernel_->save(to); }
+void PaperStepper::restore(const double* from) { kernel_->restore(from); }
+const double* PaperStepper::saved_q(const double* memory) { return Kernel::saved_q(memory); }
 
 PaperStep PaperStepper::step(std::int64_t k, const Eigen::Vector2d& u) {
   Kernel& kernel = *kernel_;
   kernel.command_x = u.x();
   kernel.command_y = u.y();
+  kernel.commanded = kernel.commanded || !u.isZero(0.0);
   kernel.step(k);
   PaperStep out;
   out.status = kernel.status[0];

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -31,18 +32,31 @@ std::string step_refusal(const Model& model, double step);
 
 class PaperStepper {
  public:
-  // From the model's initial state, or from another at t = 0. step: s, > 0. The model must outlive
-  // the stepper.
+  // From the model's initial state, or from another, at its own time. step: s, > 0. The model must
+  // outlive the stepper.
   PaperStepper(const Model& model, double step);
   PaperStepper(const Model& model, double step, const State& start);
   ~PaperStepper();
 
-  // From t = k step to (k + 1) step under the actuator's command u (system/actuation.h), held over
-  // it. k counts from 0, one by one. No allocation. With a status the state stays where it was.
+  // From t = t_0 + k step to t_0 + (k + 1) step, t_0 the start's time, under the actuator's command u
+  // (system/actuation.h), held over it. k counts from 0, one by one. No allocation. With a status the
+  // state stays where it was.
   PaperStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0});
+
+  // As newly made, from another state (nq values each) at time t. No allocation.
+  void begin(double t, const double* q, const double* v);
 
   const double* q() const;  // nq each
   const double* v() const;
+
+  // The whole state as plain numbers: a stepper of the same model and step that restores it takes
+  // step k + 1 to the same bits as the one that saved it after step k. A status is not among them;
+  // restoring ends it. No allocation.
+  static std::size_t memory_size(const Model& model);
+  void save(double* to) const;
+  void restore(const double* from);
+  // The coordinates in a memory; the velocities follow them.
+  static const double* saved_q(const double* memory);
 
  private:
   struct Kernel;

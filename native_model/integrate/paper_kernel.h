@@ -26,8 +26,11 @@ class PaperKernel {
   T* q() { return q_.data(); }
   T* v() { return v_.data(); }
   // What the actuator is told, held over the next step (system/actuation.h): the force on the ring,
-  // or the currents of the two axes.
+  // or the currents of the two axes; `commanded`: there is a command (from the start where the models
+  // have a controller).
   T command_x{}, command_y{};
+  bool commanded = false;
+  double origin = 0.0;  // s, t at k = 0
 
   // What the last step did.
   T normal_impulse{}, friction_impulse{};  // N s
@@ -38,8 +41,15 @@ class PaperKernel {
   bool any_impact() const { return impacts_; }
   Status status[kLanes] = {};
 
-  // From t = k step to (k + 1) step. A lane with a status stays where it was.
+  // From t = origin + k step to origin + (k + 1) step. A lane with a status stays where it was.
   ROTORUB_INLINE void step(std::int64_t k);
+
+  // Of one lane (paper_kernel_memory.h).
+  static std::size_t memory_size(const Model& model);
+  void save(double* to) const;
+  void restore(const double* from);
+  static const double* saved_q(const double* memory);
+  void begin(double t, const double* q, const double* v);
 
  private:
   struct Force {
@@ -70,6 +80,9 @@ class PaperKernel {
   ROTORUB_INLINE void add_station(const lanes::Array<T>& sx, const lanes::Array<T>& sy, T fx, T fy);
   ROTORUB_INLINE void multiply(const Matrix& m, T factor, const T* in, T* out, bool transposed) const;
   ROTORUB_INLINE void rotate(T omega, double h);
+  // Where every number that outlives a step is, in the order of the memory.
+  template <class Kernel, class Action>
+  static void for_each_kept(Kernel& kernel, Action action);
   ROTORUB_INLINE void forces(std::int64_t k);
   ROTORUB_INLINE void unbalance_arms(double t);
   ROTORUB_INLINE void unbalance_load(T omega);
@@ -91,7 +104,7 @@ class PaperKernel {
 
   double step_;
   Layout layout_;
-  bool contact_present_ = false, coupled_ = false, controlled_ = false, magnets_ = false;
+  bool contact_present_ = false, coupled_ = false, magnets_ = false;
   std::vector<const Model*> models_;
   lanes::Array<T> q_, v_, q_mid_, v_new_, f_;
   lanes::Array<T> mass_, inverse_mass_, implicit_inverse_, stiffness_, damping_, weight_;

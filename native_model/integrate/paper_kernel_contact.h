@@ -242,7 +242,7 @@ void PaperKernel<T>::impact_lane(int lane, std::int64_t k, const Eigen::Vector2d
     return e_t.dot(w.head<2>()) + c.radius * w.z();
   };
   Impact& detail = impact[lane];
-  detail.t = static_cast<double>(k) * step_ + std::min(step_, 0.5 * step_ + closing_time);
+  detail.t = origin + static_cast<double>(k) * step_ + std::min(step_, 0.5 * step_ + closing_time);
   detail.normal_impulse = r.normal();
   detail.friction_impulse = r.friction();
   detail.gap_rate_before = -e_r.dot(free.head<2>());

@@ -81,7 +81,7 @@ void PaperKernel<T>::rotate(T omega, double h) {
 // sine and cosine are taken anew every kResync steps, so that round-off does not gather.
 template <class T>
 void PaperKernel<T>::forces(std::int64_t k) {
-  const double t = (static_cast<double>(k) + 0.5) * step_;
+  const double t = origin + (static_cast<double>(k) + 0.5) * step_;
   for (Force& force : forces_) {
     T x = force.x, y = force.y;
     if (force.rotating) {

@@ -15,7 +15,7 @@ PaperKernel<T>::PaperKernel(const std::vector<const Model*>& models, double step
   const Model& first = *models.front();
   contact_present_ = first.contact.has_value();
   coupled_ = first.coupled_mass();
-  controlled_ = layout_.stator && first.controller;
+  commanded = layout_.stator && first.controller;
   magnets_ = first.magnets.has_value();
   const auto n = static_cast<std::size_t>(layout_.nq());
   for (auto* x : {&q_, &v_, &q_mid_, &v_new_, &f_, &mass_, &inverse_mass_, &implicit_inverse_,

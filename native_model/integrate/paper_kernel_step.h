@@ -99,7 +99,7 @@ auto PaperKernel<T>::admittance(const T* inverse) const -> Admittance {
 template <class T>
 void PaperKernel<T>::free_velocity(std::int64_t k) {
   const int nq = layout_.nq(), n = layout_.modes;
-  const double h = step_, t = (static_cast<double>(k) + 0.5) * h;
+  const double h = step_, t = origin + (static_cast<double>(k) + 0.5) * h;
   T *f = f_.data(), *v = v_new_.data();
   const T* q = q_mid_.data();
   for (int i = 0; i < nq; ++i) v[i] = v_[static_cast<std::size_t>(i)];
@@ -143,7 +143,7 @@ void PaperKernel<T>::free_velocity(std::int64_t k) {
   if (layout_.spin) drive_torque();
   if (magnets_) {
     magnet_force();
-  } else if (controlled_) {
+  } else if (commanded && layout_.stator) {
     f[layout_.ring()] += command_x;
     f[layout_.ring() + 1] += command_y;
   }

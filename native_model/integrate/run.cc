@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "native_model/integrate/command.h"
 #include "native_model/integrate/event.h"
 #include "native_model/integrate/paper.h"
 #include "native_model/system/actuation.h"
@@ -12,28 +13,6 @@
 
 namespace rotorub {
 namespace {
-
-// The command over a step: held between the samples of a sampled controller.
-class Command {
- public:
-  explicit Command(const Model& model) : model_(&model) {}
-  const Eigen::Vector2d& at(double t, const double* q, const double* v, double first_touch) {
-    if (!model_->controller || t < model_->control_on) return held_;
-    if (model_->sample_time > 0.0) {
-      // The sample of index floor(t / T); a step that ends short of it by round-off counts.
-      const double sample = std::floor(t / model_->sample_time * (1.0 + 1e-12));
-      if (sample == last_sample_) return held_;
-      last_sample_ = sample;
-    }
-    held_ = control_command(*model_, t, q, v, first_touch);
-    return held_;
-  }
-
- private:
-  const Model* model_;
-  Eigen::Vector2d held_{0.0, 0.0};
-  double last_sample_ = -1.0;
-};
 
 State perturbed(State state, int ulps) {
   double& x = state.q[0];

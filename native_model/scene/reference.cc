@@ -23,6 +23,8 @@ std::string type_text(const Key& key) {
       return std::string(key.quantity.unit) + ", [x, y]";
     case ValueType::kList:
       return std::string(key.quantity.unit) + ", list";
+    case ValueType::kFlag:
+      return "true or false";
     case ValueType::kWord:
       break;
   }

@@ -227,6 +227,7 @@ struct Mujoco {
   MujocoIntegrator integrator = MujocoIntegrator::kEuler;
   MujocoSolver solver = MujocoSolver::kNewton;
   double solref_stiffness = 0.0;  // 1/s^2, > 0: direct solref K (0: chosen from the step)
+  bool shadow = false;            // the native model runs alongside, in user sensors
 };
 
 // ---------------------------------------------------------------- the whole

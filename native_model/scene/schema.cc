@@ -93,6 +93,8 @@ std::string Key::expected() const {
       return "[x, y], each " + what;
     case ValueType::kList:
       return "a list, each " + what;
+    case ValueType::kFlag:
+      return "true or false";
     case ValueType::kWord:
       break;
   }

@@ -24,6 +24,7 @@ enum class ValueType {
   kNumber,  // one number
   kWhole,   // one whole number
   kWord,    // one of a few words
+  kFlag,    // true or false
   kPlanes,  // a number for both bending planes, or [x, y]
   kVector,  // [x, y]
   kList,    // numbers
@@ -45,7 +46,7 @@ struct Range {
 // What was read; the member that the type names is set.
 struct Value {
   double number = 0.0;         // kNumber, SI
-  int whole = 0;               // kWhole; kWord: which word
+  int whole = 0;               // kWhole; kWord: which word; kFlag: 0, 1
   Eigen::Vector2d pair{0, 0};  // kPlanes, kVector, SI
   std::vector<double> list;    // kList, SI
 };
@@ -133,6 +134,8 @@ void assign(T& target, const Value& value) {
     assign(target.emplace(), value);
   } else if constexpr (std::is_same_v<T, double>) {
     target = value.number;
+  } else if constexpr (std::is_same_v<T, bool>) {
+    target = value.whole != 0;
   } else if constexpr (std::is_same_v<T, int>) {
     target = value.whole;
   } else if constexpr (std::is_enum_v<T>) {
@@ -150,6 +153,8 @@ constexpr ValueType type_of() {
     return type_of<typename T::value_type>();
   } else if constexpr (std::is_same_v<T, double>) {
     return ValueType::kNumber;
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return ValueType::kFlag;
   } else if constexpr (std::is_same_v<T, int>) {
     return ValueType::kWhole;
   } else if constexpr (std::is_enum_v<T>) {
@@ -169,6 +174,8 @@ template <typename T>
 std::string standard_text(const T& value) {
   if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>) {
     return number_text(value);
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return value ? "true" : "false";
   } else if constexpr (std::is_enum_v<T>) {
     return std::to_string(static_cast<int>(value));
   } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {

@@ -281,7 +281,12 @@ Table mujoco() {
            key<&Mujoco::solref_stiffness>("solref_stiffness", kRateSquared,
                                           "K of the soft contact (direct solref)")
                .above(0)
-               .otherwise("chosen from the step")}};
+               .otherwise("chosen from the step"),
+           key<&Mujoco::shadow>("shadow", kPure,
+                                "the native model runs alongside, step by step: its gap, forces "
+                                "and position are user sensors, and a ghost shows it "
+                                "(plugin/README.md)")
+               .optional()}};
 }
 
 }  // namespace

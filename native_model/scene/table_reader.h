@@ -34,6 +34,7 @@ class TableReader {
   bool read_number(const Key& key, const TomlNode& node, const std::string& path, double& number);
   bool read_whole(const Key& key, const TomlNode& node, const std::string& path, int& whole);
   bool read_word(const Key& key, const TomlNode& node, const std::string& path, int& index);
+  bool read_flag(const Key& key, const TomlNode& node, const std::string& path, int& flag);
   bool read_pair(const Key& key, const TomlNode& node, const std::string& path,
                  Eigen::Vector2d& pair);
   bool read_list(const Key& key, const TomlNode& node, const std::string& path,

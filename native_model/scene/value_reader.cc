@@ -41,6 +41,8 @@ bool TableReader::read_value(const Key& key, const TomlNode& node, const std::st
       return read_whole(key, node, path, value.whole);
     case ValueType::kWord:
       return read_word(key, node, path, value.whole);
+    case ValueType::kFlag:
+      return read_flag(key, node, path, value.whole);
     case ValueType::kPlanes:
     case ValueType::kVector:
       return read_pair(key, node, path, value.pair);
@@ -101,6 +103,16 @@ bool TableReader::read_word(const Key& key, const TomlNode& node, const std::str
   if (!meant.empty()) reason += ", did you mean \"" + std::string(meant) + "\"?";
   fail(node, path, reason);
   return false;
+}
+
+bool TableReader::read_flag(const Key& key, const TomlNode& node, const std::string& path,
+                            int& flag) {
+  if (node.kind != Kind::kBoolean) {
+    fail(node, path, "expected " + key.expected() + got(node));
+    return false;
+  }
+  flag = node.boolean ? 1 : 0;
+  return true;
 }
 
 bool TableReader::read_pair(const Key& key, const TomlNode& node, const std::string& path,

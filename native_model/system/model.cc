@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "native_model/bearing/electromagnet.h"
@@ -248,6 +249,13 @@ Model without_coils(Model model) {
     vector->conservativeResize(kept);
   }
   if (model.weight.size() > 0) model.weight.conservativeResize(kept);
+  return model;
+}
+
+Model with_ideal_actuator(Model model) {
+  model = without_coils(std::move(model));
+  model.magnets.reset();
+  model.force_limit = std::numeric_limits<double>::infinity();
   return model;
 }
 

@@ -137,5 +137,7 @@ State initial_state(const Model& model);
 
 // The same without the coils' coordinates, for who integrates the currents himself.
 Model without_coils(Model model);
+// The same with an ideal, unlimited actuator, for who knows the force on the ring.
+Model with_ideal_actuator(Model model);
 
 }  // namespace rotorub

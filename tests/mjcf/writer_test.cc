@@ -56,6 +56,26 @@ TEST_P(ShippedScene, HasTheNativeModelsMassesStiffnessesAndStart) {
   }
 }
 
+// What `shadow` adds: sensors, ghosts that do not collide, memory; nothing that moves.
+TEST_P(ShippedScene, ShadowAddsSensorsAndGhosts) {
+  const ModelPointer without = load(mjcf(shipped(GetParam())));
+  const ModelPointer with = load(mjcf(shipped(GetParam(), {"mujoco.shadow=true"})));
+  const bool ring = make_model(shipped(GetParam())).layout.stator > 0;
+  for (const char* name : {names::kRotorPosition, names::kShadowRotor, names::kShadowGap,
+                           names::kShadowNormalForce, names::kShadowFrictionForce}) {
+    EXPECT_GE(mj_name2id(with.get(), mjOBJ_SENSOR, name), 0) << name;
+    EXPECT_LT(mj_name2id(without.get(), mjOBJ_SENSOR, name), 0) << name;
+  }
+  EXPECT_EQ(mj_name2id(with.get(), mjOBJ_SENSOR, names::kShadowStator) >= 0, ring);
+  EXPECT_EQ(with->nmocap, ring ? 2 : 1);
+  EXPECT_EQ(with->nv, without->nv);
+  EXPECT_GT(with->nuserdata, without->nuserdata);
+  const int ghost = mj_name2id(with.get(), mjOBJ_GEOM, names::kGhostRotor);
+  ASSERT_GE(ghost, 0);
+  EXPECT_EQ(with->geom_contype[ghost] | with->geom_conaffinity[ghost], 0);
+  EXPECT_EQ(with->body_mass[with->geom_bodyid[ghost]], 0.0);
+}
+
 TEST_P(ShippedScene, CarriesItsWholeText) {
   const scene::Scene scene = shipped(GetParam());
   const ModelPointer m = load(mjcf(scene));

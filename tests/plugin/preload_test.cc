@@ -90,8 +90,9 @@ class Preload : public MujocoTest, public ::testing::WithParamInterface<const ch
   fs::path folder_;
 };
 
-// A shipped scene's, or the example that is written by hand.
+// A shipped scene's, one with the native model alongside, or the example that is written by hand.
 std::string document_of(const std::string& name) {
+  if (name == "shadow") return mjcf(shipped("bench_ring", {"mujoco.shadow=true"}));
   if (name != "own_model") return mjcf(shipped(name));
   std::ifstream in(fs::path(ROTORUB_SOURCE_DIR) / "mjcf/examples/own_model.xml");
   std::stringstream text;
@@ -126,7 +127,7 @@ TEST_P(Preload, TwoThreadsGiveTheBitsOfOne) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Preload,
                          ::testing::Values("bench_ring", "paper_passive", "paper_sliding",
-                                           "paper_magnetic", "own_model"));
+                                           "paper_magnetic", "own_model", "shadow"));
 
 }  // namespace
 }  // namespace rotorub::test

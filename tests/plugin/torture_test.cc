@@ -10,14 +10,17 @@
 
 #include "mjcf/writer.h"
 #include "plugin/hooks.h"
+#include "tests/plugin/shadow.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
 namespace {
 
-// Scenes that use all of the plugin's memory, and a model that is not ours.
-const std::array<std::string, 6>& documents() {
-  static const std::array<std::string, 6> all = {
+constexpr int kScenes = 8;
+
+// Scenes that use all of the plugin's memory, two of them with a shadow, and a model that is not ours.
+const std::array<std::string, kScenes>& documents() {
+  static const std::array<std::string, kScenes> all = {
       mjcf(shipped("bench_ring", {"mujoco.contact=\"coulomb\""})),
       mjcf(shipped("bench_ring", {"mujoco.contact=\"cone\"", "contact.friction=0.3"})),
       mjcf(shipped("bench_billiard", {"mujoco.contact=\"rigid\""})),
@@ -27,6 +30,9 @@ const std::array<std::string, 6>& documents() {
       mjcf(
           shipped("paper_passive", {"mujoco={rotor=\"segments\", segments=10, contact=\"coulomb\"}",
                                     "force[0].on=0.0", "contact.clearance=\"0.1 mm\""})),
+      mjcf(shadowed("paper_sliding", {"controller.on=0.0", "controller.sample_time=1e-4",
+                                      "force[0].on=0.0", "contact.clearance=\"0.1 mm\""})),
+      mjcf(shadowed("bench_ring", {"mujoco.contact=\"coulomb\""})),
       R"(<mujoco><size nuserdata="30"/><worldbody><geom type="plane" size="1 1 1"/>
            <body pos="0 0 1"><freejoint/><geom type="capsule" size="0.1 0.2"/></body>
          </worldbody></mujoco>)"};
@@ -35,16 +41,24 @@ const std::array<std::string, 6>& documents() {
 
 constexpr int kMostSteps = 1500;
 
+// With what the shadow shows, where there is one.
+std::vector<double> whole_state(const mjModel* m, const mjData* d) {
+  std::vector<double> state = state_of(m, d);
+  if (m->nmocap == 0) return state;
+  state.insert(state.end(), d->sensordata, d->sensordata + m->nsensordata);
+  return state;
+}
+
 // State after every number of steps from the start, of a run that nothing disturbs.
 class PlainRun {
  public:
   explicit PlainRun(const std::string& document) {
     const ModelPointer m = load(document);
     const DataPointer d = start(m.get());
-    states_.push_back(state_of(m.get(), d.get()));
+    states_.push_back(whole_state(m.get(), d.get()));
     for (int k = 0; k < kMostSteps; ++k) {
       mj_step(m.get(), d.get());
-      states_.push_back(state_of(m.get(), d.get()));
+      states_.push_back(whole_state(m.get(), d.get()));
     }
   }
   const std::vector<double>& at(int steps) const {
@@ -66,7 +80,7 @@ class TortureTest : public MujocoTest {
  protected:
   TortureTest() {
     for (const std::string& document : documents()) plain_.emplace_back(document);
-    for (int i = 0; i < 8; ++i) runs_.push_back(fresh(static_cast<std::size_t>(i) % 6));
+    for (int i = 0; i < 8; ++i) runs_.push_back(fresh(static_cast<std::size_t>(i % kScenes)));
   }
 
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
@@ -82,7 +96,7 @@ class TortureTest : public MujocoTest {
     Life& run = any();
     run.data.reset();
     run.model.reset();
-    run = fresh(static_cast<std::size_t>(below(6)));
+    run = fresh(static_cast<std::size_t>(below(kScenes)));
   }
   static void step(Life& run, int count) {
     for (int k = 0; k < count && run.steps < kMostSteps; ++k, ++run.steps) {
@@ -120,7 +134,7 @@ class TortureTest : public MujocoTest {
     ++run.steps;
   }
   void expect_plain(const Life& run) {
-    EXPECT_EQ(state_of(run.model.get(), run.data.get()), plain_[run.scene].at(run.steps))
+    EXPECT_EQ(whole_state(run.model.get(), run.data.get()), plain_[run.scene].at(run.steps))
         << "scene " << run.scene << " after " << run.steps << " steps";
   }
   void act(int kind) {

@@ -54,6 +54,29 @@ TEST_F(RunDirectory, NamesFileAndLineOfDamage) {
   }
 }
 
+// The shadow belongs to a MuJoCo run of its own scene.
+TEST_F(RunDirectory, TheShadowIsThatOfTheSameScene) {
+  const auto scene_with = [](const char* friction) {
+    return scene::read_scene(
+        std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
+        std::vector<std::string>{"run.end=0.02", "mujoco.shadow=true", friction});
+  };
+  const scene::Scene own = scene_with("contact.friction=0.15"),
+                     other = scene_with("contact.friction=0.2");
+  Trajectory mujoco = run_;
+  mujoco.engine = "mujoco";
+  write_run(folder_, own, mujoco);
+  EXPECT_FALSE(read_shadow(folder_, read_run(folder_))) << "there is none yet";
+  write_run(folder_ / kShadowFolder, own, run_);
+  const auto shadow = read_shadow(folder_, read_run(folder_));
+  ASSERT_TRUE(shadow);
+  EXPECT_EQ(shadow->trajectory.series[1].values, run_.series[1].values);
+  write_run(folder_, other, mujoco);
+  EXPECT_FALSE(read_shadow(folder_, read_run(folder_)));
+  write_run(folder_, own, run_);
+  EXPECT_FALSE(read_shadow(folder_, read_run(folder_))) << "a native run";
+}
+
 TEST_F(RunDirectory, AFolderWithoutARunIsRefused) {
   std::filesystem::create_directories(folder_);
   EXPECT_THROW(read_run(folder_), std::runtime_error);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#include "native_model/control/sampling.h"
 #include "native_model/integrate/paper.h"
 #include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
@@ -33,7 +34,7 @@ Single alone(const Model& model, double step, std::int64_t steps) {
     const double t = static_cast<double>(k) * step;
     if (model.controller && t >= model.control_on) {
       const double sample =
-          model.sample_time > 0.0 ? std::floor(t / model.sample_time * (1.0 + 1e-12)) : -2.0;
+          model.sample_time > 0.0 ? sample_index(t, model.sample_time) : -2.0;
       if (sample == -2.0 || sample != last) {
         u = control_command(
             model, t, stepper.q(), stepper.v(),

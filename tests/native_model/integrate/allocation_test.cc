@@ -2,10 +2,7 @@
 // themselves is left to them, and the test says so.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <memory>
-#include <new>
 #include <string>
 
 #include "native_model/integrate/ensemble.h"
@@ -15,40 +12,12 @@
 #include "native_model/system/actuation.h"
 #include "native_model/system/dynamics.h"
 #include "native_model/trajectory/recorder.h"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define ROTORUB_COUNTS_ALLOCATIONS 0
-#else
-#define ROTORUB_COUNTS_ALLOCATIONS 1
-#endif
-
-namespace {
-std::atomic<std::int64_t> allocations{0};
-}
-
-#if ROTORUB_COUNTS_ALLOCATIONS
-// g++ 12 inlines one of a pair and takes the other for the library's.
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-// The unaligned and the aligned form; the array forms call these.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(a, (size + a - 1) / a * a)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
-#endif
+#include "tests/support/counted_new.h"
 
 namespace rotorub {
 namespace {
+
+using test::allocations;
 
 class Allocation : public testing::Test {
  protected:

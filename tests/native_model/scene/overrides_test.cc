@@ -31,6 +31,8 @@ TEST(Overrides, TakeTomlWordsAndUnits) {
   EXPECT_EQ(with({"run.end=\"100 ms\"", "run.output_times=[]"}).run.output_times.size(), 0u);
   EXPECT_EQ(with({"rotor.speed=60 Hz"}).rotor.speed, 120.0 * std::numbers::pi);
   EXPECT_EQ(with({"run.integrator=paper"}).run.integrator, Integrator::kPaper);
+  EXPECT_TRUE(with({"mujoco.shadow=true"}).mujoco.shadow);
+  EXPECT_FALSE(with({"mujoco.shadow=true", "mujoco.shadow=false"}).mujoco.shadow);
   EXPECT_EQ(with({"stator.mass=[1,2]"}).stator->mass, PlanePair(1.0, 2.0));
   EXPECT_EQ(with({"contact.friction=0.3", "contact.friction=0.4"}).contact->friction, 0.4);
 }

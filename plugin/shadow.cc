@@ -1,0 +1,187 @@
+#include "plugin/shadow.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "native_model/integrate/command.h"
+#include "native_model/integrate/paper.h"
+#include "native_model/system/dynamics.h"
+#include "plugin/control.h"
+#include "plugin/coordinates.h"
+#include "plugin/magnets.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+namespace {
+
+static_assert(kShadowSingle - kShadowCommand == Command::kMemory);
+
+// What takes the steps. Holds nothing between two calls but room: the state comes from userdata and
+// goes back there. It has a model of its own, as the Config may be gone before the thread is.
+struct Worker {
+  Worker(const Config& config, double h)
+      : id(config.id), step(h), model(config.shadow->model), stepper(model, h), command(model) {}
+
+  double id, step;
+  const Model model;
+  PaperStepper stepper;
+  Command command;
+};
+
+// This thread's, for the models that it used last.
+Worker& worker_for(const Config& config, double h) {
+  thread_local std::array<std::unique_ptr<Worker>, 4> known;
+  thread_local std::size_t next = 0;
+  for (const auto& worker : known) {
+    if (worker && worker->id == config.id && worker->step == h) return *worker;
+  }
+  std::unique_ptr<Worker>& made = known[next];
+  next = (next + 1) % known.size();
+  made = std::make_unique<Worker>(config, h);
+  return *made;
+}
+
+double* stepper_memory(double* entry) { return entry + kShadowSingle; }
+
+void move_ghosts(const Config& config, mjData* d) {
+  const double* q = shadow_state(config, d);
+  const auto move = [d](int address, const Eigen::Vector2d& to) {
+    if (address < 0) return;
+    d->mocap_pos[address] = to.x();
+    d->mocap_pos[address + 1] = to.y();
+  };
+  const ShadowConfig& shadow = *config.shadow;
+  move(shadow.ghost_rotor, rotor_point(shadow.model, q));
+  move(shadow.ghost_ring, stator_point(shadow.model, q));
+}
+
+void stop(double* entry, Status status, const char* warning) {
+  if (entry[kShadowStatus] == static_cast<double>(status)) return;
+  entry[kShadowStatus] = static_cast<double>(status);
+  entry[kShadowNormal] = entry[kShadowFriction] = 0.0;
+  mju_warning(warning);
+}
+
+// In the coordinates of the shadow's model: with those of its coils, whose rates are the currents.
+void mujoco_state(const Config& config, const mjModel* m, const mjData* d, double* q, double* v) {
+  const Layout& l = config.shadow->model.layout;
+  const Coordinates state(config, d);
+  std::copy_n(state.q(), l.mechanical(), q);
+  std::copy_n(state.v(), l.mechanical(), v);
+  for (int k = 0; k < l.coils; ++k) {
+    q[l.coil() + k] = 0.0;
+    v[l.coil() + k] = coil_current(m, d, config.actuator[k]);
+  }
+}
+
+void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
+  const double h = m->opt.timestep;
+  entry[kShadowBegun] = 1.0;
+  entry[kShadowTime] = entry[kShadowOrigin] = d->time;
+  entry[kShadowStep] = h;
+  entry[kShadowSteps] = 0.0;
+  entry[kShadowFirstTouch] = std::numeric_limits<double>::infinity();
+  entry[kShadowNormal] = entry[kShadowFriction] = 0.0;
+  Worker& worker = worker_for(config, h);
+  double q[kMaxCoordinates], v[kMaxCoordinates];
+  mujoco_state(config, m, d, q, v);
+  worker.stepper.begin(d->time, q, v);
+  worker.stepper.save(stepper_memory(entry));
+  Command(worker.model).save(entry + kShadowCommand);
+  move_ghosts(config, d);
+  // The model was made for a smaller step, and the user has changed it since.
+  if (!step_refusal(worker.model, h).empty()) {
+    stop(entry, Status::kStepTooLarge,
+         "rotorub: shadow: <option timestep> is beyond 2 / omega_max of the native model: it "
+         "stands still");
+  } else {
+    entry[kShadowStatus] = static_cast<double>(Status::kOk);
+  }
+}
+
+void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
+  const double h = m->opt.timestep;
+  Worker& worker = worker_for(config, h);
+  worker.stepper.restore(stepper_memory(entry));
+  const double t = entry[kShadowOrigin] + entry[kShadowSteps] * h;
+
+  Eigen::Vector2d u = actuator_state(config, m, d).force;
+  if (worker.model.controller) {
+    worker.command.restore(entry + kShadowCommand);
+    u = worker.command.at(t, worker.stepper.q(), worker.stepper.v(), entry[kShadowFirstTouch]);
+    worker.command.save(entry + kShadowCommand);
+  }
+  const PaperStep done = worker.stepper.step(static_cast<std::int64_t>(entry[kShadowSteps]), u);
+  if (done.status != Status::kOk) {
+    stop(entry, done.status,
+         done.status == Status::kDiverged
+             ? "rotorub: shadow: the state is no longer finite: it stands still"
+             : "rotorub: shadow: the contact laws have no solution or several (Painleve): it "
+               "stands still");
+    return;
+  }
+  worker.stepper.save(stepper_memory(entry));
+  entry[kShadowSteps] += 1.0;
+  entry[kShadowNormal] = done.normal_impulse / h;
+  entry[kShadowFriction] = done.friction_impulse / h;
+  if (done.normal_impulse > 0.0 && !std::isfinite(entry[kShadowFirstTouch])) {
+    entry[kShadowFirstTouch] = t;
+  }
+  move_ghosts(config, d);
+}
+
+}  // namespace
+
+void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
+  double* entry = d->userdata + config.shadow->data;
+  const double h = m->opt.timestep, margin = 1e-6 * h;
+  const double passed = d->time - entry[kShadowTime];
+  const bool same_time = std::abs(passed) <= margin;
+  const bool runs = entry[kShadowStatus] == static_cast<double>(Status::kOk);
+  if (entry[kShadowBegun] == 0.0 || entry[kShadowStep] != h ||
+      (same_time && runs && entry[kShadowSteps] == 0.0)) {
+    begin(config, m, d, entry);
+    return;
+  }
+  if (same_time || (passed > 0.0 && passed < h - margin)) return;
+  if (!(std::abs(passed - h) <= margin)) {
+    begin(config, m, d, entry);
+    return;
+  }
+  entry[kShadowTime] = d->time;
+  if (runs) step(config, m, d, entry);
+}
+
+void fill_shadow_sensors(const Config& config, mjData* d) {
+  const ShadowConfig& s = *config.shadow;
+  const auto put = [d](int address, double value) {
+    if (address >= 0) d->sensordata[address] = value;
+  };
+  const auto put_point = [&put](int address, const Eigen::Vector2d& point) {
+    if (address < 0) return;
+    put(address, point.x());
+    put(address + 1, point.y());
+  };
+  const Model& model = s.model;
+  if (s.mujoco_rotor >= 0) {
+    const Coordinates state(config, d);
+    put_point(s.mujoco_rotor, rotor_point(config.model, state.q()));
+  }
+  const double* entry = d->userdata + s.data;
+  const double* q = shadow_state(config, d);
+  put_point(s.rotor, rotor_point(model, q));
+  put_point(s.stator, stator_point(model, q));
+  if (!model.contact) return;
+  put(s.gap, contact_point(model, q, q + model.nq()).gap);
+  put(s.normal_force, entry[kShadowNormal]);
+  put(s.friction_force, entry[kShadowFriction]);
+}
+
+const double* shadow_state(const Config& config, const mjData* d) {
+  return PaperStepper::saved_q(d->userdata + config.shadow->data + kShadowSingle);
+}
+
+}  // namespace rotorub::plugin

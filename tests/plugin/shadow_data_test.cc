@@ -1,0 +1,187 @@
+// The shadow's memory is in mjData, and what a program may do with time leaves it sound.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "native_model/trajectory/trajectory.h"
+#include "plugin/hooks.h"
+#include "tests/plugin/shadow.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace names = mjcf_names;
+
+constexpr int kSteps = 3000;
+
+// Its controller is sampled and on from the start: everything that is remembered is in use.
+class ShadowData : public MujocoTest {
+ protected:
+  ShadowData()
+      : model_(load(mjcf(shadowed(
+            "paper_sliding", {"controller.on=0.0", "controller.sample_time=1e-4", "force[0].on=0.0",
+                              "contact.clearance=0.1 mm"})))),
+        config_(plugin::make_config(model_.get())) {}
+  void steps(mjData* d, int count) const {
+    for (int k = 0; k < count; ++k) mj_step(model_.get(), d);
+  }
+  std::vector<double> shadow(const mjData* d) const { return shadow_of(config_, d); }
+  std::vector<double> shadow_after(int count) const {
+    const DataPointer d = start(model_.get());
+    steps(d.get(), count);
+    return shadow(d.get());
+  }
+
+  plugin::Hooks hooks_;
+  ModelPointer model_;
+  plugin::Config config_;
+};
+
+TEST_F(ShadowData, ResetStartsAnew) {
+  const DataPointer d = start(model_.get());
+  steps(d.get(), kSteps);
+  const std::vector<double> first = shadow(d.get());
+  mj_resetDataKeyframe(model_.get(), d.get(), 0);
+  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowBegun), 0.0);
+  steps(d.get(), kSteps);
+  EXPECT_EQ(shadow(d.get()), first);
+  EXPECT_GT(entry(config_, d.get(), plugin::kShadowFirstTouch), 0.0);
+  EXPECT_TRUE(std::isfinite(entry(config_, d.get(), plugin::kShadowFirstTouch))) << "it touched";
+}
+
+TEST_F(ShadowData, CopyGoesOnAlikeInAnotherThread) {
+  const DataPointer d = start(model_.get());
+  steps(d.get(), kSteps);
+  const DataPointer copy(mj_makeData(model_.get()));
+  mj_copyData(copy.get(), model_.get(), d.get());
+  std::thread other([&] { steps(copy.get(), kSteps); });
+  steps(d.get(), kSteps);
+  other.join();
+  EXPECT_EQ(shadow(copy.get()), shadow(d.get()));
+  EXPECT_EQ(shadow(d.get()), shadow_after(2 * kSteps));
+}
+
+TEST_F(ShadowData, ThreadsGetTheSameBits) {
+  const std::vector<double> alone = shadow_after(kSteps);
+  std::vector<double> results[3];
+  std::vector<std::thread> threads;
+  for (auto& result : results) threads.emplace_back([&] { result = shadow_after(kSteps); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& result : results) EXPECT_EQ(result, alone);
+}
+
+// A viewer writes the keyframe into mjData and runs on: the time goes back.
+TEST_F(ShadowData, KeyframeInTheMiddleStartsAnew) {
+  const std::vector<double> wanted = shadow_after(500);
+  const DataPointer d = start(model_.get());
+  steps(d.get(), kSteps);
+  d->time = model_->key_time[0];
+  std::copy_n(model_->key_qpos, model_->nq, d->qpos);
+  std::copy_n(model_->key_qvel, model_->nv, d->qvel);
+  steps(d.get(), 500);
+  EXPECT_EQ(shadow(d.get()), wanted);
+}
+
+// A jump ahead, and a state set before the first step: MuJoCo's state counts.
+TEST_F(ShadowData, StartsFromMujocosState) {
+  const DataPointer d = start(model_.get());
+  const double h = model_->opt.timestep;
+  mj_forward(model_.get(), d.get());
+  d->qpos[0] = 2e-5;
+  mj_forward(model_.get(), d.get());
+  EXPECT_EQ(shadow(d.get())[0], 2e-5);
+  steps(d.get(), 100);
+  d->time += 7.3 * h;
+  d->qpos[0] = 3e-5;
+  mj_forward(model_.get(), d.get());
+  EXPECT_EQ(shadow(d.get())[0], 3e-5);
+  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowOrigin), d->time);
+  steps(d.get(), 2);
+  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowSteps), 1.0);
+}
+
+TEST_F(ShadowData, RepeatedPassesChangeNothing) {
+  const DataPointer d = start(model_.get());
+  steps(d.get(), kSteps);
+  mj_forward(model_.get(), d.get());
+  const auto memory = [&] {
+    return std::vector<double>(d->userdata + config_.shadow->data, d->userdata + model_->nuserdata);
+  };
+  const std::vector<double> before = memory();
+  mj_forward(model_.get(), d.get());
+  mj_step1(model_.get(), d.get());
+  EXPECT_EQ(memory(), before);
+  mj_step2(model_.get(), d.get());
+  mj_forward(model_.get(), d.get());
+  EXPECT_NE(memory(), before);
+  EXPECT_EQ(shadow(d.get()), shadow_after(kSteps + 2));
+}
+
+// The step may change between two steps; the clock goes on with the new one.
+TEST_F(ShadowData, ANewStepStartsAnew) {
+  const DataPointer d = start(model_.get());
+  steps(d.get(), 100);
+  mj_forward(model_.get(), d.get());  // the shadow has come to the time of the change
+  const double changed = d->time;
+  model_->opt.timestep *= 0.5;
+  steps(d.get(), 11);
+  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowStep), model_->opt.timestep);
+  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowOrigin), changed);
+  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowSteps), 10.0);
+}
+
+TEST_F(ShadowData, AStepThatIsTooLargeIsRefusedByItsKey) {
+  std::string error;
+  EXPECT_EQ(try_load(mjcf(shadowed("bench_ring", {"run.step=0.05"})), error), nullptr);
+  EXPECT_NE(error.find("mujoco.shadow"), std::string::npos) << error;
+  EXPECT_NE(error.find("2 / omega_max"), std::string::npos) << error;
+  EXPECT_NE(error.find("run.step"), std::string::npos) << error;
+}
+
+int warnings = 0;
+
+// What fails is said once, and no sensor ever holds a NaN.
+TEST_F(ShadowData, AFailureStopsItWithOneWarning) {
+  const ModelPointer m = load(mjcf(shadowed("paper_passive")));
+  const plugin::Config config = plugin::make_config(m.get());
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());
+  const int velocity = config.shadow->data + plugin::kShadowSingle + 2 + config.model.nq();
+  d->userdata[velocity] = d->userdata[velocity + 1] = 1.7e308;
+  const auto said_by_fixture = mju_user_warning;
+  mju_user_warning = [](const char* text) {
+    ++warnings;
+    EXPECT_NE(std::string(text).find("shadow"), std::string::npos) << text;
+  };
+  warnings = 0;
+  const std::vector<double> before = shadow_of(config, d.get());
+  for (int k = 0; k < 100; ++k) {
+    mj_step(m.get(), d.get());
+    for (const char* name : {names::kShadowGap, names::kShadowNormalForce,
+                             names::kShadowFrictionForce, names::kShadowRotor}) {
+      ASSERT_TRUE(std::isfinite(sensor(m.get(), d.get(), name))) << name;
+    }
+  }
+  EXPECT_EQ(warnings, 1);
+  EXPECT_EQ(shadow_of(config, d.get()), before) << "it stays where it was";
+  EXPECT_EQ(entry(config, d.get(), plugin::kShadowStatus), static_cast<double>(Status::kDiverged));
+
+  // The user enlarges the step beyond what the native model takes.
+  warnings = 0;
+  mj_resetDataKeyframe(m.get(), d.get(), 0);
+  m->opt.timestep = 1e-2;
+  for (int k = 0; k < 5; ++k) {
+    if (k > 2) d->time += m->opt.timestep;
+    mj_forward(m.get(), d.get());
+  }
+  EXPECT_EQ(warnings, 1);
+  EXPECT_EQ(entry(config, d.get(), plugin::kShadowSteps), 0.0) << "it stands still";
+  mju_user_warning = said_by_fixture;
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,307 @@
+// The native model beside MuJoCo's: the bits of a native run, and nothing taken from MuJoCo or
+// given to it but commands.
+#include "plugin/shadow.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "native_model/integrate/paper.h"
+#include "native_model/integrate/run.h"
+#include "native_model/system/dynamics.h"
+#include "plugin/hooks.h"
+#include "tests/plugin/shadow.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace names = mjcf_names;
+
+class Shadow : public MujocoTest {
+ protected:
+  plugin::Hooks hooks_;
+};
+
+Eigen::Vector2d point(const mjModel* m, const mjData* d, const char* name) {
+  const mjtNum* p = d->sensordata + m->sensor_adr[mj_name2id(m, mjOBJ_SENSOR, name)];
+  return {p[0], p[1]};
+}
+
+// A native run of `paper` with a row at every step.
+Trajectory every_step(const scene::Scene& scene, int steps) {
+  NativeOptions options;
+  options.integrator = scene::Integrator::kPaper;
+  options.output_times.emplace();
+  for (int k = 0; k <= steps; ++k) options.output_times->push_back(k * scene.run.step);
+  scene::Scene own = scene;
+  own.run.end = options.output_times->back();
+  return run_native(own, options);
+}
+
+// The row's state in the native layout.
+std::vector<double> row(const Trajectory& t, const Model& model, std::size_t k) {
+  std::vector<double> state;
+  const Layout& l = model.layout;
+  const auto put = [&](const std::string& name) { state.push_back(t.column(name)[k]); };
+  for (const char* dot : {"", "v"}) {
+    const bool rate = *dot != '\0';
+    for (const char* plane : {"x_", "y_"}) {
+      for (int i = 1; i <= l.modes; ++i) put(dot + std::string(plane) + std::to_string(i));
+    }
+    if (l.spin) put(rate ? "spin_speed" : "spin_angle");
+    for (int i = 1; i <= l.torsion; ++i) {
+      put((rate ? "torsion_speed_" : "torsion_") + std::to_string(i));
+    }
+    for (const char* axis : {"x", "y"}) {
+      if (l.stator) put((rate ? "stator_v" : "stator_") + std::string(axis));
+    }
+  }
+  return state;
+}
+
+struct Case {
+  const char* name;
+  double end;  // s
+};
+class ShadowBits : public Shadow, public ::testing::WithParamInterface<Case> {};
+
+TEST_P(ShadowBits, AreThoseOfANativeRun) {
+  const scene::Scene scene = shadowed(GetParam().name);
+  const int steps = static_cast<int>(std::lround(GetParam().end / scene.run.step));
+  const Trajectory native = every_step(scene, steps);
+  ASSERT_EQ(native.status, Status::kOk);
+  ASSERT_EQ(native.rows(), static_cast<std::size_t>(steps) + 1);
+  const ModelPointer m = load(mjcf(scene));
+  const plugin::Config config = plugin::make_config(m.get());
+  const DataPointer d = start(m.get());
+  const double h = scene.run.step;
+  double impulse = 0.0;
+  int in_contact = 0;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(steps); ++k) {
+    mj_step(m.get(), d.get());  // the sensors are those of k h, before the step
+    ASSERT_EQ(shadow_of(config, d.get()), row(native, config.model, k)) << "step " << k;
+    ASSERT_EQ(sensor(m.get(), d.get(), names::kShadowGap), native.column("gap")[k]);
+    ASSERT_EQ(point(m.get(), d.get(), names::kShadowRotor).x(), native.column("rotor_x")[k]);
+    ASSERT_EQ(point(m.get(), d.get(), names::kShadowRotor).y(), native.column("rotor_y")[k]);
+    if (config.model.layout.stator) {
+      ASSERT_EQ(point(m.get(), d.get(), names::kShadowStator).y(), native.column("stator_y")[k]);
+    }
+    const double force = sensor(m.get(), d.get(), names::kShadowNormalForce);
+    const double lasting = native.column("normal_force")[k];
+    impulse += h * force;
+    if (!(lasting > 0.0)) continue;  // an impact's impulse is in no row
+    ++in_contact;
+    ASSERT_DOUBLE_EQ(force, lasting) << k;
+    ASSERT_DOUBLE_EQ(sensor(m.get(), d.get(), names::kShadowFrictionForce),
+                     native.column("friction_force")[k]);
+  }
+  EXPECT_EQ(entry(config, d.get(), plugin::kShadowFirstTouch), native.statistics.first_touch);
+  EXPECT_GT(native.impacts.size(), 0u);
+  EXPECT_GT(in_contact, 100) << "the rub itself is compared";
+  EXPECT_NEAR(impulse, native.statistics.impulse_total, 1e-12 * impulse) << "impacts included";
+}
+
+// Long enough for impacts, lasting contact and, in paper_sliding, the controller (on at 0.1 s).
+INSTANTIATE_TEST_SUITE_P(Scenes, ShadowBits,
+                         ::testing::Values(Case{"bench_ring", 0.03}, Case{"paper_passive", 0.2},
+                                           Case{"paper_sliding", 0.15},
+                                           Case{"paper_magnetic", 0.12}),
+                         [](const auto& which) { return std::string(which.param.name); });
+
+TEST_F(Shadow, LeavesMujocosMotionToTheBit) {
+  const std::vector<std::string> early = {"force[0].on=0.0", "contact.clearance=0.1 mm"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), early.begin(), early.end());
+    return more;
+  };
+  struct Machine {
+    const char* name;
+    std::vector<std::string> overrides;
+  };
+  const std::vector<Machine> machines = {
+      {"bench_ring", {}},
+      {"bench_ring", {"mujoco.contact=coulomb"}},
+      {"bench_ring", {"mujoco.contact=cone", "contact.friction=0.3"}},
+      {"bench_drop", {}},
+      {"paper_passive", with({"mujoco.contact=rigid"})},
+      {"paper_passive", with({"mujoco.integrator=implicit"})},
+      {"paper_passive", with({"mujoco.rotor=segments", "mujoco.segments=10"})},
+      {"paper_passive",
+       with({"mujoco.rotor=segments", "mujoco.segments=10", "mujoco.contact=coulomb"})},
+      {"paper_sliding", with({"controller.on=0.0", "controller.sample_time=1e-4"})}};
+  for (const Machine& machine : machines) {
+    SCOPED_TRACE(machine.name);
+    const ModelPointer without = load(mjcf(shipped(machine.name, machine.overrides)));
+    const ModelPointer beside = load(mjcf(shadowed(machine.name, machine.overrides)));
+    ASSERT_GT(beside->nmocap, 0);
+    ASSERT_EQ(without->nmocap, 0);
+    const DataPointer a = start(without.get()), b = start(beside.get());
+    bool touched = false;
+    for (int k = 0; k < 4000; ++k) {
+      mj_step(without.get(), a.get());
+      mj_step(beside.get(), b.get());
+      touched = touched || sensor(without.get(), a.get(), names::kNormalForce) > 0.0;
+      ASSERT_EQ(state_of(without.get(), a.get()), state_of(beside.get(), b.get())) << k;
+      ASSERT_EQ(sensor(without.get(), a.get(), names::kNormalForce),
+                sensor(beside.get(), b.get(), names::kNormalForce));
+    }
+    EXPECT_TRUE(touched || std::string(machine.name) == "bench_drop");
+  }
+}
+
+// Without a controller in the scene the user's commands drive both.
+TEST_F(Shadow, PassiveBearingFollowsTheUsersCommands) {
+  const scene::Scene scene = shadowed("paper_passive", {"force[0].on=0.0"});
+  const ModelPointer m = load(mjcf(scene));
+  const plugin::Config config = plugin::make_config(m.get());
+  const DataPointer d = start(m.get());
+  PaperStepper native(config.model, scene.run.step);
+  double moved = 0.0;
+  for (int k = 0; k < 3000; ++k) {
+    const double a = 300.0 * std::sin(0.01 * k), b = k < 1500 ? 0.0 : 2e9;  // b: to the limit
+    d->ctrl[0] = a;
+    d->ctrl[1] = b;
+    mj_step(m.get(), d.get());
+    const std::vector<double> now = shadow_of(config, d.get());
+    ASSERT_TRUE(std::equal(now.begin(), now.begin() + config.model.nq(), native.q())) << k;
+    const double f1 = a, f2 = std::min(b, config.model.force_limit);
+    constexpr double kRoot = 0.70710678118654752440;
+    native.step(k, {kRoot * (f1 - f2), kRoot * (f1 + f2)});
+    moved = std::max(moved, point(m.get(), d.get(), names::kShadowStator).norm());
+  }
+  EXPECT_GT(moved, 1e-4) << "the ring was pushed";
+}
+
+// Coils that lag are coordinates of the native model that MuJoCo's has not.
+TEST_F(Shadow, CarriesTheCoils) {
+  const scene::Scene scene =
+      shadowed("paper_magnetic", {"actuator.coil_lag=1e-4", "actuator.current_rate_limit=5000",
+                                  "force[0].on=0.0", "controller.on=0.002"});
+  constexpr int kSteps = 2000;
+  const Trajectory native = every_step(scene, kSteps);
+  ASSERT_EQ(native.status, Status::kOk);
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  for (std::size_t k = 0; k <= kSteps; ++k) {
+    mj_step(m.get(), d.get());
+    ASSERT_EQ(point(m.get(), d.get(), names::kShadowStator).x(), native.column("stator_x")[k]) << k;
+    ASSERT_EQ(point(m.get(), d.get(), names::kShadowRotor).x(), native.column("rotor_x")[k]) << k;
+  }
+  EXPECT_GT(std::abs(native.column("current_1").back()), 0.1);
+}
+
+// What a magnet without a controller gives is known from MuJoCo: the user's current, the bias and
+// the lag are in it.
+TEST_F(Shadow, TakesTheMagnetsForceFromMujoco) {
+  const ModelPointer m =
+      load(mjcf(shadowed("paper_magnetic", {"controller=none", "actuator.coil_lag=1e-4"})));
+  const DataPointer d = start(m.get());
+  double apart = 0.0, moved = 0.0;
+  for (int k = 0; k < 2000; ++k) {
+    d->ctrl[0] = std::sin(0.01 * k);
+    mj_step(m.get(), d.get());
+    const Eigen::Vector2d its = point(m.get(), d.get(), names::kShadowStator);
+    const mjtNum* own = d->qpos + m->nq - 2;
+    apart = std::max(apart, (its - Eigen::Vector2d(own[0], own[1])).norm());
+    moved = std::max(moved, its.norm());
+  }
+  EXPECT_GT(moved, 1e-4);
+  EXPECT_LT(apart, 0.02 * moved);
+}
+
+// Both of first order against one truth: the difference falls with the step.
+TEST_F(Shadow, AgreesWithRigidToFirstOrder) {
+  const auto apart = [](const char* step) {
+    const scene::Scene scene = shadowed("bench_ring", {std::string("run.step=") + step});
+    const ModelPointer m = load(mjcf(scene));
+    const DataPointer d = start(m.get());
+    struct {
+      double position = 0.0, force = 0.0;
+    } out;
+    const int steps = static_cast<int>(std::lround(0.1 / scene.run.step));
+    for (int k = 0; k < steps; ++k) {
+      mj_step(m.get(), d.get());
+      const Eigen::Vector2d own = point(m.get(), d.get(), names::kRotorPosition);
+      const Eigen::Vector2d its = point(m.get(), d.get(), names::kShadowRotor);
+      out.position = std::max(out.position, (own - its).norm());
+      if (k * scene.run.step < 0.05) continue;  // settled: sliding contact
+      const double f = sensor(m.get(), d.get(), names::kNormalForce);
+      out.force =
+          std::max(out.force, std::abs(f - sensor(m.get(), d.get(), names::kShadowNormalForce)));
+    }
+    return out;
+  };
+  const auto coarse = apart("1e-4"), fine = apart("1e-5");
+  std::printf("rotor apart %.2e m at 1e-4, %.2e at 1e-5; lasting force %.2e, %.2e N\n",
+              coarse.position, fine.position, coarse.force, fine.force);
+  EXPECT_LT(fine.position, 2e-5) << "of 2 mm";
+  EXPECT_GT(fine.position, 1e-9) << "two different integrators";
+  EXPECT_LT(fine.position, 0.2 * coarse.position);
+  EXPECT_LT(fine.force, 0.2 * coarse.force);
+}
+
+// The segment rotor is another model: its shadow starts where its modes are and stays near.
+TEST_F(Shadow, RunsBesideSegments) {
+  const scene::Scene scene =
+      shadowed("paper_passive", {"mujoco.rotor=segments", "mujoco.segments=10", "force[0].on=0.0"});
+  const ModelPointer m = load(mjcf(scene));
+  const plugin::Config config = plugin::make_config(m.get());
+  const DataPointer d = start(m.get());
+  PaperStepper native(config.model, scene.run.step);
+  double apart = 0.0, size = 0.0;
+  bool touched = false;
+  for (int k = 0; k < 3000; ++k) {
+    mj_step(m.get(), d.get());
+    const std::vector<double> now = shadow_of(config, d.get());
+    if (k == 0) native.begin(0.0, now.data(), now.data() + config.model.nq());
+    ASSERT_TRUE(std::equal(now.begin(), now.begin() + config.model.nq(), native.q())) << k;
+    touched = native.step(k).normal_impulse > 0.0 || touched;
+    if (touched) continue;
+    const Eigen::Vector2d own = point(m.get(), d.get(), names::kRotorPosition);
+    apart = std::max(apart, (own - point(m.get(), d.get(), names::kShadowRotor)).norm());
+    size = std::max(size, own.norm());
+  }
+  EXPECT_TRUE(touched);
+  EXPECT_GT(size, 4e-4);
+  EXPECT_LT(apart, 0.01 * size) << "10 segments against the beam, before the first touch";
+}
+
+// RK4 passes four times a step, once at its end.
+TEST_F(Shadow, StepsOnceAStepOfRungeKutta) {
+  const scene::Scene scene = shadowed("bench_ring", {"mujoco.contact=coulomb"});
+  const ModelPointer m = load(mjcf(scene));
+  m->opt.integrator = mjINT_RK4;
+  const plugin::Config config = plugin::make_config(m.get());
+  const DataPointer d = start(m.get());
+  PaperStepper native(config.model, scene.run.step);
+  for (int k = 0; k < 1500; ++k) {
+    mj_step(m.get(), d.get());
+    native.step(k);
+  }
+  mj_forward(m.get(), d.get());
+  const std::vector<double> now = shadow_of(config, d.get());
+  EXPECT_TRUE(std::equal(now.begin(), now.begin() + config.model.nq(), native.q()));
+  EXPECT_EQ(entry(config, d.get(), plugin::kShadowSteps), 1500.0);
+}
+
+TEST_F(Shadow, GhostsShowIt) {
+  const scene::Scene scene = shadowed("bench_ring");
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 3000; ++k) mj_step(m.get(), d.get());
+  mj_forward(m.get(), d.get());
+  mj_kinematics(m.get(), d.get());
+  const auto at = [&](const char* body) {
+    const mjtNum* x = d->xpos + 3 * mj_name2id(m.get(), mjOBJ_BODY, body);
+    return Eigen::Vector2d(x[0], x[1]);
+  };
+  EXPECT_EQ(at(names::kGhostRotor), point(m.get(), d.get(), names::kShadowRotor));
+  EXPECT_EQ(at(names::kGhostRing), point(m.get(), d.get(), names::kShadowStator));
+  EXPECT_GT(at(names::kGhostRotor).norm(), 1e-3);
+}
+
+}  // namespace
+}  // namespace rotorub::test
