@@ -124,9 +124,10 @@ void map_sensors(const mjModel* m, Config& config) {
 void map_shadow(const mjModel* m, Config& config, int data) {
   const std::string refusal = step_refusal(config.model, m->opt.timestep);
   if (!refusal.empty()) {
-    throw ConfigError(in_text(names::kSceneText, "mujoco.shadow: the native model cannot run "
-                                                 "alongside: " + refusal +
-                                                     "; accepted: a smaller run.step, or false"));
+    throw ConfigError(in_text(names::kSceneText,
+                              "mujoco.shadow: the native model cannot run "
+                              "alongside: " +
+                                  refusal + "; accepted: a smaller run.step, or false"));
   }
   ShadowAddresses& s = config.shadow;
   s.data = data;
@@ -149,8 +150,7 @@ void map_shadow(const mjModel* m, Config& config, int data) {
 template <typename Action>
 bool for_each_part(const mjModel* m, Action action) {
   const int sizes[] = {m->nq,        m->nv,     m->nu,           m->njnt,      m->ngeom, m->nsensor,
-                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair,
-                       m->nmocap};
+                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair, m->nmocap};
   const auto part = [&action](const auto* data, int count) {
     return count == 0 || action(reinterpret_cast<const char*>(data),
                                 sizeof *data * static_cast<std::size_t>(count));
@@ -232,8 +232,9 @@ Config make_config(const mjModel* m) {
   }
   const int shadow_data =
       names::user_data_size(config.model.nq(), config.model.controller != nullptr);
-  const int needed = shadow_data + (scene.mujoco.shadow ? names::shadow_data_size(
-                                        PaperStepper::memory_size(config.model)) : 0);
+  const int needed =
+      shadow_data +
+      (scene.mujoco.shadow ? names::shadow_data_size(PaperStepper::memory_size(config.model)) : 0);
   if (m->nuserdata < needed) {
     throw ConfigError("rotorub: <size nuserdata>: at least " + std::to_string(needed) + " needed");
   }

@@ -23,7 +23,7 @@ struct SensorAddresses {
 
 // The native model that runs alongside (shadow.h); -1: none, or no such sensor or ghost.
 struct ShadowAddresses {
-  int data = -1;  // in mjData.userdata
+  int data = -1;                                         // in mjData.userdata
   int gap = -1, normal_force = -1, friction_force = -1;  // in mjData.sensordata
   int rotor = -1, stator = -1;                           // x and y
   int mujoco_rotor = -1;                                 // MuJoCo's own, x and y

@@ -1,5 +1,5 @@
-// The native model beside MuJoCo's: the bits of a native run, and nothing taken from MuJoCo or given
-// to it but commands.
+// The native model beside MuJoCo's: the bits of a native run, and nothing taken from MuJoCo or
+// given to it but commands.
 #include "plugin/shadow.h"
 
 #include <gtest/gtest.h>
@@ -208,8 +208,7 @@ TEST_F(Shadow, AgreesWithRigidToFirstOrder) {
 // The segment rotor is another model: its shadow starts where its modes are and stays near.
 TEST_F(Shadow, RunsBesideSegments) {
   const scene::Scene scene =
-      shadowed(
-      "paper_passive", {"mujoco.rotor=segments", "mujoco.segments=10", "force[0].on=0.0"});
+      shadowed("paper_passive", {"mujoco.rotor=segments", "mujoco.segments=10", "force[0].on=0.0"});
   const ModelPointer m = load(mjcf(scene));
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
