@@ -11,13 +11,14 @@ namespace {
 
 namespace names = mjcf_names;
 
-// Half thickness over the disc's radius: of the rotor a little thicker than its own disc (0.15), of
-// the ring between the two (0.135 its own), so that no two faces fall together.
-constexpr double kRotorGhost = 0.155, kRingGhost = 0.14;
+// Wafers over the drawn faces, in terms of the disc's radius: the rotor's face is at 0.15 and its
+// mark ends at 0.1575, the ring's face is at 0.135.
+constexpr double kOverRotor = 0.165, kOverRing = 0.142, kHalf = 0.003;
 
-void write_ghost(XmlWriter& xml, const char* name, const Eigen::Vector2d& at, double radius,
+void write_ghost(XmlWriter& xml, const char* name, const Eigen::Vector3d& at, double radius,
                  double half, const char* colour) {
-  xml.open(fmt::format(R"(<body name="{}" mocap="true" pos="{} {} 0">)", name, at.x(), at.y()));
+  xml.open(
+      fmt::format(R"(<body name="{}" mocap="true" pos="{} {} {}">)", name, at.x(), at.y(), at.z()));
   xml.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
                        R"(conaffinity="0" group="1" rgba="{}"/>)",
                        name, radius, half, colour));
@@ -28,12 +29,15 @@ void write_ghost(XmlWriter& xml, const char* name, const Eigen::Vector2d& at, do
 
 void write_ghosts(XmlWriter& xml, const scene::Scene& scene, const Model& model) {
   const double r = drawn_radius(scene);
-  write_ghost(xml, names::kGhostRotor, rotor_point(model, model.q0.data()), r, kRotorGhost * r,
-              "0.95 0.6 0.1 0.4");
+  const auto over = [](const Eigen::Vector2d& centre, double z) {
+    return Eigen::Vector3d(centre.x(), centre.y(), z);
+  };
+  write_ghost(xml, names::kGhostRotor, over(rotor_point(model, model.q0.data()), kOverRotor * r), r,
+              kHalf * r, "0.95 0.6 0.1 0.3");
   if (!model.layout.stator) return;
   const double clearance = scene.contact ? scene.contact->clearance : 0.0;
-  write_ghost(xml, names::kGhostRing, stator_point(model, model.q0.data()), r + clearance,
-              kRingGhost * r, "0.95 0.6 0.1 0.15");
+  write_ghost(xml, names::kGhostRing, over(stator_point(model, model.q0.data()), kOverRing * r),
+              r + clearance, kHalf * r, "0.95 0.6 0.1 0.15");
 }
 
 }  // namespace rotorub

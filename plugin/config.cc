@@ -138,9 +138,10 @@ void map_sensors(const mjModel* m, Config& config) {
 void map_shadow(const mjModel* m, ShadowConfig& s) {
   const std::string refusal = step_refusal(s.model, m->opt.timestep);
   if (!refusal.empty()) {
-    throw ConfigError(in_text(names::kSceneText, "mujoco.shadow: the native model cannot run "
-                                                 "alongside: " + refusal +
-                                                     "; accepted: a smaller run.step, or false"));
+    throw ConfigError(in_text(names::kSceneText,
+                              "mujoco.shadow: the native model cannot run "
+                              "alongside: " +
+                                  refusal + "; accepted: a smaller run.step, or false"));
   }
   s.gap = sensor_address(m, names::kShadowGap, 1);
   s.normal_force = sensor_address(m, names::kShadowNormalForce, 1);
@@ -161,8 +162,7 @@ void map_shadow(const mjModel* m, ShadowConfig& s) {
 template <typename Action>
 bool for_each_part(const mjModel* m, Action action) {
   const int sizes[] = {m->nq,        m->nv,     m->nu,           m->njnt,      m->ngeom, m->nsensor,
-                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair,
-                       m->nmocap};
+                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair, m->nmocap};
   const auto part = [&action](const auto* data, int count) {
     return count == 0 || action(reinterpret_cast<const char*>(data),
                                 sizeof *data * static_cast<std::size_t>(count));

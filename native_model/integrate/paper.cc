@@ -46,9 +46,7 @@ PaperStepper::PaperStepper(const Model& model, double step, const State& start)
 
 PaperStepper::~PaperStepper() = default;
 
-void PaperStepper::begin(double t, const double* q, const double* v) {
-  kernel_->begin(t, q, v);
-}
+void PaperStepper::begin(double t, const double* q, const double* v) { kernel_->begin(t, q, v); }
 
 const double* PaperStepper::q() const { return kernel_->q(); }
 const double* PaperStepper::v() const { return kernel_->v(); }

@@ -1,6 +1,6 @@
 // What a scalar PaperKernel carries from one step to the next, as plain numbers: the time origin,
-// the state, whether contact lasts, the angles of rotating forces (turned step by step between exact
-// sines), and the directions of unbalance that project() has from the step before.
+// the state, whether contact lasts, the angles of rotating forces (turned step by step between
+// exact sines), and the directions of unbalance that project() has from the step before.
 #pragma once
 
 #include <algorithm>

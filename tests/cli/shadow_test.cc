@@ -10,11 +10,12 @@ namespace {
 
 using nlohmann::json;
 
-const std::vector<std::string> kRun = {"run",  shipped("bench_ring"), "--engine", "mujoco",
-                                       "--end", "20ms", "--set", "mujoco.shadow=true",
-                                       "-o", "out"};
+const std::vector<std::string> kRun = {
+    "run",   shipped("bench_ring"), "--engine", "mujoco", "--end", "20ms",
+    "--set", "mujoco.shadow=true",  "-o",       "out"};
 
-std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
+std::vector<std::string> with(std::vector<std::string> words,
+                              const std::vector<std::string>& more) {
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -32,8 +33,9 @@ TEST(CliShadow, MujocoRunsWriteItsFiles) {
     EXPECT_TRUE(folder.has(std::string("out/shadow/") + file)) << file;
   }
   // What a native run writes.
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--integrator", "paper", "--end", "20ms",
-                        "--quiet", "-o", "native"})
+  ASSERT_EQ(folder
+                .run({"run", shipped("bench_ring"), "--integrator", "paper", "--end", "20ms",
+                      "--quiet", "-o", "native"})
                 .code,
             0);
   EXPECT_EQ(folder.text("out/shadow/series.csv"), folder.text("native/series.csv"));

@@ -22,9 +22,9 @@ constexpr int kSteps = 3000;
 class ShadowData : public MujocoTest {
  protected:
   ShadowData()
-      : model_(load(mjcf(shadowed(
-            "paper_sliding", {"controller.on=0.0", "controller.sample_time=1e-4", "force[0].on=0.0",
-                              "contact.clearance=0.1 mm"})))),
+      : model_(
+            load(mjcf(shadowed("paper_sliding", {"controller.on=0.0", "controller.sample_time=1e-4",
+                                                 "force[0].on=0.0", "contact.clearance=0.1 mm"})))),
         config_(plugin::make_config(model_.get())) {}
   void steps(mjData* d, int count) const {
     for (int k = 0; k < count; ++k) mj_step(model_.get(), d);

@@ -18,7 +18,8 @@ namespace {
 
 constexpr int kScenes = 8;
 
-// Scenes that use all of the plugin's memory, two of them with a shadow, and a model that is not ours.
+// Scenes that use all of the plugin's memory, two of them with a shadow, and a model that is not
+// ours.
 const std::array<std::string, kScenes>& documents() {
   static const std::array<std::string, kScenes> all = {
       mjcf(shipped("bench_ring", {"mujoco.contact=\"coulomb\""})),

@@ -33,8 +33,7 @@ Single alone(const Model& model, double step, std::int64_t steps) {
   for (std::int64_t k = 0; k < steps; ++k) {
     const double t = static_cast<double>(k) * step;
     if (model.controller && t >= model.control_on) {
-      const double sample =
-          model.sample_time > 0.0 ? sample_index(t, model.sample_time) : -2.0;
+      const double sample = model.sample_time > 0.0 ? sample_index(t, model.sample_time) : -2.0;
       if (sample == -2.0 || sample != last) {
         u = control_command(
             model, t, stepper.q(), stepper.v(),

@@ -25,8 +25,7 @@ struct Loop {
 
   PaperStep step(std::int64_t k) {
     const double t = origin + static_cast<double>(k) * kStep;
-    const PaperStep done =
-        stepper.step(k, command.at(t, stepper.q(), stepper.v(), first_touch));
+    const PaperStep done = stepper.step(k, command.at(t, stepper.q(), stepper.v(), first_touch));
     if (done.normal_impulse > 0.0 && first_touch == kInfinity) first_touch = t;
     return done;
   }
@@ -47,8 +46,8 @@ struct Case {
   std::vector<std::string> overrides;
 };
 
-// Friction with unbalance and a free spin (rows of M that lag a step), rotating forces between their
-// exact sines, a sampled controller, several impacts, lasting contact.
+// Friction with unbalance and a free spin (rows of M that lag a step), rotating forces between
+// their exact sines, a sampled controller, several impacts, lasting contact.
 std::vector<Case> cases() {
   return {{"bench_ring", {}},
           {"paper_passive", {"force[0].on=0.0"}},
