@@ -54,9 +54,10 @@ void say_failure(const scene::Scene& scene, const char* what, const Trajectory& 
              to_string(trajectory.status), trajectory.end, trajectory.message);
 }
 
-// The native model that ran alongside in the plugin. Nobody but a controller of the scene commands
-// it in such a run, so that a run of its own at the same step comes to the same bits
-// (tests/plugin/shadow_test.cc).
+// The native model that ran alongside in the plugin: nobody but a controller of the scene commands
+// the actuator in such a run, so that a run of its own at the same step comes to the same bits
+// (tests/plugin/shadow_test.cc). (Magnets that no controller commands are the exception: in the
+// plugin their force is MuJoCo's.)
 void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene, ProgressBar& bar,
                   bool quiet) {
   RunRequest request;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "native_model/bearing/actuator_axes.h"
 #include "native_model/scene/checker.h"
 
 namespace rotorub::scene {
@@ -96,9 +95,51 @@ void check_ring(const Checker& check) {
   }
 }
 
+void check_force_table(const Checker& check, const Actuator& actuator) {
+  constexpr std::size_t kLeast = 4;  // of a cubic
+  const std::vector<double>&position = actuator.table_position, &current = actuator.table_current;
+  bool sound = true;
+  const auto refuse = [&](const char* key, const std::string& reason) {
+    check.fail(key, reason);
+    sound = false;
+  };
+  for (const auto& [key, list] : {std::pair("actuator.table_position", &position),
+                                  std::pair("actuator.table_current", &current)}) {
+    if (!check.record.given(key) || !check.record.sound({key})) {
+      sound = false;
+    } else if (list->size() < kLeast) {
+      refuse(key, "expected four values or more");
+    } else if (std::adjacent_find(list->begin(), list->end(), std::greater_equal<>()) !=
+               list->end()) {
+      refuse(key, "must be strictly ascending");
+    }
+  }
+  if (sound && !(current.front() < 0.0 && current.back() > 0.0)) {
+    refuse("actuator.table_current", "must reach from below 0 to above 0");
+  }
+  if (!sound || !check.record.given("actuator.table_force") ||
+      !check.record.sound({"actuator.table_force"})) {
+    return;
+  }
+  const std::vector<double>& force = actuator.table_force;
+  if (force.size() != position.size() * current.size()) {
+    return check.fail("actuator.table_force",
+                      "expected " + std::to_string(position.size() * current.size()) +
+                          " values, for each position one for each current, got " +
+                          std::to_string(force.size()));
+  }
+  const double most = std::min(-current.front(), current.back());
+  if (check.record.sound({"actuator.current_limit"}) && actuator.current_limit > most) {
+    check.fail("actuator.current_limit",
+               "must be within the table, at most " + text(most) + " A");
+  }
+}
+
 void check_actuator(const Checker& check, const Actuator& actuator) {
-  if (actuator.kind != ActuatorKind::kElectromagnet) return;
-  if (check.record.sound({"actuator.bias_current", "actuator.current_limit"}) &&
+  if (actuator.kind == ActuatorKind::kIdeal) return;
+  if (actuator.kind == ActuatorKind::kTable) check_force_table(check, actuator);
+  if (actuator.kind == ActuatorKind::kElectromagnet &&
+      check.record.sound({"actuator.bias_current", "actuator.current_limit"}) &&
       actuator.current_limit > actuator.bias_current) {
     check.fail("actuator.current_limit",
                "must be at most actuator.bias_current = " + text(actuator.bias_current) +
@@ -108,14 +149,6 @@ void check_actuator(const Checker& check, const Actuator& actuator) {
       check.record.sound({"actuator.coil_lag"})) {
     check.fail("actuator.current_rate_limit",
                "needs actuator.coil_lag: without it the current follows at once");
-  }
-  if (!check.record.sound({"actuator.air_gap", "initial.stator"})) return;
-  const Eigen::Vector2d start = to_axes(check.scene.initial.stator);
-  if (actuator.air_gap > 0.0 && start.cwiseAbs().maxCoeff() >= actuator.air_gap) {
-    check.fail("initial.stator", "is " + text(start.cwiseAbs().maxCoeff()) +
-                                     " m along an axis of the actuator; expected less than "
-                                     "actuator.air_gap = " +
-                                     text(actuator.air_gap) + " m");
   }
 }
 

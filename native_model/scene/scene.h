@@ -159,7 +159,7 @@ struct Stator {
   PlanePair stiffness{0.0, 0.0};  // N/m, >= 0, mechanical spring to the base, always acting
 };
 
-enum class ActuatorKind { kIdeal, kElectromagnet };
+enum class ActuatorKind { kIdeal, kElectromagnet, kTable };
 
 // Two axes at 45 degrees, a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2.
 struct Actuator {
@@ -171,7 +171,12 @@ struct Actuator {
   double bias_current = 0.0;    // A, i_0 > 0
   double air_gap = 0.0;         // m, s_0 > 0
   double stiffness = 0.0;       // N/m, c >= 0
-  double current_limit = 0.0;   // A, of |i|, in (0, bias_current]; 0: bias_current
+  // table: F(s, i) of bearing/force_table.h
+  std::vector<double> table_position{};  // m, ascending
+  std::vector<double> table_current{};   // A, ascending
+  std::vector<double> table_force{};     // N, position by position, one for each current
+  // both
+  double current_limit = 0.0;  // A, of |i|, > 0, at most bias_current or the table's; 0: that much
   // The coil's current follows the one asked for: lag di/dt = asked - i, |di/dt| limited (by the
   // voltage over the inductance).
   double coil_lag = 0.0;                                                // s, >= 0; 0: at once

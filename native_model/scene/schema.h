@@ -1,7 +1,7 @@
 // Every table and key that a scene may hold, as data: name, quantity, range, default, when it is
 // needed, where it is stored. The reader, the search for unknown keys and the reference
-// (mjcf/README.md) all work from this one description; the rows stand in schema_rotor.cc and
-// schema_parts.cc.
+// (mjcf/README.md) all work from this one description; the rows stand in schema_rotor.cc,
+// schema_bearing.cc and schema_parts.cc.
 #pragma once
 
 #include <limits>
@@ -98,6 +98,7 @@ const Table* find_table(std::string_view path);
 
 // The rows.
 std::vector<Table> rotor_tables();
+std::vector<Table> bearing_tables();
 std::vector<Table> part_tables();
 
 // ---------------------------------------------------------------- rows from pointers to members

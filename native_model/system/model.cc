@@ -2,13 +2,14 @@
 
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
+#include "native_model/bearing/actuator_axes.h"
 #include "native_model/bearing/electromagnet.h"
-#include "native_model/scene/diagnostic.h"
+#include "native_model/bearing/force_table.h"
 #include "native_model/system/dynamics.h"
+#include "native_model/system/model_checks.h"
 
 namespace rotorub {
 namespace {
@@ -70,11 +71,23 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
 void fill_actuator(const scene::Scene& scene, Model& model) {
   const scene::Actuator a = scene.actuator.value_or(scene::Actuator{});
   model.force_limit = a.force_limit;
-  if (a.kind != scene::ActuatorKind::kElectromagnet || !scene.stator) return;
-  const Electromagnet::Parameters law{a.force_constant, a.bias_current, a.air_gap, a.stiffness};
-  model.magnets = MagneticActuator{std::make_shared<Electromagnet>(law),
-                                   a.current_limit > 0.0 ? a.current_limit : a.bias_current,
-                                   a.coil_lag, a.current_rate_limit};
+  if (a.kind == scene::ActuatorKind::kIdeal || !scene.stator) return;
+  MagneticActuator& magnets = model.magnets.emplace();
+  double most = a.bias_current;
+  if (a.kind == scene::ActuatorKind::kElectromagnet) {
+    magnets.law = std::make_shared<Electromagnet>(
+        Electromagnet::Parameters{a.force_constant, a.bias_current, a.air_gap, a.stiffness});
+  } else {
+    const auto table =
+        std::make_shared<ForceTable>(ForceGrid{a.table_position, a.table_current, a.table_force});
+    const std::string reason = table->refusal();
+    if (!reason.empty()) refuse(scene, {{"", 0, "actuator.table_force", reason}});
+    magnets.law = table;
+    most = std::min(-a.table_current.front(), a.table_current.back());
+  }
+  magnets.current_limit = a.current_limit > 0.0 ? a.current_limit : most;
+  magnets.coil_lag = a.coil_lag;
+  magnets.current_rate_limit = a.current_rate_limit;
 }
 
 void fill_control(const scene::Scene& scene, Model& model) {
@@ -111,81 +124,6 @@ void fill_initial(const scene::Scene& scene, Model& model) {
   }
   model.speed = scene.rotor.speed;
   model.spin_angle = initial.spin_angle;
-}
-
-// ---- what only the modes can show; everything else is refused with the scene's file
-
-[[noreturn]] void refuse(const scene::Scene& scene, std::vector<scene::Diagnostic> diagnostics) {
-  for (scene::Diagnostic& d : diagnostics) {
-    if (!scene.name.empty()) d.file = scene.name + ".toml";
-  }
-  throw scene::SceneError(std::move(diagnostics));
-}
-
-std::string text(double number) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%g", number);
-  return buffer;
-}
-
-// The part of the scene that sets how many bending modes there are.
-const char* modes_key(const scene::Rotor& rotor) {
-  if (!rotor.geometry) return "rotor.modal.mass";
-  return rotor.geometry->modes ? "rotor.modes" : "rotor.max_frequency";
-}
-
-void check_size(const scene::Scene& scene, int nq) {
-  if (nq <= kMaxCoordinates) return;
-  refuse(scene, {{"", 0, modes_key(scene.rotor),
-                  "gives " + std::to_string(nq) + " coordinates or more; accepted: at most " +
-                      std::to_string(kMaxCoordinates) +
-                      ", of bending modes in both planes, torsion modes, spin and ring"}});
-}
-
-void check_unbalances(const scene::Scene& scene, std::size_t count) {
-  if (count <= kMaxUnbalances) return;
-  refuse(scene, {{"", 0, "rotor.disc",
-                  std::to_string(count) + " eccentric discs; accepted: at most " +
-                      std::to_string(kMaxUnbalances)}});
-}
-
-// With max_frequency the length of these lists is known only now.
-void check_initial_lists(const scene::Scene& scene, const Layout& l) {
-  std::vector<scene::Diagnostic> wrong;
-  const auto check = [&](const char* key, const std::vector<double>& list, int length,
-                         const char* of) {
-    if (list.empty() || list.size() == static_cast<std::size_t>(length)) return;
-    wrong.push_back({"", 0, key,
-                     "expected " + std::to_string(length) + " value(s), one for each " + of +
-                         " mode, got " + std::to_string(list.size())});
-  };
-  const scene::Initial& initial = scene.initial;
-  check("initial.x", initial.x, l.modes, "bending");
-  check("initial.y", initial.y, l.modes, "bending");
-  check("initial.vx", initial.vx, l.modes, "bending");
-  check("initial.vy", initial.vy, l.modes, "bending");
-  check("initial.torsion", initial.torsion, l.torsion, "torsion");
-  check("initial.torsion_speed", initial.torsion_speed, l.torsion, "torsion");
-  if (!wrong.empty()) refuse(scene, std::move(wrong));
-}
-
-// A mode with a node at the contact moves the contact point by nothing: that is known only now.
-void check_initial_gap(const scene::Scene& scene, const Model& model) {
-  if (!model.contact) return;
-  const double* q = model.q0.data();
-  const double delta = (rotor_point(model, q) - stator_point(model, q)).norm();
-  const double clearance = model.contact->clearance;
-  // On the ring is meant.
-  constexpr double kTolerance = 1e-9;  // of the clearance
-  if (delta <= clearance * (1.0 + kTolerance)) return;
-  const Layout& l = model.layout;
-  const char* key = !model.q0.segment(l.x(), l.modes).isZero(0.0)   ? "initial.x"
-                    : !model.q0.segment(l.y(), l.modes).isZero(0.0) ? "initial.y"
-                                                                    : "initial.stator";
-  refuse(scene, {{"", 0, key,
-                  "the rotor starts outside the ring, " + text(delta) +
-                      " m from its centre; accepted: at most contact.clearance = " +
-                      text(clearance) + " m"}});
 }
 
 }  // namespace
@@ -233,6 +171,7 @@ Model make_model(const scene::Scene& scene) {
         c.compression_time, c.expansion_time};
   }
   fill_actuator(scene, model);
+  check_initial_ring(scene);
   fill_initial(scene, model);
   check_initial_gap(scene, model);
   fill_control(scene, model);

@@ -2,9 +2,11 @@
 // themselves is left to them, and the test says so.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
+#include "native_model/bearing/force_table.h"
 #include "native_model/integrate/ensemble.h"
 #include "native_model/integrate/event.h"
 #include "native_model/integrate/paper.h"
@@ -97,6 +99,17 @@ TEST_F(Allocation, NoneInAStepOrEventOfEvent) {
         << whole.steps << " steps, " << whole.events << " events";
     EXPECT_LT(whole.allocations, 60);
   }
+}
+
+// The one law whose arithmetic is a library's.
+TEST_F(Allocation, NoneInAForceTable) {
+  const ForceTable table({{-1e-3, -5e-4, 5e-4, 1e-3},
+                          {-2.0, -1.0, 1.0, 2.0},
+                          {-9, -4, 4, 9, -8, -3, 5, 10, -7, -2, 6, 11, -6, -1, 7, 12}});
+  const std::int64_t before = allocations;
+  const double force = table.force(2e-4, 0.3), current = table.current(1e-4, 1.0, 2.0);
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_TRUE(std::isfinite(force + current));
 }
 
 // What an ensemble allocates is the same for ten times the steps.

@@ -7,7 +7,9 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "native_model/bearing/actuator_axes.h"
+#include "native_model/bearing/electromagnet.h"
 #include "native_model/integrate/run.h"
+#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
 
@@ -125,6 +127,53 @@ TEST(MagneticRub, IsThatOfAnIdealActuator) {
     EXPECT_NEAR(a.column(name).back(), b.column(name).back(), 1e-13) << name;
   }
   EXPECT_NEAR(a.column("control_x").back(), b.column("control_x").back(), 1e-7);
+}
+
+// The law given as a table instead: its spline is within 1e-4 of the law.
+TEST(MagneticRub, OfATableIsThatOfItsLaw) {
+  scene::Scene law = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/paper_magnetic.toml");
+  law.run.end = 0.12;
+  scene::Scene table = law;
+  const scene::Actuator a = *law.actuator;
+  const Electromagnet magnet({a.force_constant, a.bias_current, a.air_gap, a.stiffness});
+  scene::Actuator& t = *table.actuator;
+  t = {.kind = scene::ActuatorKind::kTable};
+  for (int k = -8; k <= 8; ++k) {
+    t.table_position.push_back(2e-3 * k / 8);
+    t.table_current.push_back(3.0 * k / 8);
+  }
+  for (const double s : t.table_position) {
+    for (const double i : t.table_current) t.table_force.push_back(magnet.force(s, i));
+  }
+  const Trajectory of_law = run_native(law), of_table = run_native(table);
+  ASSERT_EQ(of_table.status, Status::kOk) << of_table.message;
+  EXPECT_NEAR(of_table.mean_force(), of_law.mean_force(), 0.01 * of_law.mean_force());
+  EXPECT_NEAR(of_table.column("stator_x").back(), of_law.column("stator_x").back(), 1e-6);
+  EXPECT_NEAR(of_table.column("current_2").back(), of_law.column("current_2").back(), 1e-2);
+  EXPECT_NE(of_table.column("stator_x").back(), of_law.column("stator_x").back());
+}
+
+TEST(MagneticRub, ATableWithoutAnInverseIsRefused) {
+  scene::Scene s = ring_alone(0.0, true);
+  s.actuator = {.kind = scene::ActuatorKind::kTable,
+                .table_position = {-1e-3, -5e-4, 5e-4, 1e-3},
+                .table_current = {-2.0, -1.0, 1.0, 2.0}};
+  for (int k = 0; k < 4; ++k) {
+    for (const double force : {-1.0, 0.0, 100.0, 101.0}) s.actuator->table_force.push_back(force);
+  }
+  try {
+    make_model(s);
+    FAIL() << "not refused";
+  } catch (const scene::SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find("actuator.table_force"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("does not rise"), std::string::npos);
+  }
+}
+
+TEST(MagneticRing, DoesNotStartInACore) {
+  scene::Scene s = ring_alone(0.0, true);
+  s.initial.stator = {0.0, 8e-3};
+  EXPECT_THROW(make_model(s), scene::SceneError);
 }
 
 // Saturated currents and limited rates keep every rule; so does a ring that runs into the cores.

@@ -167,9 +167,11 @@ TEST(Refusal, NamesImpossibleValues) {
 
 TEST(Refusal, NamesWhatDoesNotFitTogether) {
   const std::string ring = "[stator]\nmass = 1\nstiffness = 1\n";
+  const std::string table =
+      "[actuator]\nkind = \"table\"\ntable_position = [-1e-3, -5e-4, 5e-4, 1e-3]\n";
   const std::string magnet =
       "[actuator]\nkind = \"electromagnet\"\nforce_constant = 1e-4\nbias_current = 3\n"
-      "air_gap = \"0.1 mm\"\n";
+      "air_gap = \"5 mm\"\n";
   expect_refused({
       {"both forms", modal("[rotor.modal]", "length = 1\n[rotor.modal]"), 4, "rotor.modal",
        "by its modes and by its geometry"},
@@ -204,8 +206,15 @@ TEST(Refusal, NamesWhatDoesNotFitTogether) {
       {"rate of a current that follows at once",
        modal_and(ring + magnet + "current_rate_limit = 1\n"), 19, "actuator.current_rate_limit",
        "needs actuator.coil_lag"},
-      {"ring starts in a core", modal_and(ring + magnet + "[initial]\nstator = [0, 1.5e-4]\n"), 20,
-       "initial.stator", "actuator.air_gap = 0.0001"},
+      {"table of three currents",
+       modal_and(ring + table + "table_current = [-1, 0, 1]\ntable_force = [0]\n"), 17,
+       "actuator.table_current", "four values or more"},
+      {"table without the middle",
+       modal_and(ring + table + "table_current = [0, 1, 2, 3]\ntable_force = [0]\n"), 17,
+       "actuator.table_current", "from below 0 to above 0"},
+      {"table with a hole",
+       modal_and(ring + table + "table_current = [-2, -1, 1, 2]\ntable_force = [1, 2, 3]\n"), 18,
+       "actuator.table_force", "expected 16 values"},
       {"controller without ring", modal_and("[controller]\nkind = \"passive\"\n"), 11, "controller",
        "needs [stator]"},
       {"sliding without contact", geometry_and(ring + "[controller]\nkind = \"sliding\"\n"), 13,

@@ -1,0 +1,115 @@
+#include "native_model/bearing/force_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace rotorub {
+namespace {
+
+// Control points of the cubic spline through the columns of `points`, at the given parameters in
+// [0, 1]; the knots with them.
+using Curve = Eigen::Spline<double, Eigen::Dynamic, 3>;
+Curve through(const Eigen::MatrixXd& points, const std::vector<double>& at) {
+  Curve::KnotVectorType parameters(static_cast<Eigen::Index>(at.size()));
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    parameters[static_cast<Eigen::Index>(k)] = (at[k] - at.front()) / (at.back() - at.front());
+  }
+  return Eigen::SplineFitting<Curve>::Interpolate(points, 3, parameters);
+}
+
+}  // namespace
+
+ForceTable::ForceTable(const ForceGrid& grid) : nodes_s_(grid.position), nodes_i_(grid.current) {
+  const auto rows = static_cast<Eigen::Index>(grid.position.size());
+  const auto columns = static_cast<Eigen::Index>(grid.current.size());
+  // A spline over the positions whose points are the forces at all currents; then over the
+  // currents, of what that has come to.
+  const Eigen::Map<const Eigen::MatrixXd> forces(grid.force.data(), columns, rows);
+  const Curve over_position = through(forces, grid.position);
+  const Curve over_current = through(over_position.ctrls().matrix().transpose(), grid.current);
+  control_ = over_current.ctrls();
+  position_ = {grid.position.front(), grid.position.back(), over_position.knots()};
+  current_ = {grid.current.front(), grid.current.back(), over_current.knots()};
+}
+
+Eigen::Index ForceTable::Axis::basis(double x, Spline::BasisVectorType& values) const {
+  const double u = std::clamp((x - first) / (last - first), 0.0, 1.0);
+  values = Spline::BasisFunctions(u, 3, knots);
+  return Spline::Span(u, 3, knots) - 3;
+}
+
+double ForceTable::force(double s, double i) const {
+  Spline::BasisVectorType over_s, over_i;
+  const Eigen::Index row = position_.basis(s, over_s), column = current_.basis(i, over_i);
+  double sum = 0.0;
+  for (Eigen::Index a = 0; a < 4; ++a) {
+    for (Eigen::Index b = 0; b < 4; ++b)
+      sum += over_s[a] * over_i[b] * control_(row + a, column + b);
+  }
+  return sum;
+}
+
+double ForceTable::gain(double s, double i) const {
+  const double least = 1e-6 * current_.last;
+  const double at = std::abs(i) < least ? std::copysign(least, i) : i;
+  return (force(s, at) - force(s, 0.0)) / at;
+}
+
+// F rises with i: the root between the limits, by the Illinois variant of regula falsi.
+double ForceTable::current(double s, double wanted, double limit) const {
+  double low = std::max(-limit, current_.first), high = std::min(limit, current_.last);
+  double below = force(s, low) - wanted, above = force(s, high) - wanted;
+  if (below >= 0.0) return low;
+  if (above <= 0.0) return high;
+  const double close = 1e-15 * (high - low);
+  int side = 0;
+  for (int round = 0; round < 100 && high - low > close; ++round) {
+    const double i = std::clamp(low - below * (high - low) / (above - below), low, high);
+    const double f = force(s, i) - wanted;
+    if (f == 0.0) return i;
+    if (f < 0.0) {
+      if (low == i) break;
+      low = i;
+      below = f;
+      if (side == -1) above *= 0.5;
+      side = -1;
+    } else {
+      if (high == i) break;
+      high = i;
+      above = f;
+      if (side == 1) below *= 0.5;
+      side = 1;
+    }
+  }
+  return std::abs(below) < std::abs(above) ? low : high;
+}
+
+std::string ForceTable::refusal() const {
+  constexpr int kParts = 8;  // of an interval of the grid
+  const auto refined = [](const std::vector<double>& nodes) {
+    std::vector<double> all;
+    for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+      for (int part = 0; part < kParts; ++part) {
+        all.push_back(nodes[k] + (nodes[k + 1] - nodes[k]) * part / kParts);
+      }
+    }
+    all.push_back(nodes.back());
+    return all;
+  };
+  const std::vector<double> currents = refined(nodes_i_);
+  for (const double s : refined(nodes_s_)) {
+    for (std::size_t k = 0; k + 1 < currents.size(); ++k) {
+      if (force(s, currents[k + 1]) > force(s, currents[k])) continue;
+      char text[160];
+      std::snprintf(text, sizeof text,
+                    "the spline through the values does not rise with the current at s = %g m, i = "
+                    "%g A; expected a force that does",
+                    s, currents[k]);
+      return text;
+    }
+  }
+  return {};
+}
+
+}  // namespace rotorub

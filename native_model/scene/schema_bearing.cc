@@ -1,0 +1,156 @@
+// The rows of the auxiliary bearing: contact, ring, actuator, controller.
+
+#include "native_model/scene/schema.h"
+
+namespace rotorub::scene {
+namespace {
+
+Table contact() {
+  return {
+      "contact",
+      false,
+      Form::kEither,
+      "The rotor in the ring of the auxiliary bearing.",
+      "no contact",
+      [](Scene& scene) -> void* { return &scene.contact.emplace(); },
+      {key<&Contact::radius>("radius", kLength, "of the rotor at the contact").above(0),
+       key<&Contact::clearance>("clearance", kLength, "delta_0, radial").above(0),
+       key<&Contact::friction>("friction", kPure, "mu").at_least(0),
+       key<&Contact::restitution>("restitution", kPure, "eps_N, normal").between(0, 1),
+       key<&Contact::tangential_restitution>("tangential_restitution", kPure, "eps_T")
+           .between(0, 1)
+           .optional(),
+       key<&Contact::compression_time>("compression_time", kTime, "tau_C").at_least(0).optional(),
+       key<&Contact::expansion_time>("expansion_time", kTime, "tau_E").at_least(0).optional(),
+       key<&Contact::station>("station", kLength, "along the shaft")
+           .at_least(0)
+           .in(Form::kGeometry)}};
+}
+
+Table stator() {
+  return {"stator",
+          false,
+          Form::kEither,
+          "The movable ring of the auxiliary bearing.",
+          "the ring is fixed to the base",
+          [](Scene& scene) -> void* { return &scene.stator.emplace(); },
+          {planes<&Stator::mass>("mass", kMass, "").above(0),
+           planes<&Stator::damping>("damping", kDamping, "to the base").at_least(0).optional(),
+           planes<&Stator::stiffness>("stiffness", kStiffness,
+                                      "mechanical spring to the base, always acting")
+               .at_least(0)}};
+}
+
+Table actuator() {
+  return {"actuator",
+          false,
+          Form::kEither,
+          "The two axes that move the ring, at 45 degrees: (1, 1)/sqrt 2 and (-1, 1)/sqrt 2. Needs "
+          "[stator].",
+          "an ideal, unlimited force",
+          [](Scene& scene) -> void* { return &scene.actuator.emplace(); },
+          {word<&Actuator::kind>(
+               "kind", {"ideal", "electromagnet", "table"},
+               "the force that is asked for; F(s, i) = `force_constant` [((`bias_current` + "
+               "i)/(`air_gap` - s))^2 - ((`bias_current` - i)/(`air_gap` + s))^2] - `stiffness` s, "
+               "s and i on each axis; F(s, i) by a bicubic spline through a table")
+               .optional(),
+           key<&Actuator::force_limit>("force_limit", kForce, "on each axis")
+               .above(0)
+               .of({"ideal"})
+               .otherwise("none"),
+           key<&Actuator::force_constant>("force_constant", kMagnetConstant, "k_m")
+               .above(0)
+               .of({"electromagnet"}),
+           key<&Actuator::bias_current>("bias_current", kCurrent, "i_0, in both magnets")
+               .above(0)
+               .of({"electromagnet"}),
+           key<&Actuator::air_gap>("air_gap", kLength, "s_0, of each magnet at s = 0")
+               .above(0)
+               .of({"electromagnet"}),
+           key<&Actuator::stiffness>("stiffness", kStiffness, "c, of the actuator's own spring")
+               .at_least(0)
+               .of({"electromagnet"})
+               .optional(),
+           key<&Actuator::table_position>("table_position", kLength,
+                                          "values of s, ascending, four or more")
+               .of({"table"}),
+           key<&Actuator::table_current>("table_current", kCurrent,
+                                         "values of i, ascending through 0, four or more")
+               .of({"table"}),
+           key<&Actuator::table_force>("table_force", kForce,
+                                       "for each position, one after the other, the forces at all "
+                                       "currents; rising with the current")
+               .of({"table"}),
+           key<&Actuator::current_limit>("current_limit", kCurrent,
+                                         "of the current i that is asked for")
+               .above(0)
+               .of({"electromagnet", "table"})
+               .otherwise("the most that is accepted: `bias_current`, or what the table covers"),
+           key<&Actuator::coil_lag>("coil_lag", kTime,
+                                    "the coil's current follows: `coil_lag` di/dt = asked - i; 0: "
+                                    "at once")
+               .at_least(0)
+               .of({"electromagnet", "table"})
+               .optional(),
+           key<&Actuator::current_rate_limit>("current_rate_limit", kCurrentRate,
+                                              "of the size of di/dt, the voltage over the "
+                                              "inductance; needs `coil_lag`")
+               .above(0)
+               .of({"electromagnet", "table"})
+               .otherwise("none")}};
+}
+
+Table controller() {
+  return {
+      "controller",
+      false,
+      Form::kEither,
+      "What commands the ring. Needs [stator]; `sliding` needs [contact].",
+      "no command",
+      [](Scene& scene) -> void* { return &scene.controller.emplace(); },
+      {word<&Controller::kind>(
+           "kind", {"passive", "sliding"},
+           "an extra spring and damper emulated by the actuator; sliding mode with a "
+           "boundary layer, which brings the ring to the rotor"),
+       key<&Controller::on>("on", kTime, "switched on").optional(),
+       key<&Controller::sample_time>("sample_time", kTime, "held between samples; 0: continuous")
+           .at_least(0)
+           .optional(),
+       key<&Controller::bandwidth>("bandwidth", kRate, "psi, decay of the tracking error")
+           .above(0)
+           .of({"sliding"})
+           .optional(),
+       key<&Controller::boundary_layer>("boundary_layer", kVelocity, "phi, half its width")
+           .above(0)
+           .of({"sliding"})
+           .optional(),
+       key<&Controller::switching_gain>("switching_gain", kAcceleration,
+                                        "k, bound on the unknown acceleration")
+           .at_least(0)
+           .of({"sliding"})
+           .optional(),
+       key<&Controller::gap_time>("gap_time", kTime, "in which the gap reference falls to 0")
+           .above(0)
+           .of({"sliding"})
+           .optional(),
+       key<&Controller::preload>("preload", kForce,
+                                 "presses the ring on the rotor once the gap is closed")
+           .at_least(0)
+           .of({"sliding"})
+           .optional(),
+       key<&Controller::stiffness>("stiffness", kStiffness, "of the emulated spring")
+           .at_least(0)
+           .of({"passive"})
+           .optional(),
+       key<&Controller::damping>("damping", kDamping, "of the emulated damper")
+           .at_least(0)
+           .of({"passive"})
+           .optional()}};
+}
+
+}  // namespace
+
+std::vector<Table> bearing_tables() { return {contact(), stator(), actuator(), controller()}; }
+
+}  // namespace rotorub::scene
