@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 
 #include "compare/engine/engine.h"
@@ -13,15 +14,18 @@ namespace {
 class RunDirectory : public testing::Test {
  protected:
   RunDirectory() {
-    std::filesystem::remove_all(folder_);
     scene_ = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
                                std::vector<std::string>{"run.end=0.02"});
     run_ = native_engine(scene::Integrator::kPaper)->run(scene_, {});
   }
-  ~RunDirectory() override { std::filesystem::remove_all(folder_); }
+  ~RunDirectory() override { std::filesystem::remove_all(own_); }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / "rotorub_run_directory";
+  // Tests run beside each other: each has a place of its own.
+  static std::filesystem::path make_place() {
+    std::string name = testing::TempDir() + "/rotorub_run_directory_XXXXXX";
+    return mkdtemp(name.data());
+  }
+  const std::filesystem::path own_ = make_place(), folder_ = own_ / "run";
   scene::Scene scene_;
   Trajectory run_;
 };
