@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
 
 #include "native_model/integrate/paper_kernel_contact.h"
 #include "native_model/integrate/paper_kernel_load.h"
@@ -24,6 +25,12 @@ double circle_crossing(double dx, double dy, double vx, double vy, double radius
   return std::clamp(s, 0.0, h);
 }
 
+std::string step_beyond(double step, double limit) {
+  char text[96];
+  std::snprintf(text, sizeof text, "step %g s is not below 2 / omega_max = %.4g s", step, limit);
+  return text;
+}
+
 std::string step_refusal(const Model& model, double step) {
   double largest = 0.0;
   for (int i = 0; i < model.nq(); ++i) {
@@ -31,8 +38,7 @@ std::string step_refusal(const Model& model, double step) {
   }
   const double limit = 2.0 / std::sqrt(largest);
   if (largest == 0.0 || step < limit) return {};
-  return "step " + std::to_string(step) + " s is not below 2 / omega_max = " +
-         std::to_string(limit) + " s of the stiffest mode";
+  return step_beyond(step, limit) + " of the stiffest mode";
 }
 
 PaperStepper::PaperStepper(const Model& model, double step)

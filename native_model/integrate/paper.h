@@ -29,6 +29,8 @@ struct PaperStep {
 
 // Empty, or why a fixed step cannot work: beyond 2 / omega_max nothing is stable.
 std::string step_refusal(const Model& model, double step);
+// "step ... s is not below 2 / omega_max = ... s".
+std::string step_beyond(double step, double limit);
 
 class PaperStepper {
  public:

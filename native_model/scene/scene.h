@@ -227,7 +227,7 @@ enum class MujocoSolver { kNewton, kCg, kPgs };
 
 struct Mujoco {
   MujocoRotor rotor = MujocoRotor::kModal;
-  int segments = 20;  // of the segment rotor, [2, 200]
+  int segments = 16;  // of the segment rotor, [2, 200]
   ContactModel contact = ContactModel::kRigid;
   MujocoIntegrator integrator = MujocoIntegrator::kEuler;
   MujocoSolver solver = MujocoSolver::kNewton;
