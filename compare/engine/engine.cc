@@ -8,17 +8,23 @@
 namespace rotorub {
 namespace {
 
+template <typename Options>
+Options options_of(const RunRequest& request) {
+  Options options;
+  options.step = request.step;
+  options.output_times = request.output_times;
+  options.progress = request.progress;
+  options.interrupt = request.interrupt;
+  return options;
+}
+
 class NativeEngine final : public Engine {
  public:
   explicit NativeEngine(scene::Integrator integrator) : integrator_(integrator) {}
   std::string name() const override { return std::string("native-") + to_string(integrator_); }
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
-    NativeOptions options;
+    auto options = options_of<NativeOptions>(request);
     options.integrator = integrator_;
-    options.step = request.step;
-    options.output_times = request.output_times;
-    options.progress = request.progress;
-    options.interrupt = request.interrupt;
     return run_native(perturbed(scene, request.perturbation_ulps), options);
   }
 
@@ -31,12 +37,8 @@ class MujocoEngine final : public Engine {
   explicit MujocoEngine(scene::ContactModel contact) : contact_(contact) {}
   std::string name() const override { return std::string("mujoco-") + to_string(contact_); }
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
-    MujocoOptions options;
+    auto options = options_of<MujocoOptions>(request);
     options.contact = contact_;
-    options.step = request.step;
-    options.output_times = request.output_times;
-    options.progress = request.progress;
-    options.interrupt = request.interrupt;
     return run_mujoco(perturbed(scene, request.perturbation_ulps), options);
   }
 

@@ -14,12 +14,6 @@
 namespace rotorub {
 namespace {
 
-State perturbed(State state, int ulps) {
-  double& x = state.q[0];
-  for (int k = 0; k < std::abs(ulps); ++k) x = std::nextafter(x, ulps > 0 ? 1.0 : -1.0);
-  return state;
-}
-
 void record_mode_change(Recorder& recorder, double t, Mode before, const PaperStep& step) {
   if (step.impact) {
     recorder.add(step.detail);
@@ -45,7 +39,7 @@ const char* reason(Status status) {
 Trajectory run_paper(const Model& model, const scene::Run& run, double step,
                      const NativeOptions& options) {
   Recorder recorder(model, options.output_times.value_or(output_times(run)));
-  State state = perturbed(initial_state(model), options.perturbation_ulps);
+  State state = initial_state(model);
   PaperStepper stepper(model, step, state);
   Command command(model);
   double first_touch = std::numeric_limits<double>::infinity();
@@ -108,8 +102,7 @@ Trajectory run_event(const Model& model, const scene::Run& run, const NativeOpti
   EventIntegrator integrator(model, settings);
   const auto start = std::chrono::steady_clock::now();
   const EventIntegrator::Result result = integrator.run(
-      perturbed(initial_state(model), options.perturbation_ulps), run.end, recorder,
-      options.progress, options.interrupt);
+      initial_state(model), run.end, recorder, options.progress, options.interrupt);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   Trajectory out = recorder.finish(result.end);
   out.engine = "native";

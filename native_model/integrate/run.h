@@ -15,9 +15,6 @@ struct NativeOptions {
   std::optional<scene::Integrator> integrator;      // default: the scene's
   std::optional<double> step;                       // s, default: the scene's
   std::optional<std::vector<double>> output_times;  // s, default: the scene's
-  // Moves the first bending coordinate at t = 0 by so many units in the last place: a twin run
-  // that shows how far round-off alone carries.
-  int perturbation_ulps = 0;
   std::function<void(double)> progress;             // fraction done, called now and then
   const std::atomic<bool>* interrupt = nullptr;     // set to true: stop, keep what there is
 };
