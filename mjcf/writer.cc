@@ -83,10 +83,12 @@ class Document {
     // Gravity does not act on armatures: the plugin puts it on the modes.
     const Eigen::Vector2d weight =
         segments_ && scene_.gravity ? scene_.gravity->acceleration : Eigen::Vector2d::Zero();
-    // One contact at most, solved in one Newton step: the tolerance stops the second.
+    // One contact at most, solved in one Newton step: the tolerance stops the second. It is that of
+    // the pair: looking for others would take a third of the step.
     xml_.line(
         fmt::format(R"(<option timestep="{}" gravity="{} {} 0" integrator="{}" cone="elliptic" )"
-                    R"(jacobian="dense" solver="Newton" iterations="50" tolerance="1e-12"/>)",
+                    R"(collision="predefined" jacobian="dense" solver="Newton" iterations="50" )"
+                    R"(tolerance="1e-12"/>)",
                     scene_.run.step, weight.x(), weight.y(), implicit ? "implicit" : "Euler"));
     int user_data = names::user_data_size(model_.nq(), model_.controller != nullptr);
     if (scene_.mujoco.shadow) {
@@ -186,12 +188,12 @@ class Document {
     xml_.open("<sensor>");
     // `rigid` knows the forces before MuJoCo's last stage (plugin/sensors.h).
     const bool is_rigid = scene_.contact && scene_.mujoco.contact == scene::ContactModel::kRigid;
-    const char* force_stage = is_rigid ? "vel" : "acc";
+    const char* force_stage = is_rigid ? "pos" : "acc";
     sensor(names::kActive, "pos");
     if (scene_.contact) {
       sensor(names::kGap, "pos");
-      sensor(names::kGapRate, "vel");
-      sensor(names::kSlip, "vel");
+      sensor(names::kGapRate, "pos");
+      sensor(names::kSlip, "pos");
       sensor(names::kNormalForce, force_stage);
       sensor(names::kFrictionForce, force_stage);
     }
@@ -202,13 +204,13 @@ class Document {
   }
 
   void shadow_sensors() {
-    sensor(names::kRotorPosition, "vel", 2);
-    sensor(names::kShadowRotor, "vel", 2);
-    if (model_.layout.stator) sensor(names::kShadowStator, "vel", 2);
+    sensor(names::kRotorPosition, "pos", 2);
+    sensor(names::kShadowRotor, "pos", 2);
+    if (model_.layout.stator) sensor(names::kShadowStator, "pos", 2);
     if (!scene_.contact) return;
-    sensor(names::kShadowGap, "vel");
-    sensor(names::kShadowNormalForce, "vel");
-    sensor(names::kShadowFrictionForce, "vel");
+    sensor(names::kShadowGap, "pos");
+    sensor(names::kShadowNormalForce, "pos");
+    sensor(names::kShadowFrictionForce, "pos");
   }
 
   void keyframes() {

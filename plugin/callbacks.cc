@@ -63,6 +63,7 @@ void passive(const mjModel* m, mjData* d) {
   } else {
     add_passive_force(*config, m, d, Coordinates(*config, d));
   }
+  fill_sensors(*config, m, d, mjSTAGE_VEL);
   d->userdata[kPassiveFresh] = 1.0;
 }
 

@@ -8,8 +8,9 @@
 namespace rotorub::plugin {
 
 // Fills those of the stage (mjSTAGE_POS, mjSTAGE_VEL, mjSTAGE_ACC). For a user sensor of the last
-// one MuJoCo first computes the forces between bodies, a tenth of a small model's step: `rigid`
-// knows its forces in mjcb_control already, fills them there, and its files ask for "vel".
+// two MuJoCo first computes the momenta of subtrees and the forces between bodies, each a tenth of a
+// small model's step. So generated files ask for "pos" where they can: mjcb_passive fills what
+// belongs to the velocities, and with `rigid`, who knows its forces then, mjcb_control the forces.
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage);
 
 }  // namespace rotorub::plugin
