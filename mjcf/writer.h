@@ -17,8 +17,8 @@
 
 namespace rotorub {
 
-// The whole document. Throws std::invalid_argument for what MuJoCo cannot be told yet (segment
-// rotor, contact model `rigid`, integrators other than Euler), naming key and accepted values.
+// The whole document. Throws std::invalid_argument for what is not offered (RK4; segments of a rotor
+// without geometry), naming key and accepted values.
 std::string mjcf(const scene::Scene& scene);
 
 }  // namespace rotorub
