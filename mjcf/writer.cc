@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "mjcf/bodies.h"
 #include "mjcf/ghosts.h"
@@ -165,16 +166,15 @@ class Document {
     const std::string range =
         limit < 1e300 ? fmt::format(R"(ctrllimited="true" ctrlrange="{} {}")", -limit, limit)
                       : std::string(R"(ctrllimited="false")");
+    const bool lags = model_.magnets && model_.magnets->coil_lag > 0.0;
+    const std::string_view kind = model_.magnets ? "general" : "motor";
+    const std::string_view law = !model_.magnets ? ""
+                                 : lags ? R"(dyntype="user" gaintype="user" biastype="user" )"
+                                        : R"(dyntype="none" gaintype="user" biastype="user" )";
     xml_.open("<actuator>");
-    for (int k = 0; k < 2 && model_.magnets; ++k) {
-      xml_.line(fmt::format(R"(<general name="{}" tendon="{}" dyntype="{}" gaintype="user" )"
-                            R"(biastype="user" {}/>)",
-                            names::kActuator[k], names::kAxis[k],
-                            model_.magnets->coil_lag > 0.0 ? "user" : "none", range));
-    }
-    for (int k = 0; k < 2 && !model_.magnets; ++k) {
-      xml_.line(fmt::format(R"(<motor name="{}" tendon="{}" {}/>)", names::kActuator[k],
-                            names::kAxis[k], range));
+    for (int k = 0; k < 2; ++k) {
+      xml_.line(fmt::format(R"(<{} name="{}" tendon="{}" {}{}/>)", kind, names::kActuator[k],
+                            names::kAxis[k], law, range));
     }
     xml_.close("actuator");
   }

@@ -6,6 +6,7 @@
 #include "plugin/coordinates.h"
 #include "plugin/own/own_space.h"
 #include "plugin/shadow.h"
+#include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -32,6 +33,24 @@ double gap_of(const Config& config, const mjData* d) {
   const Coordinates state(config, d);
   return clearance -
          (rotor_point(config.model, state.q()) - stator_point(config.model, state.q())).norm();
+}
+
+// Beside MuJoCo's own rotor what the shadow has come to (shadow.h).
+void fill_shadow_sensors(const Config& config, mjData* d) {
+  const ShadowConfig& s = *config.shadow;
+  const Model& model = s.model;
+  if (s.mujoco_rotor >= 0) {
+    const Coordinates state(config, d);
+    put(d, s.mujoco_rotor, rotor_point(config.model, state.q()));
+  }
+  const double* entry = d->userdata + s.data;
+  const double* q = shadow_state(config, d);
+  put(d, s.rotor, rotor_point(model, q));
+  put(d, s.stator, stator_point(model, q));
+  if (!model.contact) return;
+  put(d, s.gap, contact_point(model, q, q + model.nq()).gap);
+  put(d, s.normal_force, entry[kShadowNormal]);
+  put(d, s.friction_force, entry[kShadowFriction]);
 }
 
 }  // namespace

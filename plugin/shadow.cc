@@ -155,31 +155,6 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
   if (runs) step(config, m, d, entry);
 }
 
-void fill_shadow_sensors(const Config& config, mjData* d) {
-  const ShadowConfig& s = *config.shadow;
-  const auto put = [d](int address, double value) {
-    if (address >= 0) d->sensordata[address] = value;
-  };
-  const auto put_point = [&put](int address, const Eigen::Vector2d& point) {
-    if (address < 0) return;
-    put(address, point.x());
-    put(address + 1, point.y());
-  };
-  const Model& model = s.model;
-  if (s.mujoco_rotor >= 0) {
-    const Coordinates state(config, d);
-    put_point(s.mujoco_rotor, rotor_point(config.model, state.q()));
-  }
-  const double* entry = d->userdata + s.data;
-  const double* q = shadow_state(config, d);
-  put_point(s.rotor, rotor_point(model, q));
-  put_point(s.stator, stator_point(model, q));
-  if (!model.contact) return;
-  put(s.gap, contact_point(model, q, q + model.nq()).gap);
-  put(s.normal_force, entry[kShadowNormal]);
-  put(s.friction_force, entry[kShadowFriction]);
-}
-
 const double* shadow_state(const Config& config, const mjData* d) {
   return PaperStepper::saved_q(d->userdata + config.shadow->data + kShadowSingle);
 }

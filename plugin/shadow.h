@@ -23,8 +23,6 @@ namespace rotorub::plugin {
 // to within 1e-6 h. A step that fails stops the shadow with one mju_warning.
 void advance_shadow(const Config& config, const mjModel* m, mjData* d);
 
-void fill_shadow_sensors(const Config& config, mjData* d);
-
 // Where it is, for those who look on: coordinates of the shadow's model, then as many velocities.
 const double* shadow_state(const Config& config, const mjData* d);
 

@@ -141,10 +141,11 @@ class Record {
         episodes_(recorder_) {}
 
   void begin(const double* q, const double* v) {
-    const Eigen::Vector2d u = control_command(model_, 0.0, q, v, scene::kNever);
-    // A coil that lags has no current yet.
-    const Eigen::Vector2d told = model_.magnets && model_.magnets->coil_lag > 0.0 ? 0.0 * u : u;
-    recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, actuator_state(model_, q, v, told)});
+    // A coil that lags has no current yet, whatever it is told.
+    const bool lags = model_.magnets && model_.magnets->coil_lag > 0.0;
+    const Eigen::Vector2d acts = lags ? Eigen::Vector2d(0.0, 0.0)
+                                      : control_command(model_, 0.0, q, v, scene::kNever);
+    recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, actuator_state(model_, q, v, acts)});
     point_ = contact_point(model_, q, v);
   }
 
