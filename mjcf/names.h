@@ -80,12 +80,12 @@ inline constexpr const char* kShadowNormalForce = "shadow_normal_force";      //
 inline constexpr const char* kShadowFrictionForce = "shadow_friction_force";  // N, as above
 
 // mjData.userdata entries that the plugin uses (plugin/user_data.h)
-inline constexpr int kUserDataSingle = 22;
+inline constexpr int kUserDataSingle = 20;
 inline int user_data_size(int nq, bool controlled) {
   return kUserDataSingle + (controlled ? 2 * nq : 0);
 }
 // Behind them, with [mujoco] shadow: the shadow's, `memory` of them the stepper's.
-inline constexpr int kShadowSingle = 12;
+inline constexpr int kShadowSingle = 11;
 inline int shadow_data_size(std::size_t memory) { return kShadowSingle + static_cast<int>(memory); }
 
 }  // namespace rotorub::mjcf_names

@@ -89,7 +89,6 @@ void control(const mjModel* m, mjData* d) {
     return;
   }
   const Coordinates state(*config, d);
-  note_first_touch(*config, d, state);
   write_command(*config, m, d, state);
   if (!config->model.contact) return;
   refresh_velocity_stage(m, d);

@@ -1,7 +1,5 @@
 #include "plugin/control.h"
 
-#include <limits>
-
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/control/sampling.h"
 #include "native_model/system/actuation.h"
@@ -11,28 +9,6 @@
 #include "plugin/velocity_history.h"
 
 namespace rotorub::plugin {
-namespace {
-
-// `rigid` meets the ring after the command of the same step has been written: the command knows it
-// from the next step on, whether or not this step's forward pass is repeated.
-double first_touch(const Config& config, const mjData* d) {
-  const bool late = config.contact == scene::ContactModel::kRigid;
-  const double touch = d->userdata[kFirstTouch];
-  const bool known = d->userdata[kTouched] != 0.0 && !(late && touch >= d->time);
-  return known ? touch : std::numeric_limits<double>::infinity();
-}
-
-}  // namespace
-
-void note_first_touch(const Config& config, mjData* d, const Coordinates& state) {
-  if (!config.model.contact || d->userdata[kTouched] != 0.0) return;
-  if (config.contact == scene::ContactModel::kRigid) return;  // notes it itself
-  if (contact_point(config.model, state.q(), state.v()).gap < 0.0) {
-    d->userdata[kTouched] = 1.0;
-    d->userdata[kFirstTouch] = d->time;
-  }
-}
-
 void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
   const Model& model = config.model;
   if (!model.controller) return;
@@ -44,7 +20,7 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
     const double sample =
         model.sample_time > 0.0 ? 1.0 + sample_index(d->time, model.sample_time) : 0.0;
     if (sample == 0.0 || sample != d->userdata[kSample]) {
-      u = control_command(model, d->time, state.q(), v, first_touch(config, d));
+      u = control_command(model, d->time, state.q(), v);
       d->userdata[kHeldX] = u.x();
       d->userdata[kHeldY] = u.y();
       d->userdata[kSample] = sample;

@@ -9,9 +9,6 @@
 
 namespace rotorub::plugin {
 
-// Remembers the first touch: the time of the first forward pass that meets a closed gap.
-void note_first_touch(const Config& config, mjData* d, const Coordinates& state);
-
 // Held between the samples k T of a sampled controller. Leaves the user's ctrl alone where the
 // scene has no active controller.
 void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);

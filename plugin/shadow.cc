@@ -83,7 +83,6 @@ void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
   entry[kShadowTime] = entry[kShadowOrigin] = d->time;
   entry[kShadowStep] = h;
   entry[kShadowSteps] = 0.0;
-  entry[kShadowFirstTouch] = std::numeric_limits<double>::infinity();
   entry[kShadowNormal] = entry[kShadowFriction] = 0.0;
   Worker& worker = worker_for(config, h);
   double q[kMaxCoordinates], v[kMaxCoordinates];
@@ -111,7 +110,7 @@ void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
   Eigen::Vector2d u = actuator_state(config, m, d).force;
   if (worker.model.controller) {
     worker.command.restore(entry + kShadowCommand);
-    u = worker.command.at(t, worker.stepper.q(), worker.stepper.v(), entry[kShadowFirstTouch]);
+    u = worker.command.at(t, worker.stepper.q(), worker.stepper.v());
     worker.command.save(entry + kShadowCommand);
   }
   const PaperStep done = worker.stepper.step(static_cast<std::int64_t>(entry[kShadowSteps]), u);
@@ -127,9 +126,6 @@ void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
   entry[kShadowSteps] += 1.0;
   entry[kShadowNormal] = done.normal_impulse / h;
   entry[kShadowFriction] = done.friction_impulse / h;
-  if (done.normal_impulse > 0.0 && !std::isfinite(entry[kShadowFirstTouch])) {
-    entry[kShadowFirstTouch] = t;
-  }
   move_ghosts(config, d);
 }
 

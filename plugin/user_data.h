@@ -9,8 +9,6 @@ namespace rotorub::plugin {
 
 enum UserDataEntry : int {
   kConfigId,    // Config::id, a mark of this process; of no meaning to the motion
-  kTouched,     // 1: the contact has been touched
-  kFirstTouch,  // s, valid when touched
   kSample,      // sampled controller: index of the sample held, plus 1; 0: none yet
   kHeldX,       // command held: N, fixed frame, or the currents of the two axes, A
   kHeldY,
@@ -43,7 +41,6 @@ enum ShadowEntry : int {
   kShadowOrigin,      // s, where its steps are counted from
   kShadowSteps,       // taken since
   kShadowStatus,      // number of the Status; it stands still unless kOk
-  kShadowFirstTouch,  // s; infinity: none yet
   kShadowNormal,      // N, mean over the last step
   kShadowFriction,    // N, on the rotor along e_t
   kShadowCommand,     // Command::kMemory of them

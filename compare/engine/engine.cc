@@ -57,7 +57,13 @@ std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact) {
 }
 
 const char* to_string(scene::Integrator integrator) {
-  return integrator == scene::Integrator::kEvent ? "event" : "paper";
+  switch (integrator) {
+    case scene::Integrator::kEvent: return "event";
+    case scene::Integrator::kPaper: return "paper";
+    case scene::Integrator::kVerlet: return "verlet";
+    case scene::Integrator::kLiteral: return "literal";
+  }
+  return "";
 }
 
 const char* to_string(scene::ContactModel contact) {

@@ -144,7 +144,7 @@ class Record {
     // A coil that lags has no current yet, whatever it is told.
     const bool lags = model_.magnets && model_.magnets->coil_lag > 0.0;
     const Eigen::Vector2d acts = lags ? Eigen::Vector2d(0.0, 0.0)
-                                      : control_command(model_, 0.0, q, v, scene::kNever);
+                                      : control_command(model_, 0.0, q, v);
     recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, actuator_state(model_, q, v, acts)});
     point_ = contact_point(model_, q, v);
   }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -20,7 +19,6 @@ struct Measurement {
   Eigen::Vector2d stator{0.0, 0.0};                    // m, ring centre
   Eigen::Vector2d stator_velocity{0.0, 0.0};           // m/s
   double spin_speed = 0.0;                             // rad/s
-  double first_touch = std::numeric_limits<double>::infinity();  // s; infinity: not yet
 };
 
 // What a controller knows of the plant.

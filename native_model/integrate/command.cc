@@ -5,14 +5,14 @@
 
 namespace rotorub {
 
-const Eigen::Vector2d& Command::at(double t, const double* q, const double* v, double first_touch) {
+const Eigen::Vector2d& Command::at(double t, const double* q, const double* v) {
   if (!model_->controller || t < model_->control_on) return held_;
   if (model_->sample_time > 0.0) {
     const double sample = sample_index(t, model_->sample_time);
     if (sample == last_sample_) return held_;
     last_sample_ = sample;
   }
-  held_ = control_command(*model_, t, q, v, first_touch);
+  held_ = control_command(*model_, t, q, v);
   return held_;
 }
 

@@ -16,8 +16,8 @@ class Command {
 
   // What the actuator is told (system/actuation.h) over the step that starts at t (s); ask once a
   // step, in order.
-  // first_touch: s, infinity before. 0 before the controller is on and without one.
-  const Eigen::Vector2d& at(double t, const double* q, const double* v, double first_touch);
+  // 0 before the controller is on and without one.
+  const Eigen::Vector2d& at(double t, const double* q, const double* v);
 
   // All that it remembers, as plain numbers.
   static constexpr std::size_t kMemory = 3;

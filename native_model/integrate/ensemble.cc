@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -55,7 +54,7 @@ void advance(Kernel& kernel, Totals& totals, double step, std::int64_t from, std
 }
 
 // Controllers see their own run only: a command for each lane, held between samples.
-void command(Kernel& kernel, const std::vector<const Model*>& models, const Totals& totals,
+void command(Kernel& kernel, const std::vector<const Model*>& models,
              std::int64_t k, double step, std::vector<double>& q, std::vector<double>& v) {
   const double t = static_cast<double>(k) * step;
   for (int lane = 0; lane < lanes::kWidth; ++lane) {
@@ -70,10 +69,7 @@ void command(Kernel& kernel, const std::vector<const Model*>& models, const Tota
       q[i] = kernel.q()[i][lane];
       v[i] = kernel.v()[i][lane];
     }
-    const double touch = totals.first_touch[lane];
-    const Eigen::Vector2d u =
-        control_command(m, t, q.data(), v.data(),
-                      touch < 0.0 ? std::numeric_limits<double>::infinity() : touch);
+    const Eigen::Vector2d u = control_command(m, t, q.data(), v.data());
     lanes::set(kernel.command_x, lane, u.x());
     lanes::set(kernel.command_y, lane, u.y());
   }
@@ -140,7 +136,7 @@ std::vector<EnsembleRun> Ensemble::run(std::int64_t steps) {
     std::vector<double> q(nq), v(nq);
     if (controlled) {
       for (std::int64_t k = 0; k < steps; ++k) {
-        command(kernel, group, totals, k, step_, q, v);
+        command(kernel, group, k, step_, q, v);
         advance(kernel, totals, step_, k, 1);
       }
     } else {

@@ -67,7 +67,7 @@ bool EventIntegrator::sample_controller() {
   const bool starts = t_ == m.control_on;  // the first command is taken at switch-on
   if (!starts && t_ < next_sample_ * m.sample_time) return false;
   next_sample_ = sample_index(t_, m.sample_time) + 1.0;
-  if (t_ >= m.control_on) phase_.hold(control_command(m, t_, q(), v(), phase_.first_touch()));
+  if (t_ >= m.control_on) phase_.hold(control_command(m, t_, q(), v()));
   return true;
 }
 

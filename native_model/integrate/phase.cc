@@ -17,7 +17,7 @@ Phase::Phase(const Model& model)
 Eigen::Vector2d Phase::command(double t, const double* y) const {
   const Model& m = *model_;
   if (!m.controller || m.sample_time > 0.0) return held_;
-  return control_command(m, t, y, y + m.nq(), first_touch_);
+  return control_command(m, t, y, y + m.nq());
 }
 
 void Phase::accelerate(double t, const double* q, const double* v, const Eigen::Vector2d& u) {

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "native_model/integrate/command.h"
@@ -42,10 +41,9 @@ Trajectory run_paper(const Model& model, const scene::Run& run, double step,
   State state = initial_state(model);
   PaperStepper stepper(model, step, state);
   Command command(model);
-  double first_touch = std::numeric_limits<double>::infinity();
   recorder.begin({0.0, state.q.data(), state.v.data(), 0.0, 0.0, Mode::kFree,
                   actuator_state(model, state.q.data(), state.v.data(),
-                                 command.at(0.0, state.q.data(), state.v.data(), first_touch))});
+                                 command.at(0.0, state.q.data(), state.v.data()))});
 
   const auto steps = static_cast<std::int64_t>(std::ceil(run.end / step - 1e-9));
   Status status = Status::kOk;
@@ -56,14 +54,13 @@ Trajectory run_paper(const Model& model, const scene::Run& run, double step,
   const auto start = std::chrono::steady_clock::now();
   for (; k < steps && status == Status::kOk; ++k) {
     const double t = static_cast<double>(k) * step, next = static_cast<double>(k + 1) * step;
-    const Eigen::Vector2d& u = command.at(t, stepper.q(), stepper.v(), first_touch);
+    const Eigen::Vector2d& u = command.at(t, stepper.q(), stepper.v());
     const PaperStep done = stepper.step(k, u);
     if (done.status != Status::kOk) {
       status = done.status;
       break;
     }
     state.t = next;
-    if (done.normal_impulse > 0.0 && !std::isfinite(first_touch)) first_touch = t;
     record_mode_change(recorder, state.t, mode, done);
     mode = done.mode;
     // An impact's impulse is no force of lasting contact.

@@ -20,7 +20,7 @@ using PlanePair = Eigen::Vector2d;
 inline constexpr double kNever = 1e300;  // s, a switching time that is never reached
 
 // ---------------------------------------------------------------- [run]
-enum class Integrator { kEvent, kPaper };
+enum class Integrator { kEvent, kPaper, kVerlet, kLiteral };
 
 struct Run {
   double end = 1.0;                            // s, > 0

@@ -27,7 +27,7 @@ Table run() {
       [](Scene& scene) -> void* { return &scene.run; },
       {key<&Run::end>("end", kTime, "end of the run, which starts at 0").above(0).optional(),
        key<&Run::step>("step", kTime, "step of `paper` and of MuJoCo").above(0).optional(),
-       word<&Run::integrator>("integrator", {"event", "paper"}, "of the native engine").optional(),
+       word<&Run::integrator>("integrator", {"event", "paper", "verlet", "literal"}, "of the native engine").optional(),
        key<&Run::output_step>("output_step", kTime, "spacing of the rows of the series")
            .above(0)
            .otherwise("`end` / 1000"),

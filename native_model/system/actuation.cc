@@ -9,8 +9,7 @@
 namespace rotorub {
 namespace {
 
-Measurement measure(const Model& m, double t, const double* q, const double* v,
-                    double first_touch) {
+Measurement measure(const Model& m, double t, const double* q, const double* v) {
   Measurement now;
   now.t = t;
   now.rotor = rotor_point(m, q);
@@ -18,7 +17,6 @@ Measurement measure(const Model& m, double t, const double* q, const double* v,
   now.stator = stator_point(m, q);
   now.stator_velocity = stator_point(m, v);
   now.spin_speed = spin_speed(m, v);
-  now.first_touch = first_touch;
   if (m.controller->needs_rotor_acceleration()) {
     constexpr int kStack = kMaxCoordinates;
     assert(m.nq() <= kStack);
@@ -36,10 +34,9 @@ Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit) {
   return from_axes(to_axes(force).cwiseMin(limit).cwiseMax(-limit));
 }
 
-Eigen::Vector2d control_command(const Model& m, double t, const double* q, const double* v,
-                                double first_touch) {
+Eigen::Vector2d control_command(const Model& m, double t, const double* q, const double* v) {
   if (!m.controller || t < m.control_on) return {0.0, 0.0};
-  const Eigen::Vector2d force = m.controller->force(measure(m, t, q, v, first_touch));
+  const Eigen::Vector2d force = m.controller->force(measure(m, t, q, v));
   if (!m.magnets) return limited(force, m.force_limit);
   const MagneticActuator& magnets = *m.magnets;
   const Eigen::Vector2d s = to_axes(stator_point(m, q)), f = to_axes(force);

@@ -21,6 +21,7 @@ const char* to_string(EventKind kind) {
     case EventKind::kSlide: return "slide";
     case EventKind::kStick: return "stick";
     case EventKind::kLiftOff: return "lift_off";
+    case EventKind::kReverse: return "reverse";
   }
   return "";
 }
@@ -30,8 +31,9 @@ const char* to_string(Status status) {
     case Status::kOk: return "ok";
     case Status::kDiverged: return "diverged";
     case Status::kNoSolution: return "no_solution";
-    case Status::kAmbiguous: return "several_solutions";
+    case Status::kAmbiguous: return "ambiguous";
     case Status::kStepTooLarge: return "step_too_large";
+    case Status::kOutOfRange: return "out_of_range";
     case Status::kInterrupted: return "interrupted";
   }
   return "";

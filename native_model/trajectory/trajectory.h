@@ -31,14 +31,24 @@ struct Impact {
 inline constexpr double kCountedGapRate = -1e-4;  // m/s: an impact counts below this
 inline bool counts(const Impact& impact) { return impact.gap_rate_before < kCountedGapRate; }
 
-enum class EventKind : std::uint8_t { kImpact, kSlide, kStick, kLiftOff };
+// kReverse: the slip changes its sign without sticking.
+enum class EventKind : std::uint8_t { kImpact, kSlide, kStick, kLiftOff, kReverse };
 const char* to_string(EventKind kind);
 struct Event {
   double t = 0.0;
   EventKind kind = EventKind::kImpact;
 };
 
-enum class Status { kOk, kDiverged, kNoSolution, kAmbiguous, kStepTooLarge, kInterrupted };
+// kOutOfRange: rotor or ring beyond what holds it.
+enum class Status {
+  kOk,
+  kDiverged,
+  kNoSolution,
+  kAmbiguous,
+  kStepTooLarge,
+  kOutOfRange,
+  kInterrupted
+};
 const char* to_string(Status status);
 
 // Figures gathered over every step, whatever the spacing of the series.

@@ -12,7 +12,7 @@ class ContactMemory {
  public:
   // Of the forward pass at d->time. A pass at a later time turns "now" into "before"; further
   // passes at the same time (mj_forward before mj_step) find the same "before".
-  explicit ContactMemory(mjData* d) : d_(d), entry_(d->userdata) {
+  explicit ContactMemory(mjData* d) : entry_(d->userdata) {
     if (entry_[kContactTime] == d->time) return;
     entry_[kContactTime] = d->time;
     entry_[kContactBefore] = entry_[kContactNow];
@@ -32,10 +32,6 @@ class ContactMemory {
     }
     entry_[kContactStatus] = static_cast<double>(r.status);
     entry_[kImpact] = r.impact ? 1.0 : 0.0;
-    if (r.normal > 0.0 && entry_[kTouched] == 0.0) {
-      entry_[kTouched] = 1.0;
-      entry_[kFirstTouch] = d_->time;
-    }
     if (!r.impact) return;
     entry_[kGapRateBefore] = r.gap_rate_before;
     entry_[kGapRateAfter] = r.gap_rate_after;
@@ -44,7 +40,6 @@ class ContactMemory {
   }
 
  private:
-  mjData* d_;
   mjtNum* entry_;
 };
 

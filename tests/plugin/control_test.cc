@@ -33,7 +33,7 @@ TEST_F(ControlTest, CommandIsTheNativeLawsAtRest) {
   d->qpos[0] = 2e-4;
   d->qpos[2] = -1e-4;
   mj_forward(m.get(), d.get());
-  const Eigen::Vector2d wanted = control_command(model, 0.0, d->qpos, d->qvel, scene::kNever);
+  const Eigen::Vector2d wanted = control_command(model, 0.0, d->qpos, d->qvel);
   EXPECT_GT(wanted.norm(), 1.0);
   EXPECT_NEAR((force_on_ring(m.get(), d.get()) - wanted).norm(), 0.0, 1e-12 * wanted.norm());
 }

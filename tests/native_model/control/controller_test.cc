@@ -50,8 +50,7 @@ TEST(EmulatedSupport, IsTheMechanicalOneAddedThroughTheActuator) {
   mechanical.stator->damping += Eigen::Vector2d(120.0, 120.0);
   const Model a = make_model(emulated), b = make_model(mechanical);
   const State s = test::random_state(a, 70);
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Eigen::Vector2d u = control_command(a, s.t, s.q.data(), s.v.data(), infinity);
+  const Eigen::Vector2d u = control_command(a, s.t, s.q.data(), s.v.data());
   Eigen::VectorXd fa(a.nq()), fb(b.nq());
   smooth_force(a, s.t, s.q.data(), s.v.data(), u, fa.data());
   smooth_force(b, s.t, s.q.data(), s.v.data(), {0.0, 0.0}, fb.data());
@@ -66,7 +65,7 @@ TEST(EmulatedSupport, ActsWithoutAContactToo) {
   ASSERT_NE(m.controller, nullptr);
   State state = test::random_state(m, 71);
   state.q.segment<2>(m.layout.ring()) = Eigen::Vector2d(1e-3, -2e-3);
-  const Eigen::Vector2d u = control_command(m, 0.0, state.q.data(), state.v.data(), 0.0);
+  const Eigen::Vector2d u = control_command(m, 0.0, state.q.data(), state.v.data());
   EXPECT_LT((u - Eigen::Vector2d(-50.0, 100.0)).norm(), 1e-12);
 }
 

@@ -35,9 +35,7 @@ Single alone(const Model& model, double step, std::int64_t steps) {
     if (model.controller && t >= model.control_on) {
       const double sample = model.sample_time > 0.0 ? sample_index(t, model.sample_time) : -2.0;
       if (sample == -2.0 || sample != last) {
-        u = control_command(
-            model, t, stepper.q(), stepper.v(),
-            out.first_touch < 0.0 ? std::numeric_limits<double>::infinity() : out.first_touch);
+        u = control_command(model, t, stepper.q(), stepper.v());
       }
       last = sample;
     }

@@ -43,7 +43,7 @@ TEST(Actuation, MagnetsGiveTheForceAskedFor) {
     const State s = test::random_state(m, seed);
     const double *q = s.q.data(), *v = s.v.data();
     const Eigen::Vector2d wanted = -8e4 * stator_point(m, q) - 150.0 * stator_point(m, v);
-    const ActuatorState a = actuator_state(m, q, v, control_command(m, s.t, q, v, kNever));
+    const ActuatorState a = actuator_state(m, q, v, control_command(m, s.t, q, v));
     EXPECT_LT((a.force - wanted).norm(), 1e-12 * wanted.norm()) << seed;
     EXPECT_LE(a.current.cwiseAbs().maxCoeff(), 2.0);
   }
@@ -54,7 +54,7 @@ TEST(Actuation, MagnetsKeepToTheirCurrent) {
   m.magnets->current_limit = 1e-3;
   const State s = test::random_state(m, 3);
   const double *q = s.q.data(), *v = s.v.data();
-  const Eigen::Vector2d i = control_command(m, s.t, q, v, kNever);
+  const Eigen::Vector2d i = control_command(m, s.t, q, v);
   EXPECT_EQ(i.cwiseAbs(), Eigen::Vector2d(1e-3, 1e-3));
   EXPECT_EQ(actuator_state(m, q, v, i).current, i);
 }

@@ -136,14 +136,13 @@ TEST(ControlForce, ShowsTheLawTheStateAndTheContactFreeAcceleration) {
   m.force_limit = 600.0;
   State s = test::random_state(m, 60);
   s.t = 0.0199;
-  EXPECT_EQ(control_command(m, s.t, s.q.data(), s.v.data(), 0.5), Eigen::Vector2d(0.0, 0.0));
+  EXPECT_EQ(control_command(m, s.t, s.q.data(), s.v.data()), Eigen::Vector2d(0.0, 0.0));
   EXPECT_EQ(spy->calls, 0) << "not asked before it is on";
   s.t = 0.02;
-  const Eigen::Vector2d u = control_command(m, s.t, s.q.data(), s.v.data(), 0.015);
+  const Eigen::Vector2d u = control_command(m, s.t, s.q.data(), s.v.data());
   EXPECT_NEAR(u.x(), 600.0 * std::sqrt(2.0), 1e-9) << "limited by the actuator";
   const Measurement& seen = spy->seen;
   EXPECT_EQ(seen.t, 0.02);
-  EXPECT_EQ(seen.first_touch, 0.015);
   EXPECT_EQ(seen.rotor, rotor_point(m, s.q.data()));
   EXPECT_EQ(seen.stator_velocity, s.v.segment<2>(m.layout.ring()));
   EXPECT_EQ(seen.spin_speed, s.v[m.layout.phi()]);
@@ -168,7 +167,7 @@ TEST(ControlForce, ShowsTheLawTheStateAndTheContactFreeAcceleration) {
 TEST(ControlForce, APassiveBearingHasNone) {
   const Model m = test::machine(true);
   const State s = test::random_state(m, 61);
-  EXPECT_EQ(control_command(m, s.t, s.q.data(), s.v.data(), 0.0), Eigen::Vector2d(0.0, 0.0));
+  EXPECT_EQ(control_command(m, s.t, s.q.data(), s.v.data()), Eigen::Vector2d(0.0, 0.0));
 }
 
 }  // namespace
