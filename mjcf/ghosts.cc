@@ -4,7 +4,7 @@
 
 #include "mjcf/bodies.h"
 #include "mjcf/names.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
 namespace {

@@ -13,7 +13,7 @@
 #include "mjcf/segment_bodies.h"
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
-#include "native_model/integrate/paper.h"
+#include "native_model/stepping/stepper.h"
 
 namespace rotorub {
 namespace {

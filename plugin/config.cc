@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "mjcf/names.h"
-#include "native_model/integrate/paper.h"
+#include "native_model/stepping/step_limit.h"
 #include "native_model/scene/reader.h"
 #include "plugin/own/own_config.h"
 

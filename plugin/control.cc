@@ -3,7 +3,7 @@
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/control/sampling.h"
 #include "native_model/system/actuation.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "plugin/magnets.h"
 #include "plugin/user_data.h"
 #include "plugin/velocity_history.h"

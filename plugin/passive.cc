@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 
 namespace rotorub::plugin {
 namespace {

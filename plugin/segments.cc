@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "mjcf/names.h"
-#include "native_model/integrate/paper.h"
+#include "native_model/stepping/step_limit.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -115,8 +115,8 @@ void native_velocity(const Segments& segments, const Model& model, const mjtNum*
 std::string segment_step_refusal(const Segments& segments, double step) {
   const double limit = 2.0 / segments.highest;
   if (step < limit) return {};
-  return step_beyond(step, limit) +
-         " of the segment rotor; accepted: a smaller run.step, or fewer "
+  return step_beyond(step, {limit, "the segment rotor"}) +
+         "; accepted: a smaller run.step, or fewer "
          "mujoco.segments";
 }
 

@@ -1,6 +1,6 @@
 #include "plugin/sensors.h"
 
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "plugin/contact/forces.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"

@@ -6,9 +6,10 @@
 #include <limits>
 #include <memory>
 
-#include "native_model/integrate/command.h"
-#include "native_model/integrate/paper.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/stepping/zero_order_hold.h"
+#include "native_model/stepping/step_limit.h"
+#include "native_model/stepping/stepper.h"
+#include "native_model/dynamics/dynamics.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/magnets.h"
@@ -17,7 +18,7 @@
 namespace rotorub::plugin {
 namespace {
 
-static_assert(kShadowSingle - kShadowCommand == Command::kMemory);
+static_assert(kShadowSingle - kShadowCommand == ZeroOrderHold::kMemory);
 
 // What takes the steps. Holds nothing between two calls but room: the state comes from userdata and
 // goes back there. It has a model of its own, as the Config may be gone before the thread is.
@@ -28,7 +29,7 @@ struct Worker {
   double id, step;
   const Model model;
   PaperStepper stepper;
-  Command command;
+  ZeroOrderHold command;
 };
 
 // This thread's, for the models that it used last.
@@ -89,7 +90,7 @@ void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
   mujoco_state(config, m, d, q, v);
   worker.stepper.begin(d->time, q, v);
   worker.stepper.save(stepper_memory(entry));
-  Command(worker.model).save(entry + kShadowCommand);
+  ZeroOrderHold(worker.model).save(entry + kShadowCommand);
   move_ghosts(config, d);
   // The model was made for a smaller step, and the user has changed it since.
   if (!step_refusal(worker.model, h).empty()) {
@@ -113,7 +114,7 @@ void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
     u = worker.command.at(t, worker.stepper.q(), worker.stepper.v());
     worker.command.save(entry + kShadowCommand);
   }
-  const PaperStep done = worker.stepper.step(static_cast<std::int64_t>(entry[kShadowSteps]), u);
+  const FixedStep done = worker.stepper.step(static_cast<std::int64_t>(entry[kShadowSteps]), u);
   if (done.status != Status::kOk) {
     stop(entry, done.status,
          done.status == Status::kDiverged

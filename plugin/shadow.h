@@ -1,4 +1,4 @@
-// The shadow: the native model, run alongside by the paper's stepping, one step a MuJoCo step. It
+// The shadow: the native model, run alongside by the stepping of `paper`, one step a MuJoCo step. It
 // starts from MuJoCo's state and then knows nothing of MuJoCo but the commands: a controller of the
 // scene closes its own loop; without one, the shadow is given the force that MuJoCo's actuators
 // exerted on the ring over the step. What it has goes to user sensors and ghost bodies; MuJoCo's

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "compare/engine/mujoco_engine.h"
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 
 namespace rotorub {
 namespace {

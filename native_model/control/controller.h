@@ -39,6 +39,12 @@ class Controller {
   virtual Eigen::Vector2d force(const Measurement& measurement) const = 0;
   // True where force() reads rotor_acceleration (it costs a model evaluation).
   virtual bool needs_rotor_acceleration() const { return false; }
+  // The law linearised as a spring and a damper on the ring, upper bounds: what a step that takes the
+  // command explicitly must resolve. N/m, N s/m.
+  struct Gains {
+    double stiffness = 0.0, damping = 0.0;
+  };
+  virtual Gains ring_gains() const { return {}; }
   // Instants, s, at which the law is not smooth in time by itself.
   virtual std::vector<double> breaks() const { return {}; }
 };

@@ -11,6 +11,7 @@ class EmulatedSupport final : public Controller {
   Eigen::Vector2d force(const Measurement& now) const override {
     return -stiffness_ * now.stator - damping_ * now.stator_velocity;
   }
+  Gains ring_gains() const override { return {stiffness_, damping_}; }
 
  private:
   double stiffness_;  // N/m, >= 0

@@ -18,6 +18,13 @@ SlidingController::Reference SlidingController::reference(double t) const {
           -g0 * 60.0 * s * r * (r - s) / (time * time)};
 }
 
+// Within the layer s = edot + psi e is driven by k/phi: e'' = -(psi + k/phi) edot - psi (k/phi) e.
+Controller::Gains SlidingController::ring_gains() const {
+  const double mass = plant_.stator_mass.maxCoeff(), psi = settings_.bandwidth;
+  const double slope = settings_.switching_gain / settings_.boundary_layer;
+  return {mass * psi * slope, mass * (psi + slope)};
+}
+
 Eigen::Vector2d SlidingController::force(const Measurement& now) const {
   const Eigen::Vector2d d = now.rotor - now.stator;
   const double delta = d.norm();

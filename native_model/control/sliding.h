@@ -22,6 +22,7 @@ class SlidingController final : public Controller {
   SlidingController(const scene::Controller& settings, const Plant& plant);
   Eigen::Vector2d force(const Measurement& measurement) const override;
   bool needs_rotor_acceleration() const override { return true; }
+  Gains ring_gains() const override;
   std::vector<double> breaks() const override { return {settings_.on + settings_.gap_time}; }
 
   // Gap reference and its first two derivatives at time t: delta_0 (1 - 10 s^3 + 15 s^4 - 6 s^5),

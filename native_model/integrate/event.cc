@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "native_model/control/sampling.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
 namespace {

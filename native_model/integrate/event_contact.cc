@@ -6,7 +6,7 @@
 
 #include "native_model/contact/impact_map.h"
 #include "native_model/integrate/event.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "native_model/integrate/event.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "native_model/integrate/event.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
 

@@ -13,7 +13,7 @@
 
 #include "native_model/contact/coulomb.h"
 #include "native_model/system/actuation.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/system/model.h"
 #include "native_model/trajectory/trajectory.h"
 

@@ -8,7 +8,7 @@
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/bearing/electromagnet.h"
 #include "native_model/bearing/force_table.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/system/model_checks.h"
 
 namespace rotorub {

@@ -18,7 +18,7 @@
 #include "native_model/control/controller.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/mode_matrix.h"
+#include "native_model/dynamics/mode_matrix.h"
 
 namespace rotorub {
 
@@ -83,6 +83,8 @@ struct MagneticActuator {
 };
 
 struct Model {
+  using Scalar = double;  // of the equations (dynamics/equations.h)
+
   Layout layout;
   Eigen::VectorXd mass;       // nq, diagonal of M, kg or kg m^2
   Eigen::VectorXd stiffness;  // nq, diagonal
@@ -121,6 +123,8 @@ struct Model {
   Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();
   // Unbalance couples spin and bending where the spin is free.
   bool coupled_mass() const { return layout.spin == 1 && !unbalances.empty(); }
+  // N m, at a speed of the motor; with a drive only.
+  double drive_torque(double motor_speed) const { return drive->torque(motor_speed); }
   int nq() const { return layout.nq(); }
 };
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "native_model/bearing/actuator_axes.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
 namespace {

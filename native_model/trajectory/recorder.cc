@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
 namespace {
@@ -96,25 +96,71 @@ double Recorder::next_time() const {
   return next_ < times_.size() ? times_[next_] : std::numeric_limits<double>::infinity();
 }
 
-void Recorder::keep(const Snapshot& now, const ContactPoint& point) {
+void Recorder::keep(const Snapshot& now) {
   last_ = now;
   std::copy_n(now.q, last_q_.size(), last_q_.begin());
   std::copy_n(now.v, last_v_.size(), last_v_.begin());
   last_.q = last_q_.data();
   last_.v = last_v_.data();
-  last_gap_rate_ = point.gap_rate;
-  last_slip_ = dof_slip(*model_, point);
-  last_whole_slip_ = point.slip;
-  last_power_ = external_power(*model_, now.t, now.q, now.v, now.actuator.force);
+}
+
+void Recorder::look_at_energy() {
+  Statistics& s = statistics_;
+  s.energy_end = energy(*model_, last_.t, last_.q, last_.v);
+  s.energy_scale = std::max(s.energy_scale, std::abs(s.energy_end));
 }
 
 void Recorder::begin(const Snapshot& start) {
   const ContactPoint point = contact_point(*model_, start.q, start.v);
-  keep(start, point);
-  statistics_.energy_start = energy(*model_, start.t, start.q, start.v);
-  statistics_.energy_end = statistics_.energy_start;
-  statistics_.energy_scale = std::abs(statistics_.energy_start);
+  keep(start);
+  last_gap_rate_ = point.gap_rate;
+  last_slip_ = dof_slip(*model_, point);
+  last_whole_slip_ = point.slip;
+  last_power_ = external_power(*model_, start.t, start.q, start.v, start.actuator.force);
+  look_at_energy();
+  statistics_.energy_start = statistics_.energy_end;
   while (next_time() <= start.t) row(start);
+}
+
+void Recorder::count_contact(double normal_impulse, double friction_impulse, double h,
+                             double begin) {
+  Statistics& s = statistics_;
+  if (s.first_touch < 0.0) s.first_touch = begin;
+  const double force = normal_impulse / h;
+  s.contact_time += h;
+  s.impulse_total += normal_impulse;
+  s.friction_impulse += friction_impulse;
+  s.force_square += force * force * h;
+  s.peak_force = std::max(s.peak_force, force);
+}
+
+void Recorder::count_gap(const ContactPoint& point, double h) {
+  Statistics& s = statistics_;
+  penetration_ = std::max(0.0, -point.gap);
+  if (penetration_ > 0.0) {
+    s.max_penetration = std::max(s.max_penetration, penetration_);
+    s.penetration_square += penetration_ * penetration_ * h;
+  }
+  if (s.first_touch >= 0.0) s.gap_rate_square += point.gap_rate * point.gap_rate * h;
+}
+
+void Recorder::count(const StepFigures& f, double begin) {
+  if (f.normal_impulse > 0.0) count_contact(f.normal_impulse, f.friction_impulse, f.h, begin);
+  statistics_.friction_work += f.friction_work;
+  statistics_.contact_work += f.contact_work;
+  statistics_.external_work += f.external_work;
+}
+
+bool Recorder::advance(const Snapshot& now, bool impact) {
+  const double h = now.t - last_.t;
+  const std::size_t row = next_;
+  rows_until(now, impact);
+  if (model_->contact) count_gap(contact_point(*model_, now.q, now.v), h);
+  keep(now);
+  constexpr std::int64_t kLook = 256;  // steps
+  if (++steps_ % kLook != 0 && row == next_) return false;
+  look_at_energy();
+  return true;
 }
 
 void Recorder::step(const Snapshot& now, double normal_impulse, double friction_impulse,
@@ -125,36 +171,28 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
 
   Statistics& s = statistics_;
   if (normal_impulse > 0.0) {
-    if (s.first_touch < 0.0) s.first_touch = last_.t;
-    const double force = normal_impulse / h;
-    s.contact_time += h;
-    s.impulse_total += normal_impulse;
-    s.friction_impulse += friction_impulse;
+    count_contact(normal_impulse, friction_impulse, h, last_.t);
     const double slips =
         detail ? detail->slip_before + detail->slip_after : last_whole_slip_ + point.slip;
     s.friction_work += 0.5 * friction_impulse * slips;
-    s.force_square += force * force * h;
-    s.peak_force = std::max(s.peak_force, force);
   }
-  if (model_->contact) {
-    const double penetration = std::max(0.0, -point.gap);
-    s.max_penetration = std::max(s.max_penetration, penetration);
-    s.penetration_square += penetration * penetration * h;
-    if (s.first_touch >= 0.0) s.gap_rate_square += point.gap_rate * point.gap_rate * h;
-  }
-  double gap_rates = last_gap_rate_, slips = last_slip_;
-  const double power = last_power_;
-  keep(now, point);
-  gap_rates += last_gap_rate_;
-  slips += last_slip_;
+  if (model_->contact) count_gap(point, h);
+  double gap_rates = last_gap_rate_ + point.gap_rate;
+  double slips = last_slip_ + dof_slip(*model_, point);
   if (detail) {
+    const double held = point.slip - dof_slip(*model_, point);
     gap_rates = detail->gap_rate_before + detail->gap_rate_after;
-    slips = detail->slip_before + detail->slip_after - 2.0 * (point.slip - last_slip_);
+    slips = detail->slip_before + detail->slip_after - 2.0 * held;
   }
   s.contact_work += 0.5 * (normal_impulse * gap_rates + friction_impulse * slips);
-  s.external_work += 0.5 * h * (power + last_power_);
-  s.energy_end = energy(*model_, now.t, now.q, now.v);
-  s.energy_scale = std::max(s.energy_scale, std::abs(s.energy_end));
+  const double power = external_power(*model_, now.t, now.q, now.v, now.actuator.force);
+  s.external_work += 0.5 * h * (last_power_ + power);
+  keep(now);
+  last_gap_rate_ = point.gap_rate;
+  last_slip_ = dof_slip(*model_, point);
+  last_whole_slip_ = point.slip;
+  last_power_ = power;
+  look_at_energy();
 }
 
 // Rows in (last, now]: at the step's own time its state to the bit, else interpolated.
@@ -221,6 +259,7 @@ void Recorder::row(const Snapshot& now) {
 }
 
 Trajectory Recorder::finish(double end) {
+  if (steps_ > 0) look_at_energy();
   Trajectory t;
   t.end = end;
   t.series = std::move(columns_);

@@ -27,6 +27,16 @@ struct Snapshot {
 // without doubles: output_times and the end stand for a multiple within 1e-9 of the spacing.
 std::vector<double> output_times(const scene::Run& run);
 
+// What a step of an engine that knows its own works did.
+struct StepFigures {
+  double h = 0.0;                // s, what the impulses are for
+  double normal_impulse = 0.0;   // N s, all of the step, with an impact's
+  double friction_impulse = 0.0;
+  double friction_work = 0.0;    // J, of friction between the surfaces
+  double contact_work = 0.0;     // J, on the coordinates
+  double external_work = 0.0;    // J, of all forces but springs and contact
+};
+
 class Recorder {
  public:
   // `times`: the rows wanted, ascending.
@@ -39,6 +49,16 @@ class Recorder {
   // from its own rates.
   void step(const Snapshot& now, double normal_impulse, double friction_impulse, bool impact,
             const Impact* detail = nullptr);
+  // For engines that know their works: what was done, beginning at `begin` (s), and the next
+  // snapshot. The latter says whether the energy was looked at (it costs a model evaluation: now and
+  // then). `impact`: as above.
+  void count(const StepFigures& figures, double begin);
+  bool advance(const Snapshot& now, bool impact);
+  // The actuator's part of a snapshot is only read where a row is due up to its time.
+  bool row_due(double t) const { return next_time() <= t * (1.0 + 1e-9); }
+  // |E - E_start - works| / scale as of the last look.
+  double energy_residual() const { return statistics_.energy_residual(); }
+  double penetration() const { return penetration_; }  // m, of the last snapshot, >= 0
   void add(const Impact& impact);
   void add(const Event& event);
   // For engines with dense output of their own: the next wanted time (infinity: none left), a row
@@ -51,7 +71,10 @@ class Recorder {
   Trajectory finish(double end);
 
  private:
-  void keep(const Snapshot& now, const ContactPoint& point);
+  void keep(const Snapshot& now);
+  void look_at_energy();
+  void count_contact(double normal_impulse, double friction_impulse, double h, double begin);
+  void count_gap(const ContactPoint& point, double h);
   void rows_until(const Snapshot& now, bool impact);
 
   const Model* model_;
@@ -59,6 +82,8 @@ class Recorder {
   std::size_t next_ = 0;
   Snapshot last_;
   std::vector<double> last_q_, last_v_, q_, v_;
+  double penetration_ = 0.0;
+  std::int64_t steps_ = 0;
   double last_gap_rate_ = 0.0, last_slip_ = 0.0, last_whole_slip_ = 0.0, last_power_ = 0.0;
   std::vector<Column> columns_;
   std::vector<Impact> impacts_;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "native_model/contact/coulomb.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/contact/annular.h"
 #include "plugin/passive.h"

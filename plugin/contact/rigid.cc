@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "plugin/contact/memory.h"
 #include "plugin/contact/rigid_law.h"
 #include "plugin/contact/smooth_force.h"

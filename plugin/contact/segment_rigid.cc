@@ -1,6 +1,6 @@
 #include "plugin/contact/segment_rigid.h"
 
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "plugin/contact/memory.h"
 #include "plugin/contact/rigid_law.h"
 #include "plugin/contact/segment_space.h"

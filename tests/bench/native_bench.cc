@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "native_model/integrate/ensemble.h"
+#include "native_model/stepping/ensemble.h"
 #include "native_model/integrate/event.h"
-#include "native_model/integrate/paper.h"
+#include "native_model/stepping/stepper.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/bench/machines.h"
 

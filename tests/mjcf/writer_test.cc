@@ -9,7 +9,7 @@
 
 #include "mjcf/bodies.h"
 #include "mjcf/names.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "mjcf/names.h"
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
 

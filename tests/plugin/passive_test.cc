@@ -4,9 +4,9 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "mjcf/writer.h"
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "native_model/system/actuation.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"

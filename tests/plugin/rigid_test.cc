@@ -8,7 +8,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"

@@ -8,9 +8,9 @@
 #include <cstdio>
 
 #include "mjcf/writer.h"
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "native_model/rotor/campbell.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "plugin/coordinates.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/linearised.h"

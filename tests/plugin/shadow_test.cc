@@ -9,9 +9,9 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/integrate/paper.h"
-#include "native_model/integrate/run.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/stepping/stepper.h"
+#include "native_model/run/run_native.h"
+#include "native_model/dynamics/dynamics.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/shadow.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compare/engine/mujoco_engine.h"
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {

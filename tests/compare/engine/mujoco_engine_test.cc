@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {

@@ -8,9 +8,9 @@
 
 #include "native_model/control/emulated_support.h"
 #include "native_model/control/sliding.h"
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "native_model/system/actuation.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
 

@@ -1,5 +1,5 @@
 // Eight runs at once are eight runs: the same bits as alone, whatever the parts of the scene.
-#include "native_model/integrate/ensemble.h"
+#include "native_model/stepping/ensemble.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "native_model/control/sampling.h"
-#include "native_model/integrate/paper.h"
+#include "native_model/stepping/stepper.h"
 #include "native_model/system/actuation.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/machine.h"
 
@@ -39,7 +39,7 @@ Single alone(const Model& model, double step, std::int64_t steps) {
       }
       last = sample;
     }
-    const PaperStep done = stepper.step(k, u);
+    const FixedStep done = stepper.step(k, u);
     if (done.status != Status::kOk) {
       out.status = done.status;
       break;

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "native_model/integrate/paper.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/stepping/stepper.h"
+#include "native_model/dynamics/dynamics.h"
 #include "tests/native_model/hard/random_scenes.h"
 #include "tests/native_model/hard/rules.h"
 
@@ -39,14 +39,14 @@ Worst worst_of(const Model& model, double step, std::int64_t steps) {
   for (std::int64_t k = 0; k < steps; ++k) {
     const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(stepper.q(), n);
     const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(stepper.v(), n);
-    const PaperStep done = stepper.step(k);
+    const FixedStep done = stepper.step(k);
     EXPECT_EQ(done.status, Status::kOk);
     if (done.status != Status::kOk) return worst;
     EXPECT_GE(done.normal_impulse, 0.0);
     Eigen::VectorXd middle = q + 0.5 * step * v;
     back_to_the_circle(model, middle);
     const ContactPoint p = contact_point(model, middle.data(), stepper.v());
-    if (done.impact || !p.has_normal) continue;
+    if (done.impacts.count > 0 || !p.has_normal) continue;
     const double normal = done.normal_impulse, friction = done.friction_impulse;
     force = std::max(force, normal);
     slip_scale = std::max(slip_scale, std::abs(p.slip));

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "native_model/contact/residual.h"
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
 

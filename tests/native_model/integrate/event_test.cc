@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/oracles/backward_whip.h"
 #include "native_model/oracles/billiard.h"

@@ -8,7 +8,7 @@
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/bearing/electromagnet.h"
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "native_model/bearing/actuator_axes.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "tests/support/machine.h"
 
 namespace rotorub {

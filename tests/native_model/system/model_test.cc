@@ -7,7 +7,7 @@
 
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "tests/native_model/rotor/rotors.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "native_model/system/actuation.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"

@@ -1,0 +1,201 @@
+#include "native_model/dynamics/dynamics.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "native_model/dynamics/equations.h"
+
+namespace rotorub {
+namespace {
+
+namespace eq = equations;
+
+using Angles = eq::DiscAngles<double>;
+
+Eigen::Vector2d vector(const eq::Pair<double>& p) { return {p.x, p.y}; }
+
+Eigen::Vector2d at_station(const Layout& l, const ModeShape& shape, const double* q) {
+  return vector(eq::at_station(l.modes, shape, q));
+}
+
+// The bending rows that couple with the spin, n each.
+struct Coupling {
+  double x[kMaxCoordinates], y[kMaxCoordinates];
+  Coupling(const Model& m, double t, const double* q) {
+    Angles at;
+    at.fill(m, t, q);
+    eq::spin_coupling(m, at, x, y);
+  }
+};
+
+// All loads but the diagonal and the gyroscopic ones, and the weight.
+void add_loads(const Model& m, double t, const double* q, const double* v, double* f) {
+  const double omega = eq::spin_speed(m, v);
+  eq::add_rotating_damping(m, q, v, omega, f);
+  eq::add_dampers(m, v, f);
+  eq::add_springs(m, q, f);
+  for (const AppliedForce& force : m.forces) {
+    if (t < force.on || t >= force.off) continue;
+    const Eigen::Vector2d p = force.at(t);
+    eq::add_station_force(m.layout.modes, force.shape, p.x(), p.y(), f);
+  }
+  if (!m.unbalances.empty()) {
+    Angles at;
+    at.fill(m, t, q);
+    eq::add_unbalance(m, at, omega, f);
+  }
+  eq::add_drive(m, v, f);
+}
+
+}  // namespace
+
+double spin_angle(const Model& m, double t, const double* q) {
+  return m.layout.spin ? q[m.layout.phi()] : m.spin_angle + m.speed * t;
+}
+double spin_speed(const Model& m, const double* v) { return eq::spin_speed(m, v); }
+double contact_spin(const Model& m, const double* v) { return eq::contact_spin(m, v); }
+
+void coupling_force(const Model& m, double t, const double* q, const double* v, double* f) {
+  load_force(m, t, q, v, f);
+  eq::add_gyroscopic(m, spin_speed(m, v), v, f);
+}
+
+void load_force(const Model& m, double t, const double* q, const double* v, double* f) {
+  const Layout& l = m.layout;
+  if (m.weight.size() > 0) {
+    std::copy_n(m.weight.data(), l.nq(), f);
+  } else {
+    std::fill_n(f, l.nq(), 0.0);
+  }
+  add_loads(m, t, q, v, f);
+}
+
+void unactuated_force(const Model& m, double t, const double* q, const double* v, double* f) {
+  eq::diagonal_force(m, q, v, f);
+  add_loads(m, t, q, v, f);
+  eq::add_gyroscopic(m, spin_speed(m, v), v, f);
+}
+
+void solve_mass(const Model& m, double t, const double* q, const double* f, double* a) {
+  solve_mass(m, m.mass.data(), t, q, f, a);
+}
+
+void solve_mass(const Model& m, const double* mass, double t, const double* q, const double* f,
+                double* a) {
+  if (m.coupled_mass()) {
+    const Coupling b(m, t, q);
+    return eq::solve_coupled(m, mass, b.x, b.y, f, a);
+  }
+  for (int i = 0; i < m.nq(); ++i) a[i] = f[i] / mass[i];
+}
+
+Eigen::Vector2d rotor_point(const Model& m, const double* q) {
+  return at_station(m.layout, m.contact_shape, q);
+}
+
+Eigen::Vector2d stator_point(const Model& m, const double* q) {
+  if (!m.layout.stator) return {0.0, 0.0};
+  return {q[m.layout.ring()], q[m.layout.ring() + 1]};
+}
+
+ContactPoint contact_point(const Model& m, const double* q, const double* v) {
+  const double radius = m.contact ? m.contact->radius : 0.0;
+  const double clearance = m.contact ? m.contact->clearance : 0.0;
+  return contact_kinematics(rotor_point(m, q) - stator_point(m, q),
+                            rotor_point(m, v) - stator_point(m, v), contact_spin(m, v), radius,
+                            clearance);
+}
+
+Eigen::Matrix3d contact_admittance(const Model& m, double t, const double* q) {
+  if (!m.coupled_mass()) return m.admittance;
+  return contact_admittance(m, m.mass.data(), t, q);
+}
+
+Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t, const double* q) {
+  const Layout& l = m.layout;
+  Eigen::Vector3d a{0.0, 0.0, 0.0};
+  for (int k = 0; k < l.modes; ++k) {
+    a.x() += m.contact_shape.x[k] * m.contact_shape.x[k] / mass[l.x() + k];
+    a.y() += m.contact_shape.y[k] * m.contact_shape.y[k] / mass[l.y() + k];
+  }
+  for (int k = 0; k < l.torsion; ++k) {
+    a.z() += m.torsion_contact[k] * m.torsion_contact[k] / mass[l.theta() + k];
+  }
+  if (l.stator) {
+    a.x() += 1.0 / mass[l.ring()];
+    a.y() += 1.0 / mass[l.ring() + 1];
+  }
+  if (!m.coupled_mass()) {
+    if (l.spin) a.z() += 1.0 / mass[l.phi()];
+    return a.asDiagonal();
+  }
+  // M^-1 = D0^-1 + w w^T / s, w = (-D^-1 b, 1), s = J - b^T D^-1 b; D0^-1 is 0 at the spin.
+  const Coupling b(m, t, q);
+  double s = mass[l.phi()];
+  Eigen::Vector3d jw{0.0, 0.0, 1.0};
+  for (int k = 0; k < l.modes; ++k) {
+    const double wx = -b.x[k] / mass[l.x() + k], wy = -b.y[k] / mass[l.y() + k];
+    s += b.x[k] * wx + b.y[k] * wy;
+    jw.x() += m.contact_shape.x[k] * wx;
+    jw.y() += m.contact_shape.y[k] * wy;
+  }
+  Eigen::Matrix3d full = a.asDiagonal();
+  full.noalias() += jw * jw.transpose() / s;
+  return full;
+}
+
+void add_contact_load(const Model& m, const Eigen::Vector3d& p, double* f) {
+  eq::add_contact_load(m, p.x(), p.y(), p.z(), f);
+}
+
+double energy(const Model& m, double t, const double* q, const double* v) {
+  const Layout& l = m.layout;
+  double e = 0.0;
+  for (int i = 0; i < l.mechanical(); ++i) {
+    e += 0.5 * (m.mass[i] * v[i] * v[i] + m.stiffness[i] * q[i] * q[i]);
+  }
+  for (const StationSpring& s : m.springs) {
+    const Eigen::Vector2d r = at_station(l, s.shape, q);
+    e += 0.5 * s.stiffness.dot(r.cwiseProduct(r));
+  }
+  if (m.coupled_mass()) {
+    const Coupling b(m, t, q);
+    double bending = 0.0;
+    for (int k = 0; k < l.modes; ++k) bending += b.x[k] * v[k] + b.y[k] * v[l.y() + k];
+    e += v[l.phi()] * bending;
+  }
+  return e;
+}
+
+double external_power(const Model& m, double t, const double* q, const double* v,
+                      const Eigen::Vector2d& ring_force) {
+  const Layout& l = m.layout;
+  constexpr int kStack = kMaxCoordinates;
+  assert(l.nq() <= kStack);
+  double f[kStack];
+  unactuated_force(m, t, q, v, f);
+  for (int k = 0; k < l.stator; ++k) f[l.ring() + k] += ring_force[k];
+  double power = 0.0;
+  for (int i = 0; i < l.mechanical(); ++i) power += (f[i] + m.stiffness[i] * q[i]) * v[i];
+  return power + extra_power(m, t, q, v);
+}
+
+double extra_power(const Model& m, double t, const double* q, const double* v) {
+  const Layout& l = m.layout;
+  double power = 0.0;
+  for (const StationSpring& s : m.springs) {
+    power += s.stiffness.cwiseProduct(at_station(l, s.shape, q)).dot(at_station(l, s.shape, v));
+  }
+  if (m.coupled_mass()) {
+    // With a free spin m e Omega^2 is inertial: it moves energy between spin and bending.
+    double f[kMaxCoordinates];
+    std::fill_n(f, 2 * l.modes, 0.0);
+    Angles at;
+    at.fill(m, t, q);
+    eq::add_unbalance(m, at, spin_speed(m, v), f);
+    for (int i = 0; i < 2 * l.modes; ++i) power -= f[i] * v[i];
+  }
+  return power;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,218 @@
+// The equations of motion (1), (2), (9), part by part and written once: templates over the model M,
+// which is a Model, or many of them side by side (stepping/lane_model.h); T = M::Scalar. Whoever
+// needs a right-hand side puts it together from these. Nothing here allocates.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "native_model/numerics/lanes.h"
+#include "native_model/system/model.h"
+
+namespace rotorub::equations {
+
+template <class T>
+struct Pair {  // of the two planes
+  T x, y;
+};
+
+// f += shape (fx, fy): a force at a station. Plain loops: n is small.
+template <class T, class Shape>
+ROTORUB_INLINE void add_station_force(int n, const Shape& shape, const T& fx, const T& fy, T* f) {
+  const T *x = shape.x.data(), *y = shape.y.data();
+  for (int k = 0; k < n; ++k) {
+    f[k] += fx * x[k];
+    f[n + k] += fy * y[k];
+  }
+}
+
+template <class T, class Shape>
+ROTORUB_INLINE Pair<T> at_station(int n, const Shape& shape, const T* q) {
+  const T *x = shape.x.data(), *y = shape.y.data();
+  Pair<T> sum{x[0] * q[0], y[0] * q[n]};
+  for (int k = 1; k < n; ++k) {
+    sum.x += x[k] * q[k];
+    sum.y += y[k] * q[n + k];
+  }
+  return sum;
+}
+
+// Relative position (or velocity) of the centres in the contact plane, ring to rotor.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE Pair<T> relative(const M& m, const T* q) {
+  Pair<T> d = at_station(m.layout.modes, m.contact_shape, q);
+  if (m.layout.stator) {
+    d.x -= q[m.layout.ring()];
+    d.y -= q[m.layout.ring() + 1];
+  }
+  return d;
+}
+
+// Omega, without torsion.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE T spin_speed(const M& m, const T* v) {
+  return m.layout.spin ? v[m.layout.phi()] : m.speed;
+}
+
+// The elastic part of the spin at the contact; of accelerations too.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE T torsion_at_contact(const M& m, const T* v) {
+  T sum{};
+  const T* shape = m.torsion_contact.data();
+  for (int k = 0; k < m.layout.torsion; ++k) sum += shape[k] * v[m.layout.theta() + k];
+  return sum;
+}
+
+// Omega_c, with torsion.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE T contact_spin(const M& m, const T* v) {
+  const T omega = spin_speed(m, v);
+  return m.layout.torsion ? omega + torsion_at_contact(m, v) : omega;
+}
+
+// The directions of the eccentric discs: cosine and sine of phi + phase.
+template <class T>
+struct DiscAngles {
+  T cosine[kMaxUnbalances], sine[kMaxUnbalances];
+
+  template <class M>
+  ROTORUB_INLINE void fill(const M& m, double t, const T* q) {
+    for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
+      const T spin =
+          m.layout.spin ? q[m.layout.phi()] : m.spin_angle + m.speed * lanes::all<T>(t);
+      const T angle = spin + m.unbalances[i].phase;
+      for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
+        const double a = lanes::get(angle, lane);
+        lanes::set(cosine[i], lane, std::cos(a));
+        lanes::set(sine[i], lane, std::sin(a));
+      }
+    }
+  }
+};
+
+// b: the bending rows of M(phi) that couple them with the spin, M = diag + b e_phi^T + e_phi b^T;
+// m e (-sin, cos) of each disc through the mode values of its station. n values each.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void spin_coupling(const M& m, const DiscAngles<T>& at, T* bx, T* by) {
+  const int n = m.layout.modes;
+  for (int k = 0; k < n; ++k) bx[k] = by[k] = T{};
+  for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
+    const auto& disc = m.unbalances[i];
+    const T *x = disc.shape.x.data(), *y = disc.shape.y.data();
+    const T ax = disc.static_moment * at.sine[i], ay = disc.static_moment * at.cosine[i];
+    for (int k = 0; k < n; ++k) {
+      bx[k] -= ax * x[k];
+      by[k] += ay * y[k];
+    }
+  }
+}
+
+// a = M^-1 f with `mass` on the diagonal; in place where a = f. Bending is eliminated.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void solve_coupled(const M& m, const T* mass, const T* bx, const T* by, const T* f,
+                                  T* a) {
+  const Layout& l = m.layout;
+  const int n = l.modes, phi = l.phi();
+  T torque = f[phi], inertia = mass[phi];
+  for (int k = 0; k < n; ++k) {
+    torque -= bx[k] * f[k] / mass[k] + by[k] * f[n + k] / mass[n + k];
+    inertia -= bx[k] * bx[k] / mass[k] + by[k] * by[k] / mass[n + k];
+  }
+  const T acceleration = torque / inertia;
+  for (int i = 0; i < l.nq(); ++i) a[i] = f[i] / mass[i];
+  a[phi] = acceleration;
+  for (int k = 0; k < n; ++k) {
+    a[k] -= bx[k] * acceleration / mass[k];
+    a[n + k] -= by[k] * acceleration / mass[n + k];
+  }
+}
+
+// f = weight - K q - D v, the diagonal parts.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void diagonal_force(const M& m, const T* q, const T* v, T* f) {
+  const T *stiffness = m.stiffness.data(), *damping = m.damping.data();
+  const int nq = m.layout.nq();
+  for (int i = 0; i < nq; ++i) f[i] = -(stiffness[i] * q[i] + damping[i] * v[i]);
+  if (m.weight.size() == 0) return;
+  const T* weight = m.weight.data();
+  for (int i = 0; i < nq; ++i) f[i] += weight[i];
+}
+
+// Rotating damping, see modal_rotor.h: -D_i (qdot - Omega e_z x q).
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_rotating_damping(const M& m, const T* q, const T* v, const T& omega, T* f) {
+  if (m.internal_xx.absent() && m.internal_yy.absent()) return;
+  const int n = m.layout.modes;
+  const T minus = lanes::all<T>(-1.0);
+  m.internal_xx.add(minus, v, f, n);
+  m.internal_yy.add(minus, v + n, f + n, n);
+  m.internal_xy.add(-omega, q + n, f, n);
+  m.internal_xy.add_transposed(omega, q, f + n, n);
+}
+
+// Dashpots of the bearings.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_dampers(const M& m, const T* v, T* f) {
+  const int n = m.layout.modes;
+  for (const auto& d : m.dampers) {
+    const Pair<T> rate = at_station(n, d.shape, v);
+    add_station_force<T>(n, d.shape, -d.damping.x() * rate.x, -d.damping.y() * rate.y, f);
+  }
+}
+
+// Springs at stations: the magnetic bearing's negative ones.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_springs(const M& m, const T* q, T* f) {
+  const int n = m.layout.modes;
+  for (const auto& s : m.springs) {
+    const Pair<T> r = at_station(n, s.shape, q);
+    add_station_force<T>(n, s.shape, -s.stiffness.x() * r.x, -s.stiffness.y() * r.y, f);
+  }
+}
+
+// -Omega G v.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_gyroscopic(const M& m, const T& omega, const T* v, T* f) {
+  const int n = m.layout.modes;
+  m.gyroscopic.add(-omega, v + n, f, n);
+  m.gyroscopic.add_transposed(omega, v, f + n, n);
+}
+
+// m e Omega^2 at each disc's angle; the m e dOmega/dt part is in the mass matrix.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_unbalance(const M& m, const DiscAngles<T>& at, const T& omega, T* f) {
+  for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
+    const T size = m.unbalances[i].static_moment * omega * omega;
+    add_station_force<T>(m.layout.modes, m.unbalances[i].shape, size * at.cosine[i],
+                         size * at.sine[i], f);
+  }
+}
+
+// The drive's torque, by the speed at the motor.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_drive(const M& m, const T* v, T* f) {
+  if (!m.layout.spin) return;
+  const Layout& l = m.layout;
+  const T* shape = m.drive_shape.data();
+  T speed = v[l.phi()];
+  for (int k = 0; k < l.torsion; ++k) speed += shape[k] * v[l.theta() + k];
+  const T torque = m.drive_torque(speed);
+  f[l.phi()] += torque;
+  for (int k = 0; k < l.torsion; ++k) f[l.theta() + k] += shape[k] * torque;
+}
+
+// f += J^T p of a load on the rotor (x, y, torque about z) at the contact.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_contact_load(const M& m, const T& px, const T& py, const T& pz, T* f) {
+  const Layout& l = m.layout;
+  add_station_force<T>(l.modes, m.contact_shape, px, py, f);
+  if (l.spin) f[l.phi()] += pz;
+  const T* shape = m.torsion_contact.data();
+  for (int k = 0; k < l.torsion; ++k) f[l.theta() + k] += shape[k] * pz;
+  if (l.stator) {
+    f[l.ring()] -= px;
+    f[l.ring() + 1] -= py;
+  }
+}
+
+}  // namespace rotorub::equations

@@ -1,0 +1,268 @@
+#include "native_model/run/fixed_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/trajectory/range_check.h"
+#include "native_model/stepping/literal.h"
+#include "native_model/stepping/step_limit.h"
+#include "native_model/stepping/stepper.h"
+#include "native_model/stepping/zero_order_hold.h"
+#include "native_model/system/actuation.h"
+#include "native_model/trajectory/recorder.h"
+
+namespace rotorub {
+namespace {
+
+const char* reason(Status status) {
+  switch (status) {
+    case Status::kDiverged: return "the state is no longer finite";
+    case Status::kNoSolution:
+      return "the contact laws have no solution (frictional jamming, Painleve)";
+    case Status::kAmbiguous:
+      return "the contact laws have several solutions (frictional jamming, Painleve)";
+    case Status::kStepTooLarge:
+      return "the equations of one step do not converge: the step is too large for the loads that "
+             "depend on the spin";
+    case Status::kInterrupted: return "interrupted";
+    default: return "";
+  }
+}
+
+// What every fixed-step run keeps beside its stepper.
+class FixedRun {
+ public:
+  FixedRun(const Model& model, const scene::Run& run, double step, const NativeOptions& options)
+      : model_(model),
+        options_(options),
+        step_(step),
+        end_(run.end),
+        recorder_(model, options.output_times.value_or(output_times(run))),
+        message_(step_refusal(model, step)) {
+    if (!message_.empty()) status_ = Status::kStepTooLarge;
+  }
+
+  std::int64_t steps() const { return static_cast<std::int64_t>(std::ceil(end_ / step_ - 1e-9)); }
+  double time(std::int64_t k) const { return static_cast<double>(k) * step_; }
+  bool good() const { return status_ == Status::kOk; }
+
+  void begin(const Eigen::Vector2d& command) { begin(command, {}, 1.0); }
+  void begin(const Eigen::Vector2d& command, const FixedStep& done, double kick) {
+    Snapshot s = snapshot(0.0, model_.q0.data(), model_.v0.data(), done, kick);
+    s.actuator = actuator_state(model_, s.q, s.v, command);
+    recorder_.begin(s);
+    record_mode(0.0, done);
+  }
+
+  // What `done` did, from `begin` on, with slips of the state (q, v); `share`: of what it did.
+  void count(const FixedStep& done, double begin, const double* q, const double* v, double share) {
+    StepFigures f;
+    f.h = share * step_;
+    f.normal_impulse = share * done.normal_impulse;
+    f.friction_impulse = share * done.friction_impulse;
+    f.contact_work = share * done.contact_work;
+    f.external_work = share * done.external_work;
+    if (done.normal_impulse > 0.0) f.friction_work = share * friction_work(done, q, v);
+    recorder_.count(f, begin);
+  }
+
+  // The next state, with the forces of `done`, impulses over `kick` (s); `impact`: one since the last.
+  void advance(double now, const double* q, const double* v, const FixedStep& done, double kick,
+               bool impact, const Eigen::Vector2d& u) {
+    record_mode(now, done);
+    Snapshot s = snapshot(now, q, v, done, kick);
+    if (recorder_.row_due(now)) s.actuator = actuator_state(model_, q, v, u);
+    check(now, q, recorder_.advance(s, impact));
+  }
+
+  void add_impacts(const FixedStep& done) {
+    for (int i = 0; i < done.impacts.count; ++i) {
+      const Impact& impact = done.impacts.impact[static_cast<std::size_t>(i)];
+      recorder_.add(impact);
+      recorder_.add(Event{impact.t, EventKind::kImpact});
+    }
+  }
+
+  void fail(Status status, double now) { fail(status, now, reason(status)); }
+  void fail(Status status, double now, const std::string& why) {
+    if (status_ != Status::kOk) return;
+    status_ = status;
+    message_ = why + " at t = " + std::to_string(now) + " s";
+  }
+  void tick(std::int64_t k) {
+    if ((k & 0xfff) != 0) return;
+    if (options_.interrupt && options_.interrupt->load(std::memory_order_relaxed)) {
+      fail(Status::kInterrupted, time(k));
+    }
+    if (options_.progress) options_.progress(static_cast<double>(k) / static_cast<double>(steps()));
+  }
+
+  Trajectory finish(const char* integrator, std::int64_t taken, double reached, double wall) {
+    Trajectory out = recorder_.finish(good() ? end_ : reached);
+    if (good() && out.statistics.energy_residual() > 1.0) {
+      fail(Status::kDiverged, reached, "the energy balance is off by more than the energy");
+    }
+    out.engine = "native";
+    out.integrator = integrator;
+    out.contact_model = "rigid";
+    out.step = step_;
+    out.steps = taken;
+    out.wall_s = wall;
+    out.status = status_;
+    out.message = message_;
+    return out;
+  }
+
+ private:
+  // An impact's impulse is no force of lasting contact.
+  static Snapshot snapshot(double t, const double* q, const double* v, const FixedStep& done,
+                           double kick) {
+    const double scale = done.impacts.count == 0 ? 1.0 / kick : 0.0;
+    return {t, q, v, scale * done.normal_impulse, scale * done.friction_impulse, done.mode, {}};
+  }
+
+  double friction_work(const FixedStep& done, const double* q, const double* v) const {
+    if (done.impacts.count == 0) return done.friction_impulse * contact_point(model_, q, v).slip;
+    double work = 0.0;
+    for (int i = 0; i < done.impacts.count; ++i) {
+      const Impact& hit = done.impacts.impact[static_cast<std::size_t>(i)];
+      work += 0.5 * hit.friction_impulse * (hit.slip_before + hit.slip_after);
+    }
+    return work;
+  }
+
+  void record_mode(double now, const FixedStep& done) {
+    if (done.reversed) recorder_.add(Event{now, EventKind::kReverse});
+    if (done.mode == mode_) return;
+    mode_ = done.mode;
+    recorder_.add(Event{now, mode_ == Mode::kSlide   ? EventKind::kSlide
+                             : mode_ == Mode::kStick ? EventKind::kStick
+                                                     : EventKind::kLiftOff});
+  }
+
+  void check(double now, const double* q, bool energy_known) {
+    if (recorder_.penetration() > 0.0 || model_.magnets) {
+      const std::string why = out_of_range(model_, q, recorder_.penetration());
+      if (!why.empty()) fail(Status::kOutOfRange, now, why);
+    }
+    if (energy_known && recorder_.energy_residual() > 1.0) {
+      fail(Status::kDiverged, now, "the energy balance is off by more than the energy");
+    }
+  }
+
+  const Model& model_;
+  const NativeOptions& options_;
+  double step_, end_;
+  Recorder recorder_;
+  std::string message_;
+  Status status_ = Status::kOk;
+  Mode mode_ = Mode::kFree;
+};
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+namespace {
+
+// Steps whose state is that of their end.
+template <class Stepper>
+Trajectory run_steps(const char* name, const Model& model, const scene::Run& scene_run, double step,
+                     const NativeOptions& options) {
+  FixedRun run(model, scene_run, step, options);
+  Stepper stepper(model, step);
+  ZeroOrderHold hold(model);
+  run.begin(hold.at(0.0, stepper.q(), stepper.v()));
+  const std::int64_t steps = run.steps();
+  const auto start = Clock::now();
+  std::int64_t k = 0;
+  for (; k < steps && run.good(); ++k) {
+    const Eigen::Vector2d u = hold.at(run.time(k), stepper.q(), stepper.v());
+    const FixedStep done = stepper.step(k, u, true);
+    if (done.status != Status::kOk) {
+      run.fail(done.status, run.time(k));
+      break;
+    }
+    run.add_impacts(done);
+    run.count(done, run.time(k), stepper.q(), stepper.v(), 1.0);
+    run.advance(run.time(k + 1), stepper.q(), stepper.v(), done, step, done.impacts.count > 0, u);
+    run.tick(k);
+  }
+  return run.finish(name, k, run.time(k), seconds_since(start));
+}
+
+}  // namespace
+
+Trajectory run_paper(const Model& model, const scene::Run& run, double step,
+                     const NativeOptions& options) {
+  return run_steps<PaperStepper>("paper", model, run, step, options);
+}
+
+Trajectory run_literal(const Model& model, const scene::Run& run, double step,
+                       const NativeOptions& options) {
+  return run_steps<LiteralStepper>("literal", model, run, step, options);
+}
+
+// The state of t_k is known once step k is taken: the recorder is a step behind, and impacts of step k
+// belong to the next state. A last step beyond the end tells the velocities there; half of what its
+// loads did about the end counts.
+Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double step,
+                      const NativeOptions& options) {
+  FixedRun run(model, scene_run, step, options);
+  VerletStepper stepper(model, step);
+  ZeroOrderHold hold(model);
+  const auto nq = static_cast<std::size_t>(model.nq());
+  std::vector<double> v(nq), a(nq, 0.0);
+  const auto command = [&](std::int64_t k) -> Eigen::Vector2d {
+    const double t = run.time(k), end = t + 0.5 * step;
+    if (!hold.listens(end)) return hold.held();
+    stepper.velocity_now(k, v.data());
+    for (std::size_t i = 0; k > 0 && i < nq; ++i) a[i] = 2.0 / step * (v[i] - stepper.v_half()[i]);
+    return hold.mean(k == 0 ? t : t - 0.5 * step, t, end, stepper.q(), v.data(), a.data());
+  };
+  const std::int64_t steps = run.steps();
+  const auto start = Clock::now();
+  FixedStep hits;  // the last step, where it had impacts
+  std::int64_t k = 0;
+  for (; k <= steps && run.good(); ++k) {
+    const double t = run.time(k);
+    const Eigen::Vector2d u = command(k);
+    FixedStep done = stepper.step(k, u, true);
+    if (done.status != Status::kOk) {
+      run.fail(done.status, t);
+      break;
+    }
+    stepper.last_velocity(v.data());
+    const FixedStep all = done;
+    if (done.impacts.count > 0) {
+      done = FixedStep{};
+      done.external_work = all.external_work;
+    }
+    const double kick = k == 0 ? 0.5 * step : step;
+    if (k == 0) run.begin(hold.held(), done, kick);
+    // Of a step half is done before t_k, half after; all of the first, half one after.
+    const auto half = [&] { run.count(done, t, stepper.last_q(), v.data(), k == 0 ? 1.0 : 0.5); };
+    if (k > 0) half();
+    if (k > 0) {
+      const bool impact = hits.impacts.count > 0;
+      if (impact) run.count(hits, hits.impacts.impact[0].t, stepper.last_q(), v.data(), 1.0);
+      run.advance(t, stepper.last_q(), v.data(), done, kick, impact, hold.held());
+    }
+    if (k < steps) half();
+    hits = all;
+    hits.external_work = 0.0;
+    if (all.impacts.count > 0 && k < steps) run.add_impacts(all);
+    run.tick(k);
+  }
+  const std::int64_t taken = std::min(k, steps);
+  return run.finish("verlet", taken, run.time(taken), seconds_since(start));
+}
+
+}  // namespace rotorub

@@ -1,0 +1,63 @@
+#include "native_model/run/run_native.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "native_model/integrate/event.h"
+#include "native_model/run/fixed_run.h"
+#include "native_model/system/model_checks.h"
+#include "native_model/trajectory/recorder.h"
+
+namespace rotorub {
+namespace {
+
+Trajectory run_event(const Model& model, const scene::Run& run, const NativeOptions& options) {
+  Recorder recorder(model, options.output_times.value_or(output_times(run)));
+  EventOptions settings;
+  // Bins of the mean force are as wide as a fixed step, so that peaks can be compared.
+  settings.force_bin = std::max(options.step.value_or(run.step), 1e-8 * run.end);
+  EventIntegrator integrator(model, settings);
+  const auto start = std::chrono::steady_clock::now();
+  const EventIntegrator::Result result = integrator.run(
+      initial_state(model), run.end, recorder, options.progress, options.interrupt);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  Trajectory out = recorder.finish(result.end);
+  out.engine = "native";
+  out.integrator = "event";
+  out.contact_model = "rigid";
+  out.steps = result.steps;
+  out.wall_s = wall.count();
+  out.status = result.status;
+  out.message = result.message;
+  return out;
+}
+
+// Fixed steps solve an impact in no time.
+void refuse_finite_impacts(const scene::Scene& scene) {
+  if (!scene.contact) return;
+  const auto check = [&](const char* key, double time) {
+    if (time <= 0.0) return;
+    refuse(scene, {{"", 0, key,
+                    "an impact that takes time needs the integrator event; accepted with a fixed "
+                    "step: 0"}});
+  };
+  check("contact.compression_time", scene.contact->compression_time);
+  check("contact.expansion_time", scene.contact->expansion_time);
+}
+
+}  // namespace
+
+Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
+  const Model model = make_model(scene);
+  const double step = options.step.value_or(scene.run.step);
+  const scene::Integrator integrator = options.integrator.value_or(scene.run.integrator);
+  if (integrator == scene::Integrator::kEvent) return run_event(model, scene.run, options);
+  refuse_finite_impacts(scene);
+  switch (integrator) {
+    case scene::Integrator::kPaper: return run_paper(model, scene.run, step, options);
+    case scene::Integrator::kLiteral: return run_literal(model, scene.run, step, options);
+    default: return run_verlet(model, scene.run, step, options);
+  }
+}
+
+}  // namespace rotorub

@@ -1,0 +1,25 @@
+// A whole native run: model, integrator, recorder.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "native_model/scene/scene.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub {
+
+struct NativeOptions {
+  std::optional<scene::Integrator> integrator;      // default: the scene's
+  std::optional<double> step;                       // s, default: the scene's
+  std::optional<std::vector<double>> output_times;  // s, default: the scene's
+  std::function<void(double)> progress;             // fraction done, called now and then
+  const std::atomic<bool>* interrupt = nullptr;     // set to true: stop, keep what there is
+};
+
+// Throws scene::SceneError for a scene that the integrator asked for cannot run.
+Trajectory run_native(const scene::Scene& scene, const NativeOptions& options = {});
+
+}  // namespace rotorub

@@ -1,0 +1,51 @@
+// Many runs of one scene at once in fixed steps, for sweeps: as many as fit into the vector registers
+// of one core, each with values of its own. A run's bits are those of the run alone, on every
+// instruction set.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "native_model/system/model.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub {
+
+// What is kept of each run.
+struct EnsembleRun {
+  Status status = Status::kOk;
+  double first_touch = -1.0;        // s, begin of the step; -1: never touched
+  std::int64_t contact_steps = 0;   // steps with a normal impulse
+  std::int64_t impacts = 0;         // with gap_rate_before < kCountedGapRate
+  double impulse_total = 0.0;       // N s
+  double peak_impulse = 0.0;        // N s, largest of one step
+  std::vector<double> q, v;         // at the end, nq each
+  double contact_fraction(double end, double step) const;
+  double mean_force(double end) const;  // N, from first touch to the end
+};
+
+// Of x86 processors; elsewhere there is kBaseline alone (on x86: SSE2).
+enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
+InstructionSet best_instruction_set();  // of this processor
+
+class Ensemble {
+ public:
+  // All of the same structure (stepping/lane_model.h); throws std::invalid_argument naming the first
+  // that is not. Models are copied. step: s, > 0. integrator: kPaper or kVerlet. `set`: not beyond
+  // best_instruction_set().
+  Ensemble(std::vector<Model> models, double step,
+           scene::Integrator integrator = scene::Integrator::kPaper,
+           InstructionSet set = best_instruction_set());
+
+  // All runs from t = 0 over `steps` steps; controllers are evaluated run by run.
+  std::vector<EnsembleRun> run(std::int64_t steps);
+
+ private:
+  std::vector<Model> models_;
+  double step_;
+  scene::Integrator integrator_;
+  InstructionSet set_;
+};
+
+}  // namespace rotorub

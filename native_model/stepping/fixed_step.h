@@ -1,0 +1,31 @@
+// What a fixed step of one run did.
+#pragma once
+
+#include <array>
+
+#include "native_model/contact/located_impact.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub {
+
+// The impacts of one step, in order.
+struct ImpactList {
+  int count = 0;
+  std::array<Impact, StepImpacts::kMost> impact;
+  void add(const Impact& i) {
+    if (count < StepImpacts::kMost) impact[static_cast<std::size_t>(count++)] = i;
+  }
+};
+
+struct FixedStep {
+  Status status = Status::kOk;
+  Mode mode = Mode::kFree;        // of lasting contact
+  bool reversed = false;          // the slip changed its sign without sticking
+  double normal_impulse = 0.0;    // N s over the step, impacts and lasting contact alike
+  double friction_impulse = 0.0;  // N s, on the rotor along e_t
+  ImpactList impacts;
+  // J, where asked for: of contact on the coordinates, of all forces but springs and contact.
+  double contact_work = 0.0, external_work = 0.0;
+};
+
+}  // namespace rotorub

@@ -1,0 +1,119 @@
+#include "native_model/stepping/lane_model.h"
+
+#include <algorithm>
+#include <cassert>
+#include <tuple>
+
+namespace rotorub {
+namespace {
+
+template <class T>
+lanes::Array<T> side_by_side(const std::vector<const Model*>& models, auto of) {
+  lanes::Array<T> out(static_cast<std::size_t>(of(*models.front()).size()), T{});
+  int lane = 0;
+  for (const Model* m : models) put_lane(out, of(*m), lane++);
+  return out;
+}
+
+template <class T>
+T number(const std::vector<const Model*>& models, auto of) {
+  T out{};
+  int lane = 0;
+  for (const Model* m : models) lanes::set(out, lane++, of(*m));
+  return out;
+}
+
+template <class T>
+typename LaneModel<T>::Shape shape(const std::vector<const Model*>& models, auto of) {
+  return {side_by_side<T>(models, [&](const Model& m) -> const Eigen::VectorXd& { return of(m).x; }),
+          side_by_side<T>(models, [&](const Model& m) -> const Eigen::VectorXd& { return of(m).y; })};
+}
+
+template <class T>
+typename LaneModel<T>::Plane plane(const std::vector<const Model*>& models, auto of) {
+  return {{number<T>(models, [&](const Model& m) { return of(m).x(); }),
+           number<T>(models, [&](const Model& m) { return of(m).y(); })}};
+}
+
+// Of the fullest kind that one of the lanes has.
+template <class T>
+BasicModeMatrix<T> matrix(const std::vector<const Model*>& models, auto of) {
+  auto kind = ModeMatrix::Kind::kAbsent;
+  for (const Model* m : models) kind = std::max(kind, of(*m).kind());
+  if (kind == ModeMatrix::Kind::kAbsent) return {};
+  const int n = models.front()->layout.modes;
+  const bool full = kind == ModeMatrix::Kind::kFull;
+  const auto flat = [&](const Model& m) -> Eigen::VectorXd {
+    const Eigen::MatrixXd dense = of(m).dense(n);
+    if (full) return Eigen::MatrixXd(dense.transpose()).reshaped();
+    return dense.diagonal();
+  };
+  return {static_cast<typename BasicModeMatrix<T>::Kind>(kind), side_by_side<T>(models, flat)};
+}
+
+}  // namespace
+
+template <class T>
+LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
+    : models(all), layout(all.front()->layout) {
+  assert(models.size() == static_cast<std::size_t>(lanes::kWidth<T>));
+  const Model& first = *all.front();
+  const auto vector = [&](auto member) {
+    return side_by_side<T>(all, [=](const Model& m) -> const Eigen::VectorXd& { return m.*member; });
+  };
+  mass = vector(&Model::mass);
+  stiffness = vector(&Model::stiffness);
+  damping = vector(&Model::damping);
+  weight = vector(&Model::weight);
+  drive_shape = vector(&Model::drive_shape);
+  torsion_contact = vector(&Model::torsion_contact);
+  gyroscopic = matrix<T>(all, [](const Model& m) { return m.gyroscopic; });
+  internal_xx = matrix<T>(all, [](const Model& m) { return m.internal_xx; });
+  internal_xy = matrix<T>(all, [](const Model& m) { return m.internal_xy; });
+  internal_yy = matrix<T>(all, [](const Model& m) { return m.internal_yy; });
+  contact_shape = shape<T>(all, [](const Model& m) -> const ModeShape& { return m.contact_shape; });
+  for (std::size_t i = 0; i < first.dampers.size(); ++i) {
+    const auto of = [i](const Model& m) -> const StationDamper& { return m.dampers[i]; };
+    dampers.push_back({shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
+                       plane<T>(all, [&](const Model& m) { return of(m).damping; })});
+  }
+  for (std::size_t i = 0; i < first.springs.size(); ++i) {
+    const auto of = [i](const Model& m) -> const StationSpring& { return m.springs[i]; };
+    springs.push_back({shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
+                       plane<T>(all, [&](const Model& m) { return of(m).stiffness; })});
+  }
+  for (std::size_t i = 0; i < first.unbalances.size(); ++i) {
+    const auto of = [i](const Model& m) -> const DiscUnbalance& { return m.unbalances[i]; };
+    unbalances.push_back(
+        {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
+         number<T>(all, [&](const Model& m) { return of(m).static_moment; }),
+         number<T>(all, [&](const Model& m) { return of(m).phase; })});
+  }
+  speed = number<T>(all, [](const Model& m) { return m.speed; });
+  spin_angle = number<T>(all, [](const Model& m) { return m.spin_angle; });
+  linear_drive = first.drive && first.drive->kind() == scene::DriveKind::kLinear;
+  if (linear_drive) {
+    drive_gain = number<T>(all, [](const Model& m) { return -m.drive->slope(0.0); });
+    drive_speed = number<T>(all, [](const Model& m) { return m.drive->target(); });
+  }
+}
+
+bool same_structure(const Model& a, const Model& b) {
+  const auto structure = [](const Model& m) {
+    std::vector<int> forces;
+    for (const AppliedForce& f : m.forces) forces.push_back(static_cast<int>(f.kind));
+    const Layout& l = m.layout;
+    return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.coils, forces, m.springs.size(),
+                      m.dampers.size(), m.unbalances.size(), m.weight.size(),
+                      m.drive ? static_cast<int>(m.drive->kind()) : -1, m.contact.has_value(),
+                      m.magnets.has_value(), m.gyroscopic.absent(), m.internal_xx.absent(),
+                      m.internal_yy.absent(), m.controller == nullptr);
+  };
+  return structure(a) == structure(b);
+}
+
+template struct LaneModel<lanes::Lane<2>>;
+template struct LaneModel<lanes::Lane<4>>;
+template struct LaneModel<lanes::Lane<8>>;
+
+}  // namespace rotorub

@@ -1,0 +1,130 @@
+#include "native_model/stepping/literal.h"
+
+#include <cmath>
+
+#include "native_model/contact/impact.h"
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/system/actuation.h"
+
+namespace rotorub {
+namespace {
+
+Eigen::Vector3d rates(const Model& m, const Eigen::VectorXd& v) {
+  const Eigen::Vector2d d = rotor_point(m, v.data()) - stator_point(m, v.data());
+  return {d.x(), d.y(), contact_spin(m, v.data())};  // of accelerations the first two alone
+}
+
+double slip(const Eigen::Vector2d& e_r, double radius, const Eigen::Vector3d& v) {
+  return e_r.x() * v.y() - e_r.y() * v.x() + radius * v.z();
+}
+
+}  // namespace
+
+FixedStep LiteralStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool works) {
+  const Model& m = *model_;
+  FixedStep out;
+  const double t = static_cast<double>(k) * h_;
+  const State start = state_;
+  smooth_force(m, t, q(), v(), u, f_.data());
+  solve_mass(m, t, q(), f_.data(), f_.data());
+  free_ = start.v + h_ * f_;
+  state_.v = free_;
+  if (m.contact) touch(t, out);
+  if (out.status == Status::kOk && !state_.v.allFinite()) out.status = Status::kDiverged;
+  if (out.status != Status::kOk) {
+    state_ = start;
+    return out;
+  }
+  if (works) {
+    const Eigen::Vector2d ring = actuator_state(m, start.q.data(), start.v.data(), u).force;
+    const auto power = [&](const State& s, double at) {
+      return external_power(m, at, s.q.data(), s.v.data(), ring);
+    };
+    State end = state_;
+    end.q += h_ * end.v;
+    out.external_work = 0.5 * h_ * (power(start, t) + power(end, t + h_));
+    for (int i = 0; i < out.impacts.count; ++i) {
+      const Impact& hit = out.impacts.impact[static_cast<std::size_t>(i)];
+      const double held = m.layout.spin ? 0.0 : m.contact->radius * m.speed;
+      out.contact_work += hit.energy_change - hit.friction_impulse * held;
+    }
+    if (out.impacts.count == 0 && out.normal_impulse > 0.0) {
+      const Eigen::Vector2d e_r =
+          (rotor_point(m, q()) - stator_point(m, q())).normalized();
+      const Eigen::Vector3d mean = 0.5 * (rates(m, start.v) + rates(m, state_.v));
+      Eigen::Vector3d of_coordinates = mean;
+      if (!m.layout.spin) of_coordinates.z() -= m.speed;
+      out.contact_work = contact_load(e_r, m.contact->radius, out.normal_impulse,
+                                      out.friction_impulse).dot(of_coordinates);
+    }
+  }
+  state_.q += h_ * state_.v;
+  state_.t = t + h_;
+  return out;
+}
+
+void LiteralStepper::push(double t, const Eigen::Vector2d& e_r, double normal, double friction) {
+  const Model& m = *model_;
+  f_.setZero();
+  add_contact_load(m, contact_load(e_r, m.contact->radius, normal, friction), f_.data());
+  solve_mass(m, t, q(), f_.data(), f_.data());
+  state_.v += f_;
+}
+
+// One row of an impact; its impulses are those of the step.
+void LiteralStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out) const {
+  const double radius = model_->contact->radius;
+  const Eigen::Vector3d before = rates(*model_, free_), after = rates(*model_, state_.v);
+  Impact hit{t + h_, out.normal_impulse, out.friction_impulse, -e_r.dot(before.head<2>()),
+             -e_r.dot(after.head<2>()), slip(e_r, radius, before), slip(e_r, radius, after), 0.0};
+  hit.energy_change = 0.5 * (hit.normal_impulse * (hit.gap_rate_before + hit.gap_rate_after) +
+                             hit.friction_impulse * (hit.slip_before + hit.slip_after));
+  out.impacts.add(hit);
+  out.mode = Mode::kFree;
+}
+
+void LiteralStepper::touch(double t, FixedStep& out) {
+  const Model& m = *model_;
+  const ContactParameters& c = *m.contact;
+  const Eigen::Vector2d d = rotor_point(m, q()) - stator_point(m, q());
+  const bool lasted = in_contact_;
+  in_contact_ = false;
+  const double delta = d.norm();
+  if (delta <= kNoNormal) return;
+  const Eigen::Vector2d e_r = d / delta;
+  const Eigen::Vector3d free = rates(m, free_), acceleration = rates(m, f_);
+  // (12): the gap of the step's end, linearised about q.
+  const double gap = c.clearance - delta - h_ * e_r.dot(free.head<2>());
+  if (gap >= 0.0) return;
+  const double whirl = e_r.x() * free.y() - e_r.y() * free.x();
+  const double closing = e_r.dot(free.head<2>());
+  const double undone =
+      h_ * (e_r.dot(acceleration.head<2>()) + whirl * whirl / c.clearance);
+  const Delassus g = delassus(contact_admittance(m, t, q()), e_r, c.radius);
+  if (!lasted && c.restitution * closing > undone) {
+    const ImpactResult r = solve_impact(g, -closing, slip(e_r, c.radius, free),
+                                        {c.friction, c.restitution, c.tangential_restitution});
+    if (r.status != ImpactStatus::kOk) {
+      out.status = r.status == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous;
+      return;
+    }
+    out.normal_impulse = r.normal();
+    out.friction_impulse = r.friction();
+    push(t, e_r, r.normal(), r.friction());
+    return record(t, e_r, out);
+  }
+  const CoulombSolution s = solve_coulomb(g, gap / h_, slip(e_r, c.radius, free), c.friction);
+  if (s.solutions != 1) {
+    out.status = s.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous;
+    return;
+  }
+  out.normal_impulse = s.normal;
+  out.friction_impulse = s.friction;
+  push(t, e_r, s.normal, s.friction);
+  in_contact_ = true;
+  out.mode = s.contact_case == ContactCase::kStick ? Mode::kStick : Mode::kSlide;
+  // Closed without a rebound: the impact is in the step's impulse.
+  if (!lasted) record(t, e_r, out);
+}
+
+}  // namespace rotorub

@@ -1,0 +1,87 @@
+#include "native_model/stepping/step_limit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "native_model/dynamics/dynamics.h"
+
+namespace rotorub {
+namespace {
+
+// s: the positive root of h^2 k + 4 h d = 4, k and d by the mass: 1/s^2 and 1/s. (At the border a
+// velocity that the command sees half a step late changes its sign each step.)
+double limit_of(double k, double d) {
+  if (k <= 0.0 && d <= 0.0) return std::numeric_limits<double>::infinity();
+  return 4.0 / (2.0 * d + 2.0 * std::sqrt(d * d + std::max(0.0, k)));
+}
+
+// Largest k/m of a plane of bending with what acts at stations, 1/s^2: an upper bound.
+double bending(const Model& m, int plane) {
+  const Layout& l = m.layout;
+  const int at = plane == 0 ? l.x() : l.y();
+  const auto mass = m.mass.segment(at, l.modes);
+  double most = m.stiffness.segment(at, l.modes).cwiseQuotient(mass).maxCoeff();
+  for (const StationSpring& s : m.springs) {
+    const Eigen::VectorXd& shape = plane == 0 ? s.shape.x : s.shape.y;
+    most += std::max(0.0, s.stiffness[plane]) * shape.cwiseAbs2().cwiseQuotient(mass).sum();
+  }
+  if (!m.internal_xy.absent()) {
+    const Eigen::MatrixXd turning = m.internal_xy.dense(l.modes).cwiseAbs();
+    const double speed = std::max(std::abs(m.speed), m.drive ? std::abs(m.drive->target()) : 0.0);
+    most += speed * (mass.cwiseInverse().asDiagonal() * turning).rowwise().sum().maxCoeff();
+  }
+  return most;
+}
+
+// b' D^-1 b / J of the eccentric discs with a free spin: M >= (1 - sqrt of it) diag(M).
+double coupling(const Model& m) {
+  if (!m.coupled_mass()) return 0.0;
+  Eigen::VectorXd unit = Eigen::VectorXd::Unit(m.nq(), m.layout.phi()), solved(m.nq());
+  solve_mass(m, 0.0, m.q0.data(), unit.data(), solved.data());
+  // e' M^-1 e = 1 / (J - b' D^-1 b).
+  return std::clamp(1.0 - 1.0 / (solved[m.layout.phi()] * m.mass[m.layout.phi()]), 0.0, 1.0);
+}
+
+}  // namespace
+
+StepLimit step_limit(const Model& m) {
+  const Layout& l = m.layout;
+  StepLimit limit{std::numeric_limits<double>::infinity(), "nothing"};
+  const auto take = [&](double k, double d, const char* of) {
+    const double step = limit_of(k, d);
+    if (step < limit.step) limit = {step, of};
+  };
+  const double lightest = 1.0 - std::sqrt(coupling(m));
+  for (int plane = 0; plane < 2; ++plane) {
+    take(bending(m, plane) / lightest, 0.0, "the stiffest bending mode");
+  }
+  for (int k = 0; k < l.torsion; ++k) {
+    const int i = l.theta() + k;
+    take(m.stiffness[i] / m.mass[i], 0.0, "the stiffest torsion mode");
+  }
+  for (int k = 0; k < l.stator; ++k) {
+    const int i = l.ring() + k;
+    take(m.stiffness[i] / m.mass[i], 0.0, "the ring on its spring");
+    if (!m.controller || m.sample_time > 0.0) continue;
+    const Controller::Gains gains = m.controller->ring_gains();
+    take((m.stiffness[i] + gains.stiffness) / m.mass[i], gains.damping / m.mass[i],
+         "the controller's gains on the ring");
+  }
+  return limit;
+}
+
+std::string step_beyond(double step, const StepLimit& limit) {
+  char text[160];
+  std::snprintf(text, sizeof text, "step %g s is not below %.4g s, the limit of %s", step,
+                limit.step, limit.of);
+  return text;
+}
+
+std::string step_refusal(const Model& model, double step) {
+  const StepLimit limit = step_limit(model);
+  return step < limit.step ? std::string() : step_beyond(step, limit);
+}
+
+}  // namespace rotorub

@@ -1,0 +1,39 @@
+#include "native_model/stepping/stepped_loads.h"
+
+namespace rotorub {
+
+template <class T>
+SteppedLoads<T>::SteppedLoads(const std::vector<const Model*>& models, double h) : h_(h) {
+  using lanes::set;
+  const std::vector<AppliedForce>& first = models.front()->forces;
+  loads_.resize(first.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    Load& to = loads_[i];
+    to.rotating = first[i].kind == scene::ForceKind::kRotating;
+    to.shape.x.assign(static_cast<std::size_t>(first[i].shape.x.size()), T{});
+    to.shape.y = to.shape.x;
+    for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
+      const AppliedForce& from = models[static_cast<std::size_t>(lane)]->forces[i];
+      to.switched = to.switched || from.on > 0.0 || from.off < scene::kNever || from.ramp > 0.0;
+      set(to.amplitude, lane, from.amplitude);
+      set(to.frequency, lane, from.frequency);
+      set(to.phase, lane, from.phase);
+      set(to.vector_x, lane, from.vector.x());
+      set(to.vector_y, lane, from.vector.y());
+      set(to.on, lane, from.on);
+      set(to.off, lane, std::max(from.on, from.off));
+      set(to.ramp, lane, from.ramp);
+      set(to.turn_cosine, lane, std::cos(from.frequency * h));
+      set(to.turn_sine, lane, std::sin(from.frequency * h));
+      put_lane(to.shape.x, from.shape.x, lane);
+      put_lane(to.shape.y, from.shape.y, lane);
+    }
+  }
+}
+
+template class SteppedLoads<double>;
+template class SteppedLoads<lanes::Lane<2>>;
+template class SteppedLoads<lanes::Lane<4>>;
+template class SteppedLoads<lanes::Lane<8>>;
+
+}  // namespace rotorub

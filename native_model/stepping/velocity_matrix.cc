@@ -1,0 +1,84 @@
+#include "native_model/stepping/velocity_matrix.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "native_model/dynamics/equations.h"
+#include "native_model/stepping/lane_model.h"
+
+namespace rotorub {
+namespace {
+
+bool is_diagonal(const Eigen::MatrixXd& a) {
+  return (a - Eigen::MatrixXd(a.diagonal().asDiagonal())).isZero(0.0);
+}
+
+template <class T>
+void put_matrix(lanes::Array<T>& to, const Eigen::MatrixXd& from, int lane) {
+  to.resize(static_cast<std::size_t>(from.size()), T{});
+  put_lane(to, Eigen::MatrixXd(from.transpose()).reshaped(), lane);
+}
+
+}  // namespace
+
+Eigen::MatrixXd linear_damping(const Model& m) {
+  const Layout& l = m.layout;
+  const int nq = l.nq();
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(nq);
+  Eigen::MatrixXd d = m.damping.asDiagonal();
+  Eigen::VectorXd f(nq);
+  for (int j = 0; j < 2 * l.modes; ++j) {
+    const Eigen::VectorXd v = Eigen::VectorXd::Unit(nq, j);
+    f.setZero();
+    equations::add_rotating_damping(m, rest.data(), v.data(), m.speed, f.data());
+    equations::add_dampers(m, v.data(), f.data());
+    equations::add_gyroscopic(m, m.speed, v.data(), f.data());
+    d.col(j) -= f;
+  }
+  if (m.drive) {
+    Eigen::VectorXd at_motor = Eigen::VectorXd::Zero(nq);
+    at_motor[l.phi()] = 1.0;
+    at_motor.segment(l.theta(), l.torsion) = m.drive_shape;
+    // A motor's curve may rise with the speed: then the iteration has it alone.
+    const double slope = std::max(0.0, -m.drive->slope(m.speed));
+    d.noalias() += slope * at_motor * at_motor.transpose();
+  }
+  return d;
+}
+
+template <class T>
+VelocityMatrix<T>::VelocityMatrix(const std::vector<const Model*>& models, double h)
+    : layout_(models.front()->layout) {
+  const int nq = layout_.nq(), bending = 2 * layout_.modes;
+  std::vector<Eigen::MatrixXd> all;
+  for (const Model* m : models) {
+    all.push_back(0.5 * h * linear_damping(*m));
+    const Eigen::MatrixXd& d = all.back();
+    dense_bending_ = dense_bending_ || !is_diagonal(d.topLeftCorner(bending, bending));
+    dense_spin_ = dense_spin_ || !is_diagonal(d.block(layout_.phi(), layout_.phi(), spins(), spins()));
+  }
+  for (auto* x : {&inverse_, &work_, &rows_, &solved_}) {
+    x->assign(static_cast<std::size_t>(nq), T{});
+  }
+  for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
+    const Model& m = *models[static_cast<std::size_t>(lane)];
+    const Eigen::MatrixXd& d = all[static_cast<std::size_t>(lane)];
+    const Eigen::MatrixXd a = Eigen::MatrixXd(m.mass.asDiagonal()) + d;
+    put_lane(inverse_, Eigen::VectorXd(a.diagonal().cwiseInverse()), lane);
+    if (dense_bending_) {
+      put_matrix(bending_, Eigen::MatrixXd(a.topLeftCorner(bending, bending).inverse()), lane);
+    }
+    if (dense_spin_) {
+      put_matrix(spin_,
+                 Eigen::MatrixXd(a.block(layout_.phi(), layout_.phi(), spins(), spins()).inverse()),
+                 lane);
+    }
+  }
+}
+
+template class VelocityMatrix<double>;
+template class VelocityMatrix<lanes::Lane<2>>;
+template class VelocityMatrix<lanes::Lane<4>>;
+template class VelocityMatrix<lanes::Lane<8>>;
+
+}  // namespace rotorub

@@ -1,0 +1,80 @@
+#include "native_model/stepping/zero_order_hold.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "native_model/control/sampling.h"
+#include "native_model/system/actuation.h"
+
+namespace rotorub {
+
+const Eigen::Vector2d& ZeroOrderHold::at(double t, const double* q, const double* v) {
+  if (!model_->controller || t < model_->control_on) return held_;
+  if (model_->sample_time > 0.0) {
+    const double sample = sample_index(t, model_->sample_time);
+    if (sample == last_sample_) return held_;
+    last_sample_ = sample;
+  }
+  held_ = control_command(*model_, t, q, v);
+  return held_;
+}
+
+// s; infinity: none. The first is at switch-on, the others at multiples of the sample time.
+double ZeroOrderHold::next_sample() const {
+  if (!model_->controller) return std::numeric_limits<double>::infinity();
+  if (last_sample_ < 0.0) return model_->control_on;
+  return (last_sample_ + 1.0) * model_->sample_time;
+}
+
+bool ZeroOrderHold::listens(double end) const {
+  if (!model_->controller) return false;
+  const double first = model_->sample_time > 0.0 ? next_sample() : model_->control_on;
+  return first <= end;
+}
+
+Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const double* q,
+                                    const double* v, const double* a) {
+  if (!listens(end)) return held_;
+  const Model& m = *model_;
+  double now_q[kMaxCoordinates], now_v[kMaxCoordinates];
+  const auto take = [&](double instant) {
+    const double s = instant - t;
+    for (int i = 0; i < m.nq(); ++i) {
+      now_q[i] = q[i] + s * (v[i] + 0.5 * s * a[i]);
+      now_v[i] = v[i] + s * a[i];
+    }
+    held_ = control_command(m, std::max(instant, m.control_on), now_q, now_v);
+  };
+  Eigen::Vector2d sum{0.0, 0.0};
+  double from = begin;
+  const auto until = [&](double instant) {
+    const double to = std::clamp(instant, from, end);
+    sum += (to - from) * held_;
+    from = to;
+  };
+  if (m.sample_time > 0.0) {
+    for (double instant = next_sample(); instant <= end; instant = next_sample()) {
+      until(instant);
+      take(instant);
+      last_sample_ = sample_index(instant, m.sample_time);
+    }
+  } else {
+    if (m.control_on > begin) until(m.control_on);
+    take(std::max(t, m.control_on));
+  }
+  until(end);
+  return sum / (end - begin);
+}
+
+void ZeroOrderHold::save(double* to) const {
+  to[0] = held_.x();
+  to[1] = held_.y();
+  to[2] = last_sample_;
+}
+
+void ZeroOrderHold::restore(const double* from) {
+  held_ = {from[0], from[1]};
+  last_sample_ = from[2];
+}
+
+}  // namespace rotorub

@@ -1,0 +1,133 @@
+// No heap allocation in a step. This program's operator new counts; what the sanitizers replace
+// themselves is left to them, and the test says so.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "native_model/bearing/force_table.h"
+#include "native_model/stepping/ensemble.h"
+#include "native_model/integrate/event.h"
+#include "native_model/stepping/stepper.h"
+#include "native_model/scene/reader.h"
+#include "native_model/system/actuation.h"
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/trajectory/recorder.h"
+#include "tests/support/counted_new.h"
+
+namespace rotorub {
+namespace {
+
+using test::allocations;
+
+class Allocation : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!ROTORUB_COUNTS_ALLOCATIONS) GTEST_SKIP() << "the sanitizer owns operator new";
+    // The counter counts, or nothing below means anything. A direct call: no compiler may take it
+    // away as it may a new-expression.
+    const std::int64_t before = allocations;
+    ::operator delete(::operator new(64));
+    ASSERT_EQ(allocations - before, 1);
+  }
+};
+
+// Every kind of work in a step: free flight, impacts, sliding, torsion, unbalance, control.
+scene::Scene shipped(const std::string& name) {
+  scene::Scene scene =
+      scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
+  if (name.starts_with("paper")) {
+    scene.forces[0].on = 0.0;
+    if (scene.controller) scene.controller->on = 0.002;
+  }
+  return scene;
+}
+
+constexpr const char* kScenes[] = {"bench_ring", "bench_billiard", "bench_drop", "paper_passive",
+                                   "paper_sliding",  "paper_magnetic"};
+
+TEST_F(Allocation, NoneInAStepOfPaper) {
+  for (const char* name : kScenes) {
+    SCOPED_TRACE(name);
+    const Model model = make_model(shipped(name));
+    PaperStepper stepper(model, 1e-5);
+    Eigen::Vector2d u{0.0, 0.0};
+    bool touched = false;
+    const std::int64_t before = allocations;
+    for (std::int64_t k = 0; k < 5000; ++k) {
+      u = control_command(model, 1e-5 * static_cast<double>(k), stepper.q(), stepper.v());
+      touched |= stepper.step(k, u).normal_impulse > 0.0;
+    }
+    const std::int64_t count = allocations - before;
+    EXPECT_EQ(count, 0);
+    EXPECT_TRUE(touched);
+  }
+}
+
+// A run of `event` allocates where it begins and where its lists of impacts and events grow, which
+// doubles them: a number that does not depend on the steps. A run of four times the length, with
+// its events, may allocate for those doublings only.
+TEST_F(Allocation, NoneInAStepOrEventOfEvent) {
+  for (const char* name : kScenes) {
+    SCOPED_TRACE(name);
+    const Model model = make_model(shipped(name));
+    struct Run {
+      std::int64_t allocations, steps;
+      std::size_t impacts, events;
+    };
+    const auto run = [&](double end) {
+      EventIntegrator integrator(model);
+      Recorder recorder(model, {end});
+      const State start = initial_state(model);
+      const std::int64_t before = allocations;
+      const auto result = integrator.run(start, end, recorder);
+      const std::int64_t count = allocations - before;
+      EXPECT_EQ(result.status, Status::kOk) << result.message;
+      const Trajectory t = recorder.finish(end);
+      return Run{count, result.steps, t.impacts.size(), t.events.size()};
+    };
+    const auto doublings = [](std::size_t n) {
+      std::int64_t count = 0;
+      for (std::size_t room = 0; room < n; room = room == 0 ? 1 : 2 * room) ++count;
+      return count;
+    };
+    const Run brief = run(0.02), whole = run(0.08);
+    EXPECT_GT(whole.steps, brief.steps + 20);
+    const auto grown = [&](const Run& r) { return doublings(r.impacts) + doublings(r.events); };
+    EXPECT_LE(whole.allocations - grown(whole), brief.allocations - grown(brief))
+        << whole.steps << " steps, " << whole.events << " events";
+    EXPECT_LT(whole.allocations, 60);
+  }
+}
+
+// The one law whose arithmetic is a library's.
+TEST_F(Allocation, NoneInAForceTable) {
+  const ForceTable table({{-1e-3, -5e-4, 5e-4, 1e-3},
+                          {-2.0, -1.0, 1.0, 2.0},
+                          {-9, -4, 4, 9, -8, -3, 5, 10, -7, -2, 6, 11, -6, -1, 7, 12}});
+  const std::int64_t before = allocations;
+  const double force = table.force(2e-4, 0.3), current = table.current(1e-4, 1.0, 2.0);
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_TRUE(std::isfinite(force + current));
+}
+
+// What an ensemble allocates is the same for ten times the steps.
+TEST_F(Allocation, NoneInAStepOfAnEnsemble) {
+  for (const char* name : kScenes) {
+    SCOPED_TRACE(name);
+    Ensemble ensemble(std::vector<Model>(9, make_model(shipped(name))), 1e-5);
+    const auto count = [&](std::int64_t steps) {
+      const std::int64_t before = allocations;
+      const auto runs = ensemble.run(steps);
+      const std::int64_t after = allocations;
+      EXPECT_EQ(runs[8].status, Status::kOk);
+      return after - before;
+    };
+    const std::int64_t brief = count(500), whole = count(5000);
+    EXPECT_EQ(brief, whole);
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
