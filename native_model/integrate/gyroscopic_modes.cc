@@ -17,7 +17,9 @@ GyroscopicModes gyroscopic_modes(const Model& model) {
   if (modes.diagonal) {
     modes.rate = scaled.diagonal();
   } else {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    // Square: nothing to reduce by a QR first, and none to compile.
+    const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(
+        scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
     modes.rate = svd.singularValues();
     u = svd.matrixU();
     v = svd.matrixV();
