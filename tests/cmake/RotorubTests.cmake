@@ -21,6 +21,11 @@ function(rotorub_test_support)
     PUBLIC rotorub_native_model rotorub_mjcf rotorub_plugin GTest::gtest
     PRIVATE rotorub_warnings)
   target_compile_definitions(rotorub_test_support PRIVATE ${ROTORUB_TEST_DEFINITIONS})
+  # Linked into programs alone, and compiled as they are, so that they can have its precompiled header.
+  set_target_properties(rotorub_test_support PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  target_compile_options(rotorub_test_support PRIVATE -fPIE)
+  target_precompile_headers(rotorub_test_support PRIVATE ${ROTORUB_PRECOMPILED} <filesystem>
+                            <gtest/gtest.h>)
 endfunction()
 
 # rotorub_tests(<area> [LINK <target>...] [START <target>...]): the test programs of tests/<area>, linked with
@@ -48,6 +53,7 @@ function(rotorub_tests area)
     target_link_libraries(${name} PRIVATE ${ARG_LINK} rotorub_test_support GTest::gtest_main
                                           rotorub_warnings)
     target_compile_definitions(${name} PRIVATE ${ROTORUB_TEST_DEFINITIONS})
+    target_precompile_headers(${name} REUSE_FROM rotorub_test_support)
     add_dependencies(tests_${area} ${name})
     rotorub_discover(${name} ${area})
   endforeach()
