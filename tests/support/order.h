@@ -11,6 +11,17 @@
 
 namespace rotorub::test {
 
+// Largest distance of the rotor over all rows, m.
+inline double rotor_error(const Trajectory& a, const Trajectory& b) {
+  const auto &ax = a.column("rotor_x"), &ay = a.column("rotor_y");
+  const auto &bx = b.column("rotor_x"), &by = b.column("rotor_y");
+  double most = 0.0;
+  for (std::size_t k = 0; k < std::min(a.rows(), b.rows()); ++k) {
+    most = std::max(most, std::hypot(ax[k] - bx[k], ay[k] - by[k]));
+  }
+  return most;
+}
+
 // Largest error over all rows, m: of the rotor's place, the ring's, and of the spin angle as an arc
 // of `radius` (0: left out). Rows should stand at ends of steps: between them an impact is
 // interpolated at first order.
