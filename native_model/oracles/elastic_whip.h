@@ -1,0 +1,55 @@
+// Exact: dry friction backward whirl on an elastic ring without excitation (Black 1968), the spin
+// held. Rotor (m, d, k) and ring (M, D, K) circle in contact, psi' = -nu, nu > 0. With the force
+// lambda (1 + i tau) e^{i psi} of the rotor on the ring
+//
+//   D_r = k - m nu^2 - i d nu,  D_s = K - M nu^2 - i D nu,  H = 1/D_r + 1/D_s
+//   z_r = -lambda (1 + i tau) e^{i psi} / D_r,  z_s = lambda (1 + i tau) e^{i psi} / D_s
+//   z_r - z_s = delta_0 e^{i psi}:  lambda (1 + i tau) = -delta_0 / H
+//   lambda = -delta_0 Re H / |H|^2,  tau = Im H / |Re H|        where Re H < 0
+//
+// tau is the friction that the motion asks for. Up to tau <= mu it can be had without slip
+// (rolling). A slip r Omega - delta_0 nu > 0 gives mu, neither more nor less: a whip that slips
+// stands at tau = mu, and friction speeds up a whirl of tau < mu. Existence is not stability.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "native_model/oracles/annular_rub.h"
+
+namespace rotorub::oracle {
+
+// At psi = 0; everything turns with e^{-i nu t}.
+struct CircularWhirl {
+  std::complex<double> rotor, stator;                    // m
+  std::complex<double> rotor_velocity, stator_velocity;  // m/s
+  double force = 0.0;                                    // N, lambda
+  double friction = 0.0;                                 // tau
+};
+
+// nu in [from, to], rad/s; `to` may be infinity.
+struct WhirlInterval {
+  double from, to;
+};
+
+struct ElasticWhip {
+  Support rotor, ring;  // of both planes; damping > 0 in one of them
+  double clearance;     // m, delta_0 > 0
+
+  std::complex<double> compliance(double nu) const;  // m/N, H
+  double normal_force(double nu) const;              // N, lambda; no contact where negative
+  double friction_asked(double nu) const;            // tau; infinity where Re H >= 0
+  bool rolls(double nu, double mu) const;            // Re H < 0 and tau <= mu
+  CircularWhirl whirl(double nu) const;              // Re H < 0
+
+  // All nu > 0 of tau(nu) = mu > 0, ascending: where a slipping whip stands.
+  std::vector<double> slipping_whips(double mu) const;
+  // All nu > 0 with rolls(nu, mu), ascending.
+  std::vector<WhirlInterval> rolling_intervals(double mu) const;
+
+  // Of the whip that slips at nu under mu = tau(nu), by falling real part: the five eigenvalues of
+  // its perturbations in the turning frame, contact kept. Stable iff all real parts are < 0.
+  std::vector<std::complex<double>> eigenvalues(double nu) const;
+};
+
+}  // namespace rotorub::oracle

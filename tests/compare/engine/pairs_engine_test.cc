@@ -1,0 +1,66 @@
+// Every pair of a machine's parts in MuJoCo with contact model `rigid`, against `event`: the error
+// must fall with the square of the step, as the native scheme's does.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include "compare/engine/mujoco_engine.h"
+#include "native_model/integrate/run.h"
+#include "tests/support/mujoco_fixture.h"
+#include "tests/support/order.h"
+#include "tests/support/pairs.h"
+
+namespace rotorub::test {
+namespace {
+
+// 50 us to 1.5 us; 1 ms, where the rows and the samples are, is a whole number of each.
+constexpr int kStepsInAMillisecond[] = {20, 25, 30, 40, 60, 90, 135, 200, 300, 450, 680};
+constexpr double kRigidOrder = 1.7;  // 2, less the scatter of impacts within their steps
+constexpr double kFloor = 1e-12;     // m: MuJoCo's links weigh 1e-12 kg; judged stands well above
+
+Trajectory event(const scene::Scene& scene) {
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  return run_native(scene, options);
+}
+
+Convergence converge(const scene::Scene& scene, const Trajectory& exact) {
+  Convergence c;
+  for (const int n : kStepsInAMillisecond) {
+    MujocoOptions options;
+    options.contact = scene::ContactModel::kRigid;
+    options.step = 1e-3 / n;
+    const Trajectory t = run_mujoco(scene, options);
+    EXPECT_EQ(t.status, Status::kOk) << scene.name << " at 1/" << n << " ms: " << t.message;
+    if (t.status != Status::kOk || t.rows() != exact.rows()) continue;
+    c.steps.push_back(1e-3 / n);
+    c.errors.push_back(trajectory_error(t, exact, scene.contact->radius));
+  }
+  return c.above(kFloor);
+}
+
+class PairsEngine : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(PairsEngine, RigidIsOfSecondOrder) {
+  std::string table;
+  bool short_of_order = false;
+  for (const Pair& pair : pairs_from(GetParam())) {
+    const scene::Scene scene = pair.scene();
+    const Trajectory exact = event(scene);
+    ASSERT_EQ(exact.status, Status::kOk) << scene.name << ": " << exact.message;
+    const Convergence c = converge(scene, exact);
+    const bool good = c.steps.size() >= 5 && c.order() >= kRigidOrder;
+    short_of_order = short_of_order || !good;
+    char head[96];
+    std::snprintf(head, sizeof head, "%s %-46s", good ? "     " : "SHORT", scene.name.c_str());
+    table += head + c.text() + '\n';
+  }
+  EXPECT_FALSE(short_of_order) << "least order " << kRigidOrder << '\n' << table;
+}
+
+INSTANTIATE_TEST_SUITE_P(From, PairsEngine, ::testing::ValuesIn(part_names()),
+                         [](const auto& part) { return part.param; });
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,130 @@
+// Backward whip on an elastic ring by whole runs: where it settles, how its perturbations grow, and
+// on which side of a watershed a start lies.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "native_model/oracles/elastic_whip.h"
+#include "tests/native_model/hard/rules.h"
+#include "tests/support/whip.h"
+
+namespace rotorub {
+namespace {
+
+using oracle::ElasticWhip;
+
+TEST(HardWhip, TheShippedStartIsTheWhirlAt450) {
+  const scene::Scene scene = test::shipped("bench_whip");
+  const ElasticWhip whip = test::whip_of(scene);
+  const Model model = make_model(scene), exact = make_model(test::whirling(scene, 450.0));
+  EXPECT_LT((model.q0 - exact.q0).norm(), 1e-15 * model.q0.norm());
+  EXPECT_LT((model.v0 - exact.v0).norm(), 1e-15 * model.v0.norm());
+  EXPECT_TRUE(whip.rolls(450.0, scene.contact->friction));
+}
+
+TEST(HardWhip, EventReachesTheWhip) {
+  const scene::Scene scene = test::shipped("bench_whip");
+  const Trajectory t = test::run_event(scene);
+  test::expect_sound_event(scene, t);
+  EXPECT_EQ(t.statistics.contact_time, scene.run.end) << "never lifts off";
+  EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -501.9257, 1e-6 * 502.0);
+  EXPECT_NEAR(t.column("normal_force").back(), 244.8444, 1e-6 * 245.0);
+  const ElasticWhip whip = test::whip_of(scene);
+  const double nu = whip.slipping_whips(scene.contact->friction)[1];
+  EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -nu, 1e-8 * nu);
+  EXPECT_NEAR(t.column("normal_force").back(), whip.normal_force(nu), 1e-7 * 245.0);
+}
+
+// ---------------------------------------------------------------- growth
+// Rate, 1/s, of the amplitude at `frequency` (rad/s) in x: amplitudes by least squares in windows
+// of a quarter of a second, and a line through their logarithms. The first second is left to the
+// faster perturbations.
+double growth_rate(const std::vector<double>& t, const std::vector<double>& x, double frequency) {
+  constexpr double kWindow = 0.25, kFrom = 1.0;
+  std::vector<double> middle, logarithm;
+  std::size_t first = 0;
+  while (t[first] < kFrom) ++first;
+  while (first < t.size()) {
+    std::size_t end = first;
+    while (end < t.size() && t[end] < t[first] + kWindow) ++end;
+    const auto n = static_cast<Eigen::Index>(end - first);
+    if (n < 100) break;
+    Eigen::MatrixXd basis(n, 3);
+    Eigen::VectorXd value(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const std::size_t k = first + static_cast<std::size_t>(i);
+      basis.row(i) << 1.0, std::cos(frequency * t[k]), std::sin(frequency * t[k]);
+      value[i] = x[k];
+    }
+    const Eigen::Vector3d fit = basis.colPivHouseholderQr().solve(value);
+    middle.push_back(t[first] + 0.5 * kWindow);
+    logarithm.push_back(0.5 * std::log(fit.tail<2>().squaredNorm()));
+    first = end;
+  }
+  Eigen::MatrixXd line(middle.size(), 2);
+  line.col(0).setOnes();
+  line.col(1) = Eigen::Map<Eigen::VectorXd>(middle.data(), line.rows());
+  const Eigen::VectorXd y = Eigen::Map<Eigen::VectorXd>(logarithm.data(), line.rows());
+  return line.colPivHouseholderQr().solve(y)[1];
+}
+
+// Within 2 % of the eigenvalue, judged over 5 s: over 1 s decay and growth look alike.
+void expect_growth(double mu) {
+  SCOPED_TRACE(mu);
+  scene::Scene scene = test::shipped("bench_whip");
+  scene.contact->friction = mu;
+  const ElasticWhip whip = test::whip_of(scene);
+  const double nu = whip.slipping_whips(mu)[1];
+  const std::complex<double> first = whip.eigenvalues(nu).front();
+  ASSERT_NE(first.imag(), 0.0);
+  // Off the whip by too little to be anything but linear, even after 5 s of growth.
+  scene = test::whirling(scene, nu * (1.0 + 1e-5));
+  scene.run.end = 5.0;
+  scene.run.output_step = 1e-3;
+  const Trajectory t = test::run_event(scene);
+  test::expect_sound_event(scene, t);
+  const double rate = growth_rate(t.column("t"), t.column("normal_force"), std::abs(first.imag()));
+  EXPECT_NEAR(rate, first.real(), 0.02 * std::abs(first.real()));
+}
+
+TEST(HardWhip, DecaysBelowTheHopfBorder) { expect_growth(0.241); }
+TEST(HardWhip, GrowsAboveTheHopfBorder) { expect_growth(0.244); }
+
+// ---------------------------------------------------------------- the watershed
+// On the softer ring there is no stable whip: below the edge the rotor lifts off, above it friction
+// speeds the whirl up until it rolls, nu delta_0 = r Omega.
+scene::Scene on_soft_ring(double nu) {
+  scene::Scene scene = test::shipped("bench_whip");
+  scene.stator->stiffness.setConstant(1e5);
+  scene.contact->friction = 0.15;
+  return test::whirling(scene, nu);
+}
+
+TEST(HardWhip, BelowTheEdgeItLiftsOff) {
+  const scene::Scene scene = on_soft_ring(1018.0);
+  EXPECT_NEAR(test::whip_of(scene).slipping_whips(0.15).back(), 1019.199, 5e-4);
+  const Trajectory t = test::run_event(scene);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  bool lifted = false;
+  for (const Event& e : t.events) lifted = lifted || e.kind == EventKind::kLiftOff;
+  EXPECT_TRUE(lifted);
+  EXPECT_LT(t.contact_fraction(), 0.5);
+}
+
+TEST(HardWhip, AboveTheEdgeItComesToRoll) {
+  const scene::Scene scene = on_soft_ring(1020.5);
+  const Trajectory t = test::run_event(scene);
+  test::expect_sound_event(scene, t);
+  const double rolling = scene.contact->radius * scene.rotor.speed / scene.contact->clearance;
+  EXPECT_NEAR(rolling, 31415.927, 5e-4);
+  EXPECT_EQ(static_cast<Mode>(t.column("mode").back()), Mode::kStick);
+  EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -rolling, 1e-9 * rolling);
+  EXPECT_NEAR(t.column("normal_force").back(), test::whip_of(scene).normal_force(rolling),
+              1e-6 * t.column("normal_force").back());
+}
+
+}  // namespace
+}  // namespace rotorub

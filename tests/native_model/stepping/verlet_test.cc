@@ -1,0 +1,168 @@
+// `verlet` is second order through impacts, their accumulation and lasting contact: against `event`
+// and against closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "native_model/integrate/run.h"
+#include "native_model/oracles/annular_rub.h"
+#include "native_model/scene/reader.h"
+#include "tests/support/jeffcott.h"
+#include "tests/support/order.h"
+#include "tests/support/whip.h"
+
+namespace rotorub {
+namespace {
+
+using test::Convergence;
+
+// s; the rows of every scene here stand at whole numbers of each.
+constexpr double kSteps[] = {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6, 2.5e-6, 1e-6};
+constexpr double kOrder = 1.9;
+// m: round-off of 500,000 steps, and that of rows that are interpolated at the end of a step.
+constexpr double kFloor = 2e-13;
+
+scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
+}
+
+Trajectory run(const scene::Scene& scene, scene::Integrator integrator, double step = 1e-5) {
+  NativeOptions options;
+  options.integrator = integrator;
+  options.step = step;
+  const Trajectory t = run_native(scene, options);
+  EXPECT_EQ(t.status, Status::kOk) << scene.name << ": " << t.message;
+  return t;
+}
+
+Trajectory verlet(const scene::Scene& scene, double step) {
+  return run(scene, scene::Integrator::kVerlet, step);
+}
+
+// error: of a trajectory, m.
+template <class Error>
+Convergence converge(const scene::Scene& scene, const Error& error) {
+  Convergence c;
+  for (const double step : kSteps) {
+    c.steps.push_back(step);
+    c.errors.push_back(error(verlet(scene, step)));
+  }
+  return c;
+}
+
+void expect_second_order(const Convergence& all) {
+  const Convergence c = all.above(kFloor);
+  EXPECT_GE(c.steps.size(), 5U) << all.text();
+  EXPECT_GE(c.order(), kOrder) << all.text();
+}
+
+// ---------------------------------------------------------------- against `event`
+TEST(Verlet, BenchRingOverTheWholeRun) {
+  const scene::Scene scene = shipped("bench_ring");
+  const Trajectory exact = run(scene, scene::Integrator::kEvent);
+  const Convergence c =
+      converge(scene, [&](const Trajectory& t) { return test::rotor_error(t, exact); });
+  expect_second_order(c);
+  EXPECT_LT(c.errors[0], 1e-6) << "at 1e-4: " << c.text();
+  EXPECT_LT(c.errors[3], 1.2e-8) << "at 1e-5: " << c.text();
+}
+
+// Without rebound the first impact is the last, and is located all the same.
+TEST(Verlet, BenchRingWithoutRestitution) {
+  const scene::Scene scene = shipped("bench_ring", {"contact.restitution=0.0"});
+  const Trajectory exact = run(scene, scene::Integrator::kEvent);
+  const Convergence c =
+      converge(scene, [&](const Trajectory& t) { return test::rotor_error(t, exact); });
+  expect_second_order(c);
+  EXPECT_LT(c.errors[0], 1e-6) << "at 1e-4: " << c.text();
+  EXPECT_LT(c.errors[3], 1.2e-8) << "at 1e-5: " << c.text();
+}
+
+// Straight flights and located impacts: nothing is left but round-off.
+TEST(Verlet, BenchBilliardIsExact) {
+  const scene::Scene scene = shipped("bench_billiard");
+  const Trajectory exact = run(scene, scene::Integrator::kEvent);
+  EXPECT_LT(test::rotor_error(verlet(scene, 1e-5), exact), 1e-12);
+}
+
+// ---------------------------------------------------------------- annular rubs
+constexpr double kWhirl = 100.0 * std::numbers::pi;  // rad/s
+
+// A rotor on a force of 150 N at 50 Hz, started on the exact rub.
+scene::Scene rubbing(const oracle::AnnularRub& rub) {
+  scene::Scene s = test::make_scene(
+      {.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .friction = 0.15, .speed = kWhirl});
+  test::add_rotating_force(s, 150.0, kWhirl);
+  const std::complex<double> rate{0.0, kWhirl};
+  const std::complex<double> v = rate * rub.rotor, w = rate * rub.stator;
+  s.initial.x = {rub.rotor.real()};
+  s.initial.y = {rub.rotor.imag()};
+  s.initial.vx = {v.real()};
+  s.initial.vy = {v.imag()};
+  s.initial.stator = {rub.stator.real(), rub.stator.imag()};
+  s.initial.stator_velocity = {w.real(), w.imag()};
+  s.run.end = 0.1;
+  s.run.output_step = 1e-3;
+  return s;
+}
+
+// Largest distance of the rotor from its place in the rub, m.
+double off_the_rub(const Trajectory& t, const oracle::AnnularRub& rub) {
+  double most = 0.0;
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    const std::complex<double> place = rub.rotor * std::polar(1.0, kWhirl * t.column("t")[k]);
+    most = std::max(most, std::hypot(t.column("rotor_x")[k] - place.real(),
+                                     t.column("rotor_y")[k] - place.imag()));
+  }
+  return most;
+}
+
+TEST(Verlet, AnnularRubOnARigidRing) {
+  const auto rub = oracle::annular_rub({2.0, 40.0, 2e5}, 0.5e-3, 0.15, 150.0, kWhirl);
+  ASSERT_TRUE(rub);
+  const scene::Scene scene = rubbing(*rub);
+  ASSERT_LT(off_the_rub(run(scene, scene::Integrator::kEvent), *rub), 1e-13) << "is it stable?";
+  expect_second_order(converge(scene, [&](const Trajectory& t) { return off_the_rub(t, *rub); }));
+}
+
+TEST(Verlet, AnnularRubOnAnElasticRing) {
+  const auto rub =
+      oracle::annular_rub({2.0, 40.0, 2e5}, {1.0, 200.0, 1e5}, 0.5e-3, 0.15, 150.0, kWhirl);
+  ASSERT_TRUE(rub);
+  scene::Scene scene = rubbing(*rub);
+  test::add_ring(scene, 1.0, 200.0, 1e5);
+  ASSERT_LT(off_the_rub(run(scene, scene::Integrator::kEvent), *rub), 1e-13) << "is it stable?";
+  expect_second_order(converge(scene, [&](const Trajectory& t) { return off_the_rub(t, *rub); }));
+}
+
+// ---------------------------------------------------------------- the whip
+// Where the whip settles; at 1e-5 the scheme is 1.2e-3 rad/s and 1.2e-3 N off.
+TEST(Verlet, SettlesOnTheWhip) {
+  const scene::Scene scene = shipped("bench_whip");
+  const double nu = test::whip_of(scene).slipping_whips(scene.contact->friction)[1];
+  Convergence speed, force;
+  for (const double step : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {
+    const Trajectory t = verlet(scene, step);
+    speed.steps.push_back(step);
+    speed.errors.push_back(std::abs(-test::whirl_speed(t, t.rows() - 1) - nu));
+    force.steps.push_back(step);
+    force.errors.push_back(
+        std::abs(t.column("normal_force").back() - test::whip_of(scene).normal_force(nu)));
+  }
+  EXPECT_GE(speed.order(), kOrder) << "rad/s: " << speed.text();
+  EXPECT_GE(force.order(), kOrder) << "N: " << force.text();
+  EXPECT_LT(speed.errors[3], 2e-3) << "rad/s: " << speed.text();
+  EXPECT_LT(force.errors[3], 2e-3) << "N: " << force.text();
+}
+
+TEST(Verlet, FollowsTheWhipFromItsStart) {
+  const scene::Scene scene = shipped("bench_whip", {"run.end=0.1", "run.output_step=1e-3"});
+  const Trajectory exact = run(scene, scene::Integrator::kEvent);
+  expect_second_order(
+      converge(scene, [&](const Trajectory& t) { return test::trajectory_error(t, exact); }));
+}
+
+}  // namespace
+}  // namespace rotorub

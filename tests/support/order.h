@@ -1,0 +1,82 @@
+// Order of convergence from errors over a ladder of steps.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub::test {
+
+// Largest distance of the rotor over all rows, m.
+inline double rotor_error(const Trajectory& a, const Trajectory& b) {
+  const auto &ax = a.column("rotor_x"), &ay = a.column("rotor_y");
+  const auto &bx = b.column("rotor_x"), &by = b.column("rotor_y");
+  double most = 0.0;
+  for (std::size_t k = 0; k < std::min(a.rows(), b.rows()); ++k) {
+    most = std::max(most, std::hypot(ax[k] - bx[k], ay[k] - by[k]));
+  }
+  return most;
+}
+
+// Largest error over all rows, m: of the rotor's place, the ring's, and of the spin angle as an arc
+// of `radius` (0: left out). Rows should stand at ends of steps: between them an impact is
+// interpolated at first order.
+inline double trajectory_error(const Trajectory& a, const Trajectory& b, double radius = 0.0) {
+  const auto point = [&](const char* x, const char* y, std::size_t k) {
+    return std::hypot(a.column(x)[k] - b.column(x)[k], a.column(y)[k] - b.column(y)[k]);
+  };
+  double most = 0.0;
+  for (std::size_t k = 0; k < std::min(a.rows(), b.rows()); ++k) {
+    const double turn = a.column("spin_angle")[k] - b.column("spin_angle")[k];
+    most = std::max({most, point("rotor_x", "rotor_y", k), point("stator_x", "stator_y", k),
+                     radius * std::abs(turn)});
+  }
+  return most;
+}
+
+struct Convergence {
+  std::vector<double> steps, errors;  // s, m
+
+  // Slope of log error over log step, by least squares: impacts fall at random within their steps,
+  // so that neighbours scatter.
+  double order() const {
+    const auto n = static_cast<double>(steps.size());
+    double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const double x = std::log(steps[k]), y = std::log(std::max(errors[k], 1e-300));
+      sx += x;
+      sy += y;
+      sxx += x * x;
+      sxy += x * y;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  }
+  // Without the errors that round-off may have made.
+  Convergence above(double floor) const {
+    Convergence c;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      if (errors[k] <= floor) continue;
+      c.steps.push_back(steps[k]);
+      c.errors.push_back(errors[k]);
+    }
+    return c;
+  }
+
+  // "order 1.98: 3.1e-07 7.9e-08 ..."
+  std::string text() const {
+    char number[32];
+    std::snprintf(number, sizeof number, "order %5.2f:", order());
+    std::string out = number;
+    for (const double e : errors) {
+      std::snprintf(number, sizeof number, " %.1e", e);
+      out += number;
+    }
+    return out;
+  }
+};
+
+}  // namespace rotorub::test

@@ -1,0 +1,43 @@
+// The whip of a one-mode rotor on an elastic ring, and starts on its circular motions.
+#pragma once
+
+#include <cmath>
+
+#include "native_model/oracles/elastic_whip.h"
+#include "native_model/scene/scene.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub::test {
+
+// Of an isotropic scene in modal form with one mode.
+inline oracle::ElasticWhip whip_of(const scene::Scene& s) {
+  const scene::RotorModal& r = *s.rotor.modal;
+  const scene::Stator& ring = *s.stator;
+  return {{r.mass[0], r.damping[0], r.stiffness[0]},
+          {ring.mass.x(), ring.damping.x(), ring.stiffness.x()},
+          s.contact->clearance};
+}
+
+// The same, started on the backward whirl at nu, rad/s.
+inline scene::Scene whirling(scene::Scene s, double nu) {
+  const oracle::CircularWhirl w = whip_of(s).whirl(nu);
+  s.initial.x = {w.rotor.real()};
+  s.initial.y = {w.rotor.imag()};
+  s.initial.vx = {w.rotor_velocity.real()};
+  s.initial.vy = {w.rotor_velocity.imag()};
+  s.initial.stator = {w.stator.real(), w.stator.imag()};
+  s.initial.stator_velocity = {w.stator_velocity.real(), w.stator_velocity.imag()};
+  return s;
+}
+
+// Of the rotor about the ring's centre at a row, rad/s, negative backward.
+inline double whirl_speed(const Trajectory& t, std::size_t row) {
+  const auto relative = [&](const char* rotor, const char* ring) {
+    return t.column(rotor)[row] - t.column(ring)[row];
+  };
+  const double x = relative("rotor_x", "stator_x"), y = relative("rotor_y", "stator_y");
+  const double vx = relative("rotor_vx", "stator_vx"), vy = relative("rotor_vy", "stator_vy");
+  return (x * vy - y * vx) / (x * x + y * y);
+}
+
+}  // namespace rotorub::test
