@@ -28,7 +28,7 @@ struct WhirlSpectrum {
   std::vector<WhirlMode> modes;
 };
 
-// speed: rad/s, either sign. Throws std::runtime_error where the eigenvalues do not converge.
+// speed: rad/s, either sign. Throws RotorNotSolvable (refusal.h) where the eigenvalues do not converge.
 WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed);
 
 // Undamped critical speeds (rad/s, ascending): whirl in step with the spin, K u = Omega^2 (1 - G)

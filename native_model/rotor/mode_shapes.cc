@@ -62,7 +62,7 @@ PlaneShapes plane_shapes(const PlaneModes& plane, const Eigen::MatrixXd& lines,
 
 std::optional<ModeShapes> mode_shapes(const scene::Scene& scene) {
   if (!scene.rotor.geometry) return std::nullopt;
-  return with_file_name(scene, [&] {
+  return with_place(scene, [&] {
     const RotorModes modes = rotor_modes(scene);
     const ModalRotor rotor = reduce_bending(scene, modes);
     const ModeLines& lines = *rotor.lines;

@@ -3,21 +3,22 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "native_model/rotor/refusal.h"
 
 namespace rotorub {
 
 PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(mass, stiffness);
   if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite()) {
-    throw std::runtime_error("eigenmodes of the shaft: no convergence");
+    throw RotorNotSolvable("no eigenmodes of the shaft can be found");
   }
   // Ascending omega^-2, so the modes come in reverse. Those that round-off leaves without a
   // frequency of their own are given the highest one that can be told from zero.
   const Eigen::VectorXd compliance = solver.eigenvalues().reverse();
   const double least = std::numeric_limits<double>::epsilon() * compliance[0];
   if (!(least > 0.0))
-    throw std::runtime_error("eigenmodes of the shaft: mass or stiffness is not positive");
+    throw RotorNotSolvable("mass or stiffness of the shaft is not positive to working precision");
 
   PlanarModes modes;
   modes.frequency = compliance.cwiseMax(least).cwiseSqrt().cwiseInverse();

@@ -12,7 +12,7 @@ struct PlanarModes {
 
 // M, K symmetric and positive definite, N x N. The low frequencies are the accurate ones: the
 // problem solved is M phi = omega^-2 K phi, in which very stiff parts are very small numbers.
-// Throws std::runtime_error where a matrix is not positive definite to working precision.
+// Throws RotorNotSolvable (refusal.h) where a matrix is not positive definite to working precision.
 PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
 
 }  // namespace rotorub

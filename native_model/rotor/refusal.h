@@ -1,25 +1,34 @@
-// Refusals of a rotor that only its matrices can show, with the name of the scene's file.
+// Refusals of a rotor that only its matrices can show, at the place in the scene's file.
 #pragma once
 
-#include <utility>
-#include <vector>
+#include <stdexcept>
+#include <string>
 
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/record.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
 
-// action(), with the file put into every diagnostic of a scene::SceneError that has none.
+// Matrices that cannot be solved to working precision.
+class RotorNotSolvable : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// action(), with its refusals at the place of their keys, and with what cannot be solved as a
+// refusal of the whole rotor.
 template <typename Action>
-auto with_file_name(const scene::Scene& scene, const Action& action) {
+auto with_place(const scene::Scene& scene, const Action& action) {
   try {
     return action();
   } catch (const scene::SceneError& error) {
-    std::vector<scene::Diagnostic> diagnostics = error.diagnostics();
-    for (scene::Diagnostic& diagnostic : diagnostics) {
-      if (diagnostic.file.empty() && !scene.name.empty()) diagnostic.file = scene.name + ".toml";
-    }
-    throw scene::SceneError(std::move(diagnostics));
+    throw scene::SceneError(scene::placed(scene, error.diagnostics()));
+  } catch (const RotorNotSolvable& error) {
+    throw scene::SceneError(scene::placed(
+        scene,
+        {{"", 0, scene.rotor.modal ? "rotor.modal" : "rotor",
+          std::string(error.what()) +
+              ": its masses, stiffnesses and lengths lie too many orders of magnitude apart"}}));
   }
 }
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
+
+#include "native_model/rotor/refusal.h"
 
 namespace rotorub {
 namespace {
@@ -29,7 +30,7 @@ Matrix state_matrix(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W) 
   return A;
 }
 
-[[noreturn]] void fail() { throw std::runtime_error("eigenvalues of the rotor: no convergence"); }
+[[noreturn]] void fail() { throw RotorNotSolvable("no eigenvalues can be found"); }
 
 // x + i y: r'' + (D + N - i Omega G) r' + (K - i Omega N) r = 0. Each eigenvalue is one whirl.
 std::vector<Complex> isotropic_eigenvalues(const WhirlSystem& system, double speed) {

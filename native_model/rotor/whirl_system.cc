@@ -94,7 +94,7 @@ WhirlSystem modal_system(const scene::Scene& scene) {
 
 WhirlSystem whirl_system(const scene::Scene& scene) {
   assert(scene.rotor.geometry.has_value() != scene.rotor.modal.has_value());
-  WhirlSystem system = with_file_name(
+  WhirlSystem system = with_place(
       scene, [&] { return scene.rotor.geometry ? geometry_system(scene) : modal_system(scene); });
   system.isotropic = same_planes(system);
   return system;

@@ -8,7 +8,8 @@
 namespace rotorub::scene {
 namespace {
 
-constexpr double kMostRows = 1e8;  // of a series
+constexpr double kMostRows =
+    1e7;  // of a series; the engines know its columns too (system/run_size.h)
 constexpr double kGapTolerance =
     1e-9;  // of the clearance: a rotor that starts on the ring is meant to
 
@@ -30,8 +31,9 @@ void check_run(const Checker& check) {
     check.fail("run.step", "must be at most " + end);
   }
   if (check.record.sound({"run.output_step"}) && run.end / run.series_step() > kMostRows) {
-    check.fail("run.output_step",
-               "gives more than 1e8 rows; expected at least " + text(run.end / kMostRows) + " s");
+    check.fail("run.output_step", "gives " + text(run.end / run.series_step()) +
+                                      " rows; expected at most 1e7 rows, one in " +
+                                      text(run.end / kMostRows) + " s");
   }
   if (!check.record.sound({"run.output_times"})) return;
   for (std::size_t i = 0; i < run.output_times.size(); ++i) {
@@ -130,8 +132,7 @@ void check_force_table(const Checker& check, const Actuator& actuator) {
   }
   const double most = std::min(-current.front(), current.back());
   if (check.record.sound({"actuator.current_limit"}) && actuator.current_limit > most) {
-    check.fail("actuator.current_limit",
-               "must be within the table, at most " + text(most) + " A");
+    check.fail("actuator.current_limit", "must be within the table, at most " + text(most) + " A");
   }
 }
 

@@ -1,7 +1,9 @@
 // Cross-checks of [rotor].
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "native_model/scene/checker.h"
 
@@ -12,12 +14,20 @@ namespace {
 constexpr double kSectionTolerance = 1e-9;
 // Jp <= 2 Jt for every rigid body; data sheets round.
 constexpr double kInertiaTolerance = 0.01;
+// Jp = mass eccentricity^2 is a point mass: meant, whatever the last digits.
+constexpr double kPointMassTolerance = 1e-9;
 
 std::string element(const std::string& list, std::size_t index) {
   return list + "[" + std::to_string(index) + "]";
 }
 
 std::string metres(double z) { return std::to_string(z) + " m"; }
+
+std::string inertia(double J) {
+  std::array<char, 40> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%g kg m^2", J);
+  return buffer.data();
+}
 
 // Sections in the order of the file cover 0 to length.
 void check_sections(const Checker& check, const RotorGeometry& shaft) {
@@ -71,6 +81,16 @@ void check_discs_and_bearings(const Checker& check, const RotorGeometry& shaft) 
     if (check.record.sound({path + ".Jt", path + ".Jp"}) &&
         disc.Jp > 2.0 * disc.Jt * (1.0 + kInertiaTolerance)) {
       check.fail(path + ".Jp", "no rigid body has Jp > 2 Jt; a thin disc has Jp = 2 Jt");
+    }
+    // Where the spin is free, less makes the mass matrix indefinite: energy out of nothing.
+    const double least = disc.mass * disc.eccentricity * disc.eccentricity;
+    if (check.scene.drive &&
+        check.record.sound({path + ".mass", path + ".Jp", path + ".eccentricity"}) &&
+        disc.Jp < least * (1.0 - kPointMassTolerance)) {
+      check.fail(path + ".Jp",
+                 "with [drive] the spin is free, and a disc whose mass is out of "
+                 "centre by its eccentricity has at least mass eccentricity^2 = " +
+                     inertia(least) + " about the shaft, got " + inertia(disc.Jp));
     }
   }
   for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {

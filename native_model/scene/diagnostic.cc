@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "native_model/scene/printable.h"
+
 namespace rotorub::scene {
 namespace {
 
@@ -17,11 +19,18 @@ std::vector<Diagnostic> ordered(std::vector<Diagnostic> diagnostics) {
   return diagnostics;
 }
 
+// Beyond these a message helps nobody: bytes of a part, and problems.
+constexpr std::size_t kLongestFile = 300, kLongestKey = 120, kLongestReason = 2000;
+constexpr std::size_t kMostLines = 100;
+
 std::string lines(const std::vector<Diagnostic>& diagnostics) {
   std::string text;
-  for (const Diagnostic& diagnostic : diagnostics) {
-    if (!text.empty()) text += '\n';
-    text += to_string(diagnostic);
+  for (std::size_t i = 0; i < diagnostics.size(); ++i) {
+    if (i > 0) text += '\n';
+    if (i == kMostLines) {
+      return text + "and " + std::to_string(diagnostics.size() - kMostLines) + " more";
+    }
+    text += to_string(diagnostics[i]);
   }
   return text;
 }
@@ -50,11 +59,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
-  std::string text = diagnostic.file;
+  std::string text = printable(diagnostic.file, kLongestFile);
   if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);
   if (!text.empty()) text += ": ";
-  if (!diagnostic.key.empty()) text += diagnostic.key + ": ";
-  return text + diagnostic.reason;
+  if (!diagnostic.key.empty()) text += printable(diagnostic.key, kLongestKey) + ": ";
+  return text + printable(diagnostic.reason, kLongestReason);
 }
 
 SceneError::SceneError(std::vector<Diagnostic> diagnostics)

@@ -17,10 +17,12 @@ struct Diagnostic {
   std::string reason;  // what is wrong and what would be accepted
 };
 
-// `file:line: key: reason`, without the parts that are unknown.
+// `file:line: key: reason`, without the parts that are unknown; one line that a terminal can show
+// (printable.h).
 std::string to_string(const Diagnostic& diagnostic);
 
-// A scene that cannot be used. what() has one line per diagnostic, ordered by file and line.
+// A scene that cannot be used. what() has one line per diagnostic (of the first
+// hundred), ordered by file and line.
 class SceneError : public std::runtime_error {
  public:
   explicit SceneError(std::vector<Diagnostic> diagnostics);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "native_model/scene/printable.h"
 #include "native_model/scene/schema.h"
 
 namespace rotorub::scene {
@@ -200,7 +201,7 @@ void apply_overrides(TomlNode& root, std::span<const std::string> overrides,
                              {},
                              "expected table.key=value, as in contact.friction=0.2 or "
                              "force[0].amplitude=\"100 N\", got '" +
-                                 override_text + "'"});
+                                 printable(override_text) + "'"});
       continue;
     }
     const std::string reason = apply(root, *steps, value);

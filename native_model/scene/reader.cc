@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -66,6 +67,7 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
   validate(scene, reader.record(), diagnostics);
   if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
   complete(scene, reader.record());
+  scene.record = std::make_shared<const Record>(reader.record());
   return scene;
 }
 

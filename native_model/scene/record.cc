@@ -33,4 +33,16 @@ Diagnostic Record::diagnostic(const std::string& path, std::string reason) const
   }
 }
 
+std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagnostics) {
+  for (Diagnostic& d : diagnostics) {
+    if (!d.file.empty()) continue;
+    if (scene.record) {
+      d = scene.record->diagnostic(d.key, std::move(d.reason));
+    } else if (!scene.name.empty()) {
+      d.file = scene.name + ".toml";
+    }
+  }
+  return diagnostics;
+}
+
 }  // namespace rotorub::scene

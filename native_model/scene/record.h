@@ -6,7 +6,9 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "native_model/scene/scene.h"
 #include "native_model/scene/toml_source.h"
 
 namespace rotorub::scene {
@@ -33,5 +35,9 @@ class Record {
   };
   std::map<std::string, Mark, std::less<>> marks_;
 };
+
+// What was found wrong after the reading: each diagnostic without a file is given the place of its
+// key. Of a scene that was made by hand the name alone is known.
+std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagnostics);
 
 }  // namespace rotorub::scene

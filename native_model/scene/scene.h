@@ -8,11 +8,14 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace rotorub::scene {
+
+class Record;
 
 // The value along the bending planes x and y; a single number in the file means both.
 using PlanePair = Eigen::Vector2d;
@@ -252,6 +255,8 @@ struct Scene {
   std::optional<Gravity> gravity;
   Initial initial;
   Mujoco mujoco;
+  // Where its keys stand in the file (record.h), for what is found wrong later; null: made by hand.
+  std::shared_ptr<const Record> record;
 };
 
 }  // namespace rotorub::scene

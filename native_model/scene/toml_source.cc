@@ -7,6 +7,8 @@
 #include <sstream>
 #include <tuple>
 
+#include "native_model/scene/printable.h"
+
 // toml++ 3.3.0 asserts on bad input, [[[a]]] for one, and would end the program: off, here only.
 // Header only and in this file alone, so that no other copy of it is linked.
 #define TOML_ASSERT(expr) static_cast<void>(0)
@@ -23,6 +25,7 @@ constexpr std::ptrdiff_t kDeepestKey =
 // Stands for a value that could not be read, while the rest is.
 constexpr std::string_view kFaultyMark = "\x01 faulty";
 constexpr std::string_view kFaultyText = "\"\\u0001 faulty\"";
+constexpr std::size_t kLongestDescription = 200;  // bytes of what the library says
 constexpr int kMostSyntaxErrors = 20;  // then the reading stops
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
@@ -221,6 +224,7 @@ std::optional<TomlNode> parse_toml(std::string_view text, const std::string& fil
     const std::size_t fault =
         std::clamp<std::size_t>(parsed.error().source().begin.line, 1, lines.size());
     const bool duplicate = description.find("redefine") != std::string::npos;
+    description = printable(description, kLongestDescription);
     Diagnostic diagnostic{
         file, static_cast<int>(fault), {}, (duplicate ? "given twice: " : "TOML: ") + description};
     const std::string before = lines[fault - 1];

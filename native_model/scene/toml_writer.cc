@@ -14,7 +14,7 @@ namespace {
 
 using Kind = TomlNode::Kind;
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -37,7 +37,7 @@ std::string key_text(std::string_view key) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-';
   });
-  return bare ? std::string(key) : quoted(key);
+  return bare ? std::string(key) : in_quotes(key);
 }
 
 // The shortest digits that give the same double when read again.
@@ -52,7 +52,7 @@ std::string float_text(double number) {
 std::string value_text(const TomlNode& node) {
   switch (node.kind) {
     case Kind::kString:
-      return quoted(node.text);
+      return in_quotes(node.text);
     case Kind::kInteger:
       return std::to_string(node.integer);
     case Kind::kFloat:
@@ -61,7 +61,7 @@ std::string value_text(const TomlNode& node) {
       return node.boolean ? "true" : "false";
     case Kind::kDate:
     case Kind::kFaulty:
-      return quoted(node.text);
+      return in_quotes(node.text);
     case Kind::kArray: {
       std::string text = "[";
       for (const TomlNode& item : node.items) {

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "native_model/scene/printable.h"
+
 namespace rotorub::scene {
 namespace {
 
@@ -107,7 +109,7 @@ class UnitParser {
     const Unit unit = parse_product(0);
     skip_space();
     if (error_.empty() && !rest_.empty())
-      fail("unexpected '" + std::string(rest_) + "' in the unit");
+      fail("unexpected '" + printable(rest_) + "' in the unit");
     return unit;
   }
   const std::string& error() const { return error_; }
@@ -178,7 +180,7 @@ class UnitParser {
     const auto* found = std::find_if(kUnits.begin(), kUnits.end(),
                                      [&](const NamedUnit& unit) { return unit.name == name; });
     if (found == kUnits.end()) {
-      fail(name.empty() ? "a unit is missing" : "unknown unit '" + std::string(name) + "'");
+      fail(name.empty() ? "a unit is missing" : "unknown unit '" + printable(name) + "'");
       return {};
     }
     rest_.remove_prefix(name.size());
@@ -226,7 +228,7 @@ ParsedQuantity parse_quantity(std::string_view text, const Quantity& quantity) {
   const std::string expected = "expected " + std::string(quantity.name) + " (a number in " +
                                std::string(quantity.unit) +
                                ", or a string with a unit: " + std::string(quantity.examples) +
-                               "), got \"" + std::string(text) + "\"";
+                               "), got \"" + printable(text) + "\"";
   std::string_view rest = trimmed(text);
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
 

@@ -6,12 +6,16 @@
 #include <cstdio>
 #include <utility>
 
+#include "native_model/scene/printable.h"
 #include "native_model/scene/table_reader.h"
 
 namespace rotorub::scene {
 namespace {
 
 using Kind = TomlNode::Kind;
+
+// Products of a few such numbers are still finite; nothing of a machine is so large.
+constexpr double kLargestNumber = 1e60;
 
 std::string number_text(double number) {
   std::array<char, 32> buffer{};
@@ -20,7 +24,7 @@ std::string number_text(double number) {
 }
 
 std::string got(const TomlNode& node) {
-  if (node.kind == Kind::kString) return ", got \"" + node.text + "\"";
+  if (node.kind == Kind::kString) return ", got \"" + printable(node.text) + "\"";
   if (node.kind == Kind::kInteger) return ", got " + std::to_string(node.integer);
   if (node.kind == Kind::kFloat) return ", got " + number_text(node.number);
   return ", got " + std::string(kind_name(node.kind));
@@ -75,6 +79,12 @@ bool TableReader::read_number(const Key& key, const TomlNode& node, const std::s
   if (!std::isfinite(number) || !key.range.contains(number)) {
     const std::string where = std::isfinite(number) ? "out of range" : "not finite";
     fail(node, path, where + ": expected " + one.expected() + got(node));
+    return false;
+  }
+  if (std::abs(number) > kLargestNumber) {
+    fail(node, path,
+         "too large: expected " + one.expected() + ", of a size up to " +
+             number_text(kLargestNumber) + got(node));
     return false;
   }
   return true;

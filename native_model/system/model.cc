@@ -159,6 +159,7 @@ Model make_model(const scene::Scene& scene) {
     if (unbalance.static_moment != 0.0) model.unbalances.push_back(std::move(unbalance));
   }
   check_unbalances(scene, model.unbalances.size());
+  check_spin_inertia(scene, model);
   if (scene.drive) model.drive.emplace(*scene.drive);
   model.drive_shape = rotor.torsion.drive_shape;
   model.torsion_contact = rotor.torsion.contact_shape;

@@ -1,13 +1,17 @@
 #include "native_model/system/model_checks.h"
 
+#include <complex>
 #include <cstdio>
 #include <utility>
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/scene/record.h"
 
 namespace rotorub {
 namespace {
+
+constexpr double kRoundOff = 1e-12;  // of the sums over modes and discs
 
 std::string text(double number) {
   char buffer[32];
@@ -24,10 +28,7 @@ const char* modes_key(const scene::Rotor& rotor) {
 }  // namespace
 
 void refuse(const scene::Scene& scene, std::vector<scene::Diagnostic> diagnostics) {
-  for (scene::Diagnostic& d : diagnostics) {
-    if (!scene.name.empty()) d.file = scene.name + ".toml";
-  }
-  throw scene::SceneError(std::move(diagnostics));
+  throw scene::SceneError(scene::placed(scene, std::move(diagnostics)));
 }
 
 void check_size(const scene::Scene& scene, int nq) {
@@ -43,6 +44,38 @@ void check_unbalances(const scene::Scene& scene, std::size_t count) {
   refuse(scene, {{"", 0, "rotor.disc",
                   std::to_string(count) + " eccentric discs; accepted: at most " +
                       std::to_string(kMaxUnbalances)}});
+}
+
+double unbalance_inertia(const Model& model) {
+  if (!model.coupled_mass()) return 0.0;
+  using Complex = std::complex<double>;
+  const Layout& l = model.layout;
+  double mean = 0.0;
+  Complex swing = 0.0;
+  for (int k = 0; k < l.modes; ++k) {
+    Complex x = 0.0, y = 0.0;
+    for (const DiscUnbalance& u : model.unbalances) {
+      const Complex arm = std::polar(u.static_moment, u.phase);
+      x += u.shape.x[k] * arm;
+      y += u.shape.y[k] * arm;
+    }
+    const double mx = model.mass[l.x() + k], my = model.mass[l.y() + k];
+    mean += 0.5 * (std::norm(x) / mx + std::norm(y) / my);
+    swing += 0.5 * (y * y / my - x * x / mx);
+  }
+  return mean + std::abs(swing);
+}
+
+void check_spin_inertia(const scene::Scene& scene, const Model& model) {
+  if (!model.coupled_mass()) return;
+  const double inertia = model.mass[model.layout.phi()], bound = unbalance_inertia(model);
+  if (inertia > bound * (1.0 + kRoundOff)) return;
+  refuse(scene, {{"", 0, "rotor.disc",
+                  "the eccentric discs move " + text(bound) +
+                      " kg m^2 with the spin, whose inertia is " + text(inertia) +
+                      " kg m^2: the mass matrix is not positive definite; accepted: Jp of each "
+                      "disc at least mass eccentricity^2, and with shaft and motor more than " +
+                      text(bound) + " kg m^2"}});
 }
 
 void check_initial_lists(const scene::Scene& scene, const Layout& l) {

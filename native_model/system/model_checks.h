@@ -14,6 +14,15 @@ namespace rotorub {
 
 void check_size(const scene::Scene& scene, int nq);
 void check_unbalances(const scene::Scene& scene, std::size_t count);
+// The part of the spin's inertia that the eccentric discs take with them, kg m^2: the largest over
+// a turn of b(phi)' M^-1 b(phi), b the rows of M that couple spin and bending. With the sums over
+// discs X_k = sum m e shape_x,k exp(i phase), Y_k as well, b_x,k = -Im(X_k e^{i phi}), b_y,k =
+// Re(Y_k e^{i phi}):
+//   sum (|X_k|^2/m_x,k + |Y_k|^2/m_y,k)/2 + |sum (Y_k^2/m_y,k - X_k^2/m_x,k)|/2
+// 0 where the spin is held or nothing is eccentric.
+double unbalance_inertia(const Model& model);
+// M(phi) is positive definite at every angle: the spin's inertia is above unbalance_inertia.
+void check_spin_inertia(const scene::Scene& scene, const Model& model);
 // With max_frequency the length of these lists is known only now.
 void check_initial_lists(const scene::Scene& scene, const Layout& layout);
 // A mode with a node at the contact moves the contact point by nothing: that is known only now.

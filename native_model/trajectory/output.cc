@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <fstream>
@@ -78,26 +79,33 @@ void write_events(const Trajectory& trajectory, const std::filesystem::path& fil
 }
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path aside = file.string() + ".part-" + std::to_string(::getpid());
-  const auto fail = [&](const char* what) {
-    const std::string reason = std::error_code(errno, std::generic_category()).message();
-    std::error_code ignored;
-    std::filesystem::remove(aside, ignored);
-    throw std::runtime_error("cannot " + std::string(what) + " " + file.string() + ": " + reason);
+  namespace fs = std::filesystem;
+  std::error_code none;
+  // What a link leads to is written, not put in the place of the link; nor is a device or a pipe,
+  // which takes the text as it comes.
+  const bool exists = fs::exists(file, none), regular = fs::is_regular_file(file, none);
+  const fs::path target = regular ? fs::canonical(file, none) : file;
+  const bool aside = !exists || regular;
+  fs::path written = target;
+  if (aside) written += ".part-" + std::to_string(::getpid());
+  const auto fail = [&](const char* what, int error) {
+    if (aside) fs::remove(written, none);
+    throw std::runtime_error("cannot " + std::string(what) + " " + file.string() + ": " +
+                             std::error_code(error, std::generic_category()).message());
   };
+  if (fs::is_directory(file, none)) fail("write", EISDIR);
+  errno = 0;
   {
-    std::ofstream out(aside, std::ios::binary | std::ios::trunc);
-    if (!out) fail("open");
+    std::ofstream out(written, std::ios::binary | std::ios::trunc);
+    if (!out) fail("open", errno);
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.flush();
-    if (!out) fail("write");
+    out.close();  // with what was still held back
+    if (!out) fail("write", errno);
   }
+  if (!aside) return;
   std::error_code error;
-  std::filesystem::rename(aside, file, error);
-  if (error) {
-    errno = error.value();
-    fail("rename to");
-  }
+  fs::rename(written, target, error);
+  if (error) fail("rename to", error.value());
 }
 
 }  // namespace rotorub

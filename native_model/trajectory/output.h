@@ -12,7 +12,8 @@ namespace rotorub {
 void write_series(const Trajectory& trajectory, const std::filesystem::path& file);
 void write_impacts(const Trajectory& trajectory, const std::filesystem::path& file);
 void write_events(const Trajectory& trajectory, const std::filesystem::path& file);
-// Writes `text` aside and renames it to `file`: whole or not at all. Throws std::runtime_error.
+// Writes `text` aside and renames it to `file`: whole or not at all. A device or a pipe is written
+// as it is; a link stays one. Throws std::runtime_error.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace rotorub

@@ -4,8 +4,10 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <numbers>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/model_checks.h"
 #include "tests/support/machine.h"
 
 namespace rotorub {
@@ -51,6 +53,29 @@ TEST(SolveMass, WithUnbalanceOnAFreeSpinAgainstDense) {
     coupling = std::max(coupling, std::abs(f[phi] / m.mass[phi] / exact[phi] - 1.0));
   }
   EXPECT_GT(coupling, 0.1) << "without the coupling the spin would go another way";
+}
+
+// The bound on the spin's inertia, against a turn in small steps. (The machine's own spin inertia
+// is above it.)
+TEST(UnbalanceInertia, IsTheLargestOfATurn) {
+  const Model m = test::machine(true);
+  State s = test::random_state(m, 1);
+  const int phi = m.layout.phi();
+  double largest = 0.0, least = 1e300;
+  constexpr int kSteps = 3600;
+  for (int i = 0; i < kSteps; ++i) {
+    s.q[phi] = 2.0 * std::numbers::pi * i / kSteps;
+    const Eigen::MatrixXd mass = test::mass_matrix(m, s);
+    Eigen::VectorXd b = mass.col(phi);
+    b[phi] = 0.0;
+    const double taken = b.cwiseAbs2().dot(m.mass.cwiseInverse());
+    largest = std::max(largest, taken);
+    least = std::min(least, taken);
+  }
+  EXPECT_LT(least, 0.99 * largest) << "anisotropic: it changes over a turn";
+  EXPECT_NEAR(unbalance_inertia(m), largest, 1e-5 * largest);  // of a grid of 0.1 degrees
+  EXPECT_GE(unbalance_inertia(m), largest * (1.0 - 1e-14));
+  EXPECT_EQ(unbalance_inertia(test::machine(false)), 0.0);
 }
 
 TEST(SolveMass, AnotherDiagonalTakesThePlaceOfTheMasses) {

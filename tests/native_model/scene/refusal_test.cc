@@ -156,8 +156,16 @@ TEST(Refusal, NamesImpossibleValues) {
       {"step beyond the end", modal_and("[run]\nend = 1\nstep = 2\n"), 13, "run.step",
        "at most run.end"},
       {"rows without end", modal_and("[run]\nend = 1\noutput_step = 1e-12\n"), 13,
-       "run.output_step", "1e8 rows"},
+       "run.output_step", "at most 1e7 rows"},
       {"off before on", full("off = 1e9", "off = 0.05"), 43, "force[0].off", "not be before `on`"},
+      {"disc lighter than its unbalance",
+       geometry_and("[[rotor.disc]]\nz = 0\nmass = 2\nJt = 1\nJp = 1e-4\neccentricity = 0.01\n"
+                    "[drive]\nkind = \"free\"\n"),
+       14, "rotor.disc[0].Jp", "eccentricity^2 = 0.0002 kg m^2"},
+      {"a number beyond all machines", modal("\"50 Hz\"", "-1e308"), 2, "rotor.speed",
+       "up to 1e+60, got -1e+308"},
+      {"a quantity beyond all machines", modal("\"0.5 mm\"", "\"1e99 mm\""), 8, "contact.clearance",
+       "up to 1e+60"},
       {"disc that is no body", geometry_and("[[rotor.disc]]\nz = 0\nmass = 1\nJt = 1\nJp = 3\n"),
        14, "rotor.disc[0].Jp", "Jp > 2 Jt"},
       {"bore over the shaft", geometry_and("inner_diameter = 0.02\n"), 10,
@@ -196,9 +204,8 @@ TEST(Refusal, NamesWhatDoesNotFitTogether) {
       {"ring without ring", modal_and("[initial]\nstator = [0, 0]\n"), 12, "initial.stator",
        "needs [stator]"},
       {"actuator without ring", modal_and("[actuator]\n"), 11, "actuator", "needs [stator]"},
-      {"limit of an ideal actuator on magnets",
-       modal_and(ring + magnet + "force_limit = 100\n"), 19, "actuator.force_limit",
-       "kind = \"ideal\""},
+      {"limit of an ideal actuator on magnets", modal_and(ring + magnet + "force_limit = 100\n"),
+       19, "actuator.force_limit", "kind = \"ideal\""},
       {"key of magnets on an ideal actuator", modal_and(ring + "[actuator]\nair_gap = 1\n"), 15,
        "actuator.air_gap", "kind = \"electromagnet\""},
       {"a magnet's current turned round", modal_and(ring + magnet + "current_limit = 4\n"), 19,
@@ -318,6 +325,68 @@ TEST(Refusal, WritesOneLineAProblem) {
         "dir/s.toml:9: contact.friction: out of range: expected a pure number, >= 0, got -1\n"
         "dir/s.toml:11: zzz: unknown table; accepted: run, rotor, drive, force, "
         "magnetic_bearing, contact, stator, actuator, controller, gravity, initial, mujoco");
+  }
+}
+
+// What the user wrote is quoted, and cut: no escape code reaches the terminal, and no megabyte.
+TEST(Refusal, QuotesAreShortAndPrintable) {
+  const std::string code = "\x1b[31m", written = "\\u001b[31m";  // as TOML can hold it
+  const std::string much(200'000, 'x');
+  struct Quoted {
+    std::string text;
+    std::vector<std::string> overrides;
+  };
+  const std::string sample(kModalSample);
+  for (const Quoted& q : std::vector<Quoted>{{modal("\"50 Hz\"", "\"" + written + "\""), {}},
+                                             {modal("\"50 Hz\"", "\"1 " + written + "\""), {}},
+                                             {modal("\"50 Hz\"", "\"1 m " + written + "\""), {}},
+                                             {modal("\"50 Hz\"", "\"" + much + "\""), {}},
+                                             {modal("\"50 Hz\"", "\"1 " + much + "\""), {}},
+                                             {modal("\"50 Hz\"", much), {}},
+                                             {modal("\"50 Hz\"", code), {}},
+                                             {sample + "\"" + written + "\" = 1\n", {}},
+                                             {sample + "\"" + much + "\" = 1\n", {}},
+                                             {sample + much + " = 1\n", {}},
+                                             {sample + much + " = 1\n" + much + " = 2\n", {}},
+                                             {sample + "[\"" + written + "\"]\n", {}},
+                                             {sample + "[" + much + "]\n[" + much + "]\n", {}},
+                                             {sample + code, {}},
+                                             {sample + "\xff\xfe = 1\n", {}},
+                                             {sample + "[drive]\nkind = \"" + written + "\"\n", {}},
+                                             {sample + "[drive]\nkind = \"" + much + "\"\n", {}},
+                                             {sample, {code}},
+                                             {sample, {much}},
+                                             {sample, {code + "=1"}},
+                                             {sample, {much + "=1"}},
+                                             {sample, {"contact." + code + "=1"}},
+                                             {sample, {"contact.friction=" + code}},
+                                             {sample, {"contact.friction=" + much}},
+                                             {sample, {"contact.friction." + code + "=" + much}},
+                                             {sample, {"rotor.speed=\"1 " + code + "\""}}}) {
+    try {
+      parse_scene(q.text, "s.toml", q.overrides);
+      ADD_FAILURE() << "accepted: " << q.text.substr(0, 200);
+    } catch (const SceneError& error) {
+      const std::string message = error.what();
+      EXPECT_LT(message.size(), 1500u) << message.substr(0, 300);
+      for (const char c : message) {
+        EXPECT_TRUE(c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f)) << message;
+      }
+    }
+  }
+}
+
+TEST(Refusal, OfAHundredFaultsIsEnough) {
+  std::string text(kModalSample);
+  for (int i = 0; i < 2'000; ++i) text += "wrong" + std::to_string(i) + " = 1\n";
+  try {
+    parse_scene(text, "s.toml");
+    FAIL() << "accepted";
+  } catch (const SceneError& error) {
+    EXPECT_EQ(error.diagnostics().size(), 2'000u);
+    const std::string message = error.what();
+    EXPECT_LT(message.size(), 100'000u);
+    EXPECT_TRUE(message.ends_with("and 1900 more")) << message.substr(message.size() - 200);
   }
 }
 

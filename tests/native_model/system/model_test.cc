@@ -191,6 +191,30 @@ TEST(ModelRefusal, ListsThatDoNotFitTheModesOfAFrequencyBound) {
   expect_refusal(s, "initial.torsion_speed", "expected 0 value(s)");
 }
 
+// Less inertia about the shaft than the eccentric mass takes with it: M(phi) is indefinite, and the
+// spin gains energy from nothing.
+TEST(ModelRefusal, ASpinWithoutTheInertiaOfItsUnbalance) {
+  scene::Scene s = test::reference_rig();
+  s.rotor.geometry->discs[0].Jp = 0.0;
+  s.rotor.geometry->discs[0].eccentricity = 0.01;
+  EXPECT_NO_THROW(make_model(s)) << "the spin is held";
+  s.drive = scene::Drive{};
+  expect_refusal(s, "rotor.disc", "not positive definite");
+  s.drive->inertia = 2e-4;  // m e^2
+  EXPECT_NO_THROW(make_model(s));
+  s.drive->inertia = 0.0;
+  s.rotor.geometry->discs[0].Jp = 2e-4;
+  EXPECT_NO_THROW(make_model(s));
+}
+
+TEST(ModelRefusal, MatricesThatCannotBeSolved) {
+  scene::Scene s = test::reference_rig();
+  for (scene::ShaftSection& section : s.rotor.geometry->sections) section.diameter = 1e-200;
+  const scene::Diagnostic d = refusal(s);
+  EXPECT_EQ(d.key, "rotor");
+  EXPECT_NE(d.reason.find("orders of magnitude"), std::string::npos) << d.reason;
+}
+
 TEST(ModelRefusal, ReachesAUserWhoWroteToml) {
   const std::string text = R"([rotor]
 speed = 0.0
@@ -222,9 +246,10 @@ x = [0.6e-3, 0.1e-3]
     make_model(s);
     FAIL() << "accepted";
   } catch (const scene::SceneError& error) {
-    EXPECT_STREQ(error.what(),
-                 "shaft.toml: initial.x: the rotor starts outside the ring, 0.0007 m from its "
-                 "centre; accepted: at most contact.clearance = 0.0005 m");
+    EXPECT_STREQ(
+        error.what(),
+        "folder/shaft.toml:24: initial.x: the rotor starts outside the ring, 0.0007 m from its "
+        "centre; accepted: at most contact.clearance = 0.0005 m");
   }
 }
 
