@@ -145,8 +145,7 @@ void EventIntegrator::begin(const State& start) {
 void EventIntegrator::fail_step() {
   if (phase_.mode() == Mode::kSlide) {
     const Delassus g = phase_.contact(t_, y_.data()).g;
-    const double carried = g.nn - model_->contact->friction * phase_.sign() * g.nt;
-    if (std::abs(carried) < 1e-3 * g.nn) {
+    if (std::abs(carried(g, model_->contact->friction * phase_.sign())) < 1e-3 * g.nn) {
       return fail(
           Status::kNoSolution,
           "sliding begins to push itself in (mu |G_NT| reaches G_NN, Painleve): the contact "

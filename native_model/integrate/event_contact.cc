@@ -53,9 +53,8 @@ void EventIntegrator::project(bool velocity, bool slip) {
     apply(p.e_r, -p.gap_rate / g.nn, 0.0);
     return;
   }
-  const double determinant = g.nn * g.tt - g.nt * g.tn;
-  apply(p.e_r, (-p.gap_rate * g.tt + p.slip * g.nt) / determinant,
-        (-p.slip * g.nn + p.gap_rate * g.tn) / determinant);
+  const PlanarImpulse<double> l = stick(g, p.gap_rate, p.slip);
+  apply(p.e_r, l.normal, l.friction);
 }
 
 void EventIntegrator::enter(Mode mode, double sign) {
@@ -78,8 +77,7 @@ void EventIntegrator::decide(bool slip_is_zero, Departure departure) {
   const Phase::Contact c = phase_.contact(t_, y_.data());
   if (!slip_is_zero && c.point.slip != 0.0) {
     const double sign = c.point.slip > 0.0 ? 1.0 : -1.0;
-    const double carried = c.g.nn - mu * sign * c.g.nt;
-    if (carried <= 0.0) {
+    if (carried(c.g, mu * sign) <= 0.0) {
       return fail(
           c.gap_acceleration < 0.0 ? Status::kNoSolution : Status::kAmbiguous,
           "sliding pushes itself in (mu |G_NT| > G_NN, Painleve): the contact forces have " +

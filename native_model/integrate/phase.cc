@@ -70,13 +70,13 @@ void Phase::derivative(double t, const double* y, double* dy) {
     const double mu = m.contact->friction, slip = c.point.slip;
     double normal = 0.0, friction = 0.0;
     if (mode_ == Mode::kSlide) {
-      normal = -c.gap_acceleration / (c.g.nn - mu * sign_ * c.g.nt);
+      normal = slide(c.g, c.gap_acceleration, mu * sign_);
       friction = -mu * sign_ * normal;
       margins_ = {normal, sign_ * slip};
     } else {
-      const double determinant = c.g.nn * c.g.tt - c.g.nt * c.g.tn;
-      normal = (-c.gap_acceleration * c.g.tt + c.slip_acceleration * c.g.nt) / determinant;
-      friction = (-c.slip_acceleration * c.g.nn + c.gap_acceleration * c.g.tn) / determinant;
+      const PlanarImpulse<double> force = stick(c.g, c.gap_acceleration, c.slip_acceleration);
+      normal = force.normal;
+      friction = force.friction;
       margins_ = {normal, mu * normal - std::abs(friction)};
     }
     multipliers_ = {normal, friction};
