@@ -27,6 +27,7 @@ class Electromagnet final : public ForceLaw {
   double force(double s, double i) const override;
   double gain(double s, double i) const override;
   double current(double s, double force, double limit) const override;
+  double reach() const override { return p_.air_gap; }
 
  private:
   // 1/(s_0 - s)^2 and 1/(s_0 + s)^2.

@@ -2,6 +2,8 @@
 // function of the ring's displacement s along the axis (m) and of the control current i (A).
 #pragma once
 
+#include <limits>
+
 namespace rotorub {
 
 class ForceLaw {
@@ -14,6 +16,8 @@ class ForceLaw {
   // The inverse, for feedback linearisation: A, the current within +- limit whose force at s comes
   // nearest to `force` (N).
   virtual double current(double s, double force, double limit) const = 0;
+  // m: |s| from which on the axis no longer exists, as the ring would be in a core.
+  virtual double reach() const { return std::numeric_limits<double>::infinity(); }
 };
 
 }  // namespace rotorub

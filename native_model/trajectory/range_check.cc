@@ -1,0 +1,48 @@
+#include "native_model/trajectory/range_check.h"
+
+#include <cstdio>
+
+#include "native_model/bearing/actuator_axes.h"
+#include "native_model/system/dynamics.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kLargestResidual = 1.0;  // of the energy balance
+
+std::string text(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", value);
+  return digits;
+}
+
+}  // namespace
+
+std::optional<std::string> out_of_range(const Model& m, const double* q) {
+  if (m.magnets && m.layout.stator) {
+    const double reach = m.magnets->law->reach();
+    const double s = to_axes(stator_point(m, q)).cwiseAbs().maxCoeff();
+    if (s >= reach) {
+      return "the ring is " + text(s) + " m from its middle along a magnet's axis, in an air gap of " +
+             text(reach) + " m";
+    }
+  }
+  if (m.contact) {
+    const double clearance = m.contact->clearance;
+    const double depth = (rotor_point(m, q) - stator_point(m, q)).norm() - clearance;
+    if (depth > clearance) {
+      return "the rotor is " + text(depth) + " m deep in the ring, with a clearance of " +
+             text(clearance) + " m";
+    }
+  }
+  return {};
+}
+
+std::optional<std::string> out_of_balance(const Statistics& s) {
+  const double residual = s.energy_residual();
+  if (residual <= kLargestResidual) return {};
+  return "the energy balance misses " + text(residual) + " times the largest energy met, " +
+         text(s.energy_scale) + " J";
+}
+
+}  // namespace rotorub
