@@ -46,7 +46,14 @@ Phase::Contact Phase::contact_of(double t, const double* q, const double* v) con
 Phase::Contact Phase::contact(double t, const double* y) {
   const double *q = y, *v = y + model_->nq();
   accelerate(t, q, v, command(t, y));
-  return contact_of(t, q, v);
+  Contact c = contact_of(t, q, v);
+  const double whirl = c.point.whirl_speed();
+  c.acceleration_scale = whirl * whirl / c.point.delta + std::abs(c.gap_acceleration);
+  for (int i = 0; i < model_->layout.mechanical(); ++i) {
+    if (i >= model_->layout.phi() && i < model_->layout.ring()) continue;  // turns
+    c.acceleration_scale += std::abs(model_->stiffness[i] * q[i] / model_->mass[i]);
+  }
+  return c;
 }
 
 void Phase::derivative(double t, const double* y, double* dy) {
