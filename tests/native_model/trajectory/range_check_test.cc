@@ -26,7 +26,7 @@ TEST(RangeCheck, OfTheRingIsTheAirGapOnEitherAxis) {
   const Model model = make_model(in_magnets());
   Eigen::VectorXd q = Eigen::VectorXd::Zero(model.nq());
   const int ring = model.layout.ring();
-  for (const Eigen::Vector2d axis : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(0.0, -1.0)}) {
+  for (const Eigen::Vector2d& axis : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(0.0, -1.0)}) {
     q.segment(ring, 2) = from_axes(0.99 * kAirGap * axis);
     q.head(2) = q.segment(ring, 2);  // the rotor in its middle
     EXPECT_FALSE(out_of_range(model, q.data()));
