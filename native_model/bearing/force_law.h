@@ -16,7 +16,7 @@ class ForceLaw {
   // The inverse, for feedback linearisation: A, the current within +- limit whose force at s comes
   // nearest to `force` (N).
   virtual double current(double s, double force, double limit) const = 0;
-  // |s| beyond which the law has no meaning, m: the air gap.
+  // m: |s| from which on the axis no longer exists, as the ring would be in a core.
   virtual double reach() const { return std::numeric_limits<double>::infinity(); }
 };
 

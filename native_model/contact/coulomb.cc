@@ -6,51 +6,40 @@
 namespace rotorub {
 namespace {
 
-struct Slide {
-  double normal;   // L_N, valid where defined
-  double slip;     // y_T
-  bool defined;    // the normal row can carry the load
+// Sliding with slip of the given sign, whether or not that comes true.
+struct Sliding {
+  double normal, slip;  // L_N, y_T
 };
-
-// L_T = -mu sigma L_N and y_N = 0.
-Slide slide(const Delassus& a, double b_n, double b_t, double mu, double sigma) {
-  const double denominator = a.nn - mu * sigma * a.nt;
-  if (denominator == 0.0) return {0.0, 0.0, false};
-  const double normal = -b_n / denominator;
-  return {normal, b_t + (a.tn - mu * sigma * a.tt) * normal, true};
+Sliding sliding(const Delassus& a, double b_n, double b_t, double mu_sign) {
+  const double normal = slide(a, b_n, mu_sign);
+  return {normal, slip_after_slide(a, b_t, mu_sign, normal)};
 }
 
-// y_N = 0, y_T = 0.
-void stick(const Delassus& a, double b_n, double b_t, double& normal, double& friction) {
-  const double determinant = a.nn * a.tt - a.nt * a.tn;
-  normal = (-b_n * a.tt + b_t * a.nt) / determinant;
-  friction = (-b_t * a.nn + b_n * a.tn) / determinant;
-}
-
-// Every case on its own, for matrices where the solution need not be unique.
+// Every case on its own, for matrices where the solution need not be unique. A case whose normal
+// row carries nothing has an infinite or undefined impulse, and is none.
 CoulombSolution enumerate(const Delassus& a, double b_n, double b_t, double mu) {
   CoulombSolution found;
   found.solutions = 0;
-  const auto take = [&found](ContactCase c, double normal, double friction) {
+  const auto take = [&found](ContactCase c, PlanarImpulse<double> l) {
+    if (!std::isfinite(l.normal)) return;
     if (found.solutions++ == 0) {
       found.contact_case = c;
-      found.normal = normal;
-      found.friction = friction;
+      found.normal = l.normal;
+      found.friction = l.friction;
     }
   };
-  if (b_n >= 0.0) take(ContactCase::kOpen, 0.0, 0.0);
-  double normal = 0.0, friction = 0.0;
-  stick(a, b_n, b_t, normal, friction);
-  if (normal > 0.0 && std::abs(friction) <= mu * normal) {
-    take(ContactCase::kStick, normal, friction);
+  if (b_n >= 0.0) take(ContactCase::kOpen, {0.0, 0.0});
+  const PlanarImpulse<double> stuck = stick(a, b_n, b_t);
+  if (stuck.normal > 0.0 && std::abs(stuck.friction) <= mu * stuck.normal) {
+    take(ContactCase::kStick, stuck);
   }
-  const Slide positive = slide(a, b_n, b_t, mu, 1.0);
-  if (positive.defined && positive.normal > 0.0 && positive.slip > 0.0) {
-    take(ContactCase::kSlidePositive, positive.normal, -mu * positive.normal);
+  const Sliding positive = sliding(a, b_n, b_t, mu);
+  if (positive.normal > 0.0 && positive.slip > 0.0) {
+    take(ContactCase::kSlidePositive, {positive.normal, -mu * positive.normal});
   }
-  const Slide negative = slide(a, b_n, b_t, mu, -1.0);
-  if (negative.defined && negative.normal > 0.0 && negative.slip < 0.0) {
-    take(ContactCase::kSlideNegative, negative.normal, mu * negative.normal);
+  const Sliding negative = sliding(a, b_n, b_t, -mu);
+  if (negative.normal > 0.0 && negative.slip < 0.0) {
+    take(ContactCase::kSlideNegative, {negative.normal, mu * negative.normal});
   }
   return found;
 }
@@ -64,14 +53,14 @@ CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double 
   if (a.nt != a.tn || mu * std::abs(a.nt) >= a.nn) return enumerate(a, b_n, b_t, mu);
   CoulombSolution s;
   if (b_n >= 0.0) return s;
-  const Slide positive = slide(a, b_n, b_t, mu, 1.0);
+  const Sliding positive = sliding(a, b_n, b_t, mu);
   if (positive.slip > 0.0) {
     s.contact_case = ContactCase::kSlidePositive;
     s.normal = positive.normal;
     s.friction = -mu * s.normal;
     return s;
   }
-  const Slide negative = slide(a, b_n, b_t, mu, -1.0);
+  const Sliding negative = sliding(a, b_n, b_t, -mu);
   if (negative.slip < 0.0) {
     s.contact_case = ContactCase::kSlideNegative;
     s.normal = negative.normal;
@@ -79,7 +68,9 @@ CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double 
     return s;
   }
   s.contact_case = ContactCase::kStick;
-  stick(a, b_n, b_t, s.normal, s.friction);
+  const PlanarImpulse<double> stuck = stick(a, b_n, b_t);
+  s.normal = stuck.normal;
+  s.friction = stuck.friction;
   return s;
 }
 

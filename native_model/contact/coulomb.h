@@ -1,4 +1,4 @@
-// One planar contact with Coulomb friction, solved in closed form by cases.
+// One planar contact with Coulomb friction: which case of planar_contact.h holds.
 //
 //   y_N = a_nn L_N + a_nt L_T + b_N >= 0,   L_N >= 0,   y_N L_N = 0                       (13), (17)
 //   y_T = a_tn L_N + a_tt L_T + b_T,        |L_T| <= mu L_N,

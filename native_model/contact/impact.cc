@@ -16,12 +16,9 @@ struct Expansion {
 
   double lower(double normal) const { return symmetric ? -mu * normal : floor; }
 
-  struct Point {
-    double normal, friction;
-  };
-
-  double gap_rate(Point p) const { return a.nn * p.normal + a.nt * p.friction + b_n; }
-  double slip(Point p) const { return a.tn * p.normal + a.tt * p.friction + b_t; }
+  using Point = PlanarImpulse<double>;
+  double gap_rate(Point p) const { return gap_rate_after(a, b_n, p); }
+  double slip(Point p) const { return slip_after(a, b_t, p); }
 
   // L_N = eps_N L_NC given: the tangential set is monotone, so the case is decided by its ends.
   Point at_least_normal() const {
@@ -40,23 +37,19 @@ struct Expansion {
       if (count++ == 0) p = candidate;
     };
     if (symmetric) {
-      const double denominator = a.nn - mu * a.nt;
-      if (denominator != 0.0) {
-        const double n = -b_n / denominator;
+      if (carried(a, mu) != 0.0) {
+        const double n = slide(a, b_n, mu);
         if (const Point c{n, -mu * n}; slip(c) > 0.0) take(c);
       }
     } else if (const Point c{-(b_n + a.nt * floor) / a.nn, floor}; slip(c) > 0.0) {
       take(c);
     }
-    const double denominator = a.nn + mu * a.nt;
-    if (denominator != 0.0) {
-      const double n = -b_n / denominator;
+    if (carried(a, -mu) != 0.0) {
+      const double n = slide(a, b_n, -mu);
       if (const Point c{n, mu * n}; slip(c) < 0.0) take(c);
     }
-    const double determinant = a.nn * a.tt - a.nt * a.tn;
-    const Point stick{(-b_n * a.tt + b_t * a.nt) / determinant,
-                      (-b_t * a.nn + b_n * a.tn) / determinant};
-    if (stick.friction >= lower(stick.normal) && stick.friction <= mu * stick.normal) take(stick);
+    const Point stuck = stick(a, b_n, b_t);
+    if (stuck.friction >= lower(stuck.normal) && stuck.friction <= mu * stuck.normal) take(stuck);
     return count > 0;
   }
 };
@@ -70,9 +63,9 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   if (c.solutions > 1) r.status = ImpactStatus::kSeveralSolutions;
   r.normal_compression = c.normal;
   r.friction_compression = c.friction;
-  const Delassus& a = phase.matrix;
-  r.gap_rate_compression = a.nn * c.normal + a.nt * c.friction + phase.gap_rate;
-  r.slip_compression = a.tn * c.normal + a.tt * c.friction + phase.slip;
+  const PlanarImpulse<double> l{c.normal, c.friction};
+  r.gap_rate_compression = gap_rate_after(phase.matrix, phase.gap_rate, l);
+  r.slip_compression = slip_after(phase.matrix, phase.slip, l);
   // What the case says is zero is zero, not round-off.
   if (c.contact_case != ContactCase::kOpen) r.gap_rate_compression = 0.0;
   if (c.contact_case == ContactCase::kStick) r.slip_compression = 0.0;

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "native_model/contact/planar_contact.h"
+
 namespace rotorub {
 
 struct ContactPoint {
@@ -30,9 +32,6 @@ ContactPoint contact_kinematics(const Eigen::Vector2d& d, const Eigen::Vector2d&
 
 // The 2x2 Delassus matrix of (N, T) for the normal e_r from the contact-space admittance A
 // (relative x, relative y, spin): W_N = (-e_r, 0), W_T = (e_t, r).
-struct Delassus {
-  double nn, nt, tn, tt;
-};
 Delassus delassus(const Eigen::Matrix3d& admittance, const Eigen::Vector2d& e_r, double radius);
 
 // Load on the rotor (x, y, torque) of normal and friction impulse or force (N, T).

@@ -8,6 +8,7 @@
 
 #include "native_model/control/sampling.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/trajectory/range_check.h"
 
 namespace rotorub {
 namespace {
@@ -40,7 +41,10 @@ EventIntegrator::EventIntegrator(const Model& model, const EventOptions& options
     : model_(&model), options_(options), phase_(model), step_(phase_.size()) {
   const auto size = static_cast<std::size_t>(phase_.size());
   for (auto* buffer : {&y_, &row_, &row_slope_, &tolerance_}) buffer->assign(size, 0.0);
-  load_.assign(static_cast<std::size_t>(model.nq()), 0.0);
+  for (auto* buffer :
+       {&load_, &touch_.force, &touch_.acceleration, &touch_.before, &touch_.after}) {
+    buffer->assign(static_cast<std::size_t>(model.nq()), 0.0);
+  }
 }
 
 void EventIntegrator::fail(Status status, const std::string& why) {
@@ -115,10 +119,14 @@ void EventIntegrator::begin(const State& start) {
   largest_displacement_ = m.contact ? m.contact->clearance : 1e-6;
   largest_speed_ = 1e-6;
   largest_turn_ = largest_spin_ = 0.0;
-  contact_time_ = impact_work_ = impact_impulse_ = bin_start_ = 0.0;
+  contact_time_ = impact_work_ = impact_impulse_ = bin_start_ = impact_force_ = 0.0;
   bin_ = options_.force_bin > 0.0 ? std::floor(t_ / options_.force_bin) : 0.0;
+  force_scale_ = 1e-300;
   stalled_ = 0;
   last_event_ = -1.0;
+  energy_scale_ = 0.0;
+  meet_energy();
+  energy_start_ = energy(m, t_, q(), v());
   next_sample_ = m.sample_time > 0.0 ? std::ceil(t_ / m.sample_time - 1e-9) : 0.0;
   phase_.set(Mode::kFree, 1.0);
   phase_.first_touch(kInfinity);
@@ -145,8 +153,7 @@ void EventIntegrator::begin(const State& start) {
 void EventIntegrator::fail_step() {
   if (phase_.mode() == Mode::kSlide) {
     const Delassus g = phase_.contact(t_, y_.data()).g;
-    const double carried = g.nn - model_->contact->friction * phase_.sign() * g.nt;
-    if (std::abs(carried) < 1e-3 * g.nn) {
+    if (std::abs(carried(g, model_->contact->friction * phase_.sign())) < 1e-3 * g.nn) {
       return fail(
           Status::kNoSolution,
           "sliding begins to push itself in (mu |G_NT| reaches G_NN, Painleve): the contact "
@@ -188,8 +195,10 @@ void EventIntegrator::advance(double limit) {
   const double h = trial_until_accepted(limit);
   if (result_.status != Status::kOk) return;
   ++result_.steps;
-  const double theta = locate();
+  double theta = locate();
   if (result_.status != Status::kOk) return;
+  const std::optional<std::string> lost = out_of_range(*model_, step_.end());
+  if (lost) theta = std::min(theta, locate_loss());
   const bool event = theta <= 1.0;
   // A whole step up to a break arrives there to the bit.
   double now = t_ + h;
@@ -205,6 +214,9 @@ void EventIntegrator::advance(double limit) {
     step_.advance();
   }
   t_ = now;
+  if (const auto reason = lost ? out_of_range(*model_, q()) : std::nullopt) {
+    return fail(Status::kOutOfRange, *reason);
+  }
   if (event) {
     if (phase_.mode() == Mode::kFree) {
       impact();
@@ -221,6 +233,7 @@ void EventIntegrator::advance(double limit) {
     project(true, phase_.mode() == Mode::kStick);
   }
   update_tolerances();
+  meet_energy();
 }
 
 // Loads or the command jump here: lasting contact, and contact lost this very instant, is decided
@@ -251,6 +264,7 @@ EventIntegrator::Result EventIntegrator::run(const State& start, double end, Rec
   h_ = std::min(1e-6, end - start.t);
   begin(start);
   recorder.begin(snapshot(t_, y_.data()));
+  recorder.statistics().energy_start = energy_start_;
   phase_.derivative(t_, y_.data(), step_.first_slope());
   std::int64_t ticks = 0;
   while (t_ < end_ && result_.status == Status::kOk) {
@@ -268,6 +282,9 @@ EventIntegrator::Result EventIntegrator::run(const State& start, double end, Rec
   }
   result_.end = t_;
   fill_statistics();
+  if (const auto reason = out_of_balance(recorder.statistics())) {
+    fail(Status::kOutOfRange, *reason);
+  }
   return result_;
 }
 

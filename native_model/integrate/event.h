@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct EventOptions {
   double tolerance = 1e-12;
   // Gap rate, m/s, under which an impact takes no rebound: an accumulation closes.
   double closing_gap_rate = 1e-9;
+  // Share of the accelerations that meet at the contact below which their sum is none: what the
+  // tolerance leaves of it.
+  double no_force = 1e-10;
   // Width, s, of the bins over which the normal force is averaged for its peak and mean square;
   // 0: neither is found.
   double force_bin = 0.0;
@@ -66,12 +70,17 @@ class EventIntegrator {
   double locate_contact();
   double locate_margin();
   double margin_at(double theta);
+  double locate_loss();
 
   // What happens at an event.
   void impact();
   bool outlasts_its_flight(const ContactPoint& p);
   void finite_impact(const ContactPoint& p, ImpactInput in, Impact& record);
-  void book(Impact& record, double held_slip);
+  void impact_phase(const Eigen::Vector2d& e_r, double tau, double normal, double friction,
+                    Impact& record);
+  void account(Impact& record, double normal, double friction, const Eigen::Vector2d& before,
+               const Eigen::Vector2d& after);
+  void book(const Impact& record, double held_slip);
   void fail_impact(ImpactStatus status);
   void end_of_contact();
   void decide(bool slip_is_zero, Departure departure);
@@ -84,6 +93,8 @@ class EventIntegrator {
   // Rows.
   Snapshot snapshot(double t, const double* y);
   void bins_until(double now);
+  double impulse_until(double t);
+  void meet_energy();
   void rows_before(double t);
   void rows_at_now();
 
@@ -98,6 +109,9 @@ class EventIntegrator {
   Recorder* recorder_ = nullptr;
   Result result_;
   std::vector<double> breaks_;       // s, instants at which a load or the control is not smooth
+  struct {
+    std::vector<double> force, acceleration, before, after;  // nq each
+  } touch_;                          // of an impact that takes time: loads held, v_0 and v_1
   std::vector<double> y_, row_, row_slope_, tolerance_, load_;
   double t_ = 0.0, h_ = 0.0, end_ = 0.0;
   double smooth_end_ = 0.0;          // s, the last instant before the next break
@@ -109,9 +123,12 @@ class EventIntegrator {
   double force_scale_ = 1e-300;      // N, largest normal force met
   double contact_time_ = 0.0;
   double impact_work_ = 0.0;         // J, on the coordinates
+  double impact_force_ = 0.0;        // N, normal, within a phase of an impact that takes time
   double impact_impulse_ = 0.0;      // N s, normal, of all impacts so far
   double bin_ = 0.0;                 // index of the current force bin
   double bin_start_ = 0.0;           // N s, total normal impulse at its start
+  double energy_start_ = 0.0;        // J, before an impact of the first instant
+  double energy_scale_ = 0.0;        // J, largest met
   double next_sample_ = 0.0;         // index of the next controller sample
   int stalled_ = 0;
   double last_event_ = -1.0;

@@ -5,6 +5,7 @@
 
 #include "native_model/integrate/event.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/trajectory/range_check.h"
 
 namespace rotorub {
 namespace {
@@ -38,6 +39,18 @@ double EventIntegrator::locate_contact() {
   return theta.value_or(kNone);
 }
 
+// The trial ends out of range: the last theta within it.
+double EventIntegrator::locate_loss() {
+  prepare_dense();
+  double in = 0.0, out = 1.0;
+  while (out - in > 1e-12) {
+    const double middle = 0.5 * (in + out);
+    step_.dense(middle, row_.data());
+    (out_of_range(*model_, row_.data()) ? out : in) = middle;
+  }
+  return out;
+}
+
 // The least of the margins at theta, each scaled; negative: the phase has ended before.
 double EventIntegrator::margin_at(double theta) {
   step_.dense(theta, row_.data());
@@ -55,7 +68,7 @@ double EventIntegrator::locate_margin() {
   const double speed = std::max(largest_speed_, model_->contact->radius * largest_spin_);
   const double cone_scale = phase_.mode() == Mode::kSlide ? speed : force_scale_;
   constexpr double kRoundOff = 1e-13;
-  if (lowest_.force > -kRoundOff * force_scale_ && lowest_.cone > -kRoundOff * cone_scale) {
+  if (lowest_.force > -options_.no_force * force_scale_ && lowest_.cone > -kRoundOff * cone_scale) {
     return kNone;
   }
   prepare_dense();

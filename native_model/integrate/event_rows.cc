@@ -20,27 +20,35 @@ Snapshot EventIntegrator::snapshot(double t, const double* y) {
   return s;
 }
 
+// Normal impulse of the run from its start until t, N s; t within the current step or impact phase.
+double EventIntegrator::impulse_until(double t) {
+  const int impulse = 2 * model_->nq() + kNormalImpulse;
+  double carried = y_[static_cast<std::size_t>(impulse)] + impact_force_ * (t - t_);
+  if (phase_.mode() != Mode::kFree) {
+    prepare_dense();
+    carried += step_.increment(impulse, (t - t_) / step_.step());
+  }
+  return carried + impact_impulse_;
+}
+
+void EventIntegrator::meet_energy() {
+  energy_scale_ = std::max(energy_scale_, std::abs(energy(*model_, t_, q(), v())));
+}
+
 // Normal force averaged over bins of fixed width, as a fixed-step engine has it: peak and mean
 // square. Free flight carries no force, and only what an impact left in the current bin counts.
 void EventIntegrator::bins_until(double now) {
   if (options_.force_bin <= 0.0) return;
-  const std::size_t impulse = static_cast<std::size_t>(2 * model_->nq() + kNormalImpulse);
-  const bool lasting = phase_.mode() != Mode::kFree;
+  const bool flies = phase_.mode() == Mode::kFree && impact_force_ == 0.0;
   for (double edge = (bin_ + 1) * options_.force_bin; edge <= now;
        edge = (bin_ + 1) * options_.force_bin) {
-    double carried = y_[impulse];
-    if (lasting) {
-      prepare_dense();
-      carried += step_.increment(static_cast<int>(impulse), (edge - t_) / step_.step());
-    }
-    const double total = carried + impact_impulse_,
-                 force = (total - bin_start_) / options_.force_bin;
+    const double total = impulse_until(edge), force = (total - bin_start_) / options_.force_bin;
     Statistics& s = recorder_->statistics();
     s.peak_force = std::max(s.peak_force, force);
     s.force_square += force * force * options_.force_bin;
     bin_start_ = total;
     ++bin_;
-    if (!lasting && force == 0.0) bin_ = std::max(bin_, std::floor(now / options_.force_bin) - 1.0);
+    if (flies && force == 0.0) bin_ = std::max(bin_, std::floor(now / options_.force_bin) - 1.0);
   }
 }
 
@@ -70,7 +78,7 @@ void EventIntegrator::fill_statistics() {
   s.contact_work = integral[kContactWork] + impact_work_;
   s.external_work = integral[kExternalWork];
   s.energy_end = energy(*model_, t_, q(), v());
-  s.energy_scale = std::max(s.energy_scale, std::abs(s.energy_end));
+  s.energy_scale = std::max(energy_scale_, std::abs(s.energy_end));
 }
 
 }  // namespace rotorub

@@ -46,7 +46,14 @@ Phase::Contact Phase::contact_of(double t, const double* q, const double* v) con
 Phase::Contact Phase::contact(double t, const double* y) {
   const double *q = y, *v = y + model_->nq();
   accelerate(t, q, v, command(t, y));
-  return contact_of(t, q, v);
+  Contact c = contact_of(t, q, v);
+  const double whirl = c.point.whirl_speed();
+  c.acceleration_scale = whirl * whirl / c.point.delta + std::abs(c.gap_acceleration);
+  for (int i = 0; i < model_->layout.mechanical(); ++i) {
+    if (i >= model_->layout.phi() && i < model_->layout.ring()) continue;  // turns
+    c.acceleration_scale += std::abs(model_->stiffness[i] * q[i] / model_->mass[i]);
+  }
+  return c;
 }
 
 void Phase::derivative(double t, const double* y, double* dy) {
@@ -70,13 +77,13 @@ void Phase::derivative(double t, const double* y, double* dy) {
     const double mu = m.contact->friction, slip = c.point.slip;
     double normal = 0.0, friction = 0.0;
     if (mode_ == Mode::kSlide) {
-      normal = -c.gap_acceleration / (c.g.nn - mu * sign_ * c.g.nt);
+      normal = slide(c.g, c.gap_acceleration, mu * sign_);
       friction = -mu * sign_ * normal;
       margins_ = {normal, sign_ * slip};
     } else {
-      const double determinant = c.g.nn * c.g.tt - c.g.nt * c.g.tn;
-      normal = (-c.gap_acceleration * c.g.tt + c.slip_acceleration * c.g.nt) / determinant;
-      friction = (-c.slip_acceleration * c.g.nn + c.gap_acceleration * c.g.tn) / determinant;
+      const PlanarImpulse<double> force = stick(c.g, c.gap_acceleration, c.slip_acceleration);
+      normal = force.normal;
+      friction = force.friction;
       margins_ = {normal, mu * normal - std::abs(friction)};
     }
     multipliers_ = {normal, friction};

@@ -64,6 +64,7 @@ class Phase {
     double gap_acceleration;   // gddot_N without contact force
     double slip_acceleration;  // gddot_T without contact force
     ContactPoint point;
+    double acceleration_scale = 0.0;  // of what adds up to gddot_N; by contact() alone
   };
   Contact contact(double t, const double* y);
 

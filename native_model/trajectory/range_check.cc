@@ -6,22 +6,43 @@
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
+namespace {
 
-std::string out_of_range(const Model& m, const double* q, double penetration) {
-  char text[160];
-  if (m.contact && !(penetration <= m.contact->clearance)) {
-    std::snprintf(text, sizeof text,
-                  "the rotor is %.3g m outside the ring, more than the clearance of %.3g m",
-                  penetration, m.contact->clearance);
-    return text;
+constexpr double kLargestResidual = 1.0;  // of the energy balance
+
+std::string text(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", value);
+  return digits;
+}
+
+}  // namespace
+
+std::optional<std::string> out_of_range(const Model& m, const double* q) {
+  if (m.magnets && m.layout.stator) {
+    const double reach = m.magnets->law->reach();
+    const double s = to_axes(stator_point(m, q)).cwiseAbs().maxCoeff();
+    if (s >= reach) {
+      return "the ring is " + text(s) + " m from its middle along a magnet's axis, in an air gap of " +
+             text(reach) + " m";
+    }
   }
-  if (!m.magnets || !m.layout.stator) return {};
-  const double ring = to_axes(stator_point(m, q)).cwiseAbs().maxCoeff();
-  if (ring <= m.magnets->law->reach()) return {};
-  std::snprintf(text, sizeof text,
-                "the ring is %.3g m along an axis of the magnets, beyond their air gap of %.3g m", ring,
-                m.magnets->law->reach());
-  return text;
+  if (m.contact) {
+    const double clearance = m.contact->clearance;
+    const double depth = (rotor_point(m, q) - stator_point(m, q)).norm() - clearance;
+    if (depth > clearance) {
+      return "the rotor is " + text(depth) + " m deep in the ring, with a clearance of " +
+             text(clearance) + " m";
+    }
+  }
+  return {};
+}
+
+std::optional<std::string> out_of_balance(const Statistics& s) {
+  const double residual = s.energy_residual();
+  if (residual <= kLargestResidual) return {};
+  return "the energy balance misses " + text(residual) + " times the largest energy met, " +
+         text(s.energy_scale) + " J";
 }
 
 }  // namespace rotorub

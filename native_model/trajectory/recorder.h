@@ -56,8 +56,6 @@ class Recorder {
   bool advance(const Snapshot& now, bool impact);
   // The actuator's part of a snapshot is only read where a row is due up to its time.
   bool row_due(double t) const { return next_time() <= t * (1.0 + 1e-9); }
-  // |E - E_start - works| / scale as of the last look.
-  double energy_residual() const { return statistics_.energy_residual(); }
   double penetration() const { return penetration_; }  // m, of the last snapshot, >= 0
   void add(const Impact& impact);
   void add(const Event& event);

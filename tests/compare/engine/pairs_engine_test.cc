@@ -6,7 +6,7 @@
 #include <string>
 
 #include "compare/engine/mujoco_engine.h"
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/order.h"
 #include "tests/support/pairs.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "native_model/integrate/ensemble.h"
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/order.h"
 #include "tests/support/pairs.h"

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "native_model/system/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/runge_kutta.h"

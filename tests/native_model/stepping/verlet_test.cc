@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "native_model/integrate/run.h"
+#include "native_model/run/run_native.h"
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"

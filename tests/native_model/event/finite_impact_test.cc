@@ -1,0 +1,138 @@
+// Impacts that take compression and expansion times: the balance of the energy, and what the rows
+// within them show.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/native_model/hard/rules.h"
+#include "tests/support/jeffcott.h"
+
+namespace rotorub {
+namespace {
+
+using test::Jeffcott;
+using test::make_scene;
+
+constexpr double kTauC = 2e-4, kTauE = 3e-4;  // s
+
+scene::Scene with_times(scene::Scene scene, double tau_c = kTauC, double tau_e = kTauE) {
+  scene.contact->compression_time = tau_c;
+  scene.contact->expansion_time = tau_e;
+  return scene;
+}
+
+// Springs, dampers, a load and friction, all at work during the impact.
+scene::Scene loaded() {
+  scene::Scene scene = make_scene({.mass = 2.0, .damping = 10.0, .stiffness = 5e4,
+                                   .friction = 0.2, .restitution = 0.6, .speed = 150.0});
+  test::add_constant_force(scene, {40.0, 10.0});
+  scene.initial.vx = {0.3};
+  scene.run.end = 0.03;
+  return scene;
+}
+
+constexpr double kBalance = 1e-9;  // of the largest energy
+
+TEST(FiniteImpact, TheBalanceClosesUnderLoad) {
+  for (const double tau : {1e-6, 1e-5, 1e-4}) {
+    SCOPED_TRACE(tau);
+    const Trajectory t = test::run_event(with_times(loaded(), tau, 1.5 * tau));
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    ASSERT_GE(t.impacts.size(), 2u);
+    EXPECT_LT(t.statistics.energy_residual(), kBalance);
+    test::expect_dissipative_impacts(loaded(), t);
+  }
+}
+
+TEST(FiniteImpact, TheBalanceClosesOnARingWithAFreeSpin) {
+  scene::Scene scene = with_times(test::shipped("bench_ring"), 1e-4, 1e-4);
+  scene.run.end = 0.05;
+  const Trajectory t = test::run_event(scene);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_LT(t.statistics.energy_residual(), kBalance);
+}
+
+// Without loads both phases are known by hand: compression stops the mass, expansion sends it back.
+TEST(FiniteImpact, RowsWithinShowThePhases) {
+  const double v = 0.3, eps = 0.5, mass = 2.0, delta = 0.5e-3, touch = delta / v;
+  scene::Scene scene =
+      with_times(make_scene({.mass = mass, .clearance = delta, .restitution = eps}));
+  scene.initial.vx = {v};
+  scene.run.end = 0.003;
+  scene.run.output_times = {touch + 0.25 * kTauC, touch + 0.75 * kTauC, touch + kTauC + 0.5 * kTauE};
+  const Trajectory t = test::run_event(scene);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const auto row = [&](double time) {
+    const auto& times = t.column("t");
+    return static_cast<std::size_t>(std::find(times.begin(), times.end(), time) - times.begin());
+  };
+  const auto expect = [&](double time, double x, double vx, double force) {
+    SCOPED_TRACE(time);
+    const std::size_t k = row(time);
+    ASSERT_LT(k, t.rows());
+    EXPECT_NEAR(t.column("rotor_x")[k], x, 1e-15);
+    EXPECT_NEAR(t.column("rotor_vx")[k], vx, 1e-12);
+    EXPECT_NEAR(t.column("normal_force")[k], force, 1e-9);
+  };
+  expect(scene.run.output_times[0], delta, 0.75 * v, mass * v / kTauC);
+  expect(scene.run.output_times[1], delta, 0.25 * v, mass * v / kTauC);
+  expect(scene.run.output_times[2], delta - eps * v * 0.5 * kTauE, -0.5 * eps * v,
+         eps * mass * v / kTauE);
+  EXPECT_NEAR(t.statistics.contact_time, kTauC + kTauE, 1e-15) << "there was a normal force";
+}
+
+// The end of the run within an impact: the state of that time, the share of the impulse so far.
+TEST(FiniteImpact, MayOutlastTheRun) {
+  const double v = 0.3, eps = 0.5, mass = 2.0, delta = 0.5e-3, touch = delta / v;
+  scene::Scene scene =
+      with_times(make_scene({.mass = mass, .clearance = delta, .restitution = eps}));
+  scene.initial.vx = {v};
+  struct Case {
+    double end, x, vx, impulse;
+  };
+  for (const Case& c : {Case{touch + 0.5 * kTauC, delta, 0.5 * v, 0.5 * mass * v},
+                        Case{touch + kTauC + 0.25 * kTauE, delta - 0.25 * kTauE * eps * v,
+                             -0.25 * eps * v, (1.0 + 0.25 * eps) * mass * v}}) {
+    SCOPED_TRACE(c.end);
+    scene.run.end = c.end;
+    const Trajectory t = test::run_event(scene);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    EXPECT_EQ(t.end, c.end);
+    EXPECT_EQ(t.column("t").back(), c.end);
+    EXPECT_NEAR(t.column("rotor_x").back(), c.x, 1e-15);
+    EXPECT_NEAR(t.column("rotor_vx").back(), c.vx, 1e-12);
+    ASSERT_EQ(t.impacts.size(), 1u);
+    EXPECT_NEAR(t.impacts[0].normal_impulse, c.impulse, 1e-12);
+    EXPECT_LT(t.statistics.energy_residual(), kBalance);
+  }
+}
+
+// A force that ends within an impact acts on to the impact's end and no further: (16) holds the
+// loads. The rows go on, and the balance closes.
+TEST(FiniteImpact, PassesABreak) {
+  scene::Scene scene = with_times(loaded());
+  const Trajectory without = test::run_event(scene);
+  ASSERT_GE(without.impacts.size(), 1u);
+  scene.forces[0].off = without.impacts[0].t + 0.4 * kTauC;
+  scene.run.output_times = {without.impacts[0].t + 0.5 * kTauC};
+  const Trajectory t = test::run_event(scene);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_NEAR(t.impacts[0].normal_impulse, without.impacts[0].normal_impulse, 1e-10);
+  EXPECT_LT(t.statistics.energy_residual(), kBalance);
+  test::expect_finite(t);
+}
+
+// The peak and mean square of the force are those of an impulse spread over its phase.
+TEST(FiniteImpact, SpreadsItsForceOverTheBins) {
+  const double v = 0.3, mass = 2.0, delta = 0.5e-3;
+  scene::Scene scene = with_times(make_scene({.mass = mass, .clearance = delta}), 1e-3, 0.0);
+  scene.initial.vx = {v};
+  scene.run.end = 0.004;
+  scene.run.step = 1e-5;
+  const Trajectory t = test::run_event(scene);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_NEAR(t.statistics.peak_force, mass * v / 1e-3, 1e-6);
+}
+
+}  // namespace
+}  // namespace rotorub
