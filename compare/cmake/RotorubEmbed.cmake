@@ -8,6 +8,7 @@ function(rotorub_embed target name file)
   cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
   set(unit "${CMAKE_CURRENT_BINARY_DIR}/${name}.cc")
   configure_file("${ROTORUB_EMBED_TEMPLATE}" "${unit}" @ONLY)
-  set_source_files_properties("${unit}" PROPERTIES OBJECT_DEPENDS "${file}")
+  set_source_files_properties("${unit}" PROPERTIES OBJECT_DEPENDS "${file}"
+                                                    SKIP_PRECOMPILE_HEADERS ON)
   target_sources(${target} PRIVATE "${unit}")
 endfunction()

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "native_model/rotor/complex_eigenvalues.h"
 #include "native_model/rotor/whirl_eigenvalues.h"
 
 namespace rotorub {
@@ -28,7 +29,7 @@ std::vector<double> synchronous_speeds(const Matrix& K, const Matrix& A) {
     constexpr double kReal = 1e-9;
     const Eigen::MatrixXcd product =
         K.template cast<Complex>().fullPivLu().solve(A.template cast<Complex>());
-    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(product, false);
+    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver = complex_eigenvalues(product);
     for (const Complex& mu : solver.eigenvalues()) {
       if (std::abs(mu.imag()) <= kReal * std::abs(mu)) inverse_squares.push_back(mu.real());
     }

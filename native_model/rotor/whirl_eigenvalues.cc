@@ -7,6 +7,8 @@
 
 #include "native_model/rotor/refusal.h"
 
+#include "native_model/rotor/complex_eigenvalues.h"
+
 namespace rotorub {
 namespace {
 
@@ -38,8 +40,8 @@ std::vector<Complex> isotropic_eigenvalues(const WhirlSystem& system, double spe
   const Eigen::MatrixXcd B =
       (system.damping_x + system.internal_xx).cast<Complex>() - turn * system.gyroscopic;
   const Eigen::MatrixXcd C = system.stiffness_x.cast<Complex>() - turn * system.internal_xx;
-  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(
-      state_matrix(B, C, state_scale(system.stiffness_x)), false);
+  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver =
+      complex_eigenvalues(state_matrix(B, C, state_scale(system.stiffness_x)));
   if (solver.info() != Eigen::Success) fail();
   return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
 }
