@@ -7,6 +7,7 @@
 
 #include "mjcf/names.h"
 #include "native_model/stepping/step_limit.h"
+#include "native_model/stepping/stepper.h"
 #include "native_model/scene/reader.h"
 #include "plugin/own/own_config.h"
 

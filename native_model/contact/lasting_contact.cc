@@ -63,7 +63,7 @@ class Solver {
     const Candidate minus = slide(mu);
     if (minus.holds && minus.slip < 0.0) take(ContactCase::kSlideNegative, minus);
     const Candidate rest = stick();
-    const double margin = mu * rest.normal - std::abs(rest.friction);
+    const double margin = mu * rest.normal - std::abs(holding(rest));
     // Between the two ways of sliding there is no gap but for round-off.
     const bool between = plus.holds && minus.holds && out.solutions == 0;
     if (rest.holds && (margin >= 0.0 || between) &&
@@ -75,15 +75,29 @@ class Solver {
   }
 
  private:
+  // The share of the step after which a slip that friction brakes comes to 0; 1: none does.
+  double braking_time() const {
+    const double before = slip(s_.start);
+    if (before == 0.0) return 0.0;
+    const Candidate through = slide(before > 0.0 ? -s_.friction : s_.friction);
+    if (!through.holds || through.slip * before > 0.0) return 1.0;
+    return before / (before - through.slip);
+  }
+  // Of a step that ends sticking: the friction that holds the slip at 0 once it has come to 0, as an
+  // impulse over a whole step.
+  double holding(const Candidate& rest) const {
+    const double share = braking_time(), before = slip(s_.start);
+    if (share <= 0.0 || share >= 1.0) return rest.friction;
+    const double braking = (before > 0.0 ? -1.0 : 1.0) * s_.friction * rest.normal;
+    return (rest.friction - share * braking) / (1.0 - share);
+  }
   // The slip of the step before had the other sign: friction has been -mu sign N until it was 0.
   void reverse(LastingResult& out) const {
     if (out.contact_case == ContactCase::kStick) return;
     const double sign = out.contact_case == ContactCase::kSlidePositive ? 1.0 : -1.0;
-    const double before = slip(s_.start);
-    if (before * sign >= 0.0) return;
-    const Candidate through = slide(s_.friction * sign);
-    if (!through.holds || through.slip * before > 0.0) return;
-    const double share = before / (before - through.slip);
+    if (slip(s_.start) * sign >= 0.0) return;
+    const double share = braking_time();
+    if (share >= 1.0) return;
     const Candidate mean = slide(s_.friction * sign * (2.0 * share - 1.0));
     if (!mean.holds) return;
     out.normal = mean.normal;

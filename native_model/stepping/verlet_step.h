@@ -257,12 +257,17 @@ class VerletKernel : public StepKernel<M> {
     solve_mass(m, t, q, jump, jump);
     // The loads by the velocities just before and just after.
     for (int i = 0; i < nq; ++i) at[i] = v[i] + late * a[i];
-    smooth_force(m, t, q, at, u, before);
-    const Eigen::Vector2d ring = actuator_state(m, q, at, u).force;
-    const double power = external_power(m, t, q, at, ring);
+    // A continuous controller sees the jump too.
+    const bool follows = m.controller && m.sample_time == 0.0 && t >= m.control_on;
+    const auto command = [&] { return follows ? control_command(m, t, q, at) : u; };
+    Eigen::Vector2d told = command();
+    smooth_force(m, t, q, at, told, before);
+    const double power = external_power(m, t, q, at, actuator_state(m, q, at, told).force);
     for (int i = 0; i < nq; ++i) at[i] += jump[i];
-    smooth_force(m, t, q, at, u, missed);
-    late_work -= late * (external_power(m, t, q, at, ring) - power);
+    told = command();
+    smooth_force(m, t, q, at, told, missed);
+    late_work -=
+        late * (external_power(m, t, q, at, actuator_state(m, q, at, told).force) - power);
     for (int i = 0; i < nq; ++i) missed[i] = -late * (missed[i] - before[i]);
     solve_mass(m, t, q, missed, missed);
 
