@@ -5,7 +5,7 @@
 #include <string>
 
 #include "native_model/integrate/command.h"
-#include "native_model/integrate/event.h"
+#include "native_model/event/driver.h"
 #include "native_model/integrate/paper.h"
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/recorder.h"
@@ -94,7 +94,7 @@ Trajectory run_paper(const Model& model, const scene::Run& run, double step,
 
 Trajectory run_event(const Model& model, const scene::Run& run, const NativeOptions& options) {
   Recorder recorder(model, options.output_times.value_or(output_times(run)));
-  EventOptions settings;
+  EventParameters settings;
   settings.force_bin = options.step.value_or(run.step);
   EventIntegrator integrator(model, settings);
   const auto start = std::chrono::steady_clock::now();

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "native_model/integrate/ensemble.h"
-#include "native_model/integrate/event.h"
+#include "native_model/event/driver.h"
 #include "native_model/integrate/paper.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/bench/machines.h"
