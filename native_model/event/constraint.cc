@@ -15,8 +15,7 @@ void Constraint::solve(double t, const double* q, const Eigen::Vector3d& load) {
   solve_mass(*model_, t, q, change_.data(), change_.data());
 }
 
-void Constraint::apply(Motion& motion, const Eigen::Vector2d& e_r, double normal,
-                       double friction) {
+void Constraint::apply(Motion& motion, const Eigen::Vector2d& e_r, double normal, double friction) {
   solve(motion.t, motion.q(), contact_load(e_r, model_->contact->radius, normal, friction));
   for (std::size_t i = 0; i < change_.size(); ++i) motion.v()[i] += change_[i];
 }
@@ -24,8 +23,7 @@ void Constraint::apply(Motion& motion, const Eigen::Vector2d& e_r, double normal
 void Constraint::to_circle(double t, double* q, const double* v) {
   for (int k = 0; k < 2; ++k) {  // one Newton step and what round-off leaves
     const ContactPoint p = contact_point(*model_, q, v);
-    const Delassus g =
-        delassus(contact_admittance(*model_, t, q), p.e_r, model_->contact->radius);
+    const Delassus g = delassus(contact_admittance(*model_, t, q), p.e_r, model_->contact->radius);
     solve(t, q, contact_load(p.e_r, 0.0, -p.gap / g.nn, 0.0));
     for (std::size_t i = 0; i < change_.size(); ++i) q[i] += change_[i];
   }

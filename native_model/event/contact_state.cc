@@ -35,10 +35,14 @@ ContactDecision select_contact_mode(const ContactAccelerations& b, double slip, 
     return {Status::kAmbiguous, free, "the contact forces have several solutions (Painleve)"};
   }
   switch (s.contact_case) {
-    case ContactCase::kOpen: break;
-    case ContactCase::kStick: return {Status::kOk, {Mode::kStick, 0.0}};
-    case ContactCase::kSlidePositive: return {Status::kOk, {Mode::kSlide, 1.0}};
-    case ContactCase::kSlideNegative: return {Status::kOk, {Mode::kSlide, -1.0}};
+    case ContactCase::kOpen:
+      break;
+    case ContactCase::kStick:
+      return {Status::kOk, {Mode::kStick, 0.0}};
+    case ContactCase::kSlidePositive:
+      return {Status::kOk, {Mode::kSlide, 1.0}};
+    case ContactCase::kSlideNegative:
+      return {Status::kOk, {Mode::kSlide, -1.0}};
   }
   return {Status::kOk, free};
 }

@@ -12,22 +12,22 @@ namespace rotorub {
 
 struct ContactState {
   Mode mode = Mode::kFree;
-  double slip_sign = 1.0;                     // sliding only: sign of gdot_T
-  Departure departure = Departure::kInside;   // free only: how the flight began
+  double slip_sign = 1.0;                    // sliding only: sign of gdot_T
+  Departure departure = Departure::kInside;  // free only: how the flight began
 };
 
 // What lasting contact needs: y = G L + b with forces L and accelerations y, (12)-(13).
 struct ContactAccelerations {
-  Delassus g;           // 1/kg
-  double normal;        // m/s^2, gddot_N without contact force
-  double tangential;    // m/s^2, gddot_T without contact force
-  double scale = 0.0;   // m/s^2, of what adds up to `normal`
+  Delassus g;          // 1/kg
+  double normal;       // m/s^2, gddot_N without contact force
+  double tangential;   // m/s^2, gddot_T without contact force
+  double scale = 0.0;  // m/s^2, of what adds up to `normal`
 };
 
 struct ContactDecision {
   Status status = Status::kOk;  // else the laws have no solution, or several (Painleve)
   ContactState next{};
-  const char* reason = "";      // of a status that is not ok
+  const char* reason = "";  // of a status that is not ok
 };
 
 // On the circle with gap rate 0: free, sliding or sticking from here on. slip: m/s, exactly 0 where

@@ -170,9 +170,12 @@ void EventIntegrator::impact() {
     return fail(Status::kAmbiguous, "the impact laws have several solutions");
   }
   switch (outcome.after) {
-    case EventImpact::Outcome::kParts: return change_to({Mode::kFree, 1.0, Departure::kRebound});
-    case EventImpact::Outcome::kInside: return change_to({Mode::kFree, 1.0, Departure::kInside});
-    case EventImpact::Outcome::kRests: return decide(outcome.stuck, Departure::kParting);
+    case EventImpact::Outcome::kParts:
+      return change_to({Mode::kFree, 1.0, Departure::kRebound});
+    case EventImpact::Outcome::kInside:
+      return change_to({Mode::kFree, 1.0, Departure::kInside});
+    case EventImpact::Outcome::kRests:
+      return decide(outcome.stuck, Departure::kParting);
   }
 }
 
@@ -186,8 +189,10 @@ void EventIntegrator::margin_reached() {
                                    ? Constraint::Velocity::kAlong
                                    : Constraint::Velocity::kStuck);
   switch (end) {
-    case PhaseEnd::kOpens: return change_to({Mode::kFree, 1.0, Departure::kLiftOff});
-    case PhaseEnd::kSlipStops: return decide(true, Departure::kParting);
+    case PhaseEnd::kOpens:
+      return change_to({Mode::kFree, 1.0, Departure::kLiftOff});
+    case PhaseEnd::kSlipStops:
+      return decide(true, Departure::kParting);
     case PhaseEnd::kSlipBegins:  // against friction at its limit
       return change_to({Mode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
   }

@@ -26,9 +26,9 @@ class EventIntegrator {
   struct Result {
     Status status = Status::kOk;
     std::string message;
-    std::int64_t steps = 0;     // accepted
+    std::int64_t steps = 0;  // accepted
     std::int64_t rejected = 0;
-    double end = 0.0;           // s, reached
+    double end = 0.0;  // s, reached
   };
   // From `start` to `end`, into the recorder. progress: fraction done.
   Result run(const State& start, double end, Recorder& recorder,
@@ -65,10 +65,10 @@ class EventIntegrator {
   EventImpact impact_;
 
   Result result_;
-  double end_ = 0.0;             // s
-  double force_scale_ = 0.0;     // N, largest force met at the contact, carried or balanced
-  int stalled_ = 0;              // events since the clock went on
-  double last_event_ = 0.0;      // s
+  double end_ = 0.0;          // s
+  double force_scale_ = 0.0;  // N, largest force met at the contact, carried or balanced
+  int stalled_ = 0;           // events since the clock went on
+  double last_event_ = 0.0;   // s
 };
 
 }  // namespace rotorub

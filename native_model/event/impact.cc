@@ -26,7 +26,7 @@ Eigen::Vector3d EventImpact::contact_velocity(const Motion& motion) const {
 
 // Pressed by gddot_N < 0, the flight after an impact takes 2 eps_N |gdot_N| / |gddot_N|. Where the
 // impact itself lasts as long there is no flight.
-bool EventImpact::outlasts_flight(const Motion& motion, const ContactPoint& touch) {
+bool EventImpact::impact_longer_than_flight(const Motion& motion, const ContactPoint& touch) {
   const ContactParameters& c = *model_->contact;
   const double duration = c.compression_time + c.expansion_time;
   if (duration == 0.0) return false;
@@ -48,7 +48,8 @@ EventImpact::Outcome EventImpact::run(Motion& motion, const ContactPoint& touch,
   in.velocity = contact_velocity(motion);
   in.acceleration.setZero();
   const ImpactLaw law{c.friction, c.restitution, c.tangential_restitution};
-  if (-touch.gap_rate < parameters_->zeno_velocity_threshold || outlasts_flight(motion, touch)) {
+  if (-touch.gap_rate < parameters_->zeno_velocity_threshold ||
+      impact_longer_than_flight(motion, touch)) {
     return at_once(motion, touch, {c.friction, 0.0, 0.0}, in, record);
   }
   if (c.compression_time + c.expansion_time == 0.0) return at_once(motion, touch, law, in, record);
@@ -102,8 +103,7 @@ EventImpact::Outcome EventImpact::over_time(Motion& motion, const ContactPoint& 
   // The straight path has left the circle: the way back to it is no work of the contact.
   const bool parts = after.gap_rate > 0.0;
   const double stored = energy(m, motion.t, motion.q(), motion.v());
-  constraint_->project(motion,
-                       parts ? Constraint::Velocity::kKept : Constraint::Velocity::kAlong);
+  constraint_->project(motion, parts ? Constraint::Velocity::kKept : Constraint::Velocity::kAlong);
   motion.integral(kExternalWork) += energy(m, motion.t, motion.q(), motion.v()) - stored;
   return {r.status, parts ? Outcome::kParts : Outcome::kRests};
 }

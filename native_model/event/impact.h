@@ -29,7 +29,7 @@ class EventImpact {
                     ImpactInput& in, Impact& record, double end);
   void phase_of(Motion& motion, const Eigen::Vector2d& e_r, double tau, double normal,
                 double friction, Impact& record, double end);
-  bool outlasts_flight(const Motion& motion, const ContactPoint& touch);
+  bool impact_longer_than_flight(const Motion& motion, const ContactPoint& touch);
   Eigen::Vector3d contact_velocity(const Motion& motion) const;
 
   const Model* model_;

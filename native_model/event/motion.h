@@ -9,8 +9,15 @@
 namespace rotorub {
 
 // Carried along with the state, for statistics and the energy balance.
-enum Integral { kNormalImpulse, kFrictionImpulse, kFrictionWork, kContactWork, kExternalWork,
-                kGapRateSquare, kIntegrals };
+enum Integral {
+  kNormalImpulse,
+  kFrictionImpulse,
+  kFrictionWork,
+  kContactWork,
+  kExternalWork,
+  kGapRateSquare,
+  kIntegrals
+};
 
 struct Motion {
   explicit Motion(const Model& model)

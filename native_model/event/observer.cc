@@ -88,9 +88,8 @@ void Observer::watch(const Motion& from, const ImpactPhaseMotion& p) {
     s.friction_force = p.friction;
     recorder_->row(s);
   }
-  bins_until(p.until, false, [&](double t) {
-    return from.integral(kNormalImpulse) + p.normal * (t - from.t);
-  });
+  bins_until(p.until, false,
+             [&](double t) { return from.integral(kNormalImpulse) + p.normal * (t - from.t); });
   contact_time_ += p.until - from.t;
 }
 

@@ -1,5 +1,5 @@
-// What is seen of an event-driven run: rows at exact times, impacts and changes of mode, bins of the
-// normal force, the energy balance and the other figures. It moves nothing.
+// What is seen of an event-driven run: rows at exact times, impacts and changes of mode, bins of
+// the normal force, the energy balance and the other figures. It moves nothing.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace rotorub {
 
 // One phase of an impact that takes time: coordinates go with v_1, velocities straight from v_0.
 struct ImpactPhaseMotion {
-  double duration;              // s, of the whole phase
-  double until;                 // s, end of what there is of it
-  const double *v0, *v1;        // m/s, at the start and the end of the whole phase
-  double normal, friction;      // N
+  double duration;          // s, of the whole phase
+  double until;             // s, end of what there is of it
+  const double *v0, *v1;    // m/s, at the start and the end of the whole phase
+  double normal, friction;  // N
 };
 
 class Observer {
@@ -53,11 +53,11 @@ class Observer {
   Phase* phase_;
   Recorder* recorder_ = nullptr;
   std::vector<double> row_, slope_;
-  double contact_time_ = 0.0;    // s
-  double impact_work_ = 0.0;     // J, on the coordinates
-  double impact_impulse_ = 0.0;  // N s, normal, of all impacts so far
-  double bin_ = 0.0;             // index of the current force bin
-  double bin_start_ = 0.0;       // N s, total normal impulse at its start
+  double contact_time_ = 0.0;                       // s
+  double impact_work_ = 0.0;                        // J, on the coordinates
+  double impact_impulse_ = 0.0;                     // N s, normal, of all impacts so far
+  double bin_ = 0.0;                                // index of the current force bin
+  double bin_start_ = 0.0;                          // N s, total normal impulse at its start
   double energy_start_ = 0.0, energy_scale_ = 0.0;  // J, at the start; the largest met
 };
 

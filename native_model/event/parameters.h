@@ -4,8 +4,9 @@
 namespace rotorub {
 
 struct EventParameters {
-  // Local error of a step, relative to the largest displacement, speed, ... met so far. At 1e-12 the
-  // error of a whole run is near what round-off leaves of it; a smaller one costs steps for nothing.
+  // Local error of a step, relative to the largest displacement, speed, ... met so far. At 1e-12
+  // the error of a whole run is near what round-off leaves of it; a smaller one costs steps for
+  // nothing.
   double tolerance = 1e-12;
   // m/s: an impact that closes slower takes no rebound, which ends an accumulation (Zeno). The
   // flights left out last less than 2e-9 m/s over the acceleration, and move 1e-18 m^2/s^2 over it.

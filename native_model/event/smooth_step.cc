@@ -101,9 +101,7 @@ void SmoothStep::accept(Motion& motion) {
 void SmoothStep::prepare_dense() {
   if (dense_ready_) return;
   step_.prepare_dense(
-      [this](double t, const double* y, double* dy) {
-        phase_->derivative(before_break(t), y, dy);
-      },
+      [this](double t, const double* y, double* dy) { phase_->derivative(before_break(t), y, dy); },
       start_);
   dense_ready_ = true;
 }

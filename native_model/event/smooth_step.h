@@ -25,8 +25,8 @@ class SmoothStep {
   // After a jump of the state or of the loads.
   void restart(const Motion& motion);
 
-  // A step from `from` to `limit` (s) at most, whose error is within the tolerances. Loads are those
-  // before the break at `limit`. False: no step is small enough.
+  // A step from `from` to `limit` (s) at most, whose error is within the tolerances. Loads are
+  // those before the break at `limit`. False: no step is small enough.
   bool advance(const Motion& from, double limit);
   // The end of the step becomes the state; the next one may go on from there without restart().
   void accept(Motion& motion);
@@ -39,9 +39,9 @@ class SmoothStep {
 
   // The solution within the step, theta in [0, 1].
   void dense(double theta, double* y);
-  const double* at(double theta);                 // valid until the next call
-  double increment(int i, double theta);          // of y_i since the step's start
-  const double* term(int d);                      // of the nested form, see Dop853
+  const double* at(double theta);         // valid until the next call
+  double increment(int i, double theta);  // of y_i since the step's start
+  const double* term(int d);              // of the nested form, see Dop853
   double time(double theta) const { return start_ + theta * step_.step(); }
   // The phase's multipliers and margins at a state within the step.
   void evaluate(const Motion& motion);
@@ -59,7 +59,7 @@ class SmoothStep {
   std::vector<double> tolerance_, y_, slope_;
   double start_ = 0.0, next_ = 0.0;  // s: the step's start, the length to try next
   double end_time_ = 0.0;
-  double smooth_end_ = 0.0;          // s, the last instant before the next break
+  double smooth_end_ = 0.0;  // s, the last instant before the next break
   bool dense_ready_ = false;
   Margins lowest_{};
   std::int64_t rejected_ = 0;

@@ -12,8 +12,8 @@
 
 namespace rotorub {
 
-// f_lo, f_hi: the values at the ends, of opposite sign or 0. Gives the bracket that is left, as wide
-// as round-off or `least`: the sign changes between its ends. No allocation.
+// f_lo, f_hi: the values at the ends, of opposite sign or 0. Gives the bracket that is left, as
+// wide as round-off or `least`: the sign changes between its ends. No allocation.
 template <class F>
 std::pair<double, double> root(F&& f, double lo, double hi, double f_lo, double f_hi,
                                double least = 0.0) {
