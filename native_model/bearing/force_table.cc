@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "native_model/numerics/root.h"
+
 namespace rotorub {
 namespace {
 
@@ -56,33 +58,16 @@ double ForceTable::gain(double s, double i) const {
   return (force(s, at) - force(s, 0.0)) / at;
 }
 
-// F rises with i: the root between the limits, by the Illinois variant of regula falsi.
+// F rises with i: the one root between the limits.
 double ForceTable::current(double s, double wanted, double limit) const {
-  double low = std::max(-limit, current_.first), high = std::min(limit, current_.last);
-  double below = force(s, low) - wanted, above = force(s, high) - wanted;
+  const double low = std::max(-limit, current_.first), high = std::min(limit, current_.last);
+  const auto excess = [&](double i) { return force(s, i) - wanted; };
+  const double below = excess(low), above = excess(high);
   if (below >= 0.0) return low;
   if (above <= 0.0) return high;
-  const double close = 1e-15 * (high - low);
-  int side = 0;
-  for (int round = 0; round < 100 && high - low > close; ++round) {
-    const double i = std::clamp(low - below * (high - low) / (above - below), low, high);
-    const double f = force(s, i) - wanted;
-    if (f == 0.0) return i;
-    if (f < 0.0) {
-      if (low == i) break;
-      low = i;
-      below = f;
-      if (side == -1) above *= 0.5;
-      side = -1;
-    } else {
-      if (high == i) break;
-      high = i;
-      above = f;
-      if (side == 1) below *= 0.5;
-      side = 1;
-    }
-  }
-  return std::abs(below) < std::abs(above) ? low : high;
+  constexpr double kClose = 1e-15;  // of the range
+  const auto [a, b] = root(excess, low, high, below, above, kClose * (high - low));
+  return 0.5 * (a + b);
 }
 
 std::string ForceTable::refusal() const {

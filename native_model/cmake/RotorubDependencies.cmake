@@ -3,6 +3,7 @@
 # native_model
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_path(ROTORUB_TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
+find_path(ROTORUB_BOOST_INCLUDE boost/math/tools/toms748_solve.hpp REQUIRED)
 
 # mjcf
 find_package(fmt 9 REQUIRED)

@@ -1,11 +1,11 @@
 // One planar contact with Coulomb friction: which case of planar_contact.h holds.
 //
-//   y_N = a_nn L_N + a_nt L_T + b_N >= 0,   L_N >= 0,   y_N L_N = 0                       (13), (17)
+//   y_N = a_nn L_N + a_nt L_T + b_N >= 0,   L_N >= 0,   y_N L_N = 0              (13), (17)
 //   y_T = a_tn L_N + a_tt L_T + b_T,        |L_T| <= mu L_N,
 //                                           y_T != 0:  L_T = -mu L_N sign(y_T)
 //
 // Forces, impulses or step impulses alike: (12)-(13) with y_N the gap over the step, (16)-(17) the
-// compression phase, or accelerations. Friction never feeds: L_T y_T <= 0.
+// compression phase, or accelerations. Friction is dissipative: L_T y_T <= 0.
 #pragma once
 
 #include "native_model/contact/kinematics.h"

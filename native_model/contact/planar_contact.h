@@ -3,8 +3,9 @@
 //   y_N = a_nn L_N + a_nt L_T + b_N          y, b: gap rate and slip (or accelerations, or gaps)
 //   y_T = a_tn L_N + a_tt L_T + b_T          L: impulses (or forces)
 //
-// With a = W^T M^-1 W, L in N s: y in m/s. No branch and nothing but + - * /, so that T may be double
-// or a vector of independent contacts; which case holds is the caller's to decide (coulomb.h).
+// With a = W^T M^-1 W, L in N s: y in m/s. No branch and nothing but + - * /, so that T may be
+// double or a vector of independent contacts; which case holds is the caller's to decide
+// (coulomb.h).
 #pragma once
 
 namespace rotorub {
@@ -30,8 +31,8 @@ template <class T>
   return {(b_t * a.nt - b_n * a.tt) / determinant, (b_n * a.tn - b_t * a.nn) / determinant};
 }
 
-// What the normal row carries of a normal impulse that brings its friction L_T = -mu_sign L_N along,
-// mu_sign = mu sign(slip). At 0 and below sliding pushes itself in (Painleve).
+// What the normal row carries of a normal impulse that brings its friction L_T = -mu_sign L_N
+// along, mu_sign = mu sign(slip). At 0 and below sliding pushes itself in (Painleve).
 template <class T>
 [[gnu::always_inline]] inline T carried(const PlanarMatrix<T>& a, const T& mu_sign) {
   return a.nn - mu_sign * a.nt;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "native_model/integrate/event.h"
+#include "native_model/event/driver.h"
 #include "native_model/run/fixed_run.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/trajectory/recorder.h"
@@ -13,7 +13,7 @@ namespace {
 
 Trajectory run_event(const Model& model, const scene::Run& run, const NativeOptions& options) {
   Recorder recorder(model, options.output_times.value_or(output_times(run)));
-  EventOptions settings;
+  EventParameters settings;
   // Bins of the mean force are as wide as a fixed step, so that peaks can be compared.
   settings.force_bin = std::max(options.step.value_or(run.step), 1e-8 * run.end);
   EventIntegrator integrator(model, settings);

@@ -1,5 +1,6 @@
 #include "native_model/trajectory/range_check.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "native_model/bearing/actuator_axes.h"
@@ -23,16 +24,16 @@ std::optional<std::string> out_of_range(const Model& m, const double* q) {
     const double reach = m.magnets->law->reach();
     const double s = to_axes(stator_point(m, q)).cwiseAbs().maxCoeff();
     if (s >= reach) {
-      return "the ring is " + text(s) + " m from its middle along a magnet's axis, in an air gap of " +
-             text(reach) + " m";
+      return "the ring is " + text(s) +
+             " m from its middle along a magnet's axis, in an air gap of " + text(reach) + " m";
     }
   }
   if (m.contact) {
     const double clearance = m.contact->clearance;
-    const double depth = (rotor_point(m, q) - stator_point(m, q)).norm() - clearance;
-    if (depth > clearance) {
-      return "the rotor is " + text(depth) + " m deep in the ring, with a clearance of " +
-             text(clearance) + " m";
+    const double square = (rotor_point(m, q) - stator_point(m, q)).squaredNorm();
+    if (square > 4.0 * clearance * clearance) {
+      return "the rotor is " + text(std::sqrt(square) - clearance) +
+             " m deep in the ring, with a clearance of " + text(clearance) + " m";
     }
   }
   return {};

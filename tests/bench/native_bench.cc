@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "native_model/stepping/ensemble.h"
-#include "native_model/integrate/event.h"
+#include "native_model/event/driver.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/bench/machines.h"

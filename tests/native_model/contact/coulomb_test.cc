@@ -60,7 +60,7 @@ TEST(Coulomb, RandomCoupledProblemsSatisfyTheLaws) {
                                                scale / std::min(nn, tt), scale);
     ASSERT_LT(r.complementarity, kRoundOff) << k;
     ASSERT_LT(r.coulomb, kRoundOff) << k;
-    ASSERT_LE(s.friction * y_t, kRoundOff * scale * scale) << "friction feeds";
+    ASSERT_LE(s.friction * y_t, kRoundOff * scale * scale) << "friction is dissipative";
   }
 }
 

@@ -53,8 +53,8 @@ TEST(PlanarContact, WorksOnManyContactsAtOnce) {
     Pair operator-() const { return {{-x[0], -x[1]}}; }
   };
   const PlanarMatrix<double> one{2.0, 0.1, 0.2, 3.0}, two{1.0, -0.4, 0.3, 0.7};
-  const PlanarMatrix<Pair> both{{{one.nn, two.nn}}, {{one.nt, two.nt}}, {{one.tn, two.tn}},
-                                {{one.tt, two.tt}}};
+  const PlanarMatrix<Pair> both{
+      {{one.nn, two.nn}}, {{one.nt, two.nt}}, {{one.tn, two.tn}}, {{one.tt, two.tt}}};
   const Pair b_n{{-0.3, 0.2}}, b_t{{0.7, -0.1}}, mu{{0.3, -0.2}};
   const PlanarImpulse<Pair> l = stick(both, b_n, b_t);
   const Pair n = slide(both, b_n, mu);

@@ -23,8 +23,12 @@ scene::Scene with_times(scene::Scene scene, double tau_c = kTauC, double tau_e =
 
 // Springs, dampers, a load and friction, all at work during the impact.
 scene::Scene loaded() {
-  scene::Scene scene = make_scene({.mass = 2.0, .damping = 10.0, .stiffness = 5e4,
-                                   .friction = 0.2, .restitution = 0.6, .speed = 150.0});
+  scene::Scene scene = make_scene({.mass = 2.0,
+                                   .damping = 10.0,
+                                   .stiffness = 5e4,
+                                   .friction = 0.2,
+                                   .restitution = 0.6,
+                                   .speed = 150.0});
   test::add_constant_force(scene, {40.0, 10.0});
   scene.initial.vx = {0.3};
   scene.run.end = 0.03;
@@ -59,7 +63,8 @@ TEST(FiniteImpact, RowsWithinShowThePhases) {
       with_times(make_scene({.mass = mass, .clearance = delta, .restitution = eps}));
   scene.initial.vx = {v};
   scene.run.end = 0.003;
-  scene.run.output_times = {touch + 0.25 * kTauC, touch + 0.75 * kTauC, touch + kTauC + 0.5 * kTauE};
+  scene.run.output_times = {touch + 0.25 * kTauC, touch + 0.75 * kTauC,
+                            touch + kTauC + 0.5 * kTauE};
   const Trajectory t = test::run_event(scene);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   const auto row = [&](double time) {

@@ -54,8 +54,11 @@ TEST(Orbit, OfARotatingForceAsWideAsTheClearance) {
     for (const double stiffness : {0.0, 3e5}) {
       SCOPED_TRACE(frequency);
       const double load = (stiffness - mass * frequency * frequency) * delta;
-      scene::Scene scene = make_scene(
-          {.mass = mass, .stiffness = stiffness, .friction = 0.1, .restitution = 0.5, .speed = 50.0});
+      scene::Scene scene = make_scene({.mass = mass,
+                                       .stiffness = stiffness,
+                                       .friction = 0.1,
+                                       .restitution = 0.5,
+                                       .speed = 50.0});
       test::add_rotating_force(scene, load, frequency);
       scene.initial.x = {delta};
       scene.initial.vy = {delta * frequency};

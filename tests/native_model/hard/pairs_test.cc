@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "native_model/integrate/ensemble.h"
+#include "native_model/stepping/ensemble.h"
 #include "native_model/dynamics/dynamics.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/order.h"

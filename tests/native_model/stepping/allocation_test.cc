@@ -8,7 +8,7 @@
 
 #include "native_model/bearing/force_table.h"
 #include "native_model/stepping/ensemble.h"
-#include "native_model/integrate/event.h"
+#include "native_model/event/driver.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/actuation.h"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "native_model/integrate/dop853_tableau.h"
+#include "native_model/numerics/dop853_tableau.h"
 
 namespace rotorub {
 
@@ -105,8 +105,9 @@ class Dop853 {
 
   // y = start + h sum of the row.
   void combine(const dop853::Row& row, double* y) {
-    std::fill_n(y, size_, 0.0);
-    for (int j = 0; j < row.count; ++j) {
+    const double *first = stage(row.terms[0].stage), first_weight = row.terms[0].weight;
+    for (int i = 0; i < size_; ++i) y[i] = first_weight * first[i];
+    for (int j = 1; j < row.count; ++j) {
       const dop853::Term& w = row.terms[static_cast<std::size_t>(j)];
       const double *from = stage(w.stage), weight = w.weight;
       for (int i = 0; i < size_; ++i) y[i] += weight * from[i];

@@ -1,16 +1,31 @@
-#include "native_model/integrate/phase.h"
+#include "native_model/event/phase.h"
 
 #include <cmath>
 #include <limits>
 
+#include "native_model/system/actuation.h"
+#include "native_model/dynamics/dynamics.h"
+
 namespace rotorub {
 namespace {
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 }  // namespace
+
+Eigen::Vector3d contact_acceleration(const Model& m, const double* a) {
+  const Eigen::Vector2d d = rotor_point(m, a) - stator_point(m, a);
+  double spin = m.layout.spin ? a[m.layout.phi()] : 0.0;  // a speed that is held stays
+  for (int k = 0; k < m.layout.torsion; ++k) {
+    spin += m.torsion_contact[k] * a[m.layout.theta() + k];
+  }
+  return {d.x(), d.y(), spin};
+}
 
 Phase::Phase(const Model& model)
     : model_(&model),
       first_touch_(kInfinity),
+      margins_{kInfinity, kInfinity},
       f_(Eigen::VectorXd::Zero(model.nq())),
       a_(Eigen::VectorXd::Zero(model.nq())) {}
 
@@ -29,17 +44,12 @@ Phase::Contact Phase::contact_of(double t, const double* q, const double* v) con
   const Model& m = *model_;
   Contact c;
   c.point = contact_point(m, q, v);
-  const Eigen::Vector2d dd = rotor_point(m, a_.data()) - stator_point(m, a_.data());
-  // The spin's part: a without drive holds no spin, and the speed is constant.
-  double spin = m.layout.spin ? a_[m.layout.phi()] : 0.0;
-  for (int k = 0; k < m.layout.torsion; ++k) {
-    spin += m.torsion_contact[k] * a_[m.layout.theta() + k];
-  }
+  const Eigen::Vector3d dd = contact_acceleration(m, a_.data());
   const double whirl = c.point.whirl_speed();
-  c.gap_acceleration = -c.point.e_r.dot(dd) - whirl * whirl / c.point.delta;
-  c.slip_acceleration = c.point.e_t().dot(dd) + m.contact->radius * spin +
-                        whirl / c.point.delta * c.point.gap_rate;
-  c.g = delassus(contact_admittance(m, t, q), c.point.e_r, m.contact->radius);
+  c.b.normal = -c.point.e_r.dot(dd.head<2>()) - whirl * whirl / c.point.delta;
+  c.b.tangential = c.point.e_t().dot(dd.head<2>()) + m.contact->radius * dd.z() +
+                   whirl / c.point.delta * c.point.gap_rate;
+  c.b.g = delassus(contact_admittance(m, t, q), c.point.e_r, m.contact->radius);
   return c;
 }
 
@@ -48,10 +58,10 @@ Phase::Contact Phase::contact(double t, const double* y) {
   accelerate(t, q, v, command(t, y));
   Contact c = contact_of(t, q, v);
   const double whirl = c.point.whirl_speed();
-  c.acceleration_scale = whirl * whirl / c.point.delta + std::abs(c.gap_acceleration);
+  c.b.scale = whirl * whirl / c.point.delta + std::abs(c.b.normal);
   for (int i = 0; i < model_->layout.mechanical(); ++i) {
     if (i >= model_->layout.phi() && i < model_->layout.ring()) continue;  // turns
-    c.acceleration_scale += std::abs(model_->stiffness[i] * q[i] / model_->mass[i]);
+    c.b.scale += std::abs(model_->stiffness[i] * q[i] / model_->mass[i]);
   }
   return c;
 }
@@ -72,16 +82,16 @@ void Phase::derivative(double t, const double* y, double* dy) {
 
   multipliers_ = {};
   margins_ = {kInfinity, kInfinity};
-  if (mode_ != Mode::kFree) {
+  if (in_contact()) {
     const Contact c = contact_of(t, q, v);
     const double mu = m.contact->friction, slip = c.point.slip;
     double normal = 0.0, friction = 0.0;
-    if (mode_ == Mode::kSlide) {
-      normal = slide(c.g, c.gap_acceleration, mu * sign_);
-      friction = -mu * sign_ * normal;
-      margins_ = {normal, sign_ * slip};
+    if (state_.mode == Mode::kSlide) {
+      normal = slide(c.b.g, c.b.normal, mu * state_.slip_sign);
+      friction = -mu * state_.slip_sign * normal;
+      margins_ = {normal, state_.slip_sign * slip};
     } else {
-      const PlanarImpulse<double> force = stick(c.g, c.gap_acceleration, c.slip_acceleration);
+      const PlanarImpulse<double> force = stick(c.b.g, c.b.normal, c.b.tangential);
       normal = force.normal;
       friction = force.friction;
       margins_ = {normal, mu * normal - std::abs(friction)};

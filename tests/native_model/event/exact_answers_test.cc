@@ -1,5 +1,5 @@
 // The event-driven integrator against every exact answer that concerns motion.
-#include "native_model/integrate/event.h"
+#include "native_model/event/driver.h"
 
 #include <gtest/gtest.h>
 

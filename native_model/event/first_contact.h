@@ -1,6 +1,6 @@
 // When does the relative centre reach the circle within a step? The dense output of a free flight
 // makes d(theta) a polynomial and F(theta) = |d|^2 - delta_0^2 another; its first root in (0, 1] is
-// found in Bernstein form, whose coefficients bound it: nothing is overlooked, grazing included.
+// the contact: nothing is overlooked, grazing included.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,11 +11,7 @@ namespace rotorub {
 
 // Displacement over a step, Delta d(theta) = sum c_i theta^i, i from 1 (c_0 = 0).
 inline constexpr int kPathDegree = 7;
-struct Path {
-  std::array<Eigen::Vector2d, kPathDegree + 1> c{};
-  Eigen::Vector2d at(double theta) const;        // Delta d
-  Eigen::Vector2d slope(double theta) const;     // d Delta d / d theta
-};
+using Path = std::array<Eigen::Vector2d, kPathDegree + 1>;
 
 // From the nested form theta (F_0 + (1 - theta)(F_1 + theta (F_2 + ...))), see Dop853.
 Path path_from_nested(const std::array<Eigen::Vector2d, kPathDegree>& f);

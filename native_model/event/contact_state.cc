@@ -1,0 +1,65 @@
+#include "native_model/event/contact_state.h"
+
+#include <cmath>
+
+#include "native_model/contact/coulomb.h"
+
+namespace rotorub {
+
+ContactDecision select_contact_mode(const ContactAccelerations& b, double slip, double mu,
+                                    double no_force, Departure parting) {
+  // On an orbit as wide as the clearance the ring carries nothing but round-off, of either sign:
+  // lasting contact, next to without force.
+  const double none = no_force * b.scale;
+  const double normal = std::abs(b.normal) < none ? -none : b.normal;
+  const ContactState free{Mode::kFree, 1.0, parting};
+
+  if (slip != 0.0) {
+    const double sign = slip > 0.0 ? 1.0 : -1.0;
+    if (carried(b.g, mu * sign) <= 0.0) {
+      const bool closing = normal < 0.0;
+      return {closing ? Status::kNoSolution : Status::kAmbiguous, free,
+              closing ? "frictional jamming (Painleve): sliding pushes itself in, and the contact "
+                        "forces have no solution"
+                      : "frictional jamming (Painleve): sliding pushes itself in, and the contact "
+                        "forces have several solutions"};
+    }
+    return {Status::kOk, normal >= 0.0 ? free : ContactState{Mode::kSlide, sign}};
+  }
+
+  const CoulombSolution s = solve_coulomb(b.g, normal, b.tangential, mu);
+  if (s.solutions == 0) {
+    return {Status::kNoSolution, free, "the contact forces have no solution (Painleve)"};
+  }
+  if (s.solutions > 1) {
+    return {Status::kAmbiguous, free, "the contact forces have several solutions (Painleve)"};
+  }
+  switch (s.contact_case) {
+    case ContactCase::kOpen:
+      break;
+    case ContactCase::kStick:
+      return {Status::kOk, {Mode::kStick, 0.0}};
+    case ContactCase::kSlidePositive:
+      return {Status::kOk, {Mode::kSlide, 1.0}};
+    case ContactCase::kSlideNegative:
+      return {Status::kOk, {Mode::kSlide, -1.0}};
+  }
+  return {Status::kOk, free};
+}
+
+PhaseEnd end_of_phase(Mode mode, const Margins& margins, const MarginScales& scales) {
+  if (margins.force / scales.force <= margins.cone / scales.cone(mode)) return PhaseEnd::kOpens;
+  return mode == Mode::kSlide ? PhaseEnd::kSlipStops : PhaseEnd::kSlipBegins;
+}
+
+std::optional<EventKind> event_between(const ContactState& from, const ContactState& to) {
+  if (from.mode != to.mode) {
+    return to.mode == Mode::kFree    ? EventKind::kLiftOff
+           : to.mode == Mode::kSlide ? EventKind::kSlide
+                                     : EventKind::kStick;
+  }
+  if (to.mode == Mode::kSlide && from.slip_sign != to.slip_sign) return EventKind::kReverse;
+  return {};
+}
+
+}  // namespace rotorub

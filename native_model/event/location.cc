@@ -1,0 +1,70 @@
+#include "native_model/event/location.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <boost/math/tools/roots.hpp>
+
+#include "native_model/event/first_contact.h"
+#include "native_model/numerics/root.h"
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/trajectory/range_check.h"
+
+namespace rotorub {
+
+std::optional<double> locate_contact(const Model& m, SmoothStep& step, const Motion& start,
+                                     Departure departure) {
+  const auto centre = [&m](const double* at) -> Eigen::Vector2d {
+    return rotor_point(m, at) - stator_point(m, at);
+  };
+  const Eigen::Vector2d d0 = centre(start.q()), d1 = centre(step.end());
+  // Out of reach: no further than the larger end plus what the speeds, twice over, could add.
+  const double speed = std::max(centre(start.v()).norm(), centre(step.end() + m.nq()).norm());
+  const double reach = std::max(d0.norm(), d1.norm()) + 2.0 * speed * step.length();
+  if (reach < m.contact->clearance) return {};
+
+  std::array<Eigen::Vector2d, kPathDegree> nested;
+  for (int k = 0; k < kPathDegree; ++k) nested[static_cast<std::size_t>(k)] = centre(step.term(k));
+  return first_contact(path_from_nested(nested), d0, m.contact->clearance, departure);
+}
+
+std::optional<double> locate_margin(SmoothStep& step, Mode mode, const MarginScales& scales,
+                                    const EventParameters& parameters) {
+  // The stages of the step tell whether a margin was crossed; the dense output says when. Round-off
+  // below zero is no crossing: a phase may begin on its margin.
+  const Margins& lowest = step.lowest();
+  const double none = -parameters.margin_round_off;
+  if (lowest.force > -parameters.no_force * scales.force &&
+      lowest.cone > none * scales.cone(mode)) {
+    return {};
+  }
+  const auto margin = [&](double theta) {
+    const Margins& m = step.margins(theta);
+    return std::min(m.force / scales.force, m.cone / scales.cone(mode));
+  };
+  constexpr int kSamples = 16;
+  double lo = 0.0, f_lo = margin(0.0);
+  for (int k = 1; k <= kSamples; ++k) {
+    const double hi = static_cast<double>(k) / kSamples, f_hi = margin(hi);
+    if (f_hi >= none) {
+      lo = hi;
+      f_lo = f_hi;
+      continue;
+    }
+    constexpr double kNow = std::numeric_limits<double>::min();  // it began on its margin
+    if (f_lo <= 0.0) return std::max(lo, kNow);
+    return std::max(root(margin, lo, hi, f_lo, f_hi).first, kNow);
+  }
+  return {};
+}
+
+std::optional<double> locate_loss(const Model& m, SmoothStep& step, double last) {
+  const auto inside = [&](double theta) { return out_of_range(m, step.at(theta)) ? -1.0 : 1.0; };
+  if (inside(last) > 0.0) return {};
+  const auto close = [](double a, double b) { return b - a < 1e-12; };
+  std::uintmax_t evaluations = 60;
+  return boost::math::tools::bisect(inside, 0.0, last, close, evaluations).second;
+}
+
+}  // namespace rotorub

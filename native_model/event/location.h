@@ -1,0 +1,21 @@
+// Where within a step events are: theta in (0, 1], empty where there is none.
+#pragma once
+
+#include <optional>
+
+#include "native_model/event/smooth_step.h"
+
+namespace rotorub {
+
+// Free flight from `start`: the first contact.
+std::optional<double> locate_contact(const Model& model, SmoothStep& step, const Motion& start,
+                                     Departure departure);
+
+// Lasting contact: the first margin that is crossed.
+std::optional<double> locate_margin(SmoothStep& step, Mode mode, const MarginScales& scales,
+                                    const EventParameters& parameters);
+
+// The step is out of range (trajectory/range_check.h) at `last`: where it has just left.
+std::optional<double> locate_loss(const Model& model, SmoothStep& step, double last);
+
+}  // namespace rotorub

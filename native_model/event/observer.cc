@@ -1,0 +1,142 @@
+#include "native_model/event/observer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "native_model/system/actuation.h"
+#include "native_model/dynamics/dynamics.h"
+
+namespace rotorub {
+
+Observer::Observer(const Model& model, const EventParameters& parameters, Phase& phase)
+    : model_(&model),
+      parameters_(&parameters),
+      phase_(&phase),
+      row_(static_cast<std::size_t>(2 * model.nq() + kIntegrals)),
+      slope_(row_) {}
+
+void Observer::begin(const Motion& start, Recorder& recorder) {
+  recorder_ = &recorder;
+  contact_time_ = impact_work_ = impact_impulse_ = bin_start_ = 0.0;
+  bin_ = parameters_->force_bin > 0.0 ? std::floor(start.t / parameters_->force_bin) : 0.0;
+  energy_start_ = energy(*model_, start.t, start.q(), start.v());
+  energy_scale_ = std::abs(energy_start_);
+}
+
+void Observer::started(const Motion& motion) {
+  recorder_->begin(snapshot(motion.t, motion.y.data()));
+  recorder_->statistics().energy_start = energy_start_;
+}
+
+Snapshot Observer::snapshot(double t, const double* y) {
+  phase_->derivative(t, y, slope_.data());
+  Snapshot s;
+  s.t = t;
+  s.q = y;
+  s.v = y + model_->nq();
+  s.normal_force = std::max(0.0, phase_->multipliers().normal);
+  s.friction_force = phase_->multipliers().friction;
+  s.mode = phase_->state().mode;
+  s.actuator = actuator_state(*model_, s.q, s.v, phase_->command(t, y));
+  return s;
+}
+
+// Normal force averaged over bins of fixed width, as a fixed-step engine has it: peak and mean
+// square. Free flight carries no force, and only what an impact left in the current bin counts.
+template <class F>
+void Observer::bins_until(double now, bool flies, F&& impulse_at) {
+  const double width = parameters_->force_bin;
+  if (width <= 0.0) return;
+  Statistics& s = recorder_->statistics();
+  for (double edge = (bin_ + 1) * width; edge <= now; edge = (bin_ + 1) * width) {
+    const double total = impact_impulse_ + impulse_at(edge), force = (total - bin_start_) / width;
+    s.peak_force = std::max(s.peak_force, force);
+    s.force_square += force * force * width;
+    bin_start_ = total;
+    ++bin_;
+    if (flies && force == 0.0) bin_ = std::max(bin_, std::floor(now / width) - 1.0);
+  }
+}
+
+void Observer::watch(const Motion& from, SmoothStep& step, Constraint* constraint, double now) {
+  const bool contact = phase_->in_contact();
+  const auto theta = [&](double t) { return (t - from.t) / step.length(); };
+  for (double t = recorder_->next_time(); t < now; t = recorder_->next_time()) {
+    step.dense(theta(t), row_.data());
+    if (contact) constraint->to_circle(t, row_.data(), from.v());
+    recorder_->row(snapshot(t, row_.data()));
+  }
+  const int impulse = from.index(kNormalImpulse);
+  bins_until(now, !contact, [&](double t) {
+    return from.integral(kNormalImpulse) + (contact ? step.increment(impulse, theta(t)) : 0.0);
+  });
+  if (contact) contact_time_ += now - from.t;
+}
+
+void Observer::watch(const Motion& from, const ImpactPhaseMotion& p) {
+  // At its end the next phase begins, unless the run ends within.
+  const bool cut = p.until < from.t + p.duration;
+  for (double t = recorder_->next_time(); cut ? t <= p.until : t < p.until;
+       t = recorder_->next_time()) {
+    const double passed = t - from.t, share = passed / p.duration;
+    for (int i = 0; i < from.nq; ++i) {
+      row_[static_cast<std::size_t>(i)] = from.q()[i] + passed * p.v1[i];
+      row_[static_cast<std::size_t>(from.nq + i)] = p.v0[i] + share * (p.v1[i] - p.v0[i]);
+    }
+    Snapshot s = snapshot(t, row_.data());
+    s.normal_force = p.normal;
+    s.friction_force = p.friction;
+    recorder_->row(s);
+  }
+  bins_until(p.until, false,
+             [&](double t) { return from.integral(kNormalImpulse) + p.normal * (t - from.t); });
+  contact_time_ += p.until - from.t;
+}
+
+void Observer::arrive(const Motion& motion) {
+  while (recorder_->next_time() <= motion.t) {
+    recorder_->row(snapshot(motion.t, motion.y.data()));
+  }
+}
+
+void Observer::meet_energy(const Motion& m) {
+  energy_scale_ = std::max(energy_scale_, std::abs(energy(*model_, m.t, m.q(), m.v())));
+}
+
+void Observer::account(Impact& record, double normal, double friction,
+                       const Eigen::Vector2d& before, const Eigen::Vector2d& after) {
+  const double rubbed = 0.5 * friction * (before.y() + after.y());
+  record.normal_impulse += normal;
+  record.friction_impulse += friction;
+  record.energy_change += 0.5 * normal * (before.x() + after.x()) + rubbed;
+  recorder_->statistics().friction_work += rubbed;
+  impact_impulse_ += normal;
+}
+
+void Observer::record_impact(const Impact& impact) {
+  // What the machine that holds a prescribed speed does is no work on the coordinates.
+  const double held = model_->layout.spin ? 0.0 : model_->contact->radius * model_->speed;
+  impact_work_ += impact.energy_change - impact.friction_impulse * held;
+  Statistics& s = recorder_->statistics();
+  s.impulse_total += impact.normal_impulse;
+  s.friction_impulse += impact.friction_impulse;
+  recorder_->add(impact);
+  record(impact.t, EventKind::kImpact);
+}
+
+const Statistics& Observer::finish(const Motion& end) {
+  Statistics& s = recorder_->statistics();
+  if (std::isfinite(phase_->first_touch())) s.first_touch = phase_->first_touch();
+  s.contact_time = contact_time_;
+  s.impulse_total += end.integral(kNormalImpulse);
+  s.friction_impulse += end.integral(kFrictionImpulse);
+  s.friction_work += end.integral(kFrictionWork);
+  s.gap_rate_square = end.integral(kGapRateSquare);
+  s.contact_work = end.integral(kContactWork) + impact_work_;
+  s.external_work = end.integral(kExternalWork);
+  s.energy_end = energy(*model_, end.t, end.q(), end.v());
+  s.energy_scale = std::max(energy_scale_, std::abs(s.energy_end));
+  return s;
+}
+
+}  // namespace rotorub

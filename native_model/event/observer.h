@@ -1,0 +1,64 @@
+// What is seen of an event-driven run: rows at exact times, impacts and changes of mode, bins of
+// the normal force, the energy balance and the other figures. It moves nothing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "native_model/event/constraint.h"
+#include "native_model/event/smooth_step.h"
+#include "native_model/trajectory/recorder.h"
+
+namespace rotorub {
+
+// One phase of an impact that takes time: coordinates go with v_1, velocities straight from v_0.
+struct ImpactPhaseMotion {
+  double duration;          // s, of the whole phase
+  double until;             // s, end of what there is of it
+  const double *v0, *v1;    // m/s, at the start and the end of the whole phase
+  double normal, friction;  // N
+};
+
+class Observer {
+ public:
+  Observer(const Model& model, const EventParameters& parameters, Phase& phase);
+
+  void begin(const Motion& start, Recorder& recorder);
+  // The rows of the start, after an impact of that very instant.
+  void started(const Motion& motion);
+
+  // Before the motion goes on to `now`: by a step, or by a part of an impact.
+  void watch(const Motion& from, SmoothStep& step, Constraint* constraint, double now);
+  void watch(const Motion& from, const ImpactPhaseMotion& phase);
+  // Where it has arrived.
+  void arrive(const Motion& motion);
+  void meet_energy(const Motion& motion);
+
+  // Impulses that change the rates (gdot_N, gdot_T) from `before` to `after`, and their work.
+  void account(Impact& record, double normal, double friction, const Eigen::Vector2d& before,
+               const Eigen::Vector2d& after);
+  void record_impact(const Impact& record);
+  void record(double t, EventKind kind) { recorder_->add(Event{t, kind}); }
+
+  // All figures of the run. Asked once, at its end.
+  const Statistics& finish(const Motion& end);
+
+ private:
+  Snapshot snapshot(double t, const double* y);
+  template <class F>
+  void bins_until(double now, bool flies, F&& impulse_at);
+
+  const Model* model_;
+  const EventParameters* parameters_;
+  Phase* phase_;
+  Recorder* recorder_ = nullptr;
+  std::vector<double> row_, slope_;
+  double contact_time_ = 0.0;                       // s
+  double impact_work_ = 0.0;                        // J, on the coordinates
+  double impact_impulse_ = 0.0;                     // N s, normal, of all impacts so far
+  double bin_ = 0.0;                                // index of the current force bin
+  double bin_start_ = 0.0;                          // N s, total normal impulse at its start
+  double energy_start_ = 0.0, energy_scale_ = 0.0;  // J, at the start; the largest met
+};
+
+}  // namespace rotorub

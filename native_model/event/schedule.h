@@ -1,0 +1,28 @@
+// Instants at which the right-hand side is not smooth: switched loads, the controller's own, and
+// its samples. Steps end there.
+#pragma once
+
+#include <vector>
+
+#include "native_model/system/model.h"
+
+namespace rotorub {
+
+class Schedule {
+ public:
+  // The model must outlive it.
+  explicit Schedule(const Model& model) : model_(&model) {}
+
+  void begin(double start, double end);  // s
+  // The first instant after t.
+  double next(double t) const;
+  // Once at each t reached: is the controller to be sampled now?
+  bool sample_due(double t);
+
+ private:
+  const Model* model_;
+  std::vector<double> breaks_;  // s, ascending; the last is the end
+  double next_sample_ = 0.0;    // index
+};
+
+}  // namespace rotorub

@@ -1,0 +1,140 @@
+#include "native_model/event/smooth_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rotorub {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLeastDisplacement = 1e-6, kLeastSpeed = 1e-6;  // m, m/s: of a system at rest
+
+// error^(-1/8), by roots: unlike pow their bits are the same on every processor.
+double inverse_eighth_root(double x) { return 1.0 / std::sqrt(std::sqrt(std::sqrt(x))); }
+
+}  // namespace
+
+SmoothStep::SmoothStep(const Model& model, const EventParameters& parameters, Phase& phase)
+    : model_(&model),
+      parameters_(&parameters),
+      phase_(&phase),
+      step_(2 * model.nq() + kIntegrals),
+      tolerance_(static_cast<std::size_t>(step_.size())),
+      y_(tolerance_),
+      slope_(tolerance_) {}
+
+void SmoothStep::begin(const Motion& start, double first) {
+  next_ = first;
+  rejected_ = 0;
+  displacement_ = model_->contact ? model_->contact->clearance : kLeastDisplacement;
+  speed_ = kLeastSpeed;
+  turn_ = spin_ = 0.0;
+  meet(start);
+}
+
+void SmoothStep::meet(const Motion& motion) {
+  const Layout& l = model_->layout;
+  const int n = l.nq();
+  const auto angle = [&l](int i) { return i >= l.phi() && i < l.ring(); };
+  for (int i = 0; i < l.mechanical(); ++i) {
+    double &position = angle(i) ? turn_ : displacement_, &rate = angle(i) ? spin_ : speed_;
+    // The spin angle only grows; what matters of it is its part of a turn.
+    if (!(l.spin && i == l.phi())) position = std::max(position, std::abs(motion.q()[i]));
+    rate = std::max(rate, std::abs(motion.v()[i]));
+  }
+  const double tolerance = parameters_->tolerance;
+  double *of_q = tolerance_.data(), *of_v = of_q + n;
+  for (int i = 0; i < l.mechanical(); ++i) {
+    of_q[i] = tolerance * (angle(i) ? 1.0 : displacement_);
+    of_v[i] = tolerance * (angle(i) ? std::max(1.0, spin_) : speed_);
+  }
+  // Nothing hangs on a coil's charge, nor on the integrals.
+  for (int i = l.coil(); i < n; ++i) {
+    of_q[i] = kInfinity;
+    of_v[i] = tolerance * model_->magnets->current_limit;
+  }
+  std::fill(tolerance_.begin() + 2 * n, tolerance_.end(), kInfinity);
+}
+
+double SmoothStep::largest_contact_speed() const {
+  return std::max(speed_, model_->contact->radius * spin_);
+}
+
+void SmoothStep::restart(const Motion& motion) {
+  phase_->derivative(motion.t, motion.y.data(), step_.first_slope());
+}
+
+bool SmoothStep::advance(const Motion& from, double limit) {
+  start_ = from.t;
+  smooth_end_ = std::nextafter(limit, start_);
+  dense_ready_ = false;
+  const auto f = [this](double t, const double* y, double* dy) {
+    phase_->derivative(before_break(t), y, dy);
+    const Margins& m = phase_->margins();
+    lowest_ = {std::min(lowest_.force, m.force), std::min(lowest_.cone, m.cone)};
+  };
+  while (next_ > 1e-15 * std::max(1e-3, std::abs(start_))) {
+    const double h = std::min(next_, limit - start_);
+    lowest_ = {kInfinity, kInfinity};
+    const double error = step_.trial(f, start_, from.y.data(), h, tolerance_.data());
+    const double factor =
+        error == 0.0 ? 6.0 : std::clamp(0.9 * inverse_eighth_root(error), 0.2, 6.0);
+    if (error <= 1.0) {
+      // A step cut short by a break says little of the next one.
+      next_ = h < next_ ? std::max(next_, h * factor) : h * factor;
+      end_time_ = start_ + h;
+      if (limit - end_time_ <= 1e-14 * limit || h >= limit - start_) end_time_ = limit;
+      return true;
+    }
+    ++rejected_;
+    next_ = h * std::min(factor, 0.9);
+  }
+  return false;
+}
+
+void SmoothStep::accept(Motion& motion) {
+  std::copy_n(step_.end(), motion.y.size(), motion.y.begin());
+  step_.advance();
+}
+
+void SmoothStep::prepare_dense() {
+  if (dense_ready_) return;
+  step_.prepare_dense(
+      [this](double t, const double* y, double* dy) { phase_->derivative(before_break(t), y, dy); },
+      start_);
+  dense_ready_ = true;
+}
+
+void SmoothStep::dense(double theta, double* y) {
+  prepare_dense();
+  step_.dense(theta, y);
+}
+
+const double* SmoothStep::at(double theta) {
+  if (theta == 1.0) return step_.end();
+  dense(theta, y_.data());
+  return y_.data();
+}
+
+double SmoothStep::increment(int i, double theta) {
+  prepare_dense();
+  return step_.increment(i, theta);
+}
+
+const double* SmoothStep::term(int d) {
+  prepare_dense();
+  return step_.term(d);
+}
+
+void SmoothStep::evaluate(const Motion& motion) {
+  phase_->derivative(before_break(motion.t), motion.y.data(), slope_.data());
+}
+
+const Margins& SmoothStep::margins(double theta) {
+  dense(theta, y_.data());
+  phase_->derivative(before_break(time(theta)), y_.data(), slope_.data());
+  return phase_->margins();
+}
+
+}  // namespace rotorub

@@ -1,0 +1,69 @@
+// One step of the smooth system between events: DOP853 with its step size, tolerances that follow
+// the motion, and the dense output where it is asked for.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "native_model/event/parameters.h"
+#include "native_model/event/phase.h"
+#include "native_model/numerics/dop853.h"
+
+namespace rotorub {
+
+class SmoothStep {
+ public:
+  // All must outlive it.
+  SmoothStep(const Model& model, const EventParameters& parameters, Phase& phase);
+
+  // At the start of a run, with the first step's length, s.
+  void begin(const Motion& start, double first);
+  // Tolerances are relative to the largest of each kind met so far: displacements, speeds, angles,
+  // spin; of currents to their limit.
+  void meet(const Motion& motion);
+  double largest_contact_speed() const;  // m/s
+  // After a jump of the state or of the loads.
+  void restart(const Motion& motion);
+
+  // A step from `from` to `limit` (s) at most, whose error is within the tolerances. Loads are
+  // those before the break at `limit`. False: no step is small enough.
+  bool advance(const Motion& from, double limit);
+  // The end of the step becomes the state; the next one may go on from there without restart().
+  void accept(Motion& motion);
+
+  double length() const { return step_.step(); }
+  double end_time() const { return end_time_; }  // s; a step up to the limit ends there to the bit
+  const double* end() const { return step_.end(); }
+  const Margins& lowest() const { return lowest_; }  // over the stages of the step
+  std::int64_t rejected() const { return rejected_; }
+
+  // The solution within the step, theta in [0, 1].
+  void dense(double theta, double* y);
+  const double* at(double theta);         // valid until the next call
+  double increment(int i, double theta);  // of y_i since the step's start
+  const double* term(int d);              // of the nested form, see Dop853
+  double time(double theta) const { return start_ + theta * step_.step(); }
+  // The phase's multipliers and margins at a state within the step.
+  void evaluate(const Motion& motion);
+  // The margins at theta.
+  const Margins& margins(double theta);
+
+ private:
+  double before_break(double t) const { return t < smooth_end_ ? t : smooth_end_; }
+  void prepare_dense();
+
+  const Model* model_;
+  const EventParameters* parameters_;
+  Phase* phase_;
+  Dop853 step_;
+  std::vector<double> tolerance_, y_, slope_;
+  double start_ = 0.0, next_ = 0.0;  // s: the step's start, the length to try next
+  double end_time_ = 0.0;
+  double smooth_end_ = 0.0;  // s, the last instant before the next break
+  bool dense_ready_ = false;
+  Margins lowest_{};
+  std::int64_t rejected_ = 0;
+  double displacement_ = 0.0, speed_ = 0.0, turn_ = 0.0, spin_ = 0.0;  // largest met
+};
+
+}  // namespace rotorub

@@ -1,0 +1,87 @@
+#include "native_model/event/contact_state.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace rotorub {
+namespace {
+
+constexpr double kMu = 0.5, kNoForce = 1e-10;
+const Delassus kPlain{1.0, 0.0, 0.0, 2.0};
+
+ContactDecision select(double normal, double tangential, double slip, double scale = 0.0) {
+  return select_contact_mode({kPlain, normal, tangential, scale}, slip, kMu, kNoForce,
+                             Departure::kParting);
+}
+
+TEST(ContactState, PartsWhereNothingPresses) {
+  for (const double slip : {0.0, 0.3, -0.3}) {
+    const ContactDecision d = select(0.1, 0.0, slip);
+    EXPECT_EQ(d.status, Status::kOk);
+    EXPECT_EQ(d.next.mode, Mode::kFree);
+    EXPECT_EQ(d.next.departure, Departure::kParting);
+  }
+}
+
+TEST(ContactState, SlidesTheWayItSlips) {
+  for (const double sign : {1.0, -1.0}) {
+    const ContactDecision d = select(-1.0, 100.0, sign * 1e-9);
+    EXPECT_EQ(d.next.mode, Mode::kSlide);
+    EXPECT_EQ(d.next.slip_sign, sign) << "whatever the acceleration";
+  }
+}
+
+// Without slip: friction of at most mu lambda_N = 0.5 N holds accelerations up to 2 x 0.5 m/s^2.
+TEST(ContactState, WithoutSlipTheConeDecides) {
+  EXPECT_EQ(select(-1.0, 0.99, 0.0).next.mode, Mode::kStick);
+  for (const double sign : {1.0, -1.0}) {
+    const ContactDecision d = select(-1.0, sign * 1.01, 0.0);
+    EXPECT_EQ(d.next.mode, Mode::kSlide);
+    EXPECT_EQ(d.next.slip_sign, sign);
+  }
+}
+
+TEST(ContactState, RoundOffOfEitherSignIsContactWithoutForce) {
+  for (const double normal : {1e-12, -1e-12}) {
+    EXPECT_EQ(select(normal, 0.0, 0.1, 1.0).next.mode, Mode::kSlide);
+    EXPECT_EQ(select(normal, 0.1, 0.0, 1.0).next.mode, Mode::kSlide) << "nothing to stick with";
+  }
+  EXPECT_EQ(select(1e-9, 0.0, 0.1, 1.0).next.mode, Mode::kFree) << "that is more than round-off";
+  EXPECT_EQ(select(0.0, 0.0, 0.1, 0.0).next.mode, Mode::kFree) << "nothing acts at all";
+}
+
+TEST(ContactState, JammingIsSaid) {
+  // mu G_NT > G_NN for positive slip.
+  const ContactAccelerations b{{1.0, 3.0, 3.0, 10.0}, -1.0, 0.0};
+  const ContactDecision pressed = select_contact_mode(b, 0.1, kMu, kNoForce, Departure::kParting);
+  EXPECT_EQ(pressed.status, Status::kNoSolution);
+  EXPECT_STRNE(pressed.reason, "");
+  ContactAccelerations parting = b;
+  parting.normal = 1.0;
+  EXPECT_EQ(select_contact_mode(parting, 0.1, kMu, kNoForce, Departure::kParting).status,
+            Status::kAmbiguous);
+  EXPECT_EQ(select_contact_mode(b, -0.1, kMu, kNoForce, Departure::kParting).status, Status::kOk);
+}
+
+TEST(ContactState, ThePhaseEndsAtTheMarginThatIsReached) {
+  const MarginScales scales{100.0, 0.1};
+  EXPECT_EQ(end_of_phase(Mode::kSlide, {0.0, 0.05}, scales), PhaseEnd::kOpens);
+  EXPECT_EQ(end_of_phase(Mode::kSlide, {10.0, 0.0}, scales), PhaseEnd::kSlipStops);
+  EXPECT_EQ(end_of_phase(Mode::kStick, {10.0, 0.0}, scales), PhaseEnd::kSlipBegins);
+  EXPECT_EQ(end_of_phase(Mode::kStick, {0.0, 0.0}, scales), PhaseEnd::kOpens) << "with its cone";
+}
+
+TEST(ContactState, EveryChangeIsAnEventAndNoOtherIs) {
+  const ContactState free{}, plus{Mode::kSlide, 1.0}, minus{Mode::kSlide, -1.0},
+      stick{Mode::kStick, 0.0};
+  EXPECT_EQ(event_between(free, plus), EventKind::kSlide);
+  EXPECT_EQ(event_between(stick, minus), EventKind::kSlide);
+  EXPECT_EQ(event_between(plus, stick), EventKind::kStick);
+  EXPECT_EQ(event_between(plus, minus), EventKind::kReverse);
+  EXPECT_EQ(event_between(minus, free), EventKind::kLiftOff);
+  for (const ContactState& s : {free, plus, minus, stick}) EXPECT_FALSE(event_between(s, s));
+}
+
+}  // namespace
+}  // namespace rotorub
