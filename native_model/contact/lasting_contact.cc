@@ -49,59 +49,56 @@ class Solver {
   }
 
   LastingResult solve() const {
-    LastingResult out;
-    out.solutions = 0;
-    const auto take = [&out](ContactCase found, const Candidate& c) {
-      if (out.solutions++ > 0) return;
-      out.contact_case = found;
-      out.normal = c.normal;
-      out.friction = c.friction;
-    };
-    const double mu = s_.friction;
-    const Candidate plus = slide(-mu);
-    if (plus.holds && plus.slip > 0.0) take(ContactCase::kSlidePositive, plus);
-    const Candidate minus = slide(mu);
-    if (minus.holds && minus.slip < 0.0) take(ContactCase::kSlideNegative, minus);
-    const Candidate rest = stick();
-    const double margin = mu * rest.normal - std::abs(holding(rest));
-    // Between the two ways of sliding there is no gap but for round-off.
-    const bool between = plus.holds && minus.holds && out.solutions == 0;
-    if (rest.holds && (margin >= 0.0 || between) &&
-        (out.solutions == 0 || margin > 1e-9 * mu * rest.normal)) {
-      take(ContactCase::kStick, rest);
-    }
-    if (out.solutions == 1) reverse(out);
-    return out;
+    // Where friction can carry more than the normal row, the laws need not have one solution.
+    const double nn = -e_.dot(along_normal_.head<2>()), nt = -e_.dot(along_friction_.head<2>());
+    return s_.friction * std::abs(nt) < nn ? unique() : enumerate();
   }
 
  private:
-  // The share of the step after which a slip that friction brakes comes to 0; 1: none does.
-  double braking_time() const {
-    const double before = slip(s_.start);
-    if (before == 0.0) return 0.0;
-    const Candidate through = slide(before > 0.0 ? -s_.friction : s_.friction);
-    if (!through.holds || through.slip * before > 0.0) return 1.0;
-    return before / (before - through.slip);
+  static LastingResult result(ContactCase found, const Candidate& c) {
+    return {c.normal, c.friction, found, c.holds ? 1 : 0};
   }
-  // Of a step that ends sticking: the friction that holds the slip at 0 once it has come to 0, as an
-  // impulse over a whole step.
-  double holding(const Candidate& rest) const {
-    const double share = braking_time(), before = slip(s_.start);
-    if (share <= 0.0 || share >= 1.0) return rest.friction;
-    const double braking = (before > 0.0 ? -1.0 : 1.0) * s_.friction * rest.normal;
-    return (rest.friction - share * braking) / (1.0 - share);
+  static ContactCase sliding(double sign) {
+    return sign > 0.0 ? ContactCase::kSlidePositive : ContactCase::kSlideNegative;
   }
-  // The slip of the step before had the other sign: friction has been -mu sign N until it was 0.
-  void reverse(LastingResult& out) const {
-    if (out.contact_case == ContactCase::kStick) return;
-    const double sign = out.contact_case == ContactCase::kSlidePositive ? 1.0 : -1.0;
-    if (slip(s_.start) * sign >= 0.0) return;
-    const double share = braking_time();
-    if (share >= 1.0) return;
-    const Candidate mean = slide(s_.friction * sign * (2.0 * share - 1.0));
-    if (!mean.holds) return;
-    out.normal = mean.normal;
-    out.friction = mean.friction;
+
+  LastingResult unique() const {
+    const double before = slip(s_.start), mu = s_.friction;
+    const Candidate rest = stick();
+    if (before == 0.0) {
+      if (std::abs(rest.friction) <= mu * rest.normal) return result(ContactCase::kStick, rest);
+      const double sign = rest.friction > 0.0 ? -1.0 : 1.0;
+      return result(sliding(sign), slide(-mu * sign));
+    }
+    const double sign = before > 0.0 ? 1.0 : -1.0;
+    const Candidate through = slide(-mu * sign);
+    if (through.slip * sign > 0.0) return result(sliding(sign), through);
+    // Friction brakes until the slip is 0; the force that then holds it there, over a whole step.
+    const double share = before / (before - through.slip);
+    const double hold = (rest.friction + share * sign * mu * rest.normal) / (1.0 - share);
+    if (share >= 1.0 || hold * sign <= mu * rest.normal) return result(ContactCase::kStick, rest);
+    return result(sliding(-sign), slide(mu * sign * (1.0 - 2.0 * share)));
+  }
+
+  LastingResult enumerate() const {
+    LastingResult out;
+    out.solutions = 0;
+    const auto take = [&out](ContactCase found, const Candidate& c) {
+      if (out.solutions++ == 0) {
+        out.contact_case = found;
+        out.normal = c.normal;
+        out.friction = c.friction;
+      }
+    };
+    const double mu = s_.friction;
+    if (const Candidate c = slide(-mu); c.holds && c.slip > 0.0) {
+      take(ContactCase::kSlidePositive, c);
+    }
+    if (const Candidate c = slide(mu); c.holds && c.slip < 0.0) take(ContactCase::kSlideNegative, c);
+    if (const Candidate c = stick(); c.holds && std::abs(c.friction) <= mu * c.normal) {
+      take(ContactCase::kStick, c);
+    }
+    return out;
   }
 
   const LastingStep& s_;

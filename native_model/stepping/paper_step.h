@@ -55,7 +55,8 @@ class PaperKernel : public StepKernel<M> {
     if (impacted_) forget_impacts();
 
     if (this->contact_) back_to_circle();
-    this->free_velocity(k, this->origin + (static_cast<double>(k) + 0.5) * this->h_, middle);
+    const double t = this->origin + static_cast<double>(k) * this->h_;
+    this->free_velocity(k, t, t + 0.5 * this->h_, middle);
     T* after = this->after_.data();
     for (int i = 0; i < nq; ++i) after[i] = this->free_[static_cast<std::size_t>(i)];
     if (this->contact_) touch(k);

@@ -146,11 +146,12 @@ class StepKernel {
     }
   }
 
-  // start_ -> free_: the velocities that the loads of step k give, about the instant t and at q.
-  ROTORUB_INLINE void free_velocity(std::int64_t k, double t, const T* q) {
+  // start_ -> free_: the velocities that the loads of step k give, about the instant t and at q;
+  // begin (s): of the loads, they end at t + h/2.
+  ROTORUB_INLINE void free_velocity(std::int64_t k, double begin, double t, const T* q) {
     const int nq = layout_.nq();
     const T h = lanes::all<T>(h_);
-    loads_.advance(k, t);
+    loads_.advance(k, t, begin, t + 0.5 * h_);
     if (!m_->unbalances.empty()) {
       angles_.fill(*m_, t, q);
       if (coupled_) equations::spin_coupling(*m_, angles_, bx_.data(), by_.data());
@@ -256,12 +257,14 @@ class StepKernel {
         one / lanes::square_root(lanes::select(square > zero, square, one));
     const T ex = d.x * inverse, ey = d.y * inverse;
     if (iterates_) begin_iteration(lanes::select(on, one, zero));
-    for (;;) {
+    for (bool settled = false;;) {
       press(on, d, ex, ey);
       const int nq = layout_.nq();
       for (int i = 0; i < nq; ++i) after_[static_cast<std::size_t>(i)] = free_[static_cast<std::size_t>(i)];
       push(after_.data(), ex, ey, normal_impulse, friction_impulse, on);
-      if (!iterates_ || !improve(q, after_.data())) break;
+      // Once more after the last round: a lane's end must not depend on how long the others went on.
+      if (!iterates_ || settled) break;
+      settled = !improve(q, after_.data());
     }
     in_contact = lanes::select(on, lanes::select(normal_impulse > zero, one, zero), in_contact);
   }

@@ -3,7 +3,7 @@
 namespace rotorub {
 
 template <class T>
-SteppedLoads<T>::SteppedLoads(const std::vector<const Model*>& models, double h) : h_(h) {
+SteppedLoads<T>::SteppedLoads(const std::vector<const Model*>& models, double h) {
   using lanes::set;
   const std::vector<AppliedForce>& first = models.front()->forces;
   loads_.resize(first.size());

@@ -20,15 +20,16 @@ class SteppedLoads {
 
   SteppedLoads(const std::vector<const Model*>& models, double h);
 
-  // The forces of the step k whose middle is at t (s). Asked again for the same step it does nothing.
-  ROTORUB_INLINE void advance(std::int64_t k, double t) {
+  // The forces of step k: directions of the instant t (s), envelopes over [begin, end]. Asked again for
+  // the same step it does nothing.
+  ROTORUB_INLINE void advance(std::int64_t k, double t, double begin, double end) {
     if (k == now_) return;
     now_ = k;
     for (Load& load : loads_) {
       if (load.rotating) turn(load, k, t);
       const T x = load.rotating ? load.amplitude * load.cosine : load.vector_x;
       const T y = load.rotating ? load.amplitude * load.sine : load.vector_y;
-      const T share = load.switched ? mean_envelope(load, t) : lanes::all<T>(1.0);
+      const T share = load.switched ? mean_envelope(load, begin, end) : lanes::all<T>(1.0);
       load.x = share * x;
       load.y = share * y;
     }
@@ -80,16 +81,15 @@ class SteppedLoads {
     const T length = lanes::select(load.ramp > zero, load.ramp, one);
     return lanes::select(since < load.ramp, half * since * since / length, since - half * load.ramp);
   }
-  ROTORUB_INLINE T mean_envelope(const Load& load, double t) const {
-    const T begin = lanes::all<T>(t - 0.5 * h_), end = lanes::all<T>(t + 0.5 * h_);
+  ROTORUB_INLINE T mean_envelope(const Load& load, double from, double to) const {
+    const T begin = lanes::all<T>(from), end = lanes::all<T>(to);
     const auto until = [&](const T& x) { return lanes::select(x < load.off, x, load.off); };
-    const T mean = (risen(load, until(end)) - risen(load, until(begin))) / lanes::all<T>(h_);
+    const T mean = (risen(load, until(end)) - risen(load, until(begin))) / lanes::all<T>(to - from);
     // Exactly 1 where nothing changes within the step.
     const auto whole = (begin >= load.on + load.ramp) & (end <= load.off);
     return lanes::select(whole, lanes::all<T>(1.0), mean);
   }
 
-  double h_;
   std::int64_t now_ = -1;
   std::vector<Load> loads_;
 };

@@ -172,7 +172,8 @@ class VerletKernel : public StepKernel<M> {
     if (owes_ > 0.0) {
       for (int i = 0; i < nq; ++i) start[i] += late_[static_cast<std::size_t>(i)];
     }
-    this->free_velocity(k, this->origin + static_cast<double>(k) * this->h_, this->q_.data());
+    const double t = this->origin + static_cast<double>(k) * this->h_;
+    this->free_velocity(k, first_ > 0.0 ? t : t - 0.5 * this->h_, t, this->q_.data());
     if (first_ == 0.0) return;
     const T half = lanes::all<T>(0.5);
     for (int i = 0; i < nq; ++i) free[i] = half * (start[i] + free[i]);

@@ -202,12 +202,8 @@ TEST(HardFiniteImpact, AdvancesTheClockAndTendsToTheInstantaneousLaw) {
     EXPECT_LT(error, 0.2 * last_event) << "first order in tau";
     EXPECT_LT(error, 2.0 * tau) << "a flight of some m/s over tau";
     last_event = error;
-    // paper: the same law within its step.
-    const Trajectory p = test::run_paper(scene, 1e-6);
-    test::expect_finite(p);
-    ASSERT_GE(p.impacts.size(), 1u);
-    EXPECT_NEAR(p.impacts[0].normal_impulse, t.impacts[0].normal_impulse,
-                0.01 * t.impacts[0].normal_impulse + 200.0 * tau);
+    // A fixed step that took it as an impact of a step would tend to another model.
+    EXPECT_THROW(test::run_paper(scene, 1e-6), scene::SceneError);
   }
 }
 
@@ -264,10 +260,6 @@ TEST(HardFiniteImpact, PassesASampleAndNotTheEnd) {
   ASSERT_GE(t.impacts.size(), 1u);
   const auto& control = t.column("control_x");
   EXPECT_NE(control[control.size() - 1], control[control.size() - 2]) << "still sampled";
-  // paper: an impact lasts a step at most.
-  const Trajectory p = test::run_paper(scene, 1e-5);
-  EXPECT_EQ(p.status, Status::kOk) << p.message;
-  test::expect_finite(p);
 }
 
 }  // namespace
