@@ -1,5 +1,6 @@
 #include "native_model/integrate/run.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -8,6 +9,7 @@
 #include "native_model/integrate/event.h"
 #include "native_model/integrate/paper.h"
 #include "native_model/system/actuation.h"
+#include "native_model/system/run_size.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
@@ -95,7 +97,10 @@ Trajectory run_paper(const Model& model, const scene::Run& run, double step,
 Trajectory run_event(const Model& model, const scene::Run& run, const NativeOptions& options) {
   Recorder recorder(model, options.output_times.value_or(output_times(run)));
   EventOptions settings;
-  settings.force_bin = options.step.value_or(run.step);
+  // Of a run without a step it is the resolution of peaks alone: never so fine that the bins take
+  // longer than the run.
+  constexpr double kMostBins = 1e7;
+  settings.force_bin = std::max(options.step.value_or(run.step), run.end / kMostBins);
   EventIntegrator integrator(model, settings);
   const auto start = std::chrono::steady_clock::now();
   const EventIntegrator::Result result = integrator.run(
@@ -116,10 +121,14 @@ Trajectory run_event(const Model& model, const scene::Run& run, const NativeOpti
 
 Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
   const Model model = make_model(scene);
+  const std::vector<double>* times = options.output_times ? &*options.output_times : nullptr;
   if (options.integrator.value_or(scene.run.integrator) == scene::Integrator::kEvent) {
+    check_run_size(scene, model, std::nullopt, times);
     return run_event(model, scene.run, options);
   }
-  return run_paper(model, scene.run, options.step.value_or(scene.run.step), options);
+  const double step = options.step.value_or(scene.run.step);
+  check_run_size(scene, model, step, times);
+  return run_paper(model, scene.run, step, options);
 }
 
 }  // namespace rotorub
