@@ -1,8 +1,11 @@
 // The program `rotorub`: subcommands, and how errors become exit codes.
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "compare/commands/command.h"
@@ -10,14 +13,45 @@
 #include "compare/engine/engine.h"
 #include "compare/version.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/printable.h"
 
 namespace {
 
 using namespace rotorub;
 
+// Line by line, each as a terminal can show it: a message may quote what the user wrote.
+std::string shown(const std::string& message) {
+  constexpr std::size_t kLongestLine = 1000;  // bytes
+  std::istringstream lines(message);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    text += (text.empty() ? "" : "\n") + scene::printable(line, kLongestLine);
+  }
+  return text;
+}
+
 int failed(int code, const std::string& message) {
-  std::cerr << "rotorub: " << message << "\n";
+  std::cerr << "rotorub: " << shown(message) << "\n";
   return code;
+}
+
+// The parser's own words: help and version on standard output, mistakes on standard error.
+int parser_exit(const CLI::App& program, const CLI::ParseError& error) {
+  std::ostringstream out, err;
+  const int code = program.exit(error, out, err) == 0 ? kDone : kBadInput;
+  std::cout << out.str();
+  if (!err.str().empty()) std::cerr << shown(err.str()) << "\n";
+  return code;
+}
+
+// What was printed has arrived, or the program has not done what it was asked to. `code`: what it
+// would end with.
+int with_whole_output(int code) {
+  const bool streamed = static_cast<bool>(std::cout.flush());
+  const bool flushed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (streamed && flushed) return code;
+  failed(kFailed, "standard output could not be written to its end");
+  return code == kDone || code == kOutside ? kFailed : code;
 }
 
 int run(const Action& action) {
@@ -41,9 +75,7 @@ int run(const Action& action) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int rotorub_main(int argc, char** argv) {
   CLI::App program(
       "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a "
       "native rigid-contact model",
@@ -57,7 +89,7 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? kDone : kBadInput;
+    return parser_exit(program, error);
   }
   catch_interrupts();
   for (const Command& command : commands) {
@@ -65,3 +97,7 @@ int main(int argc, char** argv) {
   }
   return kBadInput;
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return with_whole_output(rotorub_main(argc, argv)); }

@@ -9,6 +9,7 @@
 #include "mjcf/bodies.h"
 #include "mjcf/names.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/record.h"
 
 namespace rotorub {
 namespace {
@@ -29,10 +30,10 @@ void refuse_impossible_discs(const scene::Scene& scene) {
   const std::vector<scene::Disc>& discs = scene.rotor.geometry->discs;
   for (std::size_t i = 0; i < discs.size(); ++i) {
     if (discs[i].Jp <= 2.0 * discs[i].Jt) continue;
-    const std::string file = scene.name.empty() ? "" : scene.name + ".toml";
-    throw scene::SceneError({{file, 0, "rotor.disc[" + std::to_string(i) + "].Jp",
-                              "the segment rotor is of rigid bodies; accepted: at most 2 Jt = " +
-                                  fmt::format("{}", 2.0 * discs[i].Jt)}});
+    throw scene::SceneError(scene::placed(
+        scene, {{"", 0, fmt::format("rotor.disc[{}].Jp", i),
+                 fmt::format("the segment rotor is of rigid bodies; accepted: at most 2 Jt = {}",
+                             2.0 * discs[i].Jt)}}));
   }
 }
 

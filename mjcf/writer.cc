@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -14,6 +13,8 @@
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
 #include "native_model/stepping/stepper.h"
+#include "native_model/rotor/refusal.h"
+#include "native_model/system/model_checks.h"
 
 namespace rotorub {
 namespace {
@@ -34,14 +35,12 @@ const char* contact_name(scene::ContactModel contact) {
 
 void refuse_unsupported(const scene::Scene& scene) {
   const scene::Mujoco& mujoco = scene.mujoco;
-  const auto refuse = [&](const std::string& what) {
-    throw std::invalid_argument("scene " + scene.name + ": " + what);
-  };
   if (mujoco.rotor == scene::MujocoRotor::kSegments && !scene.rotor.geometry) {
-    refuse("mujoco.rotor: \"segments\" needs the rotor's geometry; accepted: \"modal\"");
+    refuse(scene, {{"", 0, "mujoco.rotor",
+                    "\"segments\" needs the rotor's geometry; accepted: \"modal\""}});
   }
   if (mujoco.integrator == scene::MujocoIntegrator::kRk4) {
-    refuse("mujoco.integrator: accepted: \"euler\", \"implicit\"");
+    refuse(scene, {{"", 0, "mujoco.integrator", "accepted: \"euler\", \"implicit\""}});
   }
 }
 
@@ -261,7 +260,13 @@ class Document {
 
 std::string mjcf(const scene::Scene& scene) {
   refuse_unsupported(scene);
-  return Document(scene).write();
+  try {
+    return with_place(scene, [&] { return Document(scene).write(); });
+  } catch (const NotFinite& error) {
+    refuse(scene,
+           {{"", 0, "",
+             std::string("too large for MuJoCo, the scene's numbers give ") + error.what()}});
+  }
 }
 
 }  // namespace rotorub

@@ -1,6 +1,7 @@
 // Text that XML takes: attributes and indented elements.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -11,10 +12,16 @@ namespace rotorub {
 // XML 1.0: throws std::invalid_argument.
 std::string xml_escape(std::string_view text);
 
+// A number of an element that is infinite or none.
+class NotFinite : public std::range_error {
+  using std::range_error::range_error;
+};
+
 // Collects lines, two blanks of indentation for each open element.
 class XmlWriter {
  public:
-  void line(std::string_view text);     // one whole element, or a comment
+  // One whole element, or a comment. Throws NotFinite for an attribute with such a number in it.
+  void line(std::string_view text);
   void open(std::string_view element);  // "<body name=...>", indents what follows
   void close(std::string_view name);    // "</name>"
   std::string take() { return std::move(text_); }

@@ -141,7 +141,7 @@ int compare(const Options& options) {
   write_report(options.folder, comparisons, pages);
 
   if (options.json) {
-    std::cout << comparisons_json(comparisons).dump(2) << "\n";
+    std::cout << json_text(comparisons_json(comparisons));
   } else if (!options.quiet && !pages.empty()) {
     fmt::print("\nreport: {}/report.html\n", options.folder);
   }

@@ -21,7 +21,7 @@ void write_runs(const path& folder, const SceneComparison& comparison) {
 void write_report(const path& folder, const std::vector<SceneComparison>& comparisons,
                   const std::vector<PageScene>& pages) {
   std::filesystem::create_directories(folder);
-  write_whole(folder / "compare.json", comparisons_json(comparisons).dump(2) + "\n");
+  write_whole(folder / "compare.json", json_text(comparisons_json(comparisons)));
   if (!pages.empty()) write_whole(folder / "report.html", report_page(pages));
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/commands/command.h"
+#include "compare/study/json.h"
 #include "mjcf/writer.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
@@ -24,11 +25,8 @@ int write_mjcf(const Options& options) {
   const std::string xml = mjcf(scene);
   if (options.file.empty()) {
     if (options.json) {
-      std::cout << nlohmann::json{{"scene", scene.name},
-                                  {"scene_hash", scene::scene_hash(scene)},
-                                  {"mjcf", xml}}
-                       .dump(2)
-                << "\n";
+      std::cout << json_text(
+          {{"scene", scene.name}, {"scene_hash", scene::scene_hash(scene)}, {"mjcf", xml}});
     } else {
       std::cout << xml;
     }
@@ -36,11 +34,8 @@ int write_mjcf(const Options& options) {
   }
   write_whole(options.file, xml);
   if (options.json) {
-    std::cout << nlohmann::json{{"scene", scene.name},
-                                {"scene_hash", scene::scene_hash(scene)},
-                                {"file", options.file}}
-                     .dump(2)
-              << "\n";
+    std::cout << json_text(
+        {{"scene", scene.name}, {"scene_hash", scene::scene_hash(scene)}, {"file", options.file}});
   } else if (!options.quiet) {
     fmt::print("written to {}\n", options.file);
   }

@@ -14,6 +14,7 @@
 #include "compare/commands/progress.h"
 #include "compare/modes/text.h"
 #include "compare/report/modes_page.h"
+#include "compare/study/json.h"
 #include "native_model/scene/units.h"
 #include "native_model/trajectory/output.h"
 
@@ -72,7 +73,7 @@ int modes(const Options& options) {
   if (!options.output.empty()) write_page(options, scene, analysis, range);
 
   if (options.json) {
-    std::cout << modes_json(analysis).dump(2) << "\n";
+    std::cout << json_text(modes_json(analysis));
   } else if (!options.quiet) {
     std::cout << modes_table(scene.name, analysis);
     if (!options.output.empty()) {

@@ -13,8 +13,10 @@
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/engine/engine.h"
+#include "compare/study/json.h"
 #include "compare/study/run_directory.h"
 #include "compare/study/scene_comparison.h"
+#include "native_model/scene/printable.h"
 #include "renders/film.h"
 
 namespace rotorub {
@@ -52,8 +54,8 @@ int render_film(const Options& options) {
   const StoredRun run = is_run ? stored(options) : run_for_film(options, bar);
   const int code = is_run ? static_cast<int>(kDone) : exit_code_of(run.trajectory.status);
   if (code != kDone) {
-    fmt::print(stderr, "rotorub: {}: {}: {}\n", run.scene.name, to_string(run.trajectory.status),
-               run.trajectory.message);
+    fmt::print(stderr, "rotorub: {}: {}: {}\n", scene::printable(run.scene.name),
+               to_string(run.trajectory.status), run.trajectory.message);
     return code;
   }
 
@@ -69,17 +71,15 @@ int render_film(const Options& options) {
   const renders::RenderResult result = renders::render(run.scene, run.trajectory, film, file);
   bar.clear();
   if (options.json) {
-    std::cout << nlohmann::json{{"scene", run.scene.name},
-                                {"file", file},
-                                {"from", result.framing.from},
-                                {"to", result.framing.to},
-                                {"slow_motion", result.framing.slow_motion},
-                                {"magnification", result.framing.magnification},
-                                {"frames", result.framing.frames},
-                                {"film_s", result.film_s},
-                                {"shadow", shadow.has_value()}}
-                     .dump(2)
-              << "\n";
+    std::cout << json_text({{"scene", run.scene.name},
+                            {"file", file},
+                            {"from", result.framing.from},
+                            {"to", result.framing.to},
+                            {"slow_motion", result.framing.slow_motion},
+                            {"magnification", result.framing.magnification},
+                            {"frames", result.framing.frames},
+                            {"film_s", result.film_s},
+                            {"shadow", shadow.has_value()}});
   } else if (!options.quiet) {
     fmt::print(
         "{}: {:.3g} s of film, slowed down {:.3g} times, displacements magnified {:.3g} "

@@ -16,6 +16,7 @@
 #include "compare/study/json.h"
 #include "compare/study/run_directory.h"
 #include "compare/study/table.h"
+#include "native_model/scene/printable.h"
 
 namespace rotorub {
 namespace {
@@ -50,7 +51,7 @@ std::unique_ptr<Engine> engine_of(const Options& options, const scene::Scene& sc
 
 void say_failure(const scene::Scene& scene, const char* what, const Trajectory& trajectory) {
   if (trajectory.status == Status::kOk) return;
-  fmt::print(stderr, "rotorub: {}: {}{} at t = {} s: {}\n", scene.name, what,
+  fmt::print(stderr, "rotorub: {}: {}{} at t = {} s: {}\n", scene::printable(scene.name), what,
              to_string(trajectory.status), trajectory.end, trajectory.message);
 }
 
@@ -86,7 +87,7 @@ int run(const Options& options) {
   write_run(folder, scene, trajectory);
 
   if (options.json) {
-    std::cout << summary_json(scene, trajectory).dump(2) << "\n";
+    std::cout << json_text(summary_json(scene, trajectory));
   } else if (!options.quiet) {
     fmt::print("{}written to {}\n", run_table(scene, trajectory), folder.string());
   }

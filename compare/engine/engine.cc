@@ -1,6 +1,8 @@
 #include "compare/engine/engine.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/run/run_native.h"
@@ -18,6 +20,28 @@ Options options_of(const RunRequest& request) {
   return options;
 }
 
+// What is not finite is no result, whatever the integrator thinks of its own state.
+Trajectory checked(Trajectory trajectory) {
+  if (trajectory.status != Status::kOk) return trajectory;
+  const char* what = nullptr;
+  const Statistics& s = trajectory.statistics;
+  for (const auto& [name, value] : {std::pair("max_penetration", s.max_penetration),
+                                    std::pair("impulse_total", s.impulse_total),
+                                    std::pair("energy_residual", s.energy_residual()),
+                                    std::pair("mean_force", trajectory.mean_force())}) {
+    if (!std::isfinite(value)) what = name;
+  }
+  for (const Column& column : trajectory.series) {
+    for (const double value : column.values) {
+      if (!std::isfinite(value)) what = column.name.c_str();
+    }
+  }
+  if (what == nullptr) return trajectory;
+  trajectory.status = Status::kDiverged;
+  trajectory.message = std::string(what) + " is not finite";
+  return trajectory;
+}
+
 class NativeEngine final : public Engine {
  public:
   explicit NativeEngine(scene::Integrator integrator) : integrator_(integrator) {}
@@ -25,7 +49,7 @@ class NativeEngine final : public Engine {
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
     auto options = options_of<NativeOptions>(request);
     options.integrator = integrator_;
-    return run_native(perturbed(scene, request.perturbation_ulps), options);
+    return checked(run_native(perturbed(scene, request.perturbation_ulps), options));
   }
 
  private:
@@ -39,7 +63,7 @@ class MujocoEngine final : public Engine {
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
     auto options = options_of<MujocoOptions>(request);
     options.contact = contact_;
-    return run_mujoco(perturbed(scene, request.perturbation_ulps), options);
+    return checked(run_mujoco(perturbed(scene, request.perturbation_ulps), options));
   }
 
  private:

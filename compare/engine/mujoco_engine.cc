@@ -13,6 +13,7 @@
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/run_size.h"
 #include "native_model/trajectory/recorder.h"
 #include "plugin/config.h"
 #include "plugin/contact/forces.h"
@@ -206,11 +207,13 @@ class Record {
 Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const scene::Scene scene = with_options(given, options);
   const double step = scene.run.step;
+  check_steps(scene, step);
   const MujocoMessages messages;
   const plugin::Hooks hooks;
   const MujocoModel m = load_mjcf(mjcf(scene));
   const plugin::Config config = plugin::make_config(m.get());
   const Model& model = config.model;
+  check_run_size(scene, model, std::nullopt, options.output_times ? &*options.output_times : nullptr);
 
   ChunkedRun run(m.get(), config);
   Record record(model, config.contact == scene::ContactModel::kRigid, step,

@@ -6,10 +6,13 @@
 
 #include "compare/modes/units.h"
 #include "native_model/rotor/modal_rotor.h"
+#include "native_model/rotor/refusal.h"
 
 namespace rotorub {
 
-RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>& speeds) {
+namespace {
+
+RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& speeds) {
   RotorAnalysis analysis;
   analysis.system = whirl_system(scene);
   analysis.critical_speeds = critical_speeds(analysis.system);
@@ -22,6 +25,12 @@ RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>
     analysis.spectra.push_back(whirl_spectrum(analysis.system, speed));
   }
   return analysis;
+}
+
+}  // namespace
+
+RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>& speeds) {
+  return with_place(scene, [&] { return analysis_of(scene, speeds); });
 }
 
 const char* sense_of(const WhirlMode& mode) {

@@ -122,6 +122,10 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
           {"message", trajectory.message}};
 }
 
+std::string json_text(const json& value) {
+  return value.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
 json metrics_json(const Metrics& m) {
   json all = json::object();
   for (const Figure& f : figures()) all[f.key] = f.value(m);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
 #include "compare/study/scene_comparison.h"
@@ -17,5 +18,9 @@ nlohmann::json metrics_json(const Metrics& metrics);
 // One scene of compare.json, and the whole.
 nlohmann::json comparison_json(const SceneComparison& comparison);
 nlohmann::json comparisons_json(const std::vector<SceneComparison>& comparisons);
+
+// As text on several lines, with its line break. Bytes that are no UTF-8, as of a file's name, are
+// replaced: a result is not lost by its name.
+std::string json_text(const nlohmann::json& value);
 
 }  // namespace rotorub

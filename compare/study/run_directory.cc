@@ -109,7 +109,8 @@ void read_impacts(const path& file, Trajectory& trajectory) {
 
 Status status_of(const std::string& name) {
   for (const Status status : {Status::kOk, Status::kDiverged, Status::kNoSolution,
-                              Status::kAmbiguous, Status::kStepTooLarge, Status::kInterrupted}) {
+                              Status::kAmbiguous, Status::kStepTooLarge, Status::kOutOfRange,
+                              Status::kInterrupted}) {
     if (name == to_string(status)) return status;
   }
   return Status::kDiverged;
@@ -132,7 +133,7 @@ void write_run(const path& folder, const scene::Scene& scene, const Trajectory& 
   write_impacts(trajectory, folder / kImpacts);
   write_events(trajectory, folder / kEvents);
   write_whole(folder / kScene, scene.text);
-  write_whole(folder / kSummary, summary_json(scene, trajectory).dump(2) + "\n");
+  write_whole(folder / kSummary, json_text(summary_json(scene, trajectory)));
 }
 
 StoredRun read_run(const path& folder) {

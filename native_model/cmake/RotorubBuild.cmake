@@ -24,9 +24,9 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   add_compile_options(-fpch-preprocess)
 endif()
 
-# The same bits on every machine: no contraction to FMA, and never -ffast-math or -march=native.
-# No fused multiply-add, so that every processor gives the same bits; no errno, so that square roots
-# of several numbers at once are one instruction.
+# The same bits on every machine: no contraction to FMA, never -ffast-math or -march=native, and the mathematical
+# functions of one library (RotorubMath). No errno, so that square roots of several numbers at once are one
+# instruction.
 add_compile_options(-ffp-contract=off -fno-math-errno)
 
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")

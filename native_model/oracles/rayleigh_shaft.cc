@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "native_model/rotor/powers.h"
+
 namespace rotorub::oracle {
 namespace {
 
@@ -15,7 +17,7 @@ Quadratic quadratic(const RayleighShaft& shaft, int n, double speed) {
   const double lambda = n * std::numbers::pi / shaft.length;
   const double tilt = shaft.inertia() / shaft.area() * lambda * lambda;  // r^2 lambda^2
   const double stiffness =
-      shaft.E * shaft.inertia() / (shaft.rho * shaft.area()) * std::pow(lambda, 4);
+      shaft.E * shaft.inertia() / (shaft.rho * shaft.area()) * fourth(lambda);
   return {1.0 + tilt, speed * tilt, stiffness};
 }
 
@@ -26,7 +28,7 @@ double RayleighShaft::area() const {
 }
 
 double RayleighShaft::inertia() const {
-  return std::numbers::pi / 64.0 * (std::pow(diameter, 4) - std::pow(inner_diameter, 4));
+  return std::numbers::pi / 64.0 * (fourth(diameter) - fourth(inner_diameter));
 }
 
 double RayleighShaft::forward(int n, double speed) const {

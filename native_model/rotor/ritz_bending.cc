@@ -75,8 +75,8 @@ std::vector<ShaftElement> bending_mesh(const scene::RotorGeometry& geometry,
   for (const scene::ShaftBearing& bearing : geometry.bearings) nodes.push_back(bearing.z);
   // Bending wave: E I k^4 = rho A omega^2.
   return shaft_mesh(geometry, nodes, [&](const ShaftElement& element) {
-    return std::pow(omega * omega * geometry.rho * element.area / (geometry.E * element.inertia),
-                    0.25);
+    return std::sqrt(std::sqrt(omega * omega * geometry.rho * element.area /
+                               (geometry.E * element.inertia)));
   });
 }
 

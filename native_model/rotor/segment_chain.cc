@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "native_model/rotor/powers.h"
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub {
@@ -66,7 +67,7 @@ void for_each_piece(const scene::RotorGeometry& geometry, double from, double to
     if (b <= a) continue;
     const double outer = section.diameter, inner = section.inner_diameter;
     add(b - a, 0.5 * (a + b), std::numbers::pi / 4.0 * (outer * outer - inner * inner),
-        std::numbers::pi / 64.0 * (std::pow(outer, 4) - std::pow(inner, 4)));
+        std::numbers::pi / 64.0 * (fourth(outer) - fourth(inner)));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "native_model/rotor/modal_reduction.h"
 #include "native_model/rotor/mode_scaling.h"
 #include "native_model/rotor/planar_modes.h"
+#include "native_model/rotor/powers.h"
 #include "native_model/rotor/shaft_basis.h"
 
 namespace rotorub {
@@ -82,7 +83,7 @@ double spin_inertia(const scene::Scene& scene) {
   double inertia = scene.drive ? scene.drive->inertia : 0.0;
   for (const scene::ShaftSection& section : geometry.sections) {
     const double polar = std::numbers::pi / 32.0 *
-                         (std::pow(section.diameter, 4) - std::pow(section.inner_diameter, 4));
+                         (fourth(section.diameter) - fourth(section.inner_diameter));
     inertia += geometry.rho * polar * (section.to - section.from);
   }
   for (const scene::Disc& disc : geometry.discs) inertia += disc.Jp;

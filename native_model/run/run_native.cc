@@ -6,6 +6,7 @@
 #include "native_model/event/driver.h"
 #include "native_model/run/fixed_run.h"
 #include "native_model/system/model_checks.h"
+#include "native_model/system/run_size.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
@@ -14,8 +15,10 @@ namespace {
 Trajectory run_event(const Model& model, const scene::Run& run, const NativeOptions& options) {
   Recorder recorder(model, options.output_times.value_or(output_times(run)));
   EventParameters settings;
-  // Bins of the mean force are as wide as a fixed step, so that peaks can be compared.
-  settings.force_bin = std::max(options.step.value_or(run.step), 1e-8 * run.end);
+  // Bins of the mean force are as wide as a fixed step, so that peaks can be compared; never so fine
+  // that they take longer than the run.
+  constexpr double kMostBins = 1e7;
+  settings.force_bin = std::max(options.step.value_or(run.step), run.end / kMostBins);
   EventIntegrator integrator(model, settings);
   const auto start = std::chrono::steady_clock::now();
   const EventIntegrator::Result result = integrator.run(
@@ -51,7 +54,12 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
   const Model model = make_model(scene);
   const double step = options.step.value_or(scene.run.step);
   const scene::Integrator integrator = options.integrator.value_or(scene.run.integrator);
-  if (integrator == scene::Integrator::kEvent) return run_event(model, scene.run, options);
+  const std::vector<double>* times = options.output_times ? &*options.output_times : nullptr;
+  if (integrator == scene::Integrator::kEvent) {
+    check_run_size(scene, model, std::nullopt, times);
+    return run_event(model, scene.run, options);
+  }
+  check_run_size(scene, model, step, times);
   refuse_finite_impacts(scene);
   switch (integrator) {
     case scene::Integrator::kPaper: return run_paper(model, scene.run, step, options);

@@ -12,6 +12,8 @@ namespace {
 
 // Sections meet within this part of the length: stations are often rounded decimals.
 constexpr double kSectionTolerance = 1e-9;
+// Thinner than this part of the length no beam's eigenvalues can be found, or only in minutes.
+constexpr double kThinnest = 1e-6;
 // Jp <= 2 Jt for every rigid body; data sheets round.
 constexpr double kInertiaTolerance = 0.01;
 // Jp = mass eccentricity^2 is a point mass: meant, whatever the last digits.
@@ -44,6 +46,13 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
         section.inner_diameter >= section.diameter) {
       check.fail(path + ".inner_diameter",
                  "must be below the outer diameter, " + metres(section.diameter));
+    }
+    if (check.record.sound({path + ".diameter", "rotor.length"}) &&
+        section.diameter < kThinnest * shaft.length) {
+      check.fail(path + ".diameter",
+                 "too thin for a shaft: expected at least a millionth of "
+                 "rotor.length = " +
+                     metres(shaft.length));
     }
     if (!check.record.sound({path + ".from", path + ".to"})) {
       sound = false;

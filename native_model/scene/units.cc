@@ -85,7 +85,11 @@ constexpr auto kUnits = std::to_array<NamedUnit>({
 Unit power(const Unit& base, int exponent) {
   const Dimension& d = base.dimension;
   const int size = std::abs(exponent);
-  const double times = std::pow(base.times, size), over = std::pow(base.over, size);
+  double times = 1.0, over = 1.0;
+  for (int i = 0; i < size; ++i) {
+    times *= base.times;
+    over *= base.over;
+  }
   return {exponent < 0 ? over : times,
           exponent < 0 ? times : over,
           {d.metre * exponent, d.kilogram * exponent, d.second * exponent, d.ampere * exponent,

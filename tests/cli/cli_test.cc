@@ -182,7 +182,7 @@ TEST(CliRun, ARunThatCannotBeSolvedIsThree) {
 TEST(CliRun, AnInterruptKeepsPartialResults) {
   const Folder folder;
   Program program(folder.path(), {"run", shipped("bench_ring"), "--integrator", "paper", "--end",
-                                  "1e6", "--set", "run.output_step=0.01", "-o", "out"});
+                                  "1e5", "--set", "run.output_step=0.1", "-o", "out"});
   std::this_thread::sleep_for(std::chrono::seconds(1));
   program.interrupt();
   const Outcome stopped = program.wait();

@@ -29,11 +29,18 @@ inline std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+// What is otherwise than in the test's own process.
+struct Surroundings {
+  std::vector<std::pair<std::string, std::string>> environment;  // variables set beside the own
+  std::string out = "standard_output";                           // file of standard output
+};
+
 // The program, running in a folder of its own.
 class Program {
  public:
-  Program(std::filesystem::path folder, const std::vector<std::string>& arguments)
-      : folder_(std::move(folder)) {
+  Program(std::filesystem::path folder, const std::vector<std::string>& arguments,
+          Surroundings surroundings = {})
+      : folder_(std::move(folder)), surroundings_(std::move(surroundings)) {
     std::vector<std::string> words{ROTORUB_BINARY};
     words.insert(words.end(), arguments.begin(), arguments.end());
     process_ = fork();
@@ -47,7 +54,7 @@ class Program {
     waitpid(process_, &status, 0);
     Outcome outcome;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    outcome.out = read_text(folder_ / kOut);
+    if (surroundings_.out == kOut) outcome.out = read_text(folder_ / kOut);
     outcome.err = read_text(folder_ / kErr);
     return outcome;
   }
@@ -61,7 +68,11 @@ class Program {
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     if (chdir(folder_.c_str()) != 0) _exit(127);
-    for (const auto& [name, stream] : {std::pair{kOut, 1}, std::pair{kErr, 2}}) {
+    for (const auto& [name, value] : surroundings_.environment) {
+      setenv(name.c_str(), value.c_str(), 1);
+    }
+    for (const auto& [name, stream] :
+         {std::pair{surroundings_.out.c_str(), 1}, std::pair{kErr, 2}}) {
       dup2(open(name, O_WRONLY | O_CREAT | O_TRUNC, 0600), stream);
     }
     execv(argv[0], argv.data());
@@ -69,6 +80,7 @@ class Program {
   }
 
   std::filesystem::path folder_;
+  Surroundings surroundings_;
   pid_t process_ = -1;
 };
 
@@ -84,8 +96,8 @@ class Folder {
   Folder& operator=(const Folder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  Outcome run(const std::vector<std::string>& arguments) const {
-    return Program(path_, arguments).wait();
+  Outcome run(const std::vector<std::string>& arguments, Surroundings surroundings = {}) const {
+    return Program(path_, arguments, std::move(surroundings)).wait();
   }
   std::string text(const std::string& file) const { return read_text(path_ / file); }
   bool has(const std::string& file) const { return std::filesystem::exists(path_ / file); }

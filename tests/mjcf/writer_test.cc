@@ -4,12 +4,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include "mjcf/bodies.h"
 #include "mjcf/names.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/scene/diagnostic.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -196,13 +197,35 @@ TEST_F(Writer, ActuatorsPullOnTheFortyFiveDegreeAxes) {
   }
 }
 
+// The one line that `scene` is refused with.
+std::string refusal(const scene::Scene& scene) {
+  try {
+    mjcf(scene);
+  } catch (const scene::SceneError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "accepted";
+  return {};
+}
+
 TEST_F(Writer, RefusesWhatIsNotOffered) {
   scene::Scene scene = shipped("bench_ring");
   scene.mujoco.rotor = scene::MujocoRotor::kSegments;
-  EXPECT_THROW(mjcf(scene), std::invalid_argument);
+  EXPECT_NE(refusal(scene).find("mujoco.rotor: "), std::string::npos);
   scene = shipped("bench_ring");
   scene.mujoco.integrator = scene::MujocoIntegrator::kRk4;
-  EXPECT_THROW(mjcf(scene), std::invalid_argument);
+  EXPECT_NE(refusal(scene).find("mujoco.integrator: "), std::string::npos);
+}
+
+// Sizes that overflow: MuJoCo would read another number than was written, or none.
+TEST_F(Writer, RefusesNumbersThatAreNotFinite) {
+  scene::Scene scene = shipped("bench_ring");
+  scene.contact->clearance = 1e308;
+  scene.contact->radius = 1e308;
+  EXPECT_NE(refusal(scene).find("too large for MuJoCo"), std::string::npos) << refusal(scene);
+  scene = shipped("bench_ring");
+  scene.rotor.modal->stiffness[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(refusal(scene).find("stiffness=\"nan\""), std::string::npos) << refusal(scene);
 }
 
 }  // namespace

@@ -40,5 +40,18 @@ TEST(XmlWriter, IndentsWhatIsOpen) {
   EXPECT_EQ(xml.take(), "<a>\n  <b/>\n</a>\n");
 }
 
+TEST(XmlWriter, RefusesNumbersThatAreNone) {
+  for (const char* element : {R"(<geom size="inf 1"/>)", R"(<geom size="1 -inf"/>)",
+                              R"(<key name="a" qpos="0 nan 1"/>)", R"(<joint damping="-nan"/>)"}) {
+    EXPECT_THROW(XmlWriter().line(element), NotFinite) << element;
+    EXPECT_THROW(XmlWriter().open(element), NotFinite) << element;
+  }
+  for (const char* element : {R"(<geom name="inf" size="1 2"/>)", R"(<text data="off = inf"/>)",
+                              R"(<geom rgba="info nano"/>)", R"(<mujoco model="nan">)",
+                              "<!-- inf -->", R"(<geom size=""/>)"}) {
+    EXPECT_NO_THROW(XmlWriter().line(element)) << element;
+  }
+}
+
 }  // namespace
 }  // namespace rotorub::test

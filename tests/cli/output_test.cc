@@ -1,0 +1,61 @@
+// Lost output is no success: whatever is printed goes to a full device here.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+const Surroundings kFullDevice{{}, "/dev/full"};
+
+TEST(CliOutput, LostIsAFailureThatIsSaid) {
+  const std::string ring = shipped("bench_ring"), drop = shipped("bench_drop");
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"mjcf", ring},
+                                             {"mjcf", ring, "--json"},
+                                             {"mjcf", ring, "-o", "ring.xml"},
+                                             {"modes", ring},
+                                             {"modes", ring, "--json"},
+                                             {"run", drop, "--end", "1ms", "-o", "out"},
+                                             {"run", drop, "--end", "1ms", "-o", "out", "--json"},
+                                             {"--help"},
+                                             {"run", "--help"},
+                                             {"--version"}}) {
+    const Folder folder;
+    const Outcome lost = folder.run(arguments, kFullDevice);
+    EXPECT_EQ(lost.code, 3) << arguments[0];
+    EXPECT_NE(lost.err.find("standard output"), std::string::npos) << arguments[0] << lost.err;
+  }
+}
+
+// Nothing was to be printed, and nothing is lost.
+TEST(CliOutput, OfAQuietRunCannotBeLost) {
+  const Folder folder;
+  const Outcome quiet = folder.run(
+      {"run", shipped("bench_drop"), "--end", "1ms", "--quiet", "-o", "out"}, kFullDevice);
+  EXPECT_EQ(quiet.code, 0) << quiet.err;
+  EXPECT_TRUE(folder.has("out/summary.json"));
+}
+
+// The first failure is the one that counts.
+TEST(CliOutput, LostBesideBadInputIsBadInput) {
+  const Folder folder;
+  EXPECT_EQ(folder.run({"run", "missing.toml"}, kFullDevice).code, 2);
+}
+
+// The same for a file that is named. (By a link: see the tests of the files of a run.)
+TEST(CliOutput, ToAFullDeviceByNameFails) {
+  const Folder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "full");
+  const Outcome lost = folder.run({"mjcf", shipped("bench_ring"), "-o", "full"});
+  EXPECT_EQ(lost.code, 3);
+  EXPECT_NE(lost.err.find("cannot write full: No space left on device"), std::string::npos)
+      << lost.err;
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,146 @@
+// What cannot be done is refused beforehand: exit code 2, nothing written, and a message that says
+// where in which file.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+void expect_refused(const Folder& folder, Arguments arguments, const Arguments& parts) {
+  SCOPED_TRACE(testing::PrintToString(arguments));
+  arguments.insert(arguments.end(), {"-o", "out"});
+  const Outcome refused = folder.run(arguments);
+  EXPECT_EQ(refused.code, 2) << refused.err;
+  EXPECT_EQ(refused.out, "");
+  EXPECT_FALSE(folder.has("out"));
+  for (const std::string& part : parts) {
+    EXPECT_NE(refused.err.find(part), std::string::npos) << part << " in:\n" << refused.err;
+  }
+}
+
+TEST(CliRefusal, OfMoreStepsThanCanBeDone) {
+  const Folder folder;
+  const std::string drop = shipped("bench_drop");
+  for (const Arguments& engine :
+       {Arguments{"--engine", "mujoco"}, Arguments{"--integrator", "paper"}}) {
+    for (const std::string value :
+         {"run.end=1e14", "run.end=1e50", "run.step=1e-20", "run.step=1e-308"}) {
+      Arguments arguments{"run", drop, "--set", value};
+      arguments.insert(arguments.end(), engine.begin(), engine.end());
+      expect_refused(folder, arguments, {"run.step: ", " steps of ", "at most 1e+10 steps"});
+    }
+  }
+}
+
+TEST(CliRefusal, OfMoreRowsThanMemoryHolds) {
+  const Folder folder;
+  const std::string ring = shipped("bench_ring");
+  expect_refused(folder, {"run", ring, "--set", "run.output_step=1e-12"},
+                 {"--set: run.output_step: ", "rows", "at most"});
+  // Few enough rows for one mode, too many for a hundred.
+  std::ofstream(folder.path() / "long.toml")
+      << "[run]\nend = 1\noutput_step = 2e-7\n[rotor]\nspeed = 1\n[rotor.modal]\nmass = [" << [] {
+           std::string list = "1";
+           for (int k = 1; k < 100; ++k) list += ", 1";
+           return list + "]\nstiffness = [" + list + "]\n";
+         }();
+  for (const std::string engine : {"native", "mujoco"}) {
+    expect_refused(folder, {"run", "long.toml", "--engine", engine},
+                   {"long.toml:3: run.output_step: ", "5e+06 rows of 417 columns"});
+  }
+}
+
+// `event` has no step: however small, it does not matter.
+TEST(CliRun, TheStepOfAnotherIntegratorDoesNotMatter) {
+  const Folder folder;
+  const Outcome done = folder.run(
+      {"run", shipped("bench_drop"), "--set", "run.step=1e-308", "--quiet", "-o", "out"});
+  EXPECT_EQ(done.code, 0) << done.err;
+}
+
+TEST(CliRefusal, OfWhatOnlyTheModelShowsNamesTheLine) {
+  const Folder folder;
+  std::ofstream(folder.path() / "shaft.toml") << R"([run]
+end = 0.1
+[rotor]
+speed = 300.0
+length = 0.6
+E = 2.1e11
+rho = 7850.0
+max_frequency = 3000.0
+[[rotor.section]]
+from = 0.0
+to = 0.6
+diameter = 0.018
+[[rotor.bearing]]
+z = 0.0
+stiffness = 1e7
+[[rotor.bearing]]
+z = 0.6
+stiffness = 1e7
+[initial]
+vx = [1e-3, 0.0, 0.0, 0.0, 0.0]
+)";
+  for (const std::string engine : {"native", "mujoco"}) {
+    expect_refused(folder, {"run", "shaft.toml", "--engine", engine},
+                   {"shaft.toml:20: initial.vx: expected "});
+  }
+  // A thread: its eigenvalues would not be found, after minutes.
+  for (const std::string command : {"run", "modes", "mjcf"}) {
+    expect_refused(folder, {command, "shaft.toml", "--set", "rotor.section[0].diameter=1e-30"},
+                   {"--set: rotor.section[0].diameter: too thin"});
+  }
+  expect_refused(folder,
+                 {"mjcf", "shaft.toml", "--set", "initial=none", "--set", "rotor.max_frequency=1"},
+                 {"--set: rotor.max_frequency: keeps no bending mode"});
+}
+
+TEST(CliRefusal, OfNumbersThatNoMachineHas) {
+  const Folder folder;
+  const std::string ring = shipped("bench_ring");
+  expect_refused(folder, {"mjcf", ring, "--set", "contact.clearance=1e308"},
+                 {"--set: contact.clearance: too large"});
+  expect_refused(folder, {"run", ring, "--set", "rotor.speed=-1e308"},
+                 {"--set: rotor.speed: too large"});
+}
+
+TEST(CliRefusal, ShowsNoEscapeCodes) {
+  const Folder folder;
+  const std::string code = "\x1b[31m";
+  for (const Arguments& arguments :
+       {Arguments{"run", code}, Arguments{"run", code + ".toml"},
+        Arguments{"run", shipped("bench_drop"), code},
+        Arguments{"run", shipped("bench_drop"), "--" + code},
+        Arguments{"run", shipped("bench_drop"), "--engine", code},
+        Arguments{"run", shipped("bench_drop"), "--end", code},
+        Arguments{"run", shipped("bench_drop"), "--set", code},
+        Arguments{"run", shipped("bench_drop"), "--end", "1ms", "-o", "/proc/" + code},
+        Arguments{"modes", shipped("bench_ring"), "--speed", code},
+        Arguments{"compare", shipped("bench_ring"), "--mode", code}, Arguments{"render", code}}) {
+    const Outcome refused = folder.run(arguments);
+    EXPECT_EQ(refused.code, 2) << refused.err;
+    EXPECT_EQ(refused.err.find('\x1b'), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("\\x1b[31m"), std::string::npos) << refused.err;
+  }
+}
+
+// A file's name may hold any bytes; the summary is text all the same.
+TEST(CliRun, AFileWithANameThatIsNoText) {
+  const Folder folder;
+  std::filesystem::copy_file(shipped("bench_drop"), folder.path() / "\xff.toml");
+  const Outcome done = folder.run({"run", "\xff.toml", "--end", "1ms", "--json", "-o", "out"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(nlohmann::json::parse(done.out).at("status"), "ok");
+}
+
+}  // namespace
+}  // namespace rotorub::test
