@@ -80,9 +80,15 @@ inline constexpr const char* kShadowNormalForce = "shadow_normal_force";      //
 inline constexpr const char* kShadowFrictionForce = "shadow_friction_force";  // N, as above
 
 // mjData.userdata entries that the plugin uses (plugin/user_data.h)
-inline constexpr int kUserDataSingle = 20;
+inline constexpr int kUserDataSingle = 21;
 inline int user_data_size(int nq, bool controlled) {
   return kUserDataSingle + (controlled ? 2 * nq : 0);
+}
+// Behind them, with a contact on the modal chain: the step `verlet` of `rigid` (plugin/contact/verlet.h),
+// velocities and two slots of `slot` each.
+inline constexpr int kVerletSingle = 3;
+inline int verlet_data_size(int nq, std::size_t slot) {
+  return kVerletSingle + nq + 2 * static_cast<int>(slot);
 }
 // Behind them, with [mujoco] shadow: the shadow's, `memory` of them the stepper's.
 inline constexpr int kShadowSingle = 11;

@@ -13,6 +13,7 @@
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
 #include "native_model/stepping/stepper.h"
+#include "native_model/stepping/zero_order_hold.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/system/model_checks.h"
 
@@ -91,6 +92,10 @@ class Document {
                     R"(tolerance="1e-12"/>)",
                     scene_.run.step, weight.x(), weight.y(), implicit ? "implicit" : "Euler"));
     int user_data = names::user_data_size(model_.nq(), model_.controller != nullptr);
+    if (scene_.contact && !segments_) {
+      const std::size_t slot = VerletStepper::memory_size(model_) + ZeroOrderHold::kMemory + 1;
+      user_data += names::verlet_data_size(model_.nq(), slot);
+    }
     if (scene_.mujoco.shadow) {
       user_data += names::shadow_data_size(PaperStepper::memory_size(make_model(scene_)));
     }

@@ -6,9 +6,9 @@
 #include "plugin/contact/annular.h"
 #include "plugin/contact/cone.h"
 #include "plugin/contact/coulomb.h"
-#include "plugin/contact/rigid.h"
 #include "plugin/contact/segment_coulomb.h"
 #include "plugin/contact/segment_rigid.h"
+#include "plugin/contact/verlet.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/magnets.h"
@@ -60,7 +60,7 @@ void passive(const mjModel* m, mjData* d) {
   }
   if (config->segments) {
     add_segment_loads(*config, d);
-  } else {
+  } else if (!config->takes_native_steps()) {
     add_passive_force(*config, m, d, Coordinates(*config, d));
   }
   fill_sensors(*config, m, d, mjSTAGE_VEL);
@@ -89,15 +89,18 @@ void control(const mjModel* m, mjData* d) {
     return;
   }
   const Coordinates state(*config, d);
+  if (config->takes_native_steps()) {
+    refresh_velocity_stage(m, d);
+    apply_verlet(*config, m, d, state);
+    fill_sensors(*config, m, d, mjSTAGE_VEL);
+    fill_sensors(*config, m, d, mjSTAGE_ACC);
+    return;
+  }
   write_command(*config, m, d, state);
   if (!config->model.contact) return;
   refresh_velocity_stage(m, d);
   if (config->contact == scene::ContactModel::kRigid) {
-    if (config->segments) {
-      apply_segment_rigid(*config, m, d, state);
-    } else {
-      apply_rigid(*config, m, d, state);
-    }
+    apply_segment_rigid(*config, m, d, state);
     fill_sensors(*config, m, d, mjSTAGE_ACC);
     return;
   }

@@ -9,6 +9,7 @@
 #include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/scene/reader.h"
+#include "plugin/contact/verlet.h"
 #include "plugin/own/own_config.h"
 
 namespace rotorub::plugin {
@@ -248,6 +249,10 @@ Config make_config(const mjModel* m) {
     throw ConfigError(in_text(names::kSceneText, error.what()));
   }
   int needed = names::user_data_size(config.model.nq(), config.model.controller != nullptr);
+  if (scene.contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
+    config.verlet_data = needed;
+    needed += verlet_data_size(config.model);
+  }
   if (config.shadow) {
     config.shadow->data = needed;
     needed += names::shadow_data_size(PaperStepper::memory_size(config.shadow->model));

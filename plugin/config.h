@@ -48,11 +48,17 @@ struct Config {
   // filled.
   bool own = false;
 
+  int verlet_data = -1;                 // in mjData.userdata, of `rigid` on the modal chain; -1: none
   int rotor_geom = -1, ring_geom = -1;  // of the contact pair; -1 without [contact]
   int pair = -1;                        // their <pair>
   int actuator[2] = {-1, -1};           // -1 without actuators
   SensorAddresses sensors;
   std::optional<ShadowConfig> shadow;
+
+  // `rigid` on the modal chain: the native step is MuJoCo's (contact/verlet.h).
+  bool takes_native_steps() const {
+    return verlet_data >= 0 && contact == scene::ContactModel::kRigid;
+  }
 
   // What the above was made from, to recognise the model.
   std::string fingerprint;

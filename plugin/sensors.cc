@@ -2,6 +2,7 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "plugin/contact/forces.h"
+#include "plugin/contact/verlet.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/own/own_space.h"
@@ -24,7 +25,8 @@ void put(mjData* d, int address, const Eigen::Vector2d& value) {
 ContactPoint point_of(const Config& config, const mjModel* m, mjData* d) {
   if (config.own) return own_contact_point(config, m, d);
   const Coordinates state(config, d);
-  return contact_point(config.model, state.q(), state.v());
+  const double* v = config.takes_native_steps() ? velocities_of_pass(config, d) : state.v();
+  return contact_point(config.model, state.q(), v);
 }
 
 double gap_of(const Config& config, const mjData* d) {

@@ -29,9 +29,20 @@ enum UserDataEntry : int {
   kGapRateAfter,
   kSlipBefore,
   kSlipAfter,
+  kImpactTime,  // s, of generated models
   kUserDataSingle
 };
 static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
+
+// Of the step of `rigid` on the modal chain, from Config::verlet_data on (contact/verlet.h); behind them
+// velocities and two slots of memory.
+enum VerletEntry : int {
+  kVerletBegun,  // 1: it runs
+  kVerletTime,   // s, of the pass that the first slot is of
+  kVerletStep,   // s
+  kVerletSingle
+};
+static_assert(kVerletSingle == mjcf_names::kVerletSingle);
 
 // The shadow's, from Config::shadow.data on (shadow.h); behind them the memory of its stepper.
 enum ShadowEntry : int {

@@ -14,9 +14,11 @@
 #include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/run_size.h"
+#include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"
 #include "plugin/config.h"
 #include "plugin/contact/forces.h"
+#include "plugin/contact/verlet.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/hooks.h"
@@ -48,6 +50,10 @@ class ChunkedRun {
     const auto start = std::chrono::steady_clock::now();
     std::size_t done = 0;
     for (; done < count && !failed_; ++done) {
+      // Native steps: the state of the step's begin is known once it is taken.
+      const bool native = config_.takes_native_steps();
+      double* state = states_.data() + 2 * done * size();
+      if (native) read_state(state);
       mj_step(m_, data_.get());
       failed_ = bad();
       if (failed_) break;
@@ -59,10 +65,23 @@ class ChunkedRun {
         failed_ = true;
         break;
       }
-      read_state(states_.data() + 2 * done * size());
+      if (native) {
+        std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), state + size());
+      } else {
+        read_state(state);
+      }
     }
     wall_ += std::chrono::steady_clock::now() - start;
     return done;
+  }
+
+  // Native steps: the forces and the state now, as of a step of which half is taken.
+  StepResult last_half() {
+    mj_forward(m_, data_.get());
+    read_state(states_.data());
+    std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), states_.data() + size());
+    return {plugin::contact_forces(config_, data_.get()),
+            plugin::actuator_state(config_, m_, data_.get())};
   }
 
   const StepResult& result(std::size_t i) const { return results_[i]; }
@@ -168,23 +187,80 @@ class Record {
     point_ = after;
   }
 
+  // Step k of native steps: the state is that of t_k, and so are forces and works; what impacts do
+  // comes after it. Of the last one, which begins at the end, half counts, and no impact.
+  void native_step(std::int64_t k, const double* q, const double* v, const StepResult& r, bool last) {
+    const double t = static_cast<double>(k) * step_;
+    const plugin::ContactForces& f = r.forces;
+    const bool lasting = !f.impact;
+    const ContactPoint p = contact_point(model_, q, v);
+    note_mode(t, f.mode);
+    if (k > 0) {
+      if (impact_.normal_impulse > 0.0) count_impact();
+      recorder_.advance({t, q, v, lasting ? f.normal : 0.0, lasting ? f.friction : 0.0, f.mode,
+                         r.actuator},
+                        impact_.normal_impulse > 0.0);
+    }
+    StepFigures figures;
+    figures.h = k == 0 || last ? 0.5 * step_ : step_;
+    figures.external_work = figures.h * external_power(model_, t, q, v, r.actuator.force);
+    if (lasting && f.normal > 0.0) {
+      figures.normal_impulse = figures.h * f.normal;
+      figures.friction_impulse = figures.h * f.friction;
+      figures.friction_work = figures.friction_impulse * p.slip;
+      figures.contact_work =
+          figures.normal_impulse * p.gap_rate + figures.friction_impulse * (p.slip - held());
+    }
+    recorder_.count(figures, t);
+    impact_ = Impact{};
+    if (f.impact && !last) {
+      impact_ = impact_of(f, f.impact_time, k == 0 ? 0.5 * step_ : step_);
+      recorder_.add(impact_);
+      recorder_.add(Event{impact_.t, EventKind::kImpact});
+    }
+  }
+
+  // Why the state is where nothing holds it, if it is.
+  std::optional<std::string> lost(const double* q) const {
+    if (recorder_.penetration() == 0.0 && !model_.magnets) return {};
+    return out_of_range(model_, q);
+  }
+
   Trajectory finish(double end) {
     if (!rigid_) episodes_.finish();
     return recorder_.finish(end);
   }
 
  private:
+  // m/s: slip of a prescribed spin, at which the machine that holds it works, and not the coordinates.
+  double held() const { return model_.layout.spin ? 0.0 : model_.contact->radius * model_.speed; }
+
+  void count_impact() {
+    StepFigures figures;
+    figures.h = step_;
+    figures.normal_impulse = impact_.normal_impulse;
+    figures.friction_impulse = impact_.friction_impulse;
+    figures.friction_work =
+        0.5 * impact_.friction_impulse * (impact_.slip_before + impact_.slip_after);
+    figures.contact_work = impact_.energy_change - impact_.friction_impulse * held();
+    recorder_.count(figures, impact_.t);
+  }
+
+  void note_mode(double t, Mode mode) {
+    if (mode == mode_) return;
+    recorder_.add(Event{t, mode == Mode::kSlide   ? EventKind::kSlide
+                           : mode == Mode::kStick ? EventKind::kStick
+                                                  : EventKind::kLiftOff});
+    mode_ = mode;
+  }
+
   // As the native side: one row an impact. The velocity that jumps is that of half a step ago.
   void note_rigid(double next, const plugin::ContactForces& f, const Impact& impact) {
     if (f.impact) {
       recorder_.add(impact);
       recorder_.add(Event{impact.t, EventKind::kImpact});
     }
-    if (f.mode == mode_) return;
-    recorder_.add(Event{next, f.mode == Mode::kSlide   ? EventKind::kSlide
-                              : f.mode == Mode::kStick ? EventKind::kStick
-                                                       : EventKind::kLiftOff});
-    mode_ = f.mode;
+    note_mode(next, f.mode);
   }
 
   // When the gap at t closes at the rate before the impact, within the step.
@@ -200,6 +276,7 @@ class Record {
   Recorder recorder_;
   ContactEpisodes episodes_;
   ContactPoint point_;
+  Impact impact_;  // of native steps: of the step before
 };
 
 }  // namespace
@@ -230,8 +307,18 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
     while (k < steps && status == Status::kOk) {
       const std::size_t good = run.advance(static_cast<std::size_t>(steps - k));
       for (std::size_t i = 0; i < good; ++i, ++k) {
-        record.step(k, run.q(i), run.v(i), run.result(i));
+        if (config.takes_native_steps()) {
+          record.native_step(k, run.q(i), run.v(i), run.result(i), false);
+          if (const auto why = record.lost(run.q(i))) {
+            status = Status::kOutOfRange;
+            message = *why;
+            break;
+          }
+        } else {
+          record.step(k, run.q(i), run.v(i), run.result(i));
+        }
       }
+      if (status != Status::kOk) break;
       if (run.contact_status() != Status::kOk) {
         status = run.contact_status();
         message = contact_reason(status);
@@ -244,6 +331,10 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
         message = "interrupted";
       }
       if (options.progress) options.progress(static_cast<double>(k) / static_cast<double>(steps));
+    }
+    if (status == Status::kOk && config.takes_native_steps()) {
+      const StepResult last = run.last_half();
+      record.native_step(k, run.q(0), run.v(0), last, true);
     }
   } catch (const MujocoError& error) {
     status = Status::kDiverged;

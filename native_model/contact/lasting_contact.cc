@@ -5,20 +5,18 @@
 namespace rotorub {
 namespace {
 
-// The smaller N > 0 of |p + N g| = clearance, from outside; negative: g does not lead back.
+// The smaller N > 0 of |p + N g| = clearance, from outside; negative: g does not lead there.
 double reach_circle(const Eigen::Vector2d& p, const Eigen::Vector2d& g, double clearance) {
   const double a = g.squaredNorm(), b = p.dot(g), c = p.squaredNorm() - clearance * clearance;
-  if (!(b < 0.0)) return -1.0;
   const double square = b * b - a * c;
-  // Too deep for this direction: the nearest point of the line.
-  return square > 0.0 ? c / (std::sqrt(square) - b) : -b / a;
+  return b < 0.0 && square > 0.0 ? c / (std::sqrt(square) - b) : -1.0;
 }
 
 class Solver {
  public:
   explicit Solver(const LastingStep& s)
       : s_(s),
-        e_(s.d.normalized()),
+        e_(s.e_r),
         end_(s.d + s.h * s.free.head<2>()),
         along_normal_(s.admittance * contact_load(e_, s.radius, 1.0, 0.0)),
         along_friction_(s.admittance * contact_load(e_, s.radius, 0.0, 1.0)) {}
@@ -49,9 +47,15 @@ class Solver {
   }
 
   LastingResult solve() const {
-    // Where friction can carry more than the normal row, the laws need not have one solution.
     const double nn = -e_.dot(along_normal_.head<2>()), nt = -e_.dot(along_friction_.head<2>());
-    return s_.friction * std::abs(nt) < nn ? unique() : enumerate();
+    if (s_.friction * std::abs(nt) < nn) {
+      const LastingResult r = unique();
+      if (r.solutions == 1) return r;
+    }
+    const Delassus g{nn, nt, slip(along_normal_), slip(along_friction_)};
+    const CoulombSolution r = solve_coulomb(g, (s_.clearance - end_.norm()) / s_.h, slip(s_.free),
+                                            s_.friction);
+    return {r.normal, r.friction, r.contact_case, r.solutions};
   }
 
  private:
@@ -65,40 +69,21 @@ class Solver {
   LastingResult unique() const {
     const double before = slip(s_.start), mu = s_.friction;
     const Candidate rest = stick();
-    if (before == 0.0) {
+    constexpr double kRoundOff = 1e-10;  // of the surface's speed
+    if (std::abs(before) <= kRoundOff * s_.radius * std::abs(s_.start.z()) || before == 0.0) {
       if (std::abs(rest.friction) <= mu * rest.normal) return result(ContactCase::kStick, rest);
       const double sign = rest.friction > 0.0 ? -1.0 : 1.0;
       return result(sliding(sign), slide(-mu * sign));
     }
     const double sign = before > 0.0 ? 1.0 : -1.0;
     const Candidate through = slide(-mu * sign);
-    if (through.slip * sign > 0.0) return result(sliding(sign), through);
+    if (!through.holds || through.slip * sign > 0.0) return result(sliding(sign), through);
+    if (!rest.holds) return {0.0, 0.0, ContactCase::kOpen, 0};
     // Friction brakes until the slip is 0; the force that then holds it there, over a whole step.
     const double share = before / (before - through.slip);
     const double hold = (rest.friction + share * sign * mu * rest.normal) / (1.0 - share);
     if (share >= 1.0 || hold * sign <= mu * rest.normal) return result(ContactCase::kStick, rest);
     return result(sliding(-sign), slide(mu * sign * (1.0 - 2.0 * share)));
-  }
-
-  LastingResult enumerate() const {
-    LastingResult out;
-    out.solutions = 0;
-    const auto take = [&out](ContactCase found, const Candidate& c) {
-      if (out.solutions++ == 0) {
-        out.contact_case = found;
-        out.normal = c.normal;
-        out.friction = c.friction;
-      }
-    };
-    const double mu = s_.friction;
-    if (const Candidate c = slide(-mu); c.holds && c.slip > 0.0) {
-      take(ContactCase::kSlidePositive, c);
-    }
-    if (const Candidate c = slide(mu); c.holds && c.slip < 0.0) take(ContactCase::kSlideNegative, c);
-    if (const Candidate c = stick(); c.holds && std::abs(c.friction) <= mu * c.normal) {
-      take(ContactCase::kStick, c);
-    }
-    return out;
   }
 
   const LastingStep& s_;

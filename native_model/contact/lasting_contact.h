@@ -1,12 +1,13 @@
 // Lasting contact over one fixed step, solved on positions: the step's normal and friction impulse,
-// along the normal at the step's begin, for which the relative centre ends exactly on the circle,
+// along the normal e_r, for which the relative centre ends exactly on the circle,
 //
 //   |d + h (w + A p)| = delta_0,   N >= 0,   p = contact_load(N, T),
 //
 // a quadratic in N for T in a fixed ratio to it (sliding) or for a slip of 0 (sticking). Friction
 // follows the slip of the middle of the step (set-valued Coulomb law). Where the slip reverses
 // within the step, T is the mean of its two values by the time that each holds, so that a reversal
-// costs no order.
+// costs no order. Where friction can carry more than the normal row, and where no such point of the
+// circle is in reach, (12), (13) of the linearised gap decide.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +18,8 @@ namespace rotorub {
 
 struct LastingStep {
   double h = 0.0;                      // s
-  Eigen::Vector2d d{0.0, 0.0};         // m, ring's to rotor's centre, |d| > 0
+  Eigen::Vector2d d{0.0, 0.0};         // m, ring's to rotor's centre at the begin
+  Eigen::Vector2d e_r{1.0, 0.0};       // outward normal: that of d, if the path leads out along it
   Eigen::Vector3d start, free;         // (m/s, m/s, rad/s): before the step, and without contact
   Eigen::Matrix3d admittance;          // A = J (M + h D/2)^-1 J^T
   double clearance = 0.0, radius = 0.0, friction = 0.0;  // m, m, mu

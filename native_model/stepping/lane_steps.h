@@ -35,7 +35,8 @@ struct LaneTotals {
 
 #define ROTORUB_RUN_BY_RUN(template_, W)                                                          \
   template_ void StepKernel<LaneModel<lanes::Lane<W>>>::fail(int, Status);                        \
-  template_ void StepKernel<LaneModel<lanes::Lane<W>>>::press_lane(int, const Centre&);           \
+  template_ void StepKernel<LaneModel<lanes::Lane<W>>>::press_lane(int, const Centre&,            \
+                                                                    const Eigen::Vector2d&); \
   template_ void StepKernel<LaneModel<lanes::Lane<W>>>::magnet_force(const T*, const T*, T*) const; \
   template_ void PaperLanes<W>::forget_impacts();                                                 \
   template_ bool PaperLanes<W>::rebound(int, std::int64_t);                                       \

@@ -39,7 +39,7 @@ class PaperKernel : public StepKernel<M> {
     requires(Base::kLanes == 1)
   {
     if (impacted_) return this->impact_work(impacts[0]);
-    return this->contact_work(middle_.data(), this->start_.data(), this->after_.data());
+    return this->contact_work(this->start_.data(), this->after_.data());
   }
 
   // From t = origin + k h to origin + (k + 1) h. A lane with a status stays where it was.
@@ -194,7 +194,7 @@ class PaperKernel : public StepKernel<M> {
     const ContactParameters& c = *m.contact;
     double q[kMaxCoordinates];
     this->read_lane(middle_.data(), lane, q);
-    const Eigen::Vector2d d = rotor_point(m, q) - stator_point(m, q), e_r = d.normalized();
+    const Eigen::Vector2d d = rotor_point(m, q) - stator_point(m, q), e_r = this->normal_of(lane);
     const Eigen::Vector3d free = this->lane_rates(this->free_.data(), lane);
     const Eigen::Vector3d after = this->lane_rates(this->after_.data(), lane);
     const auto slip = [&](const Eigen::Vector3d& v) {
@@ -203,7 +203,7 @@ class PaperKernel : public StepKernel<M> {
     if (!(lanes::get(this->normal_impulse, lane) > 0.0)) return;
     note(lane, k, d, free,
          {0.0, lanes::get(this->normal_impulse, lane), lanes::get(this->friction_impulse, lane),
-          -e_r.dot(free.head<2>()), 0.0, slip(free), slip(after), 0.0});
+          -e_r.dot(free.head<2>()), -e_r.dot(after.head<2>()), slip(free), slip(after), 0.0});
   }
 
   void note(int lane, std::int64_t k, const Eigen::Vector2d& d, const Eigen::Vector3d& free,

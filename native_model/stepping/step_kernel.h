@@ -76,6 +76,7 @@ class StepKernel {
   // currents of the two axes; `commanded`: there is a command.
   T command_x{}, command_y{};
   bool commanded = false;
+  const T* applied = nullptr;  // nq further loads, or none
   double origin = 0.0;  // s, t at k = 0
   ContactNumbers<T> contact;
 
@@ -106,6 +107,13 @@ class StepKernel {
     std::copy_n(v, layout_.nq(), v_.begin());
     origin = t;
     revive();
+  }
+  // Another state at the same instant; everything else is kept.
+  void adopt(const double* q, const double* v)
+    requires(kLanes == 1)
+  {
+    std::copy_n(q, layout_.nq(), q_.begin());
+    std::copy_n(v, layout_.nq(), v_.begin());
   }
   // Ends every status.
   void revive() {
@@ -138,6 +146,9 @@ class StepKernel {
     loads_.add(layout_.modes, f);
     if (!m.unbalances.empty()) equations::add_unbalance(m, angles_, omega, f);
     equations::add_drive(m, v, f);
+    if (applied) {
+      for (int i = 0; i < layout_.nq(); ++i) f[i] += applied[i];
+    }
     if (magnetic()) {
       magnet_force(q, v, f);
     } else if (commanded && layout_.stator) {
@@ -197,15 +208,17 @@ class StepKernel {
       f[phi] -= sum;
     }
     solve(f);
-    T moved{}, size{};
+    T moved{}, size{}, whole{};
     for (int i = 0; i < nq; ++i) {
       const T better = start[i] + change[i] + f[i], by = better - free[i];
       moved += mass[i] * by * by;
       size += mass[i] * change[i] * change[i];
+      whole += mass[i] * end[i] * end[i];
       free[i] = lanes::select(open_ > zero, better, free[i]);
     }
-    // The next round would gain as much again: the square of 1e-10.
-    open_ = lanes::select(moved > lanes::all<T>(1e-20) * size, open_, zero);
+    // To 1e-10 of the change, as the next round would gain as much again; or to round-off.
+    const T enough = lanes::all<T>(1e-20) * size + lanes::all<T>(1e-30) * whole;
+    open_ = lanes::select(moved > enough, open_, zero);
     if (++rounds_ < kMostRounds) return lanes::any(open_ > zero);
     for (int lane = 0; lane < kLanes; ++lane) {
       if (lanes::get(open_, lane) > 0.0) fail(lane, Status::kStepTooLarge);
@@ -255,7 +268,10 @@ class StepKernel {
     const T square = d.x * d.x + d.y * d.y;
     const T inverse =
         one / lanes::square_root(lanes::select(square > zero, square, one));
-    const T ex = d.x * inverse, ey = d.y * inverse;
+    T ex = d.x * inverse, ey = d.y * inverse;
+    turn_normals(on, d, ex, ey);
+    normal_x_ = ex;
+    normal_y_ = ey;
     if (iterates_) begin_iteration(lanes::select(on, one, zero));
     for (bool settled = false;;) {
       press(on, d, ex, ey);
@@ -289,15 +305,13 @@ class StepKernel {
     return h_ * work;
   }
 
-  // J: of lasting contact's last impulses on the coordinates, from d and the velocities at both ends.
-  double contact_work(const double* q, const double* start, const double* end) const
+  // J: of lasting contact's last impulses on the coordinates, from the velocities at both ends.
+  double contact_work(const double* start, const double* end) const
     requires(kLanes == 1)
   {
     if (!(normal_impulse > 0.0)) return 0.0;
-    const Centre d = equations::relative(*m_, q);
-    const double delta = std::sqrt(d.x * d.x + d.y * d.y);
-    const Eigen::Vector3d load = contact_load({d.x / delta, d.y / delta}, contact.radius,
-                                              normal_impulse, friction_impulse);
+    const Eigen::Vector3d load =
+        contact_load({normal_x_, normal_y_}, contact.radius, normal_impulse, friction_impulse);
     const double held = layout_.spin ? 0.0 : m_->speed;  // the machine that holds the speed works too
     const Eigen::Vector3d rates = 0.5 * (lane_rates(start, 0) + lane_rates(end, 0));
     return load.dot(rates - Eigen::Vector3d(0.0, 0.0, held));
@@ -360,6 +374,10 @@ class StepKernel {
   lanes::Array<T> q_, v_, start_, free_, after_;
   Admittance admittance_{};
 
+  Eigen::Vector2d normal_of(int lane) const {
+    return {lanes::get(normal_x_, lane), lanes::get(normal_y_, lane)};
+  }
+
  private:
   static constexpr int kMostRounds = 20;
 
@@ -382,6 +400,26 @@ class StepKernel {
           {magnets.law->force(s.x(), current.x()), magnets.law->force(s.y(), current.y())});
       lanes::set(f[ring], lane, of(f[ring]) + force.x());
       lanes::set(f[ring + 1], lane, of(f[ring + 1]) + force.y());
+    }
+  }
+
+  // Where the path ends far from where it begins (it passes the middle), the normal is that of the
+  // place where it leaves the circle.
+  ROTORUB_INLINE void turn_normals(const Mask& on, const Centre& d, T& ex, T& ey) const {
+    const Centre w = equations::relative(*m_, free_.data());
+    const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(h_), c = contact.clearance;
+    const T turned = d.x * (d.x + h * w.x) + d.y * (d.y + h * w.y);
+    const Mask far = turned < lanes::all<T>(0.5) * c * c;
+    const T back = lanes::select(on, lanes::select(far, one, zero), zero);
+    if (!lanes::any(back > zero)) return;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (!(lanes::get(back, lane) > 0.0)) continue;
+      const Eigen::Vector2d from{lanes::get(d.x, lane), lanes::get(d.y, lane)};
+      const Eigen::Vector2d path = h_ * Eigen::Vector2d(lanes::get(w.x, lane), lanes::get(w.y, lane));
+      const double share = circle_exit(from, path, lanes::get(contact.clearance, lane));
+      const Eigen::Vector2d e_r = (from + std::min(1.0, share) * path).normalized();
+      lanes::set(ex, lane, e_r.x());
+      lanes::set(ey, lane, e_r.y());
     }
   }
 
@@ -410,14 +448,15 @@ class StepKernel {
     const T other = lanes::select(on, lanes::select(slides, zero, one), zero);
     if (!lanes::any(other > zero)) return;
     for (int lane = 0; lane < kLanes; ++lane) {
-      if (lanes::get(other, lane) > 0.0) press_lane(lane, d);
+      if (lanes::get(other, lane) > 0.0) press_lane(lane, d, {lanes::get(ex, lane), lanes::get(ey, lane)});
     }
   }
 
-  ROTORUB_SLOW void press_lane(int lane, const Centre& d) {
+  ROTORUB_SLOW void press_lane(int lane, const Centre& d, const Eigen::Vector2d& e_r) {
     LastingStep s;
     s.h = h_;
     s.d = {lanes::get(d.x, lane), lanes::get(d.y, lane)};
+    s.e_r = e_r;
     s.start = lane_rates(start_.data(), lane);
     s.free = lane_rates(free_.data(), lane);
     for (int i = 0; i < 3; ++i) {
@@ -437,7 +476,7 @@ class StepKernel {
   }
 
   lanes::Array<T> f_, change_, response_[3];
-  T last_sign_{}, open_{};
+  T last_sign_{}, open_{}, normal_x_{}, normal_y_{};
   int rounds_ = 0;
 };
 

@@ -80,6 +80,8 @@ ROTORUB_STEPPER(VerletStepper)
 
 const double* PaperStepper::v() const { return kernel_->v(); }
 
+void VerletStepper::adopt(const double* q, const double* v) { kernel_->adopt(q, v); }
+void VerletStepper::apply(const double* loads) { kernel_->applied = loads; }
 const double* VerletStepper::v_half() const { return kernel_->v(); }
 void VerletStepper::velocity_now(std::int64_t k, double* v) { kernel_->velocity_now(k, v); }
 const double* VerletStepper::last_q() const { return kernel_->last_q(); }

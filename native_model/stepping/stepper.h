@@ -58,6 +58,11 @@ class VerletStepper {
   FixedStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0}, bool works = false);
   void begin(double t, const double* q, const double* v);
 
+  // Of the step that comes: the state at its begin in other numbers (those of who keeps it, MuJoCo),
+  // and further loads (nq values, held over it; they must outlive it; null: none).
+  void adopt(const double* q, const double* v_half);
+  void apply(const double* loads);
+
   const double* q() const;       // of t_{k+1}
   const double* v_half() const;  // of t_{k+1/2}: what the next impact does to it is not in it
   // Before step k: the velocities of t_k under the command and contact force of the step before.

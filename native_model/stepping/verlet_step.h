@@ -135,7 +135,7 @@ class VerletKernel : public StepKernel<M> {
     requires(Base::kLanes == 1)
   {
     if (impacted_) return this->impact_work(impacts[0]);
-    return this->contact_work(before_.data(), this->start_.data(), this->after_.data());
+    return this->contact_work(this->start_.data(), this->after_.data());
   }
 
   // As the base's.

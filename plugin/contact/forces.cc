@@ -17,6 +17,7 @@ ContactForces rigid_forces(const mjData* d) {
   out.status = static_cast<Status>(static_cast<int>(entry[kContactStatus]));
   out.impact = entry[kImpact] != 0.0;
   if (!out.impact) return out;
+  out.impact_time = entry[kImpactTime];
   out.gap_rate_before = entry[kGapRateBefore];
   out.gap_rate_after = entry[kGapRateAfter];
   out.slip_before = entry[kSlipBefore];

@@ -14,6 +14,7 @@ struct ContactForces {
   Mode mode = Mode::kFree;
   // `rigid`: the forces are an impact's impulses over the step. Rates before and after it, m/s.
   bool impact = false;
+  double impact_time = 0.0;  // s; 0: not known (segments, own models)
   double gap_rate_before = 0.0, gap_rate_after = 0.0, slip_before = 0.0, slip_after = 0.0;
   Status status = Status::kOk;  // `rigid`: of the contact laws
 };

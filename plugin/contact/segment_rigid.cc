@@ -3,17 +3,14 @@
 #include "native_model/dynamics/dynamics.h"
 #include "plugin/contact/memory.h"
 #include "plugin/contact/rigid_law.h"
+#include "plugin/contact/runge_kutta.h"
 #include "plugin/contact/segment_space.h"
 
 namespace rotorub::plugin {
 
 void apply_segment_rigid(const Config& config, const mjModel* m, mjData* d,
                          const Coordinates& state) {
-  if (m->opt.integrator == mjINT_RK4) {
-    mju_error(
-        "rotorub: <option integrator=\"RK4\">: contact model `rigid` gives its impulses once a "
-        "step; accepted: Euler, implicit (or contact model coulomb or cone)");
-  }
+  refuse_runge_kutta(m);
   const Model& model = config.model;
   ContactMemory memory(d);
   if (m->nu > 0) mj_fwdActuation(m, d);

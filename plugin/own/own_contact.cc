@@ -5,7 +5,7 @@
 #include "native_model/contact/coulomb.h"
 #include "plugin/contact/annular.h"
 #include "plugin/contact/memory.h"
-#include "plugin/contact/rigid.h"
+#include "plugin/contact/runge_kutta.h"
 #include "plugin/contact/rigid_law.h"
 #include "plugin/contact/smooth_force.h"
 #include "plugin/own/own_space.h"

@@ -90,7 +90,7 @@ TEST_F(HooksTest, LeavesWhoCameLaterInPlace) {
 
 // A double pendulum over a floor, with an actuator and MuJoCo's own contacts.
 constexpr const char* kForeign = R"(<mujoco>
-  <option timestep="0.002"/><size nuserdata="20"/>
+  <option timestep="0.002"/><size nuserdata="21"/>
   <custom><text name="note" data="another's text"/></custom>
   <worldbody><geom type="plane" size="5 5 1"/>
     <body pos="0 0 0.6"><joint name="a" type="hinge" axis="0 1 0" damping="0.01"/>

@@ -21,6 +21,7 @@ struct Worst {
 Worst worst_of(const Model& model, double step, std::int64_t steps) {
   const int n = model.nq();
   const ContactParameters& c = *model.contact;
+  const Eigen::VectorXd implicit = model.mass + 0.5 * step * model.damping;
   PaperStepper stepper(model, step);
   Worst worst;
   double force = 1e-300, slip_scale = 1e-300;
@@ -38,9 +39,19 @@ Worst worst_of(const Model& model, double step, std::int64_t steps) {
     force = std::max(force, normal);
     slip_scale = std::max(slip_scale, std::abs(p.slip));
     if (normal == 0.0) continue;
+    if (done.reversed) continue;  // friction is the mean of both signs
+    // Of the next middle; linearised along e_r where a step is too coarse for a point of the circle.
+    const Eigen::Vector3d moved = contact_admittance(model, implicit.data(), 0.0, middle.data()) *
+                                  contact_load(p.e_r, c.radius, normal, friction);
+    const Eigen::Vector2d free = p.dv - moved.head<2>();
+    const double whole = c.clearance - (p.d + step * p.dv).norm();
+    const double linear =
+        c.clearance - (p.d + step * free).norm() - step * p.e_r.dot(moved.head<2>());
+    const double gap = std::abs(linear) < std::abs(whole) ? linear : whole;
+    // A path through the middle has the normal of the place where it leaves.
+    if (p.d.dot(p.d + step * free) < 0.5 * c.clearance * c.clearance) continue;
     ++worst.contacts;
     worst.sticks += done.mode == Mode::kStick ? 1 : 0;
-    const double gap = c.clearance - (p.d + step * p.dv).norm();  // of the next middle
     const ContactResidual r =
         contact_residual(gap, normal, friction, p.slip, c.friction, c.clearance, force, slip_scale);
     worst.complementarity = std::max(worst.complementarity, r.complementarity);

@@ -40,8 +40,10 @@ TEST(HardRandom, PaperKeepsEveryRule) {
     const Trajectory t = test::run_paper(scene, 1e-5);
     SCOPED_TRACE("scene " + std::to_string(k));
     if (t.status != Status::kOk) {
-      EXPECT_TRUE(may_jam(scene) &&
-                  (t.status == Status::kNoSolution || t.status == Status::kAmbiguous))
+      // A flight of more than the clearance in a step may end outside, with a word.
+      EXPECT_TRUE(t.status == Status::kOutOfRange ||
+                  (may_jam(scene) &&
+                   (t.status == Status::kNoSolution || t.status == Status::kAmbiguous)))
           << t.message;
       test::expect_refused_or_finite(t);
       continue;

@@ -1,0 +1,216 @@
+#include "plugin/contact/verlet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "native_model/bearing/actuator_axes.h"
+#include "native_model/stepping/stepper.h"
+#include "native_model/stepping/zero_order_hold.h"
+#include "plugin/contact/runge_kutta.h"
+#include "plugin/contact/smooth_force.h"
+#include "plugin/control.h"
+#include "plugin/passive.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+namespace {
+
+// One slot: the stepper's memory, the hold's, and the number of the step that comes.
+std::size_t slot_size(const Model& model) {
+  return VerletStepper::memory_size(model) + ZeroOrderHold::kMemory + 1;
+}
+
+// The plant that the step moves: with magnets the force on the ring is MuJoCo's.
+Model plant_of(const Model& model) {
+  if (!model.magnets) return model;
+  Model plant = with_ideal_actuator(model);
+  plant.controller.reset();
+  return plant;
+}
+
+// What takes the steps. Holds nothing between two calls but room.
+struct Worker {
+  Worker(const Config& config, double h)
+      : id(config.id),
+        step(h),
+        model(config.model),
+        plant(plant_of(config.model)),
+        stepper(plant, h),
+        hold(model),
+        memory(VerletStepper::memory_size(plant)) {}
+
+  void load(const double* slot) {
+    stepper.restore(slot);
+    hold.restore(slot + memory);
+    next = static_cast<std::int64_t>(slot[memory + ZeroOrderHold::kMemory]);
+  }
+  void save(double* slot) const {
+    stepper.save(slot);
+    hold.save(slot + memory);
+    slot[memory + ZeroOrderHold::kMemory] = static_cast<double>(next);
+  }
+  void begin(double t, const double* q, const double* v) {
+    stepper.begin(t, q, v);
+    hold = ZeroOrderHold(model);
+    next = 0;
+  }
+
+  double id, step;
+  const Model model, plant;
+  VerletStepper stepper;
+  ZeroOrderHold hold;
+  std::size_t memory;
+  std::int64_t next = 0;
+};
+
+// This thread's, for the models that it used last.
+Worker& worker_for(const Config& config, double h) {
+  thread_local std::array<std::unique_ptr<Worker>, 4> known;
+  thread_local std::size_t next = 0;
+  for (const auto& worker : known) {
+    if (worker && worker->id == config.id && worker->step == h) return *worker;
+  }
+  std::unique_ptr<Worker>& made = known[next];
+  next = (next + 1) % known.size();
+  made = std::make_unique<Worker>(config, h);
+  return *made;
+}
+
+// Whether MuJoCo's state is the one remembered, to what its own arithmetic leaves of it.
+bool remembers(const Config& config, const double* slot, const Coordinates& state) {
+  const int n = config.model.nq();
+  const double* q = VerletStepper::saved_q(slot);
+  const double clearance = config.model.contact->clearance;
+  const auto near = [](double a, double b, double size) {
+    return std::abs(a - b) <= 1e-9 * (std::abs(b) + size);
+  };
+  for (int i = 0; i < n; ++i) {
+    if (!near(state.q()[i], q[i], clearance) || !near(state.v()[i], q[n + i], 1.0)) return false;
+  }
+  return true;
+}
+
+// The slot of this pass, made ready.
+double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, double* entry,
+                     Worker& worker, const Coordinates& state) {
+  const double h = m->opt.timestep;
+  const std::size_t size = slot_size(worker.plant);
+  double* before = entry + kVerletSingle + config.model.nq();
+  double* after = before + size;
+  const bool same_step = entry[kVerletBegun] != 0.0 && entry[kVerletStep] == h;
+  const double passed = d->time - entry[kVerletTime];
+  entry[kVerletTime] = d->time;
+  entry[kVerletStep] = h;
+  if (same_step && passed == 0.0 && remembers(config, before, state)) return before;
+  if (same_step && std::abs(passed - h) <= 1e-6 * h && remembers(config, after, state)) {
+    std::copy_n(after, size, before);
+    return before;
+  }
+  entry[kVerletBegun] = 1.0;
+  worker.begin(d->time, state.q(), state.v());
+  worker.save(before);
+  return before;
+}
+
+// What is on the chain beside the native loads and the actuators: f of MuJoCo and of others.
+void foreign_force(const Config& config, mjData* d, const Coordinates& state, double* f) {
+  const Model& model = config.model;
+  for (int i = 0; i < model.nq(); ++i) {
+    const int dof = config.dof_address[static_cast<std::size_t>(i)];
+    f[i] = d->qfrc_smooth[dof] - d->qfrc_actuator[dof] + model.stiffness[i] * state.q()[i] +
+           model.damping[i] * state.v()[i];
+  }
+}
+
+// The mean command about this instant, on the ring; ctrl gets what holds.
+Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
+                        Worker& worker) {
+  const Model& model = config.model;
+  const double h = m->opt.timestep, t = d->time;
+  Eigen::Vector2d mean{0.0, 0.0};
+  if (model.controller) {
+    mean = worker.hold.held();
+    const double end = t + 0.5 * h;
+    if (worker.hold.listens(end)) {
+      double v[kMaxCoordinates], a[kMaxCoordinates];
+      worker.stepper.velocity_now(worker.next, v);
+      const bool first = worker.next == 0;
+      for (int i = 0; i < model.nq(); ++i) a[i] = first ? 0.0 : 2.0 / h * (v[i] - state.v()[i]);
+      mean = worker.hold.mean(first ? t : t - 0.5 * h, t, end, state.q(), v, a);
+    }
+    const Eigen::Vector2d held = worker.hold.held();
+    const Eigen::Vector2d told = model.magnets ? held : to_axes(held);
+    for (int k = 0; k < 2; ++k) d->ctrl[config.actuator[k]] = told[k];
+  }
+  if (m->nu > 0) mj_fwdActuation(m, d);
+  return model.controller && !model.magnets ? mean : actuator_state(config, m, d).force;
+}
+
+void note(mjData* d, const FixedStep& r, double kick) {
+  mjtNum* entry = d->userdata;
+  entry[kMode] = static_cast<double>(r.mode);
+  entry[kNormalForce] = r.normal_impulse / kick;
+  entry[kFrictionForce] = r.friction_impulse / kick;
+  // Once, not every step: MuJoCo writes its warnings to a file.
+  if (r.status != Status::kOk && entry[kContactStatus] == 0.0) {
+    mju_warning("rotorub: the contact laws have no solution or several (Painleve): no impulse");
+  }
+  entry[kContactStatus] = static_cast<double>(r.status);
+  entry[kImpact] = r.impacts.count > 0 ? 1.0 : 0.0;
+  if (r.impacts.count == 0) return;
+  const Impact& first = r.impacts.impact.front();
+  const Impact& last = r.impacts.impact[static_cast<std::size_t>(r.impacts.count - 1)];
+  entry[kImpactTime] = first.t;
+  entry[kGapRateBefore] = first.gap_rate_before;
+  entry[kGapRateAfter] = last.gap_rate_after;
+  entry[kSlipBefore] = first.slip_before;
+  entry[kSlipAfter] = last.slip_after;
+}
+
+}  // namespace
+
+int verlet_data_size(const Model& model) {
+  return kVerletSingle + model.nq() + 2 * static_cast<int>(slot_size(plant_of(model)));
+}
+
+const double* velocities_of_pass(const Config& config, const mjData* d) {
+  return d->userdata + config.verlet_data + kVerletSingle;
+}
+
+void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
+  refuse_runge_kutta(m);
+  const Model& model = config.model;
+  const int n = model.nq();
+  const double h = m->opt.timestep;
+  double* entry = d->userdata + config.verlet_data;
+  Worker& worker = worker_for(config, h);
+  worker.load(slot_of_pass(config, m, d, entry, worker, state));
+  worker.stepper.adopt(state.q(), state.v());
+
+  double foreign[kMaxCoordinates], mass[kMaxCoordinates];
+  update_smooth_force(m, d);
+  foreign_force(config, d, state, foreign);
+  worker.stepper.apply(foreign);
+  const Eigen::Vector2d u = command(config, m, d, state, worker);
+  const FixedStep r = worker.stepper.step(worker.next, u);
+  const double kick = worker.stepper.last_kick() * h;
+  note(d, r, kick);
+  if (r.status != Status::kOk) return;
+  worker.stepper.last_velocity(entry + kVerletSingle);
+  ++worker.next;
+  worker.save(entry + kVerletSingle + n + slot_size(worker.plant));
+
+  // The passive force that makes it MuJoCo's step.
+  step_mass(config, m, mass);
+  const double* v = worker.stepper.v_half();
+  for (int i = 0; i < n; ++i) {
+    const int dof = config.dof_address[static_cast<std::size_t>(i)];
+    const double others = foreign[i] - model.stiffness[i] * state.q()[i] -
+                          model.damping[i] * state.v()[i] + d->qfrc_actuator[dof];
+    d->qfrc_passive[dof] += mass[i] * (v[i] - state.v()[i]) / h - others;
+  }
+}
+
+}  // namespace rotorub::plugin
