@@ -37,9 +37,11 @@ std::unique_ptr<Engine> engine_of(const Options& options, const scene::Scene& sc
           fmt::format("--contact {} belongs to --engine mujoco; the native engine accepts: rigid",
                       options.contact));
     }
-    const auto asked = options.integrator == "event"   ? scene::Integrator::kEvent
-                       : options.integrator == "paper" ? scene::Integrator::kPaper
-                                                       : scene.run.integrator;
+    const auto asked = options.integrator == "event"     ? scene::Integrator::kEvent
+                       : options.integrator == "paper"   ? scene::Integrator::kPaper
+                       : options.integrator == "verlet"  ? scene::Integrator::kVerlet
+                       : options.integrator == "literal" ? scene::Integrator::kLiteral
+                                                         : scene.run.integrator;
     return native_engine(asked);
   }
   if (!options.integrator.empty()) {
@@ -108,8 +110,8 @@ Command add_run_command(CLI::App& program) {
   app->add_option("--engine", options->engine, "native or mujoco")
       ->check(CLI::IsMember({"native", "mujoco"}))
       ->capture_default_str();
-  app->add_option("--integrator", options->integrator, "Of the native engine: event or paper")
-      ->check(CLI::IsMember({"event", "paper"}));
+  app->add_option("--integrator", options->integrator, "Of the native engine: event, verlet, paper or literal")
+      ->check(CLI::IsMember({"event", "verlet", "paper", "literal"}));
   app->add_option("--contact", options->contact, "In MuJoCo: rigid, coulomb or cone")
       ->check(CLI::IsMember({"rigid", "coulomb", "cone"}));
   add_run_options(*app, *options);

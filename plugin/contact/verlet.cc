@@ -41,6 +41,7 @@ struct Worker {
         hold(model),
         memory(VerletStepper::memory_size(plant)) {}
 
+  std::size_t slot() const { return memory + ZeroOrderHold::kMemory + 1; }
   void load(const double* slot) {
     stepper.restore(slot);
     hold.restore(slot + memory);
@@ -96,7 +97,7 @@ bool remembers(const Config& config, const double* slot, const Coordinates& stat
 double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, double* entry,
                      Worker& worker, const Coordinates& state) {
   const double h = m->opt.timestep;
-  const std::size_t size = slot_size(worker.plant);
+  const std::size_t size = worker.slot();
   double* before = entry + kVerletSingle + config.model.nq();
   double* after = before + size;
   const bool same_step = entry[kVerletBegun] != 0.0 && entry[kVerletStep] == h;
@@ -200,7 +201,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   if (r.status != Status::kOk) return;
   worker.stepper.last_velocity(entry + kVerletSingle);
   ++worker.next;
-  worker.save(entry + kVerletSingle + n + slot_size(worker.plant));
+  worker.save(entry + kVerletSingle + n + worker.slot());
 
   // The passive force that makes it MuJoCo's step.
   step_mass(config, m, mass);

@@ -67,6 +67,33 @@ void expect_same_bits(const std::function<Model(int)>& make, std::int64_t steps 
   }
   const std::vector<EnsembleRun> runs = Ensemble(models, step).run(steps);
   ASSERT_EQ(runs.size(), models.size());
+  // Every instruction set that the machine has, and verlet beside: the same bits.
+  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+    std::vector<EnsembleRun> least;
+    for (const auto set :
+         {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
+      if (set > best_instruction_set()) continue;
+      const std::vector<EnsembleRun> all = Ensemble(models, step, integrator, set).run(steps);
+      if (least.empty()) least = all;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        ASSERT_EQ(all[i].status, least[i].status) << i;
+        ASSERT_EQ(all[i].q, least[i].q) << "run " << i << ", set " << static_cast<int>(set);
+        ASSERT_EQ(all[i].v, least[i].v) << "run " << i << ", set " << static_cast<int>(set);
+        ASSERT_EQ(all[i].impulse_total, least[i].impulse_total) << i;
+      }
+      if (integrator != scene::Integrator::kVerlet || models[0].controller) continue;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        VerletStepper stepper(models[i], step);
+        Status status = Status::kOk;
+        for (std::int64_t k = 0; k < steps && status == Status::kOk; ++k) {
+          status = stepper.step(k).status;
+        }
+        ASSERT_EQ(all[i].status, status) << i;
+        const std::vector<double> q(stepper.q(), stepper.q() + models[i].nq());
+        ASSERT_EQ(all[i].q, q) << "verlet alone, run " << i;
+      }
+    }
+  }
   int touched = 0;
   for (int i = 0; i < kRuns; ++i) {
     SCOPED_TRACE(i);
