@@ -21,7 +21,7 @@
 namespace rotorub {
 namespace {
 
-struct Options : CommonOptions {
+struct CompareArguments : CommonOptions {
   std::vector<std::string> scenes;
   std::string mode = "lockstep", tolerance = "1%", folder = "runs/compare";
   bool no_video = false;
@@ -46,7 +46,7 @@ void check_mode(const std::string& mode) {
 }
 
 // All scenes, or one SceneError with everything that is wrong in any of them.
-std::vector<scene::Scene> read_scenes(const Options& options) {
+std::vector<scene::Scene> read_scenes(const CompareArguments& options) {
   std::vector<scene::Scene> scenes;
   std::vector<scene::Diagnostic> wrong;
   for (const std::string& file : options.scenes) {
@@ -69,7 +69,7 @@ std::vector<scene::Scene> read_scenes(const Options& options) {
 }
 
 // The pages' scenes, filmed or not: films are worth having, but no reason to lose the figures.
-std::vector<PageScene> pages_of(const Options& options,
+std::vector<PageScene> pages_of(const CompareArguments& options,
                                 const std::vector<SceneComparison>& comparisons,
                                 const std::function<void(double)>& progress) {
   std::vector<PageScene> pages;
@@ -101,7 +101,7 @@ int exit_code(const std::vector<SceneComparison>& comparisons) {
 
 // Runs and compares the scenes one by one, writes and prints each. An interrupted one is kept on
 // disk, but is no comparison.
-std::vector<SceneComparison> compare_all(const Options& options, double tolerance,
+std::vector<SceneComparison> compare_all(const CompareArguments& options, double tolerance,
                                          const std::vector<scene::Scene>& scenes,
                                          ProgressBar& bar) {
   std::vector<SceneComparison> comparisons;
@@ -127,7 +127,7 @@ std::vector<SceneComparison> compare_all(const Options& options, double toleranc
   return comparisons;
 }
 
-int compare(const Options& options) {
+int compare(const CompareArguments& options) {
   check_mode(options.mode);
   const double tolerance = tolerance_of(options.tolerance);
   const auto scenes = read_scenes(options);
@@ -151,7 +151,7 @@ int compare(const Options& options) {
 }  // namespace
 
 Command add_compare_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareArguments>();
   CLI::App* app = program.add_subcommand(
       "compare", "Run scenes in MuJoCo and in the native model and say how far apart they are");
   app->add_option("SCENE", options->scenes, "Scene files (.toml)")->required();

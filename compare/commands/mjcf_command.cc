@@ -16,11 +16,11 @@
 namespace rotorub {
 namespace {
 
-struct Options : CommonOptions {
+struct MjcfArguments : CommonOptions {
   std::string scene, file;
 };
 
-int write_mjcf(const Options& options) {
+int write_mjcf(const MjcfArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const std::string xml = mjcf(scene);
   if (options.file.empty()) {
@@ -45,7 +45,7 @@ int write_mjcf(const Options& options) {
 }  // namespace
 
 Command add_mjcf_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MjcfArguments>();
   CLI::App* app = program.add_subcommand("mjcf", "Write a scene as MuJoCo's XML");
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
   app->add_option("-o,--output", options->file, "File (default: standard output)")

@@ -21,7 +21,7 @@
 namespace rotorub {
 namespace {
 
-struct Options : CommonOptions {
+struct ModesArguments : CommonOptions {
   std::string scene, up_to, output;
   std::vector<std::string> speeds;
 };
@@ -33,7 +33,7 @@ double speed_of(const char* option, const std::string& text) {
 }
 
 // Empty: not given.
-std::optional<double> range_of(const Options& options) {
+std::optional<double> range_of(const ModesArguments& options) {
   if (options.up_to.empty()) return std::nullopt;
   const double range = speed_of("--up-to", options.up_to);
   if (!(range > 0.0)) {
@@ -49,8 +49,8 @@ std::filesystem::path page_file(const std::string& output) {
   return path.extension() == ".html" ? path : path / "modes.html";
 }
 
-void write_page(const Options& options, const scene::Scene& scene, const RotorAnalysis& analysis,
-                std::optional<double> asked_range) {
+void write_page(const ModesArguments& options, const scene::Scene& scene,
+                const RotorAnalysis& analysis, std::optional<double> asked_range) {
   const double range = asked_range.value_or(campbell_range(scene, analysis));
   ProgressBar bar(options.quiet);
   const auto branches = whirl_branches(condensed(analysis.system, range, kCampbellAccuracy),
@@ -64,7 +64,7 @@ void write_page(const Options& options, const scene::Scene& scene, const RotorAn
   write_whole(file, modes_page(scene, analysis, range, branches));
 }
 
-int modes(const Options& options) {
+int modes(const ModesArguments& options) {
   std::vector<double> speeds;
   for (const std::string& text : options.speeds) speeds.push_back(speed_of("--speed", text));
   const std::optional<double> range = range_of(options);
@@ -86,7 +86,7 @@ int modes(const Options& options) {
 }  // namespace
 
 Command add_modes_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ModesArguments>();
   CLI::App* app =
       program.add_subcommand("modes", "Whirl frequencies, critical speeds and mode shapes");
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();

@@ -22,14 +22,14 @@
 namespace rotorub {
 namespace {
 
-struct Options : CommonOptions {
+struct RenderArguments : CommonOptions {
   std::string source, file;
 };
 
 // Rows close enough for smooth pictures and for every touch to be seen.
 constexpr std::size_t kFilmRows = 50000;
 
-StoredRun run_for_film(const Options& options, ProgressBar& bar) {
+StoredRun run_for_film(const RenderArguments& options, ProgressBar& bar) {
   StoredRun run;
   run.scene = read_scene(options.source, options);
   RunRequest request;
@@ -40,7 +40,7 @@ StoredRun run_for_film(const Options& options, ProgressBar& bar) {
   return run;
 }
 
-StoredRun stored(const Options& options) {
+StoredRun stored(const RenderArguments& options) {
   if (!options.overrides.empty() || !options.step.empty() || !options.end.empty()) {
     throw UsageError(fmt::format("{} is the folder of a run: --set, --step and --end change scenes",
                                  options.source));
@@ -48,7 +48,7 @@ StoredRun stored(const Options& options) {
   return read_run(options.source);
 }
 
-int render_film(const Options& options) {
+int render_film(const RenderArguments& options) {
   ProgressBar bar(options.quiet);
   const bool is_run = std::filesystem::is_directory(options.source);
   const StoredRun run = is_run ? stored(options) : run_for_film(options, bar);
@@ -93,7 +93,7 @@ int render_film(const Options& options) {
 }  // namespace
 
 Command add_render_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderArguments>();
   CLI::App* app =
       program.add_subcommand("render", "Film a scene (native engine), or a run's folder");
   app->add_option("SCENE|RUN_DIR", options->source, "Scene file (.toml), or folder of a run")

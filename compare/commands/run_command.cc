@@ -21,7 +21,7 @@
 namespace rotorub {
 namespace {
 
-struct Options : CommonOptions {
+struct RunArguments : CommonOptions {
   std::string scene, engine = "native", integrator, contact, folder;
 };
 
@@ -30,7 +30,7 @@ scene::ContactModel contact_of(const std::string& name) {
   return name == "cone" ? scene::ContactModel::kCone : scene::ContactModel::kCoulomb;
 }
 
-std::unique_ptr<Engine> engine_of(const Options& options, const scene::Scene& scene) {
+std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scene& scene) {
   if (options.engine == "native") {
     if (!options.contact.empty() && options.contact != "rigid") {
       throw UsageError(
@@ -73,7 +73,7 @@ void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene
   say_failure(scene, "shadow: ", trajectory);
 }
 
-int run(const Options& options) {
+int run(const RunArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const auto engine = engine_of(options, scene);
   const std::filesystem::path folder =
@@ -104,7 +104,7 @@ int run(const Options& options) {
 }  // namespace
 
 Command add_run_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunArguments>();
   CLI::App* app = program.add_subcommand("run", "Run one scene and write its series");
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
   app->add_option("--engine", options->engine, "native or mujoco")
