@@ -9,6 +9,7 @@
 #include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/scene/reader.h"
+#include "native_model/system/model_checks.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/own/own_config.h"
 
@@ -271,6 +272,11 @@ Config make_config(const mjModel* m) {
   }
   if (scene.contact) {
     config.contact = contact_model(m, scene.mujoco.contact);
+    try {
+      if (config.contact == scene::ContactModel::kRigid) refuse_finite_impacts(scene);
+    } catch (const scene::SceneError& error) {
+      throw ConfigError(in_text(names::kSceneText, error.what()));
+    }
     map_contact(m, config);
   }
   map_actuators(m, config);

@@ -13,6 +13,7 @@
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/model_checks.h"
 #include "native_model/system/run_size.h"
 #include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"
@@ -283,6 +284,7 @@ class Record {
 
 Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const scene::Scene scene = with_options(given, options);
+  if (scene.mujoco.contact == scene::ContactModel::kRigid) refuse_finite_impacts(scene);
   const double step = scene.run.step;
   check_steps(scene, step);
   const MujocoMessages messages;

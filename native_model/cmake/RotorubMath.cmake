@@ -34,5 +34,5 @@ function(rotorub_own_math target)
   set_source_files_properties("${folder}/own_math.o" PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
   target_sources(${target} PRIVATE "${folder}/own_math.o")
   # A program that showed them would hand them to every library that it loads.
-  target_link_options(${target} INTERFACE "LINKER:--exclude-libs,$<TARGET_FILE_NAME:${target}>")
+  target_link_options(${target} INTERFACE "LINKER:--exclude-libs,${CMAKE_STATIC_LIBRARY_PREFIX}${target}${CMAKE_STATIC_LIBRARY_SUFFIX}")
 endfunction()

@@ -35,19 +35,6 @@ Trajectory run_event(const Model& model, const scene::Run& run, const NativeOpti
   return out;
 }
 
-// Fixed steps solve an impact in no time.
-void refuse_finite_impacts(const scene::Scene& scene) {
-  if (!scene.contact) return;
-  const auto check = [&](const char* key, double time) {
-    if (time <= 0.0) return;
-    refuse(scene, {{"", 0, key,
-                    "an impact that takes time needs the integrator event; accepted with a fixed "
-                    "step: 0"}});
-  };
-  check("contact.compression_time", scene.contact->compression_time);
-  check("contact.expansion_time", scene.contact->expansion_time);
-}
-
 }  // namespace
 
 Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {

@@ -125,4 +125,16 @@ void check_initial_ring(const scene::Scene& scene) {
                       text(scene.actuator->air_gap) + " m"}});
 }
 
+void refuse_finite_impacts(const scene::Scene& scene) {
+  if (!scene.contact) return;
+  const auto check = [&](const char* key, double time) {
+    if (time <= 0.0) return;
+    refuse(scene, {{"", 0, key,
+                    "an impact that takes time needs the integrator event; accepted with a fixed "
+                    "step, and for rigid in MuJoCo: 0"}});
+  };
+  check("contact.compression_time", scene.contact->compression_time);
+  check("contact.expansion_time", scene.contact->expansion_time);
+}
+
 }  // namespace rotorub

@@ -37,11 +37,12 @@ void event_run(benchmark::State& state, const Model& model, double end) {
 }
 
 // Steps of 0.1 s from the start, over and over; the set-up is not timed.
-void paper_steps(benchmark::State& state, const Model& model) {
+template <class Stepper>
+void fixed_steps(benchmark::State& state, const Model& model) {
   const std::int64_t steps = std::lround(0.1 / kStep);
   for (auto _ : state) {
     state.PauseTiming();
-    PaperStepper stepper(model, kStep);
+    Stepper stepper(model, kStep);
     state.ResumeTiming();
     for (std::int64_t k = 0; k < steps; ++k) {
       if (stepper.step(k).status != Status::kOk) state.SkipWithError("status");
@@ -51,14 +52,15 @@ void paper_steps(benchmark::State& state, const Model& model) {
   state.counters["per_step"] = per(state.iterations() * steps);
 }
 
-void ensemble_steps(benchmark::State& state, const Model& model) {
+void ensemble_steps(benchmark::State& state, const Model& model, scene::Integrator integrator,
+                    InstructionSet set) {
   constexpr std::size_t kRuns = 64;
   const std::int64_t steps = std::lround(0.1 / kStep);
   std::vector<Model> models(kRuns, model);
   for (std::size_t i = 0; i < kRuns; ++i) {
     if (models[i].contact) models[i].contact->friction *= 1.0 + 0.01 * static_cast<double>(i);
   }
-  Ensemble ensemble(models, kStep);
+  Ensemble ensemble(models, kStep, integrator, set);
   for (auto _ : state) benchmark::DoNotOptimize(ensemble.run(steps));
   state.counters["per_run_and_step"] =
       per(state.iterations() * steps * static_cast<std::int64_t>(kRuns));
@@ -80,20 +82,31 @@ void register_all() {
     scene::Scene scene = bench::shipped(name);
     if (name.starts_with("paper")) scene.forces[0].on = 0.0;  // contact within 0.1 s
     const Model model = make_model(scene);
-    add("paper/" + name, [=](benchmark::State& s) { paper_steps(s, model); });
+    add("paper/" + name, [=](benchmark::State& s) { fixed_steps<PaperStepper>(s, model); });
+    add("verlet/" + name, [=](benchmark::State& s) { fixed_steps<VerletStepper>(s, model); });
     if (name == "paper_sliding") continue;  // as paper_passive, without its controller
-    add("ensemble/" + name, [=](benchmark::State& s) { ensemble_steps(s, model); });
+    const char* sets[] = {"least", "avx2", "avx512"};
+    for (const auto set :
+         {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
+      if (set > best_instruction_set()) continue;
+      for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+        const std::string scheme = integrator == scene::Integrator::kPaper ? "paper" : "verlet";
+        add("ensemble/" + scheme + "/" + sets[static_cast<int>(set)] + "/" + name,
+            [=](benchmark::State& s) { ensemble_steps(s, model, integrator, set); });
+      }
+    }
   }
   for (const bench::Part& part : bench::parts()) {
     const Model model = part.make();
     add(std::string("parts/paper/") + part.name,
-        [=](benchmark::State& s) { paper_steps(s, model); });
+        [=](benchmark::State& s) { fixed_steps<PaperStepper>(s, model); });
     add(std::string("parts/event/") + part.name,
         [=](benchmark::State& s) { event_run(s, model, 0.1); });
   }
   for (const int n : {2, 4, 8, 16, 32, 64}) {
     const Model model = make_model(bench::with_modes(n));
-    add("modes/paper/" + std::to_string(n), [=](benchmark::State& s) { paper_steps(s, model); });
+    add("modes/paper/" + std::to_string(n),
+        [=](benchmark::State& s) { fixed_steps<PaperStepper>(s, model); });
     add("modes/event/" + std::to_string(n), [=](benchmark::State& s) { event_run(s, model, 0.1); });
   }
 }

@@ -146,18 +146,18 @@ void expect_order(const std::vector<Pair>& pairs, Integrator integrator, double 
   EXPECT_FALSE(table.short_of_order) << "least order " << least << '\n' << table.text;
 }
 
-class HardPairs : public ::testing::TestWithParam<std::string> {};
+class LongPairs : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(HardPairs, PaperIsOfFirstOrder) {
+TEST_P(LongPairs, PaperIsOfFirstOrder) {
   expect_order(test::pairs_from(GetParam()), Integrator::kPaper, kPaperOrder);
 }
 
-TEST_P(HardPairs, VerletIsOfSecondOrder) {
+TEST_P(LongPairs, VerletIsOfSecondOrder) {
   expect_order(test::pairs_from(GetParam()), Integrator::kVerlet, kVerletOrder);
 }
 
 // The ensemble is `paper` run by run, whatever the parts: what converges there converges here.
-TEST_P(HardPairs, EnsembleIsPaper) {
+TEST_P(LongPairs, EnsembleIsPaper) {
   constexpr double kRounding = 1e-15;  // m: rows are interpolated, also at the end of a step
   for (const Pair& pair : test::pairs_from(GetParam())) {
     const scene::Scene scene = pair.scene();
@@ -177,7 +177,7 @@ TEST_P(HardPairs, EnsembleIsPaper) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(From, HardPairs, ::testing::ValuesIn(test::part_names()),
+INSTANTIATE_TEST_SUITE_P(From, LongPairs, ::testing::ValuesIn(test::part_names()),
                          [](const auto& part) { return part.param; });
 
 // ---------------------------------------------------------------- three parts
@@ -227,11 +227,11 @@ void expect_both_orders(const scene::Scene& scene) {
   EXPECT_FALSE(verlet.short_of_order) << verlet.text;
 }
 
-TEST(HardTriple, GyroscopicsUnbalanceAndFreeSpin) {
+TEST(LongTriple, GyroscopicsUnbalanceAndFreeSpin) {
   expect_both_orders(scene::parse_scene(kUnbalancedGyroscope, "triple.toml"));
 }
 
-TEST(HardTriple, GyroscopicsUnbalanceAndFreeSpinInTheRing) {
+TEST(LongTriple, GyroscopicsUnbalanceAndFreeSpinInTheRing) {
   scene::Scene scene = scene::parse_scene(kUnbalancedGyroscope, "triple.toml");
   scene.contact = scene::Contact{};
   scene.contact->station = 0.24;
@@ -262,21 +262,21 @@ std::vector<Pair> coupled(const std::string& drive) {
   return out;
 }
 
-TEST(HardTriple, UnbalanceOnAFreeSpinByPaper) {
+TEST(LongTriple, UnbalanceOnAFreeSpinByPaper) {
   expect_order(coupled("free_spin"), Integrator::kPaper, kPaperOrder);
 }
-TEST(HardTriple, UnbalanceOnAFreeSpinByVerlet) {
+TEST(LongTriple, UnbalanceOnAFreeSpinByVerlet) {
   expect_order(coupled("free_spin"), Integrator::kVerlet, kVerletOrder);
 }
-TEST(HardTriple, UnbalanceOnAMotorByPaper) {
+TEST(LongTriple, UnbalanceOnAMotorByPaper) {
   expect_order(coupled("kloss_drive"), Integrator::kPaper, kPaperOrder);
 }
-TEST(HardTriple, UnbalanceOnAMotorByVerlet) {
+TEST(LongTriple, UnbalanceOnAMotorByVerlet) {
   expect_order(coupled("kloss_drive"), Integrator::kVerlet, kVerletOrder);
 }
 
 // ---------------------------------------------------------------- what a contact can do
-class HardFeature : public ::testing::TestWithParam<std::string> {
+class LongFeature : public ::testing::TestWithParam<std::string> {
  protected:
   static test::ContactFeature feature() {
     for (const test::ContactFeature& f : test::contact_features()) {
@@ -308,8 +308,8 @@ class HardFeature : public ::testing::TestWithParam<std::string> {
   }
 };
 
-TEST_P(HardFeature, PaperIsOfFirstOrder) { expect_order(Integrator::kPaper, kPaperOrder); }
-TEST_P(HardFeature, VerletIsOfSecondOrder) {
+TEST_P(LongFeature, PaperIsOfFirstOrder) { expect_order(Integrator::kPaper, kPaperOrder); }
+TEST_P(LongFeature, VerletIsOfSecondOrder) {
   // The force jumps within the step of a reversal, which is found to the share of a step.
   expect_order(Integrator::kVerlet, std::string(GetParam()) == "reversal" ? 1.5 : kVerletOrder);
 }
@@ -320,7 +320,7 @@ std::vector<std::string> feature_names() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, HardFeature, ::testing::ValuesIn(feature_names()),
+INSTANTIATE_TEST_SUITE_P(Of, LongFeature, ::testing::ValuesIn(feature_names()),
                          [](const auto& feature) { return feature.param; });
 
 }  // namespace
