@@ -221,7 +221,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
   const auto command = [&](std::int64_t k) -> Eigen::Vector2d {
     const double t = run.time(k), end = t + 0.5 * step;
     if (!hold.listens(end)) return hold.held();
-    stepper.velocity_now(k, v.data());
+    stepper.velocity_now(k, hold.held(), v.data());
     for (std::size_t i = 0; k > 0 && i < nq; ++i) a[i] = 2.0 / step * (v[i] - stepper.v_half()[i]);
     return hold.mean(k == 0 ? t : t - 0.5 * step, t, end, stepper.q(), v.data(), a.data());
   };

@@ -29,6 +29,11 @@ class LaneCommands {
     constexpr bool kLate = requires { velocities_now(kernel, k, v_.data()); };
     const bool listens = std::any_of(holds_.begin(), holds_.end(),
                                      [&](const ZeroOrderHold& h) { return h.listens(end); });
+    for (int lane = 0; lane < Kernel::kLanes; ++lane) {
+      const Eigen::Vector2d& held = holds_[static_cast<std::size_t>(lane)].held();
+      lanes::set(kernel.command_x, lane, held.x());
+      lanes::set(kernel.command_y, lane, held.y());
+    }
     if (!listens) return;
     if constexpr (kLate) velocities_now(kernel, k, v_.data());
     const int nq = static_cast<int>(v_.size());

@@ -39,8 +39,7 @@ struct LaneTotals {
                                                                     const Eigen::Vector2d&); \
   template_ void StepKernel<LaneModel<lanes::Lane<W>>>::magnet_force(const T*, const T*, T*) const; \
   template_ void PaperLanes<W>::forget_impacts();                                                 \
-  template_ bool PaperLanes<W>::rebound(int, std::int64_t);                                       \
-  template_ void PaperLanes<W>::record_closing(int, std::int64_t);                                \
+  template_ void PaperLanes<W>::collide(int, std::int64_t);                                       \
   template_ void VerletLanes<W>::forget_impacts();                                                \
   template_ void VerletLanes<W>::collide(int, std::int64_t)
 

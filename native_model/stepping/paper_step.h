@@ -82,13 +82,13 @@ class PaperKernel : public StepKernel<M> {
     impacted_ = false;
   }
 
-  // A middle outside the ring (a flight of more than the clearance within half a step) goes back to
-  // the circle, by the least change in the norm of A. Left to lasting contact, the depth would come
+  // A middle well outside the ring (a flight of more than the clearance within half a step) goes back
+  // to the circle, by the least change in the norm of A. Left to lasting contact, the depth would come
   // back as speed.
   ROTORUB_INLINE void back_to_circle() {
     const Centre d = equations::relative(*this->m_, middle_.data());
     const T square = d.x * d.x + d.y * d.y, c = this->contact.clearance;
-    const Mask outside = square > c * c * lanes::all<T>(1.0 + 1e-9);
+    const Mask outside = square > c * c * lanes::all<T>(1.02);
     if (!lanes::any(outside)) return;
     if (this->coupled_) this->respond();
     const T one = lanes::all<T>(1.0);
@@ -112,31 +112,12 @@ class PaperKernel : public StepKernel<M> {
     this->slip_sign = this->in_contact * this->slip_sign;
     if (!lanes::any(outside > zero)) return;
 
-    T rebounds{};
+    const Mask rests = (outside > zero) & (lasted > zero);
+    if (lanes::any(rests)) this->lasting_contact(rests, middle_.data(), d);
     const Mask fresh = (outside > zero) & (lasted == zero);
-    if (lanes::any(fresh)) {
-      for (int lane = 0; lane < kLanes; ++lane) {
-        if (lanes::get(fresh, lane) && rebound(lane, k)) lanes::set(rebounds, lane, 1.0);
-      }
-    }
-    const Mask rests = (outside > zero) & (rebounds == zero);
-    if (!lanes::any(rests)) return;
-    // What the lanes that rebound have got is kept: lasting contact starts from free_.
-    T kept_normal = this->normal_impulse, kept_friction = this->friction_impulse;
-    if (lanes::any(rebounds > zero)) {
-      for (std::size_t i = 0; i < this->after_.size(); ++i) rebounded_[i] = this->after_[i];
-    }
-    this->lasting_contact(rests, middle_.data(), d);
-    if (lanes::any(rebounds > zero)) {
-      for (std::size_t i = 0; i < this->after_.size(); ++i) {
-        this->after_[i] = lanes::select(rebounds > zero, rebounded_[i], this->after_[i]);
-      }
-      this->normal_impulse = lanes::select(rebounds > zero, kept_normal, this->normal_impulse);
-      this->friction_impulse = lanes::select(rebounds > zero, kept_friction, this->friction_impulse);
-    }
     if (!lanes::any(fresh)) return;
     for (int lane = 0; lane < kLanes; ++lane) {
-      if (lanes::get(fresh, lane) && lanes::get(rests, lane)) record_closing(lane, k);
+      if (lanes::get(fresh, lane)) collide(lane, k);
     }
   }
 
@@ -148,9 +129,10 @@ class PaperKernel : public StepKernel<M> {
     return (d + std::min(1.0, circle_exit(d, path, clearance)) * path).normalized();
   }
 
-  // Poisson's law in one lane where the contact closes and the rebound lasts: loads and the ring's
-  // curvature do not undo it within the step, -gddot_N h = e_r . (ddot+ - ddot) + h v_t^2 / delta.
-  ROTORUB_SLOW bool rebound(int lane, std::int64_t k) {
+  // Poisson's law in one lane where the contact closes. A rebound that loads and the ring's curvature
+  // undo within the step, -gddot_N h = e_r . (ddot+ - ddot) + h v_t^2 / delta, has restitution 0: the
+  // middle closes the gap, by the least change in the norm of M, and contact lasts.
+  ROTORUB_SLOW void collide(int lane, std::int64_t k) {
     const Model& m = lane_model(*this->m_, lane);
     const ContactParameters& c = *m.contact;
     double q[kMaxCoordinates], change[kMaxCoordinates];
@@ -159,21 +141,29 @@ class PaperKernel : public StepKernel<M> {
     const Eigen::Vector3d free = this->lane_rates(this->free_.data(), lane);
     const Eigen::Vector3d start = this->lane_rates(this->start_.data(), lane);
     const Eigen::Vector2d e_r = normal(d, free.head<2>(), c.clearance);
+    const double turn = e_r.x() * free.y() - e_r.y() * free.x();
+    const double gained = e_r.dot((free - start).head<2>()) + this->h_ * turn * turn / c.clearance;
+    const bool stays = c.restitution * e_r.dot(free.head<2>()) <= gained;
     const double closing = e_r.dot(free.head<2>());
-    const double whirl = e_r.x() * free.y() - e_r.y() * free.x();
-    const double gained =
-        e_r.dot((free - start).head<2>()) + this->h_ * whirl * whirl / c.clearance;
-    if (!(closing > 0.0) || c.restitution * closing <= gained) return false;
-
+    if (!(closing > 0.0)) return;
     const double t = this->origin + (static_cast<double>(k) + 0.5) * this->h_;
-    const double slip = whirl + c.radius * free.z();
-    const ImpactResult r = solve_impact(delassus(contact_admittance(m, t, q), e_r, c.radius),
-                                        -closing, slip,
-                                        {c.friction, c.restitution, c.tangential_restitution});
+    const Delassus g = delassus(contact_admittance(m, t, q), e_r, c.radius);
+    if (stays) {
+      std::fill_n(change, m.nq(), 0.0);
+      add_contact_load(m, contact_load(e_r, 0.0, -(c.clearance - e_r.dot(d)) / g.nn, 0.0), change);
+      solve_mass(m, t, q, change, change);
+      for (int i = 0; i < m.nq(); ++i) {
+        lanes::set(middle_[static_cast<std::size_t>(i)], lane, q[i] + change[i]);
+      }
+      lanes::set(this->in_contact, lane, 1.0);
+    }
+    const double slip = e_r.x() * free.y() - e_r.y() * free.x() + c.radius * free.z();
+    ImpactLaw law{c.friction, c.restitution, c.tangential_restitution};
+    if (stays) law.restitution = law.tangential_restitution = 0.0;
+    const ImpactResult r = solve_impact(g, -closing, slip, law);
     if (r.status != ImpactStatus::kOk) {
-      this->fail(lane, r.status == ImpactStatus::kNoSolution ? Status::kNoSolution
-                                                             : Status::kAmbiguous);
-      return true;
+      return this->fail(lane, r.status == ImpactStatus::kNoSolution ? Status::kNoSolution
+                                                                    : Status::kAmbiguous);
     }
     std::fill_n(change, m.nq(), 0.0);
     add_contact_load(m, contact_load(e_r, c.radius, r.normal(), r.friction()), change);
@@ -185,25 +175,6 @@ class PaperKernel : public StepKernel<M> {
     lanes::set(this->normal_impulse, lane, r.normal());
     lanes::set(this->friction_impulse, lane, r.friction());
     note(lane, k, d, free, {0.0, r.normal(), r.friction(), -closing, r.gap_rate, slip, r.slip, 0.0});
-    return true;
-  }
-
-  // An impact without rebound: lasting contact has taken it, over the step.
-  ROTORUB_SLOW void record_closing(int lane, std::int64_t k) {
-    const Model& m = lane_model(*this->m_, lane);
-    const ContactParameters& c = *m.contact;
-    double q[kMaxCoordinates];
-    this->read_lane(middle_.data(), lane, q);
-    const Eigen::Vector2d d = rotor_point(m, q) - stator_point(m, q), e_r = this->normal_of(lane);
-    const Eigen::Vector3d free = this->lane_rates(this->free_.data(), lane);
-    const Eigen::Vector3d after = this->lane_rates(this->after_.data(), lane);
-    const auto slip = [&](const Eigen::Vector3d& v) {
-      return e_r.x() * v.y() - e_r.y() * v.x() + c.radius * v.z();
-    };
-    if (!(lanes::get(this->normal_impulse, lane) > 0.0)) return;
-    note(lane, k, d, free,
-         {0.0, lanes::get(this->normal_impulse, lane), lanes::get(this->friction_impulse, lane),
-          -e_r.dot(free.head<2>()), -e_r.dot(after.head<2>()), slip(free), slip(after), 0.0});
   }
 
   void note(int lane, std::int64_t k, const Eigen::Vector2d& d, const Eigen::Vector3d& free,
@@ -218,7 +189,7 @@ class PaperKernel : public StepKernel<M> {
     impacted_ = true;
   }
 
-  lanes::Array<T> middle_, rebounded_ = middle_;
+  lanes::Array<T> middle_;
   bool impacted_ = false;
 };
 

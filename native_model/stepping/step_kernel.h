@@ -374,10 +374,6 @@ class StepKernel {
   lanes::Array<T> q_, v_, start_, free_, after_;
   Admittance admittance_{};
 
-  Eigen::Vector2d normal_of(int lane) const {
-    return {lanes::get(normal_x_, lane), lanes::get(normal_y_, lane)};
-  }
-
  private:
   static constexpr int kMostRounds = 20;
 

@@ -83,7 +83,11 @@ const double* PaperStepper::v() const { return kernel_->v(); }
 void VerletStepper::adopt(const double* q, const double* v) { kernel_->adopt(q, v); }
 void VerletStepper::apply(const double* loads) { kernel_->applied = loads; }
 const double* VerletStepper::v_half() const { return kernel_->v(); }
-void VerletStepper::velocity_now(std::int64_t k, double* v) { kernel_->velocity_now(k, v); }
+void VerletStepper::velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) {
+  kernel_->command_x = held.x();
+  kernel_->command_y = held.y();
+  kernel_->velocity_now(k, v);
+}
 const double* VerletStepper::last_q() const { return kernel_->last_q(); }
 void VerletStepper::last_velocity(double* v) const { kernel_->velocity_of_last(v); }
 double VerletStepper::last_kick() const { return kernel_->was_first() ? 0.5 : 1.0; }

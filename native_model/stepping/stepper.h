@@ -65,8 +65,9 @@ class VerletStepper {
 
   const double* q() const;       // of t_{k+1}
   const double* v_half() const;  // of t_{k+1/2}: what the next impact does to it is not in it
-  // Before step k: the velocities of t_k under the command and contact force of the step before.
-  void velocity_now(std::int64_t k, double* v);
+  // Before step k: the velocities of t_k under the command that holds and the contact force of the step
+  // before.
+  void velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v);
   // After step k: the state of t_k, velocities before an impact of the step.
   const double* last_q() const;
   void last_velocity(double* v) const;

@@ -91,8 +91,8 @@ class VerletKernel : public StepKernel<M> {
     }
   }
 
-  // The velocities of t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the command and the contact
-  // force of the step before. For controllers, which see them before there is a command.
+  // The velocities of t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the command as it stands and the
+  // contact force of the step before. For controllers, which see them before there is a command.
   ROTORUB_INLINE void velocity_now(std::int64_t k, T* now) {
     const int nq = this->layout_.nq();
     if (first_ > 0.0) {

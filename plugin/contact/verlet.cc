@@ -136,7 +136,9 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     const double end = t + 0.5 * h;
     if (worker.hold.listens(end)) {
       double v[kMaxCoordinates], a[kMaxCoordinates];
-      worker.stepper.velocity_now(worker.next, v);
+      const Eigen::Vector2d held_force =
+          model.magnets ? actuator_state(config, m, d).force : worker.hold.held();
+      worker.stepper.velocity_now(worker.next, held_force, v);
       const bool first = worker.next == 0;
       for (int i = 0; i < model.nq(); ++i) a[i] = first ? 0.0 : 2.0 / h * (v[i] - state.v()[i]);
       mean = worker.hold.mean(first ? t : t - 0.5 * h, t, end, state.q(), v, a);

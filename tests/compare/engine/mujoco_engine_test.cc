@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "native_model/scene/diagnostic.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -153,7 +154,7 @@ TEST(MujocoEngine, StepBeyondStabilityIsRefused) {
 TEST(MujocoEngine, RefusesWhatIsNotOffered) {
   scene::Scene scene = shipped("bench_ring");
   scene.mujoco.integrator = scene::MujocoIntegrator::kRk4;
-  EXPECT_THROW(run_mujoco(scene), std::invalid_argument);
+  EXPECT_THROW(run_mujoco(scene), scene::SceneError);
   scene = shipped("bench_ring");
   scene.text.clear();
   EXPECT_THROW(run_mujoco(scene), std::invalid_argument);

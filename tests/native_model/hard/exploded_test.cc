@@ -34,7 +34,7 @@ constexpr scene::Integrator kFixed[] = {scene::Integrator::kPaper, scene::Integr
 
 TEST(HardExploded, AnEmulatedSpringBeyondTheStepIsRefusedWithTheLimit) {
   const scene::Scene scene =
-      with("bench_ring", {"controller={kind='passive',stiffness=1e14}", "run.end=10ms"});
+      with("bench_ring", {"controller={kind=\"passive\",stiffness=1e14}", "run.end=10ms"});
   for (const scene::Integrator integrator : kFixed) {
     const Trajectory t = run(scene, integrator);
     EXPECT_EQ(t.status, Status::kStepTooLarge);
@@ -44,7 +44,7 @@ TEST(HardExploded, AnEmulatedSpringBeyondTheStepIsRefusedWithTheLimit) {
   }
   // 2 / sqrt((1e9 + 1e5) / 1 kg) = 63 us.
   const scene::Scene stiff =
-      with("bench_ring", {"controller={kind='passive',stiffness=1e9}", "run.end=10ms"});
+      with("bench_ring", {"controller={kind=\"passive\",stiffness=1e9}", "run.end=10ms"});
   EXPECT_EQ(run(stiff, scene::Integrator::kPaper, 1e-4).status, Status::kStepTooLarge);
   const Trajectory exact = test::run_event(stiff);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
@@ -93,7 +93,7 @@ TEST(HardExploded, AFlightThroughTheRingEndsOrIsHeld) {
 
 TEST(HardExploded, AnUnstableMagnetLeavesItsAirGap) {
   const scene::Scene scene = with(
-      "bench_ring", {"actuator={kind='electromagnet',force_constant=1e-4,bias_current=3.0,air_gap=1mm}",
+      "bench_ring", {R"(actuator={kind="electromagnet",force_constant=1e-4,bias_current=3.0,air_gap=1e-3})",
                      "stator.stiffness=1e3", "initial.stator=[1e-5,0]", "run.end=0.2"});
   for (const scene::Integrator integrator :
        {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
