@@ -9,7 +9,6 @@
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "plugin/contact/runge_kutta.h"
-#include "plugin/contact/smooth_force.h"
 #include "plugin/control.h"
 #include "plugin/passive.h"
 #include "plugin/user_data.h"
@@ -115,13 +114,23 @@ double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, do
   return before;
 }
 
-// What is on the chain beside the native loads and the actuators: f of MuJoCo and of others.
-void foreign_force(const Config& config, mjData* d, const Coordinates& state, double* f) {
+// What is on the chain beside the native loads and the actuators: f of MuJoCo and of others. It must
+// not hang on what ctrl was before the command, not even in its last bit.
+void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
+                   double* f) {
   const Model& model = config.model;
+  const mjtNum* bodies = d->xfrc_applied;
+  const bool pulled = std::any_of(bodies, bodies + 6 * m->nbody, [](mjtNum x) { return x != 0.0; });
+  if (pulled) {
+    if (m->nu > 0) mj_fwdActuation(m, d);
+    mj_fwdAcceleration(m, d);
+  }
   for (int i = 0; i < model.nq(); ++i) {
     const int dof = config.dof_address[static_cast<std::size_t>(i)];
-    f[i] = d->qfrc_smooth[dof] - d->qfrc_actuator[dof] + model.stiffness[i] * state.q()[i] +
-           model.damping[i] * state.v()[i];
+    const double own = model.stiffness[i] * state.q()[i] + model.damping[i] * state.v()[i];
+    f[i] = pulled ? d->qfrc_smooth[dof] - d->qfrc_actuator[dof]
+                  : d->qfrc_passive[dof] - d->qfrc_bias[dof] + d->qfrc_applied[dof];
+    f[i] += own;
   }
 }
 
@@ -193,8 +202,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   worker.stepper.adopt(state.q(), state.v());
 
   double foreign[kMaxCoordinates], mass[kMaxCoordinates];
-  update_smooth_force(m, d);
-  foreign_force(config, d, state, foreign);
+  foreign_force(config, m, d, state, foreign);
   worker.stepper.apply(foreign);
   const Eigen::Vector2d u = command(config, m, d, state, worker);
   const FixedStep r = worker.stepper.step(worker.next, u);
