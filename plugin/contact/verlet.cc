@@ -78,13 +78,14 @@ Worker& worker_for(const Config& config, double h) {
   return *made;
 }
 
-// Whether MuJoCo's state is the one remembered, to what its own arithmetic leaves of it.
+// Whether MuJoCo's state is the one remembered, to what its arithmetic and its links' small masses leave
+// of it. (What is remembered is never used in its place.)
 bool remembers(const Config& config, const double* slot, const Coordinates& state) {
   const int n = config.model.nq();
   const double* q = VerletStepper::saved_q(slot);
   const double clearance = config.model.contact->clearance;
   const auto near = [](double a, double b, double size) {
-    return std::abs(a - b) <= 1e-9 * (std::abs(b) + size);
+    return std::abs(a - b) <= 1e-6 * (std::abs(b) + size);
   };
   for (int i = 0; i < n; ++i) {
     if (!near(state.q()[i], q[i], clearance) || !near(state.v()[i], q[n + i], 1.0)) return false;
