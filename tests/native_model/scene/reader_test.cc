@@ -176,9 +176,9 @@ TEST(Reader, ReadsTheShippedScenes) {
   EXPECT_EQ(magnets.kind, ActuatorKind::kElectromagnet);
   EXPECT_NEAR(magnets.force_constant, 416.7e-6, 1e-15);
   EXPECT_EQ(magnets.air_gap, 5e-3);
-  // But for the controller the two are the same rig.
+  // But for the controller, and the step, the two are the same rig.
   const std::string& text = passive.text;
-  EXPECT_EQ(sliding.text.substr(sliding.text.find("[run]")).find(text.substr(text.find("[run]"))),
+  EXPECT_EQ(sliding.text.substr(sliding.text.find("[rotor]")).find(text.substr(text.find("[rotor]"))),
             0u);
 }
 
