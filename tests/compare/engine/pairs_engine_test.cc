@@ -41,7 +41,7 @@ Convergence converge(const scene::Scene& scene, const Trajectory& exact) {
   return c.above(kFloor);
 }
 
-// Where MuJoCo is short of order 2.
+// Where MuJoCo was measured short of order 2; the bounds are set from what was measured.
 double least_order(const Pair& pair) {
   const auto has = [&](const std::string& name) {
     return std::any_of(pair.parts.begin(), pair.parts.end(),
@@ -55,7 +55,7 @@ double least_order(const Pair& pair) {
   }
   // As natively (tests/native_model/hard/pairs_test.cc).
   if (has("continuous_sliding") && has("switched_load")) return 1.1;
-  // (Of the eleven steps one comes to another sequence of slow impacts.)
+  // (One of the eleven steps is off by a factor of 1000; the cause is not known.)
   if (has("continuous_sliding") && has("gravity")) return 0.5;
   if (has("anisotropic_rotor") && has("switched_load")) return 1.4;
   return kRigidOrder;

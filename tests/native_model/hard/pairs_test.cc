@@ -49,7 +49,8 @@ constexpr const char* kTakesTime = "an impact that takes time needs the integrat
 constexpr std::array<Refusal, 2> kRefused{{{Integrator::kPaper, "finite_impacts", kTakesTime},
                                            {Integrator::kVerlet, "finite_impacts", kTakesTime}}};
 
-// Where `verlet` is short of order 2 and by what.
+// Where `verlet` was measured short of order 2. The bounds are set from what was measured; causes named
+// are the likely ones, not shown.
 struct Kink {
   const char *one, *other;
   double order;
@@ -59,9 +60,9 @@ constexpr std::array<Kink, 4> kKinks{{
     {"magnets", "sampled_support", 1.4},
     // The law feeds the load forward: its command jumps with the load, within a step.
     {"continuous_sliding", "switched_load", 1.1},
-    // Impacts that the law makes slow come and go with the step.
+    // Errors scatter by a factor of 100 between neighbouring steps; the cause is not known.
     {"continuous_sliding", "gravity", 1.5},
-    // The impacts of the stiff plane scatter.
+    // Errors scatter; the cause is not known.
     {"anisotropic_rotor", "switched_load", 1.5},
 }};
 
