@@ -80,8 +80,7 @@ class FixedRun {
   }
 
   void add_impacts(const FixedStep& done) {
-    for (int i = 0; i < done.impacts.count; ++i) {
-      const Impact& impact = done.impacts.impact[static_cast<std::size_t>(i)];
+    for (const Impact& impact : done.impacts) {
       recorder_.add(impact);
       recorder_.add(Event{impact.t, EventKind::kImpact});
     }
@@ -119,15 +118,14 @@ class FixedRun {
   // An impact's impulse is no force of lasting contact.
   static Snapshot snapshot(double t, const double* q, const double* v, const FixedStep& done,
                            double kick) {
-    const double scale = done.impacts.count == 0 ? 1.0 / kick : 0.0;
+    const double scale = done.impacts.empty() ? 1.0 / kick : 0.0;
     return {t, q, v, scale * done.normal_impulse, scale * done.friction_impulse, done.mode, {}};
   }
 
   double friction_work(const FixedStep& done, const double* q, const double* v) const {
-    if (done.impacts.count == 0) return done.friction_impulse * contact_point(model_, q, v).slip;
+    if (done.impacts.empty()) return done.friction_impulse * contact_point(model_, q, v).slip;
     double work = 0.0;
-    for (int i = 0; i < done.impacts.count; ++i) {
-      const Impact& hit = done.impacts.impact[static_cast<std::size_t>(i)];
+    for (const Impact& hit : done.impacts) {
       work += 0.5 * hit.friction_impulse * (hit.slip_before + hit.slip_after);
     }
     return work;
@@ -190,7 +188,7 @@ Trajectory run_steps(const char* name, const Model& model, const scene::Run& sce
     }
     run.add_impacts(done);
     run.count(done, run.time(k), stepper.q(), stepper.v(), 1.0);
-    run.advance(run.time(k + 1), stepper.q(), stepper.v(), done, step, done.impacts.count > 0, u);
+    run.advance(run.time(k + 1), stepper.q(), stepper.v(), done, step, !done.impacts.empty(), u);
     run.tick(k);
   }
   return run.finish(name, k, run.time(k), seconds_since(start));
@@ -227,7 +225,8 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
   };
   const std::int64_t steps = run.steps();
   const auto start = Clock::now();
-  FixedStep hits;  // the last step, where it had impacts
+  FixedStep hits;    // the last step, where it had impacts
+  ImpactList kept;  // its impacts
   std::int64_t k = 0;
   for (; k <= steps && run.good(); ++k) {
     const double t = run.time(k);
@@ -239,7 +238,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
     }
     stepper.last_velocity(v.data());
     const FixedStep all = done;
-    if (done.impacts.count > 0) {
+    if (!done.impacts.empty()) {
       done = FixedStep{};
       done.external_work = all.external_work;
     }
@@ -249,14 +248,17 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
     const auto half = [&] { run.count(done, t, stepper.last_q(), v.data(), k == 0 ? 1.0 : 0.5); };
     if (k > 0) half();
     if (k > 0) {
-      const bool impact = hits.impacts.count > 0;
-      if (impact) run.count(hits, hits.impacts.impact[0].t, stepper.last_q(), v.data(), 1.0);
+      const bool impact = !hits.impacts.empty();
+      if (impact) run.count(hits, hits.impacts.front().t, stepper.last_q(), v.data(), 1.0);
       run.advance(t, stepper.last_q(), v.data(), done, kick, impact, hold.held());
     }
     if (k < steps) half();
     hits = all;
     hits.external_work = 0.0;
-    if (all.impacts.count > 0 && k < steps) run.add_impacts(all);
+    kept.count = 0;
+    for (const Impact& hit : all.impacts) kept.add(hit);
+    hits.impacts = kept.view();
+    if (!all.impacts.empty() && k < steps) run.add_impacts(all);
     run.tick(k);
   }
   const std::int64_t taken = std::min(k, steps);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -60,62 +61,89 @@ class LaneCommands {
   lanes::Array<T> v_;
 };
 
-// The runs of one group of lanes.
-template <class Kernel, int W>
-void run_group(const std::vector<const Model*>& group, double step, std::int64_t steps,
-               EnsembleRun* out, std::size_t wanted) {
-  using T = lanes::Lane<W>;
-  const LaneModel<T> model(group);
-  Kernel kernel(model, group, step);
-  kernel.load_initial_states();
-  constexpr bool kVerlet = std::is_same_v<Kernel, VerletLanes<W>>;
-  if constexpr (kVerlet) kernel.restart();
-  LaneTotals<W> totals;
-  if (group.front()->controller) {
-    LaneCommands<Kernel> commands(group, step);
-    for (std::int64_t k = 0; k < steps; ++k) {
-      commands.tell(kernel, k);
-      advance(kernel, totals, step, k, 1);
-    }
-  } else {
-    advance(kernel, totals, step, 0, steps);
+// The runs of one group of lanes, by a kernel of the model's size.
+template <class Kernel, class M, int W>
+struct LaneGroup {
+  static constexpr bool kVerlet = std::is_same_v<Kernel, VerletKernel<M>>;
+
+  LaneGroup(std::vector<const Model*> runs, double step)
+      : models(std::move(runs)), model(Lanes<W>(models)), work{Kernel(model, models, step), {}} {
+    work.kernel.load_initial_states();
+    if constexpr (kVerlet) work.kernel.restart();
   }
-  const auto nq = static_cast<std::size_t>(model.layout.nq());
-  lanes::Array<T> v(kernel.v(), kernel.v() + nq);
-  if constexpr (kVerlet) velocities_now(kernel, steps, v.data());
-  for (std::size_t lane = 0; lane < wanted; ++lane) {
-    const int l = static_cast<int>(lane);
-    EnsembleRun& r = out[lane];
-    r.status = step_refusal(*group[lane], step).empty() ? kernel.status[l] : Status::kStepTooLarge;
-    r.first_touch = totals.first_touch[l];
-    r.contact_steps = static_cast<std::int64_t>(totals.contact_steps[l]);
-    r.impacts = totals.impacts[l];
-    r.impulse_total = totals.impulse_total[l];
-    r.peak_impulse = totals.peak_impulse[l];
-    for (std::size_t i = 0; i < nq; ++i) {
-      r.q.push_back(kernel.q()[i][l]);
-      r.v.push_back(v[i][l]);
+
+  void report(double step, std::int64_t steps, std::span<EnsembleRun> out) {
+    const auto nq = static_cast<std::size_t>(model.layout.nq());
+    const Kernel& kernel = work.kernel;
+    lanes::Array<typename Kernel::T> v(kernel.v(), kernel.v() + nq);
+    if constexpr (kVerlet) velocities_now(work.kernel, steps, v.data());
+    for (std::size_t lane = 0; lane < out.size(); ++lane) {
+      const int l = static_cast<int>(lane);
+      EnsembleRun& r = out[lane];
+      r.status =
+          step_refusal(*models[lane], step).empty() ? kernel.status[l] : Status::kStepTooLarge;
+      r.first_touch = work.totals.first_touch[l];
+      r.contact_steps = static_cast<std::int64_t>(work.totals.contact_steps[l]);
+      r.impacts = work.totals.impacts[l];
+      r.impulse_total = work.totals.impulse_total[l];
+      r.peak_impulse = work.totals.peak_impulse[l];
+      for (std::size_t i = 0; i < nq; ++i) {
+        r.q.push_back(kernel.q()[i][l]);
+        r.v.push_back(v[i][l]);
+      }
     }
+  }
+
+  std::vector<const Model*> models;
+  M model;
+  LaneWork<Kernel, W> work;
+};
+
+template <class Kernel, class M, int W>
+void run_groups(const std::vector<Model>& models, double step, std::int64_t steps,
+                std::vector<EnsembleRun>& out) {
+  constexpr std::size_t kWidth = W;
+  for (std::size_t begin = 0; begin < models.size(); begin += kWidth) {
+    // The last group is filled up with copies of its first run.
+    std::vector<const Model*> runs(kWidth);
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      runs[lane] = &models[begin + lane < models.size() ? begin + lane : begin];
+    }
+    LaneGroup<Kernel, M, W> group(std::move(runs), step);
+    if (models.front().controller) {
+      LaneCommands<Kernel> commands(group.models, step);
+      for (std::int64_t k = 0; k < steps; ++k) {
+        commands.tell(group.work.kernel, k);
+        advance(group.work, step, k, 1);
+      }
+    } else {
+      advance(group.work, step, 0, steps);
+    }
+    group.report(step, steps, {&out[begin], std::min(kWidth, models.size() - begin)});
+  }
+}
+
+template <class M, int W>
+void run_sized(const std::vector<Model>& models, double step, scene::Integrator integrator,
+               std::int64_t steps, std::vector<EnsembleRun>& out) {
+  if (integrator == scene::Integrator::kVerlet) {
+    run_groups<VerletKernel<M>, M, W>(models, step, steps, out);
+  } else {
+    run_groups<PaperKernel<M>, M, W>(models, step, steps, out);
   }
 }
 
 template <int W>
 void run_all(const std::vector<Model>& models, double step, scene::Integrator integrator,
              std::int64_t steps, std::vector<EnsembleRun>& out) {
-  constexpr std::size_t kWidth = W;
-  for (std::size_t begin = 0; begin < models.size(); begin += kWidth) {
-    // The last group is filled up with copies of its first run.
-    std::vector<const Model*> group(kWidth);
-    for (std::size_t lane = 0; lane < kWidth; ++lane) {
-      group[lane] = &models[begin + lane < models.size() ? begin + lane : begin];
-    }
-    const std::size_t wanted = std::min(kWidth, models.size() - begin);
-    if (integrator == scene::Integrator::kVerlet) {
-      run_group<VerletLanes<W>, W>(group, step, steps, &out[begin], wanted);
-    } else {
-      run_group<PaperLanes<W>, W>(group, step, steps, &out[begin], wanted);
-    }
+  if (models.empty()) return;
+#define ROTORUB_SIZE(L, unused)            \
+  if (L::fits(models.front().layout)) {    \
+    return run_sized<Sized<Lanes<W>, L>, W>(models, step, integrator, steps, out); \
   }
+  ROTORUB_SMALL_LAYOUTS(ROTORUB_SIZE, )
+#undef ROTORUB_SIZE
+  run_sized<Lanes<W>, W>(models, step, integrator, steps, out);
 }
 
 }  // namespace

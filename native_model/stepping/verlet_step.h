@@ -14,13 +14,13 @@
 
 #include "native_model/contact/located_impact.h"
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/stepping/step_kernel.h"
+#include "native_model/stepping/contact_kernel.h"
 
 namespace rotorub {
 
 template <class M>
-class VerletKernel : public StepKernel<M> {
-  using Base = StepKernel<M>;
+class VerletKernel : public ContactKernel<M> {
+  using Base = ContactKernel<M>;
 
  public:
   using typename Base::Centre;
@@ -29,10 +29,8 @@ class VerletKernel : public StepKernel<M> {
   static constexpr int kLanes = Base::kLanes;
 
   VerletKernel(const M& m, const std::vector<const Model*>& models, double h)
-      : Base(m, models, h), late_(static_cast<std::size_t>(m.layout.nq()), T{}) {}
+      : Base(m, models, h) {}
 
-  ImpactList impacts[kLanes];
-  bool any_impact() const { return impacted_; }
   // J, of the impacts of the step: what the mean of the step's velocities misses of the loads' work.
   double late_work = 0.0;
 
@@ -59,42 +57,38 @@ class VerletKernel : public StepKernel<M> {
 
   // From t_k = origin + k h to t_{k+1}. A lane with a status stays where it was.
   ROTORUB_INLINE void step(std::int64_t k) {
-    const int nq = this->layout_.nq();
-    const T zero{}, h = lanes::all<T>(this->h_);
-    T *q = this->q_.data(), *v = this->v_.data();
-    this->normal_impulse = this->friction_impulse = zero;
-    if (impacted_) forget_impacts();
-    kick(k);
+    const int nq = this->layout().nq();
+    const T* q = this->q_.data();
     T* after = this->after_.data();
-    for (int i = 0; i < nq; ++i) after[i] = this->free_[static_cast<std::size_t>(i)];
-    for (int i = 0; i < nq; ++i) before_[static_cast<std::size_t>(i)] = q[i];
+    if (this->impacted_) late_work = 0.0;
+    this->forget_last();
+    kick(k);
+    for (int i = 0; i < nq; ++i) {
+      const auto c = static_cast<std::size_t>(i);
+      after[i] = this->free_[c];
+      before_[c] = q[i];
+    }
     if (owes_ > 0.0) {
-      for (T& x : late_) x = zero;
+      for (T& x : late_) x = T{};
       owes_ = 0.0;
     }
     was_first_ = first_ > 0.0;
-    if (this->contact_) touch(k);
+    if (this->contact_) {
+      pressed_normal_ = pressed_friction_ = T{};
+      this->touch(q, [&](int lane) { collide(lane, k); },
+                  [&] {
+                    pressed_normal_ = this->normal_impulse;
+                    pressed_friction_ = this->friction_impulse;
+                  });
+    }
     first_ = 0.0;
-
-    this->check_finite(after);
-    if (this->failed_) {
-      const Mask moves = this->running() > zero;
-      for (int i = 0; i < nq; ++i) {
-        q[i] = lanes::select(moves, q[i] + h * after[i], q[i]);
-        v[i] = lanes::select(moves, after[i], v[i]);
-      }
-      return;
-    }
-    for (int i = 0; i < nq; ++i) {
-      v[i] = after[i];
-      q[i] += h * after[i];
-    }
+    this->move(before_.data(), lanes::all<T>(this->h_));
   }
 
   // The velocities of t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the command as it stands and the
   // contact force of the step before. For controllers, which see them before there is a command.
   ROTORUB_INLINE void velocity_now(std::int64_t k, T* now) {
-    const int nq = this->layout_.nq();
+    const int nq = this->layout().nq();
     if (first_ > 0.0) {
       for (int i = 0; i < nq; ++i) now[i] = this->v_[static_cast<std::size_t>(i)];
       return;
@@ -105,7 +99,7 @@ class VerletKernel : public StepKernel<M> {
       const T one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
       const T delta = lanes::square_root(lanes::select(square > T{}, square, one));
       if (this->coupled_) this->respond();
-      this->push(this->free_.data(), d.x / delta, d.y / delta, pressed_normal_, pressed_friction_,
+      this->push(this->free_.data(), this->free_.data(), d.x / delta, d.y / delta, pressed_normal_, pressed_friction_,
                  this->in_contact > T{});
     }
     const T half = lanes::all<T>(0.5);
@@ -134,7 +128,7 @@ class VerletKernel : public StepKernel<M> {
   double contact_work_of_last() const
     requires(Base::kLanes == 1)
   {
-    if (impacted_) return this->impact_work(impacts[0]);
+    if (this->impacted_) return this->impact_work(this->impacts[0]);
     return this->contact_work(this->start_.data(), this->after_.data());
   }
 
@@ -156,17 +150,11 @@ class VerletKernel : public StepKernel<M> {
   }
 
  private:
-  ROTORUB_SLOW void forget_impacts() {
-    for (ImpactList& list : impacts) list.count = 0;
-    impacted_ = false;
-    late_work = 0.0;
-  }
-
-  const T* end_of_last() const { return impacted_ ? this->free_.data() : this->after_.data(); }
+  const T* end_of_last() const { return this->impacted_ ? this->free_.data() : this->after_.data(); }
 
   // start_ and free_ of step k.
   ROTORUB_INLINE void kick(std::int64_t k) {
-    const int nq = this->layout_.nq();
+    const int nq = this->layout().nq();
     T *start = this->start_.data(), *free = this->free_.data();
     for (int i = 0; i < nq; ++i) start[i] = this->v_[static_cast<std::size_t>(i)];
     if (owes_ > 0.0) {
@@ -177,33 +165,6 @@ class VerletKernel : public StepKernel<M> {
     if (first_ == 0.0) return;
     const T half = lanes::all<T>(0.5);
     for (int i = 0; i < nq; ++i) free[i] = half * (start[i] + free[i]);
-  }
-
-  // The contact over the step, where its path would leave the circle.
-  ROTORUB_INLINE void touch(std::int64_t k) {
-    const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(this->h_);
-    const T c = this->contact.clearance;
-    const Centre d = equations::relative(*this->m_, this->q_.data());
-    const Centre w = equations::relative(*this->m_, this->free_.data());
-    const T px = d.x + h * w.x, py = d.y + h * w.y;
-    const T outside = lanes::select(px * px + py * py > c * c, one, zero);
-    const T lasted = this->in_contact;
-    this->in_contact = outside * lasted;
-    this->slip_sign = this->in_contact * this->slip_sign;
-    pressed_normal_ = pressed_friction_ = zero;
-    if (!lanes::any(outside > zero)) return;
-
-    const Mask rests = (outside > zero) & (lasted > zero);
-    if (lanes::any(rests)) {
-      this->lasting_contact(rests, this->q_.data(), d);
-      pressed_normal_ = this->normal_impulse;
-      pressed_friction_ = this->friction_impulse;
-    }
-    const Mask fresh = (outside > zero) & (lasted == zero);
-    if (!lanes::any(fresh)) return;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (lanes::get(fresh, lane)) collide(lane, k);
-    }
   }
 
   // The impacts of one lane.
@@ -282,18 +243,18 @@ class VerletKernel : public StepKernel<M> {
     add(this->normal_impulse, normal);
     add(this->friction_impulse, friction);
     owes_ = 1.0;
-    impacted_ = true;
-    impacts[lane].add({t + theta * h, normal, friction, hit.gap_rate_before, hit.law.gap_rate,
+    this->impacted_ = true;
+    this->impacts[static_cast<std::size_t>(lane)].add({t + theta * h, normal, friction, hit.gap_rate_before, hit.law.gap_rate,
                        hit.slip_before, hit.law.slip,
                        0.5 * (normal * (hit.gap_rate_before + hit.law.gap_rate) +
                               friction * (hit.slip_before + hit.law.slip))});
   }
 
-  lanes::Array<T> late_;  // m/s, rad/s: velocities that impacts of the last step left over
-  lanes::Array<T> before_ = late_;  // q_k
+  typename Base::Coordinates late_ = Base::make(*this->m_);  // m/s, rad/s: velocities that impacts of the last step left over
+  typename Base::Coordinates before_ = late_;  // q_k
   T pressed_normal_{}, pressed_friction_{};  // N s, of lasting contact alone
   double first_ = 1.0, owes_ = 0.0;  // 1: the next step is half a kick; late_ holds something
-  bool was_first_ = true, impacted_ = false;
+  bool was_first_ = true;
 };
 
 }  // namespace rotorub

@@ -171,10 +171,10 @@ void note(mjData* d, const FixedStep& r, double kick) {
     mju_warning("rotorub: the contact laws have no solution or several (Painleve): no impulse");
   }
   entry[kContactStatus] = static_cast<double>(r.status);
-  entry[kImpact] = r.impacts.count > 0 ? 1.0 : 0.0;
-  if (r.impacts.count == 0) return;
-  const Impact& first = r.impacts.impact.front();
-  const Impact& last = r.impacts.impact[static_cast<std::size_t>(r.impacts.count - 1)];
+  entry[kImpact] = !r.impacts.empty() ? 1.0 : 0.0;
+  if (r.impacts.empty()) return;
+  const Impact& first = r.impacts.front();
+  const Impact& last = r.impacts.back();
   entry[kImpactTime] = first.t;
   entry[kGapRateBefore] = first.gap_rate_before;
   entry[kGapRateAfter] = last.gap_rate_after;
