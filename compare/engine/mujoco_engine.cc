@@ -200,7 +200,7 @@ class Record {
       if (impact_.normal_impulse > 0.0) count_impact();
       recorder_.advance({t, q, v, lasting ? f.normal : 0.0, lasting ? f.friction : 0.0, f.mode,
                          r.actuator},
-                        impact_.normal_impulse > 0.0);
+                        p, impact_.normal_impulse > 0.0);
     }
     StepFigures figures;
     figures.h = k == 0 || last ? 0.5 * step_ : step_;

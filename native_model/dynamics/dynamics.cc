@@ -101,9 +101,8 @@ Eigen::Vector2d stator_point(const Model& m, const double* q) {
 ContactPoint contact_point(const Model& m, const double* q, const double* v) {
   const double radius = m.contact ? m.contact->radius : 0.0;
   const double clearance = m.contact ? m.contact->clearance : 0.0;
-  return contact_kinematics(rotor_point(m, q) - stator_point(m, q),
-                            rotor_point(m, v) - stator_point(m, v), contact_spin(m, v), radius,
-                            clearance);
+  const eq::Pair<double> d = eq::relative(m, q), rate = eq::relative(m, v);
+  return contact_kinematics({d.x, d.y}, {rate.x, rate.y}, eq::contact_spin(m, v), radius, clearance);
 }
 
 Eigen::Matrix3d contact_admittance(const Model& m, double t, const double* q) {

@@ -33,6 +33,17 @@ const char* reason(Status status) {
   }
 }
 
+// A state that a run has come to, and its contact.
+struct Reached {
+  Reached(const Model& model, double time, const double* at, const double* rates)
+      : t(time), q(at), v(rates) {
+    if (model.contact) point = contact_point(model, q, v);
+  }
+  double t;  // s
+  const double *q, *v;
+  ContactPoint point;
+};
+
 // What every fixed-step run keeps beside its stepper.
 class FixedRun {
  public:
@@ -58,25 +69,25 @@ class FixedRun {
     record_mode(0.0, done);
   }
 
-  // What `done` did, from `begin` on, with slips of the state (q, v); `share`: of what it did.
-  void count(const FixedStep& done, double begin, const double* q, const double* v, double share) {
+  // What `done` did, from `begin` on, with the slip of `state`; `share`: of what it did.
+  void count(const FixedStep& done, double begin, const Reached& state, double share) {
     StepFigures f;
     f.h = share * step_;
     f.normal_impulse = share * done.normal_impulse;
     f.friction_impulse = share * done.friction_impulse;
     f.contact_work = share * done.contact_work;
     f.external_work = share * done.external_work;
-    if (done.normal_impulse > 0.0) f.friction_work = share * friction_work(done, q, v);
+    if (done.normal_impulse > 0.0) f.friction_work = share * friction_work(done, state);
     recorder_.count(f, begin);
   }
 
   // The next state, with the forces of `done`, impulses over `kick` (s); `impact`: one since the last.
-  void advance(double now, const double* q, const double* v, const FixedStep& done, double kick,
-               bool impact, const Eigen::Vector2d& u) {
-    record_mode(now, done);
-    Snapshot s = snapshot(now, q, v, done, kick);
-    if (recorder_.row_due(now)) s.actuator = actuator_state(model_, q, v, u);
-    check(now, q, recorder_.advance(s, impact));
+  void advance(const Reached& state, const FixedStep& done, double kick, bool impact,
+               const Eigen::Vector2d& u) {
+    record_mode(state.t, done);
+    Snapshot s = snapshot(state.t, state.q, state.v, done, kick);
+    if (recorder_.row_due(state.t)) s.actuator = actuator_state(model_, state.q, state.v, u);
+    check(state.t, state.q, recorder_.advance(s, state.point, impact));
   }
 
   void add_impacts(const FixedStep& done) {
@@ -122,8 +133,8 @@ class FixedRun {
     return {t, q, v, scale * done.normal_impulse, scale * done.friction_impulse, done.mode, {}};
   }
 
-  double friction_work(const FixedStep& done, const double* q, const double* v) const {
-    if (done.impacts.empty()) return done.friction_impulse * contact_point(model_, q, v).slip;
+  static double friction_work(const FixedStep& done, const Reached& state) {
+    if (done.impacts.empty()) return done.friction_impulse * state.point.slip;
     double work = 0.0;
     for (const Impact& hit : done.impacts) {
       work += 0.5 * hit.friction_impulse * (hit.slip_before + hit.slip_after);
@@ -187,8 +198,9 @@ Trajectory run_steps(const char* name, const Model& model, const scene::Run& sce
       break;
     }
     run.add_impacts(done);
-    run.count(done, run.time(k), stepper.q(), stepper.v(), 1.0);
-    run.advance(run.time(k + 1), stepper.q(), stepper.v(), done, step, !done.impacts.empty(), u);
+    const Reached state(model, run.time(k + 1), stepper.q(), stepper.v());
+    run.count(done, run.time(k), state, 1.0);
+    run.advance(state, done, step, !done.impacts.empty(), u);
     run.tick(k);
   }
   return run.finish(name, k, run.time(k), seconds_since(start));
@@ -245,12 +257,13 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
     const double kick = k == 0 ? 0.5 * step : step;
     if (k == 0) run.begin(hold.held(), done, kick);
     // Of a step half is done before t_k, half after; all of the first, half one after.
-    const auto half = [&] { run.count(done, t, stepper.last_q(), v.data(), k == 0 ? 1.0 : 0.5); };
+    const Reached state(model, t, stepper.last_q(), v.data());
+    const auto half = [&] { run.count(done, t, state, k == 0 ? 1.0 : 0.5); };
     if (k > 0) half();
     if (k > 0) {
       const bool impact = !hits.impacts.empty();
-      if (impact) run.count(hits, hits.impacts.front().t, stepper.last_q(), v.data(), 1.0);
-      run.advance(t, stepper.last_q(), v.data(), done, kick, impact, hold.held());
+      if (impact) run.count(hits, hits.impacts.front().t, state, 1.0);
+      run.advance(state, done, kick, impact, hold.held());
     }
     if (k < steps) half();
     hits = all;
