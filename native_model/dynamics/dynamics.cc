@@ -105,6 +105,15 @@ ContactPoint contact_point(const Model& m, const double* q, const double* v) {
   return contact_kinematics({d.x, d.y}, {rate.x, rate.y}, eq::contact_spin(m, v), radius, clearance);
 }
 
+Eigen::Vector3d contact_acceleration(const Model& m, const double* a) {
+  const Eigen::Vector2d d = rotor_point(m, a) - stator_point(m, a);
+  double spin = m.layout.spin ? a[m.layout.phi()] : 0.0;  // a speed that is held stays
+  for (int k = 0; k < m.layout.torsion; ++k) {
+    spin += m.torsion_contact[k] * a[m.layout.theta() + k];
+  }
+  return {d.x(), d.y(), spin};
+}
+
 Eigen::Matrix3d contact_admittance(const Model& m, double t, const double* q) {
   if (!m.coupled_mass()) return m.admittance;
   return contact_admittance(m, m.mass.data(), t, q);

@@ -72,7 +72,7 @@ class FixedRun {
   // What `done` did, from `begin` on, with the slip of `state`; `share`: of what it did.
   void count(const FixedStep& done, double begin, const Reached& state, double share) {
     StepFigures f;
-    f.h = share * step_;
+    f.h = done.impact_time > 0.0 ? done.impact_time : share * step_;
     f.normal_impulse = share * done.normal_impulse;
     f.friction_impulse = share * done.friction_impulse;
     f.contact_work = share * done.contact_work;
@@ -130,7 +130,8 @@ class FixedRun {
   static Snapshot snapshot(double t, const double* q, const double* v, const FixedStep& done,
                            double kick) {
     const double scale = done.impacts.empty() ? 1.0 / kick : 0.0;
-    return {t, q, v, scale * done.normal_impulse, scale * done.friction_impulse, done.mode, {}};
+    return {t, q, v, scale * done.normal_impulse + done.impact_force.x(),
+            scale * done.friction_impulse + done.impact_force.y(), done.mode, {}};
   }
 
   static double friction_work(const FixedStep& done, const Reached& state) {
@@ -253,6 +254,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
     if (!done.impacts.empty()) {
       done = FixedStep{};
       done.external_work = all.external_work;
+      done.impact_force = all.impact_force;
     }
     const double kick = k == 0 ? 0.5 * step : step;
     if (k == 0) run.begin(hold.held(), done, kick);

@@ -85,7 +85,8 @@ class ContactKernel : public LoadKernel<M> {
     const Centre d = equations::relative(*m_, from);
     const Centre w = equations::relative(*m_, free_.data());
     const T px = d.x + h * w.x, py = d.y + h * w.y;
-    const T outside = lanes::select(px * px + py * py > c * c, one, zero);
+    T outside = lanes::select(px * px + py * py > c * c, one, zero);
+    if (impact_lasts_) outside = outside * flying_;
     const T lasted = in_contact;
     in_contact = outside * lasted;
     slip_sign = in_contact * slip_sign;
@@ -195,6 +196,8 @@ class ContactKernel : public LoadKernel<M> {
     T a[3][3];
   };
   bool contact_ = false, impacted_ = false;
+  bool impact_lasts_ = false;  // in a lane at least
+  T flying_{};                 // 0 in those lanes, else 1
   Admittance admittance_{};
   Coordinates after_ = make(*m_);  // velocities at the step's end
 

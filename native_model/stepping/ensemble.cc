@@ -176,10 +176,12 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
                                   " of the ensemble has other parts than run 0");
     }
     const auto& c = models_[i].contact;
-    if (c && c->compression_time + c->expansion_time > 0.0) {
+    const bool sampled = models_[i].controller && models_[i].sample_time > 0.0;
+    if ((integrator == scene::Integrator::kPaper || sampled) && c &&
+        c->compression_time + c->expansion_time > 0.0) {
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has impacts that take time, which need the "
-                                  "integrator event");
+                                  "integrator event, or verlet without a sampled controller");
     }
   }
 }

@@ -44,7 +44,10 @@ struct LaneWork {
   template_ void ContactKernel<__VA_ARGS__>::press_lane(int, const Centre&, const Centre&);      \
   template_ void ContactKernel<__VA_ARGS__>::forget_impacts();                                  \
   template_ void PaperKernel<__VA_ARGS__>::collide(int, std::int64_t);                          \
-  template_ void VerletKernel<__VA_ARGS__>::collide(int, std::int64_t);
+  template_ void VerletImpacts<__VA_ARGS__>::find_lasting();                                     \
+  template_ void VerletImpacts<__VA_ARGS__>::show_lasting(int, std::int64_t, T*) const;          \
+  template_ void VerletImpacts<__VA_ARGS__>::go_on_lasting(std::int64_t);                        \
+  template_ void VerletImpacts<__VA_ARGS__>::collide(int, std::int64_t);
 
 // Of W lanes, of any size and of each known one.
 #define ROTORUB_SMALL_LANE_STEPS(L, W) ROTORUB_LANE_STEPS(W, Sized<Lanes<W>, L>)

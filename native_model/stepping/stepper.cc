@@ -52,6 +52,10 @@ class Stepper::Kernel::Of final : public Stepper::Kernel {
       out.mode = kernel_.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
       out.reversed = sign * kernel_.slip_sign < 0.0;
     }
+    if constexpr (kLate) {
+      out.impact_time = kernel_.impact_time;
+      out.impact_force = kernel_.impact_force();
+    }
     if (works && out.status == Status::kOk) {
       out.contact_work = kernel_.contact_work_of_last();
       out.external_work = kernel_.external_work_of_last();

@@ -164,8 +164,8 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
 void note(mjData* d, const FixedStep& r, double kick) {
   mjtNum* entry = d->userdata;
   entry[kMode] = static_cast<double>(r.mode);
-  entry[kNormalForce] = r.normal_impulse / kick;
-  entry[kFrictionForce] = r.friction_impulse / kick;
+  entry[kNormalForce] = r.normal_impulse / kick + r.impact_force.x();
+  entry[kFrictionForce] = r.friction_impulse / kick + r.impact_force.y();
   // Once, not every step: MuJoCo writes its warnings to a file.
   if (r.status != Status::kOk && entry[kContactStatus] == 0.0) {
     mju_warning("rotorub: the contact laws have no solution or several (Painleve): no impulse");
