@@ -274,7 +274,8 @@ Config make_config(const mjModel* m) {
     config.contact = contact_model(m, scene.mujoco.contact);
     try {
       if (config.contact == scene::ContactModel::kRigid) {
-        const bool native = config.takes_native_steps() && !config.shadow;
+        const bool lags = config.model.magnets && config.model.magnets->coil_lag > 0.0;
+        const bool native = config.takes_native_steps() && !config.shadow && !lags;
         refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
       }
     } catch (const scene::SceneError& error) {

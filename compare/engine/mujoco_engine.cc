@@ -285,7 +285,9 @@ class Record {
 
 Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const scene::Scene scene = with_options(given, options);
-  const bool native = scene.mujoco.rotor == scene::MujocoRotor::kModal && !scene.mujoco.shadow;
+  const bool lags = scene.actuator && scene.actuator->coil_lag > 0.0;
+  const bool native =
+      scene.mujoco.rotor == scene::MujocoRotor::kModal && !scene.mujoco.shadow && !lags;
   if (scene.mujoco.contact == scene::ContactModel::kRigid) {
     refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
   }

@@ -136,8 +136,8 @@ void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {
                     knows ? "an impact that takes time, under a controller with a sample_time, needs "
                             "the integrator event; accepted here: 0, or controller.sample_time = 0"
                           : "an impact that takes time needs the integrator event or verlet, or "
-                            "rigid of a modal chain in MuJoCo without a shadow; accepted with "
-                            "anything else: 0"}});
+                            "rigid of a modal chain in MuJoCo without a shadow and without a "
+                            "coil_lag; accepted with anything else: 0"}});
   };
   check("contact.compression_time", scene.contact->compression_time);
   check("contact.expansion_time", scene.contact->expansion_time);
