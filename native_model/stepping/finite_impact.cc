@@ -29,7 +29,7 @@ Eigen::Vector2d FiniteImpact::rates(const double* v, const Eigen::Vector2d& e_r)
 }
 
 // v_1 = v_0 + tau a + M^-1 W p; works as in EventImpact::phase_of.
-void FiniteImpact::add_phase(double tau, double normal, double friction, const Eigen::Vector2d& e_r,
+void FiniteImpact::add_phase(double t, const double* q, double tau, double normal, double friction, const Eigen::Vector2d& e_r,
                              const std::vector<double>& from, std::vector<double>& to) {
   const Model& m = *model_;
   for (std::size_t i = 0; i < to.size(); ++i) {
@@ -39,7 +39,7 @@ void FiniteImpact::add_phase(double tau, double normal, double friction, const E
     }
   }
   const Eigen::Vector2d before = rates(to.data(), e_r);
-  constraint_.apply(touch_, q_.data(), to.data(), e_r, normal, friction);
+  constraint_.apply(t, q, to.data(), e_r, normal, friction);
   const Eigen::Vector2d after = rates(to.data(), e_r);
   record_.normal_impulse += normal;
   record_.friction_impulse += friction;
@@ -75,20 +75,20 @@ ImpactStatus FiniteImpact::begin(double t, const double* q, const double* v,
   record_.slip_before = touch.slip;
   power_at_touch_ = power(t, q, v, command);
   external_work_ = 0.0;
-  add_phase(c.compression_time, r.normal_compression, r.friction_compression, touch.e_r, v_,
+  middle_ = t + c.compression_time;
+  end_ = middle_ + c.expansion_time;
+  add_phase(t, q_.data(), c.compression_time, r.normal_compression, r.friction_compression, touch.e_r, v_,
             after_compression_);
-  add_phase(c.expansion_time, r.normal_expansion, r.friction_expansion, touch.e_r,
+  coordinates(middle_, room_.data());
+  add_phase(middle_, room_.data(), c.expansion_time, r.normal_expansion, r.friction_expansion, touch.e_r,
             after_compression_, after_);
   const auto force = [](double impulse, double tau) { return tau > 0.0 ? impulse / tau : 0.0; };
   phase_force_[0] = force(r.normal_compression, c.compression_time);
   phase_force_[1] = force(r.friction_compression, c.compression_time);
   phase_force_[2] = force(r.normal_expansion, c.expansion_time);
   phase_force_[3] = force(r.friction_expansion, c.expansion_time);
-  middle_ = t + c.compression_time;
-  end_ = middle_ + c.expansion_time;
 
   // What the stored energy grows by along the path, at the velocities of the phases' ends.
-  coordinates(middle_, room_.data());
   external_work_ += energy(m, middle_, room_.data(), after_compression_.data()) -
                     energy(m, t, q_.data(), after_compression_.data());
   coordinates(end_, end_q_.data());

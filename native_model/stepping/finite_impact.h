@@ -52,8 +52,9 @@ class FiniteImpact {
   }
 
  private:
-  void add_phase(double tau, double normal, double friction, const Eigen::Vector2d& e_r,
-                 const std::vector<double>& from, std::vector<double>& to);
+  void add_phase(double t, const double* q, double tau, double normal, double friction,
+                 const Eigen::Vector2d& e_r, const std::vector<double>& from,
+                 std::vector<double>& to);
   double power(double t, const double* q, const double* v, const Eigen::Vector2d& command) const;
   Eigen::Vector2d rates(const double* v, const Eigen::Vector2d& e_r) const;
 
