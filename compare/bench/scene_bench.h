@@ -1,0 +1,39 @@
+// The bench of one scene: reference, points, and what they say.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "compare/bench/engines.h"
+#include "compare/bench/levels.h"
+#include "compare/bench/passes.h"
+#include "compare/bench/point.h"
+#include "compare/bench/restitution.h"
+#include "compare/bench/stability_map.h"
+
+namespace rotorub::bench {
+
+struct BenchParameters {
+  Ladder ladder = default_ladder();
+  TimingParameters timing;
+  std::vector<BenchEngine> engines = chosen_engines("");
+  bool maps = false;  // the stability map and the restitution table too: hundreds of runs more
+};
+
+struct SceneBench {
+  scene::Scene scene;
+  Reference reference;
+  std::vector<BenchEngine> engines;
+  std::vector<Point> points;
+  std::vector<Level> levels;
+  std::optional<StabilityMap> stability;
+  std::vector<RestitutionRow> restitution;
+  bool interrupted = false;
+};
+
+// `reader` gives the scene with overrides beyond those of the user. Throws what the reader and
+// make_reference throw, and std::invalid_argument for a scene without a contact.
+SceneBench bench_scene(const SceneReader& reader, const BenchParameters& parameters,
+                       const Progress& progress, const std::atomic<bool>* interrupt);
+
+}  // namespace rotorub::bench
