@@ -76,9 +76,8 @@ BenchEngine mujoco(scene::ContactModel contact, const std::string& what) {
             };
             add("Euler", "euler", {});
             add("implicit", "implicit", {});
-            add("RK4", "rk4", {});
             if (contact != scene::ContactModel::kRigid) {
-              add(fmt::format("Euler, K = {:g} 1/s^2", kFixedStiffness), "euler",
+              add(kFixedStiffnessName, "euler",
                   {fmt::format("mujoco.solref_stiffness={:g}", kFixedStiffness)});
             }
             return all;

@@ -13,6 +13,7 @@ const char* to_string(Family family);
 
 // 1/s^2, direct solref of the soft contacts' further setting: what a step of 20 us gives itself.
 inline constexpr double kFixedStiffness = 1e8;
+inline constexpr const char* kFixedStiffnessName = "Euler, K 1e8";
 
 struct BenchEngine {
   std::string name;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/bench/series.h"
 #include "compare/study/json.h"
 #include "native_model/scene/reader.h"
 
@@ -58,19 +59,10 @@ json level_json(const Level& level, const std::vector<Point>& points) {
           {"engines", engines}};
 }
 
-// Every engine and setting with a step, once.
 json series_json(const SceneBench& bench) {
   json all = json::array();
-  std::string last;
-  for (const Point& p : bench.points) {
-    const std::string name = p.setting.engine + "\n" + p.setting.setting;
-    if (!p.setting.step || name == last) continue;
-    last = name;
-    const double floor = kReferenceMargin * bench.reference.error;
-    all.push_back({{"engine", p.setting.engine},
-                   {"setting", p.setting.setting},
-                   {"order", number(order_of(bench.points, p.setting.engine, p.setting.setting,
-                                             floor))}});
+  for (const Series& s : series_of(bench.points, bench.floor())) {
+    all.push_back({{"engine", s.engine}, {"setting", s.setting}, {"order", number(s.order)}});
   }
   return all;
 }
@@ -97,6 +89,7 @@ json restitution_json(const std::vector<RestitutionRow>& rows) {
   for (const RestitutionRow& r : rows) {
     all.push_back({{"asked", r.asked},
                    {"engine", r.engine},
+                   {"setting", r.setting},
                    {"got", r.failure.empty() ? number(r.got) : json(nullptr)},
                    {"reason", r.failure}});
   }
@@ -125,7 +118,6 @@ json scene_json(const SceneBench& bench) {
               {"levels", levels},
               {"interrupted", bench.interrupted}};
   if (bench.stability) all["stability"] = stability_json(*bench.stability);
-  if (!bench.restitution.empty()) all["restitution"] = restitution_json(bench.restitution);
   return all;
 }
 
@@ -170,16 +162,19 @@ nlohmann::json point_json(const Point& p) {
   return j;
 }
 
-nlohmann::json bench_json(const Machine& machine, const std::vector<SceneBench>& benches) {
+nlohmann::json bench_json(const Machine& machine, const std::vector<SceneBench>& benches,
+                          const std::vector<RestitutionRow>& restitution) {
   json scenes = json::array();
   for (const SceneBench& bench : benches) scenes.push_back(scene_json(bench));
-  return {{"machine",
+  json all = {{"machine",
            {{"processor", machine.processor},
             {"threads", machine.threads},
             {"instructions", machine.instructions},
             {"compiler", machine.compiler},
             {"mujoco_version", machine.mujoco}}},
           {"scenes", scenes}};
+  if (!restitution.empty()) all["restitution"] = restitution_json(restitution);
+  return all;
 }
 
 }  // namespace rotorub::bench

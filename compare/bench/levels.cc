@@ -1,7 +1,8 @@
 #include "compare/bench/levels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 
 namespace rotorub::bench {
 namespace {
@@ -54,22 +55,18 @@ std::optional<bool> rigid_is_fastest_mujoco(const Level& level) {
   return {};
 }
 
-std::optional<double> order_of(const std::vector<Point>& points, const std::string& engine,
-                               const std::string& setting, double floor) {
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-  for (const Point& p : points) {
-    if (p.setting.engine != engine || p.setting.setting != setting) continue;
-    if (!p.setting.step || !p.finished() || p.errors->position <= floor) continue;
-    const double h = std::log(*p.setting.step), e = std::log(p.errors->position);
-    n += 1.0;
-    x += h;
-    y += e;
-    xx += h * h;
-    xy += h * e;
+std::string verdict_text(const std::vector<Level>& levels) {
+  std::string native, rigid;
+  for (const Level& level : levels) {
+    const auto note = [&](std::optional<bool> verdict, std::string& text) {
+      if (verdict && !*verdict) text += fmt::format(" {:.0e}", level.share);
+    };
+    note(native_is_fastest(level), native);
+    note(rigid_is_fastest_mujoco(level), rigid);
   }
-  const double spread = n * xx - x * x;
-  if (n < 3.0 || spread <= 0.0) return {};
-  return (n * xy - x * y) / spread;
+  return fmt::format("a native integrator is the fastest {}; `rigid` of MuJoCo's settings {}",
+                     native.empty() ? "at every level reached" : "but not at" + native,
+                     rigid.empty() ? "at every level that MuJoCo reaches" : "but not at" + rigid);
 }
 
 }  // namespace rotorub::bench

@@ -31,13 +31,11 @@ struct Level {
 std::optional<bool> native_is_fastest(const Level& level);
 std::optional<bool> rigid_is_fastest_mujoco(const Level& level);
 
+// A sentence on both, with the levels where it is not so.
+std::string verdict_text(const std::vector<Level>& levels);
+
 // Shares 1e-2, 1e-3, ..., 1e-8. Points that were not timed are left out.
 std::vector<Level> levels(const std::vector<Point>& points, const std::vector<BenchEngine>& engines,
                           double clearance, double reference_error);
-
-// Order of a series (error ~ step^order), by least squares through the logarithms of the points of
-// one engine and setting whose error is above `floor` (m); none for fewer than three.
-std::optional<double> order_of(const std::vector<Point>& points, const std::string& engine,
-                               const std::string& setting, double floor);
 
 }  // namespace rotorub::bench

@@ -33,31 +33,35 @@ vy = [-0.5]
 constexpr double kDefaultStiffness = 2500.0;
 
 struct Contender {
-  std::string name;
+  std::string name, setting;
   std::shared_ptr<const Engine> engine;
-  bool default_solref = false;
+  double stiffness = 0.0;  // 1/s^2, direct solref; 0: none given
+  bool knows_the_asked = true;
 };
 
 std::vector<Contender> contenders() {
+  const std::shared_ptr<const Engine> coulomb = mujoco_engine(scene::ContactModel::kCoulomb);
+  const std::string calibrated = "K 1e6";
   std::vector<Contender> all{
-      {"native-verlet", native_engine(scene::Integrator::kVerlet)},
-      {"mujoco-rigid", mujoco_engine(scene::ContactModel::kRigid)},
-      {"mujoco-coulomb", mujoco_engine(scene::ContactModel::kCoulomb)},
-      {"mujoco-cone", mujoco_engine(scene::ContactModel::kCone)},
-      {"mujoco-default", mujoco_engine(scene::ContactModel::kCoulomb), true}};
+      {"native-verlet", "", native_engine(scene::Integrator::kVerlet)},
+      {"mujoco-rigid", "", mujoco_engine(scene::ContactModel::kRigid)},
+      {"mujoco-coulomb", calibrated, coulomb, kCalibratedStiffness},
+      {"mujoco-cone", calibrated, mujoco_engine(scene::ContactModel::kCone), kCalibratedStiffness},
+      {"mujoco-coulomb", "stiff as the step", coulomb},
+      {"mujoco-coulomb", "default solref", coulomb, kDefaultStiffness, false}};
   for (const peers::Peer& peer : peers::all_peers()) {
-    if (peer.engine && peer.name != "penalty-per-axis") all.push_back({peer.name, peer.engine});
+    if (peer.engine && peer.name != "penalty-per-axis") all.push_back({peer.name, "", peer.engine});
   }
   return all;
 }
 
 RestitutionRow row(const Contender& contender, double asked, const std::atomic<bool>* interrupt) {
-  RestitutionRow r{asked, contender.name, 0.0, ""};
+  RestitutionRow r{asked, contender.name, contender.setting, 0.0, ""};
   // The default is a contact of its own damping: that of zeta = 1, whatever is asked.
-  const double given = contender.default_solref ? soft_restitution(1.0) : asked;
+  const double given = contender.knows_the_asked ? asked : soft_restitution(1.0);
   std::vector<std::string> overrides{fmt::format("contact.restitution={:.17g}", given)};
-  if (contender.default_solref) {
-    overrides.push_back(fmt::format("mujoco.solref_stiffness={:g}", kDefaultStiffness));
+  if (contender.stiffness > 0.0) {
+    overrides.push_back(fmt::format("mujoco.solref_stiffness={:g}", contender.stiffness));
   }
   RunRequest request;
   request.interrupt = interrupt;

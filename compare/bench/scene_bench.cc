@@ -35,9 +35,8 @@ SceneBench bench_scene(const SceneReader& reader, const BenchParameters& paramet
   timing_pass(bench.points, parameters.timing, part(0.1, 0.9), interrupt);
   bench.levels = levels(bench.points, bench.engines, bench.scene.contact->clearance,
                         bench.reference.error);
-  if (parameters.maps && !stopped()) {
-    bench.stability = stability_map(reader, bench.scene, part(0.9, 0.98), interrupt);
-    if (!stopped()) bench.restitution = restitution_table(part(0.98, 1.0), interrupt);
+  if (parameters.stability_map && !stopped()) {
+    bench.stability = stability_map(reader, bench.scene, part(0.9, 1.0), interrupt);
   }
   bench.interrupted = stopped();
   return bench;

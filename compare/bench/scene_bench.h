@@ -8,7 +8,6 @@
 #include "compare/bench/levels.h"
 #include "compare/bench/passes.h"
 #include "compare/bench/point.h"
-#include "compare/bench/restitution.h"
 #include "compare/bench/stability_map.h"
 
 namespace rotorub::bench {
@@ -17,7 +16,7 @@ struct BenchParameters {
   Ladder ladder = default_ladder();
   TimingParameters timing;
   std::vector<BenchEngine> engines = chosen_engines("");
-  bool maps = false;  // the stability map and the restitution table too: hundreds of runs more
+  bool stability_map = false;  // too: hundreds of runs more
 };
 
 struct SceneBench {
@@ -27,8 +26,9 @@ struct SceneBench {
   std::vector<Point> points;
   std::vector<Level> levels;
   std::optional<StabilityMap> stability;
-  std::vector<RestitutionRow> restitution;
   bool interrupted = false;
+  // m, errors up to it are not told from the reference's own.
+  double floor() const { return kReferenceMargin * reference.error; }
 };
 
 // `reader` gives the scene with overrides beyond those of the user. Throws what the reader and

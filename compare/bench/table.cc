@@ -2,20 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <utility>
-
-#include "compare/study/format.h"
+#include "compare/bench/series.h"
 
 namespace rotorub::bench {
 namespace {
-
-// "10 us", "tolerance 1e-8", "RK4, 10 us".
-std::string setting_text(const Setting& s) {
-  if (!s.step) return s.setting;
-  const std::string step = time_text(*s.step);
-  return s.setting.empty() ? step : s.setting + ", " + step;
-}
 
 std::string level_line(const Level& level, const std::vector<Point>& points) {
   std::string line = fmt::format("  {:<7.0e}", level.share);
@@ -32,65 +22,20 @@ std::string level_line(const Level& level, const std::vector<Point>& points) {
   return line + "\n";
 }
 
-// What is said of one engine and setting.
-struct Series {
-  double least = -1.0;   // m, its most exact point
-  std::string least_at;
-  double us = 0.0;       // of its finest point
-  std::map<Outcome, int> outcomes;
-  std::string reason;  // of its first failure
-};
-
 std::string series_lines(const SceneBench& bench) {
-  std::vector<std::pair<std::string, std::string>> order;
-  std::map<std::pair<std::string, std::string>, Series> all;
-  for (const Point& p : bench.points) {
-    // Tolerances are settings of one series.
-    const std::pair<std::string, std::string> key{p.setting.engine,
-                                                  p.setting.step ? p.setting.setting : ""};
-    if (!all.contains(key)) order.push_back(key);
-    Series& s = all[key];
-    ++s.outcomes[p.judgement.outcome];
-    if (p.judgement.outcome != Outcome::kOk && s.reason.empty()) s.reason = p.judgement.reason;
-    if (!p.finished()) continue;
-    if (s.least < 0.0 || p.errors->position < s.least) {
-      s.least = p.errors->position;
-      s.least_at = setting_text(p.setting);
-    }
-    if (p.wall.repeats > 0) s.us = p.us_per_step();
-  }
   std::string text = fmt::format("\n  {:<37}{:>6}{:>10}{:>12}  {}\n", "engine and setting", "order",
                                  "us/step", "least error", "outcomes");
-  for (const auto& key : order) {
-    const Series& s = all[key];
-    const auto slope = order_of(bench.points, key.first, key.second,
-                                kReferenceMargin * bench.reference.error);
-    std::string line = fmt::format("  {:<17} {:<19}", key.first, key.second);
-    line += slope ? fmt::format("{:>6.2f}", *slope) : fmt::format("{:>6}", "–");
-    line += s.us > 0.0 ? fmt::format("{:>10.3g}", s.us) : fmt::format("{:>10}", "–");
-    line += s.least >= 0.0 ? fmt::format("{:>10.1e} m", s.least) : fmt::format("{:>12}", "–");
-    std::string counts;
-    for (const auto& [outcome, count] : s.outcomes) {
-      counts += fmt::format("{}{} {}", counts.empty() ? "  " : ", ", count, to_string(outcome));
-    }
-    text += line + counts + "\n";
+  for (const Series& s : series_of(bench.points, bench.floor())) {
+    const auto optional = [](bool there, const std::string& value) { return there ? value : "–"; };
+    const double least = s.best ? bench.points[*s.best].errors->position : 0.0;
+    text += fmt::format("  {:<15}{:<22}{:>6}{:>10}{:>12}  {}\n", s.engine, " " + s.setting,
+                        optional(s.order.has_value(), fmt::format("{:.2f}", s.order.value_or(0.0))),
+                        optional(s.us_per_step > 0.0, fmt::format("{:.3g}", s.us_per_step)),
+                        optional(s.best.has_value(), fmt::format("{:.1e} m", least)),
+                        outcomes_text(s));
     if (!s.reason.empty()) text += fmt::format("      {}\n", s.reason);
   }
   return text;
-}
-
-std::string verdict_line(const SceneBench& bench) {
-  std::string native, rigid;
-  for (const Level& level : bench.levels) {
-    const auto note = [&](std::optional<bool> verdict, std::string& text) {
-      if (verdict && !*verdict) text += fmt::format(" {:.0e}", level.share);
-    };
-    note(native_is_fastest(level), native);
-    note(rigid_is_fastest_mujoco(level), rigid);
-  }
-  return fmt::format("\n  a native integrator is the fastest {}; `rigid` of MuJoCo's settings {}\n",
-                     native.empty() ? "at every level reached" : "but not at" + native,
-                     rigid.empty() ? "at every level it reaches" : "but not at" + rigid);
 }
 
 }  // namespace
@@ -103,7 +48,7 @@ std::string bench_table(const SceneBench& bench) {
       bench.scene.name, bench.scene.run.end, bench.reference.source, bench.reference.error,
       1e3 * clearance, "level", "fastest", "setting", "median", "others");
   for (const Level& level : bench.levels) text += level_line(level, bench.points);
-  return text + verdict_line(bench) + series_lines(bench);
+  return text + "\n  " + verdict_text(bench.levels) + "\n" + series_lines(bench);
 }
 
 std::string missing_text() {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/bench/json.h"
+#include "compare/bench/restitution.h"
 #include "compare/bench/scene_bench.h"
 #include "compare/bench/table.h"
 #include "compare/commands/command.h"
@@ -40,7 +41,7 @@ bench::BenchParameters bench_parameters(const BenchArguments& options) {
     p.ladder.tolerances = bench::parse_tolerances(options.tolerances);
   }
   p.engines = bench::chosen_engines(options.engines);
-  p.maps = !options.folder.empty();
+  p.stability_map = !options.folder.empty();
   return p;
 }
 
@@ -71,11 +72,12 @@ void check_scenes(const BenchArguments& options) {
 }
 
 void write_results(const BenchArguments& options, const bench::Machine& machine,
-                   const std::vector<bench::SceneBench>& benches) {
+                   const std::vector<bench::SceneBench>& benches,
+                   const std::vector<bench::RestitutionRow>& restitution) {
   const std::filesystem::path folder(options.folder);
   std::filesystem::create_directories(folder);
-  write_whole(folder / "bench.json", json_text(bench::bench_json(machine, benches)));
-  write_whole(folder / "bench.html", bench_page(machine, benches));
+  write_whole(folder / "bench.json", json_text(bench::bench_json(machine, benches, restitution)));
+  write_whole(folder / "bench.html", bench_page(machine, benches, restitution));
   if (!options.json && !options.quiet) {
     fmt::print("\nwritten to {0}/bench.html and {0}/bench.json\n", options.folder);
   }
@@ -103,8 +105,15 @@ int run_bench(const BenchArguments& options) {
     }
   }
   const bench::Machine machine = bench::this_machine();
-  if (!options.folder.empty()) write_results(options, machine, benches);
-  if (options.json) std::cout << json_text(bench::bench_json(machine, benches));
+  std::vector<bench::RestitutionRow> restitution;
+  if (!options.folder.empty()) {
+    restitution = bench::restitution_table(
+        [&](double share, const std::string& what) { bar.show(share, what); }, &interrupted());
+    bar.clear();
+    if (interrupted()) throw Interrupted();
+    write_results(options, machine, benches, restitution);
+  }
+  if (options.json) std::cout << json_text(bench::bench_json(machine, benches, restitution));
   return kDone;
 }
 

@@ -44,11 +44,14 @@ Peer module_peer(const std::string& name, const std::string& what, const std::st
   const ModuleInterface* module = load(name, package, peer.missing);
   if (!module) return peer;
   peer.what = fmt::format("{} ({})", what, module->version);
-  peer.engine = peer_engine(name, [module, name](const PlanarSystem& system, double step) {
+  const MakeStepper make = [module, name](const PlanarSystem& system, double step) {
     std::unique_ptr<Stepper> stepper(module->make(system, step));
-    if (!stepper) throw std::runtime_error(name + " cannot hold this system");
+    if (!stepper) {
+      throw std::runtime_error(name + " cannot hold this system: a body of it has one mass only");
+    }
     return stepper;
-  });
+  };
+  peer.engine = peer_engine(name, PeerContact::kImpulsive, make);
   return peer;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "compare/engine/contact_episodes.h"
 #include "compare/peers/peers.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/run_size.h"
@@ -25,8 +26,14 @@ bool finite(const StepRecord& r) {
 // Records in the native layout, impacts and modes told from the impulses.
 class PeerRecord {
  public:
-  PeerRecord(const Model& model, const PlanarSystem& system, double step, std::vector<double> times)
-      : model_(model), system_(system), step_(step), recorder_(model, std::move(times)) {
+  PeerRecord(const Model& model, const PlanarSystem& system, PeerContact contact, double step,
+             std::vector<double> times)
+      : model_(model),
+        system_(system),
+        soft_(contact == PeerContact::kSoft),
+        step_(step),
+        recorder_(model, std::move(times)),
+        episodes_(recorder_) {
     const auto n = static_cast<std::size_t>(model.nq());
     q_.assign(model.q0.data(), model.q0.data() + n);
     v_.assign(model.v0.data(), model.v0.data() + n);
@@ -41,7 +48,7 @@ class PeerRecord {
     const double t = static_cast<double>(k + 1) * step_;
     const ContactPoint now = contact_point(model_, q_.data(), v_.data());
     const bool touches = r.normal > 0.0;
-    const bool hits = touches && !touched_ && point_.gap_rate < kCountedGapRate;
+    const bool hits = !soft_ && touches && !touched_ && point_.gap_rate < kCountedGapRate;
     Impact impact;
     if (hits) {
       impact = {t,          r.normal,   r.friction, point_.gap_rate, now.gap_rate, point_.slip,
@@ -55,7 +62,11 @@ class PeerRecord {
                       : std::abs(r.friction) < system_.friction * r.normal * (1.0 - 1e-9)
                           ? Mode::kStick
                           : Mode::kSlide;
-    note(t, mode);
+    if (soft_) {
+      episodes_.step({t - step_, step_, point_, now, r.normal / step_, r.friction / step_, mode});
+    } else {
+      note(t, mode);
+    }
     const double scale = hits ? 0.0 : 1.0 / step_;
     recorder_.step({t, q_.data(), v_.data(), scale * r.normal, scale * r.friction, mode, {}},
                    r.normal, r.friction, hits, hits ? &impact : nullptr);
@@ -64,7 +75,10 @@ class PeerRecord {
   }
 
   const double* q() const { return q_.data(); }
-  Trajectory finish(double end) { return recorder_.finish(end); }
+  Trajectory finish(double end) {
+    if (soft_) episodes_.finish();
+    return recorder_.finish(end);
+  }
 
  private:
   void take(const StepRecord& r) {
@@ -93,8 +107,10 @@ class PeerRecord {
 
   const Model& model_;
   const PlanarSystem& system_;
+  bool soft_;
   double step_;
   Recorder recorder_;
+  ContactEpisodes episodes_;  // of a soft contact
   std::vector<double> q_, v_;
   ContactPoint point_;
   bool touched_ = false;
@@ -103,12 +119,14 @@ class PeerRecord {
 
 class PeerEngine final : public Engine {
  public:
-  PeerEngine(std::string name, MakeStepper make) : name_(std::move(name)), make_(std::move(make)) {}
+  PeerEngine(std::string name, PeerContact contact, MakeStepper make)
+      : name_(std::move(name)), contact_(contact), make_(std::move(make)) {}
   std::string name() const override { return name_; }
   Trajectory run(const scene::Scene& given, const RunRequest& request) const override;
 
  private:
   std::string name_;
+  PeerContact contact_;
   MakeStepper make_;
 };
 
@@ -119,7 +137,7 @@ Trajectory PeerEngine::run(const scene::Scene& given, const RunRequest& request)
   const double step = request.step.value_or(scene.run.step);
   const std::vector<double> times = request.output_times.value_or(output_times(scene.run));
   check_run_size(scene, model, step, &times);
-  PeerRecord record(model, system, step, times);
+  PeerRecord record(model, system, contact_, step, times);
   const std::unique_ptr<Stepper> stepper = make_(system, step);
 
   const auto steps = static_cast<std::int64_t>(std::ceil(scene.run.end / step - 1e-9));
@@ -173,8 +191,8 @@ Trajectory PeerEngine::run(const scene::Scene& given, const RunRequest& request)
 
 }  // namespace
 
-std::unique_ptr<Engine> peer_engine(const std::string& name, MakeStepper make) {
-  return std::make_unique<PeerEngine>(name, std::move(make));
+std::unique_ptr<Engine> peer_engine(const std::string& name, PeerContact contact, MakeStepper make) {
+  return std::make_unique<PeerEngine>(name, contact, std::move(make));
 }
 
 }  // namespace rotorub::peers

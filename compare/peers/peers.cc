@@ -9,9 +9,10 @@ namespace {
 Peer penalty(const std::string& name, PenaltyFriction friction, const std::string& what) {
   PenaltyParameters parameters;
   parameters.friction = friction;
-  return {name, what, "", peer_engine(name, [parameters](const PlanarSystem& system, double step) {
-            return penalty_stepper(system, step, parameters);
-          })};
+  const MakeStepper make = [parameters](const PlanarSystem& system, double step) {
+    return penalty_stepper(system, step, parameters);
+  };
+  return {name, what, "", peer_engine(name, PeerContact::kSoft, make)};
 }
 
 }  // namespace

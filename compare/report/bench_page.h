@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "compare/bench/machine.h"
+#include "compare/bench/restitution.h"
 #include "compare/bench/scene_bench.h"
 
 namespace rotorub {
 
-std::string bench_page(const bench::Machine& machine, const std::vector<bench::SceneBench>& benches);
+std::string bench_page(const bench::Machine& machine, const std::vector<bench::SceneBench>& benches,
+                       const std::vector<bench::RestitutionRow>& restitution);
 
 }  // namespace rotorub
