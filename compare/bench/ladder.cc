@@ -22,7 +22,7 @@ std::vector<double> parse_list(const char* option, const std::string& list,
                                const scene::Quantity& quantity,
                                const std::function<std::string(double)>& wrong) {
   std::vector<double> values;
-  std::istringstream entries(list);
+  std::istringstream entries(list + ",");  // an entry after the last comma is one too
   for (std::string entry; std::getline(entries, entry, ',');) {
     const std::string text = trimmed(entry);
     const auto parsed = scene::parse_quantity(text, quantity);

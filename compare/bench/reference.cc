@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <stdexcept>
 
 #include "compare/bench/event_engine.h"
@@ -26,6 +28,34 @@ Trajectory run_event(const scene::Scene& scene, const RunRequest& request, doubl
 }
 
 }  // namespace
+
+std::vector<double> common_times(const scene::Run& run, const std::vector<double>& steps) {
+  constexpr double kNano = 1e-9;  // s
+  constexpr double kWhole = 1e-6;  // what a whole number may miss
+  std::int64_t common = 1;
+  for (const double step : steps) {
+    const double nanos = step / kNano;
+    const bool whole = nanos > 0.5 && std::abs(nanos - std::round(nanos)) < kWhole * nanos;
+    if (!whole || static_cast<double>(common) > run.end / kNano) return output_times(run);
+    common = std::lcm(common, static_cast<std::int64_t>(std::llround(nanos)));
+  }
+  const double least = static_cast<double>(common) * kNano;
+  if (run.end / least < kFewestRows) return output_times(run);
+  // The end is a row too, where it can be.
+  const double most = std::max(1.0, std::ceil(run.end / kMostRows / least - kWhole));
+  const auto ends_at_the_end = [&](double factor) {
+    const double rows = run.end / (factor * least);
+    return std::abs(rows - std::round(rows)) < kWhole;
+  };
+  double factor = most;
+  while (factor < 2.0 * most && !ends_at_the_end(factor)) factor += 1.0;
+  const double spacing = least * (ends_at_the_end(factor) ? factor : most);
+  std::vector<double> times;
+  const auto count = static_cast<std::int64_t>(std::floor(run.end / spacing * (1.0 + 1e-12)));
+  for (std::int64_t k = 0; k <= count; ++k) times.push_back(static_cast<double>(k) * spacing);
+  times.back() = std::min(times.back(), run.end);
+  return times;
+}
 
 double position_distance(const Trajectory& a, const Trajectory& b) {
   assert(a.rows() == b.rows());

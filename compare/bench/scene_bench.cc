@@ -25,6 +25,7 @@ SceneBench bench_scene(const SceneReader& reader, const BenchParameters& paramet
   };
   RunRequest request;
   request.interrupt = interrupt;
+  request.output_times = common_times(bench.scene.run, parameters.ladder.steps);
   bench.reference = make_reference(bench.scene, request);
 
   std::vector<Setting> settings;
