@@ -1,4 +1,4 @@
-// Which scenes the closed forms of native_model/oracles describe, and what they say.
+#include "compare/bench/closed_form.h"
 
 #include <Eigen/Core>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 
-#include "compare/bench/reference.h"
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/oracles/billiard.h"
 #include "native_model/oracles/drop.h"

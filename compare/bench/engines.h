@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/bench/ladder.h"
 #include "compare/bench/setting.h"
 
 namespace rotorub::bench {

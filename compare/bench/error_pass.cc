@@ -1,8 +1,8 @@
+#include "compare/bench/error_pass.h"
+
 #include <map>
 #include <stdexcept>
 #include <utility>
-
-#include "compare/bench/passes.h"
 
 namespace rotorub::bench {
 namespace {

@@ -1,3 +1,5 @@
+#include "compare/bench/ladder.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "compare/bench/setting.h"
 #include "native_model/scene/units.h"
 
 namespace rotorub::bench {

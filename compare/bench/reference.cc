@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "compare/bench/closed_form.h"
 #include "compare/bench/event_engine.h"
 #include "native_model/trajectory/recorder.h"
 

@@ -38,8 +38,4 @@ Reference make_reference(const scene::Scene& scene, const RunRequest& request);
 // Largest distance of rotor or ring between two trajectories with the same rows; m.
 double position_distance(const Trajectory& a, const Trajectory& b);
 
-// The closed form of the scene, if it has one: replaces positions and normal force, row by row.
-// Gives its name; empty where there is none.
-std::string put_closed_form(const scene::Scene& scene, Trajectory& trajectory);
-
 }  // namespace rotorub::bench

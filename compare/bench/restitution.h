@@ -2,10 +2,11 @@
 // (mjcf/soft_contact.h), but not by its defaults.
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
-#include "compare/bench/passes.h"
+#include "compare/bench/progress.h"
 
 namespace rotorub::bench {
 

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "compare/bench/error_pass.h"
+
 namespace rotorub::bench {
 
 SceneBench bench_scene(const SceneReader& reader, const BenchParameters& parameters,

@@ -6,9 +6,9 @@
 
 #include "compare/bench/engines.h"
 #include "compare/bench/levels.h"
-#include "compare/bench/passes.h"
 #include "compare/bench/point.h"
 #include "compare/bench/stability_map.h"
+#include "compare/bench/timing_pass.h"
 
 namespace rotorub::bench {
 

@@ -1,10 +1,13 @@
 // Where MuJoCo's soft contact can be trusted: how runs end over step, stiffness and friction.
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
-#include "compare/bench/passes.h"
+#include "compare/bench/point.h"
+#include "compare/bench/progress.h"
+#include "compare/bench/setting.h"
 
 namespace rotorub::bench {
 

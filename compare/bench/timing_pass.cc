@@ -1,8 +1,8 @@
+#include "compare/bench/timing_pass.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-
-#include "compare/bench/passes.h"
 
 namespace rotorub::bench {
 

@@ -1,4 +1,4 @@
-// A whole run of a peer: its steps in chunks, timed without the recorder, which is ours.
+#include "compare/peers/peer_engine.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "compare/engine/contact_episodes.h"
-#include "compare/peers/peers.h"
+#include "compare/peers/planar_scene.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/run_size.h"
 #include "native_model/trajectory/range_check.h"

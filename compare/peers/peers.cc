@@ -1,6 +1,7 @@
 #include "compare/peers/peers.h"
 
 #include "compare/peers/module.h"
+#include "compare/peers/peer_engine.h"
 #include "compare/peers/penalty.h"
 
 namespace rotorub::peers {

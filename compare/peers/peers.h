@@ -4,13 +4,11 @@
 // has it. What is the peer's own stands in Peer::what.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "compare/engine/engine.h"
-#include "compare/peers/stepper.h"
 
 namespace rotorub::peers {
 
@@ -22,13 +20,5 @@ struct Peer {
 };
 
 const std::vector<Peer>& all_peers();
-
-// Scenes a peer cannot hold throw std::runtime_error with the part that is in the way.
-PlanarSystem planar_system(const scene::Scene& scene);
-
-// kImpulsive: an impact is over within a step. kSoft: it is an episode of contact, many steps long.
-enum class PeerContact { kImpulsive, kSoft };
-using MakeStepper = std::function<std::unique_ptr<Stepper>(const PlanarSystem&, double step)>;
-std::unique_ptr<Engine> peer_engine(const std::string& name, PeerContact contact, MakeStepper make);
 
 }  // namespace rotorub::peers

@@ -1,8 +1,8 @@
-#include "compare/bench/passes.h"
+#include "compare/bench/error_pass.h"
 
 #include <gtest/gtest.h>
 
-#include "compare/bench/event_engine.h"
+#include "compare/bench/timing_pass.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub::bench {

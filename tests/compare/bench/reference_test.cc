@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compare/bench/closed_form.h"
 #include "compare/bench/event_engine.h"
 #include "native_model/scene/reader.h"
 

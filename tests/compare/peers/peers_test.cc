@@ -9,6 +9,7 @@
 
 #include "compare/bench/reference.h"
 #include "compare/peers/penalty.h"
+#include "compare/peers/planar_scene.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub::peers {

@@ -1,22 +1,14 @@
-// The two passes over the settings of a scene: one for errors, with the output on, and one for
-// times, with the output off.
+// The pass for the times: repeated whole integrations with the output off, all points in turns.
 #pragma once
 
 #include <atomic>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "compare/bench/point.h"
+#include "compare/bench/progress.h"
 
 namespace rotorub::bench {
-
-using Progress = std::function<void(double share, const std::string& what)>;
-
-// One run each. Series of one engine and setting also get their distance to their own finest step
-// (Point::limit_error), which holds no error of the contact model.
-std::vector<Point> error_pass(const std::vector<Setting>& settings, const Reference& reference,
-                              const Progress& progress, const std::atomic<bool>* interrupt);
 
 struct TimingParameters {
   int repeats = 20;  // >= 1, of each

@@ -1,10 +1,9 @@
-#include "compare/bench/setting.h"
+#include "compare/bench/engines.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "compare/bench/engines.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub::bench {

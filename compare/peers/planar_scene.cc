@@ -1,10 +1,9 @@
-#include "compare/peers/planar_system.h"
+#include "compare/peers/planar_scene.h"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-#include "compare/peers/peers.h"
 #include "native_model/system/model.h"
 
 namespace rotorub::peers {
