@@ -50,11 +50,13 @@ bool is_free_mass(const scene::Scene& s) {
 
 std::optional<Form> billiard(const scene::Scene& s) {
   const Place v = start_velocity(s.initial);
-  if (!is_free_mass(s) || !s.forces.empty() || s.contact->restitution != 1.0 || v == Place()) return {};
+  if (!is_free_mass(s) || !s.forces.empty() || s.contact->restitution != 1.0 || v == Place())
+    return {};
   const Place x = start(s.initial);
   const oracle::Billiard exact(s.contact->clearance, {x.real(), x.imag()}, {v.real(), v.imag()});
-  return Form{"elastic billiard in a circle",
-              [exact](double t) { return Exact{of(exact.position(t)), {}, 0.0}; }};
+  return Form{"elastic billiard in a circle", [exact](double t) {
+                return Exact{of(exact.position(t)), {}, 0.0};
+              }};
 }
 
 // From rest at the centre along a constant force: straight down, wherever that is.

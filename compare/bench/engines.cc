@@ -118,9 +118,12 @@ std::string accepted() {
 
 const char* to_string(Family family) {
   switch (family) {
-    case Family::kNative: return "native";
-    case Family::kMujoco: return "mujoco";
-    case Family::kPeer: return "peer";
+    case Family::kNative:
+      return "native";
+    case Family::kMujoco:
+      return "mujoco";
+    case Family::kPeer:
+      return "peer";
   }
   return "";
 }
@@ -154,8 +157,8 @@ std::vector<BenchEngine> chosen_engines(const std::string& list) {
   }
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!met[k]) {
-      throw std::invalid_argument(fmt::format("--engines {}: there is no `{}`; accepted: {}", list,
-                                              names[k], accepted()));
+      throw std::invalid_argument(
+          fmt::format("--engines {}: there is no `{}`; accepted: {}", list, names[k], accepted()));
     }
   }
   return chosen;

@@ -167,12 +167,12 @@ nlohmann::json bench_json(const Machine& machine, const std::vector<SceneBench>&
   json scenes = json::array();
   for (const SceneBench& bench : benches) scenes.push_back(scene_json(bench));
   json all = {{"machine",
-           {{"processor", machine.processor},
-            {"threads", machine.threads},
-            {"instructions", machine.instructions},
-            {"compiler", machine.compiler},
-            {"mujoco_version", machine.mujoco}}},
-          {"scenes", scenes}};
+               {{"processor", machine.processor},
+                {"threads", machine.threads},
+                {"instructions", machine.instructions},
+                {"compiler", machine.compiler},
+                {"mujoco_version", machine.mujoco}}},
+              {"scenes", scenes}};
   if (!restitution.empty()) all["restitution"] = restitution_json(restitution);
   return all;
 }

@@ -20,9 +20,9 @@ struct Best {
 };
 
 struct Level {
-  double share = 0.0;  // of the clearance
-  double error = 0.0;  // m
-  bool judged = true;  // false: nearer to the reference than its own error lets tell
+  double share = 0.0;         // of the clearance
+  double error = 0.0;         // m
+  bool judged = true;         // false: nearer to the reference than its own error lets tell
   std::vector<Best> engines;  // by rising time; engines that do not reach the level are left out
 };
 

@@ -6,11 +6,11 @@
 namespace rotorub::bench {
 
 struct Machine {
-  std::string processor;  // as the kernel names it
-  int threads = 0;        // hardware threads; every run here takes one
+  std::string processor;     // as the kernel names it
+  int threads = 0;           // hardware threads; every run here takes one
   std::string instructions;  // the widest vector instructions of the processor
   std::string compiler;
-  std::string mujoco;     // version
+  std::string mujoco;  // version
 };
 Machine this_machine();
 

@@ -9,11 +9,16 @@ namespace rotorub::bench {
 
 const char* to_string(Outcome outcome) {
   switch (outcome) {
-    case Outcome::kOk: return "ok";
-    case Outcome::kChatter: return "chatter";
-    case Outcome::kWrongAttractor: return "wrong_attractor";
-    case Outcome::kDiverged: return "diverged";
-    case Outcome::kRefused: return "refused";
+    case Outcome::kOk:
+      return "ok";
+    case Outcome::kChatter:
+      return "chatter";
+    case Outcome::kWrongAttractor:
+      return "wrong_attractor";
+    case Outcome::kDiverged:
+      return "diverged";
+    case Outcome::kRefused:
+      return "refused";
   }
   return "";
 }
@@ -50,11 +55,12 @@ Judgement judge(const Trajectory& trajectory, const Settled& settled, const Sett
                         trajectory.end, trajectory.message)};
   }
   const auto said = [&](const char* what) {
-    return fmt::format("{}: {} (in contact {:.3g} % of the last fifth, whirl {:.5g} rad/s) where the "
-                       "reference has {} ({:.3g} %, {:.5g} rad/s)",
-                       what, rotorub::to_string(settled.attractor), 100.0 * settled.contact_share,
-                       settled.whirl_frequency, rotorub::to_string(reference.attractor),
-                       100.0 * reference.contact_share, reference.whirl_frequency);
+    return fmt::format(
+        "{}: {} (in contact {:.3g} % of the last fifth, whirl {:.5g} rad/s) where the "
+        "reference has {} ({:.3g} %, {:.5g} rad/s)",
+        what, rotorub::to_string(settled.attractor), 100.0 * settled.contact_share,
+        settled.whirl_frequency, rotorub::to_string(reference.attractor),
+        100.0 * reference.contact_share, reference.whirl_frequency);
   };
   if (settled.attractor != reference.attractor) {
     const bool bounces = settled.attractor == Attractor::kChattering;

@@ -16,9 +16,9 @@ const char* to_string(Outcome outcome);
 
 // Against the reference. Shares are of the reference's own value; none where it is 0.
 struct PointErrors {
-  double position = 0.0;          // m, largest over rows and bodies
-  std::optional<double> force;    // mean |lambda_N - reference| over the rows where the reference is
-                                  // in lasting contact, as a share of its mean there
+  double position = 0.0;        // m, largest over rows and bodies
+  std::optional<double> force;  // mean |lambda_N - reference| over the rows where the reference is
+                                // in lasting contact, as a share of its mean there
   std::optional<double> impulse;  // total normal impulse
 };
 // The trajectory must have the reference's rows.

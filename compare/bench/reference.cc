@@ -31,7 +31,7 @@ Trajectory run_event(const scene::Scene& scene, const RunRequest& request, doubl
 }  // namespace
 
 std::vector<double> common_times(const scene::Run& run, const std::vector<double>& steps) {
-  constexpr double kNano = 1e-9;  // s
+  constexpr double kNano = 1e-9;   // s
   constexpr double kWhole = 1e-6;  // what a whole number may miss
   std::int64_t common = 1;
   for (const double step : steps) {

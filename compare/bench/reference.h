@@ -25,14 +25,15 @@ inline constexpr double kReferenceTolerance = 1e-13;
 // Errors under so many times the reference's own are not told apart from it.
 inline constexpr double kReferenceMargin = 100.0;
 
-// The rows that errors are looked at: at ends of steps of the whole ladder, as between them an engine
-// interpolates, across an impact in first order. Multiples of the least common multiple of the
-// steps, some thousand; where that is no whole number of nanoseconds, or leaves fewer than kFewest
-// rows, the rows of the scene.
+// The rows that errors are looked at: at ends of steps of the whole ladder, as between them an
+// engine interpolates, across an impact in first order. Multiples of the least common multiple of
+// the steps, some thousand; where that is no whole number of nanoseconds, or leaves fewer than
+// kFewest rows, the rows of the scene.
 std::vector<double> common_times(const scene::Run& run, const std::vector<double>& steps);
 inline constexpr double kMostRows = 1000.0, kFewestRows = 200.0;
 
-// `request` holds the rows. Throws std::runtime_error where `event` cannot run the scene to its end.
+// `request` holds the rows. Throws std::runtime_error where `event` cannot run the scene to its
+// end.
 Reference make_reference(const scene::Scene& scene, const RunRequest& request);
 
 // Largest distance of rotor or ring between two trajectories with the same rows; m.

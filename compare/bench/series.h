@@ -13,9 +13,9 @@ namespace rotorub::bench {
 struct Series {
   std::string engine, setting;  // the tolerances of `event` are one series without a setting
   std::vector<std::size_t> points;
-  std::optional<double> order;        // error ~ step^order
-  std::optional<std::size_t> best;    // the point with the least error
-  double us_per_step = 0.0;           // of the finest point that was timed; 0: none
+  std::optional<double> order;      // error ~ step^order
+  std::optional<std::size_t> best;  // the point with the least error
+  double us_per_step = 0.0;         // of the finest point that was timed; 0: none
   std::map<Outcome, int> outcomes;
   std::string reason;  // of the first point that is not ok
 };

@@ -15,7 +15,8 @@ std::string level_line(const Level& level, const std::vector<Point>& points) {
                       setting_text(points[first.point].setting), 1e3 * first.seconds);
   for (std::size_t k = 1; k < level.engines.size(); ++k) {
     const Best& other = level.engines[k];
-    line += fmt::format("{} {} ×{:.3g}", k > 1 ? "," : " ", other.engine, other.seconds / first.seconds);
+    line += fmt::format("{} {} ×{:.3g}", k > 1 ? "," : " ", other.engine,
+                        other.seconds / first.seconds);
   }
   if (level.engines.size() == 1) line += "  alone";
   if (!level.judged) line += "  (at the reference's own error)";
@@ -28,11 +29,11 @@ std::string series_lines(const SceneBench& bench) {
   for (const Series& s : series_of(bench.points, bench.floor())) {
     const auto optional = [](bool there, const std::string& value) { return there ? value : "–"; };
     const double least = s.best ? bench.points[*s.best].errors->position : 0.0;
-    text += fmt::format("  {:<15}{:<22}{:>6}{:>10}{:>12}  {}\n", s.engine, " " + s.setting,
-                        optional(s.order.has_value(), fmt::format("{:.2f}", s.order.value_or(0.0))),
-                        optional(s.us_per_step > 0.0, fmt::format("{:.3g}", s.us_per_step)),
-                        optional(s.best.has_value(), fmt::format("{:.1e} m", least)),
-                        outcomes_text(s));
+    text +=
+        fmt::format("  {:<15}{:<22}{:>6}{:>10}{:>12}  {}\n", s.engine, " " + s.setting,
+                    optional(s.order.has_value(), fmt::format("{:.2f}", s.order.value_or(0.0))),
+                    optional(s.us_per_step > 0.0, fmt::format("{:.3g}", s.us_per_step)),
+                    optional(s.best.has_value(), fmt::format("{:.1e} m", least)), outcomes_text(s));
     if (!s.reason.empty()) text += fmt::format("      {}\n", s.reason);
   }
   return text;
@@ -43,7 +44,8 @@ std::string series_lines(const SceneBench& bench) {
 std::string bench_table(const SceneBench& bench) {
   const double clearance = bench.scene.contact->clearance;
   std::string text = fmt::format(
-      "{}: {:.4g} s; errors against {} (its own: {:.1e} m), levels as shares of the clearance {:.3g} "
+      "{}: {:.4g} s; errors against {} (its own: {:.1e} m), levels as shares of the clearance "
+      "{:.3g} "
       "mm\n\n  {:<7}{:<17} {:<24}{:>13}   {}\n",
       bench.scene.name, bench.scene.run.end, bench.reference.source, bench.reference.error,
       1e3 * clearance, "level", "fastest", "setting", "median", "others");

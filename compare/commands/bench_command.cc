@@ -60,9 +60,10 @@ void check_scenes(const BenchArguments& options) {
     try {
       const scene::Scene scene = read_scene(file, options);
       if (!scene.contact) {
-        throw UsageError(fmt::format(
-            "{}: levels of error are shares of contact.clearance; accepted is a scene with [contact]",
-            file));
+        throw UsageError(
+            fmt::format("{}: levels of error are shares of contact.clearance; accepted is a scene "
+                        "with [contact]",
+                        file));
       }
     } catch (const scene::SceneError& error) {
       wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
@@ -127,12 +128,14 @@ Command add_bench_command(CLI::App& program) {
   app->add_option("--engines", options->engines,
                   "Engines or families (native, mujoco, peer), separated by commas (default: all)")
       ->type_name("LIST");
-  app->add_option("--steps", options->steps,
-                  "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 us to "
-                  "1 us)")
+  app->add_option(
+         "--steps", options->steps,
+         "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 us to "
+         "1 us)")
       ->type_name("LIST");
-  app->add_option("--tolerances", options->tolerances,
-                  "Tolerances of `event`, separated by commas (default: decades from 1e-4 to 1e-12)")
+  app->add_option(
+         "--tolerances", options->tolerances,
+         "Tolerances of `event`, separated by commas (default: decades from 1e-4 to 1e-12)")
       ->type_name("LIST");
   app->add_option("--repeats", options->repeats, "Timed runs of each point")
       ->type_name("N")

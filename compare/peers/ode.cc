@@ -1,12 +1,15 @@
-// ODE: dWorldStep, its own mass matrix, its LCP with friction. Two bodies that move in the plane z = 0; one
-// contact joint made anew at every step where the disc is in the ring, at the present positions:
+// ODE: dWorldStep, its own mass matrix, its LCP with friction. Two bodies that move in the plane
+// z = 0; one contact joint made anew at every step where the disc is in the ring, at the present
+// positions:
 //
 //   normal      -e_r, on the rotor; depth |d| - delta_0
-//   friction    along e_t alone (mu2 = 0 across), pyramid scaled by the normal force (dContactApprox1)
+//   friction    along e_t alone (mu2 = 0 across), limited by mu times the normal force
+//               (dContactApprox1)
 //   restitution dContactBounce, above a closing speed that is none (kBounceSpeed)
 //
 // A held spin is a surface speed of the contact (dContactMotion1), a fixed ring a joint to the
-// world. Springs, dampers, loads and the drive are forces at the begin of the step, as ODE has them.
+// world. Springs, dampers, loads and the drive are forces at the begin of the step, as ODE has
+// them.
 
 #include <ode/ode.h>
 
@@ -94,9 +97,10 @@ class OdeStepper final : public Stepper {
   PlanarGap touch() {
     const dReal *x = dBodyGetPosition(rotor_), *v = dBodyGetLinearVel(rotor_);
     const dReal still[3] = {0.0, 0.0, 0.0};
-    const dReal *s = ring_ ? dBodyGetPosition(ring_) : still, *w = ring_ ? dBodyGetLinearVel(ring_) : still;
-    const PlanarGap g = planar_gap(system_, {x[0], x[1]}, {v[0], v[1]}, {s[0], s[1]}, {w[0], w[1]},
-                                   system_.speed);
+    const dReal *s = ring_ ? dBodyGetPosition(ring_) : still,
+                *w = ring_ ? dBodyGetLinearVel(ring_) : still;
+    const PlanarGap g =
+        planar_gap(system_, {x[0], x[1]}, {v[0], v[1]}, {s[0], s[1]}, {w[0], w[1]}, system_.speed);
     if (g.gap > 0.0) return g;
     const Pair& n = g.normal;
     dContact c{};
@@ -175,4 +179,5 @@ Stepper* make(const PlanarSystem& system, double step) {
 }  // namespace
 }  // namespace rotorub::peers
 
-extern "C" const rotorub::peers::ModuleInterface rotorub_peer{"ODE " dODE_VERSION, rotorub::peers::make};
+extern "C" const rotorub::peers::ModuleInterface rotorub_peer{"ODE " dODE_VERSION,
+                                                              rotorub::peers::make};

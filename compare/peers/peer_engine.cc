@@ -19,7 +19,8 @@ constexpr std::int64_t kChunk = 256;
 
 bool finite(const StepRecord& r) {
   double sum = r.angle + r.speed + r.normal + r.friction;
-  for (const Pair& p : {r.position, r.velocity, r.ring_position, r.ring_velocity}) sum += p[0] + p[1];
+  for (const Pair& p : {r.position, r.velocity, r.ring_position, r.ring_velocity})
+    sum += p[0] + p[1];
   return std::isfinite(sum);
 }
 
@@ -51,8 +52,7 @@ class PeerRecord {
     const bool hits = !soft_ && touches && !touched_ && point_.gap_rate < kCountedGapRate;
     Impact impact;
     if (hits) {
-      impact = {t,          r.normal,   r.friction, point_.gap_rate, now.gap_rate, point_.slip,
-                now.slip,   0.0};
+      impact = {t, r.normal, r.friction, point_.gap_rate, now.gap_rate, point_.slip, now.slip, 0.0};
       impact.energy_change = 0.5 * (r.normal * (point_.gap_rate + now.gap_rate) +
                                     r.friction * (point_.slip + now.slip));
       recorder_.add(impact);
@@ -191,7 +191,8 @@ Trajectory PeerEngine::run(const scene::Scene& given, const RunRequest& request)
 
 }  // namespace
 
-std::unique_ptr<Engine> peer_engine(const std::string& name, PeerContact contact, MakeStepper make) {
+std::unique_ptr<Engine> peer_engine(const std::string& name, PeerContact contact,
+                                    MakeStepper make) {
   return std::make_unique<PeerEngine>(name, contact, std::move(make));
 }
 

@@ -13,9 +13,9 @@
 namespace rotorub::peers {
 
 struct Peer {
-  std::string name;     // "siconos"
-  std::string what;     // whose solver, how used
-  std::string missing;  // why it is not here; empty: it is
+  std::string name;                      // "siconos"
+  std::string what;                      // whose solver, how used
+  std::string missing;                   // why it is not here; empty: it is
   std::shared_ptr<const Engine> engine;  // null where it is missing
 };
 

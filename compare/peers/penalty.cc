@@ -113,7 +113,8 @@ class PenaltyStepper final : public Stepper {
 PenaltyForce penalty_force(const PlanarSystem& s, const StepRecord& y, double k, double c,
                            const PenaltyParameters& parameters) {
   PenaltyForce f;
-  const PlanarGap g = planar_gap(s, y.position, y.velocity, y.ring_position, y.ring_velocity, y.speed);
+  const PlanarGap g =
+      planar_gap(s, y.position, y.velocity, y.ring_position, y.ring_velocity, y.speed);
   if (g.gap >= 0.0) return f;
   const Pair& n = g.normal;
   if (parameters.friction == PenaltyFriction::kTangential) {

@@ -17,7 +17,8 @@ std::string beyond(const scene::Scene& s, const Model& m) {
   if (m.layout.torsion > 0) return "elastic torsion";
   if (!m.gyroscopic.absent()) return "gyroscopic terms";
   if (!m.internal_xx.absent() || !m.internal_xy.absent()) return "internal (rotating) damping";
-  if (!m.dampers.empty() || !m.springs.empty()) return "bearings or springs at stations of their own";
+  if (!m.dampers.empty() || !m.springs.empty())
+    return "bearings or springs at stations of their own";
   if (!m.unbalances.empty()) return "unbalance";
   if (m.controller || m.magnets || s.actuator) return "[controller] or [actuator]";
   if (s.drive && s.drive->kind != scene::DriveKind::kLinear &&

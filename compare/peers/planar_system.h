@@ -33,7 +33,7 @@ struct PlanarSystem {
   double inertia = 0.0;                        // kg m^2, of a free spin
   double drive_gain = 0.0, drive_speed = 0.0;  // N m s, rad/s
   std::vector<PlanarLoad> loads;
-  double radius = 0.0, clearance = 0.0;        // m
+  double radius = 0.0, clearance = 0.0;  // m
   double friction = 0.0, restitution = 0.0;
   Pair position{}, velocity{}, ring_position{}, ring_velocity{};  // at t = 0
   double angle = 0.0, speed = 0.0;                                // rad, rad/s

@@ -1,16 +1,16 @@
 // Siconos: its Moreau-Jean integrator (theta 1/2), its activation of contacts, its friction-contact
 // problem in 2D and its impact law. The relation is ours: q = (x, y, phi | ring x, y),
 //
-//   y_N = delta_0 - |d|,  H_N = (-e_r, 0 | e_r),   H_T = (e_t, r | -e_t)       at the present positions
+//   y_N = delta_0 - |d|,  H_N = (-e_r, 0 | e_r),   H_T = (e_t, r | -e_t)   at the present positions
 //
 // A held spin is a degree of freedom with an inertia that nothing here turns (kHeld).
 // This is the one file that sees Siconos' headers.
 
-#include <SiconosKernel.hpp>
 #include <SolverOptions.h>
+#include <SiconosKernel.hpp>
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "compare/peers/stepper.h"
@@ -44,7 +44,8 @@ SP::SimpleMatrix diagonal(std::initializer_list<double> values) {
 // A linear body under a load of time.
 class LoadedBody : public LagrangianLinearTIDS {
  public:
-  LoadedBody(const PlanarSystem& system, SP::SiconosVector q, SP::SiconosVector v, SP::SiconosMatrix m)
+  LoadedBody(const PlanarSystem& system, SP::SiconosVector q, SP::SiconosVector v,
+             SP::SiconosMatrix m)
       : LagrangianLinearTIDS(std::move(q), std::move(v), std::move(m)), system_(system) {
     allocateFExt();
   }
@@ -98,10 +99,10 @@ class SiconosStepper final : public Stepper {
     const PlanarSystem& s = system_;
     const double inertia = s.spin_is_free ? s.inertia : kHeld;
     const PlanarSupport& r = s.rotor;
-    rotor_ = std::make_shared<LoadedBody>(
-        system_, vector_of({s.position[0], s.position[1], s.angle}),
-        vector_of({s.velocity[0], s.velocity[1], s.speed}),
-        diagonal({r.mass[0], r.mass[1], inertia}));
+    rotor_ =
+        std::make_shared<LoadedBody>(system_, vector_of({s.position[0], s.position[1], s.angle}),
+                                     vector_of({s.velocity[0], s.velocity[1], s.speed}),
+                                     diagonal({r.mass[0], r.mass[1], inertia}));
     rotor_->setKPtr(diagonal({r.stiffness[0], r.stiffness[1], 0.0}));
     rotor_->setCPtr(diagonal({r.damping[0], r.damping[1], s.spin_is_free ? s.drive_gain : 0.0}));
     if (s.ring_moves) {
@@ -128,9 +129,9 @@ class SiconosStepper final : public Stepper {
     problem->numericsSolverOptions()->dparam[SICONOS_DPARAM_TOL] = kSolverTolerance;
     run_ = std::make_shared<TimeStepping>(model_, std::make_shared<TimeDiscretisation>(0.0, step),
                                           std::make_shared<MoreauJeanOSI>(0.5), problem);
-    // One solution a step, with the normal of its begin. Newton iterations (SICONOS_TS_NONLINEAR) change
-    // nothing: they look at the residual of the bodies, which are linear, and a residual of the relation
-    // is not implemented for this kind.
+    // One solution a step, with the normal of its begin. Newton iterations (SICONOS_TS_NONLINEAR)
+    // change nothing: they look at the residual of the bodies, which are linear, and a residual of
+    // the relation is not implemented for this kind.
     run_->setNewtonOptions(SICONOS_TS_LINEAR);
     run_->setWarnOnNonConvergence(false);
   }
@@ -155,7 +156,9 @@ class SiconosStepper final : public Stepper {
  private:
   void read(StepRecord& r) const {
     r = StepRecord{};
-    const auto pair = [](const SP::SiconosVector& v) { return Pair{v->getValue(0), v->getValue(1)}; };
+    const auto pair = [](const SP::SiconosVector& v) {
+      return Pair{v->getValue(0), v->getValue(1)};
+    };
     r.position = pair(rotor_->q());
     r.velocity = pair(rotor_->velocity());
     r.angle = rotor_->q()->getValue(2);
@@ -178,9 +181,7 @@ class SiconosStepper final : public Stepper {
   std::string message_;
 };
 
-Stepper* make(const PlanarSystem& system, double step) {
-  return new SiconosStepper(system, step);
-}
+Stepper* make(const PlanarSystem& system, double step) { return new SiconosStepper(system, step); }
 
 }  // namespace
 }  // namespace rotorub::peers

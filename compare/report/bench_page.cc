@@ -90,7 +90,8 @@ json series_row(const Series& s, const std::vector<Point>& points) {
 
 json cell_values(const StabilityCell& cell) {
   switch (cell.judgement.outcome) {
-    case Outcome::kOk: return {{"word", "fine"}, {"tone", "good"}, {"reason", ""}};
+    case Outcome::kOk:
+      return {{"word", "fine"}, {"tone", "good"}, {"reason", ""}};
     case Outcome::kChatter:
       return {{"word", "chatter"}, {"tone", ""}, {"reason", cell.judgement.reason}};
     case Outcome::kWrongAttractor:
@@ -116,9 +117,10 @@ json map_tables(const StabilityMap& map) {
       for (std::size_t k = 0; k < map.steps.size() && at < map.cells.size(); ++k, ++at) {
         cells.push_back(cell_values(map.cells[at]));
       }
-      rows.push_back({{"engine", first.engine},
-                      {"stiffness", first.stiffness > 0.0 ? fmt::format("{:g}", first.stiffness) : "–"},
-                      {"cells", cells}});
+      rows.push_back(
+          {{"engine", first.engine},
+           {"stiffness", first.stiffness > 0.0 ? fmt::format("{:g}", first.stiffness) : "–"},
+           {"cells", cells}});
     }
     tables.push_back({{"friction", short_number(friction)}, {"steps", steps}, {"rows", rows}});
   }
@@ -163,8 +165,8 @@ json scene_values(const SceneBench& bench, std::size_t index) {
           {"id", fmt::format("scene-{}", index + 1)},
           {"index", index},
           {"tone", native ? "good" : "bad"},
-          {"headline", native ? "A native integrator at every level reached"
-                              : "Not native at every level"},
+          {"headline",
+           native ? "A native integrator at every level reached" : "Not native at every level"},
           {"text", verdict},
           {"verdict", verdict},
           {"end", time_text(bench.scene.run.end)},

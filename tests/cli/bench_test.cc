@@ -36,9 +36,9 @@ TEST(CliBench, PrintsJsonAndNothingElse) {
 
 TEST(CliBench, EachSceneHasItsTable) {
   const Folder folder;
-  const Outcome done = folder.run({"bench", shipped("bench_drop"), shipped("bench_billiard"),
-                                   "--engines", "native", "--steps", "100us,50us,20us",
-                                   "--tolerances", "1e-6,1e-9", "--repeats", "1"});
+  const Outcome done =
+      folder.run({"bench", shipped("bench_drop"), shipped("bench_billiard"), "--engines", "native",
+                  "--steps", "100us,50us,20us", "--tolerances", "1e-6,1e-9", "--repeats", "1"});
   ASSERT_EQ(done.code, 0) << done.err;
   for (const char* part : {"bench_drop:", "bench_billiard:", "native-event", "closed form",
                            "a native integrator is the fastest"}) {
@@ -49,8 +49,9 @@ TEST(CliBench, EachSceneHasItsTable) {
 // Files appear whole, the page needs no network, and the JSON is that of --json.
 TEST(CliBenchLong, WritesPageAndJson) {
   const Folder folder;
-  const Outcome done = folder.run({"bench", shipped("bench_drop"), "--engines", "native,mujoco-cone",
-                                   "--steps", "100us,50us", "--repeats", "1", "-o", "deep/out"});
+  const Outcome done =
+      folder.run({"bench", shipped("bench_drop"), "--engines", "native,mujoco-cone", "--steps",
+                  "100us,50us", "--repeats", "1", "-o", "deep/out"});
   ASSERT_EQ(done.code, 0) << done.err;
   EXPECT_EQ(folder.files(), (Files{"deep/out/bench.html", "deep/out/bench.json"}));
   const json all = json::parse(folder.text("deep/out/bench.json"));
@@ -65,9 +66,10 @@ TEST(CliBench, RefusesBadListsWithWhatIsAccepted) {
     std::vector<std::string> arguments;
     const char* said;
   };
-  for (const Case& c : {Case{{"--engines", "bullet"}, "native-verlet"}, Case{{"--steps", "3 kg"}, "--steps"},
-                        Case{{"--steps", "10us,0"}, "above 0"}, Case{{"--tolerances", "2"}, "(0, 1)"},
-                        Case{{"--repeats", "0"}, "1 or more"}}) {
+  for (const Case& c :
+       {Case{{"--engines", "bullet"}, "native-verlet"}, Case{{"--steps", "3 kg"}, "--steps"},
+        Case{{"--steps", "10us,0"}, "above 0"}, Case{{"--tolerances", "2"}, "(0, 1)"},
+        Case{{"--repeats", "0"}, "1 or more"}}) {
     std::vector<std::string> all{"bench", shipped("bench_drop")};
     all.insert(all.end(), c.arguments.begin(), c.arguments.end());
     const Outcome refused = folder.run(all);

@@ -58,7 +58,9 @@ TEST(BenchEngines, GiveASettingForEachStepOrTolerance) {
     return scene::read_scene(file, further);
   };
   const Ladder ladder{{1e-4, 1e-5}, {1e-6, 1e-9, 1e-12}};
-  const auto settings = [&](const char* name) { return chosen_engines(name)[0].settings(reader, ladder); };
+  const auto settings = [&](const char* name) {
+    return chosen_engines(name)[0].settings(reader, ladder);
+  };
   const auto event = settings("native-event");
   ASSERT_EQ(event.size(), 3u);
   EXPECT_FALSE(event[0].step);

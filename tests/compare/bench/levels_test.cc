@@ -14,8 +14,9 @@ using test::made_point;
 constexpr double kClearance = 1e-3;  // m: the levels are 1e-5, 1e-6, ... m
 
 std::vector<BenchEngine> engines() {
-  return {made_engine("native-verlet", Family::kNative), made_engine("mujoco-rigid", Family::kMujoco),
-          made_engine("mujoco-cone", Family::kMujoco), made_engine("ode", Family::kPeer)};
+  return {made_engine("native-verlet", Family::kNative),
+          made_engine("mujoco-rigid", Family::kMujoco), made_engine("mujoco-cone", Family::kMujoco),
+          made_engine("ode", Family::kPeer)};
 }
 
 // Each engine counts with the quickest of its points that is exact enough.

@@ -62,9 +62,9 @@ TEST(BenchJson, HasTheKeysOfTheContract) {
   EXPECT_TRUE(scene.contains("reference"));
   ASSERT_EQ(scene.at("points").size(), 5u);
   for (const json& p : scene["points"]) {
-    for (const char* key :
-         {"engine", "setting", "step", "outcome", "reason", "position_error", "force_error",
-          "penetration", "energy_residual", "steps", "us_per_step", "real_time_factor", "wall_ms"}) {
+    for (const char* key : {"engine", "setting", "step", "outcome", "reason", "position_error",
+                            "force_error", "penetration", "energy_residual", "steps", "us_per_step",
+                            "real_time_factor", "wall_ms"}) {
       EXPECT_TRUE(p.contains(key)) << key;
     }
   }
@@ -112,9 +112,9 @@ TEST(BenchJson, WhatIsNotFiniteIsNull) {
 
 TEST(BenchTable, SaysWhoIsFastestAndWhatFailed) {
   const std::string text = bench_table(made_bench());
-  for (const char* part : {"bench_ring", "native-verlet", "mujoco-rigid ×6", "2.00", "1 diverged",
-                           "it <flew> away", "no engine reaches it",
-                           "a native integrator is the fastest at every level reached"}) {
+  for (const char* part :
+       {"bench_ring", "native-verlet", "mujoco-rigid ×6", "2.00", "1 diverged", "it <flew> away",
+        "no engine reaches it", "a native integrator is the fastest at every level reached"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
 }
@@ -124,8 +124,8 @@ TEST(BenchPage, IsSelfContainedAndEscaped) {
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_TRUE(page.ends_with("</html>\n"));
   for (const char* part :
-       {"data-plot=\"precision\"", "data-plot=\"step\"", "data-plot=\"limit\"", "it &lt;flew&gt; away",
-        "made-up processor", "chatter", "0.4987", "no impact", "K 1e6"}) {
+       {"data-plot=\"precision\"", "data-plot=\"step\"", "data-plot=\"limit\"",
+        "it &lt;flew&gt; away", "made-up processor", "chatter", "0.4987", "no impact", "K 1e6"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
   for (const char* part : {"src=\"http", "href=\"http", "@import", "it <flew> away", "NaN"}) {

@@ -63,9 +63,9 @@ TEST(Interleaved, AnInterruptedRunIsNoTime) {
 class ErrorPass : public testing::Test {
  protected:
   ErrorPass()
-      : scene_(std::make_shared<const scene::Scene>(scene::read_scene(
-            std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
-            std::vector<std::string>{"run.end=0.02"}))),
+      : scene_(std::make_shared<const scene::Scene>(
+            scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
+                              std::vector<std::string>{"run.end=0.02"}))),
         reference_(make_reference(*scene_, rows())) {}
 
   RunRequest rows() const {
@@ -82,10 +82,10 @@ class ErrorPass : public testing::Test {
 };
 
 TEST_F(ErrorPass, FinerStepsAreMoreExactAndTheFinestIsTheLimit) {
-  const auto points = error_pass({setting(scene::Integrator::kVerlet, 1e-4),
-                                  setting(scene::Integrator::kVerlet, 5e-5),
-                                  setting(scene::Integrator::kVerlet, 1e-5)},
-                                 reference_, kSilent, nullptr);
+  const auto points = error_pass(
+      {setting(scene::Integrator::kVerlet, 1e-4), setting(scene::Integrator::kVerlet, 5e-5),
+       setting(scene::Integrator::kVerlet, 1e-5)},
+      reference_, kSilent, nullptr);
   ASSERT_EQ(points.size(), 3u);
   for (const Point& p : points) {
     EXPECT_EQ(p.judgement.outcome, Outcome::kOk) << p.judgement.reason;
@@ -115,10 +115,9 @@ TEST_F(ErrorPass, WhatFailsSaysWhy) {
   Setting throws = refused;
   throws.refusal = "";
   throws.runner = std::make_shared<Throws>();
-  auto points =
-      error_pass({refused, throws, setting(scene::Integrator::kVerlet, 1e-2),
-                  setting(scene::Integrator::kVerlet, 1e-5)},
-                 reference_, kSilent, nullptr);
+  auto points = error_pass({refused, throws, setting(scene::Integrator::kVerlet, 1e-2),
+                            setting(scene::Integrator::kVerlet, 1e-5)},
+                           reference_, kSilent, nullptr);
   ASSERT_EQ(points.size(), 4u);
   EXPECT_EQ(points[0].judgement.outcome, Outcome::kRefused);
   EXPECT_EQ(points[0].judgement.reason, "no such variant");

@@ -21,7 +21,8 @@ RunRequest rows(const scene::Scene& scene) {
   return r;
 }
 
-// Shares of the clearance that a reference has to tell apart: 100 times finer than the finest level.
+// Shares of the clearance that a reference has to tell apart: 100 times finer than the finest
+// level.
 constexpr double kFinestLevel = 1e-8;
 
 struct Case {
@@ -34,7 +35,8 @@ class Shipped : public testing::TestWithParam<Case> {};
 TEST_P(Shipped, IsAHundredTimesTighterThanTheFinestLevel) {
   const scene::Scene scene = shipped(GetParam().scene);
   const Reference r = make_reference(scene, rows(scene));
-  EXPECT_EQ(r.source.find("closed form") != std::string::npos, *GetParam().form != '\0') << r.source;
+  EXPECT_EQ(r.source.find("closed form") != std::string::npos, *GetParam().form != '\0')
+      << r.source;
   EXPECT_NE(r.source.find(GetParam().form), std::string::npos) << r.source;
   EXPECT_GT(r.error, 0.0) << "nothing is without error";
   const double needed = kFinestLevel * scene.contact->clearance / kReferenceMargin;
@@ -58,7 +60,8 @@ TEST(Reference, AgreesWithThePublishedDigitsOfTheRing) {
   request.output_times = {0.0, 0.02, 0.5};
   const Reference r = make_reference(scene, request);
   const auto at = [&](std::size_t row, double x, double y) {
-    return std::hypot(r.trajectory.column("rotor_x")[row] - x, r.trajectory.column("rotor_y")[row] - y);
+    return std::hypot(r.trajectory.column("rotor_x")[row] - x,
+                      r.trajectory.column("rotor_y")[row] - y);
   };
   EXPECT_LT(at(1, 3.200529602935e-4, -1.197270224039e-3), 1e-13);
   EXPECT_LT(at(2, 5.15768981628e-4, -2.036936721118e-3), 1e-12);
@@ -76,8 +79,8 @@ TEST(Reference, EstimateCoversTheTrueErrorOfEvent) {
     const Trajectory event = run(1e-10);
     Trajectory exact = event;
     ASSERT_NE(put_closed_form(scene, exact), "");
-    const double estimate = std::max(position_distance(event, run(3e-10)),
-                                     position_distance(event, run(1e-9)));
+    const double estimate =
+        std::max(position_distance(event, run(3e-10)), position_distance(event, run(1e-9)));
     // Round-off of thousands of operations comes on top of either.
     EXPECT_LE(position_distance(event, exact), estimate + 1e-15) << name;
   }
@@ -92,8 +95,7 @@ TEST(ClosedForm, IsLeftOutWhereTheSceneIsAnother) {
        {Change{"bench_billiard", "contact.restitution=0.9"},
         Change{"bench_billiard", "contact.friction=0.1"},
         Change{"bench_billiard", "rotor.modal.stiffness=[1.0]"},
-        Change{"bench_drop", "initial.x=[1e-5]"},
-        Change{"bench_drop", "contact.restitution=1.0"},
+        Change{"bench_drop", "initial.x=[1e-5]"}, Change{"bench_drop", "contact.restitution=1.0"},
         Change{"bench_annular_rigid", "contact.friction=0.1"},
         Change{"bench_annular_rigid", "initial.vx=[0.0]"},
         Change{"bench_annular_elastic", "stator.damping=100.0"},

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "compare/bench/reference.h"
+#include "compare/peers/module.h"
 #include "compare/peers/penalty.h"
 #include "compare/peers/planar_scene.h"
 #include "native_model/scene/reader.h"
@@ -110,6 +111,13 @@ TEST_P(EveryPeer, RefusesWhatItCannotHold) {
 INSTANTIATE_TEST_SUITE_P(Peers, EveryPeer, testing::Values("siconos", "ode", "penalty"),
                          [](const auto& one) { return one.param; });
 
+// A peer that is not here says what to install, and is no engine.
+TEST(ModulePeer, SaysWhatIsMissing) {
+  const Peer none = module_peer("nothing", "made up", "libnothing-dev");
+  EXPECT_FALSE(none.engine);
+  EXPECT_NE(none.missing.find("libnothing-dev"), std::string::npos) << none.missing;
+}
+
 // ---------------------------------------------------------------- the penalty law, by hand
 PlanarSystem disc() {
   PlanarSystem s;
@@ -190,7 +198,8 @@ TEST(PlanarSystem, HoldsTheNumbersOfTheScene) {
 
 TEST(PlanarSystem, LoadsSwitchAndRamp) {
   const PlanarSystem s = planar_system(
-      shipped("bench_drop", {"force=[{kind=\"constant\", vector=[0.0,-10.0], on=0.01, off=0.03, ramp=0.01}]"}));
+      shipped("bench_drop",
+              {"force=[{kind=\"constant\", vector=[0.0,-10.0], on=0.01, off=0.03, ramp=0.01}]"}));
   EXPECT_EQ(s.load(0.005)[1], 0.0);
   EXPECT_NEAR(s.load(0.015)[1], -5.0, 1e-12);
   EXPECT_EQ(s.load(0.025)[1], -10.0);
