@@ -40,14 +40,33 @@ class Limits {
   std::map<std::pair<std::string, std::string>, std::vector<Run>> runs_;
 };
 
-// Whatever an engine throws is said of this point, and the others go on.
-Trajectory run(const Setting& setting, const RunRequest& request, Judgement& judgement) {
-  try {
-    return setting.runner->run(*setting.scene, request);
-  } catch (const std::exception& error) {
-    judgement = {Outcome::kRefused, error.what()};
-    return {};
+// The point of one setting, without a time. Whatever an engine throws is said of it, and the others
+// go on. `trajectory`: what was recorded.
+Point examine(const Setting& setting, const RunRequest& request, const Reference& reference,
+              const Settled& goal, Trajectory& trajectory) {
+  Point point;
+  point.setting = setting;
+  if (!setting.refusal.empty()) {
+    point.judgement = {Outcome::kRefused, setting.refusal};
+    return point;
   }
+  try {
+    trajectory = setting.runner->run(*setting.scene, request);
+  } catch (const std::exception& error) {
+    point.judgement = {Outcome::kRefused, error.what()};
+    return point;
+  }
+  const bool whole = trajectory.status == Status::kOk;
+  if (whole) {
+    point.metrics = metrics(trajectory, contact_facts(*setting.scene));
+    point.errors = point_errors(trajectory, reference);
+  }
+  point.judgement = judge(trajectory, whole ? point.metrics->settled : Settled{}, goal,
+                          setting.scene->contact->clearance);
+  point.steps = trajectory.steps;
+  point.end = trajectory.end;
+  point.recorded_wall = trajectory.wall_s;
+  return point;
 }
 
 }  // namespace
@@ -58,36 +77,18 @@ std::vector<Point> error_pass(const std::vector<Setting>& settings, const Refere
   Limits limits;
   const Settled goal = settled(reference.trajectory);
   for (std::size_t k = 0; k < settings.size() && !stopped(interrupt); ++k) {
-    const Setting& setting = settings[k];
-    Point point;
-    point.setting = setting;
     RunRequest request;
-    request.step = setting.step;
+    request.step = settings[k].step;
     request.output_times = reference.times;
     request.interrupt = interrupt;
     request.progress = [&](double share) {
       progress((static_cast<double>(k) + share) / static_cast<double>(settings.size()),
-               "errors: " + setting.engine);
+               "errors: " + settings[k].engine);
     };
-    if (!setting.refusal.empty()) {
-      point.judgement = {Outcome::kRefused, setting.refusal};
-      points.push_back(std::move(point));
-      continue;
-    }
-    Trajectory trajectory = run(setting, request, point.judgement);
+    Trajectory trajectory;
+    Point point = examine(settings[k], request, reference, goal, trajectory);
     if (stopped(interrupt)) break;
-    if (point.judgement.outcome != Outcome::kRefused) {
-      const bool whole = trajectory.status == Status::kOk;
-      if (whole) point.metrics = metrics(trajectory, contact_facts(*setting.scene));
-      point.judgement = judge(trajectory, whole ? point.metrics->settled : Settled{}, goal);
-      point.steps = trajectory.steps;
-      point.end = trajectory.end;
-      point.wall.median = trajectory.wall_s;
-      if (whole) {
-        point.errors = point_errors(trajectory, reference);
-        limits.add(point, std::move(trajectory), points.size());
-      }
-    }
+    if (point.finished()) limits.add(point, std::move(trajectory), points.size());
     points.push_back(std::move(point));
   }
   limits.fill(points);

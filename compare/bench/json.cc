@@ -61,7 +61,7 @@ json level_json(const Level& level, const std::vector<Point>& points) {
 
 json series_json(const SceneBench& bench) {
   json all = json::array();
-  for (const Series& s : series_of(bench.points, bench.floor())) {
+  for (const Series& s : series_of(bench.points, bench.telling_errors())) {
     all.push_back({{"engine", s.engine}, {"setting", s.setting}, {"order", number(s.order)}});
   }
   return all;

@@ -47,12 +47,19 @@ PointErrors point_errors(const Trajectory& trajectory, const Reference& referenc
   return e;
 }
 
-Judgement judge(const Trajectory& trajectory, const Settled& settled, const Settled& reference) {
+Judgement judge(const Trajectory& trajectory, const Settled& settled, const Settled& reference,
+                double clearance) {
   if (trajectory.status == Status::kStepTooLarge) return {Outcome::kRefused, trajectory.message};
   if (trajectory.status != Status::kOk) {
     return {Outcome::kDiverged,
             fmt::format("{} at t = {:.6g} s: {}", rotorub::to_string(trajectory.status),
                         trajectory.end, trajectory.message)};
+  }
+  const double depth = trajectory.statistics.max_penetration;
+  if (depth > kLost * clearance) {
+    return {Outcome::kDiverged,
+            fmt::format("the rotor has been {:.3g} m deep in a ring with a clearance of {:.3g} m",
+                        depth, clearance)};
   }
   const auto said = [&](const char* what) {
     return fmt::format(

@@ -29,9 +29,13 @@ struct Judgement {
   Outcome outcome = Outcome::kOk;
   std::string reason;
 };
+// Clearances that the rotor may be deep in the ring; beyond it has left the machine, and the run
+// has diverged, whatever a soft contact says.
+inline constexpr double kLost = 10.0;
 // Share by which a whirl frequency may differ from that of the same attractor in the reference.
 inline constexpr double kWhirlTolerance = 0.02;
-Judgement judge(const Trajectory& trajectory, const Settled& settled, const Settled& reference);
+Judgement judge(const Trajectory& trajectory, const Settled& settled, const Settled& reference,
+                double clearance);
 
 // Wall time of the whole integration over repeated runs with the output off, s.
 struct WallTime {
@@ -46,7 +50,8 @@ struct Point {
   std::optional<Metrics> metrics;     // of the recorded run, likewise
   std::optional<double> limit_error;  // m: from its own finest step (limit.h)
   std::int64_t steps = 0;
-  double end = 0.0;  // s, simulated
+  double end = 0.0;            // s, simulated
+  double recorded_wall = 0.0;  // s, of the run with its output on: how long others may take
   WallTime wall;
 
   bool finished() const { return errors.has_value(); }

@@ -7,6 +7,7 @@
 #include "compare/bench/engines.h"
 #include "compare/bench/levels.h"
 #include "compare/bench/point.h"
+#include "compare/bench/series.h"
 #include "compare/bench/stability_map.h"
 #include "compare/bench/timing_pass.h"
 
@@ -27,8 +28,10 @@ struct SceneBench {
   std::vector<Level> levels;
   std::optional<StabilityMap> stability;
   bool interrupted = false;
-  // m, errors up to it are not told from the reference's own.
-  double floor() const { return kReferenceMargin * reference.error; }
+  // What the reference cannot tell, and errors of the size of the clearance.
+  ErrorRange telling_errors() const {
+    return {kReferenceMargin * reference.error, scene.contact->clearance};
+  }
 };
 
 // `reader` gives the scene with overrides beyond those of the user. Throws what the reader and

@@ -29,7 +29,7 @@ void take(const std::vector<Point>& points, std::size_t index, Series& series) {
 
 }  // namespace
 
-std::vector<Series> series_of(const std::vector<Point>& points, double floor) {
+std::vector<Series> series_of(const std::vector<Point>& points, const ErrorRange& range) {
   std::vector<Series> all;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Setting& s = points[k].setting;
@@ -48,7 +48,8 @@ std::vector<Series> series_of(const std::vector<Point>& points, double floor) {
     std::vector<double> steps, errors;
     for (const std::size_t k : series.points) {
       const Point& p = points[k];
-      if (!p.setting.step || !p.finished() || p.errors->position <= floor) continue;
+      if (!p.setting.step || !p.finished()) continue;
+      if (p.errors->position <= range.floor || p.errors->position >= range.ceiling) continue;
       steps.push_back(*p.setting.step);
       errors.push_back(p.errors->position);
     }

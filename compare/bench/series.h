@@ -20,8 +20,13 @@ struct Series {
   std::string reason;  // of the first point that is not ok
 };
 
-// In the order in which they first occur. `floor`: m, errors up to it say nothing of the order.
-std::vector<Series> series_of(const std::vector<Point>& points, double floor);
+// Errors that tell an order, m: above what the reference's own hides, below what is no result.
+struct ErrorRange {
+  double floor = 0.0, ceiling = 0.0;
+};
+
+// In the order in which they first occur.
+std::vector<Series> series_of(const std::vector<Point>& points, const ErrorRange& range);
 
 // Order of error ~ step^order by least squares through the logarithms; steps and errors > 0. None
 // for fewer than three points.

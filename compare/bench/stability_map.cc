@@ -28,7 +28,8 @@ Judgement judged_run(const Engine& engine, const scene::Scene& scene, double ste
   request.interrupt = interrupt;
   try {
     const Trajectory t = engine.run(scene, request);
-    return judge(t, t.status == Status::kOk ? settled(t) : Settled{}, goal);
+    return judge(t, t.status == Status::kOk ? settled(t) : Settled{}, goal,
+                 scene.contact->clearance);
   } catch (const std::exception& error) {
     return {Outcome::kRefused, error.what()};
   }

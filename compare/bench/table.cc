@@ -26,7 +26,7 @@ std::string level_line(const Level& level, const std::vector<Point>& points) {
 std::string series_lines(const SceneBench& bench) {
   std::string text = fmt::format("\n  {:<37}{:>6}{:>10}{:>12}  {}\n", "engine and setting", "order",
                                  "us/step", "least error", "outcomes");
-  for (const Series& s : series_of(bench.points, bench.floor())) {
+  for (const Series& s : series_of(bench.points, bench.telling_errors())) {
     const auto optional = [](bool there, const std::string& value) { return there ? value : "–"; };
     const double least = s.best ? bench.points[*s.best].errors->position : 0.0;
     text +=

@@ -49,10 +49,7 @@ void timing_pass(std::vector<Point>& points, const TimingParameters& parameters,
   std::vector<double> estimates;
   std::vector<Point*> timed;
   for (Point& point : points) {
-    if (!point.finished()) {
-      point.wall = {};
-      continue;
-    }
+    if (!point.finished()) continue;
     RunRequest request;
     request.step = point.setting.step;
     request.output_times = std::vector<double>{};
@@ -60,7 +57,7 @@ void timing_pass(std::vector<Point>& points, const TimingParameters& parameters,
     jobs.push_back([setting = point.setting, request] {
       return setting.runner->run(*setting.scene, request).wall_s;
     });
-    estimates.push_back(point.wall.median);
+    estimates.push_back(point.recorded_wall);
     timed.push_back(&point);
   }
   const auto times = interleaved(jobs, estimates, parameters, progress, interrupt);

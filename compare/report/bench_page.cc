@@ -41,7 +41,7 @@ json plot_point(const Point& p) {
 
 json plot_scene(const SceneBench& bench) {
   json all = json::array();
-  for (const Series& s : series_of(bench.points, bench.floor())) {
+  for (const Series& s : series_of(bench.points, bench.telling_errors())) {
     json points = json::array();
     for (const std::size_t k : s.points) {
       if (bench.points[k].finished()) points.push_back(plot_point(bench.points[k]));
@@ -155,7 +155,7 @@ json scene_values(const SceneBench& bench, std::size_t index) {
     levels.push_back(level_row(level, bench.points));
     native = native && native_is_fastest(level).value_or(true);
   }
-  for (const Series& s : series_of(bench.points, bench.floor())) {
+  for (const Series& s : series_of(bench.points, bench.telling_errors())) {
     series.push_back(series_row(s, bench.points));
     const bool mujoco = engine_of(bench, s.engine).family == Family::kMujoco;
     for (const std::size_t k : s.points) limits = limits || (mujoco && bench.points[k].limit_error);

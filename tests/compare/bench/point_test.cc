@@ -109,7 +109,7 @@ TEST(PointMetrics, PenetrationItsPredictionAndEnergy) {
 }
 
 Judgement judged(const Trajectory& t, const Trajectory& reference) {
-  return judge(t, settled(t), settled(reference));
+  return judge(t, settled(t), settled(reference), Whirl{}.clearance);
 }
 
 TEST(Judgement, SameAttractorIsFine) {
@@ -152,12 +152,22 @@ TEST(Judgement, AnEarlyEndSaysWhyAndWhen) {
   t.status = Status::kDiverged;
   t.end = 0.25;
   t.message = "the state is no longer finite";
-  const Judgement j = judge(t, {}, settled(rub({})));
+  const Judgement j = judge(t, {}, settled(rub({})), Whirl{}.clearance);
   EXPECT_EQ(j.outcome, Outcome::kDiverged);
   EXPECT_NE(j.reason.find("0.25"), std::string::npos) << j.reason;
   EXPECT_NE(j.reason.find("no longer finite"), std::string::npos) << j.reason;
   t.status = Status::kStepTooLarge;
-  EXPECT_EQ(judge(t, {}, settled(rub({}))).outcome, Outcome::kRefused);
+  EXPECT_EQ(judge(t, {}, settled(rub({})), Whirl{}.clearance).outcome, Outcome::kRefused);
+}
+
+// A soft contact that has let the rotor go says `ok` itself.
+TEST(Judgement, ARotorFarOutsideHasDiverged) {
+  Trajectory t = rub({});
+  t.statistics.max_penetration = 9.0 * Whirl{}.clearance;
+  EXPECT_EQ(judged(t, rub({})).outcome, Outcome::kOk) << "deep, but there";
+  t.statistics.max_penetration = 11.0 * Whirl{}.clearance;
+  EXPECT_EQ(judged(t, rub({})).outcome, Outcome::kDiverged);
+  EXPECT_NE(judged(t, rub({})).reason.find("deep"), std::string::npos);
 }
 
 TEST(Point, CostIsThatOfTheMedian) {

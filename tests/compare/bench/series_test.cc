@@ -30,7 +30,7 @@ TEST(Series, GatherWhatDiffersInStepOrToleranceAlone) {
       made_point("mujoco-cone", 1e-4, 1e-4, 1e-3, "Euler"),
       made_point("mujoco-cone", 1e-4, 2e-4, 1e-3, "implicit"),
       failed_point("mujoco-cone", 1e-5, Outcome::kDiverged, "it flew away")};
-  const auto all = series_of(points, 0.0);
+  const auto all = series_of(points, {0.0, 1.0});
   ASSERT_EQ(all.size(), 4u);
   EXPECT_EQ(all[0].points.size(), 2u);
   EXPECT_EQ(all[0].setting, "");
@@ -49,8 +49,15 @@ TEST(Series, OrderLeavesOutWhatLiesAtTheFloor) {
   for (const double h : {1e-4, 1e-5, 1e-6, 1e-7}) {
     points.push_back(made_point("native-verlet", h, std::max(70.0 * h * h, 3e-11), 1e-3));
   }
-  EXPECT_NEAR(*series_of(points, 5e-11)[0].order, 2.0, 1e-9);
-  EXPECT_LT(*series_of(points, 0.0)[0].order, 1.9);
+  EXPECT_NEAR(*series_of(points, {5e-11, 1.0})[0].order, 2.0, 1e-9);
+  EXPECT_LT(*series_of(points, {0.0, 1.0})[0].order, 1.9);
+}
+
+// Nor do errors as large as the clearance: what has flown away has no order.
+TEST(Series, OrderLeavesOutWhatIsNoResult) {
+  std::vector<Point> points{made_point("ode", 1e-3, 4e3, 1e-3)};
+  for (const double h : {1e-4, 1e-5, 1e-6}) points.push_back(made_point("ode", h, 0.5 * h, 1e-3));
+  EXPECT_NEAR(*series_of(points, {0.0, 5e-4})[0].order, 1.0, 1e-9);
 }
 
 TEST(SettingText, NamesStepOrTolerance) {
