@@ -30,7 +30,7 @@ std::string series_lines(const SceneBench& bench) {
     const auto optional = [](bool there, const std::string& value) { return there ? value : "–"; };
     const double least = s.best ? bench.points[*s.best].errors->position : 0.0;
     text +=
-        fmt::format("  {:<15}{:<22}{:>6}{:>10}{:>12}  {}\n", s.engine, " " + s.setting,
+        fmt::format("  {:<17}{:<20}{:>6}{:>10}{:>12}  {}\n", s.engine, " " + s.setting,
                     optional(s.order.has_value(), fmt::format("{:.2f}", s.order.value_or(0.0))),
                     optional(s.us_per_step > 0.0, fmt::format("{:.3g}", s.us_per_step)),
                     optional(s.best.has_value(), fmt::format("{:.1e} m", least)), outcomes_text(s));
