@@ -1,0 +1,145 @@
+#include "compare/bench/closed_form.h"
+
+#include <Eigen/Core>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <optional>
+
+#include "native_model/oracles/annular_rub.h"
+#include "native_model/oracles/billiard.h"
+#include "native_model/oracles/drop.h"
+
+namespace rotorub::bench {
+namespace {
+
+using Place = std::complex<double>;
+
+// One instant of a closed form.
+struct Exact {
+  Place rotor, stator;  // m
+  double normal = 0.0;  // N, of lasting contact
+};
+struct Form {
+  std::string name;
+  std::function<Exact(double)> at;
+};
+
+double first(const std::vector<double>& list) { return list.empty() ? 0.0 : list.front(); }
+Place start(const scene::Initial& i) { return {first(i.x), first(i.y)}; }
+Place start_velocity(const scene::Initial& i) { return {first(i.vx), first(i.vy)}; }
+Place of(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
+
+// One isotropic mode, a contact, and none of the parts that the closed forms know nothing of.
+bool is_plain(const scene::Scene& s) {
+  if (!s.rotor.modal || !s.contact) return false;
+  const scene::RotorModal& m = *s.rotor.modal;
+  const bool one_mode = m.mass.size() == 1 && m.mass == m.mass_y && m.stiffness == m.stiffness_y &&
+                        m.damping == m.damping_y && first(m.internal_damping) == 0.0 &&
+                        first(m.gyroscopic) == 0.0;
+  return one_mode && !s.rotor.torsion && !s.drive && !s.magnetic_bearing && !s.actuator &&
+         !s.controller && !s.gravity && s.contact->compression_time == 0.0 &&
+         s.contact->expansion_time == 0.0 && s.contact->tangential_restitution == 0.0;
+}
+
+bool is_free_mass(const scene::Scene& s) {
+  const scene::RotorModal& m = *s.rotor.modal;
+  return first(m.stiffness) == 0.0 && first(m.damping) == 0.0 && !s.stator &&
+         s.contact->friction == 0.0;
+}
+
+std::optional<Form> billiard(const scene::Scene& s) {
+  const Place v = start_velocity(s.initial);
+  if (!is_free_mass(s) || !s.forces.empty() || s.contact->restitution != 1.0 || v == Place())
+    return {};
+  const Place x = start(s.initial);
+  const oracle::Billiard exact(s.contact->clearance, {x.real(), x.imag()}, {v.real(), v.imag()});
+  return Form{"elastic billiard in a circle", [exact](double t) {
+                return Exact{of(exact.position(t)), {}, 0.0};
+              }};
+}
+
+// From rest at the centre along a constant force: straight down, wherever that is.
+std::optional<Form> drop(const scene::Scene& s) {
+  if (!is_free_mass(s) || s.forces.size() != 1 || s.contact->restitution >= 1.0) return {};
+  const scene::Force& f = s.forces.front();
+  const bool always = f.on <= 0.0 && f.off >= s.run.end && f.ramp == 0.0 &&
+                      (f.shape.empty() || f.shape.front() == 1.0);
+  if (f.kind != scene::ForceKind::kConstant || !always || f.vector.norm() == 0.0) return {};
+  if (start(s.initial) != Place() || start_velocity(s.initial) != Place()) return {};
+  const double load = f.vector.norm();
+  const Place down = of(f.vector) / load;
+  const oracle::Drop exact{s.contact->clearance, load / first(s.rotor.modal->mass),
+                           s.contact->restitution};
+  return Form{"drop with restitution, to rest", [=](double t) {
+                const double rest = t >= exact.rest_time() ? 1.0 : 0.0;
+                return Exact{(exact.height - exact.height_at(t)) * down, {}, rest * load};
+              }};
+}
+
+// The start has to be on the rub, up to the digits of a file.
+bool same(Place a, Place b, double size) { return std::abs(a - b) <= 1e-12 * size; }
+
+std::optional<Form> annular(const scene::Scene& s) {
+  if (s.forces.size() != 1) return {};
+  const scene::Force& f = s.forces.front();
+  const bool always = f.on <= 0.0 && f.off >= s.run.end && f.ramp == 0.0 && f.phase == 0.0 &&
+                      (f.shape.empty() || f.shape.front() == 1.0);
+  if (f.kind != scene::ForceKind::kRotating || !always || f.amplitude <= 0.0) return {};
+  const scene::RotorModal& m = *s.rotor.modal;
+  const oracle::Support rotor{first(m.mass), first(m.damping), first(m.stiffness)};
+  const scene::Contact& c = *s.contact;
+  std::optional<oracle::AnnularRub> rub;
+  if (!s.stator) {
+    rub = oracle::annular_rub(rotor, c.clearance, c.friction, f.amplitude, f.frequency);
+  } else {
+    const scene::Stator& r = *s.stator;
+    if (r.mass.x() != r.mass.y() || r.damping.x() != r.damping.y() ||
+        r.stiffness.x() != r.stiffness.y()) {
+      return {};
+    }
+    rub = oracle::annular_rub(rotor, {r.mass.x(), r.damping.x(), r.stiffness.x()}, c.clearance,
+                              c.friction, f.amplitude, f.frequency);
+  }
+  if (!rub || c.radius * s.rotor.speed + c.clearance * f.frequency <= 0.0) return {};
+  const double size = std::abs(rub->rotor), rate = f.frequency;
+  const Place turn{0.0, rate};
+  const bool starts_on = same(start(s.initial), rub->rotor, size) &&
+                         same(start_velocity(s.initial), turn * rub->rotor, rate * size) &&
+                         same(of(s.initial.stator), rub->stator, size) &&
+                         same(of(s.initial.stator_velocity), turn * rub->stator, rate * size);
+  if (!starts_on) return {};
+  return Form{"synchronous full annular rub", [rub = *rub, rate](double t) {
+                const Place phase = std::polar(1.0, rate * t);
+                return Exact{rub.rotor * phase, rub.stator * phase, rub.force};
+              }};
+}
+
+std::optional<Form> closed_form(const scene::Scene& scene) {
+  if (!is_plain(scene)) return {};
+  for (const auto& form : {billiard(scene), drop(scene), annular(scene)}) {
+    if (form) return form;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string put_closed_form(const scene::Scene& scene, Trajectory& trajectory) {
+  const auto form = closed_form(scene);
+  if (!form) return {};
+  const std::vector<double> times = trajectory.column("t");
+  for (Column& column : trajectory.series) {
+    const auto put = [&](const auto& value) {
+      for (std::size_t k = 0; k < times.size(); ++k) column.values[k] = value(form->at(times[k]));
+    };
+    if (column.name == "rotor_x") put([](const Exact& e) { return e.rotor.real(); });
+    if (column.name == "rotor_y") put([](const Exact& e) { return e.rotor.imag(); });
+    if (column.name == "stator_x") put([](const Exact& e) { return e.stator.real(); });
+    if (column.name == "stator_y") put([](const Exact& e) { return e.stator.imag(); });
+    if (column.name == "normal_force") put([](const Exact& e) { return e.normal; });
+  }
+  return form->name;
+}
+
+}  // namespace rotorub::bench

@@ -1,0 +1,31 @@
+// Restitution asked for and got, by contact model: MuJoCo's soft contact can be calibrated
+// (mjcf/soft_contact.h), but not by its defaults.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "compare/bench/progress.h"
+
+namespace rotorub::bench {
+
+struct RestitutionRow {
+  double asked = 0.0;
+  std::string engine;   // "mujoco-coulomb"
+  std::string setting;  // "K 1e6", "default solref"; empty: there is but one
+  double got = 0.0;     // speed after / before the first impact
+  std::string failure;  // why there is no `got`; empty: there is
+};
+
+// 1/s^2: a bounce takes 300 steps of 10 us. One as stiff as the step allows takes 16, and meets its
+// restitution only so well.
+inline constexpr double kCalibratedStiffness = 1e6;
+
+// A mass hits a fixed ring head on at 0.5 m/s, at a step of 10 us; asked 0, 0.1, ..., 1. "default
+// solref" is `coulomb` with the stiffness and the damping of MuJoCo's default (0.02 s, damping
+// ratio 1), which knows nothing of what is asked.
+std::vector<RestitutionRow> restitution_table(const Progress& progress,
+                                              const std::atomic<bool>* interrupt);
+
+}  // namespace rotorub::bench

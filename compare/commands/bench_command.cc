@@ -1,0 +1,152 @@
+// rotorub bench: speed against error, every engine on a ladder of steps or tolerances.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compare/bench/json.h"
+#include "compare/bench/restitution.h"
+#include "compare/bench/scene_bench.h"
+#include "compare/bench/table.h"
+#include "compare/commands/command.h"
+#include "compare/commands/interrupt.h"
+#include "compare/commands/progress.h"
+#include "compare/report/bench_page.h"
+#include "compare/study/json.h"
+#include "native_model/scene/reader.h"
+#include "native_model/trajectory/output.h"
+
+namespace rotorub {
+namespace {
+
+struct BenchArguments : CommonOptions {
+  std::vector<std::string> scenes;
+  std::string engines, steps, tolerances, folder;
+  int repeats = 20;
+};
+
+bench::BenchParameters bench_parameters(const BenchArguments& options) {
+  bench::BenchParameters p;
+  if (options.repeats < 1) {
+    throw UsageError(fmt::format("--repeats {}: accepted is 1 or more", options.repeats));
+  }
+  p.timing.repeats = options.repeats;
+  if (!options.steps.empty()) p.ladder.steps = bench::parse_steps(options.steps);
+  if (!options.tolerances.empty()) {
+    p.ladder.tolerances = bench::parse_tolerances(options.tolerances);
+  }
+  p.engines = bench::chosen_engines(options.engines);
+  p.stability_map = !options.folder.empty();
+  return p;
+}
+
+bench::SceneReader reader_of(const BenchArguments& options, const std::string& file) {
+  return [options, file](const std::vector<std::string>& further) {
+    BenchArguments with = options;
+    with.overrides.insert(with.overrides.end(), further.begin(), further.end());
+    return read_scene(file, with);
+  };
+}
+
+// Whatever is wrong with any scene is said before an hour is spent on the first.
+void check_scenes(const BenchArguments& options) {
+  std::vector<scene::Diagnostic> wrong;
+  for (const std::string& file : options.scenes) {
+    try {
+      const scene::Scene scene = read_scene(file, options);
+      if (!scene.contact) {
+        throw UsageError(
+            fmt::format("{}: levels of error are shares of contact.clearance; accepted is a scene "
+                        "with [contact]",
+                        file));
+      }
+    } catch (const scene::SceneError& error) {
+      wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
+    }
+  }
+  if (!wrong.empty()) throw scene::SceneError(wrong);
+}
+
+void write_results(const BenchArguments& options, const bench::Machine& machine,
+                   const std::vector<bench::SceneBench>& benches,
+                   const std::vector<bench::RestitutionRow>& restitution) {
+  const std::filesystem::path folder(options.folder);
+  std::filesystem::create_directories(folder);
+  write_whole(folder / "bench.json", json_text(bench::bench_json(machine, benches, restitution)));
+  write_whole(folder / "bench.html", bench_page(machine, benches, restitution));
+  if (!options.json && !options.quiet) {
+    fmt::print("\nwritten to {0}/bench.html and {0}/bench.json\n", options.folder);
+  }
+}
+
+int run_bench(const BenchArguments& options) {
+  const bench::BenchParameters parameters = bench_parameters(options);
+  check_scenes(options);
+  if (!options.quiet && options.engines.empty()) fmt::print(stderr, "{}", bench::missing_text());
+  ProgressBar bar(options.quiet);
+  const auto count = static_cast<double>(options.scenes.size());
+  std::vector<bench::SceneBench> benches;
+  for (std::size_t k = 0; k < options.scenes.size() && !interrupted(); ++k) {
+    const auto progress = [&](double share, const std::string& what) {
+      bar.show((static_cast<double>(k) + share) / count, options.scenes[k] + ": " + what);
+    };
+    benches.push_back(bench::bench_scene(reader_of(options, options.scenes[k]), parameters,
+                                         progress, &interrupted()));
+    bar.clear();
+    // What was interrupted is no bench: half of the repeats are other medians.
+    if (interrupted()) throw Interrupted();
+    if (!options.json && !options.quiet) {
+      fmt::print("{}{}", k > 0 ? "\n" : "", bench::bench_table(benches.back()));
+      std::fflush(stdout);
+    }
+  }
+  const bench::Machine machine = bench::this_machine();
+  std::vector<bench::RestitutionRow> restitution;
+  if (!options.folder.empty()) {
+    restitution = bench::restitution_table(
+        [&](double share, const std::string& what) { bar.show(share, what); }, &interrupted());
+    bar.clear();
+    if (interrupted()) throw Interrupted();
+    write_results(options, machine, benches, restitution);
+  }
+  if (options.json) std::cout << json_text(bench::bench_json(machine, benches, restitution));
+  return kDone;
+}
+
+}  // namespace
+
+Command add_bench_command(CLI::App& program) {
+  auto options = std::make_shared<BenchArguments>();
+  CLI::App* app = program.add_subcommand(
+      "bench", "Speed against error: every engine on a ladder of steps, timed in turns");
+  app->add_option("SCENE", options->scenes, "Scene files (.toml)")->required();
+  app->add_option("--engines", options->engines,
+                  "Engines or families (native, mujoco, peer), separated by commas (default: all)")
+      ->type_name("LIST");
+  app->add_option(
+         "--steps", options->steps,
+         "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 us to "
+         "1 us)")
+      ->type_name("LIST");
+  app->add_option(
+         "--tolerances", options->tolerances,
+         "Tolerances of `event`, separated by commas (default: decades from 1e-4 to 1e-12)")
+      ->type_name("LIST");
+  app->add_option("--repeats", options->repeats, "Timed runs of each point")
+      ->type_name("N")
+      ->capture_default_str();
+  app->add_option("-o,--output", options->folder,
+                  "Writes bench.json and the page bench.html there, with stability map and "
+                  "restitution table (hundreds of runs more)")
+      ->type_name("DIR");
+  app->add_option("--end", options->end, "End of the run, e.g. 0.5s (run.end)")->type_name("TIME");
+  add_common_options(*app, *options);
+  return {app, [options] { return run_bench(*options); }};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,19 @@
+// A whole run of a peer: its steps in chunks, timed without the recorder, which is ours.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "compare/engine/engine.h"
+#include "compare/peers/stepper.h"
+
+namespace rotorub::peers {
+
+// kImpulsive: an impact is over within a step. kSoft: it is an episode of contact, many steps long.
+enum class PeerContact { kImpulsive, kSoft };
+using MakeStepper = std::function<std::unique_ptr<Stepper>(const PlanarSystem&, double step)>;
+
+std::unique_ptr<Engine> peer_engine(const std::string& name, PeerContact contact, MakeStepper make);
+
+}  // namespace rotorub::peers

@@ -1,0 +1,24 @@
+// Other solvers behind the engine interface: the same equations, somebody else's contact solver.
+//
+// The contact of a disc in a ring (its normal from the present positions, its gap) is ours: no peer
+// has it. What is the peer's own stands in Peer::what.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compare/engine/engine.h"
+
+namespace rotorub::peers {
+
+struct Peer {
+  std::string name;                      // "siconos"
+  std::string what;                      // whose solver, how used
+  std::string missing;                   // why it is not here; empty: it is
+  std::shared_ptr<const Engine> engine;  // null where it is missing
+};
+
+const std::vector<Peer>& all_peers();
+
+}  // namespace rotorub::peers

@@ -1,0 +1,64 @@
+// Draws the log-log plots of the bench from the page's data. Without it the page still shows its
+// tables.
+'use strict';
+(() => {
+  const {data, css, axes, layout, config} = page;
+
+  // One colour a family's engine, one dash a setting.
+  const colors = {'native-event': '--native', 'native-verlet': '--good', 'native-paper': '--mode-5',
+    'mujoco-rigid': '--rigid', 'mujoco-coulomb': '--coulomb', 'mujoco-cone': '--cone'};
+  const spare = ['--mode-1', '--mode-2', '--mode-3', '--mode-4', '--mode-6', '--soft'];
+  const dashes = ['solid', 'dash', 'dot', 'dashdot'];
+  const symbols = {native: 'circle', mujoco: 'square', peer: 'diamond'};
+
+  function style(scene, series) {
+    const others = [...new Set(scene.series.map(({engine}) => engine))].filter((name) => !colors[name]);
+    const settings = scene.series.filter(({engine}) => engine === series.engine);
+    const color = colors[series.engine] || spare[others.indexOf(series.engine) % spare.length];
+    return {color: css(color) || css('--soft'), dash: dashes[settings.indexOf(series) % dashes.length]};
+  }
+
+  const named = (series) => series.engine + (series.setting ? ', ' + series.setting : '');
+  const ms = (x) => Number(x.toPrecision(3)) + ' ms';
+  const text = (p) => (p.label ? p.label + '<br>' : '') + 'error ' + p.error.toExponential(2) + ' m<br>' + ms(p.ms) +
+    ' (' + Number(p.low.toPrecision(3)) + ' to ' + Number(p.high.toPrecision(3)) + ')<br>' + p.outcome;
+
+  function trace(scene, series, x, y, extra) {
+    const {color, dash} = style(scene, series);
+    const points = series.points.filter((p) => p[x] > 0 && p[y] > 0);
+    return Object.assign({type: 'scatter', mode: 'lines+markers', name: named(series), x: points.map((p) => p[x]), y: points.map((p) => p[y]),
+      text: points.map(text), hovertemplate: '%{text}<extra>' + named(series) + '</extra>', line: {color, width: 1.8, dash},
+      marker: {size: 8, symbol: points.map((p) => symbols[series.family] + (p.outcome === 'ok' ? '' : '-open')), color}}, extra);
+  }
+
+  const log = (title, extra) => axes(Object.assign({type: 'log', title: {text: title, standoff: 6}, exponentformat: 'power', dtick: 1}, extra));
+  const frame = (x, y, extra) => layout(Object.assign({hovermode: 'closest', showlegend: true, legend: {font: {color: css('--ink')}},
+    margin: {l: 70, r: 12, t: 8, b: 46}, xaxis: x, yaxis: y}, extra));
+  const below = {legend: {orientation: 'h', x: 0, y: -0.2, font: {color: css('--ink'), size: 11}}};
+
+  // The clearance: an error of that size is no result.
+  const useless = (scene) => ({shapes: [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: scene.clearance, y1: scene.clearance,
+    line: {color: css('--bad'), width: 1, dash: 'dot'}}]});
+
+  function drawPrecision(plot, scene) {
+    Plotly.react(plot, scene.series.map((s) => trace(scene, s, 'ms', 'error', {})), frame(log('time of the whole run / ms'),
+      log('largest position error / m'), useless(scene)), config);
+  }
+  function drawStep(plot, scene) {
+    const stepped = scene.series.filter((s) => s.points.some((p) => p.step > 0));
+    Plotly.react(plot, stepped.map((s) => trace(scene, s, 'step', 'error',
+      {name: named(s) + (s.order === null ? '' : ' (' + s.order.toFixed(2) + ')')})),
+      frame(log('step / s'), log('largest position error / m'), Object.assign(useless(scene), below)), config);
+  }
+  function drawLimit(plot, scene) {
+    const mujoco = scene.series.filter((s) => s.family === 'mujoco' && s.points.some((p) => p.limit > 0));
+    const line = (s, dash) => ({color: style(scene, s).color, width: 1.8, dash});
+    Plotly.react(plot, mujoco.flatMap((s) => [trace(scene, s, 'step', 'limit', {line: line(s, 'solid')}),
+      trace(scene, s, 'step', 'error', {name: 'to the reference', showlegend: false, line: line(s, 'dot')})]),
+      frame(log('step / s'), log('distance / m'), Object.assign(useless(scene), below)), config);
+  }
+
+  const drawers = {precision: drawPrecision, step: drawStep, limit: drawLimit};
+  page.start(() => document.querySelectorAll('.plot').forEach((plot) =>
+    drawers[plot.dataset.plot](plot, data.scenes[plot.dataset.scene])));
+})();

@@ -1,0 +1,94 @@
+// rotorub bench as a user starts it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+using Files = std::vector<std::string>;
+using nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(CliBench, PrintsJsonAndNothingElse) {
+  const Folder folder;
+  const Outcome done =
+      folder.run({"bench", shipped("bench_drop"), "--engines", "native-verlet,mujoco-rigid",
+                  "--steps", "100us,50us", "--repeats", "2", "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const json all = json::parse(done.out);
+  const json& scene = all.at("scenes").at(0);
+  EXPECT_EQ(scene.at("scene"), "bench_drop");
+  ASSERT_EQ(scene.at("points").size(), 6u) << "two steps; MuJoCo with two integrators";
+  for (const json& p : scene["points"]) {
+    EXPECT_EQ(p["outcome"], "ok");
+    EXPECT_EQ(p["wall_ms"]["repeats"], 2);
+    EXPECT_GT(p["position_error"].get<double>(), 0.0);
+    EXPECT_LE(p["wall_ms"]["low"].get<double>(), p["wall_ms"]["median"].get<double>());
+  }
+  EXPECT_EQ(folder.files(), Files{}) << "nothing is written without -o";
+}
+
+TEST(CliBench, EachSceneHasItsTable) {
+  const Folder folder;
+  const Outcome done =
+      folder.run({"bench", shipped("bench_drop"), shipped("bench_billiard"), "--engines", "native",
+                  "--steps", "100us,50us,20us", "--tolerances", "1e-6,1e-9", "--repeats", "1"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  for (const char* part : {"bench_drop:", "bench_billiard:", "native-event", "closed form",
+                           "a native integrator is the fastest"}) {
+    EXPECT_TRUE(contains(done.out, part)) << part << "\n" << done.out;
+  }
+}
+
+// Files appear whole, the page needs no network, and the JSON is that of --json.
+TEST(CliBenchLong, WritesPageAndJson) {
+  const Folder folder;
+  const Outcome done =
+      folder.run({"bench", shipped("bench_drop"), "--engines", "native,mujoco-cone", "--steps",
+                  "100us,50us", "--repeats", "1", "-o", "deep/out"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(folder.files(), (Files{"deep/out/bench.html", "deep/out/bench.json"}));
+  const json all = json::parse(folder.text("deep/out/bench.json"));
+  EXPECT_TRUE(all.contains("restitution"));
+  EXPECT_TRUE(all["scenes"][0].contains("stability"));
+  EXPECT_TRUE(folder.text("deep/out/bench.html").ends_with("</html>\n"));
+}
+
+TEST(CliBench, RefusesBadListsWithWhatIsAccepted) {
+  const Folder folder;
+  struct Case {
+    std::vector<std::string> arguments;
+    const char* said;
+  };
+  for (const Case& c :
+       {Case{{"--engines", "bullet"}, "native-verlet"}, Case{{"--steps", "3 kg"}, "--steps"},
+        Case{{"--steps", "10us,0"}, "above 0"}, Case{{"--tolerances", "2"}, "(0, 1)"},
+        Case{{"--repeats", "0"}, "1 or more"}}) {
+    std::vector<std::string> all{"bench", shipped("bench_drop")};
+    all.insert(all.end(), c.arguments.begin(), c.arguments.end());
+    const Outcome refused = folder.run(all);
+    EXPECT_EQ(refused.code, 2) << c.said;
+    EXPECT_TRUE(contains(refused.err, c.said)) << refused.err;
+    EXPECT_EQ(refused.out, "");
+  }
+  EXPECT_EQ(folder.run({"bench", "nowhere.toml"}).code, 2);
+  EXPECT_EQ(folder.files(), Files{});
+}
+
+// All scenes are looked at before the first is run.
+TEST(CliBench, SaysWhatIsWrongWithAnyScene) {
+  const Folder folder;
+  const Outcome refused = folder.run({"bench", shipped("bench_ring"), "nowhere.toml"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "nowhere.toml")) << refused.err;
+  EXPECT_EQ(refused.out, "");
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,139 @@
+// What a bench is written as: JSON, terminal table, page.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "compare/bench/json.h"
+#include "compare/bench/table.h"
+#include "compare/report/bench_page.h"
+#include "native_model/scene/reader.h"
+#include "tests/compare/bench/made_points.h"
+#include "tests/compare/hand_made.h"
+
+namespace rotorub::bench {
+namespace {
+
+using nlohmann::json;
+using test::failed_point;
+using test::made_engine;
+using test::made_point;
+
+SceneBench made_bench() {
+  SceneBench b;
+  b.scene = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml");
+  b.reference.source = "made up";
+  b.reference.trajectory =
+      test::hand_made(1001, 1e-3, [](double t) { return test::sliding({}, t); });
+  b.reference.times = b.reference.trajectory.column("t");
+  b.reference.error = 1e-15;
+  b.engines = {made_engine("native-verlet", Family::kNative),
+               made_engine("mujoco-rigid", Family::kMujoco), made_engine("ode", Family::kPeer)};
+  b.points = {made_point("native-verlet", 1e-4, 7e-7, 1e-3),
+              made_point("native-verlet", 1e-5, 7e-9, 1e-2),
+              made_point("native-verlet", 1e-6, 7e-11, 1e-1),
+              made_point("mujoco-rigid", 1e-4, 7e-7, 6e-3, "Euler"),
+              failed_point("ode", 1e-4, Outcome::kDiverged, "it <flew> away")};
+  b.points[3].limit_error = 3e-7;
+  b.levels = levels(b.points, b.engines, b.scene.contact->clearance, b.reference.error);
+  StabilityMap map;
+  map.engines = {"mujoco-cone"};
+  map.steps = {1e-4, 1e-5};
+  map.stiffnesses = {1e6};
+  map.frictions = {0.15};
+  map.cells = {{"mujoco-cone", 0.15, 1e-4, 1e6, {Outcome::kChatter, "it chatters"}},
+               {"mujoco-cone", 0.15, 1e-5, 1e6, {}}};
+  b.stability = map;
+  return b;
+}
+
+const Machine kMachine{"made-up processor", 2, "avx2", "g++ 12", "2.2.2"};
+const std::vector<RestitutionRow> kRestitution{{0.5, "mujoco-coulomb", "K 1e6", 0.4987, ""},
+                                               {0.5, "ode", "", 0.0, "no impact"}};
+
+// The contract's keys, with the types it promises.
+TEST(BenchJson, HasTheKeysOfTheContract) {
+  const json all = bench_json(kMachine, {made_bench()}, kRestitution);
+  EXPECT_TRUE(all.at("machine").is_object());
+  ASSERT_EQ(all.at("scenes").size(), 1u);
+  const json& scene = all["scenes"][0];
+  EXPECT_EQ(scene.at("scene"), "bench_ring");
+  EXPECT_TRUE(scene.contains("reference"));
+  ASSERT_EQ(scene.at("points").size(), 5u);
+  for (const json& p : scene["points"]) {
+    for (const char* key : {"engine", "setting", "step", "outcome", "reason", "position_error",
+                            "force_error", "penetration", "energy_residual", "steps", "us_per_step",
+                            "real_time_factor", "wall_ms"}) {
+      EXPECT_TRUE(p.contains(key)) << key;
+    }
+  }
+  const json& first = scene["points"][0];
+  EXPECT_EQ(first["engine"], "native-verlet");
+  EXPECT_EQ(first["step"], 1e-4);
+  EXPECT_EQ(first["outcome"], "ok");
+  EXPECT_EQ(first["position_error"], 7e-7);
+  EXPECT_NEAR(first["wall_ms"]["median"].get<double>(), 1.0, 1e-12);
+  EXPECT_NEAR(first["wall_ms"]["low"].get<double>(), 0.9, 1e-12);
+  EXPECT_NEAR(first["wall_ms"]["high"].get<double>(), 1.5, 1e-12);
+  EXPECT_EQ(first["wall_ms"]["repeats"], 20);
+  EXPECT_NEAR(first["us_per_step"].get<double>(), 10.0, 1e-9);
+  const json& failed = scene["points"][4];
+  EXPECT_EQ(failed["outcome"], "diverged");
+  EXPECT_EQ(failed["reason"], "it <flew> away");
+  EXPECT_TRUE(failed["position_error"].is_null());
+  EXPECT_TRUE(failed["wall_ms"].is_null());
+}
+
+TEST(BenchJson, LevelsOrdersMapAndRestitution) {
+  const json all = bench_json(kMachine, {made_bench()}, kRestitution);
+  const json& scene = all["scenes"][0];
+  const json& level = scene.at("levels")[1];
+  EXPECT_EQ(level["native_is_fastest"], true);
+  EXPECT_EQ(level["engines"][0]["engine"], "native-verlet");
+  EXPECT_EQ(level["engines"][0]["step"], 1e-5);
+  EXPECT_TRUE(scene["levels"][6]["native_is_fastest"].is_null()) << "nobody reaches 1e-8";
+  EXPECT_NEAR(scene.at("series")[0]["order"].get<double>(), 2.0, 1e-9);
+  EXPECT_TRUE(scene["series"][1]["order"].is_null());
+  EXPECT_EQ(scene.at("stability").at("cells")[0]["outcome"], "chatter");
+  EXPECT_EQ(all.at("restitution")[0]["got"], 0.4987);
+  EXPECT_TRUE(all["restitution"][1]["got"].is_null());
+  EXPECT_FALSE(bench_json(kMachine, {}, {}).contains("restitution"));
+}
+
+// Never NaN, whatever a metric came to.
+TEST(BenchJson, WhatIsNotFiniteIsNull) {
+  Point p = made_point("ode", 1e-5, std::numeric_limits<double>::quiet_NaN(), 1e-3);
+  p.limit_error = std::numeric_limits<double>::infinity();
+  const json j = point_json(p);
+  EXPECT_TRUE(j["position_error"].is_null());
+  EXPECT_TRUE(j["limit_error"].is_null());
+}
+
+TEST(BenchTable, SaysWhoIsFastestAndWhatFailed) {
+  const std::string text = bench_table(made_bench());
+  for (const char* part :
+       {"bench_ring", "native-verlet", "mujoco-rigid ×6", "2.00", "1 diverged", "it <flew> away",
+        "no engine reaches it", "a native integrator is the fastest at every level reached"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+}
+
+TEST(BenchPage, IsSelfContainedAndEscaped) {
+  const std::string page = bench_page(kMachine, {made_bench()}, kRestitution);
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  for (const char* part :
+       {"data-plot=\"precision\"", "data-plot=\"step\"", "data-plot=\"limit\"",
+        "it &lt;flew&gt; away", "made-up processor", "chatter", "0.4987", "no impact", "K 1e6"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  for (const char* part : {"src=\"http", "href=\"http", "@import", "it <flew> away", "NaN"}) {
+    const std::size_t at = page.find(part);
+    // The plotting script has words of its own.
+    EXPECT_TRUE(at == std::string::npos || at > page.find("<script id=\"plotly\">")) << part;
+  }
+}
+
+}  // namespace
+}  // namespace rotorub::bench

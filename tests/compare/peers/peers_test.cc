@@ -1,0 +1,210 @@
+// The peers solve the scenes that they are given, each as well as its scheme allows.
+#include "compare/peers/peers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "compare/bench/reference.h"
+#include "compare/peers/module.h"
+#include "compare/peers/penalty.h"
+#include "compare/peers/planar_scene.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub::peers {
+namespace {
+
+scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
+}
+
+const Peer& peer(const std::string& name) {
+  return *std::find_if(all_peers().begin(), all_peers().end(),
+                       [&](const Peer& p) { return p.name == name; });
+}
+
+// Where a peer has to be there (tests/run says so), its absence is a failure.
+bool required() {
+  const char* value = std::getenv("ROTORUB_REQUIRE_PEERS");
+  return value && std::string(value) == "1";
+}
+
+class EveryPeer : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    const Peer& p = peer(GetParam());
+    if (p.engine) return;
+    ASSERT_FALSE(required()) << GetParam() << ": " << p.missing;
+    GTEST_SKIP() << GetParam() << " is not here: " << p.missing;
+  }
+  double error(const scene::Scene& scene, double step) const {
+    RunRequest request;
+    request.output_times = bench::common_times(scene.run, {1e-4, 1e-5});
+    const bench::Reference r = bench::make_reference(scene, request);
+    request.step = step;
+    const Trajectory t = peer(GetParam()).engine->run(scene, request);
+    EXPECT_EQ(t.status, Status::kOk) << t.message;
+    return bench::position_distance(t, r.trajectory);
+  }
+};
+
+// The rankings are the test; the bounds are twice what was met.
+TEST_P(EveryPeer, ConvergesOnTheRing) {
+  const scene::Scene scene = shipped("bench_ring", {"run.end=0.1"});
+  const double coarse = error(scene, 1e-4), fine = error(scene, 1e-5);
+  EXPECT_LT(fine, 0.3 * coarse);
+  EXPECT_LT(fine, GetParam() == "penalty" ? 4e-5 : 7e-6);
+}
+
+TEST_P(EveryPeer, ConvergesOnTheAnnularRub) {
+  const scene::Scene scene = shipped("bench_annular_elastic", {"run.end=0.05"});
+  const double coarse = error(scene, 1e-4), fine = error(scene, 1e-5);
+  EXPECT_LT(fine, 0.3 * coarse);
+  EXPECT_LT(fine, 1e-5);
+}
+
+TEST_P(EveryPeer, PressesAsTheReferenceDoes) {
+  const scene::Scene scene = shipped("bench_annular_rigid", {"run.end=0.05"});
+  RunRequest request;
+  request.step = 1e-5;
+  const Trajectory t = peer(GetParam()).engine->run(scene, request);
+  // The start of a soft contact rings.
+  EXPECT_NEAR(t.column("normal_force").back(), 146.0239, 0.01 * 146.0);
+  EXPECT_NEAR(t.column("friction_force").back(), -0.15 * 146.0239, 0.01 * 22.0);
+  EXPECT_EQ(t.step, 1e-5);
+  EXPECT_EQ(t.steps, 5000);
+}
+
+TEST_P(EveryPeer, BouncesWithTheRestitution) {
+  const scene::Scene scene = shipped("bench_drop", {"run.end=0.025"});
+  RunRequest request;
+  request.step = 1e-5;
+  const Trajectory t = peer(GetParam()).engine->run(scene, request);
+  ASSERT_GE(t.impacts.size(), 2u);
+  EXPECT_NEAR(t.impacts[0].t, 10.0964e-3, 3e-5);
+  EXPECT_NEAR(t.impacts[1].t, 20.1928e-3, 1e-3) << "a soft bounce lasts";
+  EXPECT_NEAR(t.impacts[0].gap_rate_after, -0.5 * t.impacts[0].gap_rate_before,
+              0.02 * std::abs(t.impacts[0].gap_rate_before));
+}
+
+// Parts that it has no place for are named, and nothing is computed without them.
+TEST_P(EveryPeer, RefusesWhatItCannotHold) {
+  struct Case {
+    const char *scene, *override, *part;
+  };
+  for (const Case& c : {Case{"paper_passive", "run.end=0.01", "modes"},
+                        Case{"bench_ring", "rotor.modal.gyroscopic=[0.1]", "gyroscopic"},
+                        Case{"bench_ring", "rotor.modal.internal_damping=[1.0]", "internal"},
+                        Case{"bench_ring", "contact.tangential_restitution=0.5", "tangential"},
+                        Case{"bench_ring", "gravity.acceleration=[0.0,-9.81]", "gravity"}}) {
+    try {
+      peer(GetParam()).engine->run(shipped(c.scene, {c.override}), {});
+      ADD_FAILURE() << c.part << " was taken";
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(c.part), std::string::npos) << error.what();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Peers, EveryPeer, testing::Values("siconos", "ode", "penalty"),
+                         [](const auto& one) { return one.param; });
+
+// A peer that is not here says what to install, and is no engine.
+TEST(ModulePeer, SaysWhatIsMissing) {
+  const Peer none = module_peer("nothing", "made up", "libnothing-dev");
+  EXPECT_FALSE(none.engine);
+  EXPECT_NE(none.missing.find("libnothing-dev"), std::string::npos) << none.missing;
+}
+
+// ---------------------------------------------------------------- the penalty law, by hand
+PlanarSystem disc() {
+  PlanarSystem s;
+  s.clearance = 1e-3;
+  s.radius = 0.05;
+  s.friction = 0.2;
+  return s;
+}
+
+// 0.1 mm deep along x, opening at 2 mm/s, sliding at r Omega = 5 m/s.
+StepRecord deep() {
+  StepRecord y;
+  y.position = {1.1e-3, 0.0};
+  y.velocity = {-2e-3, 0.0};
+  y.speed = 100.0;
+  return y;
+}
+
+TEST(PenaltyForce, ByHand) {
+  const PenaltyForce f = penalty_force(disc(), deep(), 1e6, 1e4, {});
+  EXPECT_NEAR(f.normal, 1e6 * 1e-4 - 1e4 * 2e-3, 1e-9);
+  EXPECT_NEAR(f.friction, -0.2 * 80.0, 1e-9) << "against the slip, which is positive";
+  EXPECT_NEAR(f.force[0], -80.0, 1e-9);
+  EXPECT_NEAR(f.force[1], -16.0, 1e-9);
+}
+
+TEST(PenaltyForce, NeverPullsAndIsNoneWithoutContact) {
+  StepRecord y = deep();
+  y.velocity = {-1.0, 0.0};
+  EXPECT_EQ(penalty_force(disc(), y, 1e6, 1e4, {}).normal, 0.0);
+  y.position = {0.9e-3, 0.0};
+  EXPECT_EQ(penalty_force(disc(), y, 1e6, 1e4, {}).force, (Pair{0.0, 0.0}));
+}
+
+// Per axis: nothing along the tangent at psi = 0, where all of it should be; at 135 degrees of the
+// four odd angles it is right.
+TEST(PenaltyForce, PerAxisFrictionIsNotTangential) {
+  PenaltyParameters per_axis;
+  per_axis.friction = PenaltyFriction::kPerAxis;
+  StepRecord y = deep();
+  y.velocity = {0.0, 0.0};
+  const PenaltyForce f = penalty_force(disc(), y, 1e6, 0.0, per_axis);
+  EXPECT_NEAR(f.force[0], -100.0 - 20.0, 1e-9);
+  EXPECT_NEAR(f.force[1], 0.0, 1e-9);
+  EXPECT_NEAR(f.friction, 0.0, 1e-9);
+
+  int right = 0;
+  for (int k = 0; k < 8; ++k) {
+    const double psi = k * 0.25 * 3.14159265358979;
+    y.position = {1.1e-3 * std::cos(psi), 1.1e-3 * std::sin(psi)};
+    const PenaltyForce wrong = penalty_force(disc(), y, 1e6, 0.0, per_axis);
+    const PenaltyForce law = penalty_force(disc(), y, 1e6, 0.0, {});
+    if (std::hypot(wrong.force[0] - law.force[0], wrong.force[1] - law.force[1]) < 1e-6) ++right;
+  }
+  EXPECT_EQ(right, 1) << "of 8 angles";
+}
+
+// ---------------------------------------------------------------- what is handed over
+TEST(PlanarSystem, HoldsTheNumbersOfTheScene) {
+  const PlanarSystem s = planar_system(shipped("bench_ring"));
+  EXPECT_EQ(s.rotor.mass, (Pair{2.0, 2.0}));
+  EXPECT_EQ(s.rotor.damping, (Pair{40.0, 40.0}));
+  EXPECT_TRUE(s.ring_moves);
+  EXPECT_EQ(s.ring.stiffness, (Pair{1e5, 1e5}));
+  EXPECT_TRUE(s.spin_is_free);
+  EXPECT_EQ(s.inertia, 1e-3);
+  EXPECT_EQ(s.drive_gain, 0.5);
+  EXPECT_EQ(s.restitution, 0.5);
+  const double w = 100.0 * 3.141592653589793;
+  EXPECT_NEAR(s.load(0.003)[0], 150.0 * std::cos(w * 0.003), 1e-9);
+  EXPECT_NEAR(s.load(0.003)[1], 150.0 * std::sin(w * 0.003), 1e-9);
+
+  const PlanarSystem held = planar_system(shipped("bench_whip"));
+  EXPECT_FALSE(held.spin_is_free);
+  EXPECT_NEAR(held.speed, w, 1e-9);
+  EXPECT_EQ(held.ring_velocity[0], 0.020349360147386315);
+}
+
+TEST(PlanarSystem, LoadsSwitchAndRamp) {
+  const PlanarSystem s = planar_system(
+      shipped("bench_drop",
+              {"force=[{kind=\"constant\", vector=[0.0,-10.0], on=0.01, off=0.03, ramp=0.01}]"}));
+  EXPECT_EQ(s.load(0.005)[1], 0.0);
+  EXPECT_NEAR(s.load(0.015)[1], -5.0, 1e-12);
+  EXPECT_EQ(s.load(0.025)[1], -10.0);
+  EXPECT_EQ(s.load(0.03)[1], 0.0);
+}
+
+}  // namespace
+}  // namespace rotorub::peers
