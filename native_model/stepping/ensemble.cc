@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -60,10 +61,11 @@ class LaneCommands {
   lanes::Array<T> v_;
 };
 
-// The runs of one group of lanes.
+// The runs of one group of lanes: the first `wanted` of them, which are runs `first`, ... of all.
 template <class Kernel, int W>
 void run_group(const std::vector<const Model*>& group, double step, std::int64_t steps,
-               EnsembleRun* out, std::size_t wanted) {
+               const EnsembleWatch& watch, std::size_t first, EnsembleRun* out,
+               std::size_t wanted) {
   using T = lanes::Lane<W>;
   const LaneModel<T> model(group);
   Kernel kernel(model, group, step);
@@ -71,22 +73,55 @@ void run_group(const std::vector<const Model*>& group, double step, std::int64_t
   constexpr bool kVerlet = std::is_same_v<Kernel, VerletLanes<W>>;
   if constexpr (kVerlet) kernel.restart();
   LaneTotals<W> totals;
-  if (group.front()->controller) {
-    LaneCommands<Kernel> commands(group, step);
-    for (std::int64_t k = 0; k < steps; ++k) {
-      commands.tell(kernel, k);
-      advance(kernel, totals, step, k, 1);
+  std::optional<LaneCommands<Kernel>> commands;
+  if (group.front()->controller) commands.emplace(group, step);
+  const auto stopped = [&] {
+    return watch.interrupt && watch.interrupt->load(std::memory_order_relaxed);
+  };
+  const auto advance_to = [&](std::int64_t from, std::int64_t to) {
+    constexpr std::int64_t kPatience = 4096;  // steps between looks at the interrupt
+    while (from < to && !stopped()) {
+      const std::int64_t count = commands ? 1 : std::min(kPatience, to - from);
+      if (commands) commands->tell(kernel, from);
+      advance(kernel, totals, step, from, count);
+      from += count;
     }
-  } else {
-    advance(kernel, totals, step, 0, steps);
-  }
+  };
+
   const auto nq = static_cast<std::size_t>(model.layout.nq());
-  lanes::Array<T> v(kernel.v(), kernel.v() + nq);
-  if constexpr (kVerlet) velocities_now(kernel, steps, v.data());
+  lanes::Array<T> v(nq, T{});
+  const auto velocities = [&](std::int64_t k) {
+    std::copy_n(kernel.v(), nq, v.begin());
+    if constexpr (kVerlet) velocities_now(kernel, k, v.data());
+  };
+  const auto look = [&](std::int64_t k) {
+    velocities(k);
+    double q_of[kMaxCoordinates], v_of[kMaxCoordinates];
+    for (std::size_t lane = 0; lane < wanted; ++lane) {
+      const int l = static_cast<int>(lane);
+      for (std::size_t i = 0; i < nq; ++i) {
+        q_of[i] = kernel.q()[i][l];
+        v_of[i] = v[i][l];
+      }
+      const bool lasting = k > 0 && !(kernel.any_impact() && kernel.impacts[l].count > 0);
+      watch.look({first + lane, k, q_of, v_of, lasting ? kernel.normal_impulse[l] / step : 0.0,
+                  totals.impacts[l]});
+    }
+  };
+  std::int64_t k = 0;
+  for (const std::int64_t at : watch.steps) {
+    advance_to(k, at);
+    if (stopped()) break;
+    k = at;
+    look(k);
+  }
+  advance_to(k, steps);
+  velocities(steps);
   for (std::size_t lane = 0; lane < wanted; ++lane) {
     const int l = static_cast<int>(lane);
     EnsembleRun& r = out[lane];
     r.status = step_refusal(*group[lane], step).empty() ? kernel.status[l] : Status::kStepTooLarge;
+    if (stopped()) r.status = Status::kInterrupted;
     r.first_touch = totals.first_touch[l];
     r.contact_steps = static_cast<std::int64_t>(totals.contact_steps[l]);
     r.impacts = totals.impacts[l];
@@ -101,7 +136,7 @@ void run_group(const std::vector<const Model*>& group, double step, std::int64_t
 
 template <int W>
 void run_all(const std::vector<Model>& models, double step, scene::Integrator integrator,
-             std::int64_t steps, std::vector<EnsembleRun>& out) {
+             std::int64_t steps, const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
   constexpr std::size_t kWidth = W;
   for (std::size_t begin = 0; begin < models.size(); begin += kWidth) {
     // The last group is filled up with copies of its first run.
@@ -111,9 +146,9 @@ void run_all(const std::vector<Model>& models, double step, scene::Integrator in
     }
     const std::size_t wanted = std::min(kWidth, models.size() - begin);
     if (integrator == scene::Integrator::kVerlet) {
-      run_group<VerletLanes<W>, W>(group, step, steps, &out[begin], wanted);
+      run_group<VerletLanes<W>, W>(group, step, steps, watch, begin, &out[begin], wanted);
     } else {
-      run_group<PaperLanes<W>, W>(group, step, steps, &out[begin], wanted);
+      run_group<PaperLanes<W>, W>(group, step, steps, watch, begin, &out[begin], wanted);
     }
   }
 }
@@ -156,18 +191,18 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
   }
 }
 
-std::vector<EnsembleRun> Ensemble::run(std::int64_t steps) {
+std::vector<EnsembleRun> Ensemble::run(std::int64_t steps, const EnsembleWatch& watch) {
   std::vector<EnsembleRun> out(models_.size());
   switch (set_) {
 #if defined(ROTORUB_EACH_TARGET)
     case InstructionSet::kAvx512:
-      run_all<8>(models_, step_, integrator_, steps, out);
+      run_all<8>(models_, step_, integrator_, steps, watch, out);
       break;
     case InstructionSet::kAvx2:
-      run_all<4>(models_, step_, integrator_, steps, out);
+      run_all<4>(models_, step_, integrator_, steps, watch, out);
       break;
 #endif
-    default: run_all<2>(models_, step_, integrator_, steps, out);
+    default: run_all<2>(models_, step_, integrator_, steps, watch, out);
   }
   return out;
 }

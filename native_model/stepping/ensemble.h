@@ -3,6 +3,7 @@
 // instruction set.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -25,6 +26,20 @@ struct EnsembleRun {
   double mean_force(double end) const;  // N, from first touch to the end
 };
 
+// What is seen of a run on its way, at t = k step.
+struct EnsembleLook {
+  std::size_t run = 0;
+  std::int64_t k = 0;
+  const double *q = nullptr, *v = nullptr;  // nq each
+  double normal_force = 0.0;                // N, of the step that ended there; 0 for impacts
+  std::int64_t impacts = 0;                 // counted ones so far
+};
+struct EnsembleWatch {
+  std::vector<std::int64_t> steps;                 // k, ascending, in [0, the last step]
+  std::function<void(const EnsembleLook&)> look;   // every run at each of them
+  const std::atomic<bool>* interrupt = nullptr;    // true: stop; the status of what is left says so
+};
+
 // Of x86 processors; elsewhere there is kBaseline alone (on x86: SSE2).
 enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 InstructionSet best_instruction_set();  // of this processor
@@ -39,7 +54,7 @@ class Ensemble {
            InstructionSet set = best_instruction_set());
 
   // All runs from t = 0 over `steps` steps; controllers are evaluated run by run.
-  std::vector<EnsembleRun> run(std::int64_t steps);
+  std::vector<EnsembleRun> run(std::int64_t steps, const EnsembleWatch& watch = {});
 
  private:
   std::vector<Model> models_;
