@@ -78,6 +78,7 @@ void print_json(const Sweep& sweep, sweep::Store& store, const sweep::Shard& sha
 
 // All points are there: the table and the page.
 void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store) {
+  sweep::remove_parts(sweep.folder);
   sweep::write_csv(store, sweep.folder / sweep::kCsvFile);
   write_whole(sweep.folder / sweep::kPageFile, sweep_page(*sweep.scenes, store, sweep.study));
   say(options, fmt::format("{} points: {}\nwritten to {} ({}, results.sqlite, {})", store.count(),
@@ -212,8 +213,7 @@ int sweep_study(const SweepArguments& options) {
   check_arguments(options);
   Sweep sweep;
   sweep.study = sweep::read_study(options.study);
-  std::vector<std::string> overrides = options.overrides;
-  sweep.scenes = std::make_unique<sweep::PointScenes>(sweep.study, overrides);
+  sweep.scenes = std::make_unique<sweep::PointScenes>(sweep.study, options.overrides);
   sweep.scenes->check();
   sweep.folder = options.folder.empty() ? path("runs") / path(options.study).stem()
                                         : path(options.folder);

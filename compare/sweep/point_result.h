@@ -52,7 +52,7 @@ struct ResultColumn {
 std::span<const ResultColumn> result_columns();
 
 // Rows that tell where a run has settled, evenly spaced over its last fifth, both ends included.
-inline constexpr int kSettledRows = 65;
+inline constexpr int kSettledRows = 41;
 double settled_row(double end, int row);  // s, of row 0 .. kSettledRows - 1
 
 }  // namespace rotorub::sweep

@@ -8,8 +8,8 @@
 namespace rotorub::sweep {
 namespace {
 
-std::vector<std::string> joined(std::span<const std::string> a, const std::vector<std::string>& b) {
-  std::vector<std::string> all(a.begin(), a.end());
+std::vector<std::string> joined(const std::vector<std::string>& a, std::span<const std::string> b) {
+  std::vector<std::string> all = a;
   all.insert(all.end(), b.begin(), b.end());
   return all;
 }
@@ -17,13 +17,23 @@ std::vector<std::string> joined(std::span<const std::string> a, const std::vecto
 }  // namespace
 
 PointScenes::PointScenes(const Study& study, std::span<const std::string> overrides)
-    : study_(&study), sample_(study), variants_(study.scene, joined(overrides, study.overrides)) {}
+    : study_(&study), sample_(study), variants_(study.scene, joined(study.overrides, overrides)) {
+  std::vector<scene::Diagnostic> twice;
+  for (const std::string& text : overrides) {
+    const std::string key = text.substr(0, text.find_last_not_of(" \t", text.find('=') - 1) + 1);
+    if (!study.varies(key)) continue;
+    twice.push_back({scene::kOverrideFile, 0, key, "varies in the study; set another key"});
+  }
+  if (!twice.empty()) throw scene::SceneError(std::move(twice));
+}
 
 scene::Scene PointScenes::at(std::int64_t index) const {
   const std::vector<Value> values = sample_.at(index);
   std::vector<std::string> changes;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    changes.push_back(study_->vary[k].key + "=" + values[k].text);
+    const Vary& vary = study_->vary[k];
+    changes.push_back(vary.key + "=" + values[k].text);
+    for (const std::string& key : vary.also) changes.push_back(key + "=" + values[k].text);
   }
   return variants_.scene(changes, study_->engine == EngineKind::kMujoco);
 }

@@ -94,9 +94,22 @@ void read_range(const StudyTable& table, const scene::Key* key, SampleKind kind,
   }
 }
 
+void read_also(const StudyTable& table, Vary& vary) {
+  const TomlNode* also = table.find("also");
+  if (also == nullptr) return;
+  if (also->kind != Kind::kArray) return table.fail("also", "expected a list of keys");
+  for (const TomlNode& item : also->items) {
+    std::string reason = item.kind == Kind::kString ? "" : "expected a key, as \"drive.speed\"";
+    if (reason.empty()) scene_key(item.text, reason);
+    if (reason.empty() && item.text == vary.key) reason = "`" + vary.key + "` is the key itself";
+    if (!reason.empty()) table.fail("also", reason);
+    vary.also.push_back(item.text);
+  }
+}
+
 Vary read_vary(const TomlNode& node, const std::string& path, SampleKind kind,
                Diagnostics& diagnostics) {
-  const StudyTable table(node, path, {"key", "values", "from", "to", "count", "spacing"},
+  const StudyTable table(node, path, {"key", "also", "values", "from", "to", "count", "spacing"},
                          diagnostics);
   Vary vary;
   const auto name = table.text("key");
@@ -112,6 +125,7 @@ Vary read_vary(const TomlNode& node, const std::string& path, SampleKind kind,
     return vary;
   }
   if (key != nullptr && key->quantity.unit != "1") vary.unit = key->quantity.unit;
+  read_also(table, vary);
   const TomlNode* values = table.find("values");
   if (kind == SampleKind::kLatinHypercube && values != nullptr) {
     table.fail("values", "belongs to a grid or a list; a Latin hypercube takes `from` and `to`");
@@ -162,7 +176,11 @@ void read_all_vary(const TomlNode& root, Study& study, Diagnostics& diagnostics)
     const auto refuse = [&](std::string reason) {
       diagnostics.push_back({node.file, node.line, path, std::move(reason)});
     };
-    if (!vary.key.empty() && study.varies(vary.key)) refuse("`" + vary.key + "` varies twice");
+    std::vector<std::string> keys{vary.key};
+    keys.insert(keys.end(), vary.also.begin(), vary.also.end());
+    for (const std::string& key : keys) {
+      if (!key.empty() && study.varies(key)) refuse("`" + key + "` varies twice");
+    }
     if (study.kind == SampleKind::kList && !study.vary.empty() && vary.count > 0 &&
         study.vary.front().count > 0 && vary.count != study.vary.front().count) {
       refuse(fmt::format("{} values where vary[0] has {}; in a list of points all have one length",
@@ -221,7 +239,9 @@ void read_run(const TomlNode& node, Study& study, Diagnostics& diagnostics) {
 }  // namespace
 
 bool Study::varies(const std::string& key) const {
-  return std::any_of(vary.begin(), vary.end(), [&](const Vary& v) { return v.key == key; });
+  return std::any_of(vary.begin(), vary.end(), [&](const Vary& v) {
+    return v.key == key || std::find(v.also.begin(), v.also.end(), key) != v.also.end();
+  });
 }
 
 Study read_study(const std::filesystem::path& file) {

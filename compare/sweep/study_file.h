@@ -23,6 +23,7 @@ enum class Spacing { kLinear, kLog };
 // Either values, or the range [from, to].
 struct Vary {
   std::string key;             // "contact.friction", "force[0].amplitude"
+  std::vector<std::string> also;  // further keys that get the same value
   std::vector<Value> values;   // empty: the range
   double from = 0.0, to = 0.0; // SI
   std::int64_t count = 0;      // >= 1: of a grid, of values or over the range

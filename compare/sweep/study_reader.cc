@@ -100,7 +100,7 @@ std::optional<double> StudyTable::number(const TomlNode& value, const std::strin
     case Kind::kInteger: return static_cast<double>(value.integer);
     case Kind::kFloat:
       if (std::isfinite(value.number)) return value.number;
-      reason = "is not finite";
+      reason = "is not finite; expected " + std::string(quantity.name);
       break;
     case Kind::kString: {
       const auto parsed = scene::parse_quantity(value.text, quantity);
@@ -108,11 +108,11 @@ std::optional<double> StudyTable::number(const TomlNode& value, const std::strin
       reason = parsed.error;
       break;
     }
-    default: reason = fmt::format("is {}", kind_name(value.kind));
+    default:
+      reason = fmt::format("expected {} ({}), got {}", quantity.name, quantity.examples,
+                           kind_name(value.kind));
   }
-  diagnostics_->push_back({value.file, value.line, path_of(key),
-                           fmt::format("{}; expected {} ({})", reason, quantity.name,
-                                       quantity.examples)});
+  diagnostics_->push_back({value.file, value.line, path_of(key), std::move(reason)});
   return std::nullopt;
 }
 

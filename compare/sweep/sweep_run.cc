@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t kEnsemblePoints = 32;  // of a batch: whole groups on every instruction set
 constexpr std::size_t kMostWaiting = 4096;    // results that wait for the store
-constexpr auto kStoreEvery = 250ms;           // a transaction waits for the disk
+constexpr auto kStoreEvery = 100ms;           // a transaction waits for the disk
 
 // Of a batch: those that can go into ensembles do, the others run by themselves.
 class BatchRun {

@@ -72,7 +72,7 @@ Scene scene_of(const TomlNode& root, const std::string& file_name, std::string t
   validate(scene, reader.record(), diagnostics);
   if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
   complete(scene, reader.record());
-  scene.record = std::make_shared<const Record>(reader.record());
+  scene.record = std::make_shared<const Record>(reader.take_record());
   return scene;
 }
 

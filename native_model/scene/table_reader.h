@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "native_model/scene/record.h"
@@ -20,6 +21,7 @@ class TableReader {
   void read(const TomlNode& root);
 
   const Record& record() const { return record_; }
+  Record take_record() { return std::move(record_); }
 
  private:
   void fail(const TomlNode& node, const std::string& path, std::string reason);
