@@ -181,10 +181,12 @@ void read_all_vary(const TomlNode& root, Study& study, Diagnostics& diagnostics)
     for (const std::string& key : keys) {
       if (!key.empty() && study.varies(key)) refuse("`" + key + "` varies twice");
     }
-    if (study.kind == SampleKind::kList && !study.vary.empty() && vary.count > 0 &&
-        study.vary.front().count > 0 && vary.count != study.vary.front().count) {
-      refuse(fmt::format("{} values where vary[0] has {}; in a list of points all have one length",
-                         vary.count, study.vary.front().count));
+    const auto first = std::find_if(study.vary.begin(), study.vary.end(),
+                                    [](const Vary& v) { return v.count > 0; });
+    if (study.kind == SampleKind::kList && first != study.vary.end() && vary.count > 0 &&
+        vary.count != first->count) {
+      refuse(fmt::format("{} values where vary[{}] has {}; in a list of points all have one length",
+                         vary.count, first - study.vary.begin(), first->count));
     }
     study.vary.push_back(std::move(vary));
   }

@@ -117,18 +117,34 @@ void run_group(const std::vector<const Model*>& group, double step, std::int64_t
   }
   advance_to(k, steps);
   velocities(steps);
+  // The steps of `verlet` lie about the t_k: of the one about the end half counts (run/fixed_run.cc).
+  lanes::Array<T> q(kernel.q(), kernel.q() + nq);
+  int status[W];
+  for (int lane = 0; lane < W; ++lane) status[lane] = static_cast<int>(kernel.status[lane]);
+  LaneTotals<W> about_end;
+  if (kVerlet && !stopped()) {
+    if (commands) commands->tell(kernel, steps);
+    advance(kernel, about_end, step, steps, 1);
+  }
   for (std::size_t lane = 0; lane < wanted; ++lane) {
     const int l = static_cast<int>(lane);
     EnsembleRun& r = out[lane];
-    r.status = step_refusal(*group[lane], step).empty() ? kernel.status[l] : Status::kStepTooLarge;
+    r.status = step_refusal(*group[lane], step).empty() ? static_cast<Status>(status[l])
+                                                        : Status::kStepTooLarge;
     if (stopped()) r.status = Status::kInterrupted;
     r.first_touch = totals.first_touch[l];
     r.contact_steps = static_cast<std::int64_t>(totals.contact_steps[l]);
     r.impacts = totals.impacts[l];
     r.impulse_total = totals.impulse_total[l];
     r.peak_impulse = totals.peak_impulse[l];
+    const bool impact = kernel.any_impact() && kernel.impacts[l].count > 0;
+    if (kVerlet && about_end.contact_steps[l] > 0.0 && !impact) {
+      r.ends_in_contact = true;
+      r.impulse_total += 0.5 * about_end.impulse_total[l];
+      r.peak_impulse = std::max(r.peak_impulse, about_end.peak_impulse[l]);
+    }
     for (std::size_t i = 0; i < nq; ++i) {
-      r.q.push_back(kernel.q()[i][l]);
+      r.q.push_back(q[i][l]);
       r.v.push_back(v[i][l]);
     }
   }
@@ -165,7 +181,8 @@ InstructionSet best_instruction_set() {
 
 double EnsembleRun::contact_fraction(double end, double step) const {
   if (first_touch < 0.0 || end <= first_touch) return 0.0;
-  return std::min(1.0, static_cast<double>(contact_steps) * step / (end - first_touch));
+  const double in_contact = static_cast<double>(contact_steps) + (ends_in_contact ? 0.5 : 0.0);
+  return std::min(1.0, in_contact * step / (end - first_touch));
 }
 
 double EnsembleRun::mean_force(double end) const {

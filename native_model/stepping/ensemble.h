@@ -18,6 +18,8 @@ struct EnsembleRun {
   Status status = Status::kOk;
   double first_touch = -1.0;        // s, begin of the step; -1: never touched
   std::int64_t contact_steps = 0;   // steps with a normal impulse
+  // `verlet`: the end lies in the middle of a step in lasting contact, half of which counts.
+  bool ends_in_contact = false;
   std::int64_t impacts = 0;         // with gap_rate_before < kCountedGapRate
   double impulse_total = 0.0;       // N s
   double peak_impulse = 0.0;        // N s, largest of one step
