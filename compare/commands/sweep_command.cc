@@ -180,15 +180,28 @@ std::vector<int> open_shards(const Sweep& sweep, int tasks) {
   return open;
 }
 
-int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
+// As asked for, or as the shards that are there; never more than there are batches.
+int tasks_of(const SweepArguments& options, const Sweep& sweep) {
   constexpr int kDefaultTasks = 16;
-  const auto batches = sweep::batches_of(*sweep.scenes).count();
+  const auto batches = std::max<std::int64_t>(sweep::batches_of(*sweep.scenes).count(), 1);
+  const int earlier = sweep::shards_in(sweep.folder);
+  const int wanted = options.tasks > 0 ? options.tasks : earlier > 0 ? earlier : kDefaultTasks;
+  const int tasks = static_cast<int>(std::min<std::int64_t>(wanted, batches));
+  if (earlier > 0 && earlier != tasks) {
+    throw UsageError(fmt::format(
+        "--tasks {}: {} holds results of {} shards, and other shards would run points again; give "
+        "--tasks {}, or another folder",
+        tasks, sweep.folder.string(), earlier, earlier));
+  }
+  return tasks;
+}
+
+int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
   sweep::SlurmJob job;
   job.program = std::filesystem::canonical("/proc/self/exe");
   job.study = std::filesystem::canonical(options.study);
   job.folder = std::filesystem::canonical(sweep.folder);
-  job.tasks = static_cast<int>(std::min<std::int64_t>(
-      options.tasks > 0 ? options.tasks : kDefaultTasks, std::max<std::int64_t>(batches, 1)));
+  job.tasks = tasks_of(options, sweep);
   job.jobs = options.jobs > 0 ? options.jobs : 1;
   job.overrides = options.overrides;
   const path script = job.folder / sweep::kSlurmFile;
@@ -197,6 +210,7 @@ int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
   const std::string join = fmt::format("rotorub sweep {} -o {} --merge {}", options.study,
                                        sweep.folder.string(), sweep.folder.string());
   if (open.empty()) {
+    if (options.json) std::cout << json_text({{"job", nullptr}, {"tasks", open}});
     say(options, "every shard is done or running; join them:\n  " + join);
     return kDone;
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "compare/version.h"
 
@@ -185,6 +186,15 @@ std::vector<std::filesystem::path> result_files(const std::filesystem::path& fol
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+int shards_in(const std::filesystem::path& folder) {
+  for (const auto& file : result_files(folder)) {
+    int number = 0, count = 0;
+    const std::string name = file.filename().string();
+    if (std::sscanf(name.c_str(), "results.%d-of-%d.sqlite", &number, &count) == 2) return count;
+  }
+  return 0;
 }
 
 }  // namespace rotorub::sweep

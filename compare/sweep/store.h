@@ -61,5 +61,7 @@ class StoreMismatch : public std::runtime_error {
 
 // The shards whose results are in a folder, and results.sqlite if it is there.
 std::vector<std::filesystem::path> result_files(const std::filesystem::path& folder);
+// Into how many shards the results in a folder are cut; 0: into none.
+int shards_in(const std::filesystem::path& folder);
 
 }  // namespace rotorub::sweep
