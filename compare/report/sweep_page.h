@@ -15,7 +15,7 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const sweep::Study& study);
 
 // A browser draws so many; of more, every n-th is taken, and marks stand for the cells.
-inline constexpr std::int64_t kMostDrawn = 100'000;
+inline constexpr std::int64_t kMostDrawn = 50'000;
 
 // What the page's script draws: "kind" (grid, marks), "keys" and "figures" (name, unit, ...), "values"
 // (a list for each key: places in its values, or numbers), "columns" (a list for each figure),

@@ -170,6 +170,25 @@ values = ["40 Hz", 12.5]
   EXPECT_THROW(PointScenes(study, twice), scene::SceneError);
 }
 
+TEST(PointScenes, OfTheShippedStudy) {
+  const Study study = read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/speed_friction.toml");
+  const PointScenes scenes(study, {});
+  EXPECT_EQ(scenes.sample().size(), 61 * 31);
+  EXPECT_NO_THROW(scenes.check());
+  const scene::Scene last = scenes.at(scenes.sample().size() - 1);
+  EXPECT_EQ(last.rotor.speed, last.drive->speed);
+  EXPECT_EQ(last.rotor.speed, last.forces[0].frequency);
+}
+
+TEST(ResultColumns, AreInTheReadme) {
+  const std::string readme = scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/README.md");
+  for (const ResultColumn& column : result_columns()) {
+    EXPECT_NE(readme.find("| `" + std::string(column.name) + "` | " + column.unit),
+              std::string::npos)
+        << column.name;
+  }
+}
+
 TEST(PointScenes, AStudyThatNothingCanComeOfIsRefused) {
   const StudyFolder folder;
   const Study study = folder.study(frictions("[-1, -2, -3]"));
