@@ -28,7 +28,8 @@ class TableReader {
   void find_form(const TomlNode& root);
   void read_table(const Table& table, const TomlNode& root);
   void read_object(const Table& table, const TomlNode& node, const std::string& path);
-  void read_key(const Key& key, std::string_view kind, const TomlNode& node,
+  // False: the value cannot be used, and the reason is kept.
+  bool read_key(const Key& key, std::string_view kind, const TomlNode& node,
                 const std::string& path, void* object);
   void refuse_unknown(const TomlNode& node, std::string_view table_path, const std::string& path);
 
