@@ -93,7 +93,8 @@ std::string duration_text(double seconds) {
 }
 
 int run_points(const SweepArguments& options, const Sweep& sweep) {
-  const sweep::Shard shard = options.shard.empty() ? sweep::Shard{} : sweep::parse_shard(options.shard);
+  const sweep::Shard shard =
+      options.shard.empty() ? sweep::Shard{} : sweep::parse_shard(options.shard);
   sweep::Store store = sweep.store(shard);
   ProgressBar bar(options.quiet);
   sweep::SweepOptions run;
@@ -104,10 +105,9 @@ int run_points(const SweepArguments& options, const Sweep& sweep) {
   run.progress = [&](std::int64_t stored, std::int64_t of, std::int64_t now) {
     const double passed =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double each = now > 0 ? passed / static_cast<double>(now) : 0.0;
     const std::string left =
-        now > 0 ? duration_text(passed * static_cast<double>(of - stored) / static_cast<double>(now)) +
-                      " left"
-                : "";
+        now > 0 ? duration_text(each * static_cast<double>(of - stored)) + " left" : "";
     bar.show(of > 0 ? static_cast<double>(stored) / static_cast<double>(of) : 1.0,
              fmt::format("{} of {} points  {}", stored, of, left));
   };
@@ -231,8 +231,8 @@ int sweep_study(const SweepArguments& options) {
   sweep.scenes->check();
   sweep.folder = options.folder.empty() ? path("runs") / path(options.study).stem()
                                         : path(options.folder);
-  sweep.jobs = options.jobs > 0 ? options.jobs
-                                : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int processors = static_cast<int>(std::thread::hardware_concurrency());
+  sweep.jobs = options.jobs > 0 ? options.jobs : std::max(1, processors);
   try {
     sweep::keep_study(sweep.folder, *sweep.scenes);
     if (!options.merge.empty()) return merge(options, sweep);
@@ -247,13 +247,13 @@ int sweep_study(const SweepArguments& options) {
 Command add_sweep_command(CLI::App& program) {
   auto options = std::make_shared<SweepArguments>();
   CLI::App* app = program.add_subcommand(
-      "sweep", "Runs a scene over a grid, a Latin hypercube or a list of values; goes on where it was");
+      "sweep", "A scene over a grid, a Latin hypercube or a list of values; goes on where it was");
   app->add_option("STUDY", options->study, "Study file (.toml)")->required();
   app->add_option("-o,--output", options->folder, "Folder of the results (default: runs/<study>)")
       ->type_name("DIR");
   app->add_option("--jobs", options->jobs, "Threads (default: as many as processors)")
       ->check(CLI::Range(1, 4096));
-  app->add_option("--shard", options->shard, "Part i of n of the points alone, in a file of its own")
+  app->add_option("--shard", options->shard, "Part i of n alone, in a file of its own")
       ->type_name("i/n");
   app->add_flag("--slurm", options->slurm, "Write and submit an array job, each task a shard");
   app->add_option("--tasks", options->tasks, "Tasks of the array job (default: 16)")

@@ -8,7 +8,8 @@ namespace rotorub {
 // Of every page.
 std::string_view report_css();
 std::string_view page_js();
-// Of the comparison's report, of the modes' and of the sweep's page: the template (see template.h) and the script.
+// Of the comparison's report, of the modes' and of the sweep's page: the
+// template (see template.h) and the script.
 std::string_view report_html();
 std::string_view report_js();
 std::string_view modes_html();

@@ -203,7 +203,8 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
   values["name"] = scene;
   values["cards"] = cards_of(store);
   values["two"] = study.vary.size() > 1;
-  values["thinned"] = plots["every"] > 1 ? fmt::format("{}", plots["every"].get<std::int64_t>()) : "";
+  const auto every = plots["every"].get<std::int64_t>();
+  values["thinned"] = every > 1 ? std::to_string(every) : "";
   values["keys"] = headings;
   values["failures"] = failures(store, study.vary.size());
   values["figures"] = plots["figures"];

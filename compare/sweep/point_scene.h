@@ -12,8 +12,8 @@ namespace rotorub::sweep {
 
 class PointScenes {
  public:
-  // `overrides`: of the command line, on top of the study's own. Throws scene::SceneError, also where
-  // one of them sets what varies.
+  // `overrides`: of the command line, on top of the study's own. Throws scene::SceneError, also
+  // where one of them sets what varies.
   PointScenes(const Study& study, std::span<const std::string> overrides);
 
   const Study& study() const { return *study_; }

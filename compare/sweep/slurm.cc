@@ -41,7 +41,7 @@ std::string slurm_script(const SlurmJob& job) {
   for (const std::string& text : job.overrides) command += " \\\n  --set " + shell_word(text);
   return fmt::format(
       R"(#!/bin/bash
-# Each task is a shard of the sweep with a file of its own; one that was stopped goes on where it was.
+# Each task is a shard of the sweep with a file of its own; one that was stopped goes on.
 #   all again:   sbatch sweep.sbatch           one of them:  sbatch --array=3 sweep.sbatch
 #   join them:   {program} sweep {study} -o {folder} --merge {folder}
 #SBATCH --job-name=rotorub-sweep

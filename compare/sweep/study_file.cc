@@ -53,7 +53,8 @@ Value value_of(const StudyTable& table, const TomlNode& node, const std::string&
 
 void read_values(const StudyTable& table, const TomlNode& node, const scene::Key* key, Vary& vary) {
   for (const char* other : {"from", "to", "count", "spacing"}) {
-    if (table.has(other)) table.fail(other, "beside `values`, which says the same; give one of them");
+    if (!table.has(other)) continue;
+    table.fail(other, "beside `values`, which says the same; give one of them");
   }
   if (node.kind != Kind::kArray || node.items.empty()) {
     table.fail("values", "expected a list of one value or more");

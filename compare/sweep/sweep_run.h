@@ -20,7 +20,8 @@ struct SweepOptions {
 // Points that are run, and handed on, at a time: enough to fill ensembles, or one.
 Batches batches_of(const PointScenes& scenes);
 
-// What is stored at a time is whole: a transaction holds full results of points. False: interrupted.
+// What is stored at a time is whole: a transaction holds full results of points. False:
+// interrupted.
 bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& options);
 
 }  // namespace rotorub::sweep

@@ -1,5 +1,5 @@
-// The name of a file, as every value of a scene carries it: one copy in the process, so that trees of
-// values are copied at no cost.
+// The name of a file, as every value of a scene carries it: one copy in the process, so that trees
+// of values are copied at no cost.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ namespace rotorub::scene {
 class FileName {
  public:
   FileName() : FileName(std::string_view()) {}
-  FileName(std::string_view name) : name_(&kept(name)) {}               // NOLINT: is a name
+  FileName(std::string_view name) : name_(&kept(name)) {}                  // NOLINT: is a name
   FileName(const std::string& name) : FileName(std::string_view(name)) {}  // NOLINT: is a name
   FileName(const char* name) : FileName(std::string_view(name)) {}         // NOLINT: is a name
-  operator const std::string&() const { return *name_; }                // NOLINT: is a name
+  operator const std::string&() const { return *name_; }                   // NOLINT: is a name
   bool operator==(const FileName& other) const { return name_ == other.name_; }
 
  private:

@@ -57,11 +57,12 @@ std::optional<std::vector<Step>> parse_path(std::string_view text) {
   return steps.front().is_index ? std::nullopt : std::optional(steps);
 }
 
-// A plain decimal number, as TOML and from_chars both read it: by far the most of what a sweep sets.
+// A plain decimal number, as TOML and from_chars both read it: most of what a sweep sets.
 std::optional<TomlNode> plain_number(std::string_view text) {
   const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
   const bool plain = !digits.empty() && digits.find_first_not_of("0123456789.e-+") == digits.npos;
-  const bool leading = plain && digits[0] != '.' && (digits[0] != '0' || digits.substr(1, 1) == ".");
+  const bool leading =
+      plain && digits[0] != '.' && (digits[0] != '0' || digits.substr(1, 1) == ".");
   const std::size_t point = digits.find('.');
   if (!leading || point == digits.npos || point + 1 >= digits.size() ||
       digits[point + 1] < '0' || digits[point + 1] > '9') {

@@ -24,7 +24,8 @@ Scene Variants::scene(std::span<const std::string> changes, bool with_text) cons
   std::vector<Diagnostic> diagnostics;
   TomlNode root = root_;
   apply_overrides(root, changes, diagnostics);
-  return scene_of(root, file_, with_text ? write_toml(root) : std::string(), std::move(diagnostics));
+  std::string text = with_text ? write_toml(root) : std::string();
+  return scene_of(root, file_, std::move(text), std::move(diagnostics));
 }
 
 }  // namespace rotorub::scene

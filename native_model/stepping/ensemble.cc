@@ -117,7 +117,8 @@ void run_group(const std::vector<const Model*>& group, double step, std::int64_t
   }
   advance_to(k, steps);
   velocities(steps);
-  // The steps of `verlet` lie about the t_k: of the one about the end half counts (run/fixed_run.cc).
+  // The steps of `verlet` lie about the t_k: of the one about the end half counts, as in
+  // run/fixed_run.cc.
   lanes::Array<T> q(kernel.q(), kernel.q() + nq);
   int status[W];
   for (int lane = 0; lane < W; ++lane) status[lane] = static_cast<int>(kernel.status[lane]);

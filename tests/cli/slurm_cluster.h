@@ -63,7 +63,8 @@ class SlurmCluster {
     munged_.emplace(
         std::vector<std::string>{place_of("munged"), "--foreground", "--force",
                                  "--key-file=" + at("munge.key"), "--socket=" + at("munge.socket"),
-                                 "--pid-file=" + at("munged.pid"), "--seed-file=" + at("munged.seed"),
+                                 "--pid-file=" + at("munged.pid"),
+                                 "--seed-file=" + at("munged.seed"),
                                  "--log-file=" + at("munged.log"), "--num-threads=2"},
         at("munged.out"));
     wait_until("munge's socket", [&] { return std::filesystem::exists(at("munge.socket")); });
@@ -72,9 +73,8 @@ class SlurmCluster {
     node_.emplace(
         std::vector<std::string>{place_of("slurmd"), "-D", "-f", conf(), "-N", host_name()},
         at("slurmd.out"));
-    wait_until("an idle node", [&] {
-      return command("sinfo -h -o %t").find("idle") != std::string::npos;
-    });
+    wait_until("an idle node",
+               [&] { return command("sinfo -h -o %t").find("idle") != std::string::npos; });
   }
 
   // What programs need to find it.
@@ -187,7 +187,8 @@ class SlurmCluster {
     for (const char* name : {"munged.out", "slurmctld.log", "slurmd.log", "command.err"}) {
       if (!std::filesystem::exists(at(name))) continue;
       const std::string all = read_text(at(name));
-      text += "\n" + std::string(name) + ":\n" + all.substr(all.size() - std::min<std::size_t>(all.size(), 2000));
+      text += "\n" + std::string(name) + ":\n" +
+              all.substr(all.size() - std::min<std::size_t>(all.size(), 2000));
     }
     return text;
   }

@@ -35,8 +35,8 @@ TEST(LongSlurm, ATaskThatIsKilledAndSubmittedAgainLeavesTheSameTable) {
   ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "whole", "-q"}).code, 0);
 
   const SlurmCluster slurm;
-  const std::vector<std::string> submit{"sweep", "study.toml", "-o",     "out", "--slurm",
-                                        "--tasks", "4",        "--jobs", "1",   "--json"};
+  const std::vector<std::string> submit{"sweep",   "study.toml", "-o",     "out", "--slurm",
+                                        "--tasks", "4",          "--jobs", "1",   "--json"};
   const Outcome first = folder.run(submit, slurm.surroundings());
   ASSERT_EQ(first.code, 0) << first.err;
   const auto job = nlohmann::json::parse(first.out);

@@ -16,25 +16,25 @@ std::string study(int frictions, int stiffnesses, const std::string& run) {
   return "scene = \"" + shipped("bench_ring") +
          "\"\n[sample]\nkind = \"grid\"\n"
          "[[vary]]\nkey = \"contact.friction\"\nfrom = 0.05\nto = 0.3\ncount = " +
-         std::to_string(frictions) +
-         "\n[[vary]]\nkey = \"stator.stiffness\"\nvalues = [" + [&] {
+         std::to_string(frictions) + "\n[[vary]]\nkey = \"stator.stiffness\"\nvalues = [" +
+         [&] {
            std::string list;
            for (int i = 0; i < stiffnesses; ++i) list += std::to_string(80000 + 1000 * i) + ",";
            return list;
-         }() + "]\n[run]\n" + run;
+         }() +
+         "]\n[run]\n" + run;
 }
 
 void write(const Folder& folder, const std::string& name, const std::string& text) {
   std::ofstream(folder.path() / name) << text;
 }
 
-std::int64_t lines(const std::string& text) {
-  return std::count(text.begin(), text.end(), '\n');
-}
+std::int64_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 TEST(Sweep, LeavesTableDatabasePageAndStudy) {
   const Folder folder;
-  const std::string text = study(3, 2, "integrator = \"verlet\"\nstep = \"100 us\"\nend = \"50 ms\"\n");
+  const std::string text =
+      study(3, 2, "integrator = \"verlet\"\nstep = \"100 us\"\nend = \"50 ms\"\n");
   write(folder, "study.toml", text);
   const Outcome outcome = folder.run({"sweep", "study.toml", "-o", "out", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -55,10 +55,10 @@ TEST(Sweep, LeavesTableDatabasePageAndStudy) {
 
 TEST(Sweep, DoesNotDependOnTheThreads) {
   const Folder folder;
-  for (const char* run : {"integrator = \"event\"\nend = \"20 ms\"\n",
-                          "integrator = \"verlet\"\nend = \"20 ms\"\n",
-                          "engine = \"mujoco\"\ncontact = \"rigid\"\nend = \"20 ms\"\n",
-                          "engine = \"mujoco\"\ncontact = \"cone\"\nend = \"20 ms\"\n"}) {
+  for (const char* run :
+       {"integrator = \"event\"\nend = \"20 ms\"\n", "integrator = \"verlet\"\nend = \"20 ms\"\n",
+        "engine = \"mujoco\"\ncontact = \"rigid\"\nend = \"20 ms\"\n",
+        "engine = \"mujoco\"\ncontact = \"cone\"\nend = \"20 ms\"\n"}) {
     write(folder, "study.toml", study(6, 2, run));
     ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "one", "--jobs", "1", "-q"}).code, 0);
     ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "many", "--jobs", "3", "-q"}).code, 0);
@@ -70,11 +70,12 @@ TEST(Sweep, DoesNotDependOnTheThreads) {
 
 TEST(Sweep, FailuresAreRows) {
   const Folder folder;
-  write(folder, "study.toml",
-        "scene = \"" + shipped("bench_ring") +
-            "\"\n[sample]\nkind = \"list\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1, -1, "
-            "0.1]\n[[vary]]\nkey = \"run.step\"\nvalues = [1e-5, 1e-5, 0.02]\n[run]\nintegrator = "
-            "\"paper\"\nend = \"40 ms\"\n");
+  write(
+      folder, "study.toml",
+      "scene = \"" + shipped("bench_ring") +
+          "\"\n[sample]\nkind = \"list\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1, -1, "
+          "0.1]\n[[vary]]\nkey = \"run.step\"\nvalues = [1e-5, 1e-5, 0.02]\n[run]\nintegrator = "
+          "\"paper\"\nend = \"40 ms\"\n");
   const Outcome outcome = folder.run({"sweep", "study.toml", "-o", "out"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("3 points: 1 ok, 1 refused, 1 step_too_large"), std::string::npos)
@@ -102,11 +103,14 @@ TEST(Sweep, AnotherStudyInTheSameFolderIsRefused) {
 TEST(Sweep, UsageErrors) {
   const Folder folder;
   write(folder, "study.toml", study(2, 1, "end = \"10 ms\"\n"));
-  for (const std::vector<std::string>& wrong :
-       {std::vector<std::string>{"nothing.toml"}, {"study.toml", "--shard", "3/2"},
-        {"study.toml", "--jobs", "0"}, {"study.toml", "--shard", "1/2", "--slurm"},
-        {"study.toml", "--merge", "nowhere"}, {"study.toml", "--tasks", "3"},
-        {"study.toml", "--set", "contact.friction=0.2"}, {"study.toml", "--set", "contact.x=1"}}) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"nothing.toml"},
+                                                {"study.toml", "--shard", "3/2"},
+                                                {"study.toml", "--jobs", "0"},
+                                                {"study.toml", "--shard", "1/2", "--slurm"},
+                                                {"study.toml", "--merge", "nowhere"},
+                                                {"study.toml", "--tasks", "3"},
+                                                {"study.toml", "--set", "contact.friction=0.2"},
+                                                {"study.toml", "--set", "contact.x=1"}}) {
     std::vector<std::string> arguments{"sweep"};
     arguments.insert(arguments.end(), wrong.begin(), wrong.end());
     arguments.insert(arguments.end(), {"-o", "out"});
@@ -127,6 +131,8 @@ TEST(Sweep, InterruptedItSaysSoAndGoesOn) {
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_FALSE(folder.has("out/results.csv"));
+  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "-q"}).code, 0);
+  EXPECT_EQ(lines(folder.text("out/results.csv")), 601);
 }
 
 // Ten times, at moments that the machine and the generator choose.
@@ -168,8 +174,9 @@ TEST(LongSweep, ShardsOfWhichOneIsKilledAndRunAgainMergeIntoTheSameTable) {
   write(folder, "study.toml", study(20, 20, "integrator = \"event\"\n"));
   ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "whole", "-q"}).code, 0);
   const auto shard = [](int number) {
-    return std::vector<std::string>{"sweep", "study.toml", "-o", "out", "-q", "--jobs", "1",
-                                    "--shard", std::to_string(number) + "/4"};
+    return std::vector<std::string>{"sweep", "study.toml", "-o",
+                                    "out",   "-q",         "--jobs",
+                                    "1",     "--shard",    std::to_string(number) + "/4"};
   };
   {
     Program victim(folder.path(), shard(3));

@@ -18,8 +18,9 @@ using test::StudyFolder;
 const std::atomic<bool> kGoOn{false};
 
 std::string frictions(const std::string& values) {
-  return of_ring() + "[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = " +
-         values + "\n[run]\nend = \"60 ms\"\nstep = \"20 us\"\n";
+  return of_ring() +
+         "[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = " + values +
+         "\n[run]\nend = \"60 ms\"\nstep = \"20 us\"\n";
 }
 
 std::vector<PointScene> all_points(const PointScenes& scenes) {
@@ -65,9 +66,9 @@ TEST(EnsemblePoints, APointAmongOthersIsThePointAlone) {
   }
 }
 
-// `rotorub run` adds the same impulses of `paper` in the same order: the same bits. Its time in contact
-// is a sum of steps where the ensemble counts them, and `verlet` adds each impulse in two halves:
-// those figures agree to round-off. The first touch of `verlet` is that of its step.
+// `rotorub run` adds the same impulses of `paper` in the same order: the same bits. Its time in
+// contact is a sum of steps where the ensemble counts them, and `verlet` adds each impulse in two
+// halves: those figures agree to round-off. The first touch of `verlet` is that of its step.
 TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
   constexpr double kRoundOff = 1e-12;  // relative, of sums over 3000 steps
   const StudyFolder folder;
@@ -181,7 +182,8 @@ TEST(PointScenes, OfTheShippedStudy) {
 }
 
 TEST(ResultColumns, AreInTheReadme) {
-  const std::string readme = scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/README.md");
+  const std::string readme =
+      scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/README.md");
   for (const ResultColumn& column : result_columns()) {
     EXPECT_NE(readme.find("| `" + std::string(column.name) + "` | " + column.unit),
               std::string::npos)

@@ -67,8 +67,8 @@ TEST(LatinHypercube, HasOnePointInEveryCellOfEveryKey) {
   for (std::size_t k = 0; k < study.vary.size(); ++k) {
     std::set<int> cells;
     for (std::int64_t i = 0; i < sample.size(); ++i) {
-      const double share = (*sample.at(i)[k].number - study.vary[k].from) /
-                           (study.vary[k].to - study.vary[k].from);
+      const double share =
+          (*sample.at(i)[k].number - study.vary[k].from) / (study.vary[k].to - study.vary[k].from);
       cells.insert(static_cast<int>(std::floor(share * 257.0)));
     }
     EXPECT_EQ(cells.size(), 257u);

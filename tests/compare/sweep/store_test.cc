@@ -57,9 +57,7 @@ TEST_F(StoreTest, RowsComeInTheOrderOfTheStudyToTheLastBit) {
             "point,contact.friction,status,reason,end,steps,first_touch,impacts,contact_fraction,"
             "mean_force,peak_force,impulse_total,attractor,contact_share,whirl_frequency,"
             "spin_speed,peak_impulse,friction_work,max_penetration,energy_residual");
-  EXPECT_NE(text.find("\n0,0.10000000000000001,ok,,0,0,,0,0,1e-300,"),
-            std::string::npos)
-      << text;
+  EXPECT_NE(text.find("\n0,0.10000000000000001,ok,,0,0,,0,0,1e-300,"), std::string::npos) << text;
   EXPECT_NE(text.find(",0.33333333333333331,"), std::string::npos);
   EXPECT_NE(text.find("\n2,0.29999999999999999,diverged,\"a \"\"comma\"\", and more\",,,"),
             std::string::npos);
