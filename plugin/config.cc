@@ -273,7 +273,11 @@ Config make_config(const mjModel* m) {
   if (scene.contact) {
     config.contact = contact_model(m, scene.mujoco.contact);
     try {
-      if (config.contact == scene::ContactModel::kRigid) refuse_finite_impacts(scene);
+      if (config.contact == scene::ContactModel::kRigid) {
+        const bool lags = config.model.magnets && config.model.magnets->coil_lag > 0.0;
+        const bool native = config.takes_native_steps() && !config.shadow && !lags;
+        refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
+      }
     } catch (const scene::SceneError& error) {
       throw ConfigError(in_text(names::kSceneText, error.what()));
     }

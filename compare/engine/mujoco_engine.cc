@@ -200,12 +200,12 @@ class Record {
       if (impact_.normal_impulse > 0.0) count_impact();
       recorder_.advance({t, q, v, lasting ? f.normal : 0.0, lasting ? f.friction : 0.0, f.mode,
                          r.actuator},
-                        impact_.normal_impulse > 0.0);
+                        p, impact_.normal_impulse > 0.0);
     }
     StepFigures figures;
     figures.h = k == 0 || last ? 0.5 * step_ : step_;
     figures.external_work = figures.h * external_power(model_, t, q, v, r.actuator.force);
-    if (lasting && f.normal > 0.0) {
+    if (lasting && f.mode != Mode::kFree && f.normal > 0.0) {
       figures.normal_impulse = figures.h * f.normal;
       figures.friction_impulse = figures.h * f.friction;
       figures.friction_work = figures.friction_impulse * p.slip;
@@ -238,7 +238,8 @@ class Record {
 
   void count_impact() {
     StepFigures figures;
-    figures.h = step_;
+    const double lasted = model_.contact->compression_time + model_.contact->expansion_time;
+    figures.h = lasted > 0.0 ? lasted : step_;
     figures.normal_impulse = impact_.normal_impulse;
     figures.friction_impulse = impact_.friction_impulse;
     figures.friction_work =
@@ -284,7 +285,12 @@ class Record {
 
 Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const scene::Scene scene = with_options(given, options);
-  if (scene.mujoco.contact == scene::ContactModel::kRigid) refuse_finite_impacts(scene);
+  const bool lags = scene.actuator && scene.actuator->coil_lag > 0.0;
+  const bool native =
+      scene.mujoco.rotor == scene::MujocoRotor::kModal && !scene.mujoco.shadow && !lags;
+  if (scene.mujoco.contact == scene::ContactModel::kRigid) {
+    refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
+  }
   const double step = scene.run.step;
   check_steps(scene, step);
   const MujocoMessages messages;

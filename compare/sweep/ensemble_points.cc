@@ -145,7 +145,9 @@ std::vector<PointResult> run_ensembles(const std::vector<PointScene>& points,
     try {
       Model model = make_model(point.scene);
       check_steps(point.scene, point.scene.run.step);
-      refuse_finite_impacts(point.scene);
+      refuse_finite_impacts(point.scene, integrator == scene::Integrator::kVerlet
+                                             ? FiniteImpacts::kUnsampled
+                                             : FiniteImpacts::kNone);
       auto group = std::find_if(groups.begin(), groups.end(),
                                 [&](const Group& g) { return g.takes(point, model); });
       if (group == groups.end()) {

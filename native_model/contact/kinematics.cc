@@ -1,27 +1,6 @@
 #include "native_model/contact/kinematics.h"
 
-#include <cmath>
-
 namespace rotorub {
-
-ContactPoint contact_kinematics(const Eigen::Vector2d& d, const Eigen::Vector2d& dv, double spin,
-                                double radius, double clearance) {
-  ContactPoint p;
-  p.d = d;
-  p.dv = dv;
-  p.spin = spin;
-  p.delta = std::sqrt(d.squaredNorm());
-  p.gap = clearance - p.delta;
-  p.has_normal = p.delta > kNoNormal;
-  if (!p.has_normal) {
-    p.slip = radius * spin;
-    return p;
-  }
-  p.e_r = d / p.delta;
-  p.gap_rate = -p.e_r.dot(dv);
-  p.slip = p.whirl_speed() + radius * spin;
-  return p;
-}
 
 Delassus delassus(const Eigen::Matrix3d& a, const Eigen::Vector2d& e, double r) {
   // W_N = (-e_x, -e_y, 0), W_T = (-e_y, e_x, r) in contact space.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "native_model/contact/planar_contact.h"
 
@@ -27,8 +28,24 @@ struct ContactPoint {
 // Under this distance (m) the centres coincide and there is no normal.
 inline constexpr double kNoNormal = 1e-15;
 
-ContactPoint contact_kinematics(const Eigen::Vector2d& d, const Eigen::Vector2d& dv, double spin,
-                                double radius, double clearance);
+inline ContactPoint contact_kinematics(const Eigen::Vector2d& d, const Eigen::Vector2d& dv, double spin,
+                                double radius, double clearance) {
+  ContactPoint p;
+  p.d = d;
+  p.dv = dv;
+  p.spin = spin;
+  p.delta = std::sqrt(d.squaredNorm());
+  p.gap = clearance - p.delta;
+  p.has_normal = p.delta > kNoNormal;
+  if (!p.has_normal) {
+    p.slip = radius * spin;
+    return p;
+  }
+  p.e_r = d / p.delta;
+  p.gap_rate = -p.e_r.dot(dv);
+  p.slip = p.whirl_speed() + radius * spin;
+  return p;
+}
 
 // The 2x2 Delassus matrix of (N, T) for the normal e_r from the contact-space admittance A
 // (relative x, relative y, spin): W_N = (-e_r, 0), W_T = (e_t, r).

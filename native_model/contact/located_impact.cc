@@ -44,7 +44,13 @@ StepImpacts locate_impacts(const FlightStep& s, const ImpactLaw& law) {
     const double pressed =
         hit.e_r.dot(s.acceleration.head<2>()) + whirl * whirl / s.clearance;
     const bool last = out.count + 1 == StepImpacts::kMost;
-    const bool stays = 2.0 * law.restitution * -hit.gap_rate_before <= pressed * s.h || last;
+    const bool stays =
+        2.0 * law.restitution * -hit.gap_rate_before <= pressed * std::max(s.h, s.duration) || last;
+    if (s.duration > 0.0 && !stays) {
+      ++out.count;
+      out.takes_time = true;
+      return out;
+    }
     ImpactLaw own = law;
     if (stays) own.restitution = own.tangential_restitution = 0.0;
     hit.law = solve_impact(delassus(s.admittance, hit.e_r, s.radius), hit.gap_rate_before,

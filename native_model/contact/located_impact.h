@@ -2,7 +2,8 @@
 // theta of the step, and Poisson's law (15)-(19) is solved there, with the normal and the velocity of
 // that instant, v + (theta - 1/2) h a. What is left of the step flies with the velocities after it;
 // more than one impact may follow. A rebound that the loads and the ring's curvature undo within a
-// step has restitution 0: lasting contact follows.
+// step, or that would end before the impact does, has restitution 0: lasting contact follows. An
+// impact that takes time is located here and no more (stepping/finite_impact.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -19,6 +20,7 @@ struct FlightStep {
   Eigen::Vector3d acceleration;  // of the same, without contact
   Eigen::Matrix3d admittance;    // J M^-1 J^T
   double clearance = 0.0, radius = 0.0;  // m
+  double duration = 0.0;         // s, of an impact: compression and expansion
 };
 
 struct LocatedImpact {
@@ -34,6 +36,7 @@ struct StepImpacts {
   int count = 0;
   std::array<LocatedImpact, kMost> impacts;
   bool closes = false;  // contact lasts at the end of the step
+  bool takes_time = false;  // the last of them has begun only, and has no law
 };
 
 // Share of the step at which the path d + theta h v leaves the circle; 0 where it is outside

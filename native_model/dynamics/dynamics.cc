@@ -101,9 +101,17 @@ Eigen::Vector2d stator_point(const Model& m, const double* q) {
 ContactPoint contact_point(const Model& m, const double* q, const double* v) {
   const double radius = m.contact ? m.contact->radius : 0.0;
   const double clearance = m.contact ? m.contact->clearance : 0.0;
-  return contact_kinematics(rotor_point(m, q) - stator_point(m, q),
-                            rotor_point(m, v) - stator_point(m, v), contact_spin(m, v), radius,
-                            clearance);
+  const eq::Pair<double> d = eq::relative(m, q), rate = eq::relative(m, v);
+  return contact_kinematics({d.x, d.y}, {rate.x, rate.y}, eq::contact_spin(m, v), radius, clearance);
+}
+
+Eigen::Vector3d contact_acceleration(const Model& m, const double* a) {
+  const Eigen::Vector2d d = rotor_point(m, a) - stator_point(m, a);
+  double spin = m.layout.spin ? a[m.layout.phi()] : 0.0;  // a speed that is held stays
+  for (int k = 0; k < m.layout.torsion; ++k) {
+    spin += m.torsion_contact[k] * a[m.layout.theta() + k];
+  }
+  return {d.x(), d.y(), spin};
 }
 
 Eigen::Matrix3d contact_admittance(const Model& m, double t, const double* q) {

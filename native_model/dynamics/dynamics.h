@@ -34,6 +34,9 @@ Eigen::Vector2d rotor_point(const Model& model, const double* q);
 Eigen::Vector2d stator_point(const Model& model, const double* q);  // also of velocities
 ContactPoint contact_point(const Model& model, const double* q, const double* v);
 
+// (ddot', Omega_c') of the generalized accelerations a.
+Eigen::Vector3d contact_acceleration(const Model& model, const double* a);
+
 // Contact-space admittance A = J M^-1 J^T (1/kg ...), 3 x 3, J: (relative x, relative y, spin at
 // the contact) = J qdot.
 Eigen::Matrix3d contact_admittance(const Model& model, double t, const double* q);

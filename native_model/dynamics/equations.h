@@ -111,7 +111,7 @@ ROTORUB_INLINE void spin_coupling(const M& m, const DiscAngles<T>& at, T* bx, T*
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE void solve_coupled(const M& m, const T* mass, const T* bx, const T* by, const T* f,
                                   T* a) {
-  const Layout& l = m.layout;
+  const auto& l = m.layout;
   const int n = l.modes, phi = l.phi();
   T torque = f[phi], inertia = mass[phi];
   for (int k = 0; k < n; ++k) {
@@ -192,7 +192,7 @@ ROTORUB_INLINE void add_unbalance(const M& m, const DiscAngles<T>& at, const T& 
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE void add_drive(const M& m, const T* v, T* f) {
   if (!m.layout.spin) return;
-  const Layout& l = m.layout;
+  const auto& l = m.layout;
   const T* shape = m.drive_shape.data();
   T speed = v[l.phi()];
   for (int k = 0; k < l.torsion; ++k) speed += shape[k] * v[l.theta() + k];
@@ -204,7 +204,7 @@ ROTORUB_INLINE void add_drive(const M& m, const T* v, T* f) {
 // f += J^T p of a load on the rotor (x, y, torque about z) at the contact.
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE void add_contact_load(const M& m, const T& px, const T& py, const T& pz, T* f) {
-  const Layout& l = m.layout;
+  const auto& l = m.layout;
   add_station_force<T>(l.modes, m.contact_shape, px, py, f);
   if (l.spin) f[l.phi()] += pz;
   const T* shape = m.torsion_contact.data();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/event/constraint.h"
+#include "native_model/dynamics/constraint.h"
 #include "native_model/event/smooth_step.h"
 #include "native_model/trajectory/recorder.h"
 

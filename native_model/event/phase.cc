@@ -13,15 +13,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Eigen::Vector3d contact_acceleration(const Model& m, const double* a) {
-  const Eigen::Vector2d d = rotor_point(m, a) - stator_point(m, a);
-  double spin = m.layout.spin ? a[m.layout.phi()] : 0.0;  // a speed that is held stays
-  for (int k = 0; k < m.layout.torsion; ++k) {
-    spin += m.torsion_contact[k] * a[m.layout.theta() + k];
-  }
-  return {d.x(), d.y(), spin};
-}
-
 Phase::Phase(const Model& model)
     : model_(&model),
       first_touch_(kInfinity),

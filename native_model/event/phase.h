@@ -21,9 +21,6 @@ struct Multipliers {
   double normal = 0.0, friction = 0.0;  // N, lambda_N, lambda_T
 };
 
-// (ddot', Omega_c') of the generalized accelerations `a`.
-Eigen::Vector3d contact_acceleration(const Model& model, const double* a);
-
 class Phase {
  public:
   explicit Phase(const Model& model);

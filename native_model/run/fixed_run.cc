@@ -33,6 +33,17 @@ const char* reason(Status status) {
   }
 }
 
+// A state that a run has come to, and its contact.
+struct Reached {
+  Reached(const Model& model, double time, const double* at, const double* rates)
+      : t(time), q(at), v(rates) {
+    if (model.contact) point = contact_point(model, q, v);
+  }
+  double t;  // s
+  const double *q, *v;
+  ContactPoint point;
+};
+
 // What every fixed-step run keeps beside its stepper.
 class FixedRun {
  public:
@@ -58,30 +69,29 @@ class FixedRun {
     record_mode(0.0, done);
   }
 
-  // What `done` did, from `begin` on, with slips of the state (q, v); `share`: of what it did.
-  void count(const FixedStep& done, double begin, const double* q, const double* v, double share) {
+  // What `done` did, from `begin` on, with the slip of `state`; `share`: of what it did.
+  void count(const FixedStep& done, double begin, const Reached& state, double share) {
     StepFigures f;
-    f.h = share * step_;
+    f.h = done.impact_time > 0.0 ? done.impact_time : share * step_;
     f.normal_impulse = share * done.normal_impulse;
     f.friction_impulse = share * done.friction_impulse;
     f.contact_work = share * done.contact_work;
     f.external_work = share * done.external_work;
-    if (done.normal_impulse > 0.0) f.friction_work = share * friction_work(done, q, v);
+    if (done.normal_impulse > 0.0) f.friction_work = share * friction_work(done, state);
     recorder_.count(f, begin);
   }
 
   // The next state, with the forces of `done`, impulses over `kick` (s); `impact`: one since the last.
-  void advance(double now, const double* q, const double* v, const FixedStep& done, double kick,
-               bool impact, const Eigen::Vector2d& u) {
-    record_mode(now, done);
-    Snapshot s = snapshot(now, q, v, done, kick);
-    if (recorder_.row_due(now)) s.actuator = actuator_state(model_, q, v, u);
-    check(now, q, recorder_.advance(s, impact));
+  void advance(const Reached& state, const FixedStep& done, double kick, bool impact,
+               const Eigen::Vector2d& u) {
+    record_mode(state.t, done);
+    Snapshot s = snapshot(state.t, state.q, state.v, done, kick);
+    if (recorder_.row_due(state.t)) s.actuator = actuator_state(model_, state.q, state.v, u);
+    check(state.t, state.q, recorder_.advance(s, state.point, impact));
   }
 
   void add_impacts(const FixedStep& done) {
-    for (int i = 0; i < done.impacts.count; ++i) {
-      const Impact& impact = done.impacts.impact[static_cast<std::size_t>(i)];
+    for (const Impact& impact : done.impacts) {
       recorder_.add(impact);
       recorder_.add(Event{impact.t, EventKind::kImpact});
     }
@@ -119,15 +129,15 @@ class FixedRun {
   // An impact's impulse is no force of lasting contact.
   static Snapshot snapshot(double t, const double* q, const double* v, const FixedStep& done,
                            double kick) {
-    const double scale = done.impacts.count == 0 ? 1.0 / kick : 0.0;
-    return {t, q, v, scale * done.normal_impulse, scale * done.friction_impulse, done.mode, {}};
+    const double scale = done.impacts.empty() ? 1.0 / kick : 0.0;
+    return {t, q, v, scale * done.normal_impulse + done.impact_force.x(),
+            scale * done.friction_impulse + done.impact_force.y(), done.mode, {}};
   }
 
-  double friction_work(const FixedStep& done, const double* q, const double* v) const {
-    if (done.impacts.count == 0) return done.friction_impulse * contact_point(model_, q, v).slip;
+  static double friction_work(const FixedStep& done, const Reached& state) {
+    if (done.impacts.empty()) return done.friction_impulse * state.point.slip;
     double work = 0.0;
-    for (int i = 0; i < done.impacts.count; ++i) {
-      const Impact& hit = done.impacts.impact[static_cast<std::size_t>(i)];
+    for (const Impact& hit : done.impacts) {
       work += 0.5 * hit.friction_impulse * (hit.slip_before + hit.slip_after);
     }
     return work;
@@ -189,8 +199,9 @@ Trajectory run_steps(const char* name, const Model& model, const scene::Run& sce
       break;
     }
     run.add_impacts(done);
-    run.count(done, run.time(k), stepper.q(), stepper.v(), 1.0);
-    run.advance(run.time(k + 1), stepper.q(), stepper.v(), done, step, done.impacts.count > 0, u);
+    const Reached state(model, run.time(k + 1), stepper.q(), stepper.v());
+    run.count(done, run.time(k), state, 1.0);
+    run.advance(state, done, step, !done.impacts.empty(), u);
     run.tick(k);
   }
   return run.finish(name, k, run.time(k), seconds_since(start));
@@ -227,7 +238,8 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
   };
   const std::int64_t steps = run.steps();
   const auto start = Clock::now();
-  FixedStep hits;  // the last step, where it had impacts
+  FixedStep hits;    // the last step, where it had impacts
+  ImpactList kept;  // its impacts
   std::int64_t k = 0;
   for (; k <= steps && run.good(); ++k) {
     const double t = run.time(k);
@@ -239,24 +251,29 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
     }
     stepper.last_velocity(v.data());
     const FixedStep all = done;
-    if (done.impacts.count > 0) {
+    if (!done.impacts.empty()) {
       done = FixedStep{};
       done.external_work = all.external_work;
+      done.impact_force = all.impact_force;
     }
     const double kick = k == 0 ? 0.5 * step : step;
     if (k == 0) run.begin(hold.held(), done, kick);
     // Of a step half is done before t_k, half after; all of the first, half one after.
-    const auto half = [&] { run.count(done, t, stepper.last_q(), v.data(), k == 0 ? 1.0 : 0.5); };
+    const Reached state(model, t, stepper.last_q(), v.data());
+    const auto half = [&] { run.count(done, t, state, k == 0 ? 1.0 : 0.5); };
     if (k > 0) half();
     if (k > 0) {
-      const bool impact = hits.impacts.count > 0;
-      if (impact) run.count(hits, hits.impacts.impact[0].t, stepper.last_q(), v.data(), 1.0);
-      run.advance(t, stepper.last_q(), v.data(), done, kick, impact, hold.held());
+      const bool impact = !hits.impacts.empty();
+      if (impact) run.count(hits, hits.impacts.front().t, state, 1.0);
+      run.advance(state, done, kick, impact, hold.held());
     }
     if (k < steps) half();
     hits = all;
     hits.external_work = 0.0;
-    if (all.impacts.count > 0 && k < steps) run.add_impacts(all);
+    kept.count = 0;
+    for (const Impact& hit : all.impacts) kept.add(hit);
+    hits.impacts = kept.view();
+    if (!all.impacts.empty() && k < steps) run.add_impacts(all);
     run.tick(k);
   }
   const std::int64_t taken = std::min(k, steps);

@@ -47,7 +47,8 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
     return run_event(model, scene.run, options);
   }
   check_run_size(scene, model, step, times);
-  refuse_finite_impacts(scene);
+  refuse_finite_impacts(scene, integrator == scene::Integrator::kVerlet ? FiniteImpacts::kUnsampled
+                                                                        : FiniteImpacts::kNone);
   switch (integrator) {
     case scene::Integrator::kPaper: return run_paper(model, scene.run, step, options);
     case scene::Integrator::kLiteral: return run_literal(model, scene.run, step, options);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -61,113 +62,144 @@ class LaneCommands {
   lanes::Array<T> v_;
 };
 
-// The runs of one group of lanes: the first `wanted` of them, which are runs `first`, ... of all.
-template <class Kernel, int W>
-void run_group(const std::vector<const Model*>& group, double step, std::int64_t steps,
-               const EnsembleWatch& watch, std::size_t first, EnsembleRun* out,
-               std::size_t wanted) {
-  using T = lanes::Lane<W>;
-  const LaneModel<T> model(group);
-  Kernel kernel(model, group, step);
-  kernel.load_initial_states();
-  constexpr bool kVerlet = std::is_same_v<Kernel, VerletLanes<W>>;
-  if constexpr (kVerlet) kernel.restart();
-  LaneTotals<W> totals;
-  std::optional<LaneCommands<Kernel>> commands;
-  if (group.front()->controller) commands.emplace(group, step);
-  const auto stopped = [&] {
-    return watch.interrupt && watch.interrupt->load(std::memory_order_relaxed);
-  };
-  const auto advance_to = [&](std::int64_t from, std::int64_t to) {
+// The runs of one group of lanes, by a kernel of the model's size.
+template <class Kernel, class M, int W>
+struct LaneGroup {
+  static constexpr bool kVerlet = std::is_same_v<Kernel, VerletKernel<M>>;
+  using T = typename Kernel::T;
+
+  LaneGroup(std::vector<const Model*> runs, double h)
+      : models(std::move(runs)), model(Lanes<W>(models)), work{Kernel(model, models, h), {}},
+        step(h), v(static_cast<std::size_t>(model.layout.nq()), T{}) {
+    work.kernel.load_initial_states();
+    if constexpr (kVerlet) work.kernel.restart();
+    if (models.front()->controller) commands.emplace(models, step);
+  }
+
+  void advance_to(std::int64_t from, std::int64_t to, const EnsembleWatch& watch) {
     constexpr std::int64_t kPatience = 4096;  // steps between looks at the interrupt
-    while (from < to && !stopped()) {
+    while (from < to && !watch.stopped()) {
       const std::int64_t count = commands ? 1 : std::min(kPatience, to - from);
-      if (commands) commands->tell(kernel, from);
-      advance(kernel, totals, step, from, count);
+      if (commands) commands->tell(work.kernel, from);
+      advance(work, step, from, count);
       from += count;
     }
-  };
+  }
 
-  const auto nq = static_cast<std::size_t>(model.layout.nq());
-  lanes::Array<T> v(nq, T{});
-  const auto velocities = [&](std::int64_t k) {
-    std::copy_n(kernel.v(), nq, v.begin());
-    if constexpr (kVerlet) velocities_now(kernel, k, v.data());
-  };
-  const auto look = [&](std::int64_t k) {
-    velocities(k);
+  void find_velocities(std::int64_t k) {
+    std::copy_n(work.kernel.v(), v.size(), v.begin());
+    if constexpr (kVerlet) velocities_now(work.kernel, k, v.data());
+  }
+
+  bool impact(int lane) const {
+    return work.kernel.any_impact() && work.kernel.impacts[lane].count > 0;
+  }
+
+  // Of the first `wanted` runs, which are `first`, ... of all.
+  void look(std::int64_t k, const EnsembleWatch& watch, std::size_t first, std::size_t wanted) {
+    find_velocities(k);
     double q_of[kMaxCoordinates], v_of[kMaxCoordinates];
     for (std::size_t lane = 0; lane < wanted; ++lane) {
       const int l = static_cast<int>(lane);
-      for (std::size_t i = 0; i < nq; ++i) {
-        q_of[i] = kernel.q()[i][l];
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        q_of[i] = work.kernel.q()[i][l];
         v_of[i] = v[i][l];
       }
-      const bool lasting = k > 0 && !(kernel.any_impact() && kernel.impacts[l].count > 0);
-      watch.look({first + lane, k, q_of, v_of, lasting ? kernel.normal_impulse[l] / step : 0.0,
-                  totals.impacts[l]});
+      const double force = k > 0 && !impact(l) ? work.kernel.normal_impulse[l] / step : 0.0;
+      watch.look({first + lane, k, q_of, v_of, force, work.totals.impacts[l]});
     }
-  };
-  std::int64_t k = 0;
-  for (const std::int64_t at : watch.steps) {
-    advance_to(k, at);
-    if (stopped()) break;
-    k = at;
-    look(k);
   }
-  advance_to(k, steps);
-  velocities(steps);
+
+  void report(std::int64_t steps, const EnsembleWatch& watch, std::span<EnsembleRun> out) {
+    const Kernel& kernel = work.kernel;
+    find_velocities(steps);
+    for (std::size_t lane = 0; lane < out.size(); ++lane) {
+      const int l = static_cast<int>(lane);
+      EnsembleRun& r = out[lane];
+      r.status =
+          step_refusal(*models[lane], step).empty() ? kernel.status[l] : Status::kStepTooLarge;
+      if (watch.stopped()) r.status = Status::kInterrupted;
+      r.first_touch = work.totals.first_touch[l];
+      r.contact_steps = static_cast<std::int64_t>(work.totals.contact_steps[l]);
+      r.impacts = work.totals.impacts[l];
+      r.impulse_total = work.totals.impulse_total[l];
+      r.peak_impulse = work.totals.peak_impulse[l];
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        r.q.push_back(kernel.q()[i][l]);
+        r.v.push_back(v[i][l]);
+      }
+    }
+    if (kVerlet && !watch.stopped()) count_half_step(steps, out);
+  }
+
   // The steps of `verlet` lie about the t_k: of the one about the end half counts, as in
   // run/fixed_run.cc.
-  lanes::Array<T> q(kernel.q(), kernel.q() + nq);
-  int status[W];
-  for (int lane = 0; lane < W; ++lane) status[lane] = static_cast<int>(kernel.status[lane]);
-  LaneTotals<W> about_end;
-  if (kVerlet && !stopped()) {
-    if (commands) commands->tell(kernel, steps);
-    advance(kernel, about_end, step, steps, 1);
+  void count_half_step(std::int64_t steps, std::span<EnsembleRun> out) {
+    work.totals = {};
+    if (commands) commands->tell(work.kernel, steps);
+    advance(work, step, steps, 1);
+    for (std::size_t lane = 0; lane < out.size(); ++lane) {
+      const int l = static_cast<int>(lane);
+      if (impact(l) || !(work.totals.contact_steps[l] > 0.0)) continue;
+      out[lane].ends_in_contact = true;
+      out[lane].impulse_total += 0.5 * work.totals.impulse_total[l];
+      out[lane].peak_impulse = std::max(out[lane].peak_impulse, work.totals.peak_impulse[l]);
+    }
   }
-  for (std::size_t lane = 0; lane < wanted; ++lane) {
-    const int l = static_cast<int>(lane);
-    EnsembleRun& r = out[lane];
-    r.status = step_refusal(*group[lane], step).empty() ? static_cast<Status>(status[l])
-                                                        : Status::kStepTooLarge;
-    if (stopped()) r.status = Status::kInterrupted;
-    r.first_touch = totals.first_touch[l];
-    r.contact_steps = static_cast<std::int64_t>(totals.contact_steps[l]);
-    r.impacts = totals.impacts[l];
-    r.impulse_total = totals.impulse_total[l];
-    r.peak_impulse = totals.peak_impulse[l];
-    const bool impact = kernel.any_impact() && kernel.impacts[l].count > 0;
-    if (kVerlet && about_end.contact_steps[l] > 0.0 && !impact) {
-      r.ends_in_contact = true;
-      r.impulse_total += 0.5 * about_end.impulse_total[l];
-      r.peak_impulse = std::max(r.peak_impulse, about_end.peak_impulse[l]);
+
+  std::vector<const Model*> models;
+  M model;
+  LaneWork<Kernel, W> work;
+  double step;
+  lanes::Array<T> v;
+  std::optional<LaneCommands<Kernel>> commands;
+};
+
+template <class Kernel, class M, int W>
+void run_groups(const std::vector<Model>& models, double step, std::int64_t steps,
+                const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
+  constexpr std::size_t kWidth = W;
+  for (std::size_t begin = 0; begin < models.size(); begin += kWidth) {
+    // The last group is filled up with copies of its first run.
+    std::vector<const Model*> runs(kWidth);
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      runs[lane] = &models[begin + lane < models.size() ? begin + lane : begin];
     }
-    for (std::size_t i = 0; i < nq; ++i) {
-      r.q.push_back(q[i][l]);
-      r.v.push_back(v[i][l]);
+    const std::size_t wanted = std::min(kWidth, models.size() - begin);
+    LaneGroup<Kernel, M, W> group(std::move(runs), step);
+    std::int64_t k = 0;
+    for (const std::int64_t at : watch.steps) {
+      group.advance_to(k, at, watch);
+      if (watch.stopped()) break;
+      k = at;
+      group.look(k, watch, begin, wanted);
     }
+    group.advance_to(k, steps, watch);
+    group.report(steps, watch, {&out[begin], wanted});
+  }
+}
+
+template <class M, int W>
+void run_sized(const std::vector<Model>& models, double step, scene::Integrator integrator,
+               std::int64_t steps, const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
+  if (integrator == scene::Integrator::kVerlet) {
+    run_groups<VerletKernel<M>, M, W>(models, step, steps, watch, out);
+  } else {
+    run_groups<PaperKernel<M>, M, W>(models, step, steps, watch, out);
   }
 }
 
 template <int W>
 void run_all(const std::vector<Model>& models, double step, scene::Integrator integrator,
              std::int64_t steps, const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
-  constexpr std::size_t kWidth = W;
-  for (std::size_t begin = 0; begin < models.size(); begin += kWidth) {
-    // The last group is filled up with copies of its first run.
-    std::vector<const Model*> group(kWidth);
-    for (std::size_t lane = 0; lane < kWidth; ++lane) {
-      group[lane] = &models[begin + lane < models.size() ? begin + lane : begin];
-    }
-    const std::size_t wanted = std::min(kWidth, models.size() - begin);
-    if (integrator == scene::Integrator::kVerlet) {
-      run_group<VerletLanes<W>, W>(group, step, steps, watch, begin, &out[begin], wanted);
-    } else {
-      run_group<PaperLanes<W>, W>(group, step, steps, watch, begin, &out[begin], wanted);
-    }
+  if (models.empty()) return;
+#define ROTORUB_SIZE(L, unused)            \
+  if (L::fits(models.front().layout)) {    \
+    return run_sized<Sized<Lanes<W>, L>, W>(models, step, integrator, steps, watch, out); \
   }
+  ROTORUB_SMALL_LAYOUTS(ROTORUB_SIZE, )
+#undef ROTORUB_SIZE
+  run_sized<Lanes<W>, W>(models, step, integrator, steps, watch, out);
 }
 
 }  // namespace
@@ -201,10 +233,12 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
                                   " of the ensemble has other parts than run 0");
     }
     const auto& c = models_[i].contact;
-    if (c && c->compression_time + c->expansion_time > 0.0) {
+    const bool sampled = models_[i].controller && models_[i].sample_time > 0.0;
+    if ((integrator == scene::Integrator::kPaper || sampled) && c &&
+        c->compression_time + c->expansion_time > 0.0) {
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has impacts that take time, which need the "
-                                  "integrator event");
+                                  "integrator event, or verlet without a sampled controller");
     }
   }
 }

@@ -40,6 +40,7 @@ struct EnsembleWatch {
   std::vector<std::int64_t> steps;                 // k, ascending, in [0, the last step]
   std::function<void(const EnsembleLook&)> look;   // every run at each of them
   const std::atomic<bool>* interrupt = nullptr;    // true: stop; the status of what is left says so
+  bool stopped() const { return interrupt && interrupt->load(std::memory_order_relaxed); }
 };
 
 // Of x86 processors; elsewhere there is kBaseline alone (on x86: SSE2).

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
 
 #include "native_model/contact/located_impact.h"
 #include "native_model/trajectory/trajectory.h"
@@ -15,6 +17,7 @@ struct ImpactList {
   void add(const Impact& i) {
     if (count < StepImpacts::kMost) impact[static_cast<std::size_t>(count++)] = i;
   }
+  std::span<const Impact> view() const { return {impact.data(), static_cast<std::size_t>(count)}; }
 };
 
 struct FixedStep {
@@ -23,7 +26,11 @@ struct FixedStep {
   bool reversed = false;          // the slip changed its sign without sticking
   double normal_impulse = 0.0;    // N s over the step, impacts and lasting contact alike
   double friction_impulse = 0.0;  // N s, on the rotor along e_t
-  ImpactList impacts;
+  std::span<const Impact> impacts;  // in order; until the stepper's next call
+  // Of an impact that takes time: how long, in the step that it begins in (s); where it was under way
+  // at the step's begin, normal and friction force there (N).
+  double impact_time = 0.0;
+  Eigen::Vector2d impact_force{0.0, 0.0};
   // J, where asked for: of contact on the coordinates, of all forces but springs and contact.
   double contact_work = 0.0, external_work = 0.0;
 };

@@ -3,8 +3,13 @@
 
 namespace rotorub {
 
-ROTORUB_RUN_BY_RUN(template, 2);
-ROTORUB_RUN_BY_RUN(template, 4);
-ROTORUB_RUN_BY_RUN(template, 8);
+#define ROTORUB_SMALL_RUN_BY_RUN(L, W) ROTORUB_RUN_BY_RUN(template, Sized<Lanes<W>, L>)
+#define ROTORUB_ALL_RUN_BY_RUN(W)           \
+  ROTORUB_RUN_BY_RUN(template, Lanes<W>)    \
+  ROTORUB_SMALL_LAYOUTS(ROTORUB_SMALL_RUN_BY_RUN, W)
+
+ROTORUB_ALL_RUN_BY_RUN(2)
+ROTORUB_ALL_RUN_BY_RUN(4)
+ROTORUB_ALL_RUN_BY_RUN(8)
 
 }  // namespace rotorub

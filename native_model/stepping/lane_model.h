@@ -74,8 +74,8 @@ const Model& lane_model(const LaneModel<T>& models, int lane) {
 }
 
 // to[i] of one lane = from[i].
-template <class T, class From>
-void put_lane(lanes::Array<T>& to, const From& from, int lane) {
+template <class To, class From>
+void put_lane(To& to, const From& from, int lane) {
   for (Eigen::Index i = 0; i < from.size(); ++i) {
     lanes::set(to[static_cast<std::size_t>(i)], lane, from[i]);
   }

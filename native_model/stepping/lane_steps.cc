@@ -10,44 +10,57 @@ constexpr int W = ROTORUB_LANES;
 static_assert(alignof(Eigen::Vector2d) == 16, "laid out as elsewhere");
 
 template <class Kernel>
-ROTORUB_INLINE void advance_all(Kernel& kernel, LaneTotals<W>& totals, double step,
-                                std::int64_t from, std::int64_t count) {
+ROTORUB_INLINE void advance_one(LaneWork<Kernel, W>& work, double step, std::int64_t k) {
   using T = lanes::Lane<W>;
   const T zero{}, one = lanes::all<T>(1.0);
-  for (std::int64_t k = from; k < from + count; ++k) {
-    kernel.step(k);
-    const T impulse = kernel.normal_impulse;
-    const lanes::LaneMask<W> touched = impulse > zero;
-    if (!lanes::any(touched)) continue;
-    const T now = lanes::all<T>(static_cast<double>(k) * step);
-    totals.first_touch =
-        lanes::select(touched & (totals.first_touch < zero), now, totals.first_touch);
-    totals.contact_steps += lanes::select(touched, one, zero);
-    totals.impulse_total += impulse;
-    totals.peak_impulse = lanes::larger(totals.peak_impulse, impulse);
-    if (!kernel.any_impact()) continue;
-    for (int lane = 0; lane < W; ++lane) {
-      for (int i = 0; i < kernel.impacts[lane].count; ++i) {
-        if (kernel.impacts[lane].impact[static_cast<unsigned>(i)].gap_rate_before < kCountedGapRate) {
-          ++totals.impacts[lane];
-        }
+  Kernel& kernel = work.kernel;
+  LaneTotals<W>& totals = work.totals;
+  kernel.step(k);
+  const T impulse = kernel.normal_impulse;
+  const lanes::LaneMask<W> touched = impulse > zero;
+  if (!lanes::any(touched)) return;
+  const T now = lanes::all<T>(static_cast<double>(k) * step);
+  totals.first_touch =
+      lanes::select(touched & (totals.first_touch < zero), now, totals.first_touch);
+  totals.contact_steps += lanes::select(touched, one, zero);
+  totals.impulse_total += impulse;
+  totals.peak_impulse = lanes::larger(totals.peak_impulse, impulse);
+  if (!kernel.any_impact()) return;
+  for (int lane = 0; lane < W; ++lane) {
+    const ImpactList& list = kernel.impacts[static_cast<std::size_t>(lane)];
+    for (int i = 0; i < list.count; ++i) {
+      if (list.impact[static_cast<unsigned>(i)].gap_rate_before < kCountedGapRate) {
+        ++totals.impacts[static_cast<std::size_t>(lane)];
       }
     }
   }
 }
 
+template <class Kernel>
+ROTORUB_INLINE void advance_all(LaneWork<Kernel, W>& group, double step, std::int64_t from,
+                                std::int64_t count) {
+  for (std::int64_t k = from; k < from + count; ++k) advance_one(group, step, k);
+}
+
 }  // namespace
 
-void advance(PaperLanes<W>& kernel, LaneTotals<W>& totals, double step, std::int64_t from,
-             std::int64_t count) {
-  advance_all(kernel, totals, step, from, count);
-}
-void advance(VerletLanes<W>& kernel, LaneTotals<W>& totals, double step, std::int64_t from,
-             std::int64_t count) {
-  advance_all(kernel, totals, step, from, count);
-}
-void velocities_now(VerletLanes<W>& kernel, std::int64_t k, lanes::Lane<W>* now) {
-  kernel.velocity_now(k, now);
-}
+#define ROTORUB_DEFINE(M)                                                                      \
+  void advance(LaneWork<PaperKernel<M>, W>& group, double step, std::int64_t from,     \
+               std::int64_t count) {                                                           \
+    advance_all(group, step, from, count);                                                    \
+  }                                                                                            \
+  void advance(LaneWork<VerletKernel<M>, W>& group, double step, std::int64_t from,    \
+               std::int64_t count) {                                                           \
+    advance_all(group, step, from, count);                                                    \
+  }                                                                                            \
+  void velocities_now(VerletKernel<M>& kernel, std::int64_t k, lanes::Lane<W>* now) {          \
+    kernel.velocity_now(k, now);                                                               \
+  }
+template <class L>
+using SizedLanes = Sized<Lanes<W>, L>;
+#define ROTORUB_DEFINE_SMALL(L, unused) ROTORUB_DEFINE(SizedLanes<L>)
+
+ROTORUB_DEFINE(Lanes<W>)
+ROTORUB_SMALL_LAYOUTS(ROTORUB_DEFINE_SMALL, )
 
 }  // namespace rotorub

@@ -43,12 +43,11 @@ FixedStep LiteralStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool wo
     State end = state_;
     end.q += h_ * end.v;
     out.external_work = 0.5 * h_ * (power(start, t) + power(end, t + h_));
-    for (int i = 0; i < out.impacts.count; ++i) {
-      const Impact& hit = out.impacts.impact[static_cast<std::size_t>(i)];
+    for (const Impact& hit : out.impacts) {
       const double held = m.layout.spin ? 0.0 : m.contact->radius * m.speed;
       out.contact_work += hit.energy_change - hit.friction_impulse * held;
     }
-    if (out.impacts.count == 0 && out.normal_impulse > 0.0) {
+    if (out.impacts.empty() && out.normal_impulse > 0.0) {
       const Eigen::Vector2d e_r =
           (rotor_point(m, q()) - stator_point(m, q())).normalized();
       const Eigen::Vector3d mean = 0.5 * (rates(m, start.v) + rates(m, state_.v));
@@ -72,14 +71,15 @@ void LiteralStepper::push(double t, const Eigen::Vector2d& e_r, double normal, d
 }
 
 // One row of an impact; its impulses are those of the step.
-void LiteralStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out) const {
+void LiteralStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out) {
   const double radius = model_->contact->radius;
   const Eigen::Vector3d before = rates(*model_, free_), after = rates(*model_, state_.v);
   Impact hit{t + h_, out.normal_impulse, out.friction_impulse, -e_r.dot(before.head<2>()),
              -e_r.dot(after.head<2>()), slip(e_r, radius, before), slip(e_r, radius, after), 0.0};
   hit.energy_change = 0.5 * (hit.normal_impulse * (hit.gap_rate_before + hit.gap_rate_after) +
                              hit.friction_impulse * (hit.slip_before + hit.slip_after));
-  out.impacts.add(hit);
+  hit_ = hit;
+  out.impacts = {&hit_, 1};
   out.mode = Mode::kFree;
 }
 

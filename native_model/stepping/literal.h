@@ -24,7 +24,7 @@ class LiteralStepper {
 
  private:
   void touch(double t, FixedStep& out);
-  void record(double t, const Eigen::Vector2d& e_r, FixedStep& out) const;
+  void record(double t, const Eigen::Vector2d& e_r, FixedStep& out);
   // v += M^-1 J^T of the impulses.
   void push(double t, const Eigen::Vector2d& e_r, double normal, double friction);
 
@@ -32,6 +32,7 @@ class LiteralStepper {
   double h_;
   State state_;
   Eigen::VectorXd free_, f_;
+  Impact hit_;  // of the last step
   bool in_contact_ = false;
 };
 

@@ -7,13 +7,13 @@
 
 #include "native_model/contact/located_impact.h"
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/stepping/step_kernel.h"
+#include "native_model/stepping/contact_kernel.h"
 
 namespace rotorub {
 
 template <class M>
-class PaperKernel : public StepKernel<M> {
-  using Base = StepKernel<M>;
+class PaperKernel : public ContactKernel<M> {
+  using Base = ContactKernel<M>;
 
  public:
   using typename Base::Centre;
@@ -22,10 +22,8 @@ class PaperKernel : public StepKernel<M> {
   static constexpr int kLanes = Base::kLanes;
 
   PaperKernel(const M& m, const std::vector<const Model*>& models, double h)
-      : Base(m, models, h), middle_(static_cast<std::size_t>(m.layout.nq()), T{}) {}
+      : Base(m, models, h) {}
 
-  ImpactList impacts[kLanes];
-  bool any_impact() const { return impacted_; }
   // The state of the last step's middle that contact and loads saw, and its velocities.
   const T* middle() const { return middle_.data(); }
 
@@ -38,50 +36,33 @@ class PaperKernel : public StepKernel<M> {
   double contact_work_of_last() const
     requires(Base::kLanes == 1)
   {
-    if (impacted_) return this->impact_work(impacts[0]);
+    if (this->impacted_) return this->impact_work(this->impacts[0]);
     return this->contact_work(this->start_.data(), this->after_.data());
   }
 
   // From t = origin + k h to origin + (k + 1) h. A lane with a status stays where it was.
   ROTORUB_INLINE void step(std::int64_t k) {
-    const int nq = this->layout_.nq();
-    const T half = lanes::all<T>(0.5 * this->h_), zero{};
-    T *q = this->q_.data(), *v = this->v_.data(), *middle = middle_.data();
+    const int nq = this->layout().nq();
+    const T half = lanes::all<T>(0.5 * this->h_);
+    const T *q = this->q_.data(), *v = this->v_.data();
+    T *middle = middle_.data(), *start = this->start_.data(), *after = this->after_.data();
     for (int i = 0; i < nq; ++i) {
       middle[i] = q[i] + half * v[i];
-      this->start_[static_cast<std::size_t>(i)] = v[i];
+      start[i] = v[i];
     }
-    this->normal_impulse = this->friction_impulse = zero;
-    if (impacted_) forget_impacts();
+    this->forget_last();
 
     if (this->contact_) back_to_circle();
     const double t = this->origin + static_cast<double>(k) * this->h_;
     this->free_velocity(k, t, t + 0.5 * this->h_, middle);
-    T* after = this->after_.data();
     for (int i = 0; i < nq; ++i) after[i] = this->free_[static_cast<std::size_t>(i)];
-    if (this->contact_) touch(k);
-
-    this->check_finite(after);
-    if (this->failed_) {
-      const Mask moves = this->running() > zero;
-      for (int i = 0; i < nq; ++i) {
-        q[i] = lanes::select(moves, middle[i] + half * after[i], q[i]);
-        v[i] = lanes::select(moves, after[i], v[i]);
-      }
-      return;
+    if (this->contact_) {
+      this->touch(middle, [&](int lane) { collide(lane, k); }, [] {});
     }
-    for (int i = 0; i < nq; ++i) {
-      v[i] = after[i];
-      q[i] = middle[i] + half * after[i];
-    }
+    this->move(middle, half);
   }
 
  private:
-  ROTORUB_SLOW void forget_impacts() {
-    for (ImpactList& list : impacts) list.count = 0;
-    impacted_ = false;
-  }
-
   // A middle well outside the ring (a flight of more than the clearance within half a step) goes back
   // to the circle, by the least change in the norm of A. Left to lasting contact, the depth would come
   // back as speed.
@@ -96,29 +77,7 @@ class PaperKernel : public StepKernel<M> {
     const T ex = d.x / delta, ey = d.y / delta;
     const auto& a = this->admittance_.a;
     const T nn = ex * (a[0][0] * ex + a[0][1] * ey) + ey * (a[1][0] * ex + a[1][1] * ey);
-    this->push(middle_.data(), ex, ey, (delta - c) / nn, T{}, outside);
-  }
-
-  // The contact over the step, where its path from this middle to the next would leave the circle.
-  ROTORUB_INLINE void touch(std::int64_t k) {
-    const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(this->h_);
-    const T c = this->contact.clearance;
-    const Centre d = equations::relative(*this->m_, middle_.data());
-    const Centre w = equations::relative(*this->m_, this->free_.data());
-    const T px = d.x + h * w.x, py = d.y + h * w.y;
-    const T outside = lanes::select(px * px + py * py > c * c, one, zero);
-    const T lasted = this->in_contact;
-    this->in_contact = outside * lasted;
-    this->slip_sign = this->in_contact * this->slip_sign;
-    if (!lanes::any(outside > zero)) return;
-
-    const Mask rests = (outside > zero) & (lasted > zero);
-    if (lanes::any(rests)) this->lasting_contact(rests, middle_.data(), d);
-    const Mask fresh = (outside > zero) & (lasted == zero);
-    if (!lanes::any(fresh)) return;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (lanes::get(fresh, lane)) collide(lane, k);
-    }
+    this->push(middle_.data(), middle_.data(), ex, ey, (delta - c) / nn, T{}, outside);
   }
 
   // The normal at the middle; where the step is so long that it does not close along that one, the
@@ -185,12 +144,11 @@ class PaperKernel : public StepKernel<M> {
     impact.energy_change =
         0.5 * (impact.normal_impulse * (impact.gap_rate_before + impact.gap_rate_after) +
                impact.friction_impulse * (impact.slip_before + impact.slip_after));
-    impacts[lane].add(impact);
-    impacted_ = true;
+    this->impacts[static_cast<std::size_t>(lane)].add(impact);
+    this->impacted_ = true;
   }
 
-  lanes::Array<T> middle_;
-  bool impacted_ = false;
+  typename Base::Coordinates middle_ = Base::make(*this->m_);
 };
 
 }  // namespace rotorub

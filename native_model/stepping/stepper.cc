@@ -6,90 +6,160 @@
 #include "native_model/stepping/verlet_step.h"
 
 namespace rotorub {
-namespace {
 
-constexpr std::size_t kBeforeState = 3;  // numbers in a memory before q, see for_each_kept
+// What a kernel of any size offers; the last four are verlet's.
+struct Stepper::Kernel {
+  virtual ~Kernel() = default;
+  virtual FixedStep step(std::int64_t k, const Eigen::Vector2d& u, bool works) = 0;
+  virtual void begin(double t, const double* q, const double* v) = 0;
+  virtual const double* q() const = 0;
+  virtual const double* v() const = 0;
+  virtual std::size_t memory_size() = 0;
+  virtual void save(double* to) = 0;
+  virtual void restore(const double* from) = 0;
+  virtual void adopt(const double* q, const double* v) = 0;
+  virtual void apply(const double* loads) = 0;
+  virtual void velocity_now(std::int64_t, const Eigen::Vector2d&, double*) { assert(false); }
+  virtual const double* last_q() const { return nullptr; }
+  virtual void last_velocity(double*) const { assert(false); }
+  virtual double last_kick() const { return 1.0; }
 
-template <class Kernel>
-FixedStep take(Kernel& kernel, std::int64_t k, const Eigen::Vector2d& u, bool works) {
-  kernel.command_x = u.x();
-  kernel.command_y = u.y();
-  kernel.commanded = kernel.commanded || !u.isZero(0.0);
-  const double sign = kernel.slip_sign;
-  kernel.step(k);
-  FixedStep out;
-  out.status = kernel.status[0];
-  out.normal_impulse = kernel.normal_impulse;
-  out.friction_impulse = kernel.friction_impulse;
-  if (kernel.any_impact()) out.impacts = kernel.impacts[0];
-  const bool impact = out.impacts.count > 0;
-  if (kernel.in_contact > 0.0 && !impact) {
-    out.mode = kernel.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
-    out.reversed = sign * kernel.slip_sign < 0.0;
-  }
-  if (works && out.status == Status::kOk) {
-    out.contact_work = kernel.contact_work_of_last();
-    out.external_work = kernel.external_work_of_last();
-  }
-  return out;
-}
-
-template <class Kernel>
-std::size_t count_kept(const Model& model) {
-  Kernel kernel(model, {&model}, 1.0);
-  std::size_t size = 0;
-  kernel.for_each_kept([&size](double&) { ++size; });
-  return size;
-}
-
-}  // namespace
-
-struct PaperStepper::Kernel : PaperKernel<Model> {
-  using PaperKernel<Model>::PaperKernel;
-};
-struct VerletStepper::Kernel : VerletKernel<Model> {
-  using VerletKernel<Model>::VerletKernel;
+  template <template <class> class Scheme, class M>
+  class Of;
+  // The kernel of the model's size.
+  template <template <class> class Scheme>
+  static std::unique_ptr<Kernel> make(const Model& model, double h, const State& start);
 };
 
-#define ROTORUB_STEPPER(Stepper)                                                                  \
-  Stepper::Stepper(const Model& model, double step) : Stepper(model, step, initial_state(model)) {} \
-  Stepper::Stepper(const Model& model, double step, const State& start)                           \
-      : kernel_(std::make_unique<Kernel>(model, std::vector<const Model*>{&model}, step)) {       \
-    assert(step > 0.0);                                                                           \
-    begin(start.t, start.q.data(), start.v.data());                                               \
-  }                                                                                               \
-  Stepper::~Stepper() = default;                                                                  \
-  FixedStep Stepper::step(std::int64_t k, const Eigen::Vector2d& u, bool works) {                 \
-    return take(*kernel_, k, u, works);                                                           \
-  }                                                                                               \
-  void Stepper::begin(double t, const double* q, const double* v) { kernel_->begin(t, q, v); }    \
-  const double* Stepper::q() const { return kernel_->q(); }                                       \
-  std::size_t Stepper::memory_size(const Model& model) { return count_kept<Kernel>(model); }      \
-  void Stepper::save(double* to) const {                                                          \
-    kernel_->for_each_kept([&to](double& value) { *to++ = value; });                              \
-  }                                                                                               \
-  void Stepper::restore(const double* from) {                                                     \
-    kernel_->for_each_kept([&from](double& value) { value = *from++; });                          \
-    kernel_->revive();                                                                            \
-  }                                                                                               \
-  const double* Stepper::saved_q(const double* memory) { return memory + kBeforeState; }
+template <template <class> class Scheme, class M>
+class Stepper::Kernel::Of final : public Stepper::Kernel {
+ public:
+  Of(const Model& model, double h) : model_(model), kernel_(model_, {&model}, h) {}
 
-ROTORUB_STEPPER(PaperStepper)
-ROTORUB_STEPPER(VerletStepper)
-#undef ROTORUB_STEPPER
+  FixedStep step(std::int64_t k, const Eigen::Vector2d& u, bool works) override {
+    kernel_.command_x = u.x();
+    kernel_.command_y = u.y();
+    kernel_.commanded = kernel_.commanded || !u.isZero(0.0);
+    const double sign = kernel_.slip_sign;
+    kernel_.step(k);
+    FixedStep out;
+    out.status = kernel_.status[0];
+    out.normal_impulse = kernel_.normal_impulse;
+    out.friction_impulse = kernel_.friction_impulse;
+    if (kernel_.any_impact()) {
+      out.impacts = kernel_.impacts[0].view();
+    } else if (kernel_.in_contact > 0.0) {
+      out.mode = kernel_.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
+      out.reversed = sign * kernel_.slip_sign < 0.0;
+    }
+    if constexpr (kLate) {
+      out.impact_time = kernel_.impact_time;
+      out.impact_force = kernel_.impact_force();
+    }
+    if (works && out.status == Status::kOk) {
+      out.contact_work = kernel_.contact_work_of_last();
+      out.external_work = kernel_.external_work_of_last();
+    }
+    return out;
+  }
+  void begin(double t, const double* q, const double* v) override { kernel_.begin(t, q, v); }
+  const double* q() const override { return kernel_.q(); }
+  const double* v() const override { return kernel_.v(); }
+  std::size_t memory_size() override {
+    std::size_t size = 0;
+    kernel_.for_each_kept([&size](double&) { ++size; });
+    return size;
+  }
+  void save(double* to) override {
+    kernel_.for_each_kept([&to](double& value) { *to++ = value; });
+  }
+  void restore(const double* from) override {
+    kernel_.for_each_kept([&from](double& value) { value = *from++; });
+    kernel_.revive();
+  }
+  void adopt(const double* q, const double* v) override { kernel_.adopt(q, v); }
+  void apply(const double* loads) override { kernel_.applied = loads; }
 
+  void velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) override {
+    if constexpr (kLate) {
+      kernel_.command_x = held.x();
+      kernel_.command_y = held.y();
+      kernel_.velocity_now(k, v);
+    }
+  }
+  const double* last_q() const override {
+    if constexpr (kLate) return kernel_.last_q();
+    return nullptr;
+  }
+  void last_velocity(double* v) const override {
+    if constexpr (kLate) kernel_.velocity_of_last(v);
+  }
+  double last_kick() const override {
+    if constexpr (kLate) return kernel_.was_first() ? 0.5 : 1.0;
+    return 1.0;
+  }
+
+ private:
+  static constexpr bool kLate = requires(const Scheme<M>& k) { k.last_q(); };
+  // A copy where the layout is another than the model's own.
+  std::conditional_t<std::is_same_v<M, Model>, const Model&, const M> model_;
+  Scheme<M> kernel_;
+};
+
+template <template <class> class Scheme>
+std::unique_ptr<Stepper::Kernel> Stepper::Kernel::make(const Model& model, double h,
+                                                       const State& start) {
+  assert(h > 0.0);
+  std::unique_ptr<Kernel> kernel;
+#define ROTORUB_SIZE(L, unused)      \
+  if (L::fits(model.layout)) {       \
+    kernel = std::make_unique<Of<Scheme, Sized<Model, L>>>(model, h); \
+  }
+  ROTORUB_SMALL_LAYOUTS(ROTORUB_SIZE, )
+#undef ROTORUB_SIZE
+  if (!kernel) kernel = std::make_unique<Of<Scheme, Model>>(model, h);
+  kernel->begin(start.t, start.q.data(), start.v.data());
+  return kernel;
+}
+
+Stepper::Stepper(std::unique_ptr<Kernel> kernel) : kernel_(std::move(kernel)) {}
+Stepper::~Stepper() = default;
+FixedStep Stepper::step(std::int64_t k, const Eigen::Vector2d& u, bool works) {
+  return kernel_->step(k, u, works);
+}
+void Stepper::begin(double t, const double* q, const double* v) { kernel_->begin(t, q, v); }
+const double* Stepper::q() const { return kernel_->q(); }
+void Stepper::save(double* to) const { kernel_->save(to); }
+void Stepper::restore(const double* from) { kernel_->restore(from); }
+const double* Stepper::saved_q(const double* memory) {
+  constexpr std::size_t kBeforeState = 3;  // numbers before q, see for_each_kept
+  return memory + kBeforeState;
+}
+
+PaperStepper::PaperStepper(const Model& model, double step)
+    : PaperStepper(model, step, initial_state(model)) {}
+PaperStepper::PaperStepper(const Model& model, double step, const State& start)
+    : Stepper(Kernel::make<PaperKernel>(model, step, start)) {}
+std::size_t PaperStepper::memory_size(const Model& model) {
+  return Kernel::Of<PaperKernel, Model>(model, 1.0).memory_size();
+}
 const double* PaperStepper::v() const { return kernel_->v(); }
 
+VerletStepper::VerletStepper(const Model& model, double step)
+    : VerletStepper(model, step, initial_state(model)) {}
+VerletStepper::VerletStepper(const Model& model, double step, const State& start)
+    : Stepper(Kernel::make<VerletKernel>(model, step, start)) {}
+std::size_t VerletStepper::memory_size(const Model& model) {
+  return Kernel::Of<VerletKernel, Model>(model, 1.0).memory_size();
+}
 void VerletStepper::adopt(const double* q, const double* v) { kernel_->adopt(q, v); }
-void VerletStepper::apply(const double* loads) { kernel_->applied = loads; }
+void VerletStepper::apply(const double* loads) { kernel_->apply(loads); }
 const double* VerletStepper::v_half() const { return kernel_->v(); }
 void VerletStepper::velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) {
-  kernel_->command_x = held.x();
-  kernel_->command_y = held.y();
-  kernel_->velocity_now(k, v);
+  kernel_->velocity_now(k, held, v);
 }
 const double* VerletStepper::last_q() const { return kernel_->last_q(); }
-void VerletStepper::last_velocity(double* v) const { kernel_->velocity_of_last(v); }
-double VerletStepper::last_kick() const { return kernel_->was_first() ? 0.5 : 1.0; }
+void VerletStepper::last_velocity(double* v) const { kernel_->last_velocity(v); }
+double VerletStepper::last_kick() const { return kernel_->last_kick(); }
 
 }  // namespace rotorub

@@ -13,57 +13,59 @@
 
 namespace rotorub {
 
-class PaperStepper {
+// Not for two threads at once.
+class Stepper {
  public:
-  // From the model's initial state, or from another, at its own time. step: s, > 0. The model must
-  // outlive the stepper.
-  PaperStepper(const Model& model, double step);
-  PaperStepper(const Model& model, double step, const State& start);
-  ~PaperStepper();
+  ~Stepper();
 
-  // From t = t_0 + k step to t_0 + (k + 1) step, t_0 the start's time, under the actuator's command u
-  // (system/actuation.h), held over it. k counts from 0, one by one. `works`: those of the result are
-  // wanted. No allocation. With a status the state stays where it was.
+  // From t_k = t_0 + k step to t_{k+1}, t_0 the start's time, under the actuator's command u
+  // (system/actuation.h). k counts from 0, one by one. `works`: those of the result are wanted. No
+  // allocation. With a status the state stays where it was.
   FixedStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0}, bool works = false);
 
   // As newly made, from another state (nq values each) at time t. No allocation.
   void begin(double t, const double* q, const double* v);
 
-  const double* q() const;  // nq each
-  const double* v() const;
+  const double* q() const;  // of t_{k+1}, nq values
 
   // The whole state as plain numbers: a stepper of the same model and step that restores it takes
   // step k + 1 to the same bits as the one that saved it after step k. A status is not among them;
   // restoring ends it. No allocation.
-  static std::size_t memory_size(const Model& model);
   void save(double* to) const;
   void restore(const double* from);
   // The coordinates in a memory; the velocities follow them.
   static const double* saved_q(const double* memory);
 
- private:
-  struct Kernel;
+ protected:
+  struct Kernel;  // paper_step.h or verlet_step.h, of the model's size
+  explicit Stepper(std::unique_ptr<Kernel> kernel);
   std::unique_ptr<Kernel> kernel_;
 };
 
-class VerletStepper {
+class PaperStepper : public Stepper {
  public:
-  // As PaperStepper.
+  // From the model's initial state, or from another, at its own time. step: s, > 0. The model must
+  // outlive the stepper. The command is held over a step.
+  PaperStepper(const Model& model, double step);
+  PaperStepper(const Model& model, double step, const State& start);
+  static std::size_t memory_size(const Model& model);
+
+  const double* v() const;  // of t_{k+1}
+};
+
+class VerletStepper : public Stepper {
+ public:
+  // As PaperStepper. The command of step k is its mean over (t_k - step/2, t_k + step/2); forces of the
+  // result are those about t_k, impacts those between t_k and t_{k+1}.
   VerletStepper(const Model& model, double step);
   VerletStepper(const Model& model, double step, const State& start);
-  ~VerletStepper();
-
-  // From t_k to t_{k+1}. u: the command's mean over (t_k - step/2, t_k + step/2). Forces of the
-  // result are those about t_k, impacts those between t_k and t_{k+1}.
-  FixedStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0}, bool works = false);
-  void begin(double t, const double* q, const double* v);
+  static std::size_t memory_size(const Model& model);
 
   // Of the step that comes: the state at its begin in other numbers (those of who keeps it, MuJoCo),
   // and further loads (nq values, held over it; they must outlive it; null: none).
   void adopt(const double* q, const double* v_half);
   void apply(const double* loads);
 
-  const double* q() const;       // of t_{k+1}
   const double* v_half() const;  // of t_{k+1/2}: what the next impact does to it is not in it
   // Before step k: the velocities of t_k under the command that holds and the contact force of the step
   // before.
@@ -73,15 +75,6 @@ class VerletStepper {
   void last_velocity(double* v) const;
   // The time that the last step's lasting forces are for, in steps: 1/2 for the first, else 1.
   double last_kick() const;
-
-  static std::size_t memory_size(const Model& model);
-  void save(double* to) const;
-  void restore(const double* from);
-  static const double* saved_q(const double* memory);
-
- private:
-  struct Kernel;
-  std::unique_ptr<Kernel> kernel_;
 };
 
 }  // namespace rotorub

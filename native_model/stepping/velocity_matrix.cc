@@ -57,14 +57,16 @@ VelocityMatrix<T>::VelocityMatrix(const std::vector<const Model*>& models, doubl
     dense_bending_ = dense_bending_ || !is_diagonal(d.topLeftCorner(bending, bending));
     dense_spin_ = dense_spin_ || !is_diagonal(d.block(layout_.phi(), layout_.phi(), spins(), spins()));
   }
-  for (auto* x : {&inverse_, &work_, &rows_, &solved_}) {
+  for (auto* x : {&inverse_, &step_, &work_, &rows_, &solved_}) {
     x->assign(static_cast<std::size_t>(nq), T{});
   }
   for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
     const Model& m = *models[static_cast<std::size_t>(lane)];
     const Eigen::MatrixXd& d = all[static_cast<std::size_t>(lane)];
     const Eigen::MatrixXd a = Eigen::MatrixXd(m.mass.asDiagonal()) + d;
-    put_lane(inverse_, Eigen::VectorXd(a.diagonal().cwiseInverse()), lane);
+    const Eigen::VectorXd inverse = a.diagonal().cwiseInverse();
+    put_lane(inverse_, inverse, lane);
+    put_lane(step_, Eigen::VectorXd(h * inverse), lane);
     if (dense_bending_) {
       put_matrix(bending_, Eigen::MatrixXd(a.topLeftCorner(bending, bending).inverse()), lane);
     }

@@ -22,18 +22,25 @@ class VelocityMatrix {
   // One model a lane; step h, s.
   VelocityMatrix(const std::vector<const Model*>& models, double h);
 
+  // h A^-1 where A is diagonal, nq values; else null.
+  const T* diagonal_step() const {
+    return dense_bending_ || dense_spin_ ? nullptr : step_.data();
+  }
+
   // f <- A^-1 f. With a coupled mass bx, by are the bending rows of M(phi) (equations::spin_coupling):
   // A = A_0 + b e_phi^T + e_phi b^T, and bending is eliminated. Null: not coupled.
-  ROTORUB_INLINE void solve(const T* bx, const T* by, T* f) {
-    const int nq = layout_.nq();
+  // `layout`: the model's, as the caller knows it.
+  template <class L>
+  ROTORUB_INLINE void solve(const L& layout, const T* bx, const T* by, T* f) {
+    const int nq = layout.nq();
     const T* inverse = inverse_.data();
     if (!dense_bending_ && !dense_spin_ && !bx) {
       for (int i = 0; i < nq; ++i) f[i] *= inverse[i];
       return;
     }
     bend(f, f);
-    for (int i = layout_.phi(); i < nq; ++i) {
-      if (i < layout_.phi() + spins() && dense_spin_) continue;
+    for (int i = layout.phi(); i < nq; ++i) {
+      if (i < layout.phi() + spins() && dense_spin_) continue;
       f[i] *= inverse[i];
     }
     if (dense_spin_) multiply(spin_.data(), spins(), f + layout_.phi(), f + layout_.phi());
@@ -85,7 +92,7 @@ class VelocityMatrix {
 
   Layout layout_;
   bool dense_bending_ = false, dense_spin_ = false;
-  lanes::Array<T> inverse_;          // of the diagonal, nq
+  lanes::Array<T> inverse_, step_;   // of the diagonal, nq; times h
   lanes::Array<T> bending_, spin_;   // inverses of the blocks, row by row, where they are full
   lanes::Array<T> work_, rows_, solved_;
 };

@@ -1,9 +1,12 @@
 #include "native_model/stepping/zero_order_hold.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "native_model/bearing/actuator_axes.h"
 #include "native_model/control/sampling.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 
 namespace rotorub {
@@ -26,6 +29,17 @@ double ZeroOrderHold::next_sample() const {
   return (last_sample_ + 1.0) * model_->sample_time;
 }
 
+// s: when a load is switched next after `from`, at most `end`.
+double ZeroOrderHold::next_switch(double from, double end) const {
+  double next = end;
+  for (const AppliedForce& force : model_->forces) {
+    for (const double instant : {force.on, force.off}) {
+      if (instant > from && instant < next) next = instant;
+    }
+  }
+  return next;
+}
+
 bool ZeroOrderHold::listens(double end) const {
   if (!model_->controller) return false;
   const double first = model_->sample_time > 0.0 ? next_sample() : model_->control_on;
@@ -45,11 +59,21 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
     }
     held_ = control_command(m, std::max(instant, m.control_on), now_q, now_v);
   };
+  // Without a lag magnets turn currents into forces at once: it is forces that have a mean.
+  const bool forces = m.magnets && m.layout.coils == 0;
+  const Eigen::Vector2d s = forces ? to_axes(stator_point(m, q)) : Eigen::Vector2d::Zero();
+  const auto acts = [&](const Eigen::Vector2d& command) -> Eigen::Vector2d {
+    if (!forces) return command;
+    const ForceLaw& law = *m.magnets->law;
+    return {law.force(s.x(), command.x()), law.force(s.y(), command.y())};
+  };
   Eigen::Vector2d sum{0.0, 0.0};
   double from = begin;
+  bool jumps = false;
   const auto until = [&](double instant) {
     const double to = std::clamp(instant, from, end);
-    sum += (to - from) * held_;
+    jumps = jumps || (from > begin && to > from);
+    sum += (to - from) * acts(held_);
     from = to;
   };
   if (m.sample_time > 0.0) {
@@ -59,11 +83,21 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
       last_sample_ = sample_index(instant, m.sample_time);
     }
   } else {
+    // A load that is switched jumps in a command that feeds the loads forward.
     if (m.control_on > begin) until(m.control_on);
-    take(std::max(t, m.control_on));
+    for (double instant = next_switch(from, end); from < end; instant = next_switch(from, end)) {
+      const double before = std::nextafter(instant, begin);
+      take(instant < end ? std::clamp(t, from, before) : std::max(t, from));
+      until(instant);
+    }
   }
   until(end);
-  return sum / (end - begin);
+  if (!jumps) return held_;
+  sum /= end - begin;
+  if (!forces) return sum;
+  const MagneticActuator& magnets = *m.magnets;
+  return {magnets.law->current(s.x(), sum.x(), magnets.current_limit),
+          magnets.law->current(s.y(), sum.y(), magnets.current_limit)};
 }
 
 void ZeroOrderHold::save(double* to) const {

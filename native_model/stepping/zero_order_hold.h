@@ -20,7 +20,8 @@ class ZeroOrderHold {
 
   // The mean of the command over begin..end about t, from q, v and the accelerations of t (nq values
   // each): a command that jumps there, at a sample or when the controller is switched on, is taken
-  // from the state of that instant and counts with the time that it holds. Ask in order.
+  // from the state of that instant and counts with the time that it holds; of currents of magnets that
+  // do not lag, the ones of the mean force. Ask in order.
   Eigen::Vector2d mean(double begin, double t, double end, const double* q, const double* v,
                        const double* a);
   // Whether mean() would look at the state.
@@ -35,6 +36,7 @@ class ZeroOrderHold {
 
  private:
   double next_sample() const;
+  double next_switch(double from, double end) const;
 
   const Model* model_;
   Eigen::Vector2d held_{0.0, 0.0};

@@ -125,13 +125,19 @@ void check_initial_ring(const scene::Scene& scene) {
                       text(scene.actuator->air_gap) + " m"}});
 }
 
-void refuse_finite_impacts(const scene::Scene& scene) {
+void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {
   if (!scene.contact) return;
+  const bool sampled = scene.controller && scene.controller->sample_time > 0.0;
+  const bool knows = accepted == FiniteImpacts::kUnsampled;
+  if (knows && !sampled) return;
   const auto check = [&](const char* key, double time) {
     if (time <= 0.0) return;
     refuse(scene, {{"", 0, key,
-                    "an impact that takes time needs the integrator event; accepted with a fixed "
-                    "step, and for rigid in MuJoCo: 0"}});
+                    knows ? "an impact that takes time, under a controller with a sample_time, needs "
+                            "the integrator event; accepted here: 0, or controller.sample_time = 0"
+                          : "an impact that takes time needs the integrator event or verlet, or "
+                            "rigid of a modal chain in MuJoCo without a shadow and without a "
+                            "coil_lag; accepted with anything else: 0"}});
   };
   check("contact.compression_time", scene.contact->compression_time);
   check("contact.expansion_time", scene.contact->expansion_time);

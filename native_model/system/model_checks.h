@@ -27,8 +27,10 @@ void check_spin_inertia(const scene::Scene& scene, const Model& model);
 void check_initial_lists(const scene::Scene& scene, const Layout& layout);
 // A mode with a node at the contact moves the contact point by nothing: that is known only now.
 void check_initial_gap(const scene::Scene& scene, const Model& model);
-// Fixed steps, native or MuJoCo's, solve an impact in no time.
-void refuse_finite_impacts(const scene::Scene& scene);
+// `paper`, `literal` and MuJoCo's own step solve an impact in no time. `verlet` knows impacts that take
+// time (kUnsampled), but not samples of a controller within one: loads and command are held over it.
+enum class FiniteImpacts { kNone, kUnsampled };
+void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted);
 // Within an electromagnet's core there is no start.
 void check_initial_ring(const scene::Scene& scene);
 

@@ -151,11 +151,11 @@ void Recorder::count(const StepFigures& f, double begin) {
   statistics_.external_work += f.external_work;
 }
 
-bool Recorder::advance(const Snapshot& now, bool impact) {
+bool Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impact) {
   const double h = now.t - last_.t;
   const std::size_t row = next_;
   rows_until(now, impact);
-  if (model_->contact) count_gap(contact_point(*model_, now.q, now.v), h);
+  if (model_->contact) count_gap(point, h);
   keep(now);
   constexpr std::int64_t kLook = 256;  // steps
   if (++steps_ % kLook != 0 && row == next_) return false;

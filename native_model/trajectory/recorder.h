@@ -53,7 +53,8 @@ class Recorder {
   // snapshot. The latter says whether the energy was looked at (it costs a model evaluation: now and
   // then). `impact`: as above.
   void count(const StepFigures& figures, double begin);
-  bool advance(const Snapshot& now, bool impact);
+  // `point`: the contact of `now`, read where there is one.
+  bool advance(const Snapshot& now, const ContactPoint& point, bool impact);
   // The actuator's part of a snapshot is only read where a row is due up to its time.
   bool row_due(double t) const { return next_time() <= t * (1.0 + 1e-9); }
   double penetration() const { return penetration_; }  // m, of the last snapshot, >= 0

@@ -21,9 +21,12 @@ std::size_t slot_size(const Model& model) {
   return VerletStepper::memory_size(model) + ZeroOrderHold::kMemory + 1;
 }
 
-// The plant that the step moves: with magnets the force on the ring is MuJoCo's.
+// Currents that lag are activations, MuJoCo's to integrate.
+bool lags(const Model& model) { return model.magnets && model.magnets->coil_lag > 0.0; }
+
+// The plant that the step moves. Where currents lag the force on the ring is MuJoCo's.
 Model plant_of(const Model& model) {
-  if (!model.magnets) return model;
+  if (!lags(model)) return model;
   Model plant = with_ideal_actuator(model);
   plant.controller.reset();
   return plant;
@@ -135,7 +138,7 @@ void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coor
   }
 }
 
-// The mean command about this instant, on the ring; ctrl gets what holds.
+// The mean command about this instant, as the plant takes it; ctrl gets what holds.
 Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                         Worker& worker) {
   const Model& model = config.model;
@@ -147,7 +150,7 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     if (worker.hold.listens(end)) {
       double v[kMaxCoordinates], a[kMaxCoordinates];
       const Eigen::Vector2d held_force =
-          model.magnets ? actuator_state(config, m, d).force : worker.hold.held();
+          lags(model) ? actuator_state(config, m, d).force : worker.hold.held();
       worker.stepper.velocity_now(worker.next, held_force, v);
       const bool first = worker.next == 0;
       for (int i = 0; i < model.nq(); ++i) a[i] = first ? 0.0 : 2.0 / h * (v[i] - state.v()[i]);
@@ -158,23 +161,25 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     for (int k = 0; k < 2; ++k) d->ctrl[config.actuator[k]] = told[k];
   }
   if (m->nu > 0) mj_fwdActuation(m, d);
-  return model.controller && !model.magnets ? mean : actuator_state(config, m, d).force;
+  if (model.controller && !lags(model)) return mean;
+  const ActuatorState now = actuator_state(config, m, d);
+  return model.magnets && !lags(model) ? now.current : now.force;
 }
 
 void note(mjData* d, const FixedStep& r, double kick) {
   mjtNum* entry = d->userdata;
   entry[kMode] = static_cast<double>(r.mode);
-  entry[kNormalForce] = r.normal_impulse / kick;
-  entry[kFrictionForce] = r.friction_impulse / kick;
+  entry[kNormalForce] = r.normal_impulse / kick + r.impact_force.x();
+  entry[kFrictionForce] = r.friction_impulse / kick + r.impact_force.y();
   // Once, not every step: MuJoCo writes its warnings to a file.
   if (r.status != Status::kOk && entry[kContactStatus] == 0.0) {
     mju_warning("rotorub: the contact laws have no solution or several (Painleve): no impulse");
   }
   entry[kContactStatus] = static_cast<double>(r.status);
-  entry[kImpact] = r.impacts.count > 0 ? 1.0 : 0.0;
-  if (r.impacts.count == 0) return;
-  const Impact& first = r.impacts.impact.front();
-  const Impact& last = r.impacts.impact[static_cast<std::size_t>(r.impacts.count - 1)];
+  entry[kImpact] = !r.impacts.empty() ? 1.0 : 0.0;
+  if (r.impacts.empty()) return;
+  const Impact& first = r.impacts.front();
+  const Impact& last = r.impacts.back();
   entry[kImpactTime] = first.t;
   entry[kGapRateBefore] = first.gap_rate_before;
   entry[kGapRateAfter] = last.gap_rate_after;

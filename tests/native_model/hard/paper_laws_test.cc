@@ -34,7 +34,7 @@ Worst worst_of(const Model& model, double step, std::int64_t steps) {
     EXPECT_GE(done.normal_impulse, 0.0);
     const Eigen::VectorXd middle = q + 0.5 * step * v;
     const ContactPoint p = contact_point(model, middle.data(), stepper.v());
-    if (done.impacts.count > 0 || !p.has_normal) continue;
+    if (!done.impacts.empty() || !p.has_normal) continue;
     const double normal = done.normal_impulse, friction = done.friction_impulse;
     force = std::max(force, normal);
     slip_scale = std::max(slip_scale, std::abs(p.slip));

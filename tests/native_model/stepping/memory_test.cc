@@ -82,7 +82,7 @@ TEST(PaperMemory, RestoredAtEveryStepItGivesTheBitsOfAnUninterruptedRun) {
       ASSERT_EQ(a.normal_impulse, b.normal_impulse) << k;
       ASSERT_EQ(a.friction_impulse, b.friction_impulse) << k;
       ASSERT_EQ(a.mode, b.mode) << k;
-      impacts |= a.impacts.count > 0;
+      impacts |= !a.impacts.empty();
       lasting |= a.mode != Mode::kFree;
     }
     EXPECT_TRUE(impacts && lasting) << "the scene does not reach what is tested";

@@ -164,5 +164,36 @@ TEST(Verlet, FollowsTheWhipFromItsStart) {
       converge(scene, [&](const Trajectory& t) { return test::trajectory_error(t, exact); }));
 }
 
+// ---------------------------------------------------------------- impacts that take time
+// As `event` has them: the same impulses, the contact time of their phases, a balance that closes,
+// and rows within them.
+TEST(Verlet, FollowsImpactsThatTakeTime) {
+  scene::Scene scene = shipped("bench_ring", {"contact.compression_time=1e-3",
+                                              "contact.expansion_time=5e-4", "run.end=0.02",
+                                              "run.output_step=1e-4"});
+  const Trajectory exact = run(scene, scene::Integrator::kEvent);
+  const Trajectory t = verlet(scene, 1e-6);
+  ASSERT_EQ(t.impacts.size(), exact.impacts.size());
+  ASSERT_GE(t.impacts.size(), 3u);
+  for (std::size_t k = 0; k < t.impacts.size(); ++k) {
+    EXPECT_NEAR(t.impacts[k].t, exact.impacts[k].t, 1e-9);
+    EXPECT_NEAR(t.impacts[k].normal_impulse, exact.impacts[k].normal_impulse, 1e-7);
+    EXPECT_NEAR(t.impacts[k].energy_change, exact.impacts[k].energy_change, 1e-6);
+  }
+  EXPECT_NEAR(t.statistics.impulse_total, exact.statistics.impulse_total, 1e-6);
+  EXPECT_NEAR(t.statistics.contact_time, exact.statistics.contact_time, 5e-6);
+  EXPECT_LT(t.statistics.energy_residual(), 1e-9);
+  const double first = exact.impacts[0].t;
+  bool within = false;
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    const double since = t.column("t")[k] - first;
+    if (since < 1e-5 || since > 1.5e-3 - 1e-5 || std::abs(since - 1e-3) < 1e-5) continue;
+    within = true;
+    EXPECT_NEAR(t.column("normal_force")[k], exact.column("normal_force")[k], 1e-3);
+    EXPECT_NEAR(t.column("rotor_vx")[k], exact.column("rotor_vx")[k], 1e-5);
+  }
+  EXPECT_TRUE(within);
+}
+
 }  // namespace
 }  // namespace rotorub

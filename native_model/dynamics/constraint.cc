@@ -1,4 +1,4 @@
-#include "native_model/event/constraint.h"
+#include "native_model/dynamics/constraint.h"
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/dynamics/dynamics.h"
@@ -15,9 +15,10 @@ void Constraint::solve(double t, const double* q, const Eigen::Vector3d& load) {
   solve_mass(*model_, t, q, change_.data(), change_.data());
 }
 
-void Constraint::apply(Motion& motion, const Eigen::Vector2d& e_r, double normal, double friction) {
-  solve(motion.t, motion.q(), contact_load(e_r, model_->contact->radius, normal, friction));
-  for (std::size_t i = 0; i < change_.size(); ++i) motion.v()[i] += change_[i];
+void Constraint::apply(double t, const double* q, double* v, const Eigen::Vector2d& e_r,
+                       double normal, double friction) {
+  solve(t, q, contact_load(e_r, model_->contact->radius, normal, friction));
+  for (std::size_t i = 0; i < change_.size(); ++i) v[i] += change_[i];
 }
 
 void Constraint::to_circle(double t, double* q, const double* v) {
@@ -29,16 +30,16 @@ void Constraint::to_circle(double t, double* q, const double* v) {
   }
 }
 
-void Constraint::project(Motion& motion, Velocity velocity) {
-  to_circle(motion.t, motion.q(), motion.v());
+void Constraint::project(double t, double* q, double* v, Velocity velocity) {
+  to_circle(t, q, v);
   if (velocity == Velocity::kKept) return;
-  const ContactPoint p = contact_point(*model_, motion.q(), motion.v());
+  const ContactPoint p = contact_point(*model_, q, v);
   const Delassus g =
-      delassus(contact_admittance(*model_, motion.t, motion.q()), p.e_r, model_->contact->radius);
+      delassus(contact_admittance(*model_, t, q), p.e_r, model_->contact->radius);
   const PlanarImpulse<double> l = velocity == Velocity::kStuck
                                       ? stick(g, p.gap_rate, p.slip)
                                       : PlanarImpulse<double>{-p.gap_rate / g.nn, 0.0};
-  apply(motion, p.e_r, l.normal, l.friction);
+  apply(t, q, v, p.e_r, l.normal, l.friction);
 }
 
 }  // namespace rotorub

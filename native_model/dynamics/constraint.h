@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "native_model/event/motion.h"
+#include "native_model/system/model.h"
 
 namespace rotorub {
 
@@ -15,12 +15,23 @@ class Constraint {
   explicit Constraint(const Model& model);
 
   // qdot += M^-1 (W_N normal + W_T friction); impulses, N s.
-  void apply(Motion& motion, const Eigen::Vector2d& e_r, double normal, double friction);
+  void apply(double t, const double* q, double* v, const Eigen::Vector2d& e_r, double normal,
+             double friction);
   // q onto the circle, g_N = 0.
   void to_circle(double t, double* q, const double* v);
   // The same; then gdot_N = 0 (kAlong), or gdot_N = gdot_T = 0 (kStuck).
   enum class Velocity { kKept, kAlong, kStuck };
-  void project(Motion& motion, Velocity velocity);
+  void project(double t, double* q, double* v, Velocity velocity);
+
+  // Of anything with t, q() and v().
+  template <class Motion>
+  void apply(Motion& motion, const Eigen::Vector2d& e_r, double normal, double friction) {
+    apply(motion.t, motion.q(), motion.v(), e_r, normal, friction);
+  }
+  template <class Motion>
+  void project(Motion& motion, Velocity velocity) {
+    project(motion.t, motion.q(), motion.v(), velocity);
+  }
 
  private:
   void solve(double t, const double* q, const Eigen::Vector3d& load);
