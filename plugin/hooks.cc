@@ -3,6 +3,9 @@
 #include <dlfcn.h>
 #include <mujoco/mujoco.h>
 
+#include <atomic>
+#include <mutex>
+
 #include "plugin/callbacks.h"
 
 namespace rotorub::plugin {
@@ -14,15 +17,18 @@ bool preloaded() {
   return found;
 }
 
-int living = 0;
+std::mutex mutex;  // of who installs and restores
+std::atomic<int> living = 0;
 
 }  // namespace
 
 Hooks::Hooks() {
+  const std::lock_guard<std::mutex> lock(mutex);
   if (!preloaded() && living++ == 0) install_callbacks();
 }
 
 Hooks::~Hooks() {
+  const std::lock_guard<std::mutex> lock(mutex);
   if (!preloaded() && --living == 0) restore_callbacks();
 }
 

@@ -14,8 +14,9 @@ class MujocoError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// While it lives, errors are thrown as MujocoError and warnings are collected. MuJoCo's handlers
-// are global: one at a time, warnings of all threads come together.
+// While one lives, errors are thrown as MujocoError and warnings are collected, each in its thread.
+// MuJoCo's handlers are global: several may live at a time, in any threads; the first installs and
+// the last one restores. A thread's newest has that thread's warnings since it was made.
 class MujocoMessages {
  public:
   MujocoMessages();
@@ -24,10 +25,6 @@ class MujocoMessages {
   MujocoMessages& operator=(const MujocoMessages&) = delete;
 
   std::vector<std::string> warnings() const;
-
- private:
-  void (*previous_error_)(const char*);
-  void (*previous_warning_)(const char*);
 };
 
 }  // namespace rotorub

@@ -1,6 +1,7 @@
 #include "compare/engine/mujoco_model.h"
 
 #include <cstring>
+#include <mutex>
 #include <stdexcept>
 
 #include "mjcf/names.h"
@@ -8,6 +9,9 @@
 namespace rotorub {
 
 MujocoModel load_mjcf(const std::string& document) {
+  // MuJoCo's parser and compiler share state between threads.
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
   // A file in memory; mjVFS is too large for the stack.
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());

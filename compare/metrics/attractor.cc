@@ -3,28 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace rotorub {
 namespace {
 
 constexpr std::size_t kFewestRows = 20;
 
-double mean(const std::vector<double>& values, RowRange range) {
+double mean(const std::vector<double>& values) {
   double sum = 0.0;
-  for (std::size_t i = range.first; i < range.last; ++i) sum += values[i];
-  return sum / static_cast<double>(range.size());
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
 }
 
 // Median of |slip| over the largest of |whirl speed| and |r Omega| = |slip - whirl speed|.
-double relative_slip(const std::vector<RelativePoint>& points, const std::vector<double>& slip,
-                     RowRange range) {
+double relative_slip(const LastPart& part) {
   std::vector<double> ratio;
-  ratio.reserve(range.size());
-  for (std::size_t i = range.first; i < range.last; ++i) {
-    const double whirl = std::abs(points[i].whirl_speed);
-    const double surface = std::abs(slip[i] - points[i].whirl_speed);
+  ratio.reserve(part.points.size());
+  for (std::size_t i = 0; i < part.points.size(); ++i) {
+    const double whirl = std::abs(part.points[i].whirl_speed);
+    const double surface = std::abs(part.slip[i] - part.points[i].whirl_speed);
     const double scale = std::max(whirl, surface);
-    ratio.push_back(scale > 0.0 ? std::abs(slip[i]) / scale : 0.0);
+    ratio.push_back(scale > 0.0 ? std::abs(part.slip[i]) / scale : 0.0);
   }
   const auto middle = ratio.begin() + static_cast<std::ptrdiff_t>(ratio.size() / 2);
   std::nth_element(ratio.begin(), middle, ratio.end());
@@ -88,32 +88,47 @@ const char* explanation(Attractor attractor) {
   return "";
 }
 
-Settled settled(const Trajectory& trajectory) {
+Settled settled(const LastPart& part) {
   Settled s;
-  s.from = (1.0 - kSettledShare) * trajectory.end;
-  const auto points = relative_motion(trajectory);
-  const RowRange range = rows_between(points, s.from, trajectory.end);
-  if (range.size() < kFewestRows) return s;
+  s.from = part.from;
+  const std::size_t rows = part.points.size();
+  if (rows < kFewestRows) return s;
 
-  const auto& normal = trajectory.column("normal_force");
   std::size_t touching = 0;
-  for (std::size_t i = range.first; i < range.last; ++i) touching += normal[i] > 0.0 ? 1 : 0;
-  s.contact_share = static_cast<double>(touching) / static_cast<double>(range.size());
-  s.impacts = static_cast<std::size_t>(
-      std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(),
-                    [&](const Impact& i) { return i.t >= s.from && counts(i); }));
-  s.whirl_frequency = whirl_frequency(points, range);
-  s.spin_speed = mean(trajectory.column("spin_speed"), range);
+  for (const double force : part.normal_force) touching += force > 0.0 ? 1 : 0;
+  s.contact_share = static_cast<double>(touching) / static_cast<double>(rows);
+  s.impacts = part.impacts;
+  s.whirl_frequency = whirl_frequency(part.points, {0, rows});
+  s.spin_speed = mean(part.spin_speed);
 
   if (touching == 0 && s.impacts == 0) {
     s.attractor = Attractor::kNoContact;
   } else if (s.contact_share < kPermanentContact) {
     s.attractor = Attractor::kChattering;
   } else {
-    s.attractor = permanent(s, relative_slip(points, trajectory.column("slip"), range),
-                            points[range.last - 1].t - points[range.first].t);
+    s.attractor =
+        permanent(s, relative_slip(part), part.points.back().t - part.points.front().t);
   }
   return s;
+}
+
+Settled settled(const Trajectory& trajectory) {
+  LastPart part;
+  part.from = (1.0 - kSettledShare) * trajectory.end;
+  const auto points = relative_motion(trajectory);
+  const RowRange range = rows_between(points, part.from, trajectory.end);
+  const auto rows = [&](const auto& all) {
+    const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+    return std::decay_t<decltype(all)>(at(range.first), at(range.last));
+  };
+  part.points = rows(points);
+  part.normal_force = rows(trajectory.column("normal_force"));
+  part.slip = rows(trajectory.column("slip"));
+  part.spin_speed = rows(trajectory.column("spin_speed"));
+  part.impacts = static_cast<std::size_t>(
+      std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(),
+                    [&](const Impact& i) { return i.t >= part.from && counts(i); }));
+  return settled(part);
 }
 
 }  // namespace rotorub

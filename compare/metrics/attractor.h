@@ -1,6 +1,8 @@
 // What a run has settled to: a name for its last part, by stated definitions.
 #pragma once
 
+#include <vector>
+
 #include "compare/metrics/relative_motion.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -36,6 +38,15 @@ inline constexpr double kRestingTurn = 0.01;
 inline constexpr double kSynchronousTolerance = 0.02;
 inline constexpr double kRollingTolerance = 0.01;
 
+// The rows that it is told from, of [from, end].
+struct LastPart {
+  double from = 0.0;  // s
+  std::vector<RelativePoint> points;
+  std::vector<double> normal_force, slip, spin_speed;  // N, m/s, rad/s
+  std::size_t impacts = 0;                             // counted ones
+};
+
+Settled settled(const LastPart& part);
 Settled settled(const Trajectory& trajectory);
 
 }  // namespace rotorub

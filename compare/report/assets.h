@@ -8,12 +8,15 @@ namespace rotorub {
 // Of every page.
 std::string_view report_css();
 std::string_view page_js();
-// Of the comparison's report, of the modes' page and of the bench's: the template (see template.h) and the script.
+// Of the comparison's report, of the modes', of the bench's and of the sweep's page: the template (see
+// template.h) and the script.
 std::string_view report_html();
 std::string_view report_js();
 std::string_view modes_html();
 std::string_view modes_js();
 std::string_view bench_html();
 std::string_view bench_js();
+std::string_view sweep_html();
+std::string_view sweep_js();
 
 }  // namespace rotorub

@@ -18,6 +18,7 @@ pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
 # compare
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
+find_package(SQLite3 3.40 REQUIRED)
 
 # tests
 if(ROTORUB_BUILD_TESTS)

@@ -15,6 +15,11 @@ namespace {
 
 using Kind = TomlNode::Kind;
 
+FileName override_file() {
+  static const FileName name(kOverrideFile);
+  return name;
+}
+
 // One part of a path: a key, or the number of an element.
 struct Step {
   std::string key;
@@ -52,7 +57,26 @@ std::optional<std::vector<Step>> parse_path(std::string_view text) {
   return steps.front().is_index ? std::nullopt : std::optional(steps);
 }
 
+// A plain decimal number, as TOML and from_chars both read it: most of what a sweep sets.
+std::optional<TomlNode> plain_number(std::string_view text) {
+  const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+  const bool plain = !digits.empty() && digits.find_first_not_of("0123456789.e-+") == digits.npos;
+  const bool leading =
+      plain && digits[0] != '.' && (digits[0] != '0' || digits.substr(1, 1) == ".");
+  const std::size_t point = digits.find('.');
+  if (!leading || point == digits.npos || point + 1 >= digits.size() ||
+      digits[point + 1] < '0' || digits[point + 1] > '9') {
+    return std::nullopt;
+  }
+  TomlNode node;
+  node.kind = Kind::kFloat;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), node.number);
+  const bool whole = status == std::errc() && end == text.data() + text.size();
+  return whole ? std::optional(std::move(node)) : std::nullopt;
+}
+
 TomlNode parse_value(std::string_view text) {
+  if (auto number = plain_number(text)) return std::move(*number);
   std::vector<Diagnostic> unread;
   const auto document = parse_toml("v = " + std::string(text), kOverrideFile, unread);
   if (document && unread.empty() && document->entries.size() == 1) {
@@ -60,7 +84,7 @@ TomlNode parse_value(std::string_view text) {
   }
   TomlNode word;
   word.kind = Kind::kString;
-  word.file = kOverrideFile;
+  word.file = override_file();
   word.text = text;
   return word;
 }
@@ -75,7 +99,7 @@ void forget_lines(TomlNode& node) {
 TomlNode empty_node(Kind kind) {
   TomlNode node;
   node.kind = kind;
-  node.file = kOverrideFile;
+  node.file = override_file();
   return node;
 }
 
@@ -130,7 +154,7 @@ void drop_other_kinds(TomlNode& table, const std::string& path, std::string_view
   if (schema == nullptr || table.kind != Kind::kTable) return;
   std::erase_if(table.entries, [&](const auto& entry) {
     const Key* key = schema->find(entry.first);
-    return key != nullptr && entry.second.file != kOverrideFile && !key->is_for(kind);
+    return key != nullptr && !(entry.second.file == override_file()) && !key->is_for(kind);
   });
 }
 
@@ -145,7 +169,7 @@ std::optional<double> seconds(const TomlNode& node) {
 void drop_times_beyond(TomlNode& run, const TomlNode& end) {
   const std::optional<double> last = seconds(end);
   TomlNode* times = run.find("output_times");
-  if (!last || times == nullptr || times->file == kOverrideFile) return;
+  if (!last || times == nullptr || times->file == override_file()) return;
   std::erase_if(times->items, [&](const TomlNode& time) { return seconds(time) > last; });
 }
 
@@ -168,6 +192,7 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
     return {};
   }
   TomlNode value = parse_value(text);
+  value.file = override_file();
   forget_lines(value);
   const std::string kind = value.text;
   TomlNode* target = descend(*node, steps.back(), Kind::kString, reason);

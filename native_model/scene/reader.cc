@@ -24,6 +24,8 @@ constexpr std::size_t kLargestFile = 16u << 20u;  // bytes; a device or a mistak
   throw SceneError({{file, 0, {}, reason}});
 }
 
+}  // namespace
+
 // Read by blocks rather than by size: a pipe has none.
 std::string file_text(const std::filesystem::path& path) {
   std::error_code status;
@@ -46,8 +48,6 @@ std::string file_text(const std::filesystem::path& path) {
   return text;
 }
 
-}  // namespace
-
 Scene read_scene(const std::filesystem::path& path, std::span<const std::string> overrides) {
   return parse_scene(file_text(path), path.string(), overrides);
 }
@@ -58,23 +58,30 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
   std::optional<TomlNode> root = parse_toml(text, file_name, diagnostics);
   if (!root) throw SceneError(std::move(diagnostics));
   apply_overrides(*root, overrides, diagnostics);
+  return scene_of(*root, file_name, overrides.empty() ? std::string(text) : write_toml(*root),
+                  std::move(diagnostics));
+}
 
+Scene scene_of(const TomlNode& root, const std::string& file_name, std::string text,
+               std::vector<Diagnostic> diagnostics) {
   Scene scene;
   scene.name = std::filesystem::path(file_name).stem().string();
-  scene.text = overrides.empty() ? std::string(text) : write_toml(*root);
+  scene.text = std::move(text);
   TableReader reader(scene, diagnostics);
-  reader.read(*root);
+  reader.read(root);
   validate(scene, reader.record(), diagnostics);
   if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
   complete(scene, reader.record());
-  scene.record = std::make_shared<const Record>(reader.record());
+  scene.record = std::make_shared<const Record>(reader.take_record());
   return scene;
 }
 
-std::string scene_hash(const Scene& scene) {
+std::string scene_hash(const Scene& scene) { return text_hash(scene.text); }
+
+std::string text_hash(std::string_view text) {
   constexpr std::uint64_t kOffset = 14695981039346656037u, kPrime = 1099511628211u;
   std::uint64_t hash = kOffset;
-  for (char c : scene.text) hash = (hash ^ static_cast<unsigned char>(c)) * kPrime;
+  for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * kPrime;
   std::array<char, 17> digits{};
   std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
   return digits.data();

@@ -5,9 +5,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/scene.h"
+#include "native_model/scene/toml_source.h"
 
 namespace rotorub::scene {
 
@@ -21,7 +23,14 @@ Scene read_scene(const std::filesystem::path& path, std::span<const std::string>
 Scene parse_scene(std::string_view text, const std::string& file_name,
                   std::span<const std::string> overrides = {});
 
+// Its steps. The text of a file that can be a scene; throws SceneError.
+std::string file_text(const std::filesystem::path& path);
+// The scene of a tree that `text` stands for. `diagnostics`: what is known to be wrong already.
+Scene scene_of(const TomlNode& root, const std::string& file_name, std::string text,
+               std::vector<Diagnostic> diagnostics);
+
 // 16 hexadecimal digits that depend on Scene::text alone: 64-bit FNV-1a.
 std::string scene_hash(const Scene& scene);
+std::string text_hash(std::string_view text);  // the same of any text
 
 }  // namespace rotorub::scene

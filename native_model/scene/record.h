@@ -28,7 +28,7 @@ class Record {
 
  private:
   struct Mark {
-    std::string file;
+    FileName file;
     int line = 0;
     bool sound = true;
     bool given = true;

@@ -117,47 +117,56 @@ void TableReader::read_object(const Table& table, const TomlNode& node, const st
 
   void* object = table.object(scene_);
   for (const Key& key : table.keys) {
-    const std::string key_path = child_path(path, key.name);
     if (const TomlNode* value = node.find(key.name)) {
-      read_key(key, kind, *value, key_path, object);
+      const std::string key_path = child_path(path, key.name);
+      record_.note(key_path, *value, read_key(key, kind, *value, key_path, object));
     } else if (key.required() && key.belongs_to(form_) &&
                (key.kinds.empty() || (!kind.empty() && key.is_for(kind)))) {
+      const std::string key_path = child_path(path, key.name);
       record_.note_missing(key_path);
       fail(node, key_path, "missing: expected " + key.expected());
     }
   }
 }
 
-void TableReader::read_key(const Key& key, std::string_view kind, const TomlNode& node,
+bool TableReader::read_key(const Key& key, std::string_view kind, const TomlNode& node,
                            const std::string& path, void* object) {
-  record_.note(path, node, false);
-  if (node.kind == Kind::kFaulty) return;
+  if (node.kind == Kind::kFaulty) return false;
   if (form_ != Form::kEither && !key.belongs_to(form_)) {
     fail(node, path,
          std::string("belongs to ") + (form_ == Form::kModal ? kGeometryForm : kModalForm) +
              ", and the rotor is in " + (form_ == Form::kModal ? kModalForm : kGeometryForm));
-    return;
+    return false;
   }
   if (!kind.empty() && !key.is_for(kind)) {
     fail(node, path,
          "belongs to kind = \"" + join(key.kinds) + "\" and has no effect with \"" +
              std::string(kind) + "\"");
-    return;
+    return false;
   }
   Value value;
-  if (!read_value(key, node, path, value)) return;
+  if (!read_value(key, node, path, value)) return false;
   key.store(object, value);
-  record_.note(path, node, true);
+  return true;
 }
 
 void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_path,
                                  const std::string& path) {
   // What may stand here: the keys of the table and the tables below it.
-  std::vector<std::string_view> known;
-  if (const Table* table = find_table(table_path)) {
-    for (const Key& key : table->keys) known.push_back(key.name);
-  }
+  const Table* own = find_table(table_path);
   const std::string prefix = table_path.empty() ? "" : std::string(table_path) + ".";
+  const auto is_known = [&](const std::string& name) {
+    if (own != nullptr && own->find(name) != nullptr) return true;
+    return name.find('.') == std::string::npos && find_table(prefix + name) != nullptr;
+  };
+  if (std::all_of(node.entries.begin(), node.entries.end(),
+                  [&](const auto& entry) { return is_known(entry.first); })) {
+    return;
+  }
+  std::vector<std::string_view> known;
+  if (own != nullptr) {
+    for (const Key& key : own->keys) known.push_back(key.name);
+  }
   for (const Table& table : tables()) {
     const std::string_view below = table.path.substr(std::min(prefix.size(), table.path.size()));
     const bool is_below = table.path.starts_with(prefix) && !below.empty();

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "native_model/scene/record.h"
@@ -20,13 +21,15 @@ class TableReader {
   void read(const TomlNode& root);
 
   const Record& record() const { return record_; }
+  Record take_record() { return std::move(record_); }
 
  private:
   void fail(const TomlNode& node, const std::string& path, std::string reason);
   void find_form(const TomlNode& root);
   void read_table(const Table& table, const TomlNode& root);
   void read_object(const Table& table, const TomlNode& node, const std::string& path);
-  void read_key(const Key& key, std::string_view kind, const TomlNode& node,
+  // False: the value cannot be used, and the reason is kept.
+  bool read_key(const Key& key, std::string_view kind, const TomlNode& node,
                 const std::string& path, void* object);
   void refuse_unknown(const TomlNode& node, std::string_view table_path, const std::string& path);
 

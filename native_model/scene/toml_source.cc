@@ -31,10 +31,10 @@ constexpr int kMostSyntaxErrors = 20;  // then the reading stops
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
 // `mended`: a string may be the mark of a faulty value.
-TomlNode converted(const toml::node& node, const std::string& file, bool mended);
+TomlNode converted(const toml::node& node, FileName file, bool mended);
 
 // The library sorts by name; the file's order is restored from the positions.
-void convert_entries(const toml::table& table, const std::string& file, bool mended,
+void convert_entries(const toml::table& table, FileName file, bool mended,
                      TomlNode& result) {
   std::vector<std::tuple<unsigned, unsigned, std::string, const toml::node*>> order;
   for (const auto& [key, value] : table) {
@@ -51,7 +51,7 @@ void convert_entries(const toml::table& table, const std::string& file, bool men
   }
 }
 
-TomlNode converted(const toml::node& node, const std::string& file, bool mended) {
+TomlNode converted(const toml::node& node, FileName file, bool mended) {
   TomlNode result;
   result.file = file;
   result.line = line_of(node);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/file_name.h"
 
 namespace rotorub::scene {
 
@@ -18,7 +19,7 @@ struct TomlNode {
   enum class Kind { kTable, kArray, kString, kInteger, kFloat, kBoolean, kDate, kFaulty };
 
   Kind kind = Kind::kTable;
-  std::string file;                                       // where it stands
+  FileName file;                                          // where it stands
   int line = 0;                                           // from 1; 0: no line
   std::vector<std::pair<std::string, TomlNode>> entries;  // kTable, in the order of the file
   std::vector<TomlNode> items;                            // kArray

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -65,43 +66,98 @@ class LaneCommands {
 template <class Kernel, class M, int W>
 struct LaneGroup {
   static constexpr bool kVerlet = std::is_same_v<Kernel, VerletKernel<M>>;
+  using T = typename Kernel::T;
 
-  LaneGroup(std::vector<const Model*> runs, double step)
-      : models(std::move(runs)), model(Lanes<W>(models)), work{Kernel(model, models, step), {}} {
+  LaneGroup(std::vector<const Model*> runs, double h)
+      : models(std::move(runs)), model(Lanes<W>(models)), work{Kernel(model, models, h), {}},
+        step(h), v(static_cast<std::size_t>(model.layout.nq()), T{}) {
     work.kernel.load_initial_states();
     if constexpr (kVerlet) work.kernel.restart();
+    if (models.front()->controller) commands.emplace(models, step);
   }
 
-  void report(double step, std::int64_t steps, std::span<EnsembleRun> out) {
-    const auto nq = static_cast<std::size_t>(model.layout.nq());
+  void advance_to(std::int64_t from, std::int64_t to, const EnsembleWatch& watch) {
+    constexpr std::int64_t kPatience = 4096;  // steps between looks at the interrupt
+    while (from < to && !watch.stopped()) {
+      const std::int64_t count = commands ? 1 : std::min(kPatience, to - from);
+      if (commands) commands->tell(work.kernel, from);
+      advance(work, step, from, count);
+      from += count;
+    }
+  }
+
+  void find_velocities(std::int64_t k) {
+    std::copy_n(work.kernel.v(), v.size(), v.begin());
+    if constexpr (kVerlet) velocities_now(work.kernel, k, v.data());
+  }
+
+  bool impact(int lane) const {
+    return work.kernel.any_impact() && work.kernel.impacts[lane].count > 0;
+  }
+
+  // Of the first `wanted` runs, which are `first`, ... of all.
+  void look(std::int64_t k, const EnsembleWatch& watch, std::size_t first, std::size_t wanted) {
+    find_velocities(k);
+    double q_of[kMaxCoordinates], v_of[kMaxCoordinates];
+    for (std::size_t lane = 0; lane < wanted; ++lane) {
+      const int l = static_cast<int>(lane);
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        q_of[i] = work.kernel.q()[i][l];
+        v_of[i] = v[i][l];
+      }
+      const double force = k > 0 && !impact(l) ? work.kernel.normal_impulse[l] / step : 0.0;
+      watch.look({first + lane, k, q_of, v_of, force, work.totals.impacts[l]});
+    }
+  }
+
+  void report(std::int64_t steps, const EnsembleWatch& watch, std::span<EnsembleRun> out) {
     const Kernel& kernel = work.kernel;
-    lanes::Array<typename Kernel::T> v(kernel.v(), kernel.v() + nq);
-    if constexpr (kVerlet) velocities_now(work.kernel, steps, v.data());
+    find_velocities(steps);
     for (std::size_t lane = 0; lane < out.size(); ++lane) {
       const int l = static_cast<int>(lane);
       EnsembleRun& r = out[lane];
       r.status =
           step_refusal(*models[lane], step).empty() ? kernel.status[l] : Status::kStepTooLarge;
+      if (watch.stopped()) r.status = Status::kInterrupted;
       r.first_touch = work.totals.first_touch[l];
       r.contact_steps = static_cast<std::int64_t>(work.totals.contact_steps[l]);
       r.impacts = work.totals.impacts[l];
       r.impulse_total = work.totals.impulse_total[l];
       r.peak_impulse = work.totals.peak_impulse[l];
-      for (std::size_t i = 0; i < nq; ++i) {
+      for (std::size_t i = 0; i < v.size(); ++i) {
         r.q.push_back(kernel.q()[i][l]);
         r.v.push_back(v[i][l]);
       }
+    }
+    if (kVerlet && !watch.stopped()) count_half_step(steps, out);
+  }
+
+  // The steps of `verlet` lie about the t_k: of the one about the end half counts, as in
+  // run/fixed_run.cc.
+  void count_half_step(std::int64_t steps, std::span<EnsembleRun> out) {
+    work.totals = {};
+    if (commands) commands->tell(work.kernel, steps);
+    advance(work, step, steps, 1);
+    for (std::size_t lane = 0; lane < out.size(); ++lane) {
+      const int l = static_cast<int>(lane);
+      if (impact(l) || !(work.totals.contact_steps[l] > 0.0)) continue;
+      out[lane].ends_in_contact = true;
+      out[lane].impulse_total += 0.5 * work.totals.impulse_total[l];
+      out[lane].peak_impulse = std::max(out[lane].peak_impulse, work.totals.peak_impulse[l]);
     }
   }
 
   std::vector<const Model*> models;
   M model;
   LaneWork<Kernel, W> work;
+  double step;
+  lanes::Array<T> v;
+  std::optional<LaneCommands<Kernel>> commands;
 };
 
 template <class Kernel, class M, int W>
 void run_groups(const std::vector<Model>& models, double step, std::int64_t steps,
-                std::vector<EnsembleRun>& out) {
+                const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
   constexpr std::size_t kWidth = W;
   for (std::size_t begin = 0; begin < models.size(); begin += kWidth) {
     // The last group is filled up with copies of its first run.
@@ -109,41 +165,41 @@ void run_groups(const std::vector<Model>& models, double step, std::int64_t step
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
       runs[lane] = &models[begin + lane < models.size() ? begin + lane : begin];
     }
+    const std::size_t wanted = std::min(kWidth, models.size() - begin);
     LaneGroup<Kernel, M, W> group(std::move(runs), step);
-    if (models.front().controller) {
-      LaneCommands<Kernel> commands(group.models, step);
-      for (std::int64_t k = 0; k < steps; ++k) {
-        commands.tell(group.work.kernel, k);
-        advance(group.work, step, k, 1);
-      }
-    } else {
-      advance(group.work, step, 0, steps);
+    std::int64_t k = 0;
+    for (const std::int64_t at : watch.steps) {
+      group.advance_to(k, at, watch);
+      if (watch.stopped()) break;
+      k = at;
+      group.look(k, watch, begin, wanted);
     }
-    group.report(step, steps, {&out[begin], std::min(kWidth, models.size() - begin)});
+    group.advance_to(k, steps, watch);
+    group.report(steps, watch, {&out[begin], wanted});
   }
 }
 
 template <class M, int W>
 void run_sized(const std::vector<Model>& models, double step, scene::Integrator integrator,
-               std::int64_t steps, std::vector<EnsembleRun>& out) {
+               std::int64_t steps, const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
   if (integrator == scene::Integrator::kVerlet) {
-    run_groups<VerletKernel<M>, M, W>(models, step, steps, out);
+    run_groups<VerletKernel<M>, M, W>(models, step, steps, watch, out);
   } else {
-    run_groups<PaperKernel<M>, M, W>(models, step, steps, out);
+    run_groups<PaperKernel<M>, M, W>(models, step, steps, watch, out);
   }
 }
 
 template <int W>
 void run_all(const std::vector<Model>& models, double step, scene::Integrator integrator,
-             std::int64_t steps, std::vector<EnsembleRun>& out) {
+             std::int64_t steps, const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
   if (models.empty()) return;
 #define ROTORUB_SIZE(L, unused)            \
   if (L::fits(models.front().layout)) {    \
-    return run_sized<Sized<Lanes<W>, L>, W>(models, step, integrator, steps, out); \
+    return run_sized<Sized<Lanes<W>, L>, W>(models, step, integrator, steps, watch, out); \
   }
   ROTORUB_SMALL_LAYOUTS(ROTORUB_SIZE, )
 #undef ROTORUB_SIZE
-  run_sized<Lanes<W>, W>(models, step, integrator, steps, out);
+  run_sized<Lanes<W>, W>(models, step, integrator, steps, watch, out);
 }
 
 }  // namespace
@@ -158,7 +214,8 @@ InstructionSet best_instruction_set() {
 
 double EnsembleRun::contact_fraction(double end, double step) const {
   if (first_touch < 0.0 || end <= first_touch) return 0.0;
-  return std::min(1.0, static_cast<double>(contact_steps) * step / (end - first_touch));
+  const double in_contact = static_cast<double>(contact_steps) + (ends_in_contact ? 0.5 : 0.0);
+  return std::min(1.0, in_contact * step / (end - first_touch));
 }
 
 double EnsembleRun::mean_force(double end) const {
@@ -186,18 +243,18 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
   }
 }
 
-std::vector<EnsembleRun> Ensemble::run(std::int64_t steps) {
+std::vector<EnsembleRun> Ensemble::run(std::int64_t steps, const EnsembleWatch& watch) {
   std::vector<EnsembleRun> out(models_.size());
   switch (set_) {
 #if defined(ROTORUB_EACH_TARGET)
     case InstructionSet::kAvx512:
-      run_all<8>(models_, step_, integrator_, steps, out);
+      run_all<8>(models_, step_, integrator_, steps, watch, out);
       break;
     case InstructionSet::kAvx2:
-      run_all<4>(models_, step_, integrator_, steps, out);
+      run_all<4>(models_, step_, integrator_, steps, watch, out);
       break;
 #endif
-    default: run_all<2>(models_, step_, integrator_, steps, out);
+    default: run_all<2>(models_, step_, integrator_, steps, watch, out);
   }
   return out;
 }

@@ -3,6 +3,7 @@
 // instruction set.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -17,12 +18,29 @@ struct EnsembleRun {
   Status status = Status::kOk;
   double first_touch = -1.0;        // s, begin of the step; -1: never touched
   std::int64_t contact_steps = 0;   // steps with a normal impulse
+  // `verlet`: the end lies in the middle of a step in lasting contact, half of which counts.
+  bool ends_in_contact = false;
   std::int64_t impacts = 0;         // with gap_rate_before < kCountedGapRate
   double impulse_total = 0.0;       // N s
   double peak_impulse = 0.0;        // N s, largest of one step
   std::vector<double> q, v;         // at the end, nq each
   double contact_fraction(double end, double step) const;
   double mean_force(double end) const;  // N, from first touch to the end
+};
+
+// What is seen of a run on its way, at t = k step.
+struct EnsembleLook {
+  std::size_t run = 0;
+  std::int64_t k = 0;
+  const double *q = nullptr, *v = nullptr;  // nq each
+  double normal_force = 0.0;                // N, of the step that ended there; 0 for impacts
+  std::int64_t impacts = 0;                 // counted ones so far
+};
+struct EnsembleWatch {
+  std::vector<std::int64_t> steps;                 // k, ascending, in [0, the last step]
+  std::function<void(const EnsembleLook&)> look;   // every run at each of them
+  const std::atomic<bool>* interrupt = nullptr;    // true: stop; the status of what is left says so
+  bool stopped() const { return interrupt && interrupt->load(std::memory_order_relaxed); }
 };
 
 // Of x86 processors; elsewhere there is kBaseline alone (on x86: SSE2).
@@ -39,7 +57,7 @@ class Ensemble {
            InstructionSet set = best_instruction_set());
 
   // All runs from t = 0 over `steps` steps; controllers are evaluated run by run.
-  std::vector<EnsembleRun> run(std::int64_t steps);
+  std::vector<EnsembleRun> run(std::int64_t steps, const EnsembleWatch& watch = {});
 
  private:
   std::vector<Model> models_;

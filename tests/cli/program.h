@@ -48,6 +48,10 @@ class Program {
   }
 
   void interrupt() const { kill(process_, SIGINT); }
+  Outcome kill_and_wait() const {
+    kill(process_, SIGKILL);
+    return wait();
+  }
 
   Outcome wait() const {
     int status = 0;

@@ -1,0 +1,267 @@
+// rotorub sweep: maps over the values of a scene, here or on a cluster.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "compare/commands/command.h"
+#include "compare/commands/interrupt.h"
+#include "compare/commands/progress.h"
+#include "compare/report/sweep_page.h"
+#include "compare/study/json.h"
+#include "compare/sweep/csv.h"
+#include "compare/sweep/folder.h"
+#include "compare/sweep/slurm.h"
+#include "compare/sweep/sweep_run.h"
+#include "native_model/trajectory/output.h"
+
+namespace rotorub {
+namespace {
+
+using std::filesystem::path;
+
+struct SweepArguments : CommonOptions {
+  std::string study, folder, shard;
+  int jobs = 0, tasks = 0;  // 0: not given
+  bool slurm = false;
+  std::vector<std::string> merge;
+};
+
+// A study that has been read, and where its results go.
+struct Sweep {
+  sweep::Study study;
+  std::unique_ptr<sweep::PointScenes> scenes;
+  path folder;
+  int jobs = 1;
+
+  sweep::Store store(const sweep::Shard& shard) const {
+    return {folder / shard.file(), study, sweep::identity_of(*scenes), shard};
+  }
+};
+
+void check_arguments(const SweepArguments& options) {
+  const int modes = (options.shard.empty() ? 0 : 1) + (options.slurm ? 1 : 0) +
+                    (options.merge.empty() ? 0 : 1);
+  if (modes > 1) throw UsageError("--shard, --slurm and --merge are three ways; give one of them");
+  if (options.tasks > 0 && !options.slurm) throw UsageError("--tasks belongs to --slurm");
+}
+
+void say(const SweepArguments& options, const std::string& text) {
+  if (!options.quiet && !options.json) fmt::print("{}\n", text);
+}
+
+std::string counts_text(const std::map<std::string, std::int64_t>& counts) {
+  std::string text;
+  for (const auto& [status, count] : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
+  }
+  return text.empty() ? "none" : text;
+}
+
+void print_json(const Sweep& sweep, sweep::Store& store, const sweep::Shard& shard, bool complete) {
+  const auto identity = sweep::identity_of(*sweep.scenes);
+  std::cout << json_text({{"study_hash", identity.hash},
+                          {"points", identity.points},
+                          {"done", store.count()},
+                          {"status", store.count_by_status()},
+                          {"shard", fmt::format("{}/{}", shard.number, shard.count)},
+                          {"complete", complete},
+                          {"folder", sweep.folder.string()}});
+}
+
+// All points are there: the table and the page.
+void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store) {
+  sweep::remove_parts(sweep.folder);
+  sweep::write_csv(store, sweep.folder / sweep::kCsvFile);
+  write_whole(sweep.folder / sweep::kPageFile, sweep_page(*sweep.scenes, store, sweep.study));
+  say(options, fmt::format("{} points: {}\nwritten to {} ({}, results.sqlite, {})", store.count(),
+                           counts_text(store.count_by_status()), sweep.folder.string(),
+                           sweep::kCsvFile, sweep::kPageFile));
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+int run_points(const SweepArguments& options, const Sweep& sweep) {
+  const sweep::Shard shard =
+      options.shard.empty() ? sweep::Shard{} : sweep::parse_shard(options.shard);
+  sweep::Store store = sweep.store(shard);
+  ProgressBar bar(options.quiet);
+  sweep::SweepOptions run;
+  run.jobs = sweep.jobs;
+  run.shard = shard;
+  run.interrupt = &interrupted();
+  const auto start = std::chrono::steady_clock::now();
+  run.progress = [&](std::int64_t stored, std::int64_t of, std::int64_t now) {
+    const double passed =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double each = now > 0 ? passed / static_cast<double>(now) : 0.0;
+    const std::string left =
+        now > 0 ? duration_text(each * static_cast<double>(of - stored)) + " left" : "";
+    bar.show(of > 0 ? static_cast<double>(stored) / static_cast<double>(of) : 1.0,
+             fmt::format("{} of {} points  {}", stored, of, left));
+  };
+  const bool complete = sweep::run_sweep(*sweep.scenes, store, run);
+  bar.clear();
+  if (!complete) {
+    if (options.json) print_json(sweep, store, shard, false);
+    say(options, fmt::format("{} points are stored in {}; run it again to go on", store.count(),
+                             (sweep.folder / shard.file()).string()));
+    throw Interrupted();
+  }
+  if (shard.whole()) {
+    write_results(options, sweep, store);
+  } else {
+    say(options, fmt::format("shard {}/{}: {} points: {}\nwritten to {}; --merge joins the shards",
+                             shard.number, shard.count, store.count(),
+                             counts_text(store.count_by_status()),
+                             (sweep.folder / shard.file()).string()));
+  }
+  if (options.json) print_json(sweep, store, shard, true);
+  return kDone;
+}
+
+int merge(const SweepArguments& options, const Sweep& sweep) {
+  std::vector<path> files;
+  const path own = sweep.folder / sweep::Shard{}.file();
+  for (const std::string& name : options.merge) {
+    if (!std::filesystem::is_directory(name)) {
+      throw UsageError(fmt::format("--merge {}: accepted are folders of sweeps", name));
+    }
+    for (const path& file : sweep::result_files(name)) {
+      std::error_code none;
+      if (!std::filesystem::equivalent(file, own, none)) files.push_back(file);
+    }
+  }
+  sweep::Store store = sweep.store({});
+  if (files.empty() && store.count() == 0) {
+    throw UsageError("--merge: no results.*.sqlite in the folders given");
+  }
+  for (const path& file : files) store.merge(file);
+  const std::int64_t missing = sweep.scenes->sample().size() - store.count();
+  if (missing == 0) write_results(options, sweep, store);
+  if (options.json) print_json(sweep, store, {}, missing == 0);
+  if (missing == 0) return kDone;
+  fmt::print(stderr,
+             "rotorub: {} of {} points are missing in {}: run the shards that are not done, and "
+             "merge again\n",
+             missing, sweep.scenes->sample().size(), own.string());
+  return kFailed;
+}
+
+// Shards that have points left. One that is locked is running.
+std::vector<int> open_shards(const Sweep& sweep, int tasks) {
+  const sweep::Batches batches = sweep::batches_of(*sweep.scenes);
+  std::vector<int> open;
+  for (int task = 1; task <= tasks; ++task) {
+    const sweep::Shard shard{task, tasks};
+    const std::int64_t of = batches.points_of(shard);
+    bool left = of > 0;
+    if (left && std::filesystem::exists(sweep.folder / shard.file())) {
+      try {
+        left = sweep.store(shard).count() < of;
+      } catch (const sweep::DatabaseError& error) {
+        if (!error.busy) throw;
+        left = false;
+      }
+    }
+    if (left) open.push_back(task);
+  }
+  return open;
+}
+
+// As asked for, or as the shards that are there; never more than there are batches.
+int tasks_of(const SweepArguments& options, const Sweep& sweep) {
+  constexpr int kDefaultTasks = 16;
+  const auto batches = std::max<std::int64_t>(sweep::batches_of(*sweep.scenes).count(), 1);
+  const int earlier = sweep::shards_in(sweep.folder);
+  const int wanted = options.tasks > 0 ? options.tasks : earlier > 0 ? earlier : kDefaultTasks;
+  const int tasks = static_cast<int>(std::min<std::int64_t>(wanted, batches));
+  if (earlier > 0 && earlier != tasks) {
+    throw UsageError(fmt::format(
+        "--tasks {}: {} holds results of {} shards, and other shards would run points again; give "
+        "--tasks {}, or another folder",
+        tasks, sweep.folder.string(), earlier, earlier));
+  }
+  return tasks;
+}
+
+int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
+  sweep::SlurmJob job;
+  job.program = std::filesystem::canonical("/proc/self/exe");
+  job.study = std::filesystem::canonical(options.study);
+  job.folder = std::filesystem::canonical(sweep.folder);
+  job.tasks = tasks_of(options, sweep);
+  job.jobs = options.jobs > 0 ? options.jobs : 1;
+  job.overrides = options.overrides;
+  const path script = job.folder / sweep::kSlurmFile;
+  write_whole(script, sweep::slurm_script(job));
+  const std::vector<int> open = open_shards(sweep, job.tasks);
+  const std::string join = fmt::format("rotorub sweep {} -o {} --merge {}", options.study,
+                                       sweep.folder.string(), sweep.folder.string());
+  if (open.empty()) {
+    if (options.json) std::cout << json_text({{"job", nullptr}, {"tasks", open}});
+    say(options, "every shard is done or running; join them:\n  " + join);
+    return kDone;
+  }
+  const std::string number = sweep::submit(script, open);
+  if (options.json) {
+    std::cout << json_text({{"job", number}, {"tasks", open}, {"script", script.string()}});
+  }
+  say(options, fmt::format("submitted {} as job {}, {} of {} tasks; when it is done:\n  {}",
+                           script.string(), number, open.size(), job.tasks, join));
+  return kDone;
+}
+
+int sweep_study(const SweepArguments& options) {
+  check_arguments(options);
+  Sweep sweep;
+  sweep.study = sweep::read_study(options.study);
+  sweep.scenes = std::make_unique<sweep::PointScenes>(sweep.study, options.overrides);
+  sweep.scenes->check();
+  sweep.folder = options.folder.empty() ? path("runs") / path(options.study).stem()
+                                        : path(options.folder);
+  const int processors = static_cast<int>(std::thread::hardware_concurrency());
+  sweep.jobs = options.jobs > 0 ? options.jobs : std::max(1, processors);
+  try {
+    sweep::keep_study(sweep.folder, *sweep.scenes);
+    if (!options.merge.empty()) return merge(options, sweep);
+    return options.slurm ? submit_to_slurm(options, sweep) : run_points(options, sweep);
+  } catch (const sweep::StoreMismatch& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace
+
+Command add_sweep_command(CLI::App& program) {
+  auto options = std::make_shared<SweepArguments>();
+  CLI::App* app = program.add_subcommand(
+      "sweep", "A scene over a grid, a Latin hypercube or a list of values; goes on where it was");
+  app->add_option("STUDY", options->study, "Study file (.toml)")->required();
+  app->add_option("-o,--output", options->folder, "Folder of the results (default: runs/<study>)")
+      ->type_name("DIR");
+  app->add_option("--jobs", options->jobs, "Threads (default: as many as processors)")
+      ->check(CLI::Range(1, 4096));
+  app->add_option("--shard", options->shard, "Part i of n alone, in a file of its own")
+      ->type_name("i/n");
+  app->add_flag("--slurm", options->slurm, "Write and submit an array job, each task a shard");
+  app->add_option("--tasks", options->tasks, "Tasks of the array job (default: 16)")
+      ->check(CLI::Range(1, sweep::kMostShards));
+  app->add_option("--merge", options->merge, "Join the results of these folders' shards")
+      ->type_name("DIR...");
+  add_common_options(*app, *options);
+  return {app, [options] { return sweep_study(*options); }};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,174 @@
+// Draws the maps of a sweep. A grid is a picture of one pixel a cell, with marks that cannot be seen
+// for the pointer; other points are marks of their own; one key is a curve.
+'use strict';
+(() => {
+  const {data, css, axes, layout, config} = page;
+  const {keys, figures, columns, values, status, statuses} = data;
+  const grid = data.kind === 'grid';
+  const choice = {x: 0, y: Math.min(1, keys.length - 1), fixed: keys.map(() => 0)};
+  const low2high = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725'];
+  const kinds = ['#4477aa', '#ee6677', '#228833', '#ccbb44', '#66ccee', '#aa3377', '#bbbbbb', '#997700'];
+  const failed = '#7f7f7f';
+
+  // ------------------------------------------------------------------ colours
+  const parts = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
+  function shade(share) {
+    const place = Math.min(Math.max(share, 0), 1) * (low2high.length - 1), first = Math.min(Math.floor(place), low2high.length - 2);
+    const a = parts(low2high[first]), b = parts(low2high[first + 1]);
+    return a.map((part, k) => Math.round(part + (place - first) * (b[k] - part)));
+  }
+  const scale = low2high.map((color, k) => [k / (low2high.length - 1), color]);
+
+  // Numbers of several decades are told apart by their logarithm.
+  function colours(column, chosen) {
+    const given = chosen.map((i) => column[i]).filter((v) => v !== null);
+    if (given.some((v) => typeof v === 'string')) {
+      const words = [...new Set(column.filter((v) => v !== null))].sort();
+      return {words, of: (v) => parts(kinds[words.indexOf(v) % kinds.length])};
+    }
+    let low = Infinity, high = -Infinity;
+    given.forEach((v) => { low = Math.min(low, v); high = Math.max(high, v); });
+    if (!given.length) { low = 0; high = 1; }
+    const log = low > 0 && high > 100 * low;
+    const place = (v) => (log ? Math.log10(v) : v);
+    const span = place(high) - place(low) || 1;
+    return {log, low: place(low), high: place(low) + span, place, of: (v) => shade((place(v) - place(low)) / span)};
+  }
+
+  // ------------------------------------------------------------------ axes
+  const title = (key) => key.name + (key.unit ? ' / ' + key.unit : '');
+  // Where a key's values stand: at themselves where they are even, else side by side.
+  function scaleOf(k) {
+    const key = keys[k];
+    if (!grid) return {at: (i) => values[k][i], axis: {type: key.log ? 'log' : undefined}};
+    const {values: list} = key, even = key.even && list.length > 1;
+    const first = even ? list[0] : 0, width = even ? (list[list.length - 1] - first) / (list.length - 1) : 1;
+    const at = (place) => first + width * place;
+    const every = Math.max(1, Math.ceil(list.length / 8)), ticks = list.map((_, i) => i).filter((i) => i % every === 0);
+    const named = even ? {} : {tickvals: ticks.map(at), ticktext: ticks.map((i) =>
+      (typeof list[i] === 'number' ? String(Number(list[i].toPrecision(3))) : list[i]))};
+    return {at, width, from: at(-0.5), to: at(list.length - 0.5), axis: named};
+  }
+  const axisOf = (k, range) => axes(Object.assign({title: {text: title(keys[k]), standoff: 6}, zeroline: false},
+    scaleOf(k).axis, range ? {range} : {}));
+
+  const valueOf = (k, i) => (grid ? keys[k].values[values[k][i]] : values[k][i]);
+  const shown = (v) => (v === null ? '' : typeof v === 'number' ? String(Number(v.toPrecision(6))) : v);
+  function words(i, f) {
+    const lines = keys.map((key, k) => key.name + ' = ' + shown(valueOf(k, i)) + ' ' + key.unit);
+    const what = columns[f][i] === null && status[i] !== 0 ? statuses[status[i]] :
+      figures[f].name + ' = ' + (columns[f][i] === null ? 'none' : shown(columns[f][i])) + ' ' + figures[f].unit;
+    return ['<b>' + what + '</b>', ...lines].join('<br>');
+  }
+
+  // Points of the maps: of a grid those whose other keys have the chosen values.
+  function chosen() {
+    const all = status.map((_, i) => i);
+    if (!grid) return all;
+    const others = keys.map((_, k) => k).filter((k) => k !== choice.x && k !== choice.y);
+    return all.filter((i) => others.every((k) => values[k][i] === choice.fixed[k]));
+  }
+
+  // ------------------------------------------------------------------ plots
+  function legendOf(colour, anyFailed) {
+    const entry = (name, color) => ({type: 'scatter', x: [null], y: [null], mode: 'markers', name, marker: {symbol: 'square', size: 12, color}});
+    return [...(colour.words || []).map((word, k) => entry(word, kinds[k % kinds.length])),
+      ...(anyFailed ? [entry('failed', failed)] : [])];
+  }
+  function barOf(colour, figure) {
+    if (colour.words) return {};
+    const ticks = {};
+    if (colour.log) {
+      const steps = Array.from({length: 6}, (_, k) => colour.low + (k / 5) * (colour.high - colour.low));
+      Object.assign(ticks, {tickvals: steps, ticktext: steps.map((v) => String(Number((10 ** v).toPrecision(2))))});
+    }
+    return {colorscale: scale, cmin: colour.low, cmax: colour.high, showscale: true,
+      colorbar: Object.assign({title: {text: figure.unit}, thickness: 14, outlinewidth: 0}, ticks)};
+  }
+
+  function picture(points, column, colour, x, y) {
+    const canvas = document.createElement('canvas');
+    canvas.width = keys[choice.x].values.length;
+    canvas.height = keys[choice.y].values.length;
+    const pen = canvas.getContext('2d');
+    points.forEach((i) => {
+      const at = values[choice.y][i];
+      pen.fillStyle = status[i] !== 0 ? failed : column[i] === null ? 'rgba(0,0,0,0)' : 'rgb(' + colour.of(column[i]).join() + ')';
+      pen.fillRect(values[choice.x][i], canvas.height - 1 - at, 1, 1);
+    });
+    return {source: canvas.toDataURL(), xref: 'x', yref: 'y', x: Math.min(x.from, x.to), y: Math.max(y.from, y.to),
+      sizex: Math.abs(x.to - x.from), sizey: Math.abs(y.to - y.from), sizing: 'stretch', layer: 'above'};
+  }
+
+  function drawMap(plot, f) {
+    const points = chosen(), column = columns[f], colour = colours(column, points);
+    const x = scaleOf(choice.x), y = scaleOf(choice.y), anyFailed = points.some((i) => status[i] !== 0);
+    const at = (scaleHere, k) => points.map((i) => scaleHere.at(grid ? values[k][i] : i));
+    const marker = Object.assign({size: grid ? 6 : 9, opacity: grid ? 0 : 0.9, color: points.map((i) =>
+      (status[i] !== 0 ? (colour.words || grid ? failed : null) : column[i] === null ? 'rgba(0,0,0,0)' :
+        colour.words ? 'rgb(' + colour.of(column[i]).join() + ')' : colour.place(column[i])))}, barOf(colour, figures[f]));
+    if (grid && !colour.words) marker.color = points.map((i) => (column[i] === null ? colour.low : colour.place(column[i])));
+    const trace = {type: 'scatter', mode: 'markers', x: at(x, choice.x), y: at(y, choice.y), marker, showlegend: false,
+      text: points.map((i) => words(i, f)), hovertemplate: '%{text}<extra></extra>'};
+    const entries = legendOf(colour, anyFailed);
+    Plotly.react(plot, [trace, ...entries], layout({hovermode: 'closest', hoverdistance: grid ? -1 : 20, showlegend: entries.length > 0,
+      legend: {orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}},
+      margin: {l: 64, r: 24, t: 30, b: 48}, images: grid ? [picture(points, column, colour, x, y)] : [],
+      xaxis: axisOf(choice.x, grid ? [x.from, x.to] : null), yaxis: axisOf(choice.y, grid ? [y.from, y.to] : null)}), config);
+  }
+
+  function drawCurve(plot, f) {
+    const points = chosen(), x = scaleOf(0);
+    const trace = {type: 'scatter', mode: figures[f].word || !grid ? 'markers' : 'lines+markers',
+      x: points.map((i) => x.at(grid ? values[0][i] : i)), y: points.map((i) => columns[f][i]),
+      text: points.map((i) => words(i, f)), hovertemplate: '%{text}<extra></extra>', line: {color: css('--native'), width: 1.5},
+      marker: {color: css('--native'), size: 6}};
+    Plotly.react(plot, [trace], layout({hovermode: 'closest', margin: {l: 64, r: 24, t: 10, b: 48}, xaxis: axisOf(0),
+      yaxis: axes({title: {text: figures[f].name + (figures[f].unit ? ' / ' + figures[f].unit : '')}})}), config);
+  }
+
+  // ------------------------------------------------------------------ what is chosen
+  const draw = () => document.querySelectorAll('figure').forEach((box) => {
+    const f = Number(box.querySelector('select').value);
+    box.querySelector('.meaning').textContent = figures[f].meaning;
+    (keys.length > 1 ? drawMap : drawCurve)(box.querySelector('.plot'), f);
+  });
+
+  function select(label, names, value, change) {
+    const box = document.createElement('label'), list = document.createElement('select');
+    names.forEach((name, k) => list.add(new Option(name, k, false, k === value)));
+    list.addEventListener('change', () => change(Number(list.value)));
+    box.append(label + ' ', list);
+    return box;
+  }
+
+  function axesBar() {
+    const bar = document.getElementById('axes'), names = keys.map(title), boxes = [];
+    const change = (which, other) => (k) => {
+      if (choice[other] === k) choice[other] = choice[which];
+      choice[which] = k;
+      axesBar();
+      draw();
+    };
+    if (keys.length > 1) {
+      boxes.push(select('across', names, choice.x, change('x', 'y')), select('up', names, choice.y, change('y', 'x')));
+    }
+    if (grid) {
+      keys.forEach((key, k) => {
+        if (k === choice.x || k === choice.y) return;
+        boxes.push(select(title(key) + ' =', key.values.map(shown), choice.fixed[k], (at) => { choice.fixed[k] = at; draw(); }));
+      });
+    }
+    bar.replaceChildren(...boxes);
+  }
+
+  document.querySelectorAll('select.figure').forEach((list) => {
+    figures.forEach((figure, f) => {
+      if (columns[f].some((v) => v !== null)) list.add(new Option(figure.name, f, false, figure.name === list.dataset.first));
+    });
+    if (!list.options.length) list.add(new Option(figures[0].name, 0));
+    list.addEventListener('change', draw);
+  });
+  axesBar();
+  page.start(draw);
+})();

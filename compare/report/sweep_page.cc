@@ -1,0 +1,216 @@
+#include "compare/report/sweep_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+
+#include "compare/report/assets.h"
+#include "compare/report/page_frame.h"
+#include "compare/report/rounded.h"
+#include "compare/report/template.h"
+#include "compare/study/json.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using sweep::ResultColumn;
+using sweep::SampleKind;
+using sweep::Statement;
+using sweep::Vary;
+
+constexpr int kDigits = 6;
+
+// A unit as the page writes it.
+struct Unit {
+  std::string name;
+  double per_si = 1.0;
+};
+Unit shown(const std::string& unit) {
+  if (unit == "rad/s") return {"Hz", 0.5 / std::numbers::pi};
+  return {unit, 1.0};
+}
+
+// The values of a key of a grid, in order.
+json grid_values(const Vary& vary, double per_si) {
+  json values = json::array();
+  for (std::int64_t i = 0; i < vary.count; ++i) {
+    if (vary.values.empty()) {
+      const double share =
+          vary.count > 1 ? static_cast<double>(i) / static_cast<double>(vary.count - 1) : 0.0;
+      values.push_back(rounded(per_si * sweep::between(vary, share), kDigits));
+      continue;
+    }
+    const sweep::Value& value = vary.values[static_cast<std::size_t>(i)];
+    values.push_back(value.number ? json(rounded(per_si * *value.number, kDigits))
+                                  : json(value.text));
+  }
+  return values;
+}
+
+json field(const Statement& row, int column, double per_si) {
+  if (row.is_nothing(column)) return nullptr;
+  if (row.is_text(column)) return row.text(column);
+  return rounded(per_si * row.number(column), kDigits);
+}
+
+// Places of words in the order in which they come.
+class Words {
+ public:
+  std::size_t place(const std::string& word) {
+    const auto found = std::find(words_.begin(), words_.end(), word);
+    if (found != words_.end()) return static_cast<std::size_t>(found - words_.begin());
+    words_.push_back(word);
+    return words_.size() - 1;
+  }
+  const std::vector<std::string>& words() const { return words_; }
+
+ private:
+  std::vector<std::string> words_;
+};
+
+// Place of each key's value in its list, of point `index` of a grid.
+std::vector<std::int64_t> places(const sweep::Study& study, std::int64_t index) {
+  std::vector<std::int64_t> all(study.vary.size());
+  for (std::size_t k = study.vary.size(); k-- > 0;) {
+    all[k] = index % study.vary[k].count;
+    index /= study.vary[k].count;
+  }
+  return all;
+}
+
+json keys_of(const sweep::Study& study, bool grid) {
+  json keys = json::array();
+  for (const Vary& vary : study.vary) {
+    const Unit unit = shown(vary.unit);
+    const bool even = vary.values.empty() && vary.spacing == sweep::Spacing::kLinear;
+    keys.push_back({{"name", vary.key}, {"unit", unit.name}, {"even", even},
+                    {"log", vary.spacing == sweep::Spacing::kLog}});
+    if (grid) keys.back()["values"] = grid_values(vary, unit.per_si);
+  }
+  return keys;
+}
+
+json figures_json() {
+  json all = json::array();
+  for (const ResultColumn& column : sweep::result_columns()) {
+    all.push_back({{"name", column.name},
+                   {"unit", shown(column.unit).name},
+                   {"meaning", column.meaning},
+                   {"word", column.type == ResultColumn::Type::kWord}});
+  }
+  return all;
+}
+
+json failures(sweep::Store& store, std::size_t keys) {
+  constexpr std::size_t kListed = 50;
+  json rows = json::array();
+  store.each([&](const Statement& row) {
+    const int status = static_cast<int>(keys) + 1;
+    if (rows.size() >= kListed || row.text(status) == "ok") return;
+    json values = json::array();
+    for (int k = 1; k < status; ++k) {
+      values.push_back(row.is_text(k) ? row.text(k) : fmt::format("{:.6g}", row.number(k)));
+    }
+    rows.push_back({{"point", row.whole(0)},
+                    {"values", values},
+                    {"status", row.text(status)},
+                    {"reason", row.text(status + 1)}});
+  });
+  return rows;
+}
+
+json card(const std::string& title, const std::string& tone, const std::string& headline,
+          const std::string& text) {
+  return {{"title", title}, {"tone", tone}, {"headline", headline}, {"text", text}};
+}
+
+json cards_of(sweep::Store& store) {
+  const auto counts = store.count_by_status();
+  const std::int64_t all = store.count();
+  const auto ok = counts.contains("ok") ? counts.at("ok") : 0;
+  std::string others;
+  for (const auto& [status, count] : counts) {
+    if (status != "ok") others += fmt::format("{}{} {}", others.empty() ? "" : ", ", count, status);
+  }
+  std::map<std::string, std::int64_t> attractors;
+  std::optional<double> peak;
+  std::int64_t peak_point = 0;
+  const auto names = store.names();
+  const auto at = [&](const char* name) {
+    return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+  };
+  const int force = at("peak_force"), attractor = at("attractor");
+  store.each([&](const Statement& row) {
+    if (!row.is_nothing(attractor)) ++attractors[row.text(attractor)];
+    if (row.is_nothing(force) || (peak && *peak >= row.number(force))) return;
+    peak = row.number(force);
+    peak_point = row.whole(0);
+  });
+  std::string kinds;
+  for (const auto& [name, count] : attractors) {
+    kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, name);
+  }
+  return json::array(
+      {card("Points", ok == all ? "good" : "bad", fmt::format("{} of {} ran to their end", ok, all),
+            others.empty() ? "none failed" : others),
+       card("Attractors", "", fmt::format("{} kinds", attractors.size()), kinds),
+       card("Largest peak force", "", peak ? fmt::format("{:.4g} N", *peak) : "none",
+            peak ? fmt::format("point {}", peak_point) : "")});
+}
+
+}  // namespace
+
+json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sweep::Study& study) {
+  const std::int64_t every = (scenes.sample().size() + kMostDrawn - 1) / kMostDrawn;
+  const bool grid = study.kind == SampleKind::kGrid && every == 1;
+  const auto columns = sweep::result_columns();
+  const std::size_t keys = study.vary.size();
+  json values(keys, json::array()), figures(columns.size(), json::array()), status = json::array();
+  Words statuses;
+  statuses.place("ok");
+  store.each([&](const Statement& row) {
+    const std::int64_t point = row.whole(0);
+    if (point % every != 0) return;
+    const auto place = grid ? places(study, point) : std::vector<std::int64_t>();
+    for (std::size_t k = 0; k < keys; ++k) {
+      const int column = static_cast<int>(k) + 1;
+      values[k].push_back(grid ? json(place[k])
+                               : field(row, column, shown(study.vary[k].unit).per_si));
+    }
+    status.push_back(statuses.place(row.text(static_cast<int>(keys) + 1)));
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      figures[k].push_back(
+          field(row, static_cast<int>(keys + 3 + k), shown(columns[k].unit).per_si));
+    }
+  });
+  return {{"kind", grid ? "grid" : "marks"}, {"keys", keys_of(study, grid)},
+          {"figures", figures_json()},       {"values", values},
+          {"columns", figures},              {"status", status},
+          {"statuses", statuses.words()},    {"every", every}};
+}
+
+std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
+                       const sweep::Study& study) {
+  const json plots = sweep_plots(scenes, store, study);
+  json values = page_frame(sweep_js(), plots);
+  json headings = json::array();
+  for (const Vary& vary : study.vary) headings.push_back({{"key", vary.key}, {"unit", vary.unit}});
+  const std::string scene = study.scene.stem().string();
+  values["name"] = scene;
+  values["cards"] = cards_of(store);
+  values["two"] = study.vary.size() > 1;
+  const auto every = plots["every"].get<std::int64_t>();
+  values["thinned"] = every > 1 ? std::to_string(every) : "";
+  values["keys"] = headings;
+  values["failures"] = failures(store, study.vary.size());
+  values["figures"] = plots["figures"];
+  values["study"] = study.text;
+  values["scene"] = scenes.scene_text();
+  return fill_template(sweep_html(), values);
+}
+
+}  // namespace rotorub

@@ -1,0 +1,26 @@
+// The page of `rotorub sweep`: one HTML file with everything in it. Maps of any two varied keys:
+// cells for a grid, marks for other points; for one key a curve.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "compare/sweep/point_scene.h"
+#include "compare/sweep/store.h"
+
+namespace rotorub {
+
+// The store holds all points.
+std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
+                       const sweep::Study& study);
+
+// A browser draws so many; of more, every n-th is taken, and marks stand for the cells.
+inline constexpr std::int64_t kMostDrawn = 50'000;
+
+// What the page's script draws: "kind" (grid, marks), "keys" and "figures" (name, unit, ...),
+// "values" (a list for each key: places in its values, or numbers), "columns" (a list for each
+// figure), "status" (places in "statuses").
+nlohmann::json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store,
+                           const sweep::Study& study);
+
+}  // namespace rotorub

@@ -1,0 +1,123 @@
+#include "compare/sweep/database.h"
+
+#include <sqlite3.h>
+
+namespace rotorub::sweep {
+namespace {
+
+std::string doubled(const std::string& text, char quote) {
+  std::string out(1, quote);
+  for (const char c : text) out.append(c == quote ? 2 : 1, c);
+  return out + quote;
+}
+
+}  // namespace
+
+std::string quoted_name(const std::string& name) { return doubled(name, '"'); }
+std::string quoted_text(const std::string& text) { return doubled(text, '\''); }
+
+void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const {
+  sqlite3_finalize(statement);
+}
+
+Database::Database(const std::filesystem::path& file, Mode mode) : file_(file.string()) {
+  sqlite3* opened = nullptr;
+  const int flags = mode == Mode::kRead ? SQLITE_OPEN_READWRITE
+                                        : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  const int code = sqlite3_open_v2(file_.c_str(), &opened, flags, nullptr);
+  database_.reset(opened);
+  if (code != SQLITE_OK) fail(code);
+  if (mode == Mode::kRead) return;
+  // A rollback journal, synced: what is committed outlives the process and the machine, also on the
+  // network's file systems, where a write-ahead log does not work.
+  execute("PRAGMA journal_mode = DELETE");
+  execute("PRAGMA synchronous = FULL");
+  execute("PRAGMA locking_mode = EXCLUSIVE");
+  execute("BEGIN EXCLUSIVE");
+  execute("COMMIT");
+}
+
+void Database::fail(int code) const {
+  const int kind = code & 0xff;
+  const bool busy = kind == SQLITE_BUSY || kind == SQLITE_LOCKED;
+  const std::string why = database_ ? sqlite3_errmsg(database_.get()) : sqlite3_errstr(code);
+  throw DatabaseError(
+      file_ + ": " + (busy ? "another sweep is at work on it (" + why + ")" : why), busy);
+}
+
+void Database::execute(const std::string& sql) {
+  const int code = sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) fail(code);
+}
+
+Statement::Statement(Database& database, const std::string& sql) : database_(&database) {
+  sqlite3_stmt* prepared = nullptr;
+  const int code =
+      sqlite3_prepare_v2(database.database_.get(), sql.c_str(), -1, &prepared, nullptr);
+  statement_.reset(prepared);
+  if (code != SQLITE_OK) database.fail(code);
+}
+
+void Statement::bind(int place, std::int64_t value) {
+  sqlite3_bind_int64(statement_.get(), place, value);
+}
+void Statement::bind(int place, double value) {
+  sqlite3_bind_double(statement_.get(), place, value);
+}
+void Statement::bind(int place, const std::string& value) {
+  sqlite3_bind_text(statement_.get(), place, value.data(), static_cast<int>(value.size()),
+                    SQLITE_TRANSIENT);
+}
+void Statement::bind_nothing(int place) { sqlite3_bind_null(statement_.get(), place); }
+
+bool Statement::step() {
+  const int code = sqlite3_step(statement_.get());
+  if (code != SQLITE_ROW && code != SQLITE_DONE) database_->fail(code);
+  return code == SQLITE_ROW;
+}
+
+void Statement::run() {
+  while (step()) {
+  }
+  sqlite3_reset(statement_.get());
+}
+
+int Statement::columns() const { return sqlite3_column_count(statement_.get()); }
+bool Statement::is_nothing(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+bool Statement::is_text(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_TEXT;
+}
+bool Statement::is_whole(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_INTEGER;
+}
+std::int64_t Statement::whole(int column) const {
+  return sqlite3_column_int64(statement_.get(), column);
+}
+double Statement::number(int column) const {
+  return sqlite3_column_double(statement_.get(), column);
+}
+std::string Statement::text(int column) const {
+  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+  return text ? std::string(text, static_cast<std::size_t>(
+                                      sqlite3_column_bytes(statement_.get(), column)))
+              : std::string();
+}
+
+Transaction::~Transaction() {
+  if (!open_) return;
+  try {
+    database_->execute("ROLLBACK");
+  } catch (const DatabaseError&) {
+    // It was rolled back by what failed.
+  }
+}
+
+void Transaction::commit() {
+  database_->execute("COMMIT");
+  open_ = false;
+}
+
+}  // namespace rotorub::sweep

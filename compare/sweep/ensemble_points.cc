@@ -1,0 +1,167 @@
+#include "compare/sweep/ensemble_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "compare/engine/engine.h"
+#include "compare/sweep/point_scene.h"
+#include "compare/sweep/single_point.h"
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/stepping/ensemble.h"
+#include "native_model/stepping/lane_model.h"
+#include "native_model/system/model_checks.h"
+#include "native_model/system/run_size.h"
+#include "native_model/trajectory/range_check.h"
+
+namespace rotorub::sweep {
+namespace {
+
+// Points that are run at once.
+struct Group {
+  double step = 0.0, end = 0.0;  // s
+  std::vector<const PointScene*> points;
+  std::vector<Model> models;
+
+  bool takes(const PointScene& point, const Model& model) const {
+    return step == point.scene.run.step && end == point.scene.run.end &&
+           same_structure(models.front(), model);
+  }
+};
+
+std::int64_t steps_of(const Group& group) {
+  return static_cast<std::int64_t>(std::ceil(group.end / group.step - 1e-9));
+}
+
+// The steps nearest to the rows that tell where a run has settled.
+std::vector<std::int64_t> rows_of(const Group& group) {
+  std::vector<std::int64_t> rows;
+  for (int row = 0; row < kSettledRows; ++row) {
+    const double at = settled_row(group.end, row) / group.step;
+    rows.push_back(std::min(steps_of(group), static_cast<std::int64_t>(std::llround(at))));
+  }
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
+// What the looks at a run gather.
+struct Seen {
+  LastPart part;
+  std::int64_t impacts_before = -1;  // the last part; -1: not there yet
+  bool lost = false;                 // out of range, or no longer finite
+
+  void look(const EnsembleLook& look, const Model& model, double step) {
+    const ContactPoint p = contact_point(model, look.q, look.v);
+    RelativePoint point;
+    point.t = static_cast<double>(look.k) * step;
+    point.delta = p.delta;
+    point.angle = std::atan2(p.d.y(), p.d.x());
+    point.whirl_speed = p.has_normal ? p.whirl_speed() : 0.0;
+    point.angle_rate = p.has_normal ? point.whirl_speed / p.delta : 0.0;
+    part.points.push_back(point);
+    part.normal_force.push_back(look.normal_force);
+    part.slip.push_back(p.slip);
+    part.spin_speed.push_back(spin_speed(model, look.v));
+    if (impacts_before < 0) impacts_before = look.impacts;
+    part.impacts = static_cast<std::size_t>(look.impacts - impacts_before);
+    lost = lost || !std::isfinite(p.delta) || !std::isfinite(p.slip) ||
+           out_of_range(model, look.q).has_value();
+  }
+};
+
+Figures figures_of(const EnsembleRun& run, const Group& group, Seen& seen) {
+  Figures f;
+  f.end = group.end;
+  f.steps = steps_of(group);
+  if (run.first_touch >= 0.0) f.first_touch = run.first_touch;
+  f.impacts = run.impacts;
+  f.contact_fraction = run.contact_fraction(group.end, group.step);
+  f.mean_force = run.mean_force(group.end);
+  f.peak_force = run.peak_impulse / group.step;
+  f.impulse_total = run.impulse_total;
+  seen.part.from = (1.0 - kSettledShare) * group.end;
+  f.settled = settled(seen.part);
+  return f;
+}
+
+bool finite(const EnsembleRun& run) {
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  return std::isfinite(run.impulse_total) && std::isfinite(run.peak_impulse) &&
+         std::all_of(run.q.begin(), run.q.end(), is_finite) &&
+         std::all_of(run.v.begin(), run.v.end(), is_finite);
+}
+
+// Alone, for the words of its failure. What its bits alone do not show is told by the ensemble.
+std::optional<PointResult> run_again(const PointScene& point, scene::Integrator integrator,
+                                     Status status, const std::atomic<bool>& interrupt) {
+  auto result = run_single(point.point, point.scene, *native_engine(integrator), interrupt);
+  if (!result || !result->ok()) return result;
+  result->status = to_string(status);
+  result->reason = "seen in the ensemble alone";
+  result->figures.reset();
+  return result;
+}
+
+void run_group(const Group& group, scene::Integrator integrator, const std::atomic<bool>& interrupt,
+               std::vector<PointResult>& out) {
+  std::vector<Seen> seen(group.points.size());
+  EnsembleWatch watch;
+  watch.steps = rows_of(group);
+  watch.interrupt = &interrupt;
+  watch.look = [&](const EnsembleLook& look) {
+    seen[look.run].look(look, group.models[look.run], group.step);
+  };
+  Ensemble ensemble(group.models, group.step, integrator);
+  const std::vector<EnsembleRun> runs = ensemble.run(steps_of(group), watch);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const PointScene& point = *group.points[i];
+    Status status = runs[i].status;
+    if (status == Status::kInterrupted) continue;
+    if (status == Status::kOk && !finite(runs[i])) status = Status::kDiverged;
+    if (status == Status::kOk && seen[i].lost) status = Status::kOutOfRange;
+    if (status == Status::kOk) {
+      PointResult result;
+      result.point = point.point;
+      result.figures = figures_of(runs[i], group, seen[i]);
+      out.push_back(std::move(result));
+    } else if (auto result = run_again(point, integrator, status, interrupt)) {
+      out.push_back(std::move(*result));
+    }
+  }
+}
+
+}  // namespace
+
+bool has_ensemble(scene::Integrator integrator) {
+  return integrator == scene::Integrator::kPaper || integrator == scene::Integrator::kVerlet;
+}
+
+std::vector<PointResult> run_ensembles(const std::vector<PointScene>& points,
+                                       scene::Integrator integrator,
+                                       const std::atomic<bool>& interrupt) {
+  std::vector<PointResult> out;
+  std::vector<Group> groups;
+  for (const PointScene& point : points) {
+    try {
+      Model model = make_model(point.scene);
+      check_steps(point.scene, point.scene.run.step);
+      refuse_finite_impacts(point.scene, integrator == scene::Integrator::kVerlet
+                                             ? FiniteImpacts::kUnsampled
+                                             : FiniteImpacts::kNone);
+      auto group = std::find_if(groups.begin(), groups.end(),
+                                [&](const Group& g) { return g.takes(point, model); });
+      if (group == groups.end()) {
+        groups.push_back({point.scene.run.step, point.scene.run.end, {}, {}});
+        group = std::prev(groups.end());
+      }
+      group->points.push_back(&point);
+      group->models.push_back(std::move(model));
+    } catch (const scene::SceneError& error) {
+      out.push_back(refused(point.point, reason_of(error)));
+    }
+  }
+  for (const Group& group : groups) run_group(group, integrator, interrupt, out);
+  return out;
+}
+
+}  // namespace rotorub::sweep

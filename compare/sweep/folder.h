@@ -1,0 +1,26 @@
+// The folder of a sweep: the study, the scene, the results of it or of its shards, and at the end
+// results.csv and sweep.html.
+#pragma once
+
+#include <filesystem>
+
+#include "compare/sweep/point_scene.h"
+#include "compare/sweep/store.h"
+
+namespace rotorub::sweep {
+
+inline constexpr const char* kStudyFile = "study.toml";
+inline constexpr const char* kSceneFile = "scene.toml";
+inline constexpr const char* kCsvFile = "results.csv";
+inline constexpr const char* kPageFile = "sweep.html";
+
+StudyIdentity identity_of(const PointScenes& scenes);
+
+// Makes the folder and keeps study and scene in it, with the overrides of the command line. Throws
+// StoreMismatch where there are results of another study.
+void keep_study(const std::filesystem::path& folder, const PointScenes& scenes);
+
+// Takes away what a killed sweep left of files that it was writing. Nobody else may be writing.
+void remove_parts(const std::filesystem::path& folder);
+
+}  // namespace rotorub::sweep

@@ -1,0 +1,65 @@
+#include "compare/sweep/point_result.h"
+
+namespace rotorub::sweep {
+namespace {
+
+using Type = ResultColumn::Type;
+using Number = std::optional<double>;
+
+template <auto Member>
+Number member(const Figures& f) {
+  if constexpr (std::is_same_v<std::decay_t<decltype(f.*Member)>, Number>) {
+    return f.*Member;
+  } else {
+    return static_cast<double>(f.*Member);
+  }
+}
+template <auto Member>
+Number last(const Figures& f) {
+  return f.settled.*Member;
+}
+const char* attractor(const Figures& f) { return to_string(f.settled.attractor); }
+
+const ResultColumn kColumns[] = {
+    {"end", Type::kNumber, "s", "time reached", member<&Figures::end>, nullptr},
+    {"steps", Type::kWhole, "", "steps of the integrator", member<&Figures::steps>, nullptr},
+    {"first_touch", Type::kNumber, "s", "first contact; empty: never touched",
+     member<&Figures::first_touch>, nullptr},
+    {"impacts", Type::kWhole, "", "impacts that close faster than 0.1 mm/s",
+     member<&Figures::impacts>, nullptr},
+    {"contact_fraction", Type::kNumber, "", "share of the time from first touch in contact",
+     member<&Figures::contact_fraction>, nullptr},
+    {"mean_force", Type::kNumber, "N", "normal impulse over the time from first touch",
+     member<&Figures::mean_force>, nullptr},
+    {"peak_force", Type::kNumber, "N", "largest normal impulse of one run.step / run.step",
+     member<&Figures::peak_force>, nullptr},
+    {"impulse_total", Type::kNumber, "N s", "all normal impulse", member<&Figures::impulse_total>,
+     nullptr},
+    {"attractor", Type::kWord, "", "what the last fifth of the run is", nullptr, attractor},
+    {"contact_share", Type::kNumber, "", "share of the last fifth's rows in contact",
+     last<&Settled::contact_share>, nullptr},
+    {"whirl_frequency", Type::kNumber, "rad/s",
+     "mean whirl over the last fifth, forward positive", last<&Settled::whirl_frequency>, nullptr},
+    {"spin_speed", Type::kNumber, "rad/s", "mean spin speed over the last fifth",
+     last<&Settled::spin_speed>, nullptr},
+    {"peak_impulse", Type::kNumber, "N s", "largest normal impulse of one impact",
+     member<&Figures::peak_impulse>, nullptr},
+    {"friction_work", Type::kNumber, "J", "what friction took, never positive",
+     member<&Figures::friction_work>, nullptr},
+    {"max_penetration", Type::kNumber, "m", "deepest penetration",
+     member<&Figures::max_penetration>, nullptr},
+    {"energy_residual", Type::kNumber, "", "imbalance of the energy over the largest energy met",
+     member<&Figures::energy_residual>, nullptr},
+};
+
+}  // namespace
+
+std::span<const ResultColumn> result_columns() { return kColumns; }
+
+double settled_row(double end, int row) {
+  const double from = (1.0 - kSettledShare) * end;
+  if (row == kSettledRows - 1) return end;
+  return from + (end - from) * static_cast<double>(row) / static_cast<double>(kSettledRows - 1);
+}
+
+}  // namespace rotorub::sweep

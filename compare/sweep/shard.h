@@ -1,0 +1,34 @@
+// A part of a study's points: shard i of n has every n-th batch. Which points are in a batch
+// depends on the study alone.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace rotorub::sweep {
+
+struct Shard {
+  int number = 1, count = 1;  // number in [1, count]
+
+  bool whole() const { return count == 1; }
+  bool has(std::int64_t batch) const { return batch % count == number - 1; }
+  std::string file() const;  // of its results: results.sqlite, or results.2-of-4.sqlite
+};
+
+inline constexpr int kMostShards = 10000;
+
+// "2/4". Throws std::invalid_argument with what is accepted.
+Shard parse_shard(const std::string& text);
+
+// Points of each batch: `size` of them, the last one the rest.
+struct Batches {
+  std::int64_t points = 0, size = 1;
+  std::int64_t count() const { return (points + size - 1) / size; }
+  std::int64_t begin(std::int64_t batch) const { return batch * size; }
+  std::int64_t end(std::int64_t batch) const {
+    return points < (batch + 1) * size ? points : (batch + 1) * size;
+  }
+  std::int64_t points_of(const Shard& shard) const;
+};
+
+}  // namespace rotorub::sweep

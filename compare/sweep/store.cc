@@ -1,0 +1,200 @@
+#include "compare/sweep/store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "compare/version.h"
+
+namespace rotorub::sweep {
+namespace {
+
+constexpr const char* kFormat = "1";  // of the tables
+
+std::map<std::string, std::string> read_meta(Database& database, const std::string& schema) {
+  std::map<std::string, std::string> meta;
+  Statement rows(database, "SELECT key, value FROM " + schema + ".meta");
+  while (rows.step()) meta[rows.text(0)] = rows.text(1);
+  return meta;
+}
+
+const char* sql_type(ResultColumn::Type type) {
+  switch (type) {
+    case ResultColumn::Type::kNumber: return "REAL";
+    case ResultColumn::Type::kWhole: return "INTEGER";
+    case ResultColumn::Type::kWord: return "TEXT";
+  }
+  return "";
+}
+
+void bind(Statement& insert, int place, const ResultColumn& column, const Figures& figures) {
+  if (column.type == ResultColumn::Type::kWord) return insert.bind(place, column.word(figures));
+  const std::optional<double> value = column.number(figures);
+  if (!value) {
+    insert.bind_nothing(place);
+  } else if (column.type == ResultColumn::Type::kWhole) {
+    insert.bind(place, static_cast<std::int64_t>(*value));
+  } else {
+    insert.bind(place, *value);
+  }
+}
+
+}  // namespace
+
+Store::Store(const std::filesystem::path& file, const Study& study, const StudyIdentity& identity,
+             const Shard& shard)
+    : study_(&study), identity_(identity), shard_(shard), database_(file, Database::Mode::kWrite) {
+  Statement tables(database_, "SELECT count(*) FROM sqlite_master WHERE name = 'meta'");
+  tables.step();
+  if (tables.whole(0) == 0) make_tables();
+  check("main", file.string());
+}
+
+void Store::make_tables() {
+  Transaction transaction(database_);
+  database_.execute("CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL)");
+  Statement insert(database_, "INSERT INTO meta VALUES (?, ?)");
+  for (const auto& [key, value] : std::initializer_list<std::pair<const char*, std::string>>{
+           {"format", kFormat},
+           {"version", program_version()},
+           {"study", identity_.hash},
+           {"points", std::to_string(identity_.points)},
+           {"shard", fmt::format("{}/{}", shard_.number, shard_.count)}}) {
+    insert.bind(1, key);
+    insert.bind(2, value);
+    insert.run();
+  }
+  std::string columns = "point INTEGER PRIMARY KEY";
+  for (const Vary& vary : study_->vary) columns += ", " + quoted_name(vary.key);
+  columns += ", status TEXT NOT NULL, reason TEXT NOT NULL";
+  for (const ResultColumn& column : result_columns()) {
+    columns += fmt::format(", {} {}", quoted_name(column.name), sql_type(column.type));
+  }
+  database_.execute("CREATE TABLE points (" + columns + ")");
+  transaction.commit();
+}
+
+void Store::check(const std::string& schema, const std::string& file) {
+  const auto meta = read_meta(database_, schema);
+  const auto value = [&](const char* key) {
+    const auto found = meta.find(key);
+    return found == meta.end() ? std::string() : found->second;
+  };
+  if (value("format") != kFormat) {
+    throw StoreMismatch(file + ": no results of a sweep that this version can read");
+  }
+  if (value("study") != identity_.hash) {
+    throw StoreMismatch(file +
+                        ": holds results of another study (the study, its scene or --set has "
+                        "changed); give another folder with -o, or remove this file");
+  }
+  if (value("version") != program_version()) {
+    throw StoreMismatch(fmt::format(
+        "{}: was begun by version {}, this is {}; give another folder with -o, or remove this file",
+        file, value("version"), program_version()));
+  }
+}
+
+std::vector<std::string> Store::names() const {
+  std::vector<std::string> all{"point"};
+  for (const Vary& vary : study_->vary) all.push_back(vary.key);
+  all.insert(all.end(), {"status", "reason"});
+  for (const ResultColumn& column : result_columns()) all.emplace_back(column.name);
+  return all;
+}
+
+std::vector<bool> Store::done() {
+  std::vector<bool> all(static_cast<std::size_t>(identity_.points), false);
+  Statement rows(database_, "SELECT point FROM points");
+  while (rows.step()) all.at(static_cast<std::size_t>(rows.whole(0))) = true;
+  return all;
+}
+
+void Store::add(std::span<const PointResult> results, const Sample& sample) {
+  std::string places = "?";
+  for (std::size_t k = 1; k < names().size(); ++k) places += ", ?";
+  Transaction transaction(database_);
+  Statement insert(database_, "INSERT INTO points VALUES (" + places + ")");
+  for (const PointResult& result : results) {
+    int place = 1;
+    insert.bind(place++, result.point);
+    for (const Value& value : sample.at(result.point)) {
+      if (value.number) {
+        insert.bind(place++, *value.number);
+      } else {
+        insert.bind(place++, value.text);
+      }
+    }
+    insert.bind(place++, result.status);
+    insert.bind(place++, result.reason);
+    for (const ResultColumn& column : result_columns()) {
+      if (result.figures) {
+        bind(insert, place++, column, *result.figures);
+      } else {
+        insert.bind_nothing(place++);
+      }
+    }
+    insert.run();
+  }
+  transaction.commit();
+}
+
+void Store::merge(const std::filesystem::path& other) {
+  // Opened once by itself: a file that is not there must not be made, and one that a sweep is at
+  // work on is told from one that is no database.
+  { Database look(other, Database::Mode::kRead); }
+  database_.execute("ATTACH DATABASE " + quoted_text(other.string()) + " AS other");
+  check("other", other.string());
+  Statement differing(database_,
+                      "SELECT point FROM (SELECT * FROM other.points WHERE point IN "
+                      "(SELECT point FROM main.points) EXCEPT SELECT * FROM main.points) "
+                      "ORDER BY point LIMIT 1");
+  if (differing.step()) {
+    throw StoreMismatch(fmt::format("{}: point {} differs from the one that is there already",
+                                    other.string(), differing.whole(0)));
+  }
+  Transaction transaction(database_);
+  database_.execute("INSERT OR IGNORE INTO main.points SELECT * FROM other.points");
+  transaction.commit();
+  database_.execute("DETACH DATABASE other");
+}
+
+std::int64_t Store::count() {
+  Statement rows(database_, "SELECT count(*) FROM points");
+  rows.step();
+  return rows.whole(0);
+}
+
+std::map<std::string, std::int64_t> Store::count_by_status() {
+  std::map<std::string, std::int64_t> counts;
+  Statement rows(database_, "SELECT status, count(*) FROM points GROUP BY status");
+  while (rows.step()) counts[rows.text(0)] = rows.whole(1);
+  return counts;
+}
+
+void Store::each(const std::function<void(const Statement&)>& row) {
+  Statement rows(database_, "SELECT * FROM points ORDER BY point");
+  while (rows.step()) row(rows);
+}
+
+std::vector<std::filesystem::path> result_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("results.") && name.ends_with(".sqlite")) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+int shards_in(const std::filesystem::path& folder) {
+  for (const auto& file : result_files(folder)) {
+    int number = 0, count = 0;
+    const std::string name = file.filename().string();
+    if (std::sscanf(name.c_str(), "results.%d-of-%d.sqlite", &number, &count) == 2) return count;
+  }
+  return 0;
+}
+
+}  // namespace rotorub::sweep

@@ -1,0 +1,143 @@
+#include "compare/sweep/study_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "native_model/scene/printable.h"
+
+namespace rotorub::sweep {
+namespace {
+
+using scene::TomlNode;
+using Kind = TomlNode::Kind;
+
+// "force[0].amplitude" and "force.0.amplitude" without the elements: "force.amplitude".
+std::string without_elements(std::string_view path) {
+  std::string text;
+  while (!path.empty()) {
+    const std::string_view part = path.substr(0, path.find('.'));
+    path.remove_prefix(std::min(part.size() + 1, path.size()));
+    const std::string_view name = part.substr(0, part.find('['));
+    const bool number =
+        std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!number) text += (text.empty() ? "" : ".") + std::string(name);
+  }
+  return text;
+}
+
+}  // namespace
+
+StudyTable::StudyTable(const TomlNode& node, std::string path,
+                       std::initializer_list<std::string_view> keys,
+                       std::vector<scene::Diagnostic>& diagnostics)
+    : node_(&node), path_(std::move(path)), diagnostics_(&diagnostics) {
+  const std::vector<std::string_view> known(keys);
+  for (const auto& [name, value] : node.entries) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string_view meant = scene::nearest(name, known);
+    fail(name, meant.empty() ? "unknown key; accepted: " + scene::join(known)
+                             : fmt::format("unknown key, did you mean `{}`? accepted: {}", meant,
+                                           scene::join(known)));
+  }
+}
+
+std::string StudyTable::path_of(std::string_view key) const {
+  return path_.empty() || key.empty() ? path_ + std::string(key) : path_ + "." + std::string(key);
+}
+
+void StudyTable::fail(std::string_view key, std::string reason) const {
+  const TomlNode* at = node_->find(key);
+  diagnostics_->push_back(
+      {node_->file, at ? at->line : node_->line, path_of(key), std::move(reason)});
+}
+
+void StudyTable::missing(std::string_view key, const std::string& expected) const {
+  fail(key, "missing: expected " + expected);
+}
+
+std::optional<std::string> StudyTable::text(std::string_view key) const {
+  const TomlNode* value = find(key);
+  if (value == nullptr || value->kind == Kind::kFaulty) return std::nullopt;
+  if (value->kind == Kind::kString && !value->text.empty()) return value->text;
+  fail(key, fmt::format("expected a string, got {}",
+                        value->kind == Kind::kString ? "an empty one" : kind_name(value->kind)));
+  return std::nullopt;
+}
+
+std::optional<std::string> StudyTable::word(std::string_view key,
+                                            std::span<const std::string_view> words) const {
+  const auto given = text(key);
+  if (!given || std::find(words.begin(), words.end(), *given) != words.end()) return given;
+  fail(key, fmt::format("`{}`; accepted: {}", scene::printable(*given), scene::join(words)));
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> StudyTable::whole(std::string_view key, std::int64_t least,
+                                              std::int64_t most) const {
+  const TomlNode* value = find(key);
+  if (value == nullptr || value->kind == Kind::kFaulty) return std::nullopt;
+  if (value->kind == Kind::kInteger && value->integer >= least && value->integer <= most) {
+    return value->integer;
+  }
+  fail(key, fmt::format("expected a whole number in [{}, {}], got {}", least, most,
+                        value->kind == Kind::kInteger ? std::to_string(value->integer)
+                                                      : std::string(kind_name(value->kind))));
+  return std::nullopt;
+}
+
+std::optional<double> StudyTable::number(std::string_view key,
+                                         const scene::Quantity& quantity) const {
+  const TomlNode* value = find(key);
+  return value ? number(*value, std::string(key), quantity) : std::nullopt;
+}
+
+std::optional<double> StudyTable::number(const TomlNode& value, const std::string& key,
+                                         const scene::Quantity& quantity) const {
+  std::string reason;
+  switch (value.kind) {
+    case Kind::kFaulty: return std::nullopt;
+    case Kind::kInteger: return static_cast<double>(value.integer);
+    case Kind::kFloat:
+      if (std::isfinite(value.number)) return value.number;
+      reason = "is not finite; expected " + std::string(quantity.name);
+      break;
+    case Kind::kString: {
+      const auto parsed = scene::parse_quantity(value.text, quantity);
+      if (parsed.error.empty()) return parsed.value;
+      reason = parsed.error;
+      break;
+    }
+    default:
+      reason = fmt::format("expected {} ({}), got {}", quantity.name, quantity.examples,
+                           kind_name(value.kind));
+  }
+  diagnostics_->push_back({value.file, value.line, path_of(key), std::move(reason)});
+  return std::nullopt;
+}
+
+const scene::Key* scene_key(std::string_view path, std::string& reason) {
+  const std::string plain = without_elements(path);
+  if (scene::find_table(plain) != nullptr) return nullptr;
+  const std::size_t dot = plain.rfind('.');
+  const scene::Table* table =
+      dot == std::string::npos ? nullptr : scene::find_table(plain.substr(0, dot));
+  if (table != nullptr) {
+    if (const scene::Key* key = table->find(plain.substr(dot + 1))) return key;
+  }
+  std::vector<std::string> all;
+  for (const scene::Table& t : scene::tables()) {
+    for (const scene::Key& key : t.keys) {
+      all.push_back(std::string(t.path) + "." + std::string(key.name));
+    }
+  }
+  const std::vector<std::string_view> known(all.begin(), all.end());
+  const std::string_view meant = scene::nearest(plain, known);
+  reason = fmt::format("`{}` is no key of a scene", scene::printable(path));
+  if (!meant.empty()) reason += fmt::format(", did you mean `{}`?", meant);
+  reason += "; accepted: table.key or table[element].key, as contact.friction or "
+            "force[0].amplitude (mjcf/README.md lists them)";
+  return nullptr;
+}
+
+}  // namespace rotorub::sweep

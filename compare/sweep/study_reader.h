@@ -1,0 +1,50 @@
+// The tables of a study, key by key, with every mistake kept.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "native_model/scene/schema.h"
+#include "native_model/scene/toml_source.h"
+
+namespace rotorub::sweep {
+
+// One table: what is asked of it is what it may hold.
+class StudyTable {
+ public:
+  // `path`: for diagnostics, "vary[1]". `keys`: all that it may hold.
+  StudyTable(const scene::TomlNode& node, std::string path,
+             std::initializer_list<std::string_view> keys,
+             std::vector<scene::Diagnostic>& diagnostics);
+
+  const scene::TomlNode* find(std::string_view key) const { return node_->find(key); }
+  bool has(std::string_view key) const { return find(key) != nullptr; }
+  // Nothing: absent, or reported.
+  std::optional<std::string> text(std::string_view key) const;
+  std::optional<std::string> word(std::string_view key,
+                                  std::span<const std::string_view> words) const;
+  std::optional<std::int64_t> whole(std::string_view key, std::int64_t least,
+                                    std::int64_t most) const;
+  std::optional<double> number(std::string_view key, const scene::Quantity& quantity) const;
+  std::optional<double> number(const scene::TomlNode& value, const std::string& key,
+                               const scene::Quantity& quantity) const;
+  void missing(std::string_view key, const std::string& expected) const;
+  void fail(std::string_view key, std::string reason) const;  // at the key, or at the table
+
+ private:
+  std::string path_of(std::string_view key) const;
+
+  const scene::TomlNode* node_;
+  std::string path_;
+  std::vector<scene::Diagnostic>* diagnostics_;
+};
+
+// The key of a scene that a path such as "force[0].amplitude" leads to; nullptr: a whole table, or
+// nothing of a scene (`reason` then says what is accepted).
+const scene::Key* scene_key(std::string_view path, std::string& reason);
+
+}  // namespace rotorub::sweep

@@ -1,0 +1,86 @@
+// rotorub sweep --slurm on a real Slurm of one node.
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/slurm_cluster.h"
+
+namespace rotorub::test {
+namespace {
+
+// 1600 points of bench_ring with the event integrator: seconds for each of four shards.
+std::string study() {
+  return "scene = \"" + shipped("bench_ring") + R"("
+[sample]
+kind = "latin_hypercube"
+runs = 1600
+seed = 1
+[[vary]]
+key = "contact.friction"
+from = 0.05
+to = 0.3
+[[vary]]
+key = "rotor.speed"
+from = "40 Hz"
+to = "60 Hz"
+[run]
+integrator = "event"
+)";
+}
+
+TEST(LongSlurm, ATaskThatIsKilledAndSubmittedAgainLeavesTheSameTable) {
+  if (const std::string program = SlurmCluster::missing(); !program.empty()) {
+    GTEST_SKIP() << program << " is missing: Debian packages slurm-wlm and munge";
+  }
+  const Folder folder;
+  std::ofstream(folder.path() / "study.toml") << study();
+  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "whole", "-q"}).code, 0);
+
+  const SlurmCluster slurm;
+  const std::vector<std::string> submit{"sweep",   "study.toml", "-o",     "out", "--slurm",
+                                        "--tasks", "4",          "--jobs", "1",   "--json"};
+  const Outcome first = folder.run(submit, slurm.surroundings());
+  ASSERT_EQ(first.code, 0) << first.err;
+  const auto job = nlohmann::json::parse(first.out);
+  EXPECT_EQ(job.at("tasks"), nlohmann::json({1, 2, 3, 4}));
+
+  // Task 3 has begun: SIGKILL to all that it runs.
+  const std::string file = "out/results.3-of-4.sqlite";
+  slurm.wait_until("file of shard 3", [&] { return folder.has(file); });
+  slurm.command("scancel --full --signal=KILL " + job.at("job").get<std::string>() + "_3");
+  slurm.wait_for_all_jobs();
+  const std::vector<std::string> merge{"sweep", "study.toml", "-o", "out", "--merge", "out", "-q"};
+  EXPECT_EQ(folder.run(merge).code, 3) << "task 3 was to be killed before it was done";
+
+  // Submitted again, it is the only one.
+  const Outcome second = folder.run(submit, slurm.surroundings());
+  ASSERT_EQ(second.code, 0) << second.err;
+  EXPECT_EQ(nlohmann::json::parse(second.out).at("tasks"), nlohmann::json({3}));
+  slurm.wait_for_all_jobs();
+  const Outcome merged = folder.run(merge);
+  ASSERT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(folder.text("out/results.csv"), folder.text("whole/results.csv"));
+  for (const char* log : {"out/slurm-1.log", "out/slurm-3.log"}) {
+    EXPECT_NE(folder.text(log).find("shard "), std::string::npos) << log;
+  }
+
+  // All is done: nothing is submitted.
+  const Outcome third = folder.run({"sweep", "study.toml", "-o", "out", "--slurm", "--tasks", "4"},
+                                   slurm.surroundings());
+  EXPECT_EQ(third.code, 0) << third.err;
+  EXPECT_NE(third.out.find("every shard is done"), std::string::npos) << third.out;
+  // Another number of tasks would cut the points otherwise.
+  EXPECT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "--slurm", "--tasks", "3"}).code, 2);
+}
+
+TEST(Slurm, WithoutSbatchTheScriptIsThereAndTheReasonIsSaid) {
+  const Folder folder;
+  std::ofstream(folder.path() / "study.toml") << study();
+  Surroundings bare;
+  bare.environment.emplace_back("PATH", "/nonexistent");
+  const Outcome outcome = folder.run({"sweep", "study.toml", "-o", "out", "--slurm"}, bare);
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("sbatch is not found"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(folder.has("out/sweep.sbatch"));
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,198 @@
+// rotorub sweep: what it leaves, and that what stops it leaves no trace.
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <thread>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+// bench_ring over friction and stiffness.
+std::string study(int frictions, int stiffnesses, const std::string& run) {
+  return "scene = \"" + shipped("bench_ring") +
+         "\"\n[sample]\nkind = \"grid\"\n"
+         "[[vary]]\nkey = \"contact.friction\"\nfrom = 0.05\nto = 0.3\ncount = " +
+         std::to_string(frictions) + "\n[[vary]]\nkey = \"stator.stiffness\"\nvalues = [" +
+         [&] {
+           std::string list;
+           for (int i = 0; i < stiffnesses; ++i) list += std::to_string(80000 + 1000 * i) + ",";
+           return list;
+         }() +
+         "]\n[run]\n" + run;
+}
+
+void write(const Folder& folder, const std::string& name, const std::string& text) {
+  std::ofstream(folder.path() / name) << text;
+}
+
+std::int64_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+TEST(Sweep, LeavesTableDatabasePageAndStudy) {
+  const Folder folder;
+  const std::string text =
+      study(3, 2, "integrator = \"verlet\"\nstep = \"100 us\"\nend = \"50 ms\"\n");
+  write(folder, "study.toml", text);
+  const Outcome outcome = folder.run({"sweep", "study.toml", "-o", "out", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("points"), 6);
+  EXPECT_EQ(json.at("done"), 6);
+  EXPECT_EQ(json.at("status").at("ok"), 6);
+  EXPECT_EQ(folder.files(),
+            (std::vector<std::string>{"out/results.csv", "out/results.sqlite", "out/scene.toml",
+                                      "out/study.toml", "out/sweep.html", "study.toml"}));
+  EXPECT_EQ(folder.text("out/study.toml"), text);
+  EXPECT_EQ(lines(folder.text("out/results.csv")), 7);
+  // Again: nothing is left to do, and nothing changes.
+  const std::string table = folder.text("out/results.csv");
+  EXPECT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "-q"}).code, 0);
+  EXPECT_EQ(folder.text("out/results.csv"), table);
+}
+
+TEST(Sweep, DoesNotDependOnTheThreads) {
+  const Folder folder;
+  for (const char* run :
+       {"integrator = \"event\"\nend = \"20 ms\"\n", "integrator = \"verlet\"\nend = \"20 ms\"\n",
+        "engine = \"mujoco\"\ncontact = \"rigid\"\nend = \"20 ms\"\n",
+        "engine = \"mujoco\"\ncontact = \"cone\"\nend = \"20 ms\"\n"}) {
+    write(folder, "study.toml", study(6, 2, run));
+    ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "one", "--jobs", "1", "-q"}).code, 0);
+    ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "many", "--jobs", "3", "-q"}).code, 0);
+    EXPECT_EQ(folder.text("one/results.csv"), folder.text("many/results.csv")) << run;
+    std::filesystem::remove_all(folder.path() / "one");
+    std::filesystem::remove_all(folder.path() / "many");
+  }
+}
+
+TEST(Sweep, FailuresAreRows) {
+  const Folder folder;
+  write(
+      folder, "study.toml",
+      "scene = \"" + shipped("bench_ring") +
+          "\"\n[sample]\nkind = \"list\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1, -1, "
+          "0.1]\n[[vary]]\nkey = \"run.step\"\nvalues = [1e-5, 1e-5, 0.02]\n[run]\nintegrator = "
+          "\"paper\"\nend = \"40 ms\"\n");
+  const Outcome outcome = folder.run({"sweep", "study.toml", "-o", "out"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("3 points: 1 ok, 1 refused, 1 step_too_large"), std::string::npos)
+      << outcome.out;
+  const std::string table = folder.text("out/results.csv");
+  EXPECT_NE(table.find("refused,\"contact.friction: out of range"), std::string::npos) << table;
+  EXPECT_EQ(table.find("nan"), std::string::npos) << table;
+}
+
+TEST(Sweep, AnotherStudyInTheSameFolderIsRefused) {
+  const Folder folder;
+  const std::string run = "integrator = \"verlet\"\nend = \"10 ms\"\n";
+  write(folder, "study.toml", study(2, 1, run));
+  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "-q"}).code, 0);
+  const std::string table = folder.text("out/results.csv");
+  write(folder, "study.toml", study(3, 1, run));
+  const Outcome changed = folder.run({"sweep", "study.toml", "-o", "out"});
+  EXPECT_EQ(changed.code, 2);
+  EXPECT_NE(changed.err.find("another study"), std::string::npos) << changed.err;
+  EXPECT_EQ(folder.text("out/results.csv"), table);
+  write(folder, "study.toml", study(2, 1, run));
+  EXPECT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "--set", "run.step=1e-4"}).code, 2);
+}
+
+TEST(Sweep, UsageErrors) {
+  const Folder folder;
+  write(folder, "study.toml", study(2, 1, "end = \"10 ms\"\n"));
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"nothing.toml"},
+                                                {"study.toml", "--shard", "3/2"},
+                                                {"study.toml", "--jobs", "0"},
+                                                {"study.toml", "--shard", "1/2", "--slurm"},
+                                                {"study.toml", "--merge", "nowhere"},
+                                                {"study.toml", "--tasks", "3"},
+                                                {"study.toml", "--set", "contact.friction=0.2"},
+                                                {"study.toml", "--set", "contact.x=1"}}) {
+    std::vector<std::string> arguments{"sweep"};
+    arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+    arguments.insert(arguments.end(), {"-o", "out"});
+    const Outcome outcome = folder.run(arguments);
+    EXPECT_EQ(outcome.code, 2) << wrong.back();
+    EXPECT_FALSE(outcome.err.empty()) << wrong.back();
+    EXPECT_FALSE(folder.has("out/results.csv")) << wrong.back();
+  }
+}
+
+TEST(Sweep, InterruptedItSaysSoAndGoesOn) {
+  const Folder folder;
+  write(folder, "study.toml", study(60, 10, "integrator = \"event\"\n"));
+  Program program(folder.path(), {"sweep", "study.toml", "-o", "out", "-q"});
+  while (!folder.has("out/results.sqlite")) std::this_thread::sleep_for(10ms);
+  std::this_thread::sleep_for(200ms);
+  program.interrupt();
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_FALSE(folder.has("out/results.csv"));
+  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "-q"}).code, 0);
+  EXPECT_EQ(lines(folder.text("out/results.csv")), 601);
+}
+
+// Ten times, at moments that the machine and the generator choose.
+void expect_no_trace_of_kills(const std::string& text, const std::vector<std::string>& how) {
+  const Folder folder;
+  write(folder, "study.toml", text);
+  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "whole", "-q"}).code, 0);
+  const std::string whole = folder.text("whole/results.csv");
+  std::mt19937 random(20260101);
+  std::vector<std::string> arguments{"sweep", "study.toml", "-o", "killed", "-q"};
+  arguments.insert(arguments.end(), how.begin(), how.end());
+  int kills = 0;
+  for (; kills < 10; ++kills) {
+    Program program(folder.path(), arguments);
+    std::this_thread::sleep_for(std::chrono::milliseconds(
+        std::uniform_int_distribution<int>(kills == 0 ? 1 : 30, 250)(random)));
+    if (program.kill_and_wait().code == 0) break;  // it was done before
+  }
+  EXPECT_GE(kills, 3) << "too quick to be killed: take more points";
+  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "killed", "-q"}).code, 0);
+  EXPECT_EQ(folder.text("killed/results.csv"), whole);
+  for (const std::string& file : folder.files()) {
+    EXPECT_EQ(file.find(".part"), std::string::npos) << file;
+    EXPECT_EQ(file.find("journal"), std::string::npos) << file;
+  }
+}
+
+TEST(LongSweep, KilledTenTimesItLeavesTheSameTableOfSingleRuns) {
+  expect_no_trace_of_kills(study(50, 20, "integrator = \"event\"\n"), {"--jobs", "1"});
+}
+
+TEST(LongSweep, KilledTenTimesItLeavesTheSameTableOfEnsembles) {
+  expect_no_trace_of_kills(study(100, 20, "integrator = \"verlet\"\nstep = \"20 us\"\n"),
+                           {"--jobs", "1"});
+}
+
+TEST(LongSweep, ShardsOfWhichOneIsKilledAndRunAgainMergeIntoTheSameTable) {
+  const Folder folder;
+  write(folder, "study.toml", study(20, 20, "integrator = \"event\"\n"));
+  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "whole", "-q"}).code, 0);
+  const auto shard = [](int number) {
+    return std::vector<std::string>{"sweep", "study.toml", "-o",
+                                    "out",   "-q",         "--jobs",
+                                    "1",     "--shard",    std::to_string(number) + "/4"};
+  };
+  {
+    Program victim(folder.path(), shard(3));
+    std::this_thread::sleep_for(150ms);
+    EXPECT_EQ(victim.kill_and_wait().code, 128 + SIGKILL);
+  }
+  for (const int number : {1, 2, 4}) ASSERT_EQ(folder.run(shard(number)).code, 0);
+  const std::vector<std::string> merge{"sweep", "study.toml", "-o", "out", "--merge", "out", "-q"};
+  const Outcome early = folder.run(merge);
+  EXPECT_EQ(early.code, 3);
+  EXPECT_NE(early.err.find("missing"), std::string::npos) << early.err;
+  EXPECT_FALSE(folder.has("out/results.csv"));
+  ASSERT_EQ(folder.run(shard(3)).code, 0);
+  ASSERT_EQ(folder.run(merge).code, 0);
+  EXPECT_EQ(folder.text("out/results.csv"), folder.text("whole/results.csv"));
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,105 @@
+#include "compare/report/sweep_page.h"
+
+#include <nlohmann/json.hpp>
+
+#include "compare/report/web/plotly.h"
+#include "tests/compare/sweep/studies.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using sweep::PointResult;
+
+class SweepPage : public testing::Test {
+ protected:
+  // Six points, of which the last failed; the mean force is the point's number.
+  void open(const std::string& sample) {
+    study = folder.study(test::of_ring() + sample);
+    scenes = std::make_unique<sweep::PointScenes>(study, std::span<const std::string>());
+    store = std::make_unique<sweep::Store>(folder.path() / "results.sqlite", study,
+                                           sweep::StudyIdentity{"h", 6}, sweep::Shard{});
+    std::vector<PointResult> results;
+    for (std::int64_t i = 0; i < 6; ++i) {
+      PointResult r;
+      r.point = i;
+      if (i < 5) {
+        r.figures.emplace().mean_force = static_cast<double>(i);
+      } else {
+        r.status = "diverged";
+        r.reason = "<b>nowhere</b>";
+      }
+      results.push_back(r);
+    }
+    store->add(results, scenes->sample());
+  }
+  static json column(const json& plots, const std::string& name) {
+    for (std::size_t k = 0; k < plots["figures"].size(); ++k) {
+      if (plots["figures"][k]["name"] == name) return plots["columns"][k];
+    }
+    return nullptr;
+  }
+
+  test::StudyFolder folder;
+  sweep::Study study;
+  std::unique_ptr<sweep::PointScenes> scenes;
+  std::unique_ptr<sweep::Store> store;
+};
+
+TEST_F(SweepPage, CellsOfAGrid) {
+  open(R"([sample]
+kind = "grid"
+[[vary]]
+key = "rotor.speed"
+from = "10 Hz"
+to = "20 Hz"
+count = 3
+[[vary]]
+key = "contact.friction"
+values = [0.1, 0.3]
+)");
+  const json plots = sweep_plots(*scenes, *store, study);
+  EXPECT_EQ(plots["kind"], "grid");
+  EXPECT_EQ(plots["keys"][0]["values"], json({10.0, 15.0, 20.0}));
+  EXPECT_EQ(plots["keys"][0]["unit"], "Hz");
+  EXPECT_EQ(plots["keys"][0]["even"], true);
+  EXPECT_EQ(plots["keys"][1]["even"], false);
+  EXPECT_EQ(plots["values"][0], json({0, 0, 1, 1, 2, 2}));
+  EXPECT_EQ(plots["values"][1], json({0, 1, 0, 1, 0, 1}));
+  EXPECT_EQ(column(plots, "mean_force"), json({0.0, 1.0, 2.0, 3.0, 4.0, nullptr}));
+  EXPECT_EQ(plots["status"], json({0, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(plots["statuses"], json({"ok", "diverged"}));
+}
+
+TEST_F(SweepPage, MarksOfAList) {
+  open(R"([sample]
+kind = "list"
+[[vary]]
+key = "contact.friction"
+values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
+)");
+  const json plots = sweep_plots(*scenes, *store, study);
+  EXPECT_EQ(plots["kind"], "marks");
+  EXPECT_EQ(plots["values"][0], json({0.1, 0.2, 0.3, 0.4, 0.5, 0.6}));
+}
+
+TEST_F(SweepPage, NeedsNoNetworkAndQuotesReasons) {
+  open(R"([sample]
+kind = "list"
+[[vary]]
+key = "contact.friction"
+values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
+)");
+  const std::string page = sweep_page(*scenes, *store, study);
+  EXPECT_NE(page.find("5 of 6 ran to their end"), std::string::npos);
+  EXPECT_NE(page.find("&lt;b&gt;nowhere&lt;/b&gt;"), std::string::npos);
+  EXPECT_EQ(page.find("<b>nowhere"), std::string::npos);
+  std::string own = page;
+  own.erase(own.find(plotly_js()), plotly_js().size());
+  for (const char* outside : {"http:", "https:", "@import", "src="}) {
+    EXPECT_EQ(own.find(outside), std::string::npos) << outside;
+  }
+}
+
+}  // namespace
+}  // namespace rotorub

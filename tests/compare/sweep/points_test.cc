@@ -1,0 +1,203 @@
+// Points as ensembles and by themselves.
+#include <algorithm>
+#include <atomic>
+
+#include "compare/engine/engine.h"
+#include "compare/sweep/ensemble_points.h"
+#include "compare/sweep/point_scene.h"
+#include "compare/sweep/single_point.h"
+#include "native_model/scene/reader.h"
+#include "tests/compare/sweep/studies.h"
+
+namespace rotorub::sweep {
+namespace {
+
+using test::of_ring;
+using test::StudyFolder;
+
+const std::atomic<bool> kGoOn{false};
+
+std::string frictions(const std::string& values) {
+  return of_ring() +
+         "[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = " + values +
+         "\n[run]\nend = \"60 ms\"\nstep = \"20 us\"\n";
+}
+
+std::vector<PointScene> all_points(const PointScenes& scenes) {
+  std::vector<PointScene> points;
+  for (std::int64_t i = 0; i < scenes.sample().size(); ++i) points.push_back({i, scenes.at(i)});
+  return points;
+}
+
+std::vector<PointResult> ordered(std::vector<PointResult> results) {
+  std::sort(results.begin(), results.end(),
+            [](const PointResult& a, const PointResult& b) { return a.point < b.point; });
+  return results;
+}
+
+// Every column, bit for bit.
+void expect_same(const PointResult& a, const PointResult& b) {
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.reason, b.reason);
+  ASSERT_EQ(a.ok(), b.ok());
+  if (!a.ok()) return;
+  for (const ResultColumn& column : result_columns()) {
+    if (column.number) {
+      EXPECT_EQ(column.number(*a.figures), column.number(*b.figures)) << column.name;
+    } else {
+      EXPECT_STREQ(column.word(*a.figures), column.word(*b.figures)) << column.name;
+    }
+  }
+}
+
+TEST(EnsemblePoints, APointAmongOthersIsThePointAlone) {
+  const StudyFolder folder;
+  const Study study = folder.study(frictions("[0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6]"));
+  const PointScenes scenes(study, {});
+  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+    const auto points = all_points(scenes);
+    const auto together = ordered(run_ensembles(points, integrator, kGoOn));
+    ASSERT_EQ(together.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto alone = run_ensembles({points[i]}, integrator, kGoOn);
+      ASSERT_EQ(alone.size(), 1u);
+      expect_same(together[i], alone[0]);
+    }
+  }
+}
+
+// `rotorub run` adds the same impulses of `paper` in the same order: the same bits. Its time in
+// contact is a sum of steps where the ensemble counts them, and `verlet` adds each impulse in two
+// halves: those figures agree to round-off. The first touch of `verlet` is that of its step.
+TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
+  constexpr double kRoundOff = 1e-12;  // relative, of sums over 3000 steps
+  const StudyFolder folder;
+  const Study study = folder.study(frictions("[0.1, 0.3]"));
+  const PointScenes scenes(study, {});
+  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+    for (const PointResult& many : run_ensembles(all_points(scenes), integrator, kGoOn)) {
+      const auto one =
+          run_single(many.point, scenes.at(many.point), *native_engine(integrator), kGoOn);
+      ASSERT_TRUE(one && one->ok() && many.ok());
+      const Figures &a = *many.figures, &b = *one->figures;
+      EXPECT_EQ(a.steps, b.steps);
+      EXPECT_EQ(a.impacts, b.impacts);
+      EXPECT_EQ(a.settled.attractor, b.settled.attractor);
+      EXPECT_NEAR(a.settled.whirl_frequency, b.settled.whirl_frequency, 1e-6);
+      EXPECT_NEAR(a.impulse_total, b.impulse_total, kRoundOff * b.impulse_total);
+      EXPECT_NEAR(a.peak_force, b.peak_force, kRoundOff * b.peak_force);
+      EXPECT_LE(*a.first_touch, *b.first_touch);
+      EXPECT_NEAR(*a.first_touch, *b.first_touch, 20e-6);
+      if (integrator != scene::Integrator::kPaper) continue;
+      EXPECT_EQ(a.first_touch, b.first_touch);
+      EXPECT_EQ(a.impulse_total, b.impulse_total);
+      EXPECT_EQ(a.peak_force, b.peak_force);
+      EXPECT_EQ(a.mean_force, b.mean_force);
+      EXPECT_NEAR(a.contact_fraction, b.contact_fraction, kRoundOff);
+    }
+  }
+}
+
+TEST(EnsemblePoints, OtherPartsStepsAndEndsComeApart) {
+  const StudyFolder folder;
+  const Study study = folder.study(of_ring() + R"([sample]
+kind = "list"
+[[vary]]
+key = "run.step"
+values = ["20 us", "20 us", "40 us", "20 us"]
+[[vary]]
+key = "run.end"
+values = ["20 ms", "20 ms", "20 ms", "30 ms"]
+[[vary]]
+key = "gravity"
+values = ["none", "{acceleration = [0, -9.81]}", "none", "none"]
+)");
+  const PointScenes scenes(study, {});
+  const auto results =
+      ordered(run_ensembles(all_points(scenes), scene::Integrator::kVerlet, kGoOn));
+  ASSERT_EQ(results.size(), 4u);
+  for (const PointResult& result : results) ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(results[0].figures->steps, 1000);
+  EXPECT_NE(results[0].figures->impulse_total, results[1].figures->impulse_total);
+  EXPECT_EQ(results[2].figures->steps, 500);
+  EXPECT_EQ(results[3].figures->end, 0.03);
+}
+
+TEST(EnsemblePoints, FailuresSayWhatARunSays) {
+  const StudyFolder folder;
+  const Study study = folder.study(of_ring() + R"([sample]
+kind = "list"
+[[vary]]
+key = "run.step"
+values = ["20 us", "10 ms"]
+[run]
+end = "20 ms"
+)");
+  const PointScenes scenes(study, {});
+  const auto points = all_points(scenes);
+  const auto results = ordered(run_ensembles(points, scene::Integrator::kPaper, kGoOn));
+  EXPECT_TRUE(results[0].ok());
+  EXPECT_EQ(results[1].status, "step_too_large");
+  const auto alone =
+      run_single(1, points[1].scene, *native_engine(scene::Integrator::kPaper), kGoOn);
+  EXPECT_EQ(results[1].reason, alone->reason);
+  EXPECT_FALSE(alone->reason.empty());
+}
+
+TEST(EnsemblePoints, InterruptedTheyAreNoResults) {
+  const StudyFolder folder;
+  const Study study = folder.study(frictions("[0.1, 0.2]"));
+  const PointScenes scenes(study, {});
+  const std::atomic<bool> stop{true};
+  EXPECT_TRUE(run_ensembles(all_points(scenes), scene::Integrator::kVerlet, stop).empty());
+}
+
+TEST(PointScenes, AreThoseOfSet) {
+  const StudyFolder folder;
+  const Study study = folder.study(of_ring() + R"([sample]
+kind = "grid"
+[[vary]]
+key = "rotor.speed"
+also = ["drive.speed"]
+values = ["40 Hz", 12.5]
+)");
+  const std::string set[] = {"contact.friction=0.2"};
+  const PointScenes scenes(study, set);
+  const scene::Scene point = scenes.at(1);
+  EXPECT_EQ(point.rotor.speed, 12.5);
+  EXPECT_EQ(point.drive->speed, 12.5);
+  EXPECT_EQ(point.contact->friction, 0.2);
+  const std::string twice[] = {"rotor.speed=3"};
+  EXPECT_THROW(PointScenes(study, twice), scene::SceneError);
+}
+
+TEST(PointScenes, OfTheShippedStudy) {
+  const Study study = read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/speed_friction.toml");
+  const PointScenes scenes(study, {});
+  EXPECT_EQ(scenes.sample().size(), 61 * 31);
+  EXPECT_NO_THROW(scenes.check());
+  const scene::Scene last = scenes.at(scenes.sample().size() - 1);
+  EXPECT_EQ(last.rotor.speed, last.drive->speed);
+  EXPECT_EQ(last.rotor.speed, last.forces[0].frequency);
+}
+
+TEST(ResultColumns, AreInTheReadme) {
+  const std::string readme =
+      scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/README.md");
+  for (const ResultColumn& column : result_columns()) {
+    EXPECT_NE(readme.find("| `" + std::string(column.name) + "` | " + column.unit),
+              std::string::npos)
+        << column.name;
+  }
+}
+
+TEST(PointScenes, AStudyThatNothingCanComeOfIsRefused) {
+  const StudyFolder folder;
+  const Study study = folder.study(frictions("[-1, -2, -3]"));
+  EXPECT_THROW(PointScenes(study, {}).check(), scene::SceneError);
+  const Study some = folder.study(frictions("[-1, 0.1]"));
+  EXPECT_NO_THROW(PointScenes(some, {}).check());
+}
+
+}  // namespace
+}  // namespace rotorub::sweep

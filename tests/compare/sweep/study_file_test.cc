@@ -1,0 +1,126 @@
+#include "compare/sweep/study_file.h"
+
+#include "tests/compare/sweep/studies.h"
+
+namespace rotorub::sweep {
+namespace {
+
+using test::of_ring;
+using test::StudyFolder;
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Study, OfTheContract) {
+  const StudyFolder folder;
+  const Study study = folder.study(R"(scene = "bench_ring.toml"
+[sample]
+kind = "grid"
+[[vary]]
+key = "contact.friction"
+from = 0.05
+to = 0.3
+count = 40
+[run]
+integrator = "verlet"
+)");
+  EXPECT_EQ(study.scene, folder.path() / "bench_ring.toml");
+  EXPECT_EQ(study.kind, SampleKind::kGrid);
+  ASSERT_EQ(study.vary.size(), 1u);
+  EXPECT_EQ(study.vary[0].key, "contact.friction");
+  EXPECT_EQ(study.vary[0].count, 40);
+  EXPECT_EQ(study.integrator, scene::Integrator::kVerlet);
+  EXPECT_EQ(study.engine, EngineKind::kNative);
+}
+
+TEST(Study, QuantitiesAreInTheUnitOfTheirKey) {
+  const StudyFolder folder;
+  const Study study = folder.study(of_ring() + R"([sample]
+kind = "list"
+[[vary]]
+key = "force[0].amplitude"
+values = ["0.1 kN", 150]
+[[vary]]
+key = "run.integrator"
+values = ["event", "paper"]
+[[vary]]
+key = "stator.stiffness"
+values = [[1e5, 2e5], 1e5]
+)");
+  EXPECT_EQ(study.vary[0].values[0].number, 100.0);
+  EXPECT_EQ(study.vary[0].values[0].text, "100");
+  EXPECT_EQ(study.vary[0].unit, "N");
+  EXPECT_EQ(study.vary[1].values[1].text, "paper");
+  EXPECT_FALSE(study.vary[1].values[1].number);
+  EXPECT_FALSE(study.vary[2].values[0].number);
+}
+
+TEST(Study, EverythingWrongAtOnceWithLines) {
+  const StudyFolder folder;
+  const std::string text = folder.refusal(of_ring() + R"([sample]
+kind = "list"
+runs = 3
+[[vary]]
+key = "contact.frictoin"
+values = [0.1, 0.2]
+[[vary]]
+key = "rotor.speed"
+values = ["40 Hz", "50 mm"]
+[[vary]]
+key = "run.integrator"
+values = ["event"]
+[run]
+integrator = "verlet"
+stp = 1
+end = -1
+)");
+  for (const char* part :
+       {"study.toml:4: sample.runs: belongs to kind",
+        "study.toml:6: vary[0].key:", "did you mean `contact.friction`?",
+        "study.toml:10: vary[1].values[1]:", "50 mm", "1 values where", "run.integrator varies",
+        "did you mean `step`?", "run.end: expected a time above 0"}) {
+    EXPECT_TRUE(has(text, part)) << part << "\n" << text;
+  }
+}
+
+// Each alone: what a study must not be.
+TEST(Study, Refused) {
+  const StudyFolder folder;
+  const std::string grid = of_ring() + "[sample]\nkind = \"grid\"\n[[vary]]\n";
+  const std::string friction = grid + "key = \"contact.friction\"\n";
+  const struct {
+    std::string text, says;
+  } cases[] = {
+      {"", "scene: missing"},
+      {of_ring(), "sample.kind: missing"},
+      {of_ring() + "[sample]\nkind = \"gird\"\n", "accepted: grid, latin_hypercube, list"},
+      {of_ring() + "[sample]\nkind = \"grid\"\n", "vary: missing"},
+      {friction, "vary[0].from: missing"},
+      {friction + "from = 0\nto = 1\n", "vary[0].count: missing"},
+      {friction + "from = 0\nto = 1\ncount = 0\n", "whole number in [1,"},
+      {friction + "from = 0\nto = 1\ncount = 3\nspacing = \"log\"\n", "above 0"},
+      {friction + "from = 0\nto = nan\ncount = 3\n", "not finite"},
+      {friction + "values = []\n", "one value or more"},
+      {friction + "values = [1]\ncount = 1\n", "beside `values`"},
+      {grid + "key = \"run.integrator\"\nfrom = 0\nto = 1\ncount = 2\n", "values: missing"},
+      {friction + "values = [1]\n[[vary]]\nkey = \"contact.friction\"\nvalues = [2]\n", "twice"},
+      {friction + "values = [1]\nalso = [\"no.key\"]\n", "no key of a scene"},
+      {of_ring() + "[sample]\nkind = \"latin_hypercube\"\n[[vary]]\nkey = \"contact.friction\"\n"
+                   "from = 0\nto = 1\n",
+       "sample.runs: missing"},
+      {friction + "from = 0\nto = 1\ncount = 100000\n[[vary]]\nkey = \"rotor.speed\"\nfrom = 1\n"
+                  "to = 2\ncount = 100000\n",
+       "1e+10 points"},
+      {friction + "values = [1]\n[run]\nengine = \"native\"\ncontact = \"cone\"\n",
+       "run.contact: belongs to engine"},
+      {friction + "values = [1]\n[run]\nengine = \"mujoco\"\nintegrator = \"event\"\n",
+       "run.integrator: belongs to engine"},
+  };
+  for (const auto& c : cases) {
+    EXPECT_TRUE(has(folder.refusal(c.text), c.says)) << c.says << "\n" << folder.refusal(c.text);
+  }
+}
+
+}  // namespace
+}  // namespace rotorub::sweep
