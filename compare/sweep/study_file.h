@@ -1,5 +1,5 @@
 // A study: one scene, what varies in it, which points are taken, and how each is run. Its file
-// (TOML) is described in compare/README.md.
+// (TOML) is described in compare/sweep/README.md.
 #pragma once
 
 #include <cstdint>

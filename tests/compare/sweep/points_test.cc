@@ -183,7 +183,7 @@ TEST(PointScenes, OfTheShippedStudy) {
 
 TEST(ResultColumns, AreInTheReadme) {
   const std::string readme =
-      scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/README.md");
+      scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/sweep/README.md");
   for (const ResultColumn& column : result_columns()) {
     EXPECT_NE(readme.find("| `" + std::string(column.name) + "` | " + column.unit),
               std::string::npos)
