@@ -13,9 +13,11 @@
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/engine/engine.h"
+#include "compare/study/format.h"
 #include "compare/study/json.h"
 #include "compare/study/run_directory.h"
 #include "compare/study/table.h"
+#include "native_model/rotor/contact_mass.h"
 #include "native_model/scene/printable.h"
 
 namespace rotorub {
@@ -49,6 +51,16 @@ std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scen
   }
   return mujoco_engine(options.contact.empty() ? scene.mujoco.contact
                                                : contact_of(options.contact));
+}
+
+// What a rigid impact on these modes is worth.
+std::string truncation_note(const scene::Scene& scene) {
+  const auto mass = contact_mass(scene);
+  if (!mass || !mass->truncated()) return "";
+  return fmt::format(
+      "  note: an impact meets {} kg with {} of the shaft's modes, {} kg with all {} of its mesh:\n"
+      "  sizes and numbers of impacts hang on rotor.modes, mean force hardly (README, Limits)\n",
+      short_number(mass->kept), mass->kept_modes, short_number(mass->mesh), mass->mesh_modes);
 }
 
 void say_failure(const scene::Scene& scene, const char* what, const Trajectory& trajectory) {
@@ -91,7 +103,8 @@ int run(const RunArguments& options) {
   if (options.json) {
     std::cout << json_text(summary_json(scene, trajectory));
   } else if (!options.quiet) {
-    fmt::print("{}written to {}\n", run_table(scene, trajectory), folder.string());
+    fmt::print("{}{}written to {}\n", run_table(scene, trajectory), truncation_note(scene),
+               folder.string());
   }
   say_failure(scene, "", trajectory);
   const bool stopped = trajectory.status == Status::kInterrupted;

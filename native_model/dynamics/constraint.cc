@@ -34,8 +34,7 @@ void Constraint::project(double t, double* q, double* v, Velocity velocity) {
   to_circle(t, q, v);
   if (velocity == Velocity::kKept) return;
   const ContactPoint p = contact_point(*model_, q, v);
-  const Delassus g =
-      delassus(contact_admittance(*model_, t, q), p.e_r, model_->contact->radius);
+  const Delassus g = delassus(contact_admittance(*model_, t, q), p.e_r, model_->contact->radius);
   const PlanarImpulse<double> l = velocity == Velocity::kStuck
                                       ? stick(g, p.gap_rate, p.slip)
                                       : PlanarImpulse<double>{-p.gap_rate / g.nn, 0.0};

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/trajectory/range_check.h"
 #include "native_model/stepping/literal.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/actuation.h"
+#include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
@@ -20,7 +20,8 @@ namespace {
 
 const char* reason(Status status) {
   switch (status) {
-    case Status::kDiverged: return "the state is no longer finite";
+    case Status::kDiverged:
+      return "the state is no longer finite";
     case Status::kNoSolution:
       return "the contact laws have no solution (frictional jamming, Painleve)";
     case Status::kAmbiguous:
@@ -28,8 +29,10 @@ const char* reason(Status status) {
     case Status::kStepTooLarge:
       return "the equations of one step do not converge: the step is too large for the loads that "
              "depend on the spin";
-    case Status::kInterrupted: return "interrupted";
-    default: return "";
+    case Status::kInterrupted:
+      return "interrupted";
+    default:
+      return "";
   }
 }
 
@@ -81,7 +84,8 @@ class FixedRun {
     recorder_.count(f, begin);
   }
 
-  // The next state, with the forces of `done`, impulses over `kick` (s); `impact`: one since the last.
+  // The next state, with the forces of `done`, impulses over `kick` (s); `impact`: one since the
+  // last.
   void advance(const Reached& state, const FixedStep& done, double kick, bool impact,
                const Eigen::Vector2d& u) {
     record_mode(state.t, done);
@@ -130,8 +134,13 @@ class FixedRun {
   static Snapshot snapshot(double t, const double* q, const double* v, const FixedStep& done,
                            double kick) {
     const double scale = done.impacts.empty() ? 1.0 / kick : 0.0;
-    return {t, q, v, scale * done.normal_impulse + done.impact_force.x(),
-            scale * done.friction_impulse + done.impact_force.y(), done.mode, {}};
+    return {t,
+            q,
+            v,
+            scale * done.normal_impulse + done.impact_force.x(),
+            scale * done.friction_impulse + done.impact_force.y(),
+            done.mode,
+            {}};
   }
 
   static double friction_work(const FixedStep& done, const Reached& state) {
@@ -219,9 +228,9 @@ Trajectory run_literal(const Model& model, const scene::Run& run, double step,
   return run_steps<LiteralStepper>("literal", model, run, step, options);
 }
 
-// The state of t_k is known once step k is taken: the recorder is a step behind, and impacts of step k
-// belong to the next state. A last step beyond the end tells the velocities there; half of what its
-// loads did about the end counts.
+// The state of t_k is known once step k is taken: the recorder is a step behind, and impacts of
+// step k belong to the next state. A last step beyond the end tells the velocities there; half of
+// what its loads did about the end counts.
 Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double step,
                       const NativeOptions& options) {
   FixedRun run(model, scene_run, step, options);
@@ -238,7 +247,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
   };
   const std::int64_t steps = run.steps();
   const auto start = Clock::now();
-  FixedStep hits;    // the last step, where it had impacts
+  FixedStep hits;   // the last step, where it had impacts
   ImpactList kept;  // its impacts
   std::int64_t k = 0;
   for (; k <= steps && run.good(); ++k) {

@@ -1,7 +1,7 @@
-// The contact in a fixed step, for one run or for many: where the straight path of a step leaves the
-// circle, lasting contact goes on or an impact begins. Lasting contact ends the step on the circle
-// (contact/lasting_contact.h): sliding on as in the step before in all lanes at once, anything else
-// lane by lane. Impacts are the schemes' own (paper_step.h, verlet_step.h).
+// The contact in a fixed step, for one run or for many: where the straight path of a step leaves
+// the circle, lasting contact goes on or an impact begins. Lasting contact ends the step on the
+// circle (contact/lasting_contact.h): sliding on as in the step before in all lanes at once,
+// anything else lane by lane. Impacts are the schemes' own (paper_step.h, verlet_step.h).
 #pragma once
 
 #include "native_model/contact/lasting_contact.h"
@@ -26,7 +26,8 @@ class ContactKernel : public LoadKernel<M> {
   using typename Base::T;
   static constexpr int kLanes = Base::kLanes;
 
-  ContactKernel(const M& m, const std::vector<const Model*>& models, double h) : Base(m, models, h) {
+  ContactKernel(const M& m, const std::vector<const Model*>& models, double h)
+      : Base(m, models, h) {
     contact_ = models.front()->contact.has_value();
     if (!contact_) return;
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -55,16 +56,14 @@ class ContactKernel : public LoadKernel<M> {
     action(slip_sign);
     Base::for_each_kept(action);
   }
-  void begin(double t, const double* q, const double* v)
-    requires(kLanes == 1)
-  {
+  void begin(double t, const double* q, const double* v) requires(kLanes == 1) {
     in_contact = slip_sign = 0.0;
     Base::begin(t, q, v);
   }
 
  protected:
-  using Base::change_, Base::coupled_, Base::fail, Base::free_, Base::h_, Base::iterates_, Base::layout,
-      Base::m_, Base::make, Base::solve, Base::start_;
+  using Base::change_, Base::coupled_, Base::fail, Base::free_, Base::h_, Base::iterates_,
+      Base::layout, Base::m_, Base::make, Base::solve, Base::start_;
   using typename Base::Coordinates;
 
   // The step's beginning.
@@ -77,8 +76,9 @@ class ContactKernel : public LoadKernel<M> {
     impacted_ = false;
   }
 
-  // The contact over the step, where the straight path from `from` with free_ would leave the circle:
-  // after_, from free_. collide(lane): the impacts of one lane; lasted(): lasting contact is done.
+  // The contact over the step, where the straight path from `from` with free_ would leave the
+  // circle: after_, from free_. collide(lane): the impacts of one lane; lasted(): lasting contact
+  // is done.
   template <class Collide, class Lasted>
   ROTORUB_INLINE void touch(const T* from, Collide collide, Lasted done) {
     const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(h_), c = contact.clearance;
@@ -136,8 +136,8 @@ class ContactKernel : public LoadKernel<M> {
   }
 
   // to = x + A^-1 J^T of the load (N, F) with the normal e, in the lanes of `on`.
-  ROTORUB_INLINE void push(const T* x, T* to, const T& ex, const T& ey, const T& normal, const T& friction,
-                           const Mask& on) {
+  ROTORUB_INLINE void push(const T* x, T* to, const T& ex, const T& ey, const T& normal,
+                           const T& friction, const Mask& on) {
     const T zero{};
     const T N = lanes::select(on, normal, zero), F = lanes::select(on, friction, zero);
     const T px = -ex * N - ey * F, py = -ey * N + ex * F, pz = contact.radius * F;
@@ -153,15 +153,15 @@ class ContactKernel : public LoadKernel<M> {
     last_sign_ = slip_sign;
     const T zero{}, one = lanes::all<T>(1.0);
     const T square = d.x * d.x + d.y * d.y;
-    const T inverse =
-        one / lanes::square_root(lanes::select(square > zero, square, one));
+    const T inverse = one / lanes::square_root(lanes::select(square > zero, square, one));
     normal_x_ = d.x * inverse;
     normal_y_ = d.y * inverse;
     if (iterates_) this->begin_iteration(lanes::select(on, one, zero));
     for (bool settled = false;;) {
       press(on, d, w);
       push(free_.data(), after_.data(), normal_x_, normal_y_, normal_impulse, friction_impulse, on);
-      // Once more after the last round: a lane's end must not depend on how long the others went on.
+      // Once more after the last round: a lane's end must not depend on how long the others went
+      // on.
       if (!iterates_ || settled) break;
       settled = !this->improve(q, after_.data());
       w = equations::relative(*m_, free_.data());
@@ -170,13 +170,12 @@ class ContactKernel : public LoadKernel<M> {
   }
 
   // J: of lasting contact's last impulses on the coordinates, from the velocities at both ends.
-  double contact_work(const double* start, const double* end) const
-    requires(kLanes == 1)
-  {
+  double contact_work(const double* start, const double* end) const requires(kLanes == 1) {
     if (!(normal_impulse > 0.0)) return 0.0;
     const Eigen::Vector3d load =
         contact_load({normal_x_, normal_y_}, contact.radius, normal_impulse, friction_impulse);
-    const double held = layout().spin ? 0.0 : m_->speed;  // the machine that holds the speed works too
+    const double held =
+        layout().spin ? 0.0 : m_->speed;  // the machine that holds the speed works too
     const Eigen::Vector3d rates = 0.5 * (this->lane_rates(start, 0) + this->lane_rates(end, 0));
     return load.dot(rates - Eigen::Vector3d(0.0, 0.0, held));
   }
@@ -214,7 +213,8 @@ class ContactKernel : public LoadKernel<M> {
 
   // Where the path ends far from where it begins (it passes the middle), the normal is that of the
   // place where it leaves the circle.
-  void turn_normal(int lane, const Eigen::Vector2d& d, const Eigen::Vector2d& path, double clearance) {
+  void turn_normal(int lane, const Eigen::Vector2d& d, const Eigen::Vector2d& path,
+                   double clearance) {
     if (!(d.dot(d + path) < 0.5 * clearance * clearance)) return;
     const double share = circle_exit(d, path, clearance);
     const Eigen::Vector2d e_r = (d + std::min(1.0, share) * path).normalized();
@@ -259,7 +259,8 @@ class ContactKernel : public LoadKernel<M> {
     s.h = h_;
     s.d = {lanes::get(d.x, lane), lanes::get(d.y, lane)};
     const ContactParameters& c = *lane_model(*m_, lane).contact;
-    turn_normal(lane, s.d, h_ * Eigen::Vector2d(lanes::get(w.x, lane), lanes::get(w.y, lane)), c.clearance);
+    turn_normal(lane, s.d, h_ * Eigen::Vector2d(lanes::get(w.x, lane), lanes::get(w.y, lane)),
+                c.clearance);
     s.e_r = {lanes::get(normal_x_, lane), lanes::get(normal_y_, lane)};
     s.start = this->lane_rates(start_.data(), lane);
     s.free = this->lane_rates(free_.data(), lane);
@@ -273,9 +274,10 @@ class ContactKernel : public LoadKernel<M> {
     if (r.solutions != 1) fail(lane, r.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous);
     lanes::set(normal_impulse, lane, r.normal);
     lanes::set(friction_impulse, lane, r.friction);
-    lanes::set(slip_sign, lane, r.contact_case == ContactCase::kSlidePositive   ? 1.0
-                                : r.contact_case == ContactCase::kSlideNegative ? -1.0
-                                                                                : 0.0);
+    lanes::set(slip_sign, lane,
+               r.contact_case == ContactCase::kSlidePositive   ? 1.0
+               : r.contact_case == ContactCase::kSlideNegative ? -1.0
+                                                               : 0.0);
   }
 
   Coordinates response_[3] = {make(*m_), make(*m_), make(*m_)};

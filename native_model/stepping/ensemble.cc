@@ -69,8 +69,11 @@ struct LaneGroup {
   using T = typename Kernel::T;
 
   LaneGroup(std::vector<const Model*> runs, double h)
-      : models(std::move(runs)), model(Lanes<W>(models)), work{Kernel(model, models, h), {}},
-        step(h), v(static_cast<std::size_t>(model.layout.nq()), T{}) {
+      : models(std::move(runs)),
+        model(Lanes<W>(models)),
+        work{Kernel(model, models, h), {}},
+        step(h),
+        v(static_cast<std::size_t>(model.layout.nq()), T{}) {
     work.kernel.load_initial_states();
     if constexpr (kVerlet) work.kernel.restart();
     if (models.front()->controller) commands.emplace(models, step);
@@ -193,8 +196,8 @@ template <int W>
 void run_all(const std::vector<Model>& models, double step, scene::Integrator integrator,
              std::int64_t steps, const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
   if (models.empty()) return;
-#define ROTORUB_SIZE(L, unused)            \
-  if (L::fits(models.front().layout)) {    \
+#define ROTORUB_SIZE(L, unused)                                                           \
+  if (L::fits(models.front().layout)) {                                                   \
     return run_sized<Sized<Lanes<W>, L>, W>(models, step, integrator, steps, watch, out); \
   }
   ROTORUB_SMALL_LAYOUTS(ROTORUB_SIZE, )
@@ -254,7 +257,8 @@ std::vector<EnsembleRun> Ensemble::run(std::int64_t steps, const EnsembleWatch& 
       run_all<4>(models_, step_, integrator_, steps, watch, out);
       break;
 #endif
-    default: run_all<2>(models_, step_, integrator_, steps, watch, out);
+    default:
+      run_all<2>(models_, step_, integrator_, steps, watch, out);
   }
   return out;
 }

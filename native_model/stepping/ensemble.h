@@ -1,6 +1,6 @@
-// Many runs of one scene at once in fixed steps, for sweeps: as many as fit into the vector registers
-// of one core, each with values of its own. A run's bits are those of the run alone, on every
-// instruction set.
+// Many runs of one scene at once in fixed steps, for sweeps: as many as fit into the vector
+// registers of one core, each with values of its own. A run's bits are those of the run alone, on
+// every instruction set.
 #pragma once
 
 #include <atomic>
@@ -16,14 +16,14 @@ namespace rotorub {
 // What is kept of each run.
 struct EnsembleRun {
   Status status = Status::kOk;
-  double first_touch = -1.0;        // s, begin of the step; -1: never touched
-  std::int64_t contact_steps = 0;   // steps with a normal impulse
+  double first_touch = -1.0;       // s, begin of the step; -1: never touched
+  std::int64_t contact_steps = 0;  // steps with a normal impulse
   // `verlet`: the end lies in the middle of a step in lasting contact, half of which counts.
   bool ends_in_contact = false;
-  std::int64_t impacts = 0;         // with gap_rate_before < kCountedGapRate
-  double impulse_total = 0.0;       // N s
-  double peak_impulse = 0.0;        // N s, largest of one step
-  std::vector<double> q, v;         // at the end, nq each
+  std::int64_t impacts = 0;    // with gap_rate_before < kCountedGapRate
+  double impulse_total = 0.0;  // N s
+  double peak_impulse = 0.0;   // N s, largest of one step
+  std::vector<double> q, v;    // at the end, nq each
   double contact_fraction(double end, double step) const;
   double mean_force(double end) const;  // N, from first touch to the end
 };
@@ -37,9 +37,9 @@ struct EnsembleLook {
   std::int64_t impacts = 0;                 // counted ones so far
 };
 struct EnsembleWatch {
-  std::vector<std::int64_t> steps;                 // k, ascending, in [0, the last step]
-  std::function<void(const EnsembleLook&)> look;   // every run at each of them
-  const std::atomic<bool>* interrupt = nullptr;    // true: stop; the status of what is left says so
+  std::vector<std::int64_t> steps;                // k, ascending, in [0, the last step]
+  std::function<void(const EnsembleLook&)> look;  // every run at each of them
+  const std::atomic<bool>* interrupt = nullptr;   // true: stop; the status of what is left says so
   bool stopped() const { return interrupt && interrupt->load(std::memory_order_relaxed); }
 };
 
@@ -49,9 +49,9 @@ InstructionSet best_instruction_set();  // of this processor
 
 class Ensemble {
  public:
-  // All of the same structure (stepping/lane_model.h); throws std::invalid_argument naming the first
-  // that is not. Models are copied. step: s, > 0. integrator: kPaper or kVerlet. `set`: not beyond
-  // best_instruction_set().
+  // All of the same structure (stepping/lane_model.h); throws std::invalid_argument naming the
+  // first that is not. Models are copied. step: s, > 0. integrator: kPaper or kVerlet. `set`: not
+  // beyond best_instruction_set().
   Ensemble(std::vector<Model> models, double step,
            scene::Integrator integrator = scene::Integrator::kPaper,
            InstructionSet set = best_instruction_set());

@@ -24,13 +24,14 @@ double FiniteImpact::power(double t, const double* q, const double* v,
 // gdot_N, gdot_T along the normal of the touch, which the impulses have.
 Eigen::Vector2d FiniteImpact::rates(const double* v, const Eigen::Vector2d& e_r) const {
   const Eigen::Vector2d w = rotor_point(*model_, v) - stator_point(*model_, v);
-  return {-e_r.dot(w), e_r.x() * w.y() - e_r.y() * w.x() +
-                           model_->contact->radius * contact_spin(*model_, v)};
+  return {-e_r.dot(w),
+          e_r.x() * w.y() - e_r.y() * w.x() + model_->contact->radius * contact_spin(*model_, v)};
 }
 
 // v_1 = v_0 + tau a + M^-1 W p; works as in EventImpact::phase_of.
-void FiniteImpact::add_phase(double t, const double* q, double tau, double normal, double friction, const Eigen::Vector2d& e_r,
-                             const std::vector<double>& from, std::vector<double>& to) {
+void FiniteImpact::add_phase(double t, const double* q, double tau, double normal, double friction,
+                             const Eigen::Vector2d& e_r, const std::vector<double>& from,
+                             std::vector<double>& to) {
   const Model& m = *model_;
   for (std::size_t i = 0; i < to.size(); ++i) {
     to[i] = from[i] + tau * acceleration_[i];
@@ -43,7 +44,8 @@ void FiniteImpact::add_phase(double t, const double* q, double tau, double norma
   const Eigen::Vector2d after = rates(to.data(), e_r);
   record_.normal_impulse += normal;
   record_.friction_impulse += friction;
-  record_.energy_change += 0.5 * (normal * (before.x() + after.x()) + friction * (before.y() + after.y()));
+  record_.energy_change +=
+      0.5 * (normal * (before.x() + after.x()) + friction * (before.y() + after.y()));
 }
 
 ImpactStatus FiniteImpact::begin(double t, const double* q, const double* v,
@@ -77,11 +79,11 @@ ImpactStatus FiniteImpact::begin(double t, const double* q, const double* v,
   external_work_ = 0.0;
   middle_ = t + c.compression_time;
   end_ = middle_ + c.expansion_time;
-  add_phase(t, q_.data(), c.compression_time, r.normal_compression, r.friction_compression, touch.e_r, v_,
-            after_compression_);
+  add_phase(t, q_.data(), c.compression_time, r.normal_compression, r.friction_compression,
+            touch.e_r, v_, after_compression_);
   coordinates(middle_, room_.data());
-  add_phase(middle_, room_.data(), c.expansion_time, r.normal_expansion, r.friction_expansion, touch.e_r,
-            after_compression_, after_);
+  add_phase(middle_, room_.data(), c.expansion_time, r.normal_expansion, r.friction_expansion,
+            touch.e_r, after_compression_, after_);
   const auto force = [](double impulse, double tau) { return tau > 0.0 ? impulse / tau : 0.0; };
   phase_force_[0] = force(r.normal_compression, c.compression_time);
   phase_force_[1] = force(r.friction_compression, c.compression_time);
@@ -128,7 +130,7 @@ void FiniteImpact::coordinates(double t, double* q) const {
 void FiniteImpact::velocities(double t, double* v) const {
   const bool first = t < middle_;
   const std::vector<double>&from = first ? v_ : after_compression_,
-                      &to = first ? after_compression_ : after_;
+        &to = first ? after_compression_ : after_;
   const double tau = first ? middle_ - touch_ : end_ - middle_;
   const double share = tau > 0.0 ? std::min(1.0, (t - (first ? touch_ : middle_)) / tau) : 1.0;
   for (std::size_t i = 0; i < from.size(); ++i) v[i] = from[i] + share * (to[i] - from[i]);

@@ -1,6 +1,7 @@
-// An impact that takes compression and expansion times, (15)-(19), beside fixed steps: the loads of the
-// touch act on, velocities go straight from phase to phase, coordinates with the velocity at the end
-// of each phase, q = q_t + tau_C qdot_C + tau_E qdot_E, as in event/impact.h. Steps read it off.
+// An impact that takes compression and expansion times, (15)-(19), beside fixed steps: the loads of
+// the touch act on, velocities go straight from phase to phase, coordinates with the velocity at
+// the end of each phase, q = q_t + tau_C qdot_C + tau_E qdot_E, as in event/impact.h. Steps read it
+// off.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,8 +38,8 @@ class FiniteImpact {
   double power_at_touch() const { return power_at_touch_; }  // W
   double power_at_end() const { return power_at_end_; }
 
-  // Leaves it: the state at its end, and the accelerations of the loads there, nq values each. True:
-  // contact lasts.
+  // Leaves it: the state at its end, and the accelerations of the loads there, nq values each.
+  // True: contact lasts.
   bool finish(const double*& q, const double*& v, const double*& a);
 
   // All that outlives a step.

@@ -22,13 +22,13 @@ struct ImpactList {
 
 struct FixedStep {
   Status status = Status::kOk;
-  Mode mode = Mode::kFree;        // of lasting contact
-  bool reversed = false;          // the slip changed its sign without sticking
-  double normal_impulse = 0.0;    // N s over the step, impacts and lasting contact alike
-  double friction_impulse = 0.0;  // N s, on the rotor along e_t
+  Mode mode = Mode::kFree;          // of lasting contact
+  bool reversed = false;            // the slip changed its sign without sticking
+  double normal_impulse = 0.0;      // N s over the step, impacts and lasting contact alike
+  double friction_impulse = 0.0;    // N s, on the rotor along e_t
   std::span<const Impact> impacts;  // in order; until the stepper's next call
-  // Of an impact that takes time: how long, in the step that it begins in (s); where it was under way
-  // at the step's begin, normal and friction force there (N).
+  // Of an impact that takes time: how long, in the step that it begins in (s); where it was under
+  // way at the step's begin, normal and friction force there (N).
   double impact_time = 0.0;
   Eigen::Vector2d impact_force{0.0, 0.0};
   // J, where asked for: of contact on the coordinates, of all forces but springs and contact.

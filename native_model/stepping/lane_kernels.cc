@@ -4,8 +4,8 @@
 namespace rotorub {
 
 #define ROTORUB_SMALL_RUN_BY_RUN(L, W) ROTORUB_RUN_BY_RUN(template, Sized<Lanes<W>, L>)
-#define ROTORUB_ALL_RUN_BY_RUN(W)           \
-  ROTORUB_RUN_BY_RUN(template, Lanes<W>)    \
+#define ROTORUB_ALL_RUN_BY_RUN(W)        \
+  ROTORUB_RUN_BY_RUN(template, Lanes<W>) \
   ROTORUB_SMALL_LAYOUTS(ROTORUB_SMALL_RUN_BY_RUN, W)
 
 ROTORUB_ALL_RUN_BY_RUN(2)

@@ -25,8 +25,9 @@ T number(const std::vector<const Model*>& models, auto of) {
 
 template <class T>
 typename LaneModel<T>::Shape shape(const std::vector<const Model*>& models, auto of) {
-  return {side_by_side<T>(models, [&](const Model& m) -> const Eigen::VectorXd& { return of(m).x; }),
-          side_by_side<T>(models, [&](const Model& m) -> const Eigen::VectorXd& { return of(m).y; })};
+  return {
+      side_by_side<T>(models, [&](const Model& m) -> const Eigen::VectorXd& { return of(m).x; }),
+      side_by_side<T>(models, [&](const Model& m) -> const Eigen::VectorXd& { return of(m).y; })};
 }
 
 template <class T>
@@ -59,7 +60,8 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
   assert(models.size() == static_cast<std::size_t>(lanes::kWidth<T>));
   const Model& first = *all.front();
   const auto vector = [&](auto member) {
-    return side_by_side<T>(all, [=](const Model& m) -> const Eigen::VectorXd& { return m.*member; });
+    return side_by_side<T>(all,
+                           [=](const Model& m) -> const Eigen::VectorXd& { return m.*member; });
   };
   mass = vector(&Model::mass);
   stiffness = vector(&Model::stiffness);
@@ -74,13 +76,15 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
   contact_shape = shape<T>(all, [](const Model& m) -> const ModeShape& { return m.contact_shape; });
   for (std::size_t i = 0; i < first.dampers.size(); ++i) {
     const auto of = [i](const Model& m) -> const StationDamper& { return m.dampers[i]; };
-    dampers.push_back({shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
-                       plane<T>(all, [&](const Model& m) { return of(m).damping; })});
+    dampers.push_back(
+        {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
+         plane<T>(all, [&](const Model& m) { return of(m).damping; })});
   }
   for (std::size_t i = 0; i < first.springs.size(); ++i) {
     const auto of = [i](const Model& m) -> const StationSpring& { return m.springs[i]; };
-    springs.push_back({shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
-                       plane<T>(all, [&](const Model& m) { return of(m).stiffness; })});
+    springs.push_back(
+        {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
+         plane<T>(all, [&](const Model& m) { return of(m).stiffness; })});
   }
   for (std::size_t i = 0; i < first.unbalances.size(); ++i) {
     const auto of = [i](const Model& m) -> const DiscUnbalance& { return m.unbalances[i]; };

@@ -1,6 +1,7 @@
 // Compiled once for each instruction set, with ROTORUB_LANES lanes (native_model/CMakeLists.txt).
 // Nothing but code of this width may come out of it: a function that another file shares, compiled
-// for a larger processor than the one it runs on, would be fatal (tests/package/lane_symbols.cmake).
+// for a larger processor than the one it runs on, would be fatal
+// (tests/package/lane_symbols.cmake).
 #include "native_model/stepping/lane_steps.h"
 
 namespace rotorub {
@@ -44,17 +45,17 @@ ROTORUB_INLINE void advance_all(LaneWork<Kernel, W>& group, double step, std::in
 
 }  // namespace
 
-#define ROTORUB_DEFINE(M)                                                                      \
-  void advance(LaneWork<PaperKernel<M>, W>& group, double step, std::int64_t from,     \
-               std::int64_t count) {                                                           \
-    advance_all(group, step, from, count);                                                    \
-  }                                                                                            \
-  void advance(LaneWork<VerletKernel<M>, W>& group, double step, std::int64_t from,    \
-               std::int64_t count) {                                                           \
-    advance_all(group, step, from, count);                                                    \
-  }                                                                                            \
-  void velocities_now(VerletKernel<M>& kernel, std::int64_t k, lanes::Lane<W>* now) {          \
-    kernel.velocity_now(k, now);                                                               \
+#define ROTORUB_DEFINE(M)                                                             \
+  void advance(LaneWork<PaperKernel<M>, W>& group, double step, std::int64_t from,    \
+               std::int64_t count) {                                                  \
+    advance_all(group, step, from, count);                                            \
+  }                                                                                   \
+  void advance(LaneWork<VerletKernel<M>, W>& group, double step, std::int64_t from,   \
+               std::int64_t count) {                                                  \
+    advance_all(group, step, from, count);                                            \
+  }                                                                                   \
+  void velocities_now(VerletKernel<M>& kernel, std::int64_t k, lanes::Lane<W>* now) { \
+    kernel.velocity_now(k, now);                                                      \
   }
 template <class L>
 using SizedLanes = Sized<Lanes<W>, L>;

@@ -30,29 +30,29 @@ struct LaneWork {
 
 // `advance`: steps [from, from + count) of the group. `velocities_now`: VerletKernel::velocity_now.
 // What is done run by run is compiled elsewhere.
-#define ROTORUB_LANE_STEPS(W, ...)                                                              \
-  void advance(LaneWork<PaperKernel<__VA_ARGS__>, W>& group, double step,                       \
-               std::int64_t from, std::int64_t count);                                          \
-  void advance(LaneWork<VerletKernel<__VA_ARGS__>, W>& group, double step,                      \
-               std::int64_t from, std::int64_t count);                                          \
-  void velocities_now(VerletKernel<__VA_ARGS__>& kernel, std::int64_t k, lanes::Lane<W>* now);  \
+#define ROTORUB_LANE_STEPS(W, ...)                                                             \
+  void advance(LaneWork<PaperKernel<__VA_ARGS__>, W>& group, double step, std::int64_t from,   \
+               std::int64_t count);                                                            \
+  void advance(LaneWork<VerletKernel<__VA_ARGS__>, W>& group, double step, std::int64_t from,  \
+               std::int64_t count);                                                            \
+  void velocities_now(VerletKernel<__VA_ARGS__>& kernel, std::int64_t k, lanes::Lane<W>* now); \
   ROTORUB_RUN_BY_RUN(extern template, __VA_ARGS__)
 
-#define ROTORUB_RUN_BY_RUN(template_, ...)                                                      \
-  template_ void LoadKernel<__VA_ARGS__>::fail(int, Status);                                    \
-  template_ void LoadKernel<__VA_ARGS__>::magnet_force(const T*, const T*, T*) const;           \
-  template_ void ContactKernel<__VA_ARGS__>::press_lane(int, const Centre&, const Centre&);      \
-  template_ void ContactKernel<__VA_ARGS__>::forget_impacts();                                  \
-  template_ void PaperKernel<__VA_ARGS__>::collide(int, std::int64_t);                          \
-  template_ void VerletImpacts<__VA_ARGS__>::find_lasting();                                     \
-  template_ void VerletImpacts<__VA_ARGS__>::show_lasting(int, std::int64_t, T*) const;          \
-  template_ void VerletImpacts<__VA_ARGS__>::go_on_lasting(std::int64_t);                        \
+#define ROTORUB_RUN_BY_RUN(template_, ...)                                                  \
+  template_ void LoadKernel<__VA_ARGS__>::fail(int, Status);                                \
+  template_ void LoadKernel<__VA_ARGS__>::magnet_force(const T*, const T*, T*) const;       \
+  template_ void ContactKernel<__VA_ARGS__>::press_lane(int, const Centre&, const Centre&); \
+  template_ void ContactKernel<__VA_ARGS__>::forget_impacts();                              \
+  template_ void PaperKernel<__VA_ARGS__>::collide(int, std::int64_t);                      \
+  template_ void VerletImpacts<__VA_ARGS__>::find_lasting();                                \
+  template_ void VerletImpacts<__VA_ARGS__>::show_lasting(int, std::int64_t, T*) const;     \
+  template_ void VerletImpacts<__VA_ARGS__>::go_on_lasting(std::int64_t);                   \
   template_ void VerletImpacts<__VA_ARGS__>::collide(int, std::int64_t);
 
 // Of W lanes, of any size and of each known one.
 #define ROTORUB_SMALL_LANE_STEPS(L, W) ROTORUB_LANE_STEPS(W, Sized<Lanes<W>, L>)
-#define ROTORUB_ALL_LANE_STEPS(W)    \
-  ROTORUB_LANE_STEPS(W, Lanes<W>)    \
+#define ROTORUB_ALL_LANE_STEPS(W) \
+  ROTORUB_LANE_STEPS(W, Lanes<W>) \
   ROTORUB_SMALL_LAYOUTS(ROTORUB_SMALL_LANE_STEPS, W)
 
 ROTORUB_ALL_LANE_STEPS(2)

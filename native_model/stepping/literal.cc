@@ -48,13 +48,13 @@ FixedStep LiteralStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool wo
       out.contact_work += hit.energy_change - hit.friction_impulse * held;
     }
     if (out.impacts.empty() && out.normal_impulse > 0.0) {
-      const Eigen::Vector2d e_r =
-          (rotor_point(m, q()) - stator_point(m, q())).normalized();
+      const Eigen::Vector2d e_r = (rotor_point(m, q()) - stator_point(m, q())).normalized();
       const Eigen::Vector3d mean = 0.5 * (rates(m, start.v) + rates(m, state_.v));
       Eigen::Vector3d of_coordinates = mean;
       if (!m.layout.spin) of_coordinates.z() -= m.speed;
-      out.contact_work = contact_load(e_r, m.contact->radius, out.normal_impulse,
-                                      out.friction_impulse).dot(of_coordinates);
+      out.contact_work =
+          contact_load(e_r, m.contact->radius, out.normal_impulse, out.friction_impulse)
+              .dot(of_coordinates);
     }
   }
   state_.q += h_ * state_.v;
@@ -74,8 +74,14 @@ void LiteralStepper::push(double t, const Eigen::Vector2d& e_r, double normal, d
 void LiteralStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out) {
   const double radius = model_->contact->radius;
   const Eigen::Vector3d before = rates(*model_, free_), after = rates(*model_, state_.v);
-  Impact hit{t + h_, out.normal_impulse, out.friction_impulse, -e_r.dot(before.head<2>()),
-             -e_r.dot(after.head<2>()), slip(e_r, radius, before), slip(e_r, radius, after), 0.0};
+  Impact hit{t + h_,
+             out.normal_impulse,
+             out.friction_impulse,
+             -e_r.dot(before.head<2>()),
+             -e_r.dot(after.head<2>()),
+             slip(e_r, radius, before),
+             slip(e_r, radius, after),
+             0.0};
   hit.energy_change = 0.5 * (hit.normal_impulse * (hit.gap_rate_before + hit.gap_rate_after) +
                              hit.friction_impulse * (hit.slip_before + hit.slip_after));
   hit_ = hit;
@@ -98,8 +104,7 @@ void LiteralStepper::touch(double t, FixedStep& out) {
   if (gap >= 0.0) return;
   const double whirl = e_r.x() * free.y() - e_r.y() * free.x();
   const double closing = e_r.dot(free.head<2>());
-  const double undone =
-      h_ * (e_r.dot(acceleration.head<2>()) + whirl * whirl / c.clearance);
+  const double undone = h_ * (e_r.dot(acceleration.head<2>()) + whirl * whirl / c.clearance);
   const Delassus g = delassus(contact_admittance(m, t, q()), e_r, c.radius);
   if (!lasted && c.restitution * closing > undone) {
     const ImpactResult r = solve_impact(g, -closing, slip(e_r, c.radius, free),

@@ -2,12 +2,11 @@
 //
 //   M(q) (v+ - v-) = h F(q, (v- + v+)/2, t) + J^T p,
 //
-// p the contact's impulse (contact_kernel.h), for one run (M = Model) or for many (M = LaneModel), of
-// any size or of a known one (sized_model.h). With A = M + h/2 D
-// (velocity_matrix.h) the linear part is solved at once, v+ = v- + A^-1 (h F(q, v-) + J^T p); what
-// depends on velocities beyond that (free spin with gyroscopics or unbalance, a motor's curve, coils)
-// is iterated. What a model lacks costs nothing. All inline: whoever calls it chooses the
-// instruction set.
+// p the contact's impulse (contact_kernel.h), for one run (M = Model) or for many (M = LaneModel),
+// of any size or of a known one (sized_model.h). With A = M + h/2 D (velocity_matrix.h) the linear
+// part is solved at once, v+ = v- + A^-1 (h F(q, v-) + J^T p); what depends on velocities beyond
+// that (free spin with gyroscopics or unbalance, a motor's curve, coils) is iterated. What a model
+// lacks costs nothing. All inline: whoever calls it chooses the instruction set.
 #pragma once
 
 #include <cmath>
@@ -39,8 +38,9 @@ class LoadKernel {
     const Model& first = *models.front();
     coupled_ = first.coupled_mass();
     commanded = layout().stator && first.controller;
-    const bool turns = layout().spin && (!first.gyroscopic.absent() || !first.internal_xx.absent() ||
-                                         !first.internal_yy.absent() || coupled_);
+    const bool turns =
+        layout().spin && (!first.gyroscopic.absent() || !first.internal_xx.absent() ||
+                          !first.internal_yy.absent() || coupled_);
     const bool curve = first.drive && first.drive->kind() != scene::DriveKind::kLinear &&
                        first.drive->kind() != scene::DriveKind::kFree;
     iterates_ = turns || curve || layout().coils > 0;
@@ -53,13 +53,13 @@ class LoadKernel {
   const T* q() const { return q_.data(); }
   const T* v() const { return v_.data(); }
 
-  // What the actuator is told over the next step (system/actuation.h): the force on the ring, or the
-  // currents of the two axes; `commanded`: there is a command.
+  // What the actuator is told over the next step (system/actuation.h): the force on the ring, or
+  // the currents of the two axes; `commanded`: there is a command.
   T command_x{}, command_y{};
   bool commanded = false;
   const T* applied = nullptr;  // nq further loads, or none
-  double origin = 0.0;  // s, t at k = 0
-  Status status[kLanes] = {};              // a lane with one stays where it was
+  double origin = 0.0;         // s, t at k = 0
+  Status status[kLanes] = {};  // a lane with one stays where it was
 
   // All that outlives a step, as plain numbers, in one order: action(double or T&).
   template <class Action>
@@ -72,9 +72,7 @@ class LoadKernel {
     loads_.for_each_kept(action);
   }
   // A state at t (s), nq values each: the memory of everything before it is gone.
-  void begin(double t, const double* q, const double* v)
-    requires(kLanes == 1)
-  {
+  void begin(double t, const double* q, const double* v) requires(kLanes == 1) {
     for_each_kept([](double& x) { x = 0.0; });
     std::copy_n(q, layout().nq(), q_.begin());
     std::copy_n(v, layout().nq(), v_.begin());
@@ -82,9 +80,7 @@ class LoadKernel {
     revive();
   }
   // Another state at the same instant; everything else is kept.
-  void adopt(const double* q, const double* v)
-    requires(kLanes == 1)
-  {
+  void adopt(const double* q, const double* v) requires(kLanes == 1) {
     std::copy_n(q, layout().nq(), q_.begin());
     std::copy_n(v, layout().nq(), v_.begin());
   }
@@ -213,11 +209,10 @@ class LoadKernel {
     matrix_.solve(layout(), coupled_ ? bx_.data() : nullptr, by_.data(), f);
   }
 
-  // J: of the forces of F at the middle of the step, but those that energy holds (springs, and with a
-  // free spin unbalance, which is inertial), over h.
-  double external_work(const double* q, const double* start, const double* end)
-    requires(kLanes == 1)
-  {
+  // J: of the forces of F at the middle of the step, but those that energy holds (springs, and with
+  // a free spin unbalance, which is inertial), over h.
+  double external_work(const double* q, const double* start,
+                       const double* end) requires(kLanes == 1) {
     const int nq = layout().mechanical();
     double *f = f_.data(), *v = change_.data();
     for (int i = 0; i < layout().nq(); ++i) v[i] = 0.5 * (start[i] + end[i]);

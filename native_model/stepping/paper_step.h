@@ -1,6 +1,7 @@
-// One step of `paper`: the loads act at the middle of the step, q_m = q + h/2 v, v+ from the forces at
-// (t + h/2, q_m), q+ = q_m + h/2 v+; the contact's normal is that at q_m and lasting contact ends on
-// the circle at the next middle (SHAKE on the midpoints). An impact is not located: order 1.
+// One step of `paper`: the loads act at the middle of the step, q_m = q + h/2 v, v+ from the forces
+// at (t + h/2, q_m), q+ = q_m + h/2 v+; the contact's normal is that at q_m and lasting contact
+// ends on the circle at the next middle (SHAKE on the midpoints). An impact is not located:
+// order 1.
 #pragma once
 
 #include <cmath>
@@ -21,21 +22,16 @@ class PaperKernel : public ContactKernel<M> {
   using typename Base::T;
   static constexpr int kLanes = Base::kLanes;
 
-  PaperKernel(const M& m, const std::vector<const Model*>& models, double h)
-      : Base(m, models, h) {}
+  PaperKernel(const M& m, const std::vector<const Model*>& models, double h) : Base(m, models, h) {}
 
   // The state of the last step's middle that contact and loads saw, and its velocities.
   const T* middle() const { return middle_.data(); }
 
   // The step's works on the coordinates, J; alone (one lane).
-  double external_work_of_last()
-    requires(Base::kLanes == 1)
-  {
+  double external_work_of_last() requires(Base::kLanes == 1) {
     return this->external_work(middle_.data(), this->start_.data(), this->after_.data());
   }
-  double contact_work_of_last() const
-    requires(Base::kLanes == 1)
-  {
+  double contact_work_of_last() const requires(Base::kLanes == 1) {
     if (this->impacted_) return this->impact_work(this->impacts[0]);
     return this->contact_work(this->start_.data(), this->after_.data());
   }
@@ -57,15 +53,16 @@ class PaperKernel : public ContactKernel<M> {
     this->free_velocity(k, t, t + 0.5 * this->h_, middle);
     for (int i = 0; i < nq; ++i) after[i] = this->free_[static_cast<std::size_t>(i)];
     if (this->contact_) {
-      this->touch(middle, [&](int lane) { collide(lane, k); }, [] {});
+      this->touch(
+          middle, [&](int lane) { collide(lane, k); }, [] {});
     }
     this->move(middle, half);
   }
 
  private:
-  // A middle well outside the ring (a flight of more than the clearance within half a step) goes back
-  // to the circle, by the least change in the norm of A. Left to lasting contact, the depth would come
-  // back as speed.
+  // A middle well outside the ring (a flight of more than the clearance within half a step) goes
+  // back to the circle, by the least change in the norm of A. Left to lasting contact, the depth
+  // would come back as speed.
   ROTORUB_INLINE void back_to_circle() {
     const Centre d = equations::relative(*this->m_, middle_.data());
     const T square = d.x * d.x + d.y * d.y, c = this->contact.clearance;
@@ -82,15 +79,17 @@ class PaperKernel : public ContactKernel<M> {
 
   // The normal at the middle; where the step is so long that it does not close along that one, the
   // normal where the path meets the circle.
-  Eigen::Vector2d normal(const Eigen::Vector2d& d, const Eigen::Vector2d& w, double clearance) const {
+  Eigen::Vector2d normal(const Eigen::Vector2d& d, const Eigen::Vector2d& w,
+                         double clearance) const {
     if (d.norm() > kNoNormal && (d.dot(w) > 0.0 || d.norm() >= clearance)) return d.normalized();
     const Eigen::Vector2d path = this->h_ * w;
     return (d + std::min(1.0, circle_exit(d, path, clearance)) * path).normalized();
   }
 
-  // Poisson's law in one lane where the contact closes. A rebound that loads and the ring's curvature
-  // undo within the step, -gddot_N h = e_r . (ddot+ - ddot) + h v_t^2 / delta, has restitution 0: the
-  // middle closes the gap, by the least change in the norm of M, and contact lasts.
+  // Poisson's law in one lane where the contact closes. A rebound that loads and the ring's
+  // curvature undo within the step, -gddot_N h = e_r . (ddot+ - ddot) + h v_t^2 / delta, has
+  // restitution 0: the middle closes the gap, by the least change in the norm of M, and contact
+  // lasts.
   ROTORUB_SLOW void collide(int lane, std::int64_t k) {
     const Model& m = lane_model(*this->m_, lane);
     const ContactParameters& c = *m.contact;
@@ -121,8 +120,8 @@ class PaperKernel : public ContactKernel<M> {
     if (stays) law.restitution = law.tangential_restitution = 0.0;
     const ImpactResult r = solve_impact(g, -closing, slip, law);
     if (r.status != ImpactStatus::kOk) {
-      return this->fail(lane, r.status == ImpactStatus::kNoSolution ? Status::kNoSolution
-                                                                    : Status::kAmbiguous);
+      return this->fail(
+          lane, r.status == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous);
     }
     std::fill_n(change, m.nq(), 0.0);
     add_contact_load(m, contact_load(e_r, c.radius, r.normal(), r.friction()), change);
@@ -133,7 +132,8 @@ class PaperKernel : public ContactKernel<M> {
     }
     lanes::set(this->normal_impulse, lane, r.normal());
     lanes::set(this->friction_impulse, lane, r.friction());
-    note(lane, k, d, free, {0.0, r.normal(), r.friction(), -closing, r.gap_rate, slip, r.slip, 0.0});
+    note(lane, k, d, free,
+         {0.0, r.normal(), r.friction(), -closing, r.gap_rate, slip, r.slip, 0.0});
   }
 
   void note(int lane, std::int64_t k, const Eigen::Vector2d& d, const Eigen::Vector3d& free,

@@ -1,5 +1,5 @@
-// A model whose sizes the compiler knows. In a rotor of one mode the loops over coordinates cost more
-// than the arithmetic: the fixed steps are compiled for the layouts of a Jeffcott rotor too.
+// A model whose sizes the compiler knows. In a rotor of one mode the loops over coordinates cost
+// more than the arithmetic: the fixed steps are compiled for the layouts of a Jeffcott rotor too.
 #pragma once
 
 #include <array>
@@ -21,7 +21,8 @@ struct SmallLayout {
   static constexpr int mechanical() { return coil(); }
   static constexpr int nq() { return coil(); }
   static bool fits(const Layout& l) {
-    return l.modes == modes && l.spin == spin && l.torsion == 0 && l.stator == stator && l.coils == 0;
+    return l.modes == modes && l.spin == spin && l.torsion == 0 && l.stator == stator &&
+           l.coils == 0;
   }
 };
 

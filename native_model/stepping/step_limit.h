@@ -8,12 +8,12 @@
 namespace rotorub {
 
 struct StepLimit {
-  double step = 0.0;  // s; infinity: none
+  double step = 0.0;    // s; infinity: none
   const char* of = "";  // what sets it
 };
 
-// Of everything that a fixed step takes from the state at its middle: with stiffness K and damping D
-// that are explicit, and damping C that is implicit, on a mass m,
+// Of everything that a fixed step takes from the state at its middle: with stiffness K and damping
+// D that are explicit, and damping C that is implicit, on a mass m,
 //   h^2 K + 2 h D < 4 (m + ...)   (leapfrog; D = 0: h < 2 / omega).
 // Springs of modes, bearings and ring, springs and dampers that a controller emulates, magnets.
 // Damping of the model itself is implicit and sets no limit.

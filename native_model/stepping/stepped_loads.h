@@ -20,8 +20,8 @@ class SteppedLoads {
 
   SteppedLoads(const std::vector<const Model*>& models, double h);
 
-  // The forces of step k: directions of the instant t (s), envelopes over [begin, end]. Asked again for
-  // the same step it does nothing.
+  // The forces of step k: directions of the instant t (s), envelopes over [begin, end]. Asked again
+  // for the same step it does nothing.
   ROTORUB_INLINE void advance(std::int64_t k, double t, double begin, double end) {
     if (k == now_) return;
     now_ = k;
@@ -79,7 +79,8 @@ class SteppedLoads {
     const T zero{}, half = lanes::all<T>(0.5), one = lanes::all<T>(1.0);
     const T since = lanes::larger(zero, t - load.on);
     const T length = lanes::select(load.ramp > zero, load.ramp, one);
-    return lanes::select(since < load.ramp, half * since * since / length, since - half * load.ramp);
+    return lanes::select(since < load.ramp, half * since * since / length,
+                         since - half * load.ramp);
   }
   ROTORUB_INLINE T mean_envelope(const Load& load, double from, double to) const {
     const T begin = lanes::all<T>(from), end = lanes::all<T>(to);

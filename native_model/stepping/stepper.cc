@@ -111,8 +111,8 @@ std::unique_ptr<Stepper::Kernel> Stepper::Kernel::make(const Model& model, doubl
                                                        const State& start) {
   assert(h > 0.0);
   std::unique_ptr<Kernel> kernel;
-#define ROTORUB_SIZE(L, unused)      \
-  if (L::fits(model.layout)) {       \
+#define ROTORUB_SIZE(L, unused)                                       \
+  if (L::fits(model.layout)) {                                        \
     kernel = std::make_unique<Of<Scheme, Sized<Model, L>>>(model, h); \
   }
   ROTORUB_SMALL_LAYOUTS(ROTORUB_SIZE, )

@@ -55,20 +55,20 @@ class PaperStepper : public Stepper {
 
 class VerletStepper : public Stepper {
  public:
-  // As PaperStepper. The command of step k is its mean over (t_k - step/2, t_k + step/2); forces of the
-  // result are those about t_k, impacts those between t_k and t_{k+1}.
+  // As PaperStepper. The command of step k is its mean over (t_k - step/2, t_k + step/2); forces of
+  // the result are those about t_k, impacts those between t_k and t_{k+1}.
   VerletStepper(const Model& model, double step);
   VerletStepper(const Model& model, double step, const State& start);
   static std::size_t memory_size(const Model& model);
 
-  // Of the step that comes: the state at its begin in other numbers (those of who keeps it, MuJoCo),
-  // and further loads (nq values, held over it; they must outlive it; null: none).
+  // Of the step that comes: the state at its begin in other numbers (those of who keeps it,
+  // MuJoCo), and further loads (nq values, held over it; they must outlive it; null: none).
   void adopt(const double* q, const double* v_half);
   void apply(const double* loads);
 
   const double* v_half() const;  // of t_{k+1/2}: what the next impact does to it is not in it
-  // Before step k: the velocities of t_k under the command that holds and the contact force of the step
-  // before.
+  // Before step k: the velocities of t_k under the command that holds and the contact force of the
+  // step before.
   void velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v);
   // After step k: the state of t_k, velocities before an impact of the step.
   const double* last_q() const;

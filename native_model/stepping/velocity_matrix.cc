@@ -55,7 +55,8 @@ VelocityMatrix<T>::VelocityMatrix(const std::vector<const Model*>& models, doubl
     all.push_back(0.5 * h * linear_damping(*m));
     const Eigen::MatrixXd& d = all.back();
     dense_bending_ = dense_bending_ || !is_diagonal(d.topLeftCorner(bending, bending));
-    dense_spin_ = dense_spin_ || !is_diagonal(d.block(layout_.phi(), layout_.phi(), spins(), spins()));
+    dense_spin_ =
+        dense_spin_ || !is_diagonal(d.block(layout_.phi(), layout_.phi(), spins(), spins()));
   }
   for (auto* x : {&inverse_, &step_, &work_, &rows_, &solved_}) {
     x->assign(static_cast<std::size_t>(nq), T{});

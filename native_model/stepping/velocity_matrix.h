@@ -23,13 +23,11 @@ class VelocityMatrix {
   VelocityMatrix(const std::vector<const Model*>& models, double h);
 
   // h A^-1 where A is diagonal, nq values; else null.
-  const T* diagonal_step() const {
-    return dense_bending_ || dense_spin_ ? nullptr : step_.data();
-  }
+  const T* diagonal_step() const { return dense_bending_ || dense_spin_ ? nullptr : step_.data(); }
 
-  // f <- A^-1 f. With a coupled mass bx, by are the bending rows of M(phi) (equations::spin_coupling):
-  // A = A_0 + b e_phi^T + e_phi b^T, and bending is eliminated. Null: not coupled.
-  // `layout`: the model's, as the caller knows it.
+  // f <- A^-1 f. With a coupled mass bx, by are the bending rows of M(phi)
+  // (equations::spin_coupling): A = A_0 + b e_phi^T + e_phi b^T, and bending is eliminated. Null:
+  // not coupled. `layout`: the model's, as the caller knows it.
   template <class L>
   ROTORUB_INLINE void solve(const L& layout, const T* bx, const T* by, T* f) {
     const int nq = layout.nq();
@@ -92,8 +90,8 @@ class VelocityMatrix {
 
   Layout layout_;
   bool dense_bending_ = false, dense_spin_ = false;
-  lanes::Array<T> inverse_, step_;   // of the diagonal, nq; times h
-  lanes::Array<T> bending_, spin_;   // inverses of the blocks, row by row, where they are full
+  lanes::Array<T> inverse_, step_;  // of the diagonal, nq; times h
+  lanes::Array<T> bending_, spin_;  // inverses of the blocks, row by row, where they are full
   lanes::Array<T> work_, rows_, solved_;
 };
 

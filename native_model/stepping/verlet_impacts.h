@@ -1,8 +1,9 @@
-// The impacts of `verlet`, lane by lane: where the straight path of a step leaves the circle, out of
-// flight. Of the jump w of the velocities at the share theta of the step, this step takes (1 - theta) w,
-// the next one the rest, and what the loads that depend on velocities miss of it,
-// -(theta - 1/2) h M^-1 (F(v + w) - F(v)); without that term order 2 is lost. An impact that takes time
-// (finite_impact.h) goes on over steps; flight is taken up again where it ends, at any share of a step.
+// The impacts of `verlet`, lane by lane: where the straight path of a step leaves the circle, out
+// of flight. Of the jump w of the velocities at the share theta of the step, this step takes (1 -
+// theta) w, the next one the rest, and what the loads that depend on velocities miss of it,
+// -(theta - 1/2) h M^-1 (F(v + w) - F(v)); without that term order 2 is lost. An impact that takes
+// time (finite_impact.h) goes on over steps; flight is taken up again where it ends, at any share
+// of a step.
 #pragma once
 
 #include <vector>
@@ -22,7 +23,8 @@ class VerletImpacts : public ContactKernel<M> {
   using typename Base::T;
   static constexpr int kLanes = Base::kLanes;
 
-  VerletImpacts(const M& m, const std::vector<const Model*>& models, double h) : Base(m, models, h) {
+  VerletImpacts(const M& m, const std::vector<const Model*>& models, double h)
+      : Base(m, models, h) {
     if (!this->contact_) return;
     for (const Model* model : models) {
       const ContactParameters& c = *model->contact;
@@ -33,7 +35,8 @@ class VerletImpacts : public ContactKernel<M> {
     }
   }
 
-  // J, of the impacts of the step: what the mean of the step's velocities misses of the loads' work.
+  // J, of the impacts of the step: what the mean of the step's velocities misses of the loads'
+  // work.
   double late_work = 0.0;
   // s, of an impact of the step that takes time; 0: none began.
   double impact_time = 0.0;
@@ -74,7 +77,8 @@ class VerletImpacts : public ContactKernel<M> {
     const Eigen::Vector2d u{lanes::get(this->command_x, lane), lanes::get(this->command_y, lane)};
     for (int n = 0; n < hits.count; ++n) {
       const LocatedImpact& hit = hits.impacts[static_cast<std::size_t>(n)];
-      if (hits.takes_time && n + 1 == hits.count) return begin_lasting(lane, k, v, start, hit.theta);
+      if (hits.takes_time && n + 1 == hits.count)
+        return begin_lasting(lane, k, v, start, hit.theta);
       apply(lane, m, t, q, v, start, u, hit);
     }
     lanes::set(this->in_contact, lane, hits.closes ? 1.0 : 0.0);
@@ -103,8 +107,7 @@ class VerletImpacts : public ContactKernel<M> {
     for (int i = 0; i < nq; ++i) at[i] += jump[i];
     told = command();
     smooth_force(m, t, q, at, told, missed);
-    late_work -=
-        late * (external_power(m, t, q, at, actuator_state(m, q, at, told).force) - power);
+    late_work -= late * (external_power(m, t, q, at, actuator_state(m, q, at, told).force) - power);
     for (int i = 0; i < nq; ++i) missed[i] = -late * (missed[i] - before[i]);
     solve_mass(m, t, q, missed, missed);
 
@@ -119,10 +122,11 @@ class VerletImpacts : public ContactKernel<M> {
     add(this->friction_impulse, friction);
     owes_ = 1.0;
     this->impacted_ = true;
-    this->impacts[static_cast<std::size_t>(lane)].add({t + theta * h, normal, friction, hit.gap_rate_before, hit.law.gap_rate,
-                       hit.slip_before, hit.law.slip,
-                       0.5 * (normal * (hit.gap_rate_before + hit.law.gap_rate) +
-                              friction * (hit.slip_before + hit.law.slip))});
+    this->impacts[static_cast<std::size_t>(lane)].add(
+        {t + theta * h, normal, friction, hit.gap_rate_before, hit.law.gap_rate, hit.slip_before,
+         hit.law.slip,
+         0.5 * (normal * (hit.gap_rate_before + hit.law.gap_rate) +
+                friction * (hit.slip_before + hit.law.slip))});
   }
 
   // ------------------------------------------------------------------ impacts that take time
@@ -160,13 +164,14 @@ class VerletImpacts : public ContactKernel<M> {
       rates[i] = v[i] + late * a[i];
     }
     const bool follows = m.controller && m.sample_time == 0.0 && t >= m.control_on;
-    const Eigen::Vector2d held{lanes::get(this->command_x, lane), lanes::get(this->command_y, lane)};
+    const Eigen::Vector2d held{lanes::get(this->command_x, lane),
+                               lanes::get(this->command_y, lane)};
     FiniteImpact& impact = lasting_[static_cast<std::size_t>(lane)];
     const ImpactStatus found =
         impact.begin(t, at, rates, follows ? control_command(m, t, at, rates) : held, follows);
     if (found != ImpactStatus::kOk) {
-      return this->fail(lane, found == ImpactStatus::kNoSolution ? Status::kNoSolution
-                                                                  : Status::kAmbiguous);
+      return this->fail(
+          lane, found == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous);
     }
     // The kick went on to the middle of the step.
     late_work += late * impact.power_at_touch() + impact.external_work();
@@ -202,8 +207,8 @@ class VerletImpacts : public ContactKernel<M> {
     const bool closes = impact.finish(q, v, a);
     for (int i = 0; i < nq; ++i) {
       const auto c = static_cast<std::size_t>(i);
-      const double after = (q[i] + left * (v[i] + 0.5 * left * a[i]) -
-                            lanes::get(this->q_[c], lane)) / h;
+      const double after =
+          (q[i] + left * (v[i] + 0.5 * left * a[i]) - lanes::get(this->q_[c], lane)) / h;
       lanes::set(this->after_[c], lane, after);
       lanes::set(late_[c], lane, v[i] + late * a[i] - after);
     }
@@ -211,7 +216,8 @@ class VerletImpacts : public ContactKernel<M> {
     lanes::set(this->in_contact, lane, closes ? 1.0 : 0.0);
   }
 
-  typename Base::Coordinates late_ = Base::make(*this->m_);  // m/s, rad/s: what the last step left over
+  typename Base::Coordinates late_ =
+      Base::make(*this->m_);         // m/s, rad/s: what the last step left over
   double first_ = 1.0, owes_ = 0.0;  // 1: the next step is half a kick; late_ holds something
   bool was_first_ = true;
   bool takes_time_ = false;            // an impact, of a lane at least

@@ -1,9 +1,10 @@
 // One step of `verlet`: leapfrog, order 2 through impacts, their accumulation and lasting contact.
 // The velocity that goes with q_k is that of half a step before, v_{k-1/2}.
 //
-//   1. v' = v_{k-1/2} + what the last step's impacts left over; free velocity v_f = v_{k+1/2} from all
-//      loads at (t_k, q_k), velocity-dependent ones at the mean of v' and v_f. The first step is half
-//      a kick.
+//   1. v' = v_{k-1/2} + what the last step's impacts left over; free velocity v_f = v_{k+1/2} from
+//   all
+//      loads at (t_k, q_k), velocity-dependent ones at the mean of v' and v_f. The first step is
+//      half a kick.
 //   2. The straight path q_k + h v_f stays in the ring: done.
 //   3. It leaves the circle, out of flight: Poisson's law where it does (verlet_impacts.h).
 //   4. Lasting contact: the step ends on the circle (contact/lasting_contact.h).
@@ -68,19 +69,21 @@ class VerletKernel : public VerletImpacts<M> {
     if (this->takes_time_) this->find_lasting();
     if (this->contact_) {
       pressed_normal_ = pressed_friction_ = T{};
-      this->touch(q, [&](int lane) { this->collide(lane, k); },
-                  [&] {
-                    pressed_normal_ = this->normal_impulse;
-                    pressed_friction_ = this->friction_impulse;
-                  });
+      this->touch(
+          q, [&](int lane) { this->collide(lane, k); },
+          [&] {
+            pressed_normal_ = this->normal_impulse;
+            pressed_friction_ = this->friction_impulse;
+          });
       if (this->impact_lasts_) this->go_on_lasting(k);
     }
     this->first_ = 0.0;
     this->move(before_.data(), lanes::all<T>(this->h_));
   }
 
-  // The velocities of t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the command as it stands and the
-  // contact force of the step before. For controllers, which see them before there is a command.
+  // The velocities of t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the command as it stands and
+  // the contact force of the step before. For controllers, which see them before there is a
+  // command.
   ROTORUB_INLINE void velocity_now(std::int64_t k, T* now) {
     const int nq = this->layout().nq();
     if (this->first_ > 0.0) {
@@ -94,8 +97,8 @@ class VerletKernel : public VerletImpacts<M> {
       const T one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
       const T delta = lanes::square_root(lanes::select(square > T{}, square, one));
       if (this->coupled_) this->respond();
-      this->push(this->free_.data(), this->free_.data(), d.x / delta, d.y / delta, pressed_normal_, pressed_friction_,
-                 this->in_contact > T{});
+      this->push(this->free_.data(), this->free_.data(), d.x / delta, d.y / delta, pressed_normal_,
+                 pressed_friction_, this->in_contact > T{});
     }
     const T half = lanes::all<T>(0.5);
     for (int i = 0; i < nq; ++i) {
@@ -107,8 +110,8 @@ class VerletKernel : public VerletImpacts<M> {
       if (lanes::get(this->flying_, lane) == 0.0) this->show_lasting(lane, k, now);
     }
   }
-  // After step k: coordinates and velocities of t_k. Velocities are the mean of the two middles, just
-  // before an impact of the step.
+  // After step k: coordinates and velocities of t_k. Velocities are the mean of the two middles,
+  // just before an impact of the step.
   const T* last_q() const { return before_.data(); }
   void velocity_of_last(T* now) const {
     const T half = lanes::all<T>(0.5);
@@ -118,24 +121,19 @@ class VerletKernel : public VerletImpacts<M> {
     if (this->impact_lasts_) this->lasting_[0].velocities(this->origin + this->last_time_, now);
   }
   // N, normal and friction force at the begin of the last step of an impact that was under way.
-  Eigen::Vector2d impact_force() const
-    requires(Base::kLanes == 1)
-  {
+  Eigen::Vector2d impact_force() const requires(Base::kLanes == 1) {
     if (!this->impact_lasts_) return {0.0, 0.0};
     return this->lasting_[0].force(this->origin + this->last_time_);
   }
   bool was_first() const { return this->was_first_; }
   // The step's works on the coordinates, J; alone (one lane).
-  double external_work_of_last()
-    requires(Base::kLanes == 1)
-  {
+  double external_work_of_last() requires(Base::kLanes == 1) {
     if (this->impact_lasts_) return this->late_work;  // the impact has it
     const double kick = this->was_first_ ? 0.5 : 1.0;
-    return kick * this->external_work(before_.data(), this->start_.data(), end_of_last()) + this->late_work;
+    return kick * this->external_work(before_.data(), this->start_.data(), end_of_last()) +
+           this->late_work;
   }
-  double contact_work_of_last() const
-    requires(Base::kLanes == 1)
-  {
+  double contact_work_of_last() const requires(Base::kLanes == 1) {
     if (this->impacted_) return this->impact_work(this->impacts[0]);
     return this->contact_work(this->start_.data(), this->after_.data());
   }
@@ -151,15 +149,15 @@ class VerletKernel : public VerletImpacts<M> {
     for (T& x : this->late_) action(x);
     for (FiniteImpact& impact : this->lasting_) impact.for_each_kept(action);
   }
-  void begin(double t, const double* q, const double* v)
-    requires(Base::kLanes == 1)
-  {
+  void begin(double t, const double* q, const double* v) requires(Base::kLanes == 1) {
     Base::begin(t, q, v);
     restart();
   }
 
  private:
-  const T* end_of_last() const { return this->impacted_ ? this->free_.data() : this->after_.data(); }
+  const T* end_of_last() const {
+    return this->impacted_ ? this->free_.data() : this->after_.data();
+  }
 
   // start_ and free_ of step k.
   ROTORUB_INLINE void kick(std::int64_t k) {
@@ -177,7 +175,7 @@ class VerletKernel : public VerletImpacts<M> {
   }
 
   typename Base::Coordinates before_ = Base::make(*this->m_);  // q_k
-  T pressed_normal_{}, pressed_friction_{};  // N s, of lasting contact alone
+  T pressed_normal_{}, pressed_friction_{};                    // N s, of lasting contact alone
 };
 
 }  // namespace rotorub

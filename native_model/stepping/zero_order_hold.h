@@ -14,14 +14,14 @@ class ZeroOrderHold {
   // The model must outlive the hold.
   explicit ZeroOrderHold(const Model& model) : model_(&model) {}
 
-  // What the actuator is told (system/actuation.h) over the step that starts at t (s), from the state
-  // there; ask once a step, in order. 0 before the controller is on and without one.
+  // What the actuator is told (system/actuation.h) over the step that starts at t (s), from the
+  // state there; ask once a step, in order. 0 before the controller is on and without one.
   const Eigen::Vector2d& at(double t, const double* q, const double* v);
 
-  // The mean of the command over begin..end about t, from q, v and the accelerations of t (nq values
-  // each): a command that jumps there, at a sample or when the controller is switched on, is taken
-  // from the state of that instant and counts with the time that it holds; of currents of magnets that
-  // do not lag, the ones of the mean force. Ask in order.
+  // The mean of the command over begin..end about t, from q, v and the accelerations of t (nq
+  // values each): a command that jumps there, at a sample or when the controller is switched on, is
+  // taken from the state of that instant and counts with the time that it holds; of currents of
+  // magnets that do not lag, the ones of the mean force. Ask in order.
   Eigen::Vector2d mean(double begin, double t, double end, const double* q, const double* v,
                        const double* a);
   // Whether mean() would look at the state.

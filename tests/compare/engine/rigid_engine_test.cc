@@ -8,6 +8,7 @@
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/order.h"
 
 namespace rotorub::test {
 namespace {
@@ -25,18 +26,6 @@ Trajectory event(const scene::Scene& scene) {
   return run_native(scene, options);
 }
 
-// Of the rotor's position over all rows, m.
-double largest_error(const Trajectory& a, const Trajectory& b) {
-  EXPECT_EQ(a.rows(), b.rows());
-  const auto &ax = a.column("rotor_x"), &ay = a.column("rotor_y");
-  const auto &bx = b.column("rotor_x"), &by = b.column("rotor_y");
-  double error = 0.0;
-  for (std::size_t i = 0; i < std::min(a.rows(), b.rows()); ++i) {
-    error = std::max(error, std::hypot(ax[i] - bx[i], ay[i] - by[i]));
-  }
-  return error;
-}
-
 int counted(const Trajectory& t) {
   return static_cast<int>(std::count_if(t.impacts.begin(), t.impacts.end(),
                                         [](const Impact& impact) { return counts(impact); }));
@@ -47,7 +36,7 @@ TEST(RigidEngine, FollowsTheRingBench) {
   const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_EQ(t.contact_model, "rigid");
-  EXPECT_LT(largest_error(t, reference), 1.4e-8);
+  EXPECT_LT(rotor_error(t, reference), 1.4e-8);
   EXPECT_GT(t.contact_fraction(), 0.98);
   EXPECT_NEAR(t.mean_force(), reference.mean_force(), 1e-3 * reference.mean_force());
   // Bounces, then an accumulation, then sliding: one row an impact.
@@ -65,9 +54,9 @@ TEST(RigidEngine, FollowsTheRingBench) {
 TEST(RigidEngine, IsOfSecondOrderOnTheRingBench) {
   const scene::Scene scene = shipped("bench_ring", {"run.end=0.1"});
   const Trajectory reference = event(scene);
-  const double coarse = largest_error(rigid(scene, 1e-4), reference);
-  const double middle = largest_error(rigid(scene, 1e-5), reference);
-  const double fine = largest_error(rigid(scene, 1e-6), reference);
+  const double coarse = rotor_error(rigid(scene, 1e-4), reference);
+  const double middle = rotor_error(rigid(scene, 1e-5), reference);
+  const double fine = rotor_error(rigid(scene, 1e-6), reference);
   EXPECT_LT(coarse, 1.5e-6);
   EXPECT_LT(middle, 0.0125 * coarse);  // order 1.9
   EXPECT_LT(fine, 0.0125 * middle);
@@ -86,7 +75,7 @@ TEST(RigidEngine, KeepsABilliardsEnergy) {
 TEST(RigidEngine, BouncesToRest) {
   const scene::Scene scene = shipped("bench_drop");
   const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
-  EXPECT_LT(largest_error(t, reference), 2e-6);
+  EXPECT_LT(rotor_error(t, reference), 2e-6);
   EXPECT_NEAR(t.impacts[0].t, 10.0964e-3, 2e-5);
   EXPECT_NEAR(t.impacts[1].t, 20.1928e-3, 4e-5);
   EXPECT_NEAR(t.column("normal_force").back(), 19.62, 1e-6 * 19.62);
@@ -113,7 +102,7 @@ TEST(RigidEngine, IsNearerThanCoulombThanCone) {
   const auto error = [&](scene::ContactModel contact) {
     MujocoOptions options;
     options.contact = contact;
-    return largest_error(run_mujoco(scene, options), reference);
+    return rotor_error(run_mujoco(scene, options), reference);
   };
   const double rigid_error = error(scene::ContactModel::kRigid);
   const double coulomb_error = error(scene::ContactModel::kCoulomb);
@@ -126,8 +115,33 @@ TEST(RigidEngine, ImplicitIntegratorDoesTheSame) {
   const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_EQ(t.integrator, "implicit");
-  EXPECT_LT(largest_error(t, reference), 5e-6);
+  EXPECT_LT(rotor_error(t, reference), 5e-6);
 }
+
+// A rub on a rigid and on an elastic ring, and the whip of Black (1968) from its start on.
+class RigidRubs : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RigidRubs, AreOfSecondOrder) {
+  scene::Scene scene = shipped(GetParam());
+  scene.run.end = 0.1;
+  scene.run.output_step = 1e-3;
+  const Trajectory exact = event(scene);
+  ASSERT_EQ(exact.status, Status::kOk) << exact.message;
+  Convergence c;
+  for (const double step : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {
+    const Trajectory t = rigid(scene, step);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    ASSERT_EQ(t.rows(), exact.rows());
+    c.steps.push_back(step);
+    c.errors.push_back(rotor_error(t, exact));
+  }
+  EXPECT_GE(c.order(), 1.95) << c.text();
+  EXPECT_LT(c.errors[0], 1e-5) << c.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, RigidRubs,
+                         ::testing::Values("bench_annular_rigid", "bench_annular_elastic",
+                                           "bench_whip"));
 
 }  // namespace
 }  // namespace rotorub::test
