@@ -163,10 +163,9 @@ TEST(MujocoEngine, RefusesWhatIsNotOffered) {
 // The balance of soft contacts is taken at MuJoCo's staggered times. What it misses of a run that never
 // touches falls with the step, as the error of the motion does.
 TEST(MujocoEngine, TheBalanceOfAFreeRunFallsWithTheStep) {
-  constexpr double kRate = 20.0;  // 1/s, twice what is found at 100 us
-  scene::Scene scene = shipped("bench_ring");
-  scene.contact->clearance = 5e-3;
-  scene.run.end = 0.1;
+  constexpr double kRate = 6.0;  // 1/s, twice what is found
+  // At the resonance the orbit grows: room for it.
+  const scene::Scene scene = shipped("bench_ring", {"contact.clearance=40mm", "run.end=0.1"});
   for (const auto contact : {scene::ContactModel::kCone, scene::ContactModel::kCoulomb}) {
     for (const double step : {1e-4, 1e-5, 1e-6}) {
       MujocoOptions options;
