@@ -86,7 +86,7 @@ int rotorub_main(int argc, char** argv) {
   const std::vector<Command> commands{add_run_command(program), add_compare_command(program),
                                       add_modes_command(program), add_mjcf_command(program),
                                       add_render_command(program), add_bench_command(program),
-                                      add_sweep_command(program)};
+                                      add_sweep_command(program), add_check_command(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

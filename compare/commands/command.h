@@ -54,6 +54,7 @@ Command add_mjcf_command(CLI::App& program);
 Command add_render_command(CLI::App& program);
 Command add_bench_command(CLI::App& program);
 Command add_sweep_command(CLI::App& program);
+Command add_check_command(CLI::App& program);
 
 // The exit code for the status of a run.
 int exit_code_of(Status status);

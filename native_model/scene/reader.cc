@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "native_model/scene/overrides.h"
+#include "native_model/scene/rules.h"
 #include "native_model/scene/table_reader.h"
 #include "native_model/scene/toml_source.h"
 #include "native_model/scene/validate.h"
@@ -70,6 +71,7 @@ Scene scene_of(const TomlNode& root, const std::string& file_name, std::string t
   TableReader reader(scene, diagnostics);
   reader.read(root);
   validate(scene, reader.record(), diagnostics);
+  check_rules(reader.rules(), reader.record(), diagnostics);
   if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
   complete(scene, reader.record());
   scene.record = std::make_shared<const Record>(reader.take_record());

@@ -25,6 +25,8 @@ std::string type_text(const Key& key) {
       return std::string(key.quantity.unit) + ", list";
     case ValueType::kFlag:
       return "true or false";
+    case ValueType::kText:
+      return "text";
     case ValueType::kWord:
       break;
   }

@@ -95,6 +95,8 @@ std::string Key::expected() const {
       return "a list, each " + what;
     case ValueType::kFlag:
       return "true or false";
+    case ValueType::kText:
+      return "a text in quotes";
     case ValueType::kWord:
       break;
   }
@@ -115,6 +117,7 @@ std::span<const Table> tables() {
   static const std::vector<Table> all = [] {
     std::vector<Table> result = rotor_tables();
     for (Table& table : part_tables()) result.push_back(std::move(table));
+    result.push_back(rule_table());
     return result;
   }();
   return all;

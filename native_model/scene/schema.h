@@ -28,6 +28,7 @@ enum class ValueType {
   kPlanes,  // a number for both bending planes, or [x, y]
   kVector,  // [x, y]
   kList,    // numbers
+  kText,    // words of one's own
 };
 
 // Allowed numbers; of a pair or a list: each of them.
@@ -49,6 +50,7 @@ struct Value {
   int whole = 0;               // kWhole; kWord: which word; kFlag: 0, 1
   Eigen::Vector2d pair{0, 0};  // kPlanes, kVector, SI
   std::vector<double> list;    // kList, SI
+  std::string text;            // kText
 };
 
 struct Key {
@@ -86,7 +88,9 @@ struct Table {
   Form form = Form::kEither;
   std::string_view meaning;
   std::string_view when_absent;
-  void* (*object)(Scene& scene) = nullptr;  // makes the part (list: one more) and returns it
+  // Makes the part (list: one more) and returns it; null: the table is a rule (rules.h), which the
+  // reader keeps beside the scene.
+  void* (*object)(Scene& scene) = nullptr;
   std::vector<Key> keys;
 
   const Key* find(std::string_view name) const;
@@ -100,6 +104,7 @@ const Table* find_table(std::string_view path);
 std::vector<Table> rotor_tables();
 std::vector<Table> bearing_tables();
 std::vector<Table> part_tables();
+Table rule_table();
 
 // ---------------------------------------------------------------- rows from pointers to members
 
@@ -143,6 +148,8 @@ void assign(T& target, const Value& value) {
     target = static_cast<T>(value.whole);
   } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
     target = value.pair;
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    target = value.text;
   } else {
     target = value.list;
   }
@@ -162,6 +169,8 @@ constexpr ValueType type_of() {
     return ValueType::kWord;
   } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
     return ValueType::kVector;
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    return ValueType::kText;
   } else {
     static_assert(std::is_same_v<T, std::vector<double>>);
     return ValueType::kList;

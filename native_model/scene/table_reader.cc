@@ -115,7 +115,7 @@ void TableReader::read_object(const Table& table, const TomlNode& node, const st
     if (found != key->words.end()) kind = *found;
   }
 
-  void* object = table.object(scene_);
+  void* object = table.object != nullptr ? table.object(scene_) : &rules_.emplace_back();
   for (const Key& key : table.keys) {
     if (const TomlNode* value = node.find(key.name)) {
       const std::string key_path = child_path(path, key.name);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "native_model/scene/record.h"
+#include "native_model/scene/rules.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/toml_source.h"
 
@@ -21,6 +22,7 @@ class TableReader {
   void read(const TomlNode& root);
 
   const Record& record() const { return record_; }
+  const std::vector<Rule>& rules() const { return rules_; }
   Record take_record() { return std::move(record_); }
 
  private:
@@ -38,6 +40,7 @@ class TableReader {
   bool read_whole(const Key& key, const TomlNode& node, const std::string& path, int& whole);
   bool read_word(const Key& key, const TomlNode& node, const std::string& path, int& index);
   bool read_flag(const Key& key, const TomlNode& node, const std::string& path, int& flag);
+  bool read_text(const Key& key, const TomlNode& node, const std::string& path, std::string& text);
   bool read_pair(const Key& key, const TomlNode& node, const std::string& path,
                  Eigen::Vector2d& pair);
   bool read_list(const Key& key, const TomlNode& node, const std::string& path,
@@ -46,6 +49,7 @@ class TableReader {
   Scene& scene_;
   std::vector<Diagnostic>& diagnostics_;
   Record record_;
+  std::vector<Rule> rules_;
   Form form_ = Form::kEither;  // kEither: not known
 };
 

@@ -52,6 +52,8 @@ bool TableReader::read_value(const Key& key, const TomlNode& node, const std::st
       return read_pair(key, node, path, value.pair);
     case ValueType::kList:
       return read_list(key, node, path, value.list);
+    case ValueType::kText:
+      return read_text(key, node, path, value.text);
   }
   return false;
 }
@@ -113,6 +115,16 @@ bool TableReader::read_word(const Key& key, const TomlNode& node, const std::str
   if (!meant.empty()) reason += ", did you mean \"" + std::string(meant) + "\"?";
   fail(node, path, reason);
   return false;
+}
+
+bool TableReader::read_text(const Key& key, const TomlNode& node, const std::string& path,
+                            std::string& text) {
+  if (node.kind != Kind::kString || node.text.empty()) {
+    fail(node, path, "expected " + key.expected() + got(node));
+    return false;
+  }
+  text = node.text;
+  return true;
 }
 
 bool TableReader::read_flag(const Key& key, const TomlNode& node, const std::string& path,

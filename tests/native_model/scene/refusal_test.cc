@@ -324,7 +324,7 @@ TEST(Refusal, WritesOneLineAProblem) {
         error.what(),
         "dir/s.toml:9: contact.friction: out of range: expected a pure number, >= 0, got -1\n"
         "dir/s.toml:11: zzz: unknown table; accepted: run, rotor, drive, force, "
-        "magnetic_bearing, contact, stator, actuator, controller, gravity, initial, mujoco");
+        "magnetic_bearing, contact, stator, actuator, controller, gravity, initial, mujoco, check");
   }
 }
 

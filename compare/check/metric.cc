@@ -1,0 +1,136 @@
+#include "compare/check/metric.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "compare/metrics/metrics.h"
+#include "compare/study/json.h"
+
+namespace rotorub::check {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array kEventKinds{EventKind::kImpact, EventKind::kSlide, EventKind::kStick,
+                                 EventKind::kLiftOff, EventKind::kReverse};
+
+// The rest of `metric` after `prefix`, where it begins so.
+std::optional<std::string> after(const std::string& metric, const std::string& prefix) {
+  if (!metric.starts_with(prefix)) return std::nullopt;
+  return metric.substr(prefix.size());
+}
+
+json residuals(const scene::Scene& scene, const Trajectory& trajectory) {
+  return metrics_json(metrics(trajectory, contact_facts(scene))).at("residuals");
+}
+
+std::string numbers_of(const json& object) {
+  std::string names;
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_number()) names += (names.empty() ? "" : ", ") + key;
+  }
+  return names;
+}
+
+[[noreturn]] void refuse(const std::string& metric, const std::string& accepted) {
+  throw NoSuchMetric(fmt::format("there is no `{}`; accepted: {}", metric, accepted));
+}
+
+const std::vector<double>& column(const std::string& metric, const std::string& name,
+                                  const Trajectory& trajectory) {
+  if (trajectory.has(name)) return trajectory.column(name);
+  std::string names;
+  for (const Column& c : trajectory.series) names += (names.empty() ? "" : ", ") + c.name;
+  refuse(metric, "columns " + names);
+}
+
+double number_of(const json& object, const std::string& key, const std::string& metric) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_number()) refuse(metric, numbers_of(object));
+  return found->get<double>();
+}
+
+// Over the rows at the same times; both are ascending, and every engine gives a requested time
+// exactly.
+double largest_difference(const std::string& metric, const std::string& name, const Trajectory& a,
+                          const Trajectory& b) {
+  const auto &ta = a.column("t"), &tb = b.column("t");
+  const auto &xa = column(metric, name, a), &xb = column(metric, name, b);
+  double largest = 0.0;
+  for (std::size_t i = 0, j = 0; i < ta.size() && j < tb.size();) {
+    if (ta[i] == tb[j]) {
+      const double apart = std::abs(xa[i++] - xb[j++]);
+      if (!(apart <= largest)) largest = apart;  // NaN stays
+    } else {
+      (ta[i] < tb[j] ? i : j) += 1;
+    }
+  }
+  return largest;
+}
+
+std::int64_t count_of(const std::string& metric, const std::string& name,
+                      const Trajectory& trajectory) {
+  std::string names;
+  for (const EventKind kind : kEventKinds) {
+    if (name == to_string(kind)) {
+      return std::count_if(trajectory.events.begin(), trajectory.events.end(),
+                           [&](const Event& e) { return e.kind == kind; });
+    }
+    names += (names.empty() ? "count." : ", count.") + std::string(to_string(kind));
+  }
+  refuse(metric, names);
+}
+
+}  // namespace
+
+bool needs_reference(const std::string& metric) { return metric.starts_with(kErrorPrefix); }
+
+void check_name(const std::string& metric) {
+  if (after(metric, kErrorPrefix) || after(metric, "end.") || after(metric, "largest.")) return;
+  // Names do not hang on values: an empty run has them all.
+  if (const auto name = after(metric, "count.")) {
+    count_of(metric, *name, {});
+  } else if (const auto residual = after(metric, "residual.")) {
+    number_of(metrics_json(Metrics{}).at("residuals"), *residual, metric);
+  } else {
+    const json summary = summary_json({}, {});
+    const auto found = summary.find(metric);
+    if (found != summary.end() && found->is_number()) return;
+    refuse(metric,
+           numbers_of(summary) +
+               ", error.<column>, end.<column>, largest.<column>, residual.<name>, count.<event>");
+  }
+}
+
+double measure(const std::string& metric, const scene::Scene& scene, const Trajectory& trajectory,
+               const Trajectory* reference) {
+  if (const auto name = after(metric, kErrorPrefix)) {
+    if (reference == nullptr) throw std::invalid_argument(metric + " without a reference");
+    return largest_difference(metric, *name, trajectory, *reference);
+  }
+  if (const auto name = after(metric, "end.")) {
+    const std::vector<double>& values = column(metric, *name, trajectory);
+    return values.empty() ? std::nan("") : values.back();
+  }
+  if (const auto name = after(metric, "largest.")) {
+    double largest = 0.0;
+    for (const double value : column(metric, *name, trajectory)) {
+      if (!(std::abs(value) <= largest)) largest = std::abs(value);  // NaN stays
+    }
+    return largest;
+  }
+  if (const auto name = after(metric, "count.")) {
+    return static_cast<double>(count_of(metric, *name, trajectory));
+  }
+  if (const auto name = after(metric, "residual.")) {
+    return number_of(residuals(scene, trajectory), *name, metric);
+  }
+  return number_of(summary_json(scene, trajectory), metric, metric);
+}
+
+}  // namespace rotorub::check

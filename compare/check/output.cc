@@ -1,0 +1,109 @@
+#include "compare/check/output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "native_model/scene/printable.h"
+
+namespace rotorub::check {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kWidth = 80;
+constexpr std::size_t kName = 26, kColumn = 9;  // 26 + 6 engines of 9
+constexpr std::size_t kMostReason = 400;        // bytes of one reason
+
+std::string cut(const std::string& name) { return scene::printable(name, kName - 4); }
+
+std::string head() {
+  std::string line(kName, ' ');
+  for (const CheckEngine& e : check_engines()) line += fmt::format("{:>{}}", e.column, kColumn);
+  std::string groups(kName, ' ');
+  groups += fmt::format("{:>{}}{:>{}}", "native", 3 * kColumn, "MuJoCo", 3 * kColumn);
+  return groups + "\n" + line + "\n";
+}
+
+// The words of `sentence` in lines of kWidth, the first after `lead`, the others indented.
+std::string wrapped(const std::string& lead, const std::string& sentence) {
+  constexpr std::size_t kIndent = 6;
+  std::string out = lead;
+  std::size_t column = lead.size();
+  bool fresh = false;
+  for (std::size_t at = 0; at < sentence.size();) {
+    const std::size_t end = std::min(sentence.find_first_of(" \n", at), sentence.size());
+    const std::size_t word = end - at;
+    if (word > 0) {
+      if (!fresh && column + 1 + word > kWidth) {
+        out += "\n" + std::string(kIndent, ' ');
+        column = kIndent;
+        fresh = true;
+      }
+      if (!fresh) out += ' ';
+      column += word + (fresh ? 0 : 1);
+      out.append(sentence, at, word);
+      fresh = false;
+    }
+    at = end + 1;
+  }
+  return out + "\n";
+}
+
+// All of one outcome, native ones first.
+std::string notes(const std::vector<Case>& cases, Outcome outcome) {
+  std::string text;
+  for (const bool native : {true, false}) {
+    for (const Case& c : cases) {
+      if (c.outcome() != outcome || c.native != native) continue;
+      if (text.empty()) text = fmt::format("\n{}:\n", to_string(outcome));
+      text += wrapped(fmt::format("  {}, {}:", cut(c.scene), c.engine),
+                      scene::printable(c.deciding.reason, kMostReason));
+    }
+  }
+  return text;
+}
+
+json number(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? json(*value) : json(nullptr);
+}
+
+json verdict_json(const Verdict& v) {
+  return {{"outcome", to_string(v.outcome)},
+          {"rule", v.rule},
+          {"value", number(v.value)},
+          {"limit", number(v.limit)},
+          {"reason", v.reason}};
+}
+
+}  // namespace
+
+std::string table(const std::vector<Case>& cases) {
+  std::string text = head();
+  for (std::size_t i = 0; i < cases.size();) {
+    const std::size_t first = i;
+    text += fmt::format("{:<{}}", cut(cases[first].scene), kName);
+    for (; i < cases.size() && i < first + check_engines().size(); ++i) {
+      text += fmt::format("{:>{}}", to_string(cases[i].outcome()), kColumn);
+    }
+    text += '\n';
+  }
+  return text + notes(cases, Outcome::kViolates) + notes(cases, Outcome::kRefused);
+}
+
+json cases_json(const std::vector<Case>& cases) {
+  json all = json::array();
+  for (const Case& c : cases) {
+    json one = verdict_json(c.deciding);
+    one["scene"] = c.scene;
+    one["engine"] = c.engine;
+    one["rules"] = json::array();
+    for (const Verdict& v : c.verdicts) one["rules"].push_back(verdict_json(v));
+    all.push_back(std::move(one));
+  }
+  return {{"cases", std::move(all)}};
+}
+
+}  // namespace rotorub::check

@@ -1,0 +1,20 @@
+// Cases as text for a terminal of 80 columns, and as JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "compare/check/case.h"
+
+namespace rotorub::check {
+
+// A line a scene, a column an engine; below it every violation and every refusal with its reason.
+// `cases`: a scene's stand together.
+std::string table(const std::vector<Case>& cases);
+
+// {"cases": [{"scene", "engine", "outcome", "rule", "value", "limit", "reason", "rules": [...]}]};
+// value and limit are null where nothing is measured. `rules`: the same keys for every rule.
+nlohmann::json cases_json(const std::vector<Case>& cases);
+
+}  // namespace rotorub::check

@@ -1,0 +1,133 @@
+// rotorub check: scenes against the rules that stand in their files, on every engine.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "compare/check/output.h"
+#include "compare/check/scene_check.h"
+#include "compare/commands/command.h"
+#include "compare/commands/interrupt.h"
+#include "compare/commands/progress.h"
+#include "compare/study/json.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+struct CheckArguments : CommonOptions {
+  std::vector<std::string> places;
+};
+
+// Every scene file that was named, or stands in a folder that was; a folder's in order of name.
+std::vector<std::string> scene_files(const std::vector<std::string>& places) {
+  std::vector<std::string> files;
+  for (const std::string& place : places) {
+    if (!std::filesystem::is_directory(place)) {
+      files.push_back(place);
+      continue;
+    }
+    std::vector<std::string> inside;
+    for (const auto& entry : std::filesystem::directory_iterator(place)) {
+      if (entry.path().extension() == ".toml") inside.push_back(entry.path().string());
+    }
+    if (inside.empty()) throw UsageError(place + ": no scene (.toml) in this folder");
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+struct CheckedScene {
+  scene::Scene scene;
+  std::vector<scene::Rule> rules;
+  std::string refusal;  // why it cannot be read, where its file says that it is refused
+};
+
+// A file that cannot be a scene, and says so: what is wrong with it stands in `error`.
+std::optional<CheckedScene> refused_scene(const std::string& file, const scene::SceneError& error) {
+  CheckedScene one;
+  one.scene.name = std::filesystem::path(file).stem().string();
+  one.scene.text = scene::file_text(file);
+  one.rules = scene::read_rules(one.scene);
+  one.refusal = error.what();
+  const bool expected = std::any_of(one.rules.begin(), one.rules.end(), [](const scene::Rule& r) {
+    return r.expect == scene::Expect::kRefused;
+  });
+  const auto& wrong = error.diagnostics();
+  const bool in_rules = std::any_of(wrong.begin(), wrong.end(), [](const scene::Diagnostic& d) {
+    return d.key.starts_with("check");
+  });
+  if (!expected || in_rules) return std::nullopt;
+  return one;
+}
+
+// Whatever is wrong with any scene is said before the first is run.
+std::vector<CheckedScene> checked_scenes(const CheckArguments& options) {
+  std::vector<CheckedScene> all;
+  std::vector<scene::Diagnostic> wrong;
+  for (const std::string& file : scene_files(options.places)) {
+    try {
+      CheckedScene one{read_scene(file, options), {}, ""};
+      one.rules = check::rules_of(one.scene);
+      all.push_back(std::move(one));
+    } catch (const scene::SceneError& error) {
+      if (auto refused = refused_scene(file, error)) {
+        all.push_back(std::move(*refused));
+        continue;
+      }
+      wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
+    }
+  }
+  if (!wrong.empty()) throw scene::SceneError(wrong);
+  return all;
+}
+
+int run_check(const CheckArguments& options) {
+  const std::vector<CheckedScene> scenes = checked_scenes(options);
+  ProgressBar bar(options.quiet);
+  std::vector<check::Case> cases;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    const auto progress = [&](double share, const std::string& engine) {
+      bar.show((static_cast<double>(k) + share) / static_cast<double>(scenes.size()),
+               scenes[k].scene.name + ": " + engine);
+    };
+    const CheckedScene& one = scenes[k];
+    std::vector<check::Case> own =
+        one.refusal.empty() ? check::check_scene(one.scene, one.rules, progress, &interrupted())
+                            : check::refused_cases(one.scene, one.rules, one.refusal);
+    cases.insert(cases.end(), own.begin(), own.end());
+    if (interrupted()) throw Interrupted();
+  }
+  bar.clear();
+  const bool holds = check::holds(cases);
+  if (options.json) {
+    std::cout << json_text(check::cases_json(cases));
+  } else if (!options.quiet) {
+    fmt::print("{}\n{} scenes: {}\n", check::table(cases), scenes.size(),
+               holds ? "every native case passes or is refused as its file says"
+                     : "a native case violates its rules");
+  }
+  return holds ? kDone : kOutside;
+}
+
+}  // namespace
+
+Command add_check_command(CLI::App& program) {
+  auto options = std::make_shared<CheckArguments>();
+  CLI::App* app = program.add_subcommand(
+      "check", "Scenes against the pass rules in their files ([[check]]), on every engine");
+  app->add_option("SCENE", options->places, "Scene files (.toml), or folders of them")
+      ->required()
+      ->type_name("SCENE|DIR");
+  add_common_options(*app, *options);
+  return {app, [options] { return run_check(*options); }};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,48 @@
+#include "native_model/scene/rules.h"
+
+#include <optional>
+#include <utility>
+
+#include "native_model/scene/table_reader.h"
+
+namespace rotorub::scene {
+
+std::vector<Rule> read_rules(const Scene& scene) {
+  std::vector<Diagnostic> diagnostics;
+  const std::optional<TomlNode> root = parse_toml(scene.text, scene.name + ".toml", diagnostics);
+  if (!root) return {};
+  // The tree has made a scene before: what is read beside the rules is known to be sound.
+  Scene again;
+  TableReader reader(again, diagnostics);
+  reader.read(*root);
+  return reader.rules();
+}
+
+void check_rules(const std::vector<Rule>& rules, const Record& record,
+                 std::vector<Diagnostic>& diagnostics) {
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    const Rule& rule = rules[i];
+    const std::string path = "check[" + std::to_string(i) + "]";
+    const bool metric = record.given(path + ".metric");
+    const bool min = record.given(path + ".min"), max = record.given(path + ".max");
+    const auto fail = [&](const std::string& key, std::string reason) {
+      diagnostics.push_back(record.diagnostic(path + key, std::move(reason)));
+    };
+    if (metric && rule.expect == Expect::kRefused) {
+      fail(".metric", "belongs to a run, and `expect` = \"refused\" says that there is none");
+    } else if (metric && !min && !max) {
+      fail(".metric", "has no limit: expected `min`, `max` or both");
+    }
+    if (!metric && (min || max)) {
+      fail(min ? ".min" : ".max", "limits nothing: expected a `metric` beside it");
+    }
+    if (!metric && !min && !max && !record.given(path + ".expect")) {
+      fail("", "says nothing: expected `metric` with `min` or `max`, or `expect`");
+    }
+    if (rule.min && rule.max && *rule.min > *rule.max) {
+      fail(".max", "must not be below `min`");
+    }
+  }
+}
+
+}  // namespace rotorub::scene
