@@ -34,8 +34,9 @@ struct TuneArguments : CommonOptions {
 std::vector<double> tune_steps(const TuneArguments& options, const scene::Scene& scene) {
   std::vector<double> steps =
       options.steps.empty() ? bench::default_ladder().steps : bench::parse_steps(options.steps);
-  // The scene's own step is one that its user has a reason for.
-  if (options.steps.empty()) steps.push_back(scene.run.step);
+  // A slow machine may take more than the bench's steps. The scene's own step is one that its user
+  // has a reason for.
+  if (options.steps.empty()) steps.insert(steps.end(), {1e-3, 5e-4, scene.run.step});
   std::sort(steps.begin(), steps.end(), std::greater<>());
   steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
   return steps;
@@ -100,7 +101,7 @@ Command add_tune_command(CLI::App& program) {
       ->type_name("SHARE")
       ->capture_default_str();
   app->add_option("--steps", options->steps,
-                  "Steps that are tried, e.g. 100us,10us (default: 1-2-5 from 200 us to 1 us, and "
+                  "Steps that are tried, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 us, and "
                   "the scene's)")
       ->type_name("LIST");
   app->add_option("--twins", options->twins,
