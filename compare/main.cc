@@ -83,10 +83,11 @@ int rotorub_main(int argc, char** argv) {
   program.set_version_flag("--version",
                            "rotorub " + program_version() + " (MuJoCo " + mujoco_version() + ")");
   program.require_subcommand(1);
-  const std::vector<Command> commands{add_run_command(program), add_compare_command(program),
-                                      add_modes_command(program), add_mjcf_command(program),
+  const std::vector<Command> commands{add_run_command(program),    add_compare_command(program),
+                                      add_modes_command(program),  add_mjcf_command(program),
                                       add_render_command(program), add_bench_command(program),
-                                      add_sweep_command(program), add_check_command(program)};
+                                      add_sweep_command(program),  add_check_command(program),
+                                      add_tune_command(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

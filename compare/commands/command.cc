@@ -1,8 +1,12 @@
 #include "compare/commands/command.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cassert>
 
 #include "native_model/scene/reader.h"
+#include "native_model/scene/units.h"
 
 namespace rotorub {
 
@@ -29,6 +33,35 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
   if (!options.step.empty()) overrides.push_back("run.step=" + options.step);
   if (!options.end.empty()) overrides.push_back("run.end=" + options.end);
   return scene::read_scene(file, overrides);
+}
+
+double tolerance_of(const std::string& text) {
+  const auto parsed = scene::parse_quantity(text, scene::kPure);
+  if (!parsed.error.empty() || !(parsed.value >= 0.0)) {
+    throw UsageError(
+        fmt::format("--tolerance {}: accepted is a share of 0 or more, as 1% or 0.01", text));
+  }
+  if (parsed.value >= 1.0 && text.find('%') == std::string::npos) {
+    throw UsageError(
+        fmt::format("--tolerance {0}: a bare number is a share, and {0} would be {1:.6g} %; "
+                    "accepted is \"{0}%\" "
+                    "or {2:.6g}",
+                    text, 100.0 * parsed.value, 0.01 * parsed.value));
+  }
+  return parsed.value;
+}
+
+void check_twins(int twins) {
+  constexpr int kMost = 10'000;
+  if (twins >= 0 && twins <= kMost) return;
+  throw UsageError(
+      fmt::format("--twins {}: accepted is 0 to {}; 0 leaves the spread out", twins, kMost));
+}
+
+scene::ContactModel contact_model_of(const std::string& name) {
+  if (name == "rigid") return scene::ContactModel::kRigid;
+  assert(name == "coulomb" || name == "cone");
+  return name == "cone" ? scene::ContactModel::kCone : scene::ContactModel::kCoulomb;
 }
 
 int exit_code_of(Status status) {

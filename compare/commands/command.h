@@ -41,6 +41,14 @@ void add_run_options(CLI::App& command, CommonOptions& options);
 // The scene with all overrides applied, --step and --end last. Throws scene::SceneError.
 scene::Scene read_scene(const std::string& file, const CommonOptions& options);
 
+// A tolerance as a user writes it: "1%" or 0.01; a bare number of 1 or more is refused, as it may
+// mean either. Throws UsageError.
+double tolerance_of(const std::string& text);
+// Throws UsageError for a number of twins that is none, or more than a spread has a use for.
+void check_twins(int twins);
+// "rigid", "coulomb", "cone"; asserts one of them.
+scene::ContactModel contact_model_of(const std::string& name);
+
 // Adds a subcommand to the program. The action runs after parsing and gives the exit code.
 using Action = std::function<int()>;
 struct Command {
@@ -55,6 +63,7 @@ Command add_render_command(CLI::App& program);
 Command add_bench_command(CLI::App& program);
 Command add_sweep_command(CLI::App& program);
 Command add_check_command(CLI::App& program);
+Command add_tune_command(CLI::App& program);
 
 // The exit code for the status of a run.
 int exit_code_of(Status status);

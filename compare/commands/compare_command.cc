@@ -16,28 +16,19 @@
 #include "compare/study/json.h"
 #include "compare/study/table.h"
 #include "native_model/scene/reader.h"
-#include "native_model/scene/units.h"
 
 namespace rotorub {
 namespace {
 
 struct CompareArguments : CommonOptions {
   std::vector<std::string> scenes;
-  std::string mode = "lockstep", tolerance = "1%", folder = "runs/compare";
+  std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare";
+  int twins = kDefaultTwins;
   bool no_video = false;
 };
 
 // Share of the time that films take, for the progress bar.
 constexpr double kFilmShare = 0.5;
-
-double tolerance_of(const std::string& text) {
-  const auto parsed = scene::parse_quantity(text, scene::kPure);
-  if (!parsed.error.empty() || parsed.value < 0.0) {
-    throw UsageError(
-        fmt::format("--tolerance {}: accepted is a share of 0 or more, as 1% or 0.01", text));
-  }
-  return parsed.value;
-}
 
 void check_mode(const std::string& mode) {
   if (mode != "lockstep") {
@@ -109,6 +100,8 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
   for (std::size_t k = 0; k < scenes.size() && !interrupted(); ++k) {
     CompareOptions how;
     how.tolerance = tolerance;
+    how.contact = contact_model_of(options.contact);
+    how.twins = options.twins;
     how.interrupt = &interrupted();
     how.progress = [&](double share, const std::string& what) {
       bar.show(work * (static_cast<double>(k) + share) / static_cast<double>(scenes.size()),
@@ -129,6 +122,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
 
 int compare(const CompareArguments& options) {
   check_mode(options.mode);
+  check_twins(options.twins);
   const double tolerance = tolerance_of(options.tolerance);
   const auto scenes = read_scenes(options);
   ProgressBar bar(options.quiet);
@@ -158,9 +152,20 @@ Command add_compare_command(CLI::App& program) {
   app->add_option("--mode", options->mode, "How the two sides are coupled: lockstep")
       ->check(CLI::IsMember({"lockstep", "replay", "resync"}))
       ->capture_default_str();
-  app->add_option("--tolerance", options->tolerance,
-                  "On mean normal force, contact fraction and total impulse")
+  app->add_option(
+         "--tolerance", options->tolerance,
+         "On the judged figures, as 1% or 0.01: mean normal force, contact, total impulse; "
+         "peak force, rms gap rate, hard impacts")
       ->type_name("SHARE")
+      ->capture_default_str();
+  app->add_option("--contact", options->contact,
+                  "Whose verdict is the exit code: rigid, coulomb or cone; all three are shown")
+      ->check(CLI::IsMember({"rigid", "coulomb", "cone"}))
+      ->capture_default_str();
+  app->add_option("--twins", options->twins,
+                  "Native runs a few units in the last place apart, whose spread tells what can be "
+                  "decided")
+      ->type_name("N")
       ->capture_default_str();
   app->add_option("-o,--output", options->folder, "Folder of the results")
       ->type_name("DIR")

@@ -27,11 +27,6 @@ struct RunArguments : CommonOptions {
   std::string scene, engine = "native", integrator, contact, folder;
 };
 
-scene::ContactModel contact_of(const std::string& name) {
-  if (name == "rigid") return scene::ContactModel::kRigid;
-  return name == "cone" ? scene::ContactModel::kCone : scene::ContactModel::kCoulomb;
-}
-
 std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scene& scene) {
   if (options.engine == "native") {
     if (!options.contact.empty() && options.contact != "rigid") {
@@ -50,7 +45,7 @@ std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scen
     throw UsageError("--integrator belongs to --engine native; MuJoCo's is [mujoco] integrator");
   }
   return mujoco_engine(options.contact.empty() ? scene.mujoco.contact
-                                               : contact_of(options.contact));
+                                               : contact_model_of(options.contact));
 }
 
 // What a rigid impact on these modes is worth.
@@ -123,7 +118,8 @@ Command add_run_command(CLI::App& program) {
   app->add_option("--engine", options->engine, "native or mujoco")
       ->check(CLI::IsMember({"native", "mujoco"}))
       ->capture_default_str();
-  app->add_option("--integrator", options->integrator, "Of the native engine: event, verlet, paper or literal")
+  app->add_option("--integrator", options->integrator,
+                  "Of the native engine: event, verlet, paper or literal")
       ->check(CLI::IsMember({"event", "verlet", "paper", "literal"}));
   app->add_option("--contact", options->contact, "In MuJoCo: rigid, coulomb or cone")
       ->check(CLI::IsMember({"rigid", "coulomb", "cone"}));

@@ -36,9 +36,15 @@ void gather_forces(const Trajectory& trajectory, Metrics& m) {
 }
 
 void gather_impacts(const Trajectory& trajectory, Metrics& m) {
+  double fastest = 0.0;
   for (const Impact& impact : trajectory.impacts) {
     m.impacts += counts(impact) ? 1 : 0;
     m.peak_impulse = std::max(m.peak_impulse, impact.normal_impulse);
+    fastest = std::max(fastest, -impact.gap_rate_before);
+  }
+  for (const Impact& impact : trajectory.impacts) {
+    const bool hard = -impact.gap_rate_before > kHardShare * fastest;
+    m.hard_impacts += counts(impact) && hard ? 1 : 0;
   }
 }
 

@@ -23,6 +23,7 @@ struct Metrics {
   double friction_impulse = 0.0;      // N s, signed along e_t
   double friction_work = 0.0;         // J, <= 0
   std::size_t impacts = 0;            // counted ones (closing faster than 1e-4 m/s)
+  std::size_t hard_impacts = 0;       // of these, faster than kHardShare of the fastest
   double peak_impulse = 0.0;          // N s, largest of one impact
   double gap_rate_rms = 0.0;          // m/s, from first touch
   double max_penetration = 0.0;       // m
@@ -37,6 +38,10 @@ struct Metrics {
   double us_per_step = 0.0;       // 0 for no step
   double real_time_factor = 0.0;  // simulated time / wall time
 };
+
+// An accumulation of impacts has no number: the last bounces last less than a step. Those faster
+// than this share of the fastest one are told apart by every step that is worth anything.
+inline constexpr double kHardShare = 0.01;
 
 // Nothing of the contact, where the scene has none.
 std::optional<ContactFacts> contact_facts(const scene::Scene& scene);

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/study/answer.h"
 #include "compare/study/format.h"
 #include "compare/study/verdict.h"
 #include "compare/version.h"
@@ -14,8 +15,36 @@ namespace {
 
 using nlohmann::json;
 
-const char* tone(bool within) { return within ? "good" : "bad"; }
-const char* mark(bool within) { return within ? "✓" : "✗"; }
+const char* tone(Trust trust) {
+  return trust == Trust::kYes ? "good" : trust == Trust::kNo ? "bad" : "part";
+}
+const char* mark(Trust trust) {
+  switch (trust) {
+    case Trust::kYes:
+      return "✓";
+    case Trust::kAveragesOnly:
+      return "≈";
+    case Trust::kUndecidable:
+      return "?";
+    case Trust::kNo:
+      break;
+  }
+  return "✗";
+}
+
+const char* tone(FigureVerdict verdict) {
+  switch (verdict) {
+    case FigureVerdict::kWithin:
+      return "good";
+    case FigureVerdict::kOutside:
+      return "bad";
+    case FigureVerdict::kUndecidable:
+      return "part";
+    case FigureVerdict::kNotJudged:
+      break;
+  }
+  return "";
+}
 
 json side_values(const SceneComparison& c) {
   json sides = json::array();
@@ -31,8 +60,8 @@ json verdict_values(const SceneComparison& c) {
   json all = json::array();
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const SideDifference& d = c.differences[k];
-    all.push_back({{"tone", tone(d.within)},
-                   {"mark", mark(d.within)},
+    all.push_back({{"tone", tone(d.trust)},
+                   {"mark", mark(d.trust)},
                    {"headline", headline(c, c.sides[k + 1], d)},
                    {"has_reasons", !d.reasons.empty()},
                    {"reasons", d.reasons}});
@@ -49,7 +78,8 @@ json cells_of(const SceneComparison& c, std::size_t figure) {
     if (k > 0) {
       const FigureDifference& d = c.differences[k - 1].figures[figure];
       cell["deviation"] = deviation_text(f, d.deviation);
-      cell["tone"] = f.judged ? tone(d.within) : "";
+      cell["tone"] = tone(d.verdict);
+      cell["verdict"] = to_string(d.verdict);
     }
     cells.push_back(std::move(cell));
   }
@@ -60,43 +90,27 @@ json figure_rows(const SceneComparison& c, bool judged_only) {
   json rows = json::array();
   for (std::size_t k = 0; k < figures().size(); ++k) {
     const Figure& f = figures()[k];
-    if (judged_only && !f.judged) continue;
+    if (judged_only && !f.is_judged()) continue;
     rows.push_back(
         {{"label", f.label}, {"unit", f.unit}, {"meaning", f.meaning}, {"cells", cells_of(c, k)}});
   }
   return rows;
 }
 
-json card_values(const SceneComparison& c) {
+// One row a contact model, none smaller than another.
+json answer_values(const SceneComparison& c) {
   json rows = json::array();
-  for (const FigureDifference& d : c.differences.front().figures) {
-    if (!d.figure->judged) continue;
-    const std::string unit = d.figure->unit;
-    rows.push_back({{"label", d.figure->label},
-                    {"native", figure_value(*d.figure, d.native) + " " + unit},
-                    {"other", figure_value(*d.figure, d.other) + " " + unit},
-                    {"deviation", deviation_text(*d.figure, d.deviation)},
-                    {"tone", tone(d.within)}});
+  for (const AnswerRow& row : answer(c)) {
+    rows.push_back({{"contact", row.contact},
+                    {"tone", tone(row.trust)},
+                    {"mark", mark(row.trust)},
+                    {"trusted", to_string(row.trust)},
+                    {"why", row.why},
+                    {"cost", row.us_per_step > 0.0 ? fmt::format("{:.3g} µs", row.us_per_step)
+                                                   : std::string("–")},
+                    {"decides", row.decides}});
   }
   return rows;
-}
-
-// A reason that stands alone names its contact model.
-std::string standing_alone(const std::string& reason, const std::string& label) {
-  return reason.starts_with(label) ? reason : label + ": " + reason;
-}
-
-// The other contact models in one line each: their headline, or what is most telling.
-json card_others(const SceneComparison& c) {
-  json lines = json::array();
-  for (std::size_t k = 1; k < c.differences.size(); ++k) {
-    const SideDifference& d = c.differences[k];
-    const std::string text = d.within || d.reasons.empty()
-                                 ? headline(c, c.sides[k + 1], d)
-                                 : standing_alone(d.reasons.front(), c.sides[k + 1].label);
-    lines.push_back({{"tone", tone(d.within)}, {"mark", mark(d.within)}, {"text", text}});
-  }
-  return lines;
 }
 
 json split_rows(const SceneComparison& c) {
@@ -114,7 +128,7 @@ json split_rows(const SceneComparison& c) {
            {"model_gap", figure_value(f, d.split.model_gap)},
            {"step_error", figure_value(f, d.split.step_error)},
            {"native_step_error", figure_value(f, d.split.native_step_error)},
-           {"floor", deviation_text(f, d.floor)},
+           {"floor", size_text(f, d.spread)},
            {"tone", d.split.valid ? "" : "unsure"},
            {"note", d.split.valid ? fmt::format("valid, ± {}", figure_value(f, d.split.uncertainty))
                                   : "not valid: " + d.split.reason}});
@@ -204,8 +218,9 @@ std::string part_text(const Divergence& d) {
 }
 
 std::string divergence_text(const SceneComparison& c) {
-  std::string text = "Rotor positions: native runs that start one unit in the last place apart " +
-                     part_text(c.twin);
+  std::string text =
+      "Rotor positions: native runs that start a few units in the last place apart " +
+      part_text(c.twin);
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     text += fmt::format("; native and {} {}", c.sides[k + 1].label,
                         part_text(c.differences[k].divergence));
@@ -223,6 +238,7 @@ json condition_values(const SceneComparison& c) {
   add("scene hash", scene::scene_hash(c.scene));
   add("step", time_text(c.scene.run.step));
   add("tolerance", percent_text(c.tolerance));
+  add("twins", fmt::format("{}", c.twins));
   for (const Side& side : c.sides) {
     const Trajectory& t = side.trajectory;
     add(side.label.c_str(), fmt::format("{}, integrator {}, contact {}, {}", t.engine, t.integrator,
@@ -234,32 +250,25 @@ json condition_values(const SceneComparison& c) {
 }  // namespace
 
 json scene_values(const SceneComparison& c) {
-  const bool within = c.within();
   const json impacts = impact_rows(c);
-  return {
-      {"name", c.scene.name},
-      {"tone", tone(within)},
-      {"mark", mark(within)},
-      {"verdict", fmt::format("{} {} {}", c.sides[1].label, within ? "agrees within" : "is outside",
-                              percent_text(c.tolerance))},
-      {"side", c.sides[1].label},
-      {"card", card_values(c)},
-      {"others", card_others(c)},
-      {"step", time_text(c.scene.run.step)},
-      {"end", time_text(c.scene.run.end)},
-      {"hash", scene::scene_hash(c.scene)},
-      {"sides", side_values(c)},
-      {"verdicts", verdict_values(c)},
-      {"judged", figure_rows(c, true)},
-      {"all", figure_rows(c, false)},
-      {"splits", split_rows(c)},
-      {"residuals", residual_rows(c)},
-      {"cost", cost_rows(c)},
-      {"has_impacts", !impacts.empty()},
-      {"impacts", impacts},
-      {"divergence", divergence_text(c)},
-      {"conditions", condition_values(c)},
-      {"text", c.scene.text}};
+  return {{"name", c.scene.name},
+          {"answer", answer_values(c)},
+          {"whose", whose_verdict(c)},
+          {"step", time_text(c.scene.run.step)},
+          {"end", time_text(c.scene.run.end)},
+          {"hash", scene::scene_hash(c.scene)},
+          {"sides", side_values(c)},
+          {"verdicts", verdict_values(c)},
+          {"judged", figure_rows(c, true)},
+          {"all", figure_rows(c, false)},
+          {"splits", split_rows(c)},
+          {"residuals", residual_rows(c)},
+          {"cost", cost_rows(c)},
+          {"has_impacts", !impacts.empty()},
+          {"impacts", impacts},
+          {"divergence", divergence_text(c)},
+          {"conditions", condition_values(c)},
+          {"text", c.scene.text}};
 }
 
 }  // namespace rotorub

@@ -15,17 +15,28 @@ enum class Scale {
   kPoints     // difference itself: shares of time, in points
 };
 
+// Whether the tolerance is on a figure, and what it tells.
+enum class Judged {
+  kNo,
+  kAverage,  // of the whole run: what a machine's bearings and heat feel
+  kPeak      // of single moments: what an impact does
+};
+
 struct Figure {
   const char* key;    // in JSON
   const char* label;  // in tables
   const char* unit;   // of the value as written
   double per_unit;    // written value = value in SI * per_unit
   Scale scale;
-  bool judged;          // the tolerance is on it
+  Judged judged;
   bool split;           // converges with the step: split into model gap and step error
   bool comparable;      // means the same for a soft and for a rigid contact: has a difference
   const char* meaning;  // one sentence
   double (*value)(const Metrics&);
+  // SI, kRelative: a difference is relative to the native value, or to this where that is smaller.
+  double resolution = 0.0;
+
+  bool is_judged() const { return judged != Judged::kNo; }
 };
 
 std::span<const Figure> figures();
@@ -33,7 +44,8 @@ std::span<const Figure> figures();
 const Figure& figure(const std::string& key);
 
 // Difference on the scale of a figure, as a share (0.01: 1 % or 1 point); relative ones are
-// positive where the magnitude grows, 0 for two zeros, infinite where the native value alone is 0.
+// positive where the magnitude grows, 0 for two zeros, infinite where the native value alone is 0
+// and the figure has no resolution.
 double deviation(const Figure& figure, double native, double other);
 
 }  // namespace rotorub

@@ -35,6 +35,11 @@ std::string deviation_text(const Figure& figure, double deviation) {
   return "×" + short_number(std::round(1.0 + deviation));
 }
 
+std::string size_text(const Figure& figure, double size) {
+  const std::string text = deviation_text(figure, size);
+  return text.starts_with('+') ? text.substr(1) : text;
+}
+
 std::string percent_text(double share) { return fmt::format("{:.6g} %", 100.0 * share); }
 
 std::string time_text(double seconds) {

@@ -14,6 +14,8 @@ std::string figure_value(const Figure& figure, double value);
 // "+0.52 %", "-77 pts", "×188" on the figure's scale; "∞" where the native value is 0; "–" for a
 // figure that is not comparable.
 std::string deviation_text(const Figure& figure, double deviation);
+// The same of a size: without a plus.
+std::string size_text(const Figure& figure, double size);
 // A share as a percentage: "1 %".
 std::string percent_text(double share);
 // A time with a fitting unit: "10 µs", "0.5 s".

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/study/answer.h"
 #include "compare/study/verdict.h"
 #include "compare/version.h"
 #include "native_model/scene/reader.h"
@@ -69,14 +70,35 @@ json side_json(const scene::Scene& scene, const Side& side) {
             {"highest", side.timing.highest}}}};
 }
 
+// One row a contact model.
+json answer_json(const SceneComparison& comparison) {
+  json rows = json::array();
+  for (const AnswerRow& row : answer(comparison)) {
+    rows.push_back({{"scene", comparison.scene.name},
+                    {"contact", row.contact},
+                    {"trusted", to_string(row.trust)},
+                    {"why", row.why},
+                    {"us_per_step", row.us_per_step > 0.0 ? json(row.us_per_step) : json(nullptr)},
+                    {"decides_exit_code", row.decides}});
+  }
+  return rows;
+}
+
 json difference_json(const SceneComparison& comparison, const Side& side,
                      const SideDifference& difference) {
   json by_figure = json::object();
   for (const FigureDifference& f : difference.figures) {
-    json entry = {
-        {"native", f.native},       {"other", f.other},          {"difference", f.other - f.native},
-        {"deviation", f.deviation}, {"twin_deviation", f.floor}, {"judged", f.figure->judged}};
-    if (f.figure->judged) entry["within"] = f.within;
+    json entry = {{"native", f.native},
+                  {"other", f.other},
+                  {"difference", f.other - f.native},
+                  {"deviation", f.deviation},
+                  {"twin_deviation", f.floor},
+                  {"twin_spread", f.spread},
+                  {"judged", f.figure->is_judged()}};
+    if (f.figure->is_judged()) {
+      entry["within"] = f.verdict == FigureVerdict::kWithin;
+      entry["verdict"] = to_string(f.verdict);
+    }
     if (f.figure->split) entry["split"] = split_json(f.split);
     by_figure[f.figure->key] = std::move(entry);
   }
@@ -84,8 +106,9 @@ json difference_json(const SceneComparison& comparison, const Side& side,
   for (const ImpactPair& pair : difference.impacts) {
     impacts.push_back({{"native", impact_json(pair.a)}, {"other", impact_json(pair.b)}});
   }
-  return {{"within", difference.within},
-          {"decides", difference.trusted_as_default},
+  return {{"within", difference.within()},
+          {"trusted", to_string(difference.trust)},
+          {"decides", difference.decides},
           {"headline", headline(comparison, side, difference)},
           {"reasons", difference.reasons},
           {"figures", by_figure},
@@ -150,7 +173,9 @@ json comparison_json(const SceneComparison& comparison) {
     const Side& side = comparison.sides[k + 1];
     differences[side.label] = difference_json(comparison, side, comparison.differences[k]);
   }
-  return {{"scene", comparison.scene.name},
+  return {{"answer", answer_json(comparison)},
+          {"twins", comparison.twins},
+          {"scene", comparison.scene.name},
           {"scene_hash", scene::scene_hash(comparison.scene)},
           {"step", comparison.scene.run.step},
           {"end", comparison.scene.run.end},
@@ -162,17 +187,23 @@ json comparison_json(const SceneComparison& comparison) {
 }
 
 json comparisons_json(const std::vector<SceneComparison>& comparisons) {
-  json scenes = json::array();
+  json scenes = json::array(), answers = json::array();
   bool within = !comparisons.empty();
+  std::string decides = to_string(kDefaultContact);
   for (const SceneComparison& c : comparisons) {
     scenes.push_back(comparison_json(c));
+    for (json& row : answer_json(c)) answers.push_back(std::move(row));
+    for (const AnswerRow& row : answer(c)) {
+      if (row.decides) decides = row.contact;
+    }
     within = within && c.within();
   }
-  return {{"program", "rotorub"},
+  return {{"answer", answers},  // sorted first: what the file begins with
+          {"program", "rotorub"},
           {"version", program_version()},
           {"mujoco_version", mujoco_version()},
           {"mode", "lockstep"},
-          {"contact", to_string(kDefaultContact)},
+          {"contact", decides},
           {"tolerance", comparisons.empty() ? 0.0 : comparisons.front().tolerance},
           {"within", within},
           {"scenes", scenes}};

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/study/side_difference.h"
 #include "compare/study/verdict.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
 namespace {
 
-constexpr int kTwins[] = {1, -1, 2, -2};  // ulps
+// Work of one run at the scene's step, in units of a native one; only for the progress bar.
+constexpr double kNativeWork = 1.0, kMujocoWork = 15.0;
 
 // Runs engines one after another and keeps count of the work for the progress bar.
 class Runner {
@@ -30,6 +32,22 @@ class Runner {
     done_ += work;
     return trajectory;
   }
+  Twins twins(const Engine& native, const Trajectory& original, double threshold,
+              const std::vector<double>& times) {
+    TwinParameters parameters;
+    parameters.count = options_.twins;
+    parameters.output_times = times;
+    parameters.interrupt = options_.interrupt;
+    const double work = options_.twins * kNativeWork;
+    if (options_.progress) {
+      parameters.progress = [&](double share) {
+        options_.progress((done_ + share * work) / total_, "native twins");
+      };
+    }
+    Twins found = run_twins(native, scene_, original, threshold, parameters);
+    done_ += work;
+    return found;
+  }
   bool interrupted() const { return options_.interrupt && options_.interrupt->load(); }
 
  private:
@@ -38,20 +56,19 @@ class Runner {
   double total_, done_ = 0.0;
 };
 
-// Work of one run at the scene's step, in units of a native one; only for the progress bar.
-constexpr double kNativeWork = 1.0, kMujocoWork = 15.0;
-
 struct Contestant {
   std::string label;
   std::unique_ptr<Engine> engine;
   double work;
 };
 
-std::vector<Contestant> contestants(const scene::Scene& scene) {
+std::vector<Contestant> contestants(const scene::Scene& scene, scene::ContactModel decides) {
   std::vector<Contestant> all;
   all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
+  all.push_back({to_string(decides), mujoco_engine(decides), kMujocoWork});
   for (const auto contact :
-       {kDefaultContact, scene::ContactModel::kCoulomb, scene::ContactModel::kCone}) {
+       {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb, scene::ContactModel::kCone}) {
+    if (contact == decides) continue;
     all.push_back({to_string(contact), mujoco_engine(contact), kMujocoWork});
   }
   return all;
@@ -121,55 +138,8 @@ void climb_down(Runner& runner, const scene::Scene& scene, const Contestant& who
   }
 }
 
-// Largest deviation of each figure among the native run and its one-ulp twins.
-std::vector<double> twin_floor(Runner& runner, const scene::Scene& scene, const Contestant& native,
-                               const std::vector<double>& times, const Side& side,
-                               Divergence& twin) {
-  std::vector<double> floor(figures().size(), 0.0);
-  const double threshold = twin.threshold;
-  for (const int ulps : kTwins) {
-    if (runner.interrupted()) break;
-    RunRequest request;
-    request.perturbation_ulps = ulps;
-    request.output_times = times;
-    const Trajectory t = runner.run(*native.engine, request, native.work, "native twin");
-    const Metrics m = metrics(t, contact_facts(scene));
-    for (std::size_t k = 0; k < floor.size(); ++k) {
-      const Figure& f = figures()[k];
-      const double apart = deviation(f, f.value(side.metrics), f.value(m));
-      if (std::isfinite(apart)) floor[k] = std::max(floor[k], std::abs(apart));
-    }
-    const Divergence d = divergence(side.trajectory, t, threshold);
-    if (d.time && (!twin.time || *d.time < *twin.time)) twin = d;
-    if (!twin.time && d.max_distance >= twin.max_distance) twin = d;
-  }
-  return floor;
-}
-
-SideDifference difference(const Side& native, const Side& other, const std::vector<double>& floor,
-                          const CompareOptions& options, double threshold) {
-  SideDifference d;
-  d.trusted_as_default = other.label == to_string(kDefaultContact);
-  d.within = native.trajectory.status == Status::kOk && other.trajectory.status == Status::kOk;
-  for (std::size_t k = 0; k < figures().size(); ++k) {
-    FigureDifference f;
-    f.figure = &figures()[k];
-    f.native = f.figure->value(native.metrics);
-    f.other = f.figure->value(other.metrics);
-    f.deviation = deviation(*f.figure, f.native, f.other);
-    f.floor = floor[k];
-    f.within = !f.figure->judged || std::abs(f.deviation) <= options.tolerance;
-    f.split = split(native.limits[k], other.limits[k]);
-    d.within = d.within && f.within;
-    d.figures.push_back(f);
-  }
-  d.divergence = divergence(native.trajectory, other.trajectory, threshold);
-  d.impacts = pair_impacts(native.trajectory, other.trajectory, options.impacts);
-  return d;
-}
-
 double total_work(const std::vector<Contestant>& all, const CompareOptions& options) {
-  double total = std::size(kTwins) * kNativeWork;
+  double total = options.twins * kNativeWork;
   for (const Contestant& c : all) total += c.work * (1.0 + options.timing_repeats + 2.0 + 4.0);
   return total;
 }
@@ -194,15 +164,16 @@ Status SceneComparison::status() const {
 
 bool SceneComparison::within() const {
   const auto decides = std::find_if(differences.begin(), differences.end(),
-                                    [](const SideDifference& d) { return d.trusted_as_default; });
-  return decides != differences.end() && decides->within;
+                                    [](const SideDifference& d) { return d.decides; });
+  return decides != differences.end() && decides->within();
 }
 
 SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& options) {
   SceneComparison result;
   result.scene = scene;
   result.tolerance = options.tolerance;
-  const auto all = contestants(scene);
+  result.twins = options.twins;
+  const auto all = contestants(scene, options.contact);
   Runner runner(scene, options, total_work(all, options));
   const auto times = dense_times(scene.run, options.rows);
 
@@ -228,7 +199,8 @@ SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& o
   }
   result.twin.threshold = divergence_threshold(scene, result.sides[0].trajectory);
   const double threshold = result.twin.threshold;
-  const auto floor = twin_floor(runner, scene, all[0], times, result.sides[0], result.twin);
+  const Twins twins = runner.twins(*all[0].engine, result.sides[0].trajectory, threshold, times);
+  result.twin = first_to_part(twins, result.twin);
   time_runs(runner, scene, all, options.timing_repeats, result.sides);
   if (runner.interrupted()) {
     result.interrupted = true;
@@ -236,8 +208,10 @@ SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& o
   }
 
   // 3. The differences, and why.
+  const Repeatability repeats = repeatability(result.sides[0], twins);
   for (std::size_t k = 1; k < result.sides.size(); ++k) {
-    SideDifference d = difference(result.sides[0], result.sides[k], floor, options, threshold);
+    SideDifference d =
+        side_difference(result.sides[0], result.sides[k], repeats, options, threshold);
     d.reasons = reasons(result, result.sides[k], d);
     result.differences.push_back(std::move(d));
   }

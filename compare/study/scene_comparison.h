@@ -13,11 +13,18 @@
 #include "compare/metrics/metrics.h"
 #include "compare/study/figure.h"
 #include "compare/study/split.h"
+#include "compare/study/trust.h"
 
 namespace rotorub {
 
+// The contact model whose verdict counts, unless another is asked for.
+inline constexpr scene::ContactModel kDefaultContact = scene::ContactModel::kRigid;
+inline constexpr int kDefaultTwins = 20;
+
 struct CompareOptions {
-  double tolerance = 0.01;   // share: on the judged figures
+  double tolerance = 0.01;                        // share: on the judged figures
+  scene::ContactModel contact = kDefaultContact;  // whose verdict is that of the comparison
+  int twins = kDefaultTwins;                      // >= 0, of the native run
   int timing_repeats = 3;    // >= 1, of runs that record nothing, engines taken in turn
   std::size_t impacts = 8;   // first impacts listed
   std::size_t rows = 50000;  // recorded at most: every step, or every so many of them
@@ -32,7 +39,8 @@ struct Timing {
   double median = 0.0, lowest = 0.0, highest = 0.0;
 };
 
-// One engine on the scene. Sides[0] is native, then MuJoCo's contact models.
+// One engine on the scene. Sides[0] is native, sides[1] MuJoCo with the contact model that decides,
+// then the other contact models.
 struct Side {
   std::string label;      // "native", "coulomb", "cone"
   std::string engine;     // "native-paper", "mujoco-coulomb"
@@ -43,38 +51,34 @@ struct Side {
 };
 
 // One figure of one MuJoCo side against the native one.
-struct FigureDifference {
-  const Figure* figure = nullptr;
-  double native = 0.0, other = 0.0;
-  double deviation = 0.0;  // see deviation()
-  double floor = 0.0;      // |deviation| of the native one-ulp twins among themselves, largest
-  bool within = true;      // |deviation| <= tolerance; true where the figure is not judged
+struct FigureDifference : JudgedFigure {
+  double floor = 0.0;  // |deviation| of the native twins, largest
   Split split;
 };
 
 struct SideDifference {
   std::vector<FigureDifference> figures;  // as figures()
   Divergence divergence;
-  std::vector<ImpactPair> impacts;   // a: native
-  bool within = false;               // all judged figures are, and both runs ended well
-  bool trusted_as_default = false;   // the contact model that decides the exit code
+  std::vector<ImpactPair> impacts;  // a: native
+  Trust trust = Trust::kNo;         // kNo as well where a run did not end well
+  bool decides = false;             // the exit code
+  bool within() const { return trust == Trust::kYes; }
+  std::vector<JudgedFigure> judged() const { return {figures.begin(), figures.end()}; }
   std::vector<std::string> reasons;  // why they differ, or that they agree; sentences
 };
 
 struct SceneComparison {
   scene::Scene scene;
   double tolerance = 0.0;
+  int twins = 0;                            // that spreads are of
   std::vector<Side> sides;                  // native first
   std::vector<SideDifference> differences;  // of sides[1], sides[2], ...
-  Divergence twin;                          // native against its one-ulp twin
+  Divergence twin;                          // native against the twin that parts first
   bool interrupted = false;                 // nothing beyond the runs that ended is filled
-  // Worst of the runs that decide: native and the default contact model.
+  // Worst of the runs that decide: native and sides[1].
   Status status() const;
   bool within() const;
 };
-
-// The contact model that MuJoCo takes by default, which decides the verdict.
-inline constexpr scene::ContactModel kDefaultContact = scene::ContactModel::kRigid;
 
 // Throws what the engines throw. An interrupt ends it early with what there is.
 SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& options);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "compare/study/answer.h"
 #include "compare/study/format.h"
 #include "compare/study/verdict.h"
 #include "native_model/scene/reader.h"
@@ -29,7 +30,7 @@ std::string head(const SceneComparison& c) {
 
 std::string figure_line(const SceneComparison& c, std::size_t index) {
   const Figure& f = figures()[index];
-  std::string line = fmt::format("{} {:<{}}", f.judged ? "*" : " ", label_of(f), kLabel);
+  std::string line = fmt::format("{} {:<{}}", f.is_judged() ? "*" : " ", label_of(f), kLabel);
   for (std::size_t k = 0; k < c.sides.size(); ++k) {
     line += fmt::format("{:>{}}", figure_value(f, f.value(c.sides[k].metrics)), kValue);
     if (k == 0) continue;
@@ -66,7 +67,7 @@ std::string split_lines(const SceneComparison& c) {
                   "difference", "contact model", "MuJoCo step", "native step");
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     for (const FigureDifference& d : c.differences[k].figures) {
-      if (!d.figure->judged) continue;
+      if (!d.figure->is_judged() || !d.figure->split) continue;
       const auto value = [&](double v) { return figure_value(*d.figure, v); };
       text += fmt::format("  {:<10}{:<{}}{:>12}{:>16}{:>12}{:>12}  {}\n", c.sides[k + 1].label,
                           label_of(*d.figure), kLabel, value(d.split.difference),
@@ -100,24 +101,54 @@ std::string wrapped(const std::string& lead, const std::string& sentence) {
   return out + "\n";
 }
 
+// What was asked, answered: before any figure.
+std::string answer_lines(const SceneComparison& c) {
+  constexpr int kContact = 10, kTrust = 15, kCost = 9;
+  std::string text = fmt::format("  {:<{}}{:<{}}{:<{}}{}\n", "contact", kContact, "trusted", kTrust,
+                                 "us a step", kCost + 2, "why");
+  for (const AnswerRow& row : answer(c)) {
+    const std::string cost = row.us_per_step > 0.0 ? short_number(row.us_per_step) : "-";
+    text += wrapped(fmt::format("{} {:<{}}{:<{}}{:>{}}  ", row.decides ? ">" : " ", row.contact,
+                                kContact, to_string(row.trust), kTrust, cost, kCost),
+                    row.why);
+  }
+  return text + wrapped("  > ", whose_verdict(c));
+}
+
+// Before the headline of a contact model; all of one width.
+const char* lead(Trust trust) {
+  switch (trust) {
+    case Trust::kYes:
+      return "  within       ";
+    case Trust::kAveragesOnly:
+      return "  AVERAGES     ";
+    case Trust::kUndecidable:
+      return "  undecidable  ";
+    case Trust::kNo:
+      break;
+  }
+  return "  OUTSIDE      ";
+}
+
 }  // namespace
 
 std::string comparison_table(const SceneComparison& c) {
   std::string text = fmt::format("{}: step {}, {} simulated, scene {}\n", c.scene.name,
                                  time_text(c.scene.run.step), time_text(c.scene.run.end),
                                  scene::scene_hash(c.scene));
+  text += answer_lines(c) + "\n";
   text += head(c);
   for (std::size_t k = 0; k < figures().size(); ++k) text += figure_line(c, k);
   text += side_line(c, "time of a step, µs",
                     [](const Side& s) { return short_number(s.timing.median); });
-  text += fmt::format("  * judged: {}\n", percent_text(c.tolerance));
+  text += fmt::format("  * judged: {}, or what {} twins spread by where that is more\n",
+                      percent_text(c.tolerance), c.twins);
   text += settled_line(c);
   text += split_lines(c);
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const SideDifference& d = c.differences[k];
-    text +=
-        "\n" + wrapped(d.within ? "  within   " : "  OUTSIDE  ", headline(c, c.sides[k + 1], d));
-    for (const std::string& reason : d.reasons) text += wrapped("           - ", reason);
+    text += "\n" + wrapped(lead(d.trust), headline(c, c.sides[k + 1], d));
+    for (const std::string& reason : d.reasons) text += wrapped("               - ", reason);
   }
   return text;
 }

@@ -32,13 +32,25 @@ const FigureDifference& of(const SideDifference& d, const char* key) {
   });
 }
 
-// The judged figure that is furthest off.
+// The figure that is furthest off: of those outside, else of those within, else of the judged ones.
 const FigureDifference& worst(const SideDifference& d) {
+  const auto rank = [](const FigureDifference& f) {
+    switch (f.verdict) {
+      case FigureVerdict::kOutside:
+        return 3;
+      case FigureVerdict::kWithin:
+        return 2;
+      case FigureVerdict::kUndecidable:
+        return 1;
+      case FigureVerdict::kNotJudged:
+        break;
+    }
+    return 0;
+  };
   return *std::max_element(d.figures.begin(), d.figures.end(),
-                           [](const FigureDifference& a, const FigureDifference& b) {
-                             const double x = a.figure->judged ? std::abs(a.deviation) : -1.0;
-                             const double y = b.figure->judged ? std::abs(b.deviation) : -1.0;
-                             return x < y;
+                           [&](const FigureDifference& a, const FigureDifference& b) {
+                             if (rank(a) != rank(b)) return rank(a) < rank(b);
+                             return std::abs(a.deviation) < std::abs(b.deviation);
                            });
 }
 
@@ -122,16 +134,20 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
       what, s.model_gap * per_unit, unit, (s.step_error - s.native_step_error) * per_unit, unit);
 }
 
-std::string floor_sentence(const SceneComparison& c, const FigureDifference& f, double tolerance) {
-  if (f.floor > tolerance) {
-    return fmt::format(
-        "the motion is chaotic: native runs that start one unit in the last place apart differ by "
-        "up to {} in {} themselves{}, so a tolerance of {:.2g} % cannot be decided by one run",
-        deviation_text(*f.figure, f.floor).substr(1), f.figure->label,
-        c.twin.time ? fmt::format(" and part at t = {:.4g} s", *c.twin.time) : std::string(),
-        percent(tolerance));
+std::string twins_sentence(const SceneComparison& c, const SideDifference& d) {
+  std::string apart;
+  for (const JudgedFigure& f : d.judged()) {
+    if (!f.figure->is_judged() || f.spread <= c.tolerance) continue;
+    apart += fmt::format("{}{} in {}", apart.empty() ? "" : ", ", size_text(*f.figure, f.spread),
+                         f.figure->label);
   }
-  return {};
+  if (apart.empty()) return {};
+  return fmt::format(
+      "the motion is chaotic: {} native runs that start a few units in the last place apart differ "
+      "among themselves by up to {}{}; within that, {:.2g} % cannot be decided",
+      c.twins + 1, apart,
+      c.twin.time ? fmt::format(" and part at t = {:.4g} s", *c.twin.time) : std::string(),
+      percent(c.tolerance));
 }
 
 std::string penetration_sentence(const SceneComparison& c, const Side& other) {
@@ -162,8 +178,8 @@ std::vector<std::string> reasons(const SceneComparison& comparison, const Side& 
   add(attractor_sentence(native, other));
   add(scatter_sentence(native, other, difference));
   add(penetration_sentence(comparison, other));
-  add(floor_sentence(comparison, off, comparison.tolerance));
-  add(split_sentence(off, comparison.tolerance));
+  add(twins_sentence(comparison, difference));
+  if (off.figure->split) add(split_sentence(off, comparison.tolerance));
   return all;
 }
 
@@ -174,19 +190,32 @@ std::string headline(const SceneComparison& comparison, const Side& other,
   if (other.trajectory.status != Status::kOk) {
     return fmt::format("MuJoCo's {} contact did not reach the end of the run.", other.label);
   }
-  if (difference.within && !native.metrics.first_touch && !other.metrics.first_touch) {
+  if (!native.metrics.first_touch && !other.metrics.first_touch) {
     return fmt::format(
         "Nothing touches, neither in MuJoCo ({}) nor in the native model: there is no "
         "contact force to judge.",
         other.label);
   }
-  if (difference.within) {
-    return fmt::format(
-        "MuJoCo's {} contact agrees with the rigid law within {:.3g} %: its contact forces can be "
-        "trusted here.",
-        other.label, tolerance);
-  }
   const FigureDifference& off = worst(difference);
+  switch (difference.trust) {
+    case Trust::kYes:
+      return fmt::format(
+          "MuJoCo's {} contact agrees with the rigid law within {:.3g} %: its contact forces can "
+          "be trusted here.",
+          other.label, tolerance);
+    case Trust::kUndecidable:
+      return fmt::format(
+          "MuJoCo's {} contact: the motion does not repeat itself to {:.3g} %, nothing can be "
+          "decided at it.",
+          other.label, tolerance);
+    case Trust::kAveragesOnly:
+      return fmt::format(
+          "MuJoCo's {} contact: its averages can be trusted within {:.3g} %, its single impacts "
+          "cannot: {} is off by {}.",
+          other.label, tolerance, off.figure->label, deviation_text(*off.figure, off.deviation));
+    case Trust::kNo:
+      break;
+  }
   return fmt::format("MuJoCo's {} contact is outside {:.3g} %: {} is off by {}.", other.label,
                      tolerance, off.figure->label, deviation_text(*off.figure, off.deviation));
 }

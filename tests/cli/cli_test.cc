@@ -226,6 +226,38 @@ TEST(CliCompare, ExitCodeSaysWhetherTheyAgree) {
   EXPECT_FALSE(json::parse(differ.out).at("within").get<bool>());
 }
 
+// Whose verdict counts is the user's choice, and said.
+TEST(CliCompare, TheConeDecidesWhereAsked) {
+  const Folder folder;
+  const Outcome differ =
+      folder.run({"compare", shipped("bench_ring"), "--end", "0.05", "--no-video", "--tolerance",
+                  "10%", "--contact", "cone", "--twins", "4", "-o", "out"});
+  EXPECT_EQ(differ.code, 1) << differ.err;
+  EXPECT_TRUE(contains(differ.out, "Exit code: by cone (--contact), which is outside 10 %"))
+      << differ.out;
+  const json all = json::parse(folder.text("out/compare.json"));
+  EXPECT_EQ(all.at("contact"), "cone");
+  ASSERT_EQ(all.at("answer").size(), 3U);
+  EXPECT_EQ(all["answer"][0].at("contact"), "cone");
+  EXPECT_EQ(all["answer"][0].at("trusted"), "no");
+  EXPECT_TRUE(all["answer"][0].at("decides_exit_code").get<bool>());
+}
+
+// 1 may be meant as 1 % and would be 100 %: neither is guessed.
+TEST(CliCompare, ABareToleranceOfOneIsRefused) {
+  const Folder folder;
+  for (const std::string command : {"compare", "tune"}) {
+    const Outcome refused = folder.run({command, shipped("bench_ring"), "--tolerance", "1"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_EQ(refused.out, "");
+    for (const char* part : {"100 %", "\"1%\"", "0.01"}) {
+      EXPECT_TRUE(contains(refused.err, part)) << part << " in: " << refused.err;
+    }
+  }
+  EXPECT_EQ(folder.run({"compare", shipped("bench_ring"), "--twins", "-1"}).code, 2);
+  EXPECT_TRUE(folder.files().empty());
+}
+
 TEST(CliCompare, LeavesSeriesJsonAndReport) {
   const Folder folder;
   const Outcome done = folder.run({"compare", shipped("bench_ring"), shipped("bench_drop"), "--end",

@@ -70,6 +70,7 @@ TEST(Metrics, CountImpactsThatClose) {
   t.impacts.push_back({0.7, 1e-9, 0.0, -1e-8, 0.0, 0.0, 0.0, 0.0});
   const Metrics m = metrics(t, kFacts);
   EXPECT_EQ(m.impacts, 2U);
+  EXPECT_EQ(m.hard_impacts, 2U);
   EXPECT_DOUBLE_EQ(m.peak_impulse, 0.05);
 }
 

@@ -10,13 +10,16 @@
 namespace rotorub {
 namespace {
 
-TEST(Figures, TheContractsThreeAreJudged) {
-  std::set<std::string> judged, keys;
+TEST(Figures, ThreeAveragesAndThreePeaksAreJudged) {
+  std::set<std::string> averages, peaks, keys;
   for (const Figure& f : figures()) {
     EXPECT_TRUE(keys.insert(f.key).second) << f.key;
-    if (f.judged) judged.insert(f.key);
+    if (f.judged == Judged::kAverage) averages.insert(f.key);
+    if (f.judged == Judged::kPeak) peaks.insert(f.key);
+    EXPECT_EQ(f.is_judged(), f.judged != Judged::kNo) << f.key;
   }
-  EXPECT_EQ(judged, (std::set<std::string>{"mean_force", "contact_fraction", "impulse_total"}));
+  EXPECT_EQ(averages, (std::set<std::string>{"mean_force", "contact_fraction", "impulse_total"}));
+  EXPECT_EQ(peaks, (std::set<std::string>{"peak_force", "gap_rate_rms", "hard_impacts"}));
 }
 
 TEST(Figures, DeviationIsRelativeOrInPoints) {
@@ -44,6 +47,14 @@ TEST(Figures, DeviationsAreWrittenWithTheirScale) {
   EXPECT_EQ(deviation_text(figure("contact_fraction"), -0.77), "-77 pts");
   EXPECT_EQ(deviation_text(figure("peak_impulse"), 3.0), "–");
   EXPECT_EQ(deviation_text(force, std::numeric_limits<double>::infinity()), "+∞");
+}
+
+TEST(Format, SizesHaveNoSign) {
+  const Figure& force = figure("mean_force");
+  EXPECT_EQ(size_text(force, 0.068), "6.80 %");
+  EXPECT_EQ(size_text(force, 1e-6), "0.00 %");
+  EXPECT_EQ(size_text(force, 187.0), "×188");
+  EXPECT_EQ(size_text(force, std::numeric_limits<double>::infinity()), "∞");
 }
 
 TEST(Format, ShortNumbers) {

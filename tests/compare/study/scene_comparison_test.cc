@@ -7,6 +7,7 @@
 
 #include "compare/report/page.h"
 #include "compare/report/plots.h"
+#include "compare/study/answer.h"
 #include "compare/study/json.h"
 #include "compare/study/table.h"
 #include "compare/study/verdict.h"
@@ -70,7 +71,8 @@ TEST(SceneComparison, CoulombIsNearerThanConeAndConeChatters) {
   const double native = side("native").metrics.contact_fraction;
   EXPECT_LT(std::abs(side("coulomb").metrics.contact_fraction - native), 0.05);
   EXPECT_LT(side("cone").metrics.contact_fraction, 0.7 * native);
-  EXPECT_FALSE(difference("cone").within);
+  EXPECT_FALSE(difference("cone").within());
+  EXPECT_EQ(difference("cone").trust, Trust::kNo);
   const auto& why = difference("cone").reasons;
   EXPECT_TRUE(std::any_of(why.begin(), why.end(), [](const std::string& reason) {
     return reason.find("cone chatters") != std::string::npos;
@@ -80,9 +82,9 @@ TEST(SceneComparison, CoulombIsNearerThanConeAndConeChatters) {
 TEST(SceneComparison, TheDefaultContactDecides) {
   const SceneComparison& c = short_comparison();
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
-    EXPECT_EQ(c.differences[k].trusted_as_default, k == 0);
+    EXPECT_EQ(c.differences[k].decides, k == 0);
   }
-  EXPECT_EQ(c.within(), c.differences[0].within);
+  EXPECT_EQ(c.within(), c.differences[0].within());
 }
 
 // The independent checker finds the native laws kept, and the cone's broken.
@@ -129,11 +131,53 @@ TEST(SceneComparison, JsonHasWhatTheContractNames) {
 
 TEST(SceneComparison, TableNamesEverySideFigureAndVerdict) {
   const std::string table = comparison_table(short_comparison());
-  for (const char* text :
-       {"bench_ring", "native", "rigid", "coulomb", "cone", "mean normal force, N", "contact, %",
-        "total impulse, N s", "OUTSIDE", "cone chatters"}) {
+  for (const char* text : {"bench_ring", "native", "rigid", "coulomb", "cone",
+                           "mean normal force, N", "contact, %", "total impulse, N s", "OUTSIDE",
+                           "cone chatters", "trusted", "us a step", "why", "Exit code: by rigid"}) {
     EXPECT_NE(table.find(text), std::string::npos) << text;
   }
+}
+
+// Softness takes the peak off an impact, whatever the mean says.
+TEST(SceneComparison, CoulombIsGoodForAveragesOnly) {
+  EXPECT_EQ(difference("rigid").trust, Trust::kYes) << why(difference("rigid").judged(), 0.05);
+  EXPECT_EQ(difference("coulomb").trust, Trust::kAveragesOnly);
+  const auto far = outside(difference("coulomb").judged());
+  ASSERT_FALSE(far.empty());
+  EXPECT_STREQ(far.front().figure->key, "peak_force");
+}
+
+TEST(SceneComparison, BeginsWithOneRowAContactModel) {
+  const SceneComparison& c = short_comparison();
+  const auto rows = answer(c);
+  ASSERT_EQ(rows.size(), 3U);
+  for (const AnswerRow& row : rows) {
+    EXPECT_EQ(row.decides, row.contact == "rigid");
+    EXPECT_GT(row.us_per_step, 0.0);
+    EXPECT_FALSE(row.why.empty());
+  }
+  const std::string table = comparison_table(c);
+  EXPECT_LT(table.find("averages only"), table.find("mean normal force, N"));
+  const std::string text = json_text(comparisons_json({c}));
+  EXPECT_EQ(text.find("\"answer\""), text.find('"')) << text.substr(0, 100);
+  const std::string page = report_page({{&c, {}, "none in this test."}});
+  for (const char* contact : {"rigid", "coulomb", "cone"}) {
+    EXPECT_LT(page.find(std::string("class=\"side-") + contact + "\">"),
+              page.find("class=\"lead\""));
+  }
+}
+
+// Another contact model may decide; all are shown.
+TEST(SceneComparison, AnyContactMayDecide) {
+  CompareOptions options;
+  options.timing_repeats = 1;
+  options.contact = scene::ContactModel::kCone;
+  options.twins = 2;
+  const SceneComparison c = compare_scene(bench_ring({"run.end=0.02"}), options);
+  ASSERT_EQ(c.sides.size(), 4U);
+  EXPECT_EQ(c.sides[1].label, "cone");
+  EXPECT_TRUE(c.differences[0].decides);
+  EXPECT_FALSE(c.within());
 }
 
 // The page: one file, no address that a browser would fetch from, plots and their data inside.

@@ -1,0 +1,56 @@
+#include "compare/study/answer.h"
+
+#include <fmt/format.h>
+
+#include "compare/study/format.h"
+
+namespace rotorub {
+namespace {
+
+std::string reason(const SceneComparison& c, const Side& other, const SideDifference& d) {
+  const Side& native = c.sides.front();
+  for (const Side* side : {&native, &other}) {
+    if (side->trajectory.status == Status::kOk) continue;
+    return fmt::format("the {} run ended early ({}): {}", side->label,
+                       to_string(side->trajectory.status), side->trajectory.message);
+  }
+  if (!native.metrics.first_touch && !other.metrics.first_touch) return "nothing touches";
+  return why(d.judged(), c.tolerance);
+}
+
+std::string what_it_did(const SceneComparison& c, const SideDifference& d) {
+  const std::string tolerance = percent_text(c.tolerance);
+  switch (d.trust) {
+    case Trust::kYes:
+      return "which agrees within " + tolerance;
+    case Trust::kUndecidable:
+      return "of which nothing can be decided at " + tolerance + ": not taken for agreement";
+    case Trust::kAveragesOnly:
+    case Trust::kNo:
+      break;
+  }
+  return "which is outside " + tolerance;
+}
+
+}  // namespace
+
+std::vector<AnswerRow> answer(const SceneComparison& c) {
+  std::vector<AnswerRow> rows;
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    const Side& side = c.sides[k + 1];
+    const SideDifference& d = c.differences[k];
+    rows.push_back({side.label, d.trust, reason(c, side, d), side.timing.median, d.decides});
+  }
+  return rows;
+}
+
+std::string whose_verdict(const SceneComparison& c) {
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    if (!c.differences[k].decides) continue;
+    return fmt::format("Exit code: by {} (--contact), {}.", c.sides[k + 1].label,
+                       what_it_did(c, c.differences[k]));
+  }
+  return "";
+}
+
+}  // namespace rotorub

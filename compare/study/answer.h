@@ -1,0 +1,26 @@
+// The answer to what the user asked: one row a contact model, the same on the terminal, in the JSON
+// and on the page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/study/scene_comparison.h"
+
+namespace rotorub {
+
+struct AnswerRow {
+  std::string contact;  // "rigid"
+  Trust trust = Trust::kNo;
+  std::string why;           // half a sentence
+  double us_per_step = 0.0;  // median; 0: not timed
+  bool decides = false;      // the exit code
+};
+
+// In the order of the sides.
+std::vector<AnswerRow> answer(const SceneComparison& comparison);
+
+// "Exit code: by rigid (--contact), which agrees within 1 %."
+std::string whose_verdict(const SceneComparison& comparison);
+
+}  // namespace rotorub

@@ -1,0 +1,38 @@
+// Native runs whose starts are a few units in the last place apart: how well the motion repeats
+// itself, which no comparison can be better than.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "compare/align/divergence.h"
+#include "compare/engine/engine.h"
+#include "compare/metrics/metrics.h"
+
+namespace rotorub {
+
+struct TwinParameters {
+  int count = 20;                    // >= 0; starts +1, -1, +2, -2, ... ulps away
+  std::optional<double> step;        // s; none: the scene's
+  std::vector<double> output_times;  // s, rows: of `divergence`, and of what figures need rows
+  std::function<void(double)> progress;
+  const std::atomic<bool>* interrupt = nullptr;
+};
+
+struct Twins {
+  std::vector<Metrics> metrics;  // one a twin, in the order of the starts
+  // Of each from `original`, where that has rows; in the same order.
+  std::vector<Divergence> divergences;
+};
+
+// +1, -1, +2, -2, ...
+int twin_ulps(int index);
+
+// They run on all processors; the result does not depend on how many there are. An interrupt leaves
+// both lists empty. `threshold`: m, beyond which two runs have parted.
+Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajectory& original,
+                double threshold, const TwinParameters& parameters);
+
+}  // namespace rotorub

@@ -1,0 +1,77 @@
+#include "compare/tune/json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/engine/engine.h"
+#include "compare/version.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub::tune {
+namespace {
+
+using nlohmann::json;
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json setting_json(const JudgedSetting& judged, int modes) {
+  const Setting& s = judged.setting;
+  json errors = json::object(), spreads = json::object(), undecided = json::array();
+  for (const JudgedFigure& f : judged.figures) {
+    errors[f.figure->key] = number(f.deviation);
+    spreads[f.figure->key] = number(f.spread);
+    if (f.verdict == FigureVerdict::kUndecidable) undecided.push_back(f.figure->key);
+  }
+  const bool soft = s.contact != scene::ContactModel::kRigid;
+  return {{"contact", rotorub::to_string(s.contact)},
+          {"integrator", to_string(s.integrator)},
+          {"step", s.step},
+          {"modes", modes},
+          // null: chosen from the step, or a contact that has none.
+          {"solref_stiffness", soft && s.stiffness > 0.0 ? json(s.stiffness) : json(nullptr)},
+          {"solver", to_string(s.solver)},
+          {"us_per_step", judged.us_per_step > 0.0 ? json(judged.us_per_step) : json(nullptr)},
+          {"seconds_per_second", judged.cost() ? json(*judged.cost()) : json(nullptr)},
+          {"trusted", rotorub::to_string(judged.trust)},
+          {"errors", errors},
+          {"twin_spread", spreads},
+          {"undecidable", undecided},
+          {"wrong", judged.wrong()},
+          {"reason", !judged.failure.empty() ? judged.failure : judged.luck}};
+}
+
+json part_json(const ErrorPart& part) {
+  json all = json::object();
+  for (const auto& [figure, share] : part.figures) {
+    all[figure->key] = share ? json(*share) : json(nullptr);
+  }
+  if (!part.reason.empty()) all["reason"] = part.reason;
+  return all;
+}
+
+}  // namespace
+
+json tune_json(const TuneResult& r) {
+  const auto one = [&](const std::optional<std::size_t>& k) {
+    return k ? setting_json(r.settings[*k], r.modes) : json(nullptr);
+  };
+  json cheaper = json::array(), all = json::array();
+  for (const std::size_t k : r.choice.cheaper_by_contact) cheaper.push_back(one(k));
+  for (const JudgedSetting& s : r.settings) all.push_back(setting_json(s, r.modes));
+  return {{"program", "rotorub"},
+          {"version", program_version()},
+          {"mujoco_version", mujoco_version()},
+          {"scene", r.scene.name},
+          {"scene_hash", scene::scene_hash(r.scene)},
+          {"tolerance", r.tolerance},
+          {"trusted", one(r.choice.trusted)},
+          {"next_cheaper", one(r.choice.next_cheaper)},
+          {"cheaper_by_contact", cheaper},
+          {"nearest", one(r.choice.nearest)},
+          {"model_error", part_json(r.errors.modes)},
+          {"contact_error", part_json(r.errors.contact)},
+          {"step_error", part_json(r.errors.step)},
+          {"settings", all}};
+}
+
+}  // namespace rotorub::tune

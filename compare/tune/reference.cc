@@ -1,0 +1,43 @@
+#include "compare/tune/reference.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "compare/engine/engine.h"
+#include "compare/study/trust.h"
+#include "compare/study/twins.h"
+
+namespace rotorub::tune {
+
+const Reference& References::at(double step) {
+  if (const auto found = known_.find(step); found != known_.end()) return found->second;
+  const auto engine = native_engine(scene::Integrator::kEvent);
+  RunRequest request;
+  request.step = step;
+  request.output_times = std::vector<double>{scene_.run.end};
+  request.interrupt = interrupt_;
+  const Trajectory original = engine->run(scene_, request);
+  if (original.status != Status::kOk && original.status != Status::kInterrupted) {
+    throw std::runtime_error(
+        fmt::format("{}: the native model, which settings are judged against, ended early ({}): {}",
+                    scene_.name, rotorub::to_string(original.status), original.message));
+  }
+  Reference reference{metrics(original, std::nullopt), {}};
+
+  TwinParameters parameters;
+  parameters.count = twins_;
+  parameters.step = step;
+  parameters.output_times = *request.output_times;
+  parameters.interrupt = interrupt_;
+  const double threshold = kDivergenceShare * scene_.contact->clearance;
+  const Twins twins = run_twins(*engine, scene_, original, threshold, parameters);
+  for (const Figure& f : figures()) {
+    std::vector<double> values{f.value(reference.metrics)};
+    for (const Metrics& m : twins.metrics) values.push_back(f.value(m));
+    reference.spread.push_back(spread(f, values));
+  }
+  return known_.emplace(step, std::move(reference)).first->second;
+}
+
+}  // namespace rotorub::tune

@@ -1,0 +1,36 @@
+// The native side of every comparison, by the step: `event` has none of its own, but forces are
+// averaged over the step that they are compared at.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <vector>
+
+#include "compare/metrics/metrics.h"
+#include "compare/study/figure.h"
+#include "native_model/scene/scene.h"
+
+namespace rotorub::tune {
+
+struct Reference {
+  Metrics metrics;
+  std::vector<double> spread;  // of the twins, as figures()
+};
+
+// Runs what is asked for once. Throws std::runtime_error where `event` cannot run the scene to its
+// end.
+class References {
+ public:
+  References(const scene::Scene& scene, int twins, const std::atomic<bool>* interrupt)
+      : scene_(scene), twins_(twins), interrupt_(interrupt) {}
+  // Of an interrupted run: what there is.
+  const Reference& at(double step);
+
+ private:
+  const scene::Scene& scene_;
+  int twins_;
+  const std::atomic<bool>* interrupt_;
+  std::map<double, Reference> known_;
+};
+
+}  // namespace rotorub::tune

@@ -1,0 +1,44 @@
+// What MuJoCo can be set to for a scene, and the settings that are looked at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "native_model/scene/scene.h"
+
+namespace rotorub::tune {
+
+// `solver` and `stiffness` are of the soft contacts alone: `rigid` leaves both at their defaults.
+struct Setting {
+  scene::ContactModel contact = scene::ContactModel::kRigid;
+  scene::MujocoIntegrator integrator = scene::MujocoIntegrator::kEuler;
+  scene::MujocoSolver solver = scene::MujocoSolver::kNewton;
+  double stiffness = 0.0;  // 1/s^2, solref_stiffness; 0: chosen from the step
+  double step = 0.0;       // s, > 0
+  bool operator==(const Setting&) const = default;
+};
+
+const char* to_string(scene::MujocoIntegrator integrator);
+const char* to_string(scene::MujocoSolver solver);
+
+// "coulomb, implicit, K 1e+08, 50 µs": what is not the default beside contact and step.
+std::string text(const Setting& setting);
+
+// A value of a scene; empty: the key is to go.
+struct KeyValue {
+  std::string table, key, value;
+  bool is_default = false;  // need not stand in a scene
+};
+// As TOML, with run.step.
+std::vector<KeyValue> key_values(const Setting& setting);
+// The same as overrides of a scene, without its step.
+std::vector<std::string> overrides(const Setting& setting);
+
+// All that are tried at each step (their `step` is 0): contact x integrator, and of the soft
+// contacts solvers and stiffnesses; and what the scene itself says.
+std::vector<Setting> variants(const scene::Mujoco& own);
+
+// 1/s^2. What a step of 200 us and of 20 us gives itself.
+inline constexpr double kStiffnesses[] = {1e6, 1e8};
+
+}  // namespace rotorub::tune

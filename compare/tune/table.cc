@@ -1,0 +1,79 @@
+#include "compare/tune/table.h"
+
+#include <fmt/format.h>
+
+#include "compare/engine/engine.h"
+#include "compare/study/format.h"
+
+namespace rotorub::tune {
+namespace {
+
+constexpr int kLabel = 22, kValue = 15;
+
+std::string cost_text(const JudgedSetting& s) {
+  return fmt::format("{} us a step, {} of computing for 1 s", short_number(s.us_per_step),
+                     time_text(std::stod(fmt::format("{:.2g}", s.cost().value_or(0.0)))));
+}
+
+std::string wrong_text(const JudgedSetting& s, double tolerance) {
+  if (!s.failure.empty()) return s.failure;
+  if (!outside(s.figures).empty() || s.luck.empty()) return why(s.figures, tolerance);
+  return "passes by luck; " + s.luck;
+}
+
+std::string setting_lines(const char* label, const JudgedSetting& s, double tolerance) {
+  return fmt::format("  {:<16}{}\n  {:<16}{}\n  {:<16}{}\n", label, text(s.setting), "",
+                     cost_text(s), "", wrong_text(s, tolerance));
+}
+
+std::string part_text(const ErrorPart& part, std::size_t k) {
+  if (k >= part.figures.size()) return "-";
+  const auto& [figure, share] = part.figures[k];
+  return share ? deviation_text(*figure, *share) : "not told";
+}
+
+// The trusted setting's deviation and its causes, figure by figure.
+std::string error_lines(const TuneResult& r) {
+  const JudgedSetting& s = r.settings[*r.choice.trusted];
+  std::string lines =
+      fmt::format("\n  {:<{}}{:>{}}{:>{}}{:>{}}{:>{}}\n", "errors", kLabel, "this setting", kValue,
+                  "contact model", kValue, "step", kValue, "modes kept", kValue);
+  for (std::size_t k = 0; k < s.figures.size(); ++k) {
+    const JudgedFigure& f = s.figures[k];
+    lines += fmt::format("  {:<{}}{:>{}}{:>{}}{:>{}}{:>{}}\n", f.figure->label, kLabel,
+                         deviation_text(*f.figure, f.deviation), kValue,
+                         part_text(r.errors.contact, k), kValue, part_text(r.errors.step, k),
+                         kValue, part_text(r.errors.modes, k), kValue);
+  }
+  lines += fmt::format("  modes kept: {} against {}, in the native model\n", r.modes, 2 * r.modes);
+  for (const ErrorPart* part : {&r.errors.contact, &r.errors.modes}) {
+    if (!part->reason.empty()) lines += "  not told: " + part->reason + "\n";
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string tune_table(const TuneResult& r) {
+  const auto& all = r.settings;
+  std::string lines = fmt::format("{}: {} settings of MuJoCo judged at {}\n", r.scene.name,
+                                  all.size(), percent_text(r.tolerance));
+  if (!r.choice.trusted) {
+    lines += "  none can be trusted\n";
+    if (r.choice.nearest) lines += setting_lines("nearest", all[*r.choice.nearest], r.tolerance);
+    return lines;
+  }
+  lines += setting_lines("trusted", all[*r.choice.trusted], r.tolerance);
+  if (!r.choice.next_cheaper) {
+    return lines + "  next cheaper    none: it is the cheapest of all\n" + error_lines(r);
+  }
+  lines += setting_lines("next cheaper", all[*r.choice.next_cheaper], r.tolerance);
+  for (const std::size_t k : r.choice.cheaper_by_contact) {
+    if (k == *r.choice.next_cheaper) continue;
+    const std::string label = fmt::format("cheaper {}", rotorub::to_string(all[k].setting.contact));
+    lines += setting_lines(label.c_str(), all[k], r.tolerance);
+  }
+  return lines + error_lines(r);
+}
+
+}  // namespace rotorub::tune

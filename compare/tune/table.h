@@ -1,0 +1,12 @@
+// The result of tune as text for the terminal.
+#pragma once
+
+#include <string>
+
+#include "compare/tune/tune.h"
+
+namespace rotorub::tune {
+
+std::string tune_table(const TuneResult& result);
+
+}  // namespace rotorub::tune

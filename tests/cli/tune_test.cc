@@ -1,0 +1,75 @@
+// rotorub tune as a user starts it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+using nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(CliTune, FindsASettingWhoseOwnComparisonPasses) {
+  const Folder folder;
+  const Outcome done =
+      folder.run({"tune", shipped("bench_ring"), "--end", "50ms", "--steps", "100us,50us,20us,10us",
+                  "--tolerance", "5%", "--twins", "4", "--json", "-o", "tuned.toml"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const json all = json::parse(done.out);
+  for (const char* key :
+       {"trusted", "next_cheaper", "model_error", "contact_error", "step_error"}) {
+    EXPECT_TRUE(all.contains(key)) << key;
+  }
+  const json& trusted = all["trusted"];
+  for (const char* key : {"contact", "integrator", "step", "modes", "solref_stiffness", "solver",
+                          "us_per_step", "errors"}) {
+    EXPECT_TRUE(trusted.contains(key)) << key;
+  }
+  EXPECT_EQ(trusted["contact"], "rigid");
+  EXPECT_EQ(trusted["errors"].size(), 6U);
+  for (const json& s : all["settings"]) {
+    if (s["contact"] != "cone") continue;
+    EXPECT_NE(s["trusted"], "yes") << s.dump();
+  }
+
+  ASSERT_TRUE(folder.has("tuned.toml"));
+  EXPECT_TRUE(contains(folder.text("tuned.toml"), "contact = \"rigid\""));
+  const Outcome judged = folder.run({"compare", "tuned.toml", "--tolerance", "5%", "--twins", "4",
+                                     "--no-video", "--quiet", "-o", "out"});
+  EXPECT_EQ(judged.code, 0) << judged.err;
+}
+
+TEST(CliTune, SaysWhatCannotBeTrusted) {
+  const Folder folder;
+  const Outcome none = folder.run({"tune", shipped("bench_ring"), "--end", "20ms", "--steps",
+                                   "200us", "--tolerance", "0", "--twins", "0", "-o", "no.toml"});
+  EXPECT_EQ(none.code, 1) << none.out;
+  EXPECT_TRUE(contains(none.out, "none can be trusted")) << none.out;
+  EXPECT_TRUE(contains(none.err, "not written")) << none.err;
+  EXPECT_FALSE(folder.has("no.toml"));
+}
+
+TEST(CliTune, RefusesWithWhatIsAccepted) {
+  const Folder folder;
+  const auto refusal = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"tune", shipped("bench_ring")};
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome refused = folder.run(all);
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_EQ(refused.out, "");
+    return refused.err;
+  };
+  EXPECT_TRUE(contains(refusal({"--set", "contact=none"}), "[contact]"));
+  EXPECT_TRUE(contains(refusal({"--steps", "3 kg"}), "--steps"));
+  EXPECT_TRUE(contains(refusal({"--twins", "-2"}), "0 to"));
+  EXPECT_TRUE(contains(refusal({"--tolerance", "2"}), "2%"));
+  EXPECT_EQ(folder.run({"tune", "nowhere.toml"}).code, 2);
+}
+
+}  // namespace
+}  // namespace rotorub::test
