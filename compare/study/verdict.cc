@@ -211,13 +211,13 @@ std::string headline(const SceneComparison& comparison, const Side& other,
     case Trust::kAveragesOnly:
       return fmt::format(
           "MuJoCo's {} contact: its averages can be trusted within {:.3g} %, its single impacts "
-          "cannot: {} is off by {}.",
+          "cannot: {} {}.",
           other.label, tolerance, off.figure->label, deviation_text(*off.figure, off.deviation));
     case Trust::kNo:
       break;
   }
-  return fmt::format("MuJoCo's {} contact is outside {:.3g} %: {} is off by {}.", other.label,
-                     tolerance, off.figure->label, deviation_text(*off.figure, off.deviation));
+  return fmt::format("MuJoCo's {} contact is outside {:.3g} %: {} {}.", other.label, tolerance,
+                     off.figure->label, deviation_text(*off.figure, off.deviation));
 }
 
 }  // namespace rotorub
