@@ -1,7 +1,6 @@
 #include "plugin/shadow.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/magnets.h"
+#include "plugin/thread_worker.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -21,7 +21,7 @@ namespace {
 static_assert(kShadowSingle - kShadowCommand == ZeroOrderHold::kMemory);
 
 // What takes the steps. Holds nothing between two calls but room: the state comes from userdata and
-// goes back there. It has a model of its own, as the Config may be gone before the thread is.
+// goes back there.
 struct Worker {
   Worker(const Config& config, double h)
       : id(config.id), step(h), model(config.shadow->model), stepper(model, h), command(model) {}
@@ -31,19 +31,6 @@ struct Worker {
   PaperStepper stepper;
   ZeroOrderHold command;
 };
-
-// This thread's, for the models that it used last.
-Worker& worker_for(const Config& config, double h) {
-  thread_local std::array<std::unique_ptr<Worker>, 4> known;
-  thread_local std::size_t next = 0;
-  for (const auto& worker : known) {
-    if (worker && worker->id == config.id && worker->step == h) return *worker;
-  }
-  std::unique_ptr<Worker>& made = known[next];
-  next = (next + 1) % known.size();
-  made = std::make_unique<Worker>(config, h);
-  return *made;
-}
 
 double* stepper_memory(double* entry) { return entry + kShadowSingle; }
 
@@ -85,7 +72,7 @@ void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
   entry[kShadowStep] = h;
   entry[kShadowSteps] = 0.0;
   entry[kShadowNormal] = entry[kShadowFriction] = 0.0;
-  Worker& worker = worker_for(config, h);
+  Worker& worker = thread_worker<Worker>(config, h);
   double q[kMaxCoordinates], v[kMaxCoordinates];
   mujoco_state(config, m, d, q, v);
   worker.stepper.begin(d->time, q, v);
@@ -104,7 +91,7 @@ void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
 
 void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
   const double h = m->opt.timestep;
-  Worker& worker = worker_for(config, h);
+  Worker& worker = thread_worker<Worker>(config, h);
   worker.stepper.restore(stepper_memory(entry));
   const double t = entry[kShadowOrigin] + entry[kShadowSteps] * h;
 

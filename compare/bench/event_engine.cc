@@ -1,11 +1,8 @@
 #include "compare/bench/event_engine.h"
 
 #include <algorithm>
-#include <chrono>
 
-#include "native_model/event/driver.h"
-#include "native_model/system/run_size.h"
-#include "native_model/trajectory/recorder.h"
+#include "native_model/run/run_native.h"
 
 namespace rotorub::bench {
 namespace {
@@ -14,26 +11,14 @@ class EventEngine final : public Engine {
  public:
   explicit EventEngine(const EventParameters& parameters) : parameters_(parameters) {}
   std::string name() const override { return "native-event"; }
-  Trajectory run(const scene::Scene& given, const RunRequest& request) const override {
-    const scene::Scene scene = perturbed(given, request.perturbation_ulps);
-    const Model model = make_model(scene);
-    const std::vector<double> times = request.output_times.value_or(output_times(scene.run));
-    check_run_size(scene, model, std::nullopt, &times);
-    Recorder recorder(model, times);
-    EventIntegrator integrator(model, parameters_);
-    const auto start = std::chrono::steady_clock::now();
-    const EventIntegrator::Result result = integrator.run(
-        initial_state(model), scene.run.end, recorder, request.progress, request.interrupt);
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-    Trajectory out = recorder.finish(result.end);
-    out.engine = "native";
-    out.integrator = "event";
-    out.contact_model = "rigid";
-    out.steps = result.steps;
-    out.wall_s = wall.count();
-    out.status = result.status;
-    out.message = result.message;
-    return out;
+  Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
+    NativeOptions options;
+    options.integrator = scene::Integrator::kEvent;
+    options.event = parameters_;
+    options.output_times = request.output_times;
+    options.progress = request.progress;
+    options.interrupt = request.interrupt;
+    return run_native(perturbed(scene, request.perturbation_ulps), options);
   }
 
  private:

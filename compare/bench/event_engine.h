@@ -13,7 +13,7 @@ namespace rotorub::bench {
 // follows it.
 EventParameters event_parameters(double tolerance);
 
-// RunRequest::step only sets the width of the bins that forces are averaged over.
+// RunRequest::step is not read: forces are averaged over the bins of the parameters.
 std::unique_ptr<Engine> event_engine(const EventParameters& parameters);
 
 }  // namespace rotorub::bench

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "compare/report/assets.h"
 #include "compare/report/web/plotly.h"
@@ -21,11 +22,15 @@ std::string for_script(std::string text) {
 }  // namespace
 
 nlohmann::json page_frame(std::string_view script, const nlohmann::json& data) {
-  return {{"version", program_version()},
-          {"css", report_css()},
-          {"js", std::string(page_js()) + std::string(script)},
-          {"plotly", plotly_js()},
-          {"data", for_script(data.dump())}};
+  std::string scripts = "<script id=\"plotly\">\n";
+  scripts += plotly_js();
+  scripts += "\n</script>\n<script id=\"data\" type=\"application/json\">";
+  scripts += for_script(data.dump());
+  scripts += "</script>\n<script>\n";
+  scripts += page_js();
+  scripts += script;
+  scripts += "\n</script>";
+  return {{"version", program_version()}, {"css", report_css()}, {"scripts", std::move(scripts)}};
 }
 
 }  // namespace rotorub

@@ -15,10 +15,14 @@ namespace {
 Trajectory run_event(const Model& model, const scene::Run& run, const NativeOptions& options) {
   Recorder recorder(model, options.output_times.value_or(output_times(run)));
   EventParameters settings;
-  // Bins of the mean force are as wide as a fixed step, so that peaks can be compared; never so fine
-  // that they take longer than the run.
-  constexpr double kMostBins = 1e7;
-  settings.force_bin = std::max(options.step.value_or(run.step), run.end / kMostBins);
+  if (options.event) {
+    settings = *options.event;
+  } else {
+    // Bins of the mean force are as wide as a fixed step, so that peaks can be compared; never so fine
+    // that they take longer than the run.
+    constexpr double kMostBins = 1e7;
+    settings.force_bin = std::max(options.step.value_or(run.step), run.end / kMostBins);
+  }
   EventIntegrator integrator(model, settings);
   const auto start = std::chrono::steady_clock::now();
   const EventIntegrator::Result result = integrator.run(

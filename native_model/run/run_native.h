@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "native_model/event/parameters.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -17,6 +18,8 @@ struct NativeOptions {
   std::optional<std::vector<double>> output_times;  // s, default: the scene's
   std::function<void(double)> progress;             // fraction done, called now and then
   const std::atomic<bool>* interrupt = nullptr;     // set to true: stop, keep what there is
+  // Of `event`. Default: bins of the mean force as wide as the step, the rest as parameters.h has it.
+  std::optional<EventParameters> event;
 };
 
 // Throws scene::SceneError for a scene that the integrator asked for cannot run.

@@ -1,7 +1,6 @@
 #include "plugin/contact/verlet.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 
@@ -11,6 +10,7 @@
 #include "plugin/contact/runge_kutta.h"
 #include "plugin/control.h"
 #include "plugin/passive.h"
+#include "plugin/thread_worker.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -67,19 +67,6 @@ struct Worker {
   std::size_t memory;
   std::int64_t next = 0;
 };
-
-// This thread's, for the models that it used last.
-Worker& worker_for(const Config& config, double h) {
-  thread_local std::array<std::unique_ptr<Worker>, 4> known;
-  thread_local std::size_t next = 0;
-  for (const auto& worker : known) {
-    if (worker && worker->id == config.id && worker->step == h) return *worker;
-  }
-  std::unique_ptr<Worker>& made = known[next];
-  next = (next + 1) % known.size();
-  made = std::make_unique<Worker>(config, h);
-  return *made;
-}
 
 // Whether MuJoCo's state is the one remembered, to what its arithmetic and its links' small masses leave
 // of it. (What is remembered is never used in its place.)
@@ -203,7 +190,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   const int n = model.nq();
   const double h = m->opt.timestep;
   double* entry = d->userdata + config.verlet_data;
-  Worker& worker = worker_for(config, h);
+  Worker& worker = thread_worker<Worker>(config, h);
   worker.load(slot_of_pass(config, m, d, entry, worker, state));
   worker.stepper.adopt(state.q(), state.v());
 
