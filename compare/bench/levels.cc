@@ -64,7 +64,7 @@ std::string verdict_text(const std::vector<Level>& levels) {
     note(native_is_fastest(level), native);
     note(rigid_is_fastest_mujoco(level), rigid);
   }
-  return fmt::format("a native integrator is the fastest {}; `rigid` of MuJoCo's settings {}",
+  return fmt::format("a native integrator is the fastest {}; rigid of MuJoCo's settings {}",
                      native.empty() ? "at every level reached" : "but not at" + native,
                      rigid.empty() ? "at every level that MuJoCo reaches" : "but not at" + rigid);
 }

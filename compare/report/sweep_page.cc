@@ -157,7 +157,8 @@ json cards_of(sweep::Store& store) {
   return json::array(
       {card("Points", ok == all ? "good" : "bad", fmt::format("{} of {} ran to their end", ok, all),
             others.empty() ? "none failed" : others),
-       card("Attractors", "", fmt::format("{} kinds", attractors.size()), kinds),
+       card("Attractors", "", attractors.size() == 1 ? std::string("the same everywhere")
+                                 : fmt::format("{} kinds", attractors.size()), kinds),
        card("Largest peak force", "", peak ? fmt::format("{:.4g} N", *peak) : "none",
             peak ? fmt::format("point {}", peak_point) : "")});
 }

@@ -141,7 +141,8 @@ std::string comparison_table(const SceneComparison& c) {
   for (std::size_t k = 0; k < figures().size(); ++k) text += figure_line(c, k);
   text += side_line(c, "time of a step, µs",
                     [](const Side& s) { return short_number(s.timing.median); });
-  text += fmt::format("  * judged: {}, or what {} twins spread by where that is more\n",
+  text += fmt::format("  * judged: {}, or what {} twins spread by where that is more;\n"
+                      "    rms gap rate relative to 1 mm/s at least\n",
                       percent_text(c.tolerance), c.twins);
   text += settled_line(c);
   text += split_lines(c);
