@@ -20,6 +20,9 @@ class ContactMemory {
 
   bool was_in_contact() const { return entry_[kContactBefore] != 0.0; }
 
+  // The step before had no solution, and that was said.
+  bool warned() const { return entry_[kContactStatus] != 0.0; }
+
   // Forces are means over the step of length h (s).
   void note(const RigidResult& r, double h) {
     entry_[kContactNow] = r.mode == Mode::kFree ? 0.0 : 1.0;
@@ -27,7 +30,7 @@ class ContactMemory {
     entry_[kNormalForce] = r.normal / h;
     entry_[kFrictionForce] = r.friction / h;
     // Once, not every step: MuJoCo writes its warnings to a file.
-    if (r.status != Status::kOk && entry_[kContactStatus] == 0.0) {
+    if (r.status != Status::kOk && r.converged && !warned()) {
       mju_warning("rotorub: the contact laws have no solution or several (Painleve): no impulse");
     }
     entry_[kContactStatus] = static_cast<double>(r.status);

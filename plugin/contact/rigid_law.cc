@@ -5,6 +5,7 @@
 
 #include "native_model/contact/coulomb.h"
 #include "native_model/contact/impact_map.h"
+#include "plugin/contact/constrained_law.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -45,6 +46,51 @@ Status status_of(ImpactStatus status) {
   return status == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous;
 }
 
+// The response along normal and tangent.
+class PlanarResponse final : public ContactResponse {
+ public:
+  PlanarResponse(StepResponse& step, const Eigen::Vector2d& e_r, double radius, bool impact)
+      : step_(step), e_r_(e_r), radius_(radius), impact_(impact) {}
+  Eigen::Vector2d rates(const Eigen::Vector3d& v) const {
+    return {-e_r_.dot(v.head<2>()), slip(e_r_, radius_, v)};
+  }
+  Eigen::Vector2d at(const Eigen::Vector2d& p) override {
+    return rates(step_.end(contact_load(e_r_, radius_, p.x(), p.y()), impact_));
+  }
+  double accuracy() const override { return step_.accuracy(); }
+
+ private:
+  StepResponse& step_;
+  Eigen::Vector2d e_r_;
+  double radius_;
+  bool impact_;
+};
+
+// False: no solution.
+bool take(const ConstrainedContact& s, RigidResult& out) {
+  out.converged = s.converged;
+  if (!s.solved || !s.converged) out.status = Status::kNoSolution;
+  if (!s.solved) return false;
+  out.normal = s.p.x();
+  out.friction = s.p.y();
+  return true;
+}
+
+void held_impact(const RigidStep& step, const ContactParameters& c, StepResponse& held,
+                 RigidResult& out) {
+  PlanarResponse response(held, out.e_r, c.radius, true);
+  const Eigen::Vector2d before = response.rates(step.free);
+  const ConstrainedContact s = solve_constrained_impact(
+      response, before, delassus(step.impact_admittance, out.e_r, c.radius),
+      {c.friction, c.restitution, c.tangential_restitution});
+  if (!take(s, out)) return;
+  out.impact = true;
+  out.gap_rate_before = before.x();
+  out.slip_before = before.y();
+  out.gap_rate_after = s.y.x();
+  out.slip_after = s.y.y();
+}
+
 void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
   ImpactInput in;
   in.admittance = step.impact_admittance;
@@ -72,13 +118,28 @@ void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out)
   out.slip_after = slip(out.e_r, c.radius, after);
 }
 
-// (12), (13): y_N = gap / h at the end of the step, y_T = slip there.
-void lasting(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
+// y_N of (12): gap / h at the end of the free step.
+double gap_over_step(const RigidStep& step, const ContactParameters& c) {
   const double gap = c.clearance - (step.d + step.h * step.free.head<2>()).norm();
   const double depth = std::max(0.0, step.d.norm() - c.clearance);
-  const CoulombSolution s = solve_coulomb(delassus(step.lasting_admittance, out.e_r, c.radius),
-                                          (gap + (1.0 - kRecovery) * depth) / step.h,
-                                          slip(out.e_r, c.radius, step.free), c.friction);
+  return (gap + (1.0 - kRecovery) * depth) / step.h;
+}
+
+void held_lasting(const RigidStep& step, const ContactParameters& c, StepResponse& held,
+                  RigidResult& out) {
+  PlanarResponse response(held, out.e_r, c.radius, false);
+  const Eigen::Vector2d free = response.rates(step.free);
+  const ConstrainedContact s = solve_constrained(
+      response, free, delassus(step.lasting_admittance, out.e_r, c.radius),
+      gap_over_step(step, c) - free.x(), c.friction);
+  if (take(s, out) && out.normal > 0.0) out.mode = s.sticks ? Mode::kStick : Mode::kSlide;
+}
+
+// (12), (13): y_N = gap / h at the end of the step, y_T = slip there.
+void lasting(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
+  const CoulombSolution s =
+      solve_coulomb(delassus(step.lasting_admittance, out.e_r, c.radius), gap_over_step(step, c),
+                    slip(out.e_r, c.radius, step.free), c.friction);
   if (s.solutions != 1) {
     out.status = s.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous;
     return;
@@ -96,13 +157,14 @@ bool reaches_ring(const RigidStep& step, double clearance) {
   return (step.d + step.h * step.free.head<2>()).squaredNorm() > clearance * clearance;
 }
 
-RigidResult solve_rigid_step(const RigidStep& step, const ContactParameters& contact) {
+RigidResult solve_rigid_step(const RigidStep& step, const ContactParameters& contact,
+                             StepResponse* held) {
   RigidResult out;
   out.e_r = contact_normal(step, contact.clearance);
   if (!step.was_in_contact && rebound_lasts(step, out.e_r, contact)) {
-    impact(step, contact, out);
+    held ? held_impact(step, contact, *held, out) : impact(step, contact, out);
   } else {
-    lasting(step, contact, out);
+    held ? held_lasting(step, contact, *held, out) : lasting(step, contact, out);
   }
   return out;
 }

@@ -31,8 +31,18 @@ struct RigidStep {
   Eigen::Matrix3d impact_admittance;   // J M^-1 J^T: an impulse in no time
 };
 
+// What MuJoCo's solver answers where constraints act on the same bodies: the rates at the end of
+// the step under an impulse load on the rotor (x, y, torque), in contact space.
+class StepResponse {
+ public:
+  virtual ~StepResponse() = default;
+  virtual Eigen::Vector3d end(const Eigen::Vector3d& load, bool impact) = 0;
+  virtual double accuracy() const = 0;  // m/s, how far it may be off
+};
+
 struct RigidResult {
   Status status = Status::kOk;    // kNoSolution, kAmbiguous: no impulse is given
+  bool converged = true;          // false: beside constraints, the least error found (kNoSolution)
   bool impact = false;            // by Poisson's law; else lasting contact or none
   Mode mode = Mode::kFree;        // of lasting contact
   Eigen::Vector2d e_r{1.0, 0.0};  // normal of the impulses
@@ -46,7 +56,10 @@ struct RigidResult {
 // closed. Needs h, d and free alone.
 bool reaches_ring(const RigidStep& step, double clearance);
 
-// The contact's impulses over a step that reaches the ring.
-RigidResult solve_rigid_step(const RigidStep& step, const ContactParameters& contact);
+// The contact's impulses over a step that reaches the ring. With `held` they are solved together
+// with the constraints (constrained_law.h); `free` is then that without the contact alone, and
+// compression and expansion take no time.
+RigidResult solve_rigid_step(const RigidStep& step, const ContactParameters& contact,
+                             StepResponse* held = nullptr);
 
 }  // namespace rotorub::plugin

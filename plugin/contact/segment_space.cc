@@ -5,7 +5,7 @@
 namespace rotorub::plugin {
 
 SegmentSpace::SegmentSpace(const Config& config, const mjModel* m, mjData* d)
-    : d_(d), m_(m), config_(config), mark_(d->pstack), nv_(m->nv) {
+    : ContactSpace(m->nv), d_(d), m_(m), config_(config), mark_(d->pstack) {
   jacobian_ = mj_stackAlloc(d, 3 * nv_);
   plain_ = mj_stackAlloc(d, 3 * nv_);
   damped_ = mj_stackAlloc(d, 3 * nv_);
@@ -40,31 +40,12 @@ double SegmentSpace::damping_factor(int dof) const {
   return 1.0 + m_->opt.timestep * m_->dof_damping[dof] / m_->dof_M0[dof];
 }
 
-Eigen::Vector3d SegmentSpace::product(const mjtNum* rows, const mjtNum* v) const {
-  return {mju_dot(rows, v, nv_), mju_dot(rows + nv_, v, nv_), mju_dot(rows + 2 * nv_, v, nv_)};
-}
-
-Eigen::Matrix3d SegmentSpace::gram(const mjtNum* rows) const {
-  Eigen::Matrix3d g;
-  for (int j = 0; j < 3; ++j) g.col(j) = product(rows, jacobian_ + j * nv_);
-  return 0.5 * (g + g.transpose());
-}
-
-void SegmentSpace::add(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
-  for (int k = 0; k < 3; ++k) mju_addToScl(to, rows + k * nv_, load[k], nv_);
-}
-void SegmentSpace::add_load(const Eigen::Vector3d& load, mjtNum* to) const {
-  add(jacobian_, load, to);
-}
 void SegmentSpace::add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
-  add(jacobian_, load, to);
+  add_load(load, to);
   for (int k = 0; k < config_.model.layout.stator; ++k) {
     const int dof = ring_dof(k);
     to[dof] -= load[k] * (damping_factor(dof) - 1.0);
   }
-}
-void SegmentSpace::add_acceleration(const Eigen::Vector3d& load, mjtNum* to) const {
-  add(plain_, load, to);
 }
 
 }  // namespace rotorub::plugin

@@ -4,9 +4,10 @@
 
 #include "native_model/contact/coulomb.h"
 #include "plugin/contact/annular.h"
-#include "plugin/contact/memory.h"
+#include "plugin/contact/constrained_law.h"
+#include "plugin/contact/constraint_probe.h"
+#include "plugin/contact/rigid_step.h"
 #include "plugin/contact/runge_kutta.h"
-#include "plugin/contact/rigid_law.h"
 #include "plugin/contact/smooth_force.h"
 #include "plugin/own/own_space.h"
 #include "plugin/user_data.h"
@@ -17,7 +18,6 @@ namespace {
 void apply_rigid_law(const Config& config, const mjModel* m, mjData* d) {
   refuse_runge_kutta(m);
   const ContactParameters& c = *config.model.contact;
-  ContactMemory memory(d);
   update_smooth_force(m, d);
   OwnSpace space(config, m, d);
   space.solve();
@@ -25,74 +25,139 @@ void apply_rigid_law(const Config& config, const mjModel* m, mjData* d) {
   step.h = m->opt.timestep;
   step.d = own_position(config, d);
   step.start = space.rates(d->qvel);
-  step.free = step.start + step.h * space.response(d->qfrc_smooth);
-  if (!reaches_ring(step, c.clearance)) {
-    memory.note({}, step.h);
-    return;
-  }
-  step.was_in_contact = memory.was_in_contact();
-  step.lasting_admittance = space.flexibility();
-  step.impact_admittance = space.admittance();
-  const RigidResult r = solve_rigid_step(step, c);
-  memory.note(r, step.h);
-  if (!(r.normal > 0.0)) return;
-  const Eigen::Vector3d load =
-      contact_load(r.e_r, c.radius, r.normal / step.h, r.friction / step.h);
-  if (r.impact) {
-    space.add_impact(load, d->qfrc_passive);
-  } else {
-    space.add_load(load, d->qfrc_passive);
-  }
+  apply_rigid_step(m, d, space, step, c);
 }
+
+// Accelerations of the contact under a force, with what else makes up y of coulomb.h.
+class ForceResponse final : public ContactResponse {
+ public:
+  ForceResponse(ConstraintProbe& probe, const ContactPoint& point, double radius, double slip)
+      : probe_(probe), point_(point), radius_(radius), slip_(slip) {}
+  Eigen::Vector2d at(const Eigen::Vector2d& p) override {
+    const Eigen::Vector3d a =
+        probe_.acceleration(contact_load(point_.e_r, radius_, p.x(), p.y()), false);
+    return {-point_.e_r.dot(a.head<2>()),
+            slip_ + point_.e_t().dot(a.head<2>()) + radius_ * a.z()};
+  }
+  double accuracy() const override { return probe_.accuracy(); }
+
+ private:
+  ConstraintProbe& probe_;
+  const ContactPoint& point_;
+  double radius_, slip_;
+};
+
+// One contact in accelerations: see coulomb.h.
+struct CoulombStep {
+  ContactPoint point;
+  double radius, friction, h;
+  double curvature;  // m/s^2
+  double slip;       // m/s^2, y_T without any force
+  double reference;  // m/s^2, MuJoCo's a_ref with the gap rate of the state's own time
+  bool before;       // contact in the pass before
+};
+
+CoulombStep coulomb_step(const Config& config, const mjModel* m, const mjData* d, int row,
+                         const Eigen::Vector3d& rates) {
+  const ContactParameters& c = *config.model.contact;
+  CoulombStep s;
+  s.point = contact_kinematics(own_position(config, d), rates.head<2>(), rates.z(), c.radius,
+                               c.clearance);
+  s.radius = c.radius;
+  s.friction = c.friction;
+  s.h = m->opt.timestep;
+  const ContactPoint& p = s.point;
+  const double whirl = p.whirl_speed();
+  s.curvature = whirl * whirl / p.delta;
+  s.slip = p.slip / s.h + whirl / p.delta * p.gap_rate;
+  const mjtNum* kbip = d->efc_KBIP + 4 * row;
+  s.reference = -kbip[1] * (p.gap_rate + 0.5 * s.h * s.curvature) - kbip[0] * kbip[2] * p.gap;
+  s.before = d->userdata[kMode] != 0.0;
+  return s;
+}
+
+// A rebound that the loads undo within the step is no flight.
+bool touches(const CoulombStep& s, double gap_acceleration) {
+  const bool lasts = s.before && s.point.gap_rate <= -(gap_acceleration - s.curvature) * s.h;
+  return s.point.gap < 0.0 || lasts;
+}
+
+CoulombSolution solve_free(const CoulombStep& s, const OwnSpace& space, const mjData* d) {
+  const Eigen::Vector3d free = space.response(d->qfrc_smooth);
+  const double gap = -s.point.e_r.dot(free.head<2>());
+  if (!touches(s, gap)) return {};
+  return solve_coulomb(delassus(space.flexibility(), s.point.e_r, s.radius),
+                       gap - s.curvature - s.reference,
+                       s.slip + s.point.e_t().dot(free.head<2>()) + s.radius * free.z(),
+                       s.friction);
+}
+
+// Open: well below, so that not even round-off leaves a force.
+double open_reference(double acceleration) { return acceleration - (1.0 + std::abs(acceleration)); }
 
 // MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R): the aref for l = normal.
 double solver_reference(const mjModel* m, mjData* d, int row, const OwnSpace& space,
-                        const Eigen::Vector3d& friction, const Delassus& own,
-                        const Eigen::Vector2d& e_r, double normal) {
+                        const Eigen::Vector3d& friction, const CoulombStep& s, double normal) {
   const int mark = d->pstack;
   mjtNum* acceleration = mj_stackAlloc(d, m->nv);
   mju_copy(acceleration, d->qacc_smooth, m->nv);
   space.add_acceleration(friction, acceleration);
-  const double smooth = -e_r.dot(space.rates(acceleration).head<2>());
+  const double smooth = -s.point.e_r.dot(space.rates(acceleration).head<2>());
   d->pstack = mark;
-  // Open: well below, so that not even round-off leaves a force.
-  if (normal <= 0.0) return smooth - (1.0 + std::abs(smooth));
+  if (normal <= 0.0) return open_reference(smooth);
+  const Delassus own = delassus(space.admittance(), s.point.e_r, s.radius);
   return smooth + (own.nn + d->efc_R[row]) * normal;
 }
 
+// The same beside constraints: the contact's own row rests while the others are tried. What the
+// solver finds then is J a = aref - R l.
+CoulombSolution solve_beside_constraints(const mjModel* m, mjData* d, int row,
+                                         const OwnSpace& space, const CoulombStep& s) {
+  constexpr double kResting = -1e12;  // m/s^2
+  d->efc_aref[row] = kResting;
+  ConstraintProbe probe(m, d, space);
+  ForceResponse response(probe, s.point, s.radius, s.slip);
+  const Eigen::Vector2d free = response.at({0.0, 0.0});
+  CoulombSolution out;
+  if (touches(s, free.x())) {
+    const ConstrainedContact found =
+        solve_constrained(response, free, delassus(space.flexibility(), s.point.e_r, s.radius),
+                          -s.curvature - s.reference, s.friction);
+    if (!found.converged && d->userdata[kContactStatus] == 0.0) warn_unsolved(m, d, space);
+    d->userdata[kContactStatus] = found.converged ? 0.0 : static_cast<double>(Status::kNoSolution);
+    out.normal = found.p.x();
+    out.friction = found.p.y();
+    if (out.normal > 0.0) {
+      const bool forward = found.y.y() > 0.0;
+      out.contact_case = found.sticks ? ContactCase::kStick
+                         : forward    ? ContactCase::kSlidePositive
+                                      : ContactCase::kSlideNegative;
+    }
+  }
+  response.at({out.normal, out.friction});
+  const double found = -s.point.e_r.dot(space.rates(d->qacc).head<2>());
+  if (out.normal > 0.0) probe.keep();
+  d->efc_aref[row] =
+      out.normal > 0.0 ? found + d->efc_R[row] * out.normal : open_reference(found);
+  return out;
+}
+
 void apply_coulomb_law(const Config& config, const mjModel* m, mjData* d, const mjContact& con) {
-  const ContactParameters& c = *config.model.contact;
-  const double h = m->opt.timestep;
   const int row = con.efc_address;
   mj_fwdActuation(m, d);
   mj_fwdAcceleration(m, d);
   OwnSpace space(config, m, d);
   space.solve();
-  const Eigen::Vector3d rates = space.rates(d->qvel), free = space.response(d->qfrc_smooth);
-  const ContactPoint p = contact_kinematics(own_position(config, d), rates.head<2>(), rates.z(),
-                                            c.radius, c.clearance);
-  // Accelerations of gap and slip without contact force, and MuJoCo's a_ref with the gap rate of
-  // the state's own time: see coulomb.cc.
-  const double whirl = p.whirl_speed(), curvature = whirl * whirl / p.delta;
-  const double gap_free = -p.e_r.dot(free.head<2>()) - curvature;
-  const double slip_free =
-      p.e_t().dot(free.head<2>()) + c.radius * free.z() + whirl / p.delta * p.gap_rate;
-  const mjtNum* kbip = d->efc_KBIP + 4 * row;
-  const double reference =
-      -kbip[1] * (p.gap_rate + 0.5 * h * curvature) - kbip[0] * kbip[2] * p.gap;
-  const bool lasts = d->userdata[kMode] != 0.0 && p.gap_rate <= -gap_free * h;
-  CoulombSolution s;
-  if (p.gap < 0.0 || lasts) {
-    s = solve_coulomb(delassus(space.flexibility(), p.e_r, c.radius), gap_free - reference,
-                      p.slip / h + slip_free, c.friction);
-  }
+  const CoulombStep step = coulomb_step(config, m, d, row, space.rates(d->qvel));
+  const bool beside = constraints_couple(m, d, space, row);
+  const CoulombSolution s =
+      beside ? solve_beside_constraints(m, d, row, space, step) : solve_free(step, space, d);
   const bool sticks = s.contact_case == ContactCase::kStick;
   const Mode mode = s.normal <= 0.0 ? Mode::kFree : (sticks ? Mode::kStick : Mode::kSlide);
   d->userdata[kFrictionForce] = s.friction;
   d->userdata[kMode] = static_cast<double>(mode);
-  const Eigen::Vector3d friction = contact_load(p.e_r, c.radius, 0.0, s.friction);
-  d->efc_aref[row] = solver_reference(
-      m, d, row, space, friction, delassus(space.admittance(), p.e_r, c.radius), p.e_r, s.normal);
+  const Eigen::Vector3d friction = contact_load(step.point.e_r, step.radius, 0.0, s.friction);
+  if (!beside) d->efc_aref[row] = solver_reference(m, d, row, space, friction, step, s.normal);
   space.add_load(friction, d->qfrc_passive);
 }
 

@@ -3,7 +3,7 @@
 //   coulomb  coulomb.h's: normal force and friction as one problem in accelerations, MuJoCo's
 //            reference set such that its solver finds the normal force
 //   cone     MuJoCo's own, in the exact circle
-// Other constraints of the user's that act on the same bodies are not known to the first two.
+// Other constraints that act on the same bodies are solved together with it (constraint_probe.h).
 #pragma once
 
 #include <mujoco/mujoco.h>

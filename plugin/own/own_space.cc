@@ -34,21 +34,29 @@ ContactPoint own_contact_point(const Config& config, const mjModel* m, mjData* d
 }
 
 OwnSpace::OwnSpace(const Config& config, const mjModel* m, mjData* d)
-    : m_(m), d_(d), mark_(d->pstack), nv_(m->nv), damped_step_(damped_step(m)) {
+    : ContactSpace(m->nv), m_(m), d_(d), mark_(d->pstack), damped_step_(damped_step(m)) {
   jacobian_ = mj_stackAlloc(d, 3 * nv_);
-  mjtNum* move = mj_stackAlloc(d, 3 * nv_);
-  mjtNum* turn = mj_stackAlloc(d, 3 * nv_);
   std::fill_n(jacobian_, 3 * nv_, 0.0);
   // Both bodies at the rotor's centre: what the ring's rotation does there is taken off.
   const mjtNum* centre = d->geom_xpos + 3 * config.rotor_geom;
   const mjtNum* axes = d->geom_xmat + 9 * config.ring_geom;
-  for (const bool rotor : {true, false}) {
-    mj_jac(m, d, move, turn, centre, m->geom_bodyid[rotor ? config.rotor_geom : config.ring_geom]);
-    const double sign = rotor ? 1.0 : -1.0;
-    for (int i = 0; i < 3; ++i) {
-      mju_addToScl(jacobian_, move + i * nv_, sign * axes[3 * i], nv_);
-      mju_addToScl(jacobian_ + nv_, move + i * nv_, sign * axes[3 * i + 1], nv_);
-      mju_addToScl(jacobian_ + 2 * nv_, turn + i * nv_, sign * axes[3 * i + 2], nv_);
+  add_body(axes, centre, m->geom_bodyid[config.rotor_geom], 1.0);
+  add_body(axes, centre, m->geom_bodyid[config.ring_geom], -1.0);
+}
+
+// As mj_jac, of the degrees of freedom that move the body alone.
+void OwnSpace::add_body(const mjtNum* axes, const mjtNum* centre, int body, double sign) {
+  mjtNum arm[3], turn[3];
+  mju_sub3(arm, centre, d_->subtree_com + 3 * m_->body_rootid[body]);
+  while (body > 0 && m_->body_dofnum[body] == 0) body = m_->body_parentid[body];
+  if (body == 0) return;
+  for (int i = m_->body_dofadr[body] + m_->body_dofnum[body] - 1; i >= 0; i = m_->dof_parentid[i]) {
+    const mjtNum* axis = d_->cdof + 6 * i;  // rotation, then translation at the tree's centre
+    mju_cross(turn, axis, arm);
+    for (int k = 0; k < 3; ++k) {
+      jacobian_[i] += sign * axes[3 * k] * (axis[3 + k] + turn[k]);
+      jacobian_[nv_ + i] += sign * axes[3 * k + 1] * (axis[3 + k] + turn[k]);
+      jacobian_[2 * nv_ + i] += sign * axes[3 * k + 2] * axis[k];
     }
   }
 }
@@ -62,43 +70,26 @@ void OwnSpace::solve() {
   solve_damped();
 }
 
-// MuJoCo's sparse factorisation works in mjData: M + h D is put in the place of M, and all put
-// back.
+// MuJoCo's sparse factorisation works in mjData: for its time M + h D and room for the factors stand
+// in the place of M and of its own.
 void OwnSpace::solve_damped() {
   const int mark = d_->pstack;
-  const auto keep = [this](const mjtNum* from, int count) {
-    mjtNum* copy = mj_stackAlloc(d_, count);
-    std::copy_n(from, count, copy);
-    return copy;
-  };
-  const mjtNum* mass = keep(d_->qM, m_->nM);
-  const mjtNum* factor = keep(d_->qLD, m_->nM);
-  const mjtNum* inverse = keep(d_->qLDiagInv, nv_);
-  const mjtNum* root = keep(d_->qLDiagSqrtInv, nv_);
+  mjtNum* const own[] = {d_->qM, d_->qLD, d_->qLDiagInv, d_->qLDiagSqrtInv};
+  d_->qM = mj_stackAlloc(d_, m_->nM);
+  d_->qLD = mj_stackAlloc(d_, m_->nM);
+  d_->qLDiagInv = mj_stackAlloc(d_, nv_);
+  d_->qLDiagSqrtInv = mj_stackAlloc(d_, nv_);
+  std::copy_n(own[0], m_->nM, d_->qM);
   for (int i = 0; i < nv_; ++i) {
     d_->qM[m_->dof_Madr[i]] += damped_step_ * m_->dof_damping[i];
   }
   mj_factorM(m_, d_);
   mj_solveM(m_, d_, damped_, jacobian_, 3);
-  std::copy_n(mass, m_->nM, d_->qM);
-  std::copy_n(factor, m_->nM, d_->qLD);
-  std::copy_n(inverse, nv_, d_->qLDiagInv);
-  std::copy_n(root, nv_, d_->qLDiagSqrtInv);
+  d_->qM = own[0];
+  d_->qLD = own[1];
+  d_->qLDiagInv = own[2];
+  d_->qLDiagSqrtInv = own[3];
   d_->pstack = mark;
-}
-
-Eigen::Vector3d OwnSpace::product(const mjtNum* rows, const mjtNum* v) const {
-  return {mju_dot(rows, v, nv_), mju_dot(rows + nv_, v, nv_), mju_dot(rows + 2 * nv_, v, nv_)};
-}
-
-Eigen::Matrix3d OwnSpace::gram(const mjtNum* rows) const {
-  Eigen::Matrix3d g;
-  for (int j = 0; j < 3; ++j) g.col(j) = product(rows, jacobian_ + j * nv_);
-  return 0.5 * (g + g.transpose());
-}
-
-void OwnSpace::add(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
-  for (int k = 0; k < 3; ++k) mju_addToScl(to, rows + k * nv_, load[k], nv_);
 }
 
 void OwnSpace::add_impact(const Eigen::Vector3d& load, mjtNum* to) const {

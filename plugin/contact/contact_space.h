@@ -1,0 +1,52 @@
+// One contact in MuJoCo's coordinates: (relative x, relative y, spin) = J qvel, with MuJoCo's mass
+// matrix M and the matrix H = M + h D of its Euler step. J is the caller's own (own/own_space.h,
+// contact/segment_space.h); the rows live on the stack of mjData.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+
+namespace rotorub::plugin {
+
+class ContactSpace {
+ public:
+  ContactSpace(const ContactSpace&) = delete;
+  ContactSpace& operator=(const ContactSpace&) = delete;
+
+  Eigen::Vector3d rates(const mjtNum* v) const { return product(jacobian_, v); }     // J v
+  Eigen::Vector3d response(const mjtNum* f) const { return product(damped_, f); }    // J H^-1 f
+  Eigen::Matrix3d flexibility() const { return gram(damped_); }                      // J H^-1 J^T
+  Eigen::Matrix3d admittance() const { return gram(plain_); }                        // J M^-1 J^T
+  bool damped() const { return damped_ != plain_; }                                  // H is not M
+  const mjtNum* acceleration_row(int k) const { return plain_ + k * nv_; }  // row k of J M^-1
+
+  // to += J^T load, load: (x, y, torque) on the rotor.
+  void add_load(const Eigen::Vector3d& load, mjtNum* to) const { add(jacobian_, load, to); }
+  // to += M^-1 J^T load.
+  void add_acceleration(const Eigen::Vector3d& load, mjtNum* to) const { add(plain_, load, to); }
+  // to += H M^-1 J^T load: a load over the step that no damper takes from.
+  virtual void add_impact(const Eigen::Vector3d& load, mjtNum* to) const = 0;
+
+ protected:
+  explicit ContactSpace(int nv) : nv_(nv) {}
+  ~ContactSpace() = default;
+
+  int nv_;
+  mjtNum *jacobian_ = nullptr, *plain_ = nullptr, *damped_ = nullptr;  // 3 x nv
+
+ private:
+  Eigen::Vector3d product(const mjtNum* rows, const mjtNum* v) const {
+    return {mju_dot(rows, v, nv_), mju_dot(rows + nv_, v, nv_), mju_dot(rows + 2 * nv_, v, nv_)};
+  }
+  Eigen::Matrix3d gram(const mjtNum* rows) const {
+    Eigen::Matrix3d g;
+    for (int j = 0; j < 3; ++j) g.col(j) = product(rows, jacobian_ + j * nv_);
+    return 0.5 * (g + g.transpose());
+  }
+  void add(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
+    for (int k = 0; k < 3; ++k) mju_addToScl(to, rows + k * nv_, load[k], nv_);
+  }
+};
+
+}  // namespace rotorub::plugin

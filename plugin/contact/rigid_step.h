@@ -1,0 +1,18 @@
+// `rigid` over one step of MuJoCo, in any contact space: segments and models of the user's own.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "plugin/contact/contact_space.h"
+#include "plugin/contact/rigid_law.h"
+
+namespace rotorub::plugin {
+
+// Adds the step's impulses to d->qfrc_passive, as forces over the step, and notes them (memory.h).
+// step: h, d and start; `start` may hold a spin that is no degree of freedom. After
+// update_smooth_force. Where constraints of MuJoCo's solver act on the same bodies, contact and
+// constraints are solved together (constraint_probe.h).
+void apply_rigid_step(const mjModel* m, mjData* d, const ContactSpace& space, RigidStep& step,
+                      const ContactParameters& contact);
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,422 @@
+// The contact in a user's own model whose rotor or ring MuJoCo's constraints hold as well:
+// equalities, limits, friction loss, tendons, other contacts. A disc of 2 kg flies at 0.3 m/s along x
+// against a ring of 1 kg; what it leaves with is computed by hand.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <thread>
+
+#include "mjcf/names.h"
+#include "plugin/hooks.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace names = mjcf_names;
+
+constexpr double kStep = 1e-5, kSpeed = 0.3, kRotor = 2.0, kRing = 1.0, kEps = 0.5;
+// What solimp 0.9999 gives way in a step, of the motion without the constraint.
+constexpr double kSoft = 3e-4;
+const std::string kHard = " solimp=\"0.9999 0.9999 0.001\" ";
+
+struct Machine {
+  std::string ring_joint = "";   // attributes of the slide ring_x
+  std::string rotor_joint = "";  // of rotor_x
+  std::string bodies = "", constraints = "", ring_geoms = "", pairs = "";
+  std::string option = "";
+  std::string contact = "rigid";
+  double friction = 0.0, restitution = kEps;
+};
+
+std::string document(const Machine& x) {
+  // sqrt(K) h = 0.2; K and B of a restitution of 0.5, as bench_ring.xml has them.
+  const std::string pair =
+      x.contact == "rigid"
+          ? "margin=\"5e-6\" gap=\"1\""
+          : "solref=\"-4e8 -10211.0255\" solimp=\"0.9999 0.9999 0.001\" margin=\"5e-7\" gap=\"0\"";
+  return R"(<mujoco>
+  <option timestep="1e-5" gravity="0 0 0" collision="predefined" )" +
+         x.option + R"(/>
+  <size nuserdata="32"/>
+  <worldbody>
+    <body name="shaft">
+      <joint name="rotor_x" type="slide" axis="1 0 0" )" +
+         x.rotor_joint + R"(/>
+      <joint name="rotor_y" type="slide" axis="0 1 0"/>
+      <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
+      <body name="rotor">
+        <joint name="spin" type="hinge" axis="0 0 1"/>
+        <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
+        <geom name="disc" type="cylinder" size="0.05 0.01"/>
+      </body>
+    </body>
+    <body name="ring">
+      <joint name="ring_x" type="slide" axis="1 0 0" )" +
+         x.ring_joint + R"(/>
+      <joint name="ring_y" type="slide" axis="0 1 0"/>
+      <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
+      <geom name="bore" type="cylinder" size="0.06 0.01"/>
+      )" + x.ring_geoms +
+         R"(
+    </body>
+    )" + x.bodies +
+         R"(
+  </worldbody>
+  )" + x.constraints +
+         R"(
+  <contact>
+    <pair geom1="disc" geom2="bore" condim="1" )" +
+         pair + R"(/>
+    )" + x.pairs +
+         R"(
+  </contact>
+  <sensor>
+    <user name="normal_force" objtype="geom" objname="disc" datatype="real" needstage="acc" dim="1"/>
+    <user name="friction_force" objtype="geom" objname="disc" datatype="real" needstage="acc" dim="1"/>
+    <user name="slip" objtype="geom" objname="disc" datatype="real" needstage="vel" dim="1"/>
+  </sensor>
+  <custom>
+    <text name="rotorub_rotor_geom" data="disc"/>
+    <text name="rotorub_ring_geom" data="bore"/>
+    <text name="rotorub_contact" data=")" +
+         x.contact + R"("/>
+    <numeric name="rotorub_clearance" data="5e-4"/>
+    <numeric name="rotorub_friction" data=")" +
+         std::to_string(x.friction) + R"("/>
+    <numeric name="rotorub_restitution" data=")" +
+         std::to_string(x.restitution) + R"("/>
+  </custom>
+</mujoco>)";
+}
+
+enum Coordinate { kX, kY, kSpin, kRingX, kRingY, kOther };
+
+class HeldBodies : public MujocoTest {
+ protected:
+  // The disc, a micrometre off the ring, which it meets in the first step.
+  static DataPointer begin(const mjModel* m) {
+    DataPointer d = start(m);
+    d->qpos[kX] = 4.99e-4;
+    d->qvel[kX] = kSpeed;
+    return d;
+  }
+  static double gap_rate(const mjData* d) { return d->qvel[kRingX] - d->qvel[kX]; }
+
+  // Over the step of the blow, gap rate after over the one that it would have without the contact.
+  static double rebound(const mjModel* m, const std::function<void(mjData*)>& set = {}) {
+    const auto after = [&](bool plugin) {
+      std::optional<plugin::Hooks> hooks;
+      if (plugin) hooks.emplace();
+      const DataPointer d = begin(m);
+      if (set) set(d.get());
+      mj_step(m, d.get());
+      return gap_rate(d.get());
+    };
+    return -after(true) / after(false);
+  }
+
+  static DataPointer blow(const mjModel* m, int steps = 1,
+                          const std::function<void(mjData*)>& set = {}) {
+    const plugin::Hooks hooks;
+    DataPointer d = begin(m);
+    if (set) set(d.get());
+    for (int k = 0; k < steps; ++k) mj_step(m, d.get());
+    return d;
+  }
+};
+
+std::string equality(const std::string& what) {
+  return "<equality>" + what + "</equality>";
+}
+Machine welded() {
+  Machine x;
+  x.constraints = equality("<weld body1=\"ring\"" + kHard + "/>");
+  return x;
+}
+Machine locked() {
+  Machine x;
+  x.constraints = equality("<joint joint1=\"ring_x\"" + kHard + "/>");
+  return x;
+}
+Machine pinned() {
+  Machine x;
+  x.constraints = equality("<connect body1=\"ring\" anchor=\"0 0 0\"" + kHard + "/>");
+  return x;
+}
+Machine at_limit() {
+  Machine x;  // the ring stands 0.1 um in its limit
+  x.ring_joint =
+      "limited=\"true\" range=\"-1 -1e-7\" solimplimit=\"0.9999 0.9999 0.001\"";
+  return x;
+}
+Machine at_tendon_limit() {
+  Machine x;
+  x.constraints =
+      "<tendon><fixed name=\"stop\" limited=\"true\" range=\"-1 -1e-7\" solimplimit=\"0.9999 "
+      "0.9999 0.001\"><joint joint=\"ring_x\" coef=\"1\"/></fixed></tendon>";
+  return x;
+}
+Machine tendon_held() {
+  Machine x;
+  x.constraints = "<tendon><fixed name=\"rope\"><joint joint=\"ring_x\" coef=\"1\"/></fixed></tendon>" +
+                  equality("<tendon tendon1=\"rope\"" + kHard + "/>");
+  return x;
+}
+Machine tied_to(double mass) {
+  Machine x;
+  x.bodies = R"(<body name="base"><joint type="slide" axis="1 0 0"/>
+      <joint type="slide" axis="0 1 0"/><inertial pos="0 0 0" mass=")" +
+             std::to_string(mass) + R"(" diaginertia="1 1 1"/></body>)";
+  x.constraints = equality("<weld body1=\"shaft\" body2=\"base\"" + kHard + "/>");
+  return x;
+}
+void move_base(mjData* d) { d->qvel[kOther] = kSpeed; }
+constexpr double kLoss = 50.0;  // N
+Machine rubbing_ring() {
+  Machine x;
+  x.ring_joint = "frictionloss=\"50\" solimpfriction=\"0.9999 0.9999 0.001\"";
+  return x;
+}
+// A part of 3 kg that lies against the ring's far side, 0.1 um deep.
+Machine loose_part() {
+  Machine x;
+  x.ring_geoms = R"(<geom name="cheek" type="sphere" size="0.01" pos="0.06 0 0"/>)";
+  x.bodies = R"(<body name="part" pos="0.0799999 0 0"><joint type="slide" axis="1 0 0"/>
+      <inertial pos="0 0 0" mass="3" diaginertia="1 1 1"/>
+      <geom name="part" type="sphere" size="0.01"/></body>)";
+  x.pairs = "<pair geom1=\"cheek\" geom2=\"part\" condim=\"1\"" + kHard + "/>";
+  return x;
+}
+
+// A ring that is held is a fixed ring: the disc leaves with half of its speed.
+TEST_F(HeldBodies, AHeldRingIsAFixedRing) {
+  for (const Machine& x :
+       {welded(), locked(), pinned(), at_limit(), at_tendon_limit(), tendon_held()}) {
+    const ModelPointer m = load(document(x));
+    EXPECT_NEAR(rebound(m.get()), kEps, 1e-6) << x.constraints << x.ring_joint;
+    const DataPointer d = blow(m.get());
+    EXPECT_NEAR(d->qvel[kX], -kEps * kSpeed, kSoft * kSpeed) << x.constraints << x.ring_joint;
+    EXPECT_NEAR(d->qvel[kRingX], 0.0, kSoft * kSpeed) << x.constraints << x.ring_joint;
+    // Over the whole blow too.
+    EXPECT_NEAR(gap_rate(blow(m.get(), 200).get()), kEps * kSpeed, 2e-3 * kSpeed);
+  }
+}
+
+TEST_F(HeldBodies, ALimitHoldsOneWayOnly) {
+  Machine x = at_limit();
+  x.ring_joint = "limited=\"true\" range=\"1e-7 1\" solimplimit=\"0.9999 0.9999 0.001\"";
+  const ModelPointer m = load(document(x));
+  const DataPointer d = blow(m.get());
+  const double impulse = 1.5 * kSpeed / (1.0 / kRotor + 1.0 / kRing);
+  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / kRotor, 1e-6);
+  EXPECT_NEAR(d->qvel[kRingX], impulse / kRing, 1e-6);
+}
+
+// 200 kg and the disc are one body.
+TEST_F(HeldBodies, ARotorTiedToAHeavyBodyStrikesWithIt) {
+  const double whole = kRotor + 200.0;
+  const double impulse = 1.5 * kSpeed / (1.0 / whole + 1.0 / kRing);
+  const ModelPointer m = load(document(tied_to(200.0)));
+  EXPECT_NEAR(rebound(m.get(), move_base), kEps, 1e-6);
+  const DataPointer d = blow(m.get(), 1, move_base);
+  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / whole, kSoft * kSpeed);
+  EXPECT_NEAR(d->qvel[kOther], kSpeed - impulse / whole, kSoft * kSpeed);
+  EXPECT_NEAR(d->qvel[kRingX], impulse / kRing, kSoft * kSpeed);
+}
+
+// Compression ends at one velocity v = 0.3 - L / 2 = L - F h, the whole impulse is 1.5 L.
+TEST_F(HeldBodies, FrictionLossTakesItsShareOfABlow) {
+  const ModelPointer m = load(document(rubbing_ring()));
+  const double loss = kLoss * kStep;
+  const double impulse = 1.5 * (kSpeed + loss / kRing) / (1.0 / kRotor + 1.0 / kRing);
+  const DataPointer d = blow(m.get());
+  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / kRotor, 1e-7);
+  EXPECT_NEAR(d->qvel[kRingX], (impulse - loss) / kRing, 1e-7);
+}
+
+// Below its friction loss the ring stands, and the disc on it; above they move off together.
+TEST_F(HeldBodies, FrictionLossHoldsAPressedRing) {
+  const ModelPointer m = load(document(rubbing_ring()));
+  for (const double force : {30.0, 80.0}) {
+    const DataPointer d = blow(m.get(), 5000, [force](mjData* data) {
+      data->qpos[kX] = 5e-4;
+      data->qvel[kX] = 0.0;
+      data->qfrc_applied[kX] = force;
+    });
+    const double way =
+        force < kLoss ? 0.0 : 0.5 * (force - kLoss) / (kRotor + kRing) * std::pow(5000 * kStep, 2);
+    EXPECT_NEAR(d->qpos[kRingX], way, 1e-3 * way + 1e-7) << force;
+    EXPECT_NEAR(d->qpos[kX] - d->qpos[kRingX], 5e-4, 1e-9) << force;
+    const double pressed = force < kLoss ? force : kLoss + (force - kLoss) / 3.0;
+    EXPECT_NEAR(sensor(m.get(), d.get(), names::kNormalForce), pressed, 1e-3 * force);
+  }
+}
+
+// Ring and part are pushed off as one; the part may fly on, but is not pulled.
+TEST_F(HeldBodies, ALoosePartBehindTheRingTakesTheBlow) {
+  const ModelPointer m = load(document(loose_part()));
+  const double behind = kRing + 3.0;
+  const double impulse = 1.5 * kSpeed / (1.0 / kRotor + 1.0 / behind);
+  const DataPointer d = blow(m.get());
+  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / kRotor, kSoft * kSpeed);
+  EXPECT_NEAR(d->qvel[kRingX], impulse / behind, kSoft * kSpeed);
+  EXPECT_NEAR(d->qvel[kOther], impulse / behind, kSoft * kSpeed);
+  // One that comes against the ring in the same step.
+  EXPECT_NEAR(rebound(m.get(), [](mjData* data) { data->qvel[kOther] = -1.0; }), kEps, 1e-6);
+}
+
+TEST_F(HeldBodies, TwoConstraintsAtOnce) {
+  Machine x = tied_to(200.0);
+  x.ring_joint = at_limit().ring_joint;
+  const ModelPointer held = load(document(x));
+  EXPECT_NEAR(rebound(held.get(), move_base), kEps, 1e-6);
+  EXPECT_NEAR(blow(held.get(), 1, move_base)->qvel[kOther], -kEps * kSpeed, 2.0 * kSoft * kSpeed);
+
+  x = tied_to(200.0);
+  x.ring_joint = rubbing_ring().ring_joint;
+  const ModelPointer rubbing = load(document(x));
+  const double loss = kLoss * kStep, whole = kRotor + 200.0;
+  const double impulse = 1.5 * (kSpeed + loss / kRing) / (1.0 / whole + 1.0 / kRing);
+  const DataPointer d = blow(rubbing.get(), 1, move_base);
+  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / whole, kSoft * kSpeed);
+  EXPECT_NEAR(d->qvel[kRingX], (impulse - loss) / kRing, kSoft * kSpeed);
+}
+
+// Friction of the blow: the whole cone against the slip; and no more than stops it.
+TEST_F(HeldBodies, FrictionIsOfTheImpulseThatTheHeldRingGives) {
+  for (Machine x : {welded(), at_limit(), tendon_held()}) {
+    x.friction = 0.15;
+    const ModelPointer m = load(document(x));
+    const DataPointer slides =
+        blow(m.get(), 1, [](mjData* data) { data->qvel[kSpin] = 100.0; });
+    const double impulse = (1.0 + kEps) * kRotor * kSpeed;
+    const double normal = sensor(m.get(), slides.get(), names::kNormalForce);
+    EXPECT_NEAR(normal * kStep, impulse, 2.0 * kSoft * impulse);
+    EXPECT_NEAR(sensor(m.get(), slides.get(), names::kFrictionForce), -0.15 * normal, 1e-6 * normal);
+    EXPECT_NEAR(slides->qvel[kSpin], 100.0 - 0.05 * 0.15 * impulse / 1e-3,
+                1e-3 * 0.05 * 0.15 * impulse / 1e-3);
+    const DataPointer sticks = blow(m.get(), 1, [](mjData* data) { data->qvel[kSpin] = 0.1; });
+    const double slip = sticks->qvel[kY] - sticks->qvel[kRingY] + 0.05 * sticks->qvel[kSpin];
+    EXPECT_NEAR(slip, 0.0, 1e-7);
+  }
+}
+
+// Every solver of MuJoCo's, dense and sparse rows, pyramids and elliptic cones beside.
+TEST_F(HeldBodies, AnySolverIsAsked) {
+  for (const char* option :
+       {"solver=\"Newton\" jacobian=\"sparse\"", "solver=\"CG\" iterations=\"200\"",
+        "solver=\"PGS\" iterations=\"1000\"", "integrator=\"implicit\""}) {
+    Machine x = tied_to(200.0);
+    x.ring_joint = at_limit().ring_joint;
+    x.option = option;
+    const ModelPointer m = load(document(x));
+    EXPECT_NEAR(rebound(m.get(), move_base), kEps, 1e-4) << option;
+  }
+}
+
+// Damped joints: MuJoCo's step takes dampers implicitly, the blow is not damped.
+TEST_F(HeldBodies, DampersTakeNothingFromABlow) {
+  Machine x = welded();
+  x.rotor_joint = "damping=\"500\"";
+  x.ring_joint = "damping=\"500\"";
+  const ModelPointer m = load(document(x));
+  EXPECT_NEAR(rebound(m.get()), kEps, 1e-6);
+}
+
+TEST_F(HeldBodies, SoftContactStandsBesideConstraintsToo) {
+  Machine fixed;
+  fixed.contact = "coulomb";
+  fixed.friction = 0.15;
+  Machine held = fixed;
+  held.constraints = welded().constraints;
+  // A fixed ring, by joints that are not there to move: 1e9 kg.
+  fixed.ring_joint = "armature=\"1e9\"";
+  const auto speeds = [](const Machine& x) {
+    const ModelPointer m = load(document(x));
+    const DataPointer d = blow(m.get(), 100, [](mjData* data) { data->qvel[kSpin] = 100.0; });
+    return std::array<double, 3>{d->qvel[kX], d->qvel[kY], d->qvel[kSpin]};
+  };
+  const auto a = speeds(fixed), b = speeds(held);
+  EXPECT_NEAR(a[0], -0.15, 0.01);
+  EXPECT_NEAR(a[0], b[0], 2e-3 * kSpeed);
+  EXPECT_NEAR(a[2], b[2], 2e-3 * (100.0 - a[2]));
+}
+
+// What does not meet the contact costs and changes nothing: bits as without those rows.
+TEST_F(HeldBodies, ConstraintsElsewhereChangeNoBit) {
+  Machine x;
+  x.bodies = R"(<body name="lamp" pos="0 0 1"><joint name="lamp" type="slide" axis="0 0 1"/>
+      <inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body>)";
+  const ModelPointer free = load(document(x));
+  x.constraints = equality("<joint joint1=\"lamp\"/>");
+  const ModelPointer elsewhere = load(document(x));
+  EXPECT_EQ(state_of(free.get(), blow(free.get(), 300).get()),
+            state_of(elsewhere.get(), blow(elsewhere.get(), 300).get()));
+}
+
+// A probe leaves nothing behind: forward passes may be repeated, data copied, threads run.
+TEST_F(HeldBodies, ProbesLeaveNoTrace) {
+  Machine x = loose_part();
+  x.friction = 0.15;
+  x.ring_joint = rubbing_ring().ring_joint;
+  x.constraints = tied_to(20.0).constraints;
+  x.bodies += tied_to(20.0).bodies;
+  const ModelPointer m = load(document(x));
+  const auto press = [](mjData* data) {
+    data->qvel[kSpin] = 100.0;
+    data->qfrc_applied[kX] = 90.0;
+  };
+  const DataPointer once = blow(m.get(), 400, press);
+  const plugin::Hooks hooks;
+  const DataPointer repeated = begin(m.get());
+  press(repeated.get());
+  for (int k = 0; k < 400; ++k) {
+    const std::vector<mjtNum> warm(repeated->qacc_warmstart, repeated->qacc_warmstart + m->nv);
+    for (int i = 0; i < 2; ++i) {
+      mj_forward(m.get(), repeated.get());
+      std::copy(warm.begin(), warm.end(), repeated->qacc_warmstart);  // MuJoCo's own memory
+    }
+    mj_step(m.get(), repeated.get());
+  }
+  EXPECT_EQ(state_of(m.get(), once.get()), state_of(m.get(), repeated.get()));
+
+  const DataPointer copy(mj_copyData(nullptr, m.get(), once.get()));
+  const auto run = [&](mjData* d) {
+    for (int k = 0; k < 400; ++k) mj_step(m.get(), d);
+  };
+  std::thread other([&] { run(copy.get()); });
+  run(once.get());
+  other.join();
+  EXPECT_EQ(state_of(m.get(), once.get()), state_of(m.get(), copy.get()));
+}
+
+// Away from the ring MuJoCo's own bits stay, constraints or not.
+TEST_F(HeldBodies, ARotorThatDoesNotTouchHasMujocosBits) {
+  for (const Machine& x : {welded(), tied_to(200.0), rubbing_ring(), loose_part()}) {
+    const ModelPointer m = load(document(x));
+    const auto away = [&](bool plugin) {
+      std::optional<plugin::Hooks> hooks;
+      if (plugin) hooks.emplace();
+      const DataPointer d = start(m.get());
+      d->qvel[kX] = 0.1;
+      d->qvel[kRingX] = 0.05;
+      for (int k = 0; k < 300; ++k) mj_step(m.get(), d.get());
+      return state_of(m.get(), d.get());
+    };
+    EXPECT_EQ(away(true), away(false));
+  }
+}
+
+TEST_F(HeldBodies, RungeKuttaIsRefused) {
+  Machine x = welded();
+  x.option = "integrator=\"RK4\"";
+  const ModelPointer m = load(document(x));
+  EXPECT_THROW(blow(m.get()), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace rotorub::test
