@@ -6,6 +6,7 @@
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/own/own_space.h"
+#include "plugin/own/reach.h"
 #include "plugin/shadow.h"
 #include "plugin/user_data.h"
 

@@ -6,10 +6,12 @@
 #include "plugin/contact/annular.h"
 #include "plugin/contact/constrained_law.h"
 #include "plugin/contact/constraint_probe.h"
+#include "plugin/contact/memory.h"
 #include "plugin/contact/rigid_step.h"
 #include "plugin/contact/runge_kutta.h"
 #include "plugin/contact/smooth_force.h"
 #include "plugin/own/own_space.h"
+#include "plugin/own/reach.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -19,6 +21,10 @@ void apply_rigid_law(const Config& config, const mjModel* m, mjData* d) {
   refuse_runge_kutta(m);
   const ContactParameters& c = *config.model.contact;
   update_smooth_force(m, d);
+  if (!may_reach_ring(config, m, d)) {
+    ContactMemory(d).note({}, m->opt.timestep);
+    return;
+  }
   OwnSpace space(config, m, d);
   space.solve();
   RigidStep step;

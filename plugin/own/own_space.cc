@@ -25,14 +25,6 @@ Eigen::Vector2d own_position(const Config& config, const mjData* d) {
   return p;
 }
 
-ContactPoint own_contact_point(const Config& config, const mjModel* m, mjData* d) {
-  const OwnSpace space(config, m, d);
-  const Eigen::Vector3d rates = space.rates(d->qvel);
-  const ContactParameters& c = *config.model.contact;
-  return contact_kinematics(own_position(config, d), rates.head<2>(), rates.z(), c.radius,
-                            c.clearance);
-}
-
 OwnSpace::OwnSpace(const Config& config, const mjModel* m, mjData* d)
     : ContactSpace(m->nv), m_(m), d_(d), mark_(d->pstack), damped_step_(damped_step(m)) {
   jacobian_ = mj_stackAlloc(d, 3 * nv_);

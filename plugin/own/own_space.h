@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 
-#include "native_model/contact/kinematics.h"
 #include "plugin/config.h"
 #include "plugin/contact/contact_space.h"
 
@@ -15,8 +14,6 @@ namespace rotorub::plugin {
 
 // Where the rotor's centre is in the ring, m.
 Eigen::Vector2d own_position(const Config& config, const mjData* d);
-// Gap, rates and slip of the state.
-ContactPoint own_contact_point(const Config& config, const mjModel* m, mjData* d);
 
 // Lives on the stack of mjData for as long as the object does.
 class OwnSpace final : public ContactSpace {

@@ -247,9 +247,10 @@ TEST_F(HeldBodies, FrictionLossHoldsAPressedRing) {
       data->qvel[kX] = 0.0;
       data->qfrc_applied[kX] = force;
     });
+    // MuJoCo's friction loss creeps below its threshold by F R / B: R = 1e-4 / 1 kg, B = 100 / s.
     const double way =
-        force < kLoss ? 0.0 : 0.5 * (force - kLoss) / (kRotor + kRing) * std::pow(5000 * kStep, 2);
-    EXPECT_NEAR(d->qpos[kRingX], way, 1e-3 * way + 1e-7) << force;
+        force < kLoss ? force * 1e-4 / 100.0 * 5000 * kStep : 0.5 * (force - kLoss) / (kRotor + kRing) * std::pow(5000 * kStep, 2);
+    EXPECT_NEAR(d->qpos[kRingX], way, 0.2 * std::min(way, 2e-6) + 1e-3 * way) << force;
     EXPECT_NEAR(d->qpos[kX] - d->qpos[kRingX], 5e-4, 1e-9) << force;
     const double pressed = force < kLoss ? force : kLoss + (force - kLoss) / 3.0;
     EXPECT_NEAR(sensor(m.get(), d.get(), names::kNormalForce), pressed, 1e-3 * force);
@@ -270,11 +271,12 @@ TEST_F(HeldBodies, ALoosePartBehindTheRingTakesTheBlow) {
 }
 
 TEST_F(HeldBodies, TwoConstraintsAtOnce) {
-  Machine x = tied_to(200.0);
+  Machine x = tied_to(20.0);
   x.ring_joint = at_limit().ring_joint;
   const ModelPointer held = load(document(x));
   EXPECT_NEAR(rebound(held.get(), move_base), kEps, 1e-6);
-  EXPECT_NEAR(blow(held.get(), 1, move_base)->qvel[kOther], -kEps * kSpeed, 2.0 * kSoft * kSpeed);
+  // The limit's softness is measured by the ring's 1 kg, the blow by the rotor's 22.
+  EXPECT_NEAR(blow(held.get(), 1, move_base)->qvel[kOther], -kEps * kSpeed, 22 * kSoft * kSpeed);
 
   x = tied_to(200.0);
   x.ring_joint = rubbing_ring().ring_joint;
@@ -332,18 +334,19 @@ TEST_F(HeldBodies, SoftContactStandsBesideConstraintsToo) {
   fixed.contact = "coulomb";
   fixed.friction = 0.15;
   Machine held = fixed;
-  held.constraints = welded().constraints;
-  // A fixed ring, by joints that are not there to move: 1e9 kg.
-  fixed.ring_joint = "armature=\"1e9\"";
+  held.constraints = locked().constraints;
+  fixed.ring_joint = "armature=\"1e9\"";  // too heavy to move
   const auto speeds = [](const Machine& x) {
     const ModelPointer m = load(document(x));
     const DataPointer d = blow(m.get(), 100, [](mjData* data) { data->qvel[kSpin] = 100.0; });
     return std::array<double, 3>{d->qvel[kX], d->qvel[kY], d->qvel[kSpin]};
   };
   const auto a = speeds(fixed), b = speeds(held);
-  EXPECT_NEAR(a[0], -0.15, 0.01);
-  EXPECT_NEAR(a[0], b[0], 2e-3 * kSpeed);
-  EXPECT_NEAR(a[2], b[2], 2e-3 * (100.0 - a[2]));
+  EXPECT_NEAR(a[0], -0.157, 1e-3);  // 16 steps a blow: not quite 0.5
+  // The ring gives way by 1e-4 / kg of the impulse, 0.9 N s.
+  EXPECT_NEAR(a[0], b[0], 2.0 * 0.9 * 1e-4);
+  EXPECT_NEAR(a[1], b[1], kSoft * kSpeed);
+  EXPECT_NEAR(a[2], b[2], kSoft * (100.0 - a[2]));
 }
 
 // What does not meet the contact costs and changes nothing: bits as without those rows.

@@ -1,0 +1,83 @@
+#include "plugin/own/reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plugin/own/own_space.h"
+
+namespace rotorub::plugin {
+namespace {
+
+// Squared speed of a point per squared speed in the metric of M: an upper bound, 1/kg.
+double mobility(const mjModel* m, const mjData* d, int geom, const mjtNum* point) {
+  const int body = m->geom_bodyid[geom];
+  if (m->body_weldid[body] == 0) return 0.0;
+  const mjtNum* centre = d->xipos + 3 * body;
+  double arm = 0.0;
+  for (int i = 0; i < 3; ++i) arm += (point[i] - centre[i]) * (point[i] - centre[i]);
+  const mjtNum* inertia = m->body_inertia + 3 * body;
+  return 1.0 / m->body_mass[body] +
+         (arm > 0.0 ? arm / std::min({inertia[0], inertia[1], inertia[2]}) : 0.0);
+}
+
+// What loads and constraints change, per second, in the metric of M.
+double change(const mjModel* m, mjData* d) {
+  const int mark = d->pstack, nv = m->nv, n = d->nefc;
+  mjtNum* x = mj_stackAlloc(d, nv);
+  double change = 0.0;
+  if (n == 0) {
+    mj_solveM2(m, d, x, d->qfrc_smooth, 1);
+    change = mju_norm(x, nv);
+  } else {
+    mj_solveM(m, d, x, d->qfrc_smooth, 1);
+    mjtNum* miss = mj_stackAlloc(d, n);
+    mj_mulJacVec(m, d, miss, x);
+    double cost = 0.0;
+    for (int i = 0; i < n; ++i) {
+      const double e = miss[i] - d->efc_aref[i];
+      cost += d->efc_D[i] * e * e;
+    }
+    change = std::sqrt(std::max(0.0, mju_dot(x, d->qfrc_smooth, nv))) + std::sqrt(cost);
+  }
+  d->pstack = mark;
+  return change;
+}
+
+}  // namespace
+
+Eigen::Vector3d own_rates(const Config& config, const mjModel* m, const mjData* d) {
+  mjtNum rotor[6], ring[6], carried[3], arm[3];  // rotation, then translation
+  mj_objectVelocity(m, d, mjOBJ_GEOM, config.rotor_geom, rotor, 0);
+  mj_objectVelocity(m, d, mjOBJ_GEOM, config.ring_geom, ring, 0);
+  mju_sub3(arm, d->geom_xpos + 3 * config.rotor_geom, d->geom_xpos + 3 * config.ring_geom);
+  mju_cross(carried, ring, arm);
+  const mjtNum* axes = d->geom_xmat + 9 * config.ring_geom;
+  Eigen::Vector3d rates(0.0, 0.0, 0.0);
+  for (int i = 0; i < 3; ++i) {
+    const double move = rotor[3 + i] - ring[3 + i] - carried[i];
+    rates.x() += axes[3 * i] * move;
+    rates.y() += axes[3 * i + 1] * move;
+    rates.z() += axes[3 * i + 2] * (rotor[i] - ring[i]);
+  }
+  return rates;
+}
+
+ContactPoint own_contact_point(const Config& config, const mjModel* m, const mjData* d) {
+  const Eigen::Vector3d rates = own_rates(config, m, d);
+  const ContactParameters& c = *config.model.contact;
+  return contact_kinematics(own_position(config, d), rates.head<2>(), rates.z(), c.radius,
+                            c.clearance);
+}
+
+bool may_reach_ring(const Config& config, const mjModel* m, mjData* d) {
+  const double h = m->opt.timestep;
+  const double gap = config.model.contact->clearance - own_position(config, d).norm();
+  const double speed = own_rates(config, m, d).head<2>().norm();
+  if (!(gap > h * speed)) return true;
+  const mjtNum* centre = d->geom_xpos + 3 * config.rotor_geom;
+  const double mobile = mobility(m, d, config.rotor_geom, centre) +
+                        mobility(m, d, config.ring_geom, centre);
+  return !(gap > h * (speed + h * std::sqrt(mobile) * change(m, d)));
+}
+
+}  // namespace rotorub::plugin
