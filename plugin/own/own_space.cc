@@ -32,8 +32,11 @@ OwnSpace::OwnSpace(const Config& config, const mjModel* m, mjData* d)
   // Both bodies at the rotor's centre: what the ring's rotation does there is taken off.
   const mjtNum* centre = d->geom_xpos + 3 * config.rotor_geom;
   const mjtNum* axes = d->geom_xmat + 9 * config.ring_geom;
-  add_body(axes, centre, m->geom_bodyid[config.rotor_geom], 1.0);
-  add_body(axes, centre, m->geom_bodyid[config.ring_geom], -1.0);
+  const int rotor = m->geom_bodyid[config.rotor_geom], ring = m->geom_bodyid[config.ring_geom];
+  add_body(axes, centre, rotor, 1.0);
+  add_body(axes, centre, ring, -1.0);
+  trees_[0] = tree_of(m, rotor);
+  if (m->body_rootid[ring] != m->body_rootid[rotor]) trees_[1] = tree_of(m, ring);
 }
 
 // As mj_jac, of the degrees of freedom that move the body alone.
@@ -55,33 +58,23 @@ void OwnSpace::add_body(const mjtNum* axes, const mjtNum* centre, int body, doub
 
 void OwnSpace::solve() {
   plain_ = mj_stackAlloc(d_, 3 * nv_);
-  mj_solveM(m_, d_, plain_, jacobian_, 3);
+  solve_rows(d_->qLD, d_->qLDiagInv, plain_);
   damped_ = plain_;
   if (damped_step_ == 0.0) return;
   damped_ = mj_stackAlloc(d_, 3 * nv_);
-  solve_damped();
+  const int mark = d_->pstack;
+  mjtNum* factor = mj_stackAlloc(d_, m_->nM);
+  mjtNum* inverse = mj_stackAlloc(d_, nv_);
+  for (const DofRange& tree : trees_) factor_tree(m_, d_->qM, damped_step_, tree, factor, inverse);
+  solve_rows(factor, inverse, damped_);
+  d_->pstack = mark;
 }
 
-// MuJoCo's sparse factorisation works in mjData: for its time M + h D and room for the factors stand
-// in the place of M and of its own.
-void OwnSpace::solve_damped() {
-  const int mark = d_->pstack;
-  mjtNum* const own[] = {d_->qM, d_->qLD, d_->qLDiagInv, d_->qLDiagSqrtInv};
-  d_->qM = mj_stackAlloc(d_, m_->nM);
-  d_->qLD = mj_stackAlloc(d_, m_->nM);
-  d_->qLDiagInv = mj_stackAlloc(d_, nv_);
-  d_->qLDiagSqrtInv = mj_stackAlloc(d_, nv_);
-  std::copy_n(own[0], m_->nM, d_->qM);
-  for (int i = 0; i < nv_; ++i) {
-    d_->qM[m_->dof_Madr[i]] += damped_step_ * m_->dof_damping[i];
+void OwnSpace::solve_rows(const mjtNum* factor, const mjtNum* inverse, mjtNum* rows) const {
+  std::copy_n(jacobian_, 3 * nv_, rows);
+  for (int k = 0; k < 3; ++k) {
+    for (const DofRange& tree : trees_) solve_tree(m_, factor, inverse, tree, rows + k * nv_);
   }
-  mj_factorM(m_, d_);
-  mj_solveM(m_, d_, damped_, jacobian_, 3);
-  d_->qM = own[0];
-  d_->qLD = own[1];
-  d_->qLDiagInv = own[2];
-  d_->qLDiagSqrtInv = own[3];
-  d_->pstack = mark;
 }
 
 void OwnSpace::add_impact(const Eigen::Vector3d& load, mjtNum* to) const {

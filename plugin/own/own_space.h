@@ -9,6 +9,7 @@
 
 #include "plugin/config.h"
 #include "plugin/contact/contact_space.h"
+#include "plugin/own/tree_factor.h"
 
 namespace rotorub::plugin {
 
@@ -29,12 +30,13 @@ class OwnSpace final : public ContactSpace {
 
  private:
   void add_body(const mjtNum* axes, const mjtNum* centre, int body, double sign);
-  void solve_damped();
+  void solve_rows(const mjtNum* factor, const mjtNum* inverse, mjtNum* rows) const;
 
   const mjModel* m_;
   mjData* d_;
   int mark_;
   double damped_step_;  // s, h of H; 0: H is M
+  DofRange trees_[2];   // of rotor and ring; the second empty where they share one
 };
 
 }  // namespace rotorub::plugin

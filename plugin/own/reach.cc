@@ -46,19 +46,24 @@ double change(const mjModel* m, mjData* d) {
 }  // namespace
 
 Eigen::Vector3d own_rates(const Config& config, const mjModel* m, const mjData* d) {
-  mjtNum rotor[6], ring[6], carried[3], arm[3];  // rotation, then translation
-  mj_objectVelocity(m, d, mjOBJ_GEOM, config.rotor_geom, rotor, 0);
-  mj_objectVelocity(m, d, mjOBJ_GEOM, config.ring_geom, ring, 0);
-  mju_sub3(arm, d->geom_xpos + 3 * config.rotor_geom, d->geom_xpos + 3 * config.ring_geom);
-  mju_cross(carried, ring, arm);
+  const mjtNum* centre = d->geom_xpos + 3 * config.rotor_geom;
   const mjtNum* axes = d->geom_xmat + 9 * config.ring_geom;
   Eigen::Vector3d rates(0.0, 0.0, 0.0);
-  for (int i = 0; i < 3; ++i) {
-    const double move = rotor[3 + i] - ring[3 + i] - carried[i];
-    rates.x() += axes[3 * i] * move;
-    rates.y() += axes[3 * i + 1] * move;
-    rates.z() += axes[3 * i + 2] * (rotor[i] - ring[i]);
-  }
+  const auto add = [&](int body, double sign) {
+    // Rotation, then translation of the point of the body at its tree's centre of mass.
+    const mjtNum* velocity = d->cvel + 6 * body;
+    mjtNum arm[3], move[3];
+    mju_sub3(arm, centre, d->subtree_com + 3 * m->body_rootid[body]);
+    mju_cross(move, velocity, arm);
+    for (int i = 0; i < 3; ++i) {
+      const double v = sign * (velocity[3 + i] + move[i]);
+      rates.x() += axes[3 * i] * v;
+      rates.y() += axes[3 * i + 1] * v;
+      rates.z() += axes[3 * i + 2] * sign * velocity[i];
+    }
+  };
+  add(m->geom_bodyid[config.rotor_geom], 1.0);
+  add(m->geom_bodyid[config.ring_geom], -1.0);
   return rates;
 }
 
