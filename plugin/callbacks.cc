@@ -99,6 +99,11 @@ void control(const mjModel* m, mjData* d) {
   write_command(*config, m, d, state);
   if (!config->model.contact) return;
   refresh_velocity_stage(m, d);
+  if (config->general) {
+    apply_own_contact(*config, m, d);
+    if (config->contact == scene::ContactModel::kRigid) fill_sensors(*config, m, d, mjSTAGE_ACC);
+    return;
+  }
   if (config->contact == scene::ContactModel::kRigid) {
     apply_segment_rigid(*config, m, d, state);
     fill_sensors(*config, m, d, mjSTAGE_ACC);

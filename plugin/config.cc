@@ -10,6 +10,7 @@
 #include "native_model/stepping/stepper.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model_checks.h"
+#include "plugin/chain_constraints.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/own/own_config.h"
 
@@ -165,7 +166,8 @@ void map_shadow(const mjModel* m, ShadowConfig& s) {
 template <typename Action>
 bool for_each_part(const mjModel* m, Action action) {
   const int sizes[] = {m->nq,        m->nv,     m->nu,           m->njnt,      m->ngeom, m->nsensor,
-                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair, m->nmocap};
+                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair, m->nmocap,
+                       m->neq,       m->ntendon};
   const auto part = [&action](const auto* data, int count) {
     return count == 0 || action(reinterpret_cast<const char*>(data),
                                 sizeof *data * static_cast<std::size_t>(count));
@@ -173,7 +175,9 @@ bool for_each_part(const mjModel* m, Action action) {
   return part(sizes, static_cast<int>(std::size(sizes))) && part(m->text_data, m->ntextdata) &&
          part(m->names, m->nnames) && part(m->numeric_data, m->nnumericdata) &&
          part(m->pair_dim, m->npair) && part(m->pair_margin, m->npair) &&
-         part(m->pair_gap, m->npair);
+         part(m->pair_gap, m->npair) && part(m->jnt_limited, m->njnt) &&
+         part(m->dof_frictionloss, m->nv) && part(m->tendon_limited, m->ntendon) &&
+         part(m->tendon_frictionloss, m->ntendon);
 }
 
 void take_fingerprint(const mjModel* m, Config& config) {
@@ -272,6 +276,8 @@ Config make_config(const mjModel* m) {
   }
   if (scene.contact) {
     config.contact = contact_model(m, scene.mujoco.contact);
+    map_contact(m, config);
+    if (!config.segments) choose_path(m, config);
     try {
       if (config.contact == scene::ContactModel::kRigid) {
         const bool lags = config.model.magnets && config.model.magnets->coil_lag > 0.0;
@@ -281,7 +287,6 @@ Config make_config(const mjModel* m) {
     } catch (const scene::SceneError& error) {
       throw ConfigError(in_text(names::kSceneText, error.what()));
     }
-    map_contact(m, config);
   }
   map_actuators(m, config);
   map_sensors(m, config);

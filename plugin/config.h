@@ -48,6 +48,10 @@ struct Config {
   // filled.
   bool own = false;
 
+  // A generated model whose rotor or ring the user's constraints hold as well
+  // (chain_constraints.h): its contact is solved as that of a user's own model.
+  bool general = false;
+
   int verlet_data = -1;                 // in mjData.userdata, of `rigid` on the modal chain; -1: none
   int rotor_geom = -1, ring_geom = -1;  // of the contact pair; -1 without [contact]
   int pair = -1;                        // their <pair>

@@ -54,6 +54,18 @@ std::string row_name(const mjModel* m, const mjData* d, int row) {
   }
 }
 
+void warn(const mjModel* m, mjData* d, const ContactSpace& space, const char* what) {
+  std::string all, last;
+  for_each_coupled(m, d, space, [&](int row) {
+    const std::string name = row_name(m, d, row);
+    if (name != last) all += (all.empty() ? "" : ", ") + name;
+    last = name;
+    return all.size() < 400;
+  });
+  const std::string text = "rotorub: contact beside " + all + ": " + what;
+  mju_warning(text.c_str());
+}
+
 }  // namespace
 
 bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space, int but) {
@@ -67,16 +79,12 @@ bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space, 
 }
 
 void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space) {
-  std::string all, last;
-  for_each_coupled(m, d, space, [&](int row) {
-    const std::string name = row_name(m, d, row);
-    if (name != last) all += (all.empty() ? "" : ", ") + name;
-    last = name;
-    return all.size() < 400;
-  });
-  const std::string text = "rotorub: contact beside " + all +
-                           ": no impulse meets the contact laws; that of the least error is taken";
-  mju_warning(text.c_str());
+  warn(m, d, space, "no impulse meets the contact laws; that of the least error is taken");
+}
+
+void warn_unknown(const mjModel* m, mjData* d, const ContactSpace& space) {
+  warn(m, d, space,
+       "contact model coulomb on segments does not know it; accepted: contact model rigid or cone");
 }
 
 ConstraintProbe::ConstraintProbe(const mjModel* m, mjData* d, const ContactSpace& space)

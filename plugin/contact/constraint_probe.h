@@ -20,6 +20,8 @@ bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space, 
 
 // mju_warning that no impulse was found beside them, with the names of those rows.
 void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space);
+// The same, that the contact is solved without them.
+void warn_unknown(const mjModel* m, mjData* d, const ContactSpace& space);
 
 // After mj_fwdActuation and mj_fwdAcceleration. Lives on the stack of mjData.
 class ConstraintProbe {

@@ -7,6 +7,7 @@
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/contact/annular.h"
+#include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/segment_space.h"
 #include "plugin/user_data.h"
 
@@ -65,6 +66,11 @@ void apply_segment_coulomb(const Config& config, const mjModel* m, mjData* d,
   mj_fwdActuation(m, d);
   mj_fwdAcceleration(m, d);
   const SegmentSpace space(config, m, d);
+  // Once, not every step.
+  if (d->userdata[kContactStatus] == 0.0 && constraints_couple(m, d, space, row)) {
+    warn_unknown(m, d, space);
+    d->userdata[kContactStatus] = static_cast<double>(Status::kNoSolution);
+  }
   const ContactPoint point = contact_point(config.model, state.q(), state.v());
   const Rates free = free_rates(point, radius, space.response(d->qfrc_smooth));
 

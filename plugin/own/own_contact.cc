@@ -21,8 +21,8 @@ void apply_rigid_law(const Config& config, const mjModel* m, mjData* d) {
   refuse_runge_kutta(m);
   const ContactParameters& c = *config.model.contact;
   update_smooth_force(m, d);
-  if (!may_reach_ring(config, m, d)) {
-    ContactMemory(d).note({}, m->opt.timestep);
+  if (ContactMemory memory(d); !memory.was_in_contact() && !may_reach_ring(config, m, d)) {
+    memory.note({}, m->opt.timestep);
     return;
   }
   OwnSpace space(config, m, d);
@@ -31,6 +31,7 @@ void apply_rigid_law(const Config& config, const mjModel* m, mjData* d) {
   step.h = m->opt.timestep;
   step.d = own_position(config, d);
   step.start = space.rates(d->qvel);
+  step.start.z() += held_spin(config);
   apply_rigid_step(m, d, space, step, c);
 }
 
@@ -154,7 +155,9 @@ void apply_coulomb_law(const Config& config, const mjModel* m, mjData* d, const 
   mj_fwdAcceleration(m, d);
   OwnSpace space(config, m, d);
   space.solve();
-  const CoulombStep step = coulomb_step(config, m, d, row, space.rates(d->qvel));
+  Eigen::Vector3d rates = space.rates(d->qvel);
+  rates.z() += held_spin(config);
+  const CoulombStep step = coulomb_step(config, m, d, row, rates);
   const bool beside = constraints_couple(m, d, space, row);
   const CoulombSolution s =
       beside ? solve_beside_constraints(m, d, row, space, step) : solve_free(step, space, d);

@@ -13,9 +13,18 @@ double damped_step(const mjModel* m) {
 
 }  // namespace
 
+const mjtNum* contact_axes(const Config& config, const mjData* d) {
+  static constexpr mjtNum kWorld[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  return config.own ? d->geom_xmat + 9 * config.ring_geom : kWorld;
+}
+
+double held_spin(const Config& config) {
+  return config.own || config.model.layout.spin ? 0.0 : config.model.speed;
+}
+
 Eigen::Vector2d own_position(const Config& config, const mjData* d) {
   const mjtNum* ring = d->geom_xpos + 3 * config.ring_geom;
-  const mjtNum* axes = d->geom_xmat + 9 * config.ring_geom;  // columns x, y, z
+  const mjtNum* axes = contact_axes(config, d);
   const mjtNum* rotor = d->geom_xpos + 3 * config.rotor_geom;
   Eigen::Vector2d p{0.0, 0.0};
   for (int i = 0; i < 3; ++i) {
@@ -31,7 +40,7 @@ OwnSpace::OwnSpace(const Config& config, const mjModel* m, mjData* d)
   std::fill_n(jacobian_, 3 * nv_, 0.0);
   // Both bodies at the rotor's centre: what the ring's rotation does there is taken off.
   const mjtNum* centre = d->geom_xpos + 3 * config.rotor_geom;
-  const mjtNum* axes = d->geom_xmat + 9 * config.ring_geom;
+  const mjtNum* axes = contact_axes(config, d);
   const int rotor = m->geom_bodyid[config.rotor_geom], ring = m->geom_bodyid[config.ring_geom];
   add_body(axes, centre, rotor, 1.0);
   add_body(axes, centre, ring, -1.0);

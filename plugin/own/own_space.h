@@ -13,6 +13,11 @@
 
 namespace rotorub::plugin {
 
+// The frame of the contact, columns x, y, z, row by row: that of the ring's geom; of a generated model
+// the world's.
+const mjtNum* contact_axes(const Config& config, const mjData* d);
+// Speed of a generated model's rotor that is held, and no degree of freedom, rad/s.
+double held_spin(const Config& config);
 // Where the rotor's centre is in the ring, m.
 Eigen::Vector2d own_position(const Config& config, const mjData* d);
 

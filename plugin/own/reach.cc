@@ -47,7 +47,7 @@ double change(const mjModel* m, mjData* d) {
 
 Eigen::Vector3d own_rates(const Config& config, const mjModel* m, const mjData* d) {
   const mjtNum* centre = d->geom_xpos + 3 * config.rotor_geom;
-  const mjtNum* axes = d->geom_xmat + 9 * config.ring_geom;
+  const mjtNum* axes = contact_axes(config, d);
   Eigen::Vector3d rates(0.0, 0.0, 0.0);
   const auto add = [&](int body, double sign) {
     // Rotation, then translation of the point of the body at its tree's centre of mass.
