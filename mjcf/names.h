@@ -12,6 +12,7 @@ inline constexpr const char* kSceneText = "rotorub_scene";      // the scene's T
 inline constexpr const char* kContactText = "rotorub_contact";  // "coulomb" | "cone" | "rigid"
 
 // <custom> of a user's own model (plugin/own/own_config.h): texts, then numerics
+inline constexpr const char* kOwnPrefix = "rotorub_";  // of every name of ours in <custom>
 inline constexpr const char* kOwnRotorGeom = "rotorub_rotor_geom";
 inline constexpr const char* kOwnRingGeom = "rotorub_ring_geom";
 inline constexpr const char* kOwnClearance = "rotorub_clearance";
@@ -19,6 +20,7 @@ inline constexpr const char* kOwnRadius = "rotorub_radius";
 inline constexpr const char* kOwnFriction = "rotorub_friction";
 inline constexpr const char* kOwnRestitution = "rotorub_restitution";
 inline constexpr const char* kOwnTangential = "rotorub_tangential_restitution";
+inline constexpr const char* kOwnWidth = "rotorub_width";
 
 // Bodies and geoms
 inline constexpr const char* kRotor = "rotor";             // body; its visible disc

@@ -175,7 +175,9 @@ bool for_each_part(const mjModel* m, Action action) {
   return part(sizes, static_cast<int>(std::size(sizes))) && part(m->text_data, m->ntextdata) &&
          part(m->names, m->nnames) && part(m->numeric_data, m->nnumericdata) &&
          part(m->pair_dim, m->npair) && part(m->pair_margin, m->npair) &&
-         part(m->pair_gap, m->npair) && part(m->jnt_limited, m->njnt) &&
+         part(m->pair_gap, m->npair) && part(m->pair_solref, mjNREF * m->npair) &&
+         part(m->pair_friction, 5 * m->npair) && part(m->geom_size, 3 * m->ngeom) &&
+         part(m->geom_type, m->ngeom) && part(m->sensor_adr, m->nsensor) && part(m->jnt_limited, m->njnt) &&
          part(m->dof_frictionloss, m->nv) && part(m->tendon_limited, m->ntendon) &&
          part(m->tendon_frictionloss, m->ntendon);
 }
@@ -242,6 +244,7 @@ Config make_config(const mjModel* m) {
     config.id = 1.0 + count.fetch_add(1);
     return config;
   }
+  refuse_own_beside_scene(m);
   scene::Scene scene;
   try {
     scene = scene::parse_scene(scene_text(m), names::kSceneText);

@@ -55,6 +55,7 @@ struct Config {
   int verlet_data = -1;                 // in mjData.userdata, of `rigid` on the modal chain; -1: none
   int rotor_geom = -1, ring_geom = -1;  // of the contact pair; -1 without [contact]
   int pair = -1;                        // their <pair>
+  double reach = 1e300;                 // m, of own models: apart along the axis, they do not meet
   int actuator[2] = {-1, -1};           // -1 without actuators
   SensorAddresses sensors;
   std::optional<ShadowConfig> shadow;

@@ -83,7 +83,7 @@ const Config* known_config(const mjModel* m, const mjData* d) {
 }
 
 const Config* find(const mjModel* m, const mjData* d, bool check) {
-  if (m->ntext == 0) return nullptr;
+  if (m->ntext == 0 && m->nnumeric == 0) return nullptr;
   const Config* config = known_config(m, d);
   if (config && (!check || same_fingerprint(*config, m))) return config;
   if (!is_ours(m)) return nullptr;

@@ -122,6 +122,10 @@ void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out)
 double gap_over_step(const RigidStep& step, const ContactParameters& c) {
   const double gap = c.clearance - (step.d + step.h * step.free.head<2>()).norm();
   const double depth = std::max(0.0, step.d.norm() - c.clearance);
+  const double recovery = kRecovery * depth / step.h;
+  const double fastest =
+      kRecoveryRate * c.clearance + kRecoveryShare * step.free.head<2>().norm();
+  if (recovery > fastest) return (gap + depth) / step.h - fastest;
   return (gap + (1.0 - kRecovery) * depth) / step.h;
 }
 

@@ -10,7 +10,8 @@
 // - Poisson's law (15)-(19) is for a contact that was open, and whose rebound outlives the step: a
 //   rebound that the loads and the ring's curvature undo within it is lasting contact.
 // A depth that is there already (a start inside the ring's wall) is not thrown out in one step, as
-// it would come back as speed: kRecovery of it is.
+// it would come back as speed: kRecovery of it is, and no faster than by kRecoveryRate and
+//   kRecoveryShare, so that a deep start gains no energy to speak of.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +21,9 @@
 
 namespace rotorub::plugin {
 
-inline constexpr double kRecovery = 0.2;  // share of a depth undone in a step, in (0, 1]
+inline constexpr double kRecovery = 0.2;        // share of a depth undone in a step, in (0, 1]
+inline constexpr double kRecoveryRate = 2.0;    // 1/s, in clearances
+inline constexpr double kRecoveryShare = 0.01;  // of the speed that is there
 
 struct RigidStep {
   double h = 0.0;                      // s

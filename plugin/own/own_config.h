@@ -6,7 +6,9 @@
 //            rotorub_radius                            m, > 0; default: the rotor geom's size[0]
 //            rotorub_friction, rotorub_restitution     mu >= 0; eps_N in [0, 1]; default 0
 //            rotorub_tangential_restitution            eps_T in [0, 1]; default 0
-// Lengths, mu and eps are those of the scene file's [contact]. The ring's axis is the z axis of its
+//            rotorub_width                             m, > 0, of the ring along its axis; default:
+//                                                      its geom's (cylinder, capsule, box), else endless
+// Every other name that begins with rotorub_ is refused. Lengths, mu and eps are those of the scene file's [contact]. The ring's axis is the z axis of its
 // geom; the rotor is where its geom's centre is.
 #pragma once
 
@@ -16,7 +18,10 @@
 
 namespace rotorub::plugin {
 
-bool has_own_contact(const mjModel* m);  // names a geom in <custom>
+bool has_own_contact(const mjModel* m);  // a name in <custom> begins with rotorub_
+
+// Of a model with a scene's text. Throws ConfigError.
+void refuse_own_beside_scene(const mjModel* m);
 
 // Fills contact, model.contact, geoms and pair. Throws ConfigError.
 void map_own_contact(const mjModel* m, Config& config);

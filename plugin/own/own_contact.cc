@@ -21,7 +21,9 @@ void apply_rigid_law(const Config& config, const mjModel* m, mjData* d) {
   refuse_runge_kutta(m);
   const ContactParameters& c = *config.model.contact;
   update_smooth_force(m, d);
-  if (ContactMemory memory(d); !memory.was_in_contact() && !may_reach_ring(config, m, d)) {
+  ContactMemory memory(d);
+  if (!face_each_other(config, d) ||
+      (!memory.was_in_contact() && !may_reach_ring(config, m, d))) {
     memory.note({}, m->opt.timestep);
     return;
   }
@@ -191,6 +193,7 @@ int collide_own(const Config& config, const mjData* d, mjContact* con, int g1, d
   const Eigen::Vector2d p = own_position(config, d);
   const double delta = p.norm();
   if (!(c.clearance - delta < margin) || delta <= kNoNormal) return 0;
+  if (!face_each_other(config, d)) return 0;
   const Eigen::Vector2d e = p / delta;
   const mjtNum* axes = d->geom_xmat + 9 * config.ring_geom;
   const mjtNum* rotor = d->geom_xpos + 3 * config.rotor_geom;

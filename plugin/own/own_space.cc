@@ -1,6 +1,7 @@
 #include "plugin/own/own_space.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rotorub::plugin {
 namespace {
@@ -32,6 +33,16 @@ Eigen::Vector2d own_position(const Config& config, const mjData* d) {
     p.y() += axes[3 * i + 1] * (rotor[i] - ring[i]);
   }
   return p;
+}
+
+bool face_each_other(const Config& config, const mjData* d) {
+  if (!config.own) return true;
+  const mjtNum* ring = d->geom_xpos + 3 * config.ring_geom;
+  const mjtNum* rotor = d->geom_xpos + 3 * config.rotor_geom;
+  const mjtNum* axes = contact_axes(config, d);
+  double along = 0.0;
+  for (int i = 0; i < 3; ++i) along += axes[3 * i + 2] * (rotor[i] - ring[i]);
+  return std::abs(along) <= config.reach;
 }
 
 OwnSpace::OwnSpace(const Config& config, const mjModel* m, mjData* d)

@@ -21,6 +21,9 @@ double held_spin(const Config& config);
 // Where the rotor's centre is in the ring, m.
 Eigen::Vector2d own_position(const Config& config, const mjData* d);
 
+// Whether rotor and ring overlap along the ring's axis.
+bool face_each_other(const Config& config, const mjData* d);
+
 // Lives on the stack of mjData for as long as the object does.
 class OwnSpace final : public ContactSpace {
  public:

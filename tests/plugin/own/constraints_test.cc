@@ -11,6 +11,7 @@
 
 #include "mjcf/names.h"
 #include "plugin/hooks.h"
+#include "tests/plugin/own/machine.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -18,80 +19,10 @@ namespace {
 
 namespace names = mjcf_names;
 
-constexpr double kStep = 1e-5, kSpeed = 0.3, kRotor = 2.0, kRing = 1.0, kEps = 0.5;
+constexpr double kStep = 1e-5, kSpeed = 0.3, kRotor = 2.0, kRing = 1.0;
 // What solimp 0.9999 gives way in a step, of the motion without the constraint.
 constexpr double kSoft = 3e-4;
 const std::string kHard = " solimp=\"0.9999 0.9999 0.001\" ";
-
-struct Machine {
-  std::string ring_joint = "";   // attributes of the slide ring_x
-  std::string rotor_joint = "";  // of rotor_x
-  std::string bodies = "", constraints = "", ring_geoms = "", pairs = "";
-  std::string option = "";
-  std::string contact = "rigid";
-  double friction = 0.0, restitution = kEps;
-};
-
-std::string document(const Machine& x) {
-  // sqrt(K) h = 0.2; K and B of a restitution of 0.5, as bench_ring.xml has them.
-  const std::string pair =
-      x.contact == "rigid"
-          ? "margin=\"5e-6\" gap=\"1\""
-          : "solref=\"-4e8 -10211.0255\" solimp=\"0.9999 0.9999 0.001\" margin=\"5e-7\" gap=\"0\"";
-  return R"(<mujoco>
-  <option timestep="1e-5" gravity="0 0 0" collision="predefined" )" +
-         x.option + R"(/>
-  <size nuserdata="32"/>
-  <worldbody>
-    <body name="shaft">
-      <joint name="rotor_x" type="slide" axis="1 0 0" )" +
-         x.rotor_joint + R"(/>
-      <joint name="rotor_y" type="slide" axis="0 1 0"/>
-      <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
-      <body name="rotor">
-        <joint name="spin" type="hinge" axis="0 0 1"/>
-        <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
-        <geom name="disc" type="cylinder" size="0.05 0.01"/>
-      </body>
-    </body>
-    <body name="ring">
-      <joint name="ring_x" type="slide" axis="1 0 0" )" +
-         x.ring_joint + R"(/>
-      <joint name="ring_y" type="slide" axis="0 1 0"/>
-      <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
-      <geom name="bore" type="cylinder" size="0.06 0.01"/>
-      )" + x.ring_geoms +
-         R"(
-    </body>
-    )" + x.bodies +
-         R"(
-  </worldbody>
-  )" + x.constraints +
-         R"(
-  <contact>
-    <pair geom1="disc" geom2="bore" condim="1" )" +
-         pair + R"(/>
-    )" + x.pairs +
-         R"(
-  </contact>
-  <sensor>
-    <user name="normal_force" objtype="geom" objname="disc" datatype="real" needstage="acc" dim="1"/>
-    <user name="friction_force" objtype="geom" objname="disc" datatype="real" needstage="acc" dim="1"/>
-    <user name="slip" objtype="geom" objname="disc" datatype="real" needstage="vel" dim="1"/>
-  </sensor>
-  <custom>
-    <text name="rotorub_rotor_geom" data="disc"/>
-    <text name="rotorub_ring_geom" data="bore"/>
-    <text name="rotorub_contact" data=")" +
-         x.contact + R"("/>
-    <numeric name="rotorub_clearance" data="5e-4"/>
-    <numeric name="rotorub_friction" data=")" +
-         std::to_string(x.friction) + R"("/>
-    <numeric name="rotorub_restitution" data=")" +
-         std::to_string(x.restitution) + R"("/>
-  </custom>
-</mujoco>)";
-}
 
 enum Coordinate { kX, kY, kSpin, kRingX, kRingY, kOther };
 

@@ -1,0 +1,125 @@
+// What a user's own model may say, and what is refused by name; where rotor and ring meet.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "plugin/hooks.h"
+#include "tests/plugin/own/machine.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace names = mjcf_names;
+
+class OwnRules : public MujocoTest {
+ protected:
+  static std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+  }
+  static void expect_refused(const std::string& text, const std::string& named) {
+    std::string why;
+    EXPECT_EQ(try_load(text, why), nullptr) << named;
+    EXPECT_NE(why.find(named), std::string::npos) << why;
+  }
+  plugin::Hooks hooks_;
+};
+
+TEST_F(OwnRules, MisspeltNamesAreRefusedWithASuggestion) {
+  const std::string good = document({});
+  load(good);
+  expect_refused(replaced(good, "rotorub_friction", "rotorub_fricton"),
+                 "did you mean \"rotorub_friction\"");
+  expect_refused(replaced(good, "rotorub_ring_geom", "rotorub_rnig_geom"),
+                 "did you mean \"rotorub_ring_geom\"");
+  // Neither geom is named: still ours.
+  expect_refused(replaced(replaced(good, "rotorub_ring_geom", "rotorub_ring"), "rotorub_rotor_geom",
+                          "rotorub_rotor"),
+                 "rotorub_rotor");
+  // A number among the texts.
+  Machine x;
+  x.custom = "<text name=\"rotorub_width\" data=\"0.02\"/>";
+  expect_refused(document(x), "rotorub_width");
+}
+
+TEST_F(OwnRules, ASceneStandsAlone) {
+  const std::string scene = mjcf(shipped("bench_ring"));
+  expect_refused(replaced(scene, "<custom>",
+                          "<custom><text name=\"rotorub_rotor_geom\" data=\"rotor\"/>"),
+                 "beside a scene's text");
+  expect_refused(replaced(scene, "<custom>",
+                          "<custom><numeric name=\"rotorub_friction\" data=\"0.3\"/>"),
+                 "accepted: the value in the scene");
+}
+
+TEST_F(OwnRules, ThePairSaysWhatTheTextSays) {
+  Machine soft;
+  soft.contact = "coulomb";
+  load(document(soft));
+  expect_refused(replaced(document(soft), "-10211.0255", "-1000"), "solref bounces with 0.9");
+  expect_refused(replaced(document(soft), "solref=\"-4e8 -10211.0255\"", ""), "solref bounces with 0.13");
+  soft.custom = "<numeric name=\"rotorub_tangential_restitution\" data=\"0.5\"/>";
+  expect_refused(document(soft), "rotorub_tangential_restitution");
+
+  Machine cone;
+  cone.contact = "cone";
+  cone.friction = 0.15;
+  expect_refused(document(cone), "condim");
+  const std::string three = replaced(document(cone), "condim=\"1\"", "condim=\"3\"");
+  expect_refused(three, "friction is 1.0");
+  load(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.15 0.15 0 0 0\""));
+}
+
+// Radius and lengths that a model takes from its geoms are its own, not those of one seen before.
+TEST_F(OwnRules, ModelsOfOtherSizesAreToldApart) {
+  const auto slip = [](const std::string& text) {
+    const ModelPointer m = load(text);
+    const DataPointer d = start(m.get());
+    d->qvel[2] = 100.0;
+    mj_forward(m.get(), d.get());
+    return sensor(m.get(), d.get(), names::kSlip);
+  };
+  EXPECT_DOUBLE_EQ(slip(document({})), 5.0);
+  EXPECT_DOUBLE_EQ(slip(replaced(document({}), "size=\"0.05 0.01\"", "size=\"0.04 0.01\"")), 4.0);
+}
+
+// 100 um deep, at rest: pushed out slowly, not shot out with 4 J.
+TEST_F(OwnRules, AStartInsideTheWallGainsNoEnergy) {
+  const ModelPointer m = load(document({}));
+  const DataPointer d = start(m.get());
+  d->qpos[0] = 6e-4;
+  for (int k = 0; k < 20000; ++k) {
+    mj_step(m.get(), d.get());
+    ASSERT_LT(d->qvel[0] * d->qvel[0] + 0.5 * d->qvel[3] * d->qvel[3], 1e-5) << k;
+  }
+  EXPECT_LT(std::abs(d->qpos[0] - d->qpos[3]), 5e-4 + 1e-9);
+}
+
+// Disc and ring are 20 mm long each; apart along the axis the rotor flies through.
+TEST_F(OwnRules, ApartAlongTheAxisTheyDoNotMeet) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    Machine x;
+    x.contact = contact;
+    const auto leaves = [&](const std::string& place, const std::string& custom) {
+      x.custom = custom;
+      const ModelPointer m = load(
+          replaced(document(x), "<body name=\"shaft\">", "<body name=\"shaft\" pos=\"0 0 " + place + "\">"));
+      const DataPointer d = start(m.get());
+      d->qvel[0] = 0.3;
+      for (int k = 0; k < 250; ++k) mj_step(m.get(), d.get());
+      return d->qvel[0] == 0.3;
+    };
+    EXPECT_FALSE(leaves("0", "")) << contact;
+    EXPECT_FALSE(leaves("0.019", "")) << contact;
+    EXPECT_TRUE(leaves("0.021", "")) << contact;
+    EXPECT_TRUE(leaves("-1", "")) << contact;
+    EXPECT_FALSE(leaves("0.021", "<numeric name=\"rotorub_width\" data=\"0.03\"/>")) << contact;
+  }
+}
+
+}  // namespace
+}  // namespace rotorub::test
