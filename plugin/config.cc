@@ -177,7 +177,9 @@ bool for_each_part(const mjModel* m, Action action) {
          part(m->pair_dim, m->npair) && part(m->pair_margin, m->npair) &&
          part(m->pair_gap, m->npair) && part(m->pair_solref, mjNREF * m->npair) &&
          part(m->pair_friction, 5 * m->npair) && part(m->geom_size, 3 * m->ngeom) &&
-         part(m->geom_type, m->ngeom) && part(m->sensor_adr, m->nsensor) && part(m->jnt_limited, m->njnt) &&
+         part(m->geom_type, m->ngeom) && part(m->sensor_adr, m->nsensor) &&
+         part(m->actuator_gaintype, m->nu) && part(m->actuator_biastype, m->nu) &&
+         part(m->actuator_dyntype, m->nu) && part(m->jnt_limited, m->njnt) &&
          part(m->dof_frictionloss, m->nv) && part(m->tendon_limited, m->ntendon) &&
          part(m->tendon_frictionloss, m->ntendon);
 }

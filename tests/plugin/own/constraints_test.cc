@@ -179,8 +179,10 @@ TEST_F(HeldBodies, FrictionLossHoldsAPressedRing) {
       data->qfrc_applied[kX] = force;
     });
     // MuJoCo's friction loss creeps below its threshold by F R / B: R = 1e-4 / 1 kg, B = 100 / s.
-    const double way =
-        force < kLoss ? force * 1e-4 / 100.0 * 5000 * kStep : 0.5 * (force - kLoss) / (kRotor + kRing) * std::pow(5000 * kStep, 2);
+    const double time = 5000 * kStep;
+    const double way = force < kLoss
+                           ? force * 1e-4 / 100.0 * time
+                           : 0.5 * (force - kLoss) / (kRotor + kRing) * time * time;
     EXPECT_NEAR(d->qpos[kRingX], way, 0.2 * std::min(way, 2e-6) + 1e-3 * way) << force;
     EXPECT_NEAR(d->qpos[kX] - d->qpos[kRingX], 5e-4, 1e-9) << force;
     const double pressed = force < kLoss ? force : kLoss + (force - kLoss) / 3.0;
