@@ -22,7 +22,6 @@ namespace names = mjcf_names;
 constexpr double kStep = 1e-5, kSpeed = 0.3, kRotor = 2.0, kRing = 1.0;
 // What solimp 0.9999 gives way in a step, of the motion without the constraint.
 constexpr double kSoft = 3e-4;
-const std::string kHard = " solimp=\"0.9999 0.9999 0.001\" ";
 
 enum Coordinate { kX, kY, kSpin, kRingX, kRingY, kOther };
 
@@ -60,69 +59,7 @@ class HeldBodies : public MujocoTest {
   }
 };
 
-std::string equality(const std::string& what) {
-  return "<equality>" + what + "</equality>";
-}
-Machine welded() {
-  Machine x;
-  x.constraints = equality("<weld body1=\"ring\"" + kHard + "/>");
-  return x;
-}
-Machine locked() {
-  Machine x;
-  x.constraints = equality("<joint joint1=\"ring_x\"" + kHard + "/>");
-  return x;
-}
-Machine pinned() {
-  Machine x;
-  x.constraints = equality("<connect body1=\"ring\" anchor=\"0 0 0\"" + kHard + "/>");
-  return x;
-}
-Machine at_limit() {
-  Machine x;  // the ring stands 0.1 um in its limit
-  x.ring_joint =
-      "limited=\"true\" range=\"-1 -1e-7\" solimplimit=\"0.9999 0.9999 0.001\"";
-  return x;
-}
-Machine at_tendon_limit() {
-  Machine x;
-  x.constraints =
-      "<tendon><fixed name=\"stop\" limited=\"true\" range=\"-1 -1e-7\" solimplimit=\"0.9999 "
-      "0.9999 0.001\"><joint joint=\"ring_x\" coef=\"1\"/></fixed></tendon>";
-  return x;
-}
-Machine tendon_held() {
-  Machine x;
-  x.constraints = "<tendon><fixed name=\"rope\"><joint joint=\"ring_x\" coef=\"1\"/></fixed></tendon>" +
-                  equality("<tendon tendon1=\"rope\"" + kHard + "/>");
-  return x;
-}
-Machine tied_to(double mass) {
-  Machine x;
-  x.bodies = R"(<body name="base"><joint type="slide" axis="1 0 0"/>
-      <joint type="slide" axis="0 1 0"/><inertial pos="0 0 0" mass=")" +
-             std::to_string(mass) + R"(" diaginertia="1 1 1"/></body>)";
-  x.constraints = equality("<weld body1=\"shaft\" body2=\"base\"" + kHard + "/>");
-  return x;
-}
 void move_base(mjData* d) { d->qvel[kOther] = kSpeed; }
-constexpr double kLoss = 50.0;  // N
-Machine rubbing_ring() {
-  Machine x;
-  x.ring_joint = "frictionloss=\"50\" solimpfriction=\"0.9999 0.9999 0.001\"";
-  return x;
-}
-// A part of 3 kg that lies against the ring's far side, 0.1 um deep.
-Machine loose_part() {
-  Machine x;
-  x.ring_geoms = R"(<geom name="cheek" type="sphere" size="0.01" pos="0.06 0 0"/>)";
-  x.bodies = R"(<body name="part" pos="0.0799999 0 0"><joint type="slide" axis="1 0 0"/>
-      <inertial pos="0 0 0" mass="3" diaginertia="1 1 1"/>
-      <geom name="part" type="sphere" size="0.01"/></body>)";
-  x.pairs = "<pair geom1=\"cheek\" geom2=\"part\" condim=\"1\"" + kHard + "/>";
-  return x;
-}
-
 // A ring that is held is a fixed ring: the disc leaves with half of its speed.
 TEST_F(HeldBodies, AHeldRingIsAFixedRing) {
   for (const Machine& x :

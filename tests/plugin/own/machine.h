@@ -80,4 +80,69 @@ inline std::string document(const Machine& x) {
 </mujoco>)";
 }
 
+// Constraints as stiff as MuJoCo has them.
+inline const std::string kHard = " solimp=\"0.9999 0.9999 0.001\" ";
+
+inline std::string equality(const std::string& what) {
+  return "<equality>" + what + "</equality>";
+}
+inline Machine welded() {
+  Machine x;
+  x.constraints = equality("<weld body1=\"ring\"" + kHard + "/>");
+  return x;
+}
+inline Machine locked() {
+  Machine x;
+  x.constraints = equality("<joint joint1=\"ring_x\"" + kHard + "/>");
+  return x;
+}
+inline Machine pinned() {
+  Machine x;
+  x.constraints = equality("<connect body1=\"ring\" anchor=\"0 0 0\"" + kHard + "/>");
+  return x;
+}
+inline Machine at_limit() {
+  Machine x;  // the ring stands 0.1 um in its limit
+  x.ring_joint =
+      "limited=\"true\" range=\"-1 -1e-7\" solimplimit=\"0.9999 0.9999 0.001\"";
+  return x;
+}
+inline Machine at_tendon_limit() {
+  Machine x;
+  x.constraints =
+      "<tendon><fixed name=\"stop\" limited=\"true\" range=\"-1 -1e-7\" solimplimit=\"0.9999 "
+      "0.9999 0.001\"><joint joint=\"ring_x\" coef=\"1\"/></fixed></tendon>";
+  return x;
+}
+inline Machine tendon_held() {
+  Machine x;
+  x.constraints = "<tendon><fixed name=\"rope\"><joint joint=\"ring_x\" coef=\"1\"/></fixed></tendon>" +
+                  equality("<tendon tendon1=\"rope\"" + kHard + "/>");
+  return x;
+}
+inline Machine tied_to(double mass) {
+  Machine x;
+  x.bodies = R"(<body name="base"><joint type="slide" axis="1 0 0"/>
+      <joint type="slide" axis="0 1 0"/><inertial pos="0 0 0" mass=")" +
+             std::to_string(mass) + R"(" diaginertia="1 1 1"/></body>)";
+  x.constraints = equality("<weld body1=\"shaft\" body2=\"base\"" + kHard + "/>");
+  return x;
+}
+inline constexpr double kLoss = 50.0;  // N
+inline Machine rubbing_ring() {
+  Machine x;
+  x.ring_joint = "frictionloss=\"50\" solimpfriction=\"0.9999 0.9999 0.001\"";
+  return x;
+}
+// A part of 3 kg that lies against the ring's far side, 0.1 um deep.
+inline Machine loose_part() {
+  Machine x;
+  x.ring_geoms = R"(<geom name="cheek" type="sphere" size="0.01" pos="0.06 0 0"/>)";
+  x.bodies = R"(<body name="part" pos="0.0799999 0 0"><joint type="slide" axis="1 0 0"/>
+      <inertial pos="0 0 0" mass="3" diaginertia="1 1 1"/>
+      <geom name="part" type="sphere" size="0.01"/></body>)";
+  x.pairs = "<pair geom1=\"cheek\" geom2=\"part\" condim=\"1\"" + kHard + "/>";
+  return x;
+}
+
 }  // namespace rotorub::test

@@ -1,0 +1,85 @@
+// Newton's iteration on a response that is known by trial alone, against closed forms.
+#include "plugin/contact/constrained_law.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace rotorub::test {
+namespace {
+
+using plugin::ConstrainedContact;
+
+class Given final : public plugin::ContactResponse {
+ public:
+  explicit Given(std::function<Eigen::Vector2d(const Eigen::Vector2d&)> y) : y_(std::move(y)) {}
+  Eigen::Vector2d at(const Eigen::Vector2d& p) override { return y_(p); }
+  double accuracy() const override { return 1e-12; }
+
+ private:
+  std::function<Eigen::Vector2d(const Eigen::Vector2d&)> y_;
+};
+
+// A line is the law's own 2x2 problem.
+TEST(ConstrainedLaw, ALineGivesTheClosedForm) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int k = 0; k < 1000; ++k) {
+    Delassus g{0.2 + unit(random), 0.0, 0.0, 0.2 + unit(random)};
+    g.nt = g.tn = 0.5 * (2.0 * unit(random) - 1.0) * std::sqrt(g.nn * g.tt);
+    const ImpactLaw law{0.3 * unit(random), unit(random), 0.0};
+    const Eigen::Vector2d before(-unit(random), 2.0 * unit(random) - 1.0);
+    Given response([&](const Eigen::Vector2d& p) {
+      return Eigen::Vector2d(before.x() + g.nn * p.x() + g.nt * p.y(),
+                             before.y() + g.tn * p.x() + g.tt * p.y());
+    });
+    // What is expected is not what is there.
+    const Delassus expected{2.0 * g.nn, 0.0, 0.0, 3.0 * g.tt};
+    const ConstrainedContact c = solve_constrained_impact(response, before, expected, law);
+    const ImpactResult r = solve_impact(g, before.x(), before.y(), law);
+    ASSERT_TRUE(c.solved && c.converged) << k;
+    EXPECT_NEAR(c.p.x(), r.normal(), 1e-7) << k;
+    EXPECT_NEAR(c.p.y(), r.friction(), 1e-7) << k;
+    EXPECT_NEAR(c.y.x(), r.gap_rate, 1e-7) << k;
+  }
+}
+
+// A stop that takes hold at p = 1: slope 1 before, 1e-3 behind. From -2: y(p) = 0 at 1 + 1 / 1e-3.
+TEST(ConstrainedLaw, AStopIsFoundBehindItsCorner) {
+  Given response([](const Eigen::Vector2d& p) {
+    const double n = p.x() < 1.0 ? p.x() : 1.0 + 1e-3 * (p.x() - 1.0);
+    return Eigen::Vector2d(n - 2.0, 1.0 + p.y());
+  });
+  const ConstrainedContact c =
+      solve_constrained(response, {-2.0, 1.0}, {1.0, 0.0, 0.0, 1.0}, 0.0, 0.0);
+  EXPECT_TRUE(c.solved && c.converged);
+  EXPECT_NEAR(c.p.x(), 1001.0, 1e-5);
+}
+
+// The other way: what held gives way.
+TEST(ConstrainedLaw, AnAnchorThatSlipsIsFollowed) {
+  Given response([](const Eigen::Vector2d& p) {
+    const double n = p.x() < 1.0 ? 1e-4 * p.x() : 1e-4 + (p.x() - 1.0);
+    return Eigen::Vector2d(n - 2.0, 1.0 + p.y());
+  });
+  const ConstrainedContact c =
+      solve_constrained(response, {-2.0, 1.0}, {1.0, 0.0, 0.0, 1.0}, 0.0, 0.0);
+  EXPECT_TRUE(c.solved && c.converged);
+  EXPECT_NEAR(c.p.x(), 3.0 - 1e-4, 1e-7);
+}
+
+// A response that jumps over the answer: told, and finite.
+TEST(ConstrainedLaw, WhatHasNoSolutionIsTold) {
+  Given response([](const Eigen::Vector2d& p) {
+    return Eigen::Vector2d((p.x() < 1.0 ? -1.0 : 1.0) + 0.1 * p.x(), 0.0 + p.y());
+  });
+  const ConstrainedContact c =
+      solve_constrained(response, {-1.0, 0.0}, {0.1, 0.0, 0.0, 1.0}, 0.0, 0.0);
+  EXPECT_FALSE(c.solved && c.converged);
+  EXPECT_TRUE(std::isfinite(c.p.x()) && std::isfinite(c.p.y()));
+}
+
+}  // namespace
+}  // namespace rotorub::test
