@@ -85,7 +85,7 @@ void control(const mjModel* m, mjData* d) {
   if (config->own) {
     refresh_velocity_stage(m, d);
     apply_own_contact(*config, m, d);
-    if (config->contact == scene::ContactModel::kRigid) fill_sensors(*config, m, d, mjSTAGE_ACC);
+    if (config->contact != scene::ContactModel::kCone) fill_sensors(*config, m, d, mjSTAGE_ACC);
     return;
   }
   const Coordinates state(*config, d);

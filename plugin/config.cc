@@ -165,9 +165,9 @@ void map_shadow(const mjModel* m, ShadowConfig& s) {
 // is mapped in the same way. Calls action(bytes, count) for each part until it says false.
 template <typename Action>
 bool for_each_part(const mjModel* m, Action action) {
-  const int sizes[] = {m->nq,        m->nv,     m->nu,           m->njnt,      m->ngeom, m->nsensor,
-                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair, m->nmocap,
-                       m->neq,       m->ntendon};
+  const int sizes[] = {m->nq,        m->nv,           m->nu,        m->njnt,   m->ngeom,
+                       m->nsensor,   m->ntextdata,    m->nnames,    m->npair,  m->neq,
+                       m->nuserdata, m->nnumericdata, m->nmocap,    m->ntendon};
   const auto part = [&action](const auto* data, int count) {
     return count == 0 || action(reinterpret_cast<const char*>(data),
                                 sizeof *data * static_cast<std::size_t>(count));

@@ -33,7 +33,9 @@ ContactForces contact_forces(const Config& config, const mjData* d) {
   if (!contact) return {};
   const int row = contact->efc_address;
   ContactForces out;
-  out.normal = d->efc_force[row];
+  // Of own/own_contact.h it is known before MuJoCo's solver, which then finds the same.
+  const bool told = config.contact == scene::ContactModel::kCoulomb && (config.own || config.general);
+  out.normal = told ? d->userdata[kNormalForce] : d->efc_force[row];
   if (!(out.normal > 0.0)) return {};
   if (config.contact == scene::ContactModel::kCoulomb) {
     out.friction = d->userdata[kFrictionForce];

@@ -112,6 +112,12 @@ void check_bounce(const mjModel* m, const Config& config) {
 }
 
 void check_cone(const mjModel* m, const Config& config) {
+  for (const char* name : {names::kNormalForce, names::kFrictionForce}) {
+    const int id = mj_name2id(m, mjOBJ_SENSOR, name);
+    if (id < 0 || m->sensor_type[id] != mjSENS_USER || m->sensor_needstage[id] == mjSTAGE_ACC) continue;
+    refuse("<user name=\"" + std::string(name) + "\">",
+           "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
+  }
   const double mu = config.model.contact->friction, given = m->pair_friction[5 * config.pair];
   if (mu > 0.0 && m->pair_dim[config.pair] < 3) {
     refuse(pair_element(m, config),

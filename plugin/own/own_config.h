@@ -7,9 +7,10 @@
 //            rotorub_friction, rotorub_restitution     mu >= 0; eps_N in [0, 1]; default 0
 //            rotorub_tangential_restitution            eps_T in [0, 1]; default 0
 //            rotorub_width                             m, > 0, of the ring along its axis; default:
-//                                                      its geom's (cylinder, capsule, box), else endless
-// Every other name that begins with rotorub_ is refused. Lengths, mu and eps are those of the scene file's [contact]. The ring's axis is the z axis of its
-// geom; the rotor is where its geom's centre is.
+//                                                      its geom's (cylinder, capsule, box), else
+//                                                      endless
+// Every other name that begins with rotorub_ is refused. Lengths, mu and eps are those of the scene
+// file's [contact]. The ring's axis is the z axis of its geom; the rotor is where its geom's centre is.
 #pragma once
 
 #include <mujoco/mujoco.h>

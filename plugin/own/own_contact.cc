@@ -165,6 +165,7 @@ void apply_coulomb_law(const Config& config, const mjModel* m, mjData* d, const 
       beside ? solve_beside_constraints(m, d, row, space, step) : solve_free(step, space, d);
   const bool sticks = s.contact_case == ContactCase::kStick;
   const Mode mode = s.normal <= 0.0 ? Mode::kFree : (sticks ? Mode::kStick : Mode::kSlide);
+  d->userdata[kNormalForce] = s.normal;
   d->userdata[kFrictionForce] = s.friction;
   d->userdata[kMode] = static_cast<double>(mode);
   const Eigen::Vector3d friction = contact_load(step.point.e_r, step.radius, 0.0, s.friction);
@@ -179,6 +180,7 @@ void apply_own_contact(const Config& config, const mjModel* m, mjData* d) {
     apply_rigid_law(config, m, d);
     return;
   }
+  d->userdata[kNormalForce] = 0.0;
   d->userdata[kFrictionForce] = 0.0;
   const mjContact* contact = find_contact(config, d);
   if (!contact) {

@@ -74,6 +74,23 @@ TEST_F(OwnRules, ThePairSaysWhatTheTextSays) {
   load(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.15 0.15 0 0 0\""));
 }
 
+// The force is there at the stage that the sensor asks for, or the sensor is refused.
+TEST_F(OwnRules, ForcesAreToldAtTheStageThatIsAsked) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    Machine x;
+    x.contact = contact;
+    const ModelPointer m = load(replaced(document(x), "needstage=\"acc\"", "needstage=\"vel\""));
+    const DataPointer d = start(m.get());
+    d->qpos[0] = 5e-4 + 1e-8;
+    d->qfrc_applied[0] = 30.0;
+    for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());
+    EXPECT_NEAR(sensor(m.get(), d.get(), names::kNormalForce), 10.0, contact[0] == 'r' ? 0.1 : 5.0);
+  }
+  Machine cone;
+  cone.contact = "cone";
+  expect_refused(replaced(document(cone), "needstage=\"acc\"", "needstage=\"vel\""), "normal_force");
+}
+
 // Radius and lengths that a model takes from its geoms are its own, not those of one seen before.
 TEST_F(OwnRules, ModelsOfOtherSizesAreToldApart) {
   const auto slip = [](const std::string& text) {
