@@ -106,7 +106,10 @@ json modes_json(const RotorAnalysis& analysis) {
     for (const WhirlMode& mode : spectrum.modes) {
       modes.push_back({{"frequency", mode.frequency}, {"damping_ratio", mode.damping_ratio}});
     }
-    spectra.push_back({{"speed", spectrum.speed}, {"modes", modes}});
+    const RubAnalyses& rubs = analysis.rubs;
+    spectra.push_back({{"speed", spectrum.speed},
+                       {"modes", modes},
+                       {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[spectra.size()])}});
   }
   json torsion = json::array();
   for (const TorsionMode& mode : analysis.torsion) {
@@ -117,7 +120,9 @@ json modes_json(const RotorAnalysis& analysis) {
               {"stability_threshold", nullptr},
               {"stability_bound", nullptr},
               {"torsion", torsion},
-              {"mode_shapes", shapes_json(analysis.shapes)}};
+              {"mode_shapes", shapes_json(analysis.shapes)},
+              {"rub_refused", nullptr}};
+  if (!analysis.rubs.refused.empty()) result["rub_refused"] = analysis.rubs.refused;
   if (analysis.stability_threshold) result["stability_threshold"] = *analysis.stability_threshold;
   if (std::isfinite(analysis.stability_bound)) {
     result["stability_bound"] = analysis.stability_bound;
@@ -138,7 +143,12 @@ std::string modes_table(const std::string& name, const RotorAnalysis& analysis) 
   if (analysis.critical_speeds.empty()) text += "  none\n";
 
   text += "\n" + stability_text(analysis) + "\n";
-  return text + "\n" + shapes_table(analysis);
+  text += "\n" + shapes_table(analysis);
+  for (const RubAnalysis& rubs : analysis.rubs.at) text += "\n" + rub_table(rubs);
+  if (!analysis.rubs.refused.empty()) {
+    text += fmt::format("\nrotor and ring together: {}\n", analysis.rubs.refused);
+  }
+  return text;
 }
 
 const char* to_string(StationKind kind) {
