@@ -47,6 +47,7 @@ json whirls_json(const std::vector<WhirlMode>& modes) {
 
 std::string whirls_table(const char* title, const std::vector<WhirlMode>& modes) {
   std::string text = fmt::format("  {}\n", title);
+  if (modes.empty()) text += "    nothing is left that can move\n";
   for (const WhirlMode& mode : modes) {
     const double size = std::abs(mode.frequency);
     text += fmt::format("    {:<12}{:>12.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode), size, size * kHz,
@@ -57,6 +58,10 @@ std::string whirls_table(const char* title, const std::vector<WhirlMode>& modes)
 
 // Rolling without anything that can move does not grow: no number in JSON.
 json growth_json(double growth) { return std::isfinite(growth) ? json(growth) : json(nullptr); }
+
+std::string growth_text(double growth) {
+  return std::isfinite(growth) ? fmt::format("{:.4g}", growth) : "-";
+}
 
 std::string orbit_text(const RubPoint& point) {
   if (!point.orbit) return "free orbit: none, loads of several frequencies draw no circle";
@@ -70,12 +75,12 @@ std::string orbit_text(const RubPoint& point) {
 std::string rolling_text(const RubPoint& point) {
   std::string text;
   for (const auto& [from, to] : point.rolling_ranges) {
-    text += text.empty() ? "" : " and ";
-    text += std::isfinite(to) ? fmt::format("from {:.7g} to {:.7g}", from, to)
-                              : fmt::format("above {:.7g}", from);
+    text += text.empty() ? "" : ", ";
+    text += std::isfinite(to) ? fmt::format("{:.7g} to {:.7g} rad/s", from, to)
+                              : fmt::format("above {:.7g} rad/s", from);
   }
   if (text.empty()) return "friction is nowhere enough for backward rolling";
-  return "backward rolling contact asks for no more friction at " + text + " rad/s";
+  return "friction is enough for backward rolling: " + text;
 }
 
 }  // namespace
@@ -157,9 +162,9 @@ std::string rub_table(const RubAnalysis& analysis) {
   text += fmt::format("  {:<10}{:>14}{:>14}{:>12}{:>14}{:>14}\n", "rub", "whirl rad/s", "force / N",
                       "friction", "growth 1/s", "at rad/s");
   for (const StandingRub& r : point.rubs) {
-    text += fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14.4g}{:>14.6g}  {}\n",
+    text += fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14}{:>14.6g}  {}\n",
                         rub::to_string(r.rub.kind), r.rub.whirl, r.rub.normal_force, r.rub.friction,
-                        r.stability.growth, r.stability.frequency,
+                        growth_text(r.stability.growth), r.stability.frequency,
                         r.stability.stable ? "stable" : "unstable");
   }
   if (point.rubs.empty()) text += "  none\n";

@@ -61,5 +61,48 @@ TEST(CliModesPage, RefusesWhatMakesNoDiagram) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+TEST(CliModesRubs, MapOnTheTerminalInJsonAndAsAPage) {
+  const Folder folder;
+  const std::vector<std::string> map{"modes", shipped("bench_whip"), "--rub-map", "--speeds", "40Hz:60Hz:3",
+                                     "--frictions", "0.1:0.25:4"};
+  const Outcome shown = folder.run(map);
+  ASSERT_EQ(shown.code, 0) << shown.err;
+  EXPECT_TRUE(contains(shown.out, "      0.2 |VVV")) << shown.out;
+  std::vector<std::string> more = map;
+  more.insert(more.end(), {"--json", "-o", "out"});
+  const Outcome written = folder.run(more);
+  ASSERT_EQ(written.code, 0) << written.err;
+  EXPECT_EQ(folder.files(), Files{"out/rub_map.html"});
+  const nlohmann::json points = nlohmann::json::parse(written.out).at("rub_map").at("points");
+  EXPECT_EQ(points.size(), 12U);
+}
+
+TEST(CliModesRubs, AreToldWithTheWhirl) {
+  const Folder folder;
+  const Outcome done = folder.run({"modes", shipped("bench_whip")});
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_TRUE(contains(done.out, "-501.9257")) << done.out;
+  EXPECT_TRUE(contains(folder.run({"modes", shipped("paper_sliding")}).out, "controller.kind"));
+}
+
+TEST(CliModesRubs, RefusesWhatMakesNoMap) {
+  const Folder folder;
+  for (const char* range : {"10Hz", "10Hz:20Hz", "20Hz:10Hz:3", "10Hz:20Hz:1", "10Hz:20Hz:3:4", "1m:2m:3",
+                            "10Hz:20Hz:x", "-10Hz:20Hz:3"}) {
+    const Outcome refused = folder.run(
+        {"modes", shipped("bench_whip"), "--rub-map", std::string("--speeds=") + range});
+    EXPECT_EQ(refused.code, 2) << range;
+    EXPECT_TRUE(contains(refused.err, "--speeds")) << refused.err;
+  }
+  EXPECT_EQ(folder.run({"modes", shipped("bench_whip"), "--speeds", "10Hz:20Hz:3"}).code, 2)
+      << "there is no map";
+  const Outcome refused = folder.run({"modes", shipped("paper_sliding"), "--rub-map"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "paper_sliding.toml")) << refused.err;
+  EXPECT_EQ(folder.run({"modes", shipped("bench_whip"), "--rub-map", "--set", "rotor.speed=0"}).code, 2)
+      << "no speed about which to draw it";
+  EXPECT_TRUE(folder.files().empty());
+}
+
 }  // namespace
 }  // namespace rotorub::test
