@@ -14,7 +14,7 @@ enum UserDataEntry : int {
   kHeldY,
   kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last
   kMode,           // number of the Mode of that pass
-  kPassiveFresh,   // 1 between mjcb_passive and mjcb_control
+  kPassiveFresh,   // between mjcb_passive and mjcb_control 1 + |time|, else 0
   kHistoryLength,  // forward passes in the history: 0, 1, 2
   kEarlierTime,    // s, of the one before
   kLatestTime,     // s, of the latest

@@ -3,14 +3,13 @@
 #include "native_model/dynamics/dynamics.h"
 #include "plugin/contact/memory.h"
 #include "plugin/contact/rigid_law.h"
-#include "plugin/contact/runge_kutta.h"
 #include "plugin/contact/segment_space.h"
+#include "plugin/passes.h"
 
 namespace rotorub::plugin {
 
 void apply_segment_rigid(const Config& config, const mjModel* m, mjData* d,
                          const Coordinates& state) {
-  refuse_runge_kutta(m);
   const Model& model = config.model;
   ContactMemory memory(d);
   if (m->nu > 0) mj_fwdActuation(m, d);
@@ -22,7 +21,7 @@ void apply_segment_rigid(const Config& config, const mjModel* m, mjData* d,
   step.d = rotor_point(model, state.q()) - stator_point(model, state.q());
   step.start = space.rates(d->qvel);
   step.free = step.start + step.h * space.response(d->qfrc_smooth);
-  if (!reaches_ring(step, model.contact->clearance)) {
+  if (!contact_enabled(m) || !reaches_ring(step, model.contact->clearance)) {
     memory.note({}, step.h);
     return;
   }

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
-#include "plugin/contact/runge_kutta.h"
 #include "plugin/control.h"
+#include "plugin/passes.h"
 #include "plugin/passive.h"
 #include "plugin/thread_worker.h"
 #include "plugin/user_data.h"
@@ -34,11 +35,12 @@ Model plant_of(const Model& model) {
 
 // What takes the steps. Holds nothing between two calls but room.
 struct Worker {
-  Worker(const Config& config, double h)
+  Worker(const Config& config, double h) : Worker(config, h, plant_of(config.model)) {}
+  Worker(const Config& config, double h, Model moved)
       : id(config.id),
         step(h),
         model(config.model),
-        plant(plant_of(config.model)),
+        plant(std::move(moved)),
         stepper(plant, h),
         hold(model),
         memory(VerletStepper::memory_size(plant)) {}
@@ -66,6 +68,16 @@ struct Worker {
   ZeroOrderHold hold;
   std::size_t memory;
   std::int64_t next = 0;
+};
+
+// Where contacts are disabled (mjDSBL_CONTACT): the same memory, and a ring that nothing reaches.
+struct FreeWorker : Worker {
+  FreeWorker(const Config& config, double h) : Worker(config, h, without_ring(config.model)) {}
+  static Model without_ring(const Model& model) {
+    Model plant = plant_of(model);
+    plant.contact->clearance = 1e6;
+    return plant;
+  }
 };
 
 // Whether MuJoCo's state is the one remembered, to what its arithmetic and its links' small masses leave
@@ -185,12 +197,12 @@ const double* velocities_of_pass(const Config& config, const mjData* d) {
 }
 
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
-  refuse_runge_kutta(m);
   const Model& model = config.model;
   const int n = model.nq();
   const double h = m->opt.timestep;
   double* entry = d->userdata + config.verlet_data;
-  Worker& worker = thread_worker<Worker>(config, h);
+  Worker& worker = contact_enabled(m) ? thread_worker<Worker>(config, h)
+                                      : thread_worker<FreeWorker>(config, h);
   worker.load(slot_of_pass(config, m, d, entry, worker, state));
   worker.stepper.adopt(state.q(), state.v());
 

@@ -5,17 +5,16 @@
 #include "native_model/contact/coulomb.h"
 #include "plugin/contact/annular.h"
 #include "plugin/contact/memory.h"
-#include "plugin/contact/runge_kutta.h"
 #include "plugin/contact/rigid_law.h"
 #include "plugin/contact/smooth_force.h"
 #include "plugin/own/own_space.h"
+#include "plugin/passes.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
 
 void apply_rigid_law(const Config& config, const mjModel* m, mjData* d) {
-  refuse_runge_kutta(m);
   const ContactParameters& c = *config.model.contact;
   ContactMemory memory(d);
   update_smooth_force(m, d);
@@ -26,7 +25,7 @@ void apply_rigid_law(const Config& config, const mjModel* m, mjData* d) {
   step.d = own_position(config, d);
   step.start = space.rates(d->qvel);
   step.free = step.start + step.h * space.response(d->qfrc_smooth);
-  if (!reaches_ring(step, c.clearance)) {
+  if (!contact_enabled(m) || !reaches_ring(step, c.clearance)) {
     memory.note({}, step.h);
     return;
   }
