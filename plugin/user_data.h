@@ -15,7 +15,7 @@ enum UserDataEntry : int {
   kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last
   kMode,           // number of the Mode of that pass
   kPassiveFresh,   // between mjcb_passive and mjcb_control 1 + |time|, else 0
-  kHistoryLength,  // forward passes in the history: 0, 1, 2
+  kHistoryLength,  // times in the history: 0, 1, 2; 3: two, with an impact between them
   kEarlierTime,    // s, of the one before
   kLatestTime,     // s, of the latest
   // Of `rigid` (contact/memory.h):
@@ -37,7 +37,7 @@ static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
 // Of the step of `rigid` on the modal chain, from Config::verlet_data on (contact/verlet.h); behind them
 // velocities and two slots of memory.
 enum VerletEntry : int {
-  kVerletBegun,  // 1: it runs
+  kVerletBegun,  // entries of a slot; 0: not begun
   kVerletTime,   // s, of the pass that the first slot is of
   kVerletStep,   // s
   kVerletSingle

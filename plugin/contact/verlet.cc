@@ -25,17 +25,23 @@ std::size_t slot_size(const Model& model) {
 // Currents that lag are activations, MuJoCo's to integrate.
 bool lags(const Model& model) { return model.magnets && model.magnets->coil_lag > 0.0; }
 
-// The plant that the step moves. Where currents lag the force on the ring is MuJoCo's.
-Model plant_of(const Model& model) {
-  if (!lags(model)) return model;
-  Model plant = with_ideal_actuator(model);
-  plant.controller.reset();
+// The plant that the step moves. Where currents lag the force on the ring is MuJoCo's; where MuJoCo
+// has disabled actuation there is none, nor a controller that answers an impact within the step. Where
+// it has disabled contacts nothing reaches the ring (of the same memory, so that they may be switched).
+Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
+  Model plant = model;
+  if (lags(model) || !actuation) {
+    plant = with_ideal_actuator(model);
+    plant.controller.reset();
+  }
+  if (!contact) plant.contact->clearance = 1e6;
   return plant;
 }
 
+bool actuation_enabled(const mjModel* m) { return !(m->opt.disableflags & mjDSBL_ACTUATION); }
+
 // What takes the steps. Holds nothing between two calls but room.
 struct Worker {
-  Worker(const Config& config, double h) : Worker(config, h, plant_of(config.model)) {}
   Worker(const Config& config, double h, Model moved)
       : id(config.id),
         step(h),
@@ -70,15 +76,21 @@ struct Worker {
   std::int64_t next = 0;
 };
 
-// Where contacts are disabled (mjDSBL_CONTACT): the same memory, and a ring that nothing reaches.
-struct FreeWorker : Worker {
-  FreeWorker(const Config& config, double h) : Worker(config, h, without_ring(config.model)) {}
-  static Model without_ring(const Model& model) {
-    Model plant = plant_of(model);
-    plant.contact->clearance = 1e6;
-    return plant;
-  }
+template <bool kContact, bool kActuation>
+struct WorkerOf : Worker {
+  WorkerOf(const Config& config, double h)
+      : Worker(config, h, plant_of(config.model, kContact, kActuation)) {}
 };
+
+Worker& worker_of(const Config& config, const mjModel* m) {
+  const double h = m->opt.timestep;
+  if (contact_enabled(m)) {
+    if (actuation_enabled(m)) return thread_worker<WorkerOf<true, true>>(config, h);
+    return thread_worker<WorkerOf<true, false>>(config, h);
+  }
+  if (actuation_enabled(m)) return thread_worker<WorkerOf<false, true>>(config, h);
+  return thread_worker<WorkerOf<false, false>>(config, h);
+}
 
 // Whether MuJoCo's state is the one remembered, to what its arithmetic and its links' small masses leave
 // of it. (What is remembered is never used in its place.)
@@ -102,7 +114,8 @@ double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, do
   const std::size_t size = worker.slot();
   double* before = entry + kVerletSingle + config.model.nq();
   double* after = before + size;
-  const bool same_step = entry[kVerletBegun] != 0.0 && entry[kVerletStep] == h;
+  const auto slots = static_cast<double>(size);
+  const bool same_step = entry[kVerletBegun] == slots && entry[kVerletStep] == h;
   const double passed = d->time - entry[kVerletTime];
   entry[kVerletTime] = d->time;
   entry[kVerletStep] = h;
@@ -111,7 +124,7 @@ double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, do
     std::copy_n(after, size, before);
     return before;
   }
-  entry[kVerletBegun] = 1.0;
+  entry[kVerletBegun] = slots;
   worker.begin(d->time, state.q(), state.v());
   worker.save(before);
   return before;
@@ -142,6 +155,8 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
                         Worker& worker) {
   const Model& model = config.model;
   const double h = m->opt.timestep, t = d->time;
+  // The force follows the command, without a lag and not disabled.
+  const bool asks = !lags(model) && actuation_enabled(m);
   Eigen::Vector2d mean{0.0, 0.0};
   if (model.controller) {
     mean = worker.hold.held();
@@ -149,7 +164,7 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     if (worker.hold.listens(end)) {
       double v[kMaxCoordinates], a[kMaxCoordinates];
       const Eigen::Vector2d held_force =
-          lags(model) ? actuator_state(config, m, d).force : worker.hold.held();
+          asks ? worker.hold.held() : actuator_state(config, m, d).force;
       worker.stepper.velocity_now(worker.next, held_force, v);
       const bool first = worker.next == 0;
       for (int i = 0; i < model.nq(); ++i) a[i] = first ? 0.0 : 2.0 / h * (v[i] - state.v()[i]);
@@ -160,9 +175,9 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     for (int k = 0; k < 2; ++k) d->ctrl[config.actuator[k]] = told[k];
   }
   if (m->nu > 0) mj_fwdActuation(m, d);
-  if (model.controller && !lags(model)) return mean;
+  if (model.controller && asks) return mean;
   const ActuatorState now = actuator_state(config, m, d);
-  return model.magnets && !lags(model) ? now.current : now.force;
+  return model.magnets && asks ? now.current : now.force;
 }
 
 void note(mjData* d, const FixedStep& r, double kick) {
@@ -201,8 +216,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   const int n = model.nq();
   const double h = m->opt.timestep;
   double* entry = d->userdata + config.verlet_data;
-  Worker& worker = contact_enabled(m) ? thread_worker<Worker>(config, h)
-                                      : thread_worker<FreeWorker>(config, h);
+  Worker& worker = worker_of(config, m);
   worker.load(slot_of_pass(config, m, d, entry, worker, state));
   worker.stepper.adopt(state.q(), state.v());
 
