@@ -124,11 +124,16 @@ void keep_callbacks() {
   for_each_callback([](auto& place, const auto&) { place.take(); });
 }
 
+void keep_control() {
+  if (!control_place.held()) keep_callbacks();
+}
+
 bool collision_was_lost(const Config& config, const mjModel* m) {
   Place<mjfCollision>& place = collision_place(m, config.rotor_geom, config.ring_geom);
   if (!place.held() && place.take()) ++collisions_taken;
-  static thread_local constinit int known = 0;
   const int taken = collisions_taken.load(std::memory_order_acquire);
+  if (taken == 0) return false;
+  static thread_local constinit int known = 0;
   if (known == taken) return false;
   known = taken;
   return true;

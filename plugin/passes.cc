@@ -31,7 +31,7 @@ bool is_soft(const Config& config) {
 // Takes back what others have written over. Where another's function has collided the pair, MuJoCo's
 // soft contact is made anew, so that not even this pass goes without.
 bool keep_places(const Config& config, const mjModel* m, mjData* d) {
-  keep_callbacks();
+  keep_control();
   if (!config.model.contact || !collision_was_lost(config, m)) return false;
   if (!is_soft(config) || !contact_enabled(m)) return false;
   mj_fwdPosition(m, d);
@@ -76,6 +76,7 @@ namespace {
 void refresh_velocity_stage(const mjModel* m, mjData* d) {
   mjtNum& fresh = d->userdata[kPassiveFresh];
   if (fresh != fresh_mark(d)) {
+    keep_callbacks();
     mj_passive(m, d);
     const bool passed_by = fresh != fresh_mark(d) && !(m->opt.disableflags & mjDSBL_PASSIVE);
     if (passed_by && distrust_passive()) mj_passive(m, d);
@@ -132,6 +133,7 @@ void act(const Config& config, const mjModel* m, mjData* d) {
 void control_pass(const mjModel* m, mjData* d) {
   const Config* config = find_config(m, d);
   if (!config) return;
+  if (config->model.magnets) keep_callbacks();
   if (keep_places(*config, m, d)) d->userdata[kPassiveFresh] = 0.0;
   refresh_velocity_stage(m, d);
   const bool rigid = config->model.contact && !is_soft(*config);
@@ -146,7 +148,7 @@ void control_pass(const mjModel* m, mjData* d) {
 void sensor_pass(const mjModel* m, mjData* d, int stage) {
   const Config* config = find_config(m, d);
   if (!config) return;
-  keep_callbacks();
+  if (stage == mjSTAGE_POS) keep_callbacks();
   fill_sensors(*config, m, d, stage);
 }
 

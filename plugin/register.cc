@@ -35,18 +35,13 @@ __attribute__((constructor)) void install() { rotorub::plugin::install_callbacks
 
 }  // namespace
 
-ROTORUB_EXPORT void mj_step(const mjModel* m, mjData* d) {
-  static const auto step = original<Pass>("mj_step");
-  keep(m, d);
-  step(m, d);
-}
-
 ROTORUB_EXPORT void mj_step1(const mjModel* m, mjData* d) {
   static const auto step = original<Pass>("mj_step1");
   keep(m, d);
   step(m, d);
 }
 
+// Of mj_step, mj_forward and the integrators.
 ROTORUB_EXPORT void mj_forwardSkip(const mjModel* m, mjData* d, int skipstage, int skipsensor) {
   static const auto forward = original<SkippingPass>("mj_forwardSkip");
   keep(m, d);
