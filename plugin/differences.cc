@@ -17,10 +17,18 @@ struct DeleteData {
   void operator()(mjData* d) const { mj_deleteData(d); }
 };
 
-// One column: nudge(copy of d, +-eps), a step, the difference over 2 eps.
+// Column `which` of a matrix of `columns`.
+void put_column(const std::vector<double>& values, std::vector<double>& matrix, int which,
+                int columns) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    matrix[i * static_cast<std::size_t>(columns) + static_cast<std::size_t>(which)] = values[i];
+  }
+}
+
+// One column of both: nudge(copy of d, +-eps), a step, the difference over 2 eps.
 template <typename Nudge>
 void column(const mjModel* m, const mjData* d, double eps, int which, Nudge nudge, mjData* low,
-            mjData* high, std::vector<double>& matrix, int columns) {
+            mjData* high, std::vector<double>& next, std::vector<double>& seen, int columns) {
   for (mjData* side : {low, high}) {
     mj_copyData(side, m, d);
     nudge(side, side == low ? -eps : eps);
@@ -34,9 +42,13 @@ void column(const mjModel* m, const mjData* d, double eps, int which, Nudge nudg
   for (int i = 0; i < m->na; ++i) {
     change[static_cast<std::size_t>(2 * m->nv + i)] = (high->act[i] - low->act[i]) / (2.0 * eps);
   }
-  for (std::size_t i = 0; i < change.size(); ++i) {
-    matrix[i * static_cast<std::size_t>(columns) + static_cast<std::size_t>(which)] = change[i];
+  put_column(change, next, which, columns);
+  std::vector<double> sensed(low->sensordata, low->sensordata + m->nsensordata);
+  for (int i = 0; i < m->nsensordata; ++i) {
+    double& value = sensed[static_cast<std::size_t>(i)];
+    value = (high->sensordata[i] - value) / (2.0 * eps);
   }
+  put_column(sensed, seen, which, columns);
 }
 
 }  // namespace
@@ -48,8 +60,11 @@ Transition transition(const mjModel* m, const mjData* d, double eps) {
   Transition out;
   const int nv = m->nv, n = out.states = 2 * nv + m->na;
   out.controls = m->nu;
+  out.sensors = m->nsensordata;
   out.A.resize(static_cast<std::size_t>(n * n));
   out.B.resize(static_cast<std::size_t>(n * m->nu));
+  out.C.resize(static_cast<std::size_t>(out.sensors * n));
+  out.D.resize(static_cast<std::size_t>(out.sensors * m->nu));
   std::vector<double> along(static_cast<std::size_t>(nv));
   for (int j = 0; j < n; ++j) {
     const auto nudge = [&](mjData* side, double by) {
@@ -63,11 +78,11 @@ Transition transition(const mjModel* m, const mjData* d, double eps) {
         mj_integratePos(m, side->qpos, along.data(), by);
       }
     };
-    column(m, d, eps, j, nudge, low.get(), high.get(), out.A, n);
+    column(m, d, eps, j, nudge, low.get(), high.get(), out.A, out.C, n);
   }
   for (int j = 0; j < m->nu; ++j) {
     const auto nudge = [j](mjData* side, double by) { side->ctrl[j] += by; };
-    column(m, d, eps, j, nudge, low.get(), high.get(), out.B, m->nu);
+    column(m, d, eps, j, nudge, low.get(), high.get(), out.B, out.D, m->nu);
   }
   return out;
 }

@@ -6,12 +6,13 @@
 // the memory of `rigid` stays that of d. With y = (qpos, qvel, act) as MuJoCo's tangent coordinates,
 // n = 2 nv + na:
 //
-//   dy_{k+1} = A dy_k + B du,     A: n x n, B: n x nu, row-major
+//   dy_{k+1} = A dy_k + B du,     A: n x n, B: n x nu
+//   ds_k     = C dy_k + D du,     C: ns x n, D: ns x nu,  s = sensordata (ns values); row-major
 //
 // of one step of the model's length, about the contact as it is: in flight that of the free rotor; in
 // lasting contact with the gap held (a nudge that opens or closes it within eps is not seen: take eps
 // below the step's margin); across an impact that of its law. Units are those of y over y and of y over
-// ctrl. ctrl that the scene's controller writes is no input: its columns of B are 0, and A has the loop
+// ctrl, of s over them. ctrl that the scene's controller writes is no input: its columns of B are 0, and A has the loop
 // closed. Means of two sides, error of order eps^2.
 #pragma once
 
@@ -22,11 +23,11 @@
 namespace rotorub::plugin {
 
 struct Transition {
-  int states = 0, controls = 0;  // n, nu
-  std::vector<double> A, B;
+  int states = 0, controls = 0, sensors = 0;  // n, nu, ns
+  std::vector<double> A, B, C, D;
 };
 
-// eps > 0, in units of each entry of y and u. d stays as it is.
+// The preloaded library answers mjd_transitionFD so, always by two sides. eps > 0, in units of each entry of y and u. d stays as it is.
 Transition transition(const mjModel* m, const mjData* d, double eps = 1e-8);
 
 // True in this thread while the steps of `transition` run.

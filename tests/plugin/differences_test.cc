@@ -79,10 +79,12 @@ TEST_F(Differences, OfAnOwnModelAreMujocos) {
   ASSERT_TRUE(m) << error;
   const DataPointer d = after(m.get(), 100);
   const plugin::Transition t = plugin::transition(m.get(), d.get(), 1e-6);
-  std::vector<double> A(t.A.size()), B(t.B.size());
-  mjd_transitionFD(m.get(), d.get(), 1e-6, 1, A.data(), B.data(), nullptr, nullptr);
+  std::vector<double> A(t.A.size()), B(t.B.size()), C(t.C.size()), D(t.D.size());
+  mjd_transitionFD(m.get(), d.get(), 1e-6, 1, A.data(), B.data(), C.data(), D.data());
   for (std::size_t i = 0; i < A.size(); ++i) EXPECT_NEAR(t.A[i], A[i], 1e-8 * (1.0 + std::abs(A[i])));
   for (std::size_t i = 0; i < B.size(); ++i) EXPECT_NEAR(t.B[i], B[i], 1e-8 * (1.0 + std::abs(B[i])));
+  for (std::size_t i = 0; i < C.size(); ++i) EXPECT_NEAR(t.C[i], C[i], 1e-8 * (1.0 + std::abs(C[i])));
+  for (std::size_t i = 0; i < D.size(); ++i) EXPECT_NEAR(t.D[i], D[i], 1e-8 * (1.0 + std::abs(D[i])));
 }
 
 TEST_F(Differences, WantAPositiveNudge) {

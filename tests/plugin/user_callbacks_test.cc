@@ -28,27 +28,28 @@ struct Line {
   std::string state;
 };
 
-class UserCallbacks : public MujocoTest, public ::testing::WithParamInterface<bool> {
+class Program : public MujocoTest {
  protected:
-  UserCallbacks() {
+  explicit Program(bool linked) : linked_(linked) {
     folder_ = fs::temp_directory_path() / ("rotorub_user_" + std::to_string(::getpid()));
     fs::create_directories(folder_);
   }
-  ~UserCallbacks() override { fs::remove_all(folder_); }
+  ~Program() override { fs::remove_all(folder_); }
 
-  // The program's lines for a case; linked or preloaded by the parameter, `plugin` false: without.
-  std::string said(const std::string& document, const std::string& what, bool plugin = true) const {
+  // The program's lines for a case.
+  std::string said(const std::string& document, const std::string& what,
+                   int steps = kSteps) const {
     const fs::path xml = folder_ / "scene.xml", out = folder_ / "out";
     write_whole(xml, document);
-    const std::string name = plugin && GetParam() ? "rotorub_user_program_linked" : "rotorub_user_program";
+    const std::string name = linked_ ? "rotorub_user_program_linked" : "rotorub_user_program";
     const fs::path program = fs::path(ROTORUB_BINARY).parent_path() / name;
     EXPECT_TRUE(fs::exists(program)) << program;
     std::string libraries = ROTORUB_SANITIZER_RUNTIME;
-    if (plugin && !GetParam()) libraries += (libraries.empty() ? "" : ":") + std::string(ROTORUB_PLUGIN);
+    if (!linked_) libraries += (libraries.empty() ? "" : ":") + std::string(ROTORUB_PLUGIN);
     const std::string command = "cd " + folder_.string() +
                                 " && ASAN_OPTIONS=detect_leaks=0 LD_PRELOAD=" + libraries + " " +
                                 program.string() + " " + xml.string() + " " + what + " " +
-                                std::to_string(kSteps) + " " + mjcf_names::kRotorContact + " " +
+                                std::to_string(steps) + " " + mjcf_names::kRotorContact + " " +
                                 mjcf_names::kRingContact + " 5e-4 > " + out.string() + " 2>&1";
     std::ignore = std::system(command.c_str());
     std::ifstream in(out);
@@ -68,7 +69,18 @@ class UserCallbacks : public MujocoTest, public ::testing::WithParamInterface<bo
     return line_of(said(document, what));
   }
 
+  bool linked_;
   fs::path folder_;
+};
+
+class UserCallbacks : public Program, public ::testing::WithParamInterface<bool> {
+ protected:
+  UserCallbacks() : Program(GetParam()) {}
+};
+
+class PreloadedProgram : public Program {
+ protected:
+  PreloadedProgram() : Program(false) {}
 };
 
 // 0.02 s of the rub from its start: impacts, their accumulation, lasting contact.
@@ -161,6 +173,26 @@ TEST_P(UserCallbacks, AllOffAtOnceWithoutContact) {
       EXPECT_EQ(line.state, wanted.state) << what;
     }
   }
+}
+
+// What MuJoCo's own functions give where the library stands before them. (Linked: plugin::inverse and
+// plugin::transition, interface_test.cc and differences_test.cc.)
+TEST_F(PreloadedProgram, InverseKnowsTheContact) {
+  std::stringstream left(said(bench(), "inverse"));
+  double value = -1.0;
+  left >> value;
+  EXPECT_GE(value, 0.0);
+  EXPECT_LT(value, 1e-9) << "N; 80 N of contact without";
+}
+
+TEST_F(PreloadedProgram, DifferencesKeepTimeAndMemory) {
+  std::stringstream line(said(bench(), "differences", 100));
+  double over_position = 0.0, over_velocity = 0.0;
+  line >> over_position >> over_velocity;
+  // v' = ((1 - h d/2m) v - h k/m x) / (1 + h d/2m)
+  const double h = 1e-5, beta = 0.5 * h * 40.0 / 2.0;
+  EXPECT_NEAR(over_position, -h * 2e5 / 2.0 / (1.0 + beta), 1e-6);
+  EXPECT_NEAR(over_velocity, (1.0 - beta) / (1.0 + beta), 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, UserCallbacks, ::testing::Bool(),

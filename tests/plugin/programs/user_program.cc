@@ -4,6 +4,9 @@
 //
 //   user_program MODEL.xml CASE STEPS ROTOR_GEOM RING_GEOM CLEARANCE
 //
+// CASE inverse: after STEPS, mj_forward and mj_inverse, prints the largest of qfrc_inverse less applied and
+// actuators' forces (N, N m). CASE differences: of A of mjd_transitionFD (eps 1e-8) then the
+// row of the first velocity: over the first position, over itself. Every other CASE
 // prints one line: calls of the user's callback, share of steps with rotorub_active 1, share of steps
 // with a normal force, largest penetration in um, then time, qpos and qvel as bits.
 #include <mujoco/mujoco.h>
@@ -141,6 +144,37 @@ Run run(const mjModel* m, const std::string& what, int steps, int rotor, int rin
   return out;
 }
 
+mjData* stepped(const mjModel* m, int steps) {
+  mjData* d = mj_makeData(m);
+  mj_resetDataKeyframe(m, d, 0);
+  for (int k = 0; k < steps; ++k) mj_step(m, d);
+  return d;
+}
+
+double left_by_inverse(const mjModel* m, int steps) {
+  mjData* d = stepped(m, steps);
+  mj_forward(m, d);
+  mj_inverse(m, d);
+  double left = 0.0;
+  for (int i = 0; i < m->nv; ++i) {
+    left = std::max(left,
+                    std::abs(d->qfrc_inverse[i] - d->qfrc_applied[i] - d->qfrc_actuator[i]));
+  }
+  mj_deleteData(d);
+  return left;
+}
+
+// The rotor's first coordinate over itself and its velocity in A, in flight.
+void print_differences(const mjModel* m, int steps) {
+  mjData* d = stepped(m, steps);
+  const int n = 2 * m->nv + m->na;
+  std::vector<mjtNum> A(static_cast<std::size_t>(n * n));
+  mjd_transitionFD(m, d, 1e-8, 1, A.data(), nullptr, nullptr, nullptr);
+  const auto row = static_cast<std::size_t>(m->nv * n);
+  std::printf("%.17g %.17g\n", A[row], A[row + static_cast<std::size_t>(m->nv)]);
+  mj_deleteData(d);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -164,6 +198,14 @@ int main(int argc, char** argv) {
   const int steps = std::atoi(argv[3]);
   const int rotor = mj_name2id(m, mjOBJ_GEOM, argv[4]), ring = mj_name2id(m, mjOBJ_GEOM, argv[5]);
   const double clearance = std::atof(argv[6]);
+  if (what == "inverse") {
+    std::printf("%g\n", left_by_inverse(m, steps));
+    return 0;
+  }
+  if (what == "differences") {
+    print_differences(m, steps);
+    return 0;
+  }
   begin(what, m, m->geom_type[rotor], m->geom_type[ring]);
 
   std::vector<Run> runs(what == "threads" ? 4 : 1);
