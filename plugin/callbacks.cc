@@ -48,8 +48,8 @@ void for_each_callback(Action action) {
   action(rate_place, Givers<rate_place, rate, 0>::kTable);
 }
 
-// MuJoCo's table is of ordered types. Those of a scene are a sphere and a capsule, those of a user's own
-// model may be any from sphere to box.
+// MuJoCo's table is of ordered types. Those of a scene are a sphere and a capsule, those of a
+// user's own model may be any from sphere to box.
 constexpr int kFirstShape = mjGEOM_SPHERE, kShapes = mjGEOM_BOX - mjGEOM_SPHERE + 1;
 constinit Place<mjfCollision> collision_places[kShapes][kShapes];
 std::atomic<int> collisions_taken = 0;

@@ -16,23 +16,23 @@ void restore_callbacks();
 
 bool callbacks_active();  // between the two
 
-// Takes back every place that others have written over since. A few nanoseconds where none has. One of
-// our functions that is still called brings the others back: the collision function and the first stage
-// of sensors all of them, mjcb_passive the one that comes after it (keep_control).
+// Takes back every place that others have written over since. A few nanoseconds where none has. One
+// of our functions that is still called brings the others back: the collision function and the
+// first stage of sensors all of them, mjcb_passive the one that comes after it (keep_control).
 void keep_callbacks();
 void keep_control();
 
-// As the places may have been written over without any of ours being called (all callbacks reset with
-// the contact disabled), where MuJoCo's functions themselves can be had: register.cc.
+// As the places may have been written over without any of ours being called (all callbacks reset
+// with the contact disabled), where MuJoCo's functions themselves can be had: register.cc.
 bool callbacks_lost();
 
-// Of the collision table: the place of the model's contact pair, with whose function the contacts of
-// this pass may have been made. True where they must be made anew, once a thread. For `coulomb` and
-// `cone`.
+// Of the collision table: the place of the model's contact pair, with whose function the contacts
+// of this pass may have been made. True where they must be made anew, once a thread. For `coulomb`
+// and `cone`.
 bool collision_was_lost(const Config& config, const mjModel* m);
 
-// For mjcb_passive (mjcb_control), which has just seen that a pass went by without the other. Where who
-// stands in front does not call us always, he is no longer let in front: true.
+// For mjcb_passive (mjcb_control), which has just seen that a pass went by without the other. Where
+// who stands in front does not call us always, he is no longer let in front: true.
 bool distrust_control();
 bool distrust_passive();
 

@@ -19,7 +19,8 @@ template <class Of, typename Function>
 constexpr LinkTable<Function> make_links() {
   return []<int... K>(std::integer_sequence<int, K...>) {
     return LinkTable<Function>{&Of::template link<K>...};
-  }(std::make_integer_sequence<int, kLinks>());
+  }
+  (std::make_integer_sequence<int, kLinks>());
 }
 
 // What was there first, then kWork(m, d, ...), once a call of the place.

@@ -28,8 +28,8 @@ bool is_soft(const Config& config) {
   return config.model.contact && config.contact != scene::ContactModel::kRigid;
 }
 
-// Takes back what others have written over. Where another's function has collided the pair, MuJoCo's
-// soft contact is made anew, so that not even this pass goes without.
+// Takes back what others have written over. Where another's function has collided the pair,
+// MuJoCo's soft contact is made anew, so that not even this pass goes without.
 bool keep_places(const Config& config, const mjModel* m, mjData* d) {
   keep_control();
   if (!config.model.contact || !collision_was_lost(config, m)) return false;
@@ -71,8 +71,8 @@ void passive_pass(const mjModel* m, mjData* d) {
 
 namespace {
 
-// MuJoCo may run this stage again without the one before (mj_forwardSkip), or have run it without us:
-// then what it added to the velocity stage's results is taken out by computing those anew.
+// MuJoCo may run this stage again without the one before (mj_forwardSkip), or have run it without
+// us: then what it added to the velocity stage's results is taken out by computing those anew.
 void refresh_velocity_stage(const mjModel* m, mjData* d) {
   mjtNum& fresh = d->userdata[kPassiveFresh];
   if (fresh != fresh_mark(d)) {
@@ -194,4 +194,3 @@ bool coil_rate_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
 }
 
 }  // namespace rotorub::plugin
-

@@ -2,16 +2,16 @@
 //
 // MuJoCo's callbacks are plain global pointers: `mjcb_control = mine`, `mjcb_control = nullptr` and
 // mj_resetCallbacks() take ours away without a word. A Place notices (held), takes itself back
-// (take) and calls what was put there before its own work. It has several functions of the same work,
-// links, each with its own `previous`, so that of a user who chains to us, whichever of our links he
-// saved, we know what to call below him:
+// (take) and calls what was put there before its own work. It has several functions of the same
+// work, links, each with its own `previous`, so that of a user who chains to us, whichever of our
+// links he saved, we know what to call below him:
 //
-//   mjcb_control = mine                  link 1 in the place, previous: mine.       mine, then our work
-//   old = mjcb_control, mine calls old   mine stands in front again, once seen to call us
+//   mjcb_control = mine                  link 1 in the place, previous: mine.       mine, then our
+//   work old = mjcb_control, mine calls old   mine stands in front again, once seen to call us
 //   mjcb_control = nullptr               link 2, previous: none.                     our work alone
 //
-// The work is done once a call of the place, whatever the chain. No lock is held while a function of
-// others runs; the one that orders who takes is never touched while the place is as left.
+// The work is done once a call of the place, whatever the chain. No lock is held while a function
+// of others runs; the one that orders who takes is never touched while the place is as left.
 #pragma once
 
 #include <atomic>
@@ -39,11 +39,10 @@ class Place {
   }
   // True where a call of one link may reach another.
   bool layered() const { return layered_.load(std::memory_order_acquire); }
-  Function previous(int link) const {
-    return previous_[link].load(std::memory_order_acquire);
-  }
+  Function previous(int link) const { return previous_[link].load(std::memory_order_acquire); }
 
-  // Puts a link in front of who stands there, if that is neither ours nor calls us. True where it did.
+  // Puts a link in front of who stands there, if that is neither ours nor calls us. True where it
+  // did.
   bool take() {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::atomic_ref place(*global_);
@@ -133,9 +132,9 @@ class Place {
   Function deceives_ = nullptr;  // and not to
 };
 
-// What a thread is in: the links of one place that wait for what they called. Kept on the stack of the
-// first of them. A frame that was left by longjmp (mju_error of a model that is compiled) is told by its
-// address: it is not above ours.
+// What a thread is in: the links of one place that wait for what they called. Kept on the stack of
+// the first of them. A frame that was left by longjmp (mju_error of a model that is compiled) is
+// told by its address: it is not above ours.
 struct LinkCall {
   const void* data = nullptr;  // mjData
   std::uintptr_t frame = 0;

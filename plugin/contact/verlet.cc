@@ -1,6 +1,7 @@
 #include "plugin/contact/verlet.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -27,8 +28,9 @@ std::size_t slot_size(const Model& model) {
 bool lags(const Model& model) { return model.magnets && model.magnets->coil_lag > 0.0; }
 
 // The plant that the step moves. Where currents lag the force on the ring is MuJoCo's; where MuJoCo
-// has disabled actuation there is none, nor a controller that answers an impact within the step. Where
-// it has disabled contacts nothing reaches the ring (of the same memory, so that they may be switched).
+// has disabled actuation there is none, nor a controller that answers an impact within the step.
+// Where it has disabled contacts nothing reaches the ring (of the same memory, so that they may be
+// switched).
 Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
   Model plant = model;
   if (lags(model) || !actuation) {
@@ -93,8 +95,8 @@ Worker& worker_of(const Config& config, const mjModel* m) {
   return thread_worker<WorkerOf<false, false>>(config, h);
 }
 
-// Whether MuJoCo's state is the one remembered, to what its arithmetic and its links' small masses leave
-// of it. (What is remembered is never used in its place.)
+// Whether MuJoCo's state is the one remembered, to what its arithmetic and its links' small masses
+// leave of it. (What is remembered is never used in its place.)
 bool remembers(const Config& config, const double* slot, const Coordinates& state) {
   const int n = config.model.nq();
   const double* q = VerletStepper::saved_q(slot);
@@ -135,8 +137,8 @@ double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, do
   return before;
 }
 
-// What is on the chain beside the native loads and the actuators: f of MuJoCo and of others. It must
-// not hang on what ctrl was before the command, not even in its last bit.
+// What is on the chain beside the native loads and the actuators: f of MuJoCo and of others. It
+// must not hang on what ctrl was before the command, not even in its last bit.
 void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                    double* f) {
   const Model& model = config.model;
@@ -216,7 +218,24 @@ const double* velocities_of_pass(const Config& config, const mjData* d) {
   return d->userdata + config.verlet_data + kVerletSingle;
 }
 
+namespace {
+
+// MuJoCo then calls no mjcb_passive; the native step has its loads all the same.
+void warn_of_disabled_passive(const mjModel* m) {
+  if (!(m->opt.disableflags & mjDSBL_PASSIVE)) return;
+  static std::atomic<bool> warned = false;
+  if (warned.exchange(true)) return;
+  mju_warning(
+      "rotorub: <flag passive=\"disable\">: springs and dampers of the joints are off; with "
+      "contact "
+      "model `rigid` the scene's other loads still act (excitation, unbalance, gyroscopic, "
+      "weight)");
+}
+
+}  // namespace
+
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
+  warn_of_disabled_passive(m);
   const Model& model = config.model;
   const int n = model.nq();
   const double h = m->opt.timestep;

@@ -1,5 +1,5 @@
-// The step linearised: against the closed form of the modal step in flight, MuJoCo's own differences
-// where those hold, and the constraint in lasting contact.
+// The step linearised: against the closed form of the modal step in flight, MuJoCo's own
+// differences where those hold, and the constraint in lasting contact.
 #include "plugin/differences.h"
 
 #include <gtest/gtest.h>
@@ -74,17 +74,22 @@ TEST_F(Differences, InContactTheGapStays) {
 // A model of the user's own has no load of its own time: there MuJoCo's differences hold.
 TEST_F(Differences, OfAnOwnModelAreMujocos) {
   char error[1000] = "";
-  const ModelPointer m(mj_loadXML(
-      (std::string(ROTORUB_SOURCE_DIR) + "/mjcf/examples/own_model.xml").c_str(), nullptr, error, 1000));
+  const ModelPointer m(
+      mj_loadXML((std::string(ROTORUB_SOURCE_DIR) + "/mjcf/examples/own_model.xml").c_str(),
+                 nullptr, error, 1000));
   ASSERT_TRUE(m) << error;
   const DataPointer d = after(m.get(), 100);
   const plugin::Transition t = plugin::transition(m.get(), d.get(), 1e-6);
   std::vector<double> A(t.A.size()), B(t.B.size()), C(t.C.size()), D(t.D.size());
   mjd_transitionFD(m.get(), d.get(), 1e-6, 1, A.data(), B.data(), C.data(), D.data());
-  for (std::size_t i = 0; i < A.size(); ++i) EXPECT_NEAR(t.A[i], A[i], 1e-8 * (1.0 + std::abs(A[i])));
-  for (std::size_t i = 0; i < B.size(); ++i) EXPECT_NEAR(t.B[i], B[i], 1e-8 * (1.0 + std::abs(B[i])));
-  for (std::size_t i = 0; i < C.size(); ++i) EXPECT_NEAR(t.C[i], C[i], 1e-8 * (1.0 + std::abs(C[i])));
-  for (std::size_t i = 0; i < D.size(); ++i) EXPECT_NEAR(t.D[i], D[i], 1e-8 * (1.0 + std::abs(D[i])));
+  for (std::size_t i = 0; i < A.size(); ++i)
+    EXPECT_NEAR(t.A[i], A[i], 1e-8 * (1.0 + std::abs(A[i])));
+  for (std::size_t i = 0; i < B.size(); ++i)
+    EXPECT_NEAR(t.B[i], B[i], 1e-8 * (1.0 + std::abs(B[i])));
+  for (std::size_t i = 0; i < C.size(); ++i)
+    EXPECT_NEAR(t.C[i], C[i], 1e-8 * (1.0 + std::abs(C[i])));
+  for (std::size_t i = 0; i < D.size(); ++i)
+    EXPECT_NEAR(t.D[i], D[i], 1e-8 * (1.0 + std::abs(D[i])));
 }
 
 TEST_F(Differences, WantAPositiveNudge) {

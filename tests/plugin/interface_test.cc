@@ -1,5 +1,5 @@
-// The rest of MuJoCo's interface, called between two steps: what looks on, computes or copies leaves the
-// steps that follow to the bit, and mj_inverse finds nothing left to apply.
+// The rest of MuJoCo's interface, called between two steps: what looks on, computes or copies
+// leaves the steps that follow to the bit, and mj_inverse finds nothing left to apply.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -107,8 +107,8 @@ TEST_F(Interface, ForwardBeforeEachStepChangesNothingOfRigid) {
   EXPECT_EQ(state_of(m.get(), looked.get()), state_of(m.get(), plain.get()));
 }
 
-// Largest force (N, N m) that inverse dynamics find wanting after a forward pass, beside applied and
-// actuators' forces, and the largest of the contact.
+// Largest force (N, N m) that inverse dynamics find wanting after a forward pass, beside applied
+// and actuators' forces, and the largest of the contact.
 struct Left {
   double force = 0.0, contact = 0.0;
 };

@@ -1,5 +1,6 @@
-// Programs that write over MuJoCo's callbacks after us, preloaded and linked: the run keeps its contact
-// to the bit, the user's callback is called once a step, and rotorub_active tells the truth.
+// Programs that write over MuJoCo's callbacks after us, preloaded and linked: the run keeps its
+// contact to the bit, the user's callback is called once a step, and rotorub_active tells the
+// truth.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -37,8 +38,7 @@ class Program : public MujocoTest {
   ~Program() override { fs::remove_all(folder_); }
 
   // The program's lines for a case.
-  std::string said(const std::string& document, const std::string& what,
-                   int steps = kSteps) const {
+  std::string said(const std::string& document, const std::string& what, int steps = kSteps) const {
     const fs::path xml = folder_ / "scene.xml", out = folder_ / "out";
     write_whole(xml, document);
     const std::string name = linked_ ? "rotorub_user_program_linked" : "rotorub_user_program";
@@ -144,7 +144,8 @@ TEST_P(UserCallbacks, DoNotReplaceTheMagnets) {
 // Whoever has called us and then does not costs one step its contact, is told of, and comes second.
 TEST_P(UserCallbacks, ThatStopCallingUsAreNoticed) {
   const std::string text = said(bench(), "chained_at_first");
-  EXPECT_NE(text.find("warning: rotorub: mjcb_control called the plugin's before"), std::string::npos)
+  EXPECT_NE(text.find("warning: rotorub: mjcb_control called the plugin's before"),
+            std::string::npos)
       << text;
   const Line line = line_of(text.substr(text.find('\n') + 1));
   EXPECT_EQ(line.active, 1.0 - 1.0 / kSteps);
@@ -175,8 +176,8 @@ TEST_P(UserCallbacks, AllOffAtOnceWithoutContact) {
   }
 }
 
-// What MuJoCo's own functions give where the library stands before them. (Linked: plugin::inverse and
-// plugin::transition, interface_test.cc and differences_test.cc.)
+// What MuJoCo's own functions give where the library stands before them. (Linked: plugin::inverse
+// and plugin::transition, interface_test.cc and differences_test.cc.)
 TEST_F(PreloadedProgram, InverseKnowsTheContact) {
   std::stringstream left(said(bench(), "inverse"));
   double value = -1.0;

@@ -1,14 +1,14 @@
-// A user's program: plain C++ against libmujoco, as people write it, with callbacks of its own. It knows
-// nothing of rotorub, unless it is built with ROTORUB_LINKED (then Hooks lives through main). Run by
-// user_callbacks_test.cc, which holds its lines together.
+// A user's program: plain C++ against libmujoco, as people write it, with callbacks of its own. It
+// knows nothing of rotorub, unless it is built with ROTORUB_LINKED (then Hooks lives through main).
+// Run by user_callbacks_test.cc, which holds its lines together.
 //
 //   user_program MODEL.xml CASE STEPS ROTOR_GEOM RING_GEOM CLEARANCE
 //
-// CASE inverse: after STEPS, mj_forward and mj_inverse, prints the largest of qfrc_inverse less applied and
-// actuators' forces (N, N m). CASE differences: of A of mjd_transitionFD (eps 1e-8) then the
-// row of the first velocity: over the first position, over itself. Every other CASE
-// prints one line: calls of the user's callback, share of steps with rotorub_active 1, share of steps
-// with a normal force, largest penetration in um, then time, qpos and qvel as bits.
+// CASE inverse: after STEPS, mj_forward and mj_inverse, prints the largest of qfrc_inverse less
+// applied and actuators' forces (N, N m). CASE differences: of A of mjd_transitionFD (eps 1e-8)
+// then the row of the first velocity: over the first position, over itself. Every other CASE prints
+// one line: calls of the user's callback, share of steps with rotorub_active 1, share of steps with
+// a normal force, largest penetration in um, then time, qpos and qvel as bits.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -157,8 +157,7 @@ double left_by_inverse(const mjModel* m, int steps) {
   mj_inverse(m, d);
   double left = 0.0;
   for (int i = 0; i < m->nv; ++i) {
-    left = std::max(left,
-                    std::abs(d->qfrc_inverse[i] - d->qfrc_applied[i] - d->qfrc_actuator[i]));
+    left = std::max(left, std::abs(d->qfrc_inverse[i] - d->qfrc_applied[i] - d->qfrc_actuator[i]));
   }
   mj_deleteData(d);
   return left;
