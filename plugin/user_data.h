@@ -10,7 +10,8 @@ namespace rotorub::plugin {
 enum UserDataEntry : int {
   kConfigId,  // Config::id, a mark of this process; of no meaning to the motion
   kSample,    // sampled controller: index of the sample held, plus 1; 0: none yet
-  kHeldX,     // command held: N, fixed frame, or the currents of the two axes, A
+  kHeldX,     // command held: N, fixed frame, or the currents of the two axes, A; of native steps
+              // the mean about the instant
   kHeldY,
   kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last
   kMode,           // number of the Mode of that pass

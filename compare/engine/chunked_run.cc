@@ -8,8 +8,8 @@
 
 namespace rotorub {
 
-ChunkedRun::ChunkedRun(const mjModel* m, const plugin::Config& config)
-    : m_(m), config_(config), data_(make_start(m)), results_(kChunk) {
+ChunkedRun::ChunkedRun(const mjModel* m, const plugin::Config& config, bool commands)
+    : m_(m), config_(config), commands_(commands), data_(make_start(m)), results_(kChunk) {
   states_.resize(2 * kChunk * size());
   start_.resize(2 * size());
   read_state(start_.data());
@@ -30,6 +30,7 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
     StepResult& r = results_[done];
     r.forces = plugin::contact_forces(config_, data_.get());
     r.actuator = plugin::actuator_state(config_, m_, data_.get());
+    if (commands_) r.command = plugin::command_of_pass(config_, m_, data_.get());
     if (r.forces.status != Status::kOk) {
       contact_status_ = r.forces.status;
       failed_ = true;
@@ -50,7 +51,8 @@ StepResult ChunkedRun::last_half() {
   read_state(states_.data());
   std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), states_.data() + size());
   return {plugin::contact_forces(config_, data_.get()),
-          plugin::actuator_state(config_, m_, data_.get())};
+          plugin::actuator_state(config_, m_, data_.get()),
+          {0.0, 0.0}};
 }
 
 // Coordinates, then velocities, in the native layout.

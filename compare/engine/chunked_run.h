@@ -18,12 +18,13 @@ namespace rotorub {
 struct StepResult {
   plugin::ContactForces forces;
   ActuatorState actuator;
+  Eigen::Vector2d command{0.0, 0.0};  // plugin/control.h, where it was asked for
 };
 
 class ChunkedRun {
  public:
-  // The model and the config must outlive it.
-  ChunkedRun(const mjModel* m, const plugin::Config& config);
+  // The model and the config must outlive it. `commands`: those of the results are wanted.
+  ChunkedRun(const mjModel* m, const plugin::Config& config, bool commands);
 
   static constexpr std::size_t kChunk = 256;
 
@@ -51,6 +52,7 @@ class ChunkedRun {
 
   const mjModel* m_;
   const plugin::Config& config_;
+  bool commands_;
   MujocoData data_;
   std::vector<StepResult> results_;
   std::vector<double> states_, start_;

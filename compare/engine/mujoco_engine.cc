@@ -9,6 +9,7 @@
 #include "compare/engine/mujoco_messages.h"
 #include "compare/engine/mujoco_model.h"
 #include "compare/engine/mujoco_record.h"
+#include "compare/engine/watch_feed.h"
 #include "mjcf/writer.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model_checks.h"
@@ -55,7 +56,9 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const Model& model = config.model;
   check_run_size(scene, model, std::nullopt, options.output_times ? &*options.output_times : nullptr);
 
-  ChunkedRun run(m.get(), config);
+  ChunkedRun run(m.get(), config, static_cast<bool>(options.watch));
+  WatchFeed feed(model, step, options.watch);
+  feed.begin(run.start_q(), run.start_v());
   MujocoRecord record(model, config.contact == scene::ContactModel::kRigid, step,
                       options.output_times.value_or(output_times(scene.run)));
   record.begin(run.start_q(), run.start_v());
@@ -72,6 +75,7 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
       for (std::size_t i = 0; i < good; ++i, ++k) {
         if (config.takes_native_steps()) {
           record.native_step(k, run.q(i), run.v(i), run.result(i), false);
+          feed.native_step(k, run.q(i), run.v(i), run.result(i));
           if (const auto why = record.lost(run.q(i))) {
             status = Status::kOutOfRange;
             message = *why;
@@ -79,6 +83,7 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
           }
         } else {
           record.step(k, run.q(i), run.v(i), run.result(i));
+          feed.step(k, run.q(i), run.v(i), run.result(i));
         }
       }
       if (status != Status::kOk) break;

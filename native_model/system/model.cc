@@ -199,4 +199,11 @@ Model with_ideal_actuator(Model model) {
   return model;
 }
 
+Model replayed(Model model, std::shared_ptr<const CommandRecord> commands) {
+  if (!commands) return model;
+  model.controller.reset();
+  model.recorded = std::move(commands);
+  return model;
+}
+
 }  // namespace rotorub

@@ -15,6 +15,7 @@
 
 #include "native_model/bearing/drive.h"
 #include "native_model/bearing/force_law.h"
+#include "native_model/control/command_record.h"
 #include "native_model/control/controller.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
@@ -112,6 +113,9 @@ struct Model {
   std::shared_ptr<const Controller> controller;  // null: passive
   double control_on = 0.0;                       // s
   double sample_time = 0.0;                      // s, 0: continuous
+  // Commands of another run in the controller's place: then there is none (see replayed).
+  std::shared_ptr<const CommandRecord> recorded;
+  bool commanded() const { return controller || recorded; }
   double force_limit = 0.0;                      // N, on each axis of an ideal actuator
   std::optional<MagneticActuator> magnets;       // absent: ideal actuator
 
@@ -143,5 +147,7 @@ State initial_state(const Model& model);
 Model without_coils(Model model);
 // The same with an ideal, unlimited actuator, for who knows the force on the ring.
 Model with_ideal_actuator(Model model);
+// The same driven by the commands of another run instead of its controller; as it is for null.
+Model replayed(Model model, std::shared_ptr<const CommandRecord> commands);
 
 }  // namespace rotorub

@@ -181,6 +181,8 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     const Eigen::Vector2d told = model.magnets ? held : to_axes(held);
     for (int k = 0; k < 2; ++k) d->ctrl[config.actuator[k]] = told[k];
   }
+  d->userdata[kHeldX] = mean.x();
+  d->userdata[kHeldY] = mean.y();
   if (m->nu > 0) mj_fwdActuation(m, d);
   if (model.controller && asks) return mean;
   const ActuatorState now = actuator_state(config, m, d);
