@@ -30,12 +30,6 @@ struct CompareArguments : CommonOptions {
 // Share of the time that films take, for the progress bar.
 constexpr double kFilmShare = 0.5;
 
-void check_mode(const std::string& mode) {
-  if (mode != "lockstep") {
-    throw UsageError(fmt::format("--mode {} is not in this version; accepted: lockstep", mode));
-  }
-}
-
 // All scenes, or one SceneError with everything that is wrong in any of them.
 std::vector<scene::Scene> read_scenes(const CompareArguments& options) {
   std::vector<scene::Scene> scenes;
@@ -99,6 +93,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
   const double work = options.no_video ? 1.0 : 1.0 - kFilmShare;
   for (std::size_t k = 0; k < scenes.size() && !interrupted(); ++k) {
     CompareOptions how;
+    how.mode = compare_mode_of(options.mode);
     how.tolerance = tolerance;
     how.contact = contact_model_of(options.contact);
     how.twins = options.twins;
@@ -121,7 +116,6 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
 }
 
 int compare(const CompareArguments& options) {
-  check_mode(options.mode);
   check_twins(options.twins);
   const double tolerance = tolerance_of(options.tolerance);
   const auto scenes = read_scenes(options);
@@ -149,7 +143,9 @@ Command add_compare_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "compare", "Run scenes in MuJoCo and in the native model and say how far apart they are");
   app->add_option("SCENE", options->scenes, "Scene files (.toml)")->required();
-  app->add_option("--mode", options->mode, "How the two sides are coupled: lockstep")
+  app->add_option("--mode", options->mode, "How the two sides are coupled: lockstep (each closes its own loop), replay (native under "
+                  "the commands that MuJoCo used), resync (native restarts from MuJoCo's state at "
+                  "every onset of contact and predicts it)")
       ->check(CLI::IsMember({"lockstep", "replay", "resync"}))
       ->capture_default_str();
   app->add_option(

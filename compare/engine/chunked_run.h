@@ -1,4 +1,5 @@
-// A run of MuJoCo in chunks of steps, so that only mj_step and the copying of its results are timed.
+// A run of MuJoCo in chunks of steps, so that only mj_step and the copying of its results are
+// timed.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -33,8 +34,8 @@ class ChunkedRun {
   // Native steps: the forces and the state now, as of a step of which half is taken.
   StepResult last_half();
 
-  // Of the i-th step since the last call of advance. The state: with native steps that of its begin,
-  // velocities of that instant; else MuJoCo's at its end.
+  // Of the i-th step since the last call of advance. The state: with native steps that of its
+  // begin, velocities of that instant; else MuJoCo's at its end.
   const StepResult& result(std::size_t i) const { return results_[i]; }
   const double* q(std::size_t i) const { return states_.data() + 2 * i * size(); }
   const double* v(std::size_t i) const { return q(i) + size(); }

@@ -54,7 +54,8 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const MujocoModel m = load_mjcf(mjcf(scene));
   const plugin::Config config = plugin::make_config(m.get());
   const Model& model = config.model;
-  check_run_size(scene, model, std::nullopt, options.output_times ? &*options.output_times : nullptr);
+  check_run_size(scene, model, std::nullopt,
+                 options.output_times ? &*options.output_times : nullptr);
 
   ChunkedRun run(m.get(), config, static_cast<bool>(options.watch));
   WatchFeed feed(model, step, options.watch);

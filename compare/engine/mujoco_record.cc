@@ -34,8 +34,8 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
 void MujocoRecord::begin(const double* q, const double* v) {
   // A coil that lags has no current yet, whatever it is told.
   const bool lags = model_.magnets && model_.magnets->coil_lag > 0.0;
-  const Eigen::Vector2d acts = lags ? Eigen::Vector2d(0.0, 0.0)
-                                    : control_command(model_, 0.0, q, v);
+  const Eigen::Vector2d acts =
+      lags ? Eigen::Vector2d(0.0, 0.0) : control_command(model_, 0.0, q, v);
   recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, actuator_state(model_, q, v, acts)});
   point_ = contact_point(model_, q, v);
 }
@@ -66,9 +66,9 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
   note_mode(t, f.mode);
   if (k > 0) {
     if (impact_.normal_impulse > 0.0) count_impact();
-    recorder_.advance({t, q, v, lasting ? f.normal : 0.0, lasting ? f.friction : 0.0, f.mode,
-                       r.actuator},
-                      p, impact_.normal_impulse > 0.0);
+    recorder_.advance(
+        {t, q, v, lasting ? f.normal : 0.0, lasting ? f.friction : 0.0, f.mode, r.actuator}, p,
+        impact_.normal_impulse > 0.0);
   }
   StepFigures figures;
   figures.h = k == 0 || last ? 0.5 * step_ : step_;
@@ -99,7 +99,8 @@ Trajectory MujocoRecord::finish(double end) {
   return recorder_.finish(end);
 }
 
-// m/s: slip of a prescribed spin, at which the machine that holds it works, and not the coordinates.
+// m/s: slip of a prescribed spin, at which the machine that holds it works, and not the
+// coordinates.
 double MujocoRecord::held() const {
   return model_.layout.spin ? 0.0 : model_.contact->radius * model_.speed;
 }

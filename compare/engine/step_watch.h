@@ -7,8 +7,8 @@
 
 namespace rotorub {
 
-// Step k, from t = k h to t + h. MuJoCo's Euler step is leapfrog: its velocities are those of half a
-// step before its positions, and a force of the step acts about t, from t - h/2 to t + h/2
+// Step k, from t = k h to t + h. MuJoCo's Euler step is leapfrog: its velocities are those of half
+// a step before its positions, and a force of the step acts about t, from t - h/2 to t + h/2
 // (native_model/stepping/verlet_step.h).
 struct WatchedStep {
   double t = 0.0, h = 0.0;  // s

@@ -27,8 +27,7 @@ void WatchFeed::step(std::int64_t k, const double* q, const double* v, const Ste
   std::copy_n(v, v_.size(), v_.begin());
 }
 
-void WatchFeed::native_step(std::int64_t k, const double* q, const double* v,
-                            const StepResult& r) {
+void WatchFeed::native_step(std::int64_t k, const double* q, const double* v, const StepResult& r) {
   if (!watch_) return;
   tell(k, q, v, k == 0 ? 0.5 * h_ : h_, r);
 }

@@ -21,7 +21,8 @@ class WatchFeed {
   void native_step(std::int64_t k, const double* q, const double* v, const StepResult& result);
 
  private:
-  void tell(std::int64_t k, const double* q, const double* v, double kick, const StepResult& result);
+  void tell(std::int64_t k, const double* q, const double* v, double kick,
+            const StepResult& result);
 
   const Model& model_;
   double h_;  // s

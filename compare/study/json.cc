@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/study/answer.h"
+#include "compare/study/mode_json.h"
 #include "compare/study/verdict.h"
 #include "compare/version.h"
 #include "native_model/scene/reader.h"
@@ -106,14 +107,16 @@ json difference_json(const SceneComparison& comparison, const Side& side,
   for (const ImpactPair& pair : difference.impacts) {
     impacts.push_back({{"native", impact_json(pair.a)}, {"other", impact_json(pair.b)}});
   }
-  return {{"within", difference.within()},
-          {"trusted", to_string(difference.trust)},
-          {"decides", difference.decides},
-          {"headline", headline(comparison, side, difference)},
-          {"reasons", difference.reasons},
-          {"figures", by_figure},
-          {"divergence", divergence_json(difference.divergence)},
-          {"impacts", impacts}};
+  json all = {{"within", difference.within()},
+              {"trusted", to_string(difference.trust)},
+              {"decides", difference.decides},
+              {"headline", headline(comparison, side, difference)},
+              {"reasons", difference.reasons},
+              {"figures", by_figure},
+              {"divergence", divergence_json(difference.divergence)},
+              {"impacts", impacts}};
+  if (difference.resync) all["resync"] = resync_json(*difference.resync);
+  return all;
 }
 
 }  // namespace
@@ -174,7 +177,10 @@ json comparison_json(const SceneComparison& comparison) {
     differences[side.label] = difference_json(comparison, side, comparison.differences[k]);
   }
   return {{"answer", answer_json(comparison)},
+          {"mode", to_string(comparison.mode)},
+          {"mode_note", mode_note(comparison)},
           {"twins", comparison.twins},
+          {"shadow", shadow_json(comparison)},
           {"scene", comparison.scene.name},
           {"scene_hash", scene::scene_hash(comparison.scene)},
           {"step", comparison.scene.run.step},
@@ -198,15 +204,16 @@ json comparisons_json(const std::vector<SceneComparison>& comparisons) {
     }
     within = within && c.within();
   }
-  return {{"answer", answers},  // sorted first: what the file begins with
-          {"program", "rotorub"},
-          {"version", program_version()},
-          {"mujoco_version", mujoco_version()},
-          {"mode", "lockstep"},
-          {"contact", decides},
-          {"tolerance", comparisons.empty() ? 0.0 : comparisons.front().tolerance},
-          {"within", within},
-          {"scenes", scenes}};
+  return {
+      {"answer", answers},  // sorted first: what the file begins with
+      {"program", "rotorub"},
+      {"version", program_version()},
+      {"mujoco_version", mujoco_version()},
+      {"mode", to_string(comparisons.empty() ? CompareMode::kLockstep : comparisons.front().mode)},
+      {"contact", decides},
+      {"tolerance", comparisons.empty() ? 0.0 : comparisons.front().tolerance},
+      {"within", within},
+      {"scenes", scenes}};
 }
 
 }  // namespace rotorub

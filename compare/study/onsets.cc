@@ -15,7 +15,6 @@ void OnsetWatch::step(const WatchedStep& s) {
     if (open_ && flight_ == 0) part(s);
     ++flight_;
   }
-  // The state that the next step begins from comes of this one's: it is the one before it.
   const Layout& l = model_->layout;
   before_.t = s.t;
   before_.q = Eigen::VectorXd::Zero(l.nq());
@@ -23,7 +22,6 @@ void OnsetWatch::step(const WatchedStep& s) {
   before_.q.head(l.mechanical()) = Eigen::Map<const Eigen::VectorXd>(s.q, l.mechanical());
   before_.v.head(l.mechanical()) = Eigen::Map<const Eigen::VectorXd>(s.v, l.mechanical());
   for (int k = 0; k < l.coils; ++k) before_.v[l.coil() + k] = s.current[k];
-  known_ = true;
 }
 
 // A free phase is over.
@@ -31,13 +29,13 @@ void OnsetWatch::meet(const WatchedStep& s) {
   if (open_) onsets_.back().end = 0.5 * (last_force_ + s.t);
   open_ = false;
   const ContactPoint p = contact_point(*model_, before_.q.data(), before_.v.data());
-  if (!known_ || p.gap <= 0.0 || p.gap_rate >= 0.0) {
+  if (p.gap <= 0.0 || p.gap_rate >= 0.0) {
     ++left_out_;
     return;
   }
   Onset onset;
   onset.before = before_;
-  onset.touch = before_.t + p.gap / -p.gap_rate;
+  onset.touch = std::min(before_.t + p.gap / -p.gap_rate, s.t + s.h);
   onset.closing = -p.gap_rate;
   onsets_.push_back(std::move(onset));
   open_ = true;
@@ -45,12 +43,14 @@ void OnsetWatch::meet(const WatchedStep& s) {
 }
 
 void OnsetWatch::add(const WatchedStep& s) {
-  ContactResult& c = onsets_.back().mujoco;
+  Onset& o = onsets_.back();
+  ContactResult& c = o.mujoco;
+  if (s.impact && c.impulse == 0.0) o.touch = s.impact_time;
   c.impulse += s.normal_impulse;
   c.peak = std::max(c.peak, s.normal_impulse / s.h);
   // Force that is no impact's acts about the step's instant.
   last_force_ = s.impact ? s.impact_time : s.t + 0.5 * s.h;
-  c.duration = std::max(0.0, last_force_ - onsets_.back().touch);
+  c.duration = std::max(0.0, last_force_ - o.touch);
   if (s.impact && !rebounded_) {
     c.rebound = s.gap_rate_after;
     rebounded_ = true;

@@ -1,9 +1,10 @@
 // The onsets of contact in a MuJoCo run, as its steps go by: the state just before each, and what
 // the contact that follows comes to.
 //
-// An onset is the first impulse after a free phase of at least kShortestFlight steps. Its contact
-// lasts until half-way through the next such phase (or to the run's end): bounces with shorter
-// flights belong to it, and half-way two sides whose flights differ a little count the same bounces.
+// An onset is the first impulse after a free phase of at least kShortestFlight steps: a start on
+// the circle is none. Its contact lasts until half-way through the next such phase (or to the run's
+// end): bounces with shorter flights belong to it, and half-way two sides whose flights differ a
+// little count the same bounces.
 #pragma once
 
 #include <vector>
@@ -26,7 +27,7 @@ struct ContactResult {
 
 struct Onset {
   State before;          // a step before the one that meets the ring; the native layout
-  double touch = 0.0;    // s, when the gap closes at the rate that it has there
+  double touch = 0.0;    // s, the impact, or of a soft contact when the gap of `before` closes
   double closing = 0.0;  // m/s, of the gap there, > 0
   double end = 0.0;      // s, of the contact
   bool lasts = false;    // to the run's end
@@ -41,8 +42,8 @@ class OnsetWatch {
   void step(const WatchedStep& step);
   // Ends the last contact. `end`: s, of the run.
   std::vector<Onset> finish(double end);
-  // First impulses without a known state outside the ring before them: a start on the circle, or a
-  // soft contact that still lay in the ring. They are no onsets.
+  // First impulses after a flight that are no onsets: the rotor still lay in the ring a step
+  // before, as a soft contact's can.
   int left_out() const { return left_out_; }
 
  private:
@@ -53,12 +54,11 @@ class OnsetWatch {
 
   const Model* model_;
   std::vector<Onset> onsets_;
-  State before_;            // of the step before
-  bool known_ = false;      // before_ is filled
-  bool open_ = false;       // the last onset's contact is under way
-  bool rebounded_ = false;  // its rebound is known
+  State before_;             // of the step before
+  bool open_ = false;        // the last onset's contact is under way
+  bool rebounded_ = false;   // its rebound is known
   double last_force_ = 0.0;  // s
-  int flight_ = 0;          // steps without an impulse
+  int flight_ = 0;           // steps without an impulse
   int left_out_ = 0;
 };
 

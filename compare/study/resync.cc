@@ -13,8 +13,7 @@ namespace rotorub {
 namespace {
 
 const ResyncFigure kFigures[] = {
-    {"impulse", "impulse", "mN s", 1e3,
-     "Normal impulse of the contact, its small bounces with it.",
+    {"impulse", "impulse", "mN s", 1e3, "Normal impulse of the contact, its small bounces with it.",
      "the contact's own, or the largest single impact where that is more", &ContactResult::impulse},
     {"peak", "peak force", "N", 1.0, "Largest normal force of the contact, averaged over one step.",
      "the largest of all contacts", &ContactResult::peak},
@@ -86,8 +85,8 @@ Trust trust_of(const Resync& r, double tolerance) {
     late += o.mujoco.duration - o.native.duration;
     time += o.end - o.touch;
   }
-  const bool means = std::abs(r.rows[kImpulse].bias) <= tolerance &&
-                     std::abs(share(late, time)) <= tolerance;
+  const bool means =
+      std::abs(r.rows[kImpulse].bias) <= tolerance && std::abs(share(late, time)) <= tolerance;
   return means ? Trust::kAveragesOnly : Trust::kNo;
 }
 

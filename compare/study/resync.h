@@ -26,10 +26,10 @@ struct PredictedOnset : Onset {
 
 // What is compared of each contact.
 struct ResyncFigure {
-  const char* key;    // in JSON
-  const char* label;  // in tables
-  const char* unit;   // of the value as written
-  double per_unit;    // written value = value in SI * per_unit
+  const char* key;          // in JSON
+  const char* label;        // in tables
+  const char* unit;         // of the value as written
+  double per_unit;          // written value = value in SI * per_unit
   const char* meaning;      // one sentence
   const char* relative_to;  // half a sentence: what a difference is a share of
   double ContactResult::*value;

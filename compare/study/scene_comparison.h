@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "compare/engine/engine.h"
 #include "compare/metrics/metrics.h"
 #include "compare/study/figure.h"
+#include "compare/study/mode.h"
+#include "compare/study/resync.h"
 #include "compare/study/split.h"
 #include "compare/study/trust.h"
 
@@ -22,6 +25,7 @@ inline constexpr scene::ContactModel kDefaultContact = scene::ContactModel::kRig
 inline constexpr int kDefaultTwins = 20;
 
 struct CompareOptions {
+  CompareMode mode = CompareMode::kLockstep;
   double tolerance = 0.01;                        // share: on the judged figures
   scene::ContactModel contact = kDefaultContact;  // whose verdict is that of the comparison
   int twins = kDefaultTwins;                      // >= 0, of the native run
@@ -56,8 +60,17 @@ struct FigureDifference : JudgedFigure {
   Split split;
 };
 
+// The native stepper at MuJoCo's step (shadow_column.h).
+struct ShadowColumn {
+  std::optional<Side> side;           // label "shadow"
+  std::string absent;                 // why there is none
+  bool driven = false;                // by the commands of the run that decides
+  std::vector<JudgedFigure> figures;  // as figures(), against sides[0]
+};
+
 struct SideDifference {
   std::vector<FigureDifference> figures;  // as figures()
+  std::optional<Resync> resync;           // in resync: what the trust is by
   Divergence divergence;
   std::vector<ImpactPair> impacts;  // a: native
   Trust trust = Trust::kNo;         // kNo as well where a run did not end well
@@ -69,9 +82,18 @@ struct SideDifference {
 
 struct SceneComparison {
   scene::Scene scene;
+  CompareMode mode = CompareMode::kLockstep;
+  bool commands = false;  // a controller commands the actuator: else replay equals lockstep
   double tolerance = 0.0;
-  int twins = 0;                            // that spreads are of
-  std::vector<Side> sides;                  // native first
+  int twins = 0;            // that spreads are of
+  std::vector<Side> sides;  // native first
+  // Replay with commands: sides[0] is driven by those of sides[1], and these by those of sides[2],
+  // sides[3], ...: what each of them is compared with. Else empty.
+  std::vector<Side> natives;
+  const Side& reference(std::size_t side) const {
+    return side < 2 || natives.empty() ? sides.front() : natives[side - 2];
+  }
+  ShadowColumn shadow;
   std::vector<SideDifference> differences;  // of sides[1], sides[2], ...
   Divergence twin;                          // native against the twin that parts first
   bool interrupted = false;                 // nothing beyond the runs that ended is filled

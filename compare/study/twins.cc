@@ -21,6 +21,7 @@ Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajector
     request.step = parameters.step;
     request.output_times = parameters.output_times;
     request.perturbation_ulps = twin_ulps(static_cast<int>(k));
+    request.commands = parameters.commands;
     request.interrupt = parameters.interrupt;
     const Trajectory t = engine.run(scene, request);
     twins.metrics[k] = metrics(t, contact_facts(scene));

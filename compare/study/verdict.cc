@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/study/format.h"
+#include "compare/study/resync_text.h"
 
 namespace rotorub {
 namespace {
@@ -158,11 +159,19 @@ std::string penetration_sentence(const SceneComparison& c, const Side& other) {
                      1e6 * other.metrics.max_penetration, percent(share));
 }
 
+std::size_t index_of(const SceneComparison& comparison, const Side& side) {
+  const auto& sides = comparison.sides;
+  return static_cast<std::size_t>(
+      std::find_if(sides.begin(), sides.end(),
+                   [&](const Side& s) { return s.label == side.label; }) -
+      sides.begin());
+}
+
 }  // namespace
 
 std::vector<std::string> reasons(const SceneComparison& comparison, const Side& other,
                                  const SideDifference& difference) {
-  const Side& native = comparison.sides.front();
+  const Side& native = comparison.reference(index_of(comparison, other));
   std::vector<std::string> all;
   const auto add = [&](std::string sentence) {
     if (!sentence.empty()) all.push_back(std::move(sentence));
@@ -172,6 +181,10 @@ std::vector<std::string> reasons(const SceneComparison& comparison, const Side& 
       add(fmt::format("the {} run ended early ({}): {}", side->label,
                       to_string(side->trajectory.status), side->trajectory.message));
     }
+  }
+  if (difference.resync) {
+    for (std::string& reason : resync_reasons(other.label, *difference.resync)) add(reason);
+    return all;
   }
   const FigureDifference& off = worst(difference);
   add(contact_sentence(native, other));
@@ -189,6 +202,9 @@ std::string headline(const SceneComparison& comparison, const Side& other,
   const Side& native = comparison.sides.front();
   if (other.trajectory.status != Status::kOk) {
     return fmt::format("MuJoCo's {} contact did not reach the end of the run.", other.label);
+  }
+  if (difference.resync) {
+    return resync_headline(other.label, *difference.resync, comparison.tolerance);
   }
   if (!native.metrics.first_touch && !other.metrics.first_touch) {
     return fmt::format(

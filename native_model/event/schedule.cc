@@ -23,9 +23,10 @@ void Schedule::begin(double start, double end) {
     for (double t : m.controller->breaks()) add(t);
   }
   if (m.recorded) {
-    for (double t : m.recorded->jumps()) {
-      if (t > start) add(t);
-    }
+    // Of a run from one contact to the next there are few.
+    const std::vector<double>& jumps = m.recorded->jumps();
+    const auto first = std::upper_bound(jumps.begin(), jumps.end(), start);
+    breaks_.insert(breaks_.end(), first, std::lower_bound(first, jumps.end(), end));
   }
   std::sort(breaks_.begin(), breaks_.end());
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());

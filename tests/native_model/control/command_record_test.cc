@@ -14,7 +14,7 @@ namespace {
 constexpr double kSample = 1e-3;  // s, of the sampled controller below
 
 scene::Scene sampled(const std::vector<std::string>& more = {}) {
-  std::vector<std::string> overrides{"run.end=0.02",           "controller.kind=passive",
+  std::vector<std::string> overrides{"run.end=0.02", "controller.kind=passive",
                                      "controller.stiffness=5e4", "controller.damping=100",
                                      "controller.sample_time=1e-3"};
   overrides.insert(overrides.end(), more.begin(), more.end());
@@ -92,15 +92,15 @@ TEST(Replay, IsTheClosedLoopsTrajectory) {
   EXPECT_LT(furthest(closed, open), 1e-12);
   EXPECT_EQ(closed.impacts.size(), open.impacts.size());
   // Without them it is another motion.
-  EXPECT_GT(furthest(closed, run(scene, scene::Integrator::kEvent, std::make_shared<CommandRecord>())),
-            1e-5);
+  EXPECT_GT(
+      furthest(closed, run(scene, scene::Integrator::kEvent, std::make_shared<CommandRecord>())),
+      1e-5);
 }
 
 // With magnets it is currents that are told; the forces follow from the ring's own place.
 TEST(Replay, GivesMagnetsTheirCurrents) {
-  const scene::Scene scene =
-      sampled({"actuator.kind=electromagnet", "actuator.force_constant=4e-4",
-               "actuator.bias_current=3", "actuator.air_gap=5e-3"});
+  const scene::Scene scene = sampled({"actuator.kind=electromagnet", "actuator.force_constant=4e-4",
+                                      "actuator.bias_current=3", "actuator.air_gap=5e-3"});
   const auto commands = told(scene, "current_1", "current_2");
   const Trajectory closed = run(scene, scene::Integrator::kEvent);
   const Trajectory open = run(scene, scene::Integrator::kEvent, commands);

@@ -1,0 +1,117 @@
+#include "compare/study/resync_text.h"
+
+#include <fmt/format.h>
+
+#include "compare/study/format.h"
+
+namespace rotorub {
+namespace {
+
+std::string onsets_text(const Resync& r) {
+  return fmt::format("{} {}", r.onsets.size(), r.onsets.size() == 1 ? "onset" : "onsets");
+}
+
+std::string short_percent(double share) { return short_number(100.0 * share); }
+
+const ResyncRow& furthest(const Resync& r) {
+  const ResyncRow* most = &r.rows.front();
+  for (const ResyncRow& row : r.rows) {
+    if (row.worst > most->worst) most = &row;
+  }
+  return *most;
+}
+
+}  // namespace
+
+std::string signed_percent(double share) {
+  const std::string size = short_number(100.0 * share);
+  return (share > 0.0 ? "+" : "") + size + " %";
+}
+
+std::string resync_headline(const std::string& contact, const Resync& r, double tolerance) {
+  const std::string within = percent_text(tolerance);
+  if (r.failed > 0) {
+    return fmt::format("MuJoCo's {} contact: {} of {} could not be predicted.", contact, r.failed,
+                       onsets_text(r));
+  }
+  if (r.rows.empty()) {
+    return r.touches
+               ? fmt::format("MuJoCo's {} contact has no onset: there is nothing to predict.",
+                             contact)
+               : fmt::format("Nothing touches in MuJoCo ({}): there is no contact to predict.",
+                             contact);
+  }
+  const ResyncRow& off = furthest(r);
+  const std::string worst = fmt::format("{} {} at t = {:.5g} s", off.figure->label,
+                                        signed_percent(off.worst_signed), off.worst_time);
+  switch (r.trust) {
+    case Trust::kYes:
+      return fmt::format(
+          "MuJoCo's {} contact: each of {} comes out as the rigid law predicts it from MuJoCo's "
+          "own "
+          "state, within {}.",
+          contact, onsets_text(r), within);
+    case Trust::kAveragesOnly:
+      return fmt::format(
+          "MuJoCo's {} contact: on the mean of {} as the rigid law predicts them, within {}; "
+          "single "
+          "ones are not: {}.",
+          contact, onsets_text(r), within, worst);
+    case Trust::kNo:
+    case Trust::kUndecidable:
+      break;
+  }
+  return fmt::format(
+      "MuJoCo's {} contact is outside {} of what the rigid law predicts from MuJoCo's own state, "
+      "onset by onset: {}.",
+      contact, within, worst);
+}
+
+std::vector<std::string> resync_reasons(const std::string& contact, const Resync& r) {
+  std::vector<std::string> all;
+  if (!r.rows.empty()) {
+    const ResyncRow& impulse = r.rows.front();
+    all.push_back(fmt::format(
+        "impulse over {}: half of them within {} %, nine in ten within {} %, the worst {} (at t = "
+        "{:.5g} s); the sum {}",
+        onsets_text(r), short_percent(impulse.median), short_percent(impulse.ninetieth),
+        signed_percent(impulse.worst_signed), impulse.worst_time, signed_percent(impulse.bias)));
+  }
+  if (r.left_out > 0) {
+    all.push_back(fmt::format(
+        "{} of {}'s contacts began while the rotor still lay in the ring, and are left out",
+        r.left_out, contact));
+  }
+  if (r.failed > 0) {
+    all.push_back(
+        fmt::format("{} predictions did not end well, the first: {}", r.failed, r.failure));
+  }
+  return all;
+}
+
+std::string resync_table(const SceneComparison& c) {
+  std::string text =
+      fmt::format("  {:<28}{:>9}{:>9}{:>8}{:>8}{:>8}{:>9}\n", "by onset; differences in %",
+                  "native", "MuJoCo", "median", "90 %", "worst", "at, s");
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    const Resync& r = *c.differences[k].resync;
+    text += fmt::format("  {}: {}\n", c.sides[k + 1].label, onsets_text(r));
+    for (const ResyncRow& row : r.rows) {
+      const ResyncFigure& f = *row.figure;
+      text +=
+          fmt::format("{} {:<4}{:<24}{:>9}{:>9}{:>8}{:>8}{:>8}{:>9.5g}\n",
+                      row.verdict == FigureVerdict::kOutside ? "!" : " ", "",
+                      fmt::format("{}, {}", f.label, f.unit), short_number(f.per_unit * row.native),
+                      short_number(f.per_unit * row.mujoco), short_percent(row.median),
+                      short_percent(row.ninetieth), short_percent(row.worst), row.worst_time);
+    }
+  }
+  text += fmt::format("  judged: the worst of each figure, {}; values are means\n",
+                      percent_text(c.tolerance));
+  for (const ResyncFigure& f : resync_figures()) {
+    text += fmt::format("    {}: as a share of {}\n", f.label, f.relative_to);
+  }
+  return text;
+}
+
+}  // namespace rotorub
