@@ -35,7 +35,6 @@ nlohmann::json resync_rows(const SceneComparison& c) {
     const Resync& r = *c.differences[k].resync;
     for (const ResyncRow& row : r.rows) {
       const ResyncFigure& f = *row.figure;
-      const auto share = [](double s) { return short_number(100.0 * s) + " %"; };
       rows.push_back({{"side", c.sides[k + 1].label},
                       {"onsets", r.onsets.size()},
                       {"label", f.label},
@@ -44,8 +43,8 @@ nlohmann::json resync_rows(const SceneComparison& c) {
                       {"relative_to", f.relative_to},
                       {"native", short_number(f.per_unit * row.native)},
                       {"other", short_number(f.per_unit * row.mujoco)},
-                      {"median", share(row.median)},
-                      {"ninetieth", share(row.ninetieth)},
+                      {"median", percents(row.median) + " %"},
+                      {"ninetieth", percents(row.ninetieth) + " %"},
                       {"worst", signed_percent(row.worst_signed)},
                       {"time", fmt::format("{:.5g} s", row.worst_time)},
                       {"tone", row.verdict == FigureVerdict::kWithin ? "good" : "bad"},

@@ -95,6 +95,7 @@ json difference_json(const SceneComparison& comparison, const Side& side,
                   {"deviation", f.deviation},
                   {"twin_deviation", f.floor},
                   {"twin_spread", f.spread},
+                  {"replay_floor", f.replay_floor},
                   {"judged", f.figure->is_judged()}};
     if (f.figure->is_judged()) {
       entry["within"] = f.verdict == FigureVerdict::kWithin;

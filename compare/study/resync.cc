@@ -14,11 +14,11 @@ namespace {
 
 const ResyncFigure kFigures[] = {
     {"impulse", "impulse", "mN s", 1e3, "Normal impulse of the contact, its small bounces with it.",
-     "the contact's own, or the largest single impact where that is more", &ContactResult::impulse},
+     "the contact's own, or the largest impact where that is more", &ContactResult::impulse},
     {"peak", "peak force", "N", 1.0, "Largest normal force of the contact, averaged over one step.",
      "the largest of all contacts", &ContactResult::peak},
     {"duration", "duration", "µs", 1e6, "From the touch to the last force.",
-     "the time from the touch to half-way through the next flight", &ContactResult::duration},
+     "the time until half-way through the next flight", &ContactResult::duration},
     {"rebound", "rebound", "mm/s", 1e3,
      "Gap rate after the first impact; of a soft contact where its force first ends.",
      "the fastest approach of all contacts", &ContactResult::rebound},
@@ -169,7 +169,7 @@ std::string why(const Resync& r, double tolerance) {
   std::string far, near;
   for (const ResyncRow& row : r.rows) {
     if (row.verdict == FigureVerdict::kOutside) {
-      far += fmt::format("{}{} {:+.2g} %", far.empty() ? "" : ", ", row.figure->label,
+      far += fmt::format("{}{} {:+.3g} %", far.empty() ? "" : ", ", row.figure->label,
                          100.0 * row.worst_signed);
     } else {
       near += fmt::format("{}{}", near.empty() ? "" : ", ", row.figure->label);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "compare/study/format.h"
 
 namespace rotorub {
@@ -10,8 +12,6 @@ namespace {
 std::string onsets_text(const Resync& r) {
   return fmt::format("{} {}", r.onsets.size(), r.onsets.size() == 1 ? "onset" : "onsets");
 }
-
-std::string short_percent(double share) { return short_number(100.0 * share); }
 
 const ResyncRow& furthest(const Resync& r) {
   const ResyncRow* most = &r.rows.front();
@@ -23,9 +23,15 @@ const ResyncRow& furthest(const Resync& r) {
 
 }  // namespace
 
+std::string percents(double share) {
+  const double p = 100.0 * std::abs(share);
+  if (p > 0.0 && p < 1e-3) return "<0.001";
+  return p < 1000.0 ? fmt::format("{:.3g}", p) : fmt::format("{:.0f}", p);
+}
+
 std::string signed_percent(double share) {
-  const std::string size = short_number(100.0 * share);
-  return (share > 0.0 ? "+" : "") + size + " %";
+  const char* sign = share > 0.0 ? "+" : share < 0.0 ? "-" : "";
+  return sign + percents(share) + " %";
 }
 
 std::string resync_headline(const std::string& contact, const Resync& r, double tolerance) {
@@ -47,15 +53,13 @@ std::string resync_headline(const std::string& contact, const Resync& r, double 
   switch (r.trust) {
     case Trust::kYes:
       return fmt::format(
-          "MuJoCo's {} contact: each of {} comes out as the rigid law predicts it from MuJoCo's "
-          "own "
-          "state, within {}.",
+          "MuJoCo's {} contact: each of {} comes out as the rigid law predicts it from "
+          "MuJoCo's own state, within {}.",
           contact, onsets_text(r), within);
     case Trust::kAveragesOnly:
       return fmt::format(
           "MuJoCo's {} contact: on the mean of {} as the rigid law predicts them, within {}; "
-          "single "
-          "ones are not: {}.",
+          "single ones are not: {}.",
           contact, onsets_text(r), within, worst);
     case Trust::kNo:
     case Trust::kUndecidable:
@@ -74,7 +78,7 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
     all.push_back(fmt::format(
         "impulse over {}: half of them within {} %, nine in ten within {} %, the worst {} (at t = "
         "{:.5g} s); the sum {}",
-        onsets_text(r), short_percent(impulse.median), short_percent(impulse.ninetieth),
+        onsets_text(r), percents(impulse.median), percents(impulse.ninetieth),
         signed_percent(impulse.worst_signed), impulse.worst_time, signed_percent(impulse.bias)));
   }
   if (r.left_out > 0) {
@@ -91,7 +95,7 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
 
 std::string resync_table(const SceneComparison& c) {
   std::string text =
-      fmt::format("  {:<28}{:>9}{:>9}{:>8}{:>8}{:>8}{:>9}\n", "by onset; differences in %",
+      fmt::format("  {:<25}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}\n", "by onset; differences in %",
                   "native", "MuJoCo", "median", "90 %", "worst", "at, s");
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const Resync& r = *c.differences[k].resync;
@@ -99,17 +103,19 @@ std::string resync_table(const SceneComparison& c) {
     for (const ResyncRow& row : r.rows) {
       const ResyncFigure& f = *row.figure;
       text +=
-          fmt::format("{} {:<4}{:<24}{:>9}{:>9}{:>8}{:>8}{:>8}{:>9.5g}\n",
-                      row.verdict == FigureVerdict::kOutside ? "!" : " ", "",
+          fmt::format("{}   {:<23}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9.5g}\n",
+                      row.verdict == FigureVerdict::kOutside ? "!" : " ",
                       fmt::format("{}, {}", f.label, f.unit), short_number(f.per_unit * row.native),
-                      short_number(f.per_unit * row.mujoco), short_percent(row.median),
-                      short_percent(row.ninetieth), short_percent(row.worst), row.worst_time);
+                      short_number(f.per_unit * row.mujoco), percents(row.median),
+                      percents(row.ninetieth), percents(row.worst), row.worst_time);
     }
   }
-  text += fmt::format("  judged: the worst of each figure, {}; values are means\n",
-                      percent_text(c.tolerance));
+  text += fmt::format(
+      "  judged: the worst of each figure (!: beyond {}); values are means over the "
+      "onsets;\n  differences are shares of\n",
+      percent_text(c.tolerance));
   for (const ResyncFigure& f : resync_figures()) {
-    text += fmt::format("    {}: as a share of {}\n", f.label, f.relative_to);
+    text += fmt::format("    {:<12}{}\n", f.label, f.relative_to);
   }
   return text;
 }

@@ -15,7 +15,9 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
 // One row a contact model and figure, at most 80 columns.
 std::string resync_table(const SceneComparison& comparison);
 
-// "-0.52 %": a share with its sign, three digits.
+// In %, three digits: "0.52", "<0.001".
+std::string percents(double share);
+// "-0.52 %": a share with its sign, three digits; "+<0.001 %".
 std::string signed_percent(double share);
 
 }  // namespace rotorub

@@ -28,7 +28,7 @@ double total_work(const std::vector<Contestant>& all, const CompareOptions& opti
   for (const Contestant& c : all) total += c.work * (1.0 + options.timing_repeats);
   for (const Contestant& c : all) total += ladder ? c.work * (2.0 + 4.0) : 1.0;
   // In replay each MuJoCo side has a native one of its own.
-  if (options.mode == CompareMode::kReplay) total += 2.0 * (1.0 + 2.0 + 4.0);
+  if (options.mode == CompareMode::kReplay) total += 3.0 + 2.0 * (1.0 + 2.0 + 4.0);
   return total;
 }
 
@@ -112,6 +112,7 @@ class Comparison {
     twins_ = runner_.twins(*all_[0].engine, result_.sides[0].trajectory, result_.twin.threshold,
                            times_, replayed_commands(1), result_.twins);
     result_.twin = first_to_part(twins_, result_.twin);
+    if (replays() && !runner_.interrupted()) replay_floor_ = replay_floor(runner_, result_.scene);
     time_runs(runner_, all_, options_.timing_repeats, replayed_commands(1), result_.sides);
   }
 
@@ -150,7 +151,11 @@ class Comparison {
 
   // The differences, and why.
   void judge() {
-    const Repeatability repeats = repeatability(result_.sides[0], twins_);
+    Repeatability repeats = repeatability(result_.sides[0], twins_);
+    for (std::size_t k = 0; k < replay_floor_.size(); ++k) {
+      repeats.replay_floor[k] = replay_floor_[k];
+      repeats.spread[k] = std::max(repeats.spread[k], replay_floor_[k]);
+    }
     for (std::size_t k = 1; k < result_.sides.size(); ++k) {
       SideDifference d = side_difference(result_.reference(k), result_.sides[k], repeats, options_,
                                          result_.twin.threshold);
@@ -173,6 +178,7 @@ class Comparison {
   std::vector<OnsetWatch> onsets_;                      // of all_
   std::vector<Resync> resyncs_;                         // of sides[1], sides[2], ...
   Twins twins_;
+  std::vector<double> replay_floor_;  // empty but in replay
 };
 
 }  // namespace

@@ -56,7 +56,8 @@ struct Side {
 
 // One figure of one MuJoCo side against the native one.
 struct FigureDifference : JudgedFigure {
-  double floor = 0.0;  // |deviation| of the native twins, largest
+  double floor = 0.0;         // |deviation| of the native twins, largest
+  double replay_floor = 0.0;  // see replay_floor(); the spread is no less
   Split split;
 };
 

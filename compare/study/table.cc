@@ -70,6 +70,24 @@ std::string difference_lines(const SceneComparison& c) {
   return text;
 }
 
+// Replay: what the differences of each contact model are from.
+std::string reference_lines(const SceneComparison& c) {
+  if (c.natives.empty()) return "";
+  std::string text = line(
+      c, "  native, by the commands of",
+      [&](std::size_t k) { return k == 0 ? "" : c.sides[k].label.c_str(); }, [] { return ""; });
+  for (const Figure& f : figures()) {
+    if (!f.is_judged()) continue;
+    text += line(
+        c, marked(f, label_of(f)),
+        [&](std::size_t k) {
+          return k == 0 ? std::string() : figure_value(f, f.value(c.reference(k).metrics));
+        },
+        [] { return ""; });
+  }
+  return text + "\n";
+}
+
 std::string settled_line(const SceneComparison& c) {
   std::string text;
   for (const Side& side : c.sides) {
@@ -173,7 +191,7 @@ std::string comparison_table(const SceneComparison& c) {
   if (c.mode == CompareMode::kResync) {
     text += resync_table(c);
   } else {
-    text += value_lines(c) + "\n" + difference_lines(c);
+    text += value_lines(c) + "\n" + reference_lines(c) + difference_lines(c);
     text +=
         wrapped("  * ", fmt::format("judged: {}, or what {} twins spread by where that is more; "
                                     "rms gap rate relative to 1 mm/s at least",
