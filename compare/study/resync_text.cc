@@ -111,8 +111,8 @@ std::string resync_table(const SceneComparison& c) {
     }
   }
   text += fmt::format(
-      "  judged: the worst of each figure (!: beyond {}); values are means over the "
-      "onsets;\n  differences are shares of\n",
+      "  judged: the worst of each figure (!: beyond {}); values are means over the\n"
+      "  onsets; differences are shares of\n",
       percent_text(c.tolerance));
   for (const ResyncFigure& f : resync_figures()) {
     text += fmt::format("    {:<12}{}\n", f.label, f.relative_to);

@@ -193,9 +193,10 @@ std::string comparison_table(const SceneComparison& c) {
   } else {
     text += value_lines(c) + "\n" + reference_lines(c) + difference_lines(c);
     text +=
-        wrapped("  * ", fmt::format("judged: {}, or what {} twins spread by where that is more; "
+        wrapped("  * ", fmt::format("judged: {}, or what {} twins spread by{} where that is more; "
                                     "rms gap rate relative to 1 mm/s at least",
-                                    percent_text(c.tolerance), c.twins));
+                                    percent_text(c.tolerance), c.twins,
+                                    c.natives.empty() ? "" : " or the open loop drifts by"));
     text += wrapped("  ", shadow_note(c));
     text += wrapped("  settles to: ", settled_line(c)) + "\n";
     text += split_lines(c);

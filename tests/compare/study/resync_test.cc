@@ -12,6 +12,7 @@
 #include "compare/study/json.h"
 #include "compare/study/table.h"
 #include "native_model/scene/reader.h"
+#include "tests/compare/columns.h"
 
 namespace rotorub {
 namespace {
@@ -197,6 +198,7 @@ TEST(Resync, IsToldByTableJsonAndPage) {
   for (const char* part : {"resync", "onset", "median", "90 %", "worst", "rebound"}) {
     EXPECT_NE(table.find(part), std::string::npos) << part;
   }
+  EXPECT_LE(test::widest_line(table), 80U) << table;
   const nlohmann::json all = comparisons_json({c});
   EXPECT_EQ(all.at("mode"), "resync");
   const auto& rigid = all.at("scenes")[0].at("differences").at("rigid");
