@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/study/format.h"
+#include "compare/study/resync_text.h"
 #include "native_model/event/driver.h"
 #include "native_model/trajectory/recorder.h"
 
@@ -169,8 +170,8 @@ std::string why(const Resync& r, double tolerance) {
   std::string far, near;
   for (const ResyncRow& row : r.rows) {
     if (row.verdict == FigureVerdict::kOutside) {
-      far += fmt::format("{}{} {:+.3g} %", far.empty() ? "" : ", ", row.figure->label,
-                         100.0 * row.worst_signed);
+      far += fmt::format("{}{} {}", far.empty() ? "" : ", ", row.figure->label,
+                         signed_percent(row.worst_signed));
     } else {
       near += fmt::format("{}{}", near.empty() ? "" : ", ", row.figure->label);
     }

@@ -95,15 +95,15 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
 
 std::string resync_table(const SceneComparison& c) {
   std::string text =
-      fmt::format("  {:<25}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}\n", "by onset; differences in %",
-                  "native", "MuJoCo", "median", "90 %", "worst", "at, s");
+      fmt::format("  {:<25}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}\n", "by onset; off by, in %", "native",
+                  "MuJoCo", "median", "90 %", "worst", "at, s");
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const Resync& r = *c.differences[k].resync;
     text += fmt::format("  {}: {}\n", c.sides[k + 1].label, onsets_text(r));
     for (const ResyncRow& row : r.rows) {
       const ResyncFigure& f = *row.figure;
       text +=
-          fmt::format("{}   {:<23}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9.5g}\n",
+          fmt::format("{}   {:<23}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9.4g}\n",
                       row.verdict == FigureVerdict::kOutside ? "!" : " ",
                       fmt::format("{}, {}", f.label, f.unit), short_number(f.per_unit * row.native),
                       short_number(f.per_unit * row.mujoco), percents(row.median),

@@ -109,7 +109,7 @@ std::string shadow_note(const SceneComparison& c) {
 
 std::string split_lines(const SceneComparison& c) {
   std::string text =
-      fmt::format("  {:<{}}{:>11}{:>10}{:>9}{:>9}\n", "split of the difference, due to", kLabel + 9,
+      fmt::format("  {:<{}}{:>11}{:>10}{:>10}{:>10}\n", "split of the difference, due to", kLabel + 9,
                   "difference", "contact", "step", "native");
   bool unsure = false;
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
@@ -117,7 +117,7 @@ std::string split_lines(const SceneComparison& c) {
       if (!d.figure->is_judged() || !d.figure->split) continue;
       const auto value = [&](double v) { return figure_value(*d.figure, v); };
       unsure = unsure || !d.split.valid;
-      text += fmt::format("{} {:<9}{:<{}}{:>11}{:>10}{:>9}{:>9}\n", d.split.valid ? " " : "?",
+      text += fmt::format("{} {:<9}{:<{}}{:>11}{:>10}{:>10}{:>10}\n", d.split.valid ? " " : "?",
                           c.sides[k + 1].label, label_of(*d.figure), kLabel,
                           value(d.split.difference), value(d.split.model_gap),
                           value(d.split.step_error), value(d.split.native_step_error));
