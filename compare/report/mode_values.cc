@@ -20,11 +20,15 @@ std::vector<PageColumn> page_columns(const SceneComparison& c) {
 
 std::string shadow_sentence(const SceneComparison& c) {
   if (!c.shadow.side) return "No shadow: " + c.shadow.absent;
-  return fmt::format(
-      "Shadow: the native stepper ({}) at MuJoCo's step{}. What it is off by is the step's; what "
-      "MuJoCo is off beyond it is the contact model's.",
-      c.shadow.side->trajectory.integrator,
-      c.shadow.driven ? ", driven by the commands of " + c.sides[1].label : "");
+  const std::string what = fmt::format("Shadow: the native stepper ({}) at MuJoCo's step",
+                                       c.shadow.side->trajectory.integrator);
+  if (!c.shadow.driven) {
+    return what +
+           ". What it is off by is the step's; what MuJoCo is off beyond it is the contact "
+           "model's.";
+  }
+  return what + ", driven by the commands of " + c.sides[1].label +
+         ". What it is off by is the step's, and what the open loop makes of it.";
 }
 
 nlohmann::json resync_rows(const SceneComparison& c) {

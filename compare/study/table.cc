@@ -100,17 +100,21 @@ std::string settled_line(const SceneComparison& c) {
 // What the shadow is, or why there is none.
 std::string shadow_note(const SceneComparison& c) {
   if (!c.shadow.side) return "no shadow: " + c.shadow.absent;
-  return fmt::format(
-      "shadow: the native stepper ({}) at MuJoCo's step{}: what it is off by is the "
-      "step's, what MuJoCo is off beyond it the contact model's",
-      c.shadow.side->trajectory.integrator,
-      c.shadow.driven ? ", driven by the commands of " + c.sides[1].label : "");
+  const std::string what = fmt::format("shadow: the native stepper ({}) at MuJoCo's step",
+                                       c.shadow.side->trajectory.integrator);
+  if (!c.shadow.driven) {
+    return what +
+           ": what it is off by is the step's, what MuJoCo is off beyond it the contact "
+           "model's";
+  }
+  return what + ", driven by the commands of " + c.sides[1].label +
+         ": what it is off by is the step's, and what the open loop makes of it";
 }
 
 std::string split_lines(const SceneComparison& c) {
   std::string text =
-      fmt::format("  {:<{}}{:>11}{:>10}{:>10}{:>10}\n", "split of the difference, due to", kLabel + 9,
-                  "difference", "contact", "step", "native");
+      fmt::format("  {:<{}}{:>11}{:>10}{:>10}{:>10}\n", "split of the difference, due to",
+                  kLabel + 9, "difference", "contact", "step", "native");
   bool unsure = false;
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     for (const FigureDifference& d : c.differences[k].figures) {
