@@ -95,7 +95,16 @@ void fill_control(const scene::Scene& scene, Model& model) {
   // Only a law that tracks the rotor needs a contact (scene validation).
   assert(scene.contact || scene.controller->kind == scene::ControllerKind::kPassive);
   const double clearance = scene.contact ? scene.contact->clearance : 0.0;
-  const Plant plant{clearance, scene.stator->mass, scene.stator->damping, scene.stator->stiffness};
+  const int n = model.layout.modes;
+  const auto mobility = [&](const Eigen::VectorXd& shape, int at) {
+    return shape.cwiseAbs2().dot(model.mass.segment(at, n).cwiseInverse());
+  };
+  const Plant plant{clearance,
+                    scene.stator->mass,
+                    scene.stator->damping,
+                    scene.stator->stiffness,
+                    {mobility(model.contact_shape.x, model.layout.x()),
+                     mobility(model.contact_shape.y, model.layout.y())}};
   model.controller = make_controller(scene, plant);
   model.control_on = scene.controller->on;
   model.sample_time = scene.controller->sample_time;
