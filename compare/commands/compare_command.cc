@@ -24,7 +24,7 @@ struct CompareArguments : CommonOptions {
   std::vector<std::string> scenes;
   std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare";
   int twins = kDefaultTwins;
-  bool no_video = false;
+  bool no_video = false, modes_ladder = true;
 };
 
 // Share of the time that films take, for the progress bar.
@@ -97,6 +97,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     how.tolerance = tolerance;
     how.contact = contact_model_of(options.contact);
     how.twins = options.twins;
+    how.modes_ladder = options.modes_ladder;
     how.interrupt = &interrupted();
     how.progress = [&](double share, const std::string& what) {
       bar.show(work * (static_cast<double>(k) + share) / static_cast<double>(scenes.size()),
@@ -163,6 +164,9 @@ Command add_compare_command(CLI::App& program) {
                   "decided")
       ->type_name("N")
       ->capture_default_str();
+  app->add_flag("--modes-ladder,!--no-modes-ladder", options->modes_ladder,
+                "The error of the bending modes kept, by native runs with up to twice as many "
+                "(default: on; geometry form only)");
   app->add_option("-o,--output", options->folder, "Folder of the results")
       ->type_name("DIR")
       ->capture_default_str();

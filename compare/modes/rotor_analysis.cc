@@ -19,6 +19,7 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
   analysis.stability_threshold = stability_threshold(analysis.system);
   analysis.stability_bound = stability_bound(analysis.system);
   analysis.shapes = mode_shapes(scene);
+  analysis.contact_mass = contact_mass(scene);
   if (scene.rotor.torsion) analysis.torsion = torsion_frequencies(modal_rotor(scene));
   const std::vector<double> own{scene.rotor.speed};
   const std::vector<double>& all = speeds.empty() ? own : speeds;

@@ -7,6 +7,7 @@
 
 #include "compare/modes/rub_analysis.h"
 #include "native_model/rotor/campbell.h"
+#include "native_model/rotor/contact_mass.h"
 #include "native_model/rotor/mode_shapes.h"
 #include "native_model/rotor/whirl_system.h"
 #include "native_model/scene/scene.h"
@@ -22,6 +23,7 @@ struct RotorAnalysis {
   std::optional<ModeShapes> shapes;           // geometry form only
   std::vector<TorsionMode> torsion;
   RubAnalyses rubs;                           // at the same speeds
+  std::optional<ContactMass> contact_mass;  // geometry form with a contact only
 };
 
 // speeds: rad/s, of either sign; none: the scene's own rotor.speed. Throws scene::SceneError for a

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "compare/report/mode_values.h"
@@ -207,6 +208,26 @@ json cost_rows(const SceneComparison& c) {
   });
 }
 
+// Null where there is no ladder to show.
+json ladder_values(const SceneComparison& c) {
+  if (!c.model_error || !c.model_error->reason.empty()) return nullptr;
+  json rungs = json::array(), rows = json::array();
+  for (const int n : c.model_error->modes) rungs.push_back(fmt::format("{} modes", n));
+  for (const FigureLimit& f : c.model_error->figures) {
+    json cells = json::array();
+    for (const double v : f.values) cells.push_back(figure_value(*f.figure, v));
+    const bool seen = f.error.has_value();
+    rows.push_back({{"label", f.figure->label},
+                    {"unit", f.figure->unit},
+                    {"cells", cells},
+                    {"convergence", to_string(f.convergence)},
+                    {"tone", seen ? "" : "unsure"},
+                    {"off", seen ? deviation_text(*f.figure, *f.error) : std::string("–")},
+                    {"left", seen ? size_text(*f.figure, std::abs(*f.left)) : std::string("–")}});
+  }
+  return {{"rungs", rungs}, {"rows", rows}};
+}
+
 json impact_rows(const SceneComparison& c) {
   std::vector<std::vector<Impact>> columns;
   std::size_t count = 0;
@@ -267,6 +288,7 @@ json condition_values(const SceneComparison& c) {
 json scene_values(const SceneComparison& c) {
   const json impacts = impact_rows(c);
   const json resync = resync_rows(c);
+  const json ladder = ladder_values(c);
   return {{"name", c.scene.name},
           {"mode_note", mode_note(c)},
           {"by_figures", c.mode != CompareMode::kResync},
@@ -285,6 +307,8 @@ json scene_values(const SceneComparison& c) {
           {"judged", figure_rows(c, true)},
           {"all", figure_rows(c, false)},
           {"splits", split_rows(c)},
+          {"has_ladder", !ladder.is_null()},
+          {"ladder", ladder.is_null() ? json::array() : json::array({ladder})},
           {"residuals", residual_rows(c)},
           {"cost", cost_rows(c)},
           {"has_impacts", !impacts.empty()},

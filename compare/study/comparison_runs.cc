@@ -84,6 +84,17 @@ Twins Runner::twins(const Engine& native, const Trajectory& original, double thr
   return found;
 }
 
+ModelError Runner::model_error(const Repeatability& repeats) {
+  ModelErrorParameters parameters;
+  parameters.tolerance = options_.tolerance;
+  parameters.spread = repeats.spread;
+  parameters.interrupt = options_.interrupt;
+  parameters.progress = part(kLadderWork, "more modes");
+  ModelError found = rotorub::model_error(scene_, parameters);
+  done_ += kLadderWork;
+  return found;
+}
+
 void climb_down(Runner& runner, const Contestant& who, const std::vector<double>& times,
                 const Prepare& prepare, Side& side) {
   std::array<Metrics, kRungs> rungs;

@@ -18,6 +18,8 @@ struct Contestant {
   double work;  // of one run at the scene's step, in units of a native one: for the progress bar
 };
 
+inline constexpr double kLadderWork = 20.0;  // of the ladder of modes, in these units
+
 // Native, then MuJoCo with the contact model that decides, then with the others.
 std::vector<Contestant> contestants(const scene::Scene& scene, scene::ContactModel decides);
 
@@ -35,6 +37,8 @@ class Runner {
   Twins twins(const Engine& native, const Trajectory& original, double threshold,
               const std::vector<double>& times, std::shared_ptr<const CommandRecord> commands,
               int count);
+  // What the modes kept leave out; the twins' spread is what no more modes can tell.
+  ModelError model_error(const Repeatability& repeats);
   // For work beside runs: tells its share.
   std::function<void(double)> part(double work, const std::string& what);
   void done(double work) { done_ += work; }

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/metrics/above_modes.h"
+#include "compare/model_error/json.h"
 #include "compare/study/answer.h"
 #include "compare/study/mode_json.h"
 #include "compare/study/verdict.h"
 #include "compare/version.h"
+#include "native_model/rotor/contact_mass.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
@@ -46,6 +49,16 @@ json split_json(const Split& s) {
           {"uncertainty", s.uncertainty},
           {"valid", s.valid},
           {"reason", s.reason}};
+}
+
+// Null: modal form, or no contact.
+json above_modes_json(const std::optional<AboveModes>& above) {
+  if (!above) return nullptr;
+  return {{"highest_forward", above->band.forward},
+          {"highest_backward", above->band.backward},
+          {"contact_share", above->contact_share},
+          {"friction_share", above->friction_share},
+          {"fastest_whirl", above->fastest}};
 }
 
 json impact_json(const std::optional<Impact>& impact) {
@@ -145,12 +158,22 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
           {"impulse_total", s.impulse_total},
           {"impacts", std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), counts)},
           {"energy_residual", s.energy_residual()},
+          {"contact_mass", contact_mass_json(contact_mass(scene))},
+          {"above_modes", above_modes_json(above_modes(scene, trajectory))},
           {"status", to_string(trajectory.status)},
           {"message", trajectory.message}};
 }
 
 std::string json_text(const json& value) {
   return value.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+json contact_mass_json(const std::optional<ContactMass>& mass) {
+  if (!mass) return nullptr;
+  return {{"kept", mass->kept},
+          {"mesh", mass->mesh},
+          {"kept_modes", mass->kept_modes},
+          {"mesh_modes", mass->mesh_modes}};
 }
 
 json metrics_json(const Metrics& m) {
@@ -188,6 +211,8 @@ json comparison_json(const SceneComparison& comparison) {
           {"end", comparison.scene.run.end},
           {"status", to_string(comparison.status())},
           {"within", comparison.within()},
+          {"model_error", comparison.model_error ? model_error_json(*comparison.model_error)
+                                                 : json(nullptr)},
           {"runs", sides},
           {"differences", differences},
           {"twin", divergence_json(comparison.twin)}};

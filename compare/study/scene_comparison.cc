@@ -29,6 +29,7 @@ double total_work(const std::vector<Contestant>& all, const CompareOptions& opti
   for (const Contestant& c : all) total += ladder ? c.work * (2.0 + 4.0) : 1.0;
   // In replay each MuJoCo side has a native one of its own.
   if (options.mode == CompareMode::kReplay) total += 3.0 + 2.0 * (1.0 + 2.0 + 4.0);
+  if (options.modes_ladder && ladder) total += kLadderWork;
   return total;
 }
 
@@ -53,6 +54,9 @@ class Comparison {
   SceneComparison run() {
     show();
     if (!runner_.interrupted()) look_closer();
+    if (options_.modes_ladder && !resyncs() && !runner_.interrupted()) {
+      result_.model_error = runner_.model_error(repeats());
+    }
     if (runner_.interrupted()) {
       result_.interrupted = true;
     } else {
@@ -149,15 +153,20 @@ class Comparison {
     }
   }
 
+  Repeatability repeats() const {
+    Repeatability found = repeatability(result_.sides[0], twins_);
+    for (std::size_t k = 0; k < replay_floor_.size(); ++k) {
+      found.replay_floor[k] = replay_floor_[k];
+      found.spread[k] = std::max(found.spread[k], replay_floor_[k]);
+    }
+    return found;
+  }
+
   // The differences, and why.
   void judge() {
-    Repeatability repeats = repeatability(result_.sides[0], twins_);
-    for (std::size_t k = 0; k < replay_floor_.size(); ++k) {
-      repeats.replay_floor[k] = replay_floor_[k];
-      repeats.spread[k] = std::max(repeats.spread[k], replay_floor_[k]);
-    }
+    const Repeatability floor = repeats();
     for (std::size_t k = 1; k < result_.sides.size(); ++k) {
-      SideDifference d = side_difference(result_.reference(k), result_.sides[k], repeats, options_,
+      SideDifference d = side_difference(result_.reference(k), result_.sides[k], floor, options_,
                                          result_.twin.threshold);
       if (resyncs()) {
         d.resync = std::move(resyncs_[k - 1]);

@@ -12,6 +12,7 @@
 #include "compare/align/impacts.h"
 #include "compare/engine/engine.h"
 #include "compare/metrics/metrics.h"
+#include "compare/model_error/model_error.h"
 #include "compare/study/figure.h"
 #include "compare/study/mode.h"
 #include "compare/study/resync.h"
@@ -29,6 +30,7 @@ struct CompareOptions {
   double tolerance = 0.01;                        // share: on the judged figures
   scene::ContactModel contact = kDefaultContact;  // whose verdict is that of the comparison
   int twins = kDefaultTwins;                      // >= 0, of the native run
+  bool modes_ladder = true;  // the error of the modes kept, where the rotor is in geometry form
   int timing_repeats = 3;    // >= 1, of runs that record nothing, engines taken in turn
   std::size_t impacts = 8;   // first impacts listed
   std::size_t rows = 50000;  // recorded at most: every step, or every so many of them
@@ -97,6 +99,7 @@ struct SceneComparison {
   ShadowColumn shadow;
   std::vector<SideDifference> differences;  // of sides[1], sides[2], ...
   Divergence twin;                          // native against the twin that parts first
+  std::optional<ModelError> model_error;    // none: not asked for
   bool interrupted = false;                 // nothing beyond the runs that ended is filled
   // Worst of the runs that decide: native and sides[1].
   Status status() const;

@@ -204,6 +204,7 @@ std::string comparison_table(const SceneComparison& c) {
     text += wrapped("  ", shadow_note(c));
     text += wrapped("  settles to: ", settled_line(c)) + "\n";
     text += split_lines(c);
+    if (c.model_error) text += "\n" + model_error_table(*c.model_error, "  ");
   }
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const SideDifference& d = c.differences[k];

@@ -196,6 +196,26 @@ TEST(CliRun, AnInterruptKeepsPartialResults) {
   EXPECT_EQ(first_line(series), kSeries);
 }
 
+// What a rigid impact is worth on the modes kept, and where the whirl outruns them.
+TEST(CliRun, SummarySaysWhatTheModesAreWorth) {
+  const Folder folder;
+  const auto summary = [&](const std::string& scene, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"run", shipped(scene), "--end", "5ms", "--json", "-o", "out"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome done = folder.run(arguments);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return json::parse(done.out);
+  };
+  const json rig = summary("paper_passive", {"--set", "rotor.modes=2"});
+  EXPECT_EQ(rig.at("contact_mass").at("kept_modes"), 2);
+  EXPECT_GT(rig.at("contact_mass").at("kept"), rig.at("contact_mass").at("mesh"));
+  EXPECT_GT(rig.at("above_modes").at("highest_forward"), 2000.0) << "near 376 Hz";
+  EXPECT_EQ(rig.at("above_modes").at("contact_share"), 0.0) << "it has not touched";
+  const json ring = summary("bench_ring", {});
+  EXPECT_TRUE(ring.at("contact_mass").is_null()) << "modal form";
+  EXPECT_TRUE(ring.at("above_modes").is_null());
+}
+
 TEST(CliCompare, UnknownModesAndTolerancesAreRefused) {
   const Folder folder;
   EXPECT_EQ(folder.run({"compare", shipped("bench_ring"), "--mode", "guess"}).code, 2);

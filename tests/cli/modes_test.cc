@@ -27,6 +27,41 @@ TEST(CliModesPage, IsOneWholeFile) {
   EXPECT_TRUE(contains(page, "data-plot=\"shapes\""));
 }
 
+// What an impact meets: in the table and in the JSON, and as few modes as a tolerance allows.
+TEST(CliModes, SaysWhatAnImpactMeets) {
+  const Folder folder;
+  const std::string rig = shipped("paper_passive");
+  const Outcome table = folder.run({"modes", rig});
+  ASSERT_EQ(table.code, 0) << table.err;
+  EXPECT_TRUE(contains(table.out, "mass that an impact meets")) << table.out;
+  const auto mass = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"modes", rig, "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome done = folder.run(arguments);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return nlohmann::json::parse(done.out).at("contact_mass");
+  };
+  const auto own = mass({});
+  EXPECT_EQ(own.at("kept_modes"), 8);
+  EXPECT_GT(own.at("mesh_modes"), 8);
+  EXPECT_GT(own.at("mesh").get<double>(), 0.2) << "the sleeve's at least";
+  EXPECT_GT(own.at("kept").get<double>(), own.at("mesh").get<double>());
+  const auto fewest = mass({"--set", "rotor.modes=auto", "--set", "rotor.modes_tolerance=0.4"});
+  EXPECT_GT(fewest.at("kept_modes"), 8) << "8 modes meet twice the mass";
+  EXPECT_LT(fewest.at("kept").get<double>(), fewest.at("mesh").get<double>() / 0.6 * 1.001);
+  const Outcome modal = folder.run({"modes", shipped("bench_ring"), "--json"});
+  EXPECT_TRUE(nlohmann::json::parse(modal.out).at("contact_mass").is_null());
+}
+
+TEST(CliModes, RefusesAutoWhereNoNumberDoes) {
+  const Folder folder;
+  const Outcome refused = folder.run({"modes", shipped("paper_passive"), "--set",
+                                      "rotor.modes=auto", "--set", "rotor.disc[1].mass=1e-4"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "rotor.modes")) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "sleeve")) << refused.err;
+}
+
 TEST(CliModesPage, GoesIntoAFolder) {
   const Folder folder;
   const Outcome done = folder.run({"modes", shipped("bench_ring"), "-o", "out", "--json"});
