@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/study/scene_comparison.h"
+#include "compare/study/side_difference.h"
 #include "compare/study/twins.h"
 
 namespace rotorub {
