@@ -1,8 +1,6 @@
 #include "plugin/config.h"
 
 #include <atomic>
-#include <cstring>
-#include <iterator>
 #include <string_view>
 
 #include "mjcf/names.h"
@@ -11,6 +9,7 @@
 #include "native_model/scene/reader.h"
 #include "native_model/system/model_checks.h"
 #include "plugin/contact/verlet.h"
+#include "plugin/fingerprint.h"
 #include "plugin/own/own_config.h"
 
 namespace rotorub::plugin {
@@ -160,30 +159,6 @@ void map_shadow(const mjModel* m, ShadowConfig& s) {
   s.ghost_ring = ghost(names::kGhostRing);
 }
 
-// Sizes, custom text and numbers, names, and what decides who solves a pair: a model with the same
-// is mapped in the same way. Calls action(bytes, count) for each part until it says false.
-template <typename Action>
-bool for_each_part(const mjModel* m, Action action) {
-  const int sizes[] = {m->nq,        m->nv,     m->nu,           m->njnt,      m->ngeom, m->nsensor,
-                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair, m->nmocap};
-  const auto part = [&action](const auto* data, int count) {
-    return count == 0 || action(reinterpret_cast<const char*>(data),
-                                sizeof *data * static_cast<std::size_t>(count));
-  };
-  return part(sizes, static_cast<int>(std::size(sizes))) && part(m->text_data, m->ntextdata) &&
-         part(m->names, m->nnames) && part(m->numeric_data, m->nnumericdata) &&
-         part(m->pair_dim, m->npair) && part(m->pair_margin, m->npair) &&
-         part(m->pair_gap, m->npair);
-}
-
-void take_fingerprint(const mjModel* m, Config& config) {
-  config.fingerprint.clear();
-  for_each_part(m, [&config](const char* bytes, std::size_t count) {
-    config.fingerprint.append(bytes, count);
-    return true;
-  });
-}
-
 }  // namespace
 
 const char* custom_text(const mjModel* m, std::string_view name) {
@@ -216,25 +191,13 @@ bool is_ours(const mjModel* m) { return scene_text(m) || has_own_contact(m); }
 
 const char* scene_text(const mjModel* m) { return custom_text(m, names::kSceneText); }
 
-bool same_fingerprint(const Config& config, const mjModel* m) {
-  const char* kept = config.fingerprint.data();
-  const char* const end = kept + config.fingerprint.size();
-  const bool same = for_each_part(m, [&](const char* bytes, std::size_t count) {
-    if (static_cast<std::size_t>(end - kept) < count) return false;
-    if (std::memcmp(kept, bytes, count) != 0) return false;
-    kept += count;
-    return true;
-  });
-  return same && kept == end;
-}
-
 Config make_config(const mjModel* m) {
   static std::atomic<int> count{0};
   Config config;
   if (!scene_text(m)) {
     map_own_contact(m, config);
     map_sensors(m, config);
-    take_fingerprint(m, config);
+    config.fingerprint = fingerprint(m);
     config.id = 1.0 + count.fetch_add(1);
     return config;
   }
@@ -286,7 +249,7 @@ Config make_config(const mjModel* m) {
   map_actuators(m, config);
   map_sensors(m, config);
   if (config.shadow) map_shadow(m, *config.shadow);
-  take_fingerprint(m, config);
+  config.fingerprint = fingerprint(m);
   config.id = 1.0 + count.fetch_add(1);
   return config;
 }

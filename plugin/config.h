@@ -85,6 +85,4 @@ const char* custom_text(const mjModel* m, std::string_view name);  // null: none
 scene::ContactModel contact_model(const mjModel* m, scene::ContactModel otherwise);
 int find_pair(const mjModel* m, int geom_a, int geom_b);  // -1: none
 
-bool same_fingerprint(const Config& config, const mjModel* m);
-
 }  // namespace rotorub::plugin

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 
+#include "plugin/fingerprint.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -21,7 +22,7 @@ class Registry {
   ConfigPointer find_or_make(const mjModel* m) {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const ConfigPointer& config : configs_) {
-      if (config && same_fingerprint(*config, m)) return config;
+      if (config && has_fingerprint(m, config->fingerprint)) return config;
     }
     ConfigPointer made = std::make_shared<const Config>(make_config(m));
     configs_[next_] = made;
@@ -85,7 +86,7 @@ const Config* known_config(const mjModel* m, const mjData* d) {
 const Config* find(const mjModel* m, const mjData* d, bool check) {
   if (m->ntext == 0) return nullptr;
   const Config* config = known_config(m, d);
-  if (config && (!check || same_fingerprint(*config, m))) return config;
+  if (config && (!check || has_fingerprint(m, config->fingerprint))) return config;
   if (!is_ours(m)) return nullptr;
   config = look_up(m, d);
   if (!config) mju_error(message);
