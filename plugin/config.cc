@@ -10,6 +10,7 @@
 #include "native_model/system/model_checks.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/fingerprint.h"
+#include "plugin/model_parameters.h"
 #include "plugin/own/own_config.h"
 
 namespace rotorub::plugin {
@@ -159,6 +160,11 @@ void map_shadow(const mjModel* m, ShadowConfig& s) {
   s.ghost_ring = ghost(names::kGhostRing);
 }
 
+double next_id() {
+  static std::atomic<int> count{0};
+  return 1.0 + count.fetch_add(1);
+}
+
 }  // namespace
 
 const char* custom_text(const mjModel* m, std::string_view name) {
@@ -192,13 +198,12 @@ bool is_ours(const mjModel* m) { return scene_text(m) || has_own_contact(m); }
 const char* scene_text(const mjModel* m) { return custom_text(m, names::kSceneText); }
 
 Config make_config(const mjModel* m) {
-  static std::atomic<int> count{0};
   Config config;
   if (!scene_text(m)) {
     map_own_contact(m, config);
     map_sensors(m, config);
     config.fingerprint = fingerprint(m);
-    config.id = 1.0 + count.fetch_add(1);
+    config.id = next_id();
     return config;
   }
   scene::Scene scene;
@@ -248,10 +253,19 @@ Config make_config(const mjModel* m) {
   }
   map_actuators(m, config);
   map_sensors(m, config);
+  map_structure(m, config);
+  take_parameters(m, config);
   if (config.shadow) map_shadow(m, *config.shadow);
   config.fingerprint = fingerprint(m);
-  config.id = 1.0 + count.fetch_add(1);
+  config.id = next_id();
   return config;
+}
+
+Config with_parameters(const Config& config, const mjModel* m) {
+  Config other = config;
+  take_parameters(m, other);
+  other.id = next_id();
+  return other;
 }
 
 }  // namespace rotorub::plugin

@@ -98,6 +98,7 @@ struct Model {
   std::vector<StationSpring> springs;                   // magnetic bearing
   std::vector<AppliedForce> forces;
   std::vector<DiscUnbalance> unbalances;                // eccentric discs
+  Eigen::VectorXd gravity_mass;                         // nq, kg, load per unit acceleration
   Eigen::VectorXd weight;                               // nq or empty, N, gravity
 
   // Spin. Without a drive phi = spin_angle + speed t.
@@ -142,6 +143,8 @@ struct State {
 // [initial] of another length than the modes kept, a start outside the ring; and as modal_rotor.
 Model make_model(const scene::Scene& scene);
 State initial_state(const Model& model);
+// The weight under an acceleration (x, y), m/s^2.
+void set_gravity(Model& model, const Eigen::Vector2d& acceleration);
 
 // The same without the coils' coordinates, for who integrates the currents himself.
 Model without_coils(Model model);

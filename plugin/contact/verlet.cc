@@ -157,6 +157,19 @@ void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coor
   }
 }
 
+// Forces of actuators that are not the bearing's: f += what they do.
+void add_other_actuators(const Config& config, const mjModel* m, mjData* d, double* f) {
+  const Model& model = config.model;
+  const bool bearing = config.actuator[0] >= 0 && config.actuator[1] >= 0;
+  if (m->nu <= (bearing ? 2 : 0)) return;
+  mj_fwdActuation(m, d);
+  const Eigen::Vector2d ours = actuator_state(config, m, d).force;
+  for (int i = 0; i < model.nq(); ++i) {
+    f[i] += d->qfrc_actuator[config.dof_address[static_cast<std::size_t>(i)]];
+  }
+  for (int k = 0; k < model.layout.stator; ++k) f[model.layout.ring() + k] -= ours[k];
+}
+
 // The mean command about this instant, as the plant takes it; ctrl gets what holds.
 Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                         Worker& worker) {
@@ -246,9 +259,11 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   worker.load(slot_of_pass(config, m, d, entry, worker, state));
   worker.stepper.adopt(state.q(), state.v());
 
-  double foreign[kMaxCoordinates], mass[kMaxCoordinates];
+  double foreign[kMaxCoordinates], loads[kMaxCoordinates], mass[kMaxCoordinates];
   foreign_force(config, m, d, state, foreign);
-  worker.stepper.apply(foreign);
+  std::copy_n(foreign, n, loads);
+  add_other_actuators(config, m, d, loads);
+  worker.stepper.apply(loads);
   const Eigen::Vector2d u = command(config, m, d, state, worker);
   const FixedStep r = worker.stepper.step(worker.next, u);
   const double kick = worker.stepper.last_kick() * h;
