@@ -24,12 +24,18 @@ void for_each_joint(const Config& config, Action action) {
   }
 }
 
-// A mass on the ring moves with both of its joints alike: it is the ring's.
+// What MuJoCo has on the diagonal of its mass matrix: of a dof that it calls simple what mj_setConst
+// found last, not the armature of now. A mass on the ring moves with both of its joints alike: it is
+// the ring's.
 double mass_of(const Config& config, const mjModel* m, int i, int dof) {
   const double armature = m->dof_armature[dof];
-  if (i < config.model.layout.ring()) return armature;
-  const double carried = m->body_mass[m->dof_bodyid[dof]];
-  return carried > kMassless ? armature + carried : armature;
+  double mass = armature;
+  if (m->dof_simplenum[dof] > 0) {
+    mass = m->dof_M0[dof];
+  } else if (i >= config.model.layout.ring()) {
+    mass += m->body_mass[m->dof_bodyid[dof]];
+  }
+  return std::abs(mass - armature) > kMassless ? mass : armature;
 }
 double stiffness_of(const mjModel* m, int dof) { return m->jnt_stiffness[m->dof_jntid[dof]]; }
 
