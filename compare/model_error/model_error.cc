@@ -91,23 +91,25 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
 }
 
 std::string model_error_table(const ModelError& error, const std::string& lead) {
-  constexpr int kLabel = 22, kValue = 11;
-  if (!error.reason.empty()) return lead + "modes kept: not told: " + error.reason + "\n";
-  std::string text = fmt::format("{}{:<{}}", lead, "bending modes kept", kLabel);
+  constexpr int kLabel = 19, kValue = 9;
+  if (!error.reason.empty()) return wrapped(lead, "modes kept: not told: " + error.reason);
+  std::string text = fmt::format("{}{:<{}}", lead, "bending modes kept", kLabel), left;
   for (const int n : error.modes) text += fmt::format("{:>{}}", n, kValue);
-  text += "  limit over the modes; what the scene's are off by\n";
+  text += fmt::format("  over the modes; off by\n");
   for (const FigureLimit& f : error.figures) {
     text += fmt::format("{}{:<{}}", lead, f.figure->label, kLabel);
     for (const double v : f.values) text += fmt::format("{:>{}}", figure_value(*f.figure, v), kValue);
     text += fmt::format("  {}", to_string(f.convergence));
     if (f.error) text += ", " + deviation_text(*f.figure, *f.error);
-    if (f.convergence == Convergence::kTrend) {
-      text += fmt::format(" ({} of it beyond {} modes)", deviation_text(*f.figure, -*f.left),
-                          error.modes.back());
-    }
     text += "\n";
+    if (f.convergence == Convergence::kTrend) {
+      left += fmt::format("{}{} {}", left.empty() ? "" : ", ", f.figure->label,
+                          deviation_text(*f.figure, -*f.left));
+    }
   }
-  return text;
+  if (left.empty()) return text;
+  return text + wrapped(lead + "* ", fmt::format("trend: to come beyond {} modes: {}",
+                                                 error.modes.back(), left));
 }
 
 }  // namespace rotorub

@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kLabel = 28;
 constexpr int kValue = 10;
-constexpr std::size_t kWidth = 80;
 
 std::string label_of(const Figure& f) {
   return *f.unit ? fmt::format("{}, {}", f.label, f.unit) : std::string(f.label);
@@ -129,29 +128,6 @@ std::string split_lines(const SceneComparison& c) {
   }
   if (unsure) text += "  ? does not converge as the step shrinks: these parts say nothing\n";
   return text;
-}
-
-// A sentence in lines of at most kWidth, the first after `lead`, the others below it.
-std::string wrapped(const std::string& lead, const std::string& sentence) {
-  std::string out = lead;
-  std::size_t column = lead.size();
-  std::size_t at = 0;
-  while (at < sentence.size()) {
-    std::size_t end = sentence.find(' ', at);
-    if (end == std::string::npos) end = sentence.size();
-    const std::size_t word = end - at;
-    if (column > lead.size() && column + 1 + word > kWidth) {
-      out += "\n" + std::string(lead.size(), ' ');
-      column = lead.size();
-    } else if (column > lead.size()) {
-      out += ' ';
-      ++column;
-    }
-    out += sentence.substr(at, word);
-    column += word;
-    at = end + 1;
-  }
-  return out + "\n";
 }
 
 // What was asked, answered: before any figure.
