@@ -81,16 +81,16 @@ class Document {
 
   void options() {
     const bool implicit = scene_.mujoco.integrator == scene::MujocoIntegrator::kImplicit;
-    // Gravity does not act on armatures: the plugin puts it on the modes.
-    const Eigen::Vector2d weight =
-        segments_ && scene_.gravity ? scene_.gravity->acceleration : Eigen::Vector2d::Zero();
+    // It does not act on armatures: the plugin puts it on the modes.
+    const Eigen::Vector2d gravity =
+        scene_.gravity ? scene_.gravity->acceleration : Eigen::Vector2d::Zero();
     // One contact at most, solved in one Newton step: the tolerance stops the second. It is that of
     // the pair: looking for others would take a third of the step.
     xml_.line(
         fmt::format(R"(<option timestep="{}" gravity="{} {} 0" integrator="{}" cone="elliptic" )"
                     R"(collision="predefined" jacobian="dense" solver="Newton" iterations="50" )"
                     R"(tolerance="1e-12"/>)",
-                    scene_.run.step, weight.x(), weight.y(), implicit ? "implicit" : "Euler"));
+                    scene_.run.step, gravity.x(), gravity.y(), implicit ? "implicit" : "Euler"));
     int user_data = names::user_data_size(model_.nq(), model_.controller != nullptr);
     if (scene_.contact && !segments_) {
       const std::size_t slot = VerletStepper::memory_size(model_) + ZeroOrderHold::kMemory + 1;

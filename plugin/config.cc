@@ -1,8 +1,6 @@
 #include "plugin/config.h"
 
 #include <atomic>
-#include <cstring>
-#include <iterator>
 #include <string_view>
 
 #include "mjcf/names.h"
@@ -12,6 +10,8 @@
 #include "native_model/system/model_checks.h"
 #include "plugin/chain_constraints.h"
 #include "plugin/contact/verlet.h"
+#include "plugin/fingerprint.h"
+#include "plugin/model_parameters.h"
 #include "plugin/own/own_config.h"
 
 namespace rotorub::plugin {
@@ -161,35 +161,9 @@ void map_shadow(const mjModel* m, ShadowConfig& s) {
   s.ghost_ring = ghost(names::kGhostRing);
 }
 
-// Sizes, custom text and numbers, names, and what decides who solves a pair: a model with the same
-// is mapped in the same way. Calls action(bytes, count) for each part until it says false.
-template <typename Action>
-bool for_each_part(const mjModel* m, Action action) {
-  const int sizes[] = {m->nq,        m->nv,           m->nu,        m->njnt,   m->ngeom,
-                       m->nsensor,   m->ntextdata,    m->nnames,    m->npair,  m->neq,
-                       m->nuserdata, m->nnumericdata, m->nmocap,    m->ntendon};
-  const auto part = [&action](const auto* data, int count) {
-    return count == 0 || action(reinterpret_cast<const char*>(data),
-                                sizeof *data * static_cast<std::size_t>(count));
-  };
-  return part(sizes, static_cast<int>(std::size(sizes))) && part(m->text_data, m->ntextdata) &&
-         part(m->names, m->nnames) && part(m->numeric_data, m->nnumericdata) &&
-         part(m->pair_dim, m->npair) && part(m->pair_margin, m->npair) &&
-         part(m->pair_gap, m->npair) && part(m->pair_solref, mjNREF * m->npair) &&
-         part(m->pair_friction, 5 * m->npair) && part(m->geom_size, 3 * m->ngeom) &&
-         part(m->geom_type, m->ngeom) && part(m->sensor_adr, m->nsensor) &&
-         part(m->actuator_gaintype, m->nu) && part(m->actuator_biastype, m->nu) &&
-         part(m->actuator_dyntype, m->nu) && part(m->jnt_limited, m->njnt) &&
-         part(m->dof_frictionloss, m->nv) && part(m->tendon_limited, m->ntendon) &&
-         part(m->tendon_frictionloss, m->ntendon);
-}
-
-void take_fingerprint(const mjModel* m, Config& config) {
-  config.fingerprint.clear();
-  for_each_part(m, [&config](const char* bytes, std::size_t count) {
-    config.fingerprint.append(bytes, count);
-    return true;
-  });
+double next_id() {
+  static std::atomic<int> count{0};
+  return 1.0 + count.fetch_add(1);
 }
 
 }  // namespace
@@ -224,26 +198,13 @@ bool is_ours(const mjModel* m) { return scene_text(m) || has_own_contact(m); }
 
 const char* scene_text(const mjModel* m) { return custom_text(m, names::kSceneText); }
 
-bool same_fingerprint(const Config& config, const mjModel* m) {
-  const char* kept = config.fingerprint.data();
-  const char* const end = kept + config.fingerprint.size();
-  const bool same = for_each_part(m, [&](const char* bytes, std::size_t count) {
-    if (static_cast<std::size_t>(end - kept) < count) return false;
-    if (std::memcmp(kept, bytes, count) != 0) return false;
-    kept += count;
-    return true;
-  });
-  return same && kept == end;
-}
-
 Config make_config(const mjModel* m) {
-  static std::atomic<int> count{0};
   Config config;
   if (!scene_text(m)) {
     map_own_contact(m, config);
     map_sensors(m, config);
-    take_fingerprint(m, config);
-    config.id = 1.0 + count.fetch_add(1);
+    config.fingerprint = fingerprint(m);
+    config.id = next_id();
     return config;
   }
   refuse_own_beside_scene(m);
@@ -295,10 +256,19 @@ Config make_config(const mjModel* m) {
   }
   map_actuators(m, config);
   map_sensors(m, config);
+  map_structure(m, config);
+  take_parameters(m, config);
   if (config.shadow) map_shadow(m, *config.shadow);
-  take_fingerprint(m, config);
-  config.id = 1.0 + count.fetch_add(1);
+  config.fingerprint = fingerprint(m);
+  config.id = next_id();
   return config;
+}
+
+Config with_parameters(const Config& config, const mjModel* m) {
+  Config other = config;
+  take_parameters(m, other);
+  other.id = next_id();
+  return other;
 }
 
 }  // namespace rotorub::plugin

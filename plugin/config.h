@@ -65,6 +65,15 @@ struct Config {
     return verlet_data >= 0 && contact == scene::ContactModel::kRigid;
   }
 
+  // Where mjModel has the scene's numbers (model_parameters.h), and what the scene says where it draws
+  // them: geoms "rotor" and "ring", -1 where they are taken out.
+  int rotor_shape = -1, ring_shape = -1;
+  std::optional<ContactParameters> scene_contact;
+  double scene_current_limit = 0.0;    // A, of magnets
+  Eigen::Vector2d gravity{0.0, 0.0};   // m/s^2
+  std::vector<int> rotor_bodies;       // of the modal chain, that carry no mass
+  bool radius_is_drawn = false;        // own: radius is size[0] of the rotor's geom
+
   // What the above was made from, to recognise the model.
   std::string fingerprint;
   double id = 0.0;  // unique in the process, > 0
@@ -84,12 +93,12 @@ bool is_ours(const mjModel* m);
 
 // Throws ConfigError.
 Config make_config(const mjModel* m);
+// The same with m's numbers of now, m a model of its fingerprint. Throws ConfigError.
+Config with_parameters(const Config& config, const mjModel* m);
 
 // Parts of make_config that own/ uses too.
 const char* custom_text(const mjModel* m, std::string_view name);  // null: none of that name
 scene::ContactModel contact_model(const mjModel* m, scene::ContactModel otherwise);
 int find_pair(const mjModel* m, int geom_a, int geom_b);  // -1: none
-
-bool same_fingerprint(const Config& config, const mjModel* m);
 
 }  // namespace rotorub::plugin

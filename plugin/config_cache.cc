@@ -7,6 +7,8 @@
 #include <memory>
 #include <mutex>
 
+#include "plugin/fingerprint.h"
+#include "plugin/model_parameters.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -20,10 +22,14 @@ class Registry {
  public:
   ConfigPointer find_or_make(const mjModel* m) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    ConfigPointer near;
     for (const ConfigPointer& config : configs_) {
-      if (config && same_fingerprint(*config, m)) return config;
+      if (!config || !has_fingerprint(m, config->fingerprint)) continue;
+      if (has_parameters(*config, m)) return config;
+      near = config;
     }
-    ConfigPointer made = std::make_shared<const Config>(make_config(m));
+    ConfigPointer made =
+        std::make_shared<const Config>(near ? with_parameters(*near, m) : make_config(m));
     configs_[next_] = made;
     next_ = (next_ + 1) % configs_.size();
     return made;
@@ -85,7 +91,10 @@ const Config* known_config(const mjModel* m, const mjData* d) {
 const Config* find(const mjModel* m, const mjData* d, bool check) {
   if (m->ntext == 0 && m->nnumeric == 0) return nullptr;
   const Config* config = known_config(m, d);
-  if (config && (!check || same_fingerprint(*config, m))) return config;
+  const auto still = [m](const Config& c) {
+    return has_fingerprint(m, c.fingerprint) && has_parameters(c, m);
+  };
+  if (config && (!check || still(*config))) return config;
   if (!is_ours(m)) return nullptr;
   config = look_up(m, d);
   if (!config) mju_error(message);

@@ -40,4 +40,15 @@ ActuatorState actuator_state(const Config& config, const mjModel* m, const mjDat
   return {from_axes(force), current};
 }
 
+Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mjData* d) {
+  const Model& model = config.model;
+  if (config.actuator[0] < 0 || config.actuator[1] < 0) return {0.0, 0.0};
+  const bool lags = model.magnets && model.magnets->coil_lag > 0.0;
+  if (config.takes_native_steps() && model.controller && !lags) {
+    return {d->userdata[kHeldX], d->userdata[kHeldY]};
+  }
+  if (!model.magnets) return actuator_state(config, m, d).force;
+  return {asked_current(m, d, config.actuator[0]), asked_current(m, d, config.actuator[1])};
+}
+
 }  // namespace rotorub::plugin

@@ -7,14 +7,6 @@
 namespace rotorub::plugin {
 namespace {
 
-// MuJoCo clamps its own copy of ctrl.
-double asked_current(const mjModel* m, const mjData* d, int actuator) {
-  const mjtNum* range = m->actuator_ctrlrange + 2 * actuator;
-  const bool clamps =
-      m->actuator_ctrllimited[actuator] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
-  return clamps ? std::clamp(d->ctrl[actuator], range[0], range[1]) : d->ctrl[actuator];
-}
-
 // MuJoCo's activations are those of its last actuators.
 const mjtNum* activation(const mjModel* m, const mjData* d, int actuator) {
   if (m->actuator_dyntype[actuator] == mjDYN_NONE) return nullptr;
@@ -22,6 +14,14 @@ const mjtNum* activation(const mjModel* m, const mjData* d, int actuator) {
 }
 
 }  // namespace
+
+// MuJoCo clamps its own copy of ctrl.
+double asked_current(const mjModel* m, const mjData* d, int actuator) {
+  const mjtNum* range = m->actuator_ctrlrange + 2 * actuator;
+  const bool clamps =
+      m->actuator_ctrllimited[actuator] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
+  return clamps ? std::clamp(d->ctrl[actuator], range[0], range[1]) : d->ctrl[actuator];
+}
 
 bool is_magnet(const Config& config, int actuator) {
   return config.model.magnets && (actuator == config.actuator[0] || actuator == config.actuator[1]);

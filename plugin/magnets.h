@@ -16,6 +16,9 @@ namespace rotorub::plugin {
 // True for an actuator of ours whose force is F(s, i).
 bool is_magnet(const Config& config, int actuator);
 
+// Current asked for, within MuJoCo's limits, A.
+double asked_current(const mjModel* m, const mjData* d, int actuator);
+
 // Current of the coil, A.
 double coil_current(const mjModel* m, const mjData* d, int actuator);
 

@@ -1,12 +1,73 @@
 // Loaded with LD_PRELOAD, the library installs its callbacks before the program starts:
 //   LD_PRELOAD=librotorub_mujoco.so mujoco-testspeed bench_ring.xml
+// It stands before MuJoCo's own functions too, which call one another through the same names. So it
+// sees each pass begin, even where all callbacks have been taken from it, and mj_inverse and
+// mjd_transitionFD as such.
+#include <dlfcn.h>
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+
 #include "plugin/callbacks.h"
+#include "plugin/config_cache.h"
+#include "plugin/differences.h"
+#include "plugin/inverse.h"
+
+#define ROTORUB_EXPORT extern "C" __attribute__((visibility("default")))
 
 // Tells a program that links the plugin too that the work is being done (hooks.cc).
-extern "C" __attribute__((visibility("default"))) const int rotorub_mujoco_preloaded = 1;
+ROTORUB_EXPORT const int rotorub_mujoco_preloaded;
+const int rotorub_mujoco_preloaded = 1;
 
 namespace {
+
+using Pass = void (*)(const mjModel*, mjData*);
+using SkippingPass = void (*)(const mjModel*, mjData*, int, int);
+
+template <typename Function>
+Function original(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+void keep(const mjModel* m, const mjData* d) {
+  if (rotorub::plugin::callbacks_lost() && rotorub::plugin::find_config(m, d)) {
+    rotorub::plugin::keep_callbacks();
+  }
+}
 
 __attribute__((constructor)) void install() { rotorub::plugin::install_callbacks(); }
 
 }  // namespace
+
+ROTORUB_EXPORT void mj_step1(const mjModel* m, mjData* d) {
+  static const auto step = original<Pass>("mj_step1");
+  keep(m, d);
+  step(m, d);
+}
+
+// Of mj_step, mj_forward and the integrators.
+ROTORUB_EXPORT void mj_forwardSkip(const mjModel* m, mjData* d, int skipstage, int skipsensor) {
+  static const auto forward = original<SkippingPass>("mj_forwardSkip");
+  keep(m, d);
+  forward(m, d, skipstage, skipsensor);
+}
+
+ROTORUB_EXPORT void mj_inverseSkip(const mjModel* m, mjData* d, int skipstage, int skipsensor) {
+  static const auto inverse = original<SkippingPass>("mj_inverseSkip");
+  keep(m, d);
+  rotorub::plugin::inverse_with_contact(m, d, skipstage, skipsensor, inverse);
+}
+
+ROTORUB_EXPORT void mjd_transitionFD(const mjModel* m, mjData* d, mjtNum eps, mjtByte centered,
+                                     mjtNum* A, mjtNum* B, mjtNum* C, mjtNum* D) {
+  static const auto differences = original<decltype(&mjd_transitionFD)>("mjd_transitionFD");
+  if (!rotorub::plugin::find_config(m, d) || !(eps > 0.0)) {
+    differences(m, d, eps, centered, A, B, C, D);
+    return;
+  }
+  const rotorub::plugin::Transition t = rotorub::plugin::transition(m, d, eps);
+  if (A) std::copy(t.A.begin(), t.A.end(), A);
+  if (B) std::copy(t.B.begin(), t.B.end(), B);
+  if (C) std::copy(t.C.begin(), t.C.end(), C);
+  if (D) std::copy(t.D.begin(), t.D.end(), D);
+}

@@ -58,9 +58,12 @@ void fill_shadow_sensors(const Config& config, mjData* d) {
 
 }  // namespace
 
+void mark_active(const Config& config, mjData* d, bool acts) {
+  put(d, config.sensors.active, acts ? 1.0 : 0.0);
+}
+
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) {
   const SensorAddresses& s = config.sensors;
-  if (stage == mjSTAGE_POS) put(d, s.active, 1.0);
   if (stage == mjSTAGE_ACC && (s.control_force >= 0 || s.current >= 0)) {
     const ActuatorState actuator = actuator_state(config, m, d);
     put(d, s.control_force, actuator.force);

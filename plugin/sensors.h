@@ -8,9 +8,12 @@
 namespace rotorub::plugin {
 
 // Fills those of the stage (mjSTAGE_POS, mjSTAGE_VEL, mjSTAGE_ACC). For a user sensor of the last
-// two MuJoCo first computes the momenta of subtrees and the forces between bodies, each a tenth of a
-// small model's step. So generated files ask for "pos" where they can: mjcb_passive fills what
+// two MuJoCo first computes the momenta of subtrees and the forces between bodies, each a tenth of
+// a small model's step. So generated files ask for "pos" where they can: mjcb_passive fills what
 // belongs to the velocities, and with `rigid`, who knows its forces then, mjcb_control the forces.
+// rotorub_active: 1 where the pass that is under way has had its loads and its contact.
+void mark_active(const Config& config, mjData* d, bool acts);
+
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage);
 
 }  // namespace rotorub::plugin

@@ -8,14 +8,15 @@
 namespace rotorub::plugin {
 
 enum UserDataEntry : int {
-  kConfigId,    // Config::id, a mark of this process; of no meaning to the motion
-  kSample,      // sampled controller: index of the sample held, plus 1; 0: none yet
-  kHeldX,       // command held: N, fixed frame, or the currents of the two axes, A
+  kConfigId,  // Config::id, a mark of this process; of no meaning to the motion
+  kSample,    // sampled controller: index of the sample held, plus 1; 0: none yet
+  kHeldX,     // command held: N, fixed frame, or the currents of the two axes, A; of native steps
+              // the mean about the instant
   kHeldY,
   kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last
   kMode,           // number of the Mode of that pass
-  kPassiveFresh,   // 1 between mjcb_passive and mjcb_control
-  kHistoryLength,  // forward passes in the history: 0, 1, 2
+  kPassiveFresh,   // between mjcb_passive and mjcb_control 1 + |time|, else 0
+  kHistoryLength,  // times in the history: 0, 1, 2; 3: two, with an impact between them
   kEarlierTime,    // s, of the one before
   kLatestTime,     // s, of the latest
   // Of `rigid` (contact/memory.h):
@@ -34,10 +35,10 @@ enum UserDataEntry : int {
 };
 static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
 
-// Of the step of `rigid` on the modal chain, from Config::verlet_data on (contact/verlet.h); behind them
-// velocities and two slots of memory.
+// Of the step of `rigid` on the modal chain, from Config::verlet_data on (contact/verlet.h); behind
+// them velocities and two slots of memory.
 enum VerletEntry : int {
-  kVerletBegun,  // 1: it runs
+  kVerletBegun,  // entries of a slot; 0: not begun
   kVerletTime,   // s, of the pass that the first slot is of
   kVerletStep,   // s
   kVerletSingle
@@ -46,15 +47,15 @@ static_assert(kVerletSingle == mjcf_names::kVerletSingle);
 
 // The shadow's, from Config::shadow.data on (shadow.h); behind them the memory of its stepper.
 enum ShadowEntry : int {
-  kShadowBegun,       // 1: it runs
-  kShadowTime,        // s, mjData.time that it has come to
-  kShadowStep,        // s, its step
-  kShadowOrigin,      // s, where its steps are counted from
-  kShadowSteps,       // taken since
-  kShadowStatus,      // number of the Status; it stands still unless kOk
-  kShadowNormal,      // N, mean over the last step
-  kShadowFriction,    // N, on the rotor along e_t
-  kShadowCommand,     // Command::kMemory of them
+  kShadowBegun,     // 1: it runs
+  kShadowTime,      // s, mjData.time that it has come to
+  kShadowStep,      // s, its step
+  kShadowOrigin,    // s, where its steps are counted from
+  kShadowSteps,     // taken since
+  kShadowStatus,    // number of the Status; it stands still unless kOk
+  kShadowNormal,    // N, mean over the last step
+  kShadowFriction,  // N, on the rotor along e_t
+  kShadowCommand,   // Command::kMemory of them
   kShadowSingle = kShadowCommand + 3
 };
 static_assert(kShadowSingle == mjcf_names::kShadowSingle);

@@ -24,17 +24,11 @@ struct CompareArguments : CommonOptions {
   std::vector<std::string> scenes;
   std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare";
   int twins = kDefaultTwins;
-  bool no_video = false;
+  bool no_video = false, modes_ladder = true;
 };
 
 // Share of the time that films take, for the progress bar.
 constexpr double kFilmShare = 0.5;
-
-void check_mode(const std::string& mode) {
-  if (mode != "lockstep") {
-    throw UsageError(fmt::format("--mode {} is not in this version; accepted: lockstep", mode));
-  }
-}
 
 // All scenes, or one SceneError with everything that is wrong in any of them.
 std::vector<scene::Scene> read_scenes(const CompareArguments& options) {
@@ -99,9 +93,11 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
   const double work = options.no_video ? 1.0 : 1.0 - kFilmShare;
   for (std::size_t k = 0; k < scenes.size() && !interrupted(); ++k) {
     CompareOptions how;
+    how.mode = compare_mode_of(options.mode);
     how.tolerance = tolerance;
     how.contact = contact_model_of(options.contact);
     how.twins = options.twins;
+    how.modes_ladder = options.modes_ladder;
     how.interrupt = &interrupted();
     how.progress = [&](double share, const std::string& what) {
       bar.show(work * (static_cast<double>(k) + share) / static_cast<double>(scenes.size()),
@@ -121,7 +117,6 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
 }
 
 int compare(const CompareArguments& options) {
-  check_mode(options.mode);
   check_twins(options.twins);
   const double tolerance = tolerance_of(options.tolerance);
   const auto scenes = read_scenes(options);
@@ -149,7 +144,9 @@ Command add_compare_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "compare", "Run scenes in MuJoCo and in the native model and say how far apart they are");
   app->add_option("SCENE", options->scenes, "Scene files (.toml)")->required();
-  app->add_option("--mode", options->mode, "How the two sides are coupled: lockstep")
+  app->add_option("--mode", options->mode, "How the two sides are coupled: lockstep (each closes its own loop), replay (native under "
+                  "the commands that MuJoCo used), resync (native restarts from MuJoCo's state at "
+                  "every onset of contact and predicts it)")
       ->check(CLI::IsMember({"lockstep", "replay", "resync"}))
       ->capture_default_str();
   app->add_option(
@@ -167,6 +164,9 @@ Command add_compare_command(CLI::App& program) {
                   "decided")
       ->type_name("N")
       ->capture_default_str();
+  app->add_flag("--modes-ladder,!--no-modes-ladder", options->modes_ladder,
+                "The error of the bending modes kept, by native runs with up to twice as many "
+                "(default: on; geometry form only)");
   app->add_option("-o,--output", options->folder, "Folder of the results")
       ->type_name("DIR")
       ->capture_default_str();

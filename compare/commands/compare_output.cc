@@ -12,9 +12,15 @@ using std::filesystem::path;
 
 void write_runs(const path& folder, const SceneComparison& comparison) {
   const auto times = output_times(comparison.scene.run);
-  for (const Side& side : comparison.sides) {
-    write_run(folder / comparison.scene.name / side.label, comparison.scene,
+  const auto write = [&](const std::string& name, const Side& side) {
+    write_run(folder / comparison.scene.name / name, comparison.scene,
               rows_at(side.trajectory, times));
+  };
+  for (const Side& side : comparison.sides) write(side.label, side);
+  if (comparison.interrupted) return;
+  if (comparison.shadow.side) write(kShadowFolder, *comparison.shadow.side);
+  for (std::size_t k = 0; k < comparison.natives.size(); ++k) {
+    write("native-" + comparison.sides[k + 2].label, comparison.natives[k]);
   }
 }
 

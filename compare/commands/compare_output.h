@@ -9,7 +9,9 @@
 
 namespace rotorub {
 
-// <folder>/<scene>/<run>/ for each run: series and summary, rows at the scene's output times.
+// <folder>/<scene>/<run>/ for each run, its shadow, and in replay native-<contact> under the
+// commands of each contact model but the first: series and summary, rows at the scene's output
+// times.
 void write_runs(const std::filesystem::path& folder, const SceneComparison& comparison);
 
 // compare.json and report.html.

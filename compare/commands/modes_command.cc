@@ -1,8 +1,11 @@
-// rotorub modes: whirl frequencies, critical speeds, the threshold of stability, mode shapes.
+// rotorub modes: whirl frequencies, critical speeds, the threshold of stability, mode shapes; the lasting rubs of
+// rotor and ring, and their map.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,9 +15,13 @@
 #include "compare/commands/command.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
+#include "compare/modes/rub_map_text.h"
 #include "compare/modes/text.h"
 #include "compare/report/modes_page.h"
+#include "compare/report/rub_map_page.h"
 #include "compare/study/json.h"
+#include "native_model/rotor/refusal.h"
+#include "native_model/rub/rub_map.h"
 #include "native_model/scene/units.h"
 #include "native_model/trajectory/output.h"
 
@@ -24,6 +31,8 @@ namespace {
 struct ModesArguments : CommonOptions {
   std::string scene, up_to, output;
   std::vector<std::string> speeds;
+  bool rub_map = false;
+  std::string map_speeds, map_frictions;  // FROM:TO:COUNT; empty: not given
 };
 
 double speed_of(const char* option, const std::string& text) {
@@ -44,9 +53,16 @@ std::optional<double> range_of(const ModesArguments& options) {
 }
 
 // A folder, or the page itself.
-std::filesystem::path page_file(const std::string& output) {
-  const std::filesystem::path path(output);
-  return path.extension() == ".html" ? path : path / "modes.html";
+std::filesystem::path page_file(const ModesArguments& options) {
+  const std::filesystem::path path(options.output);
+  if (path.extension() == ".html") return path;
+  return path / (options.rub_map ? "rub_map.html" : "modes.html");
+}
+
+void write_file(const ModesArguments& options, const std::string& page) {
+  const std::filesystem::path file = page_file(options);
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  write_whole(file, page);
 }
 
 void write_page(const ModesArguments& options, const scene::Scene& scene,
@@ -59,26 +75,112 @@ void write_page(const ModesArguments& options, const scene::Scene& scene,
                                          bar.show(share, "Campbell diagram");
                                        });
   bar.clear();
-  const std::filesystem::path file = page_file(options.output);
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-  write_whole(file, modes_page(scene, analysis, range, branches));
+  write_file(options, modes_page(scene, analysis, range, branches));
+}
+
+// ---------------------------------------------------------------- the map of lasting rubs
+[[noreturn]] void refuse_range(const char* option, const std::string& text, const std::string& why) {
+  throw UsageError(fmt::format("{} {}: {}; accepted is FROM:TO:COUNT", option, text, why));
+}
+
+double value_of(const char* option, const std::string& all, const std::string& part,
+                const scene::Quantity& quantity) {
+  const auto parsed = scene::parse_quantity(part, quantity);
+  if (!parsed.error.empty()) refuse_range(option, all, parsed.error);
+  return parsed.value;
+}
+
+int count_of(const char* option, const std::string& all, const std::string& part) {
+  int count = 0;
+  const auto end = std::from_chars(part.data(), part.data() + part.size(), count);
+  if (end.ec != std::errc() || end.ptr != part.data() + part.size() || count < 2 || count > 1000) {
+    refuse_range(option, all, "COUNT is a whole number from 2 to 1000");
+  }
+  return count;
+}
+
+
+std::vector<double> even_values(double from, double to, int count) {
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) {
+    values.push_back(k + 1 == count ? to : from + (to - from) * k / (count - 1));
+  }
+  return values;
+}
+
+std::vector<double> range_values(const char* option, const std::string& text,
+                                 const scene::Quantity& quantity) {
+  const std::size_t first = text.find(':'), last = text.rfind(':');
+  if (first == std::string::npos || first == last ||
+      text.find(':', first + 1) != last) {
+    refuse_range(option, text, "it has three parts");
+  }
+  const double from = value_of(option, text, text.substr(0, first), quantity);
+  const double to = value_of(option, text, text.substr(first + 1, last - first - 1), quantity);
+  const int count = count_of(option, text, text.substr(last + 1));
+  if (!(from >= 0.0) || !(to > from)) refuse_range(option, text, "FROM is 0 or more and TO above it");
+  return even_values(from, to, count);
+}
+
+struct MapRanges {
+  std::vector<double> speeds, frictions;  // empty: not given
+};
+
+MapRanges map_ranges(const ModesArguments& options) {
+  MapRanges ranges;
+  if (!options.map_speeds.empty()) {
+    ranges.speeds = range_values("--speeds", options.map_speeds, scene::kSpin);
+  }
+  if (!options.map_frictions.empty()) {
+    ranges.frictions = range_values("--frictions", options.map_frictions, scene::kPure);
+  }
+  return ranges;
+}
+
+// By default about the scene's own speed, as wide as a terminal.
+rub::RubMap rub_map_of(const ModesArguments& options, const scene::Scene& scene, MapRanges ranges) {
+  constexpr int kSpeeds = 60, kFrictions = 20;
+  if (ranges.speeds.empty()) {
+    const double speed = std::abs(scene.rotor.speed);
+    if (speed == 0.0) throw UsageError("--rub-map: the scene's rotor is at rest; give --speeds");
+    ranges.speeds = even_values(0.2 * speed, 2.0 * speed, kSpeeds);
+  }
+  if (ranges.frictions.empty()) ranges.frictions = even_values(0.025, 0.5, kFrictions);
+  ProgressBar bar(options.quiet);
+  rub::RubMap map = with_place(scene, [&] {
+    return rub::rub_map(rub::rub_system(scene), ranges.speeds, ranges.frictions, [&](double share) {
+      if (interrupted()) throw Interrupted();
+      bar.show(share, "lasting rubs");
+    });
+  });
+  bar.clear();
+  return map;
 }
 
 int modes(const ModesArguments& options) {
   std::vector<double> speeds;
   for (const std::string& text : options.speeds) speeds.push_back(speed_of("--speed", text));
   const std::optional<double> range = range_of(options);
+  MapRanges ranges = map_ranges(options);
   const scene::Scene scene = read_scene(options.scene, options);
   const RotorAnalysis analysis = analyse_rotor(scene, speeds);
-  if (!options.output.empty()) write_page(options, scene, analysis, range);
+  std::optional<rub::RubMap> map;
+  if (options.rub_map) map = rub_map_of(options, scene, std::move(ranges));
+  if (!options.output.empty()) {
+    if (map) {
+      write_file(options, rub_map_page(scene, *map));
+    } else {
+      write_page(options, scene, analysis, range);
+    }
+  }
 
   if (options.json) {
-    std::cout << json_text(modes_json(analysis));
+    nlohmann::json result = modes_json(analysis);
+    if (map) result["rub_map"] = rub_map_json(*map);
+    std::cout << json_text(result);
   } else if (!options.quiet) {
-    std::cout << modes_table(scene.name, analysis);
-    if (!options.output.empty()) {
-      fmt::print("\nwritten to {}\n", page_file(options.output).string());
-    }
+    std::cout << (map ? rub_map_picture(scene.name, *map) : modes_table(scene.name, analysis));
+    if (!options.output.empty()) fmt::print("\nwritten to {}\n", page_file(options).string());
   }
   return kDone;
 }
@@ -98,13 +200,24 @@ Command add_modes_command(CLI::App& program) {
       ->allow_extra_args(false);
   CLI::Option* page =
       app->add_option("-o,--output", options->output,
-                      "Writes a page with Campbell diagram and mode shapes: a file that ends with "
-                      ".html, or a folder for modes.html")
+                      "Writes a page with Campbell diagram and mode shapes, or of the rub map: a file that "
+                      "ends with .html, or a folder for modes.html or rub_map.html")
           ->type_name("DIR|FILE.html");
   app->add_option("--up-to", options->up_to,
                   "Highest spin speed of the Campbell diagram (default: to show what matters)")
       ->type_name("SPEED")
       ->needs(page);
+  CLI::Option* map = app->add_flag(
+      "--rub-map", options->rub_map,
+      "A map over spin speed and friction: which lasting rubs are stable. Each load keeps its ratio to the spin");
+  app->add_option("--speeds", options->map_speeds,
+                  "Spin speeds of the map, e.g. 10Hz:100Hz:40 (default: 60 from 0.2 to 2 times rotor.speed)")
+      ->type_name("FROM:TO:COUNT")
+      ->needs(map);
+  app->add_option("--frictions", options->map_frictions,
+                  "Coefficients of friction of the map (default: 0.025:0.5:20)")
+      ->type_name("FROM:TO:COUNT")
+      ->needs(map);
   add_common_options(*app, *options);
   return {app, [options] { return modes(*options); }};
 }

@@ -3,16 +3,19 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "compare/commands/command.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/engine/engine.h"
+#include "compare/metrics/above_modes.h"
 #include "compare/study/format.h"
 #include "compare/study/json.h"
 #include "compare/study/run_directory.h"
@@ -58,6 +61,21 @@ std::string truncation_note(const scene::Scene& scene) {
       short_number(mass->kept), mass->kept_modes, short_number(mass->mesh), mass->mesh_modes);
 }
 
+// Where the whirl outruns what the rotor can bend to.
+std::string whirl_note(const scene::Scene& scene, const Trajectory& trajectory) {
+  constexpr double kHz = 1.0 / (2.0 * std::numbers::pi);
+  const auto above = above_modes(scene, trajectory);
+  if (!above || !above->matters()) return "";
+  return fmt::format(
+      "  note: in {} of the time in contact, with {} of the friction work, the whirl is faster than\n"
+      "  the highest mode kept ({} Hz): {} Hz at most. There the shaft has no flexibility of its own:\n"
+      "  keep modes beyond that (rotor.modes), or read the figures as those of the modes kept\n",
+      percent_text(std::round(1e3 * above->contact_share) / 1e3),
+      percent_text(std::round(1e3 * above->friction_share) / 1e3),
+      short_number(kHz * (above->fastest > 0.0 ? above->band.forward : above->band.backward)),
+      short_number(kHz * above->fastest));
+}
+
 void say_failure(const scene::Scene& scene, const char* what, const Trajectory& trajectory) {
   if (trajectory.status == Status::kOk) return;
   fmt::print(stderr, "rotorub: {}: {}{} at t = {} s: {}\n", scene::printable(scene.name), what,
@@ -98,8 +116,8 @@ int run(const RunArguments& options) {
   if (options.json) {
     std::cout << json_text(summary_json(scene, trajectory));
   } else if (!options.quiet) {
-    fmt::print("{}{}written to {}\n", run_table(scene, trajectory), truncation_note(scene),
-               folder.string());
+    fmt::print("{}{}{}written to {}\n", run_table(scene, trajectory), truncation_note(scene),
+               whirl_note(scene, trajectory), folder.string());
   }
   say_failure(scene, "", trajectory);
   const bool stopped = trajectory.status == Status::kInterrupted;

@@ -47,7 +47,9 @@ class NativeEngine final : public Engine {
   explicit NativeEngine(scene::Integrator integrator) : integrator_(integrator) {}
   std::string name() const override { return std::string("native-") + to_string(integrator_); }
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
+    if (request.watch) throw std::invalid_argument("a native run has no step to watch");
     auto options = options_of<NativeOptions>(request);
+    options.commands = request.commands;
     options.integrator = integrator_;
     return checked(run_native(perturbed(scene, request.perturbation_ulps), options));
   }
@@ -61,7 +63,9 @@ class MujocoEngine final : public Engine {
   explicit MujocoEngine(scene::ContactModel contact) : contact_(contact) {}
   std::string name() const override { return std::string("mujoco-") + to_string(contact_); }
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
+    if (request.commands) throw std::invalid_argument("MuJoCo takes no recorded commands");
     auto options = options_of<MujocoOptions>(request);
+    options.watch = request.watch;
     options.contact = contact_;
     return checked(run_mujoco(perturbed(scene, request.perturbation_ulps), options));
   }

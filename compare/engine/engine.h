@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "compare/engine/step_watch.h"
+#include "native_model/control/command_record.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -23,6 +25,9 @@ struct RunRequest {
   int perturbation_ulps = 0;
   std::function<void(double)> progress;          // share done, in [0, 1]
   const std::atomic<bool>* interrupt = nullptr;  // true: stop and keep what there is
+  // Commands of another run in the place of the scene's controller; native engines alone.
+  std::shared_ptr<const CommandRecord> commands;
+  StepWatch watch;  // called after every step; MuJoCo's engines alone
 };
 
 class Engine {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "compare/engine/step_watch.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -18,6 +19,7 @@ struct MujocoOptions {
   std::optional<std::vector<double>> output_times;  // s, ascending, default: the scene's
   std::function<void(double)> progress;             // fraction done, called now and then
   const std::atomic<bool>* interrupt = nullptr;     // set to true: stop, keep what there is
+  StepWatch watch;                                  // called after every step, if any
 };
 
 // The plugin builds its native model from scene.text: a scene that was changed after reading must

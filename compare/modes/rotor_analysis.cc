@@ -19,11 +19,12 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
   analysis.stability_threshold = stability_threshold(analysis.system);
   analysis.stability_bound = stability_bound(analysis.system);
   analysis.shapes = mode_shapes(scene);
+  analysis.contact_mass = contact_mass(scene);
   if (scene.rotor.torsion) analysis.torsion = torsion_frequencies(modal_rotor(scene));
   const std::vector<double> own{scene.rotor.speed};
-  for (double speed : speeds.empty() ? own : speeds) {
-    analysis.spectra.push_back(whirl_spectrum(analysis.system, speed));
-  }
+  const std::vector<double>& all = speeds.empty() ? own : speeds;
+  for (double speed : all) analysis.spectra.push_back(whirl_spectrum(analysis.system, speed));
+  analysis.rubs = analyse_rubs(scene, all);
   return analysis;
 }
 

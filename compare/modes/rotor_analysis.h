@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "compare/modes/rub_analysis.h"
 #include "native_model/rotor/campbell.h"
+#include "native_model/rotor/contact_mass.h"
 #include "native_model/rotor/mode_shapes.h"
 #include "native_model/rotor/whirl_system.h"
 #include "native_model/scene/scene.h"
@@ -20,6 +22,8 @@ struct RotorAnalysis {
   double stability_bound = 0.0;               // rad/s, may be infinite (campbell.h)
   std::optional<ModeShapes> shapes;           // geometry form only
   std::vector<TorsionMode> torsion;
+  RubAnalyses rubs;                           // at the same speeds
+  std::optional<ContactMass> contact_mass;  // geometry form with a contact only
 };
 
 // speeds: rad/s, of either sign; none: the scene's own rotor.speed. Throws scene::SceneError for a

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/modes/units.h"
+#include "compare/study/json.h"
 
 namespace rotorub {
 namespace {
@@ -71,6 +72,15 @@ std::string torsion_table(const RotorAnalysis& analysis) {
   return text;
 }
 
+std::string contact_mass_text(const std::optional<ContactMass>& mass) {
+  if (!mass) return "";
+  return fmt::format(
+      "\nmass that an impact meets at the contact\n  {:.4g} kg with the {} modes kept, {:.4g} kg "
+      "with all {} of the mesh{}\n",
+      mass->kept, mass->kept_modes, mass->mesh, mass->mesh_modes,
+      mass->truncated() ? ": impacts are those of the modes kept" : "");
+}
+
 std::vector<double> list(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
 
 json plane_json(const PlaneShapes& plane) {
@@ -106,7 +116,10 @@ json modes_json(const RotorAnalysis& analysis) {
     for (const WhirlMode& mode : spectrum.modes) {
       modes.push_back({{"frequency", mode.frequency}, {"damping_ratio", mode.damping_ratio}});
     }
-    spectra.push_back({{"speed", spectrum.speed}, {"modes", modes}});
+    const RubAnalyses& rubs = analysis.rubs;
+    spectra.push_back({{"speed", spectrum.speed},
+                       {"modes", modes},
+                       {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[spectra.size()])}});
   }
   json torsion = json::array();
   for (const TorsionMode& mode : analysis.torsion) {
@@ -117,7 +130,10 @@ json modes_json(const RotorAnalysis& analysis) {
               {"stability_threshold", nullptr},
               {"stability_bound", nullptr},
               {"torsion", torsion},
-              {"mode_shapes", shapes_json(analysis.shapes)}};
+              {"contact_mass", contact_mass_json(analysis.contact_mass)},
+              {"mode_shapes", shapes_json(analysis.shapes)},
+              {"rub_refused", nullptr}};
+  if (!analysis.rubs.refused.empty()) result["rub_refused"] = analysis.rubs.refused;
   if (analysis.stability_threshold) result["stability_threshold"] = *analysis.stability_threshold;
   if (std::isfinite(analysis.stability_bound)) {
     result["stability_bound"] = analysis.stability_bound;
@@ -137,8 +153,13 @@ std::string modes_table(const std::string& name, const RotorAnalysis& analysis) 
   }
   if (analysis.critical_speeds.empty()) text += "  none\n";
 
-  text += "\n" + stability_text(analysis) + "\n";
-  return text + "\n" + shapes_table(analysis);
+  text += "\n" + stability_text(analysis) + "\n" + contact_mass_text(analysis.contact_mass);
+  text += "\n" + shapes_table(analysis);
+  for (const RubAnalysis& rubs : analysis.rubs.at) text += "\n" + rub_table(rubs);
+  if (!analysis.rubs.refused.empty()) {
+    text += fmt::format("\nrotor and ring together: {}\n", analysis.rubs.refused);
+  }
+  return text;
 }
 
 const char* to_string(StationKind kind) {

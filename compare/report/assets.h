@@ -18,5 +18,7 @@ std::string_view bench_html();
 std::string_view bench_js();
 std::string_view sweep_html();
 std::string_view sweep_js();
+// The page of the rub map has the sweep's script.
+std::string_view rub_map_html();
 
 }  // namespace rotorub

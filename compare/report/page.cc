@@ -87,7 +87,11 @@ std::string report_page(const std::vector<PageScene>& scenes) {
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
   json values = page_frame(report_js(), {{"scenes", plots}});
   values["names"] = names_of(scenes);
-  values["mode"] = "lockstep";
+  const CompareMode mode =
+      scenes.empty() ? CompareMode::kLockstep : scenes.front().comparison->mode;
+  values["mode"] = to_string(mode);
+  values["by_figures"] = mode != CompareMode::kResync;
+  values["resyncs"] = mode == CompareMode::kResync;
   values["mujoco_version"] = mujoco_version();
   values["tolerance"] = percent_text(tolerance);
   values["scenes"] = pages;

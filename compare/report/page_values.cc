@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/report/mode_values.h"
 #include "compare/study/answer.h"
 #include "compare/study/format.h"
 #include "compare/study/verdict.h"
@@ -69,17 +71,28 @@ json verdict_values(const SceneComparison& c) {
   return all;
 }
 
+json column_values(const SceneComparison& c) {
+  json all = json::array();
+  for (const PageColumn& column : page_columns(c)) {
+    all.push_back({{"label", column.side->label},
+                   {"other", !column.figures.empty()},
+                   {"settled", to_string(column.side->metrics.settled.attractor)}});
+  }
+  return all;
+}
+
 // Value cells of one figure, with the chip of its deviation.
 json cells_of(const SceneComparison& c, std::size_t figure) {
   json cells = json::array();
   const Figure& f = figures()[figure];
-  for (std::size_t k = 0; k < c.sides.size(); ++k) {
-    json cell = {{"value", figure_value(f, f.value(c.sides[k].metrics))}, {"other", k > 0}};
-    if (k > 0) {
-      const FigureDifference& d = c.differences[k - 1].figures[figure];
+  for (const PageColumn& column : page_columns(c)) {
+    json cell = {{"value", figure_value(f, f.value(column.side->metrics))},
+                 {"other", !column.figures.empty()}};
+    if (!column.figures.empty()) {
+      const JudgedFigure& d = column.figures[figure];
       cell["deviation"] = deviation_text(f, d.deviation);
-      cell["tone"] = tone(d.verdict);
-      cell["verdict"] = to_string(d.verdict);
+      cell["tone"] = column.judged ? tone(d.verdict) : "";
+      cell["verdict"] = column.judged ? to_string(d.verdict) : "the step's";
     }
     cells.push_back(std::move(cell));
   }
@@ -161,8 +174,8 @@ json residual_rows(const SceneComparison& c) {
   json rows = json::array();
   for (const ResidualRow& row : kResidualRows) {
     json cells = json::array();
-    for (const Side& side : c.sides) {
-      cells.push_back(fmt::format("{:.1e}", side.metrics.residuals.*row.value));
+    for (const PageColumn& column : page_columns(c)) {
+      cells.push_back(fmt::format("{:.1e}", column.side->metrics.residuals.*row.value));
     }
     rows.push_back({{"label", row.label}, {"meaning", row.meaning}, {"cells", cells}});
   }
@@ -171,10 +184,13 @@ json residual_rows(const SceneComparison& c) {
 
 json cost_rows(const SceneComparison& c) {
   json speed = json::array(), spread = json::array(), steps = json::array(), factor = json::array();
-  for (const Side& side : c.sides) {
+  for (const PageColumn& column : page_columns(c)) {
+    const Side& side = *column.side;
     const Timing& t = side.timing;
-    speed.push_back(fmt::format("{:.3g} µs", t.median));
-    spread.push_back(fmt::format("{:.3g} – {:.3g} µs", t.lowest, t.highest));
+    const bool timed = !t.us_per_step.empty();
+    speed.push_back(timed ? fmt::format("{:.3g} µs", t.median) : std::string("–"));
+    spread.push_back(timed ? fmt::format("{:.3g} – {:.3g} µs", t.lowest, t.highest)
+                           : std::string("–"));
     steps.push_back(fmt::format("{}", side.trajectory.steps));
     const double wall = 1e-6 * t.median * static_cast<double>(side.trajectory.steps);
     factor.push_back(wall > 0.0 ? fmt::format("{:.3g}", side.trajectory.end / wall)
@@ -190,6 +206,26 @@ json cost_rows(const SceneComparison& c) {
        {"cells", factor},
        {"meaning", "Simulated time over computing time; above 1: faster than the machine."}},
   });
+}
+
+// Null where there is no ladder to show.
+json ladder_values(const SceneComparison& c) {
+  if (!c.model_error || !c.model_error->reason.empty()) return nullptr;
+  json rungs = json::array(), rows = json::array();
+  for (const int n : c.model_error->modes) rungs.push_back(fmt::format("{} modes", n));
+  for (const FigureLimit& f : c.model_error->figures) {
+    json cells = json::array();
+    for (const double v : f.values) cells.push_back(figure_value(*f.figure, v));
+    const bool seen = f.error.has_value();
+    rows.push_back({{"label", f.figure->label},
+                    {"unit", f.figure->unit},
+                    {"cells", cells},
+                    {"convergence", to_string(f.convergence)},
+                    {"tone", seen ? "" : "unsure"},
+                    {"off", seen ? deviation_text(*f.figure, *f.error) : std::string("–")},
+                    {"left", seen ? size_text(*f.figure, std::abs(*f.left)) : std::string("–")}});
+  }
+  return {{"rungs", rungs}, {"rows", rows}};
 }
 
 json impact_rows(const SceneComparison& c) {
@@ -251,7 +287,16 @@ json condition_values(const SceneComparison& c) {
 
 json scene_values(const SceneComparison& c) {
   const json impacts = impact_rows(c);
+  const json resync = resync_rows(c);
+  const json ladder = ladder_values(c);
   return {{"name", c.scene.name},
+          {"mode_note", mode_note(c)},
+          {"by_figures", c.mode != CompareMode::kResync},
+          {"resyncs", c.mode == CompareMode::kResync},
+          {"resync", resync},
+          {"shortest_flight", kShortestFlight},
+          {"columns", column_values(c)},
+          {"shadow", shadow_sentence(c)},
           {"answer", answer_values(c)},
           {"whose", whose_verdict(c)},
           {"step", time_text(c.scene.run.step)},
@@ -262,6 +307,8 @@ json scene_values(const SceneComparison& c) {
           {"judged", figure_rows(c, true)},
           {"all", figure_rows(c, false)},
           {"splits", split_rows(c)},
+          {"has_ladder", !ladder.is_null()},
+          {"ladder", ladder.is_null() ? json::array() : json::array({ladder})},
           {"residuals", residual_rows(c)},
           {"cost", cost_rows(c)},
           {"has_impacts", !impacts.empty()},

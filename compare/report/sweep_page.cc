@@ -10,8 +10,10 @@
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/rounded.h"
+#include "compare/report/rub_figures.h"
 #include "compare/report/template.h"
 #include "compare/study/json.h"
+#include "compare/sweep/linear_map.h"
 
 namespace rotorub {
 namespace {
@@ -163,6 +165,20 @@ json cards_of(sweep::Store& store) {
             peak ? fmt::format("point {}", peak_point) : "")});
 }
 
+// The linear map's figures beside those of the runs. Row i of the plots of a whole grid is point i.
+void add_linear(const sweep::LinearMap& map, json& plots) {
+  const json figures = rub_figures();
+  std::vector<json> columns(figures.size(), json::array());
+  for (const std::optional<rub::RubPoint>& point : map.points) {
+    std::vector<json> row = point ? rub_values(*point) : std::vector<json>(figures.size());
+    for (std::size_t k = 0; k < row.size(); ++k) columns[k].push_back(std::move(row[k]));
+  }
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    plots["figures"].push_back(figures[k]);
+    plots["columns"].push_back(std::move(columns[k]));
+  }
+}
+
 }  // namespace
 
 json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sweep::Study& study) {
@@ -196,13 +212,19 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
 
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const sweep::Study& study) {
-  const json plots = sweep_plots(scenes, store, study);
+  json plots = sweep_plots(scenes, store, study);
+  const sweep::LinearMap linear = sweep::linear_map(scenes);
+  const bool has_linear = linear.any() && plots["kind"] == "grid" &&
+                          plots["status"].size() == linear.points.size();
+  if (has_linear) add_linear(linear, plots);
   json values = page_frame(sweep_js(), plots);
   json headings = json::array();
   for (const Vary& vary : study.vary) headings.push_back({{"key", vary.key}, {"unit", vary.unit}});
   const std::string scene = study.scene.stem().string();
   values["name"] = scene;
   values["cards"] = cards_of(store);
+  values["linear"] = has_linear;
+  values["linear_refused"] = linear.refused;
   values["two"] = study.vary.size() > 1;
   const auto every = plots["every"].get<std::int64_t>();
   values["thinned"] = every > 1 ? std::to_string(every) : "";

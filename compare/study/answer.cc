@@ -14,6 +14,7 @@ std::string reason(const SceneComparison& c, const Side& other, const SideDiffer
     return fmt::format("the {} run ended early ({}): {}", side->label,
                        to_string(side->trajectory.status), side->trajectory.message);
   }
+  if (d.resync) return why(*d.resync, c.tolerance);
   if (!native.metrics.first_touch && !other.metrics.first_touch) return "nothing touches";
   return why(d.judged(), c.tolerance);
 }
@@ -49,6 +50,29 @@ std::string whose_verdict(const SceneComparison& c) {
     if (!c.differences[k].decides) continue;
     return fmt::format("Exit code: by {} (--contact), {}.", c.sides[k + 1].label,
                        what_it_did(c, c.differences[k]));
+  }
+  return "";
+}
+
+std::string mode_note(const SceneComparison& c) {
+  const std::string first = c.sides.size() > 1 ? c.sides[1].label : "";
+  switch (c.mode) {
+    case CompareMode::kLockstep:
+      break;
+    case CompareMode::kReplay:
+      if (!c.commands) {
+        return "Replay equals lockstep here: no controller commands the actuator.";
+      }
+      return "Replay: each MuJoCo run is compared with a native run under its own commands; "
+             "native, "
+             "shadow and twins are shown under those of " +
+             first + ".";
+    case CompareMode::kResync:
+      return std::string(
+                 "Resync: at every onset of contact the native model restarts from MuJoCo's "
+                 "state a step before it") +
+             (c.commands ? ", under MuJoCo's commands," : "") +
+             " and predicts that contact by event.";
   }
   return "";
 }

@@ -23,4 +23,7 @@ std::vector<AnswerRow> answer(const SceneComparison& comparison);
 // "Exit code: by rigid (--contact), which agrees within 1 %."
 std::string whose_verdict(const SceneComparison& comparison);
 
+// How the two sides are coupled, a sentence; empty in lockstep.
+std::string mode_note(const SceneComparison& comparison);
+
 }  // namespace rotorub

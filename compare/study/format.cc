@@ -49,4 +49,26 @@ std::string time_text(double seconds) {
   return fmt::format("{:.6g} s", seconds);
 }
 
+std::string wrapped(const std::string& lead, const std::string& sentence) {
+  std::string out = lead;
+  std::size_t column = lead.size();
+  std::size_t at = 0;
+  while (at < sentence.size()) {
+    std::size_t end = sentence.find(' ', at);
+    if (end == std::string::npos) end = sentence.size();
+    const std::size_t word = end - at;
+    if (column > lead.size() && column + 1 + word > kTerminalWidth) {
+      out += "\n" + std::string(lead.size(), ' ');
+      column = lead.size();
+    } else if (column > lead.size()) {
+      out += ' ';
+      ++column;
+    }
+    out += sentence.substr(at, word);
+    column += word;
+    at = end + 1;
+  }
+  return out + "\n";
+}
+
 }  // namespace rotorub

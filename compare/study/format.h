@@ -21,4 +21,8 @@ std::string percent_text(double share);
 // A time with a fitting unit: "10 µs", "0.5 s".
 std::string time_text(double seconds);
 
+inline constexpr std::size_t kTerminalWidth = 80;
+// A sentence in lines of at most kTerminalWidth, the first after `lead`, the others below it.
+std::string wrapped(const std::string& lead, const std::string& sentence);
+
 }  // namespace rotorub

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/metrics/above_modes.h"
+#include "compare/model_error/json.h"
 #include "compare/study/answer.h"
+#include "compare/study/mode_json.h"
 #include "compare/study/verdict.h"
 #include "compare/version.h"
+#include "native_model/rotor/contact_mass.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
@@ -45,6 +49,16 @@ json split_json(const Split& s) {
           {"uncertainty", s.uncertainty},
           {"valid", s.valid},
           {"reason", s.reason}};
+}
+
+// Null: modal form, or no contact.
+json above_modes_json(const std::optional<AboveModes>& above) {
+  if (!above) return nullptr;
+  return {{"highest_forward", above->band.forward},
+          {"highest_backward", above->band.backward},
+          {"contact_share", above->contact_share},
+          {"friction_share", above->friction_share},
+          {"fastest_whirl", above->fastest}};
 }
 
 json impact_json(const std::optional<Impact>& impact) {
@@ -94,6 +108,7 @@ json difference_json(const SceneComparison& comparison, const Side& side,
                   {"deviation", f.deviation},
                   {"twin_deviation", f.floor},
                   {"twin_spread", f.spread},
+                  {"replay_floor", f.replay_floor},
                   {"judged", f.figure->is_judged()}};
     if (f.figure->is_judged()) {
       entry["within"] = f.verdict == FigureVerdict::kWithin;
@@ -106,14 +121,16 @@ json difference_json(const SceneComparison& comparison, const Side& side,
   for (const ImpactPair& pair : difference.impacts) {
     impacts.push_back({{"native", impact_json(pair.a)}, {"other", impact_json(pair.b)}});
   }
-  return {{"within", difference.within()},
-          {"trusted", to_string(difference.trust)},
-          {"decides", difference.decides},
-          {"headline", headline(comparison, side, difference)},
-          {"reasons", difference.reasons},
-          {"figures", by_figure},
-          {"divergence", divergence_json(difference.divergence)},
-          {"impacts", impacts}};
+  json all = {{"within", difference.within()},
+              {"trusted", to_string(difference.trust)},
+              {"decides", difference.decides},
+              {"headline", headline(comparison, side, difference)},
+              {"reasons", difference.reasons},
+              {"figures", by_figure},
+              {"divergence", divergence_json(difference.divergence)},
+              {"impacts", impacts}};
+  if (difference.resync) all["resync"] = resync_json(*difference.resync);
+  return all;
 }
 
 }  // namespace
@@ -141,12 +158,22 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
           {"impulse_total", s.impulse_total},
           {"impacts", std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), counts)},
           {"energy_residual", s.energy_residual()},
+          {"contact_mass", contact_mass_json(contact_mass(scene))},
+          {"above_modes", above_modes_json(above_modes(scene, trajectory))},
           {"status", to_string(trajectory.status)},
           {"message", trajectory.message}};
 }
 
 std::string json_text(const json& value) {
   return value.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+json contact_mass_json(const std::optional<ContactMass>& mass) {
+  if (!mass) return nullptr;
+  return {{"kept", mass->kept},
+          {"mesh", mass->mesh},
+          {"kept_modes", mass->kept_modes},
+          {"mesh_modes", mass->mesh_modes}};
 }
 
 json metrics_json(const Metrics& m) {
@@ -174,13 +201,18 @@ json comparison_json(const SceneComparison& comparison) {
     differences[side.label] = difference_json(comparison, side, comparison.differences[k]);
   }
   return {{"answer", answer_json(comparison)},
+          {"mode", to_string(comparison.mode)},
+          {"mode_note", mode_note(comparison)},
           {"twins", comparison.twins},
+          {"shadow", shadow_json(comparison)},
           {"scene", comparison.scene.name},
           {"scene_hash", scene::scene_hash(comparison.scene)},
           {"step", comparison.scene.run.step},
           {"end", comparison.scene.run.end},
           {"status", to_string(comparison.status())},
           {"within", comparison.within()},
+          {"model_error", comparison.model_error ? model_error_json(*comparison.model_error)
+                                                 : json(nullptr)},
           {"runs", sides},
           {"differences", differences},
           {"twin", divergence_json(comparison.twin)}};
@@ -198,15 +230,16 @@ json comparisons_json(const std::vector<SceneComparison>& comparisons) {
     }
     within = within && c.within();
   }
-  return {{"answer", answers},  // sorted first: what the file begins with
-          {"program", "rotorub"},
-          {"version", program_version()},
-          {"mujoco_version", mujoco_version()},
-          {"mode", "lockstep"},
-          {"contact", decides},
-          {"tolerance", comparisons.empty() ? 0.0 : comparisons.front().tolerance},
-          {"within", within},
-          {"scenes", scenes}};
+  return {
+      {"answer", answers},  // sorted first: what the file begins with
+      {"program", "rotorub"},
+      {"version", program_version()},
+      {"mujoco_version", mujoco_version()},
+      {"mode", to_string(comparisons.empty() ? CompareMode::kLockstep : comparisons.front().mode)},
+      {"contact", decides},
+      {"tolerance", comparisons.empty() ? 0.0 : comparisons.front().tolerance},
+      {"within", within},
+      {"scenes", scenes}};
 }
 
 }  // namespace rotorub

@@ -2,15 +2,20 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/study/scene_comparison.h"
+#include "native_model/rotor/contact_mass.h"
 
 namespace rotorub {
 
 // summary.json of a run, as the contract names its keys.
 nlohmann::json summary_json(const scene::Scene& scene, const Trajectory& trajectory);
+
+// {"kept", "mesh": kg, "kept_modes", "mesh_modes"}; null for none.
+nlohmann::json contact_mass_json(const std::optional<ContactMass>& mass);
 
 // Figures (SI), settled state and residuals of a run.
 nlohmann::json metrics_json(const Metrics& metrics);

@@ -3,146 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/study/comparison_runs.h"
+#include "compare/study/replay.h"
+#include "compare/study/shadow_column.h"
 #include "compare/study/side_difference.h"
 #include "compare/study/verdict.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
 namespace {
-
-// Work of one run at the scene's step, in units of a native one; only for the progress bar.
-constexpr double kNativeWork = 1.0, kMujocoWork = 15.0;
-
-// Runs engines one after another and keeps count of the work for the progress bar.
-class Runner {
- public:
-  Runner(const scene::Scene& scene, const CompareOptions& options, double total)
-      : scene_(scene), options_(options), total_(total) {}
-
-  // `work`: share of the total that this run stands for, in the units of `total`.
-  Trajectory run(const Engine& engine, RunRequest request, double work, const std::string& what) {
-    request.interrupt = options_.interrupt;
-    if (options_.progress) {
-      request.progress = [&](double share) {
-        options_.progress((done_ + share * work) / total_, what);
-      };
-      request.progress(0.0);
-    }
-    Trajectory trajectory = engine.run(scene_, request);
-    done_ += work;
-    return trajectory;
-  }
-  Twins twins(const Engine& native, const Trajectory& original, double threshold,
-              const std::vector<double>& times) {
-    TwinParameters parameters;
-    parameters.count = options_.twins;
-    parameters.output_times = times;
-    parameters.interrupt = options_.interrupt;
-    const double work = options_.twins * kNativeWork;
-    if (options_.progress) {
-      parameters.progress = [&](double share) {
-        options_.progress((done_ + share * work) / total_, "native twins");
-      };
-    }
-    Twins found = run_twins(native, scene_, original, threshold, parameters);
-    done_ += work;
-    return found;
-  }
-  bool interrupted() const { return options_.interrupt && options_.interrupt->load(); }
-
- private:
-  const scene::Scene& scene_;
-  const CompareOptions& options_;
-  double total_, done_ = 0.0;
-};
-
-struct Contestant {
-  std::string label;
-  std::unique_ptr<Engine> engine;
-  double work;
-};
-
-std::vector<Contestant> contestants(const scene::Scene& scene, scene::ContactModel decides) {
-  std::vector<Contestant> all;
-  all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
-  all.push_back({to_string(decides), mujoco_engine(decides), kMujocoWork});
-  for (const auto contact :
-       {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb, scene::ContactModel::kCone}) {
-    if (contact == decides) continue;
-    all.push_back({to_string(contact), mujoco_engine(contact), kMujocoWork});
-  }
-  return all;
-}
-
-RunRequest without_rows(const scene::Scene& scene) {
-  RunRequest request;
-  request.output_times = std::vector<double>{scene.run.end};
-  return request;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
-
-void finish(Timing& timing) {
-  if (timing.us_per_step.empty()) return;
-  timing.median = median(timing.us_per_step);
-  const auto [low, high] =
-      std::minmax_element(timing.us_per_step.begin(), timing.us_per_step.end());
-  timing.lowest = *low;
-  timing.highest = *high;
-}
-
-// Passes for time alone, engines in turn so that a slow spell of the machine meets all of them.
-void time_runs(Runner& runner, const scene::Scene& scene, const std::vector<Contestant>& all,
-               int repeats, std::vector<Side>& sides) {
-  for (int pass = 0; pass < repeats; ++pass) {
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      if (runner.interrupted() || sides[k].trajectory.status != Status::kOk) continue;
-      const Trajectory t =
-          runner.run(*all[k].engine, without_rows(scene), all[k].work, "timing " + all[k].label);
-      if (t.steps > 0 && t.status == Status::kOk) {
-        sides[k].timing.us_per_step.push_back(1e6 * t.wall_s / static_cast<double>(t.steps));
-      }
-    }
-  }
-  for (Side& side : sides) finish(side.timing);
-}
-
-// The figures at dt, dt/2 and dt/4 and what they tend to.
-void climb_down(Runner& runner, const scene::Scene& scene, const Contestant& who, Side& side) {
-  std::array<Metrics, 3> rungs;
-  rungs[0] = side.metrics;
-  std::string failed = side.trajectory.status == Status::kOk ? "" : "the run did not end well";
-  for (std::size_t k = 1; k < rungs.size() && failed.empty(); ++k) {
-    RunRequest request = without_rows(scene);
-    const double part = k == 1 ? 2.0 : 4.0;
-    request.step = scene.run.step / part;
-    const Trajectory t = runner.run(*who.engine, request, part * who.work,
-                                    who.label + (k == 1 ? " at half the step" : " at a quarter"));
-    rungs[k] = metrics(t, std::nullopt);
-    if (t.status != Status::kOk) failed = "a run at a smaller step did not end well: " + t.message;
-  }
-  for (const Figure& f : figures()) {
-    Extrapolation e;
-    if (failed.empty()) {
-      e = extrapolate({f.value(rungs[0]), f.value(rungs[1]), f.value(rungs[2])});
-    } else {
-      e.values.fill(f.value(rungs[0]));
-      e.limit = e.values[0];
-      e.reason = failed;
-    }
-    side.limits.push_back(e);
-  }
-}
-
-double total_work(const std::vector<Contestant>& all, const CompareOptions& options) {
-  double total = options.twins * kNativeWork;
-  for (const Contestant& c : all) total += c.work * (1.0 + options.timing_repeats + 2.0 + 4.0);
-  return total;
-}
 
 // Where the scene has no contact: a share of the rotor's largest deflection.
 double divergence_threshold(const scene::Scene& scene, const Trajectory& native) {
@@ -152,6 +21,174 @@ double divergence_threshold(const scene::Scene& scene, const Trajectory& native)
   for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::hypot(x[i], y[i]));
   return std::max(kDivergenceShare * largest, 1e-12);
 }
+
+double total_work(const std::vector<Contestant>& all, const CompareOptions& options) {
+  const bool ladder = options.mode != CompareMode::kResync;
+  double total = 1.0 + (ladder ? options.twins : 0);
+  for (const Contestant& c : all) total += c.work * (1.0 + options.timing_repeats);
+  for (const Contestant& c : all) total += ladder ? c.work * (2.0 + 4.0) : 1.0;
+  // In replay each MuJoCo side has a native one of its own.
+  if (options.mode == CompareMode::kReplay) total += 3.0 + 2.0 * (1.0 + 2.0 + 4.0);
+  if (options.modes_ladder && ladder) total += kLadderWork;
+  return total;
+}
+
+// A comparison in the making.
+class Comparison {
+ public:
+  Comparison(const scene::Scene& scene, const CompareOptions& options)
+      : options_(options),
+        all_(contestants(scene, options.contact)),
+        runner_(scene, options, total_work(all_, options)),
+        times_(dense_times(scene.run, options.rows)),
+        model_(make_model(scene)),
+        tapes_(all_.size()) {
+    result_.scene = scene;
+    result_.mode = options.mode;
+    result_.commands = has_commands(scene);
+    result_.tolerance = options.tolerance;
+    result_.twins = resyncs() ? 0 : options.twins;
+    for (std::size_t k = 0; k < all_.size(); ++k) onsets_.emplace_back(model_);
+  }
+
+  SceneComparison run() {
+    show();
+    if (!runner_.interrupted()) look_closer();
+    if (options_.modes_ladder && !resyncs() && !runner_.interrupted()) {
+      result_.model_error = runner_.model_error(repeats());
+    }
+    if (runner_.interrupted()) {
+      result_.interrupted = true;
+    } else {
+      judge();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // Each MuJoCo side has a native run of its own.
+  bool replays() const { return options_.mode == CompareMode::kReplay && result_.commands; }
+  bool resyncs() const { return options_.mode == CompareMode::kResync; }
+  std::shared_ptr<const CommandRecord> commands(std::size_t side, std::size_t rung = 0) const {
+    return result_.commands ? tapes_[side][rung].record() : nullptr;
+  }
+  std::shared_ptr<const CommandRecord> replayed_commands(std::size_t side) const {
+    return replays() ? commands(side) : nullptr;
+  }
+
+  // The runs that are shown: every row that plots and residuals need. What drives a native one must
+  // have run before it.
+  void show() {
+    std::vector<Side> mujoco;
+    if (!replays()) show_native(1);
+    for (std::size_t k = 1; k < all_.size() && !runner_.interrupted(); ++k) {
+      RunRequest request;
+      request.watch = [this, k](const WatchedStep& step) {
+        if (result_.commands) tapes_[k][0].add(step);
+        if (resyncs()) onsets_[k].step(step);
+      };
+      mujoco.push_back(runner_.shown(all_[k], std::move(request)));
+      if (replays()) show_native(k);
+    }
+    for (Side& side : mujoco) result_.sides.push_back(std::move(side));
+    if (runner_.interrupted()) return;
+    result_.shadow = shadow_column(runner_, result_.sides[0], commands(1), options_);
+  }
+
+  void show_native(std::size_t driven_by) {
+    RunRequest request;
+    request.commands = replayed_commands(driven_by);
+    Side side = runner_.shown(all_[0], std::move(request));
+    (driven_by == 1 ? result_.sides : result_.natives).push_back(std::move(side));
+  }
+
+  // Smaller steps, twins, contact by contact, and clean times.
+  void look_closer() {
+    if (resyncs()) {
+      for (std::size_t k = 0; k < all_.size(); ++k) {
+        leave_limits("resync makes no runs at smaller steps", result_.sides[k]);
+      }
+      predict_onsets();
+    } else {
+      climb();
+    }
+    result_.twin.threshold = divergence_threshold(result_.scene, result_.sides[0].trajectory);
+    twins_ = runner_.twins(*all_[0].engine, result_.sides[0].trajectory, result_.twin.threshold,
+                           times_, replayed_commands(1), result_.twins);
+    result_.twin = first_to_part(twins_, result_.twin);
+    if (replays() && !runner_.interrupted()) replay_floor_ = replay_floor(runner_, result_.scene);
+    time_runs(runner_, all_, options_.timing_repeats, replayed_commands(1), result_.sides);
+  }
+
+  void climb() {
+    if (!replays()) climb_native(1, result_.sides[0]);
+    for (std::size_t k = 1; k < all_.size(); ++k) {
+      const auto tape = [&](std::size_t rung, RunRequest& request) {
+        if (replays()) request.watch = tapes_[k][rung].watch();
+      };
+      climb_down(runner_, all_[k], times_, tape, result_.sides[k]);
+      if (replays()) climb_native(k, k == 1 ? result_.sides[0] : result_.natives[k - 2]);
+    }
+  }
+
+  // At each rung driven by the commands of the side's own run there.
+  void climb_native(std::size_t driven_by, Side& side) {
+    const auto drive = [&](std::size_t rung, RunRequest& request) {
+      if (replays()) request.commands = commands(driven_by, rung);
+    };
+    climb_down(runner_, all_[0], times_, drive, side);
+  }
+
+  void predict_onsets() {
+    for (std::size_t k = 1; k < all_.size() && !runner_.interrupted(); ++k) {
+      const Trajectory& mujoco = result_.sides[k].trajectory;
+      const int left_out = onsets_[k].left_out();
+      auto predicted =
+          predict(result_.scene, onsets_[k].finish(mujoco.end), commands(k), result_.scene.run.step,
+                  runner_.part(all_[0].work, "onsets of " + all_[k].label), options_.interrupt);
+      runner_.done(all_[0].work);
+      resyncs_.push_back(judge_resync(std::move(predicted), mujoco.statistics.impulse_total > 0.0,
+                                      options_.tolerance));
+      resyncs_.back().left_out = left_out;
+    }
+  }
+
+  Repeatability repeats() const {
+    Repeatability found = repeatability(result_.sides[0], twins_);
+    for (std::size_t k = 0; k < replay_floor_.size(); ++k) {
+      found.replay_floor[k] = replay_floor_[k];
+      found.spread[k] = std::max(found.spread[k], replay_floor_[k]);
+    }
+    return found;
+  }
+
+  // The differences, and why.
+  void judge() {
+    const Repeatability floor = repeats();
+    for (std::size_t k = 1; k < result_.sides.size(); ++k) {
+      SideDifference d = side_difference(result_.reference(k), result_.sides[k], floor, options_,
+                                         result_.twin.threshold);
+      if (resyncs()) {
+        d.resync = std::move(resyncs_[k - 1]);
+        if (result_.sides[k].trajectory.status == Status::kOk) d.trust = d.resync->trust;
+      }
+      d.reasons = reasons(result_, result_.sides[k], d);
+      result_.differences.push_back(std::move(d));
+    }
+  }
+
+  const CompareOptions& options_;
+  SceneComparison result_;
+  std::vector<Contestant> all_;
+  Runner runner_;
+  std::vector<double> times_;
+  Model model_;
+  std::vector<std::array<CommandTape, kRungs>> tapes_;  // of all_, at each rung
+  std::vector<OnsetWatch> onsets_;                      // of all_
+  std::vector<Resync> resyncs_;                         // of sides[1], sides[2], ...
+  Twins twins_;
+  std::vector<double> replay_floor_;  // empty but in replay
+};
 
 }  // namespace
 
@@ -169,53 +206,7 @@ bool SceneComparison::within() const {
 }
 
 SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& options) {
-  SceneComparison result;
-  result.scene = scene;
-  result.tolerance = options.tolerance;
-  result.twins = options.twins;
-  const auto all = contestants(scene, options.contact);
-  Runner runner(scene, options, total_work(all, options));
-  const auto times = dense_times(scene.run, options.rows);
-
-  // 1. The runs that are shown: every row that plots and residuals need.
-  for (const Contestant& who : all) {
-    RunRequest request;
-    request.output_times = times;
-    Side side;
-    side.label = who.label;
-    side.engine = who.engine->name();
-    side.trajectory = runner.run(*who.engine, request, who.work, who.label);
-    side.metrics = metrics(side.trajectory, contact_facts(scene));
-    result.sides.push_back(std::move(side));
-    if (runner.interrupted()) {
-      result.interrupted = true;
-      return result;
-    }
-  }
-
-  // 2. Smaller steps, twins, and clean times.
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    climb_down(runner, scene, all[k], result.sides[k]);
-  }
-  result.twin.threshold = divergence_threshold(scene, result.sides[0].trajectory);
-  const double threshold = result.twin.threshold;
-  const Twins twins = runner.twins(*all[0].engine, result.sides[0].trajectory, threshold, times);
-  result.twin = first_to_part(twins, result.twin);
-  time_runs(runner, scene, all, options.timing_repeats, result.sides);
-  if (runner.interrupted()) {
-    result.interrupted = true;
-    return result;
-  }
-
-  // 3. The differences, and why.
-  const Repeatability repeats = repeatability(result.sides[0], twins);
-  for (std::size_t k = 1; k < result.sides.size(); ++k) {
-    SideDifference d =
-        side_difference(result.sides[0], result.sides[k], repeats, options, threshold);
-    d.reasons = reasons(result, result.sides[k], d);
-    result.differences.push_back(std::move(d));
-  }
-  return result;
+  return Comparison(scene, options).run();
 }
 
 std::vector<double> dense_times(const scene::Run& run, std::size_t rows) {

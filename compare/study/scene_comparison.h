@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,10 @@
 #include "compare/align/impacts.h"
 #include "compare/engine/engine.h"
 #include "compare/metrics/metrics.h"
+#include "compare/model_error/model_error.h"
 #include "compare/study/figure.h"
+#include "compare/study/mode.h"
+#include "compare/study/resync.h"
 #include "compare/study/split.h"
 #include "compare/study/trust.h"
 
@@ -22,9 +26,11 @@ inline constexpr scene::ContactModel kDefaultContact = scene::ContactModel::kRig
 inline constexpr int kDefaultTwins = 20;
 
 struct CompareOptions {
+  CompareMode mode = CompareMode::kLockstep;
   double tolerance = 0.01;                        // share: on the judged figures
   scene::ContactModel contact = kDefaultContact;  // whose verdict is that of the comparison
   int twins = kDefaultTwins;                      // >= 0, of the native run
+  bool modes_ladder = true;  // the error of the modes kept, where the rotor is in geometry form
   int timing_repeats = 3;    // >= 1, of runs that record nothing, engines taken in turn
   std::size_t impacts = 8;   // first impacts listed
   std::size_t rows = 50000;  // recorded at most: every step, or every so many of them
@@ -52,12 +58,22 @@ struct Side {
 
 // One figure of one MuJoCo side against the native one.
 struct FigureDifference : JudgedFigure {
-  double floor = 0.0;  // |deviation| of the native twins, largest
+  double floor = 0.0;         // |deviation| of the native twins, largest
+  double replay_floor = 0.0;  // see replay_floor(); the spread is no less
   Split split;
+};
+
+// The native stepper at MuJoCo's step (shadow_column.h).
+struct ShadowColumn {
+  std::optional<Side> side;           // label "shadow"
+  std::string absent;                 // why there is none
+  bool driven = false;                // by the commands of the run that decides
+  std::vector<JudgedFigure> figures;  // as figures(), against sides[0]
 };
 
 struct SideDifference {
   std::vector<FigureDifference> figures;  // as figures()
+  std::optional<Resync> resync;           // in resync: what the trust is by
   Divergence divergence;
   std::vector<ImpactPair> impacts;  // a: native
   Trust trust = Trust::kNo;         // kNo as well where a run did not end well
@@ -69,11 +85,21 @@ struct SideDifference {
 
 struct SceneComparison {
   scene::Scene scene;
+  CompareMode mode = CompareMode::kLockstep;
+  bool commands = false;  // a controller commands the actuator: else replay equals lockstep
   double tolerance = 0.0;
-  int twins = 0;                            // that spreads are of
-  std::vector<Side> sides;                  // native first
+  int twins = 0;            // that spreads are of
+  std::vector<Side> sides;  // native first
+  // Replay with commands: sides[0] is driven by those of sides[1], and these by those of sides[2],
+  // sides[3], ...: what each of them is compared with. Else empty.
+  std::vector<Side> natives;
+  const Side& reference(std::size_t side) const {
+    return side < 2 || natives.empty() ? sides.front() : natives[side - 2];
+  }
+  ShadowColumn shadow;
   std::vector<SideDifference> differences;  // of sides[1], sides[2], ...
   Divergence twin;                          // native against the twin that parts first
+  std::optional<ModelError> model_error;    // none: not asked for
   bool interrupted = false;                 // nothing beyond the runs that ended is filled
   // Worst of the runs that decide: native and sides[1].
   Status status() const;

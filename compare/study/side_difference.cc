@@ -17,6 +17,7 @@ Repeatability repeatability(const Side& native, const Twins& twins) {
     }
     r.floor.push_back(floor);
     r.spread.push_back(spread(f, values));
+    r.replay_floor.push_back(0.0);
   }
   return r;
 }
@@ -38,7 +39,8 @@ SideDifference side_difference(const Side& native, const Side& other, const Repe
     const Figure& f = figures()[k];
     d.figures.push_back({judged(f, f.value(native.metrics), f.value(other.metrics), twins.spread[k],
                                 options.tolerance),
-                         twins.floor[k], split(native.limits[k], other.limits[k])});
+                         twins.floor[k], twins.replay_floor[k],
+                         split(native.limits[k], other.limits[k])});
   }
   const bool ended_well =
       native.trajectory.status == Status::kOk && other.trajectory.status == Status::kOk;

@@ -11,6 +11,7 @@ namespace rotorub {
 // Of each figure among the native run and its twins.
 struct Repeatability {
   std::vector<double> floor, spread;  // largest |deviation|; greatest less least
+  std::vector<double> replay_floor;   // see replay_floor(); 0 but in replay
 };
 Repeatability repeatability(const Side& native, const Twins& twins);
 

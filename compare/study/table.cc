@@ -4,101 +4,130 @@
 
 #include "compare/study/answer.h"
 #include "compare/study/format.h"
+#include "compare/study/resync_text.h"
 #include "compare/study/verdict.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
 namespace {
 
-constexpr int kLabel = 27;
-constexpr int kValue = 11;
-constexpr int kDifference = 11;
-constexpr std::size_t kWidth = 98;
+constexpr int kLabel = 28;
+constexpr int kValue = 10;
 
 std::string label_of(const Figure& f) {
   return *f.unit ? fmt::format("{}, {}", f.label, f.unit) : std::string(f.label);
 }
 
-std::string head(const SceneComparison& c) {
-  std::string line = fmt::format("  {:<{}}", "", kLabel);
+// A line of texts below the columns: native, its shadow, MuJoCo's.
+template <class Text, class OfShadow>
+std::string line(const SceneComparison& c, const std::string& label, Text text,
+                 OfShadow of_shadow) {
+  std::string all = fmt::format("{:<{}}", label, kLabel + 2);
   for (std::size_t k = 0; k < c.sides.size(); ++k) {
-    line += fmt::format("{:>{}}", c.sides[k].label, kValue);
-    if (k > 0) line += fmt::format("{:>{}}", "difference", kDifference);
+    all += fmt::format("{:>{}}", text(k), kValue);
+    if (k == 0 && c.shadow.side) all += fmt::format("{:>{}}", of_shadow(), kValue);
   }
-  return line + "\n";
+  while (all.back() == ' ') all.pop_back();
+  return all + "\n";
 }
 
-std::string figure_line(const SceneComparison& c, std::size_t index) {
-  const Figure& f = figures()[index];
-  std::string line = fmt::format("{} {:<{}}", f.is_judged() ? "*" : " ", label_of(f), kLabel);
-  for (std::size_t k = 0; k < c.sides.size(); ++k) {
-    line += fmt::format("{:>{}}", figure_value(f, f.value(c.sides[k].metrics)), kValue);
-    if (k == 0) continue;
-    const double apart = c.differences[k - 1].figures[index].deviation;
-    line += fmt::format("{:>{}}", deviation_text(f, apart), kDifference);
-  }
-  return line + "\n";
+std::string marked(const Figure& f, const std::string& label) {
+  return fmt::format("{} {}", f.is_judged() ? "*" : " ", label);
 }
 
-// One line of texts below the sides' columns.
-template <class Text>
-std::string side_line(const SceneComparison& c, const char* label, Text text) {
-  std::string line = fmt::format("  {:<{}}", label, kLabel);
-  for (std::size_t k = 0; k < c.sides.size(); ++k) {
-    line += fmt::format("{:>{}}", text(c.sides[k]), kValue);
-    if (k > 0) line += std::string(kDifference, ' ');
+std::string value_lines(const SceneComparison& c) {
+  std::string text = line(
+      c, "", [&](std::size_t k) { return c.sides[k].label; }, [] { return "shadow"; });
+  for (const Figure& f : figures()) {
+    text += line(
+        c, marked(f, label_of(f)),
+        [&](std::size_t k) { return figure_value(f, f.value(c.sides[k].metrics)); },
+        [&] { return figure_value(f, f.value(c.shadow.side->metrics)); });
   }
-  while (line.back() == ' ') line.pop_back();
-  return line + "\n";
+  return text + line(
+                    c, "  time of a step, µs",
+                    [&](std::size_t k) { return short_number(c.sides[k].timing.median); },
+                    [] { return ""; });
 }
 
-std::string settled_line(const SceneComparison& c) {
-  std::string line;
-  for (const Side& side : c.sides) {
-    line += fmt::format("{}{} {}", line.empty() ? "  settles to: " : ", ", side.label,
-                        to_string(side.metrics.settled.attractor));
-  }
-  return line + "\n";
-}
-
-std::string split_lines(const SceneComparison& c) {
-  std::string text =
-      fmt::format("\n  {:<{}}{:>12}{:>16}{:>12}{:>12}\n", "split of the difference", kLabel + 10,
-                  "difference", "contact model", "MuJoCo step", "native step");
-  for (std::size_t k = 0; k < c.differences.size(); ++k) {
-    for (const FigureDifference& d : c.differences[k].figures) {
-      if (!d.figure->is_judged() || !d.figure->split) continue;
-      const auto value = [&](double v) { return figure_value(*d.figure, v); };
-      text += fmt::format("  {:<10}{:<{}}{:>12}{:>16}{:>12}{:>12}  {}\n", c.sides[k + 1].label,
-                          label_of(*d.figure), kLabel, value(d.split.difference),
-                          value(d.split.model_gap), value(d.split.step_error),
-                          value(d.split.native_step_error), d.split.valid ? "" : "(not valid)");
-    }
+std::string difference_lines(const SceneComparison& c) {
+  std::string text = line(
+      c, "  difference from native",
+      [&](std::size_t k) { return k == 0 ? "" : c.sides[k].label.c_str(); },
+      [] { return "shadow"; });
+  for (std::size_t i = 0; i < figures().size(); ++i) {
+    const Figure& f = figures()[i];
+    if (!f.comparable) continue;
+    text += line(
+        c, marked(f, f.label),
+        [&](std::size_t k) {
+          return k == 0 ? std::string()
+                        : deviation_text(f, c.differences[k - 1].figures[i].deviation);
+        },
+        [&] { return deviation_text(f, c.shadow.figures[i].deviation); });
   }
   return text;
 }
 
-// A sentence in lines of at most kWidth, the first after `lead`, the others below it.
-std::string wrapped(const std::string& lead, const std::string& sentence) {
-  std::string out = lead;
-  std::size_t column = lead.size();
-  std::size_t at = 0;
-  while (at < sentence.size()) {
-    std::size_t end = sentence.find(' ', at);
-    if (end == std::string::npos) end = sentence.size();
-    const std::size_t word = end - at;
-    if (column > lead.size() && column + 1 + word > kWidth) {
-      out += "\n" + std::string(lead.size(), ' ');
-      column = lead.size();
-    } else if (column > lead.size()) {
-      out += ' ';
-      ++column;
-    }
-    out += sentence.substr(at, word);
-    column += word;
-    at = end + 1;
+// Replay: what the differences of each contact model are from.
+std::string reference_lines(const SceneComparison& c) {
+  if (c.natives.empty()) return "";
+  std::string text = line(
+      c, "  native, by the commands of",
+      [&](std::size_t k) { return k == 0 ? "" : c.sides[k].label.c_str(); }, [] { return ""; });
+  for (const Figure& f : figures()) {
+    if (!f.is_judged()) continue;
+    text += line(
+        c, marked(f, label_of(f)),
+        [&](std::size_t k) {
+          return k == 0 ? std::string() : figure_value(f, f.value(c.reference(k).metrics));
+        },
+        [] { return ""; });
   }
-  return out + "\n";
+  return text + "\n";
+}
+
+std::string settled_line(const SceneComparison& c) {
+  std::string text;
+  for (const Side& side : c.sides) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", side.label,
+                        to_string(side.metrics.settled.attractor));
+  }
+  return text;
+}
+
+// What the shadow is, or why there is none.
+std::string shadow_note(const SceneComparison& c) {
+  if (!c.shadow.side) return "no shadow: " + c.shadow.absent;
+  const std::string what = fmt::format("shadow: the native stepper ({}) at MuJoCo's step",
+                                       c.shadow.side->trajectory.integrator);
+  if (!c.shadow.driven) {
+    return what +
+           ": what it is off by is the step's, what MuJoCo is off beyond it the contact "
+           "model's";
+  }
+  return what + ", driven by the commands of " + c.sides[1].label +
+         ": what it is off by is the step's, and what the open loop makes of it";
+}
+
+std::string split_lines(const SceneComparison& c) {
+  std::string text =
+      fmt::format("  {:<{}}{:>11}{:>10}{:>10}{:>10}\n", "split of the difference, due to",
+                  kLabel + 9, "difference", "contact", "step", "native");
+  bool unsure = false;
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    for (const FigureDifference& d : c.differences[k].figures) {
+      if (!d.figure->is_judged() || !d.figure->split) continue;
+      const auto value = [&](double v) { return figure_value(*d.figure, v); };
+      unsure = unsure || !d.split.valid;
+      text += fmt::format("{} {:<9}{:<{}}{:>11}{:>10}{:>10}{:>10}\n", d.split.valid ? " " : "?",
+                          c.sides[k + 1].label, label_of(*d.figure), kLabel,
+                          value(d.split.difference), value(d.split.model_gap),
+                          value(d.split.step_error), value(d.split.native_step_error));
+    }
+  }
+  if (unsure) text += "  ? does not converge as the step shrinks: these parts say nothing\n";
+  return text;
 }
 
 // What was asked, answered: before any figure.
@@ -112,7 +141,9 @@ std::string answer_lines(const SceneComparison& c) {
                                 kContact, to_string(row.trust), kTrust, cost, kCost),
                     row.why);
   }
-  return text + wrapped("  > ", whose_verdict(c));
+  text += wrapped("  > ", whose_verdict(c));
+  if (const std::string note = mode_note(c); !note.empty()) text += wrapped("    ", note);
+  return text;
 }
 
 // Before the headline of a contact model; all of one width.
@@ -133,19 +164,24 @@ const char* lead(Trust trust) {
 }  // namespace
 
 std::string comparison_table(const SceneComparison& c) {
-  std::string text = fmt::format("{}: step {}, {} simulated, scene {}\n", c.scene.name,
-                                 time_text(c.scene.run.step), time_text(c.scene.run.end),
-                                 scene::scene_hash(c.scene));
+  std::string text = fmt::format("{}: {}, step {}, {} simulated, scene {}\n", c.scene.name,
+                                 to_string(c.mode), time_text(c.scene.run.step),
+                                 time_text(c.scene.run.end), scene::scene_hash(c.scene));
   text += answer_lines(c) + "\n";
-  text += head(c);
-  for (std::size_t k = 0; k < figures().size(); ++k) text += figure_line(c, k);
-  text += side_line(c, "time of a step, µs",
-                    [](const Side& s) { return short_number(s.timing.median); });
-  text += fmt::format("  * judged: {}, or what {} twins spread by where that is more;\n"
-                      "    rms gap rate relative to 1 mm/s at least\n",
-                      percent_text(c.tolerance), c.twins);
-  text += settled_line(c);
-  text += split_lines(c);
+  if (c.mode == CompareMode::kResync) {
+    text += resync_table(c);
+  } else {
+    text += value_lines(c) + "\n" + reference_lines(c) + difference_lines(c);
+    text +=
+        wrapped("  * ", fmt::format("judged: {}, or what {} twins spread by{} where that is more; "
+                                    "rms gap rate relative to 1 mm/s at least",
+                                    percent_text(c.tolerance), c.twins,
+                                    c.natives.empty() ? "" : " or the open loop drifts by"));
+    text += wrapped("  ", shadow_note(c));
+    text += wrapped("  settles to: ", settled_line(c)) + "\n";
+    text += split_lines(c);
+    if (c.model_error) text += "\n" + model_error_table(*c.model_error, "  ");
+  }
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const SideDifference& d = c.differences[k];
     text += "\n" + wrapped(lead(d.trust), headline(c, c.sides[k + 1], d));

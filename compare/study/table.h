@@ -7,8 +7,9 @@
 
 namespace rotorub {
 
-// Figures side by side, the split of the judged differences, and a verdict with its reasons for
-// each contact model; 96 columns with three contact models.
+// The answer, the figures side by side and their differences (in resync the contacts', onset by
+// onset), the split of the judged ones, and a verdict with its reasons for each contact model; at
+// most 80 columns wide.
 std::string comparison_table(const SceneComparison& comparison);
 
 // What `run` says of one run.

@@ -35,11 +35,11 @@ std::string labels(const std::vector<JudgedFigure>& figures) {
   return text;
 }
 
-// "; undecidable at 1 %: hard impacts (twins 6.8 % apart)".
+// "; undecidable at 1 %: hard impacts (repeats to 6.8 %)".
 std::string undecidable_text(const std::vector<JudgedFigure>& figures, double tolerance) {
   std::string text;
   for (const JudgedFigure& f : undecidable(figures)) {
-    text += fmt::format("{}{} (twins {} apart)", text.empty() ? "" : ", ", f.figure->label,
+    text += fmt::format("{}{} (repeats to {})", text.empty() ? "" : ", ", f.figure->label,
                         size_text(*f.figure, f.spread));
   }
   return text.empty() ? text : "undecidable at " + percent_text(tolerance) + ": " + text;

@@ -17,6 +17,7 @@ struct TwinParameters {
   int count = 20;                    // >= 0; starts +1, -1, +2, -2, ... ulps away
   std::optional<double> step;        // s; none: the scene's
   std::vector<double> output_times;  // s, rows: of `divergence`, and of what figures need rows
+  std::shared_ptr<const CommandRecord> commands;  // that drive them all; null: none
   std::function<void(double)> progress;
   const std::atomic<bool>* interrupt = nullptr;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/study/format.h"
+#include "compare/study/resync_text.h"
 
 namespace rotorub {
 namespace {
@@ -134,13 +135,21 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
       what, s.model_gap * per_unit, unit, (s.step_error - s.native_step_error) * per_unit, unit);
 }
 
-std::string twins_sentence(const SceneComparison& c, const SideDifference& d) {
+// Figures whose spread hides the tolerance: "6.8 % in hard impacts".
+template <class Spread>
+std::string spreads(const SceneComparison& c, const SideDifference& d, Spread spread) {
   std::string apart;
-  for (const JudgedFigure& f : d.judged()) {
-    if (!f.figure->is_judged() || f.spread <= c.tolerance) continue;
-    apart += fmt::format("{}{} in {}", apart.empty() ? "" : ", ", size_text(*f.figure, f.spread),
+  for (const FigureDifference& f : d.figures) {
+    if (!f.figure->is_judged() || spread(f) <= c.tolerance) continue;
+    apart += fmt::format("{}{} in {}", apart.empty() ? "" : ", ", size_text(*f.figure, spread(f)),
                          f.figure->label);
   }
+  return apart;
+}
+
+std::string twins_sentence(const SceneComparison& c, const SideDifference& d) {
+  const std::string apart = spreads(
+      c, d, [](const FigureDifference& f) { return f.spread > f.replay_floor ? f.spread : 0.0; });
   if (apart.empty()) return {};
   return fmt::format(
       "the motion is chaotic: {} native runs that start a few units in the last place apart differ "
@@ -148,6 +157,15 @@ std::string twins_sentence(const SceneComparison& c, const SideDifference& d) {
       c.twins + 1, apart,
       c.twin.time ? fmt::format(" and part at t = {:.4g} s", *c.twin.time) : std::string(),
       percent(c.tolerance));
+}
+
+std::string open_loop_sentence(const SceneComparison& c, const SideDifference& d) {
+  const std::string apart = spreads(c, d, [](const FigureDifference& f) { return f.replay_floor; });
+  if (apart.empty()) return {};
+  return fmt::format(
+      "the open loop does not hold the motion: commands of the native model's own loop, replayed "
+      "into it at this step, already change {}; within that, {:.2g} % cannot be decided in replay",
+      apart, percent(c.tolerance));
 }
 
 std::string penetration_sentence(const SceneComparison& c, const Side& other) {
@@ -158,11 +176,19 @@ std::string penetration_sentence(const SceneComparison& c, const Side& other) {
                      1e6 * other.metrics.max_penetration, percent(share));
 }
 
+std::size_t index_of(const SceneComparison& comparison, const Side& side) {
+  const auto& sides = comparison.sides;
+  return static_cast<std::size_t>(
+      std::find_if(sides.begin(), sides.end(),
+                   [&](const Side& s) { return s.label == side.label; }) -
+      sides.begin());
+}
+
 }  // namespace
 
 std::vector<std::string> reasons(const SceneComparison& comparison, const Side& other,
                                  const SideDifference& difference) {
-  const Side& native = comparison.sides.front();
+  const Side& native = comparison.reference(index_of(comparison, other));
   std::vector<std::string> all;
   const auto add = [&](std::string sentence) {
     if (!sentence.empty()) all.push_back(std::move(sentence));
@@ -173,12 +199,17 @@ std::vector<std::string> reasons(const SceneComparison& comparison, const Side& 
                       to_string(side->trajectory.status), side->trajectory.message));
     }
   }
+  if (difference.resync) {
+    for (std::string& reason : resync_reasons(other.label, *difference.resync)) add(reason);
+    return all;
+  }
   const FigureDifference& off = worst(difference);
   add(contact_sentence(native, other));
   add(attractor_sentence(native, other));
   add(scatter_sentence(native, other, difference));
   add(penetration_sentence(comparison, other));
   add(twins_sentence(comparison, difference));
+  add(open_loop_sentence(comparison, difference));
   if (off.figure->split) add(split_sentence(off, comparison.tolerance));
   return all;
 }
@@ -189,6 +220,9 @@ std::string headline(const SceneComparison& comparison, const Side& other,
   const Side& native = comparison.sides.front();
   if (other.trajectory.status != Status::kOk) {
     return fmt::format("MuJoCo's {} contact did not reach the end of the run.", other.label);
+  }
+  if (difference.resync) {
+    return resync_headline(other.label, *difference.resync, comparison.tolerance);
   }
   if (!native.metrics.first_touch && !other.metrics.first_touch) {
     return fmt::format(

@@ -79,6 +79,9 @@ Figures figures_of(const EnsembleRun& run, const Group& group, Seen& seen) {
   f.mean_force = run.mean_force(group.end);
   f.peak_force = run.peak_impulse / group.step;
   f.impulse_total = run.impulse_total;
+  f.peak_impulse = run.peak_impact;
+  f.friction_work = run.friction_work;
+  f.max_penetration = run.max_penetration;
   seen.part.from = (1.0 - kSettledShare) * group.end;
   f.settled = settled(seen.part);
   return f;

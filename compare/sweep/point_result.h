@@ -11,7 +11,7 @@
 
 namespace rotorub::sweep {
 
-// Figures of a run that went to its end. From single runs alone: nothing for an ensemble's.
+// Figures of a run that went to its end. An ensemble keeps no balance of the energy.
 struct Figures {
   double end = 0.0;                   // s
   std::int64_t steps = 0;
@@ -22,9 +22,9 @@ struct Figures {
   double peak_force = 0.0;            // N, largest impulse of a step / step
   double impulse_total = 0.0;         // N s
   Settled settled;                    // over the last fifth
-  std::optional<double> peak_impulse;     // N s, largest of one impact; single runs
-  std::optional<double> friction_work;    // J, <= 0; single runs
-  std::optional<double> max_penetration;  // m; single runs
+  std::optional<double> peak_impulse;     // N s, largest of one impact
+  std::optional<double> friction_work;    // J, <= 0
+  std::optional<double> max_penetration;  // m
   std::optional<double> energy_residual;  // 1; single runs
 };
 

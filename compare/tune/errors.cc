@@ -47,32 +47,4 @@ void split_errors(const Setting& setting, const Runner& run, References& referen
   }
 }
 
-ErrorPart mode_errors(const bench::SceneReader& reader, int modes,
-                      const std::atomic<bool>* interrupt) {
-  ErrorPart part;
-  const auto engine = native_engine(scene::Integrator::kEvent);
-  const auto run = [&](const std::vector<std::string>& further) {
-    const scene::Scene scene = reader(further);
-    RunRequest request;
-    request.output_times = std::vector<double>{scene.run.end};
-    request.interrupt = interrupt;
-    const Trajectory t = engine->run(scene, request);
-    if (t.status != Status::kOk) throw std::runtime_error(t.message);
-    return metrics(t, std::nullopt);
-  };
-  try {
-    const Metrics own = run({});
-    const Metrics more =
-        run({"rotor.max_frequency=none", fmt::format("rotor.modes={}", 2 * modes)});
-    for (const Figure& f : figures()) {
-      if (!f.is_judged()) continue;
-      const double apart = deviation(f, f.value(more), f.value(own));
-      part.figures.emplace_back(&f, std::isfinite(apart) ? std::optional(apart) : std::nullopt);
-    }
-  } catch (const std::exception& error) {
-    part.reason = fmt::format("no run with {} modes: {}", 2 * modes, error.what());
-  }
-  return part;
-}
-
 }  // namespace rotorub::tune

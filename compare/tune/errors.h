@@ -20,15 +20,10 @@ struct ErrorPart {
 struct ErrorParts {
   ErrorPart contact;  // the contact model's: what remains as the step goes to 0
   ErrorPart step;     // what vanishes with it
-  ErrorPart modes;    // of the native model with the scene's modes, against twice as many
 };
 
 // By runs at the step, a half and a quarter of it (compare/study/split.h).
 void split_errors(const Setting& setting, const Runner& run, References& references,
                   ErrorParts& parts);
-
-// `modes`: bending modes of the scene.
-ErrorPart mode_errors(const bench::SceneReader& reader, int modes,
-                      const std::atomic<bool>* interrupt);
 
 }  // namespace rotorub::tune

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/engine/engine.h"
+#include "compare/model_error/json.h"
 #include "compare/version.h"
 #include "native_model/scene/reader.h"
 
@@ -68,7 +69,7 @@ json tune_json(const TuneResult& r) {
           {"next_cheaper", one(r.choice.next_cheaper)},
           {"cheaper_by_contact", cheaper},
           {"nearest", one(r.choice.nearest)},
-          {"model_error", part_json(r.errors.modes)},
+          {"model_error", model_error_json(r.model_error)},
           {"contact_error", part_json(r.errors.contact)},
           {"step_error", part_json(r.errors.step)},
           {"settings", all}};

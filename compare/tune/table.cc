@@ -32,24 +32,28 @@ std::string part_text(const ErrorPart& part, std::size_t k) {
   return share ? deviation_text(*figure, *share) : "not told";
 }
 
+std::string mode_text(const ModelError& error, std::size_t k) {
+  if (k >= error.figures.size()) return "-";
+  const FigureLimit& f = error.figures[k];
+  return f.error ? deviation_text(*f.figure, *f.error) : "no limit seen";
+}
+
 // The trusted setting's deviation and its causes, figure by figure.
 std::string error_lines(const TuneResult& r) {
   const JudgedSetting& s = r.settings[*r.choice.trusted];
   std::string lines =
       fmt::format("\n  {:<{}}{:>{}}{:>{}}{:>{}}{:>{}}\n", "errors", kLabel, "this setting", kValue,
                   "contact model", kValue, "step", kValue, "modes kept", kValue);
+  const ModelError& modes = r.model_error;
   for (std::size_t k = 0; k < s.figures.size(); ++k) {
     const JudgedFigure& f = s.figures[k];
     lines += fmt::format("  {:<{}}{:>{}}{:>{}}{:>{}}{:>{}}\n", f.figure->label, kLabel,
                          deviation_text(*f.figure, f.deviation), kValue,
                          part_text(r.errors.contact, k), kValue, part_text(r.errors.step, k),
-                         kValue, part_text(r.errors.modes, k), kValue);
+                         kValue, mode_text(modes, k), kValue);
   }
-  lines += fmt::format("  modes kept: {} against {}, in the native model\n", r.modes, 2 * r.modes);
-  for (const ErrorPart* part : {&r.errors.contact, &r.errors.modes}) {
-    if (!part->reason.empty()) lines += "  not told: " + part->reason + "\n";
-  }
-  return lines;
+  if (!r.errors.contact.reason.empty()) lines += "  not told: " + r.errors.contact.reason + "\n";
+  return lines + "\n" + model_error_table(modes, "  ");
 }
 
 }  // namespace

@@ -49,11 +49,14 @@ TuneResult tune_scene(const bench::SceneReader& reader, const TuneParameters& pa
   } else {
     result.errors.contact.reason = result.errors.step.reason = "no setting can be trusted";
   }
-  if (result.scene.rotor.geometry) {
-    result.errors.modes = mode_errors(reader, result.modes, parameters.interrupt);
-  } else {
-    result.errors.modes.reason = "modal form: the scene gives its modes, and no others are known";
-  }
+  ModelErrorParameters ladder;
+  ladder.tolerance = parameters.tolerance;
+  ladder.step = result.choice.trusted ? result.settings[*result.choice.trusted].setting.step
+                                      : result.scene.run.step;
+  ladder.interrupt = parameters.interrupt;
+  if (result.scene.rotor.geometry) ladder.spread = references.at(ladder.step).spread;
+  if (stopped()) return result;
+  result.model_error = model_error(result.scene, ladder);
   stopped();
   return result;
 }

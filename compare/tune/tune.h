@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/model_error/model_error.h"
 #include "compare/tune/choice.h"
 #include "compare/tune/errors.h"
 
@@ -27,7 +28,8 @@ struct TuneResult {
   int modes = 0;  // bending modes in each plane
   std::vector<JudgedSetting> settings;
   Choice choice;
-  ErrorParts errors;  // of the trusted setting; the modes' in any case
+  ErrorParts errors;       // of the trusted setting
+  ModelError model_error;  // of the modes kept: the native model's, whatever the setting
   bool interrupted = false;
 };
 

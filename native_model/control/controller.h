@@ -27,6 +27,9 @@ struct Plant {
   Eigen::Vector2d stator_mass{1.0, 1.0};         // kg
   Eigen::Vector2d stator_damping{0.0, 0.0};      // N s/m
   Eigen::Vector2d stator_stiffness{0.0, 0.0};    // N/m
+  // 1/kg, >= 0, of the rotor at the contact: what a force there adds to its acceleration. It is of
+  // the same modes as Measurement::rotor_acceleration, which does not know the contact's force.
+  Eigen::Vector2d rotor_mobility{0.0, 0.0};
 };
 
 // A law is a pure function of the measurement: no state, so it may be called at any time, from any

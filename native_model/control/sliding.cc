@@ -45,7 +45,10 @@ Eigen::Vector2d SlidingController::force(const Measurement& now) const {
   const Eigen::Vector2d own = plant_.stator_stiffness.cwiseProduct(now.stator) +
                               plant_.stator_damping.cwiseProduct(now.stator_velocity);
   const double compensation = e_r.dot(own.cwiseQuotient(plant_.stator_mass));
-  const double preload = settings_.preload * (1.0 - wanted.gap / plant_.clearance);
+  const Eigen::Vector2d square = e_r.cwiseAbs2();
+  const double ring_mobility = square.dot(plant_.stator_mass.cwiseInverse());
+  const double share = 1.0 + square.dot(plant_.rotor_mobility) / ring_mobility;
+  const double preload = settings_.preload * share * (1.0 - wanted.gap / plant_.clearance);
   return plant_.stator_mass.cwiseProduct((radial + compensation) * e_r) - preload * e_r;
 }
 

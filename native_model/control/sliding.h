@@ -5,8 +5,13 @@
 //   s = edot + psi e
 //   u = M_f (-f + qddot_fd - psi edot - k sat(s / phi)),   M_f f = -D_f qdot_f - K_f q_f
 //
-// With the gap closed a small preload presses the ring on the rotor: tracking alone would leave the
-// two grazing, without a force to speak of. It comes in as the reference falls.
+// With the gap closed a small preload P presses the ring on the rotor: tracking alone would leave the
+// two grazing, without a force to speak of. It comes in as the reference falls. The rotor's
+// acceleration is that without contact force, and a force lambda takes lambda w_r from it (w_r, w_f:
+// mobilities e_r . M^-1 e_r of rotor and ring). In lasting contact both accelerate alike,
+//   qddot_r - lambda w_r = qddot_r - u_P w_f + lambda w_f,
+// so the actuator gives u_P = P (1 + w_r / w_f), and lambda = P. With u_P = P it would be
+// P / (1 + w_r / w_f): a force that falls without end with the modes that the model keeps.
 //
 // (25) and (28) add accelerations to forces; the law above has the one unit. The error is radial
 // by construction, so only the normal direction is driven: e_r . qddot_fd follows from the rotor's

@@ -22,7 +22,7 @@ Phase::Phase(const Model& model)
 
 Eigen::Vector2d Phase::command(double t, const double* y) const {
   const Model& m = *model_;
-  if (!m.controller || m.sample_time > 0.0) return held_;
+  if (!m.controller || m.sample_time > 0.0) return held_;  // recorded ones too
   return control_command(m, t, y, y + m.nq());
 }
 

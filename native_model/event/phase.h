@@ -30,7 +30,7 @@ class Phase {
   const ContactState& state() const { return state_; }
   bool in_contact() const { return state_.mode != Mode::kFree; }
 
-  // Sampled controllers: the command is held; otherwise it follows the state.
+  // Sampled controllers and recorded commands: the command is held; otherwise it follows the state.
   void hold(const Eigen::Vector2d& command) { held_ = command; }
   Eigen::Vector2d command(double t, const double* y) const;
   // The rates of the gap are summed up from here on, s.

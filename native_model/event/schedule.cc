@@ -22,6 +22,12 @@ void Schedule::begin(double start, double end) {
     add(m.control_on);
     for (double t : m.controller->breaks()) add(t);
   }
+  if (m.recorded) {
+    // Of a run from one contact to the next there are few.
+    const std::vector<double>& jumps = m.recorded->jumps();
+    const auto first = std::upper_bound(jumps.begin(), jumps.end(), start);
+    breaks_.insert(breaks_.end(), first, std::lower_bound(first, jumps.end(), end));
+  }
   std::sort(breaks_.begin(), breaks_.end());
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
   next_sample_ = m.sample_time > 0.0 ? std::ceil(start / m.sample_time - 1e-9) : 0.0;
@@ -37,6 +43,7 @@ double Schedule::next(double t) const {
 
 bool Schedule::sample_due(double t) {
   const Model& m = *model_;
+  if (m.recorded) return true;  // a break may be a jump; the record tells it at no cost
   if (!m.controller || m.sample_time <= 0.0) return false;
   const bool starts = t == m.control_on;  // the first command is taken at switch-on
   if (!starts && t < next_sample_ * m.sample_time) return false;

@@ -1,5 +1,5 @@
-// Instants at which the right-hand side is not smooth: switched loads, the controller's own, and
-// its samples. Steps end there.
+// Instants at which the right-hand side is not smooth: switched loads, the controller's own, its
+// samples, and the jumps of recorded commands. Steps end there.
 #pragma once
 
 #include <vector>

@@ -19,11 +19,12 @@ class Dop853 {
   // size: components of y. All storage is allocated here.
   explicit Dop853(int size)
       : size_(size),
-        stages_(static_cast<std::size_t>(size * dop853::kExtendedStages)),
-        dense_(static_cast<std::size_t>(size * kDenseTerms)),
-        start_(static_cast<std::size_t>(size)),
-        end_(static_cast<std::size_t>(size)),
-        work_(static_cast<std::size_t>(size)) {}
+        padded_((size + kBlock - 1) / kBlock * kBlock),
+        stages_(static_cast<std::size_t>(padded_ * dop853::kExtendedStages)),
+        dense_(static_cast<std::size_t>(padded_ * kDenseTerms)),
+        start_(static_cast<std::size_t>(padded_)),
+        end_(start_),
+        work_(start_) {}
 
   // f(t, y) at the start of the next step: to be set first, and after every jump of y or f.
   double* first_slope() { return stage(0); }
@@ -47,7 +48,8 @@ class Dop853 {
 
   const double* end() const { return end_.data(); }
 
-  // After a trial: the extra stages of its dense output. t: the step's start.
+  // After a trial: the extra stages of its dense output. Its terms are found as they are asked for, which is
+  // to be done before advance() or another first slope. t: the step's start.
   template <class F>
   void prepare_dense(F&& f, double t) {
     using namespace dop853;
@@ -55,44 +57,32 @@ class Dop853 {
       combine(kMatrix[static_cast<std::size_t>(s)], work_.data());
       f(t + kNodes[static_cast<std::size_t>(s)] * step_, work_.data(), stage(s));
     }
-    const double *f0 = stage(0), *f1 = stage(kStages);
-    for (int i = 0; i < size_; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const double dy = end_[k] - start_[k];
-      dense_term(0)[i] = dy;
-      dense_term(1)[i] = step_ * f0[i] - dy;
-      dense_term(2)[i] = 2.0 * dy - step_ * (f1[i] + f0[i]);
-    }
-    for (int d = 0; d < 4; ++d) {
-      double* to = dense_term(3 + d);
-      std::fill_n(to, size_, 0.0);
-      const Row& row = kDense[static_cast<std::size_t>(d)];
-      for (int j = 0; j < row.count; ++j) {
-        const Term& w = row.terms[static_cast<std::size_t>(j)];
-        const double *from = stage(w.stage), weight = step_ * w.weight;
-        for (int i = 0; i < size_; ++i) to[i] += weight * from[i];
-      }
-    }
+    known_ = 0;
+    known_alone_ = kNone;
   }
 
   // y(t + theta h) - y(t), theta in [0, 1], nested: theta (F_0 + (1 - theta)(F_1 + theta (...))).
-  void increment(double theta, double* y) const {
-    for (int i = 0; i < size_; ++i) y[i] = increment(i, theta);
+  void increment(double theta, double* y) {
+    find_all_terms();
+    for (int i = 0; i < size_; ++i) y[i] = nested(i, theta);
   }
-  // The same of one component.
-  double increment(int i, double theta) const {
-    double sum = 0.0;
-    for (int d = kDenseTerms - 1; d >= 0; --d) {
-      sum = (sum + term(d)[i]) * (d % 2 == 0 ? theta : 1.0 - theta);
+  // The same of one component, at the cost of its own terms alone.
+  double increment(int i, double theta) {
+    if (known_ == 0 && known_alone_ != i) {
+      find_terms<1>(i);
+      known_alone_ = i;
     }
-    return sum;
+    return nested(i, theta);
   }
-  void dense(double theta, double* y) const {
+  void dense(double theta, double* y) {
     increment(theta, y);
     for (int i = 0; i < size_; ++i) y[i] += start_[static_cast<std::size_t>(i)];
   }
   // F_d of the nested form, for polynomials in theta of functions of y.
-  const double* term(int d) const { return dense_.data() + static_cast<std::ptrdiff_t>(d) * size_; }
+  const double* term(int d) {
+    find_all_terms();
+    return dense_term(d);
+  }
 
   // The last trial's end becomes the next start: its slope is known.
   void advance() { std::copy_n(stage(dop853::kStages), size_, stage(0)); }
@@ -100,19 +90,70 @@ class Dop853 {
   int size() const { return size_; }
 
  private:
-  double* stage(int s) { return stages_.data() + static_cast<std::ptrdiff_t>(s) * size_; }
-  double* dense_term(int d) { return dense_.data() + static_cast<std::ptrdiff_t>(d) * size_; }
+  // Sums over the stages go through the components in blocks, so that they stay in registers. The storage is
+  // padded to whole blocks, with zeros.
+  static constexpr int kBlock = 6;
+  static constexpr int kNone = -1;
+
+  double* stage(int s) { return stages_.data() + static_cast<std::ptrdiff_t>(s) * padded_; }
+  double* dense_term(int d) { return dense_.data() + static_cast<std::ptrdiff_t>(d) * padded_; }
 
   // y = start + h sum of the row.
   void combine(const dop853::Row& row, double* y) {
-    const double *first = stage(row.terms[0].stage), first_weight = row.terms[0].weight;
-    for (int i = 0; i < size_; ++i) y[i] = first_weight * first[i];
-    for (int j = 1; j < row.count; ++j) {
-      const dop853::Term& w = row.terms[static_cast<std::size_t>(j)];
-      const double *from = stage(w.stage), weight = w.weight;
-      for (int i = 0; i < size_; ++i) y[i] += weight * from[i];
+    for (int first = 0; first < padded_; first += kBlock) {
+      double sum[kBlock];
+      const double *begin = stage(row.terms[0].stage) + first, first_weight = row.terms[0].weight;
+      for (int i = 0; i < kBlock; ++i) sum[i] = first_weight * begin[i];
+      for (int j = 1; j < row.count; ++j) {
+        const dop853::Term& w = row.terms[static_cast<std::size_t>(j)];
+        const double *from = stage(w.stage) + first, weight = w.weight;
+        for (int i = 0; i < kBlock; ++i) sum[i] += weight * from[i];
+      }
+      const double* start = start_.data() + first;
+      for (int i = 0; i < kBlock; ++i) y[first + i] = start[i] + step_ * sum[i];
     }
-    for (int i = 0; i < size_; ++i) y[i] = start_[static_cast<std::size_t>(i)] + step_ * y[i];
+  }
+
+  double nested(int i, double theta) const {
+    const double* terms = dense_.data() + i;
+    double sum = 0.0;
+    for (int d = kDenseTerms - 1; d >= 0; --d) {
+      sum = (sum + terms[static_cast<std::ptrdiff_t>(d) * padded_]) *
+            (d % 2 == 0 ? theta : 1.0 - theta);
+    }
+    return sum;
+  }
+
+  // F_0 ... of N components from `first` on.
+  template <int N>
+  void find_terms(int first) {
+    using namespace dop853;
+    const double *f0 = stage(0) + first, *f1 = stage(kStages) + first;
+    const double *start = start_.data() + first, *end = end_.data() + first;
+    double *term0 = dense_term(0) + first, *term1 = dense_term(1) + first,
+           *term2 = dense_term(2) + first;
+    for (int i = 0; i < N; ++i) {
+      const double dy = end[i] - start[i];
+      term0[i] = dy;
+      term1[i] = step_ * f0[i] - dy;
+      term2[i] = 2.0 * dy - step_ * (f1[i] + f0[i]);
+    }
+    for (int d = 0; d < 4; ++d) {
+      const Row& row = kDense[static_cast<std::size_t>(d)];
+      double sum[N] = {};
+      for (int j = 0; j < row.count; ++j) {
+        const Term& w = row.terms[static_cast<std::size_t>(j)];
+        const double *from = stage(w.stage) + first, weight = step_ * w.weight;
+        for (int i = 0; i < N; ++i) sum[i] += weight * from[i];
+      }
+      double* to = dense_term(3 + d) + first;
+      for (int i = 0; i < N; ++i) to[i] = sum[i];
+    }
+  }
+  void find_all_terms() {
+    if (known_ == size_) return;
+    for (int first = 0; first < padded_; first += kBlock) find_terms<kBlock>(first);
+    known_ = size_;
   }
 
   // Hairer's blend of the two estimates, by the largest component:
@@ -126,6 +167,8 @@ class Dop853 {
         const Term& w = kFifth[0].terms[static_cast<std::size_t>(j)];
         e5 += w.weight * stage(w.stage)[i];
       }
+      if (!std::isfinite(e5)) return std::numeric_limits<double>::infinity();
+      if (std::isinf(tolerance[i])) continue;
       const Row& eighth = kMatrix[kStages];
       for (int j = 0; j < eighth.count; ++j) {
         const Term& w = eighth.terms[static_cast<std::size_t>(j)];
@@ -137,14 +180,15 @@ class Dop853 {
       }
       largest5 = std::max(largest5, std::abs(e5) / tolerance[i]);
       largest3 = std::max(largest3, std::abs(e3) / tolerance[i]);
-      if (!std::isfinite(e5)) return std::numeric_limits<double>::infinity();
     }
     if (largest5 == 0.0) return 0.0;
     return std::abs(step_) * largest5 * largest5 /
            std::sqrt(largest5 * largest5 + 0.01 * largest3 * largest3);
   }
 
-  int size_;
+  int size_, padded_;
+  int known_ = 0;            // components whose dense terms are known: none or all
+  int known_alone_ = kNone;  // the one that is known beside none
   double step_ = 0.0;
   std::vector<double> stages_, dense_, start_, end_, work_;
 };

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "native_model/rotor/refusal.h"
 
@@ -28,6 +29,15 @@ PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& sti
     modes.shape.col(j) /= std::sqrt(norm);
   }
   return modes;
+}
+
+ModalSums modal_sums(const PlanarModes& modes, const Eigen::RowVectorXd& u) {
+  const Eigen::VectorXd square = (u * modes.shape).cwiseAbs2().transpose();
+  ModalSums sums{square, square.cwiseQuotient(modes.frequency.cwiseAbs2())};
+  for (auto* sum : {&sums.mobility, &sums.flexibility}) {
+    std::partial_sum(sum->begin(), sum->end(), sum->begin());
+  }
+  return sums;
 }
 
 }  // namespace rotorub

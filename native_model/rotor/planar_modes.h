@@ -15,4 +15,12 @@ struct PlanarModes {
 // Throws RotorNotSolvable (refusal.h) where a matrix is not positive definite to working precision.
 PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
 
+// What the first k modes know of a place with the shape values u, k = 1 to N. They rise with k to
+// the values of all modes, u M^-1 u^T and u K^-1 u^T.
+struct ModalSums {
+  Eigen::VectorXd mobility;     // 1/kg, sum over the modes of (u phi)^2: 1 / effective mass
+  Eigen::VectorXd flexibility;  // m/N, sum of (u phi)^2 / omega^2
+};
+ModalSums modal_sums(const PlanarModes& modes, const Eigen::RowVectorXd& u);
+
 }  // namespace rotorub

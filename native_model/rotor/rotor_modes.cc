@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "native_model/rotor/auto_modes.h"
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub {
@@ -62,13 +63,15 @@ RotorModes rotor_modes(const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
 
   // A number of modes: the frequency that the mesh must carry is found on the way.
-  if (geometry.modes) {
-    return solve_refined(pinned_frequency(geometry, *geometry.modes), [&](double omega) {
+  const auto with_modes = [&](int count) {
+    return solve_refined(pinned_frequency(geometry, count), [&](double omega) {
       RotorModes result = solve(scene, omega);
-      result.kept = *geometry.modes;
+      result.kept = count;
       return result;
     });
-  }
+  };
+  if (geometry.auto_modes) return fewest_modes(scene, with_modes);
+  if (geometry.modes) return with_modes(*geometry.modes);
 
   // A bound on the frequency: Ritz frequencies come from above, so none is missed on a mesh for it.
   assert(geometry.max_frequency);

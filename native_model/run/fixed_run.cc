@@ -196,12 +196,18 @@ Trajectory run_steps(const char* name, const Model& model, const scene::Run& sce
   FixedRun run(model, scene_run, step, options);
   Stepper stepper(model, step);
   ZeroOrderHold hold(model);
-  run.begin(hold.at(0.0, stepper.q(), stepper.v()));
+  const CommandRecord* recorded = model.recorded.get();
+  const auto command = [&](std::int64_t k) -> Eigen::Vector2d {
+    const double t = run.time(k);
+    if (recorded) return recorded->mean(t, run.time(k + 1));
+    return hold.at(t, stepper.q(), stepper.v());
+  };
+  run.begin(command(0));
   const std::int64_t steps = run.steps();
   const auto start = Clock::now();
   std::int64_t k = 0;
   for (; k < steps && run.good(); ++k) {
-    const Eigen::Vector2d u = hold.at(run.time(k), stepper.q(), stepper.v());
+    const Eigen::Vector2d u = command(k);
     const FixedStep done = stepper.step(k, u, true);
     if (done.status != Status::kOk) {
       run.fail(done.status, run.time(k));
@@ -240,6 +246,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
   std::vector<double> v(nq), a(nq, 0.0);
   const auto command = [&](std::int64_t k) -> Eigen::Vector2d {
     const double t = run.time(k), end = t + 0.5 * step;
+    if (model.recorded) return model.recorded->mean(k == 0 ? t : t - 0.5 * step, end);
     if (!hold.listens(end)) return hold.held();
     stepper.velocity_now(k, hold.held(), v.data());
     for (std::size_t i = 0; k > 0 && i < nq; ++i) a[i] = 2.0 / step * (v[i] - stepper.v_half()[i]);
@@ -252,7 +259,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
   std::int64_t k = 0;
   for (; k <= steps && run.good(); ++k) {
     const double t = run.time(k);
-    const Eigen::Vector2d u = command(k);
+    const Eigen::Vector2d u = command(k), held = model.recorded ? u : hold.held();
     FixedStep done = stepper.step(k, u, true);
     if (done.status != Status::kOk) {
       run.fail(done.status, t);
@@ -266,7 +273,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
       done.impact_force = all.impact_force;
     }
     const double kick = k == 0 ? 0.5 * step : step;
-    if (k == 0) run.begin(hold.held(), done, kick);
+    if (k == 0) run.begin(held, done, kick);
     // Of a step half is done before t_k, half after; all of the first, half one after.
     const Reached state(model, t, stepper.last_q(), v.data());
     const auto half = [&] { run.count(done, t, state, k == 0 ? 1.0 : 0.5); };
@@ -274,7 +281,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
     if (k > 0) {
       const bool impact = !hits.impacts.empty();
       if (impact) run.count(hits, hits.impacts.front().t, state, 1.0);
-      run.advance(state, done, kick, impact, hold.held());
+      run.advance(state, done, kick, impact, held);
     }
     if (k < steps) half();
     hits = all;

@@ -42,7 +42,7 @@ Trajectory run_event(const Model& model, const scene::Run& run, const NativeOpti
 }  // namespace
 
 Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
-  const Model model = make_model(scene);
+  const Model model = replayed(make_model(scene), options.commands);
   const double step = options.step.value_or(scene.run.step);
   const scene::Integrator integrator = options.integrator.value_or(scene.run.integrator);
   const std::vector<double>* times = options.output_times ? &*options.output_times : nullptr;

@@ -115,7 +115,11 @@ void check_geometry(const Checker& check, const RotorGeometry& shaft) {
     check.fail("rotor.max_frequency", "give `modes` or `max_frequency`, not both");
   }
   if (!record.given("rotor.modes") && !record.given("rotor.max_frequency")) {
-    check.fail("rotor.modes", "missing: expected `modes` (a whole number >= 1) or `max_frequency`");
+    check.fail("rotor.modes", "missing: expected `modes` (a whole number >= 1, or \"auto\") or `max_frequency`");
+  }
+  if (record.given("rotor.modes_tolerance") && !shaft.auto_modes &&
+      record.sound({"rotor.modes"})) {
+    check.fail("rotor.modes_tolerance", "belongs to modes = \"auto\"");
   }
   if (record.given("rotor.nu") && record.given("rotor.G")) {
     check.fail("rotor.G", "give `nu` or `G`, not both");

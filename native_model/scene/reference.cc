@@ -16,7 +16,7 @@ std::string type_text(const Key& key) {
     case ValueType::kNumber:
       return std::string(key.quantity.unit);
     case ValueType::kWhole:
-      return "whole number";
+      return key.words.empty() ? "whole number" : "whole number, `" + join(key.words) + "`";
     case ValueType::kPlanes:
       return std::string(key.quantity.unit) + ", one or [x, y]";
     case ValueType::kVector:

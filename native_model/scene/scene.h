@@ -65,6 +65,8 @@ struct RotorGeometry {
   double G = 0.0;                       // Pa, > 0: given, or E / (2 (1 + nu)); nu: 0.3
   double rho = 0.0;                     // kg/m^3, > 0
   std::optional<int> modes;             // bending modes kept in each plane, >= 1
+  bool auto_modes = false;              // as few as modes_tolerance allows; then `modes` is empty
+  double modes_tolerance = 0.01;        // share, in (0, 1): rotor/auto_modes.h
   std::optional<double> max_frequency;  // rad/s: modes kept up to this frequency
   double damping_ratio = 0.0;           // external modal damping, >= 0
   double internal_damping_ratio = 0.0;  // rotating modal damping, >= 0
@@ -198,8 +200,7 @@ struct Controller {
   double boundary_layer = 0.03;   // m/s, phi, > 0
   double switching_gain = 120.0;  // m/s^2, k, >= 0: bound on the unknown acceleration
   double gap_time = 0.008;        // s, > 0: the gap reference falls smoothly to 0 in this time
-  // With the gap reference at 0 the ring is pressed on the rotor by so much; the contact carries
-  // preload / (1 + M_f / m), m the rotor's effective mass at the contact. 0 leaves the two grazing.
+  // With the gap reference at 0 the normal force of the lasting contact. 0 leaves the two grazing.
   double preload = 20.0;            // N, >= 0
   // passive: an extra spring and damper emulated through the actuator
   double stiffness = 0.0;  // N/m, >= 0

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "native_model/scene/diagnostic.h"
+
 namespace rotorub::scene {
 namespace detail {
 
@@ -86,7 +88,7 @@ std::string Key::expected() const {
     case ValueType::kNumber:
       return what;
     case ValueType::kWhole:
-      return "a whole number" + bounds;
+      return "a whole number" + bounds + (words.empty() ? "" : ", or \"" + join(words) + "\"");
     case ValueType::kPlanes:
       return what + ", or [x, y] of them";
     case ValueType::kVector:

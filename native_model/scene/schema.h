@@ -22,7 +22,7 @@ enum class Form { kEither, kGeometry, kModal };
 
 enum class ValueType {
   kNumber,  // one number
-  kWhole,   // one whole number
+  kWhole,   // one whole number, or one of the key's words
   kWord,    // one of a few words
   kFlag,    // true or false
   kPlanes,  // a number for both bending planes, or [x, y]
@@ -50,7 +50,7 @@ struct Value {
   int whole = 0;               // kWhole; kWord: which word; kFlag: 0, 1
   Eigen::Vector2d pair{0, 0};  // kPlanes, kVector, SI
   std::vector<double> list;    // kList, SI
-  std::string text;            // kText
+  std::string text;            // kText; kWhole: the word
 };
 
 struct Key {
@@ -59,7 +59,7 @@ struct Key {
   Quantity quantity = kPure;
   std::string_view meaning;
   void (*store)(void* object, const Value& value) = nullptr;  // object: the table's
-  std::vector<std::string_view> words;                        // kWord: in the order of the enum
+  std::vector<std::string_view> words;  // kWord: in the order of the enum; kWhole: see there
   Range range;
   Form form = Form::kEither;            // the form it belongs to
   std::vector<std::string_view> kinds;  // values of the table's `kind` that take it; empty: all

@@ -135,7 +135,7 @@ Table controller() {
            .of({"sliding"})
            .optional(),
        key<&Controller::preload>("preload", kForce,
-                                 "presses the ring on the rotor once the gap is closed")
+                                 "normal force of the lasting contact, once the gap is closed")
            .at_least(0)
            .of({"sliding"})
            .optional(),

@@ -6,6 +6,7 @@ namespace rotorub::scene {
 namespace {
 
 constexpr double kMostModes = 1000;
+constexpr std::string_view kAuto = "auto";
 
 RotorGeometry& geometry(Scene& scene) {
   if (!scene.rotor.geometry) scene.rotor.geometry.emplace();
@@ -15,6 +16,22 @@ RotorGeometry& geometry(Scene& scene) {
 template <auto Member>
 Key shaft(std::string_view name, const Quantity& quantity, std::string_view meaning) {
   return key<&Rotor::geometry, Member>(name, quantity, meaning).in(Form::kGeometry);
+}
+
+// A number, or "auto".
+Key modes() {
+  Key key = shaft<&RotorGeometry::modes>(
+      "modes", kPure,
+      "bending modes kept in each plane; it or `max_frequency`; `auto`: as few as "
+      "`modes_tolerance` allows");
+  key.words = {kAuto};
+  key.store = [](void* object, const Value& value) {
+    auto& shaft = static_cast<Rotor*>(object)->geometry;
+    if (!shaft) shaft.emplace();
+    shaft->auto_modes = value.text == kAuto;
+    if (!shaft->auto_modes) shaft->modes = value.whole;
+  };
+  return key.between(1, kMostModes).otherwise("by `max_frequency`");
 }
 
 Table run() {
@@ -59,10 +76,14 @@ Table rotor() {
            .above(0)
            .otherwise("`E` / (2 (1 + `nu`))"),
        shaft<&RotorGeometry::rho>("rho", kDensity, "density").above(0),
-       shaft<&RotorGeometry::modes>("modes", kPure,
-                                    "bending modes kept in each plane; it or `max_frequency`")
-           .between(1, kMostModes)
-           .otherwise("by `max_frequency`"),
+       modes(),
+       shaft<&RotorGeometry::modes_tolerance>(
+           "modes_tolerance", kPure,
+           "with `modes = \"auto\"`: how far effective mass at the contact and static flexibility at "
+           "contact, bearings and forces may be off those of all modes of the mesh, as a share")
+           .above(0)
+           .below(1)
+           .optional(),
        shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin,
                                             "keeps the bending modes up to this frequency at rest")
            .above(0)

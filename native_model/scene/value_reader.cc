@@ -1,5 +1,6 @@
 // TableReader: single values.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -42,6 +43,10 @@ bool TableReader::read_value(const Key& key, const TomlNode& node, const std::st
     case ValueType::kNumber:
       return read_number(key, node, path, value.number);
     case ValueType::kWhole:
+      if (node.kind == Kind::kString && std::find(key.words.begin(), key.words.end(), node.text) != key.words.end()) {
+        value.text = node.text;
+        return true;
+      }
       return read_whole(key, node, path, value.whole);
     case ValueType::kWord:
       return read_word(key, node, path, value.whole);

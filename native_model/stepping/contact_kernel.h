@@ -48,6 +48,11 @@ class ContactKernel : public LoadKernel<M> {
   // Of each lane. Large, and rarely touched: apart from what every step reads.
   std::vector<ImpactList> impacts = std::vector<ImpactList>(kLanes);
   bool any_impact() const { return impacted_; }
+  // m^2, |d|^2 as the step ended.
+  ROTORUB_INLINE T square_of_relative() const {
+    const Centre d = equations::relative(*m_, this->q_.data());
+    return d.x * d.x + d.y * d.y;
+  }
 
   // As the base's.
   template <class Action>
@@ -167,6 +172,11 @@ class ContactKernel : public LoadKernel<M> {
       w = equations::relative(*m_, free_.data());
     }
     in_contact = lanes::select(on, lanes::select(normal_impulse > zero, one, zero), in_contact);
+  }
+
+  // m/s, of the relative velocity w and the spin, by the normal of the last lasting contact.
+  ROTORUB_INLINE T slip_of(const Centre& w, const T& spin) const {
+    return normal_x_ * w.y - normal_y_ * w.x + contact.radius * spin;
   }
 
   // J: of lasting contact's last impulses on the coordinates, from the velocities at both ends.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -127,6 +128,12 @@ struct LaneGroup {
       r.impacts = work.totals.impacts[l];
       r.impulse_total = work.totals.impulse_total[l];
       r.peak_impulse = work.totals.peak_impulse[l];
+      r.peak_impact = work.totals.peak_impact[l];
+      r.friction_work = work.totals.friction_work[l];
+      if (models[lane]->contact) {
+        const double depth = std::sqrt(work.totals.farthest[l]) - models[lane]->contact->clearance;
+        r.max_penetration = std::max(0.0, depth);
+      }
       for (std::size_t i = 0; i < v.size(); ++i) {
         r.q.push_back(kernel.q()[i][l]);
         r.v.push_back(v[i][l]);
@@ -146,6 +153,7 @@ struct LaneGroup {
       if (impact(l) || !(work.totals.contact_steps[l] > 0.0)) continue;
       out[lane].ends_in_contact = true;
       out[lane].impulse_total += 0.5 * work.totals.impulse_total[l];
+      out[lane].friction_work += 0.5 * work.totals.friction_work[l];
       out[lane].peak_impulse = std::max(out[lane].peak_impulse, work.totals.peak_impulse[l]);
     }
   }

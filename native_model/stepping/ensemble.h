@@ -23,6 +23,9 @@ struct EnsembleRun {
   std::int64_t impacts = 0;    // with gap_rate_before < kCountedGapRate
   double impulse_total = 0.0;  // N s
   double peak_impulse = 0.0;   // N s, largest of one step
+  double peak_impact = 0.0;    // N s, largest of one impact
+  double friction_work = 0.0;  // J, <= 0
+  double max_penetration = 0.0;  // m
   std::vector<double> q, v;    // at the end, nq each
   double contact_fraction(double end, double step) const;
   double mean_force(double end) const;  // N, from first touch to the end

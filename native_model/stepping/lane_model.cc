@@ -111,7 +111,7 @@ bool same_structure(const Model& a, const Model& b) {
                       m.dampers.size(), m.unbalances.size(), m.weight.size(),
                       m.drive ? static_cast<int>(m.drive->kind()) : -1, m.contact.has_value(),
                       m.magnets.has_value(), m.gyroscopic.absent(), m.internal_xx.absent(),
-                      m.internal_yy.absent(), m.controller == nullptr);
+                      m.internal_yy.absent(), m.commanded());
   };
   return structure(a) == structure(b);
 }

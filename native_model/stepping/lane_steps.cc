@@ -10,6 +10,24 @@ namespace {
 constexpr int W = ROTORUB_LANES;
 static_assert(alignof(Eigen::Vector2d) == 16, "laid out as elsewhere");
 
+// Of the lanes with impacts in this step; their friction works by its own slips.
+template <class Kernel>
+ROTORUB_INLINE void count_impacts(const Kernel& kernel, LaneTotals<W>& totals,
+                                  typename Kernel::T& work) {
+  for (int lane = 0; lane < W; ++lane) {
+    const auto l = static_cast<std::size_t>(lane);
+    const ImpactList& list = kernel.impacts[l];
+    double of_impacts = 0.0;
+    for (int i = 0; i < list.count; ++i) {
+      const Impact& hit = list.impact[static_cast<unsigned>(i)];
+      if (hit.gap_rate_before < kCountedGapRate) ++totals.impacts[l];
+      if (hit.normal_impulse > totals.peak_impact[l]) totals.peak_impact[l] = hit.normal_impulse;
+      of_impacts += 0.5 * hit.friction_impulse * (hit.slip_before + hit.slip_after);
+    }
+    if (list.count > 0) lanes::set(work, lane, of_impacts);
+  }
+}
+
 template <class Kernel>
 ROTORUB_INLINE void advance_one(LaneWork<Kernel, W>& work, double step, std::int64_t k) {
   using T = lanes::Lane<W>;
@@ -26,15 +44,10 @@ ROTORUB_INLINE void advance_one(LaneWork<Kernel, W>& work, double step, std::int
   totals.contact_steps += lanes::select(touched, one, zero);
   totals.impulse_total += impulse;
   totals.peak_impulse = lanes::larger(totals.peak_impulse, impulse);
-  if (!kernel.any_impact()) return;
-  for (int lane = 0; lane < W; ++lane) {
-    const ImpactList& list = kernel.impacts[static_cast<std::size_t>(lane)];
-    for (int i = 0; i < list.count; ++i) {
-      if (list.impact[static_cast<unsigned>(i)].gap_rate_before < kCountedGapRate) {
-        ++totals.impacts[static_cast<std::size_t>(lane)];
-      }
-    }
-  }
+  totals.farthest = lanes::larger(totals.farthest, kernel.square_of_relative());
+  T friction_work = kernel.friction_impulse * kernel.slip_of_last();
+  if (kernel.any_impact()) count_impacts(kernel, totals, friction_work);
+  totals.friction_work += friction_work;
 }
 
 template <class Kernel>

@@ -37,7 +37,7 @@ class LoadKernel {
       : m_(&m), h_(h), matrix_(models, h), loads_(models, h) {
     const Model& first = *models.front();
     coupled_ = first.coupled_mass();
-    commanded = layout().stator && first.controller;
+    commanded = layout().stator && first.commanded();
     const bool turns =
         layout().spin && (!first.gyroscopic.absent() || !first.internal_xx.absent() ||
                           !first.internal_yy.absent() || coupled_);

@@ -27,6 +27,16 @@ class PaperKernel : public ContactKernel<M> {
   // The state of the last step's middle that contact and loads saw, and its velocities.
   const T* middle() const { return middle_.data(); }
 
+  // m/s, as the step ended; 0 at the centre, where there is no direction.
+  ROTORUB_INLINE T slip_of_last() const {
+    const M& m = *this->m_;
+    const T *q = this->q_.data(), *v = this->v_.data();
+    const Centre d = equations::relative(m, q), w = equations::relative(m, v);
+    const T zero{}, one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
+    const T delta = lanes::square_root(lanes::select(square > zero, square, one));
+    return (d.x * w.y - d.y * w.x) / delta + this->contact.radius * equations::contact_spin(m, v);
+  }
+
   // The step's works on the coordinates, J; alone (one lane).
   double external_work_of_last() requires(Base::kLanes == 1) {
     return this->external_work(middle_.data(), this->start_.data(), this->after_.data());

@@ -120,6 +120,20 @@ class VerletKernel : public VerletImpacts<M> {
     }
     if (this->impact_lasts_) this->lasting_[0].velocities(this->origin + this->last_time_, now);
   }
+  // m/s, of t_k, of lanes whose contact lasted over step k; of the others any number.
+  ROTORUB_INLINE T slip_of_last() const {
+    const M& m = *this->m_;
+    Centre w = equations::relative(m, this->start_.data());
+    T spin = equations::contact_spin(m, this->start_.data());
+    if (!this->was_first_) {
+      const T half = lanes::all<T>(0.5);
+      const Centre end = equations::relative(m, this->after_.data());
+      w.x = half * (w.x + end.x);
+      w.y = half * (w.y + end.y);
+      spin = half * (spin + equations::contact_spin(m, this->after_.data()));
+    }
+    return this->slip_of(w, spin);
+  }
   // N, normal and friction force at the begin of the last step of an impact that was under way.
   Eigen::Vector2d impact_force() const requires(Base::kLanes == 1) {
     if (!this->impact_lasts_) return {0.0, 0.0};

@@ -35,6 +35,7 @@ Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit) {
 }
 
 Eigen::Vector2d control_command(const Model& m, double t, const double* q, const double* v) {
+  if (m.recorded) return m.recorded->at(t);
   if (!m.controller || t < m.control_on) return {0.0, 0.0};
   const Eigen::Vector2d force = m.controller->force(measure(m, t, q, v));
   if (!m.magnets) return limited(force, m.force_limit);

@@ -9,7 +9,8 @@ namespace rotorub {
 
 // The command at (t, q, v): the force on the ring, N, fixed frame, limited on each axis; with
 // magnets the currents of the two axes, A, whose forces come nearest to that force at the ring's
-// place (feedback linearisation). 0 before the controller is on and for passive bearings.
+// place (feedback linearisation). 0 before the controller is on and for passive bearings. Recorded
+// commands (CommandRecord) are given as they are.
 Eigen::Vector2d control_command(const Model& model, double t, const double* q, const double* v);
 
 // What the actuator does at (q, v) when it is told `command`.

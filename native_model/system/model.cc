@@ -59,13 +59,11 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
     const double k = -scene.magnetic_bearing->negative_stiffness;
     model.springs.push_back({*rotor.magnetic_bearing_shape, {k, k}});
   }
-  if (scene.gravity) {
-    const Eigen::Vector2d& g = scene.gravity->acceleration;
-    model.weight = Eigen::VectorXd::Zero(l.nq());
-    model.weight.segment(l.x(), l.modes) = g.x() * rotor.gravity_x;
-    model.weight.segment(l.y(), l.modes) = g.y() * rotor.gravity_y;
-    if (l.stator) model.weight.segment<2>(l.ring()) = g.cwiseProduct(scene.stator->mass);
-  }
+  model.gravity_mass = Eigen::VectorXd::Zero(l.nq());
+  model.gravity_mass.segment(l.x(), l.modes) = rotor.gravity_x;
+  model.gravity_mass.segment(l.y(), l.modes) = rotor.gravity_y;
+  if (l.stator) model.gravity_mass.segment<2>(l.ring()) = scene.stator->mass;
+  if (scene.gravity) set_gravity(model, scene.gravity->acceleration);
 }
 
 void fill_actuator(const scene::Scene& scene, Model& model) {
@@ -95,7 +93,16 @@ void fill_control(const scene::Scene& scene, Model& model) {
   // Only a law that tracks the rotor needs a contact (scene validation).
   assert(scene.contact || scene.controller->kind == scene::ControllerKind::kPassive);
   const double clearance = scene.contact ? scene.contact->clearance : 0.0;
-  const Plant plant{clearance, scene.stator->mass, scene.stator->damping, scene.stator->stiffness};
+  const int n = model.layout.modes;
+  const auto mobility = [&](const Eigen::VectorXd& shape, int at) {
+    return shape.cwiseAbs2().dot(model.mass.segment(at, n).cwiseInverse());
+  };
+  const Plant plant{clearance,
+                    scene.stator->mass,
+                    scene.stator->damping,
+                    scene.stator->stiffness,
+                    {mobility(model.contact_shape.x, model.layout.x()),
+                     mobility(model.contact_shape.y, model.layout.y())}};
   model.controller = make_controller(scene, plant);
   model.control_on = scene.controller->on;
   model.sample_time = scene.controller->sample_time;
@@ -180,12 +187,24 @@ Model make_model(const scene::Scene& scene) {
   return model;
 }
 
+void set_gravity(Model& model, const Eigen::Vector2d& acceleration) {
+  const Layout& l = model.layout;
+  model.weight = Eigen::VectorXd::Zero(l.nq());
+  const auto along = [&](int at, int count, double g) {
+    model.weight.segment(at, count) = g * model.gravity_mass.segment(at, count);
+  };
+  along(l.x(), l.modes, acceleration.x());
+  along(l.y(), l.modes, acceleration.y());
+  for (int k = 0; k < l.stator; ++k) along(l.ring() + k, 1, acceleration[k]);
+}
+
 State initial_state(const Model& model) { return {0.0, model.q0, model.v0}; }
 
 Model without_coils(Model model) {
   const int kept = model.layout.mechanical();
   model.layout.coils = 0;
-  for (auto* vector : {&model.mass, &model.stiffness, &model.damping, &model.q0, &model.v0}) {
+  for (auto* vector : {&model.mass, &model.stiffness, &model.damping, &model.gravity_mass,
+                       &model.q0, &model.v0}) {
     vector->conservativeResize(kept);
   }
   if (model.weight.size() > 0) model.weight.conservativeResize(kept);
@@ -196,6 +215,13 @@ Model with_ideal_actuator(Model model) {
   model = without_coils(std::move(model));
   model.magnets.reset();
   model.force_limit = std::numeric_limits<double>::infinity();
+  return model;
+}
+
+Model replayed(Model model, std::shared_ptr<const CommandRecord> commands) {
+  if (!commands) return model;
+  model.controller.reset();
+  model.recorded = std::move(commands);
   return model;
 }
 

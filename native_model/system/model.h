@@ -15,6 +15,7 @@
 
 #include "native_model/bearing/drive.h"
 #include "native_model/bearing/force_law.h"
+#include "native_model/control/command_record.h"
 #include "native_model/control/controller.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
@@ -97,6 +98,7 @@ struct Model {
   std::vector<StationSpring> springs;                   // magnetic bearing
   std::vector<AppliedForce> forces;
   std::vector<DiscUnbalance> unbalances;                // eccentric discs
+  Eigen::VectorXd gravity_mass;                         // nq, kg, load per unit acceleration
   Eigen::VectorXd weight;                               // nq or empty, N, gravity
 
   // Spin. Without a drive phi = spin_angle + speed t.
@@ -112,6 +114,9 @@ struct Model {
   std::shared_ptr<const Controller> controller;  // null: passive
   double control_on = 0.0;                       // s
   double sample_time = 0.0;                      // s, 0: continuous
+  // Commands of another run in the controller's place: then there is none (see replayed).
+  std::shared_ptr<const CommandRecord> recorded;
+  bool commanded() const { return controller || recorded; }
   double force_limit = 0.0;                      // N, on each axis of an ideal actuator
   std::optional<MagneticActuator> magnets;       // absent: ideal actuator
 
@@ -138,10 +143,14 @@ struct State {
 // [initial] of another length than the modes kept, a start outside the ring; and as modal_rotor.
 Model make_model(const scene::Scene& scene);
 State initial_state(const Model& model);
+// The weight under an acceleration (x, y), m/s^2.
+void set_gravity(Model& model, const Eigen::Vector2d& acceleration);
 
 // The same without the coils' coordinates, for who integrates the currents himself.
 Model without_coils(Model model);
 // The same with an ideal, unlimited actuator, for who knows the force on the ring.
 Model with_ideal_actuator(Model model);
+// The same driven by the commands of another run instead of its controller; as it is for null.
+Model replayed(Model model, std::shared_ptr<const CommandRecord> commands);
 
 }  // namespace rotorub

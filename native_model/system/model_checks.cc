@@ -22,7 +22,7 @@ std::string text(double number) {
 // The part of the scene that sets how many bending modes there are.
 const char* modes_key(const scene::Rotor& rotor) {
   if (!rotor.geometry) return "rotor.modal.mass";
-  return rotor.geometry->modes ? "rotor.modes" : "rotor.max_frequency";
+  return rotor.geometry->max_frequency ? "rotor.max_frequency" : "rotor.modes";
 }
 
 }  // namespace

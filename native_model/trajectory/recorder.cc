@@ -11,7 +11,7 @@ namespace rotorub {
 namespace {
 
 bool has_actuator_columns(const Model& model) {
-  return model.layout.stator && (model.controller || model.magnets);
+  return model.layout.stator && (model.commanded() || model.magnets);
 }
 
 std::vector<Column> make_columns(const Model& model) {

@@ -3,6 +3,7 @@
 #include "native_model/contact/kinematics.h"
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/memory.h"
+#include "plugin/passes.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -49,6 +50,10 @@ void apply_rigid_step(const mjModel* m, mjData* d, const ContactSpace& space, Ri
   ContactMemory memory(d);
   step.free = step.start + step.h * space.response(d->qfrc_smooth);
   RigidResult r;
+  if (!contact_enabled(m)) {
+    memory.note(r, step.h);
+    return;
+  }
   if (!constraints_couple(m, d, space)) {
     r = solve(step, contact, space, memory, nullptr);
   } else {

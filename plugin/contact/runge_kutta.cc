@@ -2,13 +2,10 @@
 
 namespace rotorub::plugin {
 
-void refuse_runge_kutta(const mjModel* m) {
-  if (m->opt.integrator == mjINT_RK4) {
-    mju_error(
-        "rotorub: <option integrator=\"RK4\">: contact model `rigid` gives its impulses once a "
-        "step; "
-        "accepted: Euler, implicit (or contact model coulomb or cone)");
-  }
+void refuse_runge_kutta() {
+  mju_error(
+      "rotorub: <option integrator=\"RK4\">: contact model `rigid` gives its impulses once a step; "
+      "accepted: Euler, implicit (or contact model coulomb or cone)");
 }
 
 }  // namespace rotorub::plugin

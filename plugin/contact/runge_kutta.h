@@ -6,6 +6,6 @@
 namespace rotorub::plugin {
 
 // mju_error for RK4: impulses are once a step, and its four stages are not.
-void refuse_runge_kutta(const mjModel* m);
+void refuse_runge_kutta();
 
 }  // namespace rotorub::plugin

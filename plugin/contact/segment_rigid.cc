@@ -2,14 +2,12 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "plugin/contact/rigid_step.h"
-#include "plugin/contact/runge_kutta.h"
 #include "plugin/contact/segment_space.h"
 
 namespace rotorub::plugin {
 
 void apply_segment_rigid(const Config& config, const mjModel* m, mjData* d,
                          const Coordinates& state) {
-  refuse_runge_kutta(m);
   const Model& model = config.model;
   if (m->nu > 0) mj_fwdActuation(m, d);
   mj_fwdAcceleration(m, d);

@@ -1,14 +1,17 @@
 #include "plugin/contact/verlet.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
-#include "plugin/contact/runge_kutta.h"
 #include "plugin/control.h"
+#include "plugin/differences.h"
+#include "plugin/passes.h"
 #include "plugin/passive.h"
 #include "plugin/thread_worker.h"
 #include "plugin/user_data.h"
@@ -24,21 +27,29 @@ std::size_t slot_size(const Model& model) {
 // Currents that lag are activations, MuJoCo's to integrate.
 bool lags(const Model& model) { return model.magnets && model.magnets->coil_lag > 0.0; }
 
-// The plant that the step moves. Where currents lag the force on the ring is MuJoCo's.
-Model plant_of(const Model& model) {
-  if (!lags(model)) return model;
-  Model plant = with_ideal_actuator(model);
-  plant.controller.reset();
+// The plant that the step moves. Where currents lag the force on the ring is MuJoCo's; where MuJoCo
+// has disabled actuation there is none, nor a controller that answers an impact within the step.
+// Where it has disabled contacts nothing reaches the ring (of the same memory, so that they may be
+// switched).
+Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
+  Model plant = model;
+  if (lags(model) || !actuation) {
+    plant = with_ideal_actuator(model);
+    plant.controller.reset();
+  }
+  if (!contact) plant.contact->clearance = 1e6;
   return plant;
 }
 
+bool actuation_enabled(const mjModel* m) { return !(m->opt.disableflags & mjDSBL_ACTUATION); }
+
 // What takes the steps. Holds nothing between two calls but room.
 struct Worker {
-  Worker(const Config& config, double h)
+  Worker(const Config& config, double h, Model moved)
       : id(config.id),
         step(h),
         model(config.model),
-        plant(plant_of(config.model)),
+        plant(std::move(moved)),
         stepper(plant, h),
         hold(model),
         memory(VerletStepper::memory_size(plant)) {}
@@ -68,8 +79,24 @@ struct Worker {
   std::int64_t next = 0;
 };
 
-// Whether MuJoCo's state is the one remembered, to what its arithmetic and its links' small masses leave
-// of it. (What is remembered is never used in its place.)
+template <bool kContact, bool kActuation>
+struct WorkerOf : Worker {
+  WorkerOf(const Config& config, double h)
+      : Worker(config, h, plant_of(config.model, kContact, kActuation)) {}
+};
+
+Worker& worker_of(const Config& config, const mjModel* m) {
+  const double h = m->opt.timestep;
+  if (contact_enabled(m)) {
+    if (actuation_enabled(m)) return thread_worker<WorkerOf<true, true>>(config, h);
+    return thread_worker<WorkerOf<true, false>>(config, h);
+  }
+  if (actuation_enabled(m)) return thread_worker<WorkerOf<false, true>>(config, h);
+  return thread_worker<WorkerOf<false, false>>(config, h);
+}
+
+// Whether MuJoCo's state is the one remembered, to what its arithmetic and its links' small masses
+// leave of it. (What is remembered is never used in its place.)
 bool remembers(const Config& config, const double* slot, const Coordinates& state) {
   const int n = config.model.nq();
   const double* q = VerletStepper::saved_q(slot);
@@ -90,23 +117,28 @@ double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, do
   const std::size_t size = worker.slot();
   double* before = entry + kVerletSingle + config.model.nq();
   double* after = before + size;
-  const bool same_step = entry[kVerletBegun] != 0.0 && entry[kVerletStep] == h;
+  const auto slots = static_cast<double>(size);
+  const bool same_step = entry[kVerletBegun] == slots && entry[kVerletStep] == h;
   const double passed = d->time - entry[kVerletTime];
   entry[kVerletTime] = d->time;
   entry[kVerletStep] = h;
-  if (same_step && passed == 0.0 && remembers(config, before, state)) return before;
-  if (same_step && std::abs(passed - h) <= 1e-6 * h && remembers(config, after, state)) {
+  // A state that is nudged has the memory of the one it was.
+  const auto known = [&](const double* slot) {
+    return differentiating() || remembers(config, slot, state);
+  };
+  if (same_step && passed == 0.0 && known(before)) return before;
+  if (same_step && std::abs(passed - h) <= 1e-6 * h && known(after)) {
     std::copy_n(after, size, before);
     return before;
   }
-  entry[kVerletBegun] = 1.0;
+  entry[kVerletBegun] = slots;
   worker.begin(d->time, state.q(), state.v());
   worker.save(before);
   return before;
 }
 
-// What is on the chain beside the native loads and the actuators: f of MuJoCo and of others. It must
-// not hang on what ctrl was before the command, not even in its last bit.
+// What is on the chain beside the native loads and the actuators: f of MuJoCo and of others. It
+// must not hang on what ctrl was before the command, not even in its last bit.
 void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                    double* f) {
   const Model& model = config.model;
@@ -125,11 +157,26 @@ void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coor
   }
 }
 
+// Forces of actuators that are not the bearing's: f += what they do.
+void add_other_actuators(const Config& config, const mjModel* m, mjData* d, double* f) {
+  const Model& model = config.model;
+  const bool bearing = config.actuator[0] >= 0 && config.actuator[1] >= 0;
+  if (m->nu <= (bearing ? 2 : 0)) return;
+  mj_fwdActuation(m, d);
+  const Eigen::Vector2d ours = actuator_state(config, m, d).force;
+  for (int i = 0; i < model.nq(); ++i) {
+    f[i] += d->qfrc_actuator[config.dof_address[static_cast<std::size_t>(i)]];
+  }
+  for (int k = 0; k < model.layout.stator; ++k) f[model.layout.ring() + k] -= ours[k];
+}
+
 // The mean command about this instant, as the plant takes it; ctrl gets what holds.
 Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                         Worker& worker) {
   const Model& model = config.model;
   const double h = m->opt.timestep, t = d->time;
+  // The force follows the command, without a lag and not disabled.
+  const bool asks = !lags(model) && actuation_enabled(m);
   Eigen::Vector2d mean{0.0, 0.0};
   if (model.controller) {
     mean = worker.hold.held();
@@ -137,7 +184,7 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     if (worker.hold.listens(end)) {
       double v[kMaxCoordinates], a[kMaxCoordinates];
       const Eigen::Vector2d held_force =
-          lags(model) ? actuator_state(config, m, d).force : worker.hold.held();
+          asks ? worker.hold.held() : actuator_state(config, m, d).force;
       worker.stepper.velocity_now(worker.next, held_force, v);
       const bool first = worker.next == 0;
       for (int i = 0; i < model.nq(); ++i) a[i] = first ? 0.0 : 2.0 / h * (v[i] - state.v()[i]);
@@ -147,10 +194,12 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     const Eigen::Vector2d told = model.magnets ? held : to_axes(held);
     for (int k = 0; k < 2; ++k) d->ctrl[config.actuator[k]] = told[k];
   }
+  d->userdata[kHeldX] = mean.x();
+  d->userdata[kHeldY] = mean.y();
   if (m->nu > 0) mj_fwdActuation(m, d);
-  if (model.controller && !lags(model)) return mean;
+  if (model.controller && asks) return mean;
   const ActuatorState now = actuator_state(config, m, d);
-  return model.magnets && !lags(model) ? now.current : now.force;
+  return model.magnets && asks ? now.current : now.force;
 }
 
 void note(mjData* d, const FixedStep& r, double kick) {
@@ -184,19 +233,37 @@ const double* velocities_of_pass(const Config& config, const mjData* d) {
   return d->userdata + config.verlet_data + kVerletSingle;
 }
 
+namespace {
+
+// MuJoCo then calls no mjcb_passive; the native step has its loads all the same.
+void warn_of_disabled_passive(const mjModel* m) {
+  if (!(m->opt.disableflags & mjDSBL_PASSIVE)) return;
+  static std::atomic<bool> warned = false;
+  if (warned.exchange(true)) return;
+  mju_warning(
+      "rotorub: <flag passive=\"disable\">: springs and dampers of the joints are off; with "
+      "contact "
+      "model `rigid` the scene's other loads still act (excitation, unbalance, gyroscopic, "
+      "weight)");
+}
+
+}  // namespace
+
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
-  refuse_runge_kutta(m);
+  warn_of_disabled_passive(m);
   const Model& model = config.model;
   const int n = model.nq();
   const double h = m->opt.timestep;
   double* entry = d->userdata + config.verlet_data;
-  Worker& worker = thread_worker<Worker>(config, h);
+  Worker& worker = worker_of(config, m);
   worker.load(slot_of_pass(config, m, d, entry, worker, state));
   worker.stepper.adopt(state.q(), state.v());
 
-  double foreign[kMaxCoordinates], mass[kMaxCoordinates];
+  double foreign[kMaxCoordinates], loads[kMaxCoordinates], mass[kMaxCoordinates];
   foreign_force(config, m, d, state, foreign);
-  worker.stepper.apply(foreign);
+  std::copy_n(foreign, n, loads);
+  add_other_actuators(config, m, d, loads);
+  worker.stepper.apply(loads);
   const Eigen::Vector2d u = command(config, m, d, state, worker);
   const FixedStep r = worker.stepper.step(worker.next, u);
   const double kick = worker.stepper.last_kick() * h;

@@ -9,15 +9,12 @@
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
 #include "native_model/scene/diagnostic.h"
+#include "plugin/message.h"
 
 namespace rotorub::plugin {
 namespace {
 
 namespace names = mjcf_names;
-
-[[noreturn]] void refuse(const std::string& element, const std::string& reason) {
-  throw ConfigError("rotorub: " + element + ": " + reason);
-}
 
 std::string text_element(const char* name) {
   return "<custom><text name=\"" + std::string(name) + "\">";
@@ -204,6 +201,7 @@ void map_own_contact(const mjModel* m, Config& config) {
   }
   ContactParameters c{};
   c.clearance = value_or(m, names::kOwnClearance, 0.0, kLength);
+  config.radius_is_drawn = !numeric(m, names::kOwnRadius);
   c.radius = value_or(m, names::kOwnRadius, m->geom_size[3 * config.rotor_geom], kLength);
   c.friction = value_or(m, names::kOwnFriction, 0.0, kCoefficient);
   c.restitution = value_or(m, names::kOwnRestitution, 0.0, kShare);

@@ -8,7 +8,6 @@
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/memory.h"
 #include "plugin/contact/rigid_step.h"
-#include "plugin/contact/runge_kutta.h"
 #include "plugin/contact/smooth_force.h"
 #include "plugin/own/own_space.h"
 #include "plugin/own/reach.h"
@@ -18,7 +17,6 @@ namespace rotorub::plugin {
 namespace {
 
 void apply_rigid_law(const Config& config, const mjModel* m, mjData* d) {
-  refuse_runge_kutta(m);
   const ContactParameters& c = *config.model.contact;
   update_smooth_force(m, d);
   ContactMemory memory(d);

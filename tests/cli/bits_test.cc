@@ -48,7 +48,8 @@ TEST(CliBits, AreThoseOfAnOlderProcessor) {
 TEST(CliBits, OfModesAndMjcfAreThoseOfAnOlderProcessor) {
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"mjcf", shipped("paper_passive")},
-           {"mjcf", shipped("paper_passive"), "--set", "mujoco.rotor=segments"},
+           {"mjcf", shipped("paper_passive"), "--set", "mujoco.rotor=segments", "--set",
+            "rotor.modes=2"},
            {"modes", shipped("paper_passive"), "--json"}}) {
     const Folder folder;
     const Outcome here = folder.run(arguments);

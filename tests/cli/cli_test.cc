@@ -196,16 +196,78 @@ TEST(CliRun, AnInterruptKeepsPartialResults) {
   EXPECT_EQ(first_line(series), kSeries);
 }
 
-TEST(CliCompare, OtherModesAreRefusedByName) {
+// What a rigid impact is worth on the modes kept, and where the whirl outruns them.
+TEST(CliRun, SummarySaysWhatTheModesAreWorth) {
   const Folder folder;
-  for (const std::string mode : {"replay", "resync"}) {
-    const Outcome refused = folder.run({"compare", shipped("bench_ring"), "--mode", mode});
-    EXPECT_EQ(refused.code, 2);
-    EXPECT_TRUE(contains(refused.err, "accepted: lockstep")) << refused.err;
-  }
+  const auto summary = [&](const std::string& scene, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"run", shipped(scene), "--end", "5ms", "--json", "-o", "out"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome done = folder.run(arguments);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return json::parse(done.out);
+  };
+  const json rig = summary("paper_passive", {"--set", "rotor.modes=2"});
+  EXPECT_EQ(rig.at("contact_mass").at("kept_modes"), 2);
+  EXPECT_GT(rig.at("contact_mass").at("kept"), rig.at("contact_mass").at("mesh"));
+  EXPECT_GT(rig.at("above_modes").at("highest_forward"), 2000.0) << "near 376 Hz";
+  EXPECT_EQ(rig.at("above_modes").at("contact_share"), 0.0) << "it has not touched";
+  const json ring = summary("bench_ring", {});
+  EXPECT_TRUE(ring.at("contact_mass").is_null()) << "modal form";
+  EXPECT_TRUE(ring.at("above_modes").is_null());
+}
+
+TEST(CliCompare, UnknownModesAndTolerancesAreRefused) {
+  const Folder folder;
   EXPECT_EQ(folder.run({"compare", shipped("bench_ring"), "--mode", "guess"}).code, 2);
   EXPECT_EQ(folder.run({"compare", shipped("bench_ring"), "--tolerance", "1 mm"}).code, 2);
   EXPECT_TRUE(folder.files().empty());
+}
+
+// The native side under the commands that MuJoCo used; where there are none, that is said.
+TEST(CliCompare, ReplaysTheCommands) {
+  const Folder folder;
+  const std::vector<std::string> base{"compare", shipped("bench_ring"), "--mode", "replay",
+                                      "--end",   "0.02",                "--no-video", "--twins",
+                                      "2",       "-o",                  "out"};
+  const Outcome none = folder.run(base);
+  EXPECT_EQ(none.code, 0) << none.out << none.err;
+  EXPECT_TRUE(contains(none.out, "Replay equals lockstep here: no controller")) << none.out;
+
+  auto controlled = base;
+  for (const char* set : {"controller.kind=passive", "controller.stiffness=5e4"}) {
+    controlled.insert(controlled.end(), {"--set", set});
+  }
+  const Outcome replayed = folder.run(controlled);
+  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  EXPECT_TRUE(contains(replayed.out, "Replay: each MuJoCo run")) << replayed.out;
+  const json all = json::parse(folder.text("out/compare.json"));
+  EXPECT_EQ(all.at("mode"), "replay");
+  EXPECT_EQ(all.at("scenes")[0].at("shadow").at("commands_of"), "rigid");
+  EXPECT_TRUE(contains(folder.text("out/report.html"), "replay comparison"));
+}
+
+// The exit code is by the contacts of the model that decides, one by one.
+TEST(CliCompare, ResyncJudgesContactByContact) {
+  const Folder folder;
+  std::vector<std::string> call{"compare", shipped("bench_billiard"), "--mode", "resync",
+                                "--end",   "0.05", "--no-video", "-o", "out"};
+  const Outcome rigid = folder.run(call);
+  EXPECT_EQ(rigid.code, 0) << rigid.out << rigid.err;
+  EXPECT_TRUE(contains(rigid.out, "onset")) << rigid.out;
+  const json all = json::parse(folder.text("out/compare.json"));
+  EXPECT_EQ(all.at("mode"), "resync");
+  EXPECT_LT(all.at("scenes")[0]
+                .at("differences")
+                .at("rigid")
+                .at("resync")
+                .at("figures")
+                .at("impulse")
+                .at("worst")
+                .get<double>(),
+            0.01);
+  EXPECT_TRUE(contains(folder.text("out/report.html"), "Contact by contact"));
+  call.insert(call.end(), {"--contact", "cone"});
+  EXPECT_EQ(folder.run(call).code, 1) << "a soft contact takes the peak off";
 }
 
 // bench_ring: coulomb is close, but not to a millionth. The exit code is the verdict.

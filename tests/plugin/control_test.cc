@@ -26,7 +26,7 @@ Eigen::Vector2d force_on_ring(const mjModel* m, const mjData* d) {
 }
 
 TEST_F(ControlTest, CommandIsTheNativeLawsAtRest) {
-  const scene::Scene scene = shipped("paper_sliding", {"controller.on=0.0"});
+  const scene::Scene scene = shipped("paper_sliding", {"controller.on=0.0", "rotor.modes=2"});
   const Model model = make_model(scene);
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());
@@ -50,7 +50,8 @@ TEST_F(ControlTest, NothingBeforeItIsOn) {
 TEST_F(ControlTest, HeldBetweenSamples) {
   const double sample = 2e-4;
   const ModelPointer m = load(mjcf(shipped(
-      "paper_sliding", {"controller.on=0.0", "controller.sample_time=2e-4", "force[0].on=0.0"})));
+      "paper_sliding", {"controller.on=0.0", "controller.sample_time=2e-4", "force[0].on=0.0",
+                        "rotor.modes=2"})));
   const DataPointer d = start(m.get());
   int changes = 0;
   Eigen::Vector2d last(NAN, NAN);
@@ -80,7 +81,7 @@ TEST_F(ControlTest, PassiveBearingObeysTheUser) {
 
 TEST_F(ControlTest, KeepsToTheForceLimit) {
   const ModelPointer m =
-      load(mjcf(shipped("paper_sliding", {"controller.on=0.0", "actuator.force_limit=10.0"})));
+      load(mjcf(shipped("paper_sliding", {"controller.on=0.0", "actuator.force_limit=10.0", "rotor.modes=2"})));
   const DataPointer d = start(m.get());
   d->qpos[0] = 3e-4;
   mj_forward(m.get(), d.get());

@@ -88,6 +88,51 @@ TEST_F(HooksTest, LeavesWhoCameLaterInPlace) {
   EXPECT_EQ(mjcb_control, nullptr);
 }
 
+// Written over, taken back, and given back to who wrote: nothing of ours stays, nothing of his is
+// lost.
+TEST_F(HooksTest, GivesBackToWhoWroteOverThem) {
+  const ModelPointer m = load(mjcf(parsed(kAnnularRub)));
+  const mjfGeneric writes[] = {count_control, nullptr};
+  for (const mjfGeneric write : writes) {
+    std::vector<double> plain;
+    {
+      const plugin::Hooks hooks;
+      plain = state_after(m.get(), 300);
+      mjcb_control = write;
+      calls = 0;
+      EXPECT_EQ(state_after(m.get(), 300), plain);
+      EXPECT_EQ(calls, write ? 300 : 0);
+      EXPECT_NE(mjcb_control, write) << "ours is back, and calls it";
+    }
+    EXPECT_EQ(mjcb_control, write);
+    EXPECT_NE(state_after(m.get(), 300), plain) << "ours is gone";
+    mjcb_control = nullptr;
+  }
+}
+
+// A callback that calls whoever was there before him, and one that was set back by him.
+TEST_F(HooksTest, WhatWasThereBeforeMayBeSetBack) {
+  const ModelPointer m = load(mjcf(parsed(kAnnularRub)));
+  const plugin::Hooks hooks;
+  const std::vector<double> plain = state_after(m.get(), 300);
+  const mjfGeneric ours = mjcb_control;
+  for (int round = 0; round < 20; ++round) {
+    mjcb_control = count_control;
+    calls = 0;
+    EXPECT_EQ(state_after(m.get(), 300), plain);
+    EXPECT_EQ(calls, 300);
+    mjcb_control = ours;
+    EXPECT_EQ(state_after(m.get(), 300), plain);
+    EXPECT_EQ(calls, 300) << "round " << round;
+    below = mjcb_control;
+    mjcb_control = in_front;
+    EXPECT_EQ(state_after(m.get(), 300), plain);
+    EXPECT_EQ(mjcb_control, &in_front) << "he calls ours, and stays in front";
+    EXPECT_EQ(calls, 600);
+    mjcb_control = below;
+  }
+}
+
 // A double pendulum over a floor, with an actuator and MuJoCo's own contacts.
 constexpr const char* kForeign = R"(<mujoco>
   <option timestep="0.002"/><size nuserdata="21"/>

@@ -26,7 +26,7 @@ class MagnetsTest : public MujocoTest {
 
 // No controller: ctrl is the user's.
 scene::Scene by_hand(const std::vector<std::string>& more = {}) {
-  std::vector<std::string> overrides{"controller=none"};
+  std::vector<std::string> overrides{"controller=none", "rotor.modes=2"};
   overrides.insert(overrides.end(), more.begin(), more.end());
   return shipped("paper_magnetic", overrides);
 }

@@ -24,7 +24,8 @@ class ShadowData : public MujocoTest {
   ShadowData()
       : model_(
             load(mjcf(shadowed("paper_sliding", {"controller.on=0.0", "controller.sample_time=1e-4",
-                                                 "force[0].on=0.0", "contact.clearance=0.1 mm"})))),
+                                                 "force[0].on=0.0", "contact.clearance=0.1 mm",
+                                                 "rotor.modes=2"})))),
         config_(plugin::make_config(model_.get())) {}
   void steps(mjData* d, int count) const {
     for (int k = 0; k < count; ++k) mj_step(model_.get(), d);
@@ -144,7 +145,7 @@ int warnings = 0;
 
 // What fails is said once, and no sensor ever holds a NaN.
 TEST_F(ShadowData, AFailureStopsItWithOneWarning) {
-  const ModelPointer m = load(mjcf(shadowed("paper_passive")));
+  const ModelPointer m = load(mjcf(shadowed("paper_passive", {"rotor.modes=2"})));
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
   for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());

@@ -194,7 +194,7 @@ TEST(Frame, SceneWithoutContactShowsTheMachineAlone) {
 
 TEST(Frame, ShippedRigIsDrawnFromItsGeometry) {
   // Two modes in the scene, one in the run: they do not belong together.
-  const scene::Scene rig = shipped_scene("paper_passive");
+  const scene::Scene rig = rig_of_two_modes();
   const Trajectory run = whirling_run();
   try {
     FramePainter painter(rig, run, small_options());

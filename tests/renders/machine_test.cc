@@ -41,7 +41,7 @@ TEST(Machine, DrawnCirclesTouchExactlyWhenTheGapIsZero) {
 
 TEST(Machine, ShaftPassesThroughTheRotorAtTheContact) {
   // The rig's second mode included: the line at the contact station is the plain sum.
-  const scene::Scene rig = shipped_scene("paper_passive");
+  const scene::Scene rig = rig_of_two_modes();
   const ModalRotor rotor = modal_rotor(rig);
   ASSERT_TRUE(rotor.lines);
   Trajectory run = resting_run({.rotor_x = 3e-4, .rotor_y = 1e-4});
@@ -58,14 +58,14 @@ TEST(Machine, ShaftPassesThroughTheRotorAtTheContact) {
 }
 
 TEST(Machine, RigHasItsPartsAtTheirStations) {
-  const scene::Scene rig = shipped_scene("paper_passive");
+  const scene::Scene rig = rig_of_two_modes();
   Trajectory run = resting_run({});
   run.series.push_back({"x_2", "m", std::vector<double>(run.rows(), 0.0)});
   run.series.push_back({"y_2", "m", std::vector<double>(run.rows(), 0.0)});
   const Machine machine =
       make_machine(rig, modal_rotor(rig).lines, Playback(run), 0.0, 0.1, std::nullopt);
   EXPECT_DOUBLE_EQ(machine.unit, 1.0 / 0.6);
-  ASSERT_EQ(machine.discs.size(), 1u);
+  ASSERT_EQ(machine.discs.size(), 2u) << "with the sleeve";
   EXPECT_DOUBLE_EQ(machine.discs[0].z, 0.5);
   EXPECT_NEAR(machine.discs[0].radius, 0.06 / 0.6, 1e-12);  // sqrt(2 J_p / m)
   EXPECT_EQ(machine.bearings.size(), 2u);

@@ -61,6 +61,13 @@ inline scene::Scene shipped_scene(const std::string& name) {
   return scene::read_scene(std::filesystem::path(ROTORUB_MJCF_DIR) / (name + ".toml"));
 }
 
+// The reference rig, as runs of two modes go with it.
+inline scene::Scene rig_of_two_modes() {
+  scene::Scene rig = shipped_scene("paper_passive");
+  rig.rotor.geometry->modes = 2;
+  return rig;
+}
+
 struct Row {
   double rotor_x = 0.0, rotor_y = 0.0;              // m
   double stator_x = 0.0, stator_y = 0.0;            // m

@@ -1,5 +1,6 @@
 // Draws the maps of a sweep. A grid is a picture of one pixel a cell, with marks that cannot be seen
-// for the pointer; other points are marks of their own; one key is a curve.
+// for the pointer; other points are marks of their own; one key is a curve. A figure may be "linear": computed
+// for every point, whether its run succeeded or not; and "signed": its colours part at 0.
 'use strict';
 (() => {
   const {data, css, axes, layout, config} = page;
@@ -7,20 +8,22 @@
   const grid = data.kind === 'grid';
   const choice = {x: 0, y: Math.min(1, keys.length - 1), fixed: keys.map(() => 0)};
   const low2high = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725'];
+  const below2above = ['#2166ac', '#92c5de', '#f7f7f7', '#f4a582', '#b2182b'];
   const kinds = ['#4477aa', '#ee6677', '#228833', '#ccbb44', '#66ccee', '#aa3377', '#bbbbbb', '#997700'];
   const failed = '#7f7f7f';
+  const isFailed = (f, i) => status[i] !== 0 && !figures[f].linear;
 
   // ------------------------------------------------------------------ colours
   const parts = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
-  function shade(share) {
-    const place = Math.min(Math.max(share, 0), 1) * (low2high.length - 1), first = Math.min(Math.floor(place), low2high.length - 2);
-    const a = parts(low2high[first]), b = parts(low2high[first + 1]);
+  function shade(share, palette) {
+    const place = Math.min(Math.max(share, 0), 1) * (palette.length - 1), first = Math.min(Math.floor(place), palette.length - 2);
+    const a = parts(palette[first]), b = parts(palette[first + 1]);
     return a.map((part, k) => Math.round(part + (place - first) * (b[k] - part)));
   }
-  const scale = low2high.map((color, k) => [k / (low2high.length - 1), color]);
+  const scaleOfColours = (palette) => palette.map((color, k) => [k / (palette.length - 1), color]);
 
   // Numbers of several decades are told apart by their logarithm.
-  function colours(column, chosen) {
+  function colours(column, chosen, signed) {
     const given = chosen.map((i) => column[i]).filter((v) => v !== null);
     if (given.some((v) => typeof v === 'string')) {
       const words = [...new Set(column.filter((v) => v !== null))].sort();
@@ -29,10 +32,12 @@
     let low = Infinity, high = -Infinity;
     given.forEach((v) => { low = Math.min(low, v); high = Math.max(high, v); });
     if (!given.length) { low = 0; high = 1; }
+    const palette = signed ? below2above : low2high;
+    if (signed) { high = Math.max(Math.abs(low), Math.abs(high)); low = -high; }
     const log = low > 0 && high > 100 * low;
     const place = (v) => (log ? Math.log10(v) : v);
     const span = place(high) - place(low) || 1;
-    return {log, low: place(low), high: place(low) + span, place, of: (v) => shade((place(v) - place(low)) / span)};
+    return {log, palette, low: place(low), high: place(low) + span, place, of: (v) => shade((place(v) - place(low)) / span, palette)};
   }
 
   // ------------------------------------------------------------------ axes
@@ -56,7 +61,7 @@
   const shown = (v) => (v === null ? '' : typeof v === 'number' ? String(Number(v.toPrecision(6))) : v);
   function words(i, f) {
     const lines = keys.map((key, k) => key.name + ' = ' + shown(valueOf(k, i)) + ' ' + key.unit);
-    const what = columns[f][i] === null && status[i] !== 0 ? statuses[status[i]] :
+    const what = columns[f][i] === null && isFailed(f, i) ? statuses[status[i]] :
       figures[f].name + ' = ' + (columns[f][i] === null ? 'none' : shown(columns[f][i])) + ' ' + figures[f].unit;
     return ['<b>' + what + '</b>', ...lines].join('<br>');
   }
@@ -82,18 +87,19 @@
       const steps = Array.from({length: 6}, (_, k) => colour.low + (k / 5) * (colour.high - colour.low));
       Object.assign(ticks, {tickvals: steps, ticktext: steps.map((v) => String(Number((10 ** v).toPrecision(2))))});
     }
-    return {colorscale: scale, cmin: colour.low, cmax: colour.high, showscale: true,
+    return {colorscale: scaleOfColours(colour.palette), cmin: colour.low, cmax: colour.high, showscale: true,
       colorbar: Object.assign({title: {text: figure.unit}, thickness: 14, outlinewidth: 0}, ticks)};
   }
 
-  function picture(points, column, colour, x, y) {
+  function picture(points, f, colour, x, y) {
+    const column = columns[f];
     const canvas = document.createElement('canvas');
     canvas.width = keys[choice.x].values.length;
     canvas.height = keys[choice.y].values.length;
     const pen = canvas.getContext('2d');
     points.forEach((i) => {
       const at = values[choice.y][i];
-      pen.fillStyle = status[i] !== 0 ? failed : column[i] === null ? 'rgba(0,0,0,0)' : 'rgb(' + colour.of(column[i]).join() + ')';
+      pen.fillStyle = isFailed(f, i) ? failed : column[i] === null ? 'rgba(0,0,0,0)' : 'rgb(' + colour.of(column[i]).join() + ')';
       pen.fillRect(values[choice.x][i], canvas.height - 1 - at, 1, 1);
     });
     return {source: canvas.toDataURL(), xref: 'x', yref: 'y', x: Math.min(x.from, x.to), y: Math.max(y.from, y.to),
@@ -101,11 +107,11 @@
   }
 
   function drawMap(plot, f) {
-    const points = chosen(), column = columns[f], colour = colours(column, points);
-    const x = scaleOf(choice.x), y = scaleOf(choice.y), anyFailed = points.some((i) => status[i] !== 0);
+    const points = chosen(), column = columns[f], colour = colours(column, points, figures[f].signed);
+    const x = scaleOf(choice.x), y = scaleOf(choice.y), anyFailed = points.some((i) => isFailed(f, i));
     const at = (scaleHere, k) => points.map((i) => scaleHere.at(grid ? values[k][i] : i));
     const marker = Object.assign({size: grid ? 6 : 9, opacity: grid ? 0 : 0.9, color: points.map((i) =>
-      (status[i] !== 0 ? (colour.words || grid ? failed : null) : column[i] === null ? 'rgba(0,0,0,0)' :
+      (isFailed(f, i) ? (colour.words || grid ? failed : null) : column[i] === null ? 'rgba(0,0,0,0)' :
         colour.words ? 'rgb(' + colour.of(column[i]).join() + ')' : colour.place(column[i])))}, barOf(colour, figures[f]));
     if (grid && !colour.words) marker.color = points.map((i) => (column[i] === null ? colour.low : colour.place(column[i])));
     const trace = {type: 'scatter', mode: 'markers', x: at(x, choice.x), y: at(y, choice.y), marker, showlegend: false,
@@ -113,7 +119,7 @@
     const entries = legendOf(colour, anyFailed);
     Plotly.react(plot, [trace, ...entries], layout({hovermode: 'closest', hoverdistance: grid ? -1 : 20, showlegend: entries.length > 0,
       legend: {orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}},
-      margin: {l: 64, r: 24, t: 30, b: 48}, images: grid ? [picture(points, column, colour, x, y)] : [],
+      margin: {l: 64, r: 24, t: 30, b: 48}, images: grid ? [picture(points, f, colour, x, y)] : [],
       xaxis: axisOf(choice.x, grid ? [x.from, x.to] : null), yaxis: axisOf(choice.y, grid ? [y.from, y.to] : null)}), config);
   }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "compare/align/divergence.h"
 #include "compare/align/impacts.h"
 #include "tests/compare/hand_made.h"
@@ -25,6 +27,20 @@ TEST(Divergence, FindsTheFirstRowBeyondTheThreshold) {
   EXPECT_NEAR(*d.time, 0.21, 1e-12);
   EXPECT_NEAR(d.max_distance, 0.5, 1e-12);
   EXPECT_EQ(d.rows, 101U);
+  // 0.5 k / 100 at row k: sum of k^2 to n is n (n + 1) (2 n + 1) / 6.
+  EXPECT_NEAR(d.rms_distance, 0.5 / 100.0 * std::sqrt(100.0 * 101.0 * 201.0 / 6.0 / 101.0), 1e-12);
+}
+
+// Apart along y as much as along x.
+TEST(Divergence, IsADistanceInThePlane) {
+  const auto at = [](double x, double y) {
+    return hand_made(2, 0.1, [=](double) {
+      Row row;
+      row.x = x, row.y = y;
+      return row;
+    });
+  };
+  EXPECT_NEAR(divergence(at(0.1, 0.2), at(0.4, 0.6), 1.0).max_distance, 0.5, 1e-15);
 }
 
 TEST(Divergence, EqualRunsNeverPart) {

@@ -54,7 +54,7 @@ TEST(MujocoEngine, CoulombIsOfFirstOrder) {
 }
 
 TEST(MujocoEngine, SlidingControlAgreesWithNative) {
-  const scene::Scene scene = shipped("paper_sliding");
+  const scene::Scene scene = shipped("paper_sliding", {"rotor.modes=2"});
   const Trajectory mujoco = run_mujoco(scene), native = run_native(scene);
   ASSERT_EQ(mujoco.status, Status::kOk) << mujoco.message;
   EXPECT_NEAR(mujoco.mean_force(), native.mean_force(), 0.02 * native.mean_force());

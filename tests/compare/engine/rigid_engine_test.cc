@@ -85,7 +85,7 @@ TEST(RigidEngine, BouncesToRest) {
 TEST(RigidEngine, FollowsThePapersScenes) {
   for (const char* name : {"paper_sliding", "paper_passive", "paper_magnetic"}) {
     SCOPED_TRACE(name);
-    const scene::Scene scene = shipped(name);
+    const scene::Scene scene = shipped(name, {"rotor.modes=2"});
     const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     EXPECT_NEAR(t.mean_force(), reference.mean_force(), 0.01 * reference.mean_force());

@@ -30,6 +30,9 @@ Trajectory half_touched() {
   s.max_penetration = 2e-6;
   s.penetration_square = 0.5 * 1e-12;
   s.gap_rate_square = 0.5 * 4e-6;
+  // 3 J gained, 4 J given by the loads, 2 J taken by the contact; at most 4 J.
+  s.energy_start = 1.0, s.energy_end = 4.0, s.energy_scale = 4.0;
+  s.external_work = 4.0, s.contact_work = -2.0;
   t.steps = 1000;
   t.wall_s = 0.002;
   return t;
@@ -48,6 +51,8 @@ TEST(Metrics, AreTakenFromFirstTouch) {
   EXPECT_DOUBLE_EQ(m.impulse_total, 25.0);
   EXPECT_DOUBLE_EQ(m.friction_impulse, -5.0);
   EXPECT_DOUBLE_EQ(m.friction_work, -3.0);
+  EXPECT_DOUBLE_EQ(m.max_penetration, 2e-6);
+  EXPECT_DOUBLE_EQ(m.energy_residual, 0.25);
   EXPECT_DOUBLE_EQ(m.us_per_step, 2.0);
   EXPECT_DOUBLE_EQ(m.real_time_factor, 500.0);
 }
@@ -63,13 +68,28 @@ TEST(Metrics, PredictsThePenetrationOfOneStep) {
   EXPECT_NEAR(m.whirl_penetration, exact, 0.03 * exact);
 }
 
+// Flights between the touches, ten times as fast along the ring, have no part in it.
+TEST(Metrics, TheStepsPenetrationIsThatOfTheRowsInContact) {
+  const Trajectory t = hand_made(1001, 1e-3, [](double time) {
+    test::Row row = sliding(kWhirl, time);
+    if (std::fmod(time, 0.1) < 0.05) return row;
+    row.normal = row.friction = 0.0;
+    row.vx *= 10.0, row.vy *= 10.0;
+    return row;
+  });
+  const double way = kWhirl.frequency * kWhirl.clearance * 1e-3;
+  const double due = way * way / (2.0 * kWhirl.clearance);
+  EXPECT_NEAR(metrics(t, kFacts).whirl_penetration, due, 1e-9 * due);
+}
+
 TEST(Metrics, CountImpactsThatClose) {
   Trajectory t = half_touched();
   t.impacts.push_back({0.5, 0.02, 0.0, -0.1, 0.05, 0.0, 0.0, 0.0});
   t.impacts.push_back({0.6, 0.05, 0.0, -0.2, 0.1, 0.0, 0.0, 0.0});
+  t.impacts.push_back({0.65, 1e-3, 0.0, -1.9e-3, 1e-3, 0.0, 0.0, 0.0});  // 0.95 % of the fastest
   t.impacts.push_back({0.7, 1e-9, 0.0, -1e-8, 0.0, 0.0, 0.0, 0.0});
   const Metrics m = metrics(t, kFacts);
-  EXPECT_EQ(m.impacts, 2U);
+  EXPECT_EQ(m.impacts, 3U);
   EXPECT_EQ(m.hard_impacts, 2U);
   EXPECT_DOUBLE_EQ(m.peak_impulse, 0.05);
 }

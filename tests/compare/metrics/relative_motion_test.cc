@@ -27,25 +27,6 @@ TEST(RelativeMotion, OfACircle) {
   }
 }
 
-TEST(RelativeMotion, TakesTheRingAway) {
-  Trajectory t = hand_made(2, 1.0, [](double) {
-    test::Row row;
-    row.x = 3.0;
-    row.y = 5.0;
-    row.vx = 1.0;
-    return row;
-  });
-  for (Column& column : t.series) {
-    if (column.name == "stator_y") column.values.assign(2, 1.0);
-    if (column.name == "stator_vx") column.values.assign(2, 1.0);
-    if (column.name == "stator_vy") column.values.assign(2, -2.0);
-  }
-  const RelativePoint p = relative_motion(t).front();  // d = (3, 4), ddot = (0, 2)
-  EXPECT_DOUBLE_EQ(p.delta, 5.0);
-  EXPECT_DOUBLE_EQ(p.radial_rate, 1.6);
-  EXPECT_DOUBLE_EQ(p.whirl_speed, 1.2);
-}
-
 TEST(RelativeMotion, CoincidingCentresHaveNoDirection) {
   const auto points = relative_motion(hand_made(1, 1.0, [](double) {
     test::Row row;
@@ -88,6 +69,26 @@ TEST(WhirlFrequency, NeedsTwoRows) {
   const auto points = relative_motion(hand_made(3, 1.0, [](double) { return test::Row{}; }));
   EXPECT_EQ(whirl_frequency(points, {1, 2}), 0.0);
   EXPECT_EQ(whirl_frequency(points, {1, 1}), 0.0);
+}
+
+// The ring moves too: d = r_rotor - r_ring, in place and in speed.
+TEST(RelativeMotion, IsSeenFromTheRing) {
+  Trajectory t = test::hand_made(1, 1.0, [](double) {
+    test::Row row;
+    row.x = 7.0, row.y = 1.0, row.vx = 0.5, row.vy = 3.0;
+    return row;
+  });
+  const auto ring = [&](const char* name, double value) {
+    for (Column& column : t.series) {
+      if (column.name == name) column.values[0] = value;
+    }
+  };
+  ring("stator_x", 4.0), ring("stator_y", -3.0), ring("stator_vx", -0.5), ring("stator_vy", 1.0);
+  const RelativePoint p = relative_motion(t).front();  // d = (3, 4), its rate (1, 2)
+  EXPECT_DOUBLE_EQ(p.delta, 5.0);
+  EXPECT_DOUBLE_EQ(p.angle, std::atan2(4.0, 3.0));
+  EXPECT_DOUBLE_EQ(p.radial_rate, (3.0 * 1.0 + 4.0 * 2.0) / 5.0);
+  EXPECT_DOUBLE_EQ(p.whirl_speed, (3.0 * 2.0 - 4.0 * 1.0) / 5.0);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/report/web/plotly.h"
+#include "compare/sweep/linear_map.h"
 #include "tests/compare/sweep/studies.h"
 
 namespace rotorub {
@@ -99,6 +100,44 @@ values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
   for (const char* outside : {"http:", "https:", "@import", "src="}) {
     EXPECT_EQ(own.find(outside), std::string::npos) << outside;
   }
+}
+
+// Every point of a grid over friction has its lasting rubs beside its run, though the run failed.
+TEST_F(SweepPage, HasTheLinearMapOfAGridOverFriction) {
+  open(R"([sample]
+kind = "grid"
+[[vary]]
+key = "contact.friction"
+values = [0.05, 0.15, 0.3]
+[[vary]]
+key = "rotor.speed"
+also = ["force[0].frequency"]
+values = ["50 Hz", "60 Hz"]
+)");
+  const sweep::LinearMap map = sweep::linear_map(*scenes);
+  ASSERT_EQ(map.points.size(), 6U);
+  EXPECT_EQ(map.refused, "");
+  for (std::size_t i = 0; i < 6; ++i) {
+    ASSERT_TRUE(map.points[i]);
+    const scene::Scene scene = scenes->at(static_cast<std::int64_t>(i));
+    EXPECT_EQ(map.points[i]->friction, scene.contact->friction) << i;
+    EXPECT_EQ(map.points[i]->speed, scene.rotor.speed) << i;
+    EXPECT_TRUE(map.points[i]->attractors() & rub::kForcedRub) << i;
+  }
+  const std::string page = sweep_page(*scenes, *store, study);
+  EXPECT_NE(page.find("linear: attractors"), std::string::npos);
+  EXPECT_NE(page.find("without any run"), std::string::npos);
+}
+
+TEST_F(SweepPage, HasNoLinearMapOfOtherStudies) {
+  open(R"([sample]
+kind = "list"
+[[vary]]
+key = "contact.friction"
+values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
+)");
+  EXPECT_FALSE(sweep::linear_map(*scenes).any());
+  EXPECT_EQ(sweep_page(*scenes, *store, study).find("without any run"), std::string::npos);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(Why, NamesTheFurthestFirstAndWhatWasNotDecided) {
                                kPercent);
   EXPECT_EQ(text,
             "peak force -89 %, hard impacts +20 %; within 1 %: mean normal force; undecidable at 1 "
-            "%: rms gap rate (twins 7.00 % apart)");
+            "%: rms gap rate (repeats to 7.00 %)");
 }
 
 }  // namespace

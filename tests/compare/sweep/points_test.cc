@@ -1,6 +1,7 @@
 // Points as ensembles and by themselves.
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "compare/engine/engine.h"
 #include "compare/sweep/ensemble_points.h"
@@ -96,6 +97,51 @@ TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
       EXPECT_NEAR(a.contact_fraction, b.contact_fraction, kRoundOff);
     }
   }
+}
+
+// What a run watches of its impacts, its friction and its depth, of points that bounce, slide and stick. Sums
+// over some thousand steps agree to round-off; the depth of lasting contact is round-off itself.
+TEST(EnsemblePoints, HaveTheImpactsFrictionAndDepthOfARun) {
+  constexpr double kRoundOff = 1e-11, kDepth = 1e-15;  // relative; m
+  const StudyFolder folder;
+  const Study study = folder.study(of_ring() + R"([sample]
+kind = "list"
+[[vary]]
+key = "contact.friction"
+values = [0.1, 0.15, 0.3, 0.6, 0.15]
+[[vary]]
+key = "contact.restitution"
+values = [0.5, 0.9, 0.0, 0.5, 0.5]
+[[vary]]
+key = "contact.radius"
+values = [0.05, 0.05, 0.05, 0.002, 0.05]
+[[vary]]
+key = "force[0].amplitude"
+values = [150, 150, 300, 150, 1]
+[run]
+end = "60 ms"
+step = "20 us"
+)");
+  const PointScenes scenes(study, {});
+  double deepest = 0.0;
+  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+    for (const PointResult& many : run_ensembles(all_points(scenes), integrator, kGoOn)) {
+      SCOPED_TRACE(many.point);
+      const auto one =
+          run_single(many.point, scenes.at(many.point), *native_engine(integrator), kGoOn);
+      ASSERT_TRUE(one && one->ok() && many.ok());
+      const Figures &a = *many.figures, &b = *one->figures;
+      ASSERT_TRUE(a.peak_impulse && a.friction_work && a.max_penetration);
+      EXPECT_NEAR(*a.peak_impulse, *b.peak_impulse, kRoundOff * *b.peak_impulse);
+      EXPECT_NEAR(*a.friction_work, *b.friction_work, kRoundOff * std::abs(*b.friction_work));
+      EXPECT_NEAR(*a.max_penetration, *b.max_penetration,
+                  kRoundOff * *b.max_penetration + kDepth);
+      EXPECT_EQ(*a.peak_impulse > 0.0, many.point != 4) << "1 N never touches";
+      EXPECT_EQ(*a.friction_work < 0.0, many.point != 4);
+      deepest = std::max(deepest, *b.max_penetration);
+    }
+  }
+  EXPECT_GT(deepest, 1e-9) << "`paper` goes into the ring, so that there is something to compare";
 }
 
 TEST(EnsemblePoints, OtherPartsStepsAndEndsComeApart) {

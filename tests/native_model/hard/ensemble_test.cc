@@ -143,7 +143,7 @@ TEST(HardEnsemble, TheShippedRigs) {
     SCOPED_TRACE(name);
     expect_same_bits(
         [&](int) {
-          scene::Scene scene = test::shipped(name);
+          scene::Scene scene = test::shipped_rig(name);
           scene.forces[0].on = 0.0;  // contact within the few steps of a test
           if (scene.controller) scene.controller->on = 0.001;
           return make_model(scene);
@@ -154,7 +154,7 @@ TEST(HardEnsemble, TheShippedRigs) {
 
 TEST(HardEnsemble, SampledControllers) {
   expect_same_bits([](int i) {
-    scene::Scene scene = test::shipped("paper_sliding");
+    scene::Scene scene = test::shipped_rig("paper_sliding");
     scene.forces[0].on = 0.0;
     scene.controller->on = 0.0013;
     scene.controller->sample_time = 1e-4 * (1 + i % 3);
@@ -164,7 +164,7 @@ TEST(HardEnsemble, SampledControllers) {
 
 TEST(HardEnsemble, CoilsThatLag) {
   expect_same_bits([](int i) {
-    scene::Scene scene = test::shipped("paper_magnetic");
+    scene::Scene scene = test::shipped_rig("paper_magnetic");
     scene.forces[0].on = 0.0;
     scene.controller->on = 0.0013;
     scene.actuator->coil_lag = 1e-4 * (1 + i % 3);

@@ -37,6 +37,13 @@ inline scene::Scene shipped(const std::string& name) {
   return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
 }
 
+// One of the reference rig, with so few modes that a test is quick.
+inline scene::Scene shipped_rig(const std::string& name) {
+  scene::Scene rig = shipped(name);
+  rig.rotor.geometry->modes = 2;
+  return rig;
+}
+
 inline double largest(const std::vector<double>& values) {
   double most = 0.0;
   for (const double x : values) most = std::max(most, std::abs(x));

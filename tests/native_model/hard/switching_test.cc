@@ -81,7 +81,7 @@ TEST(HardSwitching, AtTheInstantOfAnEvent) {
 
 // Control that comes on 4 ms before contact, as in the published rig.
 TEST(HardSwitching, ControlFourMillisecondsBeforeContact) {
-  scene::Scene scene = test::shipped("paper_sliding");
+  scene::Scene scene = test::shipped_rig("paper_sliding");
   scene::Scene passive = scene;
   passive.controller.reset();
   passive.run.end = scene.run.end = 0.2;
@@ -98,7 +98,7 @@ TEST(HardSwitching, ControlFourMillisecondsBeforeContact) {
 
 // Each command is limited on its own axis; the run goes on through saturation.
 TEST(HardSwitching, SaturatedActuator) {
-  scene::Scene scene = test::shipped("paper_sliding");
+  scene::Scene scene = test::shipped_rig("paper_sliding");
   scene.run.end = 0.2;
   for (const double limit : {5.0, 40.0}) {
     scene.actuator = scene::Actuator{.force_limit = limit};
@@ -116,7 +116,7 @@ TEST(HardSwitching, SaturatedActuator) {
 
 // A sampled command is a staircase with its jumps at the samples, the same in both integrators.
 TEST(HardSwitching, SampledCommandsAtTheSameInstants) {
-  scene::Scene scene = test::shipped("paper_sliding");
+  scene::Scene scene = test::shipped_rig("paper_sliding");
   scene.run.end = 0.106;  // before the first touch: both integrators are on the same path
   scene.controller->on = 0.1;
   scene.controller->sample_time = 1e-4;

@@ -132,6 +132,7 @@ TEST(MagneticRub, IsThatOfAnIdealActuator) {
 // The law given as a table instead: its spline is within 1e-4 of the law.
 TEST(MagneticRub, OfATableIsThatOfItsLaw) {
   scene::Scene law = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/paper_magnetic.toml");
+  law.rotor.geometry->modes = 2;
   law.run.end = 0.12;
   scene::Scene table = law;
   const scene::Actuator a = *law.actuator;
@@ -179,6 +180,7 @@ TEST(MagneticRing, DoesNotStartInACore) {
 // Saturated currents and limited rates keep every rule; so does a ring that runs into the cores.
 TEST(MagneticRub, SaturationIsSolved) {
   scene::Scene s = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/paper_magnetic.toml");
+  s.rotor.geometry->modes = 2;
   s.run.end = 0.15;
   s.actuator->current_limit = 0.3;
   for (const double lag : {0.0, 1e-4}) {

@@ -39,6 +39,7 @@ scene::Scene shipped(const std::string& name) {
       scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
   if (name.starts_with("paper")) {
     scene.forces[0].on = 0.0;
+    scene.rotor.geometry->modes = 2;
     if (scene.controller) scene.controller->on = 0.002;
   }
   return scene;

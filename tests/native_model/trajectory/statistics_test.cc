@@ -74,6 +74,17 @@ TEST(Statistics, ContactIsCountedFromFirstTouch) {
   EXPECT_LT(s.friction_work, 0.0) << "friction only takes";
 }
 
+TEST(Statistics, PenetrationIsTheDeepestMet) {
+  const Model m = make_model(test::make_scene({}));
+  Feed feed(m);
+  feed.begin({0.5e-3, 0.0}, {0.0, 0.0});
+  feed.step(1.0, {0.52e-3, 0.0}, {0.0, 0.0}, 1.0, 0.0);
+  feed.step(2.0, {0.505e-3, 0.0}, {0.0, 0.0}, 1.0, 0.0);
+  const Statistics s = feed.finish(2.0).statistics;
+  EXPECT_NEAR(s.max_penetration, 2e-5, 1e-17);
+  EXPECT_NEAR(s.penetration_square, 4e-10 + 0.25e-10, 1e-20);
+}
+
 TEST(Statistics, ImpactsBalanceTheEnergyWithTheirOwnWork) {
   // Head on with 0.4 m/s, back with 0.2: the work of the impulse is its mean gap rate times it.
   const Model m = make_model(test::make_scene({}));

@@ -1,0 +1,71 @@
+#include "compare/engine/chunked_run.h"
+
+#include <algorithm>
+
+#include "plugin/contact/verlet.h"
+#include "plugin/control.h"
+#include "plugin/coordinates.h"
+
+namespace rotorub {
+
+ChunkedRun::ChunkedRun(const mjModel* m, const plugin::Config& config, bool commands)
+    : m_(m), config_(config), commands_(commands), data_(make_start(m)), results_(kChunk) {
+  states_.resize(2 * kChunk * size());
+  start_.resize(2 * size());
+  read_state(start_.data());
+}
+
+std::size_t ChunkedRun::advance(std::size_t wanted) {
+  const std::size_t count = std::min(wanted, kChunk);
+  const auto start = std::chrono::steady_clock::now();
+  std::size_t done = 0;
+  for (; done < count && !failed_; ++done) {
+    // Native steps: the state of the step's begin is known once it is taken.
+    const bool native = config_.takes_native_steps();
+    double* state = states_.data() + 2 * done * size();
+    if (native) read_state(state);
+    mj_step(m_, data_.get());
+    failed_ = bad();
+    if (failed_) break;
+    StepResult& r = results_[done];
+    r.forces = plugin::contact_forces(config_, data_.get());
+    r.actuator = plugin::actuator_state(config_, m_, data_.get());
+    if (commands_) r.command = plugin::command_of_pass(config_, m_, data_.get());
+    if (r.forces.status != Status::kOk) {
+      contact_status_ = r.forces.status;
+      failed_ = true;
+      break;
+    }
+    if (native) {
+      std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), state + size());
+    } else {
+      read_state(state);
+    }
+  }
+  wall_ += std::chrono::steady_clock::now() - start;
+  return done;
+}
+
+StepResult ChunkedRun::last_half() {
+  mj_forward(m_, data_.get());
+  read_state(states_.data());
+  std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), states_.data() + size());
+  return {plugin::contact_forces(config_, data_.get()),
+          plugin::actuator_state(config_, m_, data_.get()),
+          {0.0, 0.0}};
+}
+
+// Coordinates, then velocities, in the native layout.
+void ChunkedRun::read_state(double* to) const {
+  const plugin::Coordinates state(config_, data_.get());
+  std::copy_n(state.q(), size(), to);
+  std::copy_n(state.v(), size(), to + size());
+}
+
+// MuJoCo resets a state that is not finite (or beyond 1e10) and warns.
+bool ChunkedRun::bad() const {
+  const mjWarningStat* w = data_->warning;
+  return (w[mjWARN_BADQPOS].number | w[mjWARN_BADQVEL].number | w[mjWARN_BADQACC].number) != 0;
+}
+
+}  // namespace rotorub

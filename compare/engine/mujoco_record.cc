@@ -1,0 +1,143 @@
+#include "compare/engine/mujoco_record.h"
+
+#include <algorithm>
+
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/trajectory/range_check.h"
+
+namespace rotorub {
+namespace {
+
+Impact impact_of(const plugin::ContactForces& f, double t, double h) {
+  Impact i;
+  i.t = t;
+  i.normal_impulse = h * f.normal;
+  i.friction_impulse = h * f.friction;
+  i.gap_rate_before = f.gap_rate_before;
+  i.gap_rate_after = f.gap_rate_after;
+  i.slip_before = f.slip_before;
+  i.slip_after = f.slip_after;
+  i.energy_change = 0.5 * (i.normal_impulse * (f.gap_rate_before + f.gap_rate_after) +
+                           i.friction_impulse * (f.slip_before + f.slip_after));
+  return i;
+}
+
+}  // namespace
+
+MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times)
+    : model_(model),
+      rigid_(rigid),
+      step_(step),
+      recorder_(model, std::move(times)),
+      episodes_(recorder_) {}
+
+void MujocoRecord::begin(const double* q, const double* v) {
+  // A coil that lags has no current yet, whatever it is told.
+  const bool lags = model_.magnets && model_.magnets->coil_lag > 0.0;
+  const Eigen::Vector2d acts =
+      lags ? Eigen::Vector2d(0.0, 0.0) : control_command(model_, 0.0, q, v);
+  recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, actuator_state(model_, q, v, acts)});
+  point_ = contact_point(model_, q, v);
+}
+
+void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const StepResult& r) {
+  const double t = static_cast<double>(k) * step_;
+  const ContactPoint after = contact_point(model_, q, v);
+  const double next = static_cast<double>(k + 1) * step_;
+  const plugin::ContactForces& f = r.forces;
+  const Impact impact = f.impact ? impact_of(f, impact_time(t, f), step_) : Impact{};
+  if (model_.contact && rigid_) note_rigid(next, f, impact);
+  if (model_.contact && !rigid_) {
+    episodes_.step({t, step_, point_, after, f.normal, f.friction, f.mode});
+  }
+  // An impact's impulse is no force of lasting contact.
+  const double lasting = f.impact ? 0.0 : 1.0;
+  recorder_.step({next, q, v, lasting * f.normal, lasting * f.friction, f.mode, r.actuator},
+                 step_ * f.normal, step_ * f.friction, f.impact, f.impact ? &impact : nullptr);
+  point_ = after;
+}
+
+void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
+                               const StepResult& r, bool last) {
+  const double t = static_cast<double>(k) * step_;
+  const plugin::ContactForces& f = r.forces;
+  const bool lasting = !f.impact;
+  const ContactPoint p = contact_point(model_, q, v);
+  note_mode(t, f.mode);
+  if (k > 0) {
+    if (impact_.normal_impulse > 0.0) count_impact();
+    recorder_.advance(
+        {t, q, v, lasting ? f.normal : 0.0, lasting ? f.friction : 0.0, f.mode, r.actuator}, p,
+        impact_.normal_impulse > 0.0);
+  }
+  StepFigures figures;
+  figures.h = k == 0 || last ? 0.5 * step_ : step_;
+  figures.external_work = figures.h * external_power(model_, t, q, v, r.actuator.force);
+  if (lasting && f.mode != Mode::kFree && f.normal > 0.0) {
+    figures.normal_impulse = figures.h * f.normal;
+    figures.friction_impulse = figures.h * f.friction;
+    figures.friction_work = figures.friction_impulse * p.slip;
+    figures.contact_work =
+        figures.normal_impulse * p.gap_rate + figures.friction_impulse * (p.slip - held());
+  }
+  recorder_.count(figures, t);
+  impact_ = Impact{};
+  if (f.impact && !last) {
+    impact_ = impact_of(f, f.impact_time, k == 0 ? 0.5 * step_ : step_);
+    recorder_.add(impact_);
+    recorder_.add(Event{impact_.t, EventKind::kImpact});
+  }
+}
+
+std::optional<std::string> MujocoRecord::lost(const double* q) const {
+  if (recorder_.penetration() == 0.0 && !model_.magnets) return {};
+  return out_of_range(model_, q);
+}
+
+Trajectory MujocoRecord::finish(double end) {
+  if (!rigid_) episodes_.finish();
+  return recorder_.finish(end);
+}
+
+// m/s: slip of a prescribed spin, at which the machine that holds it works, and not the
+// coordinates.
+double MujocoRecord::held() const {
+  return model_.layout.spin ? 0.0 : model_.contact->radius * model_.speed;
+}
+
+void MujocoRecord::count_impact() {
+  StepFigures figures;
+  const double lasted = model_.contact->compression_time + model_.contact->expansion_time;
+  figures.h = lasted > 0.0 ? lasted : step_;
+  figures.normal_impulse = impact_.normal_impulse;
+  figures.friction_impulse = impact_.friction_impulse;
+  figures.friction_work =
+      0.5 * impact_.friction_impulse * (impact_.slip_before + impact_.slip_after);
+  figures.contact_work = impact_.energy_change - impact_.friction_impulse * held();
+  recorder_.count(figures, impact_.t);
+}
+
+void MujocoRecord::note_mode(double t, Mode mode) {
+  if (mode == mode_) return;
+  recorder_.add(Event{t, mode == Mode::kSlide   ? EventKind::kSlide
+                         : mode == Mode::kStick ? EventKind::kStick
+                                                : EventKind::kLiftOff});
+  mode_ = mode;
+}
+
+// As the native side: one row an impact. The velocity that jumps is that of half a step ago.
+void MujocoRecord::note_rigid(double next, const plugin::ContactForces& f, const Impact& impact) {
+  if (f.impact) {
+    recorder_.add(impact);
+    recorder_.add(Event{impact.t, EventKind::kImpact});
+  }
+  note_mode(next, f.mode);
+}
+
+// When the gap at t closes at the rate before the impact, within the step.
+double MujocoRecord::impact_time(double t, const plugin::ContactForces& f) const {
+  const double closing = point_.gap / std::max(-f.gap_rate_before, 1e-300);
+  return t + std::clamp(closing, 0.0, step_);
+}
+
+}  // namespace rotorub

@@ -1,0 +1,50 @@
+// Feeds the recorder that the native side uses with the steps of a MuJoCo run.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/engine/chunked_run.h"
+#include "compare/engine/contact_episodes.h"
+#include "native_model/trajectory/recorder.h"
+
+namespace rotorub {
+
+class MujocoRecord {
+ public:
+  // The model must outlive it. `rigid`: the contact model; `times`: the rows wanted, ascending.
+  MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times);
+
+  // The state of t = 0.
+  void begin(const double* q, const double* v);
+  // Step k (from 0), time counted as k step; the state is that of its end.
+  void step(std::int64_t k, const double* q, const double* v, const StepResult& r);
+  // Step k of native steps: the state is that of t_k, and so are forces and works; what impacts do
+  // comes after it. Of the last one, which begins at the end, half counts, and no impact.
+  void native_step(std::int64_t k, const double* q, const double* v, const StepResult& r,
+                   bool last);
+
+  // Why the state is where nothing holds it, if it is.
+  std::optional<std::string> lost(const double* q) const;
+  Trajectory finish(double end);
+
+ private:
+  double held() const;
+  void count_impact();
+  void note_mode(double t, Mode mode);
+  void note_rigid(double next, const plugin::ContactForces& f, const Impact& impact);
+  double impact_time(double t, const plugin::ContactForces& f) const;
+
+  const Model& model_;
+  bool rigid_;
+  double step_;
+  Mode mode_ = Mode::kFree;
+  Recorder recorder_;
+  ContactEpisodes episodes_;
+  ContactPoint point_;
+  Impact impact_;  // of native steps: of the step before
+};
+
+}  // namespace rotorub

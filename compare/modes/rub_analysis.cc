@@ -1,0 +1,175 @@
+#include "compare/modes/rub_analysis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/modes/rotor_analysis.h"
+#include "compare/modes/units.h"
+#include "native_model/rotor/refusal.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using rub::RubKind;
+using rub::RubPoint;
+using rub::StandingRub;
+
+// By rising |frequency|, as every spectrum here; backward first where they are equal to round-off.
+std::vector<WhirlMode> whirls(const std::vector<rub::Complex>& eigenvalues) {
+  constexpr double kReal = 1e-9, kEqual = 1e-9;
+  std::vector<WhirlMode> modes;
+  for (const rub::Complex& s : eigenvalues) {
+    const double size = std::abs(s);
+    const bool real = std::abs(s.imag()) <= kReal * size;
+    modes.push_back({real ? 0.0 : s.imag(), size > 0.0 ? -s.real() / size : 0.0});
+  }
+  std::sort(modes.begin(), modes.end(), [](const WhirlMode& a, const WhirlMode& b) {
+    return std::abs(a.frequency) < std::abs(b.frequency);
+  });
+  for (std::size_t i = 0; i + 1 < modes.size(); ++i) {
+    const double a = modes[i].frequency, b = modes[i + 1].frequency;
+    if (a > 0.0 && b < 0.0 && a + b >= -kEqual * a) std::swap(modes[i], modes[i + 1]);
+  }
+  return modes;
+}
+
+json whirls_json(const std::vector<WhirlMode>& modes) {
+  json all = json::array();
+  for (const WhirlMode& mode : modes) {
+    all.push_back({{"frequency", mode.frequency}, {"damping_ratio", mode.damping_ratio}});
+  }
+  return all;
+}
+
+std::string whirls_table(const char* title, const std::vector<WhirlMode>& modes) {
+  std::string text = fmt::format("  {}\n", title);
+  if (modes.empty()) text += "    nothing is left that can move\n";
+  for (const WhirlMode& mode : modes) {
+    const double size = std::abs(mode.frequency);
+    text += fmt::format("    {:<12}{:>12.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode), size, size * kHz,
+                        mode.damping_ratio);
+  }
+  return text;
+}
+
+// Rolling without anything that can move does not grow: no number in JSON.
+json growth_json(double growth) { return std::isfinite(growth) ? json(growth) : json(nullptr); }
+
+std::string growth_text(double growth) {
+  return std::isfinite(growth) ? fmt::format("{:.4g}", growth) : "-";
+}
+
+std::string orbit_text(const RubPoint& point) {
+  if (!point.orbit) return "free orbit: none, loads of several frequencies draw no circle";
+  const double share = *point.orbit / point.clearance;
+  std::string text = fmt::format("free orbit: {:.4g} of the clearance", share);
+  if (!(share < 1.0)) return text + ", so there is none";
+  return text + (point.free.stable ? ", stable"
+                                   : fmt::format(", grows at {:.4g} 1/s", point.free.growth));
+}
+
+std::string rolling_text(const RubPoint& point) {
+  std::string text;
+  for (const auto& [from, to] : point.rolling_ranges) {
+    text += text.empty() ? "" : ", ";
+    text += std::isfinite(to) ? fmt::format("{:.7g} to {:.7g} rad/s", from, to)
+                              : fmt::format("above {:.7g} rad/s", from);
+  }
+  if (text.empty()) return "friction is nowhere enough for backward rolling";
+  return "friction is enough for backward rolling: " + text;
+}
+
+}  // namespace
+
+RubAnalyses analyse_rubs(const scene::Scene& scene, const std::vector<double>& speeds) {
+  RubAnalyses all;
+  if (!scene.contact) return all;
+  try {
+    with_place(scene, [&] {
+      const rub::RubSystem system = rub::rub_system(scene);
+      for (const double speed : speeds) {
+        const rub::RubSystem turning = rub::at_speed(system, speed);
+        all.at.push_back({rub::RubStudy(turning).at(system.friction),
+                          whirls(rub::ring_eigenvalues(turning)),
+                          whirls(rub::joined_eigenvalues(turning))});
+      }
+    });
+  } catch (const scene::SceneError& error) {
+    all.at.clear();
+    all.refused = error.diagnostics().front().key + ": " + error.diagnostics().front().reason;
+  }
+  return all;
+}
+
+std::string attractors_text(unsigned attractors) {
+  std::string text;
+  for (const auto& [bit, name] : {std::pair{rub::kFreeOrbit, "no contact"},
+                                  std::pair{rub::kForcedRub, "synchronous rub"},
+                                  std::pair{rub::kBackwardWhip, "backward whip"},
+                                  std::pair{rub::kRollingRub, "rolling"}}) {
+    if (attractors & bit) text += (text.empty() ? "" : " + ") + std::string(name);
+  }
+  return text.empty() ? "none stable" : text;
+}
+
+json rub_point_json(const RubPoint& point) {
+  json rubs = json::array(), ranges = json::array(), attractors = json::array();
+  for (const StandingRub& r : point.rubs) {
+    rubs.push_back({{"kind", rub::to_string(r.rub.kind)},
+                    {"whirl", r.rub.whirl},
+                    {"normal_force", r.rub.normal_force},
+                    {"friction", r.rub.friction},
+                    {"slip", r.rub.slip},
+                    {"stable", r.stability.stable},
+                    {"growth_rate", growth_json(r.stability.growth)},
+                    {"frequency", r.stability.frequency}});
+  }
+  for (const auto& [from, to] : point.rolling_ranges) {
+    ranges.push_back({from, std::isfinite(to) ? json(to) : json(nullptr)});
+  }
+  for (const unsigned bit : {rub::kFreeOrbit, rub::kForcedRub, rub::kBackwardWhip, rub::kRollingRub}) {
+    if (point.attractors() & bit) attractors.push_back(attractors_text(bit));
+  }
+  const bool orbit = point.orbit && std::isfinite(*point.orbit);
+  return {{"speed", point.speed},
+          {"friction", point.friction},
+          {"free_orbit", orbit ? json(*point.orbit) : json(nullptr)},
+          {"free_growth_rate", growth_json(point.free.growth)},
+          {"attractors", attractors},
+          {"rubs", rubs},
+          {"rolling_ranges", ranges}};
+}
+
+json rub_json(const RubAnalysis& analysis) {
+  json result = rub_point_json(analysis.point);
+  result["ring"] = whirls_json(analysis.ring);
+  result["joined"] = whirls_json(analysis.joined);
+  return result;
+}
+
+std::string rub_table(const RubAnalysis& analysis) {
+  const RubPoint& point = analysis.point;
+  std::string text = fmt::format("rotor and ring at {:.6g} rad/s ({:.6g} rpm), of the modes kept\n",
+                                 point.speed, point.speed * kRpm);
+  if (!analysis.ring.empty()) text += whirls_table("ring alone", analysis.ring);
+  text += whirls_table("joined, the rotor's centre held to the ring's", analysis.joined);
+  text += fmt::format("\nlasting rubs at {:.6g} rad/s with a friction of {:g}\n", point.speed,
+                      point.friction);
+  text += fmt::format("  {:<10}{:>14}{:>14}{:>12}{:>14}{:>14}\n", "rub", "whirl rad/s", "force / N",
+                      "friction", "growth 1/s", "at rad/s");
+  for (const StandingRub& r : point.rubs) {
+    text += fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14}{:>14.6g}  {}\n",
+                        rub::to_string(r.rub.kind), r.rub.whirl, r.rub.normal_force, r.rub.friction,
+                        growth_text(r.stability.growth), r.stability.frequency,
+                        r.stability.stable ? "stable" : "unstable");
+  }
+  if (point.rubs.empty()) text += "  none\n";
+  text += "  " + orbit_text(point) + "\n  " + rolling_text(point) + "\n";
+  return text + "  attractors: " + attractors_text(point.attractors()) + "\n";
+}
+
+}  // namespace rotorub

@@ -1,0 +1,45 @@
+// What `rotorub modes` says of rotor and ring together: whirl apart and joined, and the lasting rubs at a spin
+// speed and the scene's friction. Of the modes kept.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "native_model/rotor/campbell.h"
+#include "native_model/rub/rub_map.h"
+#include "native_model/scene/scene.h"
+
+namespace rotorub {
+
+struct RubAnalysis {
+  rub::RubPoint point;
+  std::vector<WhirlMode> ring;    // alone; a fixed ring: none
+  std::vector<WhirlMode> joined;  // rotor centre held to the ring's, as in rolling contact
+};
+
+struct RubAnalyses {
+  std::vector<RubAnalysis> at;  // one for each speed; none where refused
+  std::string refused;          // why there are none; empty: there is no [contact]
+};
+
+// Loads keep their ratio to the spin (rub::at_speed). A scene whose rubs cannot be analysed is no error here.
+RubAnalyses analyse_rubs(const scene::Scene& scene, const std::vector<double>& speeds);
+
+// "no contact", "synchronous rub", "backward whip", "rolling", joined by " + "; "none stable". The words of
+// a sweep's attractors.
+std::string attractors_text(unsigned attractors);
+
+// {"free_orbit": m or null, "free_growth_rate": 1/s, "attractors": [], "rubs": [{"kind" (forced, whip,
+// rolling), "whirl": rad/s, "normal_force": N, "friction", "slip": m/s, "stable", "growth_rate": 1/s,
+// "frequency": rad/s, of the least stable pair in the frame that turns with the rub}], "rolling_ranges":
+// [[rad/s, rad/s or null]]}, with "speed" and "friction".
+nlohmann::json rub_point_json(const rub::RubPoint& point);
+// The same with "ring" and "joined": [{"frequency", "damping_ratio"}].
+nlohmann::json rub_json(const RubAnalysis& analysis);
+
+// For people; each ends with a line break.
+std::string rub_table(const RubAnalysis& analysis);
+
+}  // namespace rotorub

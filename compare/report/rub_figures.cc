@@ -1,0 +1,78 @@
+#include "compare/report/rub_figures.h"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/modes/rub_analysis.h"
+#include "compare/modes/units.h"
+#include "compare/report/rounded.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using rub::RubKind;
+using rub::RubPoint;
+using rub::StandingRub;
+
+constexpr int kDigits = 6;
+
+json number(double value) { return std::isfinite(value) ? json(rounded(value, kDigits)) : json(nullptr); }
+
+template <RubKind kind, class Value>
+json of_leading(const RubPoint& point, Value value) {
+  const StandingRub* leading = point.leading(kind);
+  return leading ? number(value(*leading)) : json(nullptr);
+}
+
+double growth(const StandingRub& r) { return r.stability.growth; }
+double pair_frequency(const StandingRub& r) { return r.stability.frequency * kHz; }
+double force(const StandingRub& r) { return r.rub.normal_force; }
+double whirl(const StandingRub& r) { return r.rub.whirl * kHz; }
+
+struct Figure {
+  const char *name, *unit, *meaning;
+  bool word, is_signed;
+  json (*value)(const RubPoint&);
+};
+
+const std::array kFigures = {
+    Figure{"linear: attractors", "", "what is stable by its eigenvalues, and so may coexist", true, false,
+           [](const RubPoint& p) { return json(attractors_text(p.attractors())); }},
+    Figure{"linear: rub, growth rate", "1/s", "synchronous rub, of its least stable pair: below 0 it is stable",
+           false, true, [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, growth); }},
+    Figure{"linear: rub, frequency", "Hz", "synchronous rub, of that pair, seen from the turning frame", false,
+           false, [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, pair_frequency); }},
+    Figure{"linear: rub, normal force", "N", "synchronous rub", false, false,
+           [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, force); }},
+    Figure{"linear: whip, growth rate", "1/s", "backward whip that slips, load left out: below 0 it is stable",
+           false, true, [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, growth); }},
+    Figure{"linear: whip, whirl", "Hz", "backward whip, its speed", false, false,
+           [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, whirl); }},
+    Figure{"linear: whip, normal force", "N", "backward whip", false, false,
+           [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, force); }},
+    Figure{"linear: rolling, normal force", "N", "backward rolling at the spin's pace, load left out", false,
+           false, [](const RubPoint& p) { return of_leading<RubKind::kRolling>(p, force); }},
+    Figure{"linear: free orbit", "", "of the clearance, without contact", false, false,
+           [](const RubPoint& p) { return p.orbit ? number(*p.orbit / p.clearance) : json(nullptr); }},
+};
+
+}  // namespace
+
+json rub_figures() {
+  json all = json::array();
+  for (const Figure& f : kFigures) {
+    all.push_back({{"name", f.name}, {"unit", f.unit}, {"meaning", f.meaning}, {"word", f.word},
+                   {"linear", true}, {"signed", f.is_signed}});
+  }
+  return all;
+}
+
+std::vector<json> rub_values(const RubPoint& point) {
+  std::vector<json> values;
+  for (const Figure& f : kFigures) values.push_back(f.value(point));
+  return values;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,147 @@
+#include "compare/study/comparison_runs.h"
+
+#include <algorithm>
+
+namespace rotorub {
+namespace {
+
+constexpr double kNativeWork = 1.0, kMujocoWork = 15.0;
+
+RunRequest without_rows(const scene::Scene& scene) {
+  RunRequest request;
+  request.output_times = std::vector<double>{scene.run.end};
+  return request;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+void finish(Timing& timing) {
+  if (timing.us_per_step.empty()) return;
+  timing.median = median(timing.us_per_step);
+  const auto [low, high] =
+      std::minmax_element(timing.us_per_step.begin(), timing.us_per_step.end());
+  timing.lowest = *low;
+  timing.highest = *high;
+}
+
+}  // namespace
+
+std::vector<Contestant> contestants(const scene::Scene& scene, scene::ContactModel decides) {
+  std::vector<Contestant> all;
+  all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
+  all.push_back({to_string(decides), mujoco_engine(decides), kMujocoWork});
+  for (const auto contact :
+       {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb, scene::ContactModel::kCone}) {
+    if (contact == decides) continue;
+    all.push_back({to_string(contact), mujoco_engine(contact), kMujocoWork});
+  }
+  return all;
+}
+
+std::function<void(double)> Runner::part(double work, const std::string& what) {
+  if (!options_.progress) return {};
+  return [this, work, what](double share) {
+    options_.progress((done_ + share * work) / total_, what);
+  };
+}
+
+Trajectory Runner::run(const Engine& engine, RunRequest request, double work,
+                       const std::string& what) {
+  request.interrupt = options_.interrupt;
+  request.progress = part(work, what);
+  if (request.progress) request.progress(0.0);
+  Trajectory trajectory = engine.run(scene_, request);
+  done_ += work;
+  return trajectory;
+}
+
+Side Runner::shown(const Contestant& who, RunRequest request) {
+  request.output_times = dense_times(scene_.run, options_.rows);
+  Side side;
+  side.label = who.label;
+  side.engine = who.engine->name();
+  side.trajectory = run(*who.engine, std::move(request), who.work, who.label);
+  side.metrics = metrics(side.trajectory, contact_facts(scene_));
+  return side;
+}
+
+Twins Runner::twins(const Engine& native, const Trajectory& original, double threshold,
+                    const std::vector<double>& times, std::shared_ptr<const CommandRecord> commands,
+                    int count) {
+  TwinParameters parameters;
+  parameters.count = count;
+  parameters.output_times = times;
+  parameters.commands = std::move(commands);
+  parameters.interrupt = options_.interrupt;
+  const double work = count * kNativeWork;
+  parameters.progress = part(work, "native twins");
+  Twins found = run_twins(native, scene_, original, threshold, parameters);
+  done_ += work;
+  return found;
+}
+
+ModelError Runner::model_error(const Repeatability& repeats) {
+  ModelErrorParameters parameters;
+  parameters.tolerance = options_.tolerance;
+  parameters.spread = repeats.spread;
+  parameters.interrupt = options_.interrupt;
+  parameters.progress = part(kLadderWork, "more modes");
+  ModelError found = rotorub::model_error(scene_, parameters);
+  done_ += kLadderWork;
+  return found;
+}
+
+void climb_down(Runner& runner, const Contestant& who, const std::vector<double>& times,
+                const Prepare& prepare, Side& side) {
+  std::array<Metrics, kRungs> rungs;
+  rungs[0] = side.metrics;
+  std::string failed = side.trajectory.status == Status::kOk ? "" : "the run did not end well";
+  for (std::size_t k = 1; k < kRungs && failed.empty(); ++k) {
+    RunRequest request;
+    request.output_times = times;
+    const double part = k == 1 ? 2.0 : 4.0;
+    request.step = runner.scene().run.step / part;
+    prepare(k, request);
+    const Trajectory t = runner.run(*who.engine, request, part * who.work,
+                                    who.label + (k == 1 ? " at half the step" : " at a quarter"));
+    rungs[k] = metrics(t, contact_facts(runner.scene()));
+    if (t.status != Status::kOk) failed = "a run at a smaller step did not end well: " + t.message;
+  }
+  if (!failed.empty()) return leave_limits(failed, side);
+  for (const Figure& f : figures()) {
+    side.limits.push_back(extrapolate({f.value(rungs[0]), f.value(rungs[1]), f.value(rungs[2])}));
+  }
+}
+
+void leave_limits(const std::string& reason, Side& side) {
+  for (const Figure& f : figures()) {
+    Extrapolation e;
+    e.values.fill(f.value(side.metrics));
+    e.limit = e.values[0];
+    e.reason = reason;
+    side.limits.push_back(e);
+  }
+}
+
+void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
+               std::shared_ptr<const CommandRecord> commands, std::vector<Side>& sides) {
+  for (int pass = 0; pass < repeats; ++pass) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (runner.interrupted() || sides[k].trajectory.status != Status::kOk) continue;
+      RunRequest request = without_rows(runner.scene());
+      if (k == 0) request.commands = commands;
+      const Trajectory t =
+          runner.run(*all[k].engine, request, all[k].work, "timing " + all[k].label);
+      if (t.steps > 0 && t.status == Status::kOk) {
+        sides[k].timing.us_per_step.push_back(1e6 * t.wall_s / static_cast<double>(t.steps));
+      }
+    }
+  }
+  for (Side& side : sides) finish(side.timing);
+}
+
+}  // namespace rotorub

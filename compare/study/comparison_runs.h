@@ -1,0 +1,71 @@
+// The runs that a comparison is made of: who takes part, at which steps, and for how long.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compare/study/scene_comparison.h"
+#include "compare/study/side_difference.h"
+#include "compare/study/twins.h"
+
+namespace rotorub {
+
+struct Contestant {
+  std::string label;
+  std::unique_ptr<Engine> engine;
+  double work;  // of one run at the scene's step, in units of a native one: for the progress bar
+};
+
+inline constexpr double kLadderWork = 20.0;  // of the ladder of modes, in these units
+
+// Native, then MuJoCo with the contact model that decides, then with the others.
+std::vector<Contestant> contestants(const scene::Scene& scene, scene::ContactModel decides);
+
+// Runs engines one after another and keeps count of the work for the progress bar.
+class Runner {
+ public:
+  // `total`: of all the work to come, in the units of Contestant::work. All must outlive it.
+  Runner(const scene::Scene& scene, const CompareOptions& options, double total)
+      : scene_(scene), options_(options), total_(total) {}
+
+  Trajectory run(const Engine& engine, RunRequest request, double work, const std::string& what);
+  // A run with the rows that plots and residuals need, and its figures.
+  Side shown(const Contestant& who, RunRequest request);
+  // `commands`: null, or what the native runs are driven by.
+  Twins twins(const Engine& native, const Trajectory& original, double threshold,
+              const std::vector<double>& times, std::shared_ptr<const CommandRecord> commands,
+              int count);
+  // What the modes kept leave out; the twins' spread is what no more modes can tell.
+  ModelError model_error(const Repeatability& repeats);
+  // For work beside runs: tells its share.
+  std::function<void(double)> part(double work, const std::string& what);
+  void done(double work) { done_ += work; }
+  bool interrupted() const { return options_.interrupt && options_.interrupt->load(); }
+  const scene::Scene& scene() const { return scene_; }
+
+ private:
+  const scene::Scene& scene_;
+  const CompareOptions& options_;
+  double total_, done_ = 0.0;
+};
+
+// What a run at a part of the scene's step is asked for beyond it: rung 0 is the scene's step, 1
+// and 2 are half and a quarter of it.
+using Prepare = std::function<void(std::size_t rung, RunRequest& request)>;
+inline constexpr std::size_t kRungs = 3;
+
+// Fills side.limits: the figures at dt, dt/2 and dt/4 and what they tend to. Rows at `times`.
+void climb_down(Runner& runner, const Contestant& who, const std::vector<double>& times,
+                const Prepare& prepare, Side& side);
+// Fills them where nothing was run at smaller steps.
+void leave_limits(const std::string& reason, Side& side);
+
+// Passes for time alone, engines in turn so that a slow spell of the machine meets all of them.
+// `commands`: of the native side.
+void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
+               std::shared_ptr<const CommandRecord> commands, std::vector<Side>& sides);
+
+}  // namespace rotorub

@@ -1,0 +1,187 @@
+#include "compare/study/resync.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/study/format.h"
+#include "compare/study/resync_text.h"
+#include "native_model/event/driver.h"
+#include "native_model/trajectory/recorder.h"
+
+namespace rotorub {
+namespace {
+
+const ResyncFigure kFigures[] = {
+    {"impulse", "impulse", "mN s", 1e3, "Normal impulse of the contact, its small bounces with it.",
+     "the contact's own, or the largest impact where that is more", &ContactResult::impulse},
+    {"peak", "peak force", "N", 1.0, "Largest normal force of the contact, averaged over one step.",
+     "the largest of all contacts", &ContactResult::peak},
+    {"duration", "duration", "µs", 1e6, "From the touch to the last force.",
+     "the time until half-way through the next flight", &ContactResult::duration},
+    {"rebound", "rebound", "mm/s", 1e3,
+     "Gap rate after the first impact; of a soft contact where its force first ends.",
+     "the fastest approach of all contacts", &ContactResult::rebound},
+};
+
+constexpr std::size_t kImpulse = 0;  // its row
+
+// What a difference of one onset is a share of, SI, > 0 where there is a contact.
+double scale(const ResyncFigure& figure, const PredictedOnset& o, const Resync& all) {
+  const std::string key = figure.key;
+  if (key == "impulse") return std::max(o.native.impulse, all.largest_impact);
+  if (key == "duration") return o.end - o.touch;
+  double largest = 0.0;
+  for (const PredictedOnset& other : all.onsets) {
+    largest = std::max(largest, key == "peak" ? other.native.peak : other.closing);
+  }
+  return largest;
+}
+
+double share(double difference, double of) { return difference == 0.0 ? 0.0 : difference / of; }
+
+// The smallest value that a share `part` of the ascending ones does not exceed.
+double quantile(const std::vector<double>& ascending, double part) {
+  const double rank = std::ceil(part * static_cast<double>(ascending.size()) - 1e-9);
+  return ascending[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+ResyncRow row(const ResyncFigure& figure, const Resync& all, double tolerance) {
+  ResyncRow r;
+  r.figure = &figure;
+  std::vector<double> sizes;
+  for (const PredictedOnset& o : all.onsets) {
+    if (o.status != Status::kOk) continue;
+    const double native = o.native.*figure.value, mujoco = o.mujoco.*figure.value;
+    r.native += native;
+    r.mujoco += mujoco;
+    const double d = share(mujoco - native, scale(figure, o, all));
+    sizes.push_back(std::abs(d));
+    if (sizes.size() > 1 && sizes.back() <= r.worst) continue;
+    r.worst = sizes.back();
+    r.worst_signed = d;
+    r.worst_time = o.touch;
+  }
+  r.bias = share(r.mujoco - r.native, r.native);
+  r.native /= static_cast<double>(sizes.size());
+  r.mujoco /= static_cast<double>(sizes.size());
+  std::sort(sizes.begin(), sizes.end());
+  r.median = quantile(sizes, 0.5);
+  r.ninetieth = quantile(sizes, 0.9);
+  r.verdict = r.worst <= tolerance ? FigureVerdict::kWithin : FigureVerdict::kOutside;
+  return r;
+}
+
+Trust trust_of(const Resync& r, double tolerance) {
+  if (r.failed > 0) return Trust::kNo;
+  if (r.rows.empty()) return r.touches ? Trust::kUndecidable : Trust::kYes;
+  const bool all = std::all_of(r.rows.begin(), r.rows.end(), [](const ResyncRow& row) {
+    return row.verdict == FigureVerdict::kWithin;
+  });
+  if (all) return Trust::kYes;
+  // Of the durations the mean difference, as share of the mean time: a rigid one is 0.
+  double late = 0.0, time = 0.0;
+  for (const PredictedOnset& o : r.onsets) {
+    late += o.mujoco.duration - o.native.duration;
+    time += o.end - o.touch;
+  }
+  const bool means =
+      std::abs(r.rows[kImpulse].bias) <= tolerance && std::abs(share(late, time)) <= tolerance;
+  return means ? Trust::kAveragesOnly : Trust::kNo;
+}
+
+// What the native run from an onset on came to.
+void read(const Trajectory& t, PredictedOnset& o) {
+  const Statistics& s = t.statistics;
+  o.native.impulse = s.impulse_total;
+  o.native.peak = s.peak_force;
+  bool lasts = false;
+  double last = s.first_touch;
+  for (const Event& e : t.events) {
+    lasts = e.kind == EventKind::kSlide || e.kind == EventKind::kStick ||
+            (lasts && e.kind != EventKind::kLiftOff);
+    if (e.kind == EventKind::kImpact || e.kind == EventKind::kLiftOff) last = e.t;
+  }
+  if (lasts) last = t.end;
+  if (s.first_touch >= 0.0) o.native.duration = std::max(0.0, last - s.first_touch);
+  if (!t.impacts.empty()) o.native.rebound = t.impacts.front().gap_rate_after;
+  for (const Impact& impact : t.impacts) {
+    o.largest_impact = std::max(o.largest_impact, impact.normal_impulse);
+  }
+}
+
+}  // namespace
+
+std::span<const ResyncFigure> resync_figures() { return kFigures; }
+
+std::vector<PredictedOnset> predict(const scene::Scene& scene, const std::vector<Onset>& onsets,
+                                    std::shared_ptr<const CommandRecord> commands, double step,
+                                    const std::function<void(double)>& progress,
+                                    const std::atomic<bool>* interrupt) {
+  const Model model = replayed(make_model(scene), std::move(commands));
+  EventParameters settings;
+  settings.force_bin = step;
+  EventIntegrator integrator(model, settings);
+  std::vector<PredictedOnset> predicted;
+  for (const Onset& onset : onsets) {
+    if (interrupt && interrupt->load(std::memory_order_relaxed)) break;
+    PredictedOnset o{onset, {}, 0.0, Status::kOk, {}};
+    Recorder recorder(model, {});
+    const EventIntegrator::Result result =
+        integrator.run(onset.before, onset.end, recorder, {}, interrupt);
+    o.status = result.status;
+    o.message = result.message;
+    read(recorder.finish(result.end), o);
+    predicted.push_back(std::move(o));
+    if (progress) {
+      progress(static_cast<double>(predicted.size()) / static_cast<double>(onsets.size()));
+    }
+  }
+  return predicted;
+}
+
+Resync judge_resync(std::vector<PredictedOnset> onsets, bool touches, double tolerance) {
+  Resync r;
+  r.touches = touches;
+  r.onsets = std::move(onsets);
+  std::size_t good = 0;
+  for (const PredictedOnset& o : r.onsets) {
+    if (o.status == Status::kOk) {
+      ++good;
+      r.largest_impact = std::max(r.largest_impact, o.largest_impact);
+    } else if (r.failed++ == 0) {
+      r.failure = o.message;
+    }
+  }
+  if (good > 0) {
+    for (const ResyncFigure& figure : kFigures) r.rows.push_back(row(figure, r, tolerance));
+  }
+  r.trust = trust_of(r, tolerance);
+  return r;
+}
+
+std::string why(const Resync& r, double tolerance) {
+  if (r.failed > 0) {
+    return fmt::format("{} of {} predictions did not end well, the first: {}", r.failed,
+                       r.onsets.size(), r.failure);
+  }
+  if (r.rows.empty()) return r.touches ? "contact, but no onset of it" : "nothing touches";
+  std::string far, near;
+  for (const ResyncRow& row : r.rows) {
+    if (row.verdict == FigureVerdict::kOutside) {
+      far += fmt::format("{}{} {}", far.empty() ? "" : ", ", row.figure->label,
+                         signed_percent(row.worst_signed));
+    } else {
+      near += fmt::format("{}{}", near.empty() ? "" : ", ", row.figure->label);
+    }
+  }
+  const std::string count =
+      fmt::format("{} {}", r.onsets.size(), r.onsets.size() == 1 ? "onset" : "onsets");
+  if (far.empty()) return fmt::format("the worst of {} within {}", count, percent_text(tolerance));
+  std::string text = fmt::format("the worst of {}: {}", count, far);
+  if (!near.empty()) text += fmt::format("; within {}: {}", percent_text(tolerance), near);
+  return text;
+}
+
+}  // namespace rotorub

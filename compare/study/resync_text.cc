@@ -1,0 +1,123 @@
+#include "compare/study/resync_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compare/study/format.h"
+
+namespace rotorub {
+namespace {
+
+std::string onsets_text(const Resync& r) {
+  return fmt::format("{} {}", r.onsets.size(), r.onsets.size() == 1 ? "onset" : "onsets");
+}
+
+const ResyncRow& furthest(const Resync& r) {
+  const ResyncRow* most = &r.rows.front();
+  for (const ResyncRow& row : r.rows) {
+    if (row.worst > most->worst) most = &row;
+  }
+  return *most;
+}
+
+}  // namespace
+
+std::string percents(double share) {
+  const double p = 100.0 * std::abs(share);
+  if (p > 0.0 && p < 1e-3) return "<0.001";
+  return p < 1000.0 ? fmt::format("{:.3g}", p) : fmt::format("{:.0f}", p);
+}
+
+std::string signed_percent(double share) {
+  const char* sign = share > 0.0 ? "+" : share < 0.0 ? "-" : "";
+  return sign + percents(share) + " %";
+}
+
+std::string resync_headline(const std::string& contact, const Resync& r, double tolerance) {
+  const std::string within = percent_text(tolerance);
+  if (r.failed > 0) {
+    return fmt::format("MuJoCo's {} contact: {} of {} could not be predicted.", contact, r.failed,
+                       onsets_text(r));
+  }
+  if (r.rows.empty()) {
+    return r.touches
+               ? fmt::format("MuJoCo's {} contact has no onset: there is nothing to predict.",
+                             contact)
+               : fmt::format("Nothing touches in MuJoCo ({}): there is no contact to predict.",
+                             contact);
+  }
+  const ResyncRow& off = furthest(r);
+  const std::string worst = fmt::format("{} {} at t = {:.5g} s", off.figure->label,
+                                        signed_percent(off.worst_signed), off.worst_time);
+  switch (r.trust) {
+    case Trust::kYes:
+      return fmt::format(
+          "MuJoCo's {} contact: each of {} comes out as the rigid law predicts it from "
+          "MuJoCo's own state, within {}.",
+          contact, onsets_text(r), within);
+    case Trust::kAveragesOnly:
+      return fmt::format(
+          "MuJoCo's {} contact: on the mean of {} as the rigid law predicts them, within {}; "
+          "single ones are not: {}.",
+          contact, onsets_text(r), within, worst);
+    case Trust::kNo:
+    case Trust::kUndecidable:
+      break;
+  }
+  return fmt::format(
+      "MuJoCo's {} contact is outside {} of what the rigid law predicts from MuJoCo's own state, "
+      "onset by onset: {}.",
+      contact, within, worst);
+}
+
+std::vector<std::string> resync_reasons(const std::string& contact, const Resync& r) {
+  std::vector<std::string> all;
+  if (!r.rows.empty()) {
+    const ResyncRow& impulse = r.rows.front();
+    all.push_back(fmt::format(
+        "impulse over {}: half of them within {} %, nine in ten within {} %, the worst {} (at t = "
+        "{:.5g} s); the sum {}",
+        onsets_text(r), percents(impulse.median), percents(impulse.ninetieth),
+        signed_percent(impulse.worst_signed), impulse.worst_time, signed_percent(impulse.bias)));
+  }
+  if (r.left_out > 0) {
+    all.push_back(fmt::format(
+        "{} of {}'s contacts began while the rotor still lay in the ring, and are left out",
+        r.left_out, contact));
+  }
+  if (r.failed > 0) {
+    all.push_back(
+        fmt::format("{} predictions did not end well, the first: {}", r.failed, r.failure));
+  }
+  return all;
+}
+
+std::string resync_table(const SceneComparison& c) {
+  std::string text =
+      fmt::format("  {:<25}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}\n", "by onset; off by, in %", "native",
+                  "MuJoCo", "median", "90 %", "worst", "at, s");
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    const Resync& r = *c.differences[k].resync;
+    text += fmt::format("  {}: {}\n", c.sides[k + 1].label, onsets_text(r));
+    for (const ResyncRow& row : r.rows) {
+      const ResyncFigure& f = *row.figure;
+      text +=
+          fmt::format("{}   {:<23}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9.4g}\n",
+                      row.verdict == FigureVerdict::kOutside ? "!" : " ",
+                      fmt::format("{}, {}", f.label, f.unit), short_number(f.per_unit * row.native),
+                      short_number(f.per_unit * row.mujoco), percents(row.median),
+                      percents(row.ninetieth), percents(row.worst), row.worst_time);
+    }
+  }
+  text += fmt::format(
+      "  judged: the worst of each figure (!: beyond {}); values are means over the\n"
+      "  onsets; differences are shares of\n",
+      percent_text(c.tolerance));
+  for (const ResyncFigure& f : resync_figures()) {
+    text += fmt::format("    {:<12}{}\n", f.label, f.relative_to);
+  }
+  return text;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,37 @@
+#include "compare/study/shadow_column.h"
+
+#include "native_model/scene/diagnostic.h"
+
+namespace rotorub {
+namespace {
+
+// Work of a run, see Contestant.
+constexpr double kWork = 1.0;
+
+}  // namespace
+
+ShadowColumn shadow_column(Runner& runner, const Side& native,
+                           std::shared_ptr<const CommandRecord> commands,
+                           const CompareOptions& options) {
+  ShadowColumn column;
+  column.driven = commands != nullptr;
+  RunRequest request;
+  request.commands = std::move(commands);
+  // Impacts that take time are verlet's alone.
+  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+    try {
+      column.side = runner.shown({"shadow", native_engine(integrator), kWork}, request);
+      break;
+    } catch (const scene::SceneError& error) {
+      column.absent = error.what();
+    }
+  }
+  if (!column.side) return column;
+  for (const Figure& f : figures()) {
+    column.figures.push_back(
+        judged(f, f.value(native.metrics), f.value(column.side->metrics), 0.0, options.tolerance));
+  }
+  return column;
+}
+
+}  // namespace rotorub

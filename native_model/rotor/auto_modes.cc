@@ -1,0 +1,132 @@
+#include "native_model/rotor/auto_modes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "native_model/scene/diagnostic.h"
+
+namespace rotorub {
+namespace {
+
+// Something that the kept modes must know: a sum over modes that rises to its value of all modes.
+struct Quantity {
+  std::string name;
+  Eigen::VectorXd sums;  // over the first k modes, k = 1 to N
+  double left_out(int kept) const { return 1.0 - sums[kept - 1] / sums[sums.size() - 1]; }
+};
+
+struct Place {
+  std::string name;
+  double z;  // m
+};
+
+std::vector<Place> places(const scene::Scene& scene) {
+  std::vector<Place> all;
+  const auto add = [&](const char* what, std::size_t index, double z) {
+    all.push_back({what + (" " + std::to_string(index + 1)), z});
+  };
+  if (scene.contact) all.push_back({"the contact", scene.contact->station});
+  const auto& bearings = scene.rotor.geometry->bearings;
+  for (std::size_t i = 0; i < bearings.size(); ++i) add("bearing", i, bearings[i].z);
+  for (std::size_t i = 0; i < scene.forces.size(); ++i) add("force", i, scene.forces[i].station);
+  if (scene.magnetic_bearing) {
+    all.push_back({"the magnetic bearing", scene.magnetic_bearing->station});
+  }
+  return all;
+}
+
+std::vector<Quantity> quantities(const scene::Scene& scene, const RotorModes& modes) {
+  std::vector<Quantity> all;
+  for (const Place& place : places(scene)) {
+    const Eigen::RowVectorXd u = modes.ritz.basis.deflection(place.z);
+    for (const PlanarModes* plane : {&modes.x, &modes.y}) {
+      ModalSums sums = modal_sums(*plane, u);
+      if (scene.contact && place.z == scene.contact->station) {
+        all.push_back({"the effective mass at " + place.name, std::move(sums.mobility)});
+      }
+      all.push_back({"the static flexibility at " + place.name, std::move(sums.flexibility)});
+      if (modes.ritz.isotropic) break;
+    }
+  }
+  return all;
+}
+
+const Quantity& worst(const std::vector<Quantity>& all, int kept) {
+  return *std::max_element(all.begin(), all.end(), [&](const Quantity& a, const Quantity& b) {
+    return a.left_out(kept) < b.left_out(kept);
+  });
+}
+
+// Of one mesh: the least number of its modes within the tolerance; all of them are.
+int fewest_of(const std::vector<Quantity>& all, double tolerance) {
+  int kept = 1;
+  for (const Quantity& q : all) {
+    while (q.left_out(kept) > tolerance) ++kept;
+  }
+  return kept;
+}
+
+std::string digits(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g", value);
+  return text.data();
+}
+
+// `modes`: on a mesh of which more than kMostAutoModes would be needed; a finer one needs no fewer.
+[[noreturn]] void refuse(const scene::Scene& scene, const RotorModes& modes) {
+  const std::vector<Quantity> all = quantities(scene, modes);
+  const Quantity& q = worst(all, kMostAutoModes);
+  const double left = q.left_out(kMostAutoModes);
+  const std::string most_modes = std::to_string(kMostAutoModes);
+  std::string reason = "\"auto\" finds no number of modes up to " + most_modes + ": with " +
+                       most_modes + " " + q.name + " is still " + digits(100.0 * left) +
+                       " % off that of all " + std::to_string(q.sums.size()) +
+                       " modes of the mesh for " + std::to_string(modes.kept) + ", and modes_tolerance is " +
+                       digits(100.0 * scene.rotor.geometry->modes_tolerance) + " %. ";
+  if (q.name.find("mass") != std::string::npos) {
+    reason +=
+        "The effective mass of a station without a mass of its own falls without end, the more "
+        "modes: a sleeve ([[rotor.disc]] at contact.station) gives it a limit. ";
+  }
+  reason += "Accepted: a modes_tolerance well above " + digits(left) + ", or a number of modes";
+  throw scene::SceneError({{"", 0, "rotor.modes", reason}});
+}
+
+}  // namespace
+
+RotorModes fewest_modes(const scene::Scene& scene,
+                        const std::function<RotorModes(int)>& with_modes) {
+  const double tolerance = scene.rotor.geometry->modes_tolerance;
+  const auto needed = [&](const RotorModes& modes) {
+    return fewest_of(quantities(scene, modes), tolerance);
+  };
+  // A finer mesh is softer, so that it needs no fewer modes than a coarser one: what the mesh of n
+  // modes asks for is where to look next, in steps that are small where the answer is a refusal.
+  int n = 1;
+  std::optional<RotorModes> found;
+  while (!found) {
+    RotorModes modes = with_modes(n);
+    const int k = needed(modes);
+    if (k <= n) {
+      found = std::move(modes);
+    } else if (k > kMostAutoModes) {
+      refuse(scene, modes);
+    } else {
+      n = std::min(k, 2 * n);
+    }
+  }
+  // Softer to round-off only: one less may do as well.
+  while (n > 1) {
+    RotorModes modes = with_modes(n - 1);
+    if (needed(modes) > n - 1) break;
+    found = std::move(modes);
+    --n;
+  }
+  return std::move(*found);
+}
+
+}  // namespace rotorub

@@ -1,0 +1,66 @@
+// Which lasting rubs there are at a spin speed and a friction, which of them are stable, and what may coexist.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "native_model/rub/rub_stability.h"
+#include "native_model/rub/steady_rub.h"
+
+namespace rotorub::rub {
+
+// What the motion can end in, as bits of a set.
+enum Attractor : unsigned { kFreeOrbit = 1, kForcedRub = 2, kBackwardWhip = 4, kRollingRub = 8 };
+
+struct StandingRub {
+  SteadyRub rub;
+  Stability stability;
+};
+
+struct RubPoint {
+  double speed = 0.0;              // rad/s, Omega
+  double friction = 0.0;           // mu
+  double clearance = 0.0;          // m, delta_0
+  std::optional<double> orbit;     // m, of the free rotor at the contact; none: loads of several frequencies
+  Stability free;                  // of the rotor without contact
+  std::vector<StandingRub> rubs;   // forced by falling force, whips by rising |whirl|, rolling
+  std::vector<std::pair<double, double>> rolling_ranges;  // rad/s, |whirl| (steady_rub.h)
+
+  // Stable ones: the free orbit within the clearance, and each kind of rub of which one is stable.
+  unsigned attractors() const;
+  // Of the kind: the first stable one, else the first; null where there is none.
+  const StandingRub* leading(RubKind kind) const;
+};
+
+// A rotor at one spin speed: what does not hang on friction is computed once.
+class RubStudy {
+ public:
+  // Throws RotorNotSolvable (rotor/refusal.h).
+  explicit RubStudy(const RubSystem& system);
+
+  RubPoint at(double friction) const;
+
+ private:
+  RubSystem system_;
+  std::vector<RotatingLoad> loads_;
+  std::optional<double> orbit_;
+  Stability free_;
+  BackwardCompliance backward_;
+};
+
+struct RubMap {
+  std::vector<double> speeds, frictions;  // rad/s; 1
+  std::vector<RubPoint> points;           // the friction runs fastest
+  const RubPoint& at(std::size_t speed, std::size_t friction) const {
+    return points[speed * frictions.size() + friction];
+  }
+};
+
+// The system at each of the speeds (at_speed); progress: the share done, once a speed, may throw.
+RubMap rub_map(const RubSystem& system, const std::vector<double>& speeds,
+               const std::vector<double>& frictions,
+               const std::function<void(double share)>& progress = {});
+
+}  // namespace rotorub::rub

@@ -1,0 +1,162 @@
+#include "native_model/rub/rub_system.h"
+
+#include <Eigen/LU>
+#include <cassert>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/record.h"
+#include "native_model/system/model.h"
+
+namespace rotorub::rub {
+namespace {
+
+constexpr Complex kI{0.0, 1.0};
+
+[[noreturn]] void refuse(const scene::Scene& scene, const std::string& key, const std::string& why) {
+  throw scene::SceneError(
+      scene::placed(scene, {{"", 0, key, "no lasting rub can be analysed: " + why}}));
+}
+
+bool differ(const scene::PlanePair& pair) { return pair.x() != pair.y(); }
+
+// What the scene itself shows.
+void check(const scene::Scene& scene) {
+  if (!scene.contact) refuse(scene, "contact", "the scene has no [contact]");
+  const char* planes = "both planes must be alike, give one number for x and y";
+  if (scene.stator) {
+    if (differ(scene.stator->mass)) refuse(scene, "stator.mass", planes);
+    if (differ(scene.stator->damping)) refuse(scene, "stator.damping", planes);
+    if (differ(scene.stator->stiffness)) refuse(scene, "stator.stiffness", planes);
+  }
+  for (std::size_t k = 0; k < scene.forces.size(); ++k) {
+    const scene::Force& force = scene.forces[k];
+    if (force.kind == scene::ForceKind::kConstant && !force.vector.isZero(0.0)) {
+      refuse(scene, "force[" + std::to_string(k) + "].kind",
+             "a constant force points one way, so no whirl is steady; accepted are rotating ones");
+    }
+  }
+  if (scene.gravity && !scene.gravity->acceleration.isZero(0.0)) {
+    refuse(scene, "gravity", "weight points one way, so no whirl is steady");
+  }
+  if (scene.controller && scene.controller->kind != scene::ControllerKind::kPassive) {
+    refuse(scene, "controller.kind", "the ring must be passive");
+  }
+  if (scene.actuator && scene.actuator->kind != scene::ActuatorKind::kIdeal) {
+    refuse(scene, "actuator.kind", "the magnets' forces are not linear; accepted is an ideal actuator");
+  }
+}
+
+bool same(const ModeShape& shape) { return shape.x == shape.y; }
+
+bool same_planes(const Model& m) {
+  const int n = m.layout.modes;
+  const auto halves = [n](const Eigen::VectorXd& v) { return v.head(n) == v.segment(n, n); };
+  const Eigen::MatrixXd g = m.gyroscopic.dense(n), xx = m.internal_xx.dense(n);
+  bool all = halves(m.mass) && halves(m.stiffness) && halves(m.damping) && same(m.contact_shape) &&
+             g == g.transpose() && xx == m.internal_xy.dense(n) && xx == m.internal_yy.dense(n);
+  for (const StationDamper& d : m.dampers) all = all && same(d.shape) && !differ(d.damping);
+  for (const StationSpring& s : m.springs) all = all && same(s.shape) && !differ(s.stiffness);
+  for (const AppliedForce& f : m.forces) all = all && same(f.shape);
+  for (const DiscUnbalance& u : m.unbalances) all = all && same(u.shape);
+  return all;
+}
+
+void add_loads(const Model& model, RubSystem& system) {
+  for (const AppliedForce& f : model.forces) {
+    if (f.kind != scene::ForceKind::kRotating) continue;
+    system.forces.push_back({f.frequency, std::polar(f.amplitude, f.phase) * f.shape.x});
+  }
+  for (const DiscUnbalance& u : model.unbalances) {
+    system.unbalance += std::polar(u.static_moment, model.spin_angle + u.phase) * u.shape.x;
+  }
+}
+
+}  // namespace
+
+RubSystem rub_system(const scene::Scene& scene) {
+  check(scene);
+  const Model model = make_model(scene);
+  if (!same_planes(model)) {
+    refuse(scene, scene.rotor.modal ? "rotor.modal" : "rotor.bearing",
+           "both planes must be alike; these bearings or modes differ");
+  }
+  const int n = model.layout.modes;
+  RubSystem system;
+  system.speed = scene.rotor.speed;
+  system.mass = model.mass.head(n);
+  system.stiffness = model.stiffness.head(n).asDiagonal();
+  system.damping = model.damping.head(n).asDiagonal();
+  system.internal = model.internal_xx.dense(n);
+  system.gyroscopic = model.gyroscopic.dense(n);
+  for (const StationDamper& d : model.dampers) {
+    system.damping += d.damping.x() * d.shape.x * d.shape.x.transpose();
+  }
+  for (const StationSpring& s : model.springs) {
+    system.stiffness += s.stiffness.x() * s.shape.x * s.shape.x.transpose();
+  }
+  system.contact = model.contact_shape.x;
+  system.clearance = model.contact->clearance;
+  system.radius = model.contact->radius;
+  system.friction = model.contact->friction;
+  if (model.layout.stator) {
+    const int k = model.layout.ring();
+    system.ring = Ring{model.mass[k], model.damping[k], model.stiffness[k]};
+    if (scene.controller) {
+      system.ring->stiffness += scene.controller->stiffness;
+      system.ring->damping += scene.controller->damping;
+    }
+  }
+  system.unbalance = Eigen::VectorXcd::Zero(n);
+  add_loads(model, system);
+  return system;
+}
+
+RubSystem at_speed(RubSystem system, double speed) {
+  if (system.speed != 0.0) {
+    for (RotatingLoad& force : system.forces) force.frequency *= speed / system.speed;
+  }
+  system.speed = speed;
+  return system;
+}
+
+std::vector<RotatingLoad> rotating_loads(const RubSystem& system) {
+  constexpr double kSame = 1e-9;
+  std::vector<RotatingLoad> all;
+  const auto add = [&](const RotatingLoad& load) {
+    if (load.load.isZero(0.0)) return;
+    for (RotatingLoad& other : all) {
+      if (std::abs(other.frequency - load.frequency) <= kSame * std::abs(load.frequency)) {
+        other.load += load.load;
+        return;
+      }
+    }
+    all.push_back(load);
+  };
+  for (const RotatingLoad& force : system.forces) add(force);
+  add({system.speed, system.speed * system.speed * system.unbalance});
+  return all;
+}
+
+Eigen::MatrixXcd dynamic_stiffness(const RubSystem& s, double nu) {
+  Eigen::MatrixXcd d = s.stiffness.cast<Complex>();
+  d += (nu * s.speed) * s.gyroscopic.cast<Complex>();
+  d += (kI * nu) * s.damping.cast<Complex>() + (kI * (nu - s.speed)) * s.internal.cast<Complex>();
+  d.diagonal() -= (nu * nu) * s.mass.cast<Complex>();
+  return d;
+}
+
+Complex ring_stiffness(const RubSystem& s, double nu) {
+  assert(s.ring);
+  return {s.ring->stiffness - s.ring->mass * nu * nu, s.ring->damping * nu};
+}
+
+Complex compliance(const RubSystem& s, double nu) {
+  const Eigen::VectorXcd c = s.contact.cast<Complex>();
+  const Complex rotor = s.contact.dot(dynamic_stiffness(s, nu).partialPivLu().solve(c));
+  return s.ring ? rotor + 1.0 / ring_stiffness(s, nu) : rotor;
+}
+
+}  // namespace rotorub::rub

@@ -1,0 +1,186 @@
+#include "native_model/rub/steady_rub.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "native_model/numerics/root.h"
+#include "native_model/rub/rub_stability.h"
+
+namespace rotorub::rub {
+namespace {
+
+double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
+
+double slip_at(const RubSystem& s, double nu) { return s.radius * s.speed + s.clearance * nu; }
+
+bool finite(const Complex& z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
+
+// Where rotor and ring stand under lambda (1 + i tau) and `load`, both in the turning frame.
+void place(const RubSystem& s, const Eigen::VectorXcd& load, SteadyRub& rub) {
+  const Complex push = rub.normal_force * Complex(1.0, rub.friction);
+  rub.rotor = dynamic_stiffness(s, rub.whirl)
+                  .partialPivLu()
+                  .solve(load - push * s.contact.cast<Complex>());
+  rub.ring = s.ring ? push / ring_stiffness(s, rub.whirl) : Complex();
+}
+
+Complex at_contact(const RubSystem& s, const RotatingLoad& load) {
+  const Eigen::VectorXcd r = dynamic_stiffness(s, load.frequency).partialPivLu().solve(load.load);
+  return s.contact.cast<Complex>().dot(r);
+}
+
+// Frequencies from `low` to `top`: evenly in the logarithm, and about each resonance in steps that double
+// from a quarter of its half width.
+std::vector<double> fine_points(const std::vector<Complex>& poles, double low, double top) {
+  constexpr int kEven = 400;
+  constexpr double kSharpest = 1e-9;  // of a resonance without damping
+  std::vector<double> nu;
+  for (int k = 0; k <= kEven; ++k) {
+    nu.push_back(low * std::pow(top / low, static_cast<double>(k) / kEven));
+  }
+  for (const Complex& pole : poles) {
+    const double centre = std::abs(pole.imag());
+    const double width = std::max(std::abs(pole.real()), kSharpest * centre);
+    if (!(width > 0.0)) continue;
+    nu.push_back(centre);
+    for (double step = 0.25 * width; step < top; step *= 2.0) {
+      nu.push_back(centre - step);
+      nu.push_back(centre + step);
+    }
+  }
+  std::erase_if(nu, [&](double x) { return !(x >= low && x <= top); });
+  std::sort(nu.begin(), nu.end());
+  nu.erase(std::unique(nu.begin(), nu.end()), nu.end());
+  return nu;
+}
+
+}  // namespace
+
+const char* to_string(RubKind kind) {
+  switch (kind) {
+    case RubKind::kForced:
+      return "forced";
+    case RubKind::kWhip:
+      return "whip";
+    case RubKind::kRolling:
+      break;
+  }
+  return "rolling";
+}
+
+double free_orbit(const RubSystem& system, const RotatingLoad& load) {
+  const Complex a = at_contact(system, load);
+  return finite(a) ? std::abs(a) : std::numeric_limits<double>::infinity();
+}
+
+std::vector<SteadyRub> forced_rubs(const RubSystem& s, const RotatingLoad& load) {
+  std::vector<SteadyRub> rubs;
+  const double slip = slip_at(s, load.frequency);
+  const Complex a = at_contact(s, load);
+  const Complex compliant = compliance(s, load.frequency);
+  if (slip == 0.0 || !finite(a) || !finite(compliant)) return rubs;
+  const double tau = s.friction * sign(slip);
+  const Complex h = Complex(1.0, tau) * compliant;
+  const double square = std::norm(h), half = s.clearance * h.real();
+  // (delta_0 - |a|)(delta_0 + |a|): no digits are lost where the free orbit grazes.
+  const double constant = (s.clearance - std::abs(a)) * (s.clearance + std::abs(a));
+  const double discriminant = half * half - square * constant;
+  if (!(discriminant >= 0.0) || !(square > 0.0)) return rubs;
+  // The root without cancellation first; the other by the product of both.
+  const double sum = -half - std::copysign(std::sqrt(discriminant), half);
+  const double first = sum / square, second = sum != 0.0 ? constant / sum : 0.0;
+  for (const double force : {std::max(first, second), std::min(first, second)}) {
+    if (!(force >= 0.0) || (!rubs.empty() && force == rubs.front().normal_force)) continue;
+    const double direction = std::arg(a) - std::arg(s.clearance + force * h);
+    SteadyRub rub{RubKind::kForced, load.frequency, force, tau, slip, direction, {}, {}};
+    place(s, std::polar(1.0, -direction) * load.load, rub);
+    rubs.push_back(std::move(rub));
+  }
+  return rubs;
+}
+
+// ---------------------------------------------------------------- without load, against the spin
+BackwardCompliance::BackwardCompliance(const RubSystem& system)
+    : system_(system), sense_(sign(system.speed)) {
+  system_.forces.clear();
+  system_.unbalance.setZero();
+  if (sense_ == 0.0) return;
+  constexpr double kBeyond = 20.0, kBelow = 1e-3;
+  std::vector<Complex> poles = free_eigenvalues(system_);
+  for (const Complex& pole : ring_eigenvalues(system_)) poles.push_back(pole);
+  double highest = 0.0, lowest = std::numeric_limits<double>::infinity();
+  for (const Complex& pole : poles) {
+    highest = std::max(highest, std::abs(pole));
+    if (std::abs(pole) > 0.0) lowest = std::min(lowest, std::abs(pole));
+  }
+  if (!(highest > 0.0)) highest = lowest = std::abs(system_.speed);
+  const double rolling = system_.radius * std::abs(system_.speed) / system_.clearance;
+  nu_ = fine_points(poles, kBelow * lowest, std::max(rolling, kBeyond * highest));
+  for (const double nu : nu_) h_.push_back(at(nu));
+}
+
+Complex BackwardCompliance::at(double nu) const {
+  const Complex h = compliance(system_, -sense_ * nu);
+  return sense_ > 0.0 ? h : std::conj(h);
+}
+
+std::vector<double> BackwardCompliance::edges(double mu) const {
+  const auto asked = [mu](const Complex& h) { return h.imag() + mu * h.real(); };
+  std::vector<double> roots;
+  for (std::size_t k = 0; k + 1 < nu_.size(); ++k) {
+    if (!finite(h_[k]) || !finite(h_[k + 1])) continue;
+    const double left = asked(h_[k]), right = asked(h_[k + 1]);
+    if (left * right > 0.0 || (left == 0.0 && k > 0) || (left == 0.0 && right == 0.0)) continue;
+    const auto [lo, hi] = root([&](double nu) { return asked(at(nu)); }, nu_[k], nu_[k + 1], left, right);
+    const double nu = 0.5 * (lo + hi);
+    if (at(nu).real() < 0.0) roots.push_back(nu);
+  }
+  return roots;
+}
+
+bool BackwardCompliance::rolls(double nu, double mu) const {
+  const Complex h = at(nu);
+  return finite(h) && h.real() < 0.0 && std::abs(h.imag()) <= -mu * h.real();
+}
+
+std::vector<std::pair<double, double>> BackwardCompliance::rolling_ranges(double mu) const {
+  std::vector<std::pair<double, double>> ranges;
+  std::vector<double> ends = edges(mu);
+  if (ends.empty()) return ranges;
+  ends.push_back(std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const double inside = std::isfinite(ends[k + 1]) ? 0.5 * (ends[k] + ends[k + 1]) : 2.0 * ends[k];
+    if (rolls(inside, mu)) ranges.emplace_back(ends[k], ends[k + 1]);
+  }
+  return ranges;
+}
+
+SteadyRub BackwardCompliance::standing(RubKind kind, double nu) const {
+  SteadyRub rub{kind, -sense_ * nu, 0.0, 0.0, 0.0, 0.0, {}, {}};
+  const Complex h = compliance(system_, rub.whirl);
+  rub.normal_force = -system_.clearance * h.real() / std::norm(h);
+  rub.friction = -h.imag() / h.real();
+  rub.slip = kind == RubKind::kRolling ? 0.0 : slip_at(system_, rub.whirl);
+  place(system_, Eigen::VectorXcd::Zero(system_.modes()), rub);
+  return rub;
+}
+
+std::vector<SteadyRub> BackwardCompliance::whips(double mu) const {
+  std::vector<SteadyRub> all;
+  const double rolling = system_.radius * std::abs(system_.speed) / system_.clearance;
+  for (const double nu : edges(mu)) {
+    if (nu < rolling) all.push_back(standing(RubKind::kWhip, nu));
+  }
+  return all;
+}
+
+std::optional<SteadyRub> BackwardCompliance::rolling(double mu) const {
+  if (sense_ == 0.0) return {};
+  const double nu = system_.radius * std::abs(system_.speed) / system_.clearance;
+  if (!rolls(nu, mu)) return {};
+  return standing(RubKind::kRolling, nu);
+}
+
+}  // namespace rotorub::rub

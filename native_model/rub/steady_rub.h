@@ -1,0 +1,74 @@
+// The lasting rubs of a rotor in its ring that stand still in a frame turning at nu: with the contact's
+// direction as the real axis, (1 + i tau) lambda the force of the rotor on the ring, a(nu) the deflection at
+// the contact that the load alone would give, and H(nu) of rub_system.h
+//
+//   a e^{-i psi_0} = delta_0 + lambda (1 + i tau) H(nu)
+//
+//   forced    nu of the load, tau = mu sign(slip): with h = (1 + i tau) H
+//             |h|^2 lambda^2 + 2 delta_0 Re(h) lambda + delta_0^2 - |a|^2 = 0, both roots >= 0
+//   whip      no load, nu against the spin, slipping: Im H + tau Re H = 0, Re H < 0,
+//             lambda = -delta_0 Re H / |H|^2                                     (Black 1968)
+//   rolling   no load, nu = -r Omega / delta_0, no slip: tau = -Im H / Re H, |tau| <= mu, Re H < 0
+//
+// Whip and rolling leave the load out: it makes them beat. Existence is not stability (rub_stability.h).
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "native_model/rub/rub_system.h"
+
+namespace rotorub::rub {
+
+enum class RubKind { kForced, kWhip, kRolling };
+const char* to_string(RubKind kind);  // "forced", "whip", "rolling"
+
+struct SteadyRub {
+  RubKind kind;
+  double whirl;            // rad/s, nu, backward negative
+  double normal_force;     // N, lambda >= 0
+  double friction;         // tau, signed: of the force on the ring, along e_t
+  double slip;             // m/s, r Omega + delta_0 nu
+  double direction;        // rad, psi at t = 0; of whip and rolling 0, as any may be
+  Eigen::VectorXcd rotor;  // m, n modes, in the turning frame with e_r as the real axis
+  Complex ring;            // m, likewise
+};
+
+// By falling normal force; at most two. None where the slip is 0.
+std::vector<SteadyRub> forced_rubs(const RubSystem& system, const RotatingLoad& load);
+
+// |a|, m: the free orbit at the contact. Infinite at an undamped resonance.
+double free_orbit(const RubSystem& system, const RotatingLoad& load);
+
+// H(nu) against the spin over all nu > 0 that matter, on points that stand close about each resonance,
+// so that no zero between two of them is missed. Shared by all frictions.
+class BackwardCompliance {
+ public:
+  // Points up to 20 times the highest frequency of rotor and ring, or the speed of rolling. Holds the system
+  // without its loads. Throws RotorNotSolvable (rotor/refusal.h) as free_eigenvalues does.
+  explicit BackwardCompliance(const RubSystem& system);
+
+  // nu > 0 of Im H + tau Re H = 0 with Re H < 0 (|tau| = mu, the sign of a spin faster than rolling),
+  // ascending: where friction mu is just enough for rolling contact. Empty without spin.
+  std::vector<double> edges(double mu) const;
+  // nu in [first, second] where a whirl against the spin can roll: Re H < 0 and |tau| <= mu; the last may
+  // reach to infinity.
+  std::vector<std::pair<double, double>> rolling_ranges(double mu) const;
+  // Slipping whips, slower than rolling, by rising |nu|.
+  std::vector<SteadyRub> whips(double mu) const;
+  // Rolling at the spin's own pace, if friction mu is enough.
+  std::optional<SteadyRub> rolling(double mu) const;
+
+ private:
+  Complex at(double nu) const;  // H, conjugate where the spin is negative
+  bool rolls(double nu, double mu) const;
+  SteadyRub standing(RubKind kind, double nu) const;
+
+  RubSystem system_;
+  double sense_;  // +1: the spin is positive and backward is negative; 0: no spin
+  std::vector<double> nu_;
+  std::vector<Complex> h_;
+};
+
+}  // namespace rotorub::rub

@@ -1,0 +1,67 @@
+#include "plugin/fingerprint.h"
+
+#include <cstring>
+#include <iterator>
+
+namespace rotorub::plugin {
+namespace {
+
+// Calls action(bytes, count) for each part until it says false.
+template <typename Action>
+bool for_each_part(const mjModel* m, Action action) {
+  const int sizes[] = {m->nq,        m->nv,     m->nu,           m->njnt,      m->ngeom, m->nsensor,
+                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair, m->nmocap,
+                       m->nbody,     m->na,     m->ntext,        m->nnumeric, m->neq,    m->ntendon};
+  const auto part = [&action](const auto* data, int count) {
+    return count == 0 || action(reinterpret_cast<const char*>(data),
+                                sizeof *data * static_cast<std::size_t>(count));
+  };
+  // clang-format off
+  return part(sizes, static_cast<int>(std::size(sizes))) &&
+         part(m->text_data, m->ntextdata) && part(m->text_adr, m->ntext) &&
+         part(m->numeric_data, m->nnumericdata) && part(m->numeric_adr, m->nnumeric) &&
+         part(m->names, m->nnames) && part(m->name_textadr, m->ntext) &&
+         part(m->name_numericadr, m->nnumeric) && part(m->name_bodyadr, m->nbody) &&
+         part(m->name_jntadr, m->njnt) && part(m->name_geomadr, m->ngeom) &&
+         part(m->name_sensoradr, m->nsensor) && part(m->name_actuatoradr, m->nu) &&
+         part(m->jnt_type, m->njnt) && part(m->jnt_qposadr, m->njnt) &&
+         part(m->jnt_dofadr, m->njnt) && part(m->jnt_bodyid, m->njnt) &&
+         part(m->geom_type, m->ngeom) && part(m->geom_bodyid, m->ngeom) &&
+         part(m->body_parentid, m->nbody) && part(m->body_mocapid, m->nbody) &&
+         part(m->sensor_type, m->nsensor) && part(m->sensor_dim, m->nsensor) &&
+         part(m->sensor_adr, m->nsensor) && part(m->sensor_needstage, m->nsensor) &&
+         part(m->actuator_gaintype, m->nu) && part(m->actuator_biastype, m->nu) &&
+         part(m->actuator_dyntype, m->nu) &&
+         part(m->pair_geom1, m->npair) && part(m->pair_geom2, m->npair) &&
+         part(m->pair_dim, m->npair) && part(m->pair_margin, m->npair) &&
+         part(m->pair_gap, m->npair) && part(m->pair_solref, mjNREF * m->npair) &&
+         part(m->geom_size, 3 * m->ngeom) &&
+         part(m->jnt_limited, m->njnt) && part(m->dof_frictionloss, m->nv) &&
+         part(m->tendon_limited, m->ntendon) && part(m->tendon_frictionloss, m->ntendon);
+  // clang-format on
+}
+
+}  // namespace
+
+std::string fingerprint(const mjModel* m) {
+  std::string bytes;
+  for_each_part(m, [&bytes](const char* part, std::size_t count) {
+    bytes.append(part, count);
+    return true;
+  });
+  return bytes;
+}
+
+bool has_fingerprint(const mjModel* m, const std::string& kept) {
+  const char* at = kept.data();
+  const char* const end = at + kept.size();
+  const bool same = for_each_part(m, [&](const char* part, std::size_t count) {
+    if (static_cast<std::size_t>(end - at) < count) return false;
+    if (std::memcmp(at, part, count) != 0) return false;
+    at += count;
+    return true;
+  });
+  return same && at == end;
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,34 @@
+#include "plugin/inverse.h"
+
+#include <algorithm>
+
+#include "plugin/callbacks.h"
+#include "plugin/config_cache.h"
+#include "plugin/passes.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+
+void inverse_with_contact(const mjModel* m, mjData* d, int skipstage, int skipsensor,
+                          void (*inverse)(const mjModel*, mjData*, int, int)) {
+  // Further on than the velocities (mj_compareFwdInv), what mjcb_control left is there still.
+  if (skipstage >= mjSTAGE_VEL || !callbacks_active() || !find_config(m, d)) {
+    inverse(m, d, skipstage, skipsensor);
+    return;
+  }
+  const int mark = d->pstack;
+  mjtNum* memory = mj_stackAlloc(d, m->nuserdata);
+  mjtNum* ctrl = mj_stackAlloc(d, std::max(m->nu, 1));
+  inverse(m, d, skipstage, skipsensor);
+  std::copy_n(d->userdata, m->nuserdata, memory);
+  std::copy_n(d->ctrl, m->nu, ctrl);
+  control_pass(m, d);
+  // Once more from the velocities on, with the forces and references that it has set.
+  inverse(m, d, mjSTAGE_VEL, skipsensor);
+  std::copy_n(memory, m->nuserdata, d->userdata);
+  std::copy_n(ctrl, m->nu, d->ctrl);
+  d->userdata[kPassiveFresh] = 0.0;  // no forward pass may go on from here
+  d->pstack = mark;
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,204 @@
+#include "plugin/model_parameters.h"
+#include "plugin/message.h"
+
+#include <cmath>
+#include <limits>
+
+#include "mjcf/names.h"
+#include "native_model/dynamics/dynamics.h"
+
+namespace rotorub::plugin {
+namespace {
+
+namespace names = mjcf_names;
+
+// kg. A generated body weighs 1e-12; what it has beyond this is somebody's.
+constexpr double kMassless = 1e-9;
+
+// Coordinates of the native layout that MuJoCo has as a joint: action(i, dof).
+template <typename Action>
+void for_each_joint(const Config& config, Action action) {
+  for (int i = 0; i < config.model.nq(); ++i) {
+    const int dof = config.dof_address[static_cast<std::size_t>(i)];
+    if (dof >= 0) action(i, dof);
+  }
+}
+
+// What MuJoCo has on the diagonal of its mass matrix: of a dof that it calls simple what mj_setConst
+// found last, not the armature of now. A mass on the ring moves with both of its joints alike: it is
+// the ring's.
+double mass_of(const Config& config, const mjModel* m, int i, int dof) {
+  const double armature = m->dof_armature[dof];
+  double mass = armature;
+  if (m->dof_simplenum[dof] > 0) {
+    mass = m->dof_M0[dof];
+  } else if (i >= config.model.layout.ring()) {
+    mass += m->body_mass[m->dof_bodyid[dof]];
+  }
+  return std::abs(mass - armature) > kMassless ? mass : armature;
+}
+double stiffness_of(const mjModel* m, int dof) { return m->jnt_stiffness[m->dof_jntid[dof]]; }
+
+Eigen::Vector2d gravity_of(const mjModel* m) {
+  if (m->opt.disableflags & mjDSBL_GRAVITY) return {0.0, 0.0};
+  return {m->opt.gravity[0], m->opt.gravity[1]};
+}
+
+double friction_of(const Config& config, const mjModel* m) {
+  return m->pair_friction[5 * config.pair];
+}
+
+// The limit of a controller's commands, N or A; `otherwise` where MuJoCo has none.
+double limit_of(const Config& config, const mjModel* m, double otherwise) {
+  const int a = config.actuator[0];
+  const bool clamps = m->actuator_ctrllimited[a] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
+  return clamps ? m->actuator_ctrlrange[2 * a + 1] : otherwise;
+}
+double limit_in(const Model& model) {
+  return model.magnets ? model.magnets->current_limit : model.force_limit;
+}
+double scene_limit(const Config& config) {
+  return config.model.magnets ? config.scene_current_limit
+                              : std::numeric_limits<double>::infinity();
+}
+
+struct Circle {
+  double radius, clearance;  // m
+  bool operator==(const Circle&) const = default;
+};
+
+// The contact's circles as they are drawn. As long as they are those of the scene it is the scene's
+// numbers: their sum and difference would not be the same to the bit.
+Circle circle_of(const Config& config, const mjModel* m) {
+  const ContactParameters& s = *config.scene_contact;
+  Circle drawn{s.radius, s.clearance};
+  if (config.rotor_shape < 0 || config.ring_shape < 0) return drawn;
+  const double rotor = m->geom_size[3 * config.rotor_shape];
+  const double ring = m->geom_size[3 * config.ring_shape];
+  if (rotor != s.radius || ring != s.radius + s.clearance) drawn = {rotor, ring - rotor};
+  return drawn;
+}
+
+bool has_own_radius(const Config& config, const mjModel* m) {
+  return !config.radius_is_drawn ||
+         config.model.contact->radius == m->geom_size[3 * config.rotor_geom];
+}
+
+bool rotor_is_massless(const Config& config, const mjModel* m) {
+  for (const int body : config.rotor_bodies) {
+    if (m->body_mass[body] > kMassless) return false;
+  }
+  return true;
+}
+
+void check_joint_numbers(const mjModel* m, int joint, double mass, double stiffness,
+                         double damping) {
+  const auto check = [&](const char* what, double value, bool fits, const char* accepted) {
+    if (fits) return;
+    refuse(joint_element(m, joint), message("{}=\"{}\"; accepted: {}", what, value, accepted));
+  };
+  check("armature", mass, mass > 0.0 && std::isfinite(mass), "> 0, the mass of the mode");
+  check("stiffness", stiffness, stiffness >= 0.0 && std::isfinite(stiffness), ">= 0");
+  check("damping", damping, damping >= 0.0 && std::isfinite(damping), ">= 0");
+}
+
+void check_masses(const mjModel* m, const Config& config) {
+  for (const int body : config.rotor_bodies) {
+    if (m->body_mass[body] <= kMassless && m->body_subtreemass[body] <= kMassless) continue;
+    refuse(body_element(m, body),
+           message("carries {} kg, generated with 1e-12: it would couple the modes, whose "
+                       "masses are their joints' armature; accepted: masses in the scene "
+                       "([[rotor.disc]]), and the MJCF written anew",
+                       std::max(m->body_mass[body], m->body_subtreemass[body])));
+  }
+}
+
+void take_joints(const mjModel* m, Model& model, const Config& config) {
+  for_each_joint(config, [&](int i, int dof) {
+    if (i >= model.nq()) return;
+    const double mass = mass_of(config, m, i, dof);
+    check_joint_numbers(m, m->dof_jntid[dof], mass, stiffness_of(m, dof), m->dof_damping[dof]);
+    if (i >= model.layout.ring()) model.gravity_mass[i] = mass;
+    model.mass[i] = mass;
+    model.stiffness[i] = stiffness_of(m, dof);
+    model.damping[i] = m->dof_damping[dof];
+  });
+}
+
+void take_contact(const mjModel* m, Model& model, const Config& config) {
+  const Circle circle = circle_of(config, m);
+  if (!(circle.radius > 0.0) || !(circle.clearance > 0.0)) {
+    refuse("<geom name=\"" + std::string(names::kRing) + "\">",
+           message("size[0] = {} about a rotor of {} m; accepted: greater",
+                       circle.radius + circle.clearance, circle.radius));
+  }
+  const double friction = friction_of(config, m);
+  if (!(friction >= 0.0) || !std::isfinite(friction)) {
+    refuse("<contact><pair>", message("friction[0] = {}; accepted: >= 0", friction));
+  }
+  model.contact->radius = circle.radius;
+  model.contact->clearance = circle.clearance;
+  model.contact->friction = friction;
+}
+
+void take_limit(const mjModel* m, Model& model, const Config& config) {
+  const mjtNum* first = m->actuator_ctrlrange + 2 * config.actuator[0];
+  const mjtNum* second = m->actuator_ctrlrange + 2 * config.actuator[1];
+  const double limit = limit_of(config, m, scene_limit(config));
+  if (limit < std::numeric_limits<double>::infinity() &&
+      (first[0] != -first[1] || first[0] != second[0] || first[1] != second[1] ||
+       m->actuator_ctrllimited[config.actuator[0]] !=
+           m->actuator_ctrllimited[config.actuator[1]] ||
+       !(limit > 0.0))) {
+    refuse(message("<actuator name=\"{}\">", names::kActuator[0]),
+           message("ctrlrange {} {}, that of \"{}\" {} {}; accepted with the scene's "
+                       "controller: -c c, c > 0, the same for both",
+                       first[0], first[1], names::kActuator[1], second[0], second[1]));
+  }
+  (model.magnets ? model.magnets->current_limit : model.force_limit) = limit;
+}
+
+void take(const mjModel* m, Model& model, const Config& config) {
+  take_joints(m, model, config);
+  if (model.contact) take_contact(m, model, config);
+  if (model.controller) take_limit(m, model, config);
+  const Eigen::Vector2d g = gravity_of(m);
+  if (model.weight.size() > 0 || !g.isZero(0.0)) set_gravity(model, g);
+  model.admittance = contact_admittance(model, model.mass.data(), 0.0, model.q0.data());
+}
+
+}  // namespace
+
+bool has_parameters(const Config& config, const mjModel* m) {
+  if (config.own) return has_own_radius(config, m);
+  const Model& model = config.model;
+  bool same = gravity_of(m) == config.gravity && rotor_is_massless(config, m);
+  for_each_joint(config, [&](int i, int dof) {
+    same = same && mass_of(config, m, i, dof) == model.mass[i] &&
+           stiffness_of(m, dof) == model.stiffness[i] && m->dof_damping[dof] == model.damping[i];
+  });
+  if (model.contact) {
+    const Circle circle{model.contact->radius, model.contact->clearance};
+    same = same && circle_of(config, m) == circle &&
+           friction_of(config, m) == model.contact->friction;
+  }
+  if (model.controller) {
+    same = same && limit_of(config, m, scene_limit(config)) == limit_in(model);
+  }
+  return same;
+}
+
+void take_parameters(const mjModel* m, Config& config) {
+  if (config.own) {
+    if (config.radius_is_drawn) {
+      config.model.contact->radius = m->geom_size[3 * config.rotor_geom];
+    }
+    return;
+  }
+  check_masses(m, config);
+  take(m, config.model, config);
+  config.gravity = gravity_of(m);
+  if (config.shadow) take(m, config.shadow->model, config);
+}
+
+}  // namespace rotorub::plugin

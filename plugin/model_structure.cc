@@ -1,0 +1,148 @@
+// The bodies, joints and actuators of a generated file, against the mode shapes of its scene.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mjcf/names.h"
+#include "plugin/model_parameters.h"
+#include "plugin/message.h"
+
+namespace rotorub::plugin {
+namespace {
+
+namespace names = mjcf_names;
+
+constexpr double kRoundOff = 1e-12;
+
+bool is_above(const mjModel* m, int body, int above) {  // or the same
+  while (body > 0 && body != above) body = m->body_parentid[body];
+  return body == above;
+}
+
+// The native axes are the world's, and the ring's place is that of its joints.
+void check_pose(const mjModel* m, int body) {
+  const mjtNum* p = m->body_pos + 3 * body;
+  const mjtNum* q = m->body_quat + 4 * body;
+  if (p[0] != 0.0 || p[1] != 0.0) {
+    refuse(body_element(m, body),
+           message("pos=\"{} {} {}\"; accepted: x and y 0, as the scene has it", p[0], p[1],
+                       p[2]));
+  }
+  if (std::abs(q[0]) < 1.0 - kRoundOff) {
+    refuse(body_element(m, body),
+           message("quat=\"{} {} {} {}\"; accepted: no rotation", q[0], q[1], q[2], q[3]));
+  }
+}
+
+void check_poses(const mjModel* m, int body) {
+  for (; body > 0; body = m->body_parentid[body]) check_pose(m, body);
+}
+
+void check_joint(const mjModel* m, int joint, int along, const char* accepted) {
+  const std::string element = joint_element(m, joint);
+  const mjtNum* axis = m->jnt_axis + 3 * joint;
+  if (std::abs(axis[along] - 1.0) > kRoundOff) {
+    refuse(element, message("axis=\"{} {} {}\"; accepted: \"{}\"", axis[0], axis[1], axis[2],
+                                accepted));
+  }
+  const double reference = m->qpos0[m->jnt_qposadr[joint]];
+  if (reference != 0.0) refuse(element, message("ref=\"{}\"; accepted: 0", reference));
+}
+
+// A mode moves the contact if, and as, its joint stands above the rotor's body.
+void check_mode(const mjModel* m, int joint, int rotor, double shape) {
+  const bool carries = is_above(m, rotor, m->jnt_bodyid[joint]);
+  if (carries == (shape == 1.0)) return;
+  refuse(joint_element(m, joint),
+         message("moves the contact by {} of its value, the scene's mode by {}; write the MJCF "
+                     "anew with `rotorub mjcf`",
+                     carries ? 1 : 0, shape));
+}
+
+void check_chain(const mjModel* m, Config& config) {
+  const Layout& l = config.model.layout;
+  const int rotor = m->geom_bodyid[config.rotor_geom];
+  check_poses(m, rotor);
+  for (int i = 0; i < l.ring(); ++i) {
+    const int dof = config.dof_address[static_cast<std::size_t>(i)];
+    const int joint = m->dof_jntid[dof], body = m->dof_bodyid[dof];
+    if (std::find(config.rotor_bodies.begin(), config.rotor_bodies.end(), body) ==
+        config.rotor_bodies.end()) {
+      config.rotor_bodies.push_back(body);
+    }
+    if (i < l.y()) {
+      check_joint(m, joint, 0, "1 0 0");
+      check_mode(m, joint, rotor, config.model.contact_shape.x[i]);
+    } else if (i < l.phi()) {
+      check_joint(m, joint, 1, "0 1 0");
+      check_mode(m, joint, rotor, config.model.contact_shape.y[i - l.y()]);
+    } else {
+      check_joint(m, joint, 2, "0 0 1");
+      const double shape =
+          i < l.theta() ? 1.0 : config.model.torsion_contact[i - l.theta()];
+      check_mode(m, joint, rotor, shape);
+    }
+  }
+}
+
+void check_ring(const mjModel* m, const Config& config) {
+  const Layout& l = config.model.layout;
+  check_poses(m, m->geom_bodyid[config.ring_geom]);
+  for (int k = 0; k < l.stator; ++k) {
+    const int dof = config.dof_address[static_cast<std::size_t>(l.ring() + k)];
+    check_joint(m, m->dof_jntid[dof], k, k == 0 ? "1 0 0" : "0 1 0");
+  }
+}
+
+// The force of a command: along the scene's axes, a newton a newton.
+void check_actuator(const mjModel* m, int k, int actuator) {
+  const std::string element = message("<actuator name=\"{}\">", names::kActuator[k]);
+  if (m->actuator_gear[6 * actuator] != 1.0) {
+    refuse(element, message("gear=\"{}\"; accepted: 1", m->actuator_gear[6 * actuator]));
+  }
+  if (m->actuator_forcelimited[actuator]) {
+    refuse(element, "forcelimited; accepted: a ctrlrange, or force_limit in the scene");
+  }
+  const int tendon = mj_name2id(m, mjOBJ_TENDON, names::kAxis[k]);
+  if (m->actuator_trntype[actuator] != mjTRN_TENDON || tendon < 0 ||
+      m->actuator_trnid[2 * actuator] != tendon) {
+    refuse(element, message("accepted: tendon=\"{}\"", names::kAxis[k]));
+  }
+  const double share = std::sqrt(0.5);
+  const double due[2] = {k == 0 ? share : -share, share};
+  const int first = m->tendon_adr[tendon];
+  for (int w = 0; w < m->tendon_num[tendon]; ++w) {
+    const int joint = m->wrap_objid[first + w];
+    const std::string name = m->names + m->name_jntadr[joint];
+    const int plane = name == names::kRingX ? 0 : name == names::kRingY ? 1 : -1;
+    const double given = m->wrap_prm[first + w];
+    if (plane >= 0 && std::abs(given - due[plane]) <= kRoundOff) continue;
+    refuse(message("<fixed name=\"{}\">", names::kAxis[k]),
+           message("joint \"{}\" coef=\"{}\"; accepted: ring_x {}, ring_y {}", name, given,
+                       due[0], due[1]));
+  }
+}
+
+int shape(const mjModel* m, const char* name) {
+  const int geom = mj_name2id(m, mjOBJ_GEOM, name);
+  return geom >= 0 && m->geom_type[geom] == mjGEOM_CYLINDER ? geom : -1;
+}
+
+}  // namespace
+
+void map_structure(const mjModel* m, Config& config) {
+  const Model& model = config.model;
+  config.scene_contact = model.contact;
+  if (model.magnets) config.scene_current_limit = model.magnets->current_limit;
+  if (model.contact) {
+    config.rotor_shape = shape(m, names::kRotor);
+    config.ring_shape = shape(m, names::kRing);
+    check_ring(m, config);
+    if (!config.segments) check_chain(m, config);
+  }
+  if (model.controller || model.magnets) {
+    for (int k = 0; k < 2; ++k) check_actuator(m, k, config.actuator[k]);
+  }
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,199 @@
+#include "plugin/passes.h"
+
+#include <cmath>
+
+#include "plugin/callbacks.h"
+#include "plugin/config_cache.h"
+#include "plugin/contact/annular.h"
+#include "plugin/contact/cone.h"
+#include "plugin/contact/coulomb.h"
+#include "plugin/contact/runge_kutta.h"
+#include "plugin/contact/segment_coulomb.h"
+#include "plugin/contact/segment_rigid.h"
+#include "plugin/contact/verlet.h"
+#include "plugin/control.h"
+#include "plugin/coordinates.h"
+#include "plugin/magnets.h"
+#include "plugin/own/own_contact.h"
+#include "plugin/passive.h"
+#include "plugin/segment_loads.h"
+#include "plugin/sensors.h"
+#include "plugin/shadow.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+namespace {
+
+bool is_soft(const Config& config) {
+  return config.model.contact && config.contact != scene::ContactModel::kRigid;
+}
+
+// Takes back what others have written over. Where another's function has collided the pair,
+// MuJoCo's soft contact is made anew, so that not even this pass goes without.
+bool keep_places(const Config& config, const mjModel* m, mjData* d) {
+  keep_control();
+  if (!config.model.contact || !collision_was_lost(config, m)) return false;
+  if (!is_soft(config) || !contact_enabled(m)) return false;
+  mj_fwdPosition(m, d);
+  return true;
+}
+
+// What kPassiveFresh is after mjcb_passive.
+double fresh_mark(const mjData* d) { return 1.0 + std::abs(d->time); }
+
+// A pass at another time had no mjcb_control after its mjcb_passive.
+void notice_missed_control(const mjData* d) {
+  const double mark = d->userdata[kPassiveFresh];
+  if (mark == 0.0 || mark == fresh_mark(d) || !distrust_control()) return;
+  mju_warning(
+      "rotorub: mjcb_control called the plugin's before, and in the last step did not: that step "
+      "had no contact; the plugin's comes first from now on");
+}
+
+}  // namespace
+
+void passive_pass(const mjModel* m, mjData* d) {
+  const Config* config = find_config_checked(m, d);
+  if (!config) return;
+  keep_places(*config, m, d);
+  notice_missed_control(d);
+  mark_active(*config, d, false);
+  d->userdata[kPassiveFresh] = fresh_mark(d);
+  if (config->shadow) advance_shadow(*config, m, d);
+  if (config->own) return;
+  if (config->segments) {
+    add_segment_loads(*config, d);
+  } else if (!config->takes_native_steps()) {
+    add_passive_force(*config, m, d, Coordinates(*config, d));
+  }
+  fill_sensors(*config, m, d, mjSTAGE_VEL);
+}
+
+namespace {
+
+// MuJoCo may run this stage again without the one before (mj_forwardSkip), or have run it without
+// us: then what it added to the velocity stage's results is taken out by computing those anew.
+void refresh_velocity_stage(const mjModel* m, mjData* d) {
+  mjtNum& fresh = d->userdata[kPassiveFresh];
+  if (fresh != fresh_mark(d)) {
+    keep_callbacks();
+    mj_passive(m, d);
+    const bool passed_by = fresh != fresh_mark(d) && !(m->opt.disableflags & mjDSBL_PASSIVE);
+    if (passed_by && distrust_passive()) mj_passive(m, d);
+    mj_referenceConstraint(m, d);
+  }
+  fresh = 0.0;
+}
+
+// Coulomb's law beside MuJoCo's soft contact, where there is one in this pass.
+void apply_soft_contact(const Config& config, const mjModel* m, mjData* d,
+                        const Coordinates& state) {
+  d->userdata[kFrictionForce] = 0.0;
+  const mjContact* contact = find_contact(config, d);
+  if (!contact) {
+    d->userdata[kMode] = 0.0;
+    return;
+  }
+  if (config.segments) {
+    // `cone` needs nothing: the segments spin.
+    if (config.contact == scene::ContactModel::kCoulomb) {
+      apply_segment_coulomb(config, m, d, *contact, state);
+    }
+  } else if (config.contact == scene::ContactModel::kCoulomb) {
+    apply_coulomb(config, m, d, *contact, state);
+  } else {
+    apply_cone(config, d, *contact);
+  }
+}
+
+// Loads, command and contact of this pass.
+void act(const Config& config, const mjModel* m, mjData* d) {
+  if (config.own) {
+    apply_own_contact(config, m, d);
+  } else {
+    const Coordinates state(config, d);
+    if (config.takes_native_steps()) {
+      apply_verlet(config, m, d, state);
+      fill_sensors(config, m, d, mjSTAGE_VEL);
+    } else {
+      write_command(config, m, d, state);
+      if (!config.model.contact) return;
+      if (config.general) {
+        apply_own_contact(config, m, d);
+      } else if (is_soft(config)) {
+        apply_soft_contact(config, m, d, state);
+      } else {
+        apply_segment_rigid(config, m, d, state);
+      }
+    }
+  }
+  const bool told = config.own && config.contact == scene::ContactModel::kCoulomb;
+  if (!is_soft(config) || told) fill_sensors(config, m, d, mjSTAGE_ACC);
+}
+
+}  // namespace
+
+void control_pass(const mjModel* m, mjData* d) {
+  const Config* config = find_config(m, d);
+  if (!config) return;
+  if (config->model.magnets) keep_callbacks();
+  if (keep_places(*config, m, d)) d->userdata[kPassiveFresh] = 0.0;
+  refresh_velocity_stage(m, d);
+  const bool rigid = config->model.contact && !is_soft(*config);
+  if (rigid && m->opt.integrator == mjINT_RK4) {
+    refuse_runge_kutta();
+    return;
+  }
+  act(*config, m, d);
+  mark_active(*config, d, !config->model.contact || contact_enabled(m));
+}
+
+void sensor_pass(const mjModel* m, mjData* d, int stage) {
+  const Config* config = find_config(m, d);
+  if (!config) return;
+  if (stage == mjSTAGE_POS) keep_callbacks();
+  fill_sensors(*config, m, d, stage);
+}
+
+bool collide_pair(const mjModel* m, const mjData* d, mjContact* con, int g1, int g2, int& count) {
+  const Config* config = find_config(m, d);
+  const bool ours = config && ((g1 == config->rotor_geom && g2 == config->ring_geom) ||
+                               (g1 == config->ring_geom && g2 == config->rotor_geom));
+  if (!ours) return false;
+  keep_callbacks();
+  // The pair's, where the model has one; it is not among the arguments of every version.
+  const double margin = config->pair >= 0 ? m->pair_margin[config->pair] : 0.0;
+  count = config->own ? collide_own(*config, d, con, g1, margin)
+                      : collide_annular(*config, d, con, g1, margin);
+  return true;
+}
+
+namespace {
+
+// The config whose magnet this actuator is, or null.
+const Config* config_of_magnet(const mjModel* m, const mjData* d, int actuator) {
+  const Config* config = find_config(m, d);
+  return config && is_magnet(*config, actuator) ? config : nullptr;
+}
+
+}  // namespace
+
+bool magnet_gain_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
+  const Config* config = config_of_magnet(m, d, id);
+  if (config) value = magnet_gain(*config, m, d, id);
+  return config;
+}
+
+bool magnet_bias_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
+  const Config* config = config_of_magnet(m, d, id);
+  if (config) value = magnet_bias(*config, d, id);
+  return config;
+}
+
+bool coil_rate_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
+  const Config* config = config_of_magnet(m, d, id);
+  if (config) value = coil_rate(*config, m, d, id);
+  return config;
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,190 @@
+// Places in MuJoCo's global callback tables, kept against programs that write over them.
+//
+// MuJoCo's callbacks are plain global pointers: `mjcb_control = mine`, `mjcb_control = nullptr` and
+// mj_resetCallbacks() take ours away without a word. A Place notices (held), takes itself back
+// (take) and calls what was put there before its own work. It has several functions of the same
+// work, links, each with its own `previous`, so that of a user who chains to us, whichever of our
+// links he saved, we know what to call below him:
+//
+//   mjcb_control = mine                  link 1 in the place, previous: mine.       mine, then our
+//   work old = mjcb_control, mine calls old   mine stands in front again, once seen to call us
+//   mjcb_control = nullptr               link 2, previous: none.                     our work alone
+//
+// The work is done once a call of the place, whatever the chain. No lock is held while a function
+// of others runs; the one that orders who takes is never touched while the place is as left.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+
+namespace rotorub::plugin {
+
+inline constexpr int kLinks = 8;
+
+template <typename Function>
+class Place {
+ public:
+  using Type = Function;
+
+  // `global` may be null until it is told; the links are told before all else.
+  constexpr explicit Place(Function* global = nullptr) : global_(global) {}
+  void stand_at(Function* global) { global_ = global; }
+  void link_with(const Function* links) { links_ = links; }
+
+  // True where MuJoCo will call us: one of our links is in the place, or one who calls us.
+  bool held() const {
+    return std::atomic_ref(*global_).load(std::memory_order_acquire) ==
+           expected_.load(std::memory_order_acquire);
+  }
+  // True where a call of one link may reach another.
+  bool layered() const { return layered_.load(std::memory_order_acquire); }
+  Function previous(int link) const { return previous_[link].load(std::memory_order_acquire); }
+
+  // Puts a link in front of who stands there, if that is neither ours nor calls us. True where it
+  // did.
+  bool take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::atomic_ref place(*global_);
+    for (;;) {
+      Function there = place.load();
+      if (index_of(there) >= 0 || (there && there == chains_)) {
+        expected_ = there;
+        return false;
+      }
+      const int link = link_for(there);
+      if (link != 0 || used_ > 1) layered_ = true;
+      previous_[link] = there;
+      if (place.compare_exchange_strong(there, links_[link])) {
+        expected_ = links_[link];
+        return true;
+      }
+    }
+  }
+
+  // What `link` calls first has called another of ours: it stays in front, as it put itself.
+  void let_in_front(int link) {
+    std::atomic_ref place(*global_);
+    if (place.load() != links_[link]) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Function ours = links_[link], theirs = previous_[link];
+    if (!theirs || theirs == deceives_) return;
+    chains_ = theirs;
+    if (place.compare_exchange_strong(ours, theirs)) expected_ = theirs;
+  }
+
+  // Who stands in front has called us before, and now has not: it is never let in front again. True
+  // where it was so.
+  bool distrust() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const Function there = std::atomic_ref(*global_).load();
+      if (!there || there != chains_) return false;
+      deceives_ = chains_;
+      chains_ = nullptr;
+    }
+    return take();
+  }
+
+  // True where who stands in front is not ours: it calls us.
+  bool fronted() const {
+    const Function there = expected_.load(std::memory_order_acquire);
+    return there && index_of(there) < 0;
+  }
+
+  // Where a link of ours is in the place, what it calls first goes back there. Others stay.
+  void give_back() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::atomic_ref place(*global_);
+    for (;;) {
+      Function there = place.load();
+      const int link = index_of(there);
+      if (link < 0 || place.compare_exchange_strong(there, previous_[link].load())) return;
+    }
+  }
+
+ private:
+  int index_of(Function f) const {
+    for (int i = 0; i < kLinks; ++i) {
+      if (links_[i] == f) return i;
+    }
+    return -1;
+  }
+  // One that calls this already, a new one, or the one that was used longest ago.
+  int link_for(Function there) {
+    for (int i = 0; i < used_; ++i) {
+      if (previous_[i].load() == there) return i;
+    }
+    if (used_ < kLinks) return used_++;
+    oldest_ = (oldest_ + 1) % kLinks;
+    return oldest_;
+  }
+
+  Function* global_;
+  const Function* links_ = nullptr;
+  std::atomic<Function> expected_{nullptr};
+  std::atomic<Function> previous_[kLinks] = {};
+  std::atomic<bool> layered_ = false;
+
+  std::mutex mutex_;  // of who changes the place
+  int used_ = 0, oldest_ = 0;
+  Function chains_ = nullptr;    // seen to call us
+  Function deceives_ = nullptr;  // and not to
+};
+
+// What a thread is in: the links of one place that wait for what they called. Kept on the stack of
+// the first of them. A frame that was left by longjmp (mju_error of a model that is compiled) is
+// told by its address: it is not above ours.
+struct LinkCall {
+  const void* data = nullptr;  // mjData
+  std::uintptr_t frame = 0;
+  unsigned inside = 0;   // bits of the links
+  bool reached = false;  // one link was reached from another
+  bool done = false;     // the work
+};
+
+class LinkScope {
+ public:
+  LinkScope(LinkCall& call, const void* data, int link)
+      : call_(call), outer_(call), bit_(1u << link) {
+    const auto frame = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+    nested_ = call.inside != 0 && call.data == data && call.frame > frame;
+    if (!nested_) call = {data, frame, 0, false, false};
+    again_ = (call.inside & bit_) != 0;
+    if (nested_ && !again_) call.reached = true;
+  }
+  ~LinkScope() {
+    if (!nested_) call_ = outer_;
+  }
+  LinkScope(const LinkScope&) = delete;
+  LinkScope& operator=(const LinkScope&) = delete;
+
+  // True in a link that was called by what it called itself.
+  bool again() const { return again_; }
+  // Runs what the link calls first; true where that reached another link.
+  template <typename Call>
+  bool reaches(Call call) {
+    const bool reached = call_.reached;
+    call_.reached = false;
+    call_.inside |= bit_;
+    call();
+    call_.inside &= ~bit_;
+    const bool now = call_.reached;
+    call_.reached = reached || now;
+    return now;
+  }
+  // True once.
+  bool begin_work() {
+    const bool first = !call_.done;
+    call_.done = true;
+    return first;
+  }
+
+ private:
+  LinkCall& call_;
+  LinkCall outer_;
+  unsigned bit_;
+  bool nested_, again_;
+};
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,104 @@
+// What `rotorub modes` says of lasting rubs: JSON, table and the map's picture and page.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compare/modes/rub_analysis.h"
+#include "compare/modes/rub_map_text.h"
+#include "compare/report/rub_map_page.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+scene::Scene shipped(const std::string& name) {
+  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml");
+}
+
+TEST(RubJson, OfTheWhip) {
+  const scene::Scene scene = shipped("bench_whip");
+  const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed});
+  ASSERT_EQ(rubs.at.size(), 1U);
+  const json whip = rub_json(rubs.at[0]);
+  ASSERT_EQ(whip.at("rubs").size(), 4U);
+  const json& stable = whip["rubs"][1];
+  EXPECT_EQ(stable.at("kind"), "whip");
+  EXPECT_EQ(stable.at("stable"), true);
+  EXPECT_NEAR(stable.at("whirl").get<double>(), -501.9257, 5e-5);
+  EXPECT_NEAR(stable.at("normal_force").get<double>(), 244.8444, 5e-5);
+  EXPECT_EQ(whip.at("attractors"), json({"no contact", "backward whip", "rolling"}));
+  EXPECT_TRUE(whip.at("rolling_ranges")[1][1].is_null()) << "to infinity";
+  EXPECT_EQ(whip.at("ring").size(), 2U);
+  EXPECT_EQ(whip.at("joined").size(), 2U);
+  const std::string table = rub_table(rubs.at[0]);
+  EXPECT_NE(table.find("-501.9257"), std::string::npos) << table;
+  EXPECT_NE(table.find("380.9469 to 501.9257 rad/s, above 1465.431 rad/s"), std::string::npos) << table;
+}
+
+// A point about which nothing can move has no growth rate, not minus infinity.
+TEST(RubJson, HasNumbersOrNull) {
+  const scene::Scene scene = shipped("bench_annular_rigid");
+  const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed});
+  const json point = rub_json(rubs.at.at(0));
+  EXPECT_EQ(point.at("rubs").back().at("kind"), "rolling");
+  EXPECT_TRUE(point.at("rubs").back().at("growth_rate").is_null());
+  EXPECT_EQ(rub_table(rubs.at[0]).find("inf"), std::string::npos);
+}
+
+TEST(RubAnalyses, SaysWhyThereAreNone) {
+  const scene::Scene sliding = shipped("paper_sliding");
+  const RubAnalyses rubs = analyse_rubs(sliding, {sliding.rotor.speed});
+  EXPECT_TRUE(rubs.at.empty());
+  EXPECT_NE(rubs.refused.find("controller.kind"), std::string::npos) << rubs.refused;
+  scene::Scene open = shipped("bench_whip");
+  open.contact.reset();
+  EXPECT_EQ(analyse_rubs(open, {100.0}).refused, "");
+}
+
+class RubMapOfTheWhip : public testing::Test {
+ protected:
+  RubMapOfTheWhip()
+      : scene(shipped("bench_whip")),
+        map(rub::rub_map(rub::rub_system(scene), even_values(200.0, 400.0, 3), {0.1, 0.2, 0.25})) {}
+  static std::vector<double> even_values(double from, double to, int count) {
+    std::vector<double> all;
+    for (int k = 0; k < count; ++k) all.push_back(from + (to - from) * k / (count - 1));
+    return all;
+  }
+  scene::Scene scene;
+  rub::RubMap map;
+};
+
+TEST_F(RubMapOfTheWhip, AsAPicture) {
+  const std::string picture = rub_map_picture("whip", map);
+  EXPECT_NE(picture.find("     0.25 |OOO\n      0.2 |VVV\n      0.1 |OOO\n"), std::string::npos) << picture;
+  EXPECT_NE(picture.find("V  no contact + backward whip + rolling"), std::string::npos) << picture;
+  EXPECT_EQ(picture.find("synchronous"), std::string::npos) << "only what occurs is explained";
+}
+
+TEST_F(RubMapOfTheWhip, AsJson) {
+  const json all = rub_map_json(map);
+  EXPECT_EQ(all.at("speeds"), json({200.0, 300.0, 400.0}));
+  EXPECT_EQ(all.at("frictions"), json({0.1, 0.2, 0.25}));
+  ASSERT_EQ(all.at("points").size(), 9U);
+  EXPECT_EQ(all["points"][5].at("speed"), 300.0);
+  EXPECT_EQ(all["points"][5].at("friction"), 0.25);
+}
+
+TEST_F(RubMapOfTheWhip, AsAPage) {
+  const json plots = rub_map_plots(map);
+  EXPECT_EQ(plots.at("kind"), "grid");
+  ASSERT_EQ(plots.at("figures").size(), plots.at("columns").size());
+  for (const json& column : plots["columns"]) EXPECT_EQ(column.size(), 9U);
+  EXPECT_EQ(plots["figures"][0].at("name"), "linear: attractors");
+  EXPECT_EQ(plots["columns"][0][4], "no contact + backward whip + rolling");
+  EXPECT_TRUE(plots["columns"][1][4].is_null()) << "no load, no synchronous rub";
+  const std::string page = rub_map_page(scene, map);
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_NE(page.find("Backward whip stable"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rotorub

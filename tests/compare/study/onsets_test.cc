@@ -1,0 +1,129 @@
+// Onsets in made-up steps, by hand.
+#include "compare/study/onsets.h"
+
+#include <gtest/gtest.h>
+
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kStep = 1e-3;       // s
+constexpr double kClearance = 5e-4;  // m, of the scene
+
+// bench_drop's rotor (one mode a plane, fixed ring) on the x axis, where the steps say it is.
+class MadeUpSteps : public testing::Test {
+ protected:
+  void fly(int steps, double gap = 1e-5, double gap_rate = -0.1) {
+    for (int k = 0; k < steps; ++k) give(0.0, gap, gap_rate);
+  }
+  void press(double impulse, double gap = -1e-6, double gap_rate = 0.0) {
+    give(impulse, gap, gap_rate);
+  }
+  void hit(double impulse, double rebound, double part) {
+    WatchedStep s = made(1e-5, -0.1);
+    s.normal_impulse = impulse;
+    s.impact = true;
+    s.impact_time = s.t + part * kStep;
+    s.gap_rate_after = rebound;
+    watch_.step(s);
+    ++k_;
+  }
+  std::vector<Onset> finish() { return watch_.finish(k_ * kStep); }
+  double now() const { return k_ * kStep; }
+
+  const Model model_ =
+      make_model(scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_drop.toml", {}));
+  OnsetWatch watch_{model_};
+
+ private:
+  WatchedStep made(double gap, double gap_rate) {
+    q_.assign(static_cast<std::size_t>(model_.nq()), 0.0);
+    v_ = q_;
+    q_[0] = kClearance - gap;
+    v_[0] = -gap_rate;
+    WatchedStep s;
+    s.t = k_ * kStep;
+    s.h = kStep;
+    s.q = q_.data();
+    s.v = v_.data();
+    return s;
+  }
+  void give(double impulse, double gap, double gap_rate) {
+    WatchedStep s = made(gap, gap_rate);
+    s.normal_impulse = impulse;
+    watch_.step(s);
+    ++k_;
+  }
+
+  int k_ = 0;
+  std::vector<double> q_, v_;
+};
+
+TEST_F(MadeUpSteps, ASoftContactIsSummedUp) {
+  fly(12);  // the last of them at 11 ms
+  press(0.2);
+  press(0.5);
+  press(0.1);           // its force acts until half a step after 14 ms
+  fly(21, 2e-5, 0.07);  // leaves with 0.07 m/s
+  const double end = now();
+  const auto onsets = finish();
+  ASSERT_EQ(onsets.size(), 1U);
+  const Onset& o = onsets[0];
+  EXPECT_NEAR(o.before.t, 11e-3, 1e-15);
+  EXPECT_NEAR(o.before.q[0], kClearance - 1e-5, 1e-15);
+  EXPECT_NEAR(o.closing, 0.1, 1e-15);
+  EXPECT_NEAR(o.touch, 11e-3 + 1e-4, 1e-12);  // 10 um at 0.1 m/s
+  EXPECT_NEAR(o.mujoco.impulse, 0.8, 1e-15);
+  EXPECT_NEAR(o.mujoco.peak, 500.0, 1e-10);
+  EXPECT_NEAR(o.mujoco.duration, 14.5e-3 - o.touch, 1e-12);
+  EXPECT_NEAR(o.mujoco.rebound, 0.07, 1e-15);
+  EXPECT_NEAR(o.end, 0.5 * (14.5e-3 + end), 1e-12);
+  EXPECT_FALSE(o.lasts);
+}
+
+TEST_F(MadeUpSteps, AnImpactOfTheRigidLawTakesNoTime) {
+  fly(12);
+  hit(0.3, 0.05, 0.1);
+  fly(12);
+  const auto onsets = finish();
+  ASSERT_EQ(onsets.size(), 1U);
+  EXPECT_NEAR(onsets[0].mujoco.impulse, 0.3, 1e-15);
+  EXPECT_NEAR(onsets[0].mujoco.rebound, 0.05, 1e-15);
+  EXPECT_NEAR(onsets[0].touch, 12.1e-3, 1e-12);
+  EXPECT_EQ(onsets[0].mujoco.duration, 0.0);
+}
+
+// Short flights are bounces of one contact, long ones begin another.
+TEST_F(MadeUpSteps, ShortFlightsAreOneContact) {
+  fly(kShortestFlight);
+  press(0.1);
+  fly(kShortestFlight - 1);
+  press(0.2);
+  fly(kShortestFlight);
+  const double next = now();
+  press(0.4);
+  const double end = now();
+  const auto onsets = finish();
+  ASSERT_EQ(onsets.size(), 2U);
+  EXPECT_NEAR(onsets[0].mujoco.impulse, 0.3, 1e-15);
+  EXPECT_NEAR(onsets[0].end, 0.5 * (20.5e-3 + next), 1e-12);
+  EXPECT_NEAR(onsets[1].mujoco.impulse, 0.4, 1e-15);
+  EXPECT_TRUE(onsets[1].lasts);
+  EXPECT_EQ(onsets[1].end, end);
+  EXPECT_EQ(onsets[1].mujoco.rebound, 0.0) << "it never parts";
+}
+
+// What begins in contact has no state before it; what still lies in the ring has none outside it.
+TEST_F(MadeUpSteps, OnlyFlightsThatEndAreOnsets) {
+  press(0.1);
+  fly(kShortestFlight - 1);
+  press(0.1);
+  fly(kShortestFlight, -1e-6, -0.1);  // without a force, but in the ring
+  press(0.1);
+  EXPECT_EQ(watch_.left_out(), 1);
+  EXPECT_TRUE(finish().empty());
+}
+
+}  // namespace
+}  // namespace rotorub

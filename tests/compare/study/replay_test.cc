@@ -1,0 +1,200 @@
+// Replay: tapes of what MuJoCo's actuators were told, and comparisons by them; and the shadow's
+// column beside them.
+#include "compare/study/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/study/answer.h"
+#include "compare/study/json.h"
+#include "compare/study/scene_comparison.h"
+#include "compare/study/table.h"
+#include "native_model/scene/reader.h"
+#include "tests/compare/columns.h"
+
+namespace rotorub {
+namespace {
+
+// bench_ring with a spring and a damper emulated through its actuator.
+scene::Scene emulated(std::vector<std::string> more = {}) {
+  more.insert(more.end(),
+              {"controller.kind=passive", "controller.stiffness=5e4", "controller.damping=100"});
+  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml", more);
+}
+
+struct Taped {
+  Trajectory trajectory;
+  std::shared_ptr<const CommandRecord> commands;
+};
+
+Taped taped(const scene::Scene& scene, scene::ContactModel contact, double step) {
+  CommandTape tape;
+  RunRequest request;
+  request.step = step;
+  request.watch = tape.watch();
+  Taped t;
+  t.trajectory = mujoco_engine(contact)->run(scene, request);
+  EXPECT_EQ(t.trajectory.status, Status::kOk) << t.trajectory.message;
+  t.commands = tape.record();
+  return t;
+}
+
+// What the actuator was told at a row is what the tape has there.
+TEST(CommandTape, HoldsWhatTheSeriesSays) {
+  const scene::Scene scene = emulated({"run.end=0.01", "run.output_step=1e-4"});
+  for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
+    const Taped t = taped(scene, contact, 1e-5);
+    const auto &time = t.trajectory.column("t"), &x = t.trajectory.column("control_x");
+    double most = 0.0;
+    for (std::size_t i = 1; i + 1 < time.size(); ++i) {
+      most = std::max(most, std::abs(x[i]));
+      // MuJoCo's own rows have the force of the step that ends there.
+      const double at = contact == scene::ContactModel::kRigid ? time[i] : time[i] - 1e-5;
+      EXPECT_NEAR(t.commands->at(at).x(), x[i], 1e-9 * (1.0 + std::abs(x[i]))) << time[i];
+    }
+    EXPECT_GT(most, 1.0) << "or nothing was told";
+  }
+}
+
+// Without contact nothing but MuJoCo's step is left: second order for the plugin's own.
+TEST(Replay, WithoutContactTheStepAloneIsLeft) {
+  const scene::Scene scene = emulated({"run.end=0.02", "force[0].amplitude=20"});
+  const auto off = [&](double step) {
+    const Taped t = taped(scene, scene::ContactModel::kRigid, step);
+    RunRequest request;
+    request.commands = t.commands;
+    const Trajectory native = native_engine(scene::Integrator::kEvent)->run(scene, request);
+    EXPECT_EQ(native.status, Status::kOk) << native.message;
+    return std::hypot(native.column("rotor_x").back() - t.trajectory.column("rotor_x").back(),
+                      native.column("rotor_y").back() - t.trajectory.column("rotor_y").back());
+  };
+  const double coarse = off(4e-5), fine = off(1e-5);
+  EXPECT_GT(coarse / fine, 12.0);
+  EXPECT_LT(coarse / fine, 20.0);
+}
+
+TEST(Replay, EnginesTakeWhatIsTheirs) {
+  const scene::Scene scene = emulated({"run.end=1e-3"});
+  RunRequest request;
+  request.commands = std::make_shared<CommandRecord>();
+  EXPECT_THROW(mujoco_engine(scene::ContactModel::kRigid)->run(scene, request),
+               std::invalid_argument);
+  request.commands = nullptr;
+  request.watch = [](const WatchedStep&) {};
+  EXPECT_THROW(native_engine(scene::Integrator::kEvent)->run(scene, request),
+               std::invalid_argument);
+}
+
+// ---------------------------------------------------------------- whole comparisons
+
+SceneComparison compared(const scene::Scene& scene, CompareMode mode) {
+  CompareOptions options;
+  options.mode = mode;
+  options.timing_repeats = 1;
+  options.twins = 2;
+  return compare_scene(scene, options);
+}
+
+const SceneComparison& replayed_ring() {
+  static const SceneComparison c = compared(emulated({"run.end=0.03"}), CompareMode::kReplay);
+  return c;
+}
+
+TEST(Replay, EveryContactModelHasANativeRunOfItsOwn) {
+  const SceneComparison& c = replayed_ring();
+  EXPECT_TRUE(c.commands);
+  ASSERT_EQ(c.natives.size(), 2U);
+  ASSERT_EQ(c.differences.size(), 3U);
+  for (std::size_t k = 1; k < c.sides.size(); ++k) {
+    const Side& native = c.reference(k);
+    EXPECT_EQ(native.engine, "native-event");
+    EXPECT_EQ(native.limits.size(), figures().size());
+    for (const FigureDifference& f : c.differences[k - 1].figures) {
+      EXPECT_EQ(f.native, f.figure->value(native.metrics)) << f.figure->key;
+      EXPECT_EQ(f.other, f.figure->value(c.sides[k].metrics)) << f.figure->key;
+    }
+  }
+  // The commands of the cone's run are those of another motion.
+  EXPECT_NE(c.reference(1).metrics.mean_force, c.reference(3).metrics.mean_force);
+  EXPECT_EQ(c.differences[0].trust, Trust::kYes) << answer(c)[0].why;
+}
+
+// A ring on springs holds itself: opening its loop costs no more than the step does. The spread is
+// never less.
+TEST(Replay, ItsFloorIsLowWhereTheOpenLoopIsStable) {
+  for (const FigureDifference& f : replayed_ring().differences[0].figures) {
+    EXPECT_GE(f.spread, f.replay_floor) << f.figure->key;
+    if (std::string(f.figure->key) != "mean_force") continue;
+    EXPECT_GT(f.replay_floor, 0.0);
+    EXPECT_LT(f.replay_floor, 1e-4);
+  }
+}
+
+TEST(Replay, IsToldByTableAndJson) {
+  const SceneComparison& c = replayed_ring();
+  EXPECT_NE(comparison_table(c).find("Replay: each MuJoCo run"), std::string::npos);
+  const nlohmann::json all = comparisons_json({c});
+  EXPECT_EQ(all.at("mode"), "replay");
+  EXPECT_EQ(all.at("scenes")[0].at("shadow").at("commands_of"), "rigid");
+  const auto& figures = all.at("scenes")[0].at("differences").at("cone").at("figures");
+  EXPECT_EQ(figures.at("mean_force").at("native"), c.reference(3).metrics.mean_force);
+}
+
+TEST(Replay, WithoutAControllerItIsLockstepAndSaysSo) {
+  const scene::Scene scene = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
+                                               std::vector<std::string>{"run.end=0.02"});
+  const SceneComparison replay = compared(scene, CompareMode::kReplay);
+  const SceneComparison lockstep = compared(scene, CompareMode::kLockstep);
+  EXPECT_FALSE(replay.commands);
+  EXPECT_TRUE(replay.natives.empty());
+  for (std::size_t k = 0; k < replay.differences.size(); ++k) {
+    for (std::size_t i = 0; i < figures().size(); ++i) {
+      EXPECT_EQ(replay.differences[k].figures[i].native, lockstep.differences[k].figures[i].native);
+      EXPECT_EQ(replay.differences[k].figures[i].other, lockstep.differences[k].figures[i].other);
+    }
+  }
+  EXPECT_NE(comparison_table(replay).find("Replay equals lockstep here"), std::string::npos);
+  EXPECT_EQ(mode_note(lockstep), "");
+}
+
+// ---------------------------------------------------------------- the shadow's column
+
+TEST(ShadowColumn, IsTheNativeStepperAtMujocosStep) {
+  const SceneComparison& c = replayed_ring();
+  ASSERT_TRUE(c.shadow.side);
+  const Trajectory& t = c.shadow.side->trajectory;
+  EXPECT_EQ(t.integrator, "paper");
+  EXPECT_EQ(t.step, c.scene.run.step);
+  EXPECT_EQ(t.steps, c.sides[1].trajectory.steps);
+  EXPECT_TRUE(c.shadow.driven);
+  ASSERT_EQ(c.shadow.figures.size(), figures().size());
+  // A first-order stepper of the right law: nearer than the wrong law at the same step.
+  const auto mean = [](const std::vector<JudgedFigure>& f) { return std::abs(f[0].deviation); };
+  EXPECT_GT(mean(c.shadow.figures), 0.0);
+  EXPECT_LT(mean(c.shadow.figures), mean(c.differences[2].judged()));
+  EXPECT_NE(comparison_table(c).find("shadow: the native stepper (paper)"), std::string::npos);
+}
+
+// Impacts that take time are not `paper`'s.
+TEST(ShadowColumn, IsVerletWhereImpactsTakeTime) {
+  CompareOptions options;
+  options.mode = CompareMode::kResync;
+  options.timing_repeats = 1;
+  const scene::Scene scene =
+      scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
+                        std::vector<std::string>{"run.end=0.005", "contact.compression_time=2e-5",
+                                                 "contact.expansion_time=2e-5"});
+  const SceneComparison c = compare_scene(scene, options);
+  ASSERT_TRUE(c.shadow.side) << c.shadow.absent;
+  EXPECT_EQ(c.shadow.side->trajectory.integrator, "verlet");
+}
+
+// Terminals are 80 columns wide.
+TEST(ComparisonTable, FitsATerminal) {
+  EXPECT_LE(test::widest_line(comparison_table(replayed_ring())), 80U);
+}
+
+}  // namespace
+}  // namespace rotorub

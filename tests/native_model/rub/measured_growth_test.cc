@@ -1,0 +1,116 @@
+// The eigenvalues of forced rubs against whole runs of `event`: started a little off a rub, how fast does the
+// normal force come back to it, or leave?
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "native_model/rub/rub_stability.h"
+#include "tests/native_model/hard/rules.h"
+#include "tests/native_model/rub/rubs.h"
+
+namespace rotorub::rub {
+namespace {
+
+// Exponents s_j of x_k = sum c_j e^{s_j k step}, of `count` terms, by the matrix pencil: nothing is known of
+// them beforehand. By falling real part.
+std::vector<Complex> exponents(const std::vector<double>& x, double step, Eigen::Index count) {
+  const auto all = static_cast<Eigen::Index>(x.size()), wide = all / 2;
+  Eigen::MatrixXd now(all - wide, wide), next(all - wide, wide);
+  for (Eigen::Index i = 0; i < all - wide; ++i) {
+    for (Eigen::Index j = 0; j < wide; ++j) {
+      now(i, j) = x[static_cast<std::size_t>(i + j)];
+      next(i, j) = i + j + 1 < all ? x[static_cast<std::size_t>(i + j + 1)] : 0.0;
+    }
+  }
+  now.conservativeResize(all - wide - 1, wide);
+  next.conservativeResize(all - wide - 1, wide);
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(now, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::MatrixXd pencil = svd.singularValues().head(count).cwiseInverse().asDiagonal() *
+                                 svd.matrixU().leftCols(count).transpose() * next *
+                                 svd.matrixV().leftCols(count);
+  std::vector<Complex> found;
+  for (const Complex& z : pencil.eigenvalues()) found.push_back(std::log(z) / step);
+  std::sort(found.begin(), found.end(),
+            [](const Complex& a, const Complex& b) { return a.real() > b.real(); });
+  return found;
+}
+
+struct Case {
+  scene::Scene scene;
+  std::size_t root = 0;  // of the two rubs that may exist, by falling force
+  double end = 0.05, step = 2.5e-4;  // s
+  double off = 1e-4;                 // of the load
+};
+
+// Off the rub by what a slightly larger load does: in contact, and too little to be anything but linear.
+void expect_measured(Case c, bool stable) {
+  c.scene.run.end = c.end;
+  c.scene.run.output_step = c.step;
+  const RubSystem system = rub_system(c.scene);
+  RotatingLoad load = rotating_loads(system).front();
+  const auto rubs = forced_rubs(system, load);
+  ASSERT_GT(rubs.size(), c.root);
+  const SteadyRub& rub = rubs[c.root];
+  const std::vector<Complex> expected = rub_eigenvalues(system, rub);
+  ASSERT_EQ(stability_of(expected).stable, stable) << expected.front();
+
+  load.load *= 1.0 + c.off;
+  const auto beside = forced_rubs(system, load);
+  ASSERT_GT(beside.size(), c.root);
+  const Trajectory t = test::run_event(test::started_on(c.scene, beside[c.root]));
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_NEAR(t.statistics.contact_time, c.end, 1e-12) << "never lifts off";
+  std::vector<double> off = t.column("normal_force");
+  for (double& force : off) force -= rub.normal_force;
+  ASSERT_GT(test::largest(off), 1e-5 * rub.normal_force) << "it was off";
+
+  const auto count = static_cast<Eigen::Index>(expected.size());
+  const std::vector<Complex> measured = exponents(off, c.step, count);
+  // 1 % of the rate, and 0.01 rad/s for what the fit of a few periods leaves.
+  double nearest = 1e300;
+  Complex found;
+  for (const Complex& s : measured) {
+    if (std::abs(s - expected.front()) < nearest) {
+      nearest = std::abs(s - expected.front());
+      found = s;
+    }
+  }
+  const Complex first = expected.front();
+  EXPECT_NEAR(found.real(), first.real(), 0.01 * std::abs(first.real()) + 0.01);
+  EXPECT_NEAR(found.imag(), first.imag(), 1e-3 * std::abs(first.imag()) + 0.01);
+}
+
+// The rig with its spin held, as the eigenvalues have it, and its force always on.
+scene::Scene held_rig(double mu) {
+  scene::Scene s = test::shipped("paper_passive");
+  s.drive.reset();
+  s.rotor.torsion.reset();
+  s.forces[0].on = 0.0;
+  s.contact->friction = mu;
+  return s;
+}
+
+TEST(MeasuredGrowth, ShippedRubOnARigidRingDecays) {
+  // On a fixed ring a start beside the rub differs in its direction alone, and that little.
+  expect_measured({test::shipped("bench_annular_rigid"), 0, 0.05, 2.5e-4, 1e-2}, true);
+}
+TEST(MeasuredGrowth, ShippedRubOnAnElasticRingDecays) {
+  expect_measured({test::shipped("bench_annular_elastic")}, true);
+}
+TEST(MeasuredGrowth, TheRigsRubDecaysAtLittleFriction) { expect_measured({held_rig(0.1)}, true); }
+// Friction feeds the second bending mode: the rig of the paper cannot rub steadily.
+TEST(MeasuredGrowth, TheRigsRubGrowsAtItsOwnFriction) { expect_measured({held_rig(0.3)}, false); }
+
+// Beyond resonance a second rub stands between the first and the free orbit: it is a watershed.
+TEST(MeasuredGrowth, TheWeakerOfTwoRubsIsLeft) {
+  scene::Scene s = test::shipped("bench_annular_rigid");
+  s.forces[0].frequency = s.rotor.speed = 2.0 * std::numbers::pi * 90.0;
+  expect_measured({s, 1, 0.02, 1e-4}, false);
+}
+
+}  // namespace
+}  // namespace rotorub::rub

@@ -1,0 +1,190 @@
+// Eigenvalues of lasting rubs: against the closed form of one mode, against differences of the model's own
+// right-hand side for several, and against the decay and growth of whole runs.
+#include "native_model/rub/rub_stability.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/rub/rub_map.h"
+#include "tests/native_model/hard/rules.h"
+#include "tests/native_model/rub/rubs.h"
+#include "tests/support/whip.h"
+
+namespace rotorub::rub {
+namespace {
+
+double nearest_to(const Complex& s, const Eigen::VectorXcd& all) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Complex& z : all) nearest = std::min(nearest, std::abs(z - s));
+  return nearest;
+}
+
+// ---------------------------------------------------------------- one mode
+SteadyRub upper_whip(const scene::Scene& scene, double mu) {
+  return BackwardCompliance(rub_system(scene)).whips(mu).at(1);
+}
+
+TEST(RubStability, WhipOfOneModeIsTheClosedForm) {
+  scene::Scene scene = test::shipped("bench_whip");
+  for (const double mu : {0.18, 0.2, 0.241, 0.244}) {
+    scene.contact->friction = mu;
+    const SteadyRub whip = upper_whip(scene, mu);
+    const std::vector<Complex> found = rub_eigenvalues(rub_system(scene), whip);
+    const std::vector<Complex> exact = test::whip_of(scene).eigenvalues(-whip.whirl);
+    ASSERT_EQ(found.size(), exact.size());
+    const Eigen::VectorXcd all = Eigen::Map<const Eigen::VectorXcd>(
+        found.data(), static_cast<Eigen::Index>(found.size()));
+    // Round-off of an eigenvalue is that of the largest, times its condition: a slow one stands near the
+    // free direction's 0.
+    for (const Complex& s : exact) {
+      EXPECT_LT(nearest_to(s, all), 1e-9 * all.cwiseAbs().maxCoeff()) << mu << ' ' << s;
+    }
+  }
+}
+
+TEST(RubStability, HopfBorderOfTheWhip) {
+  const scene::Scene scene = test::shipped("bench_whip");
+  const RubStudy study(rub_system(scene));
+  const auto at = [&](double mu) { return study.at(mu).rubs.at(1); };
+  EXPECT_NEAR(at(0.241).stability.growth, -0.640, 5e-4);
+  EXPECT_NEAR(at(0.241).stability.frequency, 1327.76, 5e-3);
+  EXPECT_NEAR(at(0.244).stability.growth, 1.098, 5e-4);
+  EXPECT_NEAR(at(0.244).stability.frequency, 1330.81, 5e-3);
+  EXPECT_TRUE(at(0.2).stability.stable);
+  double low = 0.241, high = 0.244;
+  while (high - low > 1e-10) {
+    const double mu = 0.5 * (low + high);
+    (at(mu).stability.growth < 0.0 ? low : high) = mu;
+  }
+  EXPECT_NEAR(low, 0.242109, 5e-7);
+  EXPECT_NEAR(at(low).rub.whirl, -523.362, 5e-4);
+  EXPECT_NEAR(at(low).stability.frequency, 1328.89, 5e-3);
+  // The lower edges are watersheds.
+  EXPECT_FALSE(study.at(0.2).rubs.at(0).stability.stable);
+  EXPECT_EQ(study.at(0.2).rubs.at(0).stability.frequency, 0.0);
+  EXPECT_EQ(study.at(0.2).attractors() & (kBackwardWhip | kRollingRub), kBackwardWhip | kRollingRub);
+  EXPECT_EQ(study.at(0.244).attractors() & kBackwardWhip, 0U);
+}
+
+// ---------------------------------------------------------------- several modes
+// The motion with contact kept and slip of one sense, in Cartesian coordinates with the model's right-hand
+// side: lambda keeps the relative acceleration on the circle. Nothing is linearised.
+Eigen::VectorXd kept_in_contact(const Model& m, double tau, const Eigen::VectorXd& y) {
+  const Eigen::Index nq = m.nq();
+  const Eigen::VectorXd q = y.head(nq), v = y.tail(nq);
+  const ContactPoint p = contact_point(m, q.data(), v.data());
+  Eigen::VectorXd free(nq), push = Eigen::VectorXd::Zero(nq);
+  unactuated_force(m, 0.0, q.data(), v.data(), free.data());
+  add_contact_load(m, contact_load(p.e_r, m.contact->radius, 1.0, -tau), push.data());
+  const auto radial = [&](const Eigen::VectorXd& f) {
+    const Eigen::VectorXd a = f.cwiseQuotient(m.mass);
+    return p.e_r.dot(contact_acceleration(m, a.data()).head<2>());
+  };
+  const double whirl = p.whirl_speed();
+  const double force = -(radial(free) + whirl * whirl / p.delta) / radial(push);
+  Eigen::VectorXd dy(2 * nq);
+  dy << v, (free + force * push).cwiseQuotient(m.mass);
+  return dy;
+}
+
+// Central differences in the frame that turns with the rub.
+Eigen::VectorXcd by_differences(const scene::Scene& scene, const SteadyRub& rub) {
+  const Model model = make_model(test::started_on(scene, rub));
+  const int n = model.layout.modes, nq = model.nq();
+  Eigen::VectorXd y(2 * nq);
+  y << model.q0, model.v0;
+  Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(2 * nq, 2 * nq);
+  const auto pair = [&](int x, int py) {
+    turn(x, py) = rub.whirl;
+    turn(py, x) = -rub.whirl;
+  };
+  for (int half = 0; half < 2 * nq; half += nq) {
+    for (int k = 0; k < n; ++k) pair(half + k, half + n + k);
+    if (model.layout.stator) pair(half + model.layout.ring(), half + model.layout.ring() + 1);
+  }
+  const auto rate = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+    return kept_in_contact(model, rub.friction, x) + turn * x;
+  };
+  EXPECT_LT(rate(y).norm(), 1e-8 * kept_in_contact(model, rub.friction, y).norm()) << "it stands";
+  Eigen::MatrixXd jacobian(2 * nq, 2 * nq);
+  for (int i = 0; i < 2 * nq; ++i) {
+    const double h = 1e-5 * (i < nq ? model.q0 : model.v0).lpNorm<Eigen::Infinity>();
+    Eigen::VectorXd up = y, down = y;
+    up[i] += h;
+    down[i] -= h;
+    jacobian.col(i) = (rate(up) - rate(down)) / (2.0 * h);
+  }
+  return jacobian.eigenvalues();
+}
+
+void expect_as_differences(const scene::Scene& scene, const RubSystem& system, const SteadyRub& rub,
+                           std::size_t count) {
+  const std::vector<Complex> found = rub_eigenvalues(system, rub);
+  EXPECT_EQ(found.size(), count);
+  const Eigen::VectorXcd all = by_differences(scene, rub);
+  for (const Complex& s : found) {
+    EXPECT_LT(nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2) << to_string(rub.kind) << ' ' << s;
+  }
+}
+
+TEST(RubStability, OfThreeModesGrowsAsTheModelSays) {
+  for (const bool elastic : {true, false}) {
+    for (const double turn : {1.0, -1.0}) {
+      SCOPED_TRACE(elastic ? "elastic ring" : "rigid ring");
+      SCOPED_TRACE(turn);
+      scene::Scene scene = test::three_modes(elastic);
+      scene.rotor.speed *= turn;
+      scene.forces[0].frequency *= turn;
+      const RubSystem system = rub_system(scene);
+      const std::size_t all = elastic ? 14 : 10;
+      for (const SteadyRub& rub : forced_rubs(system, rotating_loads(system).front())) {
+        expect_as_differences(scene, system, rub, all);
+      }
+      scene.forces.clear();
+      for (const SteadyRub& whip : BackwardCompliance(system).whips(scene.contact->friction)) {
+        expect_as_differences(scene, system, whip, all - 1);
+      }
+    }
+  }
+}
+
+// ---------------------------------------------------------------- apart and joined
+TEST(RubStability, JoinedBodiesAddUp) {
+  const scene::Scene scene = test::shipped("bench_whip");
+  const RubSystem system = rub_system(scene);
+  const auto roots = [](double m, double d, double k) {
+    return std::pair{-0.5 * d / m, std::sqrt(k / m - 0.25 * d * d / (m * m))};
+  };
+  const auto expect_pair = [&](const std::vector<Complex>& found, double m, double d, double k) {
+    const auto [re, im] = roots(m, d, k);
+    ASSERT_EQ(found.size(), 2U);
+    for (const Complex& s : found) {
+      EXPECT_NEAR(s.real(), re, 1e-9 * im);
+      EXPECT_NEAR(std::abs(s.imag()), im, 1e-9 * im);
+    }
+  };
+  expect_pair(free_eigenvalues(system), 2.0, 40.0, 2e5);
+  expect_pair(ring_eigenvalues(system), 1.0, 200.0, 1e6);
+  expect_pair(joined_eigenvalues(system), 3.0, 240.0, 1.2e6);
+}
+
+TEST(RubStability, AFixedRingHoldsTheContactStation) {
+  scene::Scene s = test::make_scene({.mass = 1.0, .speed = 100.0});
+  s.rotor.modal->mass = {2.0, 2.0};
+  s.rotor.modal->stiffness = {2e5, 6e5};
+  s.rotor.modal->damping = {0.0, 0.0};
+  s.rotor.modal->internal_damping = {0.0, 0.0};
+  s.rotor.modal->gyroscopic = {0.0, 0.0};
+  // x_1 = -x_2: 4 kg on 8e5 N/m.
+  const std::vector<Complex> joined = joined_eigenvalues(rub_system(s));
+  ASSERT_EQ(joined.size(), 2U);
+  for (const Complex& z : joined) EXPECT_NEAR(std::abs(z.imag()), std::sqrt(2e5), 1e-9 * 447.0);
+}
+
+}  // namespace
+}  // namespace rotorub::rub

@@ -1,0 +1,209 @@
+// The rest of MuJoCo's interface, called between two steps: what looks on, computes or copies
+// leaves the steps that follow to the bit, and mj_inverse finds nothing left to apply.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "plugin/hooks.h"
+#include "plugin/inverse.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+// Under a controller that looks at velocities, from before the first touch into lasting contact.
+scene::Scene controlled(const std::string& rotor, const std::string& contact,
+                        const std::string& on = "0.0") {
+  return shipped("paper_sliding",
+                 {"mujoco={rotor=\"" + rotor + "\", segments=6, contact=\"" + contact + "\"}",
+                  "controller.on=" + on, "force[0].on=0.0", "contact.clearance=\"0.1 mm\""});
+}
+
+using Look = void (*)(const mjModel*, mjData*);
+
+class Interface : public MujocoTest {
+ protected:
+  static constexpr int kSteps = 900;
+
+  // Commands and final state of a run with a call before some of its steps.
+  static std::vector<double> run(const mjModel* m, Look look) {
+    const DataPointer d = start(m);
+    std::vector<double> all;
+    for (int k = 0; k < kSteps; ++k) {
+      if (look && k % 3 != 2) {
+        // MuJoCo's solver starts from its last solution: a soft contact's last digits hang on it.
+        const std::vector<double> warmstart(d->qacc_warmstart, d->qacc_warmstart + m->nv);
+        look(m, d.get());
+        mju_copy(d->qacc_warmstart, warmstart.data(), m->nv);
+      }
+      mj_step(m, d.get());
+      all.insert(all.end(), d->ctrl, d->ctrl + m->nu);
+    }
+    const std::vector<double> state = state_of(m, d.get());
+    all.insert(all.end(), state.begin(), state.end());
+    return all;
+  }
+
+  plugin::Hooks hooks_;
+};
+
+void forward(const mjModel* m, mjData* d) { mj_forward(m, d); }
+void forward_twice(const mjModel* m, mjData* d) {
+  mj_forward(m, d);
+  mj_forwardSkip(m, d, mjSTAGE_VEL, 0);
+}
+void forward_and_inverse(const mjModel* m, mjData* d) {
+  mj_forward(m, d);
+  mj_inverse(m, d);
+}
+void own_inverse(const mjModel* m, mjData* d) { plugin::inverse(m, d); }
+void first_half(const mjModel* m, mjData* d) { mj_step1(m, d); }
+void copy_back(const mjModel* m, mjData* d) {
+  const DataPointer kept(mj_copyData(nullptr, m, d));
+  for (int k = 0; k < 5; ++k) mj_step(m, d);
+  mj_copyData(d, m, kept.get());
+}
+void write_the_same(const mjModel* m, mjData* d) {
+  const std::vector<double> state = state_of(m, d);
+  mj_forward(m, d);
+  d->qpos[0] = d->qvel[0] = 0.0;
+  mju_copy(d->qpos, state.data(), m->nq);
+  mju_copy(d->qvel, state.data() + m->nq, m->nv);
+}
+
+class Between : public Interface,
+                public ::testing::WithParamInterface<std::tuple<const char*, const char*>> {};
+
+TEST_P(Between, CallsChangeNothing) {
+  const auto [rotor, contact] = GetParam();
+  const ModelPointer m = load(mjcf(controlled(rotor, contact)));
+  const std::vector<double> plain = run(m.get(), nullptr);
+  int which = 0;
+  for (const Look look : {forward, forward_twice, forward_and_inverse, own_inverse, first_half,
+                          copy_back, write_the_same}) {
+    EXPECT_EQ(run(m.get(), look), plain) << "call " << which;
+    ++which;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Between,
+                         ::testing::Combine(::testing::Values("modal", "segments"),
+                                            ::testing::Values("rigid", "coulomb", "cone")));
+
+// Without a solver there is no warm start either.
+TEST_F(Interface, ForwardBeforeEachStepChangesNothingOfRigid) {
+  const ModelPointer m = load(mjcf(shipped("bench_ring")));
+  const DataPointer plain = start(m.get()), looked = start(m.get());
+  for (int k = 0; k < 3000; ++k) {
+    mj_step(m.get(), plain.get());
+    mj_forward(m.get(), looked.get());
+    mj_inverse(m.get(), looked.get());
+    mj_step(m.get(), looked.get());
+  }
+  EXPECT_EQ(state_of(m.get(), looked.get()), state_of(m.get(), plain.get()));
+}
+
+// Largest force (N, N m) that inverse dynamics find wanting after a forward pass, beside applied
+// and actuators' forces, and the largest of the contact.
+struct Left {
+  double force = 0.0, contact = 0.0;
+};
+Left left_by(const mjModel* m, Look inverse) {
+  const DataPointer d = start(m);
+  Left out;
+  for (int k = 0; k < 3000; ++k) {
+    mj_forward(m, d.get());
+    const double contact = sensor(m, d.get(), mjcf_names::kNormalForce);
+    inverse(m, d.get());
+    for (int i = 0; i < m->nv; ++i) {
+      const double known = d->qfrc_applied[i] + d->qfrc_actuator[i];
+      out.force = std::max(out.force, std::abs(d->qfrc_inverse[i] - known));
+    }
+    out.contact = std::max(out.contact, contact);
+    mj_step(m, d.get());
+  }
+  return out;
+}
+
+TEST_F(Interface, InverseLeavesNothing) {
+  for (const char* contact : {"rigid", "coulomb", "cone"}) {
+    const ModelPointer m =
+        load(mjcf(shipped("bench_ring", {std::string("mujoco.contact=\"") + contact + "\""})));
+    const Left ours = left_by(m.get(), own_inverse);
+    EXPECT_GT(ours.contact, 50.0);
+    // The solver's own residual, as of any soft contact of MuJoCo.
+    EXPECT_LT(ours.force, 1e-9 * ours.contact) << contact;
+  }
+}
+
+TEST_F(Interface, DisabledContactIsThatOfARingFarAway) {
+  for (const char* rotor : {"modal", "segments"}) {
+    const ModelPointer m = load(mjcf(controlled(rotor, "rigid")));
+    const DataPointer d = start(m.get());
+    for (const int flag : {mjDSBL_CONTACT, mjDSBL_CONSTRAINT}) {
+      m->opt.disableflags = flag;
+      mj_resetDataKeyframe(m.get(), d.get(), 0);
+      double gap = 1.0;
+      for (int k = 0; k < 1500; ++k) {
+        mj_step(m.get(), d.get());
+        EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kNormalForce), 0.0);
+        EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 0.0);
+        gap = std::min(gap, sensor(m.get(), d.get(), mjcf_names::kGap));
+      }
+      EXPECT_LT(gap, -1e-6) << rotor << ": it must have gone through";
+    }
+  }
+}
+
+// On in mid-run, off again: nothing starts anew, a step without a contact is the same step.
+TEST_F(Interface, ContactMayBeSwitchedWhileItIsOpen) {
+  const ModelPointer m = load(mjcf(shipped("bench_ring")));
+  const DataPointer plain = start(m.get()), switched = start(m.get());
+  for (int k = 0; k < 1500; ++k) {
+    mj_step(m.get(), plain.get());
+    m->opt.disableflags = k % 2 == 0 && k < 300 ? mjDSBL_CONTACT : 0;  // touches after 406
+    mj_step(m.get(), switched.get());
+    m->opt.disableflags = 0;
+  }
+  EXPECT_EQ(state_of(m.get(), switched.get()), state_of(m.get(), plain.get()));
+}
+
+TEST_F(Interface, DisabledActuationIsNoForce) {
+  const ModelPointer m = load(mjcf(controlled("modal", "rigid")));
+  m->opt.disableflags = mjDSBL_ACTUATION;
+  const DataPointer d = start(m.get());
+  const ModelPointer without = load(mjcf(controlled("modal", "rigid", "1e9")));
+  const DataPointer same = start(without.get());
+  for (int k = 0; k < 1500; ++k) {
+    mj_step(m.get(), d.get());
+    mj_step(without.get(), same.get());
+  }
+  EXPECT_EQ(state_of(m.get(), d.get()), state_of(without.get(), same.get()));
+}
+
+std::string said;
+void note_error(const char* message) { said = message; }
+
+// The program's own handler may go on: then without contact, which the sensor says.
+TEST_F(Interface, RungeKuttaInMidRunIsRefusedWithAWord) {
+  const ModelPointer m = load(mjcf(shipped("bench_ring")));
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());
+  const auto before = mju_user_error;
+  mju_user_error = note_error;
+  m->opt.integrator = mjINT_RK4;
+  mj_step(m.get(), d.get());
+  mju_user_error = before;
+  EXPECT_NE(said.find("RK4"), std::string::npos) << said;
+  EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 0.0);
+  m->opt.integrator = mjINT_EULER;
+  mj_step(m.get(), d.get());
+  EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 1.0);
+}
+
+}  // namespace
+}  // namespace rotorub::test

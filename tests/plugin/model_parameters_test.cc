@@ -1,0 +1,271 @@
+// mjModel is the one truth: what is edited there moves as if the scene had said so.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "mjcf/writer.h"
+#include "plugin/hooks.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+int joint(const mjModel* m, const char* name) { return mj_name2id(m, mjOBJ_JOINT, name); }
+int dof(const mjModel* m, const char* name) { return m->jnt_dofadr[joint(m, name)]; }
+int geom(const mjModel* m, const char* name) { return mj_name2id(m, mjOBJ_GEOM, name); }
+
+constexpr int kSteps = 1600;  // 16 ms of bench_ring: impacts, accumulation, lasting rub
+
+// What MuJoCo asks for after an edit of masses.
+void set_constants(mjModel* m) {
+  const DataPointer d(mj_makeData(m));
+  mj_setConst(m, d.get());
+}
+
+class ModelParameters : public MujocoTest {
+ protected:
+  using Edit = std::function<void(mjModel*)>;
+  static std::vector<double> edited(const std::vector<std::string>& overrides, const Edit& edit,
+                                    int steps = kSteps) {
+    const ModelPointer m = load(mjcf(shipped("bench_ring", overrides)));
+    edit(m.get());
+    set_constants(m.get());
+    return state_after(m.get(), steps);
+  }
+  static std::vector<double> said(const std::vector<std::string>& overrides,
+                                  int steps = kSteps) {
+    return state_after(load(mjcf(shipped("bench_ring", overrides))).get(), steps);
+  }
+  // What MuJoCo calls an error when the edited model is stepped.
+  static std::string refusal(const Edit& edit) {
+    const ModelPointer m = load(mjcf(shipped("bench_ring")));
+    const DataPointer d = start(m.get());
+    for (int k = 0; k < 10; ++k) mj_step(m.get(), d.get());
+    edit(m.get());
+    set_constants(m.get());
+    try {
+      mj_step(m.get(), d.get());
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  }
+  static void expect_near(const std::vector<double>& a, const std::vector<double>& b,
+                          double relative) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_NEAR(a[i], b[i], relative * (1e-3 + std::abs(b[i]))) << i;
+    }
+  }
+  plugin::Hooks hooks_;
+};
+
+void set_ring_mass(mjModel* m, double kg) {
+  m->dof_armature[dof(m, "ring_x")] = m->dof_armature[dof(m, "ring_y")] = kg;
+}
+
+struct Case {
+  const char* name;
+  std::vector<std::string> scene;
+  std::function<void(mjModel*)> edit;
+};
+
+std::vector<Case> cases() {
+  return {
+      {"ring mass", {"stator.mass=0.2"}, [](mjModel* m) { set_ring_mass(m, 0.2); }},
+      {"rotor mass",
+       {"rotor.modal.mass=[3.0]"},
+       [](mjModel* m) { m->dof_armature[dof(m, "x_1")] = m->dof_armature[dof(m, "y_1")] = 3.0; }},
+      {"inertia",
+       {"rotor.modal.inertia=2e-3"},
+       [](mjModel* m) { m->dof_armature[dof(m, "spin")] = 2e-3; }},
+      {"stiffness",
+       {"rotor.modal.stiffness=[1.5e5]"},
+       [](mjModel* m) {
+         m->jnt_stiffness[joint(m, "x_1")] = m->jnt_stiffness[joint(m, "y_1")] = 1.5e5;
+       }},
+      {"damping",
+       {"rotor.modal.damping=[80.0]"},
+       [](mjModel* m) { m->dof_damping[dof(m, "x_1")] = m->dof_damping[dof(m, "y_1")] = 80.0; }},
+      {"one plane of the ring",
+       {"stator.stiffness=[1e5, 2e5]"},
+       [](mjModel* m) { m->jnt_stiffness[joint(m, "ring_y")] = 2e5; }},
+      {"friction", {"contact.friction=0.05"}, [](mjModel* m) { m->pair_friction[0] = 0.05; }},
+      {"gravity",
+       {"gravity={acceleration=[0.0, -9.81]}"},
+       [](mjModel* m) { m->opt.gravity[1] = -9.81; }},
+      {"clearance",
+       {"contact.clearance=4e-4"},
+       [](mjModel* m) { m->geom_size[3 * geom(m, "ring")] = 0.05 + 4e-4; }},
+  };
+}
+
+// To the bit where the numbers are the same; a clearance is a difference of two radii.
+TEST_F(ModelParameters, AnEditedModelMovesAsTheSceneThatSaysSo) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    for (Case c : cases()) {
+      SCOPED_TRACE(std::string(contact) + ", " + c.name);
+      const std::string model = std::string("mujoco.contact=\"") + contact + "\"";
+      c.scene.push_back(model);
+      const auto wanted = said(c.scene);
+      EXPECT_NE(said({model}), wanted) << "the case does not tell";
+      expect_near(edited({model}, c.edit), wanted, 1e-6);
+      if (std::string(c.name) != "clearance") {
+        EXPECT_EQ(edited({model}, c.edit), wanted);
+      }
+    }
+  }
+}
+
+// A stranger's figure: with a ring of 0.2 kg instead of 1 the rebound ratio was 4.46.
+TEST_F(ModelParameters, ALighterRingGainsNoEnergy) {
+  const ModelPointer m = load(mjcf(shipped("bench_ring", {"force=none", "contact.friction=0.0", "stator.damping=0.0"})));
+  set_ring_mass(m.get(), 0.2);
+  set_constants(m.get());
+  const DataPointer d = start(m.get());
+  d->qpos[0] = 0.49e-3;
+  d->qvel[0] = 0.5;
+  for (int k = 0; k < 5; ++k) mj_step(m.get(), d.get());
+  const double closing = 0.5, gap_rate = d->qvel[dof(m.get(), "ring_x")] - d->qvel[0];
+  EXPECT_NEAR(gap_rate / closing, 0.5, 0.01);
+}
+
+// In mid-run: what follows is the run of a scene that starts from there, to the order of a step.
+TEST_F(ModelParameters, AnEditInMidRunIsTakenAtOnce) {
+  const ModelPointer m = load(mjcf(shipped("bench_ring")));
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 2000; ++k) mj_step(m.get(), d.get());
+  const ModelPointer other = load(mjcf(shipped("bench_ring", {"contact.friction=0.05"})));
+  const DataPointer e = start(other.get());
+  e->time = d->time;
+  mju_copy(e->qpos, d->qpos, m->nq);
+  mju_copy(e->qvel, d->qvel, m->nv);
+  m->pair_friction[0] = 0.05;
+  for (int k = 0; k < 300; ++k) {
+    mj_step(m.get(), d.get());
+    mj_step(other.get(), e.get());
+  }
+  EXPECT_NEAR(d->userdata[4], e->userdata[4], 0.02 * std::abs(e->userdata[4]));
+  EXPECT_NEAR(d->qpos[0], e->qpos[0], 2e-3 * std::abs(e->qpos[0]));
+}
+
+TEST_F(ModelParameters, AnUneditedModelKeepsItsBits) {
+  const auto touched = [](mjModel* m) {
+    m->pair_friction[0] = 0.3;
+    const DataPointer d = start(m);
+    for (int k = 0; k < 100; ++k) mj_step(m, d.get());
+    m->pair_friction[0] = 0.15;
+  };
+  EXPECT_EQ(edited({}, touched), said({}));
+}
+
+TEST_F(ModelParameters, NumbersThatNoRotorHasAreRefusedByName) {
+  const auto expect = [](const std::string& part, const std::string& whole) {
+    EXPECT_NE(whole.find(part), std::string::npos) << whole;
+  };
+  expect("ring_x", refusal([](mjModel* m) { m->dof_armature[dof(m, "ring_x")] = 0.0; }));
+  expect("x_1", refusal([](mjModel* m) { m->jnt_stiffness[joint(m, "x_1")] = -1.0; }));
+  expect("friction", refusal([](mjModel* m) { m->pair_friction[0] = -0.1; }));
+  expect("ring", refusal([](mjModel* m) { m->geom_size[3 * geom(m, "ring")] = 0.04; }));
+  expect("<body name=\"rotor\">",
+         refusal([](mjModel* m) { m->body_mass[mj_name2id(m, mjOBJ_BODY, "rotor")] = 0.3; }));
+}
+
+class ModelStructure : public ModelParameters {
+ protected:
+  static void expect_refused(const std::string& from, const std::string& to,
+                             const std::string& said_of) {
+    std::string document = mjcf(shipped("paper_sliding", {"rotor.modes=2"}));
+    const std::size_t at = document.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    document.replace(at, from.size(), to);
+    std::string error;
+    EXPECT_EQ(try_load(document, error), nullptr) << to;
+    EXPECT_NE(error.find(said_of), std::string::npos) << error;
+  }
+};
+
+TEST_F(ModelStructure, WhatNoLongerCarriesTheModesIsRefusedAtLoad) {
+  expect_refused("name=\"x_1\" type=\"slide\" axis=\"1 0 0\"",
+                 "name=\"x_1\" type=\"slide\" axis=\"0 0 1\"", "<joint name=\"x_1\">: axis");
+  expect_refused("<body name=\"ring\">", "<body name=\"ring\" pos=\"1e-4 0 0\">",
+                 "<body name=\"ring\">: pos");
+  expect_refused("<body name=\"rotor\">", "<body name=\"rotor\" euler=\"0 0 90\">",
+                 "<body name=\"rotor\">: quat");
+  expect_refused("name=\"actuator_1\" tendon=\"axis_1\"",
+                 "name=\"actuator_1\" gear=\"2\" tendon=\"axis_1\"", "gear");
+  expect_refused("name=\"actuator_1\" tendon=\"axis_1\"",
+                 "name=\"actuator_1\" tendon=\"axis_2\"", "accepted: tendon=\"axis_1\"");
+  expect_refused("<joint joint=\"ring_x\" coef=\"-0.70", "<joint joint=\"ring_x\" coef=\"0.70",
+                 "<fixed name=\"axis_2\">");
+  expect_refused("mass=\"1e-12\"", "mass=\"0.3\"", "[[rotor.disc]]");
+  expect_refused("<geom name=\"rotor_mark\"",
+                 "<body><geom type=\"sphere\" size=\"0.01\" mass=\"0.3\"/></body>"
+                 "<geom name=\"rotor_mark\"",
+                 "[[rotor.disc]]");
+}
+
+// A mass on the ring is the ring's, in both planes alike.
+TEST_F(ModelParameters, AMassOnTheRingIsTheRings) {
+  std::string document = mjcf(shipped("bench_ring"));
+  const std::size_t ring = document.find("<body name=\"ring\">");
+  document.replace(document.find("mass=\"1e-12\"", ring), 12, "mass=\"0.5\"");
+  expect_near(state_after(load(document).get(), kSteps), said({"stator.mass=1.5"}), 1e-9);
+}
+
+// Somebody's motor on a joint of ours pushes as a load of the scene does.
+TEST_F(ModelParameters, OtherActuatorsAct) {
+  std::string document = mjcf(shipped("bench_ring"));
+  document.insert(document.find("<sensor>"),
+                  "<actuator><motor name=\"push\" joint=\"x_1\" gear=\"2\"/></actuator>");
+  const ModelPointer m = load(document);
+  const DataPointer d = start(m.get());
+  const ModelPointer free = load(mjcf(shipped("bench_ring")));
+  const DataPointer e = start(free.get());
+  for (int k = 0; k < kSteps; ++k) {
+    d->ctrl[mj_name2id(m.get(), mjOBJ_ACTUATOR, "push")] = 10.0;
+    mj_step(m.get(), d.get());
+    e->qfrc_applied[0] = 20.0;
+    mj_step(free.get(), e.get());
+  }
+  expect_near(state_of(m.get(), d.get()), state_of(free.get(), e.get()), 1e-9);
+}
+
+// Two models alike but for a geom's size, in one process: 262.08 for 284.83 rad/s.
+TEST_F(ModelParameters, TheRadiusOfAnOwnModelIsThatOfItsGeom) {
+  const auto model = [](double radius) {
+    return "<mujoco><option timestep='1e-5' gravity='0 0 0' collision='predefined'/>"
+           "<size nuserdata='32'/><worldbody>"
+           "<body><joint name='x' type='slide' axis='1 0 0'/><joint name='y' type='slide' "
+           "axis='0 1 0'/><joint name='spin' type='hinge' axis='0 0 1'/>"
+           "<geom name='disc' type='cylinder' size='" +
+           std::to_string(radius) +
+           " 0.01' mass='2' contype='0' conaffinity='0'/></body>"
+           "<geom name='housing' type='cylinder' size='0.1 0.01' contype='0' conaffinity='0'/>"
+           "</worldbody><contact><pair geom1='disc' geom2='housing' condim='1' margin='5e-6' "
+           "gap='1'/></contact><custom><text name='rotorub_rotor_geom' data='disc'/>"
+           "<text name='rotorub_ring_geom' data='housing'/>"
+           "<numeric name='rotorub_clearance' data='5e-4'/>"
+           "<numeric name='rotorub_friction' data='0.3'/></custom></mujoco>";
+  };
+  // The friction of one impact on a disc: -mu m v r / (m r^2 / 2) of spin.
+  const auto spin_after = [](const mjModel* m) {
+    const DataPointer d(mj_makeData(m));
+    d->qvel[0] = 1.0;  // head on, at rest after it
+    d->qvel[2] = 300.0;
+    for (int k = 0; k < 100 && d->qvel[0] > 0.5; ++k) mj_step(m, d.get());
+    return d->qvel[2];
+  };
+  const auto due = [](double r) { return 300.0 - 0.3 * 1.0 / (0.5 * r); };
+  const ModelPointer small = load(model(0.03)), large = load(model(0.05));
+  EXPECT_NEAR(spin_after(small.get()), due(0.03), 1e-6);
+  EXPECT_NEAR(spin_after(large.get()), due(0.05), 1e-6);
+  // A sweep in one mjModel: the inertia stays that of 0.05 m.
+  large->geom_size[3 * geom(large.get(), "disc")] = 0.04;
+  EXPECT_NEAR(spin_after(large.get()), 300.0 - 0.3 * 0.04 / (0.5 * 0.05 * 0.05), 1e-6);
+}
+
+}  // namespace
+}  // namespace rotorub::test

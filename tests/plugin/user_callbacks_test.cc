@@ -1,0 +1,203 @@
+// Programs that write over MuJoCo's callbacks after us, preloaded and linked: the run keeps its
+// contact to the bit, the user's callback is called once a step, and rotorub_active tells the
+// truth.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "native_model/trajectory/output.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSteps = 2000;
+
+struct Line {
+  double calls = -1, active = -1, touching = -1, penetration = -1;
+  std::string state;
+};
+
+class Program : public MujocoTest {
+ protected:
+  explicit Program(bool linked) : linked_(linked) {
+    folder_ = fs::temp_directory_path() / ("rotorub_user_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  ~Program() override { fs::remove_all(folder_); }
+
+  // The program's lines for a case.
+  std::string said(const std::string& document, const std::string& what, int steps = kSteps) const {
+    const fs::path xml = folder_ / "scene.xml", out = folder_ / "out";
+    write_whole(xml, document);
+    const std::string name = linked_ ? "rotorub_user_program_linked" : "rotorub_user_program";
+    const fs::path program = fs::path(ROTORUB_BINARY).parent_path() / name;
+    EXPECT_TRUE(fs::exists(program)) << program;
+    std::string libraries = ROTORUB_SANITIZER_RUNTIME;
+    if (!linked_) libraries += (libraries.empty() ? "" : ":") + std::string(ROTORUB_PLUGIN);
+    const std::string command = "cd " + folder_.string() +
+                                " && ASAN_OPTIONS=detect_leaks=0 LD_PRELOAD=" + libraries + " " +
+                                program.string() + " " + xml.string() + " " + what + " " +
+                                std::to_string(steps) + " " + mjcf_names::kRotorContact + " " +
+                                mjcf_names::kRingContact + " 5e-4 > " + out.string() + " 2>&1";
+    std::ignore = std::system(command.c_str());
+    std::ifstream in(out);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+  static Line line_of(const std::string& text) {
+    Line line;
+    std::stringstream in(text);
+    in >> line.calls >> line.active >> line.touching >> line.penetration;
+    std::getline(in, line.state);
+    EXPECT_FALSE(line.state.empty()) << text;
+    return line;
+  }
+  Line run(const std::string& document, const std::string& what) const {
+    return line_of(said(document, what));
+  }
+
+  bool linked_;
+  fs::path folder_;
+};
+
+class UserCallbacks : public Program, public ::testing::WithParamInterface<bool> {
+ protected:
+  UserCallbacks() : Program(GetParam()) {}
+};
+
+class PreloadedProgram : public Program {
+ protected:
+  PreloadedProgram() : Program(false) {}
+};
+
+// 0.02 s of the rub from its start: impacts, their accumulation, lasting contact.
+std::string bench(const std::string& contact = "rigid", const std::string& more = "run.end=0.5") {
+  return mjcf(shipped("bench_ring", {"mujoco.contact=\"" + contact + "\"", more}));
+}
+
+// A coil that has neither, so that the actuators' callbacks carry the force.
+std::string magnets() { return mjcf(shipped("paper_magnetic", {"contact.clearance=\"0.1 mm\""})); }
+
+TEST_P(UserCallbacks, AreCalledAndTheContactStays) {
+  for (const char* contact : {"rigid", "coulomb", "cone"}) {
+    const std::string document = bench(contact);
+    const Line plain = run(document, "none");
+    EXPECT_EQ(plain.active, 1.0);
+    EXPECT_GT(plain.touching, 0.0) << contact;
+    EXPECT_LT(plain.penetration, 20.0);
+    EXPECT_EQ(plain.calls, 0.0);
+    for (const std::string what :
+         {"control", "passive", "chained", "chained_passive", "set_if_not_there", "threads"}) {
+      const Line line = run(document, what);
+      EXPECT_EQ(line.state, plain.state) << contact << " " << what;
+      EXPECT_EQ(line.active, 1.0) << contact << " " << what;
+      EXPECT_EQ(line.penetration, plain.penetration) << contact << " " << what;
+      // A passive force that was found missing in mid-pass is computed anew.
+      EXPECT_NEAR(line.calls, kSteps, what == "passive" ? 1 : 0) << contact << " " << what;
+    }
+  }
+}
+
+TEST_P(UserCallbacks, MayBeTakenOffAgain) {
+  const std::string document = bench();
+  const Line plain = run(document, "none");
+  for (const std::string what : {"taken_off", "replaced", "chained_taken_off"}) {
+    const Line line = run(document, what);
+    EXPECT_EQ(line.state, plain.state) << what;
+    EXPECT_EQ(line.active, 1.0) << what;
+    EXPECT_EQ(line.calls, kSteps / 2) << what;
+  }
+}
+
+TEST_P(UserCallbacks, ResetTakesNothingOfOurs) {
+  for (const char* contact : {"rigid", "coulomb", "cone"}) {
+    const std::string document = bench(contact);
+    const Line plain = run(document, "none");
+    for (const std::string what : {"reset", "reset_always", "null", "sensor", "collision"}) {
+      const Line line = run(document, what);
+      EXPECT_EQ(line.state, plain.state) << contact << " " << what;
+      EXPECT_EQ(line.active, 1.0) << contact << " " << what;
+    }
+  }
+}
+
+TEST_P(UserCallbacks, DoNotReplaceTheMagnets) {
+  const Line plain = run(magnets(), "none");
+  const Line line = run(magnets(), "magnets");
+  EXPECT_EQ(line.state, plain.state);
+  EXPECT_EQ(run(magnets(), "reset").state, plain.state);
+}
+
+// Whoever has called us and then does not costs one step its contact, is told of, and comes second.
+TEST_P(UserCallbacks, ThatStopCallingUsAreNoticed) {
+  const std::string text = said(bench(), "chained_at_first");
+  EXPECT_NE(text.find("warning: rotorub: mjcb_control called the plugin's before"),
+            std::string::npos)
+      << text;
+  const Line line = line_of(text.substr(text.find('\n') + 1));
+  EXPECT_EQ(line.active, 1.0 - 1.0 / kSteps);
+  EXPECT_EQ(line.calls, kSteps);
+  EXPECT_LT(line.penetration, 20.0);
+}
+
+// MuJoCo's own switches: no contact, and rotorub_active says so.
+TEST_P(UserCallbacks, DisabledContactIsNone) {
+  for (const std::string what : {"no_contact", "no_constraint"}) {
+    const Line line = run(bench(), what);
+    EXPECT_EQ(line.touching, 0.0) << what;
+    EXPECT_EQ(line.active, 0.0) << what;
+    EXPECT_GT(line.penetration, 500.0) << what;
+  }
+}
+
+// Then not even the collision function is called. The loads of the scene are ours still where the
+// library is preloaded; linked, nothing of ours is called, and the sensor keeps to the 0 of before.
+TEST_P(UserCallbacks, AllOffAtOnceWithoutContact) {
+  const Line wanted = run(bench(), "no_contact");
+  for (const std::string what : {"no_contact_reset", "no_contact_null"}) {
+    const Line line = run(bench(), what);
+    EXPECT_EQ(line.active, 0.0) << what;
+    if (!GetParam()) {
+      EXPECT_EQ(line.state, wanted.state) << what;
+    }
+  }
+}
+
+// What MuJoCo's own functions give where the library stands before them. (Linked: plugin::inverse
+// and plugin::transition, interface_test.cc and differences_test.cc.)
+TEST_F(PreloadedProgram, InverseKnowsTheContact) {
+  std::stringstream left(said(bench(), "inverse"));
+  double value = -1.0;
+  left >> value;
+  EXPECT_GE(value, 0.0);
+  EXPECT_LT(value, 1e-9) << "N; 80 N of contact without";
+}
+
+TEST_F(PreloadedProgram, DifferencesKeepTimeAndMemory) {
+  std::stringstream line(said(bench(), "differences", 100));
+  double over_position = 0.0, over_velocity = 0.0;
+  line >> over_position >> over_velocity;
+  // v' = ((1 - h d/2m) v - h k/m x) / (1 + h d/2m)
+  const double h = 1e-5, beta = 0.5 * h * 40.0 / 2.0;
+  EXPECT_NEAR(over_position, -h * 2e5 / 2.0 / (1.0 + beta), 1e-6);
+  EXPECT_NEAR(over_velocity, (1.0 - beta) / (1.0 + beta), 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, UserCallbacks, ::testing::Bool(),
+                         [](const auto& of) { return of.param ? "Linked" : "Preloaded"; });
+
+}  // namespace
+}  // namespace rotorub::test
