@@ -8,10 +8,11 @@ namespace rotorub {
 double circle_exit(const Eigen::Vector2d& d, const Eigen::Vector2d& path, double clearance) {
   const double a = path.squaredNorm(), b = d.dot(path);
   const double c = d.squaredNorm() - clearance * clearance;
-  if (c >= 0.0) return b > 0.0 ? 0.0 : 2.0;
-  if (a == 0.0) return 2.0;
-  const double root = std::sqrt(b * b - a * c);
-  // The positive root, without cancellation.
+  if (c >= 0.0 && b > 0.0) return 0.0;
+  const double square = b * b - a * c;
+  if (a == 0.0 || square < 0.0) return 2.0;
+  const double root = std::sqrt(square);
+  // The greater root, without cancellation.
   return b > 0.0 ? -c / (b + root) : (root - b) / a;
 }
 
@@ -24,7 +25,10 @@ StepImpacts locate_impacts(const FlightStep& s, const ImpactLaw& law) {
     const Eigen::Vector2d path = (1.0 - theta) * s.h * velocity.head<2>();
     if ((d + path).norm() <= s.clearance) break;
     const double share = circle_exit(d, path, s.clearance);
-    if (share > 1.0) break;
+    if (share > 1.0) {
+      out.closes = d.norm() >= s.clearance;  // it never comes inside: no flight
+      break;
+    }
     d += share * path;
     theta += share * (1.0 - theta);
 

@@ -39,8 +39,9 @@ struct StepImpacts {
   bool takes_time = false;  // the last of them has begun only, and has no law
 };
 
-// Share of the step at which the path d + theta h v leaves the circle; 0 where it is outside
-// already, above 1 where it does not.
+// Share of the step at which the path d + theta h v leaves the circle: 0 where it is outside already
+// and leads further out; where it is outside and leads in, the place where it comes out again. Above 1
+// where it does not leave, or never comes inside.
 double circle_exit(const Eigen::Vector2d& d, const Eigen::Vector2d& path, double clearance);
 
 StepImpacts locate_impacts(const FlightStep& step, const ImpactLaw& law);

@@ -49,8 +49,6 @@ double least_order(const Pair& pair) {
   };
   // MuJoCo integrates the current by Euler's rule, and a command holds from one step to the next.
   if (has("coil_lag")) return 0.8;
-  // One or two of the eleven steps are off by a factor of 100 to 1000; the cause is not known.
-  if (has("continuous_sliding") && has("gravity")) return 0.5;
   if (has("anisotropic_rotor") && has("switched_load")) return 1.4;
   return kRigidOrder;
 }
