@@ -8,8 +8,14 @@ namespace rotorub {
 // Of every page.
 std::string_view report_css();
 std::string_view page_js();
-// Of the comparison's report, of the modes', of the bench's and of the sweep's page: the template (see
-// template.h) and the script.
+// Partials of the templates.
+std::string_view head_html();
+std::string_view foot_html();
+std::string_view cards_html();    // the page in short
+std::string_view map_html();      // one figure of a map, chosen by the reader
+std::string_view figures_html();  // meaning and unit of each
+// Of the comparison's report, of the modes', of the bench's and of the sweep's page: the template
+// (see template.h) and the script.
 std::string_view report_html();
 std::string_view report_js();
 std::string_view modes_html();

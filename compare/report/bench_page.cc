@@ -9,7 +9,6 @@
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/rounded.h"
-#include "compare/report/template.h"
 #include "compare/study/format.h"
 
 namespace rotorub {
@@ -197,8 +196,8 @@ std::string bench_page(const Machine& machine, const std::vector<SceneBench>& be
     engines.push_back(
         {{"name", e.name}, {"what", e.missing.empty() ? e.what : "not here: " + e.missing}});
   }
-  json values = page_frame(bench_js(), {{"scenes", plots}});
-  values["names"] = names;
+  json values = page_frame({names, "speed against error", "Who is the fastest at a given error?"},
+                           bench_js(), {{"scenes", plots}});
   values["scenes"] = scenes;
   values["engines"] = engines;
   values["has_restitution"] = !restitution.empty();
@@ -208,7 +207,7 @@ std::string bench_page(const Machine& machine, const std::vector<SceneBench>& be
   values["instructions"] = machine.instructions;
   values["compiler"] = machine.compiler;
   values["mujoco_version"] = machine.mujoco;
-  return fill_template(bench_html(), values);
+  return fill_page(bench_html(), values);
 }
 
 }  // namespace rotorub

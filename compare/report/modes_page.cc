@@ -9,7 +9,6 @@
 #include "compare/modes/units.h"
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
-#include "compare/report/template.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
@@ -176,12 +175,13 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
 
 std::string modes_page(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
                        const std::vector<WhirlBranch>& branches) {
-  json values = page_frame(modes_js(), modes_plots(scene, analysis, range, branches));
+  json values = page_frame({scene.name, "whirl of the free rotor",
+                            "Where does it whirl, and where does it stay stable?"},
+                           modes_js(), modes_plots(scene, analysis, range, branches));
   json spectra = json::array();
   for (const WhirlSpectrum& spectrum : analysis.spectra) {
     spectra.push_back(spectrum_values(spectrum));
   }
-  values["name"] = scene.name;
   values["hash"] = scene::scene_hash(scene);
   values["cards"] = json::array(
       {running_card(scene, analysis), critical_card(analysis), stability_card(scene, analysis)});
@@ -195,7 +195,7 @@ std::string modes_page(const scene::Scene& scene, const RotorAnalysis& analysis,
   values["has_torsion"] = !analysis.torsion.empty();
   values["torsion"] = torsion_values(analysis.torsion);
   values["text"] = scene.text;
-  return fill_template(modes_html(), values);
+  return fill_page(modes_html(), values);
 }
 
 }  // namespace rotorub

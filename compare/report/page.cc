@@ -12,7 +12,6 @@
 #include "compare/report/page_frame.h"
 #include "compare/report/page_values.h"
 #include "compare/report/plots.h"
-#include "compare/report/template.h"
 #include "compare/study/format.h"
 #include "compare/version.h"
 
@@ -85,17 +84,17 @@ std::string report_page(const std::vector<PageScene>& scenes) {
     plots.push_back(plot_data(comparison));
   }
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
-  json values = page_frame(report_js(), {{"scenes", plots}});
-  values["names"] = names_of(scenes);
   const CompareMode mode =
       scenes.empty() ? CompareMode::kLockstep : scenes.front().comparison->mode;
-  values["mode"] = to_string(mode);
+  json values = page_frame({names_of(scenes), fmt::format("{} comparison", to_string(mode)),
+                            "Can MuJoCo's contact forces be trusted?"},
+                           report_js(), {{"scenes", plots}});
   values["by_figures"] = mode != CompareMode::kResync;
   values["resyncs"] = mode == CompareMode::kResync;
   values["mujoco_version"] = mujoco_version();
   values["tolerance"] = percent_text(tolerance);
   values["scenes"] = pages;
-  return fill_template(report_html(), values);
+  return fill_page(report_html(), values);
 }
 
 }  // namespace rotorub

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compare/report/assets.h"
+#include "compare/report/template.h"
 #include "compare/report/web/plotly.h"
 #include "compare/version.h"
 
@@ -21,7 +22,8 @@ std::string for_script(std::string text) {
 
 }  // namespace
 
-nlohmann::json page_frame(std::string_view script, const nlohmann::json& data) {
+nlohmann::json page_frame(const PageHead& head, std::string_view script,
+                          const nlohmann::json& data) {
   std::string scripts = "<script id=\"plotly\">\n";
   scripts += plotly_js();
   scripts += "\n</script>\n<script id=\"data\" type=\"application/json\">";
@@ -30,7 +32,17 @@ nlohmann::json page_frame(std::string_view script, const nlohmann::json& data) {
   scripts += page_js();
   scripts += script;
   scripts += "\n</script>";
-  return {{"version", program_version()}, {"css", report_css()}, {"scripts", std::move(scripts)}};
+  return {{"names", head.names},           {"topic", head.topic},  {"heading", head.heading},
+          {"version", program_version()}, {"css", report_css()}, {"scripts", std::move(scripts)}};
+}
+
+std::string fill_page(std::string_view html, const nlohmann::json& values) {
+  return fill_template(html, values,
+                       {{"head", head_html()},
+                        {"foot", foot_html()},
+                        {"cards", cards_html()},
+                        {"map", map_html()},
+                        {"figures", figures_html()}});
 }
 
 }  // namespace rotorub

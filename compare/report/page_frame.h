@@ -2,12 +2,23 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <string_view>
 
 namespace rotorub {
 
-// Template values "version", "css", "js" (what pages share, then `script`), "plotly" and "data",
-// the latter fit for a script element.
-nlohmann::json page_frame(std::string_view script, const nlohmann::json& data);
+struct PageHead {
+  std::string names;    // of the scenes
+  std::string topic;    // a few words, in the title and above the heading
+  std::string heading;  // the question that the page answers
+};
+
+// Template values of the page's frame: those of its head, "version", "css" and "scripts" (the
+// plotting library, `data` in a script element, what pages share, then `script`).
+nlohmann::json page_frame(const PageHead& head, std::string_view script,
+                          const nlohmann::json& data);
+
+// The page, with the partials that pages share: head, foot, cards, map, figures.
+std::string fill_page(std::string_view html, const nlohmann::json& values);
 
 }  // namespace rotorub

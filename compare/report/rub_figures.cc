@@ -38,9 +38,9 @@ struct Figure {
 };
 
 const std::array kFigures = {
-    Figure{"linear: attractors", "", "what is stable by its eigenvalues, and so may coexist", true, false,
+    Figure{kLinearAttractors, "", "what is stable by its eigenvalues, and so may coexist", true, false,
            [](const RubPoint& p) { return json(attractors_text(p.attractors())); }},
-    Figure{"linear: rub, growth rate", "1/s", "synchronous rub, of its least stable pair: below 0 it is stable",
+    Figure{kLinearGrowth, "1/s", "synchronous rub, of its least stable pair: below 0 it is stable",
            false, true, [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, growth); }},
     Figure{"linear: rub, frequency", "Hz", "synchronous rub, of that pair, seen from the turning frame", false,
            false, [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, pair_frequency); }},
@@ -73,6 +73,15 @@ std::vector<json> rub_values(const RubPoint& point) {
   std::vector<json> values;
   for (const Figure& f : kFigures) values.push_back(f.value(point));
   return values;
+}
+
+json figure_choices(const std::vector<std::string>& first) {
+  constexpr std::array kWhich = {"first", "second", "third", "fourth"};
+  json maps = json::array();
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    maps.push_back({{"first", first[k]}, {"which", kWhich.at(k)}});
+  }
+  return maps;
 }
 
 }  // namespace rotorub

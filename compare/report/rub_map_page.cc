@@ -11,7 +11,6 @@
 #include "compare/report/page_frame.h"
 #include "compare/report/rounded.h"
 #include "compare/report/rub_figures.h"
-#include "compare/report/template.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
@@ -82,12 +81,13 @@ json rub_map_plots(const RubMap& map) {
 
 std::string rub_map_page(const scene::Scene& scene, const RubMap& map) {
   const json plots = rub_map_plots(map);
-  json values = page_frame(sweep_js(), plots);
-  values["name"] = scene.name;
+  json values = page_frame({scene.name, "lasting rubs", "Which rubs last, and where?"}, sweep_js(),
+                           plots);
+  values["maps"] = figure_choices({kLinearAttractors, kLinearGrowth});
   values["cards"] = cards_of(map);
   values["figures"] = plots["figures"];
   values["text"] = scene.text;
-  return fill_template(rub_map_html(), values);
+  return fill_page(rub_map_html(), values);
 }
 
 }  // namespace rotorub

@@ -11,7 +11,6 @@
 #include "compare/report/page_frame.h"
 #include "compare/report/rounded.h"
 #include "compare/report/rub_figures.h"
-#include "compare/report/template.h"
 #include "compare/study/json.h"
 #include "compare/sweep/linear_map.h"
 
@@ -217,11 +216,13 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
   const bool has_linear = linear.any() && plots["kind"] == "grid" &&
                           plots["status"].size() == linear.points.size();
   if (has_linear) add_linear(linear, plots);
-  json values = page_frame(sweep_js(), plots);
+  json values = page_frame({study.scene.stem().string(), "sweep", "What does it do, and where?"},
+                           sweep_js(), plots);
+  values["maps"] = has_linear
+                       ? figure_choices({"attractor", "peak_force", kLinearAttractors, kLinearGrowth})
+                       : figure_choices({"attractor", "peak_force"});
   json headings = json::array();
   for (const Vary& vary : study.vary) headings.push_back({{"key", vary.key}, {"unit", vary.unit}});
-  const std::string scene = study.scene.stem().string();
-  values["name"] = scene;
   values["cards"] = cards_of(store);
   values["linear"] = has_linear;
   values["linear_refused"] = linear.refused;
@@ -233,7 +234,7 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
   values["figures"] = plots["figures"];
   values["study"] = study.text;
   values["scene"] = scenes.scene_text();
-  return fill_template(sweep_html(), values);
+  return fill_page(sweep_html(), values);
 }
 
 }  // namespace rotorub

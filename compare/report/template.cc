@@ -11,7 +11,7 @@ using nlohmann::json;
 using Context = std::vector<const json*>;  // innermost last
 
 struct Tag {
-  char kind = ' ';  // # ^ / { or a space for a plain value
+  char kind = ' ';  // # ^ / > { or a space for a plain value
   std::string_view name;
   std::size_t begin = 0;  // of the braces
   std::size_t end = 0;    // after them
@@ -41,7 +41,7 @@ Tag next_tag(std::string_view text, std::size_t from) {
   if (raw) {
     tag.kind = '{';
   } else if (!body.empty() &&
-             std::string_view("#^/").find(body.front()) != std::string_view::npos) {
+             std::string_view("#^/>").find(body.front()) != std::string_view::npos) {
     tag.kind = body.front();
     body.remove_prefix(1);
   }
@@ -122,23 +122,41 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-void fill(std::string_view text, Context& context, std::string& out);
+class Filler {
+ public:
+  Filler(const json& values, const Partials& partials) : partials_(partials), context_{&values} {}
 
-void fill_section(std::string_view body, const json& value, Context& context, std::string& out) {
+  void fill(std::string_view text, std::string& out);
+
+ private:
+  void fill_section(std::string_view body, const json& value, std::string& out);
+  std::string_view partial(std::string_view name) const;
+
+  const Partials& partials_;
+  Context context_;
+};
+
+std::string_view Filler::partial(std::string_view name) const {
+  const auto found = partials_.find(name);
+  if (found == partials_.end()) fail("no partial", name);
+  return found->second;
+}
+
+void Filler::fill_section(std::string_view body, const json& value, std::string& out) {
   if (!value.is_array()) {
-    context.push_back(&value);
-    fill(body, context, out);
-    context.pop_back();
+    context_.push_back(&value);
+    fill(body, out);
+    context_.pop_back();
     return;
   }
   for (const json& element : value) {
-    context.push_back(&element);
-    fill(body, context, out);
-    context.pop_back();
+    context_.push_back(&element);
+    fill(body, out);
+    context_.pop_back();
   }
 }
 
-void fill(std::string_view text, Context& context, std::string& out) {
+void Filler::fill(std::string_view text, std::string& out) {
   std::size_t at = 0;
   while (true) {
     const Tag tag = next_tag(text, at);
@@ -146,7 +164,11 @@ void fill(std::string_view text, Context& context, std::string& out) {
     if (tag.begin == std::string_view::npos) return;
     at = tag.end;
     if (tag.kind == '/') fail("section closed but not opened:", tag.name);
-    const json& value = look_up(context, tag.name);
+    if (tag.kind == '>') {
+      fill(partial(tag.name), out);
+      continue;
+    }
+    const json& value = look_up(context_, tag.name);
     if (tag.kind == '{') {
       out += text_of(value, tag.name);
     } else if (tag.kind == ' ') {
@@ -154,8 +176,8 @@ void fill(std::string_view text, Context& context, std::string& out) {
     } else {
       const Tag close = closing_tag(text, tag);
       const std::string_view body = text.substr(tag.end, close.begin - tag.end);
-      if (tag.kind == '#' && shows(value)) fill_section(body, value, context, out);
-      if (tag.kind == '^' && !shows(value)) fill(body, context, out);
+      if (tag.kind == '#' && shows(value)) fill_section(body, value, out);
+      if (tag.kind == '^' && !shows(value)) fill(body, out);
       at = close.end;
     }
   }
@@ -163,11 +185,10 @@ void fill(std::string_view text, Context& context, std::string& out) {
 
 }  // namespace
 
-std::string fill_template(std::string_view text, const json& values) {
+std::string fill_template(std::string_view text, const json& values, const Partials& partials) {
   std::string out;
   out.reserve(2 * text.size());
-  Context context{&values};
-  fill(text, context, out);
+  Filler(values, partials).fill(text, out);
   return out;
 }
 

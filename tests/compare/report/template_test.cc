@@ -40,6 +40,13 @@ TEST(Template, ShowsAndHides) {
 
 TEST(Template, ReadsMembers) { EXPECT_EQ(fill_template("{{a.b}}", {{"a", {{"b", "c"}}}}), "c"); }
 
+TEST(Template, FillsPartialsWhereTheyStand) {
+  const Partials partials = {{"row", "[{{a}}{{>end}}]"}, {"end", "!"}};
+  EXPECT_EQ(fill_template("{{#rows}}{{>row}}{{/rows}}", {{"rows", {{{"a", 1}}, {{"a", 2}}}}}, partials),
+            "[1!][2!]");
+  EXPECT_THROW(fill_template("{{>row}}", json::object()), std::logic_error);
+}
+
 TEST(Template, RefusesItsOwnMistakes) {
   EXPECT_THROW(fill_template("{{missing}}", json::object()), std::logic_error);
   EXPECT_THROW(fill_template("{{#open}}", {{"open", true}}), std::logic_error);
