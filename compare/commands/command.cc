@@ -35,6 +35,24 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
   return scene::read_scene(file, overrides);
 }
 
+OwnRun own_run(const CommonOptions& options) {
+  if (!options.overrides.empty()) {
+    throw UsageError(fmt::format("--set {}: of a scene; a machine of your own has its values in its .xml",
+                                 options.overrides.front()));
+  }
+  const auto time = [](const char* flag, const std::string& text) {
+    const auto parsed = scene::parse_quantity(text, scene::kTime);
+    if (!parsed.error.empty() || !(parsed.value > 0.0)) {
+      throw UsageError(fmt::format("{} {}: accepted is a time above 0, as 10us or 0.5s", flag, text));
+    }
+    return parsed.value;
+  };
+  OwnRun run;
+  if (!options.step.empty()) run.step = time("--step", options.step);
+  if (!options.end.empty()) run.end = time("--end", options.end);
+  return run;
+}
+
 double tolerance_of(const std::string& text) {
   const auto parsed = scene::parse_quantity(text, scene::kPure);
   if (!parsed.error.empty() || !(parsed.value >= 0.0)) {

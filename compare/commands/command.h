@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/own/own_machine.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -40,6 +41,10 @@ void add_run_options(CLI::App& command, CommonOptions& options);
 
 // The scene with all overrides applied, --step and --end last. Throws scene::SceneError.
 scene::Scene read_scene(const std::string& file, const CommonOptions& options);
+
+// --step and --end for a machine of the user's own; throws UsageError for --set, which it has no
+// keys for.
+OwnRun own_run(const CommonOptions& options);
 
 // A tolerance as a user writes it: "1%" or 0.01; a bare number of 1 or more is refused, as it may
 // mean either. Throws UsageError.

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "compare/commands/films.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
+#include "compare/own/own_machine.h"
 #include "compare/study/json.h"
 #include "compare/study/table.h"
 #include "native_model/scene/reader.h"
@@ -30,27 +32,52 @@ struct CompareArguments : CommonOptions {
 // Share of the time that films take, for the progress bar.
 constexpr double kFilmShare = 0.5;
 
-// All scenes, or one SceneError with everything that is wrong in any of them.
-std::vector<scene::Scene> read_scenes(const CompareArguments& options) {
-  std::vector<scene::Scene> scenes;
+constexpr std::string_view kPluginLead = "rotorub: ";  // of what the plugin refuses
+
+// A scene, or the twin of a machine of the user's own.
+struct Subject {
+  scene::Scene scene;
+  std::shared_ptr<const OwnMachine> own;
+};
+
+Subject read_subject(const std::string& file, const CompareArguments& options) {
+  if (std::filesystem::path(file).extension() != ".xml") return {read_scene(file, options), nullptr};
+  const OwnRun run = own_run(options);
+  try {
+    const auto own = std::make_shared<const OwnMachine>(file, run);
+    return {own->scene(), own};
+  } catch (const scene::SceneError& error) {
+    std::vector<scene::Diagnostic> wrong = error.diagnostics();
+    for (scene::Diagnostic& d : wrong) d.file = file;
+    throw scene::SceneError(wrong);
+  } catch (const std::runtime_error& error) {
+    std::string reason = error.what();
+    if (reason.starts_with(kPluginLead)) reason.erase(0, kPluginLead.size());
+    throw UsageError(fmt::format("{}: {}", file, reason));
+  }
+}
+
+// All of them, or one SceneError with everything that is wrong in any of the scenes.
+std::vector<Subject> read_subjects(const CompareArguments& options) {
+  std::vector<Subject> subjects;
   std::vector<scene::Diagnostic> wrong;
   for (const std::string& file : options.scenes) {
     try {
-      scenes.push_back(read_scene(file, options));
+      subjects.push_back(read_subject(file, options));
     } catch (const scene::SceneError& error) {
       wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
     }
   }
   if (!wrong.empty()) throw scene::SceneError(wrong);
-  for (std::size_t a = 0; a < scenes.size(); ++a) {
-    for (std::size_t b = a + 1; b < scenes.size(); ++b) {
-      if (scenes[a].name == scenes[b].name) {
+  for (std::size_t a = 0; a < subjects.size(); ++a) {
+    for (std::size_t b = a + 1; b < subjects.size(); ++b) {
+      if (subjects[a].scene.name == subjects[b].scene.name) {
         throw UsageError(fmt::format("{} and {} have the same name, which names their results",
                                      options.scenes[a], options.scenes[b]));
       }
     }
   }
-  return scenes;
+  return subjects;
 }
 
 // The pages' scenes, filmed or not: films are worth having, but no reason to lose the figures.
@@ -87,12 +114,14 @@ int exit_code(const std::vector<SceneComparison>& comparisons) {
 // Runs and compares the scenes one by one, writes and prints each. An interrupted one is kept on
 // disk, but is no comparison.
 std::vector<SceneComparison> compare_all(const CompareArguments& options, double tolerance,
-                                         const std::vector<scene::Scene>& scenes,
+                                         const std::vector<Subject>& subjects,
                                          ProgressBar& bar) {
   std::vector<SceneComparison> comparisons;
   const double work = options.no_video ? 1.0 : 1.0 - kFilmShare;
-  for (std::size_t k = 0; k < scenes.size() && !interrupted(); ++k) {
+  for (std::size_t k = 0; k < subjects.size() && !interrupted(); ++k) {
+    const scene::Scene& scene = subjects[k].scene;
     CompareOptions how;
+    how.own = subjects[k].own;
     how.mode = compare_mode_of(options.mode);
     how.tolerance = tolerance;
     how.contact = contact_model_of(options.contact);
@@ -100,10 +129,10 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     how.modes_ladder = options.modes_ladder;
     how.interrupt = &interrupted();
     how.progress = [&](double share, const std::string& what) {
-      bar.show(work * (static_cast<double>(k) + share) / static_cast<double>(scenes.size()),
-               scenes[k].name + ": " + what);
+      bar.show(work * (static_cast<double>(k) + share) / static_cast<double>(subjects.size()),
+               scene.name + ": " + what);
     };
-    SceneComparison c = compare_scene(scenes[k], how);
+    SceneComparison c = compare_scene(scene, how);
     bar.clear();
     write_runs(options.folder, c);
     if (c.interrupted) break;
@@ -119,10 +148,10 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
 int compare(const CompareArguments& options) {
   check_twins(options.twins);
   const double tolerance = tolerance_of(options.tolerance);
-  const auto scenes = read_scenes(options);
+  const auto subjects = read_subjects(options);
   ProgressBar bar(options.quiet);
 
-  const auto comparisons = compare_all(options, tolerance, scenes, bar);
+  const auto comparisons = compare_all(options, tolerance, subjects, bar);
   const auto pages = pages_of(options, comparisons, [&](double share) {
     bar.show(1.0 - kFilmShare + kFilmShare * share, "films");
   });
@@ -143,7 +172,7 @@ Command add_compare_command(CLI::App& program) {
   auto options = std::make_shared<CompareArguments>();
   CLI::App* app = program.add_subcommand(
       "compare", "Run scenes in MuJoCo and in the native model and say how far apart they are");
-  app->add_option("SCENE", options->scenes, "Scene files (.toml)")->required();
+  app->add_option("SCENE", options->scenes, "Scene files (.toml), or machines of your own (.xml): MJCF that names its rub (plugin/README.md)")->required();
   app->add_option("--mode", options->mode, "How the two sides are coupled: lockstep (each closes its own loop), replay (native under "
                   "the commands that MuJoCo used), resync (native restarts from MuJoCo's state at "
                   "every onset of contact and predicts it)")

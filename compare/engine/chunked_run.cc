@@ -4,12 +4,12 @@
 
 #include "plugin/contact/verlet.h"
 #include "plugin/control.h"
-#include "plugin/coordinates.h"
 
 namespace rotorub {
 
-ChunkedRun::ChunkedRun(const mjModel* m, const plugin::Config& config, bool commands)
-    : m_(m), config_(config), commands_(commands), data_(make_start(m)), results_(kChunk) {
+ChunkedRun::ChunkedRun(const MujocoSetup& setup, bool commands)
+    : m_(setup.m.get()), config_(*setup.config), model_(*setup.model), read_(setup.read),
+      commands_(commands), data_(make_start(m_)), results_(kChunk) {
   states_.resize(2 * kChunk * size());
   start_.resize(2 * size());
   read_state(start_.data());
@@ -53,13 +53,6 @@ StepResult ChunkedRun::last_half() {
   return {plugin::contact_forces(config_, data_.get()),
           plugin::actuator_state(config_, m_, data_.get()),
           {0.0, 0.0}};
-}
-
-// Coordinates, then velocities, in the native layout.
-void ChunkedRun::read_state(double* to) const {
-  const plugin::Coordinates state(config_, data_.get());
-  std::copy_n(state.q(), size(), to);
-  std::copy_n(state.v(), size(), to + size());
 }
 
 // MuJoCo resets a state that is not finite (or beyond 1e10) and warns.

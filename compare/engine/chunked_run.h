@@ -7,7 +7,7 @@
 #include <chrono>
 #include <vector>
 
-#include "compare/engine/mujoco_model.h"
+#include "compare/engine/mujoco_setup.h"
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/config.h"
@@ -24,8 +24,8 @@ struct StepResult {
 
 class ChunkedRun {
  public:
-  // The model and the config must outlive it. `commands`: those of the results are wanted.
-  ChunkedRun(const mjModel* m, const plugin::Config& config, bool commands);
+  // The setup must outlive it. `commands`: those of the results are wanted.
+  ChunkedRun(const MujocoSetup& setup, bool commands);
 
   static constexpr std::size_t kChunk = 256;
 
@@ -47,12 +47,14 @@ class ChunkedRun {
   double wall() const { return wall_.count(); }  // s
 
  private:
-  std::size_t size() const { return config_.qpos_address.size(); }
-  void read_state(double* to) const;
+  std::size_t size() const { return static_cast<std::size_t>(model_.nq()); }
+  void read_state(double* to) const { read_(data_.get(), to, to + size()); }
   bool bad() const;
 
   const mjModel* m_;
   const plugin::Config& config_;
+  const Model& model_;
+  const ReadState& read_;
   bool commands_;
   MujocoData data_;
   std::vector<StepResult> results_;

@@ -20,8 +20,41 @@ Options options_of(const RunRequest& request) {
   return options;
 }
 
-// What is not finite is no result, whatever the integrator thinks of its own state.
-Trajectory checked(Trajectory trajectory) {
+class NativeEngine final : public Engine {
+ public:
+  explicit NativeEngine(scene::Integrator integrator) : integrator_(integrator) {}
+  std::string name() const override { return std::string("native-") + to_string(integrator_); }
+  Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
+    if (request.watch) throw std::invalid_argument("a native run has no step to watch");
+    auto options = options_of<NativeOptions>(request);
+    options.commands = request.commands;
+    options.integrator = integrator_;
+    return finite(run_native(perturbed(scene, request.perturbation_ulps), options));
+  }
+
+ private:
+  scene::Integrator integrator_;
+};
+
+class MujocoEngine final : public Engine {
+ public:
+  explicit MujocoEngine(scene::ContactModel contact) : contact_(contact) {}
+  std::string name() const override { return std::string("mujoco-") + to_string(contact_); }
+  Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
+    if (request.commands) throw std::invalid_argument("MuJoCo takes no recorded commands");
+    auto options = options_of<MujocoOptions>(request);
+    options.watch = request.watch;
+    options.contact = contact_;
+    return finite(run_mujoco(perturbed(scene, request.perturbation_ulps), options));
+  }
+
+ private:
+  scene::ContactModel contact_;
+};
+
+}  // namespace
+
+Trajectory finite(Trajectory trajectory) {
   if (trajectory.status != Status::kOk) return trajectory;
   const char* what = nullptr;
   const Statistics& s = trajectory.statistics;
@@ -41,40 +74,6 @@ Trajectory checked(Trajectory trajectory) {
   trajectory.message = std::string(what) + " is not finite";
   return trajectory;
 }
-
-class NativeEngine final : public Engine {
- public:
-  explicit NativeEngine(scene::Integrator integrator) : integrator_(integrator) {}
-  std::string name() const override { return std::string("native-") + to_string(integrator_); }
-  Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
-    if (request.watch) throw std::invalid_argument("a native run has no step to watch");
-    auto options = options_of<NativeOptions>(request);
-    options.commands = request.commands;
-    options.integrator = integrator_;
-    return checked(run_native(perturbed(scene, request.perturbation_ulps), options));
-  }
-
- private:
-  scene::Integrator integrator_;
-};
-
-class MujocoEngine final : public Engine {
- public:
-  explicit MujocoEngine(scene::ContactModel contact) : contact_(contact) {}
-  std::string name() const override { return std::string("mujoco-") + to_string(contact_); }
-  Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
-    if (request.commands) throw std::invalid_argument("MuJoCo takes no recorded commands");
-    auto options = options_of<MujocoOptions>(request);
-    options.watch = request.watch;
-    options.contact = contact_;
-    return checked(run_mujoco(perturbed(scene, request.perturbation_ulps), options));
-  }
-
- private:
-  scene::ContactModel contact_;
-};
-
-}  // namespace
 
 std::unique_ptr<Engine> native_engine(scene::Integrator integrator) {
   return std::make_unique<NativeEngine>(integrator);

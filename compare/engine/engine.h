@@ -45,6 +45,9 @@ class NotOffered : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What is not finite is no result: diverged, whatever the integrator thinks of its own state.
+Trajectory finite(Trajectory trajectory);
+
 std::unique_ptr<Engine> native_engine(scene::Integrator integrator);
 // Throws NotOffered.
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);

@@ -7,8 +7,8 @@
 #include "compare/engine/chunked_run.h"
 #include "compare/engine/engine.h"
 #include "compare/engine/mujoco_messages.h"
-#include "compare/engine/mujoco_model.h"
 #include "compare/engine/mujoco_record.h"
+#include "compare/engine/mujoco_setup.h"
 #include "compare/engine/watch_feed.h"
 #include "mjcf/writer.h"
 #include "native_model/stepping/step_limit.h"
@@ -16,6 +16,7 @@
 #include "native_model/system/run_size.h"
 #include "native_model/trajectory/recorder.h"
 #include "plugin/config.h"
+#include "plugin/coordinates.h"
 #include "plugin/hooks.h"
 
 namespace rotorub {
@@ -47,17 +48,36 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   if (scene.mujoco.contact == scene::ContactModel::kRigid) {
     refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
   }
-  const double step = scene.run.step;
-  check_steps(scene, step);
+  check_steps(scene, scene.run.step);
   const MujocoMessages messages;
   const plugin::Hooks hooks;
-  const MujocoModel m = load_mjcf(mjcf(scene));
-  const plugin::Config config = plugin::make_config(m.get());
-  const Model& model = config.model;
+  MujocoSetup setup;
+  setup.m = load_mjcf(mjcf(scene));
+  setup.config = std::make_unique<const plugin::Config>(plugin::make_config(setup.m.get()));
+  const plugin::Config& config = *setup.config;
+  setup.model = {std::shared_ptr<const void>(), &config.model};
+  setup.read = [&config](const mjData* d, double* q, double* v) {
+    const plugin::Coordinates state(config, d);
+    std::copy_n(state.q(), config.qpos_address.size(), q);
+    std::copy_n(state.v(), config.qpos_address.size(), v);
+  };
+  setup.refusal = config.segments
+                      ? plugin::segment_step_refusal(*config.segments, scene.run.step)
+                      : step_refusal(config.model, scene.run.step);
+  return run_mujoco(scene, setup, options);
+}
+
+Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
+                      const MujocoOptions& options) {
+  const MujocoMessages messages;
+  const plugin::Hooks hooks;
+  const plugin::Config& config = *setup.config;
+  const Model& model = *setup.model;
+  const double step = scene.run.step;
   check_run_size(scene, model, std::nullopt,
                  options.output_times ? &*options.output_times : nullptr);
 
-  ChunkedRun run(m.get(), config, static_cast<bool>(options.watch));
+  ChunkedRun run(setup, static_cast<bool>(options.watch));
   WatchFeed feed(model, step, options.watch);
   feed.begin(run.start_q(), run.start_v());
   MujocoRecord record(model, config.contact == scene::ContactModel::kRigid, step,
@@ -66,8 +86,7 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
 
   const auto steps = static_cast<std::int64_t>(std::ceil(scene.run.end / step - 1e-9));
   Status status = Status::kOk;
-  std::string message = config.segments ? plugin::segment_step_refusal(*config.segments, step)
-                                        : step_refusal(model, step);
+  std::string message = setup.refusal;
   if (!message.empty()) status = Status::kStepTooLarge;
   std::int64_t k = 0;
   try {
@@ -113,9 +132,8 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const double reached = static_cast<double>(k) * step;
   Trajectory out = record.finish(status == Status::kOk ? scene.run.end : reached);
   out.engine = "mujoco";
-  out.integrator =
-      scene.mujoco.integrator == scene::MujocoIntegrator::kImplicit ? "implicit" : "euler";
-  out.contact_model = to_string(scene.mujoco.contact);
+  out.integrator = setup.m->opt.integrator == mjINT_IMPLICIT ? "implicit" : "euler";
+  out.contact_model = to_string(config.contact);
   out.step = step;
   out.steps = k;
   out.wall_s = run.wall();

@@ -8,10 +8,23 @@
 
 namespace rotorub {
 
-MujocoModel load_mjcf(const std::string& document) {
-  // MuJoCo's parser and compiler share state between threads.
+namespace {
+
+// MuJoCo's parser and compiler share state between threads.
+MujocoModel load(const std::string& name, const mjVFS* files) {
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
+  char error[1000] = "";
+  MujocoModel model(mj_loadXML(name.c_str(), files, error, sizeof error));
+  if (!model) throw std::runtime_error(std::string("MuJoCo: ") + error);
+  return model;
+}
+
+}  // namespace
+
+MujocoModel load_mjcf_file(const std::filesystem::path& file) { return load(file.string(), nullptr); }
+
+MujocoModel load_mjcf(const std::string& document) {
   // A file in memory; mjVFS is too large for the stack.
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
@@ -21,11 +34,11 @@ MujocoModel load_mjcf(const std::string& document) {
   }
   std::memcpy(files->filedata[mj_findFileVFS(files.get(), kFile)], document.data(),
               document.size());
-  char error[1000] = "";
-  MujocoModel model(mj_loadXML(kFile, files.get(), error, sizeof error));
-  mj_deleteVFS(files.get());
-  if (!model) throw std::runtime_error(std::string("MuJoCo: ") + error);
-  return model;
+  struct Delete {
+    mjVFS* files;
+    ~Delete() { mj_deleteVFS(files); }
+  } const at_the_end{files.get()};
+  return load(kFile, files.get());
 }
 
 MujocoData make_start(const mjModel* m) {

@@ -52,7 +52,9 @@ std::vector<int> mode_ladder(int modes) {
 ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& parameters) {
   ModelError error;
   if (!scene.rotor.geometry) {
-    error.reason = "modal form: the scene gives its modes, and no others are known";
+    error.reason = scene.rotor.assembled
+                       ? "a machine of your own: its joints are all that is known of it"
+                       : "modal form: the scene gives its modes, and no others are known";
     return error;
   }
   if (!scene.contact) {

@@ -291,6 +291,7 @@ json scene_values(const SceneComparison& c) {
   const json ladder = ladder_values(c);
   return {{"name", c.scene.name},
           {"mode_note", mode_note(c)},
+          {"own_notes", own_notes(c)},
           {"by_figures", c.mode != CompareMode::kResync},
           {"resyncs", c.mode == CompareMode::kResync},
           {"resync", resync},

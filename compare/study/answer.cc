@@ -54,6 +54,16 @@ std::string whose_verdict(const SceneComparison& c) {
   return "";
 }
 
+std::vector<std::string> own_notes(const SceneComparison& c) {
+  if (!c.own) return {};
+  std::vector<std::string> notes{
+      "Native is a twin made from the mjModel of this machine: linear, for small motions about qpos0. " +
+      std::string(c.twin_limits.empty() ? "It leaves nothing out that was found."
+                                        : "It leaves out:")};
+  for (const std::string& limit : c.twin_limits) notes.push_back(limit + ".");
+  return notes;
+}
+
 std::string mode_note(const SceneComparison& c) {
   const std::string first = c.sides.size() > 1 ? c.sides[1].label : "";
   switch (c.mode) {

@@ -23,6 +23,10 @@ std::vector<AnswerRow> answer(const SceneComparison& comparison);
 // "Exit code: by rigid (--contact), which agrees within 1 %."
 std::string whose_verdict(const SceneComparison& comparison);
 
+// Of a machine of the user's own: what the native side is, and what it leaves out of the machine,
+// sentences; else none.
+std::vector<std::string> own_notes(const SceneComparison& comparison);
+
 // How the two sides are coupled, a sentence; empty in lockstep.
 std::string mode_note(const SceneComparison& comparison);
 

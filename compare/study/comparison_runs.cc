@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compare/own/own_machine.h"
+
 namespace rotorub {
 namespace {
 
@@ -30,14 +32,18 @@ void finish(Timing& timing) {
 
 }  // namespace
 
-std::vector<Contestant> contestants(const scene::Scene& scene, scene::ContactModel decides) {
+std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOptions& options) {
+  const scene::ContactModel decides = options.contact;
+  const auto mujoco = [&](scene::ContactModel contact) {
+    return options.own ? own_engine(options.own, contact) : mujoco_engine(contact);
+  };
   std::vector<Contestant> all;
   all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
-  all.push_back({to_string(decides), mujoco_engine(decides), kMujocoWork});
+  all.push_back({to_string(decides), mujoco(decides), kMujocoWork});
   for (const auto contact :
        {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb, scene::ContactModel::kCone}) {
     if (contact == decides) continue;
-    all.push_back({to_string(contact), mujoco_engine(contact), kMujocoWork});
+    all.push_back({to_string(contact), mujoco(contact), kMujocoWork});
   }
   return all;
 }

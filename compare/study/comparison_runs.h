@@ -22,7 +22,7 @@ struct Contestant {
 inline constexpr double kLadderWork = 20.0;  // of the ladder of modes, in these units
 
 // Native, then MuJoCo with the contact model that decides, then with the others.
-std::vector<Contestant> contestants(const scene::Scene& scene, scene::ContactModel decides);
+std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOptions& options);
 
 // Runs engines one after another and keeps count of the work for the progress bar.
 class Runner {

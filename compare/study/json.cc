@@ -205,6 +205,7 @@ json comparison_json(const SceneComparison& comparison) {
           {"mode_note", mode_note(comparison)},
           {"twins", comparison.twins},
           {"shadow", shadow_json(comparison)},
+          {"own_model", comparison.own ? json{{"left_out", comparison.twin_limits}} : json(nullptr)},
           {"scene", comparison.scene.name},
           {"scene_hash", scene::scene_hash(comparison.scene)},
           {"step", comparison.scene.run.step},

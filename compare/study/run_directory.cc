@@ -22,6 +22,7 @@ constexpr const char* kSeries = "series.csv";
 constexpr const char* kImpacts = "impacts.csv";
 constexpr const char* kEvents = "events.csv";
 constexpr const char* kScene = "scene.toml";
+constexpr const char* kOwnModel = "model.xml";  // of a machine of the user's own
 constexpr const char* kSummary = "summary.json";
 
 std::string text_of(const path& file) {
@@ -132,11 +133,15 @@ void write_run(const path& folder, const scene::Scene& scene, const Trajectory& 
   write_series(trajectory, folder / kSeries);
   write_impacts(trajectory, folder / kImpacts);
   write_events(trajectory, folder / kEvents);
-  write_whole(folder / kScene, scene.text);
+  write_whole(folder / (scene.rotor.assembled ? kOwnModel : kScene), scene.text);
   write_whole(folder / kSummary, json_text(summary_json(scene, trajectory)));
 }
 
 StoredRun read_run(const path& folder) {
+  if (std::filesystem::exists(folder / kOwnModel)) {
+    throw std::runtime_error(folder.string() +
+                             ": is a run of a machine of your own; its films are in the report");
+  }
   const nlohmann::json summary = summary_of(folder / kSummary);
   StoredRun run;
   Trajectory& t = run.trajectory;

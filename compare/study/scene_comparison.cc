@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/own/own_machine.h"
 #include "compare/study/comparison_runs.h"
 #include "compare/study/replay.h"
 #include "compare/study/shadow_column.h"
@@ -38,13 +39,17 @@ class Comparison {
  public:
   Comparison(const scene::Scene& scene, const CompareOptions& options)
       : options_(options),
-        all_(contestants(scene, options.contact)),
+        all_(contestants(scene, options)),
         runner_(scene, options, total_work(all_, options)),
         times_(dense_times(scene.run, options.rows)),
         model_(make_model(scene)),
         tapes_(all_.size()) {
     result_.scene = scene;
     result_.mode = options.mode;
+    if (options.own) {
+      result_.own = true;
+      result_.twin_limits = options.own->limits();
+    }
     result_.commands = has_commands(scene);
     result_.tolerance = options.tolerance;
     result_.twins = resyncs() ? 0 : options.twins;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@
 
 namespace rotorub {
 
+class OwnMachine;  // compare/own/own_machine.h
+
 // The contact model whose verdict counts, unless another is asked for.
 inline constexpr scene::ContactModel kDefaultContact = scene::ContactModel::kRigid;
 inline constexpr int kDefaultTwins = 20;
@@ -33,6 +36,8 @@ struct CompareOptions {
   bool modes_ladder = true;  // the error of the modes kept, where the rotor is in geometry form
   int timing_repeats = 3;    // >= 1, of runs that record nothing, engines taken in turn
   std::size_t impacts = 8;   // first impacts listed
+  // The scene is the twin of a machine of the user's own: MuJoCo runs that one.
+  std::shared_ptr<const OwnMachine> own;
   std::size_t rows = 50000;  // recorded at most: every step, or every so many of them
   // (share done of this scene, what is running)
   std::function<void(double, const std::string&)> progress;
@@ -85,6 +90,8 @@ struct SideDifference {
 
 struct SceneComparison {
   scene::Scene scene;
+  bool own = false;                      // the twin of a machine of the user's own
+  std::vector<std::string> twin_limits;  // what it leaves out, sentences
   CompareMode mode = CompareMode::kLockstep;
   bool commands = false;  // a controller commands the actuator: else replay equals lockstep
   double tolerance = 0.0;

@@ -143,6 +143,8 @@ std::string answer_lines(const SceneComparison& c) {
   }
   text += wrapped("  > ", whose_verdict(c));
   if (const std::string note = mode_note(c); !note.empty()) text += wrapped("    ", note);
+  const std::vector<std::string> notes = own_notes(c);
+  for (std::size_t k = 0; k < notes.size(); ++k) text += wrapped(k == 0 ? "    " : "    - ", notes[k]);
   return text;
 }
 

@@ -73,6 +73,7 @@ ModalRotor geometry_form(const scene::Scene& scene) {
 
 ModalRotor modal_rotor(const scene::Scene& scene) {
   assert(scene.rotor.geometry.has_value() != scene.rotor.modal.has_value());
+  if (scene.rotor.assembled) return *scene.rotor.assembled;
   return with_place(
       scene, [&] { return scene.rotor.geometry ? geometry_form(scene) : modal_form(scene); });
 }

@@ -13,6 +13,10 @@
 #include <string>
 #include <vector>
 
+namespace rotorub {
+struct ModalRotor;  // rotor/modal_rotor.h
+}
+
 namespace rotorub::scene {
 
 class Record;
@@ -100,6 +104,9 @@ struct Rotor {
   double speed = 0.0;                     // rad/s, Omega at t = 0; constant without [drive]
   std::optional<RotorGeometry> geometry;  // exactly one of geometry and modal
   std::optional<RotorModal> modal;
+  // Beside `modal`, which then is for pictures alone: the rotor as it is, of a machine without a scene
+  // file (plugin/twin/native_twin.h).
+  std::shared_ptr<const ModalRotor> assembled;
   std::optional<Torsion> torsion;
 };
 

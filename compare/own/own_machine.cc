@@ -1,0 +1,151 @@
+#include "compare/own/own_machine.h"
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "compare/engine/mujoco_messages.h"
+#include "mjcf/names.h"
+#include "mjcf/soft_contact.h"
+#include "native_model/stepping/step_limit.h"
+#include "native_model/system/model.h"
+#include "native_model/system/run_size.h"
+#include "plugin/twin/native_twin.h"
+
+namespace rotorub {
+namespace {
+
+namespace names = mjcf_names;
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + file.string());
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+// The model's text rotorub_contact, which is of the length that the file gave it: all texts are put
+// where one more has room. The owner of what is returned must outlive the model.
+std::shared_ptr<void> say_contact(mjModel* m, const char* word) {
+  struct Texts {
+    std::vector<char> data;
+    std::vector<int> address, size;
+  };
+  const int id = mj_name2id(m, mjOBJ_TEXT, names::kContactText);
+  if (id < 0) {
+    throw std::runtime_error(std::string("<custom><text name=\"") + names::kContactText +
+                             "\">: missing; it is needed for another contact model than rigid");
+  }
+  auto texts = std::make_shared<Texts>();
+  texts->data.assign(m->text_data, m->text_data + m->ntextdata);
+  texts->address.assign(m->text_adr, m->text_adr + m->ntext);
+  texts->size.assign(m->text_size, m->text_size + m->ntext);
+  const auto at = static_cast<std::size_t>(id);
+  texts->address[at] = static_cast<int>(texts->data.size());
+  texts->size[at] = static_cast<int>(std::strlen(word)) + 1;
+  texts->data.insert(texts->data.end(), word, word + texts->size[at]);
+  m->text_data = texts->data.data();
+  m->text_adr = texts->address.data();
+  m->text_size = texts->size.data();
+  return texts;
+}
+
+// The pair as a generated file has it.
+void set_pair(mjModel* m, const plugin::Config& config, scene::ContactModel contact) {
+  const ContactParameters& c = *config.model.contact;
+  const SoftContact soft = soft_contact(c.restitution, m->opt.timestep);
+  const int pair = config.pair;
+  const bool rigid = contact == scene::ContactModel::kRigid;
+  const bool cone = contact == scene::ContactModel::kCone;
+  m->pair_dim[pair] = cone && c.friction > 0.0 ? 3 : 1;
+  std::fill_n(m->pair_friction + 5 * pair, 5, 0.0);
+  std::fill_n(m->pair_friction + 5 * pair, 2, c.friction);
+  mjtNum* solref = m->pair_solref + mjNREF * pair;
+  solref[0] = -soft.stiffness;
+  solref[1] = -soft.damping;
+  mjtNum* solimp = m->pair_solimp + mjNIMP * pair;
+  solimp[0] = solimp[1] = soft.impedance;
+  m->pair_margin[pair] = cone ? 0.0 : (rigid ? 1e-2 : 1e-3) * c.clearance;
+  m->pair_gap[pair] = rigid ? 1e3 : 0.0;
+  if (!cone) return;
+  // Its force is found after the velocity stage, in which other models' sensors may be filled.
+  for (const char* name : {names::kNormalForce, names::kFrictionForce}) {
+    const int sensor = mj_name2id(m, mjOBJ_SENSOR, name);
+    if (sensor >= 0 && m->sensor_type[sensor] == mjSENS_USER) m->sensor_needstage[sensor] = mjSTAGE_ACC;
+  }
+}
+
+class OwnEngine final : public Engine {
+ public:
+  OwnEngine(std::shared_ptr<const OwnMachine> machine, scene::ContactModel contact)
+      : machine_(std::move(machine)), contact_(contact) {}
+  std::string name() const override { return std::string("mujoco-") + to_string(contact_); }
+
+  Trajectory run(const scene::Scene& given, const RunRequest& request) const override {
+    if (request.commands) throw std::invalid_argument("MuJoCo takes no recorded commands");
+    scene::Scene scene = given;
+    scene.run.step = request.step.value_or(given.run.step);
+    check_steps(scene, scene.run.step);
+    MujocoOptions options;
+    options.output_times = request.output_times;
+    options.progress = request.progress;
+    options.interrupt = request.interrupt;
+    options.watch = request.watch;
+    return finite(run_mujoco(scene, machine_->setup(contact_, scene.run.step), options));
+  }
+
+ private:
+  std::shared_ptr<const OwnMachine> machine_;
+  scene::ContactModel contact_;
+};
+
+}  // namespace
+
+OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : file_(file) {
+  const MujocoMessages messages;
+  const MujocoModel m = load_mjcf_file(file);
+  if (run.step) m->opt.timestep = *run.step;
+  const plugin::Config config = plugin::make_config(m.get());
+  if (!config.own) {
+    throw std::runtime_error(file.string() +
+                             ": is a generated file; compare the scene that it was made of");
+  }
+  contact_ = config.contact;
+  plugin::NativeTwin twin = plugin::make_native_twin(m.get(), config, make_start(m.get()).get());
+  scene_ = std::move(twin.scene);
+  limits_ = std::move(twin.limits);
+  scene_.name = file.stem().string();
+  scene_.text = text_of(file);
+  scene_.run.end = run.end;
+}
+
+MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step) const {
+  const MujocoMessages messages;
+  MujocoSetup setup;
+  setup.m = load_mjcf_file(file_);
+  mjModel* m = setup.m.get();
+  m->opt.timestep = step;
+  if (contact != contact_) {
+    const plugin::Config own = plugin::make_config(m);
+    set_pair(m, own, contact);
+    setup.keeps = say_contact(m, to_string(contact));
+  }
+  setup.config = std::make_unique<const plugin::Config>(plugin::make_config(m));
+  auto twin = std::make_shared<plugin::NativeTwin>(
+      plugin::make_native_twin(m, *setup.config, make_start(m).get()));
+  setup.model = std::make_shared<const Model>(make_model(twin->scene));
+  setup.read = [twin, m](const mjData* d, double* q, double* v) { twin->read(m, d, q, v); };
+  setup.refusal = step_refusal(*setup.model, step);
+  return setup;
+}
+
+std::unique_ptr<Engine> own_engine(std::shared_ptr<const OwnMachine> machine,
+                                   scene::ContactModel contact) {
+  return std::make_unique<OwnEngine>(std::move(machine), contact);
+}
+
+}  // namespace rotorub

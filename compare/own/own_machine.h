@@ -1,0 +1,50 @@
+// A machine of the user's own: an MJCF with the plugin's names (plugin/own/own_config.h), and its
+// native twin (plugin/twin/native_twin.h), to be compared like a scene.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compare/engine/engine.h"
+#include "compare/engine/mujoco_setup.h"
+#include "native_model/scene/scene.h"
+
+namespace rotorub {
+
+struct OwnRun {
+  std::optional<double> step;  // s, > 0; default: the model's <option timestep>
+  double end = 1.0;            // s, > 0
+};
+
+class OwnMachine {
+ public:
+  // Starts from the keyframe "start", or "test", or else qpos0. Throws plugin::ConfigError for what
+  // the plugin refuses or has no twin, std::runtime_error with MuJoCo's message for what MuJoCo
+  // cannot read, scene::SceneError for a start outside the ring.
+  explicit OwnMachine(const std::filesystem::path& file, const OwnRun& run = {});
+
+  // The twin, named after the file; its text is the file's.
+  const scene::Scene& scene() const { return scene_; }
+  // What the twin leaves out, sentences.
+  const std::vector<std::string>& limits() const { return limits_; }
+  // The contact model that the file asks for.
+  scene::ContactModel contact() const { return contact_; }
+
+  // The user's model with one of the contact models. Its own: as the file has it. Another: the pair
+  // is set as a generated file's would be (mjcf/soft_contact.h).
+  MujocoSetup setup(scene::ContactModel contact, double step) const;
+
+ private:
+  std::filesystem::path file_;
+  scene::ContactModel contact_ = scene::ContactModel::kRigid;
+  scene::Scene scene_;
+  std::vector<std::string> limits_;
+};
+
+// MuJoCo on the user's model; scenes given to it must be the machine's, but for run and start.
+std::unique_ptr<Engine> own_engine(std::shared_ptr<const OwnMachine> machine,
+                                   scene::ContactModel contact);
+
+}  // namespace rotorub

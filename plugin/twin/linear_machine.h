@@ -1,0 +1,54 @@
+// A user's own machine for small motions about the pose of qpos0, as MuJoCo sees it: its mass
+// matrix, and central differences of its smooth forces.
+//
+//   M q'' + (D + Omega G) q' + K q = f,      q: nv values, tangent coordinates from qpos0
+//
+// Omega: the rotor's speed. Means over a turn of the rotor (of four angles): what turns with it is
+// its unbalance, kept apart. Columns and rows are those of MuJoCo's degrees of freedom; units are m
+// and rad, N and N m, kg and kg m^2.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "plugin/config.h"
+
+namespace rotorub::plugin {
+
+// An eccentric mass: the centre of mass of a body off the rotor's axis.
+struct Eccentricity {
+  Eigen::MatrixXd jacobian;  // 2 x nv: of the point of the axis beside it, in the contact's axes
+  double static_moment;      // kg m
+  double phase;              // rad, from the contact's x axis at spin angle 0
+};
+
+struct LinearMachine {
+  int spin = -1;  // the degree of freedom that turns the rotor about its axis; -1: none
+  double sense = 1.0;  // -1: its axis is against the contact's z
+  // nv x nv; D symmetric but for what actuators do, G antisymmetric where it is gyroscopic.
+  Eigen::MatrixXd mass, stiffness, damping, gyroscopic;
+  Eigen::VectorXd force;  // nv, at rest in the pose of qpos0, gravity and actuators included
+  // 2 x nv, centres of rotor and ring in the contact's axes (x and y of the ring's geom).
+  Eigen::MatrixXd rotor, ring;
+  Eigen::Vector2d gravity{0.0, 0.0};  // m/s^2, across the rotor's axis, in the contact's axes
+  Eigen::Vector2d apart{0.0, 0.0};  // m, the rotor's centre from the ring's in that pose
+  std::vector<Eccentricity> unbalance;
+  // Torque of the drive at speeds from 0 to twice `speed`, N m; empty without a spin.
+  double speed = 0.0;  // rad/s, that G and the torques are of
+  std::vector<double> torque;
+
+  // Shares of what the means leave out.
+  double uneven_inertia = 0.0;  // of the mass matrix: a rotor that is no body of revolution
+  double uneven_coupling = 0.0;  // of the coupling of spin and bending: more than unbalance
+  // At one clearance of deflection: of the mass matrix, of the springs, of the contact's place.
+  double bent_mass = 0.0, bent_stiffness = 0.0, bent_contact = 0.0;
+};
+
+// m: the model of an own config. `start`: where controls and the rotor's speed are taken from.
+// Callbacks for actuators are called, and no others. Throws ConfigError naming what cannot be
+// linearised: a ball joint that turns the rotor, two joints about its axis, a spring on its turn.
+LinearMachine linear_machine(const mjModel* m, const Config& config, const mjData* start);
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,233 @@
+#include "plugin/twin/native_twin.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "native_model/rotor/modal_rotor.h"
+#include "plugin/message.h"
+#include "plugin/twin/linear_machine.h"
+#include "plugin/twin/planes.h"
+#include "plugin/twin/twin_limits.h"
+
+namespace rotorub::plugin {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kNone = 1e-9;  // share of a whole, of what differences leave
+
+std::vector<double> list(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }
+
+// A nudge's round-off is no torque.
+bool is_none(double part, double whole) { return std::abs(part) <= kNone * std::abs(whole); }
+
+class Maker {
+ public:
+  Maker(const mjModel* m, const Config& config, const mjData* start)
+      : m_(m), config_(config), start_(start), machine_(linear_machine(m, config, start)),
+        planes_(part_planes(m, machine_)), n_(planes_.x.mass.size()) {}
+
+  NativeTwin make() {
+    const Layout l = layout();
+    twin_.coordinates = MatrixXd::Zero(l.nq(), m_->nv);
+    twin_.offset = VectorXd::Zero(l.nq());
+    rotor_.force_shapes.push_back({VectorXd::Zero(n_), VectorXd::Zero(n_)});
+    fill_plane(planes_.x, l.x(), 0, rotor_.x, rotor_.force_shapes[0].x);
+    fill_plane(planes_.y, l.y(), 1, rotor_.y, rotor_.force_shapes[0].y);
+    rotor_.contact_shape = {planes_.x.contact, planes_.y.contact};
+    rotor_.gravity_x = rotor_.gravity_y = VectorXd::Zero(n_);
+    rotor_.internal_xx = rotor_.internal_xy = rotor_.internal_yy = MatrixXd::Zero(n_, n_);
+    const MatrixXd g = machine_.gyroscopic(planes_.x.dofs, planes_.y.dofs);
+    rotor_.gyroscopic = machine_.sense * planes_.x.shapes.transpose() * g * planes_.y.shapes;
+    fill_load();
+    fill_ring(l);
+    fill_spin(l);
+    fill_scene(l);
+    twin_.limits = twin_limits(m_, machine_, planes_);
+    return std::move(twin_);
+  }
+
+ private:
+  Layout layout() const {
+    Layout l;
+    l.modes = static_cast<int>(n_);
+    l.spin = machine_.spin >= 0 ? 1 : 0;
+    l.stator = planes_.ring.empty() ? 0 : 2;
+    return l;
+  }
+
+  // Modes, their dampers, constant loads and coordinates. The contact's zero is where the centres
+  // meet: a pose with the rotor beside it is a deflection that the springs do not feel.
+  void fill_plane(const TwinPlane& plane, int at, int row, PlaneModes& modes, VectorXd& load) {
+    modes = {plane.mass, plane.stiffness, VectorXd::Zero(n_)};
+    const MatrixXd d = plane.shapes.transpose() * machine_.damping(plane.dofs, plane.dofs) * plane.shapes;
+    const MatrixXd even = 0.5 * (d + d.transpose());
+    const MatrixXd beside = even - MatrixXd(even.diagonal().asDiagonal());
+    if (beside.cwiseAbs().maxCoeff() <= kNone * even.cwiseAbs().maxCoeff()) {
+      modes.damping = even.diagonal();
+    } else {
+      add_dampers(even, row);
+    }
+    const VectorXd compliance = plane.contact.cwiseQuotient(plane.mass);
+    const VectorXd offset = machine_.apart[row] / compliance.dot(plane.contact) * compliance;
+    load = plane.shapes.transpose() * machine_.force(plane.dofs) + plane.stiffness.cwiseProduct(offset);
+    twin_.coordinates(Eigen::seqN(at, n_), plane.dofs) = plane.inverse;
+    twin_.offset.segment(at, n_) = offset;
+  }
+
+  // Damping that couples modes, as dashpots of rank one.
+  void add_dampers(const MatrixXd& damping, int row) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(damping);
+    const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
+    for (Eigen::Index k = 0; k < n_; ++k) {
+      const double value = solver.eigenvalues()[k];
+      if (is_none(value, largest)) continue;
+      StationDamper damper{{VectorXd::Zero(n_), VectorXd::Zero(n_)}, Eigen::Vector2d::Zero()};
+      (row == 0 ? damper.shape.x : damper.shape.y) = solver.eigenvectors().col(k);
+      damper.damping[row] = value;
+      rotor_.bearing_dampers.push_back(std::move(damper));
+    }
+  }
+
+  void fill_load() {
+    scene::Force force;
+    force.kind = scene::ForceKind::kConstant;
+    force.vector = {1.0, 1.0};
+    const ModeShape& shape = rotor_.force_shapes[0];
+    if (shape.x.isZero(0.0) && shape.y.isZero(0.0)) {
+      rotor_.force_shapes.clear();
+    } else {
+      twin_.scene.forces.push_back(force);
+    }
+  }
+
+  void fill_ring(const Layout& l) {
+    if (l.stator == 0) return;
+    scene::Stator& ring = twin_.scene.stator.emplace();
+    Eigen::Vector2d weight;
+    for (int k = 0; k < 2; ++k) {
+      const int dof = planes_.ring[static_cast<std::size_t>(k)];
+      const double a = machine_.ring(k, dof), square = a * a;
+      ring.mass[k] = machine_.mass(dof, dof) / square;
+      ring.stiffness[k] = machine_.stiffness(dof, dof) / square;
+      ring.damping[k] = machine_.damping(dof, dof) / square;
+      weight[k] = machine_.force[dof] / a / ring.mass[k];
+      twin_.coordinates(l.ring() + k, dof) = a;
+    }
+    if (!weight.isZero(0.0)) twin_.scene.gravity.emplace().acceleration = weight;
+  }
+
+  void fill_spin(const Layout& l) {
+    if (l.spin == 0) return;
+    const int spin = machine_.spin;
+    constexpr double kFree = 1e-6;  // (rad/s)^2, what differences leave
+    if (std::abs(machine_.stiffness(spin, spin)) > kFree * machine_.mass(spin, spin)) {
+      refuse(joint_element(m_, m_->dof_jntid[spin]),
+             "turns the rotor against a spring, for a twin; accepted: stiffness=\"0\"");
+    }
+    twin_.coordinates(l.phi(), spin) = machine_.sense;
+    rotor_.spin_inertia = machine_.mass(spin, spin);
+    for (const Eccentricity& e : machine_.unbalance) {
+      const VectorXd x = e.jacobian.row(0)(planes_.x.dofs).transpose();
+      const VectorXd y = e.jacobian.row(1)(planes_.y.dofs).transpose();
+      rotor_.unbalances.push_back({{planes_.x.shapes.transpose() * x, planes_.y.shapes.transpose() * y},
+                                   e.static_moment,
+                                   e.phase});
+    }
+    fill_drive(twin_.scene.drive.emplace());
+  }
+
+  // T(Omega): linear where it is, else a table.
+  void fill_drive(scene::Drive& drive) const {
+    const std::vector<double>& torque = machine_.torque;
+    const double sense = machine_.sense, step = 2.0 * machine_.speed / static_cast<double>(torque.size() - 1);
+    double largest = 0.0, curved = 0.0;
+    const double slope = (torque.back() - torque.front()) / (2.0 * machine_.speed);
+    for (std::size_t k = 0; k < torque.size(); ++k) {
+      largest = std::max(largest, std::abs(torque[k]));
+      curved = std::max(curved,
+                        std::abs(torque[k] - torque.front() - slope * step * static_cast<double>(k)));
+    }
+    if (largest == 0.0) return;
+    if (curved <= kNone * largest && slope < 0.0) {
+      drive.kind = scene::DriveKind::kLinear;
+      drive.gain = -slope;
+      drive.speed = sense * torque.front() / drive.gain;
+      return;
+    }
+    drive.kind = scene::DriveKind::kTable;
+    for (std::size_t k = 0; k < torque.size(); ++k) {
+      drive.table_speed.push_back(sense * step * static_cast<double>(k));
+      drive.table_torque.push_back(sense * torque[k]);
+    }
+    if (drive.table_speed.front() <= drive.table_speed.back()) return;
+    std::reverse(drive.table_speed.begin(), drive.table_speed.end());
+    std::reverse(drive.table_torque.begin(), drive.table_torque.end());
+  }
+
+  void fill_scene(const Layout& l) {
+    scene::Scene& scene = twin_.scene;
+    scene.run.step = m_->opt.timestep;
+    scene.mujoco.contact = config_.contact;
+    const ContactParameters& c = *config_.model.contact;
+    scene::Contact& contact = scene.contact.emplace();
+    contact.radius = c.radius;
+    contact.clearance = c.clearance;
+    contact.friction = c.friction;
+    contact.restitution = c.restitution;
+    contact.tangential_restitution = c.tangential_restitution;
+    // The lists are what pictures and pages know of a rotor.
+    scene::RotorModal& modal = scene.rotor.modal.emplace();
+    modal.mass = list(rotor_.x.mass);
+    modal.mass_y = list(rotor_.y.mass);
+    modal.stiffness = list(rotor_.x.stiffness);
+    modal.stiffness_y = list(rotor_.y.stiffness);
+    modal.inertia = rotor_.spin_inertia;
+    scene.rotor.assembled = std::make_shared<const ModalRotor>(rotor_);
+
+    VectorXd q(l.nq()), v(l.nq());
+    twin_.read(m_, start_, q.data(), v.data());
+    scene::Initial& initial = scene.initial;
+    initial.x = list(q.segment(l.x(), n_));
+    initial.y = list(q.segment(l.y(), n_));
+    initial.vx = list(v.segment(l.x(), n_));
+    initial.vy = list(v.segment(l.y(), n_));
+    if (l.spin) {
+      initial.spin_angle = q[l.phi()];
+      scene.rotor.speed = v[l.phi()];
+    }
+    if (l.stator) {
+      initial.stator = q.segment<2>(l.ring());
+      initial.stator_velocity = v.segment<2>(l.ring());
+    }
+  }
+
+  const mjModel* m_;
+  const Config& config_;
+  const mjData* start_;
+  LinearMachine machine_;
+  TwinPlanes planes_;
+  Eigen::Index n_;
+  ModalRotor rotor_;
+  NativeTwin twin_;
+};
+
+}  // namespace
+
+void NativeTwin::read(const mjModel* m, const mjData* d, double* q, double* v) const {
+  const auto nq = coordinates.rows();
+  VectorXd moved(m->nv);
+  mj_differentiatePos(m, moved.data(), 1.0, m->qpos0, d->qpos);
+  Eigen::Map<VectorXd>(q, nq) = coordinates * moved + offset;
+  Eigen::Map<VectorXd>(v, nq) = coordinates * Eigen::Map<const VectorXd>(d->qvel, m->nv);
+}
+
+NativeTwin make_native_twin(const mjModel* m, const Config& config, const mjData* start) {
+  return Maker(m, config, start).make();
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,212 @@
+#include "plugin/twin/planes.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "plugin/message.h"
+
+namespace rotorub::plugin {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kNone = 1e-8;  // share of the larger, of what differences leave
+
+std::string joint_of(const mjModel* m, int dof) { return joint_element(m, m->dof_jntid[dof]); }
+
+// Which degrees of freedom act on each other, each pair in units of its own diagonal.
+class Links {
+ public:
+  explicit Links(const LinearMachine& machine) {
+    const auto n = machine.mass.rows();
+    linked_ = MatrixXd::Zero(n, n);
+    add(machine.mass);
+    add(machine.stiffness);
+    add(machine.damping);
+  }
+  bool linked(int a, int b) const { return linked_(a, b) > 0.0; }
+
+  // All that hang together with `first`, `first` included.
+  std::vector<int> group(int first, const std::vector<int>& among) const {
+    std::vector<int> all{first};
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      for (const int other : among) {
+        if (linked(all[k], other) && std::find(all.begin(), all.end(), other) == all.end()) {
+          all.push_back(other);
+        }
+      }
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+ private:
+  void add(const MatrixXd& a) {
+    const double largest = a.diagonal().cwiseAbs().maxCoeff();
+    for (int i = 0; i < a.rows(); ++i) {
+      for (int j = 0; j < a.cols(); ++j) {
+        double own = std::sqrt(std::abs(a(i, i) * a(j, j)));
+        if (!(own > 0.0)) own = largest;
+        if (i != j && std::abs(a(i, j)) + std::abs(a(j, i)) > kNone * own) {
+          linked_(i, j) = linked_(j, i) = 1.0;
+        }
+      }
+    }
+  }
+
+  MatrixXd linked_;
+};
+
+bool moves(const MatrixXd& rows, int row, int dof) {
+  return std::abs(rows(row, dof)) > kNone * rows.cwiseAbs().maxCoeff();
+}
+bool moves(const MatrixXd& rows, int dof) { return moves(rows, 0, dof) || moves(rows, 1, dof); }
+
+// The ring's degrees of freedom: none, or two that move it in x and y and nothing else.
+std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine, const Links& links) {
+  std::vector<int> ring;
+  for (int i = 0; i < m->nv; ++i) {
+    if (!moves(machine.ring, i)) continue;
+    if (moves(machine.rotor, i)) {
+      refuse(joint_of(m, i), "moves rotor and ring, for a twin; accepted: one of them");
+    }
+    ring.push_back(i);
+  }
+  if (ring.empty()) return ring;
+  if (ring.size() != 2) {
+    refuse(joint_of(m, ring.front()),
+           "is one of " + text(static_cast<int>(ring.size())) +
+               " that move the ring, for a twin; accepted: two, along x and y of its geom, or none");
+  }
+  if (moves(machine.ring, 0, ring[1])) std::swap(ring[0], ring[1]);
+  for (int k = 0; k < 2; ++k) {
+    const int dof = ring[static_cast<std::size_t>(k)];
+    if (moves(machine.ring, 1 - k, dof) || !moves(machine.ring, k, dof)) {
+      refuse(joint_of(m, dof),
+             "does not move the ring along x or y of its geom, for a twin; accepted: along one of "
+             "them (a round geom may be turned about its axis)");
+    }
+    for (int other = 0; other < m->nv; ++other) {
+      if (other == dof || !links.linked(dof, other)) continue;
+      refuse(joint_of(m, dof), "acts on " + joint_of(m, other) +
+                                   ", for a twin; accepted: a ring whose two joints act on nothing else");
+    }
+  }
+  return ring;
+}
+
+TwinPlane modes_of(std::vector<int> dofs, const LinearMachine& machine, int row) {
+  TwinPlane plane;
+  std::sort(dofs.begin(), dofs.end());
+  const auto n = static_cast<Eigen::Index>(dofs.size());
+  const MatrixXd mass = machine.mass(dofs, dofs);
+  const MatrixXd k = machine.stiffness(dofs, dofs);
+  const MatrixXd even = 0.5 * (k + k.transpose());
+  const VectorXd contact = machine.rotor.row(row)(dofs).transpose();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(even, mass);
+  plane.dofs = std::move(dofs);
+  plane.shapes = solver.eigenvectors();  // of modal mass 1
+  plane.contact = plane.shapes.transpose() * contact;
+  const double largest = plane.contact.cwiseAbs().maxCoeff();
+  plane.mass = VectorXd::Ones(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double c = plane.contact[j];
+    const bool node = std::abs(c) <= kNone * largest;
+    plane.contact[j] = node ? 0.0 : 1.0;
+    if (node) continue;
+    plane.shapes.col(j) /= c;
+    plane.mass[j] = 1.0 / (c * c);
+  }
+  plane.stiffness = solver.eigenvalues().cwiseProduct(plane.mass);
+  plane.inverse = plane.mass.cwiseInverse().asDiagonal() * plane.shapes.transpose() * mass;
+  return plane;
+}
+
+// Modes that stand still, so that both planes have as many.
+void pad(TwinPlane& plane, Eigen::Index modes) {
+  const Eigen::Index had = plane.mass.size(), more = modes - had;
+  if (more <= 0) return;
+  const auto n = plane.shapes.rows();
+  plane.shapes.conservativeResize(n, modes);
+  plane.shapes.rightCols(more).setZero();
+  plane.inverse.conservativeResize(modes, n);
+  plane.inverse.bottomRows(more).setZero();
+  for (auto* list : {&plane.mass, &plane.stiffness, &plane.contact}) list->conservativeResize(modes);
+  plane.mass.tail(more).setOnes();
+  plane.stiffness.tail(more).setZero();
+  plane.contact.tail(more).setZero();
+}
+
+}  // namespace
+
+TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
+  const Links links(machine);
+  TwinPlanes planes;
+  planes.ring = ring_dofs(m, machine, links);
+  std::vector<int> left;
+  for (int i = 0; i < m->nv; ++i) {
+    const bool ring = std::find(planes.ring.begin(), planes.ring.end(), i) != planes.ring.end();
+    if (i != machine.spin && !ring) left.push_back(i);
+  }
+  if (machine.spin >= 0) {
+    for (const int i : left) {
+      if (!links.linked(machine.spin, i)) continue;
+      refuse(joint_of(m, machine.spin), "acts on " + joint_of(m, i) +
+                                            " at rest, for a twin; accepted: a spin that bending "
+                                            "meets by unbalance alone");
+    }
+  }
+  std::vector<int> of[2], rest;
+  while (!left.empty()) {
+    const std::vector<int> group = links.group(left.front(), left);
+    std::erase_if(left, [&](int i) { return std::find(group.begin(), group.end(), i) != group.end(); });
+    int joint[2] = {-1, -1};
+    for (const int i : group) {
+      for (int k = 0; k < 2; ++k) {
+        if (moves(machine.rotor, k, i)) joint[k] = i;
+      }
+    }
+    if (joint[0] >= 0 && joint[1] >= 0) {
+      refuse(joint_of(m, joint[0]),
+             "moves with " + joint_of(m, joint[1]) +
+                 ", and they move the rotor in both planes of the ring's geom, for a twin; accepted: "
+                 "planes that do not act on each other (a round geom may be turned about its axis)");
+    }
+    std::vector<int>& to = joint[0] >= 0 ? of[0] : joint[1] >= 0 ? of[1] : rest;
+    to.insert(to.end(), group.begin(), group.end());
+  }
+  // What gyroscopics alone tie to a plane belongs to the other one.
+  const double largest = machine.gyroscopic.cwiseAbs().maxCoeff();
+  for (bool found = true; found;) {
+    found = false;
+    for (std::size_t k = 0; k < rest.size() && !found; ++k) {
+      for (int plane = 0; plane < 2 && !found; ++plane) {
+        for (const int i : of[plane]) {
+          if (std::abs(machine.gyroscopic(i, rest[k])) <= kNone * largest) continue;
+          of[1 - plane].push_back(rest[k]);
+          rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
+          found = true;
+          break;
+        }
+      }
+    }
+  }
+  if (of[0].empty() || of[1].empty()) {
+    throw ConfigError(
+        "rotorub: no joint moves the rotor along " + std::string(of[0].empty() ? "x" : "y") +
+        " of the ring's geom; accepted, for a twin: a rotor that moves in both planes");
+  }
+  planes.x = modes_of(of[0], machine, 0);
+  planes.y = modes_of(of[1], machine, 1);
+  const Eigen::Index modes = std::max(planes.x.mass.size(), planes.y.mass.size());
+  pad(planes.x, modes);
+  pad(planes.y, modes);
+  planes.ignored = rest;
+  return planes;
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,80 @@
+#include "plugin/twin/twin_limits.h"
+
+#include <algorithm>
+
+#include "plugin/message.h"
+
+namespace rotorub::plugin {
+namespace {
+
+constexpr double kSaid = 1e-4;  // share from which on something is said
+
+std::string percent(double share) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.2g %%", 100.0 * share);
+  return digits;
+}
+
+bool takes_part(int dof, const LinearMachine& machine, const TwinPlanes& planes) {
+  if (dof == machine.spin) return true;
+  const auto in = [dof](const std::vector<int>& list) {
+    return std::find(list.begin(), list.end(), dof) != list.end();
+  };
+  return in(planes.x.dofs) || in(planes.y.dofs) || in(planes.ring);
+}
+
+// Constraints of MuJoCo's that a linear model has not.
+void add_constraints(const mjModel* m, const LinearMachine& machine, const TwinPlanes& planes,
+                     std::vector<std::string>& all) {
+  for (int i = 0; i < m->nv; ++i) {
+    if (!takes_part(i, machine, planes)) continue;
+    const int joint = m->dof_jntid[i];
+    if (m->jnt_limited[joint]) {
+      all.push_back(joint_element(m, joint) + " is limited; the twin's is not");
+    }
+    if (m->dof_frictionloss[i] > 0.0) {
+      all.push_back(joint_element(m, joint) + " loses " + text(m->dof_frictionloss[i]) +
+                    " N or N m to friction; the twin's does not");
+    }
+  }
+  for (int i = 0; i < m->neq; ++i) {
+    if (!m->eq_active[i]) continue;
+    all.push_back(message("<equality>: \"{}\" holds in MuJoCo alone", m->names + m->name_eqadr[i]));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> twin_limits(const mjModel* m, const LinearMachine& machine,
+                                     const TwinPlanes& planes) {
+  std::vector<std::string> all;
+  const double bent = std::max({machine.bent_mass, machine.bent_stiffness, machine.bent_contact});
+  if (bent > kSaid) {
+    all.push_back("deflections are not small: at one clearance the masses change by " +
+                  percent(machine.bent_mass) + ", the springs' forces by " +
+                  percent(machine.bent_stiffness) + ", the gap by " + percent(machine.bent_contact) +
+                  " of the clearance; the twin keeps them");
+  }
+  if (machine.uneven_inertia > kSaid) {
+    all.push_back("the rotor is no body of revolution: its masses change by " +
+                  percent(machine.uneven_inertia) + " as it turns; the twin has their mean");
+  }
+  if (machine.uneven_coupling > kSaid) {
+    all.push_back("spin and bending are coupled by more than unbalance (" +
+                  percent(machine.uneven_coupling) + " of the masses), which the twin has not");
+  }
+  double moment = 0.0;
+  for (const Eccentricity& e : machine.unbalance) moment += e.static_moment;
+  const double torque = moment * machine.gravity.norm();
+  if (torque > 0.0) {
+    all.push_back("the weight of the unbalance turns the rotor by up to " + text(torque) +
+                  " N m; the twin leaves that out");
+  }
+  add_constraints(m, machine, planes, all);
+  for (const int dof : planes.ignored) {
+    all.push_back(joint_element(m, m->dof_jntid[dof]) + " moves nothing that the contact meets; left out");
+  }
+  return all;
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,88 @@
+// A machine of the user's own beside its twin.
+#include "compare/own/own_machine.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "compare/study/scene_comparison.h"
+#include "native_model/run/run_native.h"
+#include "plugin/config.h"
+#include "tests/support/order.h"
+
+namespace rotorub {
+namespace {
+
+const std::string kOwn = std::string(ROTORUB_MJCF_DIR) + "/examples/own_model.xml";
+
+OwnRun until(double end) {
+  OwnRun run;
+  run.end = end;
+  return run;
+}
+
+Trajectory own_run(const std::shared_ptr<const OwnMachine>& machine, scene::ContactModel contact,
+                   double step) {
+  RunRequest request;
+  request.step = step;
+  const Trajectory t = own_engine(machine, contact)->run(machine->scene(), request);
+  EXPECT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_EQ(t.contact_model, to_string(contact));
+  return t;
+}
+
+// The run-up of the shipped machine into its rub: MuJoCo's `rigid` comes to the twin as its step falls.
+TEST(OwnMachine, ConvergesToItsTwin) {
+  const auto machine = std::make_shared<const OwnMachine>(kOwn, until(0.05));
+  EXPECT_EQ(machine->scene().name, "own_model");
+  EXPECT_TRUE(machine->limits().empty());
+  const Trajectory native = run_native(machine->scene(), {});
+  ASSERT_EQ(native.status, Status::kOk) << native.message;
+  ASSERT_GT(native.impacts.size(), 3U);
+  const double coarse = test::rotor_error(own_run(machine, scene::ContactModel::kRigid, 1e-5), native);
+  const double fine = test::rotor_error(own_run(machine, scene::ContactModel::kRigid, 2.5e-6), native);
+  EXPECT_LT(coarse, 5e-6);
+  EXPECT_LT(fine, 0.35 * coarse);
+}
+
+// The other contact models on the same file, which asks for one.
+TEST(OwnMachine, HasEveryContactModel) {
+  const auto machine = std::make_shared<const OwnMachine>(kOwn, until(0.1));
+  const Trajectory native = run_native(machine->scene(), {});
+  ASSERT_GT(native.mean_force(), 0.0);
+  for (const auto contact : {scene::ContactModel::kCoulomb, scene::ContactModel::kCone}) {
+    const Trajectory t = own_run(machine, contact, 1e-5);
+    // The cone chatters in this rub, and its mean is that of its bounces.
+    const double share = contact == scene::ContactModel::kCone ? 0.3 : 1e-3;
+    EXPECT_NEAR(t.mean_force(), native.mean_force(), share * native.mean_force()) << to_string(contact);
+    EXPECT_GT(t.statistics.max_penetration, 0.0);
+  }
+}
+
+TEST(OwnMachine, IsComparedLikeAScene) {
+  CompareOptions options;
+  options.own = std::make_shared<const OwnMachine>(kOwn, until(0.04));
+  options.twins = 2;
+  options.timing_repeats = 1;
+  const SceneComparison c = compare_scene(options.own->scene(), options);
+  EXPECT_EQ(c.status(), Status::kOk);
+  EXPECT_TRUE(c.own);
+  ASSERT_EQ(c.sides.size(), 4U);
+  EXPECT_EQ(c.sides[1].engine, "mujoco-rigid");
+  ASSERT_TRUE(c.sides[0].metrics.first_touch && c.sides[1].metrics.first_touch);
+  EXPECT_NEAR(*c.sides[1].metrics.first_touch, *c.sides[0].metrics.first_touch, 2e-5);
+}
+
+TEST(OwnMachine, RefusesAGeneratedFile) {
+  try {
+    const OwnMachine machine(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.xml");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("compare the scene"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
