@@ -109,11 +109,15 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
   const MujocoMessages messages;
   const MujocoModel m = load_mjcf_file(file);
   if (run.step) m->opt.timestep = *run.step;
-  const plugin::Config config = plugin::make_config(m.get());
-  if (!config.own) {
-    throw std::runtime_error(file.string() +
-                             ": is a generated file; compare the scene that it was made of");
+  if (plugin::scene_text(m.get())) {
+    throw std::runtime_error("is a generated file; compare the scene that it was made of");
   }
+  if (!plugin::is_ours(m.get())) {
+    throw std::runtime_error(
+        "names no rub; accepted: geoms of rotor and ring in <custom>, as in "
+        "mjcf/examples/own_model.xml (plugin/README.md)");
+  }
+  const plugin::Config config = plugin::make_config(m.get());
   contact_ = config.contact;
   plugin::NativeTwin twin = plugin::make_native_twin(m.get(), config, make_start(m.get()).get());
   scene_ = std::move(twin.scene);
