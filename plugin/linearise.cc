@@ -1,0 +1,78 @@
+#include "plugin/linearise.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "plugin/differences.h"
+
+namespace rotorub::plugin {
+namespace {
+
+using Eigen::MatrixXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+MatrixXd matrix(const std::vector<double>& values, int rows, int columns) {
+  return Eigen::Map<const RowMajor>(values.data(), rows, columns);
+}
+
+// Spectral projection onto the eigenvalues of `a` below `radius`: (1 - sign of its Cayley transform) / 2,
+// the sign by Newton's iteration.
+MatrixXd projection_within(const MatrixXd& a, double radius) {
+  const MatrixXd one = MatrixXd::Identity(a.rows(), a.cols());
+  MatrixXd x = (a + radius * one).partialPivLu().solve(a - radius * one);
+  constexpr int kRounds = 100;
+  for (int k = 0; k < kRounds; ++k) {
+    const MatrixXd next = 0.5 * (x + x.inverse());
+    const double change = (next - x).norm();
+    x = next;
+    if (change <= 1e-14 * x.norm()) break;
+  }
+  MatrixXd projection = 0.5 * (one - x);
+  // In flight there is none, but for round-off.
+  if (std::abs(projection.trace()) < 0.5) projection.setZero();
+  return projection;
+}
+
+void refuse_fast(const MatrixXd& a) {
+  const Eigen::EigenSolver<MatrixXd> solver(a, false);
+  for (const std::complex<double>& value : solver.eigenvalues()) {
+    if (value.real() > 0.0 || std::abs(value.imag()) > 1e-9 * std::abs(value)) continue;
+    throw std::runtime_error(
+        "rotorub: linearise: a mode turns by half a turn a step or more; accepted: a smaller "
+        "<option timestep>");
+  }
+}
+
+}  // namespace
+
+LinearSystem linearise(const mjModel* m, const mjData* d, double eps) {
+  const Transition t = transition(m, d, eps);
+  constexpr double kHeld = 0.5;  // of a step; what moves at all keeps nearly 1
+  const MatrixXd step = matrix(t.A, t.states, t.states);
+  const MatrixXd one = MatrixXd::Identity(t.states, t.states);
+  LinearSystem out;
+  out.held = projection_within(step, kHeld);
+  const MatrixXd free = step * (one - out.held) + out.held;
+  refuse_fast(free);
+  const double h = m->opt.timestep;
+  out.A = free.log() / h;
+  // B_k = h phi(A h) B, phi(x) = (e^x - 1) / x = sum x^j / (j + 1)!: a few terms, |A h| being small, or
+  // as many as it takes.
+  const MatrixXd x = out.A * h;
+  MatrixXd phi = one, term = one;
+  for (int j = 1; j < 60 && term.norm() > 1e-17 * phi.norm(); ++j) {
+    term = term * x / (j + 1.0);
+    phi += term;
+  }
+  out.B = phi.partialPivLu().solve((one - out.held) * matrix(t.B, t.states, t.controls)) / h;
+  out.C = matrix(t.C, t.sensors, t.states) * (one - out.held);
+  out.D = matrix(t.D, t.sensors, t.controls);
+  return out;
+}
+
+}  // namespace rotorub::plugin
