@@ -93,7 +93,7 @@ inline int verlet_data_size(int nq, std::size_t slot) {
   return kVerletSingle + nq + 2 * static_cast<int>(slot);
 }
 // Behind them, with [mujoco] shadow: the shadow's, `memory` of them the stepper's.
-inline constexpr int kShadowSingle = 11;
+inline constexpr int kShadowSingle = 12;
 inline int shadow_data_size(std::size_t memory) { return kShadowSingle + static_cast<int>(memory); }
 
 }  // namespace rotorub::mjcf_names

@@ -1,6 +1,8 @@
 #include "plugin/config.h"
 
 #include <atomic>
+#include <bit>
+#include <cstdint>
 #include <string_view>
 
 #include "mjcf/names.h"
@@ -161,6 +163,24 @@ void map_shadow(const mjModel* m, ShadowConfig& s) {
   s.ghost_ring = ghost(names::kGhostRing);
 }
 
+// FNV-1a of the numbers that an edit of mjModel changes, as a whole number that a double holds.
+double mark_of(const Model& model) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  const auto add = [&hash](const double* x, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x[i])) * 1099511628211ULL;
+    }
+  };
+  for (const auto* list : {&model.mass, &model.stiffness, &model.damping, &model.weight}) {
+    add(list->data(), static_cast<std::size_t>(list->size()));
+  }
+  if (model.contact) add(&model.contact->radius, 1);
+  if (model.contact) add(&model.contact->clearance, 1);
+  if (model.contact) add(&model.contact->friction, 1);
+  add(&model.force_limit, 1);
+  return 1.0 + static_cast<double>(hash >> 12);
+}
+
 double next_id() {
   static std::atomic<int> count{0};
   return 1.0 + count.fetch_add(1);
@@ -258,7 +278,10 @@ Config make_config(const mjModel* m) {
   map_sensors(m, config);
   map_structure(m, config);
   take_parameters(m, config);
-  if (config.shadow) map_shadow(m, *config.shadow);
+  if (config.shadow) {
+    map_shadow(m, *config.shadow);
+    config.shadow->mark = mark_of(config.shadow->model);
+  }
   config.fingerprint = fingerprint(m);
   config.id = next_id();
   return config;
@@ -267,6 +290,7 @@ Config make_config(const mjModel* m) {
 Config with_parameters(const Config& config, const mjModel* m) {
   Config other = config;
   take_parameters(m, other);
+  if (other.shadow) other.shadow->mark = mark_of(other.shadow->model);
   other.id = next_id();
   return other;
 }

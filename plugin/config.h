@@ -26,6 +26,7 @@ struct ShadowConfig {
   // With a controller of its own the whole scene; without one the actuator is ideal, as the force on
   // the ring is MuJoCo's.
   Model model;
+  double mark = 0.0;  // of the model's numbers, > 0: another after an edit of mjModel
   int data = -1;  // in mjData.userdata
   int gap = -1, normal_force = -1, friction_force = -1;  // in mjData.sensordata
   int rotor = -1, stator = -1;                           // x and y

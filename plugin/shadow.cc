@@ -53,6 +53,12 @@ void stop(double* entry, Status status, const char* warning) {
   mju_warning(warning);
 }
 
+void say_edited(double* entry) {
+  if (entry[kShadowEdited] != 0.0) return;
+  entry[kShadowEdited] = 1.0;
+  mju_warning("rotorub: shadow: mjModel was edited: it starts anew from MuJoCo's state");
+}
+
 // In the coordinates of the shadow's model: with those of its coils, whose rates are the currents.
 void mujoco_state(const Config& config, const mjModel* m, const mjData* d, double* q, double* v) {
   const Layout& l = config.shadow->model.layout;
@@ -67,7 +73,7 @@ void mujoco_state(const Config& config, const mjModel* m, const mjData* d, doubl
 
 void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
   const double h = m->opt.timestep;
-  entry[kShadowBegun] = 1.0;
+  entry[kShadowBegun] = config.shadow->mark;
   entry[kShadowTime] = entry[kShadowOrigin] = d->time;
   entry[kShadowStep] = h;
   entry[kShadowSteps] = 0.0;
@@ -125,7 +131,9 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
   const double passed = d->time - entry[kShadowTime];
   const bool same_time = std::abs(passed) <= margin;
   const bool runs = entry[kShadowStatus] == static_cast<double>(Status::kOk);
-  if (entry[kShadowBegun] == 0.0 || entry[kShadowStep] != h ||
+  const bool edited = entry[kShadowBegun] != 0.0 && entry[kShadowBegun] != config.shadow->mark;
+  if (edited) say_edited(entry);
+  if (entry[kShadowBegun] == 0.0 || edited || entry[kShadowStep] != h ||
       (same_time && runs && entry[kShadowSteps] == 0.0)) {
     begin(config, m, d, entry);
     return;

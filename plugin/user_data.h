@@ -47,7 +47,8 @@ static_assert(kVerletSingle == mjcf_names::kVerletSingle);
 
 // The shadow's, from Config::shadow.data on (shadow.h); behind them the memory of its stepper.
 enum ShadowEntry : int {
-  kShadowBegun,     // 1: it runs
+  kShadowBegun,     // mark of the model that it began with (ShadowConfig); 0: not begun
+  kShadowEdited,    // 1: it was said that the model was edited
   kShadowTime,      // s, mjData.time that it has come to
   kShadowStep,      // s, its step
   kShadowOrigin,    // s, where its steps are counted from

@@ -143,6 +143,34 @@ TEST_F(ShadowData, AStepThatIsTooLargeIsRefusedByItsKey) {
 
 int warnings = 0;
 
+// An edited mjModel is another machine: the shadow is that one from then on, and says so once.
+TEST_F(ShadowData, AnEditStartsItAnewWithAWord) {
+  const ModelPointer m = load(mjcf(shadowed("bench_ring", {"initial.x=[1e-4]"})));
+  const DataPointer d = start(m.get());
+  const auto said_by_fixture = mju_user_warning;
+  mju_user_warning = [](const char* text) {
+    ++warnings;
+    EXPECT_NE(std::string(text).find("edited"), std::string::npos) << text;
+  };
+  warnings = 0;
+  const int joint = mj_name2id(m.get(), mjOBJ_JOINT, names::bending_joint('x', 1).c_str());
+  for (int edit = 1; edit <= 2; ++edit) {
+    for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());
+    const double changed = d->time;
+    m->jnt_stiffness[joint] *= 0.5;
+    for (int k = 0; k < 101; ++k) mj_step(m.get(), d.get());
+    const plugin::Config config = plugin::make_config(m.get());
+    EXPECT_NEAR(entry(config, d.get(), plugin::kShadowOrigin), changed, 1e-12) << edit;
+    EXPECT_EQ(entry(config, d.get(), plugin::kShadowSteps), 100.0) << edit;
+    // Both differ by the start's velocity, half a step old: about 1e-6 m. The old stiffness would move it by
+    // dk x t^2 / (2 m) = 1.2e-5 m.
+    const Eigen::Vector2d here(d->qpos[m->jnt_qposadr[joint]], 0.0);
+    EXPECT_NEAR(shadow_of(config, d.get())[0], here.x(), 3e-6) << edit;
+    EXPECT_EQ(warnings, 1) << edit;
+  }
+  mju_user_warning = said_by_fixture;
+}
+
 // What fails is said once, and no sensor ever holds a NaN.
 TEST_F(ShadowData, AFailureStopsItWithOneWarning) {
   const ModelPointer m = load(mjcf(shadowed("paper_passive", {"rotor.modes=2"})));
