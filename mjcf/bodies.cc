@@ -130,11 +130,16 @@ class Bodies {
       joint(names::kRingX, "slide", "1 0 0", model_.layout.ring());
       joint(names::kRingY, "slide", "0 1 0", model_.layout.ring() + 1);
     }
+    // After the slides, whose axes it must not turn.
+    if (model_.layout.ring_spin) {
+      joint(names::kRingSpin, "hinge", "0 0 1", model_.layout.ring_angle());
+    }
     open_moving_body(names::kRing);  // massless where fixed too: MuJoCo weighs it with the world
     const double clearance = scene_.contact ? scene_.contact->clearance : 0.0;
     xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
                           R"(conaffinity="0" group="1" rgba="0.2 0.45 0.7 0.25"/>)",
                           names::kRing, radius_ + clearance, 0.9 * half));
+    if (model_.layout.ring_spin) ring_mark(radius_ + clearance, half);
     if (scene_.contact) {
       // A rod half a length above the plane: far from the rotor's sphere, with a bounding sphere
       // that holds it wherever the two go.
@@ -145,6 +150,14 @@ class Bodies {
                             0.1 * radius_));
     }
     close_moving_body();
+  }
+
+  // Shows that the ring turns.
+  void ring_mark(double bore, double half) {
+    xml_.line(fmt::format(R"(<geom name="ring_mark" type="box" pos="{} 0 {}" size="{} {} {}" )"
+                          R"(mass="0" contype="0" conaffinity="0" group="1" )"
+                          R"(rgba="0.95 0.75 0.1 1"/>)",
+                          1.06 * bore, half, 0.05 * bore, 0.03 * bore, 0.05 * half));
   }
 
   XmlWriter& xml_;
@@ -180,7 +193,7 @@ std::vector<int> joint_order(const Model& model) {
       if (model.torsion_contact[k] == on) order.push_back(l.theta() + k);
     }
   }
-  for (int k = 0; k < l.stator; ++k) order.push_back(l.ring() + k);
+  for (int i = l.ring(); i < l.coil(); ++i) order.push_back(i);
   return order;
 }
 

@@ -1,5 +1,5 @@
 // Names of the elements in a generated MJCF, as the plugin, the engine and the renderer look them
-// up. Joints: x_1.., y_1.. (bending modes), spin, torsion_1.., ring_x, ring_y.
+// up. Joints: x_1.., y_1.. (bending modes), spin, torsion_1.., ring_x, ring_y, ring_spin.
 #pragma once
 
 #include <cstddef>
@@ -50,6 +50,7 @@ inline constexpr const char* kEndX = "end_x";
 inline constexpr const char* kEndY = "end_y";
 inline constexpr const char* kRingX = "ring_x";
 inline constexpr const char* kRingY = "ring_y";
+inline constexpr const char* kRingSpin = "ring_spin";
 
 // Actuators and the tendons that they pull, s_k = a_k . q_f
 inline constexpr const char* kActuator[2] = {"actuator_1", "actuator_2"};

@@ -226,8 +226,9 @@ class Document {
     };
     const Layout& l = model_.layout;
     const auto with_ring = [&](Eigen::VectorXd rotor, const Eigen::VectorXd& all) {
-      rotor.conservativeResize(rotor.size() + l.stator);
-      rotor.tail(l.stator) = all.segment(l.ring(), l.stator);
+      const int ring = l.stator + l.ring_spin;
+      rotor.conservativeResize(rotor.size() + ring);
+      rotor.tail(ring) = all.segment(l.ring(), ring);
       return rotor;
     };
     const std::vector<int> order = joint_order(model_);

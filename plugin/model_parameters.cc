@@ -24,16 +24,27 @@ void for_each_joint(const Config& config, Action action) {
   }
 }
 
+// kg m^2, of the body about its z axis, on which its joints are.
+double turning_inertia(const mjModel* m, int body) {
+  mjtNum axes[9];
+  mju_quat2Mat(axes, m->body_iquat + 4 * body);
+  const mjtNum* centre = m->body_ipos + 3 * body;
+  double sum = m->body_mass[body] * (centre[0] * centre[0] + centre[1] * centre[1]);
+  for (int k = 0; k < 3; ++k) sum += axes[6 + k] * axes[6 + k] * m->body_inertia[3 * body + k];
+  return sum;
+}
+
 // What MuJoCo has on the diagonal of its mass matrix: of a dof that it calls simple what mj_setConst
-// found last, not the armature of now. A mass on the ring moves with both of its joints alike: it is
-// the ring's.
+// found last, not the armature of now. A mass on the ring moves with its slides alike, and its inertia
+// with its hinge: they are the ring's.
 double mass_of(const Config& config, const mjModel* m, int i, int dof) {
   const double armature = m->dof_armature[dof];
   double mass = armature;
   if (m->dof_simplenum[dof] > 0) {
     mass = m->dof_M0[dof];
   } else if (i >= config.model.layout.ring()) {
-    mass += m->body_mass[m->dof_bodyid[dof]];
+    const int body = m->dof_bodyid[dof];
+    mass += config.model.layout.turns(i) ? turning_inertia(m, body) : m->body_mass[body];
   }
   return std::abs(mass - armature) > kMassless ? mass : armature;
 }
@@ -113,12 +124,24 @@ void check_masses(const mjModel* m, const Config& config) {
   }
 }
 
+// Off its axis, mass on a ring that turns is an unbalance, which the native ring does not have.
+void check_ring_mass(const mjModel* m, const Config& config) {
+  const Layout& l = config.model.layout;
+  if (!l.ring_spin) return;
+  const int body = m->dof_bodyid[config.dof_address[static_cast<std::size_t>(l.ring_angle())]];
+  const mjtNum* centre = m->body_ipos + 3 * body;
+  if (m->body_mass[body] <= kMassless || (centre[0] == 0.0 && centre[1] == 0.0)) return;
+  refuse(body_element(m, body),
+         message("its centre of mass is at {} {}, off the axis about which it turns; accepted: x and y 0",
+                 centre[0], centre[1]));
+}
+
 void take_joints(const mjModel* m, Model& model, const Config& config) {
   for_each_joint(config, [&](int i, int dof) {
     if (i >= model.nq()) return;
     const double mass = mass_of(config, m, i, dof);
     check_joint_numbers(m, m->dof_jntid[dof], mass, stiffness_of(m, dof), m->dof_damping[dof]);
-    if (i >= model.layout.ring()) model.gravity_mass[i] = mass;
+    if (i >= model.layout.ring() && !model.layout.turns(i)) model.gravity_mass[i] = mass;
     model.mass[i] = mass;
     model.stiffness[i] = stiffness_of(m, dof);
     model.damping[i] = m->dof_damping[dof];
@@ -139,6 +162,7 @@ void take_contact(const mjModel* m, Model& model, const Config& config) {
   model.contact->radius = circle.radius;
   model.contact->clearance = circle.clearance;
   model.contact->friction = friction;
+  model.ring_ratio = model.contact->surface_ratio();
 }
 
 void take_limit(const mjModel* m, Model& model, const Config& config) {
@@ -196,6 +220,7 @@ void take_parameters(const mjModel* m, Config& config) {
     return;
   }
   check_masses(m, config);
+  check_ring_mass(m, config);
   take(m, config.model, config);
   config.gravity = gravity_of(m);
   if (config.shadow) take(m, config.shadow->model, config);

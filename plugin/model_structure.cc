@@ -92,6 +92,9 @@ void check_ring(const mjModel* m, const Config& config) {
     const int dof = config.dof_address[static_cast<std::size_t>(l.ring() + k)];
     check_joint(m, m->dof_jntid[dof], k, k == 0 ? "1 0 0" : "0 1 0");
   }
+  if (!l.ring_spin) return;
+  const int dof = config.dof_address[static_cast<std::size_t>(l.ring_angle())];
+  check_joint(m, m->dof_jntid[dof], 2, "0 0 1");
 }
 
 // The force of a command: along the scene's axes, a newton a newton.

@@ -161,6 +161,7 @@ void draw_contact(Machine& machine, const scene::Scene& scene) {
   const double clearance = machine.displaced(contact.clearance);
   machine.clearance = contact.clearance;
   machine.ring_moves = scene.stator.has_value();
+  machine.ring_turns = scene.stator && scene.stator->spin;
   machine.contact = {z, radius, clearance, radius + clearance + 0.45 * radius, 0.4 * radius};
 }
 

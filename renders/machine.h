@@ -54,6 +54,7 @@ struct Machine {
   std::optional<DrawnMagneticBearing> magnetic_bearing;
   std::optional<double> motor;  // z
   bool ring_moves = false;
+  bool ring_turns = false;  // about its axis
   double floor = -0.2;  // Z of the base plate's top
 
   // Lengths of the scene (m) as displacements of the drawing.

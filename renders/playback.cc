@@ -54,6 +54,7 @@ Playback::Playback(const Trajectory& trajectory)
     x_.push_back(track(fmt::format("x_{}", i), fmt::format("vx_{}", i)));
     y_.push_back(track(fmt::format("y_{}", i), fmt::format("vy_{}", i)));
   }
+  if (trajectory.has("ring_angle")) ring_ = track("ring_angle", "ring_speed");
   if (!std::is_sorted(time_->begin(), time_->end())) {
     throw std::runtime_error("the times of the series do not ascend");
   }
@@ -107,6 +108,7 @@ Pose Playback::at(double t) const {
   pose.rotor = {value(rotor_x_), value(rotor_y_)};
   pose.stator = {value(stator_x_), value(stator_y_)};
   pose.spin_angle = value(spin_);
+  if (ring_) pose.ring_angle = value(*ring_);
   pose.x.resize(modes());
   pose.y.resize(modes());
   for (int i = 0; i < modes(); ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "native_model/trajectory/trajectory.h"
@@ -15,6 +16,7 @@ struct Pose {
   Eigen::Vector2d stator{0.0, 0.0};  // centre of the ring
   Eigen::VectorXd x, y;              // n, modal coordinates
   double spin_angle = 0.0;
+  double ring_angle = 0.0;      // of a ring that turns
   double gap = 0.0;             // negative: penetration
   double normal_force = 0.0;    // >= 0
   double friction_force = 0.0;  // on the rotor along e_t = e_z x e_r
@@ -71,6 +73,7 @@ class Playback {
   const Trajectory* trajectory_;
   const Values *time_, *gap_, *normal_, *friction_, *mode_;
   Track rotor_x_, rotor_y_, stator_x_, stator_y_, spin_;
+  std::optional<Track> ring_;  // of a ring that turns
   std::vector<Track> x_, y_;
   std::vector<Strike> strikes_;
 };

@@ -37,6 +37,12 @@ SectionView::SectionView(const Machine& machine, double motion, std::vector<Mesh
   rotor_ = add("section_rotor", {0.0, contact.rotor_radius, thin});
   mark_ = add("section_mark",
               {0.55 * contact.rotor_radius, 0.93 * contact.rotor_radius, thin, 0.0, 0.5 * kPi, 24});
+  if (machine.ring_turns) {
+    const double wide = contact.ring_outer - contact.ring_bore();
+    ring_mark_ = add("section_ring_mark",
+                     {contact.ring_bore() + 0.1 * wide, contact.ring_outer - 0.1 * wide, thin, 0.0,
+                      0.12 * kPi, 8});
+  }
 }
 
 void SectionView::set_up(mjvScene& scene) const {
@@ -67,7 +73,7 @@ void SectionView::draw(const Stage& stage, mjvScene& scene, const Instant& insta
   canvas.box(at(-0.05 * reach, {0.0, 0.0}), {thin, reach, thin}, palette::kFaintInk);
   canvas.box(at(-0.05 * reach, {0.0, 0.0}), {thin, thin, reach}, palette::kFaintInk);
 
-  draw_ring(stage, canvas, section);
+  draw_ring(stage, canvas, section, instant.pose.ring_angle);
   draw_rotor(stage, canvas, section, instant.pose.spin_angle);
   if (ghost != nullptr) draw_ghost(stage, canvas, drawn_section(machine_, *ghost));
   draw_path(canvas, instant, section);
@@ -85,10 +91,15 @@ void SectionView::circle(Canvas& canvas, const Vector2d& centre, double radius, 
   }
 }
 
-void SectionView::draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section) const {
+void SectionView::draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
+                            double ring_angle) const {
   canvas.finish(kMatt);
   stage.draw_mesh(canvas, ring_, at(depth(kBack), section.ring), Matrix3d::Identity(),
                   palette::kRing);
+  if (ring_mark_ >= 0) {
+    const Matrix3d turn = Eigen::AngleAxisd(ring_angle, Vector3d::UnitX()).toRotationMatrix();
+    stage.draw_mesh(canvas, ring_mark_, at(depth(kBody), section.ring), turn, palette::kMark);
+  }
   canvas.finish(kFlat);
   const DrawnContact& contact = *machine_.contact;
   circle(canvas, section.ring, contact.ring_bore(), depth(kEdge), 2.0, palette::kRingEdge, false);

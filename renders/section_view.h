@@ -30,7 +30,8 @@ class SectionView {
   double depth(Layer layer) const { return 0.02 * half_size_ * static_cast<double>(layer); }
   void circle(Canvas& canvas, const Eigen::Vector2d& centre, double radius, double x, double pixels,
               const Color& color, bool dashed) const;
-  void draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section) const;
+  void draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
+                 double ring_angle) const;
   void draw_rotor(const Stage& stage, Canvas& canvas, const DrawnSection& section,
                   double spin_angle) const;
   void draw_path(Canvas& canvas, const Instant& instant, const DrawnSection& section) const;
@@ -41,6 +42,7 @@ class SectionView {
   Machine machine_;
   double half_size_;
   int ring_ = -1, rotor_ = -1, mark_ = -1;  // meshes by number
+  int ring_mark_ = -1;                      // of a ring that turns
 };
 
 }  // namespace rotorub::renders

@@ -37,7 +37,8 @@ bool is_plain(const scene::Scene& s) {
   const bool one_mode = m.mass.size() == 1 && m.mass == m.mass_y && m.stiffness == m.stiffness_y &&
                         m.damping == m.damping_y && first(m.internal_damping) == 0.0 &&
                         first(m.gyroscopic) == 0.0;
-  return one_mode && !s.rotor.torsion && !s.drive && !s.magnetic_bearing && !s.actuator &&
+  const bool turning_ring = s.stator && s.stator->spin;
+  return one_mode && !turning_ring && !s.rotor.torsion && !s.drive && !s.magnetic_bearing && !s.actuator &&
          !s.controller && !s.gravity && s.contact->compression_time == 0.0 &&
          s.contact->expansion_time == 0.0 && s.contact->tangential_restitution == 0.0;
 }

@@ -15,6 +15,7 @@ std::string beyond(const scene::Scene& s, const Model& m) {
   if (!s.contact) return "a scene without [contact]";
   if (s.gravity) return "[gravity]";
   if (m.layout.torsion > 0) return "elastic torsion";
+  if (m.layout.ring_spin > 0) return "a ring that turns ([stator.spin])";
   if (!m.gyroscopic.absent()) return "gyroscopic terms";
   if (!m.internal_xx.absent() || !m.internal_xy.absent()) return "internal (rotating) damping";
   if (!m.dampers.empty() || !m.springs.empty())

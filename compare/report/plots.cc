@@ -49,6 +49,9 @@ Values series_of(const std::string& key, const Trajectory& t) {
   if (key == "gap") return scaled(t.column("gap"), kMicro);
   if (key == "normal_force" || key == "friction_force") return t.column(key);
   if (key == "spin") return scaled(t.column("spin_speed"), 60.0 / kTurn);
+  if (key == "ring_speed" && t.has("ring_speed")) {
+    return scaled(t.column("ring_speed"), 60.0 / kTurn);
+  }
   if (key == "torsion" && t.has("torsion_1")) return torsion(t);
   if (key == "control" && t.has("control_x")) {
     return magnitude(t.column("control_x"), t.column("control_y"));
@@ -66,6 +69,7 @@ constexpr PlotKind kKinds[] = {
     {"friction_force", "Friction force", "N", "on the rotor, along the ring", ""},
     {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", ""},
     {"spin", "Spin speed", "rpm", "what friction takes from the drive", ""},
+    {"ring_speed", "Ring speed", "rpm", "what friction and drag make of the ring that turns", ""},
     {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", ""},
     {"control", "Control force", "N", "magnitude of the actuators' force on the ring", ""},
     {"current", "Coil current", "A", "magnitude of the control currents of the two axes", ""},

@@ -139,29 +139,34 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
   const Statistics& s = trajectory.statistics;
   const double us =
       trajectory.steps > 0 ? 1e6 * trajectory.wall_s / static_cast<double>(trajectory.steps) : 0.0;
-  return {{"program", "rotorub"},
-          {"version", program_version()},
-          {"mujoco_version", mujoco_version()},
-          {"scene", scene.name},
-          {"scene_hash", scene::scene_hash(scene)},
-          {"engine", trajectory.engine},
-          {"integrator", trajectory.integrator},
-          {"contact_model", trajectory.contact_model},
-          {"step", trajectory.step},
-          {"steps", trajectory.steps},
-          {"end", trajectory.end},
-          {"wall_s", trajectory.wall_s},
-          {"us_per_step", us},
-          {"max_penetration", s.max_penetration},
-          {"contact_fraction", trajectory.contact_fraction()},
-          {"mean_force", trajectory.mean_force()},
-          {"impulse_total", s.impulse_total},
-          {"impacts", std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), counts)},
-          {"energy_residual", s.energy_residual()},
-          {"contact_mass", contact_mass_json(contact_mass(scene))},
-          {"above_modes", above_modes_json(above_modes(scene, trajectory))},
-          {"status", to_string(trajectory.status)},
-          {"message", trajectory.message}};
+  json all = {{"program", "rotorub"},
+              {"version", program_version()},
+              {"mujoco_version", mujoco_version()},
+              {"scene", scene.name},
+              {"scene_hash", scene::scene_hash(scene)},
+              {"engine", trajectory.engine},
+              {"integrator", trajectory.integrator},
+              {"contact_model", trajectory.contact_model},
+              {"step", trajectory.step},
+              {"steps", trajectory.steps},
+              {"end", trajectory.end},
+              {"wall_s", trajectory.wall_s},
+              {"us_per_step", us},
+              {"max_penetration", s.max_penetration},
+              {"contact_fraction", trajectory.contact_fraction()},
+              {"mean_force", trajectory.mean_force()},
+              {"impulse_total", s.impulse_total},
+              {"impacts", std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), counts)},
+              {"energy_residual", s.energy_residual()},
+              {"contact_mass", contact_mass_json(contact_mass(scene))},
+              {"above_modes", above_modes_json(above_modes(scene, trajectory))},
+              {"status", to_string(trajectory.status)},
+              {"message", trajectory.message}};
+  // rad/s, at the end, of a ring that turns.
+  if (trajectory.has("ring_speed") && trajectory.rows() > 0) {
+    all["ring_speed"] = trajectory.column("ring_speed").back();
+  }
+  return all;
 }
 
 std::string json_text(const json& value) {

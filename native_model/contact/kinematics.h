@@ -1,6 +1,7 @@
 // Contact of a disc in a ring, (5)-(8) of the paper with d from the ring's to the rotor's centre:
 //   delta = |d|, e_r = d / delta, e_t = e_z x e_r
-//   g_N = delta_0 - delta,  gdot_N = -e_r . ddot,  gdot_T = e_t . ddot + r Omega_c
+//   g_N = delta_0 - delta,  gdot_N = -e_r . ddot,  gdot_T = e_t . ddot + r Omega_c - R Omega_r
+// R = r + delta_0 and Omega_r of a ring that turns. `spin` below is Omega_c - (R/r) Omega_r.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,12 +14,12 @@ namespace rotorub {
 struct ContactPoint {
   Eigen::Vector2d d{0.0, 0.0};    // m
   Eigen::Vector2d dv{0.0, 0.0};   // m/s, ddot
-  double spin = 0.0;              // rad/s, Omega_c, with torsion
+  double spin = 0.0;              // rad/s, see above; Omega_c with torsion
   double delta = 0.0;             // m
   Eigen::Vector2d e_r{1.0, 0.0};  // outward normal; (1, 0) where delta is 0 and there is none
   double gap = 0.0;               // m, g_N
   double gap_rate = 0.0;          // m/s, gdot_N; 0 where delta is 0
-  double slip = 0.0;              // m/s, gdot_T; r Omega_c where delta is 0
+  double slip = 0.0;              // m/s, gdot_T; r spin where delta is 0
   bool has_normal = false;
   Eigen::Vector2d e_t() const { return {-e_r.y(), e_r.x()}; }
   // Speed of the relative centre along e_t, m/s.

@@ -108,9 +108,7 @@ ContactPoint contact_point(const Model& m, const double* q, const double* v) {
 Eigen::Vector3d contact_acceleration(const Model& m, const double* a) {
   const Eigen::Vector2d d = rotor_point(m, a) - stator_point(m, a);
   double spin = m.layout.spin ? a[m.layout.phi()] : 0.0;  // a speed that is held stays
-  for (int k = 0; k < m.layout.torsion; ++k) {
-    spin += m.torsion_contact[k] * a[m.layout.theta() + k];
-  }
+  if (eq::turns_at_contact(m)) spin += eq::turning_at_contact(m, a);
   return {d.x(), d.y(), spin};
 }
 
@@ -133,6 +131,7 @@ Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t,
     a.x() += 1.0 / mass[l.ring()];
     a.y() += 1.0 / mass[l.ring() + 1];
   }
+  if (l.ring_spin) a.z() += m.ring_ratio * m.ring_ratio / mass[l.ring_angle()];
   if (!m.coupled_mass()) {
     if (l.spin) a.z() += 1.0 / mass[l.phi()];
     return a.asDiagonal();

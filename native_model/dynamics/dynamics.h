@@ -11,7 +11,8 @@ namespace rotorub {
 
 double spin_angle(const Model& model, double t, const double* q);   // rad, phi, without torsion
 double spin_speed(const Model& model, const double* v);             // rad/s, Omega, without torsion
-double contact_spin(const Model& model, const double* v);           // rad/s, Omega_c, with torsion
+// rad/s, Omega_c - (R/r) Omega_r, with torsion; Omega_r of a ring that turns
+double contact_spin(const Model& model, const double* v);
 
 // f(t, q, v), nq values: all loads but the contact's and the actuator's.
 void unactuated_force(const Model& model, double t, const double* q, const double* v, double* f);
@@ -34,16 +35,17 @@ Eigen::Vector2d rotor_point(const Model& model, const double* q);
 Eigen::Vector2d stator_point(const Model& model, const double* q);  // also of velocities
 ContactPoint contact_point(const Model& model, const double* q, const double* v);
 
-// (ddot', Omega_c') of the generalized accelerations a.
+// (ddot', contact_spin') of the generalized accelerations a.
 Eigen::Vector3d contact_acceleration(const Model& model, const double* a);
 
-// Contact-space admittance A = J M^-1 J^T (1/kg ...), 3 x 3, J: (relative x, relative y, spin at
-// the contact) = J qdot.
+// Contact-space admittance A = J M^-1 J^T (1/kg ...), 3 x 3, J: (relative x, relative y,
+// contact_spin) = J qdot.
 Eigen::Matrix3d contact_admittance(const Model& model, double t, const double* q);
 // The same with another diagonal in the place of the masses.
 Eigen::Matrix3d contact_admittance(const Model& model, const double* diagonal, double t,
                                    const double* q);
-// f += J^T p, p: impulse or force on the rotor (x, y) and torque about z.
+// f += J^T p, p: impulse or force on the rotor (x, y) and torque on it about z; the ring has -x, -y and
+// where it turns -R/r of the torque.
 void add_contact_load(const Model& model, const Eigen::Vector3d& p, double* f);
 
 // Kinetic and elastic energy, J, and the power of all forces that are not the contact's nor the

@@ -54,20 +54,27 @@ ROTORUB_INLINE T spin_speed(const M& m, const T* v) {
   return m.layout.spin ? v[m.layout.phi()] : m.speed;
 }
 
-// The elastic part of the spin at the contact; of accelerations too.
+// Whether anything but the rigid spin turns at the contact.
+template <class M>
+ROTORUB_INLINE bool turns_at_contact(const M& m) {
+  return m.layout.torsion || m.layout.ring_spin;
+}
+
+// Of contact_spin what is not the rigid spin: torsion, less the ring's turning; of accelerations too.
 template <class M, class T = typename M::Scalar>
-ROTORUB_INLINE T torsion_at_contact(const M& m, const T* v) {
+ROTORUB_INLINE T turning_at_contact(const M& m, const T* v) {
   T sum{};
   const T* shape = m.torsion_contact.data();
   for (int k = 0; k < m.layout.torsion; ++k) sum += shape[k] * v[m.layout.theta() + k];
+  if (m.layout.ring_spin) sum -= m.ring_ratio * v[m.layout.ring_angle()];
   return sum;
 }
 
-// Omega_c, with torsion.
+// Omega_c - (R/r) Omega_r, Omega_c with torsion: r times it is what turning has of the slip.
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE T contact_spin(const M& m, const T* v) {
   const T omega = spin_speed(m, v);
-  return m.layout.torsion ? omega + torsion_at_contact(m, v) : omega;
+  return turns_at_contact(m) ? omega + turning_at_contact(m, v) : omega;
 }
 
 // The directions of the eccentric discs: cosine and sine of phi + phase.
@@ -213,6 +220,7 @@ ROTORUB_INLINE void add_contact_load(const M& m, const T& px, const T& py, const
     f[l.ring()] -= px;
     f[l.ring() + 1] -= py;
   }
+  if (l.ring_spin) f[l.ring_angle()] -= m.ring_ratio * pz;
 }
 
 }  // namespace rotorub::equations

@@ -51,7 +51,7 @@ Phase::Contact Phase::contact(double t, const double* y) {
   const double whirl = c.point.whirl_speed();
   c.b.scale = whirl * whirl / c.point.delta + std::abs(c.b.normal);
   for (int i = 0; i < model_->layout.mechanical(); ++i) {
-    if (i >= model_->layout.phi() && i < model_->layout.ring()) continue;  // turns
+    if (model_->layout.turns(i)) continue;
     c.b.scale += std::abs(model_->stiffness[i] * q[i] / model_->mass[i]);
   }
   return c;

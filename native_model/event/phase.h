@@ -2,7 +2,8 @@
 // ordinary differential equation in y = (q, qdot, integrals). In contact the multipliers follow
 // from the constraints on acceleration level,
 //
-//   gddot_N = -e_r . d'' - v_t^2 / delta = 0,   gddot_T = e_t . d'' + r Omega_c' = 0 (sticking),
+//   gddot_N = -e_r . d'' - v_t^2 / delta = 0,   gddot_T = e_t . d'' + r Omega_c' - R Omega_r' = 0
+//                                                 (sticking; Omega_r of a ring that turns),
 //   lambda_T = -mu sign lambda_N (sliding),
 //
 // v_t = e_t . d' the whirl speed; gdot_N = 0 has been used in gddot_T.

@@ -36,7 +36,7 @@ void SmoothStep::begin(const Motion& start, double first) {
 void SmoothStep::meet(const Motion& motion) {
   const Layout& l = model_->layout;
   const int n = l.nq();
-  const auto angle = [&l](int i) { return i >= l.phi() && i < l.ring(); };
+  const auto angle = [&l](int i) { return l.turns(i); };
   for (int i = 0; i < l.mechanical(); ++i) {
     double &position = angle(i) ? turn_ : displacement_, &rate = angle(i) ? spin_ : speed_;
     // The spin angle only grows; what matters of it is its part of a turn.

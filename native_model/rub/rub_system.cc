@@ -27,6 +27,11 @@ void check(const scene::Scene& scene) {
   if (!scene.contact) refuse(scene, "contact", "the scene has no [contact]");
   const char* planes = "both planes must be alike, give one number for x and y";
   if (scene.stator) {
+    if (scene.stator->spin) {
+      refuse(scene, "stator.spin",
+             "its speed would have to be found with the rub, sliding or rolling; accepted is a ring that "
+             "does not turn");
+    }
     if (differ(scene.stator->mass)) refuse(scene, "stator.mass", planes);
     if (differ(scene.stator->damping)) refuse(scene, "stator.damping", planes);
     if (differ(scene.stator->stiffness)) refuse(scene, "stator.stiffness", planes);

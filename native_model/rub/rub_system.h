@@ -50,7 +50,7 @@ struct RubSystem {
 };
 
 // Throws scene::SceneError as make_model does, and where no whirl can be steady or the equations above do
-// not hold: no contact, planes that differ, constant loads, a controller that is not passive, magnets.
+// not hold: no contact, a ring that turns, planes that differ, constant loads, a controller that is not passive, magnets.
 RubSystem rub_system(const scene::Scene& scene);
 
 // At another spin speed: every force keeps its ratio to the spin (one in step with it, as an unbalance, stays

@@ -90,6 +90,9 @@ void check_ring(const Checker& check) {
     check.fail("controller",
                "kind \"sliding\" needs [contact]: it tracks the rotor at the clearance");
   }
+  if (scene.stator && scene.stator->spin && !check.record.given("contact")) {
+    check.fail("stator.spin", "needs [contact]: nothing else turns the ring");
+  }
   for (const char* key : {"initial.stator", "initial.stator_velocity"}) {
     if (check.record.given(key) && !has_ring) {
       check.fail(key, "needs [stator]: the ring is fixed and stays at [0, 0]");

@@ -164,11 +164,21 @@ struct Contact {
 };
 
 // ---------------------------------------------------------------- [stator], [actuator]
+// The ring turns about its axis, as the inner ring of an auxiliary ball bearing does: J Omega_r' =
+// torque of the contact - drag Omega_r. Dry friction of the balls is left out: it would hold the ring
+// still up to a torque, a second set-valued law beside the contact's.
+struct RingSpin {
+  double inertia = 0.0;  // kg m^2, > 0, polar, of all that turns with the ring
+  double drag = 0.0;     // N m s, >= 0, viscous, to the base
+  double speed = 0.0;    // rad/s, about +z, at t = 0
+};
+
 // The ring of the auxiliary bearing; absent: fixed to the base.
 struct Stator {
   PlanePair mass{0.0, 0.0};       // kg, > 0
   PlanePair damping{0.0, 0.0};    // N s/m, >= 0
   PlanePair stiffness{0.0, 0.0};  // N/m, >= 0, mechanical spring to the base, always acting
+  std::optional<RingSpin> spin{};  // absent: the ring does not turn
 };
 
 enum class ActuatorKind { kIdeal, kElectromagnet, kTable };

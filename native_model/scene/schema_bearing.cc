@@ -41,6 +41,25 @@ Table stator() {
                .at_least(0)}};
 }
 
+Table ring_spin() {
+  return {"stator.spin",
+          false,
+          Form::kEither,
+          "The ring turns about its axis, as the inner ring of a ball bearing: the rub spins it up. "
+          "Needs [contact].",
+          "the ring does not turn",
+          [](Scene& scene) -> void* {
+            if (!scene.stator) scene.stator.emplace();
+            return &scene.stator->spin.emplace();
+          },
+          {key<&RingSpin::inertia>("inertia", kInertia, "polar, of all that turns with the ring")
+               .above(0),
+           key<&RingSpin::drag>("drag", kAngularDamping, "viscous, to the base")
+               .at_least(0)
+               .optional(),
+           key<&RingSpin::speed>("speed", kSpin, "at t = 0").optional()}};
+}
+
 Table actuator() {
   return {"actuator",
           false,
@@ -151,6 +170,6 @@ Table controller() {
 
 }  // namespace
 
-std::vector<Table> bearing_tables() { return {contact(), stator(), actuator(), controller()}; }
+std::vector<Table> bearing_tables() { return {contact(), stator(), ring_spin(), actuator(), controller()}; }
 
 }  // namespace rotorub::scene

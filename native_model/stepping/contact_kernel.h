@@ -135,7 +135,9 @@ class ContactKernel : public LoadKernel<M> {
       admittance_.a[0][j] = d.x;
       admittance_.a[1][j] = d.y;
       // A prescribed spin speed does not change.
-      admittance_.a[2][j] = layout().torsion ? equations::torsion_at_contact(*m_, column) : zero;
+      admittance_.a[2][j] = equations::turns_at_contact(*m_)
+                                ? equations::turning_at_contact(*m_, column)
+                                : zero;
       if (layout().spin) admittance_.a[2][j] += column[layout().phi()];
     }
   }

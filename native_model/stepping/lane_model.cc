@@ -95,6 +95,7 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
   }
   speed = number<T>(all, [](const Model& m) { return m.speed; });
   spin_angle = number<T>(all, [](const Model& m) { return m.spin_angle; });
+  ring_ratio = number<T>(all, [](const Model& m) { return m.ring_ratio; });
   linear_drive = first.drive && first.drive->kind() == scene::DriveKind::kLinear;
   if (linear_drive) {
     drive_gain = number<T>(all, [](const Model& m) { return -m.drive->slope(0.0); });
@@ -107,7 +108,7 @@ bool same_structure(const Model& a, const Model& b) {
     std::vector<int> forces;
     for (const AppliedForce& f : m.forces) forces.push_back(static_cast<int>(f.kind));
     const Layout& l = m.layout;
-    return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.coils, forces, m.springs.size(),
+    return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.coils, forces, m.springs.size(),
                       m.dampers.size(), m.unbalances.size(), m.weight.size(),
                       m.drive ? static_cast<int>(m.drive->kind()) : -1, m.contact.has_value(),
                       m.magnets.has_value(), m.gyroscopic.absent(), m.internal_xx.absent(),

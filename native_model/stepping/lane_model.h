@@ -44,7 +44,7 @@ struct LaneModel {
   std::vector<Damper> dampers;
   std::vector<Spring> springs;
   std::vector<Unbalance> unbalances;
-  T speed{}, spin_angle{};
+  T speed{}, spin_angle{}, ring_ratio{};
   lanes::Array<T> drive_shape, torsion_contact;
   Shape contact_shape;
   T drive_gain{}, drive_speed{};  // of a linear drive

@@ -20,6 +20,7 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
   layout.spin = scene.drive ? 1 : 0;
   layout.torsion = static_cast<int>(rotor.torsion.inertia.size());
   layout.stator = scene.stator ? 2 : 0;
+  layout.ring_spin = scene.stator && scene.stator->spin ? 1 : 0;
   layout.coils = scene.actuator && scene.actuator->coil_lag > 0.0 ? layout.stator : 0;
   return layout;
 }
@@ -41,6 +42,10 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   if (l.spin) model.mass[l.phi()] = rotor.spin_inertia;
   put(l.theta(), rotor.torsion.inertia, rotor.torsion.stiffness, rotor.torsion.damping);
   if (l.stator) put(l.ring(), scene.stator->mass, scene.stator->stiffness, scene.stator->damping);
+  if (l.ring_spin) {
+    model.mass[l.ring_angle()] = scene.stator->spin->inertia;
+    model.damping[l.ring_angle()] = scene.stator->spin->drag;
+  }
   // lag dq''/dt + dq/dt = the current asked for, q the charge.
   model.mass.tail(l.coils).setConstant(l.coils ? scene.actuator->coil_lag : 0.0);
   model.damping.tail(l.coils).setOnes();
@@ -129,6 +134,7 @@ void fill_initial(const scene::Scene& scene, Model& model) {
     model.q0.segment<2>(l.ring()) = initial.stator;
     model.v0.segment<2>(l.ring()) = initial.stator_velocity;
   }
+  if (l.ring_spin) model.v0[l.ring_angle()] = scene.stator->spin->speed;
   model.speed = scene.rotor.speed;
   model.spin_angle = initial.spin_angle;
 }
@@ -177,6 +183,7 @@ Model make_model(const scene::Scene& scene) {
     model.contact = ContactParameters{
         c.radius,           c.clearance,     c.friction, c.restitution, c.tangential_restitution,
         c.compression_time, c.expansion_time};
+    model.ring_ratio = model.contact->surface_ratio();
   }
   fill_actuator(scene, model);
   check_initial_ring(scene);

@@ -2,6 +2,7 @@
 // immutable and may be shared between threads; what changes is a State.
 //
 // Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k | ring x, y |
+//                       angle of the ring (where it turns) |
 //                       charges of the two coils (with a coil lag; their rates are the currents)
 // Equations:            M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T          (9), (20)
 // M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
@@ -34,15 +35,21 @@ struct Layout {
   int spin = 0;     // 1 with a drive, else 0
   int torsion = 0;  // elastic torsion modes
   int stator = 0;   // 2 with a moving ring, else 0
+  int ring_spin = 0;  // 1 with a ring that turns, else 0
   int coils = 0;    // 2 with currents that lag, else 0
   int x() const { return 0; }
   int y() const { return modes; }
   int phi() const { return 2 * modes; }
   int theta() const { return 2 * modes + spin; }
   int ring() const { return theta() + torsion; }
-  int coil() const { return ring() + stator; }
+  int ring_angle() const { return ring() + stator; }
+  int coil() const { return ring_angle() + ring_spin; }
   int mechanical() const { return coil(); }  // the coordinates before the coils'
   int nq() const { return coil() + coils; }
+  // Coordinate i is an angle.
+  bool turns(int i) const {
+    return (i >= phi() && i < ring()) || (i >= ring_angle() && i < coil());
+  }
 };
 
 // A load A(t) (c(t), s(t)) through the mode values of its station. Times: on <= t < off.
@@ -73,6 +80,11 @@ struct ContactParameters {
   double restitution;                    // eps_N
   double tangential_restitution;         // eps_T
   double compression_time, expansion_time;  // s
+  // R / r. The surfaces meet at r e_r from the rotor's centre, which is at R e_r from the ring's,
+  // R = r + delta_0: so fast a ring that turns passes there, and with this lever friction turns it.
+  // With r in its place angular momentum would be lost: the force's moments about one point,
+  // delta_0 + r on the rotor and -R on the ring, add up to 0.
+  double surface_ratio() const { return (radius + clearance) / radius; }
 };
 
 // Magnets on the two axes of the actuator; they act with or without a controller.
@@ -110,6 +122,7 @@ struct Model {
 
   ModeShape contact_shape;             // n each, 1 or 0
   std::optional<ContactParameters> contact;
+  double ring_ratio = 1.0;             // the contact's surface_ratio(); used where the ring turns
 
   std::shared_ptr<const Controller> controller;  // null: passive
   double control_on = 0.0;                       // s
@@ -123,7 +136,8 @@ struct Model {
   Eigen::VectorXd q0, v0;                        // initial state
   std::optional<ModeLines> lines;                // deflection lines for pictures
 
-  // Contact-space admittance J M^-1 J^T of (relative x, relative y, spin), 1/kg, 1/kg, 1/(kg m^2);
+  // Contact-space admittance J M^-1 J^T of (relative x, relative y, spin), 1/kg, 1/kg, 1/(kg m^2), spin
+  // that of contact_spin (dynamics/dynamics.h);
   // constant unless coupled_mass().
   Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();
   // Unbalance couples spin and bending where the spin is free.

@@ -20,7 +20,7 @@ std::string text(double number) {
 // Those of every row; torsion, command and currents beside them are few.
 double columns(const Model& model) {
   const Layout& l = model.layout;
-  return 17.0 + 4.0 * l.modes + 2.0 * l.torsion;
+  return 17.0 + 4.0 * l.modes + 2.0 * (l.torsion + l.ring_spin);
 }
 
 double rows(const scene::Run& run) {

@@ -50,6 +50,10 @@ std::vector<Column> make_columns(const Model& model) {
     add("control_y", "N");
   }
   numbered("current", "A", model.magnets ? 2 : 0);
+  if (l.ring_spin) {
+    add("ring_angle", "rad");
+    add("ring_speed", "rad/s");
+  }
   return c;
 }
 
@@ -254,6 +258,8 @@ void Recorder::row(const Snapshot& now) {
     put(now.actuator.current.x());
     put(now.actuator.current.y());
   }
+  block(now.q, l.ring_angle(), l.ring_spin);
+  block(now.v, l.ring_angle(), l.ring_spin);
   assert(column == columns_.end());
   ++next_;
 }

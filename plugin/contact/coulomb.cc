@@ -15,11 +15,7 @@ namespace {
 
 // Contact-space components (relative x, relative y, spin) of a vector of coordinate rates.
 Eigen::Vector3d contact_rates(const Model& model, const double* v) {
-  const Layout& l = model.layout;
-  const Eigen::Vector2d relative = rotor_point(model, v) - stator_point(model, v);
-  double spin = l.spin ? v[l.phi()] : 0.0;
-  for (int k = 0; k < l.torsion; ++k) spin += model.torsion_contact[k] * v[l.theta() + k];
-  return {relative.x(), relative.y(), spin};
+  return contact_acceleration(model, v);
 }
 
 // qacc_smooth and qfrc_smooth with the command just written.

@@ -18,23 +18,21 @@ SegmentSpace::SegmentSpace(const Config& config, const mjModel* m, mjData* d)
   }
   jacobian_[2 * nv_ + s.spin[static_cast<std::size_t>(s.contact_node)].velocity] = 1.0;
   const Layout& l = config.model.layout;
-  for (int k = 0; k < l.stator; ++k) {
-    jacobian_[k * nv_ + ring_dof(k)] = -1.0;
-  }
+  for (int k = 0; k < l.stator; ++k) jacobian_[k * nv_ + ring_dof(l.ring() + k)] = -1.0;
+  if (l.ring_spin) jacobian_[2 * nv_ + ring_dof(l.ring_angle())] = -config.model.ring_ratio;
   mj_solveM(m, d, plain_, jacobian_, 3);
   std::copy_n(plain_, 3 * nv_, damped_);
-  for (int k = 0; k < l.stator; ++k) {
-    const int dof = ring_dof(k);
+  for (int i = l.ring(); i < l.nq(); ++i) {
+    const int dof = ring_dof(i);
     for (int row = 0; row < 3; ++row) damped_[row * nv_ + dof] /= damping_factor(dof);
   }
 }
 
-int SegmentSpace::ring_dof(int plane) const {
-  const int at = config_.model.layout.ring() + plane;
-  return config_.dof_address[static_cast<std::size_t>(at)];
+int SegmentSpace::ring_dof(int i) const {
+  return config_.dof_address[static_cast<std::size_t>(i)];
 }
 
-// H / M. The ring's slides alone have dampers that the step takes implicitly; each stands for
+// H / M. The ring's joints alone have dampers that the step takes implicitly; each stands for
 // itself.
 double SegmentSpace::damping_factor(int dof) const {
   return 1.0 + m_->opt.timestep * m_->dof_damping[dof] / m_->dof_M0[dof];
@@ -42,9 +40,12 @@ double SegmentSpace::damping_factor(int dof) const {
 
 void SegmentSpace::add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
   add_load(load, to);
-  for (int k = 0; k < config_.model.layout.stator; ++k) {
-    const int dof = ring_dof(k);
-    to[dof] -= load[k] * (damping_factor(dof) - 1.0);
+  const Layout& l = config_.model.layout;
+  for (int i = l.ring(); i < l.nq(); ++i) {
+    const int dof = ring_dof(i);
+    double own = 0.0;
+    for (int k = 0; k < 3; ++k) own += jacobian_[k * nv_ + dof] * load[k];
+    to[dof] += own * (damping_factor(dof) - 1.0);
   }
 }
 

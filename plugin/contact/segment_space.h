@@ -18,7 +18,7 @@ class SegmentSpace final : public ContactSpace {
   void add_impact(const Eigen::Vector3d& load, mjtNum* to) const override;
 
  private:
-  int ring_dof(int plane) const;
+  int ring_dof(int i) const;  // of coordinate i of the native layout
   double damping_factor(int dof) const;
 
   mjData* d_;

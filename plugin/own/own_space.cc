@@ -35,6 +35,15 @@ Eigen::Vector2d own_position(const Config& config, const mjData* d) {
   return p;
 }
 
+void axis_point(const Config& config, const mjData* d, mjtNum* point) {
+  const mjtNum* rotor = d->geom_xpos + 3 * config.rotor_geom;
+  const mjtNum* axes = contact_axes(config, d);
+  const Eigen::Vector2d p = own_position(config, d);
+  for (int i = 0; i < 3; ++i) {
+    point[i] = rotor[i] - axes[3 * i] * p.x() - axes[3 * i + 1] * p.y();
+  }
+}
+
 bool face_each_other(const Config& config, const mjData* d) {
   if (!config.own) return true;
   const mjtNum* ring = d->geom_xpos + 3 * config.ring_geom;
@@ -49,20 +58,21 @@ OwnSpace::OwnSpace(const Config& config, const mjModel* m, mjData* d)
     : ContactSpace(m->nv), m_(m), d_(d), mark_(d->pstack), damped_step_(damped_step(m)) {
   jacobian_ = mj_stackAlloc(d, 3 * nv_);
   std::fill_n(jacobian_, 3 * nv_, 0.0);
-  // Both bodies at the rotor's centre: what the ring's rotation does there is taken off.
-  const mjtNum* centre = d->geom_xpos + 3 * config.rotor_geom;
   const mjtNum* axes = contact_axes(config, d);
   const int rotor = m->geom_bodyid[config.rotor_geom], ring = m->geom_bodyid[config.ring_geom];
-  add_body(axes, centre, rotor, 1.0);
-  add_body(axes, centre, ring, -1.0);
+  mjtNum axis[3];
+  axis_point(config, d, axis);
+  add_body(axes, d->geom_xpos + 3 * config.rotor_geom, rotor, 1.0, 1.0);
+  add_body(axes, axis, ring, -1.0, config.model.contact->surface_ratio());
   trees_[0] = tree_of(m, rotor);
   if (m->body_rootid[ring] != m->body_rootid[rotor]) trees_[1] = tree_of(m, ring);
 }
 
 // As mj_jac, of the degrees of freedom that move the body alone.
-void OwnSpace::add_body(const mjtNum* axes, const mjtNum* centre, int body, double sign) {
+void OwnSpace::add_body(const mjtNum* axes, const mjtNum* point, int body, double sign,
+                        double turning) {
   mjtNum arm[3], turn[3];
-  mju_sub3(arm, centre, d_->subtree_com + 3 * m_->body_rootid[body]);
+  mju_sub3(arm, point, d_->subtree_com + 3 * m_->body_rootid[body]);
   while (body > 0 && m_->body_dofnum[body] == 0) body = m_->body_parentid[body];
   if (body == 0) return;
   for (int i = m_->body_dofadr[body] + m_->body_dofnum[body] - 1; i >= 0; i = m_->dof_parentid[i]) {
@@ -71,7 +81,7 @@ void OwnSpace::add_body(const mjtNum* axes, const mjtNum* centre, int body, doub
     for (int k = 0; k < 3; ++k) {
       jacobian_[i] += sign * axes[3 * k] * (axis[3 + k] + turn[k]);
       jacobian_[nv_ + i] += sign * axes[3 * k + 1] * (axis[3 + k] + turn[k]);
-      jacobian_[2 * nv_ + i] += sign * axes[3 * k + 2] * axis[k];
+      jacobian_[2 * nv_ + i] += sign * turning * axes[3 * k + 2] * axis[k];
     }
   }
 }

@@ -1,6 +1,8 @@
-// The contact of a user's own model in contact space: (relative x, relative y, spin) = J qvel in
-// the frame of the ring's geom, z its axis, with MuJoCo's own Jacobians and mass matrix. The rotor
-// is seen from the ring, which may move, tilt and turn.
+// The contact of a user's own model in contact space: (relative x, relative y, spin) = J qvel along
+// the axes of the ring's geom, z its axis, with MuJoCo's own Jacobians and mass matrix. The ring may
+// move, tilt and turn. x, y: of the centres, the ring's where its axis meets the rotor's plane, in
+// axes that stand still (a ring that turns gives the rotor no curvature); spin: Omega - (R/r) Omega_r,
+// as the native model has it (contact_spin, ContactParameters::surface_ratio).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -21,6 +23,9 @@ double held_spin(const Config& config);
 // Where the rotor's centre is in the ring, m.
 Eigen::Vector2d own_position(const Config& config, const mjData* d);
 
+// Where the ring's axis meets the rotor's plane, m, in the world.
+void axis_point(const Config& config, const mjData* d, mjtNum* point);
+
 // Whether rotor and ring overlap along the ring's axis.
 bool face_each_other(const Config& config, const mjData* d);
 
@@ -37,7 +42,8 @@ class OwnSpace final : public ContactSpace {
   void add_impact(const Eigen::Vector3d& load, mjtNum* to) const override;
 
  private:
-  void add_body(const mjtNum* axes, const mjtNum* centre, int body, double sign);
+  // `turning`: what a turn about z counts.
+  void add_body(const mjtNum* axes, const mjtNum* point, int body, double sign, double turning);
   void solve_rows(const mjtNum* factor, const mjtNum* inverse, mjtNum* rows) const;
 
   const mjModel* m_;

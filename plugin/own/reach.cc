@@ -46,24 +46,25 @@ double change(const mjModel* m, mjData* d) {
 }  // namespace
 
 Eigen::Vector3d own_rates(const Config& config, const mjModel* m, const mjData* d) {
-  const mjtNum* centre = d->geom_xpos + 3 * config.rotor_geom;
   const mjtNum* axes = contact_axes(config, d);
   Eigen::Vector3d rates(0.0, 0.0, 0.0);
-  const auto add = [&](int body, double sign) {
+  const auto add = [&](int body, const mjtNum* at, double sign, double turning) {
     // Rotation, then translation of the point of the body at its tree's centre of mass.
     const mjtNum* velocity = d->cvel + 6 * body;
     mjtNum arm[3], move[3];
-    mju_sub3(arm, centre, d->subtree_com + 3 * m->body_rootid[body]);
+    mju_sub3(arm, at, d->subtree_com + 3 * m->body_rootid[body]);
     mju_cross(move, velocity, arm);
     for (int i = 0; i < 3; ++i) {
       const double v = sign * (velocity[3 + i] + move[i]);
       rates.x() += axes[3 * i] * v;
       rates.y() += axes[3 * i + 1] * v;
-      rates.z() += axes[3 * i + 2] * sign * velocity[i];
+      rates.z() += axes[3 * i + 2] * sign * turning * velocity[i];
     }
   };
-  add(m->geom_bodyid[config.rotor_geom], 1.0);
-  add(m->geom_bodyid[config.ring_geom], -1.0);
+  mjtNum axis[3];
+  axis_point(config, d, axis);
+  add(m->geom_bodyid[config.rotor_geom], d->geom_xpos + 3 * config.rotor_geom, 1.0, 1.0);
+  add(m->geom_bodyid[config.ring_geom], axis, -1.0, config.model.contact->surface_ratio());
   return rates;
 }
 
@@ -79,9 +80,10 @@ bool may_reach_ring(const Config& config, const mjModel* m, mjData* d) {
   const double gap = config.model.contact->clearance - own_position(config, d).norm();
   const double speed = own_rates(config, m, d).head<2>().norm();
   if (!(gap > h * speed)) return true;
-  const mjtNum* centre = d->geom_xpos + 3 * config.rotor_geom;
-  const double mobile = mobility(m, d, config.rotor_geom, centre) +
-                        mobility(m, d, config.ring_geom, centre);
+  mjtNum axis[3];
+  axis_point(config, d, axis);
+  const double mobile = mobility(m, d, config.rotor_geom, d->geom_xpos + 3 * config.rotor_geom) +
+                        mobility(m, d, config.ring_geom, axis);
   return !(gap > h * (speed + h * std::sqrt(mobile) * change(m, d)));
 }
 

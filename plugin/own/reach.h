@@ -11,8 +11,8 @@
 
 namespace rotorub::plugin {
 
-// Rates of the rotor's centre seen from the ring, (relative x, relative y, spin) in the frame of the
-// ring's geom: J qvel, from MuJoCo's body velocities. After its velocity stage.
+// (relative x, relative y, spin) = J qvel of own_space.h, from MuJoCo's body velocities. After its
+// velocity stage.
 Eigen::Vector3d own_rates(const Config& config, const mjModel* m, const mjData* d);
 // Gap, rates and slip of the state.
 ContactPoint own_contact_point(const Config& config, const mjModel* m, const mjData* d);

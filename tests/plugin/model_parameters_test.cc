@@ -119,6 +119,30 @@ TEST_F(ModelParameters, AnEditedModelMovesAsTheSceneThatSaysSo) {
   }
 }
 
+TEST_F(ModelParameters, ARingThatTurnsHasTheInertiaAndDragOfItsJoint) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    SCOPED_TRACE(contact);
+    const std::string model = std::string("mujoco.contact=\"") + contact + "\"";
+    const std::string first = "stator.spin={inertia=2e-4,drag=1e-3,speed=30}";
+    const auto wanted = said({model, "stator.spin={inertia=3e-4,drag=4e-3,speed=30}"});
+    EXPECT_NE(said({model, first}), wanted);
+    EXPECT_EQ(edited({model, first},
+                     [](mjModel* m) {
+                       m->dof_armature[dof(m, "ring_spin")] = 3e-4;
+                       m->dof_damping[dof(m, "ring_spin")] = 4e-3;
+                     }),
+              wanted);
+    // A radius is R's as well, by which friction turns the ring.
+    EXPECT_NE(said({model, first, "contact.radius=0.04"}), said({model, first}));
+    expect_near(edited({model, first},
+                       [](mjModel* m) {
+                         m->geom_size[3 * geom(m, "rotor")] = 0.04;
+                         m->geom_size[3 * geom(m, "ring")] = 0.04 + 0.5e-3;
+                       }),
+                said({model, first, "contact.radius=0.04"}), 1e-6);
+  }
+}
+
 // A stranger's figure: with a ring of 0.2 kg instead of 1 the rebound ratio was 4.46.
 TEST_F(ModelParameters, ALighterRingGainsNoEnergy) {
   const ModelPointer m = load(mjcf(shipped("bench_ring", {"force=none", "contact.friction=0.0", "stator.damping=0.0"})));

@@ -164,6 +164,7 @@ inline std::vector<Part> pair_parts() {
   add_both(
       "anisotropic_ring", "ring",
       {"stator.mass=[1.3,0.9]", "stator.stiffness=[1.2e5,2.3e5]", "stator.damping=[250.0,150.0]"});
+  add_both("turning_ring", "turning_ring", {"stator.spin={inertia=2e-4,drag=8e-3,speed=-40.0}"});
   add("magnetic_bearing", "magnetic_bearing",
       {"magnetic_bearing={station=0.42,negative_stiffness=4.5e4}"},
       {"magnetic_bearing={negative_stiffness=4.5e4}"});

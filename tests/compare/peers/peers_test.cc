@@ -98,6 +98,7 @@ TEST_P(EveryPeer, RefusesWhatItCannotHold) {
                         Case{"bench_ring", "rotor.modal.gyroscopic=[0.1]", "gyroscopic"},
                         Case{"bench_ring", "rotor.modal.internal_damping=[1.0]", "internal"},
                         Case{"bench_ring", "contact.tangential_restitution=0.5", "tangential"},
+                        Case{"bench_ring", "stator.spin.inertia=1e-4", "turns"},
                         Case{"bench_ring", "gravity.acceleration=[0.0,-9.81]", "gravity"}}) {
     try {
       peer(GetParam()).engine->run(shipped(c.scene, {c.override}), {});

@@ -223,6 +223,9 @@ TEST(RubSystem, RefusesWhatDoesNotTurn) {
   s.gravity = scene::Gravity{{0.0, -9.81}, {}};
   EXPECT_NE(reason(s).find("gravity"), std::string::npos);
   s = good;
+  s.stator->spin = scene::RingSpin{1e-4, 0.0, 0.0};
+  EXPECT_NE(reason(s).find("stator.spin"), std::string::npos);
+  s = good;
   s.contact.reset();
   EXPECT_NE(reason(s).find("contact"), std::string::npos);
   EXPECT_NE(reason(test::shipped("paper_sliding")).find("controller.kind"), std::string::npos);

@@ -1,0 +1,243 @@
+// A ring that turns, [stator.spin], by whole runs against what is exact: momentum, closed forms of the
+// spin-up, its limits, and what becomes of a whip.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/oracles/annular_rub.h"
+#include "native_model/oracles/turning_ring.h"
+#include "native_model/stepping/ensemble.h"
+#include "tests/native_model/hard/rules.h"
+#include "tests/support/order.h"
+#include "tests/support/whip.h"
+
+namespace rotorub {
+namespace {
+
+using scene::Integrator;
+
+// No two numbers alike.
+constexpr double kRadius = 0.05, kClearance = 0.5e-3;   // m
+constexpr double kBore = kRadius + kClearance;          // m, R
+constexpr double kSpinInertia = 1.3e-3, kRingInertia = 4.1e-4;  // kg m^2
+
+Trajectory run(const scene::Scene& scene, Integrator integrator, double step = 1e-5) {
+  NativeOptions options;
+  options.integrator = integrator;
+  options.step = step;
+  return run_native(scene, options);
+}
+
+// A rotor with a free spin thrown at a ring that turns; no damper and no load: nothing has a moment
+// about the bearings' axis but what rotor and ring do to each other.
+scene::Scene thrown() {
+  scene::Scene s = test::make_scene({.mass = 2.0,
+                                     .stiffness = 2e5,
+                                     .clearance = kClearance,
+                                     .radius = kRadius,
+                                     .friction = 0.3,
+                                     .restitution = 0.4,
+                                     .speed = 200.0});
+  s.rotor.modal->inertia = kSpinInertia;
+  s.drive.emplace().kind = scene::DriveKind::kFree;
+  test::add_ring(s, 1.1, 0.0, 1.5e5);
+  s.stator->spin = scene::RingSpin{kRingInertia, 0.0, -15.0};
+  s.initial.x = {0.2e-3};
+  s.initial.y = {-0.1e-3};
+  s.initial.vx = {0.6};
+  s.initial.vy = {0.3};
+  s.run.end = 0.1;
+  s.run.output_step = 1e-3;
+  return s;
+}
+
+// About the bearings' axis: orbits of both centres, both spins.
+double angular_momentum(const Trajectory& t, std::size_t k, double rotor, double ring) {
+  const auto orbit = [&](const std::string& body, double mass) {
+    const auto of = [&](const char* what) { return t.column(body + what)[k]; };
+    return mass * (of("_x") * of("_vy") - of("_y") * of("_vx"));
+  };
+  return orbit("rotor", rotor) + orbit("stator", ring) + kSpinInertia * t.column("spin_speed")[k] +
+         kRingInertia * t.column("ring_speed")[k];
+}
+
+TEST(TurningRing, AngularMomentumIsKeptThroughImpactsAndRubs) {
+  scene::Scene s = thrown();
+  const Trajectory event = test::run_event(s);
+  test::expect_sound_event(s, event);
+  ASSERT_GT(event.impacts.size(), 5u);
+  ASSERT_GT(event.statistics.contact_time, 1e-3) << "and rubs";
+  const double start = angular_momentum(event, 0, 2.0, 1.1);
+  for (std::size_t k = 0; k < event.rows(); ++k) {
+    ASSERT_NEAR(angular_momentum(event, k, 2.0, 1.1), start, 1e-11 * std::abs(start)) << k;
+  }
+}
+
+// With a free spin friction turns the two against each other alone, whatever the bending does.
+TEST(TurningRing, BothSpinsKeepTheirSum) {
+  for (const Integrator integrator :
+       {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper, Integrator::kLiteral}) {
+    const Trajectory t = run(thrown(), integrator);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const auto &spin = t.column("spin_speed"), &ring = t.column("ring_speed");
+    const auto sum = [&](std::size_t k) {
+      return kBore * kSpinInertia * spin[k] + kRadius * kRingInertia * ring[k];
+    };
+    EXPECT_GT(std::abs(ring.back() - ring.front()), 10.0);
+    for (std::size_t k = 0; k < t.rows(); ++k) ASSERT_NEAR(sum(k), sum(0), 1e-12 * sum(0)) << k;
+  }
+}
+
+// A dead load presses the rotor on: it ends in rolling, with the surface speed that is known.
+TEST(TurningRing, ADeadLoadEndsInRolling) {
+  scene::Scene s = thrown();
+  test::add_constant_force(s, {-40.0, -300.0});
+  s.rotor.modal->damping = {400.0};
+  s.stator->damping = {300.0, 300.0};
+  s.contact->restitution = 0.0;
+  s.run.end = 1.5;
+  const oracle::TurningRing ring{kRingInertia, 0.0, kBore};
+  const double exact = oracle::rolling_surface_speed({kSpinInertia, kRadius, 200.0}, ring, -15.0);
+  for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet}) {
+    const Trajectory t = run(s, integrator);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    EXPECT_EQ(t.column("mode").back(), static_cast<double>(Mode::kStick));
+    EXPECT_NEAR(kRadius * t.column("spin_speed").back(), exact, 1e-9 * exact);
+    EXPECT_NEAR(kBore * t.column("ring_speed").back(), exact, 1e-9 * exact);
+  }
+}
+
+// ---------------------------------------------------------------- spin-up
+// The steady rub of bench_annular_elastic, in which N is constant, on a ring that turns.
+struct Rub {
+  scene::Scene scene;
+  double force;  // N
+};
+Rub annular(const scene::RingSpin& spin) {
+  Rub rub{test::shipped("bench_annular_elastic"), 0.0};
+  scene::Scene& s = rub.scene;
+  s.stator->spin = spin;
+  s.run.end = 0.2;
+  s.run.output_step = 1e-3;
+  const scene::RotorModal& m = *s.rotor.modal;
+  const auto exact = oracle::annular_rub(
+      {m.mass[0], m.damping[0], m.stiffness[0]},
+      {s.stator->mass.x(), s.stator->damping.x(), s.stator->stiffness.x()}, s.contact->clearance,
+      s.contact->friction, s.forces[0].amplitude, s.forces[0].frequency);
+  rub.force = exact.value().force;
+  return rub;
+}
+
+double bore(const scene::Scene& s) { return s.contact->radius + s.contact->clearance; }
+
+// Drag holds the ring well below rolling.
+TEST(TurningRing, ARubUnderAConstantForceSpinsItUpAsTheClosedFormSays) {
+  scene::RingSpin spin{2e-3, 0.0, 3.0};
+  const Rub first = annular(spin);
+  const double torque = first.scene.contact->friction * first.force * bore(first.scene);
+  spin.drag = torque / 60.0;  // ends near 60 rad/s
+  const Rub rub = annular(spin);
+  const oracle::TurningRing ring{spin.inertia, spin.drag, bore(rub.scene)};
+  const auto expect = [&](const Trajectory& t, double tolerance) {
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const auto &time = t.column("t"), &speed = t.column("ring_speed");
+    for (std::size_t k = 0; k < t.rows(); ++k) {
+      const double exact = oracle::ring_speed(ring, torque, 3.0, time[k]);
+      ASSERT_NEAR(speed[k], exact, tolerance * 60.0) << time[k];
+    }
+    EXPECT_GT(speed.back(), 50.0);
+    EXPECT_LT(t.statistics.energy_residual(), 1e-4);
+  };
+  const Trajectory event = test::run_event(rub.scene);
+  expect(event, 1e-9);
+  test::expect_sound_event(rub.scene, event);
+  expect(run(rub.scene, Integrator::kVerlet, 1e-5), 1e-8);
+  expect(run(rub.scene, Integrator::kPaper, 1e-5), 1e-3);
+  expect(run(rub.scene, Integrator::kLiteral, 1e-5), 1e-3);
+}
+
+// Without drag the speed grows evenly until the surfaces roll: when, is known.
+TEST(TurningRing, WithoutDragRollingBeginsWhenTheClosedFormSays) {
+  const scene::RingSpin spin{1e-3, 0.0, 0.0};
+  const Rub rub = annular(spin);
+  const scene::Scene& s = rub.scene;
+  const double torque = s.contact->friction * rub.force * bore(s);
+  const double slip =
+      s.contact->radius * s.rotor.speed + s.contact->clearance * s.forces[0].frequency;
+  const double exact = slip / bore(s) * spin.inertia / torque;
+  ASSERT_LT(exact, s.run.end);
+  const Trajectory t = test::run_event(s);
+  const auto rolls = std::find_if(t.events.begin(), t.events.end(),
+                                  [](const Event& e) { return e.kind == EventKind::kStick; });
+  ASSERT_NE(rolls, t.events.end());
+  EXPECT_NEAR(rolls->t, exact, 1e-9 * exact);
+}
+
+// ---------------------------------------------------------------- limits
+TEST(TurningRing, OfEndlessInertiaIsTheRingThatDoesNotTurn) {
+  scene::Scene heavy = thrown(), fixed = thrown();
+  heavy.stator->spin = scene::RingSpin{1e12, 0.0, 0.0};
+  fixed.stator->spin.reset();
+  for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
+    // Before chaos has grown what round-off differs by.
+    heavy.run.end = fixed.run.end = 0.02;
+    const Trajectory a = run(heavy, integrator), b = run(fixed, integrator);
+    EXPECT_EQ(a.impacts.size(), b.impacts.size());
+    EXPECT_LT(test::trajectory_error(a, b, kRadius), 1e-11);
+  }
+}
+
+TEST(TurningRing, OfNoInertiaIsARingWithoutFriction) {
+  scene::Scene light = thrown(), smooth = thrown();
+  light.stator->spin = scene::RingSpin{1e-13, 0.0, 0.0};
+  smooth.stator->spin.reset();
+  smooth.contact->friction = 0.0;
+  light.run.end = smooth.run.end = 0.02;
+  for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
+    const Trajectory a = run(light, integrator), b = run(smooth, integrator);
+    ASSERT_EQ(a.status, Status::kOk) << a.message;
+    EXPECT_GT(b.impacts.size(), 3u);
+    EXPECT_LT(test::rotor_error(a, b), 1e-10);
+  }
+}
+
+// ---------------------------------------------------------------- whip
+// Friction drives it; a ring that runs along takes it away.
+TEST(TurningRing, TheWhipDiesOnAFreeRing) {
+  scene::Scene s = test::shipped("bench_whip");
+  s.stator->spin = scene::RingSpin{7e-4, 1e-3, 0.0};
+  const Trajectory t = test::run_event(s);
+  test::expect_sound_event(s, t);
+  EXPECT_EQ(t.column("normal_force").back(), 0.0);
+  const std::size_t end = t.rows() - 1;
+  EXPECT_LT(std::hypot(t.column("rotor_x")[end], t.column("rotor_y")[end]), 1e-5);
+  EXPECT_GT(*std::max_element(t.column("ring_speed").begin(), t.column("ring_speed").end()), 200.0);
+}
+
+// ---------------------------------------------------------------- lanes
+TEST(TurningRing, EachLaneIsTheRunAlone) {
+  std::vector<Model> models;
+  std::vector<scene::Scene> scenes;
+  for (int k = 0; k < 5; ++k) {
+    scenes.push_back(thrown());
+    scenes.back().stator->spin->inertia = 1e-4 * (1 + k);
+    scenes.back().contact->clearance = kClearance * (1.0 + 0.05 * k);  // its own R / r
+    models.push_back(make_model(scenes.back()));
+  }
+  for (const Integrator integrator : {Integrator::kVerlet, Integrator::kPaper}) {
+    const auto runs = Ensemble(models, 1e-5, integrator).run(10000);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const Trajectory alone = run(scenes[k], integrator);
+      ASSERT_EQ(runs[k].status, Status::kOk);
+      const int at = models[k].layout.ring_angle();
+      EXPECT_EQ(runs[k].v[static_cast<std::size_t>(at)], alone.column("ring_speed").back());
+      EXPECT_EQ(runs[k].q[0], alone.column("rotor_x").back());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
