@@ -135,33 +135,37 @@ double bore(const scene::Scene& s) { return s.contact->radius + s.contact->clear
 
 // Drag holds the ring well below rolling.
 TEST(TurningRing, ARubUnderAConstantForceSpinsItUpAsTheClosedFormSays) {
-  scene::RingSpin spin{2e-3, 0.0, 3.0};
+  scene::RingSpin spin{1e-3, 0.0, 3.0};
   const Rub first = annular(spin);
   const double torque = first.scene.contact->friction * first.force * bore(first.scene);
   spin.drag = torque / 60.0;  // ends near 60 rad/s
   const Rub rub = annular(spin);
   const oracle::TurningRing ring{spin.inertia, spin.drag, bore(rub.scene)};
-  const auto expect = [&](const Trajectory& t, double tolerance) {
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
-    const auto &time = t.column("t"), &speed = t.column("ring_speed");
+  const auto miss = [&](const Trajectory& t) {
+    EXPECT_EQ(t.status, Status::kOk) << t.message;
+    EXPECT_GT(t.column("ring_speed").back(), 50.0);
+    double most = 0.0;  // of the final speed
     for (std::size_t k = 0; k < t.rows(); ++k) {
-      const double exact = oracle::ring_speed(ring, torque, 3.0, time[k]);
-      ASSERT_NEAR(speed[k], exact, tolerance * 60.0) << time[k];
+      const double exact = oracle::ring_speed(ring, torque, 3.0, t.column("t")[k]);
+      most = std::max(most, std::abs(t.column("ring_speed")[k] - exact) / 60.0);
     }
-    EXPECT_GT(speed.back(), 50.0);
-    EXPECT_LT(t.statistics.energy_residual(), 1e-4);
+    return most;
   };
   const Trajectory event = test::run_event(rub.scene);
-  expect(event, 1e-9);
+  EXPECT_LT(miss(event), 1e-9);
   test::expect_sound_event(rub.scene, event);
-  expect(run(rub.scene, Integrator::kVerlet, 1e-5), 1e-8);
-  expect(run(rub.scene, Integrator::kPaper, 1e-5), 1e-3);
-  expect(run(rub.scene, Integrator::kLiteral, 1e-5), 1e-3);
+  // Of second order, and of first.
+  const auto ratio = [&](Integrator integrator) {
+    return miss(run(rub.scene, integrator, 1e-4)) / miss(run(rub.scene, integrator, 1e-5));
+  };
+  EXPECT_GT(ratio(Integrator::kVerlet), 80.0);
+  EXPECT_GT(ratio(Integrator::kPaper), 8.0);
+  EXPECT_GT(ratio(Integrator::kLiteral), 8.0);
 }
 
 // Without drag the speed grows evenly until the surfaces roll: when, is known.
 TEST(TurningRing, WithoutDragRollingBeginsWhenTheClosedFormSays) {
-  const scene::RingSpin spin{1e-3, 0.0, 0.0};
+  const scene::RingSpin spin{5e-4, 0.0, 0.0};
   const Rub rub = annular(spin);
   const scene::Scene& s = rub.scene;
   const double torque = s.contact->friction * rub.force * bore(s);
@@ -233,8 +237,11 @@ TEST(TurningRing, EachLaneIsTheRunAlone) {
       const Trajectory alone = run(scenes[k], integrator);
       ASSERT_EQ(runs[k].status, Status::kOk);
       const int at = models[k].layout.ring_angle();
-      EXPECT_EQ(runs[k].v[static_cast<std::size_t>(at)], alone.column("ring_speed").back());
+      EXPECT_EQ(runs[k].q[static_cast<std::size_t>(at)], alone.column("ring_angle").back());
       EXPECT_EQ(runs[k].q[0], alone.column("rotor_x").back());
+      // A run alone tells the velocity of `verlet` from the steps before and after its end.
+      const double speed = alone.column("ring_speed").back();
+      EXPECT_NEAR(runs[k].v[static_cast<std::size_t>(at)], speed, 1e-6 * speed);
     }
   }
 }
