@@ -12,7 +12,7 @@ inline constexpr const char* kSceneText = "rotorub_scene";      // the scene's T
 inline constexpr const char* kContactText = "rotorub_contact";  // "coulomb" | "cone" | "rigid"
 
 // <custom> of a user's own model (plugin/own/own_config.h): texts, then numerics
-inline constexpr const char* kOwnPrefix = "rotorub_";  // of every name of ours in <custom>
+inline constexpr const char* kOwnMark = "rotorub_";  // in every name of ours in <custom>
 inline constexpr const char* kOwnRotorGeom = "rotorub_rotor_geom";
 inline constexpr const char* kOwnRingGeom = "rotorub_ring_geom";
 inline constexpr const char* kOwnClearance = "rotorub_clearance";
@@ -21,6 +21,7 @@ inline constexpr const char* kOwnFriction = "rotorub_friction";
 inline constexpr const char* kOwnRestitution = "rotorub_restitution";
 inline constexpr const char* kOwnTangential = "rotorub_tangential_restitution";
 inline constexpr const char* kOwnWidth = "rotorub_width";
+inline constexpr const char* kOwnUserData = "rotorub_userdata";  // of the whole model
 
 // Bodies and geoms
 inline constexpr const char* kRotor = "rotor";             // body; its visible disc
@@ -72,6 +73,10 @@ inline constexpr const char* kGapRate = "gap_rate";              // m/s
 inline constexpr const char* kSlip = "slip";                     // m/s
 inline constexpr const char* kNormalForce = "normal_force";      // N
 inline constexpr const char* kFrictionForce = "friction_force";  // N, on the rotor along e_t
+// The same in units of the clearance, and of the force in the sensor's `user` data
+inline constexpr const char* kGapScaled = "gap_scaled";
+inline constexpr const char* kNormalForceScaled = "normal_force_scaled";
+inline constexpr const char* kFrictionForceScaled = "friction_force_scaled";
 inline constexpr const char* kCurrent = "current";               // A, of the magnets' two axes
 inline constexpr const char* kControlForce = "control_force";    // N, x and y, on the ring
 // With [mujoco] shadow: MuJoCo's rotor, and what the native model beside it has

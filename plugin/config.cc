@@ -1,5 +1,6 @@
 #include "plugin/config.h"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cstdint>
@@ -13,24 +14,21 @@
 #include "plugin/chain_constraints.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/fingerprint.h"
+#include "plugin/message.h"
 #include "plugin/model_parameters.h"
 #include "plugin/own/own_config.h"
+#include "plugin/own/own_names.h"
 
 namespace rotorub::plugin {
 namespace {
 
 namespace names = mjcf_names;
 
-std::string in_text(const char* name, const std::string& reason) {
-  return "rotorub: <custom><text name=\"" + std::string(name) + "\">: " + reason;
-}
-
 int required(const mjModel* m, int type, const char* element, const std::string& name) {
   const int id = mj_name2id(m, type, name.c_str());
   if (id < 0) {
-    throw ConfigError("rotorub: <" + std::string(element) + " name=\"" + name +
-                      "\">: missing, but the scene in <custom> needs it; write the MJCF anew with "
-                      "`rotorub mjcf`");
+    refuse(message("<{} name=\"{}\">", element, name),
+           "missing, but the scene in <custom> needs it; write the MJCF anew with `rotorub mjcf`");
   }
   return id;
 }
@@ -49,7 +47,7 @@ JointAddress find_joint(const mjModel* m, const std::string& name) {
   const int joint = required(m, mjOBJ_JOINT, "joint", name);
   const int type = m->jnt_type[joint];
   if (type != mjJNT_SLIDE && type != mjJNT_HINGE) {
-    throw ConfigError("rotorub: <joint name=\"" + name + "\">: accepted types: slide, hinge");
+    refuse(joint_element(m, joint), "accepted types: slide, hinge");
   }
   return {m->jnt_qposadr[joint], m->jnt_dofadr[joint]};
 }
@@ -84,16 +82,15 @@ void map_contact(const mjModel* m, Config& config) {
   config.ring_geom = required(m, mjOBJ_GEOM, "geom", names::kRingContact);
   const auto check = [&](int geom, const char* name, int type, const char* accepted) {
     if (m->geom_type[geom] == type) return;
-    throw ConfigError("rotorub: <geom name=\"" + std::string(name) +
-                      "\">: accepted type: " + accepted);
+    refuse(message("<geom name=\"{}\">", name), message("accepted type: {}", accepted));
   };
   check(config.rotor_geom, names::kRotorContact, mjGEOM_SPHERE, "sphere");
   check(config.ring_geom, names::kRingContact, mjGEOM_CAPSULE, "capsule");
   config.pair = find_pair(m, config.rotor_geom, config.ring_geom);
   if (config.pair < 0) {
-    throw ConfigError("rotorub: <contact><pair geom1=\"" + std::string(names::kRotorContact) +
-                      "\" geom2=\"" + names::kRingContact +
-                      "\">: missing, but the scene in <custom> has a contact");
+    refuse(message("<contact><pair geom1=\"{}\" geom2=\"{}\">", names::kRotorContact,
+                   names::kRingContact),
+           "missing, but the scene in <custom> has a contact");
   }
 }
 
@@ -103,10 +100,9 @@ void check_magnet(const mjModel* m, const Config& config, int actuator) {
   const bool lags = config.model.magnets->coil_lag > 0.0;
   const bool current = m->actuator_dyntype[actuator] == (lags ? mjDYN_USER : mjDYN_NONE);
   if (force && current) return;
-  throw ConfigError("rotorub: <general name=\"" +
-                    std::string(m->names + m->name_actuatoradr[actuator]) +
-                    "\">: a magnet; accepted: gaintype=\"user\" biastype=\"user\" dyntype=\"" +
-                    (lags ? "user" : "none") + "\"");
+  refuse(message("<general name=\"{}\">", m->names + m->name_actuatoradr[actuator]),
+         message("a magnet; accepted: gaintype=\"user\" biastype=\"user\" dyntype=\"{}\"",
+                 lags ? "user" : "none"));
 }
 
 void map_actuators(const mjModel* m, Config& config) {
@@ -120,24 +116,30 @@ void map_actuators(const mjModel* m, Config& config) {
 }
 
 // Address in sensordata of the user sensor of that name; -1: taken out, or another's.
-int sensor_address(const mjModel* m, const char* name, int dim) {
-  const int id = mj_name2id(m, mjOBJ_SENSOR, name);
+int sensor_address(const mjModel* m, const std::string& name, int dim) {
+  const int id = mj_name2id(m, mjOBJ_SENSOR, name.c_str());
   if (id < 0 || m->sensor_type[id] != mjSENS_USER) return -1;
   if (m->sensor_dim[id] != dim) {
-    throw ConfigError("rotorub: <user name=\"" + std::string(name) +
-                      "\">: accepted dim: " + std::to_string(dim));
+    refuse(message("<user name=\"{}\">", name), message("accepted dim: {}", dim));
   }
   return m->sensor_adr[id];
 }
 
+ScaledSensor scaled_sensor(const mjModel* m, const std::string& name) {
+  ScaledSensor s;
+  s.address = sensor_address(m, name, 1);
+  if (s.address < 0) return s;
+  s.reference = m->nuser_sensor * mj_name2id(m, mjOBJ_SENSOR, name.c_str());
+  if (m->nuser_sensor < 1 || !(m->sensor_user[s.reference] > 0.0)) {
+    refuse(message("<user name=\"{}\">", name),
+           "user[0] is the force that it has as 1; accepted: user=\"200\" for 200 N");
+  }
+  return s;
+}
+
 void map_sensors(const mjModel* m, Config& config) {
   SensorAddresses& s = config.sensors;
-  s.active = sensor_address(m, names::kActive, 1);
-  s.gap = sensor_address(m, names::kGap, 1);
-  s.gap_rate = sensor_address(m, names::kGapRate, 1);
-  s.slip = sensor_address(m, names::kSlip, 1);
-  s.normal_force = sensor_address(m, names::kNormalForce, 1);
-  s.friction_force = sensor_address(m, names::kFrictionForce, 1);
+  s = contact_sensors(m);
   s.control_force = sensor_address(m, names::kControlForce, 2);
   s.current = sensor_address(m, names::kCurrent, 2);
 }
@@ -145,10 +147,10 @@ void map_sensors(const mjModel* m, Config& config) {
 void map_shadow(const mjModel* m, ShadowConfig& s) {
   const std::string refusal = step_refusal(s.model, m->opt.timestep);
   if (!refusal.empty()) {
-    throw ConfigError(in_text(names::kSceneText,
-                              "mujoco.shadow: the native model cannot run "
-                              "alongside: " +
-                                  refusal + "; accepted: a smaller run.step, or false"));
+    refuse(text_element(names::kSceneText),
+           message("mujoco.shadow: the native model cannot run alongside: {}; accepted: a smaller "
+                   "run.step, or false",
+                   refusal));
   }
   s.gap = sensor_address(m, names::kShadowGap, 1);
   s.normal_force = sensor_address(m, names::kShadowNormalForce, 1);
@@ -182,6 +184,19 @@ double mark_of(const Model& model) {
   return 1.0 + static_cast<double>(hash >> 12);
 }
 
+// The contact of a generated model, for own/: its sensors are the config's.
+OwnPair generated_pair(const Config& config) {
+  OwnPair p;
+  p.law = config.contact;
+  p.contact = *config.model.contact;
+  p.rotor_geom = config.rotor_geom;
+  p.ring_geom = config.ring_geom;
+  p.pair = config.pair;
+  p.in_world = true;
+  p.held_spin = config.model.layout.spin ? 0.0 : config.model.speed;
+  return p;
+}
+
 double next_id() {
   static std::atomic<int> count{0};
   return 1.0 + count.fetch_add(1);
@@ -196,15 +211,16 @@ const char* custom_text(const mjModel* m, std::string_view name) {
   return nullptr;
 }
 
-scene::ContactModel contact_model(const mjModel* m, scene::ContactModel otherwise) {
-  const char* text = custom_text(m, names::kContactText);
+scene::ContactModel contact_model(const mjModel* m, const std::string& text_name,
+                                  scene::ContactModel otherwise) {
+  const char* text = custom_text(m, text_name);
   if (!text) return otherwise;
   const std::string_view name = text;
   if (name == "rigid") return scene::ContactModel::kRigid;
   if (name == "coulomb") return scene::ContactModel::kCoulomb;
   if (name == "cone") return scene::ContactModel::kCone;
-  throw ConfigError(in_text(names::kContactText,
-                            "\"" + std::string(name) + "\"; accepted: rigid, coulomb, cone"));
+  refuse(text_element(text_name.c_str()),
+         message("\"{}\"; accepted: rigid, coulomb, cone", name));
 }
 
 int find_pair(const mjModel* m, int geom_a, int geom_b) {
@@ -215,20 +231,54 @@ int find_pair(const mjModel* m, int geom_a, int geom_b) {
   return -1;
 }
 
-bool is_ours(const mjModel* m) { return scene_text(m) || has_own_contact(m); }
+SensorAddresses contact_sensors(const mjModel* m, const std::string& prefix,
+                                const std::string& suffix) {
+  const auto named = [&](const char* name) { return prefix + name + suffix; };
+  const auto address = [&](const char* name) { return sensor_address(m, named(name), 1); };
+  SensorAddresses s;
+  s.active = address(names::kActive);
+  s.gap = address(names::kGap);
+  s.gap_rate = address(names::kGapRate);
+  s.slip = address(names::kSlip);
+  s.normal_force = address(names::kNormalForce);
+  s.friction_force = address(names::kFrictionForce);
+  s.gap_scaled = address(names::kGapScaled);
+  s.normal_force_scaled = scaled_sensor(m, named(names::kNormalForceScaled));
+  s.friction_force_scaled = scaled_sensor(m, named(names::kFrictionForceScaled));
+  const auto elsewhere = [&](const char* name, int stage) {
+    const int id = mj_name2id(m, mjOBJ_SENSOR, named(name).c_str());
+    return id >= 0 && m->sensor_type[id] == mjSENS_USER && m->sensor_needstage[id] != stage;
+  };
+  s.gap_in_control = elsewhere(names::kGap, mjSTAGE_POS) || elsewhere(names::kGapScaled, mjSTAGE_POS);
+  s.rates_in_control = elsewhere(names::kGapRate, mjSTAGE_VEL) || elsewhere(names::kSlip, mjSTAGE_VEL);
+  return s;
+}
+
+bool Config::has_rigid() const {
+  const auto rigid = [](const OwnPair& p) { return p.law == scene::ContactModel::kRigid; };
+  return std::any_of(pairs.begin(), pairs.end(), rigid) ||
+         (model.contact && contact == scene::ContactModel::kRigid);
+}
+
+bool Config::has_soft() const {
+  const auto soft = [](const OwnPair& p) { return p.law != scene::ContactModel::kRigid; };
+  return std::any_of(pairs.begin(), pairs.end(), soft) ||
+         (model.contact && contact != scene::ContactModel::kRigid);
+}
+
+bool is_ours(const mjModel* m) { return scene_text(m) || has_own_names(m); }
 
 const char* scene_text(const mjModel* m) { return custom_text(m, names::kSceneText); }
 
 Config make_config(const mjModel* m) {
   Config config;
   if (!scene_text(m)) {
-    map_own_contact(m, config);
-    map_sensors(m, config);
+    map_own_contacts(m, config);
     config.fingerprint = fingerprint(m);
     config.id = next_id();
     return config;
   }
-  refuse_own_beside_scene(m);
+  refuse_own_names(m);
   scene::Scene scene;
   try {
     scene = scene::parse_scene(scene_text(m), names::kSceneText);
@@ -238,7 +288,7 @@ Config make_config(const mjModel* m) {
       config.shadow.emplace().model = whole.controller ? whole : with_ideal_actuator(whole);
     }
   } catch (const std::exception& error) {
-    throw ConfigError(in_text(names::kSceneText, error.what()));
+    refuse(text_element(names::kSceneText), error.what());
   }
   int needed = names::user_data_size(config.model.nq(), config.model.controller != nullptr);
   if (scene.contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
@@ -250,19 +300,19 @@ Config make_config(const mjModel* m) {
     needed += names::shadow_data_size(PaperStepper::memory_size(config.shadow->model));
   }
   if (m->nuserdata < needed) {
-    throw ConfigError("rotorub: <size nuserdata>: at least " + std::to_string(needed) + " needed");
+    refuse("<size nuserdata>", message("at least {} needed", needed));
   }
   if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
     try {
       map_segments(m, scene, config);
     } catch (const scene::SceneError& error) {
-      throw ConfigError(in_text(names::kSceneText, error.what()));
+      refuse(text_element(names::kSceneText), error.what());
     }
   } else {
     map_joints(m, config);
   }
   if (scene.contact) {
-    config.contact = contact_model(m, scene.mujoco.contact);
+    config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
     map_contact(m, config);
     if (!config.segments) choose_path(m, config);
     try {
@@ -272,13 +322,14 @@ Config make_config(const mjModel* m) {
         refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
       }
     } catch (const scene::SceneError& error) {
-      throw ConfigError(in_text(names::kSceneText, error.what()));
+      refuse(text_element(names::kSceneText), error.what());
     }
   }
   map_actuators(m, config);
   map_sensors(m, config);
   map_structure(m, config);
   take_parameters(m, config);
+  if (config.general) config.pairs = {generated_pair(config)};
   if (config.shadow) {
     map_shadow(m, *config.shadow);
     config.shadow->mark = mark_of(config.shadow->model);
@@ -289,9 +340,11 @@ Config make_config(const mjModel* m) {
 }
 
 Config with_parameters(const Config& config, const mjModel* m) {
+  if (config.own) return make_config(m);
   Config other = config;
   take_parameters(m, other);
   if (other.shadow) other.shadow->mark = mark_of(other.shadow->model);
+  if (other.general) other.pairs = {generated_pair(other)};
   other.id = next_id();
   return other;
 }

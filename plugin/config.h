@@ -4,6 +4,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -15,10 +16,35 @@
 
 namespace rotorub::plugin {
 
+// A sensor in units of a force that its own `user` data names, N. -1: no such sensor.
+struct ScaledSensor {
+  int address = -1;    // in mjData.sensordata
+  int reference = -1;  // in mjModel.sensor_user
+};
+
 // Addresses in mjData.sensordata; -1: the model has no such sensor.
 struct SensorAddresses {
   int active = -1, gap = -1, gap_rate = -1, slip = -1;
   int normal_force = -1, friction_force = -1, control_force = -1, current = -1;
+  int gap_scaled = -1;  // of the clearance
+  ScaledSensor normal_force_scaled, friction_force_scaled;
+  // Asked for at another stage than that which MuJoCo has them at: told in mjcb_control.
+  bool gap_in_control = false, rates_in_control = false;
+};
+
+// A rotor in its ring whose contact is solved in MuJoCo's coordinates (own/own_contact.h): one of a
+// user's own model, or that of a generated model with constraints of the user's.
+struct OwnPair {
+  scene::ContactModel law = scene::ContactModel::kRigid;
+  ContactParameters contact{};
+  int rotor_geom = -1, ring_geom = -1;
+  int pair = -1;                  // their <pair>
+  double reach = 1e300;           // m: apart along the axis, they do not meet
+  std::array<mjtNum, 6> sizes{};  // of the two geoms, m, as they were read
+  int data = 0;                   // in mjData.userdata (user_data.h)
+  SensorAddresses sensors;
+  bool in_world = false;   // the contact plane is the world's x and y, not that of the ring's geom
+  double held_spin = 0.0;  // rad/s, of a rotor whose spin is no degree of freedom
 };
 
 // The native model that runs alongside (shadow.h). -1: no such sensor or ghost.
@@ -45,9 +71,11 @@ struct Config {
 
   std::optional<Segments> segments;  // the segment rotor
 
-  // A user's own model with our contact (own/own_config.h): model.contact is all of `model` that is
-  // filled.
+  // A user's own model with our contacts (own/own_config.h): filled are `pairs`, `memory`, and with the
+  // first pair `contact`, model.contact and geoms.
   bool own = false;
+  std::vector<OwnPair> pairs;  // where own or general
+  int memory = 0, memory_size = 0;  // in mjData.userdata, of all that the plugin remembers
 
   // A generated model whose rotor or ring the user's constraints hold as well
   // (chain_constraints.h): its contact is solved as that of a user's own model.
@@ -56,10 +84,14 @@ struct Config {
   int verlet_data = -1;                 // in mjData.userdata, of `rigid` on the modal chain; -1: none
   int rotor_geom = -1, ring_geom = -1;  // of the contact pair; -1 without [contact]
   int pair = -1;                        // their <pair>
-  double reach = 1e300;                 // m, of own models: apart along the axis, they do not meet
   int actuator[2] = {-1, -1};           // -1 without actuators
   SensorAddresses sensors;
   std::optional<ShadowConfig> shadow;
+
+  bool has_contact() const { return model.contact || !pairs.empty(); }
+  // Any contact with a law of this kind.
+  bool has_rigid() const;
+  bool has_soft() const;
 
   // `rigid` on the modal chain: the native step is MuJoCo's (contact/verlet.h).
   bool takes_native_steps() const {
@@ -73,7 +105,6 @@ struct Config {
   double scene_current_limit = 0.0;    // A, of magnets
   Eigen::Vector2d gravity{0.0, 0.0};   // m/s^2
   std::vector<int> rotor_bodies;       // of the modal chain, that carry no mass
-  bool radius_is_drawn = false;        // own: radius is size[0] of the rotor's geom
 
   // What the above was made from, to recognise the model.
   std::string fingerprint;
@@ -99,7 +130,12 @@ Config with_parameters(const Config& config, const mjModel* m);
 
 // Parts of make_config that own/ uses too.
 const char* custom_text(const mjModel* m, std::string_view name);  // null: none of that name
-scene::ContactModel contact_model(const mjModel* m, scene::ContactModel otherwise);
+// What the text of that name says.
+scene::ContactModel contact_model(const mjModel* m, const std::string& text_name,
+                                  scene::ContactModel otherwise);
 int find_pair(const mjModel* m, int geom_a, int geom_b);  // -1: none
+// Of the sensors whose names are ours between prefix and suffix. Throws ConfigError.
+SensorAddresses contact_sensors(const mjModel* m, const std::string& prefix = {},
+                                const std::string& suffix = {});
 
 }  // namespace rotorub::plugin

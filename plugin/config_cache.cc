@@ -9,6 +9,7 @@
 
 #include "plugin/fingerprint.h"
 #include "plugin/model_parameters.h"
+#include "plugin/own/user_block.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -62,7 +63,7 @@ thread_local Recent recent;
 // lives in the frame that calls it.
 thread_local char message[1000];
 
-const Config* look_up(const mjModel* m, const mjData* d) {
+const Config* look_up(const mjModel* m) {
   try {
     ConfigPointer config = registry().find_or_make(m);
     auto at = std::find_if(recent.known.begin(), recent.known.end(),
@@ -71,7 +72,6 @@ const Config* look_up(const mjModel* m, const mjData* d) {
       at = recent.known.begin() + static_cast<std::ptrdiff_t>(recent.next);
       recent.next = (recent.next + 1) % recent.known.size();
     }
-    d->userdata[kConfigId] = config->id;
     *at = {m, std::move(config)};
     return at->config.get();
   } catch (const std::exception& error) {
@@ -81,9 +81,9 @@ const Config* look_up(const mjModel* m, const mjData* d) {
 }
 
 const Config* known_config(const mjModel* m, const mjData* d) {
-  if (m->nuserdata <= kConfigId) return nullptr;
   for (const Known& k : recent.known) {
-    if (k.model == m && k.config->id == d->userdata[kConfigId]) return k.config.get();
+    if (k.model != m || m->nuserdata <= k.config->memory + kConfigId) continue;
+    if (k.config->id == d->userdata[k.config->memory + kConfigId]) return k.config.get();
   }
   return nullptr;
 }
@@ -96,8 +96,17 @@ const Config* find(const mjModel* m, const mjData* d, bool check) {
   };
   if (config && (!check || still(*config))) return config;
   if (!is_ours(m)) return nullptr;
-  config = look_up(m, d);
-  if (!config) mju_error(message);
+  config = look_up(m);
+  if (!config) {
+    mju_error(message);
+    return nullptr;
+  }
+  if (!block_is_ours(*config, d)) {
+    refuse_clash(*config, m);
+    return nullptr;
+  }
+  d->userdata[config->memory + kConfigId] = config->id;
+  seal_block(*config, d);
   return config;
 }
 

@@ -12,10 +12,12 @@ namespace rotorub::plugin {
 void inverse_with_contact(const mjModel* m, mjData* d, int skipstage, int skipsensor,
                           void (*inverse)(const mjModel*, mjData*, int, int)) {
   // Further on than the velocities (mj_compareFwdInv), what mjcb_control left is there still.
-  if (skipstage >= mjSTAGE_VEL || !callbacks_active() || !find_config(m, d)) {
+  const Config* config = callbacks_active() ? find_config(m, d) : nullptr;
+  if (skipstage >= mjSTAGE_VEL || !config) {
     inverse(m, d, skipstage, skipsensor);
     return;
   }
+  mjtNum& fresh = d->userdata[config->memory + kPassiveFresh];
   const int mark = d->pstack;
   mjtNum* memory = mj_stackAlloc(d, m->nuserdata);
   mjtNum* ctrl = mj_stackAlloc(d, std::max(m->nu, 1));
@@ -27,7 +29,7 @@ void inverse_with_contact(const mjModel* m, mjData* d, int skipstage, int skipse
   inverse(m, d, mjSTAGE_VEL, skipsensor);
   std::copy_n(memory, m->nuserdata, d->userdata);
   std::copy_n(ctrl, m->nu, d->ctrl);
-  d->userdata[kPassiveFresh] = 0.0;  // no forward pass may go on from here
+  fresh = 0.0;  // no forward pass may go on from here
   d->pstack = mark;
 }
 

@@ -37,6 +37,9 @@ std::string message(std::string_view format, const Values&... values) {
   throw ConfigError("rotorub: " + element + ": " + reason);
 }
 
+inline std::string text_element(const char* name) {
+  return message("<custom><text name=\"{}\">", name);
+}
 inline std::string body_element(const mjModel* m, int body) {
   return message("<body name=\"{}\">", m->names + m->name_bodyadr[body]);
 }

@@ -1,11 +1,13 @@
 #include "plugin/model_parameters.h"
 #include "plugin/message.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "mjcf/names.h"
 #include "native_model/dynamics/dynamics.h"
+#include "plugin/own/own_config.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -90,9 +92,10 @@ Circle circle_of(const Config& config, const mjModel* m) {
   return drawn;
 }
 
-bool has_own_radius(const Config& config, const mjModel* m) {
-  return !config.radius_is_drawn ||
-         config.model.contact->radius == m->geom_size[3 * config.rotor_geom];
+// What a user's own model takes from its geoms (own/own_config.h).
+bool has_own_sizes(const Config& config, const mjModel* m) {
+  return std::all_of(config.pairs.begin(), config.pairs.end(),
+                     [m](const OwnPair& p) { return p.sizes == own_sizes(m, p); });
 }
 
 bool rotor_is_massless(const Config& config, const mjModel* m) {
@@ -194,7 +197,7 @@ void take(const mjModel* m, Model& model, const Config& config) {
 }  // namespace
 
 bool has_parameters(const Config& config, const mjModel* m) {
-  if (config.own) return has_own_radius(config, m);
+  if (config.own) return has_own_sizes(config, m);
   const Model& model = config.model;
   bool same = gravity_of(m) == config.gravity && rotor_is_massless(config, m);
   for_each_joint(config, [&](int i, int dof) {
@@ -213,12 +216,6 @@ bool has_parameters(const Config& config, const mjModel* m) {
 }
 
 void take_parameters(const mjModel* m, Config& config) {
-  if (config.own) {
-    if (config.radius_is_drawn) {
-      config.model.contact->radius = m->geom_size[3 * config.rotor_geom];
-    }
-    return;
-  }
   check_masses(m, config);
   check_ring_mass(m, config);
   take(m, config.model, config);

@@ -10,7 +10,7 @@
 //   size[0] of the geoms "rotor" and "ring"         contact.radius, and with it the clearance
 //   ctrlrange of the two actuators                  force or current limit
 // and of a user's own model
-//   size[0] of the rotor's geom                     the radius, where no number gives it
+//   size of the geoms of rotor and ring             radius and lengths, where no number gives them
 #pragma once
 
 #include <mujoco/mujoco.h>

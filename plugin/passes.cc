@@ -15,6 +15,7 @@
 #include "plugin/coordinates.h"
 #include "plugin/magnets.h"
 #include "plugin/own/own_contact.h"
+#include "plugin/own/user_block.h"
 #include "plugin/passive.h"
 #include "plugin/segment_loads.h"
 #include "plugin/sensors.h"
@@ -24,26 +25,29 @@
 namespace rotorub::plugin {
 namespace {
 
-bool is_soft(const Config& config) {
-  return config.model.contact && config.contact != scene::ContactModel::kRigid;
-}
-
 // Takes back what others have written over. Where another's function has collided the pair,
 // MuJoCo's soft contact is made anew, so that not even this pass goes without.
 bool keep_places(const Config& config, const mjModel* m, mjData* d) {
   keep_control();
-  if (!config.model.contact || !collision_was_lost(config, m)) return false;
-  if (!is_soft(config) || !contact_enabled(m)) return false;
+  if (!config.has_contact() || !collision_was_lost(config, m)) return false;
+  if (!config.has_soft() || !contact_enabled(m)) return false;
   mj_fwdPosition(m, d);
   return true;
 }
 
+// Whose model was compared since the last mjcb_passive of this thread.
+thread_local constinit const mjData* compared = nullptr;
+
 // What kPassiveFresh is after mjcb_passive.
 double fresh_mark(const mjData* d) { return 1.0 + std::abs(d->time); }
 
+mjtNum& fresh_entry(const Config& config, mjData* d) {
+  return d->userdata[config.memory + kPassiveFresh];
+}
+
 // A pass at another time had no mjcb_control after its mjcb_passive.
-void notice_missed_control(const mjData* d) {
-  const double mark = d->userdata[kPassiveFresh];
+void notice_missed_control(const Config& config, mjData* d) {
+  const double mark = fresh_entry(config, d);
   if (mark == 0.0 || mark == fresh_mark(d) || !distrust_control()) return;
   mju_warning(
       "rotorub: mjcb_control called the plugin's before, and in the last step did not: that step "
@@ -53,12 +57,14 @@ void notice_missed_control(const mjData* d) {
 }  // namespace
 
 void passive_pass(const mjModel* m, mjData* d) {
-  const Config* config = find_config_checked(m, d);
+  // The collision of this very pass has compared the model.
+  const Config* config = compared == d ? find_config(m, d) : find_config_checked(m, d);
+  compared = nullptr;
   if (!config) return;
   keep_places(*config, m, d);
-  notice_missed_control(d);
   mark_active(*config, d, false);
-  d->userdata[kPassiveFresh] = fresh_mark(d);
+  notice_missed_control(*config, d);
+  fresh_entry(*config, d) = fresh_mark(d);
   if (config->shadow) advance_shadow(*config, m, d);
   if (config->own) return;
   if (config->segments) {
@@ -73,8 +79,8 @@ namespace {
 
 // MuJoCo may run this stage again without the one before (mj_forwardSkip), or have run it without
 // us: then what it added to the velocity stage's results is taken out by computing those anew.
-void refresh_velocity_stage(const mjModel* m, mjData* d) {
-  mjtNum& fresh = d->userdata[kPassiveFresh];
+void refresh_velocity_stage(const Config& config, const mjModel* m, mjData* d) {
+  mjtNum& fresh = fresh_entry(config, d);
   if (fresh != fresh_mark(d)) {
     keep_callbacks();
     mj_passive(m, d);
@@ -89,7 +95,7 @@ void refresh_velocity_stage(const mjModel* m, mjData* d) {
 void apply_soft_contact(const Config& config, const mjModel* m, mjData* d,
                         const Coordinates& state) {
   d->userdata[kFrictionForce] = 0.0;
-  const mjContact* contact = find_contact(config, d);
+  const mjContact* contact = find_contact(config.rotor_geom, config.ring_geom, d);
   if (!contact) {
     d->userdata[kMode] = 0.0;
     return;
@@ -109,7 +115,8 @@ void apply_soft_contact(const Config& config, const mjModel* m, mjData* d,
 // Loads, command and contact of this pass.
 void act(const Config& config, const mjModel* m, mjData* d) {
   if (config.own) {
-    apply_own_contact(config, m, d);
+    apply_own_contacts(config, m, d);
+    fill_sensors_in_control(config, m, d);
   } else {
     const Coordinates state(config, d);
     if (config.takes_native_steps()) {
@@ -119,16 +126,15 @@ void act(const Config& config, const mjModel* m, mjData* d) {
       write_command(config, m, d, state);
       if (!config.model.contact) return;
       if (config.general) {
-        apply_own_contact(config, m, d);
-      } else if (is_soft(config)) {
+        apply_own_contacts(config, m, d);
+      } else if (config.has_soft()) {
         apply_soft_contact(config, m, d, state);
       } else {
         apply_segment_rigid(config, m, d, state);
       }
     }
   }
-  const bool told = config.own && config.contact == scene::ContactModel::kCoulomb;
-  if (!is_soft(config) || told) fill_sensors(config, m, d, mjSTAGE_ACC);
+  if (!config.own && !config.has_soft()) fill_sensors(config, m, d, mjSTAGE_ACC);
 }
 
 }  // namespace
@@ -137,15 +143,19 @@ void control_pass(const mjModel* m, mjData* d) {
   const Config* config = find_config(m, d);
   if (!config) return;
   if (config->model.magnets) keep_callbacks();
-  if (keep_places(*config, m, d)) d->userdata[kPassiveFresh] = 0.0;
-  refresh_velocity_stage(m, d);
-  const bool rigid = config->model.contact && !is_soft(*config);
-  if (rigid && m->opt.integrator == mjINT_RK4) {
+  if (!block_is_ours(*config, d)) {
+    refuse_clash(*config, m);
+    return;
+  }
+  if (keep_places(*config, m, d)) fresh_entry(*config, d) = 0.0;
+  refresh_velocity_stage(*config, m, d);
+  if (config->has_rigid() && m->opt.integrator == mjINT_RK4) {
     refuse_runge_kutta();
     return;
   }
   act(*config, m, d);
-  mark_active(*config, d, !config->model.contact || contact_enabled(m));
+  seal_block(*config, d);
+  mark_active(*config, d, !config->has_contact() || contact_enabled(m));
 }
 
 void sensor_pass(const mjModel* m, mjData* d, int stage) {
@@ -155,17 +165,35 @@ void sensor_pass(const mjModel* m, mjData* d, int stage) {
   fill_sensors(*config, m, d, stage);
 }
 
+namespace {
+
+bool are(int g1, int g2, int rotor_geom, int ring_geom) {
+  return (g1 == rotor_geom && g2 == ring_geom) || (g1 == ring_geom && g2 == rotor_geom);
+}
+
+// The <pair>'s, where the model has one; it is not among the arguments of every version.
+double margin_of(const mjModel* m, int pair) { return pair >= 0 ? m->pair_margin[pair] : 0.0; }
+
+}  // namespace
+
 bool collide_pair(const mjModel* m, const mjData* d, mjContact* con, int g1, int g2, int& count) {
-  const Config* config = find_config(m, d);
-  const bool ours = config && ((g1 == config->rotor_geom && g2 == config->ring_geom) ||
-                               (g1 == config->ring_geom && g2 == config->rotor_geom));
-  if (!ours) return false;
-  keep_callbacks();
-  // The pair's, where the model has one; it is not among the arguments of every version.
-  const double margin = config->pair >= 0 ? m->pair_margin[config->pair] : 0.0;
-  count = config->own ? collide_own(*config, d, con, g1, margin)
-                      : collide_annular(*config, d, con, g1, margin);
-  return true;
+  // The first of a pass to need the numbers: with those of now.
+  const Config* config = find_config_checked(m, d);
+  if (!config) return false;
+  compared = d;
+  if (!config->own) {
+    if (!are(g1, g2, config->rotor_geom, config->ring_geom)) return false;
+    keep_callbacks();
+    count = collide_annular(*config, d, con, g1, margin_of(m, config->pair));
+    return true;
+  }
+  for (const OwnPair& pair : config->pairs) {
+    if (!are(g1, g2, pair.rotor_geom, pair.ring_geom)) continue;
+    keep_callbacks();
+    count = collide_own(pair, d, con, g1, margin_of(m, pair.pair));
+    return true;
+  }
+  return false;
 }
 
 namespace {

@@ -23,8 +23,44 @@ void put(mjData* d, int address, const Eigen::Vector2d& value) {
   d->sensordata[address + 1] = value.y();
 }
 
-ContactPoint point_of(const Config& config, const mjModel* m, mjData* d) {
-  if (config.own) return own_contact_point(config, m, d);
+void put(const mjModel* m, mjData* d, const ScaledSensor& sensor, double value) {
+  if (sensor.address >= 0) d->sensordata[sensor.address] = value / m->sensor_user[sensor.reference];
+}
+
+void put_gap(mjData* d, const SensorAddresses& s, double gap, double clearance) {
+  put(d, s.gap, gap);
+  put(d, s.gap_scaled, gap / clearance);
+}
+
+void put_forces(const mjModel* m, mjData* d, const SensorAddresses& s, const ContactForces& forces) {
+  put(d, s.normal_force, forces.normal);
+  put(d, s.friction_force, forces.friction);
+  put(m, d, s.normal_force_scaled, forces.normal);
+  put(m, d, s.friction_force_scaled, forces.friction);
+}
+
+void put_rates(mjData* d, const SensorAddresses& s, const ContactPoint& point) {
+  put(d, s.gap_rate, point.gap_rate);
+  put(d, s.slip, point.slip);
+}
+
+bool has_gap(const SensorAddresses& s) { return s.gap >= 0 || s.gap_scaled >= 0; }
+bool has_rates(const SensorAddresses& s) { return s.gap_rate >= 0 || s.slip >= 0; }
+
+void put_gap(const OwnPair& pair, mjData* d) {
+  const double clearance = pair.contact.clearance;
+  put_gap(d, pair.sensors, clearance - own_position(pair, d).norm(), clearance);
+}
+
+// Of a user's own model.
+void fill_pair_sensors(const OwnPair& pair, const mjModel* m, mjData* d, int stage) {
+  const SensorAddresses& s = pair.sensors;
+  if (stage == mjSTAGE_POS && has_gap(s)) put_gap(pair, d);
+  if (stage == mjSTAGE_VEL && has_rates(s)) put_rates(d, s, own_contact_point(pair, m, d));
+  if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(pair, d));
+}
+
+ContactPoint point_of(const Config& config, const mjData* d) {
   const Coordinates state(config, d);
   const double* v = config.takes_native_steps() ? velocities_of_pass(config, d) : state.v();
   return contact_point(config.model, state.q(), v);
@@ -32,7 +68,6 @@ ContactPoint point_of(const Config& config, const mjModel* m, mjData* d) {
 
 double gap_of(const Config& config, const mjData* d) {
   const double clearance = config.model.contact->clearance;
-  if (config.own) return clearance - own_position(config, d).norm();
   const Coordinates state(config, d);
   return clearance -
          (rotor_point(config.model, state.q()) - stator_point(config.model, state.q())).norm();
@@ -60,9 +95,23 @@ void fill_shadow_sensors(const Config& config, mjData* d) {
 
 void mark_active(const Config& config, mjData* d, bool acts) {
   put(d, config.sensors.active, acts ? 1.0 : 0.0);
+  for (const OwnPair& pair : config.pairs) put(d, pair.sensors.active, acts ? 1.0 : 0.0);
+}
+
+void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d) {
+  for (const OwnPair& pair : config.pairs) {
+    const SensorAddresses& s = pair.sensors;
+    if (s.gap_in_control) put_gap(pair, d);
+    if (s.rates_in_control) put_rates(d, s, own_contact_point(pair, m, d));
+    put_forces(m, d, s, contact_forces(pair, d));
+  }
 }
 
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) {
+  if (config.own) {
+    for (const OwnPair& pair : config.pairs) fill_pair_sensors(pair, m, d, stage);
+    return;
+  }
   const SensorAddresses& s = config.sensors;
   if (stage == mjSTAGE_ACC && (s.control_force >= 0 || s.current >= 0)) {
     const ActuatorState actuator = actuator_state(config, m, d);
@@ -71,18 +120,11 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
   }
   if (stage == mjSTAGE_VEL && config.shadow) fill_shadow_sensors(config, d);
   if (!config.model.contact) return;
-  if (stage == mjSTAGE_ACC) {
-    const ContactForces forces = contact_forces(config, d);
-    put(d, s.normal_force, forces.normal);
-    put(d, s.friction_force, forces.friction);
-    return;
+  if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(config, d));
+  if (stage == mjSTAGE_POS && has_gap(s)) {
+    put_gap(d, s, gap_of(config, d), config.model.contact->clearance);
   }
-  if (stage == mjSTAGE_POS && s.gap >= 0) put(d, s.gap, gap_of(config, d));
-  if (stage == mjSTAGE_VEL && (s.gap_rate >= 0 || s.slip >= 0)) {
-    const ContactPoint point = point_of(config, m, d);
-    put(d, s.gap_rate, point.gap_rate);
-    put(d, s.slip, point.slip);
-  }
+  if (stage == mjSTAGE_VEL && has_rates(s)) put_rates(d, s, point_of(config, d));
 }
 
 }  // namespace rotorub::plugin

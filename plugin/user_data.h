@@ -13,13 +13,14 @@ enum UserDataEntry : int {
   kHeldX,     // command held: N, fixed frame, or the currents of the two axes, A; of native steps
               // the mean about the instant
   kHeldY,
-  kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last
-  kMode,           // number of the Mode of that pass
   kPassiveFresh,   // between mjcb_passive and mjcb_control 1 + |time|, else 0
   kHistoryLength,  // times in the history: 0, 1, 2; 3: two, with an impact between them
   kEarlierTime,    // s, of the one before
   kLatestTime,     // s, of the latest
-  // Of `rigid` (contact/memory.h):
+  // Of each rotor in its ring:
+  kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last
+  kMode,           // number of the Mode of that pass
+  // and of `rigid` (contact/memory.h):
   kNormalForce,    // N, mean over the step that the pass is for
   kContactTime,    // s, of the pass that the next three are of
   kContactBefore,  // 1: contact lasted over the step before
@@ -34,6 +35,12 @@ enum UserDataEntry : int {
   kUserDataSingle
 };
 static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
+
+// A user's own model has its block at Config::memory, with a check in the place of kSample
+// (own/user_block.h). A further pair has kPairEntries more behind it: entry e of pair i stands at
+// OwnPair::data + e = memory + i kPairEntries + e, e from kFrictionForce on.
+inline constexpr int kBlockCheck = kSample;
+inline constexpr int kPairEntries = kUserDataSingle - kFrictionForce;
 
 // Of the step of `rigid` on the modal chain, from Config::verlet_data on (contact/verlet.h); behind
 // them velocities and two slots of memory.

@@ -73,7 +73,8 @@ void set_pair(mjModel* m, const plugin::Config& config, scene::ContactModel cont
   m->pair_gap[pair] = rigid ? 1e3 : 0.0;
   if (!cone) return;
   // Its force is found after the velocity stage, in which other models' sensors may be filled.
-  for (const char* name : {names::kNormalForce, names::kFrictionForce}) {
+  for (const char* name : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
+                           names::kFrictionForceScaled}) {
     const int sensor = mj_name2id(m, mjOBJ_SENSOR, name);
     if (sensor >= 0 && m->sensor_type[sensor] == mjSENS_USER) m->sensor_needstage[sensor] = mjSTAGE_ACC;
   }

@@ -29,11 +29,11 @@ int collide_annular(const Config& config, const mjData* d, mjContact* con, int g
   return 1;
 }
 
-const mjContact* find_contact(const Config& config, const mjData* d) {
+const mjContact* find_contact(int rotor_geom, int ring_geom, const mjData* d) {
   for (int i = 0; i < d->ncon; ++i) {
     const mjContact& c = d->contact[i];
-    const bool pair = (c.geom1 == config.rotor_geom && c.geom2 == config.ring_geom) ||
-                      (c.geom1 == config.ring_geom && c.geom2 == config.rotor_geom);
+    const bool pair = (c.geom1 == rotor_geom && c.geom2 == ring_geom) ||
+                      (c.geom1 == ring_geom && c.geom2 == rotor_geom);
     if (pair) return c.efc_address >= 0 ? &c : nullptr;
   }
   return nullptr;

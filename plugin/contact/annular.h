@@ -19,7 +19,7 @@ inline double friction_of(const mjContact& contact) {
   return contact.friction[0] > mjMINMU ? contact.friction[0] : 0.0;
 }
 
-// The contact of the pair in this forward pass, or null: none, or not handed to the solver.
-const mjContact* find_contact(const Config& config, const mjData* d);
+// The contact of the two geoms in this forward pass, or null: none, or not handed to the solver.
+const mjContact* find_contact(int rotor_geom, int ring_geom, const mjData* d);
 
 }  // namespace rotorub::plugin

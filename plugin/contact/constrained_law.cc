@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/contact/coulomb.h"
-
 namespace rotorub::plugin {
 namespace {
 
@@ -14,62 +12,91 @@ constexpr double kLocal = 1e-4;     // share of the impulse that a later trial i
 constexpr double kRelative = 1e-9;  // of the rates that are to be changed
 constexpr double kFarOff = 1e-2;    // above this error, relative, new slopes are tried
 
-// The law's answer to a line y = a p + b.
+// The laws' answer to a line y = a p + b.
 struct Answer {
-  Eigen::Vector2d p{0.0, 0.0};
-  bool solved = true, sticks = false;
+  ContactVector p;
+  bool solved = true;
+  std::array<bool, kMaxPairs> sticks{};
 };
 
-Eigen::Vector2d on_line(const Delassus& a, const Eigen::Vector2d& p) {
-  return {a.nn * p.x() + a.nt * p.y(), a.tn * p.x() + a.tt * p.y()};
-}
+using Frictions = std::array<double, kMaxPairs>;
 
-// Slopes at p. Of a passive system they are symmetric and positive but for round-off.
-Delassus slopes(ContactResponse& response, const Eigen::Vector2d& p, const Eigen::Vector2d& y,
-                const Delassus& expected, double size, bool frictionless) {
-  const Eigen::Vector2d n = (response.at(p + Eigen::Vector2d(size, 0.0)) - y) / size;
-  // What a constraint holds still moves by no less than this.
-  const double least_n = 1e-9 * expected.nn, least_t = 1e-9 * expected.tt;
-  if (frictionless) return {std::max(n.x(), least_n), n.y(), n.y(), expected.tt};
-  const Eigen::Vector2d t = (response.at(p + Eigen::Vector2d(0.0, size)) - y) / size;
-  const double cross = 0.5 * (n.y() + t.x());
-  return {std::max(n.x(), least_n), cross, cross, std::max(t.y(), least_t)};
-}
+class Slopes {
+ public:
+  Slopes(const ContactMatrix& without, const Frictions& frictions)
+      : expected(without), frictions_(frictions) {}
 
-struct Slopes {
-  const Delassus& expected;
-  bool frictionless;
-  Delassus a{};
-  bool known = false;
+  // dy/dp at p by trials. Of a passive system they are symmetric and positive but for round-off; what
+  // a constraint holds still moves by a little.
+  void find(ContactResponse& response, const ContactVector& p, const ContactVector& y, double size) {
+    const Eigen::Index n = p.size();
+    a = expected;
+    std::array<bool, 2 * kMaxPairs> tried{};
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const bool friction = k % 2 == 1;
+      if (friction && frictions_[static_cast<std::size_t>(k / 2)] == 0.0) continue;
+      tried[static_cast<std::size_t>(k)] = true;
+      ContactVector moved = p;
+      moved[k] += size;
+      a.col(k) = (response.at(moved) - y) / size;
+    }
+    const auto known = [&](Eigen::Index k) { return tried[static_cast<std::size_t>(k)]; };
+    for (Eigen::Index j = 0; j < n; ++j) {
+      for (Eigen::Index i = 0; i < j; ++i) {
+        double& one = a(i, j);
+        double& other = a(j, i);
+        if (known(i) && known(j)) one = 0.5 * (one + other);
+        if (known(i) && !known(j)) one = other;
+        other = one;
+      }
+      a(j, j) = std::max(a(j, j), 1e-9 * expected(j, j));
+    }
+    known_ = true;
+  }
+  bool known() const { return known_; }
+
+  const ContactMatrix& expected;
+  ContactMatrix a;
+
+ private:
+  const Frictions& frictions_;
+  bool known_ = false;
 };
+
+// The largest normal impulse of `a` beyond that of `b`.
+double normal_beyond(const ContactVector& a, const ContactVector& b) {
+  double most = 0.0;
+  for (Eigen::Index k = 0; k < a.size(); k += 2) most = std::max(most, std::abs(a[k] - b[k]));
+  return most;
+}
 
 // From p, y(p) on.
 template <typename Law>
-ConstrainedContact iterate(ContactResponse& response, Eigen::Vector2d p, Eigen::Vector2d y,
+ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVector y,
                            Slopes& line, Law law) {
-  const Delassus& expected = line.expected;
-  const auto tried = [&](double size) {
-    return slopes(response, p, y, expected, size, line.frictionless);
-  };
   ConstrainedContact best;
   best.converged = false;
+  best.p = ContactVector::Zero(p.size());
+  best.y = best.error = best.p;
   double least = 1e300;
-  const Answer guess = law(expected, y - on_line(expected, p));
-  double size = std::max(std::abs(guess.p.x() - p.x()), kLocal * guess.p.x());
-  if (!(size > 0.0)) size = std::max(std::abs(y.x()), 1e-12) / expected.nn;
-  const double scale = y.norm() + (on_line(expected, guess.p - p)).norm();
+  Answer guess = law(line.expected, y - line.expected * p);
+  if (!guess.solved) guess.p = p;
+  const ContactVector none = ContactVector::Zero(p.size());
+  double size = std::max(normal_beyond(guess.p, p), kLocal * normal_beyond(guess.p, none));
+  if (!(size > 0.0)) {
+    size = std::max(y.cwiseAbs().maxCoeff(), 1e-12) / line.expected.diagonal().maxCoeff();
+  }
+  const double scale = y.norm() + (line.expected * (guess.p - p)).norm();
   const double tolerance = kRelative * scale + response.accuracy();
-  Delassus& a = line.a;
-  if (!line.known) a = tried(size);
-  line.known = true;
+  if (!line.known()) line.find(response, p, y, size);
   for (int k = 0; k < kIterations; ++k) {
-    const Answer next = law(a, y - on_line(a, p));
+    const Answer next = law(line.a, y - line.a * p);
     if (!next.solved) {
       best.solved = least < 1e300;
       return best;
     }
-    const Eigen::Vector2d found = response.at(next.p);
-    const Eigen::Vector2d error = found - y - on_line(a, next.p - p);
+    const ContactVector found = response.at(next.p);
+    const ContactVector error = found - y - line.a * (next.p - p);
     const double off = error.norm();
     if (off < least) {
       least = off;
@@ -90,43 +117,53 @@ ConstrainedContact iterate(ContactResponse& response, Eigen::Vector2d p, Eigen::
       y = response.at(p);
     }
     if (off > kFarOff * (found - y).norm() + kFarOff * kFarOff * scale || k >= kUndamped) {
-      a = tried(kLocal * std::max(p.x(), size));
+      line.find(response, p, y, kLocal * std::max(normal_beyond(p, none), size));
     }
   }
   return best;
 }
 
-ConstrainedContact closed(ContactResponse& response, const Eigen::Vector2d& free, double offset,
-                          double friction, Slopes& line) {
-  return iterate(response, {0.0, 0.0}, free, line,
-                 [&](const Delassus& a, const Eigen::Vector2d& b) {
-                   const CoulombSolution s = solve_coulomb(a, b.x() + offset, b.y(), friction);
-                   return Answer{{s.normal, s.friction},
-                                 s.solutions == 1,
-                                 s.contact_case == ContactCase::kStick};
+ConstrainedContact closed(ContactResponse& response, const ContactVector& free,
+                          const Frictions& frictions, Slopes& line) {
+  std::array<ContactSet, kMaxPairs> sets{};
+  const auto count = static_cast<std::size_t>(free.size() / 2);
+  for (std::size_t i = 0; i < count; ++i) sets[i].friction = frictions[i];
+  const std::span<const ContactSet> used(sets.data(), count);
+  return iterate(response, ContactVector::Zero(free.size()), free, line,
+                 [&](const ContactMatrix& a, const ContactVector& b) {
+                   const CoupledSolution s = solve_coupled(a, b, used);
+                   return Answer{s.p, s.solutions == 1, s.sticks};
                  });
 }
 
 }  // namespace
 
-ConstrainedContact solve_constrained(ContactResponse& response, const Eigen::Vector2d& free,
-                                     const Delassus& expected, double offset, double friction) {
-  Slopes line{expected, friction == 0.0};
-  return closed(response, free, offset, friction, line);
+ConstrainedContact solve_constrained(ContactResponse& response, const ContactVector& free,
+                                     const ContactMatrix& expected,
+                                     std::span<const double> frictions) {
+  Frictions all{};
+  std::copy(frictions.begin(), frictions.end(), all.begin());
+  Slopes line(expected, all);
+  return closed(response, free, all, line);
 }
 
-ConstrainedContact solve_constrained_impact(ContactResponse& response, const Eigen::Vector2d& free,
-                                            const Delassus& expected, const ImpactLaw& law) {
-  Slopes line{expected, law.friction == 0.0};
-  const ConstrainedContact c = closed(response, free, 0.0, law.friction, line);
+ConstrainedContact solve_constrained_impact(ContactResponse& response, const ContactVector& free,
+                                            const ContactMatrix& expected,
+                                            std::span<const ImpactLaw> laws) {
+  Frictions frictions{};
+  for (std::size_t i = 0; i < laws.size(); ++i) frictions[i] = laws[i].friction;
+  Slopes line(expected, frictions);
+  const ConstrainedContact c = closed(response, free, frictions, line);
   if (!c.solved) return c;
-  const auto expansion = [&](const Delassus& a, const Eigen::Vector2d& b) {
-    const Eigen::Vector2d start = b + on_line(a, c.p);
-    ImpactResult r;
-    r.normal_compression = c.p.x();
-    r.friction_compression = c.p.y();
-    expand({a, start.x(), start.y()}, law, r);
-    return Answer{{r.normal(), r.friction()}, r.status == ImpactStatus::kOk, false};
+  std::array<ContactSet, kMaxPairs> sets{};
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(2 * i);
+    sets[i] = expansion_set(laws[i], c.p[at], c.p[at + 1]);
+  }
+  const std::span<const ContactSet> used(sets.data(), laws.size());
+  const auto expansion = [&](const ContactMatrix& a, const ContactVector& b) {
+    const CoupledSolution s = solve_coupled(a, b + a * c.p, used);
+    return Answer{s.solutions > 0 ? ContactVector(c.p + s.p) : c.p, s.solutions == 1, {}};
   };
   ConstrainedContact e = iterate(response, c.p, c.y, line, expansion);
   e.converged = e.converged && c.converged;

@@ -68,11 +68,12 @@ void warn(const mjModel* m, mjData* d, const ContactSpace& space, const char* wh
 
 }  // namespace
 
-bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space, int but) {
+bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
+                        std::span<const int> but) {
   bool any = false;
   if (d->nefc == 0) return false;
   for_each_coupled(m, d, space, [&](int row) {
-    any = row != but;
+    any = std::find(but.begin(), but.end(), row) == but.end();
     return !any;
   });
   return any;
@@ -87,8 +88,8 @@ void warn_unknown(const mjModel* m, mjData* d, const ContactSpace& space) {
        "contact model coulomb on segments does not know it; accepted: contact model rigid or cone");
 }
 
-ConstraintProbe::ConstraintProbe(const mjModel* m, mjData* d, const ContactSpace& space)
-    : m_(m), d_(d), space_(space), mark_(d->pstack), solved_(d->timer[mjTIMER_CONSTRAINT].number) {
+ConstraintProbe::ConstraintProbe(const mjModel* m, mjData* d)
+    : m_(m), d_(d), mark_(d->pstack), solved_(d->timer[mjTIMER_CONSTRAINT].number) {
   const auto kept = [this](const mjtNum* from) {
     mjtNum* copy = mj_stackAlloc(d_, m_->nv);
     std::copy_n(from, m_->nv, copy);
@@ -108,19 +109,16 @@ ConstraintProbe::~ConstraintProbe() {
   d_->pstack = mark_;
 }
 
-Eigen::Vector3d ConstraintProbe::acceleration(const Eigen::Vector3d& load, bool impact) {
-  const int nv = m_->nv;
-  std::copy_n(force_, nv, d_->qfrc_smooth);
-  if (impact) {
-    space_.add_impact(load, d_->qfrc_smooth);
-  } else {
-    space_.add_load(load, d_->qfrc_smooth);
-  }
+void ConstraintProbe::reset() { std::copy_n(force_, m_->nv, d_->qfrc_smooth); }
+
+void ConstraintProbe::run() {
   mj_solveM(m_, d_, d_->qacc_smooth, d_->qfrc_smooth, 1);
   mj_fwdConstraint(m_, d_);
-  if (!space_.damped()) return space_.rates(d_->qacc);
-  mju_add(total_, d_->qfrc_smooth, d_->qfrc_constraint, nv);
-  return space_.response(total_);
+  mju_add(total_, d_->qfrc_smooth, d_->qfrc_constraint, m_->nv);
+}
+
+Eigen::Vector3d ConstraintProbe::acceleration(const ContactSpace& space) {
+  return space.damped() ? space.response(total_) : space.rates(d_->qacc);
 }
 
 // The solver ends where the cost, an acceleration squared by a mass, falls by less than tolerance

@@ -9,14 +9,17 @@
 
 #include <Eigen/Core>
 
+#include <span>
+
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/rigid_law.h"
 
 namespace rotorub::plugin {
 
-// Whether a row of the solver moves with the contact: J_row M^-1 J^T != 0. `but`: a row that does
-// not count, or -1.
-bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space, int but = -1);
+// Whether a row of the solver moves with the contact: J_row M^-1 J^T != 0. `but`: rows that do not
+// count.
+bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
+                        std::span<const int> but = {});
 
 // mju_warning that no impulse was found beside them, with the names of those rows.
 void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space);
@@ -26,41 +29,51 @@ void warn_unknown(const mjModel* m, mjData* d, const ContactSpace& space);
 // After mj_fwdActuation and mj_fwdAcceleration. Lives on the stack of mjData.
 class ConstraintProbe {
  public:
-  ConstraintProbe(const mjModel* m, mjData* d, const ContactSpace& space);
+  ConstraintProbe(const mjModel* m, mjData* d);
   ~ConstraintProbe();
   ConstraintProbe(const ConstraintProbe&) = delete;
   ConstraintProbe& operator=(const ConstraintProbe&) = delete;
 
-  // Contact-space acceleration over the Euler step under a force load (x, y, torque) on the rotor,
-  // of add_load or, `impact`, of add_impact. d->qacc is that of the solver.
-  Eigen::Vector3d acceleration(const Eigen::Vector3d& load, bool impact);
+  // Tries the loads that add(force) adds to the generalised force; d->qacc is then that of the solver.
+  template <typename Add>
+  void solve(Add add) {
+    reset();
+    add(d_->qfrc_smooth);
+    run();
+  }
+  // Of the last trial, in contact space, over the Euler step.
+  Eigen::Vector3d acceleration(const ContactSpace& space);
   double accuracy() const;  // m/s^2, of the solver's tolerance
 
   // The last trial is what the pass will find: its solver starts from there.
   void keep() { kept_ = true; }
 
  private:
+  void reset();
+  void run();
+
   const mjModel* m_;
   mjData* d_;
-  const ContactSpace& space_;
   int mark_, solved_;
   bool kept_ = false;
-  mjtNum *force_, *warm_, *total_;  // qfrc_smooth, qacc_warmstart; room
+  mjtNum *force_, *warm_, *total_;  // qfrc_smooth, qacc_warmstart; the sum of a trial
   mjtNum* smooth_;                  // qacc_smooth
 };
 
 // The response of rigid_law.h: impulses over the step as forces.
 class ProbedStep final : public StepResponse {
  public:
-  ProbedStep(ConstraintProbe& probe, const Eigen::Vector3d& start, double h)
-      : probe_(probe), start_(start), h_(h) {}
+  ProbedStep(ConstraintProbe& probe, const ContactSpace& space, const Eigen::Vector3d& start, double h)
+      : probe_(probe), space_(space), start_(start), h_(h) {}
   Eigen::Vector3d end(const Eigen::Vector3d& load, bool impact) override {
-    return start_ + h_ * probe_.acceleration(load / h_, impact);
+    probe_.solve([&](mjtNum* force) { space_.add(load / h_, impact, force); });
+    return start_ + h_ * probe_.acceleration(space_);
   }
   double accuracy() const override { return h_ * probe_.accuracy(); }
 
  private:
   ConstraintProbe& probe_;
+  const ContactSpace& space_;
   Eigen::Vector3d start_;
   double h_;
 };

@@ -17,14 +17,22 @@ class ContactSpace {
   Eigen::Vector3d rates(const mjtNum* v) const { return product(jacobian_, v); }     // J v
   Eigen::Vector3d response(const mjtNum* f) const { return product(damped_, f); }    // J H^-1 f
   Eigen::Matrix3d flexibility() const { return gram(damped_); }                      // J H^-1 J^T
-  Eigen::Matrix3d admittance() const { return gram(plain_); }                        // J M^-1 J^T
+  Eigen::Matrix3d admittance() const { return gram(plain()); }                       // J M^-1 J^T
   bool damped() const { return damped_ != plain_; }                                  // H is not M
-  const mjtNum* acceleration_row(int k) const { return plain_ + k * nv_; }  // row k of J M^-1
+  const mjtNum* acceleration_row(int k) const { return plain() + k * nv_; }  // row k of J M^-1
+
+  // J H^-1 J_other^T and J M^-1 J_other^T: what a load of another contact does here.
+  Eigen::Matrix3d flexibility(const ContactSpace& other) const { return gram(damped_, other); }
+  Eigen::Matrix3d admittance(const ContactSpace& other) const { return gram(plain(), other); }
 
   // to += J^T load, load: (x, y, torque) on the rotor.
-  void add_load(const Eigen::Vector3d& load, mjtNum* to) const { add(jacobian_, load, to); }
+  void add_load(const Eigen::Vector3d& load, mjtNum* to) const { add_rows(jacobian_, load, to); }
   // to += M^-1 J^T load.
-  void add_acceleration(const Eigen::Vector3d& load, mjtNum* to) const { add(plain_, load, to); }
+  void add_acceleration(const Eigen::Vector3d& load, mjtNum* to) const { add_rows(plain(), load, to); }
+  // One of the two that follow.
+  void add(const Eigen::Vector3d& load, bool impact, mjtNum* to) const {
+    impact ? add_impact(load, to) : add_load(load, to);
+  }
   // to += H M^-1 J^T load: a load over the step that no damper takes from.
   virtual void add_impact(const Eigen::Vector3d& load, mjtNum* to) const = 0;
 
@@ -32,7 +40,16 @@ class ContactSpace {
   explicit ContactSpace(int nv) : nv_(nv) {}
   ~ContactSpace() = default;
 
+  // Fills plain_ when it is first asked for: a lasting contact never does.
+  virtual void solve_plain() const {}
+  const mjtNum* plain() const {
+    if (!plain_known_) solve_plain();
+    plain_known_ = true;
+    return plain_;
+  }
+
   int nv_;
+  mutable bool plain_known_ = false;
   mjtNum *jacobian_ = nullptr, *plain_ = nullptr, *damped_ = nullptr;  // 3 x nv
 
  private:
@@ -44,7 +61,12 @@ class ContactSpace {
     for (int j = 0; j < 3; ++j) g.col(j) = product(rows, jacobian_ + j * nv_);
     return 0.5 * (g + g.transpose());
   }
-  void add(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
+  Eigen::Matrix3d gram(const mjtNum* rows, const ContactSpace& other) const {
+    Eigen::Matrix3d g;
+    for (int j = 0; j < 3; ++j) g.col(j) = product(rows, other.jacobian_ + j * nv_);
+    return g;
+  }
+  void add_rows(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
     for (int k = 0; k < 3; ++k) mju_addToScl(to, rows + k * nv_, load[k], nv_);
   }
 };

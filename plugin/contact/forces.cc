@@ -8,8 +8,7 @@
 namespace rotorub::plugin {
 namespace {
 
-ContactForces rigid_forces(const mjData* d) {
-  const mjtNum* entry = d->userdata;
+ContactForces rigid_forces(const mjtNum* entry) {
   ContactForces out;
   out.normal = entry[kNormalForce];
   out.friction = entry[kFrictionForce];
@@ -25,21 +24,17 @@ ContactForces rigid_forces(const mjData* d) {
   return out;
 }
 
-}  // namespace
-
-ContactForces contact_forces(const Config& config, const mjData* d) {
-  if (config.model.contact && config.contact == scene::ContactModel::kRigid) return rigid_forces(d);
-  const mjContact* contact = config.model.contact ? find_contact(config, d) : nullptr;
+// Of a soft contact. Where `told`, it is known before MuJoCo's solver, which then finds the same.
+ContactForces soft_forces(scene::ContactModel law, const mjContact* contact, const mjtNum* entry,
+                          bool told, const mjData* d) {
   if (!contact) return {};
   const int row = contact->efc_address;
   ContactForces out;
-  // Of own/own_contact.h it is known before MuJoCo's solver, which then finds the same.
-  const bool told = config.contact == scene::ContactModel::kCoulomb && (config.own || config.general);
-  out.normal = told ? d->userdata[kNormalForce] : d->efc_force[row];
+  out.normal = told ? entry[kNormalForce] : d->efc_force[row];
   if (!(out.normal > 0.0)) return {};
-  if (config.contact == scene::ContactModel::kCoulomb) {
-    out.friction = d->userdata[kFrictionForce];
-    out.mode = static_cast<Mode>(static_cast<int>(d->userdata[kMode]));
+  if (law == scene::ContactModel::kCoulomb) {
+    out.friction = entry[kFrictionForce];
+    out.mode = static_cast<Mode>(static_cast<int>(entry[kMode]));
     return out;
   }
   // A force on geom 2 along the frame. Turning the frame turns e_t and the body that it acts on.
@@ -48,6 +43,23 @@ ContactForces contact_forces(const Config& config, const mjData* d) {
   const bool inside = std::abs(out.friction) < (1.0 - 1e-6) * contact->friction[0] * out.normal;
   out.mode = contact->dim >= 3 && inside ? Mode::kStick : Mode::kSlide;
   return out;
+}
+
+}  // namespace
+
+ContactForces contact_forces(const Config& config, const mjData* d) {
+  if (!config.pairs.empty()) return contact_forces(config.pairs.front(), d);
+  if (!config.model.contact) return {};
+  if (config.contact == scene::ContactModel::kRigid) return rigid_forces(d->userdata);
+  const mjContact* contact = find_contact(config.rotor_geom, config.ring_geom, d);
+  return soft_forces(config.contact, contact, d->userdata, false, d);
+}
+
+ContactForces contact_forces(const OwnPair& pair, const mjData* d) {
+  const mjtNum* entry = d->userdata + pair.data;
+  if (pair.law == scene::ContactModel::kRigid) return rigid_forces(entry);
+  const mjContact* contact = find_contact(pair.rotor_geom, pair.ring_geom, d);
+  return soft_forces(pair.law, contact, entry, pair.law == scene::ContactModel::kCoulomb, d);
 }
 
 }  // namespace rotorub::plugin

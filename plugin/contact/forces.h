@@ -20,6 +20,9 @@ struct ContactForces {
 };
 
 // After mj_forward or mj_step: of the forward pass done last.
+// Of several contacts the first.
 ContactForces contact_forces(const Config& config, const mjData* d);
+// Of one contact of a user's own model.
+ContactForces contact_forces(const OwnPair& pair, const mjData* d);
 
 }  // namespace rotorub::plugin

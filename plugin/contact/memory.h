@@ -12,7 +12,7 @@ class ContactMemory {
  public:
   // Of the forward pass at d->time. A pass at a later time turns "now" into "before"; further
   // passes at the same time (mj_forward before mj_step) find the same "before".
-  explicit ContactMemory(mjData* d) : entry_(d->userdata) {
+  ContactMemory(mjData* d, int data) : entry_(d->userdata + data) {
     if (entry_[kContactTime] == d->time) return;
     entry_[kContactTime] = d->time;
     entry_[kContactBefore] = entry_[kContactNow];

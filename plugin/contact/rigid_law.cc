@@ -23,22 +23,13 @@ Eigen::Vector2d exit_point(const Eigen::Vector2d& d, const Eigen::Vector2d& v, d
   return d + (b > 0.0 ? -c / (b + root) : (root - b) / a) * v;
 }
 
-// The normal at q_k. Where the step is so long that the path does not close along that one, the
-// normal where it meets the ring.
-Eigen::Vector2d contact_normal(const RigidStep& step, double clearance) {
-  const double delta = step.d.norm();
-  const Eigen::Vector2d free = step.free.head<2>();
-  const bool closes = delta > kNoNormal && step.d.dot(free) > 0.0;
-  if (closes || delta >= clearance) return step.d / delta;
-  return exit_point(step.d, free, clearance).normalized();
-}
-
 // -gddot_N h of the loads and of the ring's curvature: a slower rebound closes within the step.
 bool rebound_lasts(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactParameters& c) {
   const double closing = e_r.dot(step.free.head<2>());
   const double whirl = tangent(e_r).dot(step.free.head<2>());
   const double undone =
-      e_r.dot((step.free - step.start).head<2>()) + step.h * whirl * whirl / c.clearance;
+      e_r.dot((step.free - step.start).head<2>() + 2.0 / step.h * step.bend) +
+      step.h * whirl * whirl / c.clearance;
   return closing > 0.0 && c.restitution * closing > undone;
 }
 
@@ -49,13 +40,15 @@ Status status_of(ImpactStatus status) {
 // The response along normal and tangent.
 class PlanarResponse final : public ContactResponse {
  public:
-  PlanarResponse(StepResponse& step, const Eigen::Vector2d& e_r, double radius, bool impact)
-      : step_(step), e_r_(e_r), radius_(radius), impact_(impact) {}
-  Eigen::Vector2d rates(const Eigen::Vector3d& v) const {
-    return {-e_r_.dot(v.head<2>()), slip(e_r_, radius_, v)};
+  // offset: m/s, of the normal law, y_N = gdot_N + offset.
+  PlanarResponse(StepResponse& step, const Eigen::Vector2d& e_r, double radius, bool impact,
+                 double offset)
+      : step_(step), e_r_(e_r), radius_(radius), impact_(impact), offset_(offset) {}
+  ContactVector rates(const Eigen::Vector3d& v) const {
+    return Eigen::Vector2d(offset_ - e_r_.dot(v.head<2>()), slip(e_r_, radius_, v));
   }
-  Eigen::Vector2d at(const Eigen::Vector2d& p) override {
-    return rates(step_.end(contact_load(e_r_, radius_, p.x(), p.y()), impact_));
+  ContactVector at(const ContactVector& p) override {
+    return rates(step_.end(contact_load(e_r_, radius_, p[0], p[1]), impact_));
   }
   double accuracy() const override { return step_.accuracy(); }
 
@@ -64,31 +57,38 @@ class PlanarResponse final : public ContactResponse {
   Eigen::Vector2d e_r_;
   double radius_;
   bool impact_;
+  double offset_;
 };
+
+ContactMatrix matrix_of(const Delassus& g) {
+  ContactMatrix a(2, 2);
+  a << g.nn, g.nt, g.tn, g.tt;
+  return a;
+}
 
 // False: no solution.
 bool take(const ConstrainedContact& s, RigidResult& out) {
   out.converged = s.converged;
   if (!s.solved || !s.converged) out.status = Status::kNoSolution;
   if (!s.solved) return false;
-  out.normal = s.p.x();
-  out.friction = s.p.y();
+  out.normal = s.p[0];
+  out.friction = s.p[1];
   return true;
 }
 
 void held_impact(const RigidStep& step, const ContactParameters& c, StepResponse& held,
                  RigidResult& out) {
-  PlanarResponse response(held, out.e_r, c.radius, true);
-  const Eigen::Vector2d before = response.rates(step.free);
+  PlanarResponse response(held, out.e_r, c.radius, true, 0.0);
+  const ContactVector before = response.rates(step.free);
+  const ImpactLaw law{c.friction, c.restitution, c.tangential_restitution};
   const ConstrainedContact s = solve_constrained_impact(
-      response, before, delassus(step.impact_admittance, out.e_r, c.radius),
-      {c.friction, c.restitution, c.tangential_restitution});
+      response, before, matrix_of(delassus(step.impact_admittance, out.e_r, c.radius)), {&law, 1});
   if (!take(s, out)) return;
   out.impact = true;
-  out.gap_rate_before = before.x();
-  out.slip_before = before.y();
-  out.gap_rate_after = s.y.x();
-  out.slip_after = s.y.y();
+  out.gap_rate_before = before[0];
+  out.slip_before = before[1];
+  out.gap_rate_after = s.y[0];
+  out.slip_after = s.y[1];
 }
 
 void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
@@ -118,25 +118,15 @@ void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out)
   out.slip_after = slip(out.e_r, c.radius, after);
 }
 
-// y_N of (12): gap / h at the end of the free step.
-double gap_over_step(const RigidStep& step, const ContactParameters& c) {
-  const double gap = c.clearance - (step.d + step.h * step.free.head<2>()).norm();
-  const double depth = std::max(0.0, step.d.norm() - c.clearance);
-  const double recovery = kRecovery * depth / step.h;
-  const double fastest =
-      kRecoveryRate * c.clearance + kRecoveryShare * step.free.head<2>().norm();
-  if (recovery > fastest) return (gap + depth) / step.h - fastest;
-  return (gap + (1.0 - kRecovery) * depth) / step.h;
-}
-
 void held_lasting(const RigidStep& step, const ContactParameters& c, StepResponse& held,
                   RigidResult& out) {
-  PlanarResponse response(held, out.e_r, c.radius, false);
-  const Eigen::Vector2d free = response.rates(step.free);
-  const ConstrainedContact s = solve_constrained(
-      response, free, delassus(step.lasting_admittance, out.e_r, c.radius),
-      gap_over_step(step, c) - free.x(), c.friction);
-  if (take(s, out) && out.normal > 0.0) out.mode = s.sticks ? Mode::kStick : Mode::kSlide;
+  const double offset = gap_over_step(step, c) + out.e_r.dot(step.free.head<2>());
+  PlanarResponse response(held, out.e_r, c.radius, false, offset);
+  const ContactVector free = response.rates(step.free);
+  const ConstrainedContact s =
+      solve_constrained(response, free, matrix_of(delassus(step.lasting_admittance, out.e_r, c.radius)),
+                        {&c.friction, 1});
+  if (take(s, out) && out.normal > 0.0) out.mode = s.sticks[0] ? Mode::kStick : Mode::kSlide;
 }
 
 // (12), (13): y_N = gap / h at the end of the step, y_T = slip there.
@@ -158,14 +148,36 @@ void lasting(const RigidStep& step, const ContactParameters& c, RigidResult& out
 }  // namespace
 
 bool reaches_ring(const RigidStep& step, double clearance) {
-  return (step.d + step.h * step.free.head<2>()).squaredNorm() > clearance * clearance;
+  return end_of(step).squaredNorm() > clearance * clearance;
+}
+
+Eigen::Vector2d contact_normal(const RigidStep& step, double clearance) {
+  const double delta = step.d.norm();
+  const Eigen::Vector2d free = step.free.head<2>();
+  const bool closes = delta > kNoNormal && step.d.dot(free) > 0.0;
+  if (closes || delta >= clearance) return step.d / delta;
+  return exit_point(step.d, free, clearance).normalized();
+}
+
+bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactParameters& c) {
+  return !step.was_in_contact && rebound_lasts(step, e_r, c);
+}
+
+double gap_over_step(const RigidStep& step, const ContactParameters& c) {
+  const double gap = c.clearance - end_of(step).norm();
+  const double depth = std::max(0.0, step.d.norm() - c.clearance);
+  const double recovery = kRecovery * depth / step.h;
+  const double fastest =
+      kRecoveryRate * c.clearance + kRecoveryShare * step.free.head<2>().norm();
+  if (recovery > fastest) return (gap + depth) / step.h - fastest;
+  return (gap + (1.0 - kRecovery) * depth) / step.h;
 }
 
 RigidResult solve_rigid_step(const RigidStep& step, const ContactParameters& contact,
                              StepResponse* held) {
   RigidResult out;
   out.e_r = contact_normal(step, contact.clearance);
-  if (!step.was_in_contact && rebound_lasts(step, out.e_r, contact)) {
+  if (is_impact(step, out.e_r, contact)) {
     held ? held_impact(step, contact, *held, out) : impact(step, contact, out);
   } else {
     held ? held_lasting(step, contact, *held, out) : lasting(step, contact, out);

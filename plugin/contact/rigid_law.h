@@ -30,6 +30,7 @@ struct RigidStep {
   Eigen::Vector2d d{0.0, 0.0};         // m, ring's to rotor's centre, at q_k
   Eigen::Vector3d start, free;         // m/s, m/s, rad/s: v_k, and v_k+1 without contact
   bool was_in_contact = false;         // over the step before
+  Eigen::Vector2d bend{0.0, 0.0};      // m, what the path bends off h v within the step
   Eigen::Matrix3d lasting_admittance;  // J H^-1 J^T: a force over the step
   Eigen::Matrix3d impact_admittance;   // J M^-1 J^T: an impulse in no time
 };
@@ -55,9 +56,23 @@ struct RigidResult {
   double gap_rate_before = 0.0, gap_rate_after = 0.0, slip_before = 0.0, slip_after = 0.0;
 };
 
+// Where the step would end, ring's to rotor's centre, m.
+inline Eigen::Vector2d end_of(const RigidStep& step) {
+  return step.d + step.h * step.free.head<2>() + step.bend;
+}
+
 // True where the step would end outside the ring without a contact: only then is the contact
 // closed. Needs h, d and free alone.
 bool reaches_ring(const RigidStep& step, double clearance);
+
+// Parts of solve_rigid_step, for contacts that are solved together (own/coupled_step.h).
+// The normal at q_k. Where the step is so long that the path does not close along that one, the normal
+// where it meets the ring.
+Eigen::Vector2d contact_normal(const RigidStep& step, double clearance);
+// An impact: the contact was open, and its rebound outlives the step.
+bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactParameters& contact);
+// y_N of (12) without the contact: gap / h at the end of the step, m/s.
+double gap_over_step(const RigidStep& step, const ContactParameters& contact);
 
 // The contact's impulses over a step that reaches the ring. With `held` they are solved together
 // with the constraints (constrained_law.h); `free` is then that without the contact alone, and

@@ -67,7 +67,7 @@ void apply_segment_coulomb(const Config& config, const mjModel* m, mjData* d,
   mj_fwdAcceleration(m, d);
   const SegmentSpace space(config, m, d);
   // Once, not every step.
-  if (d->userdata[kContactStatus] == 0.0 && constraints_couple(m, d, space, row)) {
+  if (d->userdata[kContactStatus] == 0.0 && constraints_couple(m, d, space, {&row, 1})) {
     warn_unknown(m, d, space);
     d->userdata[kContactStatus] = static_cast<double>(Status::kNoSolution);
   }

@@ -1,29 +1,19 @@
 #include "plugin/own/own_config.h"
 
 #include <algorithm>
-#include <cmath>
-#include <span>
 #include <string>
-#include <string_view>
 
 #include "mjcf/names.h"
-#include "mjcf/soft_contact.h"
-#include "native_model/scene/diagnostic.h"
+#include "plugin/contact/coupled_law.h"
 #include "plugin/message.h"
+#include "plugin/own/own_names.h"
+#include "plugin/own/pair_rules.h"
+#include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
 
 namespace names = mjcf_names;
-
-std::string text_element(const char* name) {
-  return "<custom><text name=\"" + std::string(name) + "\">";
-}
-
-const mjtNum* numeric(const mjModel* m, const char* name) {
-  const int id = mj_name2id(m, mjOBJ_NUMERIC, name);
-  return id < 0 ? nullptr : m->numeric_data + m->numeric_adr[id];
-}
 
 struct Range {
   double low, high;
@@ -34,120 +24,15 @@ constexpr Range kLength{0.0, 1e300, true, "> 0"};
 constexpr Range kCoefficient{0.0, 1e300, false, ">= 0"};
 constexpr Range kShare{0.0, 1.0, false, "between 0 and 1"};
 
-double checked(const char* name, double value, const Range& range) {
+double value_or(const mjModel* m, const std::string& name, double otherwise, const Range& range) {
+  const mjtNum* given = own_number(m, name);
+  const double value = given ? *given : otherwise;
   const bool below = range.open_below ? !(value > range.low) : !(value >= range.low);
   if (below || !(value <= range.high)) {
-    refuse("<custom><numeric name=\"" + std::string(name) + "\">",
-           std::to_string(value) + "; accepted: " + range.text);
+    refuse(message("<custom><numeric name=\"{}\">", name),
+           message("{}; accepted: {}", value, range.text));
   }
   return value;
-}
-
-double value_or(const mjModel* m, const char* name, double otherwise, const Range& range) {
-  const mjtNum* given = numeric(m, name);
-  return checked(name, given ? *given : otherwise, range);
-}
-
-int geom(const mjModel* m, const char* text) {
-  const char* name = custom_text(m, text);
-  if (!name) refuse(text_element(text), "missing, but the other geom of the contact is named");
-  const int id = mj_name2id(m, mjOBJ_GEOM, name);
-  if (id < 0) refuse(text_element(text), "no geom is called \"" + std::string(name) + "\"");
-  const int type = m->geom_type[id];
-  if (type < mjGEOM_SPHERE || type > mjGEOM_BOX) {
-    refuse("<geom name=\"" + std::string(name) + "\">",
-           "as rotor or ring, accepted types: sphere, capsule, ellipsoid, cylinder, box");
-  }
-  return id;
-}
-
-// Nothing of ours may be misspelt: it would count as not given.
-void check_names(const mjModel* m) {
-  static constexpr std::string_view kTexts[] = {names::kSceneText, names::kContactText,
-                                                names::kOwnRotorGeom, names::kOwnRingGeom};
-  static constexpr std::string_view kNumbers[] = {names::kOwnClearance,   names::kOwnRadius,
-                                                  names::kOwnFriction,    names::kOwnRestitution,
-                                                  names::kOwnTangential,  names::kOwnWidth};
-  const auto check = [](std::string_view name, std::span<const std::string_view> known,
-                        const char* kind) {
-    if (!name.starts_with(names::kOwnPrefix)) return;
-    if (std::find(known.begin(), known.end(), name) != known.end()) return;
-    const std::string_view meant = scene::nearest(name, known);
-    refuse("<custom><" + std::string(kind) + " name=\"" + std::string(name) + "\">",
-           (meant.empty() ? "unknown" : "unknown, did you mean \"" + std::string(meant) + "\"?") +
-               "; accepted: " + scene::join(known));
-  };
-  for (int i = 0; i < m->ntext; ++i) check(m->names + m->name_textadr[i], kTexts, "text");
-  for (int i = 0; i < m->nnumeric; ++i) check(m->names + m->name_numericadr[i], kNumbers, "numeric");
-}
-
-std::string pair_element(const mjModel* m, const Config& config) {
-  const auto name = [m](int id) { return std::string(m->names + m->name_geomadr[id]); };
-  return "<contact><pair geom1=\"" + name(config.rotor_geom) + "\" geom2=\"" +
-         name(config.ring_geom) + "\">";
-}
-
-// MuJoCo's solver bounces by solref; what <custom> says must be that.
-void check_bounce(const mjModel* m, const Config& config) {
-  constexpr double kScatter = 0.03;  // what MuJoCo's steps make of it is not finer
-  if (config.model.contact->tangential_restitution > 0.0) {
-    refuse(std::string("<custom><numeric name=\"") + names::kOwnTangential + "\">",
-           "contact models coulomb and cone have none; accepted: 0, or contact model rigid");
-  }
-  if (!numeric(m, names::kOwnRestitution)) return;
-  const double wanted = config.model.contact->restitution;
-  const mjtNum* solref = m->pair_solref + mjNREF * config.pair;
-  const bool direct = solref[0] <= 0.0;
-  const double zeta = direct ? -solref[1] / (2.0 * std::sqrt(-solref[0])) : solref[1];
-  const double met = soft_restitution(zeta);
-  if (std::abs(met - wanted) <= kScatter) return;
-  const SoftContact soft = soft_contact(wanted, m->opt.timestep);
-  refuse(pair_element(m, config),
-         "solref bounces with " + std::to_string(met) + ", " + names::kOwnRestitution + " is " +
-             std::to_string(wanted) + "; accepted: solref=\"" + std::to_string(-soft.stiffness) +
-             " " + std::to_string(-soft.damping) + "\" solimp=\"0.9999 0.9999 0.001\"");
-}
-
-void check_cone(const mjModel* m, const Config& config) {
-  for (const char* name : {names::kNormalForce, names::kFrictionForce}) {
-    const int id = mj_name2id(m, mjOBJ_SENSOR, name);
-    if (id < 0 || m->sensor_type[id] != mjSENS_USER || m->sensor_needstage[id] == mjSTAGE_ACC) continue;
-    refuse("<user name=\"" + std::string(name) + "\">",
-           "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
-  }
-  const double mu = config.model.contact->friction, given = m->pair_friction[5 * config.pair];
-  if (mu > 0.0 && m->pair_dim[config.pair] < 3) {
-    refuse(pair_element(m, config),
-           "contact model cone with friction: accepted: condim=\"3\" or more");
-  }
-  if (m->pair_dim[config.pair] >= 3 && std::abs(given - mu) > 1e-9 + mjMINMU) {
-    refuse(pair_element(m, config), "friction is " + std::to_string(given) + ", " +
-                                        names::kOwnFriction + " is " + std::to_string(mu) +
-                                        "; accepted: one value in both");
-  }
-}
-
-// The contact model wants its own kind of pair: MuJoCo must not solve beside `rigid`, nor add
-// friction beside `coulomb`.
-void check_pair(const mjModel* m, const Config& config) {
-  const int pair = config.pair;
-  const std::string element = pair_element(m, config);
-  if (pair < 0) refuse(element, "missing");
-  const double clearance = config.model.contact->clearance;
-  const double kept_out = m->pair_gap[pair] - m->pair_margin[pair];
-  if (config.contact == scene::ContactModel::kRigid) {
-    if (kept_out >= 10.0 * clearance) return;
-    refuse(element,
-           "contact model rigid keeps the contact from MuJoCo's solver: accepted: gap "
-           "above margin by at least ten clearances");
-  }
-  if (m->pair_gap[pair] != 0.0) refuse(element, "accepted: gap=\"0\"");
-  if (config.contact == scene::ContactModel::kCoulomb) {
-    if (m->pair_dim[pair] != 1) refuse(element, "contact model coulomb: accepted: condim=\"1\"");
-  } else {
-    check_cone(m, config);
-  }
-  check_bounce(m, config);
 }
 
 // Half the length of a geom along the contact's axis, where its shape has one; else `otherwise`.
@@ -164,57 +49,115 @@ double half_length(const mjModel* m, int geom, double otherwise) {
   }
 }
 
+// Of numbered contacts each has all that the first has: 0 is not taken for a number that may have been
+// meant for all.
+void check_series(const mjModel* m, const PairName& name) {
+  if (name.suffix.empty()) return;
+  const PairName first{name.prefix, ""};
+  for (const char* key : {names::kOwnFriction, names::kOwnRestitution, names::kOwnTangential}) {
+    if (own_number(m, name.of(key)) || !own_number(m, first.of(key))) continue;
+    refuse(message("<custom><numeric name=\"{}\">", name.of(key)),
+           message("missing, but {} is given; accepted: a number for each contact", first.of(key)));
+  }
+  if (!custom_text(m, name.of(names::kContactText)) && custom_text(m, first.of(names::kContactText))) {
+    refuse(text_element(name.of(names::kContactText).c_str()),
+           message("missing, but {} is given; accepted: a contact model for each contact",
+                   first.of(names::kContactText)));
+  }
+}
+
+OwnPair make_pair(const mjModel* m, const PairName& name) {
+  OwnPair p;
+  p.law = contact_model(m, name.of(names::kContactText), scene::ContactModel::kRigid);
+  p.rotor_geom = own_geom(m, name, names::kOwnRotorGeom);
+  p.ring_geom = own_geom(m, name, names::kOwnRingGeom);
+  if (p.rotor_geom == p.ring_geom) {
+    refuse(text_element(name.of(names::kOwnRingGeom).c_str()), "is the rotor's geom");
+  }
+  check_series(m, name);
+  const auto number = [&](const char* key, double otherwise, const Range& range) {
+    return value_or(m, name.of(key), otherwise, range);
+  };
+  if (!own_number(m, name.of(names::kOwnClearance))) {
+    refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnClearance)), "missing");
+  }
+  ContactParameters& c = p.contact;
+  c.clearance = number(names::kOwnClearance, 0.0, kLength);
+  c.radius = number(names::kOwnRadius, m->geom_size[3 * p.rotor_geom], kLength);
+  c.friction = number(names::kOwnFriction, 0.0, kCoefficient);
+  c.restitution = number(names::kOwnRestitution, 0.0, kShare);
+  c.tangential_restitution = number(names::kOwnTangential, 0.0, kShare);
+  p.pair = find_pair(m, p.rotor_geom, p.ring_geom);
+  p.reach = half_length(m, p.rotor_geom, 0.0) +
+            (own_number(m, name.of(names::kOwnWidth))
+                 ? 0.5 * number(names::kOwnWidth, 0.0, kLength)
+                 : half_length(m, p.ring_geom, 1e300));
+  p.sizes = own_sizes(m, p);
+  p.sensors = contact_sensors(m, name.prefix, name.suffix);
+  check_pair(m, name, p);
+  return p;
+}
+
+bool share_tree(const mjModel* m, const OwnPair& a, const OwnPair& b) {
+  for (const int i : {a.rotor_geom, a.ring_geom}) {
+    for (const int j : {b.rotor_geom, b.ring_geom}) {
+      const int root = m->body_rootid[m->geom_bodyid[i]];
+      if (root > 0 && root == m->body_rootid[m->geom_bodyid[j]]) return true;
+    }
+  }
+  return false;
+}
+
+// Two contacts on one machine.
+void check_beside(const mjModel* m, const OwnPair& a, const OwnPair& b, const PairName& name) {
+  if (a.pair == b.pair) {
+    refuse(text_element(name.of(names::kOwnRotorGeom).c_str()),
+           message("{} has a contact already; accepted: one for two geoms", pair_element(m, b)));
+  }
+  const auto solved_here = [](const OwnPair& p) { return p.law != scene::ContactModel::kCone; };
+  if (a.law != b.law && solved_here(a) && solved_here(b) && share_tree(m, a, b)) {
+    refuse(text_element(name.of(names::kContactText).c_str()),
+           message("is another than that of {}, which moves with it: the two are one problem; "
+                   "accepted: one contact model for both",
+                   pair_element(m, a)));
+  }
+}
+
 }  // namespace
 
-bool has_own_contact(const mjModel* m) {
-  const auto ours = [m](int address) {
-    return std::string_view(m->names + address).starts_with(names::kOwnPrefix);
-  };
-  return std::any_of(m->name_textadr, m->name_textadr + m->ntext, ours) ||
-         std::any_of(m->name_numericadr, m->name_numericadr + m->nnumeric, ours);
+std::array<mjtNum, 6> own_sizes(const mjModel* m, const OwnPair& pair) {
+  std::array<mjtNum, 6> sizes;
+  std::copy_n(m->geom_size + 3 * pair.rotor_geom, 3, sizes.begin());
+  std::copy_n(m->geom_size + 3 * pair.ring_geom, 3, sizes.begin() + 3);
+  return sizes;
 }
 
-void refuse_own_beside_scene(const mjModel* m) {
-  check_names(m);
-  for (const char* name : {names::kOwnRotorGeom, names::kOwnRingGeom}) {
-    if (custom_text(m, name)) refuse(text_element(name), "beside a scene's text; accepted: one");
-  }
-  for (int i = 0; i < m->nnumeric; ++i) {
-    const std::string name = m->names + m->name_numericadr[i];
-    if (!name.starts_with(names::kOwnPrefix)) continue;
-    refuse("<custom><numeric name=\"" + name + "\">",
-           "the scene's text has its own; accepted: the value in the scene");
-  }
-}
-
-void map_own_contact(const mjModel* m, Config& config) {
-  check_names(m);
+void map_own_contacts(const mjModel* m, Config& config) {
   config.own = true;
-  config.contact = contact_model(m, scene::ContactModel::kRigid);
-  config.rotor_geom = geom(m, names::kOwnRotorGeom);
-  config.ring_geom = geom(m, names::kOwnRingGeom);
-  if (config.rotor_geom == config.ring_geom) {
-    refuse(text_element(names::kOwnRingGeom), "is the rotor's geom");
+  config.memory = own_memory(m);
+  for (const PairName& name : own_pair_names(m)) {
+    OwnPair p = make_pair(m, name);
+    for (const OwnPair& other : config.pairs) check_beside(m, other, p, name);
+    p.data = config.memory + kPairEntries * static_cast<int>(config.pairs.size());
+    config.pairs.push_back(p);
   }
-  if (!numeric(m, names::kOwnClearance)) {
-    refuse("<custom><numeric name=\"" + std::string(names::kOwnClearance) + "\">", "missing");
+  // The first is the contact of a twin (plugin/twin), which has one.
+  const OwnPair& first = config.pairs.front();
+  config.model.contact = first.contact;
+  config.contact = first.law;
+  config.rotor_geom = first.rotor_geom;
+  config.ring_geom = first.ring_geom;
+  config.pair = first.pair;
+  if (config.pairs.size() > kMaxPairs) {
+    refuse("<custom>", message("{} contacts; accepted: up to {} in a model",
+                               static_cast<int>(config.pairs.size()), kMaxPairs));
   }
-  ContactParameters c{};
-  c.clearance = value_or(m, names::kOwnClearance, 0.0, kLength);
-  config.radius_is_drawn = !numeric(m, names::kOwnRadius);
-  c.radius = value_or(m, names::kOwnRadius, m->geom_size[3 * config.rotor_geom], kLength);
-  c.friction = value_or(m, names::kOwnFriction, 0.0, kCoefficient);
-  c.restitution = value_or(m, names::kOwnRestitution, 0.0, kShare);
-  c.tangential_restitution = value_or(m, names::kOwnTangential, 0.0, kShare);
-  config.model.contact = c;
-  config.pair = find_pair(m, config.rotor_geom, config.ring_geom);
-  check_pair(m, config);
-  config.reach = half_length(m, config.rotor_geom, 0.0) +
-                 (numeric(m, names::kOwnWidth)
-                      ? 0.5 * value_or(m, names::kOwnWidth, 0.0, kLength)
-                      : half_length(m, config.ring_geom, 1e300));
-  if (m->nuserdata < names::kUserDataSingle) {
-    refuse("<size nuserdata>", "at least " + std::to_string(names::kUserDataSingle) + " needed");
+  config.memory_size = kUserDataSingle + kPairEntries * (static_cast<int>(config.pairs.size()) - 1);
+  const int needed = config.memory + config.memory_size;
+  if (m->nuserdata < needed) {
+    refuse(message("<size nuserdata=\"{}\">", m->nuserdata),
+           message("at least {} needed, for {} from index {} on", needed, config.memory_size,
+                   config.memory));
   }
 }
 

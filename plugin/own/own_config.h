@@ -1,5 +1,5 @@
-// A user's own MJCF, without a scene of ours: the contact of a rotor's geom in a ring's geom. Given
-// in <custom>:
+// A user's own MJCF, without a scene of ours: contacts of a rotor's geom in a ring's geom. Given in
+// <custom>, of each contact (own_names.h says how several are named):
 //   text     rotorub_rotor_geom, rotorub_ring_geom     names of the two geoms
 //            rotorub_contact                           rigid (default) | coulomb | cone
 //   numeric  rotorub_clearance                         m, > 0
@@ -9,22 +9,26 @@
 //            rotorub_width                             m, > 0, of the ring along its axis; default:
 //                                                      its geom's (cylinder, capsule, box), else
 //                                                      endless
-// Every other name that begins with rotorub_ is refused. Lengths, mu and eps are those of the scene
-// file's [contact]. The ring's axis is the z axis of its geom; the rotor is where its geom's centre is.
+// and once in the model
+//   numeric  rotorub_userdata                          index in mjData.userdata of the first of our
+//                                                      entries; default 0
+// Every other name with rotorub_ in it is refused. Lengths, mu and eps are those of the scene file's
+// [contact]. The ring's axis is the z axis of its geom; the rotor is where its geom's centre is.
 #pragma once
 
 #include <mujoco/mujoco.h>
+
+#include <array>
 
 #include "plugin/config.h"
 
 namespace rotorub::plugin {
 
-bool has_own_contact(const mjModel* m);  // a name in <custom> begins with rotorub_
+// Fills own, pairs, memory and memory_size, and the contact of the config with the first pair. Throws
+// ConfigError.
+void map_own_contacts(const mjModel* m, Config& config);
 
-// Of a model with a scene's text. Throws ConfigError.
-void refuse_own_beside_scene(const mjModel* m);
-
-// Fills contact, model.contact, geoms and pair. Throws ConfigError.
-void map_own_contact(const mjModel* m, Config& config);
+// Sizes of the geoms of rotor and ring, m: what a contact takes from them changes with them.
+std::array<mjtNum, 6> own_sizes(const mjModel* m, const OwnPair& pair);
 
 }  // namespace rotorub::plugin

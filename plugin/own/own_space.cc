@@ -12,21 +12,49 @@ double damped_step(const mjModel* m) {
   return any && m->opt.integrator != mjINT_RK4 ? m->opt.timestep : 0.0;
 }
 
+// Of the degrees of freedom that move the body the last, or -1.
+int last_dof(const mjModel* m, int body) {
+  while (body > 0 && m->body_dofnum[body] == 0) body = m->body_parentid[body];
+  return body == 0 ? -1 : m->body_dofadr[body] + m->body_dofnum[body] - 1;
+}
+
+double along_axis(const OwnPair& pair, const mjData* d) {
+  const mjtNum* ring = d->geom_xpos + 3 * pair.ring_geom;
+  const mjtNum* rotor = d->geom_xpos + 3 * pair.rotor_geom;
+  const mjtNum* axes = contact_axes(pair, d);
+  double along = 0.0;
+  for (int i = 0; i < 3; ++i) along += axes[3 * i + 2] * (rotor[i] - ring[i]);
+  return along;
+}
+
+// Acceleration of a point of a body with qacc = 0: the spatial one, sum of cdof' qvel, and
+// omega x v of the point, m/s^2.
+void point_turning(const mjModel* m, const mjData* d, int body, const mjtNum* point, mjtNum* out) {
+  mjtNum rate[6] = {0, 0, 0, 0, 0, 0}, arm[3], turn[3], v[3];
+  for (int i = last_dof(m, body); i >= 0; i = m->dof_parentid[i]) {
+    mju_addToScl(rate, d->cdof_dot + 6 * i, d->qvel[i], 6);
+  }
+  mju_sub3(arm, point, d->subtree_com + 3 * m->body_rootid[body]);
+  const mjtNum* velocity = d->cvel + 6 * body;
+  mju_cross(v, velocity, arm);
+  mju_addTo3(v, velocity + 3);
+  mju_cross(out, velocity, v);
+  mju_cross(turn, rate, arm);
+  mju_addTo3(out, turn);
+  mju_addTo3(out, rate + 3);
+}
+
 }  // namespace
 
-const mjtNum* contact_axes(const Config& config, const mjData* d) {
+const mjtNum* contact_axes(const OwnPair& pair, const mjData* d) {
   static constexpr mjtNum kWorld[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  return config.own ? d->geom_xmat + 9 * config.ring_geom : kWorld;
+  return pair.in_world ? kWorld : d->geom_xmat + 9 * pair.ring_geom;
 }
 
-double held_spin(const Config& config) {
-  return config.own || config.model.layout.spin ? 0.0 : config.model.speed;
-}
-
-Eigen::Vector2d own_position(const Config& config, const mjData* d) {
-  const mjtNum* ring = d->geom_xpos + 3 * config.ring_geom;
-  const mjtNum* axes = contact_axes(config, d);
-  const mjtNum* rotor = d->geom_xpos + 3 * config.rotor_geom;
+Eigen::Vector2d own_position(const OwnPair& pair, const mjData* d) {
+  const mjtNum* ring = d->geom_xpos + 3 * pair.ring_geom;
+  const mjtNum* axes = contact_axes(pair, d);
+  const mjtNum* rotor = d->geom_xpos + 3 * pair.rotor_geom;
   Eigen::Vector2d p{0.0, 0.0};
   for (int i = 0; i < 3; ++i) {
     p.x() += axes[3 * i] * (rotor[i] - ring[i]);
@@ -35,62 +63,67 @@ Eigen::Vector2d own_position(const Config& config, const mjData* d) {
   return p;
 }
 
-void axis_point(const Config& config, const mjData* d, mjtNum* point) {
-  const mjtNum* rotor = d->geom_xpos + 3 * config.rotor_geom;
-  const mjtNum* axes = contact_axes(config, d);
-  const Eigen::Vector2d p = own_position(config, d);
+bool face_each_other(const OwnPair& pair, const mjData* d) {
+  if (pair.in_world) return true;
+  return std::abs(along_axis(pair, d)) <= pair.reach;
+}
+
+ContactPlace contact_place(const OwnPair& pair, const mjData* d) {
+  ContactPlace place;
+  place.axes = contact_axes(pair, d);
+  place.d = own_position(pair, d);
+  place.ring_spin = 1.0 + place.d.norm() / pair.contact.radius;
+  const double along = along_axis(pair, d);
+  const mjtNum* ring = d->geom_xpos + 3 * pair.ring_geom;
+  for (int i = 0; i < 3; ++i) place.ring_point[i] = ring[i] + along * place.axes[3 * i + 2];
+  return place;
+}
+
+Eigen::Vector2d own_turning(const OwnPair& pair, const ContactPlace& place, const mjModel* m,
+                            const mjData* d) {
+  mjtNum rotor[3], ring[3];
+  point_turning(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, rotor);
+  point_turning(m, d, m->geom_bodyid[pair.ring_geom], place.ring_point, ring);
+  Eigen::Vector2d a(0.0, 0.0);
   for (int i = 0; i < 3; ++i) {
-    point[i] = rotor[i] - axes[3 * i] * p.x() - axes[3 * i + 1] * p.y();
+    a.x() += place.axes[3 * i] * (rotor[i] - ring[i]);
+    a.y() += place.axes[3 * i + 1] * (rotor[i] - ring[i]);
   }
+  return a;
 }
 
-bool face_each_other(const Config& config, const mjData* d) {
-  if (!config.own) return true;
-  const mjtNum* ring = d->geom_xpos + 3 * config.ring_geom;
-  const mjtNum* rotor = d->geom_xpos + 3 * config.rotor_geom;
-  const mjtNum* axes = contact_axes(config, d);
-  double along = 0.0;
-  for (int i = 0; i < 3; ++i) along += axes[3 * i + 2] * (rotor[i] - ring[i]);
-  return std::abs(along) <= config.reach;
-}
-
-OwnSpace::OwnSpace(const Config& config, const mjModel* m, mjData* d)
+OwnSpace::OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d)
     : ContactSpace(m->nv), m_(m), d_(d), mark_(d->pstack), damped_step_(damped_step(m)) {
   jacobian_ = mj_stackAlloc(d, 3 * nv_);
   std::fill_n(jacobian_, 3 * nv_, 0.0);
-  const mjtNum* axes = contact_axes(config, d);
-  const int rotor = m->geom_bodyid[config.rotor_geom], ring = m->geom_bodyid[config.ring_geom];
-  mjtNum axis[3];
-  axis_point(config, d, axis);
-  add_body(axes, d->geom_xpos + 3 * config.rotor_geom, rotor, 1.0, 1.0);
-  add_body(axes, axis, ring, -1.0, config.model.contact->surface_ratio());
+  const int rotor = m->geom_bodyid[pair.rotor_geom], ring = m->geom_bodyid[pair.ring_geom];
+  add_body(place.axes, d->geom_xpos + 3 * pair.rotor_geom, rotor, 1.0, 1.0);
+  add_body(place.axes, place.ring_point, ring, -1.0, place.ring_spin);
   trees_[0] = tree_of(m, rotor);
   if (m->body_rootid[ring] != m->body_rootid[rotor]) trees_[1] = tree_of(m, ring);
 }
 
 // As mj_jac, of the degrees of freedom that move the body alone.
-void OwnSpace::add_body(const mjtNum* axes, const mjtNum* point, int body, double sign,
-                        double turning) {
+void OwnSpace::add_body(const mjtNum* axes, const mjtNum* point, int body, double sign, double spin) {
   mjtNum arm[3], turn[3];
   mju_sub3(arm, point, d_->subtree_com + 3 * m_->body_rootid[body]);
-  while (body > 0 && m_->body_dofnum[body] == 0) body = m_->body_parentid[body];
-  if (body == 0) return;
-  for (int i = m_->body_dofadr[body] + m_->body_dofnum[body] - 1; i >= 0; i = m_->dof_parentid[i]) {
+  for (int i = last_dof(m_, body); i >= 0; i = m_->dof_parentid[i]) {
     const mjtNum* axis = d_->cdof + 6 * i;  // rotation, then translation at the tree's centre
     mju_cross(turn, axis, arm);
     for (int k = 0; k < 3; ++k) {
       jacobian_[i] += sign * axes[3 * k] * (axis[3 + k] + turn[k]);
       jacobian_[nv_ + i] += sign * axes[3 * k + 1] * (axis[3 + k] + turn[k]);
-      jacobian_[2 * nv_ + i] += sign * turning * axes[3 * k + 2] * axis[k];
+      jacobian_[2 * nv_ + i] += sign * spin * axes[3 * k + 2] * axis[k];
     }
   }
 }
 
 void OwnSpace::solve() {
-  plain_ = mj_stackAlloc(d_, 3 * nv_);
-  solve_rows(d_->qLD, d_->qLDiagInv, plain_);
-  damped_ = plain_;
-  if (damped_step_ == 0.0) return;
+  damped_ = plain_ = mj_stackAlloc(d_, 3 * nv_);
+  if (damped_step_ == 0.0) {
+    plain();
+    return;
+  }
   damped_ = mj_stackAlloc(d_, 3 * nv_);
   const int mark = d_->pstack;
   mjtNum* factor = mj_stackAlloc(d_, m_->nM);
@@ -107,11 +140,14 @@ void OwnSpace::solve_rows(const mjtNum* factor, const mjtNum* inverse, mjtNum* r
   }
 }
 
+void OwnSpace::solve_plain() const { solve_rows(d_->qLD, d_->qLDiagInv, plain_); }
+
 void OwnSpace::add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
   add_load(load, to);
+  const mjtNum* rows = plain();
   for (int i = 0; i < nv_; ++i) {
     const double change =
-        plain_[i] * load.x() + plain_[nv_ + i] * load.y() + plain_[2 * nv_ + i] * load.z();
+        rows[i] * load.x() + rows[nv_ + i] * load.y() + rows[2 * nv_ + i] * load.z();
     to[i] += damped_step_ * m_->dof_damping[i] * change;
   }
 }

@@ -1,8 +1,11 @@
-// The contact of a user's own model in contact space: (relative x, relative y, spin) = J qvel along
-// the axes of the ring's geom, z its axis, with MuJoCo's own Jacobians and mass matrix. The ring may
-// move, tilt and turn. x, y: of the centres, the ring's where its axis meets the rotor's plane, in
-// axes that stand still (a ring that turns gives the rotor no curvature); spin: Omega - (R/r) Omega_r,
-// as the native model has it (contact_spin, ContactParameters::surface_ratio).
+// The contact of a user's own model in contact space: (relative x, relative y, spin) = J qvel along the
+// axes of the ring's geom, z the ring's axis, with MuJoCo's own Jacobians and mass matrix. The ring may
+// move, tilt and turn. Relative x and y are of the rotor's centre and the point of the ring's axis beside
+// it, so that a turning ring alone does not move them; the spin is
+//   Omega - (1 + delta / r) Omega_ring,
+// as the ring's surface is at r + delta from its axis: gdot_T = e_t . (x, y)' + r spin. In contact that is the
+// native model's R / r (ContactParameters::surface_ratio); a step before the touch rotor and ring are still
+// pressed at one point, so that no angular momentum is lost.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -15,24 +18,30 @@
 
 namespace rotorub::plugin {
 
-// The frame of the contact, columns x, y, z, row by row: that of the ring's geom; of a generated model
-// the world's.
-const mjtNum* contact_axes(const Config& config, const mjData* d);
-// Speed of a generated model's rotor that is held, and no degree of freedom, rad/s.
-double held_spin(const Config& config);
+// The frame of the contact, columns x, y, z, row by row.
+const mjtNum* contact_axes(const OwnPair& pair, const mjData* d);
 // Where the rotor's centre is in the ring, m.
-Eigen::Vector2d own_position(const Config& config, const mjData* d);
-
-// Where the ring's axis meets the rotor's plane, m, in the world.
-void axis_point(const Config& config, const mjData* d, mjtNum* point);
-
+Eigen::Vector2d own_position(const OwnPair& pair, const mjData* d);
 // Whether rotor and ring overlap along the ring's axis.
-bool face_each_other(const Config& config, const mjData* d);
+bool face_each_other(const OwnPair& pair, const mjData* d);
 
-// Lives on the stack of mjData for as long as the object does.
+// Where a contact is looked at.
+struct ContactPlace {
+  const mjtNum* axes;
+  mjtNum ring_point[3];  // m, of the ring's axis, beside the rotor's centre
+  Eigen::Vector2d d;     // m, own_position
+  double ring_spin;      // 1 + delta / r
+};
+ContactPlace contact_place(const OwnPair& pair, const mjData* d);
+// The part of d^2/dt^2 of `d` that is there without any acceleration of a coordinate, J' qvel, m/s^2: of
+// centres that go in circles. After MuJoCo's velocity stage.
+Eigen::Vector2d own_turning(const OwnPair& pair, const ContactPlace& place, const mjModel* m,
+                            const mjData* d);
+
+// Lives on the stack of mjData for as long as the object does; the last made goes first.
 class OwnSpace final : public ContactSpace {
  public:
-  OwnSpace(const Config& config, const mjModel* m, mjData* d);
+  OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d);
   ~OwnSpace() { d_->pstack = mark_; }
 
   // Solves with M and H; needed once, before all but `rates` and `add_load`. H = M + h D is the
@@ -42,8 +51,8 @@ class OwnSpace final : public ContactSpace {
   void add_impact(const Eigen::Vector3d& load, mjtNum* to) const override;
 
  private:
-  // `turning`: what a turn about z counts.
-  void add_body(const mjtNum* axes, const mjtNum* point, int body, double sign, double turning);
+  void add_body(const mjtNum* axes, const mjtNum* point, int body, double sign, double spin);
+  void solve_plain() const override;
   void solve_rows(const mjtNum* factor, const mjtNum* inverse, mjtNum* rows) const;
 
   const mjModel* m_;

@@ -45,46 +45,45 @@ double change(const mjModel* m, mjData* d) {
 
 }  // namespace
 
-Eigen::Vector3d own_rates(const Config& config, const mjModel* m, const mjData* d) {
-  const mjtNum* axes = contact_axes(config, d);
+Eigen::Vector3d own_rates(const OwnPair& pair, const ContactPlace& place, const mjModel* m,
+                          const mjData* d) {
   Eigen::Vector3d rates(0.0, 0.0, 0.0);
-  const auto add = [&](int body, const mjtNum* at, double sign, double turning) {
+  const auto add = [&](int body, const mjtNum* point, double sign, double spin) {
     // Rotation, then translation of the point of the body at its tree's centre of mass.
     const mjtNum* velocity = d->cvel + 6 * body;
     mjtNum arm[3], move[3];
-    mju_sub3(arm, at, d->subtree_com + 3 * m->body_rootid[body]);
+    mju_sub3(arm, point, d->subtree_com + 3 * m->body_rootid[body]);
     mju_cross(move, velocity, arm);
     for (int i = 0; i < 3; ++i) {
       const double v = sign * (velocity[3 + i] + move[i]);
-      rates.x() += axes[3 * i] * v;
-      rates.y() += axes[3 * i + 1] * v;
-      rates.z() += axes[3 * i + 2] * sign * turning * velocity[i];
+      rates.x() += place.axes[3 * i] * v;
+      rates.y() += place.axes[3 * i + 1] * v;
+      rates.z() += place.axes[3 * i + 2] * sign * spin * velocity[i];
     }
   };
-  mjtNum axis[3];
-  axis_point(config, d, axis);
-  add(m->geom_bodyid[config.rotor_geom], d->geom_xpos + 3 * config.rotor_geom, 1.0, 1.0);
-  add(m->geom_bodyid[config.ring_geom], axis, -1.0, config.model.contact->surface_ratio());
+  add(m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, 1.0, 1.0);
+  add(m->geom_bodyid[pair.ring_geom], place.ring_point, -1.0, place.ring_spin);
   return rates;
 }
 
-ContactPoint own_contact_point(const Config& config, const mjModel* m, const mjData* d) {
-  const Eigen::Vector3d rates = own_rates(config, m, d);
-  const ContactParameters& c = *config.model.contact;
-  return contact_kinematics(own_position(config, d), rates.head<2>(), rates.z(), c.radius,
-                            c.clearance);
+ContactPoint own_contact_point(const OwnPair& pair, const mjModel* m, const mjData* d) {
+  const ContactPlace place = contact_place(pair, d);
+  const Eigen::Vector3d rates = own_rates(pair, place, m, d);
+  return contact_kinematics(place.d, rates.head<2>(), rates.z(), pair.contact.radius,
+                            pair.contact.clearance);
 }
 
-bool may_reach_ring(const Config& config, const mjModel* m, mjData* d) {
-  const double h = m->opt.timestep;
-  const double gap = config.model.contact->clearance - own_position(config, d).norm();
-  const double speed = own_rates(config, m, d).head<2>().norm();
+bool Reach::may_reach(const OwnPair& pair) {
+  const double h = m_->opt.timestep;
+  const ContactPlace place = contact_place(pair, d_);
+  const double gap = pair.contact.clearance - place.d.norm();
+  const double speed = own_rates(pair, place, m_, d_).head<2>().norm();
   if (!(gap > h * speed)) return true;
-  mjtNum axis[3];
-  axis_point(config, d, axis);
-  const double mobile = mobility(m, d, config.rotor_geom, d->geom_xpos + 3 * config.rotor_geom) +
-                        mobility(m, d, config.ring_geom, axis);
-  return !(gap > h * (speed + h * std::sqrt(mobile) * change(m, d)));
+  if (change_ < 0.0) change_ = change(m_, d_);
+  const double mobile =
+      mobility(m_, d_, pair.rotor_geom, d_->geom_xpos + 3 * pair.rotor_geom) +
+      mobility(m_, d_, pair.ring_geom, place.ring_point);
+  return !(gap > h * (speed + h * std::sqrt(mobile) * change_));
 }
 
 }  // namespace rotorub::plugin

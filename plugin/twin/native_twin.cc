@@ -227,6 +227,11 @@ void NativeTwin::read(const mjModel* m, const mjData* d, double* q, double* v) c
 }
 
 NativeTwin make_native_twin(const mjModel* m, const Config& config, const mjData* start) {
+  if (config.pairs.size() > 1) {
+    refuse("<custom>", message("{} contacts; the native model has one contact plane: accepted for a twin: "
+                               "one contact",
+                               static_cast<int>(config.pairs.size())));
+  }
   return Maker(m, config, start).make();
 }
 

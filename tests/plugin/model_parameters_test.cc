@@ -7,6 +7,7 @@
 
 #include "mjcf/writer.h"
 #include "plugin/hooks.h"
+#include "plugin/user_data.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -171,7 +172,8 @@ TEST_F(ModelParameters, AnEditInMidRunIsTakenAtOnce) {
     mj_step(m.get(), d.get());
     mj_step(other.get(), e.get());
   }
-  EXPECT_NEAR(d->userdata[4], e->userdata[4], 0.02 * std::abs(e->userdata[4]));
+  EXPECT_NEAR(d->userdata[plugin::kFrictionForce], e->userdata[plugin::kFrictionForce],
+              0.02 * std::abs(e->userdata[plugin::kFrictionForce]));
   EXPECT_NEAR(d->qpos[0], e->qpos[0], 2e-3 * std::abs(e->qpos[0]));
 }
 

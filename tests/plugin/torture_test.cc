@@ -10,18 +10,34 @@
 
 #include "mjcf/writer.h"
 #include "plugin/hooks.h"
+#include "tests/plugin/own/two_rings.h"
 #include "tests/plugin/shadow.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
 namespace {
 
-constexpr int kScenes = 8;
+constexpr int kScenes = 10;
+
+// Two contacts on one shaft, in a user's own model, which has its own entries of userdata before ours.
+std::string pairs(const char* contact) {
+  TwoRings x;
+  x.contact = contact;
+  x.friction = 0.15;
+  x.ring_mass = 1.0;
+  x.clearance[1] = 4e-4;
+  x.custom = "<numeric name=\"rotorub_userdata\" data=\"11\"/>";
+  x.constraints =
+      "<keyframe><key name=\"start\" qvel=\"0.3 0.1 0.5 1 100 0 0 0 0\"/></keyframe>";
+  return document(x);
+}
 
 // Scenes that use all of the plugin's memory, two of them with a shadow, and a model that is not
 // ours.
 const std::array<std::string, kScenes>& documents() {
   static const std::array<std::string, kScenes> all = {
+      pairs("rigid"),
+      pairs("coulomb"),
       mjcf(shipped("bench_ring", {"mujoco.contact=\"coulomb\""})),
       mjcf(shipped("bench_ring", {"mujoco.contact=\"cone\"", "contact.friction=0.3"})),
       mjcf(shipped("bench_billiard", {"mujoco.contact=\"rigid\""})),
@@ -81,7 +97,7 @@ class TortureTest : public MujocoTest {
  protected:
   TortureTest() {
     for (const std::string& document : documents()) plain_.emplace_back(document);
-    for (int i = 0; i < 8; ++i) runs_.push_back(fresh(static_cast<std::size_t>(i % kScenes)));
+    for (int i = 0; i < kScenes; ++i) runs_.push_back(fresh(static_cast<std::size_t>(i % kScenes)));
   }
 
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
@@ -206,7 +222,7 @@ void unlink(Callback& head, int which) {
 
 TEST(Chains, CallbacksOfOthersInAnyOrder) {
   std::mt19937 random(7);
-  const ModelPointer m = load(documents()[0]);
+  const ModelPointer m = load(documents()[2]);
   std::vector<double> plain;
   {
     const plugin::Hooks hooks;

@@ -15,6 +15,7 @@
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "native_model/trajectory/output.h"
+#include "tests/plugin/own/two_rings.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -107,6 +108,40 @@ TEST_P(UserCallbacks, AreCalledAndTheContactStays) {
       EXPECT_EQ(line.penetration, plain.penetration) << contact << " " << what;
       // A passive force that was found missing in mid-pass is computed anew.
       EXPECT_NEAR(line.calls, kSteps, what == "passive" ? 1 : 0) << contact << " " << what;
+    }
+  }
+}
+
+// A user's own model with two contacts on one shaft.
+std::string two_rings(const std::string& contact) {
+  TwoRings x;
+  x.contact = contact;
+  x.friction = 0.15;
+  x.ring_mass = 1.0;
+  x.sensors = "<user name=\"rotorub_active\" objtype=\"body\" objname=\"shaft\" datatype=\"real\" "
+              "needstage=\"pos\" dim=\"1\"/>";
+  x.constraints = "<keyframe><key name=\"start\" qvel=\"0.3 0.1 0 1 100 0 0 0 0\"/></keyframe>";
+  std::string text = document(x);
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"disc\"", mjcf_names::kRotorContact},
+                                 {"\"ring\"", mjcf_names::kRingContact}}) {
+    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + 1)) {
+      text.replace(at, from.size(), "\"" + to + "\"");
+    }
+  }
+  return text;
+}
+
+TEST_P(UserCallbacks, FindBothContactsOfAShaft) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    const std::string document = two_rings(contact);
+    const Line plain = run(document, "none");
+    EXPECT_EQ(plain.active, 1.0);
+    EXPECT_GT(plain.touching, 0.0) << contact;
+    EXPECT_LT(plain.penetration, contact[0] == 'r' ? 0.01 : 20.0);
+    for (const std::string what : {"control", "chained_passive", "threads", "reset_always", "null"}) {
+      const Line line = run(document, what);
+      EXPECT_EQ(line.state, plain.state) << contact << " " << what;
+      EXPECT_EQ(line.active, 1.0) << contact << " " << what;
     }
   }
 }

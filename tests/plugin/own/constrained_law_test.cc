@@ -11,16 +11,30 @@ namespace rotorub::test {
 namespace {
 
 using plugin::ConstrainedContact;
+using plugin::ContactMatrix;
+using plugin::ContactVector;
 
 class Given final : public plugin::ContactResponse {
  public:
   explicit Given(std::function<Eigen::Vector2d(const Eigen::Vector2d&)> y) : y_(std::move(y)) {}
-  Eigen::Vector2d at(const Eigen::Vector2d& p) override { return y_(p); }
+  ContactVector at(const ContactVector& p) override { return y_(Eigen::Vector2d(p)); }
   double accuracy() const override { return 1e-12; }
 
  private:
   std::function<Eigen::Vector2d(const Eigen::Vector2d&)> y_;
 };
+
+ContactMatrix matrix(double nn, double nt, double tn, double tt) {
+  ContactMatrix a(2, 2);
+  a << nn, nt, tn, tt;
+  return a;
+}
+
+ConstrainedContact solve_frictionless(Given& response, const Eigen::Vector2d& free,
+                                      const ContactMatrix& expected) {
+  constexpr double kNone = 0.0;
+  return solve_constrained(response, free, expected, {&kNone, 1});
+}
 
 // A line is the law's own 2x2 problem.
 TEST(ConstrainedLaw, ALineGivesTheClosedForm) {
@@ -36,13 +50,13 @@ TEST(ConstrainedLaw, ALineGivesTheClosedForm) {
                              before.y() + g.tn * p.x() + g.tt * p.y());
     });
     // What is expected is not what is there.
-    const Delassus expected{2.0 * g.nn, 0.0, 0.0, 3.0 * g.tt};
-    const ConstrainedContact c = solve_constrained_impact(response, before, expected, law);
+    const ContactMatrix expected = matrix(2.0 * g.nn, 0.0, 0.0, 3.0 * g.tt);
+    const ConstrainedContact c = solve_constrained_impact(response, before, expected, {&law, 1});
     const ImpactResult r = solve_impact(g, before.x(), before.y(), law);
     ASSERT_TRUE(c.solved && c.converged) << k;
-    EXPECT_NEAR(c.p.x(), r.normal(), 1e-7) << k;
-    EXPECT_NEAR(c.p.y(), r.friction(), 1e-7) << k;
-    EXPECT_NEAR(c.y.x(), r.gap_rate, 1e-7) << k;
+    EXPECT_NEAR(c.p[0], r.normal(), 1e-7) << k;
+    EXPECT_NEAR(c.p[1], r.friction(), 1e-7) << k;
+    EXPECT_NEAR(c.y[0], r.gap_rate, 1e-7) << k;
   }
 }
 
@@ -53,9 +67,9 @@ TEST(ConstrainedLaw, AStopIsFoundBehindItsCorner) {
     return Eigen::Vector2d(n - 2.0, 1.0 + p.y());
   });
   const ConstrainedContact c =
-      solve_constrained(response, {-2.0, 1.0}, {1.0, 0.0, 0.0, 1.0}, 0.0, 0.0);
+      solve_frictionless(response, {-2.0, 1.0}, matrix(1.0, 0.0, 0.0, 1.0));
   EXPECT_TRUE(c.solved && c.converged);
-  EXPECT_NEAR(c.p.x(), 1001.0, 1e-5);
+  EXPECT_NEAR(c.p[0], 1001.0, 1e-5);
 }
 
 // The other way: what held gives way.
@@ -65,9 +79,9 @@ TEST(ConstrainedLaw, AnAnchorThatSlipsIsFollowed) {
     return Eigen::Vector2d(n - 2.0, 1.0 + p.y());
   });
   const ConstrainedContact c =
-      solve_constrained(response, {-2.0, 1.0}, {1.0, 0.0, 0.0, 1.0}, 0.0, 0.0);
+      solve_frictionless(response, {-2.0, 1.0}, matrix(1.0, 0.0, 0.0, 1.0));
   EXPECT_TRUE(c.solved && c.converged);
-  EXPECT_NEAR(c.p.x(), 3.0 - 1e-4, 1e-7);
+  EXPECT_NEAR(c.p[0], 3.0 - 1e-4, 1e-7);
 }
 
 // A response that jumps over the answer: told, and finite.
@@ -76,9 +90,9 @@ TEST(ConstrainedLaw, WhatHasNoSolutionIsTold) {
     return Eigen::Vector2d((p.x() < 1.0 ? -1.0 : 1.0) + 0.1 * p.x(), 0.0 + p.y());
   });
   const ConstrainedContact c =
-      solve_constrained(response, {-1.0, 0.0}, {0.1, 0.0, 0.0, 1.0}, 0.0, 0.0);
+      solve_frictionless(response, {-1.0, 0.0}, matrix(0.1, 0.0, 0.0, 1.0));
   EXPECT_FALSE(c.solved && c.converged);
-  EXPECT_TRUE(std::isfinite(c.p.x()) && std::isfinite(c.p.y()));
+  EXPECT_TRUE(std::isfinite(c.p[0]) && std::isfinite(c.p[1]));
 }
 
 }  // namespace

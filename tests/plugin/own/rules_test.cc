@@ -70,7 +70,7 @@ TEST_F(OwnRules, ThePairSaysWhatTheTextSays) {
   cone.friction = 0.15;
   expect_refused(document(cone), "condim");
   const std::string three = replaced(document(cone), "condim=\"1\"", "condim=\"3\"");
-  expect_refused(three, "friction is 1.0");
+  expect_refused(three, "friction is 1,");
   load(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.15 0.15 0 0 0\""));
 }
 
@@ -102,6 +102,22 @@ TEST_F(OwnRules, ModelsOfOtherSizesAreToldApart) {
   };
   EXPECT_DOUBLE_EQ(slip(document({})), 5.0);
   EXPECT_DOUBLE_EQ(slip(replaced(document({}), "size=\"0.05 0.01\"", "size=\"0.04 0.01\"")), 4.0);
+}
+
+// Edited in mjModel, a size counts from the next pass on, collision included.
+TEST_F(OwnRules, AnEditedSizeCountsInTheSamePass) {
+  const ModelPointer m = load(document({}));
+  const DataPointer d = start(m.get());
+  d->qpos[0] = 5e-4;
+  mj_forward(m.get(), d.get());
+  ASSERT_EQ(d->ncon, 1);
+  EXPECT_NEAR(d->contact[0].pos[0], 0.0505, 1e-12);
+  m->geom_size[3 * mj_name2id(m.get(), mjOBJ_GEOM, "disc")] = 0.04;
+  mj_forward(m.get(), d.get());
+  ASSERT_EQ(d->ncon, 1);
+  EXPECT_NEAR(d->contact[0].pos[0], 0.0405, 1e-12);
+  m->geom_size[3 * mj_name2id(m.get(), mjOBJ_GEOM, "disc")] = -0.04;
+  EXPECT_THROW(mj_forward(m.get(), d.get()), std::runtime_error);
 }
 
 // 100 um deep, at rest: pushed out slowly, not shot out with 4 J.

@@ -1,0 +1,281 @@
+#include "plugin/contact/coupled_law.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace rotorub::plugin {
+namespace {
+
+constexpr int kMostTried = 3;        // contacts whose cases are all tried: it tells how many motions
+constexpr int kMostTriedBlind = 5;   // where no better guess leads to a solution
+constexpr int kSweeps = 2000;
+constexpr double kRoundOff = 1e-11;  // of the rates and impulses in question
+constexpr double kSingular = 1e-12;  // pivots below this share of the largest are none
+constexpr double kSameMotion = 1e-8;
+
+enum class Friction { kLow, kHigh, kStick };
+struct Case {
+  bool at_least = true;  // L_N = n; else y_N = 0
+  Friction friction = Friction::kLow;
+};
+using Cases = std::array<Case, kMaxPairs>;
+
+// Which cases differ at all: without friction there is no sticking, and what is open has none.
+bool distinct(const Case& c, const ContactSet& set) {
+  if (c.friction == Friction::kLow) return true;
+  const bool one_bound = set.friction == 0.0 && set.floor == 0.0;
+  return !one_bound && !(c.at_least && set.least_normal == 0.0);
+}
+
+class Problem {
+ public:
+  Problem(const ContactMatrix& a, const ContactVector& b, std::span<const ContactSet> sets)
+      : a_(a), b_(b), sets_(sets), n_(static_cast<int>(sets.size())) {
+    rate_ = b.cwiseAbs().maxCoeff();
+    for (int i = 0; i < n_; ++i) impulse_ = std::max(impulse_, set(i).least_normal);
+    rate_ = std::max(rate_, impulse_ * a.cwiseAbs().maxCoeff());
+  }
+
+  const ContactSet& set(int i) const { return sets_[static_cast<std::size_t>(i)]; }
+  int size() const { return n_; }
+  double rate() const { return rate_; }  // m/s, what is there to be changed
+
+  // The impulses of these cases; false where they are not in the sets.
+  bool meets(const Cases& cases, CoupledSolution& out) const {
+    impulses(cases, out.p);
+    if (!out.p.allFinite()) return false;
+    out.y = a_ * out.p + b_;
+    const double largest = std::max(out.p.cwiseAbs().maxCoeff(), impulse_);
+    const double rates = kRoundOff * (rate_ + largest * a_.cwiseAbs().maxCoeff());
+    const double impulses = kRoundOff * largest;
+    for (int i = 0; i < n_; ++i) {
+      if (!in_set(cases[static_cast<std::size_t>(i)], set(i), i, out, rates, impulses)) return false;
+    }
+    return true;
+  }
+
+ private:
+  // L = given + columns z, z the impulses that the cases leave open; y = 0 for each of those.
+  void impulses(const Cases& cases, ContactVector& p) const {
+    ContactMatrix columns = ContactMatrix::Zero(2 * n_, 2 * n_);
+    ContactVector given = ContactVector::Zero(2 * n_);
+    std::array<int, 2 * kMaxPairs> rows{};
+    int count = 0;
+    for (int i = 0; i < n_; ++i) {
+      const Case& c = cases[static_cast<std::size_t>(i)];
+      const int normal = 2 * i, friction = normal + 1;
+      if (c.at_least) {
+        given[normal] = set(i).least_normal;
+      } else {
+        columns(normal, count) = 1.0;
+      }
+      if (c.friction != Friction::kStick) {
+        const auto bound = [&](double l) {
+          return c.friction == Friction::kLow ? set(i).low(l) : set(i).high(l);
+        };
+        given[friction] = bound(given[normal]);
+        if (!c.at_least) columns(friction, count) = bound(1.0) - bound(0.0);
+      }
+      if (!c.at_least) rows[static_cast<std::size_t>(count++)] = normal;
+      if (c.friction == Friction::kStick) {
+        columns(friction, count) = 1.0;
+        rows[static_cast<std::size_t>(count++)] = friction;
+      }
+    }
+    p = given;
+    if (count == 0) return;
+    const ContactVector free = a_ * given + b_;
+    const ContactMatrix carried = a_ * columns.leftCols(count);
+    ContactMatrix matrix(count, count);
+    ContactVector right(count);
+    for (int k = 0; k < count; ++k) {
+      matrix.row(k) = carried.row(rows[static_cast<std::size_t>(k)]);
+      right[k] = -free[rows[static_cast<std::size_t>(k)]];
+    }
+    p += columns.leftCols(count) * solution(matrix, right);
+  }
+
+  static ContactVector solution(const ContactMatrix& matrix, const ContactVector& right) {
+    const Eigen::PartialPivLU<ContactMatrix> lu(matrix);
+    const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
+    if (pivots.minCoeff() > kSingular * matrix.cwiseAbs().maxCoeff()) return lu.solve(right);
+    Eigen::CompleteOrthogonalDecomposition<ContactMatrix> least(matrix.rows(), matrix.cols());
+    least.setThreshold(kSingular);
+    least.compute(matrix);
+    return least.solve(right);
+  }
+
+  static bool in_set(const Case& c, const ContactSet& set, int i, CoupledSolution& s, double rates,
+                     double impulses) {
+    double &normal = s.p[2 * i], &friction = s.p[2 * i + 1];
+    double &gap_rate = s.y[2 * i], &slip = s.y[2 * i + 1];
+    if (c.at_least ? gap_rate < -rates : std::abs(gap_rate) > rates) return false;
+    if (normal < set.least_normal - impulses) return false;
+    normal = std::max(normal, set.least_normal);
+    gap_rate = c.at_least ? std::max(gap_rate, 0.0) : 0.0;  // not round-off
+    const double low = set.low(normal), high = set.high(normal);
+    const bool one_bound = high - low <= impulses;
+    s.sticks[static_cast<std::size_t>(i)] = c.friction == Friction::kStick;
+    switch (c.friction) {
+      case Friction::kLow:
+        return one_bound || slip >= -rates;
+      case Friction::kHigh:
+        return slip <= rates;
+      case Friction::kStick:
+        if (std::abs(slip) > rates || friction < low - impulses || friction > high + impulses) {
+          return false;
+        }
+        friction = std::clamp(friction, low, std::max(low, high));
+        slip = 0.0;
+    }
+    return true;
+  }
+
+  const ContactMatrix& a_;
+  const ContactVector& b_;
+  std::span<const ContactSet> sets_;
+  int n_;
+  double rate_ = 0.0, impulse_ = 0.0;  // sizes in question
+};
+
+// Calls action(cases) for each combination.
+template <typename Action>
+void for_each_combination(const Problem& problem, Cases& cases, int from, Action& action) {
+  if (from == problem.size()) {
+    action(cases);
+    return;
+  }
+  for (const bool at_least : {true, false}) {
+    for (const Friction f : {Friction::kStick, Friction::kLow, Friction::kHigh}) {
+      const Case c{at_least, f};
+      if (!distinct(c, problem.set(from))) continue;
+      cases[static_cast<std::size_t>(from)] = c;
+      for_each_combination(problem, cases, from + 1, action);
+    }
+  }
+}
+
+CoupledSolution by_cases(const Problem& problem) {
+  CoupledSolution best, tried;
+  const auto action = [&](const Cases& cases) {
+    if (!problem.meets(cases, tried)) return;
+    if (best.solutions == 0) {
+      best = tried;
+      best.solutions = 1;
+      return;
+    }
+    if ((best.y - tried.y).cwiseAbs().maxCoeff() > kSameMotion * problem.rate()) {
+      ++best.solutions;
+    } else if (tried.p.squaredNorm() < (1.0 - kSameMotion) * best.p.squaredNorm()) {
+      const int solutions = best.solutions;
+      best = tried;
+      best.solutions = solutions;
+    }
+  };
+  Cases cases{};
+  for_each_combination(problem, cases, 0, action);
+  return best;
+}
+
+// Each contact by itself, in turn, until their cases fit together (projected Gauss-Seidel): what is
+// then found is exact.
+CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
+                          std::span<const ContactSet> sets, const Problem& problem) {
+  const int n = problem.size();
+  ContactVector p = ContactVector::Zero(2 * n);
+  Cases cases{};
+  CoupledSolution out;
+  for (int k = 0; k < kSweeps; ++k) {
+    Cases found{};
+    for (int i = 0; i < n; ++i) {
+      const ContactMatrix own = a.block(2 * i, 2 * i, 2, 2);
+      const ContactVector rest = b.segment(2 * i, 2) + a.middleRows(2 * i, 2) * p -
+                                 own * p.segment(2 * i, 2);
+      const std::span<const ContactSet> set = sets.subspan(static_cast<std::size_t>(i), 1);
+      const CoupledSolution s = by_cases(Problem(own, rest, set));
+      if (s.solutions == 0) return {};
+      p.segment(2 * i, 2) = s.p;
+      Case& c = found[static_cast<std::size_t>(i)];
+      c.at_least = s.p[0] <= set[0].least_normal;
+      c.friction = s.sticks[0] ? Friction::kStick
+                   : s.p[1] <= set[0].low(s.p[0]) ? Friction::kLow
+                                                  : Friction::kHigh;
+      if (!distinct(c, set[0])) c.friction = Friction::kLow;
+    }
+    const bool known = k > 0 && std::equal(found.begin(), found.begin() + n, cases.begin(),
+                                           [](const Case& x, const Case& y) {
+                                             return x.at_least == y.at_least &&
+                                                    x.friction == y.friction;
+                                           });
+    cases = found;
+    if (known && k % 8 != 0) continue;  // the same cases were no solution
+    if (problem.meets(cases, out)) {
+      out.solutions = 1;
+      return out;
+    }
+  }
+  return {};
+}
+
+// One contact with Coulomb's set that can move both ways: coulomb.h has it in closed form.
+bool is_plain(const ContactMatrix& a, std::span<const ContactSet> sets) {
+  return sets.size() == 1 && sets[0].least_normal == 0.0 && sets[0].side == 0.0 &&
+         a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0) > kSingular * a(0, 0) * a(1, 1);
+}
+
+CoupledSolution one_plain(const ContactMatrix& a, const ContactVector& b, const ContactSet& set) {
+  const CoulombSolution c =
+      solve_coulomb({a(0, 0), a(0, 1), a(1, 0), a(1, 1)}, b[0], b[1], set.friction);
+  CoupledSolution s;
+  s.solutions = c.solutions;
+  s.p = Eigen::Vector2d(c.normal, c.friction);
+  s.y = a * s.p + b;
+  s.sticks[0] = c.contact_case == ContactCase::kStick;
+  if (c.contact_case != ContactCase::kOpen) s.y[0] = 0.0;
+  if (s.sticks[0]) s.y[1] = 0.0;
+  return s;
+}
+
+}  // namespace
+
+ContactSet expansion_set(const ImpactLaw& law, double normal, double friction) {
+  ContactSet set;
+  set.friction = law.friction;
+  set.least_normal = law.restitution * normal;
+  set.side = friction > 0.0 ? 1.0 : friction < 0.0 ? -1.0 : 0.0;
+  set.floor = law.restitution * law.tangential_restitution * std::abs(friction);
+  return set;
+}
+
+CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
+                              std::span<const ContactSet> sets) {
+  assert(a.rows() == b.size() && b.size() == 2 * static_cast<Eigen::Index>(sets.size()));
+  if (is_plain(a, sets)) return one_plain(a, b, sets[0]);
+  const Problem problem(a, b, sets);
+  if (problem.size() <= kMostTried) return by_cases(problem);
+  const CoupledSolution swept = by_sweeps(a, b, sets, problem);
+  if (swept.solutions > 0 || problem.size() > kMostTriedBlind) return swept;
+  return by_cases(problem);
+}
+
+CoupledSolution solve_coupled_impact(const ContactMatrix& a, const ContactVector& b,
+                                     std::span<const ImpactLaw> laws) {
+  std::array<ContactSet, kMaxPairs> sets{};
+  const std::span<const ContactSet> used(sets.data(), laws.size());
+  for (std::size_t i = 0; i < laws.size(); ++i) sets[i].friction = laws[i].friction;
+  CoupledSolution c = solve_coupled(a, b, used);
+  if (c.solutions != 1) return c;
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(2 * i);
+    sets[i] = expansion_set(laws[i], c.p[at], c.p[at + 1]);
+  }
+  CoupledSolution e = solve_coupled(a, c.y, used);
+  e.p += c.p;
+  return e;
+}
+
+}  // namespace rotorub::plugin

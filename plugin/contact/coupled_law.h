@@ -1,0 +1,64 @@
+// Several planar contacts that act on the same bodies, as one problem. With L the normal and
+// friction impulses (or forces) of all, (L_N1, L_T1, L_N2, L_T2, ...), and y = a L + b the gap
+// rates and slips,
+//
+//   normal:      L_N >= n,  y_N >= 0,  y_N (L_N - n) = 0
+//   tangential:  L_T in [low(L_N), high(L_N)],  y_T > 0: L_T = low,  y_T < 0: L_T = high
+//
+// each contact i with its own set: n = 0, high = -low = mu L_N is Coulomb's, (12)-(13), (17); the
+// expansion of Poisson's law, (18)-(19), is another. A linear complementarity problem (Pfeiffer and
+// Glocker, Multibody Dynamics with Unilateral Contacts, 1996). The cases of each contact (open,
+// sticking, sliding either way) are tried: given the cases it is a linear system, and what it gives
+// must be in the sets.
+//
+// Impulses that bodies share in more ways than one (two rings about a rotor that cannot tilt) are
+// not unique, though the motion is: then those of the least sum of squares, which share alike.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <span>
+
+#include "native_model/contact/impact.h"
+
+namespace rotorub::plugin {
+
+inline constexpr int kMaxPairs = 8;
+
+// (normal, friction) of each contact in turn. No memory but their own.
+using ContactVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * kMaxPairs, 1>;
+using ContactMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                    2 * kMaxPairs, 2 * kMaxPairs>;
+
+// The set of one contact.
+struct ContactSet {
+  double friction = 0.0;      // mu >= 0
+  double least_normal = 0.0;  // n, N s
+  double side = 0.0;          // +1, -1: the friction begun in compression goes on to this side; 0: none
+  double floor = 0.0;         // with a side: least friction to it, N s, >= 0
+
+  double low(double normal) const { return side > 0.0 ? floor : -friction * normal; }
+  double high(double normal) const { return side < 0.0 ? -floor : friction * normal; }
+};
+// Of the expansion that follows a compression of L_NC, L_TC (impact.h).
+ContactSet expansion_set(const ImpactLaw& law, double normal, double friction);
+
+struct CoupledSolution {
+  // Of distinct motions; 0: none (or none was found, of more than kMostTried contacts), above 1: L is
+  // the first.
+  int solutions = 0;
+  ContactVector p, y;                     // L, and a L + b
+  std::array<bool, kMaxPairs> sticks{};  // y_T = 0 within the set
+};
+
+// a: symmetric, positive semidefinite, of 2 x sets.size() rows; at most kMaxPairs sets.
+CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
+                              std::span<const ContactSet> sets);
+
+// Compression and expansion, one after the other, of all at a time, in no time. b: rates before.
+// p: the sum of both.
+CoupledSolution solve_coupled_impact(const ContactMatrix& a, const ContactVector& b,
+                                     std::span<const ImpactLaw> laws);
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,44 @@
+// The names in <custom> of a user's own model, and which contact each is of.
+//
+//   rotorub_rotor_geom      the first contact
+//   rotorub_rotor_geom_2    a further one, "_2" in all its names; any ending will do
+//   left_rotorub_rotor_geom one of a model that was attached with the prefix "left_" (mjSpec,
+//                           dm_control)
+// MuJoCo's sensors are named alike: gap, gap_2, left_gap.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <string>
+#include <vector>
+
+namespace rotorub::plugin {
+
+struct PairName {
+  std::string prefix, suffix;
+  std::string of(const char* name) const { return prefix + name + suffix; }
+  bool operator==(const PairName&) const = default;
+};
+
+// A name in <custom> has the mark rotorub_ in it.
+bool has_own_names(const mjModel* m);
+
+// The contacts whose geoms are named, in the order of the file. Throws ConfigError for a name that is
+// of none of them.
+std::vector<PairName> own_pair_names(const mjModel* m);
+
+// Of a model with a scene's text: those that it may not have beside it. Throws ConfigError.
+void refuse_own_names(const mjModel* m);
+
+// The number of that name, or null.
+const mjtNum* own_number(const mjModel* m, const std::string& name);
+
+// The geom that the text says: by the name that it got when it was attached, or as it stands.
+// Throws ConfigError.
+int own_geom(const mjModel* m, const PairName& pair, const char* text);
+
+// Where our block in mjData.userdata begins: rotorub_userdata, one value in the whole model; else 0.
+// Throws ConfigError.
+int own_memory(const mjModel* m);
+
+}  // namespace rotorub::plugin

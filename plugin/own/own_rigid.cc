@@ -1,0 +1,118 @@
+#include "plugin/own/own_rigid.h"
+
+#include <array>
+#include <optional>
+
+#include "plugin/contact/constraint_probe.h"
+#include "plugin/contact/coupled_law.h"
+#include "plugin/contact/memory.h"
+#include "plugin/contact/rigid_step.h"
+#include "plugin/contact/smooth_force.h"
+#include "plugin/own/coupled_step.h"
+#include "plugin/own/own_space.h"
+#include "plugin/own/reach.h"
+#include "plugin/passes.h"
+
+namespace rotorub::plugin {
+namespace {
+
+RigidStep begin_step(const OwnPair& pair, const ContactPlace& place, const OwnSpace& space,
+                     const mjModel* m, const mjData* d) {
+  RigidStep step;
+  step.h = m->opt.timestep;
+  step.d = place.d;
+  step.bend = 0.5 * step.h * step.h * own_turning(pair, place, m, d);
+  step.start = space.rates(d->qvel);
+  step.start.z() += pair.held_spin;
+  return step;
+}
+
+void apply_one(const OwnPair& pair, const mjModel* m, mjData* d) {
+  const ContactPlace place = contact_place(pair, d);
+  OwnSpace space(pair, place, m, d);
+  space.solve();
+  RigidStep step = begin_step(pair, place, space, m, d);
+  apply_rigid_step(m, d, space, step, pair.contact, pair.data);
+}
+
+using Group = std::array<CoupledMember*, kMaxPairs>;
+
+// Those of `all` that the first one left moves with, by way of others too; taken off `left`. Bodies of
+// one tree, or held by constraints.
+std::size_t take_group(std::span<CoupledMember> all, std::array<bool, kMaxPairs>& left, Group& group) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < all.size() && count == 0; ++i) {
+    if (!left[i]) continue;
+    left[i] = false;
+    group[count++] = &all[i];
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (!left[j] || !moves_with(*group[k], all[j])) continue;
+      left[j] = false;
+      group[count++] = &all[j];
+    }
+  }
+  return count;
+}
+
+void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjData* d) {
+  // On the stack of mjData: the last made goes first.
+  std::array<std::optional<OwnSpace>, kMaxPairs> spaces;
+  std::array<CoupledMember, kMaxPairs> members;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const ContactPlace place = contact_place(*pairs[i], d);
+    OwnSpace& space = spaces[i].emplace(*pairs[i], place, m, d);
+    space.solve();
+    CoupledMember& member = members[i];
+    member.space = &space;
+    member.contact = &pairs[i]->contact;
+    member.data = pairs[i]->data;
+    member.step = begin_step(*pairs[i], place, space, m, d);
+    member.held = contact_enabled(m) && constraints_couple(m, d, space);
+  }
+  const std::span<CoupledMember> all(members.data(), pairs.size());
+  std::array<bool, kMaxPairs> left{};
+  left.fill(true);
+  Group group{};
+  while (const std::size_t count = take_group(all, left, group)) {
+    if (count == 1) {
+      CoupledMember& one = *group[0];
+      apply_rigid_step(m, d, *one.space, one.step, *one.contact, one.data);
+    } else {
+      apply_coupled_step(m, d, {group.data(), count});
+    }
+  }
+  for (std::size_t i = pairs.size(); i-- > 0;) spaces[i].reset();
+}
+
+}  // namespace
+
+void apply_own_rigid(std::span<const OwnPair> pairs, const mjModel* m, mjData* d) {
+  update_smooth_force(m, d);
+  Reach reach(m, d);
+  std::array<const OwnPair*, kMaxPairs> facing{};
+  std::size_t count = 0;
+  bool near = false;
+  for (const OwnPair& pair : pairs) {
+    if (pair.law != scene::ContactModel::kRigid) continue;
+    ContactMemory memory(d, pair.data);
+    if (!face_each_other(pair, d)) {
+      memory.note({}, m->opt.timestep);
+      continue;
+    }
+    facing[count++] = &pair;
+    near = near || memory.was_in_contact() || reach.may_reach(pair);
+  }
+  if (!near) {
+    for (std::size_t i = 0; i < count; ++i) {
+      ContactMemory(d, facing[i]->data).note({}, m->opt.timestep);
+    }
+  } else if (count == 1) {
+    apply_one(*facing[0], m, d);
+  } else {
+    apply_several({facing.data(), count}, m, d);
+  }
+}
+
+}  // namespace rotorub::plugin
