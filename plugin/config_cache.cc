@@ -9,6 +9,7 @@
 
 #include "plugin/fingerprint.h"
 #include "plugin/model_parameters.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -97,7 +98,7 @@ const Config* find(const mjModel* m, const mjData* d, bool check) {
   if (config && (!check || still(*config))) return config;
   if (!is_ours(m)) return nullptr;
   config = look_up(m, d);
-  if (!config) mju_error(message);
+  if (!config) raise_error(message);
   return config;
 }
 

@@ -1,5 +1,6 @@
 #include "plugin/passes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plugin/callbacks.h"
@@ -14,6 +15,7 @@
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/magnets.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/own/own_contact.h"
 #include "plugin/passive.h"
 #include "plugin/segment_loads.h"
@@ -45,7 +47,7 @@ double fresh_mark(const mjData* d) { return 1.0 + std::abs(d->time); }
 void notice_missed_control(const mjData* d) {
   const double mark = d->userdata[kPassiveFresh];
   if (mark == 0.0 || mark == fresh_mark(d) || !distrust_control()) return;
-  mju_warning(
+  warn(
       "rotorub: mjcb_control called the plugin's before, and in the last step did not: that step "
       "had no contact; the plugin's comes first from now on");
 }
@@ -78,7 +80,7 @@ void refresh_velocity_stage(const mjModel* m, mjData* d) {
   if (fresh != fresh_mark(d)) {
     keep_callbacks();
     mj_passive(m, d);
-    const bool passed_by = fresh != fresh_mark(d) && !(m->opt.disableflags & mjDSBL_PASSIVE);
+    const bool passed_by = fresh != fresh_mark(d) && !passive_disabled(m);
     if (passed_by && distrust_passive()) mj_passive(m, d);
     mj_referenceConstraint(m, d);
   }
@@ -155,7 +157,8 @@ void sensor_pass(const mjModel* m, mjData* d, int stage) {
   fill_sensors(*config, m, d, stage);
 }
 
-bool collide_pair(const mjModel* m, const mjData* d, mjContact* con, int g1, int g2, int& count) {
+bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int g1, int g2,
+                  int& count) {
   const Config* config = find_config(m, d);
   const bool ours = config && ((g1 == config->rotor_geom && g2 == config->ring_geom) ||
                                (g1 == config->ring_geom && g2 == config->rotor_geom));
@@ -165,6 +168,8 @@ bool collide_pair(const mjModel* m, const mjData* d, mjContact* con, int g1, int
   const double margin = config->pair >= 0 ? m->pair_margin[config->pair] : 0.0;
   count = config->own ? collide_own(*config, d, con, g1, margin)
                       : collide_annular(*config, d, con, g1, margin);
+  // `rigid` keeps it from MuJoCo's solver: within the margin a gap does not, everywhere.
+  if (!kGapKeepsOut && count > 0 && !is_soft(*config)) con->dist = std::max(con->dist, margin);
   return true;
 }
 
@@ -186,7 +191,7 @@ bool magnet_gain_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
 
 bool magnet_bias_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
   const Config* config = config_of_magnet(m, d, id);
-  if (config) value = magnet_bias(*config, d, id);
+  if (config) value = magnet_bias(*config, m, d, id);
   return config;
 }
 

@@ -12,6 +12,7 @@
 #include "plugin/config_cache.h"
 #include "plugin/differences.h"
 #include "plugin/inverse.h"
+#include "plugin/mujoco_versions.h"
 
 #define ROTORUB_EXPORT extern "C" __attribute__((visibility("default")))
 
@@ -23,6 +24,9 @@ namespace {
 
 using Pass = void (*)(const mjModel*, mjData*);
 using SkippingPass = void (*)(const mjModel*, mjData*, int, int);
+
+// mjtByte, later a type of its own.
+using Centered = rotorub::plugin::Argument<decltype(mjd_transitionFD), 3>;
 
 template <typename Function>
 Function original(const char* name) {
@@ -58,7 +62,7 @@ ROTORUB_EXPORT void mj_inverseSkip(const mjModel* m, mjData* d, int skipstage, i
   rotorub::plugin::inverse_with_contact(m, d, skipstage, skipsensor, inverse);
 }
 
-ROTORUB_EXPORT void mjd_transitionFD(const mjModel* m, mjData* d, mjtNum eps, mjtByte centered,
+ROTORUB_EXPORT void mjd_transitionFD(const mjModel* m, mjData* d, mjtNum eps, Centered centered,
                                      mjtNum* A, mjtNum* B, mjtNum* C, mjtNum* D) {
   static const auto differences = original<decltype(&mjd_transitionFD)>("mjd_transitionFD");
   if (!rotorub::plugin::find_config(m, d) || !(eps > 0.0)) {

@@ -11,6 +11,7 @@
 
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/rigid_law.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 
@@ -43,7 +44,8 @@ class ConstraintProbe {
   const mjModel* m_;
   mjData* d_;
   const ContactSpace& space_;
-  int mark_, solved_;
+  StackFrame room_;
+  int solved_;
   bool kept_ = false;
   mjtNum *force_, *warm_, *total_;  // qfrc_smooth, qacc_warmstart; room
   mjtNum* smooth_;                  // qacc_smooth

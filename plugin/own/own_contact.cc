@@ -105,12 +105,11 @@ double open_reference(double acceleration) { return acceleration - (1.0 + std::a
 // MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R): the aref for l = normal.
 double solver_reference(const mjModel* m, mjData* d, int row, const OwnSpace& space,
                         const Eigen::Vector3d& friction, const CoulombStep& s, double normal) {
-  const int mark = d->pstack;
-  mjtNum* acceleration = mj_stackAlloc(d, m->nv);
-  mju_copy(acceleration, d->qacc_smooth, m->nv);
+  StackFrame room(d);
+  mjtNum* acceleration = room.numbers(count(m->nv));
+  mju_copy(acceleration, d->qacc_smooth, count(m->nv));
   space.add_acceleration(friction, acceleration);
   const double smooth = -s.point.e_r.dot(space.rates(acceleration).head<2>());
-  d->pstack = mark;
   if (normal <= 0.0) return open_reference(smooth);
   const Delassus own = delassus(space.admittance(), s.point.e_r, s.radius);
   return smooth + (own.nn + d->efc_R[row]) * normal;
@@ -188,7 +187,8 @@ void apply_own_contact(const Config& config, const mjModel* m, mjData* d) {
   }
 }
 
-int collide_own(const Config& config, const mjData* d, mjContact* con, int g1, double margin) {
+int collide_own(const Config& config, const mjData* d, CollisionContact* con, int g1,
+                double margin) {
   const ContactParameters& c = *config.model.contact;
   const Eigen::Vector2d p = own_position(config, d);
   const double delta = p.norm();
@@ -199,13 +199,14 @@ int collide_own(const Config& config, const mjData* d, mjContact* con, int g1, d
   const mjtNum* rotor = d->geom_xpos + 3 * config.rotor_geom;
   const double side = g1 == config.rotor_geom ? 1.0 : -1.0;
   con->dist = c.clearance - delta;
+  double normal[3], tangent[3];
   for (int i = 0; i < 3; ++i) {
-    const double normal = axes[3 * i] * e.x() + axes[3 * i + 1] * e.y();
-    con->pos[i] = rotor[i] + c.radius * normal;
-    con->frame[i] = side * normal;
-    con->frame[3 + i] = side * (axes[3 * i + 1] * e.x() - axes[3 * i] * e.y());
-    con->frame[6 + i] = axes[3 * i + 2];
+    const double outward = axes[3 * i] * e.x() + axes[3 * i + 1] * e.y();
+    con->pos[i] = rotor[i] + c.radius * outward;
+    normal[i] = side * outward;
+    tangent[i] = side * (axes[3 * i + 1] * e.x() - axes[3 * i] * e.y());
   }
+  set_frame(con, normal, tangent, {axes[2], axes[5], axes[8]});
   return 1;
 }
 

@@ -9,6 +9,7 @@
 
 #include "plugin/config.h"
 #include "plugin/contact/contact_space.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/own/tree_factor.h"
 
 namespace rotorub::plugin {
@@ -28,7 +29,6 @@ bool face_each_other(const Config& config, const mjData* d);
 class OwnSpace final : public ContactSpace {
  public:
   OwnSpace(const Config& config, const mjModel* m, mjData* d);
-  ~OwnSpace() { d_->pstack = mark_; }
 
   // Solves with M and H; needed once, before all but `rates` and `add_load`. H = M + h D is the
   // matrix of the Euler step, near that of `implicit`; M alone for RK4.
@@ -42,7 +42,7 @@ class OwnSpace final : public ContactSpace {
 
   const mjModel* m_;
   mjData* d_;
-  int mark_;
+  StackFrame room_;
   double damped_step_;  // s, h of H; 0: H is M
   DofRange trees_[2];   // of rotor and ring; the second empty where they share one
 };

@@ -1,11 +1,11 @@
 #include "tests/support/mujoco_fixture.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 
 #include "native_model/scene/reader.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::test {
 namespace {
@@ -26,14 +26,8 @@ MujocoTest::~MujocoTest() {
 }
 
 ModelPointer try_load(const std::string& document, std::string& error) {
-  const auto files = std::make_unique<mjVFS>();  // too large for the stack
-  mj_defaultVFS(files.get());
-  mj_makeEmptyFileVFS(files.get(), "test.xml", static_cast<int>(document.size()));
-  std::memcpy(files->filedata[mj_findFileVFS(files.get(), "test.xml")], document.data(),
-              document.size());
   char message[1000] = "";
-  ModelPointer model(mj_loadXML("test.xml", files.get(), message, sizeof message));
-  mj_deleteVFS(files.get());
+  ModelPointer model(plugin::load_text(document, message, sizeof message));
   error = message;
   return model;
 }
