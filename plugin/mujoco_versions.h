@@ -169,9 +169,16 @@ void set_frame(Contact* con, const double (&normal)[3], const double (&tangent)[
   }
 }
 
-// Before 3.9 MuJoCo's solver takes a contact below margin - gap, since then below margin: a gap
-// keeps nothing out.
+// Before 3.9 a contact of a pair is seen below margin and solved below margin - gap, since then seen
+// below margin + gap and solved below margin: a gap beside a margin that is not negative keeps
+// nothing out.
 inline constexpr bool kGapKeepsOut = mjVERSION_HEADER < 3009000;
+
+// Distance below which viewers see the contact, m. Pairs that were written for before 3.9 keep theirs.
+inline double seen_below(const mjModel* m, int pair) {
+  const double margin = m->pair_margin[pair];
+  return kGapKeepsOut || margin >= 0.0 ? margin : margin + m->pair_gap[pair];
+}
 
 // Whether MuJoCo looks for contacts beside the <pair>s, and whether at these (option collision,
 // gone in 3.0: then geoms' contype and conaffinity alone decide).
@@ -202,6 +209,19 @@ inline bool passive_disabled(const mjModel* m) {
 inline bool control_skipped(const mjModel* m) {
   return mjVERSION_HEADER >= 231 && (m->opt.disableflags & mjDSBL_ACTUATION);
 }
+
+// Sleeping trees, from 3.4 on. Of the tree of this body:
+#if mjVERSION_HEADER >= 340
+inline bool sleep_enabled(const mjModel* m) { return m->opt.enableflags & mjENBL_SLEEP; }
+inline bool tree_may_sleep(const mjModel* m, int body) {
+  const int tree = m->body_treeid[body];
+  return tree >= 0 && m->tree_sleep_policy[tree] != mjSLEEP_NEVER &&
+         m->tree_sleep_policy[tree] != mjSLEEP_AUTO_NEVER;
+}
+#else
+inline bool sleep_enabled(const mjModel*) { return false; }
+inline bool tree_may_sleep(const mjModel*, int) { return false; }
+#endif
 
 // The h of M + h D in MuJoCo's step: 0 where dampers are taken explicitly, s.
 inline double damped_step(const mjModel* m) {

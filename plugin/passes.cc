@@ -20,6 +20,7 @@
 #include "plugin/passive.h"
 #include "plugin/segment_loads.h"
 #include "plugin/sensors.h"
+#include "plugin/skipped.h"
 #include "plugin/shadow.h"
 #include "plugin/user_data.h"
 
@@ -54,24 +55,17 @@ void notice_missed_control(const mjData* d) {
 
 }  // namespace
 
-void passive_pass(const mjModel* m, mjData* d) {
-  const Config* config = find_config_checked(m, d);
-  if (!config) return;
-  keep_places(*config, m, d);
-  notice_missed_control(d);
-  mark_active(*config, d, false);
-  d->userdata[kPassiveFresh] = fresh_mark(d);
-  if (config->shadow) advance_shadow(*config, m, d);
-  if (config->own) return;
-  if (config->segments) {
-    add_segment_loads(*config, d);
-  } else if (!config->takes_native_steps()) {
-    add_passive_force(*config, m, d, Coordinates(*config, d));
-  }
-  fill_sensors(*config, m, d, mjSTAGE_VEL);
-}
-
 namespace {
+
+void add_loads(const Config& config, const mjModel* m, mjData* d) {
+  if (config.own) return;
+  if (config.segments) {
+    add_segment_loads(config, d);
+  } else if (!config.takes_native_steps()) {
+    add_passive_force(config, m, d, Coordinates(config, d));
+  }
+  fill_sensors(config, m, d, mjSTAGE_VEL);
+}
 
 // MuJoCo may run this stage again without the one before (mj_forwardSkip), or have run it without
 // us: then what it added to the velocity stage's results is taken out by computing those anew.
@@ -133,21 +127,51 @@ void act(const Config& config, const mjModel* m, mjData* d) {
   if (!is_soft(config) || told) fill_sensors(config, m, d, mjSTAGE_ACC);
 }
 
-}  // namespace
-
-void control_pass(const mjModel* m, mjData* d) {
-  const Config* config = find_config(m, d);
-  if (!config) return;
-  if (config->model.magnets) keep_callbacks();
-  if (keep_places(*config, m, d)) d->userdata[kPassiveFresh] = 0.0;
-  refresh_velocity_stage(m, d);
-  const bool rigid = config->model.contact && !is_soft(*config);
+void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
+  const bool rigid = config.model.contact && !is_soft(config);
   if (rigid && m->opt.integrator == mjINT_RK4) {
     refuse_runge_kutta();
     return;
   }
-  act(*config, m, d);
-  mark_active(*config, d, !config->model.contact || contact_enabled(m));
+  act(config, m, d);
+  mark_active(config, d, !config.model.contact || contact_enabled(m));
+}
+
+// Where MuJoCo leaves out mjcb_control, mjcb_passive is the last that is called: with what the
+// velocity stage computes after it, done before.
+void act_without_control(const Config& config, const mjModel* m, mjData* d) {
+  mj_rne(m, d, 0, d->qfrc_bias);
+  KeptReferences references(m, d);
+  act_or_refuse(config, m, d);
+  references.keep();
+  d->userdata[kPassiveFresh] = 0.0;
+}
+
+}  // namespace
+
+void passive_pass(const mjModel* m, mjData* d) {
+  const Config* config = find_config_checked(m, d);
+  if (!config) return;
+  keep_places(*config, m, d);
+  notice_missed_control(d);
+  mark_active(*config, d, false);
+  if (may_fall_asleep(*config, m)) {
+    refuse_sleep();
+    return;
+  }
+  d->userdata[kPassiveFresh] = fresh_mark(d);
+  if (config->shadow) advance_shadow(*config, m, d);
+  add_loads(*config, m, d);
+  if (control_skipped(m)) act_without_control(*config, m, d);
+}
+
+void control_pass(const mjModel* m, mjData* d) {
+  const Config* config = find_config(m, d);
+  if (!config || control_skipped(m) || may_fall_asleep(*config, m)) return;
+  if (config->model.magnets) keep_callbacks();
+  if (keep_places(*config, m, d)) d->userdata[kPassiveFresh] = 0.0;
+  refresh_velocity_stage(m, d);
+  act_or_refuse(*config, m, d);
 }
 
 void sensor_pass(const mjModel* m, mjData* d, int stage) {
@@ -164,12 +188,15 @@ bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int 
                                (g1 == config->ring_geom && g2 == config->rotor_geom));
   if (!ours) return false;
   keep_callbacks();
+  if (passive_disabled(m) && control_skipped(m)) refuse_silence();
   // The pair's, where the model has one; it is not among the arguments of every version.
-  const double margin = config->pair >= 0 ? m->pair_margin[config->pair] : 0.0;
+  const double margin = config->pair >= 0 ? seen_below(m, config->pair) : 0.0;
   count = config->own ? collide_own(*config, d, con, g1, margin)
                       : collide_annular(*config, d, con, g1, margin);
-  // `rigid` keeps it from MuJoCo's solver: within the margin a gap does not, everywhere.
-  if (!kGapKeepsOut && count > 0 && !is_soft(*config)) con->dist = std::max(con->dist, margin);
+  // `rigid` keeps it from MuJoCo's solver where the pair's gap does not.
+  if (!kGapKeepsOut && count > 0 && config->pair >= 0 && !is_soft(*config)) {
+    con->dist = std::max<mjtNum>(con->dist, m->pair_margin[config->pair]);
+  }
   return true;
 }
 
