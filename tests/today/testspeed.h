@@ -42,7 +42,7 @@ class TestspeedTest : public ::testing::Test {
     namespace fs = std::filesystem;
     const fs::path xml = folder_ / "scene.xml", states = folder_ / "states";
     const fs::path libraries =
-        how.today ? fs::path(ROTORUB_TODAY_LIBS) : fs::path(ROTORUB_PLUGIN).parent_path();
+        how.today ? fs::path(ROTORUB_PLUGIN).parent_path() : fs::path(ROTORUB_SYSTEM_LIBS);
     fs::remove(states);
     write_whole(xml, document);
     std::string preload = (libraries / "librotorub_final_state.so").string();
