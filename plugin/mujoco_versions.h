@@ -125,7 +125,31 @@ int mass_size(const Model* m) {
   }
 }
 
+// After mj_comPos: the mass matrix, and the same full, nv x nv.
+template <typename Data>
+void make_mass(const mjModel* m, Data* d) {
+  if constexpr (requires { mj_makeM(m, d); }) {
+    mj_makeM(m, d);
+  } else {
+    mj_crb(m, d);
+  }
+}
+template <typename Data>
+void full_mass(const mjModel* m, const Data* d, mjtNum* full) {
+  if constexpr (requires { mj_fullM(m, d, full); }) {
+    mj_fullM(m, d, full);
+  } else {
+    mj_fullM(m, full, d->qM);
+  }
+}
+
 // --- Constraints ---
+
+template <typename Model>
+bool equality_holds(const Model* m, int equality) {  // at mj_resetData
+  if constexpr (requires { m->eq_active0; }) return m->eq_active0[equality] != 0;
+  else return m->eq_active[equality] != 0;
+}
 
 template <typename Data>
 const mjtNum* constraint_diagonal(const Data* d) {  // of J M^-1 J^T, about
