@@ -93,19 +93,14 @@ TEST_F(Switches, NothingLeftToCallIsRefused) {
   EXPECT_THROW(mj_step(m.get(), d.get()), std::runtime_error);
 }
 
-// M + h D of the step is M then.
+// M + h D of the step is M then: the native step, put into it, is the same but for round-off.
 TEST_F(Switches, ExplicitDampersGiveTheSameMotion) {
-  for (const int flag : {static_cast<int>(mjDSBL_EULERDAMP), 0}) {
-    const ModelPointer m = load(bench("rigid"));
-    m->opt.disableflags |= flag;
-    const DataPointer d = start(m.get());
-    double depth = 0.0;
-    for (int k = 0; k < kSteps; ++k) {
-      mj_step(m.get(), d.get());
-      depth = std::max(depth, -sensor(m.get(), d.get(), names::kGap));
-    }
-    EXPECT_LT(depth, 1e-8) << flag;
-    EXPECT_NEAR(sensor(m.get(), d.get(), names::kNormalForce), 121.7, 5.0) << flag;
+  const ModelPointer m = load(bench("rigid"));
+  const std::vector<double> wanted = state_after(m.get(), kSteps);
+  m->opt.disableflags |= mjDSBL_EULERDAMP;
+  const std::vector<double> found = state_after(m.get(), kSteps);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i], wanted[i], 1e-10 * (1.0 + std::abs(wanted[i]))) << i;
   }
 }
 
