@@ -80,8 +80,7 @@ int rotorub_main(int argc, char** argv) {
       "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a "
       "native rigid-contact model",
       "rotorub");
-  program.set_version_flag("--version",
-                           "rotorub " + program_version() + " (MuJoCo " + mujoco_version() + ")");
+  program.set_version_flag("--version", version_line());
   program.require_subcommand(1);
   const std::vector<Command> commands{add_run_command(program),    add_compare_command(program),
                                       add_modes_command(program),  add_mjcf_command(program),

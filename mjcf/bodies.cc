@@ -16,6 +16,10 @@ namespace names = mjcf_names;
 // has comes from the joints' armature; this much is added to it.
 constexpr const char* kMassless =
     R"(<inertial pos="0 0 0" mass="1e-12" diaginertia="1e-12 1e-12 1e-12"/>)";
+// From 3.0 on mj_setConst takes the inverse weight of a body that has slides alone from its mass, without
+// armature, unless its centre of mass is off its frame: a soft contact would be softer by 1e12.
+constexpr const char* kMasslessAside =
+    R"(<inertial pos="0 0 1e-6" mass="1e-12" diaginertia="1e-12 1e-12 1e-12"/>)";
 
 // Half the thickness of the drawn disc over its radius; sizes below are in these terms, m.
 constexpr double kThickness = 0.15;
@@ -23,8 +27,12 @@ constexpr double kRadiusWithoutContact = 0.02;
 
 class Bodies {
  public:
-  Bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model)
-      : xml_(xml), scene_(scene), model_(model), radius_(drawn_radius(scene)) {}
+  Bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model, const MujocoVersion& target)
+      : xml_(xml),
+        scene_(scene),
+        model_(model),
+        massless_(target < MujocoVersion{3, 0, 0} ? kMassless : kMasslessAside),
+        radius_(drawn_radius(scene)) {}
 
   void write() {
     rotor();
@@ -55,7 +63,7 @@ class Bodies {
       xml_.open(end == joints_.size()
                     ? fmt::format(R"(<body name="{}">)", name)
                     : fmt::format(R"(<body name="{}_link_{}">)", name, open_bodies_));
-      xml_.line(kMassless);
+      xml_.line(massless_);
       for (std::size_t i = at; i < end; ++i) xml_.line(joints_[i]);
     }
     joints_.clear();
@@ -163,6 +171,7 @@ class Bodies {
   XmlWriter& xml_;
   const scene::Scene& scene_;
   const Model& model_;
+  const char* massless_;
   double radius_;                    // m, of the drawn disc
   std::vector<std::string> joints_;  // of the next moving body
   int open_bodies_ = 0;
@@ -170,12 +179,14 @@ class Bodies {
 
 }  // namespace
 
-void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model) {
-  Bodies(xml, scene, model).write();
+void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model,
+                  const MujocoVersion& target) {
+  Bodies(xml, scene, model, target).write();
 }
 
-void write_ring(XmlWriter& xml, const scene::Scene& scene, const Model& model) {
-  Bodies(xml, scene, model).write_ring();
+void write_ring(XmlWriter& xml, const scene::Scene& scene, const Model& model,
+                const MujocoVersion& target) {
+  Bodies(xml, scene, model, target).write_ring();
 }
 
 std::vector<int> joint_order(const Model& model) {

@@ -4,15 +4,18 @@
 
 #include <vector>
 
+#include "mjcf/mujoco_version.h"
 #include "mjcf/xml.h"
 #include "native_model/scene/scene.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
 
-void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model);
+void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model,
+                  const MujocoVersion& target);
 // The ring alone, for a rotor that is written otherwise.
-void write_ring(XmlWriter& xml, const scene::Scene& scene, const Model& model);
+void write_ring(XmlWriter& xml, const scene::Scene& scene, const Model& model,
+                const MujocoVersion& target);
 
 // Index in q of each of MuJoCo's coordinates: chain, branch, ring. The layout's own order where
 // there is no branch.

@@ -47,8 +47,11 @@ void refuse_unsupported(const scene::Scene& scene) {
 
 class Document {
  public:
-  explicit Document(const scene::Scene& scene)
-      : scene_(scene), model_(without_coils(make_model(scene))), radius_(drawn_radius(scene)) {
+  Document(const scene::Scene& scene, const MujocoVersion& target)
+      : scene_(scene),
+        target_(target),
+        model_(without_coils(make_model(scene))),
+        radius_(drawn_radius(scene)) {
     if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) segments_.emplace(scene_, model_);
   }
 
@@ -60,9 +63,9 @@ class Document {
     surroundings();
     if (segments_) {
       segments_->write_bodies(xml_);
-      write_ring(xml_, scene_, model_);
+      write_ring(xml_, scene_, model_, target_);
     } else {
-      write_bodies(xml_, scene_, model_);
+      write_bodies(xml_, scene_, model_, target_);
     }
     if (scene_.mujoco.shadow) write_ghosts(xml_, scene_, model_);
     xml_.close("worldbody");
@@ -85,12 +88,15 @@ class Document {
     const Eigen::Vector2d gravity =
         scene_.gravity ? scene_.gravity->acceleration : Eigen::Vector2d::Zero();
     // One contact at most, solved in one Newton step: the tolerance stops the second. It is that of
-    // the pair: looking for others would take a third of the step.
+    // the pair: looking for others would take a third of the step. (From 3.0 on that no geom has a
+    // contype says it.)
+    const bool has_option = target_ < MujocoVersion{3, 0, 0};
     xml_.line(
         fmt::format(R"(<option timestep="{}" gravity="{} {} 0" integrator="{}" cone="elliptic" )"
-                    R"(collision="predefined" jacobian="dense" solver="Newton" iterations="50" )"
+                    R"({}jacobian="dense" solver="Newton" iterations="50" )"
                     R"(tolerance="1e-12"/>)",
-                    scene_.run.step, gravity.x(), gravity.y(), implicit ? "implicit" : "Euler"));
+                    scene_.run.step, gravity.x(), gravity.y(), implicit ? "implicit" : "Euler",
+                    has_option ? R"(collision="predefined" )" : ""));
     int user_data = names::user_data_size(model_.nq(), model_.controller != nullptr);
     if (scene_.contact && !segments_) {
       const std::size_t slot = VerletStepper::memory_size(model_) + ZeroOrderHold::kMemory + 1;
@@ -99,7 +105,9 @@ class Document {
     if (scene_.mujoco.shadow) {
       user_data += names::shadow_data_size(PaperStepper::memory_size(make_model(scene_)));
     }
-    xml_.line(fmt::format(R"(<size njmax="32" nconmax="8" nuserdata="{}"/>)", user_data));
+    // From 3.0 on there is room for what is needed.
+    xml_.line(fmt::format(R"(<size {}nuserdata="{}"/>)",
+                          has_option ? R"(njmax="32" nconmax="8" )" : "", user_data));
   }
 
   void visual() {
@@ -135,14 +143,18 @@ class Document {
     // `rigid` shows the contact from a little further off, for viewers, and keeps it from MuJoCo's
     // solver by a gap that no depth makes up for.
     const bool is_rigid = scene_.mujoco.contact == scene::ContactModel::kRigid;
-    const double margin = is_cone ? 0.0 : (is_rigid ? 1e-2 : 1e-3) * c.clearance;
+    const double reach = is_cone ? 0.0 : (is_rigid ? 1e-2 : 1e-3) * c.clearance;
+    const double gap = is_rigid ? 1e3 : 0.0;
+    // Before 3.9 a contact is seen below the margin and solved below margin - gap, since then seen below
+    // margin + gap and solved below the margin.
+    const double margin = target_ < MujocoVersion{3, 9, 0} ? reach : reach - gap;
     xml_.open("<contact>");
     xml_.line(
         fmt::format(R"(<pair name="rub" geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0" )"
                     R"(solref="{} {}" solimp="{} {} 0.001" margin="{}" gap="{}"/>)",
                     names::kRotorContact, names::kRingContact, is_cone && c.friction > 0.0 ? 3 : 1,
                     c.friction, c.friction, -soft.stiffness, -soft.damping, soft.impedance,
-                    soft.impedance, margin, is_rigid ? 1e3 : 0.0));
+                    soft.impedance, margin, gap));
     xml_.close("contact");
   }
 
@@ -256,6 +268,7 @@ class Document {
   }
 
   const scene::Scene& scene_;
+  const MujocoVersion target_;
   Model model_;
   std::optional<SegmentRotor> segments_;
   double radius_;  // m, of the drawn disc
@@ -264,10 +277,10 @@ class Document {
 
 }  // namespace
 
-std::string mjcf(const scene::Scene& scene) {
+std::string mjcf(const scene::Scene& scene, const MujocoVersion& target) {
   refuse_unsupported(scene);
   try {
-    return with_place(scene, [&] { return Document(scene).write(); });
+    return with_place(scene, [&] { return Document(scene, target).write(); });
   } catch (const NotFinite& error) {
     refuse(scene,
            {{"", 0, "",

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "plugin/links.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/passes.h"
 #include "plugin/places.h"
 
@@ -94,6 +95,13 @@ void for_each_collision(Action action) {
 }  // namespace
 
 void install_callbacks() {
+  if (mj_version() != mjVERSION_HEADER) {
+    const std::string text = "rotorub: built for MuJoCo " + version_text(mjVERSION_HEADER) +
+                             ", the program has " + version_text(mj_version()) +
+                             ": their structures differ; accepted: the same version";
+    raise_error(text.c_str());
+    return;
+  }
   for_each_callback([](auto& place, const auto& links) {
     place.link_with(links.data());
     place.take();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "plugin/mujoco_versions.h"
+
 namespace rotorub::plugin {
 namespace {
 
@@ -44,7 +46,7 @@ class Chain {
   }
   // By MuJoCo's own filter of types; what else it filters (parents, excludes) may stay in.
   bool collides(int geom) const {
-    if (!has_geom(geom) || m_->opt.collision == mjCOL_PAIR) return false;
+    if (!has_geom(geom) || !collides_freely(m_)) return false;
     for (int other = 0; other < m_->ngeom; ++other) {
       const bool same = m_->geom_bodyid[other] == m_->geom_bodyid[geom];
       const bool meets = (m_->geom_contype[geom] & m_->geom_conaffinity[other]) ||
@@ -89,7 +91,7 @@ std::string added_constraint(const mjModel* m, const Config& config) {
   }
   for (int i = 0; i < m->npair; ++i) {
     const int a = m->pair_geom1[i], b = m->pair_geom2[i];
-    if (m->opt.collision == mjCOL_DYNAMIC || i == config.pair) continue;
+    if (!collides_pairs(m) || i == config.pair) continue;
     if (chain.has_geom(a) || chain.has_geom(b)) return element(m, "pair", mjOBJ_GEOM, a, "");
   }
   return {};
@@ -107,7 +109,7 @@ void choose_path(const mjModel* m, Config& config) {
   const std::string text = "rotorub: " + added +
                            " acts on a generated rotor with unbalance and a drive: the contact is "
                            "solved beside it without their coupling of spin and bending";
-  mju_warning(text.c_str());
+  warn(text.c_str());
 }
 
 }  // namespace rotorub::plugin

@@ -9,6 +9,7 @@
 
 #include "plugin/fingerprint.h"
 #include "plugin/model_parameters.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/own/user_block.h"
 #include "plugin/user_data.h"
 
@@ -98,7 +99,7 @@ const Config* find(const mjModel* m, const mjData* d, bool check) {
   if (!is_ours(m)) return nullptr;
   config = look_up(m);
   if (!config) {
-    mju_error(message);
+    raise_error(message);
     return nullptr;
   }
   if (!block_is_ours(*config, d)) {

@@ -5,6 +5,7 @@
 #include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
 #include "plugin/magnets.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"
 #include "plugin/velocity_history.h"
 
@@ -27,14 +28,14 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
     }
   }
   const Eigen::Vector2d told = model.magnets ? u : to_axes(u);
-  for (int k = 0; k < 2; ++k) d->ctrl[config.actuator[k]] = told[k];
+  for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
 }
 
 ActuatorState actuator_state(const Config& config, const mjModel* m, const mjData* d) {
   if (config.actuator[0] < 0 || config.actuator[1] < 0) return {};
   Eigen::Vector2d force, current{0.0, 0.0};
   for (int k = 0; k < 2; ++k) {
-    force[k] = d->actuator_force[config.actuator[k]];
+    force[k] = d->actuator_force[force_address(m, config.actuator[k])];
     if (config.model.magnets) current[k] = coil_current(m, d, config.actuator[k]);
   }
   return {from_axes(force), current};

@@ -3,6 +3,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "plugin/mujoco_versions.h"
+
 namespace rotorub::plugin {
 namespace {
 
@@ -34,7 +36,7 @@ void column(const mjModel* m, const mjData* d, double eps, int which, Nudge nudg
     nudge(side, side == low ? -eps : eps);
     mj_step(m, side);
   }
-  std::vector<double> change(static_cast<std::size_t>(2 * m->nv + m->na));
+  std::vector<double> change(static_cast<std::size_t>(2 * count(m->nv) + count(m->na)));
   mj_differentiatePos(m, change.data(), 2.0 * eps, low->qpos, high->qpos);
   for (int i = 0; i < m->nv; ++i) {
     change[static_cast<std::size_t>(m->nv + i)] = (high->qvel[i] - low->qvel[i]) / (2.0 * eps);
@@ -58,9 +60,9 @@ Transition transition(const mjModel* m, const mjData* d, double eps) {
   const Running scope;
   const std::unique_ptr<mjData, DeleteData> low(mj_makeData(m)), high(mj_makeData(m));
   Transition out;
-  const int nv = m->nv, n = out.states = 2 * nv + m->na;
-  out.controls = m->nu;
-  out.sensors = m->nsensordata;
+  const int nv = count(m->nv), n = out.states = 2 * nv + count(m->na);
+  out.controls = count(m->nu);
+  out.sensors = count(m->nsensordata);
   out.A.resize(static_cast<std::size_t>(n * n));
   out.B.resize(static_cast<std::size_t>(n * m->nu));
   out.C.resize(static_cast<std::size_t>(out.sensors * n));
@@ -82,7 +84,7 @@ Transition transition(const mjModel* m, const mjData* d, double eps) {
   }
   for (int j = 0; j < m->nu; ++j) {
     const auto nudge = [j](mjData* side, double by) { side->ctrl[j] += by; };
-    column(m, d, eps, j, nudge, low.get(), high.get(), out.B, out.D, m->nu);
+    column(m, d, eps, j, nudge, low.get(), high.get(), out.B, out.D, out.controls);
   }
   return out;
 }

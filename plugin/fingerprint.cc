@@ -4,18 +4,22 @@
 #include <cstring>
 #include <iterator>
 
+#include "plugin/mujoco_versions.h"
+
 namespace rotorub::plugin {
 namespace {
 
 // Calls action(bytes, count) for each part until it says false.
 template <typename Action>
 bool for_each_part(const mjModel* m, Action action) {
-  const int sizes[] = {m->nq,        m->nv,     m->nu,           m->njnt,      m->ngeom, m->nsensor,
-                       m->ntextdata, m->nnames, m->nnumericdata, m->nuserdata, m->npair, m->nmocap,
-                       m->nbody,     m->na,     m->ntext,        m->nnumeric, m->neq,    m->ntendon};
-  const auto part = [&action](const auto* data, int count) {
-    return count == 0 || action(reinterpret_cast<const char*>(data),
-                                sizeof *data * static_cast<std::size_t>(count));
+  const int sizes[] = {
+      count(m->nq), count(m->nv), count(m->nu), count(m->njnt), count(m->ngeom),
+      count(m->nsensor), count(m->ntextdata), count(m->nnames), count(m->nnumericdata),
+      count(m->nuserdata), count(m->npair), count(m->nmocap), count(m->nbody), count(m->na),
+      count(m->ntext), count(m->nnumeric), count(m->neq), count(m->ntendon)};
+  const auto part = [&action](const auto* data, auto n) {
+    return n == 0 || action(reinterpret_cast<const char*>(data),
+                            sizeof *data * static_cast<std::size_t>(n));
   };
   // clang-format off
   return part(sizes, static_cast<int>(std::size(sizes))) &&
@@ -24,15 +28,16 @@ bool for_each_part(const mjModel* m, Action action) {
          part(m->names, m->nnames) && part(m->name_textadr, m->ntext) &&
          part(m->name_numericadr, m->nnumeric) && part(m->name_bodyadr, m->nbody) &&
          part(m->name_jntadr, m->njnt) && part(m->name_geomadr, m->ngeom) &&
-         part(m->name_sensoradr, m->nsensor) && part(m->name_actuatoradr, m->nu) &&
+         part(m->name_sensoradr, m->nsensor) && part(m->name_actuatoradr, actuator_count(m)) &&
          part(m->jnt_type, m->njnt) && part(m->jnt_qposadr, m->njnt) &&
          part(m->jnt_dofadr, m->njnt) && part(m->jnt_bodyid, m->njnt) &&
          part(m->geom_type, m->ngeom) && part(m->geom_bodyid, m->ngeom) &&
          part(m->body_parentid, m->nbody) && part(m->body_mocapid, m->nbody) &&
          part(m->sensor_type, m->nsensor) && part(m->sensor_dim, m->nsensor) &&
          part(m->sensor_adr, m->nsensor) && part(m->sensor_needstage, m->nsensor) &&
-         part(m->actuator_gaintype, m->nu) && part(m->actuator_biastype, m->nu) &&
-         part(m->actuator_dyntype, m->nu) &&
+         part(m->actuator_gaintype, actuator_count(m)) &&
+         part(m->actuator_biastype, actuator_count(m)) &&
+         part(m->actuator_dyntype, actuator_count(m)) &&
          part(m->pair_geom1, m->npair) && part(m->pair_geom2, m->npair) &&
          part(m->pair_dim, m->npair) && part(m->pair_margin, m->npair) &&
          part(m->pair_gap, m->npair) && part(m->pair_solref, mjNREF * m->npair) &&

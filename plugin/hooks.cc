@@ -11,10 +11,10 @@
 namespace rotorub::plugin {
 namespace {
 
-// The mark that register.cc exports.
+// The mark that register.cc exports: preloaded, or loaded since (mj_loadPluginLibrary).
 bool preloaded() {
   static const bool found = dlsym(RTLD_DEFAULT, "rotorub_mujoco_preloaded") != nullptr;
-  return found;
+  return found || dlopen("librotorub_mujoco.so", RTLD_LAZY | RTLD_NOLOAD) != nullptr;
 }
 
 std::mutex mutex;  // of who installs and restores

@@ -4,6 +4,7 @@
 
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/passes.h"
 #include "plugin/user_data.h"
 
@@ -18,9 +19,9 @@ void inverse_with_contact(const mjModel* m, mjData* d, int skipstage, int skipse
     return;
   }
   mjtNum& fresh = d->userdata[config->memory + kPassiveFresh];
-  const int mark = d->pstack;
-  mjtNum* memory = mj_stackAlloc(d, m->nuserdata);
-  mjtNum* ctrl = mj_stackAlloc(d, std::max(m->nu, 1));
+  StackFrame room(d);
+  mjtNum* memory = room.numbers(count(m->nuserdata));
+  mjtNum* ctrl = room.numbers(std::max(count(m->nu), 1));
   inverse(m, d, skipstage, skipsensor);
   std::copy_n(d->userdata, m->nuserdata, memory);
   std::copy_n(d->ctrl, m->nu, ctrl);
@@ -30,7 +31,6 @@ void inverse_with_contact(const mjModel* m, mjData* d, int skipstage, int skipse
   std::copy_n(memory, m->nuserdata, d->userdata);
   std::copy_n(ctrl, m->nu, d->ctrl);
   fresh = 0.0;  // no forward pass may go on from here
-  d->pstack = mark;
 }
 
 }  // namespace rotorub::plugin

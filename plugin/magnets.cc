@@ -3,24 +3,25 @@
 #include <algorithm>
 
 #include "native_model/system/actuation.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
 
-// MuJoCo's activations are those of its last actuators.
 const mjtNum* activation(const mjModel* m, const mjData* d, int actuator) {
-  if (m->actuator_dyntype[actuator] == mjDYN_NONE) return nullptr;
-  return d->act + actuator - (m->nu - m->na);
+  const int address = activation_address(m, actuator);
+  return address < 0 ? nullptr : d->act + address;
 }
 
 }  // namespace
 
 // MuJoCo clamps its own copy of ctrl.
 double asked_current(const mjModel* m, const mjData* d, int actuator) {
-  const mjtNum* range = m->actuator_ctrlrange + 2 * actuator;
+  const int control = control_address(m, actuator);
+  const mjtNum* range = m->actuator_ctrlrange + 2 * control;
   const bool clamps =
-      m->actuator_ctrllimited[actuator] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
-  return clamps ? std::clamp(d->ctrl[actuator], range[0], range[1]) : d->ctrl[actuator];
+      m->actuator_ctrllimited[control] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
+  return clamps ? std::clamp(d->ctrl[control], range[0], range[1]) : d->ctrl[control];
 }
 
 bool is_magnet(const Config& config, int actuator) {
@@ -33,12 +34,12 @@ double coil_current(const mjModel* m, const mjData* d, int actuator) {
 }
 
 double magnet_gain(const Config& config, const mjModel* m, const mjData* d, int actuator) {
-  return config.model.magnets->law->gain(d->actuator_length[actuator],
+  return config.model.magnets->law->gain(d->actuator_length[force_address(m, actuator)],
                                          coil_current(m, d, actuator));
 }
 
-double magnet_bias(const Config& config, const mjData* d, int actuator) {
-  return config.model.magnets->law->force(d->actuator_length[actuator], 0.0);
+double magnet_bias(const Config& config, const mjModel* m, const mjData* d, int actuator) {
+  return config.model.magnets->law->force(d->actuator_length[force_address(m, actuator)], 0.0);
 }
 
 double coil_rate(const Config& config, const mjModel* m, const mjData* d, int actuator) {

@@ -1,5 +1,6 @@
 #include "plugin/model_parameters.h"
 #include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ double friction_of(const Config& config, const mjModel* m) {
 
 // The limit of a controller's commands, N or A; `otherwise` where MuJoCo has none.
 double limit_of(const Config& config, const mjModel* m, double otherwise) {
-  const int a = config.actuator[0];
+  const int a = control_address(m, config.actuator[0]);
   const bool clamps = m->actuator_ctrllimited[a] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
   return clamps ? m->actuator_ctrlrange[2 * a + 1] : otherwise;
 }
@@ -169,13 +170,13 @@ void take_contact(const mjModel* m, Model& model, const Config& config) {
 }
 
 void take_limit(const mjModel* m, Model& model, const Config& config) {
-  const mjtNum* first = m->actuator_ctrlrange + 2 * config.actuator[0];
-  const mjtNum* second = m->actuator_ctrlrange + 2 * config.actuator[1];
+  const int a = control_address(m, config.actuator[0]), b = control_address(m, config.actuator[1]);
+  const mjtNum* first = m->actuator_ctrlrange + 2 * a;
+  const mjtNum* second = m->actuator_ctrlrange + 2 * b;
   const double limit = limit_of(config, m, scene_limit(config));
   if (limit < std::numeric_limits<double>::infinity() &&
       (first[0] != -first[1] || first[0] != second[0] || first[1] != second[1] ||
-       m->actuator_ctrllimited[config.actuator[0]] !=
-           m->actuator_ctrllimited[config.actuator[1]] ||
+       m->actuator_ctrllimited[a] != m->actuator_ctrllimited[b] ||
        !(limit > 0.0))) {
     refuse(message("<actuator name=\"{}\">", names::kActuator[0]),
            message("ctrlrange {} {}, that of \"{}\" {} {}; accepted with the scene's "

@@ -6,6 +6,7 @@
 #include "mjcf/names.h"
 #include "plugin/model_parameters.h"
 #include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -100,8 +101,9 @@ void check_ring(const mjModel* m, const Config& config) {
 // The force of a command: along the scene's axes, a newton a newton.
 void check_actuator(const mjModel* m, int k, int actuator) {
   const std::string element = message("<actuator name=\"{}\">", names::kActuator[k]);
-  if (m->actuator_gear[6 * actuator] != 1.0) {
-    refuse(element, message("gear=\"{}\"; accepted: 1", m->actuator_gear[6 * actuator]));
+  const mjtNum gear = m->actuator_gear[6 * force_address(m, actuator)];
+  if (gear != 1.0) {
+    refuse(element, message("gear=\"{}\"; accepted: 1", gear));
   }
   if (m->actuator_forcelimited[actuator]) {
     refuse(element, "forcelimited; accepted: a ctrlrange, or force_limit in the scene");

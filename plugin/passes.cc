@@ -1,5 +1,6 @@
 #include "plugin/passes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plugin/callbacks.h"
@@ -14,11 +15,13 @@
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/magnets.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/own/own_contact.h"
 #include "plugin/own/user_block.h"
 #include "plugin/passive.h"
 #include "plugin/segment_loads.h"
 #include "plugin/sensors.h"
+#include "plugin/skipped.h"
 #include "plugin/shadow.h"
 #include "plugin/user_data.h"
 
@@ -49,33 +52,24 @@ mjtNum& fresh_entry(const Config& config, mjData* d) {
 void notice_missed_control(const Config& config, mjData* d) {
   const double mark = fresh_entry(config, d);
   if (mark == 0.0 || mark == fresh_mark(d) || !distrust_control()) return;
-  mju_warning(
+  warn(
       "rotorub: mjcb_control called the plugin's before, and in the last step did not: that step "
       "had no contact; the plugin's comes first from now on");
 }
 
 }  // namespace
 
-void passive_pass(const mjModel* m, mjData* d) {
-  // The collision of this very pass has compared the model.
-  const Config* config = compared == d ? find_config(m, d) : find_config_checked(m, d);
-  compared = nullptr;
-  if (!config) return;
-  keep_places(*config, m, d);
-  mark_active(*config, d, false);
-  notice_missed_control(*config, d);
-  fresh_entry(*config, d) = fresh_mark(d);
-  if (config->shadow) advance_shadow(*config, m, d);
-  if (config->own) return;
-  if (config->segments) {
-    add_segment_loads(*config, d);
-  } else if (!config->takes_native_steps()) {
-    add_passive_force(*config, m, d, Coordinates(*config, d));
-  }
-  fill_sensors(*config, m, d, mjSTAGE_VEL);
-}
-
 namespace {
+
+void add_loads(const Config& config, const mjModel* m, mjData* d) {
+  if (config.own) return;
+  if (config.segments) {
+    add_segment_loads(config, d);
+  } else if (!config.takes_native_steps()) {
+    add_passive_force(config, m, d, Coordinates(config, d));
+  }
+  fill_sensors(config, m, d, mjSTAGE_VEL);
+}
 
 // MuJoCo may run this stage again without the one before (mj_forwardSkip), or have run it without
 // us: then what it added to the velocity stage's results is taken out by computing those anew.
@@ -84,7 +78,7 @@ void refresh_velocity_stage(const Config& config, const mjModel* m, mjData* d) {
   if (fresh != fresh_mark(d)) {
     keep_callbacks();
     mj_passive(m, d);
-    const bool passed_by = fresh != fresh_mark(d) && !(m->opt.disableflags & mjDSBL_PASSIVE);
+    const bool passed_by = fresh != fresh_mark(d) && !passive_disabled(m);
     if (passed_by && distrust_passive()) mj_passive(m, d);
     mj_referenceConstraint(m, d);
   }
@@ -137,11 +131,49 @@ void act(const Config& config, const mjModel* m, mjData* d) {
   if (!config.own && !config.has_soft()) fill_sensors(config, m, d, mjSTAGE_ACC);
 }
 
+void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
+  if (config.has_rigid() && m->opt.integrator == mjINT_RK4) {
+    refuse_runge_kutta();
+    return;
+  }
+  act(config, m, d);
+  seal_block(config, d);
+  mark_active(config, d, !config.has_contact() || contact_enabled(m));
+}
+
+// Where MuJoCo leaves out mjcb_control, mjcb_passive is the last that is called: with what the
+// velocity stage computes after it, done before.
+void act_without_control(const Config& config, const mjModel* m, mjData* d) {
+  mj_rne(m, d, 0, d->qfrc_bias);
+  KeptReferences references(m, d);
+  act_or_refuse(config, m, d);
+  references.keep();
+  fresh_entry(config, d) = 0.0;
+}
+
 }  // namespace
+
+void passive_pass(const mjModel* m, mjData* d) {
+  // The collision of this very pass has compared the model.
+  const Config* config = compared == d ? find_config(m, d) : find_config_checked(m, d);
+  compared = nullptr;
+  if (!config) return;
+  keep_places(*config, m, d);
+  mark_active(*config, d, false);
+  notice_missed_control(*config, d);
+  if (may_fall_asleep(*config, m)) {
+    refuse_sleep();
+    return;
+  }
+  fresh_entry(*config, d) = fresh_mark(d);
+  if (config->shadow) advance_shadow(*config, m, d);
+  add_loads(*config, m, d);
+  if (control_skipped(m)) act_without_control(*config, m, d);
+}
 
 void control_pass(const mjModel* m, mjData* d) {
   const Config* config = find_config(m, d);
-  if (!config) return;
+  if (!config || control_skipped(m) || may_fall_asleep(*config, m)) return;
   if (config->model.magnets) keep_callbacks();
   if (!block_is_ours(*config, d)) {
     refuse_clash(*config, m);
@@ -149,13 +181,7 @@ void control_pass(const mjModel* m, mjData* d) {
   }
   if (keep_places(*config, m, d)) fresh_entry(*config, d) = 0.0;
   refresh_velocity_stage(*config, m, d);
-  if (config->has_rigid() && m->opt.integrator == mjINT_RK4) {
-    refuse_runge_kutta();
-    return;
-  }
-  act(*config, m, d);
-  seal_block(*config, d);
-  mark_active(*config, d, !config->has_contact() || contact_enabled(m));
+  act_or_refuse(*config, m, d);
 }
 
 void sensor_pass(const mjModel* m, mjData* d, int stage) {
@@ -172,25 +198,38 @@ bool are(int g1, int g2, int rotor_geom, int ring_geom) {
 }
 
 // The <pair>'s, where the model has one; it is not among the arguments of every version.
-double margin_of(const mjModel* m, int pair) { return pair >= 0 ? m->pair_margin[pair] : 0.0; }
+double margin_of(const mjModel* m, int pair) { return pair >= 0 ? seen_below(m, pair) : 0.0; }
+
+void before_collision(const mjModel* m) {
+  keep_callbacks();
+  if (passive_disabled(m) && control_skipped(m)) refuse_silence();
+}
 
 }  // namespace
 
-bool collide_pair(const mjModel* m, const mjData* d, mjContact* con, int g1, int g2, int& count) {
+bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int g1, int g2,
+                  int& count) {
   // The first of a pass to need the numbers: with those of now.
   const Config* config = find_config_checked(m, d);
   if (!config) return false;
   compared = d;
+  const auto noticed = [m](int pair, scene::ContactModel contact, CollisionContact* of, int found) {
+    // `rigid` keeps it from MuJoCo's solver where the pair's gap does not.
+    const bool kept_out = !kGapKeepsOut && contact == scene::ContactModel::kRigid;
+    if (kept_out && found > 0 && pair >= 0) of->dist = std::max<mjtNum>(of->dist, m->pair_margin[pair]);
+    return found;
+  };
   if (!config->own) {
     if (!are(g1, g2, config->rotor_geom, config->ring_geom)) return false;
-    keep_callbacks();
-    count = collide_annular(*config, d, con, g1, margin_of(m, config->pair));
+    before_collision(m);
+    count = noticed(config->pair, config->contact, con,
+                    collide_annular(*config, d, con, g1, margin_of(m, config->pair)));
     return true;
   }
   for (const OwnPair& pair : config->pairs) {
     if (!are(g1, g2, pair.rotor_geom, pair.ring_geom)) continue;
-    keep_callbacks();
-    count = collide_own(pair, d, con, g1, margin_of(m, pair.pair));
+    before_collision(m);
+    count = noticed(pair.pair, pair.law, con, collide_own(pair, d, con, g1, margin_of(m, pair.pair)));
     return true;
   }
   return false;
@@ -214,7 +253,7 @@ bool magnet_gain_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
 
 bool magnet_bias_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
   const Config* config = config_of_magnet(m, d, id);
-  if (config) value = magnet_bias(*config, d, id);
+  if (config) value = magnet_bias(*config, m, d, id);
   return config;
 }
 

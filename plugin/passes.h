@@ -3,6 +3,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include "plugin/mujoco_versions.h"
+
 namespace rotorub::plugin {
 
 void passive_pass(const mjModel* m, mjData* d);
@@ -15,7 +17,8 @@ bool magnet_bias_of(const mjModel* m, const mjData* d, int id, mjtNum& value);
 bool coil_rate_of(const mjModel* m, const mjData* d, int id, mjtNum& value);
 
 // Of the contact pair: true, and the number of contacts.
-bool collide_pair(const mjModel* m, const mjData* d, mjContact* con, int g1, int g2, int& count);
+bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int g1, int g2,
+                  int& count);
 
 // False under mjDSBL_CONTACT or mjDSBL_CONSTRAINT: then `rigid` has none either.
 inline bool contact_enabled(const mjModel* m) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "native_model/dynamics/dynamics.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -46,7 +47,7 @@ void midpoint_velocity_change(const Config& config, const mjModel* m, const mjDa
 
 void step_mass(const Config& config, const mjModel* m, double* diagonal) {
   const Model& model = config.model;
-  const double h = m->opt.integrator == mjINT_RK4 ? 0.0 : m->opt.timestep;
+  const double h = damped_step(m);
   for (int i = 0; i < model.nq(); ++i) diagonal[i] = model.mass[i] + h * model.damping[i];
 }
 

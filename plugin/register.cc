@@ -4,14 +4,20 @@
 // sees each pass begin, even where all callbacks have been taken from it, and mj_inverse and
 // mjd_transitionFD as such.
 #include <dlfcn.h>
+#include <link.h>
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
 
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
 #include "plugin/differences.h"
 #include "plugin/inverse.h"
+#include "plugin/mujoco_versions.h"
 
 #define ROTORUB_EXPORT extern "C" __attribute__((visibility("default")))
 
@@ -24,6 +30,9 @@ namespace {
 using Pass = void (*)(const mjModel*, mjData*);
 using SkippingPass = void (*)(const mjModel*, mjData*, int, int);
 
+// mjtByte, later a type of its own.
+using Centered = rotorub::plugin::Argument<decltype(mjd_transitionFD), 3>;
+
 template <typename Function>
 Function original(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
@@ -35,7 +44,29 @@ void keep(const mjModel* m, const mjData* d) {
   }
 }
 
-__attribute__((constructor)) void install() { rotorub::plugin::install_callbacks(); }
+// How many MuJoCos are in the process. With a second one the plugin's structures or callbacks are those
+// of the wrong one.
+int count_mujoco(dl_phdr_info* info, std::size_t, void* count) {
+  const std::string_view path = info->dlpi_name;
+  const std::string_view file = path.substr(path.rfind('/') + 1);
+  if (file.starts_with("libmujoco.so")) ++*static_cast<int*>(count);
+  return 0;
+}
+
+__attribute__((constructor)) void install() {
+  int mujocos = 0;
+  dl_iterate_phdr(count_mujoco, &mujocos);
+  if (mujocos > 1) {
+    // MuJoCo may not be ready for an error yet.
+    const std::string built = rotorub::plugin::version_text(mjVERSION_HEADER);
+    std::fprintf(stderr,
+                 "rotorub: this plugin is built for MuJoCo %s, and the program has another one; "
+                 "accepted: a plugin that is built for the program's\n",
+                 built.c_str());
+    std::_Exit(1);
+  }
+  rotorub::plugin::install_callbacks();
+}
 
 }  // namespace
 
@@ -58,7 +89,7 @@ ROTORUB_EXPORT void mj_inverseSkip(const mjModel* m, mjData* d, int skipstage, i
   rotorub::plugin::inverse_with_contact(m, d, skipstage, skipsensor, inverse);
 }
 
-ROTORUB_EXPORT void mjd_transitionFD(const mjModel* m, mjData* d, mjtNum eps, mjtByte centered,
+ROTORUB_EXPORT void mjd_transitionFD(const mjModel* m, mjData* d, mjtNum eps, Centered centered,
                                      mjtNum* A, mjtNum* B, mjtNum* C, mjtNum* D) {
   static const auto differences = original<decltype(&mjd_transitionFD)>("mjd_transitionFD");
   if (!rotorub::plugin::find_config(m, d) || !(eps > 0.0)) {

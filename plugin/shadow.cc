@@ -13,6 +13,7 @@
 #include "plugin/coordinates.h"
 #include "plugin/magnets.h"
 #include "plugin/thread_worker.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -50,7 +51,7 @@ void stop(double* entry, Status status, const char* warning) {
   if (entry[kShadowStatus] == static_cast<double>(status)) return;
   entry[kShadowStatus] = static_cast<double>(status);
   entry[kShadowNormal] = entry[kShadowFriction] = 0.0;
-  mju_warning(warning);
+  warn(warning);
 }
 
 void say_edited(double* entry) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "plugin/mujoco_versions.h"
+
 namespace rotorub::renders {
 
 namespace {
@@ -35,7 +37,7 @@ mjvGeom& Canvas::add(int type, const Point& size, const Point& center, const Eig
 void Canvas::connector(int type, const Point& from, const Point& to, double width,
                        const Color& color) {
   mjvGeom& geom = add(type, Point::Zero(), Point::Zero(), Eigen::Matrix3d::Identity(), color);
-  mjv_makeConnector(&geom, type, width, from[0], from[1], from[2], to[0], to[1], to[2]);
+  plugin::connect(&geom, type, width, from.data(), to.data());
 }
 
 void Canvas::cylinder(const Point& from, const Point& to, double radius, const Color& color) {
@@ -113,7 +115,7 @@ void set_lights(mjvScene& scene, const Eigen::Vector3d& key_direction, float amb
   scene.nlight = 1;
   mjvLight& light = scene.lights[0];
   light = mjvLight{};
-  light.directional = 1;
+  plugin::make_directional(light);
   copy(key_direction.normalized(), light.dir);
   copy(-10.0 * key_direction.normalized(), light.pos);
   light.attenuation[0] = 1.0F;

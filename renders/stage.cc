@@ -7,6 +7,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "plugin/mujoco_versions.h"
+
 namespace rotorub::renders {
 
 namespace {
@@ -34,19 +36,8 @@ std::string mesh_mjcf(const Mesh& mesh) {
 }
 
 mjModel* load(const std::string& mjcf) {
-  // MuJoCo reads from a file or from its virtual file system, which is large: not on the stack.
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  constexpr const char* kName = "stage.xml";
-  const int size = static_cast<int>(mjcf.size());
-  if (mj_makeEmptyFileVFS(files.get(), kName, size) != 0) {
-    throw std::runtime_error("off-screen rendering: no room for the stage's model");
-  }
-  const int index = mj_findFileVFS(files.get(), kName);
-  std::memcpy(files->filedata[index], mjcf.data(), mjcf.size());
   char error[1000] = "";
-  mjModel* model = mj_loadXML(kName, files.get(), error, sizeof error);
-  mj_deleteVFS(files.get());
+  mjModel* model = plugin::load_text(mjcf, error, sizeof error);
   if (model == nullptr) {
     throw std::runtime_error(fmt::format("off-screen rendering: the stage's model: {}", error));
   }

@@ -17,12 +17,14 @@ namespace rotorub {
 namespace {
 
 struct MjcfArguments : CommonOptions {
-  std::string scene, file;
+  std::string scene, file, mujoco;
 };
 
 int write_mjcf(const MjcfArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
-  const std::string xml = mjcf(scene);
+  const MujocoVersion target =
+      options.mujoco.empty() ? built_for() : read_mujoco_version(options.mujoco);
+  const std::string xml = mjcf(scene, target);
   if (options.file.empty()) {
     if (options.json) {
       std::cout << json_text(
@@ -50,6 +52,9 @@ Command add_mjcf_command(CLI::App& program) {
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
   app->add_option("-o,--output", options->file, "File (default: standard output)")
       ->type_name("FILE");
+  app->add_option("--mujoco", options->mujoco,
+                  "MuJoCo that shall read it (default: " + to_string(built_for()) + ")")
+      ->type_name("VERSION");
   add_common_options(*app, *options);
   return {app, [options] { return write_mjcf(*options); }};
 }

@@ -1,44 +1,37 @@
 #include "compare/engine/mujoco_model.h"
 
-#include <cstring>
 #include <mutex>
 #include <stdexcept>
 
 #include "mjcf/names.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub {
 
 namespace {
 
-// MuJoCo's parser and compiler share state between threads.
-MujocoModel load(const std::string& name, const mjVFS* files) {
+// By load(error, size).
+template <typename Load>
+MujocoModel loaded(Load load) {
+  // MuJoCo's parser and compiler share state between threads.
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
   char error[1000] = "";
-  MujocoModel model(mj_loadXML(name.c_str(), files, error, sizeof error));
+  MujocoModel model(load(error, static_cast<int>(sizeof error)));
   if (!model) throw std::runtime_error(std::string("MuJoCo: ") + error);
   return model;
 }
 
 }  // namespace
 
-MujocoModel load_mjcf_file(const std::filesystem::path& file) { return load(file.string(), nullptr); }
+MujocoModel load_mjcf_file(const std::filesystem::path& file) {
+  return loaded([name = file.string()](char* error, int size) {
+    return mj_loadXML(name.c_str(), nullptr, error, size);
+  });
+}
 
 MujocoModel load_mjcf(const std::string& document) {
-  // A file in memory; mjVFS is too large for the stack.
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  constexpr const char* kFile = "scene.xml";
-  if (mj_makeEmptyFileVFS(files.get(), kFile, static_cast<int>(document.size())) != 0) {
-    throw std::runtime_error("MuJoCo: no memory for the model's document");
-  }
-  std::memcpy(files->filedata[mj_findFileVFS(files.get(), kFile)], document.data(),
-              document.size());
-  struct Delete {
-    mjVFS* files;
-    ~Delete() { mj_deleteVFS(files); }
-  } const at_the_end{files.get()};
-  return load(kFile, files.get());
+  return loaded([&](char* error, int size) { return plugin::load_text(document, error, size); });
 }
 
 MujocoData make_start(const mjModel* m) {

@@ -6,7 +6,8 @@
 
 namespace rotorub::plugin {
 
-int collide_annular(const Config& config, const mjData* d, mjContact* con, int g1, double margin) {
+int collide_annular(const Config& config, const mjData* d, CollisionContact* con, int g1,
+                    double margin) {
   const ContactParameters& c = *config.model.contact;
   const mjtNum* rotor = d->geom_xpos + 3 * config.rotor_geom;
   // The ring's geom is a rod beside the plane; its x and y are the ring's.
@@ -24,8 +25,7 @@ int collide_annular(const Config& config, const mjData* d, mjContact* con, int g
   con->pos[0] = rotor[0] + c.radius * ex;
   con->pos[1] = rotor[1] + c.radius * ey;
   con->pos[2] = rotor[2];
-  const double frame[9] = {side * ex, side * ey, 0, -side * ey, side * ex, 0, 0, 0, 1};
-  for (int i = 0; i < 9; ++i) con->frame[i] = frame[i];
+  set_frame(con, {side * ex, side * ey, 0.0}, {-side * ey, side * ex, 0.0}, {0.0, 0.0, 1.0});
   return 1;
 }
 

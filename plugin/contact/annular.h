@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include "plugin/config.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 
@@ -12,7 +13,8 @@ namespace rotorub::plugin {
 // (turned where it is the second), the position the rotor's surface point, so that the lever arm of
 // friction about the rotor's axis is its radius. con: at least one, uninitialised; g1: the first
 // geom.
-int collide_annular(const Config& config, const mjData* d, mjContact* con, int g1, double margin);
+int collide_annular(const Config& config, const mjData* d, CollisionContact* con, int g1,
+                    double margin);
 
 // mu of the pair. MuJoCo raises a smaller one to mjMINMU: what stands there is meant as 0.
 inline double friction_of(const mjContact& contact) {

@@ -13,19 +13,20 @@ constexpr double kApart = 1e-20;
 // Calls action(row) for each row that moves with the contact, until it says false.
 template <typename Action>
 void for_each_coupled(const mjModel* m, mjData* d, const ContactSpace& space, Action action) {
-  const int mark = d->pstack, n = d->nefc;
-  mjtNum* product = mj_stackAlloc(d, 3 * n);
+  const int n = d->nefc;
+  StackFrame room(d);
+  mjtNum* product = room.numbers(3 * n);
+  const mjtNum* diagonal = constraint_diagonal(d);
   const Eigen::Matrix3d own = space.admittance();
   for (int k = 0; k < 3; ++k) mj_mulJacVec(m, d, product + k * n, space.acceleration_row(k));
   for (int i = 0; i < n; ++i) {
     bool meets = false;
     for (int k = 0; k < 3; ++k) {
       const double c = product[k * n + i];
-      meets = meets || c * c > kApart * own(k, k) * d->efc_diagApprox[i];
+      meets = meets || c * c > kApart * own(k, k) * diagonal[i];
     }
     if (meets && !action(i)) break;
   }
-  d->pstack = mark;
 }
 
 std::string named(const mjModel* m, int type, int id, const std::string& kind) {
@@ -63,7 +64,7 @@ void warn(const mjModel* m, mjData* d, const ContactSpace& space, const char* wh
     return all.size() < 400;
   });
   const std::string text = "rotorub: contact beside " + all + ": " + what;
-  mju_warning(text.c_str());
+  plugin::warn(text.c_str());
 }
 
 }  // namespace
@@ -89,16 +90,16 @@ void warn_unknown(const mjModel* m, mjData* d, const ContactSpace& space) {
 }
 
 ConstraintProbe::ConstraintProbe(const mjModel* m, mjData* d)
-    : m_(m), d_(d), mark_(d->pstack), solved_(d->timer[mjTIMER_CONSTRAINT].number) {
+    : m_(m), d_(d), room_(d), solved_(d->timer[mjTIMER_CONSTRAINT].number) {
   const auto kept = [this](const mjtNum* from) {
-    mjtNum* copy = mj_stackAlloc(d_, m_->nv);
+    mjtNum* copy = room_.numbers(count(m_->nv));
     std::copy_n(from, m_->nv, copy);
     return copy;
   };
   force_ = kept(d->qfrc_smooth);
   warm_ = kept(d->qacc_warmstart);
   smooth_ = kept(d->qacc_smooth);
-  total_ = mj_stackAlloc(d, m->nv);
+  total_ = room_.numbers(count(m->nv));
 }
 
 ConstraintProbe::~ConstraintProbe() {
@@ -106,7 +107,6 @@ ConstraintProbe::~ConstraintProbe() {
   std::copy_n(smooth_, m_->nv, d_->qacc_smooth);
   std::copy_n(kept_ ? d_->qacc : warm_, m_->nv, d_->qacc_warmstart);
   d_->timer[mjTIMER_CONSTRAINT].number = solved_;  // a step's solution counts once
-  d_->pstack = mark_;
 }
 
 void ConstraintProbe::reset() { std::copy_n(force_, m_->nv, d_->qfrc_smooth); }
@@ -123,6 +123,6 @@ Eigen::Vector3d ConstraintProbe::acceleration(const ContactSpace& space) {
 
 // The solver ends where the cost, an acceleration squared by a mass, falls by less than tolerance
 // times the mean inertia by nv.
-double ConstraintProbe::accuracy() const { return std::sqrt(m_->opt.tolerance * m_->nv); }
+double ConstraintProbe::accuracy() const { return std::sqrt(m_->opt.tolerance * count(m_->nv)); }
 
 }  // namespace rotorub::plugin

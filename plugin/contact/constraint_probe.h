@@ -13,6 +13,7 @@
 
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/rigid_law.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 
@@ -54,7 +55,8 @@ class ConstraintProbe {
 
   const mjModel* m_;
   mjData* d_;
-  int mark_, solved_;
+  StackFrame room_;
+  int solved_;
   bool kept_ = false;
   mjtNum *force_, *warm_, *total_;  // qfrc_smooth, qacc_warmstart; the sum of a trial
   mjtNum* smooth_;                  // qacc_smooth

@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include "plugin/contact/rigid_law.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -31,7 +32,7 @@ class ContactMemory {
     entry_[kFrictionForce] = r.friction / h;
     // Once, not every step: MuJoCo writes its warnings to a file.
     if (r.status != Status::kOk && r.converged && !warned()) {
-      mju_warning("rotorub: the contact laws have no solution or several (Painleve): no impulse");
+      warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
     }
     entry_[kContactStatus] = static_cast<double>(r.status);
     entry_[kImpact] = r.impact ? 1.0 : 0.0;

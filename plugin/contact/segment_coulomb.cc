@@ -37,21 +37,21 @@ double reference(const mjData* d, int row, const ContactPoint& point, double h) 
 // beside the friction load.
 double solver_reference(const mjModel* m, mjData* d, int row, const SegmentSpace& space,
                         const Eigen::Vector3d& friction, const ContactPoint& point, double normal) {
-  const int mark = d->pstack;
-  mjtNum* jacobian = mj_stackAlloc(d, m->nv);
-  mjtNum* flexible = mj_stackAlloc(d, m->nv);
+  const int nv = count(m->nv);
+  StackFrame room(d);
+  mjtNum* jacobian = room.numbers(nv);
+  mjtNum* flexible = room.numbers(nv);
   if (mj_isSparse(m)) {
-    std::fill_n(jacobian, m->nv, 0.0);
+    std::fill_n(jacobian, nv, 0.0);
     space.add_load({-point.e_r.x(), -point.e_r.y(), 0.0}, jacobian);
   } else {
-    std::copy_n(d->efc_J + row * m->nv, m->nv, jacobian);
+    std::copy_n(d->efc_J + row * nv, nv, jacobian);
   }
   mj_solveM(m, d, flexible, jacobian, 1);
-  const double own = mju_dot(jacobian, flexible, m->nv);
-  std::copy_n(d->qacc_smooth, m->nv, flexible);
+  const double own = mju_dot(jacobian, flexible, nv);
+  std::copy_n(d->qacc_smooth, nv, flexible);
   space.add_acceleration(friction, flexible);
-  const double smooth = mju_dot(jacobian, flexible, m->nv);
-  d->pstack = mark;
+  const double smooth = mju_dot(jacobian, flexible, nv);
   // Open: well below, so that not even round-off leaves a force.
   if (normal <= 0.0) return smooth - (1.0 + std::abs(smooth));
   return smooth + (own + d->efc_R[row]) * normal;

@@ -5,10 +5,10 @@
 namespace rotorub::plugin {
 
 SegmentSpace::SegmentSpace(const Config& config, const mjModel* m, mjData* d)
-    : ContactSpace(m->nv), d_(d), m_(m), config_(config), mark_(d->pstack) {
-  jacobian_ = mj_stackAlloc(d, 3 * nv_);
-  plain_ = mj_stackAlloc(d, 3 * nv_);
-  damped_ = mj_stackAlloc(d, 3 * nv_);
+    : ContactSpace(count(m->nv)), m_(m), config_(config), room_(d) {
+  jacobian_ = room_.numbers(3 * nv_);
+  plain_ = room_.numbers(3 * nv_);
+  damped_ = room_.numbers(3 * nv_);
   std::fill_n(jacobian_, 3 * nv_, 0.0);
   const Segments& s = *config.segments;
   for (std::size_t i = 0; i < s.x.size(); ++i) {
@@ -35,7 +35,7 @@ int SegmentSpace::ring_dof(int i) const {
 // H / M. The ring's joints alone have dampers that the step takes implicitly; each stands for
 // itself.
 double SegmentSpace::damping_factor(int dof) const {
-  return 1.0 + m_->opt.timestep * m_->dof_damping[dof] / m_->dof_M0[dof];
+  return 1.0 + damped_step(m_) * m_->dof_damping[dof] / m_->dof_M0[dof];
 }
 
 void SegmentSpace::add_impact(const Eigen::Vector3d& load, mjtNum* to) const {

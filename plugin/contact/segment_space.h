@@ -6,6 +6,7 @@
 
 #include "plugin/config.h"
 #include "plugin/contact/contact_space.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 
@@ -13,7 +14,6 @@ namespace rotorub::plugin {
 class SegmentSpace final : public ContactSpace {
  public:
   SegmentSpace(const Config& config, const mjModel* m, mjData* d);
-  ~SegmentSpace() { d_->pstack = mark_; }
 
   void add_impact(const Eigen::Vector3d& load, mjtNum* to) const override;
 
@@ -21,10 +21,9 @@ class SegmentSpace final : public ContactSpace {
   int ring_dof(int i) const;  // of coordinate i of the native layout
   double damping_factor(int dof) const;
 
-  mjData* d_;
   const mjModel* m_;
   const Config& config_;
-  int mark_;
+  StackFrame room_;
 };
 
 }  // namespace rotorub::plugin

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "plugin/mujoco_versions.h"
+
 namespace rotorub::plugin {
 
 void update_smooth_force(const mjModel* m, mjData* d) {
-  if (m->nu > 0) mj_fwdActuation(m, d);
+  if (actuator_count(m) > 0) mj_fwdActuation(m, d);
   const mjtNum* applied = d->xfrc_applied;
   if (std::any_of(applied, applied + 6 * m->nbody, [](mjtNum f) { return f != 0.0; })) {
     mj_fwdAcceleration(m, d);
@@ -13,7 +15,7 @@ void update_smooth_force(const mjModel* m, mjData* d) {
   }
   // The sum alone, without solving for the accelerations.
   for (int i = 0; i < m->nv; ++i) {
-    const mjtNum actuator = m->nu > 0 ? d->qfrc_actuator[i] : 0.0;
+    const mjtNum actuator = actuator_count(m) > 0 ? d->qfrc_actuator[i] : 0.0;
     d->qfrc_smooth[i] = d->qfrc_passive[i] - d->qfrc_bias[i] + d->qfrc_applied[i] + actuator;
   }
 }

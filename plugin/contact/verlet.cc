@@ -11,6 +11,7 @@
 #include "native_model/stepping/zero_order_hold.h"
 #include "plugin/control.h"
 #include "plugin/differences.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/passes.h"
 #include "plugin/passive.h"
 #include "plugin/thread_worker.h"
@@ -145,7 +146,7 @@ void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coor
   const mjtNum* bodies = d->xfrc_applied;
   const bool pulled = std::any_of(bodies, bodies + 6 * m->nbody, [](mjtNum x) { return x != 0.0; });
   if (pulled) {
-    if (m->nu > 0) mj_fwdActuation(m, d);
+    if (actuator_count(m) > 0) mj_fwdActuation(m, d);
     mj_fwdAcceleration(m, d);
   }
   for (int i = 0; i < model.nq(); ++i) {
@@ -161,7 +162,7 @@ void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coor
 void add_other_actuators(const Config& config, const mjModel* m, mjData* d, double* f) {
   const Model& model = config.model;
   const bool bearing = config.actuator[0] >= 0 && config.actuator[1] >= 0;
-  if (m->nu <= (bearing ? 2 : 0)) return;
+  if (actuator_count(m) <= (bearing ? 2 : 0)) return;
   mj_fwdActuation(m, d);
   const Eigen::Vector2d ours = actuator_state(config, m, d).force;
   for (int i = 0; i < model.nq(); ++i) {
@@ -192,11 +193,11 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     }
     const Eigen::Vector2d held = worker.hold.held();
     const Eigen::Vector2d told = model.magnets ? held : to_axes(held);
-    for (int k = 0; k < 2; ++k) d->ctrl[config.actuator[k]] = told[k];
+    for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
   }
   d->userdata[kHeldX] = mean.x();
   d->userdata[kHeldY] = mean.y();
-  if (m->nu > 0) mj_fwdActuation(m, d);
+  if (actuator_count(m) > 0) mj_fwdActuation(m, d);
   if (model.controller && asks) return mean;
   const ActuatorState now = actuator_state(config, m, d);
   return model.magnets && asks ? now.current : now.force;
@@ -209,7 +210,7 @@ void note(mjData* d, const FixedStep& r, double kick) {
   entry[kFrictionForce] = r.friction_impulse / kick + r.impact_force.y();
   // Once, not every step: MuJoCo writes its warnings to a file.
   if (r.status != Status::kOk && entry[kContactStatus] == 0.0) {
-    mju_warning("rotorub: the contact laws have no solution or several (Painleve): no impulse");
+    warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
   }
   entry[kContactStatus] = static_cast<double>(r.status);
   entry[kImpact] = !r.impacts.empty() ? 1.0 : 0.0;
@@ -237,10 +238,10 @@ namespace {
 
 // MuJoCo then calls no mjcb_passive; the native step has its loads all the same.
 void warn_of_disabled_passive(const mjModel* m) {
-  if (!(m->opt.disableflags & mjDSBL_PASSIVE)) return;
+  if (!passive_disabled(m)) return;
   static std::atomic<bool> warned = false;
   if (warned.exchange(true)) return;
-  mju_warning(
+  warn(
       "rotorub: <flag passive=\"disable\">: springs and dampers of the joints are off; with "
       "contact "
       "model `rigid` the scene's other loads still act (excitation, unbalance, gyroscopic, "

@@ -15,7 +15,7 @@ void apply_own_contacts(const Config& config, const mjModel* m, mjData* d) {
   if (config.has_rigid()) apply_own_rigid(config.pairs, m, d);
 }
 
-int collide_own(const OwnPair& pair, const mjData* d, mjContact* con, int g1, double margin) {
+int collide_own(const OwnPair& pair, const mjData* d, CollisionContact* con, int g1, double margin) {
   const ContactParameters& c = pair.contact;
   const Eigen::Vector2d p = own_position(pair, d);
   const double delta = p.norm();
@@ -26,13 +26,14 @@ int collide_own(const OwnPair& pair, const mjData* d, mjContact* con, int g1, do
   const mjtNum* rotor = d->geom_xpos + 3 * pair.rotor_geom;
   const double side = g1 == pair.rotor_geom ? 1.0 : -1.0;
   con->dist = c.clearance - delta;
+  double normal[3], tangent[3];
   for (int i = 0; i < 3; ++i) {
-    const double normal = axes[3 * i] * e.x() + axes[3 * i + 1] * e.y();
-    con->pos[i] = rotor[i] + c.radius * normal;
-    con->frame[i] = side * normal;
-    con->frame[3 + i] = side * (axes[3 * i + 1] * e.x() - axes[3 * i] * e.y());
-    con->frame[6 + i] = axes[3 * i + 2];
+    const double outward = axes[3 * i] * e.x() + axes[3 * i + 1] * e.y();
+    con->pos[i] = rotor[i] + c.radius * outward;
+    normal[i] = side * outward;
+    tangent[i] = side * (axes[3 * i + 1] * e.x() - axes[3 * i] * e.y());
   }
+  set_frame(con, normal, tangent, {axes[2], axes[5], axes[8]});
   return 1;
 }
 

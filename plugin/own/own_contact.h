@@ -10,6 +10,7 @@
 #include <mujoco/mujoco.h>
 
 #include "plugin/config.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 
@@ -17,6 +18,6 @@ namespace rotorub::plugin {
 void apply_own_contacts(const Config& config, const mjModel* m, mjData* d);
 
 // As collide_annular, in the frame of the ring's geom.
-int collide_own(const OwnPair& pair, const mjData* d, mjContact* con, int g1, double margin);
+int collide_own(const OwnPair& pair, const mjData* d, CollisionContact* con, int g1, double margin);
 
 }  // namespace rotorub::plugin

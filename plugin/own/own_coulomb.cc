@@ -181,9 +181,9 @@ void solve_free(SoftContacts& contacts, const mjModel* m, mjData* d) {
 
 // MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R): the aref for the normal forces.
 void set_references(SoftContacts& contacts, const mjModel* m, mjData* d) {
-  const int mark = d->pstack;
-  mjtNum* acceleration = mj_stackAlloc(d, m->nv);
-  mju_copy(acceleration, d->qacc_smooth, m->nv);
+  StackFrame room(d);
+  mjtNum* acceleration = room.numbers(count(m->nv));
+  mju_copy(acceleration, d->qacc_smooth, count(m->nv));
   for (const SoftContact& s : contacts.span()) {
     if (s.force.x() > 0.0) s.space->add_acceleration(s.load(s.force.x(), s.force.y()), acceleration);
   }
@@ -192,7 +192,6 @@ void set_references(SoftContacts& contacts, const mjModel* m, mjData* d) {
     d->efc_aref[s.row] =
         s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
   }
-  d->pstack = mark;
 }
 
 // The same beside constraints: the contacts' own rows rest while the others are tried. What the solver

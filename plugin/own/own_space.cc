@@ -6,10 +6,10 @@
 namespace rotorub::plugin {
 namespace {
 
-double damped_step(const mjModel* m) {
+double step_of_dampers(const mjModel* m) {
   const mjtNum* damping = m->dof_damping;
   const bool any = std::any_of(damping, damping + m->nv, [](mjtNum x) { return x != 0.0; });
-  return any && m->opt.integrator != mjINT_RK4 ? m->opt.timestep : 0.0;
+  return any ? damped_step(m) : 0.0;
 }
 
 // Of the degrees of freedom that move the body the last, or -1.
@@ -93,8 +93,8 @@ Eigen::Vector2d own_turning(const OwnPair& pair, const ContactPlace& place, cons
 }
 
 OwnSpace::OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d)
-    : ContactSpace(m->nv), m_(m), d_(d), mark_(d->pstack), damped_step_(damped_step(m)) {
-  jacobian_ = mj_stackAlloc(d, 3 * nv_);
+    : ContactSpace(count(m->nv)), m_(m), d_(d), room_(d), damped_step_(step_of_dampers(m)) {
+  jacobian_ = room_.numbers(3 * nv_);
   std::fill_n(jacobian_, 3 * nv_, 0.0);
   const int rotor = m->geom_bodyid[pair.rotor_geom], ring = m->geom_bodyid[pair.ring_geom];
   add_body(place.axes, d->geom_xpos + 3 * pair.rotor_geom, rotor, 1.0, 1.0);
@@ -119,18 +119,19 @@ void OwnSpace::add_body(const mjtNum* axes, const mjtNum* point, int body, doubl
 }
 
 void OwnSpace::solve() {
-  damped_ = plain_ = mj_stackAlloc(d_, 3 * nv_);
+  damped_ = plain_ = room_.numbers(3 * nv_);
   if (damped_step_ == 0.0) {
     plain();
     return;
   }
-  damped_ = mj_stackAlloc(d_, 3 * nv_);
-  const int mark = d_->pstack;
-  mjtNum* factor = mj_stackAlloc(d_, m_->nM);
-  mjtNum* inverse = mj_stackAlloc(d_, nv_);
-  for (const DofRange& tree : trees_) factor_tree(m_, d_->qM, damped_step_, tree, factor, inverse);
+  damped_ = room_.numbers(3 * nv_);
+  StackFrame room(d_);
+  mjtNum* factor = room.numbers(mass_size(m_));
+  mjtNum* inverse = room.numbers(nv_);
+  for (const DofRange& tree : trees_) {
+    factor_tree(m_, mass_entries(d_), damped_step_, tree, factor, inverse);
+  }
   solve_rows(factor, inverse, damped_);
-  d_->pstack = mark;
 }
 
 void OwnSpace::solve_rows(const mjtNum* factor, const mjtNum* inverse, mjtNum* rows) const {

@@ -14,6 +14,7 @@
 
 #include "plugin/config.h"
 #include "plugin/contact/contact_space.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/own/tree_factor.h"
 
 namespace rotorub::plugin {
@@ -42,7 +43,6 @@ Eigen::Vector2d own_turning(const OwnPair& pair, const ContactPlace& place, cons
 class OwnSpace final : public ContactSpace {
  public:
   OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d);
-  ~OwnSpace() { d_->pstack = mark_; }
 
   // Solves with M and H; needed once, before all but `rates` and `add_load`. H = M + h D is the
   // matrix of the Euler step, near that of `implicit`; M alone for RK4.
@@ -57,7 +57,7 @@ class OwnSpace final : public ContactSpace {
 
   const mjModel* m_;
   mjData* d_;
-  int mark_;
+  StackFrame room_;
   double damped_step_;  // s, h of H; 0: H is M
   DofRange trees_[2];   // of rotor and ring; the second empty where they share one
 };

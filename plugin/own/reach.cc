@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugin/mujoco_versions.h"
 #include "plugin/own/own_space.h"
 
 namespace rotorub::plugin {
@@ -22,15 +23,16 @@ double mobility(const mjModel* m, const mjData* d, int geom, const mjtNum* point
 
 // What loads and constraints change, per second, in the metric of M.
 double change(const mjModel* m, mjData* d) {
-  const int mark = d->pstack, nv = m->nv, n = d->nefc;
-  mjtNum* x = mj_stackAlloc(d, nv);
+  const int nv = count(m->nv), n = d->nefc;
+  StackFrame room(d);
+  mjtNum* x = room.numbers(nv);
   double change = 0.0;
   if (n == 0) {
-    mj_solveM2(m, d, x, d->qfrc_smooth, 1);
+    half_solve(m, d, x, d->qfrc_smooth, room);
     change = mju_norm(x, nv);
   } else {
     mj_solveM(m, d, x, d->qfrc_smooth, 1);
-    mjtNum* miss = mj_stackAlloc(d, n);
+    mjtNum* miss = room.numbers(n);
     mj_mulJacVec(m, d, miss, x);
     double cost = 0.0;
     for (int i = 0; i < n; ++i) {
@@ -39,7 +41,6 @@ double change(const mjModel* m, mjData* d) {
     }
     change = std::sqrt(std::max(0.0, mju_dot(x, d->qfrc_smooth, nv))) + std::sqrt(cost);
   }
-  d->pstack = mark;
   return change;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "plugin/mujoco_versions.h"
+
 namespace rotorub::plugin {
 
 DofRange tree_of(const mjModel* m, int body) {
@@ -20,24 +22,23 @@ DofRange tree_of(const mjModel* m, int body) {
 
 void factor_tree(const mjModel* m, const mjtNum* mass, double damped_step, DofRange range,
                  mjtNum* factor, mjtNum* inverse) {
-  const auto row = [m](int i) { return m->dof_Madr[i]; };
-  if (range.first == range.last) return;
-  const int end = range.last < m->nv ? row(range.last) : m->nM;
-  std::copy(mass + row(range.first), mass + end, factor + row(range.first));
   for (int i = range.first; i < range.last; ++i) {
-    factor[row(i)] += damped_step * m->dof_damping[i];
+    const MassRow row = mass_row(m, i);
+    const int first = row.step > 0 ? row.diagonal : row.diagonal - row.ancestors;
+    std::copy_n(mass + first, row.ancestors + 1, factor + first);
+    factor[row.diagonal] += damped_step * m->dof_damping[i];
   }
   // From the tips to the root: each row is taken from those of its ancestors.
   for (int k = range.last - 1; k >= range.first; --k) {
-    mjtNum* entry = factor + row(k);
-    inverse[k] = 1.0 / entry[0];
-    int depth = 0;
-    for (int i = m->dof_parentid[k]; i >= 0; i = m->dof_parentid[i]) ++depth;
-    mjtNum* of_row = entry + 1;
-    for (int i = m->dof_parentid[k]; i >= 0; i = m->dof_parentid[i], ++of_row, --depth) {
-      const mjtNum share = *of_row / entry[0];
-      mjtNum* to = factor + row(i);
-      for (int j = 0; j < depth; ++j) to[j] -= of_row[j] * share;
+    const MassRow row = mass_row(m, k);
+    mjtNum* diagonal = factor + row.diagonal;
+    inverse[k] = 1.0 / *diagonal;
+    mjtNum* of_row = diagonal + row.step;
+    int i = m->dof_parentid[k];
+    for (int left = row.ancestors; left > 0; --left, of_row += row.step, i = m->dof_parentid[i]) {
+      const mjtNum share = *of_row / *diagonal;
+      mjtNum* to = factor + mass_row(m, i).diagonal;
+      for (int j = 0; j < left; ++j) to[j * row.step] -= of_row[j * row.step] * share;
       *of_row = share;
     }
   }
@@ -47,13 +48,23 @@ void solve_tree(const mjModel* m, const mjtNum* factor, const mjtNum* inverse, D
                 mjtNum* x) {
   for (int i = range.last - 1; i >= range.first; --i) {
     if (x[i] == 0.0) continue;
-    const mjtNum* entry = factor + m->dof_Madr[i] + 1;
-    for (int j = m->dof_parentid[i]; j >= 0; j = m->dof_parentid[j]) x[j] -= *entry++ * x[i];
+    const MassRow row = mass_row(m, i);
+    const mjtNum* entry = factor + row.diagonal;
+    for (int j = m->dof_parentid[i], left = row.ancestors; left > 0; --left) {
+      entry += row.step;
+      x[j] -= *entry * x[i];
+      j = m->dof_parentid[j];
+    }
   }
   for (int i = range.first; i < range.last; ++i) x[i] *= inverse[i];
   for (int i = range.first; i < range.last; ++i) {
-    const mjtNum* entry = factor + m->dof_Madr[i] + 1;
-    for (int j = m->dof_parentid[i]; j >= 0; j = m->dof_parentid[j]) x[i] -= *entry++ * x[j];
+    const MassRow row = mass_row(m, i);
+    const mjtNum* entry = factor + row.diagonal;
+    for (int j = m->dof_parentid[i], left = row.ancestors; left > 0; --left) {
+      entry += row.step;
+      x[i] -= *entry * x[j];
+      j = m->dof_parentid[j];
+    }
   }
 }
 

@@ -14,8 +14,8 @@ struct DofRange {
 // Those of the tree that the body is in; empty for what is fixed to the world.
 DofRange tree_of(const mjModel* m, int body);
 
-// The sums of MuJoCo's sparse factorisation (mj_factorM), of the rows of `range`. factor: nM,
-// inverse: nv, 1 / D. damped_step: s, h; 0: M alone.
+// The sums of MuJoCo's sparse factorisation (mj_factorM), of the rows of `range`. factor: as
+// the mass (mass_size), inverse: nv, 1 / D. damped_step: s, h; 0: M alone.
 void factor_tree(const mjModel* m, const mjtNum* mass, double damped_step, DofRange range,
                  mjtNum* factor, mjtNum* inverse);
 

@@ -1,3 +1,4 @@
+#include "plugin/mujoco_versions.h"
 #include "plugin/own/user_block.h"
 
 #include <bit>
@@ -50,7 +51,7 @@ void refuse_clash(const Config& config, const mjModel* m) {
                 "has written there (nuserdata is %d); accepted: another place, by <custom><numeric "
                 "name=\"rotorub_userdata\" data=\"...\"/>, the index of the first",
                 config.memory, config.memory + config.memory_size - 1, m->nuserdata);
-  mju_error(words);
+  raise_error(words);
 }
 
 }  // namespace rotorub::plugin

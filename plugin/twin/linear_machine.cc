@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -47,14 +48,14 @@ class Probe {
     mj_integratePos(m_, d_->qpos, q.data(), 1.0);
     mj_kinematics(m_, d_.get());
     mj_comPos(m_, d_.get());
-    mj_crb(m_, d_.get());
+    make_mass(m_, d_.get());
     mj_tendon(m_, d_.get());
     mj_transmission(m_, d_.get());
   }
 
   MatrixXd mass() const {
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> full(m_->nv, m_->nv);
-    mj_fullM(m_, full.data(), d_->qM);
+    full_mass(m_, d_.get(), full.data());
     return full;
   }
 
@@ -160,7 +161,8 @@ std::vector<Eccentricity> find_unbalance(const mjModel* m, int spin, const Probe
 // Means over a turn.
 class Turned {
  public:
-  Turned(const mjModel* m, int spin, Probe& probe) : nv_(m->nv), spin_(spin), probe_(probe) {}
+  Turned(const mjModel* m, int spin, Probe& probe)
+      : nv_(count(m->nv)), spin_(spin), probe_(probe) {}
 
   VectorXd turn(int k) const {
     VectorXd q = VectorXd::Zero(nv_);

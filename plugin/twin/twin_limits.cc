@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -38,7 +39,7 @@ void add_constraints(const mjModel* m, const LinearMachine& machine, const TwinP
     }
   }
   for (int i = 0; i < m->neq; ++i) {
-    if (!m->eq_active[i]) continue;
+    if (!equality_holds(m, i)) continue;
     all.push_back(message("<equality>: \"{}\" holds in MuJoCo alone", m->names + m->name_eqadr[i]));
   }
 }

@@ -65,9 +65,11 @@ endfunction()
 
 # One ctest entry a test case. Its labels are given when ctest reads the list, because gtest_discover_tests
 # gives all tests of a program the same ones, and one label alone.
+# PREFIX: before every name.
 function(rotorub_discover name area)
-  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
-  configure_file(cmake/test_properties.cmake.in ${name}_properties.cmake @ONLY)
+  cmake_parse_arguments(ARG "" "PREFIX" "" ${ARGN})
+  gtest_discover_tests(${name} TEST_PREFIX "${ARG_PREFIX}" NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
+  configure_file("${PROJECT_SOURCE_DIR}/tests/cmake/test_properties.cmake.in" ${name}_properties.cmake @ONLY)
   set_property(
     DIRECTORY
     APPEND

@@ -38,7 +38,7 @@ Eigen::MatrixXd frame_turn(const mjModel* m, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   Eigen::MatrixXd turn = Eigen::MatrixXd::Identity(2 * m->nv, 2 * m->nv);
   for (const auto& [x, y] : pairs) {
-    for (const int shift : {0, m->nv}) {
+    for (const int shift : {0, static_cast<int>(m->nv)}) {
       turn(x + shift, x + shift) = turn(y + shift, y + shift) = c;
       turn(x + shift, y + shift) = -s;
       turn(y + shift, x + shift) = s;

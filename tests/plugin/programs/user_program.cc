@@ -37,7 +37,11 @@ void other(const mjModel*, mjData*) {}
 void my_sensor(const mjModel*, mjData*, int) { ++calls; }
 mjtNum my_gain(const mjModel*, const mjData*, int) { return 0.0; }
 mjtNum my_bias(const mjModel*, const mjData*, int) { return 0.0; }
-int no_collision(const mjModel*, const mjData*, mjContact*, int, int, mjtNum) { return 0; }
+// Of whatever arguments MuJoCo's version has.
+template <typename... Arguments>
+int no_collision(Arguments...) {
+  return 0;
+}
 void chained_control(const mjModel* m, mjData* d) {
   ++calls;
   if (old_control) old_control(m, d);

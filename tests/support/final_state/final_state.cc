@@ -26,8 +26,8 @@ Function original(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-void write(std::FILE* file, const double* values, int count) {
-  for (int i = 0; i < count; ++i) {
+void write(std::FILE* file, const double* values, std::int64_t count) {
+  for (std::int64_t i = 0; i < count; ++i) {
     std::fprintf(file, "%016" PRIx64 " ", std::bit_cast<std::uint64_t>(values[i]));
   }
 }

@@ -1,0 +1,350 @@
+// What differs between MuJoCo 2.2 and MuJoCo of today (3.12), in this one file. Where the headers
+// allow it the difference is taken from the types themselves; flags and meanings go by
+// mjVERSION_HEADER (222, 237, 316, 337, from 3.5 on 3005000).
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+namespace rotorub::plugin {
+
+// Sizes in mjModel are int, from 3.4 on 64 bit. None of ours is near either.
+template <typename Size>
+constexpr int count(Size n) {
+  return static_cast<int>(n);
+}
+
+template <typename Function>
+struct ArgumentsOf;
+template <typename Result, typename... Arguments>
+struct ArgumentsOf<Result (*)(Arguments...)> {
+  template <std::size_t kPlace>
+  using At = std::tuple_element_t<kPlace, std::tuple<Arguments...>>;
+};
+// The type of a function's argument.
+template <typename Function, std::size_t kPlace>
+using Argument = typename ArgumentsOf<std::decay_t<Function>>::template At<kPlace>;
+
+// --- Messages: the text is no format, which it became in 2.3 ---
+
+template <typename Text>
+void raise_error(const Text* text) {
+  if constexpr (requires { mju_error("%s", text); }) {
+    mju_error("%s", text);
+  } else {
+    mju_error(text);
+  }
+}
+template <typename Text>
+void warn(const Text* text) {
+  if constexpr (requires { mju_warning("%s", text); }) {
+    mju_warning("%s", text);
+  } else {
+    mju_warning(text);
+  }
+}
+
+// --- The stack of mjData ---
+
+// What is taken from it is given back at the end of the scope. Scopes nest.
+template <typename Data>
+class StackFrameOf {
+ public:
+  explicit StackFrameOf(Data* d) : d_(d), mark_(d->pstack) {
+    if constexpr (requires { mj_markStack(d); }) mj_markStack(d);
+  }
+  ~StackFrameOf() {
+    if constexpr (requires(Data * d) { mj_freeStack(d); }) {
+      mj_freeStack(d_);
+    } else {
+      d_->pstack = mark_;
+    }
+  }
+  StackFrameOf(const StackFrameOf&) = delete;
+  StackFrameOf& operator=(const StackFrameOf&) = delete;
+
+  mjtNum* numbers(int n) {
+    if constexpr (requires(Data * d) { mj_stackAllocNum(d, 1); }) {
+      return mj_stackAllocNum(d_, static_cast<std::size_t>(n));
+    } else {
+      return mj_stackAlloc(d_, n);
+    }
+  }
+
+ private:
+  Data* d_;
+  decltype(Data::pstack) mark_;
+};
+using StackFrame = StackFrameOf<mjData>;
+
+// --- The mass matrix, row by row: the diagonal, then the dof's ancestors towards the root ---
+//
+// 2.2: qM, qLD behind each other as they are read. Since 3.3 the factor, since 3.11 the matrix too,
+// are in rows by rising column, the diagonal last, and rows of dofs that MuJoCo calls simple hold
+// the diagonal alone.
+
+struct MassRow {
+  int diagonal;   // address in the matrix
+  int step;       // to the next ancestor's
+  int ancestors;  // that are in the row
+};
+
+template <typename Data>
+constexpr bool kMassByColumns = requires(const Data* d) { d->M; };
+
+template <typename Model, typename Data = mjData>
+MassRow mass_row(const Model* m, int dof) {
+  if constexpr (kMassByColumns<Data>) {
+    const int others = m->M_rownnz[dof] - 1;
+    return {m->M_rowadr[dof] + others, -1, others};
+  } else {
+    int ancestors = 0;
+    for (int i = m->dof_parentid[dof]; i >= 0; i = m->dof_parentid[i]) ++ancestors;
+    return {m->dof_Madr[dof], 1, ancestors};
+  }
+}
+template <typename Data>
+const mjtNum* mass_entries(const Data* d) {
+  if constexpr (kMassByColumns<Data>) {
+    return d->M;
+  } else {
+    return d->qM;
+  }
+}
+template <typename Model, typename Data = mjData>
+int mass_size(const Model* m) {
+  if constexpr (kMassByColumns<Data>) {
+    return count(m->nC);
+  } else {
+    return count(m->nM);
+  }
+}
+
+// After mj_comPos: the mass matrix, and the same full, nv x nv.
+template <typename Data>
+void make_mass(const mjModel* m, Data* d) {
+  if constexpr (requires { mj_makeM(m, d); }) {
+    mj_makeM(m, d);
+  } else {
+    mj_crb(m, d);
+  }
+}
+template <typename Data>
+void full_mass(const mjModel* m, const Data* d, mjtNum* full) {
+  if constexpr (requires { mj_fullM(m, d, full); }) {
+    mj_fullM(m, d, full);
+  } else {
+    mj_fullM(m, full, d->qM);
+  }
+}
+
+// --- Constraints ---
+
+template <typename Model>
+bool equality_holds(const Model* m, int equality) {  // at mj_resetData
+  if constexpr (requires { m->eq_active0; }) return m->eq_active0[equality] != 0;
+  else return m->eq_active[equality] != 0;
+}
+
+template <typename Data>
+const mjtNum* constraint_diagonal(const Data* d) {  // of J M^-1 J^T, about
+  if constexpr (requires { d->efc_diagA; }) {
+    return d->efc_diagA;
+  } else {
+    return d->efc_diagApprox;
+  }
+}
+
+// x = M^-1/2 y.
+template <typename Data>
+void half_solve(const mjModel* m, Data* d, mjtNum* x, const mjtNum* y, StackFrame& room) {
+  if constexpr (std::is_invocable_v<decltype(&mj_solveM2), const mjModel*, Data*, mjtNum*,
+                                    const mjtNum*, int>) {
+    mj_solveM2(m, d, x, y, 1);
+  } else {
+    mjtNum* roots = room.numbers(count(m->nv));
+    for (int i = 0; i < count(m->nv); ++i) roots[i] = mju_sqrt(d->qLDiagInv[i]);
+    mj_solveM2(m, d, x, y, roots, 1);
+  }
+}
+
+// --- Collision ---
+
+// What a function of mjCOLLISIONFUNC fills: mjContact, from 3.9 on mjPreContact.
+using CollisionContact = std::remove_pointer_t<Argument<mjfCollision, 2>>;
+
+template <typename Contact>
+void set_frame(Contact* con, const double (&normal)[3], const double (&tangent)[3],
+               const double (&third)[3]) {
+  for (int i = 0; i < 3; ++i) {
+    if constexpr (requires { con->frame; }) {
+      con->frame[i] = normal[i];
+      con->frame[3 + i] = tangent[i];
+      con->frame[6 + i] = third[i];
+    } else {
+      con->normal[i] = normal[i];
+      con->tangent[i] = tangent[i];
+    }
+  }
+}
+
+// Before 3.9 a contact of a pair is seen below margin and solved below margin - gap, since then seen
+// below margin + gap and solved below margin: a gap beside a margin that is not negative keeps
+// nothing out.
+inline constexpr bool kGapKeepsOut = mjVERSION_HEADER < 3009000;
+
+// Distance below which viewers see the contact, m. Pairs that were written for before 3.9 keep theirs.
+inline double seen_below(const mjModel* m, int pair) {
+  const double margin = m->pair_margin[pair];
+  return kGapKeepsOut || margin >= 0.0 ? margin : margin + m->pair_gap[pair];
+}
+
+// Whether MuJoCo looks for contacts beside the <pair>s, and whether at these (option collision,
+// gone in 3.0: then geoms' contype and conaffinity alone decide).
+template <typename Model>
+bool collides_freely(const Model* m) {
+  if constexpr (requires { m->opt.collision; }) return m->opt.collision != 1;  // mjCOL_PAIR
+  return true;
+}
+template <typename Model>
+bool collides_pairs(const Model* m) {
+  if constexpr (requires { m->opt.collision; }) return m->opt.collision != 2;  // mjCOL_DYNAMIC
+  return true;
+}
+
+// --- Flags ---
+
+// True where mj_passive does nothing, not even mjcb_passive.
+inline bool passive_disabled(const mjModel* m) {
+#if mjVERSION_HEADER >= 336
+  constexpr int kBoth = mjDSBL_SPRING | mjDSBL_DAMPER;
+#else
+  constexpr int kBoth = mjDSBL_PASSIVE;
+#endif
+  return (m->opt.disableflags & kBoth) == kBoth;
+}
+
+// True where mj_forward leaves out mjcb_control; mj_step1 does not.
+inline bool control_skipped(const mjModel* m) {
+  return mjVERSION_HEADER >= 231 && (m->opt.disableflags & mjDSBL_ACTUATION);
+}
+
+// Sleeping trees, from 3.4 on. Of the tree of this body:
+#if mjVERSION_HEADER >= 340
+inline bool sleep_enabled(const mjModel* m) { return m->opt.enableflags & mjENBL_SLEEP; }
+inline bool tree_may_sleep(const mjModel* m, int body) {
+  const int tree = m->body_treeid[body];
+  return tree >= 0 && m->tree_sleep_policy[tree] != mjSLEEP_NEVER &&
+         m->tree_sleep_policy[tree] != mjSLEEP_AUTO_NEVER;
+}
+#else
+inline bool sleep_enabled(const mjModel*) { return false; }
+inline bool tree_may_sleep(const mjModel*, int) { return false; }
+#endif
+
+// The h of M + h D in MuJoCo's step: 0 where dampers are taken explicitly, s.
+inline double damped_step(const mjModel* m) {
+  if (m->opt.integrator == mjINT_RK4) return 0.0;
+#if mjVERSION_HEADER >= 336
+  if (m->opt.disableflags & mjDSBL_DAMPER) return 0.0;
+#endif
+#if mjVERSION_HEADER >= 300
+  if (m->opt.integrator == mjINT_EULER && (m->opt.disableflags & mjDSBL_EULERDAMP)) return 0.0;
+#endif
+  return m->opt.timestep;
+}
+
+// --- Actuators: one control and one force each, but for those of 3.11 with several ---
+
+template <typename Model>
+int control_address(const Model* m, int actuator) {
+  if constexpr (requires { m->actuator_ctrladr; }) return m->actuator_ctrladr[actuator];
+  return actuator;
+}
+template <typename Model>
+int force_address(const Model* m, int actuator) {  // of lengths too
+  if constexpr (requires { m->actuator_outadr; }) return m->actuator_outadr[actuator];
+  return actuator;
+}
+template <typename Model>
+int actuator_count(const Model* m) {
+  if constexpr (requires { m->nactuator; }) {
+    return count(m->nactuator);
+  } else {
+    return count(m->nu);
+  }
+}
+// -1: none. 2.2 has the stateful actuators last, one activation each.
+template <typename Model>
+int activation_address(const Model* m, int actuator) {
+  if (m->actuator_dyntype[actuator] == mjDYN_NONE) return -1;
+  if constexpr (requires { m->actuator_actadr; }) {
+    return m->actuator_actadr[actuator];
+  } else {
+    return actuator - (count(m->nu) - count(m->na));
+  }
+}
+
+// --- Documents in memory ---
+
+// As mj_loadXML of a file of this text.
+template <typename Files = mjVFS>
+mjModel* load_text(const std::string& document, char* error, int error_size) {
+  constexpr const char* kFile = "document.xml";
+  struct Delete {
+    void operator()(Files* f) const {
+      mj_deleteVFS(f);
+      delete f;
+    }
+  };
+  const std::unique_ptr<Files, Delete> owned(new Files);  // too large for the stack in 2.2
+  Files* files = owned.get();
+  mj_defaultVFS(files);
+  const int size = static_cast<int>(document.size());
+  if constexpr (requires { mj_addBufferVFS(files, kFile, document.data(), size); }) {
+    mj_addBufferVFS(files, kFile, document.data(), size);
+  } else if (mj_makeEmptyFileVFS(files, kFile, size) == 0) {
+    document.copy(static_cast<char*>(files->filedata[mj_findFileVFS(files, kFile)]), document.size());
+  }
+  return mj_loadXML(kFile, files, error, error_size);
+}
+
+// --- Drawing ---
+
+template <typename Geom>
+void connect(Geom* geom, int type, mjtNum width, const mjtNum* from, const mjtNum* to) {
+  if constexpr (requires { mjv_connector(geom, type, width, from, to); }) {
+    mjv_connector(geom, type, width, from, to);
+  } else {
+    mjv_makeConnector(geom, type, width, from[0], from[1], from[2], to[0], to[1], to[2]);
+  }
+}
+
+template <typename Light>
+void make_directional(Light& light) {
+  if constexpr (requires { light.directional; }) {
+    light.directional = 1;
+  } else {
+    light.type = 1;  // mjLIGHT_DIRECTIONAL
+  }
+}
+
+// --- The version itself ---
+
+// 222 -> 2002002, 3012000 as it is.
+constexpr int full_version(int number) {
+  if (number >= 1000000) return number;
+  return number / 100 * 1000000 + number / 10 % 10 * 1000 + number % 10;
+}
+inline std::string version_text(int number) {
+  const int n = full_version(number);
+  return std::to_string(n / 1000000) + "." + std::to_string(n / 1000 % 1000) + "." +
+         std::to_string(n % 1000);
+}
+
+}  // namespace rotorub::plugin
