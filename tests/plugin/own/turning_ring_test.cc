@@ -108,19 +108,22 @@ TEST_F(OwnTurningRing, FollowsTheNativeAnswer) {
   }
 }
 
-// What friction gives the one it takes from the other, with the bore's radius as its lever there.
+// What friction gives the one it takes from the other, at one point: the bore's radius is its lever there,
+// to the gap of the step's begin.
 TEST_F(OwnTurningRing, FrictionsMomentsBalance) {
   const ModelPointer m = turning("rigid", 0.15);
   const DataPointer d = begin(m.get());
   const double radius = 0.05, inertia = 1e-3, drag = 2e-3;
   for (int k = 0; k < 500; ++k) {
     const double spin = d->qvel[2], ring = d->qvel[5], h = m->opt.timestep;
+    const double delta = std::hypot(d->qpos[0] - d->qpos[3], d->qpos[1] - d->qpos[4]);
+    EXPECT_NEAR(delta, kClearance, 1e-3 * kClearance);
     mj_step(m.get(), d.get());
     const double friction = sensor(m.get(), d.get(), mjcf_names::kFrictionForce);
     EXPECT_NEAR(inertia * (d->qvel[2] - spin) / h, radius * friction, 1e-9);
     // MuJoCo's joint damping is that of the step's end.
     EXPECT_NEAR(inertia * (d->qvel[5] - ring) / h + drag * d->qvel[5],
-                -(radius + kClearance) * friction, 1e-9);
+                -(radius + delta) * friction, 1e-9);
   }
 }
 
