@@ -14,6 +14,7 @@
 #include "plugin/chain_constraints.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/fingerprint.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/message.h"
 #include "plugin/model_parameters.h"
 #include "plugin/own/own_config.h"
@@ -129,7 +130,7 @@ ScaledSensor scaled_sensor(const mjModel* m, const std::string& name) {
   ScaledSensor s;
   s.address = sensor_address(m, name, 1);
   if (s.address < 0) return s;
-  s.reference = m->nuser_sensor * mj_name2id(m, mjOBJ_SENSOR, name.c_str());
+  s.reference = count(m->nuser_sensor) * mj_name2id(m, mjOBJ_SENSOR, name.c_str());
   if (m->nuser_sensor < 1 || !(m->sensor_user[s.reference] > 0.0)) {
     refuse(message("<user name=\"{}\">", name),
            "user[0] is the force that it has as 1; accepted: user=\"200\" for 200 N");

@@ -114,7 +114,7 @@ void ConstraintProbe::reset() { std::copy_n(force_, m_->nv, d_->qfrc_smooth); }
 void ConstraintProbe::run() {
   mj_solveM(m_, d_, d_->qacc_smooth, d_->qfrc_smooth, 1);
   mj_fwdConstraint(m_, d_);
-  mju_add(total_, d_->qfrc_smooth, d_->qfrc_constraint, m_->nv);
+  mju_add(total_, d_->qfrc_smooth, d_->qfrc_constraint, count(m_->nv));
 }
 
 Eigen::Vector3d ConstraintProbe::acceleration(const ContactSpace& space) {

@@ -5,6 +5,7 @@
 
 #include "mjcf/names.h"
 #include "plugin/contact/coupled_law.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/message.h"
 #include "plugin/own/own_names.h"
 #include "plugin/own/pair_rules.h"
@@ -155,7 +156,7 @@ void map_own_contacts(const mjModel* m, Config& config) {
   config.memory_size = kUserDataSingle + kPairEntries * (static_cast<int>(config.pairs.size()) - 1);
   const int needed = config.memory + config.memory_size;
   if (m->nuserdata < needed) {
-    refuse(message("<size nuserdata=\"{}\">", m->nuserdata),
+    refuse(message("<size nuserdata=\"{}\">", count(m->nuserdata)),
            message("at least {} needed, for {} from index {} on", needed, config.memory_size,
                    config.memory));
   }

@@ -50,7 +50,7 @@ void refuse_clash(const Config& config, const mjModel* m) {
                 "rotorub: mjData.userdata[%d] to [%d] hold what the contacts remember, and somebody else "
                 "has written there (nuserdata is %d); accepted: another place, by <custom><numeric "
                 "name=\"rotorub_userdata\" data=\"...\"/>, the index of the first",
-                config.memory, config.memory + config.memory_size - 1, m->nuserdata);
+                config.memory, config.memory + config.memory_size - 1, count(m->nuserdata));
   raise_error(words);
 }
 
