@@ -17,6 +17,7 @@
 #include "native_model/trajectory/output.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_document.h"
 
 namespace rotorub::test {
 namespace {
@@ -41,7 +42,7 @@ class Program : public MujocoTest {
   // The program's lines for a case.
   std::string said(const std::string& document, const std::string& what, int steps = kSteps) const {
     const fs::path xml = folder_ / "scene.xml", out = folder_ / "out";
-    write_whole(xml, document);
+    write_whole(xml, for_this_mujoco(document));
     const std::string name = linked_ ? "rotorub_user_program_linked" : "rotorub_user_program";
     const fs::path program = fs::path(ROTORUB_BINARY).parent_path() / name;
     EXPECT_TRUE(fs::exists(program)) << program;

@@ -6,6 +6,7 @@
 
 #include "native_model/scene/reader.h"
 #include "plugin/mujoco_versions.h"
+#include "tests/support/mujoco_document.h"
 
 namespace rotorub::test {
 namespace {
@@ -26,15 +27,7 @@ MujocoTest::~MujocoTest() {
 }
 
 ModelPointer try_load(const std::string& given, std::string& error) {
-  // Gone in 3.0: no geom has a contype instead.
-  std::string document = given;
-  for (const std::string option : {"collision='predefined'", "collision=\"predefined\""}) {
-    const std::size_t at = document.find(option);
-    if (mjVERSION_HEADER < 300 || at == std::string::npos) continue;
-    document.erase(at, option.size());
-    document.insert(document.find("<worldbody>"),
-                    "<default><geom contype='0' conaffinity='0'/></default>");
-  }
+  const std::string document = for_this_mujoco(given);
   char message[1000] = "";
   ModelPointer model(plugin::load_text(document, message, sizeof message));
   error = message;

@@ -1,0 +1,22 @@
+// Documents of tests, written for MuJoCo 2.2, for the MuJoCo that is tested.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <string>
+
+namespace rotorub::test {
+
+// Gone in 3.0 is <option collision="predefined">: no geom has a contype instead.
+inline std::string for_this_mujoco(std::string document) {
+  for (const std::string option : {"collision='predefined'", "collision=\"predefined\""}) {
+    const std::size_t at = document.find(option);
+    if (mjVERSION_HEADER < 300 || at == std::string::npos) continue;
+    document.erase(at, option.size());
+    document.insert(document.find("<worldbody>"),
+                    "<default><geom contype='0' conaffinity='0'/></default>");
+  }
+  return document;
+}
+
+}  // namespace rotorub::test
