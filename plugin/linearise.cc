@@ -1,13 +1,16 @@
 #include "plugin/linearise.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
+#include "native_model/numerics/matrix_functions.h"
+#include "native_model/numerics/real_eigenvalues.h"
 #include "plugin/differences.h"
 
 namespace rotorub::plugin {
@@ -38,13 +41,17 @@ MatrixXd projection_within(const MatrixXd& a, double radius) {
   return projection;
 }
 
+[[noreturn]] void refuse(const char* reason) {
+  throw std::runtime_error(std::string("rotorub: linearise: ") + reason +
+                           "; accepted: a smaller <option timestep>");
+}
+
 void refuse_fast(const MatrixXd& a) {
-  const Eigen::EigenSolver<MatrixXd> solver(a, false);
-  for (const std::complex<double>& value : solver.eigenvalues()) {
+  const auto values = real_eigenvalues(a);
+  if (!values) refuse("the eigenvalues of the step are not found");
+  for (const std::complex<double>& value : *values) {
     if (value.real() > 0.0 || std::abs(value.imag()) > 1e-9 * std::abs(value)) continue;
-    throw std::runtime_error(
-        "rotorub: linearise: a mode turns by half a turn a step or more; accepted: a smaller "
-        "<option timestep>");
+    refuse("a mode turns by half a turn a step or more");
   }
 }
 
@@ -59,8 +66,10 @@ LinearSystem linearise(const mjModel* m, const mjData* d, double eps) {
   out.held = projection_within(step, kHeld);
   const MatrixXd free = step * (one - out.held) + out.held;
   refuse_fast(free);
+  const std::optional<MatrixXd> log = matrix_log(free);
+  if (!log) refuse("the logarithm of the step is not found");
   const double h = m->opt.timestep;
-  out.A = free.log() / h;
+  out.A = *log / h;
   // B_k = h phi(A h) B, phi(x) = (e^x - 1) / x = sum x^j / (j + 1)!: a few terms, |A h| being small, or
   // as many as it takes.
   const MatrixXd x = out.A * h;

@@ -21,7 +21,8 @@ struct LinearSystem {
 };
 
 // eps as in `transition`. Throws std::invalid_argument for eps <= 0, std::runtime_error where a mode is
-// so fast for the step that it has no continuous counterpart (it turns by more than half a turn a step).
+// so fast for the step that it has no continuous counterpart (it turns by more than half a turn a step), or
+// where the step's eigenvalues or its logarithm are not found.
 LinearSystem linearise(const mjModel* m, const mjData* d, double eps = 1e-8);
 
 }  // namespace rotorub::plugin

@@ -4,11 +4,16 @@
 #include <algorithm>
 
 namespace rotorub {
+namespace {
+
+using Solver = Eigen::EigenSolver<Eigen::MatrixXd>;
+
+}  // namespace
 
 std::optional<std::vector<std::complex<double>>> real_eigenvalues(const Eigen::MatrixXd& A) {
   if (A.rows() == 0) return std::vector<std::complex<double>>();
   if (!A.allFinite()) return {};
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, false);
+  const Solver solver(A, false);
   if (solver.info() != Eigen::Success) return {};
   std::vector<std::complex<double>> values(solver.eigenvalues().begin(),
                                            solver.eigenvalues().end());
@@ -16,6 +21,13 @@ std::optional<std::vector<std::complex<double>>> real_eigenvalues(const Eigen::M
     return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
   });
   return values;
+}
+
+std::optional<RealModes> real_modes(const Eigen::MatrixXd& A) {
+  if (!A.allFinite()) return {};
+  const Solver solver(A);
+  if (solver.info() != Eigen::Success) return {};
+  return RealModes{solver.eigenvalues(), solver.eigenvectors()};
 }
 
 }  // namespace rotorub

@@ -12,4 +12,13 @@ namespace rotorub {
 // Nothing where the iteration does not converge.
 std::optional<std::vector<std::complex<double>>> real_eigenvalues(const Eigen::MatrixXd& A);
 
+// A v_j = s_j v_j, |v_j| = 1.
+struct RealModes {
+  Eigen::VectorXcd values;   // n, in no order but that of a pair the one with Im > 0 comes first
+  Eigen::MatrixXcd vectors;  // n x n, a column each
+};
+
+// A: n x n, n > 0. Nothing where the iteration does not converge.
+std::optional<RealModes> real_modes(const Eigen::MatrixXd& A);
+
 }  // namespace rotorub

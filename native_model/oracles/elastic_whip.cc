@@ -1,9 +1,12 @@
 #include "native_model/oracles/elastic_whip.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+
+#include "native_model/numerics/real_eigenvalues.h"
 
 namespace rotorub::oracle {
 namespace {
@@ -35,6 +38,13 @@ Polynomial demand(const Support& s, double mu) {
   return Eigen::Vector3d(mu * s.stiffness, s.damping, -mu * s.mass);
 }
 
+// By falling real part, of a pair the one with Im < 0 first.
+std::vector<Complex> eigenvalues_of(const Eigen::MatrixXd& a) {
+  const auto values = real_eigenvalues(a);
+  if (!values) throw std::invalid_argument("ElasticWhip: its numbers lie too many orders of magnitude apart");
+  return *values;
+}
+
 // Positive real roots, ascending, by the companion matrix in nu / scale.
 std::vector<double> positive_roots(Polynomial p, double scale) {
   for (Eigen::Index i = 0; i < p.size(); ++i) p[i] *= std::pow(scale, i);
@@ -43,7 +53,7 @@ std::vector<double> positive_roots(Polynomial p, double scale) {
   companion.diagonal(-1).setOnes();
   companion.col(n - 1) = -p.head(n) / p[n];
   std::vector<double> roots;
-  for (const Complex& x : companion.eigenvalues()) {
+  for (const Complex& x : eigenvalues_of(companion)) {
     constexpr double kReal = 1e-7;  // a double root parts by the root of the round-off
     if (x.real() > 0.0 && std::abs(x.imag()) < kReal * std::abs(x)) {
       roots.push_back(scale * x.real());
@@ -153,16 +163,10 @@ std::vector<Complex> ElasticWhip::eigenvalues(double nu) const {
   const double force = rotor.mass * nu * nu;
   unknown.col(3) *= force;
   const Eigen::Matrix<double, 4, 5> rates = -unknown.fullPivLu().solve(known);
-  Eigen::Matrix<double, 5, 5> jacobian = Eigen::Matrix<double, 5, 5>::Zero();
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(5, 5);
   jacobian(0, 2) = jacobian(1, 3) = 1.0;
-  jacobian.bottomRows<3>() = rates.topRows<3>();
-
-  const Eigen::VectorXcd values = jacobian.eigenvalues();
-  std::vector<Complex> out(values.begin(), values.end());
-  std::sort(out.begin(), out.end(), [](const Complex& a, const Complex& b) {
-    return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
-  });
-  return out;
+  jacobian.bottomRows(3) = rates.topRows<3>();
+  return eigenvalues_of(jacobian);
 }
 
 }  // namespace rotorub::oracle

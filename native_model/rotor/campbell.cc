@@ -1,15 +1,18 @@
 #include "native_model/rotor/campbell.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <utility>
 
-#include "native_model/rotor/complex_eigenvalues.h"
+#include "native_model/numerics/complex_eigenvalues.h"
+#include "native_model/numerics/symmetric_eigenvalues.h"
+#include "native_model/rotor/refusal.h"
 #include "native_model/rotor/whirl_eigenvalues.h"
 
 namespace rotorub {
@@ -17,20 +20,26 @@ namespace {
 
 using Complex = std::complex<double>;
 
+// What an iteration found; refuses the rotor where it found nothing.
+template <typename Values>
+Values found(std::optional<Values> values) {
+  if (!values) throw RotorNotSolvable("no eigenvalues can be found");
+  return *std::move(values);
+}
+
 // Positive Omega of K u = Omega^2 A u for Hermitian K and A, A not necessarily definite.
 template <typename Matrix>
 std::vector<double> synchronous_speeds(const Matrix& K, const Matrix& A) {
   std::vector<double> inverse_squares;
   if (Eigen::LLT<Matrix>(K).info() == Eigen::Success) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(A, K, Eigen::EigenvaluesOnly);
-    inverse_squares.assign(solver.eigenvalues().begin(), solver.eigenvalues().end());
+    const Eigen::VectorXd values = found(symmetric_eigenvalues(A, K));
+    inverse_squares.assign(values.begin(), values.end());
   } else {
     // A magnetic bearing stronger than the shaft: K^-1 A, whose real eigenvalues count.
     constexpr double kReal = 1e-9;
     const Eigen::MatrixXcd product =
         K.template cast<Complex>().fullPivLu().solve(A.template cast<Complex>());
-    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver = complex_eigenvalues(product);
-    for (const Complex& mu : solver.eigenvalues()) {
+    for (const Complex& mu : found(complex_eigenvalues(product))) {
       if (std::abs(mu.imag()) <= kReal * std::abs(mu)) inverse_squares.push_back(mu.real());
     }
   }
@@ -66,8 +75,8 @@ double growth(const WhirlSystem& system, double speed) {
 bool passive(const WhirlSystem& system) {
   const auto holds = [](const Eigen::MatrixXd& K) {
     constexpr double kRoundOff = 1e-14;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(K, Eigen::EigenvaluesOnly);
-    return solver.eigenvalues().minCoeff() >= -kRoundOff * solver.eigenvalues().maxCoeff();
+    const Eigen::VectorXd values = found(symmetric_eigenvalues(K));
+    return values.minCoeff() >= -kRoundOff * values.maxCoeff();
   };
   return system.internal_xy.isZero(0.0) && holds(system.stiffness_x) && holds(system.stiffness_y);
 }

@@ -1,29 +1,28 @@
 #include "native_model/rotor/planar_modes.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
+#include "native_model/numerics/symmetric_eigenvalues.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub {
 
 PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(mass, stiffness);
-  if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite()) {
-    throw RotorNotSolvable("no eigenmodes of the shaft can be found");
-  }
+  const std::optional<SymmetricModes> found = symmetric_modes(mass, stiffness);
+  if (!found) throw RotorNotSolvable("no eigenmodes of the shaft can be found");
   // Ascending omega^-2, so the modes come in reverse. Those that round-off leaves without a
   // frequency of their own are given the highest one that can be told from zero.
-  const Eigen::VectorXd compliance = solver.eigenvalues().reverse();
+  const Eigen::VectorXd compliance = found->values.reverse();
   const double least = std::numeric_limits<double>::epsilon() * compliance[0];
   if (!(least > 0.0))
     throw RotorNotSolvable("mass or stiffness of the shaft is not positive to working precision");
 
   PlanarModes modes;
   modes.frequency = compliance.cwiseMax(least).cwiseSqrt().cwiseInverse();
-  modes.shape = solver.eigenvectors().rowwise().reverse();
+  modes.shape = found->vectors.rowwise().reverse();
   for (Eigen::Index j = 0; j < modes.shape.cols(); ++j) {
     const double norm = modes.shape.col(j).dot(mass * modes.shape.col(j));
     modes.shape.col(j) /= std::sqrt(norm);

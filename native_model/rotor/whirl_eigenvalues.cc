@@ -1,13 +1,13 @@
 #include "native_model/rotor/whirl_eigenvalues.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
+#include "native_model/numerics/complex_eigenvalues.h"
+#include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/rotor/refusal.h"
-
-#include "native_model/rotor/complex_eigenvalues.h"
 
 namespace rotorub {
 namespace {
@@ -40,10 +40,9 @@ std::vector<Complex> isotropic_eigenvalues(const WhirlSystem& system, double spe
   const Eigen::MatrixXcd B =
       (system.damping_x + system.internal_xx).cast<Complex>() - turn * system.gyroscopic;
   const Eigen::MatrixXcd C = system.stiffness_x.cast<Complex>() - turn * system.internal_xx;
-  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver =
-      complex_eigenvalues(state_matrix(B, C, state_scale(system.stiffness_x)));
-  if (solver.info() != Eigen::Success) fail();
-  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+  const auto values = complex_eigenvalues(state_matrix(B, C, state_scale(system.stiffness_x)));
+  if (!values) fail();
+  return *values;
 }
 
 // Sense of the orbit x = Re(x^ e^{st}), y = Re(y^ e^{st}), Im s > 0: the sign of its angular
@@ -65,16 +64,16 @@ std::vector<Complex> anisotropic_eigenvalues(const WhirlSystem& system, double s
       system.stiffness_y;
   Eigen::VectorXd W(2 * n);
   W << state_scale(system.stiffness_x), state_scale(system.stiffness_y);
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(state_matrix(B, C, W));
-  if (solver.info() != Eigen::Success) fail();
+  const std::optional<RealModes> modes = real_modes(state_matrix(B, C, W));
+  if (!modes) fail();
 
   std::vector<Complex> whirls;
   std::vector<double> real;
   for (Eigen::Index j = 0; j < 4 * n; ++j) {
-    const Complex s = solver.eigenvalues()[j];
+    const Complex s = modes->values[j];
     if (s.imag() == 0.0) real.push_back(s.real());
     if (!(s.imag() > 0.0)) continue;
-    const Eigen::VectorXcd velocity = solver.eigenvectors().col(j).tail(2 * n);
+    const Eigen::VectorXcd velocity = modes->vectors.col(j).tail(2 * n);
     const bool sense = forward(velocity.head(n), velocity.tail(n));
     whirls.push_back(sense ? s : std::conj(s));
   }

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "native_model/numerics/complex_eigenvalues.h"
 #include "native_model/numerics/real_eigenvalues.h"
-#include "native_model/rotor/complex_eigenvalues.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub::rub {
@@ -48,13 +48,10 @@ std::vector<Complex> quadratic(const Eigen::MatrixXd& M, const Eigen::MatrixXcd&
   const Eigen::MatrixXcd inverse =
       root.matrixL().solve(Eigen::MatrixXd::Identity(M.rows(), M.rows())).cast<Complex>();
   const Eigen::MatrixXcd b = inverse * B * inverse.transpose(), c = inverse * C * inverse.transpose();
-  const Eigen::MatrixXcd A = state_matrix(b, c);
-  if (!A.allFinite()) fail();
-  const auto solver = complex_eigenvalues(A);
-  if (solver.info() != Eigen::Success) fail();
-  std::vector<Complex> values(solver.eigenvalues().begin(), solver.eigenvalues().end());
-  sort_by_growth(values);
-  return values;
+  auto values = complex_eigenvalues(state_matrix(b, c));
+  if (!values) fail();
+  sort_by_growth(*values);
+  return *values;
 }
 
 // Of the inertial frame: D + N - i Omega G, K - i Omega N.

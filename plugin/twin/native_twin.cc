@@ -1,11 +1,13 @@
 #include "plugin/twin/native_twin.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "native_model/numerics/symmetric_eigenvalues.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "plugin/message.h"
 #include "plugin/twin/linear_machine.h"
@@ -81,13 +83,14 @@ class Maker {
 
   // Damping that couples modes, as dashpots of rank one.
   void add_dampers(const MatrixXd& damping, int row) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(damping);
-    const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
+    const std::optional<SymmetricModes> parts = symmetric_modes(damping);
+    if (!parts) throw ConfigError("rotorub: damping: its dashpots are not found, for a twin");
+    const double largest = parts->values.cwiseAbs().maxCoeff();
     for (Eigen::Index k = 0; k < n_; ++k) {
-      const double value = solver.eigenvalues()[k];
+      const double value = parts->values[k];
       if (is_none(value, largest)) continue;
       StationDamper damper{{VectorXd::Zero(n_), VectorXd::Zero(n_)}, Eigen::Vector2d::Zero()};
-      (row == 0 ? damper.shape.x : damper.shape.y) = solver.eigenvectors().col(k);
+      (row == 0 ? damper.shape.x : damper.shape.y) = parts->vectors.col(k);
       damper.damping[row] = value;
       rotor_.bearing_dampers.push_back(std::move(damper));
     }

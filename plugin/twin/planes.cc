@@ -1,11 +1,12 @@
 #include "plugin/twin/planes.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
+#include "native_model/numerics/symmetric_eigenvalues.h"
 #include "plugin/message.h"
 
 namespace rotorub::plugin {
@@ -107,9 +108,10 @@ TwinPlane modes_of(std::vector<int> dofs, const LinearMachine& machine, int row)
   const MatrixXd k = machine.stiffness(dofs, dofs);
   const MatrixXd even = 0.5 * (k + k.transpose());
   const VectorXd contact = machine.rotor.row(row)(dofs).transpose();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(even, mass);
+  const std::optional<SymmetricModes> modes = symmetric_modes(even, mass);
+  if (!modes) throw ConfigError("rotorub: the modes of its rotor are not found, for a twin");
   plane.dofs = std::move(dofs);
-  plane.shapes = solver.eigenvectors();  // of modal mass 1
+  plane.shapes = modes->vectors;  // of modal mass 1
   plane.contact = plane.shapes.transpose() * contact;
   const double largest = plane.contact.cwiseAbs().maxCoeff();
   plane.mass = VectorXd::Ones(n);
@@ -121,7 +123,7 @@ TwinPlane modes_of(std::vector<int> dofs, const LinearMachine& machine, int row)
     plane.shapes.col(j) /= c;
     plane.mass[j] = 1.0 / (c * c);
   }
-  plane.stiffness = solver.eigenvalues().cwiseProduct(plane.mass);
+  plane.stiffness = modes->values.cwiseProduct(plane.mass);
   plane.inverse = plane.mass.cwiseInverse().asDiagonal() * plane.shapes.transpose() * mass;
   return plane;
 }

@@ -4,11 +4,11 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <complex>
 #include <vector>
 
+#include "native_model/numerics/complex_eigenvalues.h"
 #include "plugin/config.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -81,8 +81,7 @@ std::vector<std::complex<double>> eigenvalues(const Matrix& C, const Matrix& B) 
   A.topRightCorner(n, n).setIdentity();
   A.bottomLeftCorner(n, n) = C.template cast<std::complex<double>>();
   A.bottomRightCorner(n, n) = B.template cast<std::complex<double>>();
-  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(A, false);
-  std::vector<std::complex<double>> s(solver.eigenvalues().begin(), solver.eigenvalues().end());
+  std::vector<std::complex<double>> s = complex_eigenvalues(A).value();
   std::sort(s.begin(), s.end(),
             [](const auto& a, const auto& b) { return std::abs(a.imag()) < std::abs(b.imag()); });
   return s;

@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <cmath>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "mjcf/writer.h"
+#include "native_model/numerics/matrix_functions.h"
 #include "native_model/run/run_native.h"
 #include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
@@ -50,7 +51,7 @@ Eigen::Vector2d native_end(const scene::Scene& scene) {
   }
   Eigen::VectorXd begin(2 * n);
   begin << model.q0, model.v0;
-  const Eigen::VectorXd end = (a * scene.run.end).exp() * begin;
+  const Eigen::VectorXd end = matrix_exp(a * scene.run.end) * begin;
   return rotor_point(model, end.data());
 }
 

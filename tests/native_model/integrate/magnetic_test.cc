@@ -2,12 +2,13 @@
 // small motions, and a rub in which the magnets give exactly what an ideal actuator would.
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <cmath>
 #include <string>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/bearing/electromagnet.h"
+#include "native_model/numerics/matrix_functions.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
@@ -53,8 +54,7 @@ Eigen::Vector3d exact(double lag) {
   a << 0.0, 1.0, 0.0,  //
       (k_s - kStiffness) / kMass, -kDamping / kMass, k_i / kMass,
       -(kAddedStiffness + k_s) / (k_i * lag), -kAddedDamping / (k_i * lag), -1.0 / lag;
-  const Eigen::Matrix3d grown = (kEnd * a).exp();
-  return grown * Eigen::Vector3d(kStart, 0.0, 0.0);
+  return matrix_exp(kEnd * a) * Eigen::Vector3d(kStart, 0.0, 0.0);
 }
 
 // (s, s', i) of axis 1 in the last row.

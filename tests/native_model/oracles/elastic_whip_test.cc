@@ -4,13 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/runge_kutta.h"
@@ -166,13 +167,13 @@ TEST(ElasticWhip, PerturbationsGrowAsTheModelSays) {
       down[i] -= h;
       jacobian.col(i) = (rate(up) - rate(down)) / (2.0 * h);
     }
-    const Eigen::VectorXcd all = jacobian.eigenvalues();
+    const std::vector<Complex> all = real_eigenvalues(jacobian).value();
     const std::vector<Complex> closed = kStiff.eigenvalues(nu);
     ASSERT_EQ(closed.size(), 5U);
     for (const Complex& x : closed) {
       double nearest = std::numeric_limits<double>::infinity();
       for (const Complex& z : all) nearest = std::min(nearest, std::abs(z - x));
-      EXPECT_LT(nearest, 1e-4 * std::abs(x) + 1e-2) << mu << ' ' << x << '\n' << all;
+      EXPECT_LT(nearest, 1e-4 * std::abs(x) + 1e-2) << mu << ' ' << x;
     }
   }
 }
