@@ -14,19 +14,12 @@
 #include <vector>
 
 #include "plugin/config.h"
+#include "plugin/twin/axis_joints.h"
 
 namespace rotorub::plugin {
 
-// An eccentric mass: the centre of mass of a body off the rotor's axis.
-struct Eccentricity {
-  Eigen::MatrixXd jacobian;  // 2 x nv: of the point of the axis beside it, in the contact's axes
-  double static_moment;      // kg m
-  double phase;              // rad, from the contact's x axis at spin angle 0
-};
-
 struct LinearMachine {
-  int spin = -1;  // the degree of freedom that turns the rotor about its axis; -1: none
-  double sense = 1.0;  // -1: its axis is against the contact's z
+  AxisJoint spin, ring_turn;  // what turns rotor and ring about the contact's z
   // nv x nv; D symmetric but for what actuators do, G antisymmetric where it is gyroscopic.
   Eigen::MatrixXd mass, stiffness, damping, gyroscopic;
   Eigen::VectorXd force;  // nv, at rest in the pose of qpos0, gravity and actuators included
@@ -44,11 +37,12 @@ struct LinearMachine {
   double uneven_coupling = 0.0;  // of the coupling of spin and bending: more than unbalance
   // At one clearance of deflection: of the mass matrix, of the springs, of the contact's place.
   double bent_mass = 0.0, bent_stiffness = 0.0, bent_contact = 0.0;
+  double bent_drag = 0.0;  // N m, what the drag on the ring leaves of a linear one, at its speed or the rotor's
 };
 
 // m: the model of an own config. `start`: where controls and the rotor's speed are taken from.
 // Callbacks for actuators are called, and no others. Throws ConfigError naming what cannot be
-// linearised: a ball joint that turns the rotor, two joints about its axis, a spring on its turn.
+// linearised (axis_joints.h).
 LinearMachine linear_machine(const mjModel* m, const Config& config, const mjData* start);
 
 }  // namespace rotorub::plugin

@@ -21,6 +21,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kNone = 1e-9;  // share of a whole, of what differences leave
+constexpr double kFree = 1e-6;  // (rad/s)^2 and rad/s^2 of what turns freely, of what differences leave
 
 std::vector<double> list(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
@@ -44,9 +45,10 @@ class Maker {
     rotor_.gravity_x = rotor_.gravity_y = VectorXd::Zero(n_);
     rotor_.internal_xx = rotor_.internal_xy = rotor_.internal_yy = MatrixXd::Zero(n_, n_);
     const MatrixXd g = machine_.gyroscopic(planes_.x.dofs, planes_.y.dofs);
-    rotor_.gyroscopic = machine_.sense * planes_.x.shapes.transpose() * g * planes_.y.shapes;
+    rotor_.gyroscopic = machine_.spin.sense * planes_.x.shapes.transpose() * g * planes_.y.shapes;
     fill_load();
     fill_ring(l);
+    fill_ring_turn(l);
     fill_spin(l);
     fill_scene(l);
     twin_.limits = twin_limits(m_, machine_, planes_);
@@ -57,8 +59,9 @@ class Maker {
   Layout layout() const {
     Layout l;
     l.modes = static_cast<int>(n_);
-    l.spin = machine_.spin >= 0 ? 1 : 0;
+    l.spin = machine_.spin.dof >= 0 ? 1 : 0;
     l.stator = planes_.ring.empty() ? 0 : 2;
+    l.ring_spin = machine_.ring_turn.dof >= 0 ? 1 : 0;
     return l;
   }
 
@@ -124,15 +127,41 @@ class Maker {
     if (!weight.isZero(0.0)) twin_.scene.gravity.emplace().acceleration = weight;
   }
 
+  std::string joint_of(int dof) const { return joint_element(m_, m_->dof_jntid[dof]); }
+
+  void refuse_spring(int turn, const std::string& body) const {
+    if (std::abs(machine_.stiffness(turn, turn)) <= kFree * machine_.mass(turn, turn)) return;
+    refuse(joint_of(turn),
+           "turns the " + body + " against a spring, for a twin; accepted: stiffness=\"0\"");
+  }
+
+  // J Omega_r' = -c Omega_r and the contact's torque, nothing else (scene::RingSpin).
+  void fill_ring_turn(const Layout& l) {
+    if (l.ring_spin == 0) return;
+    const int turn = machine_.ring_turn.dof;
+    refuse_spring(turn, "ring");
+    const double inertia = machine_.mass(turn, turn), drag = machine_.damping(turn, turn);
+    if (std::abs(machine_.force[turn]) > kFree * inertia) {
+      refuse(joint_of(turn), "turns the ring by " + text(machine_.force[turn]) +
+                                 " N m at rest, for a twin; accepted: nothing but the rub and a drag");
+    }
+    if (m_->dof_frictionloss[turn] > 0.0) {
+      refuse(joint_of(turn), "loses " + text(m_->dof_frictionloss[turn]) +
+                                 " N m to dry friction as the ring turns, for a twin; accepted: frictionloss=\"0\"");
+    }
+    if (drag < 0.0 || machine_.bent_drag > kFree * inertia) {
+      refuse(joint_of(turn), "has a drag that is negative or not linear in its speed, for a twin; accepted: a "
+                             "damping >= 0");
+    }
+    twin_.coordinates(l.ring_angle(), turn) = machine_.ring_turn.sense;
+    twin_.scene.stator->spin = scene::RingSpin{inertia, drag, 0.0};
+  }
+
   void fill_spin(const Layout& l) {
     if (l.spin == 0) return;
-    const int spin = machine_.spin;
-    constexpr double kFree = 1e-6;  // (rad/s)^2, what differences leave
-    if (std::abs(machine_.stiffness(spin, spin)) > kFree * machine_.mass(spin, spin)) {
-      refuse(joint_element(m_, m_->dof_jntid[spin]),
-             "turns the rotor against a spring, for a twin; accepted: stiffness=\"0\"");
-    }
-    twin_.coordinates(l.phi(), spin) = machine_.sense;
+    const int spin = machine_.spin.dof;
+    refuse_spring(spin, "rotor");
+    twin_.coordinates(l.phi(), spin) = machine_.spin.sense;
     rotor_.spin_inertia = machine_.mass(spin, spin);
     for (const Eccentricity& e : machine_.unbalance) {
       const VectorXd x = e.jacobian.row(0)(planes_.x.dofs).transpose();
@@ -147,7 +176,7 @@ class Maker {
   // T(Omega): linear where it is, else a table.
   void fill_drive(scene::Drive& drive) const {
     const std::vector<double>& torque = machine_.torque;
-    const double sense = machine_.sense, step = 2.0 * machine_.speed / static_cast<double>(torque.size() - 1);
+    const double sense = machine_.spin.sense, step = 2.0 * machine_.speed / static_cast<double>(torque.size() - 1);
     double largest = 0.0, curved = 0.0;
     const double slope = (torque.back() - torque.front()) / (2.0 * machine_.speed);
     for (std::size_t k = 0; k < torque.size(); ++k) {
@@ -207,6 +236,7 @@ class Maker {
       initial.stator = q.segment<2>(l.ring());
       initial.stator_velocity = v.segment<2>(l.ring());
     }
+    if (l.ring_spin) scene.stator->spin->speed = v[l.ring_angle()];
   }
 
   const mjModel* m_;

@@ -1,5 +1,5 @@
 // A native model of a user's own machine (own/own_config.h), from mjModel alone: the rotor's modes, its
-// ring, drive, unbalance and loads, linear about the pose of qpos0; contact and laws are those of the
+// ring (which may turn), drive, unbalance and loads, linear about the pose of qpos0; contact and laws are those of the
 // plugin's names. The machine's cross-validation needs no scene file.
 #pragma once
 

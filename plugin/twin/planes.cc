@@ -100,6 +100,30 @@ std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine, const
   return ring;
 }
 
+// What turns rotor or ring acts on nothing else at rest, and a ring that turns moves too (scene::Stator).
+void refuse_linked_turns(const mjModel* m, const LinearMachine& machine, const Links& links,
+                         const std::vector<int>& ring, const std::vector<int>& others) {
+  const int spin = machine.spin.dof, turn = machine.ring_turn.dof;
+  if (spin >= 0) {
+    for (const int i : others) {
+      if (!links.linked(spin, i)) continue;
+      refuse(joint_of(m, spin), "acts on " + joint_of(m, i) +
+                                    " at rest, for a twin; accepted: a spin that bending meets by "
+                                    "unbalance alone");
+    }
+  }
+  if (turn < 0) return;
+  if (ring.empty()) {
+    refuse(joint_of(m, turn),
+           "turns a ring that does not move, for a twin; accepted: a ring with joints along x and y as well");
+  }
+  for (int i = 0; i < m->nv; ++i) {
+    if (i == turn || !links.linked(turn, i)) continue;
+    refuse(joint_of(m, turn), "acts on " + joint_of(m, i) +
+                                  ", for a twin; accepted: a ring whose turning acts on nothing else");
+  }
+}
+
 TwinPlane modes_of(std::vector<int> dofs, const LinearMachine& machine, int row) {
   TwinPlane plane;
   std::sort(dofs.begin(), dofs.end());
@@ -152,16 +176,9 @@ TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
   std::vector<int> left;
   for (int i = 0; i < m->nv; ++i) {
     const bool ring = std::find(planes.ring.begin(), planes.ring.end(), i) != planes.ring.end();
-    if (i != machine.spin && !ring) left.push_back(i);
+    if (i != machine.spin.dof && i != machine.ring_turn.dof && !ring) left.push_back(i);
   }
-  if (machine.spin >= 0) {
-    for (const int i : left) {
-      if (!links.linked(machine.spin, i)) continue;
-      refuse(joint_of(m, machine.spin), "acts on " + joint_of(m, i) +
-                                            " at rest, for a twin; accepted: a spin that bending "
-                                            "meets by unbalance alone");
-    }
-  }
+  refuse_linked_turns(m, machine, links, planes.ring, left);
   std::vector<int> of[2], rest;
   while (!left.empty()) {
     const std::vector<int> group = links.group(left.front(), left);

@@ -26,7 +26,7 @@ struct TwinPlanes {
 };
 
 // Throws ConfigError naming the joint where the planes do not part: a joint that moves the rotor in
-// both, rotor and ring together, or the ring beside its two slides.
+// both, rotor and ring together, or the ring beside its two slides; a turning that acts on another joint.
 TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine);
 
 }  // namespace rotorub::plugin

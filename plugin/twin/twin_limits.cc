@@ -17,7 +17,7 @@ std::string percent(double share) {
 }
 
 bool takes_part(int dof, const LinearMachine& machine, const TwinPlanes& planes) {
-  if (dof == machine.spin) return true;
+  if (dof == machine.spin.dof || dof == machine.ring_turn.dof) return true;
   const auto in = [dof](const std::vector<int>& list) {
     return std::find(list.begin(), list.end(), dof) != list.end();
   };

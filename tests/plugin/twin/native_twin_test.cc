@@ -11,28 +11,14 @@
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/run_native.h"
 #include "native_model/system/model.h"
-#include "tests/plugin/own/machine.h"
+#include "tests/plugin/own/two_rings.h"
+#include "tests/plugin/twin/twins.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
 namespace {
 
 using plugin::NativeTwin;
-
-NativeTwin twin_of(const mjModel* m) {
-  const DataPointer d = start(m);
-  return plugin::make_native_twin(m, plugin::make_config(m), d.get());
-}
-NativeTwin twin_of(const std::string& document) { return twin_of(load(document).get()); }
-
-std::string refusal(const std::string& document) {
-  try {
-    twin_of(document);
-  } catch (const plugin::ConfigError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 // A rotor that can bend and tilt in a ring; `rotor` and `ring` are what a test says of their bodies.
 std::string machine(const std::string& rotor, const std::string& ring = "",
@@ -190,18 +176,28 @@ TEST_F(NativeTwinTest, RefusesByTheJointsName) {
            R"(<inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 2e-3 3e-3"/>)" + kDisc + "</body>";
   };
   const std::string ring = R"(<joint name="ring_x" type="slide" axis="1 0 0"/>)";
-  EXPECT_NE(refusal(machine(body(slides), ring)).find("ring_x"), std::string::npos);
-  EXPECT_NE(refusal(machine(body(R"(<joint name="skew" type="slide" axis="1 1 0"/><joint name="y" type="slide" axis="0 1 0"/>)")))
+  EXPECT_NE(twin_refusal(machine(body(slides), ring)).find("ring_x"), std::string::npos);
+  EXPECT_NE(twin_refusal(machine(body(R"(<joint name="skew" type="slide" axis="1 1 0"/><joint name="y" type="slide" axis="0 1 0"/>)")))
                 .find("skew"),
             std::string::npos);
-  EXPECT_NE(refusal(machine(body(R"(<joint name="free" type="free"/>)"))).find("free"), std::string::npos);
-  EXPECT_NE(refusal(machine(body(slides), R"(<joint name="turn" type="hinge" axis="0 0 1"/>)")).find("turn"),
+  EXPECT_NE(twin_refusal(machine(body(R"(<joint name="free" type="free"/>)"))).find("free"), std::string::npos);
+  EXPECT_NE(twin_refusal(machine(body(slides), R"(<joint name="turn" type="hinge" axis="0 0 1"/>)")).find("turn"),
             std::string::npos);
-  EXPECT_NE(refusal(machine(body(R"(<joint name="x" type="slide" axis="1 0 0"/>)"))).find("along y"),
+  EXPECT_NE(twin_refusal(machine(body(R"(<joint name="x" type="slide" axis="1 0 0"/>)"))).find("along y"),
             std::string::npos);
-  EXPECT_NE(refusal(machine(body(slides + R"(<joint name="spin" type="hinge" axis="0 0 1" stiffness="3"/>)")))
+  EXPECT_NE(twin_refusal(machine(body(slides + R"(<joint name="spin" type="hinge" axis="0 0 1" stiffness="3"/>)")))
                 .find("spin"),
             std::string::npos);
+  // Before the slides it carries their axes round: the rotor's springs would turn with it.
+  const std::string early = twin_refusal(machine(body(R"(<joint name="early" type="hinge" axis="0 0 1"/>)" + slides)));
+  EXPECT_NE(early.find("\"early\">: turns the axis of <joint name=\"x\">"), std::string::npos) << early;
+}
+
+// The native model has one contact plane.
+TEST_F(NativeTwinTest, RefusesSeveralContacts) {
+  const std::string said = twin_refusal(document(TwoRings{}));
+  EXPECT_NE(said.find("2 contacts"), std::string::npos) << said;
+  EXPECT_NE(said.find("accepted for a twin: one contact"), std::string::npos) << said;
 }
 
 }  // namespace

@@ -1,0 +1,132 @@
+// The native twin of a user's own machine whose ring turns, an auxiliary ball bearing: its numbers, its free
+// turning against the closed form, and what has no twin. (Its rub: tests/compare/own.)
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "native_model/oracles/turning_ring.h"
+#include "native_model/run/run_native.h"
+#include "native_model/system/model.h"
+#include "tests/plugin/own/machine.h"
+#include "tests/plugin/twin/twins.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+using TwinOfATurningRing = MujocoTest;
+
+constexpr double kInertia = 1e-3, kArmature = 3e-4, kDrag = 2e-3;  // kg m^2, N m s
+constexpr double kSpeed = 50.0;                                    // rad/s, about the hinge's axis
+
+// `turn`: what a test says of the hinge beside its name and axis.
+Machine turning(const std::string& turn, const std::string& axis = "0 0 1") {
+  Machine x;
+  x.ring_geoms = "<joint name=\"turn\" type=\"hinge\" axis=\"" + axis + "\" " + turn + "/>";
+  x.constraints = R"(<keyframe><key name="start" qvel="0 0 100 0 0 50"/></keyframe>)";
+  return x;
+}
+const std::string kDragged = R"(damping="2e-3" armature="3e-4")";
+
+TEST_F(TwinOfATurningRing, HasItsInertiaDragAndSpeed) {
+  for (const double sense : {1.0, -1.0}) {
+    const auto twin = twin_of(document(turning(kDragged, sense > 0.0 ? "0 0 1" : "0 0 -1")));
+    EXPECT_TRUE(twin.limits.empty()) << twin.limits.front();
+    const Model model = make_model(twin.scene);
+    ASSERT_EQ(model.layout.ring_spin, 1);
+    ASSERT_EQ(model.nq(), 6);
+    const int turn = model.layout.ring_angle();
+    EXPECT_NEAR(model.mass[turn], kInertia + kArmature, 1e-15);
+    EXPECT_NEAR(model.damping[turn], kDrag, 1e-12);
+    EXPECT_EQ(model.v0[turn], sense * kSpeed);
+    EXPECT_NEAR(model.mass[model.layout.ring()], 1.0, 1e-12) << "the slides are what they were";
+  }
+}
+
+TEST_F(TwinOfATurningRing, SpinsDownAsTheClosedFormAndAsMujoco) {
+  const ModelPointer m = load(document(turning(kDragged, "0 0 -1")));
+  const auto twin = twin_of(m.get());
+  scene::Scene scene = twin.scene;
+  scene.run.end = 0.5;
+  scene.run.output_step = 0.02;
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  const Trajectory t = run_native(scene, options);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const oracle::TurningRing ring{kInertia + kArmature, kDrag, 0.0505};
+  const auto exact = [&](double time) { return oracle::ring_speed(ring, 0.0, -kSpeed, time); };
+  ASSERT_GT(t.rows(), 20U);
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    EXPECT_NEAR(t.column("ring_speed")[k], exact(t.column("t")[k]), 1e-9 * kSpeed);
+  }
+  EXPECT_LT(std::abs(t.column("ring_speed").back()), 0.5 * kSpeed) << "it has slowed down";
+
+  // MuJoCo's implicit damping: c^2 h t / (2 J^2) of the speed.
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 2000; ++k) mj_step(m.get(), d.get());
+  const Model model = make_model(twin.scene);
+  Eigen::VectorXd q(model.nq()), v(model.nq());
+  twin.read(m.get(), d.get(), q.data(), v.data());
+  const int turn = model.layout.ring_angle();
+  EXPECT_NEAR(v[turn], exact(d->time), 3e-7 * kSpeed);
+  EXPECT_NEAR(q[turn], (kInertia + kArmature) / kDrag * (-kSpeed - exact(d->time)), 1e-6);
+}
+
+// The refusal names the hinge and says the reason.
+void expect_refused(const std::string& document, const std::string& reason) {
+  const std::string said = twin_refusal(document);
+  EXPECT_NE(said.find("<joint name=\"turn\">"), std::string::npos) << said;
+  EXPECT_NE(said.find(reason), std::string::npos) << said;
+}
+
+TEST_F(TwinOfATurningRing, WhatItCannotTakeIsRefusedByName) {
+  ASSERT_EQ(twin_refusal(document(turning(kDragged))), "");
+  expect_refused(document(turning(R"(stiffness="3")")), "against a spring");
+  expect_refused(document(turning(R"(frictionloss="0.1")")), "loses 0.1 N m to dry friction");
+  expect_refused(document(turning(R"(pos="0.01 0 0")")), "another axis");
+  expect_refused(document(turning("", "1 0 1")), "another axis");
+
+  std::string eccentric = document(turning(""));
+  const std::string centred = "<inertial pos=\"0 0 0\"";
+  eccentric.replace(eccentric.find(centred, eccentric.find("<body name=\"ring\">")), centred.size(),
+                    "<inertial pos=\"1e-3 0 0\"");
+  expect_refused(eccentric, "acts on <joint name=\"ring_y\">");
+
+  Machine motor = turning("");
+  motor.constraints = R"(<actuator><motor joint="turn"/></actuator>
+    <keyframe><key name="start" ctrl="0.1"/></keyframe>)";
+  expect_refused(document(motor), "0.1 N m at rest");
+  for (const char* drag : {R"(biasprm="0 0 -0.01" forcelimited="true" forcerange="-0.1 0.1")",
+                           R"(biasprm="0 0 0.01")"}) {
+    Machine fed = turning("");
+    fed.constraints +=
+        std::string(R"(<actuator><general joint="turn" biastype="affine" gainprm="0" )") + drag + "/></actuator>";
+    expect_refused(document(fed), "drag");
+  }
+
+  Machine two = turning("");
+  two.ring_geoms = R"(<joint name="first" type="hinge" axis="0 0 1"/>)" + two.ring_geoms;
+  two.constraints = "";
+  expect_refused(document(two), "second joint about the ring's axis");
+
+  // Before the slides it carries their axes round.
+  std::string before = document(turning(""));
+  const std::string hinge = R"(<joint name="turn" type="hinge" axis="0 0 1" />)";
+  ASSERT_NE(before.find(hinge), std::string::npos);
+  before.erase(before.find(hinge), hinge.size());
+  before.insert(before.find("<joint name=\"ring_x\""), hinge);
+  expect_refused(before, "turns the axis of <joint name=\"ring_x\">");
+
+  // scene::Stator: what turns has a mass to move.
+  std::string held = document(turning(""));
+  for (const char* slide : {"ring_x", "ring_y"}) {
+    const std::size_t at = held.find(std::string("<joint name=\"") + slide);
+    held.erase(at, held.find("/>", at) + 2 - at);
+  }
+  held.erase(held.find("<keyframe>"), held.find("</keyframe>") + 11 - held.find("<keyframe>"));
+  expect_refused(held, "a ring that does not move");
+}
+
+}  // namespace
+}  // namespace rotorub::test
