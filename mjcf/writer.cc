@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "mjcf/bodies.h"
+#include "mjcf/contact_pair.h"
 #include "mjcf/ghosts.h"
 #include "mjcf/names.h"
 #include "mjcf/segment_bodies.h"
@@ -135,26 +136,14 @@ class Document {
     const scene::Contact& c = *scene_.contact;
     const SoftContact soft =
         soft_contact(c.restitution, scene_.run.step, scene_.mujoco.solref_stiffness);
-    // `coulomb`: no friction in MuJoCo's contact, the plugin adds it. Without friction the cone's
-    // tangential directions are of no use either.
-    const bool is_cone = scene_.mujoco.contact == scene::ContactModel::kCone;
-    // In a lasting rub `coulomb` holds the gap at 0 to within the step's error: the contact must
-    // not come and go with the sign of a nanometre. `cone` would keep the margin as a gap.
-    // `rigid` shows the contact from a little further off, for viewers, and keeps it from MuJoCo's
-    // solver by a gap that no depth makes up for.
-    const bool is_rigid = scene_.mujoco.contact == scene::ContactModel::kRigid;
-    const double reach = is_cone ? 0.0 : (is_rigid ? 1e-2 : 1e-3) * c.clearance;
-    const double gap = is_rigid ? 1e3 : 0.0;
-    // Before 3.9 a contact is seen below the margin and solved below margin - gap, since then seen below
-    // margin + gap and solved below the margin.
-    const double margin = target_ < MujocoVersion{3, 9, 0} ? reach : reach - gap;
+    const ContactPair pair = contact_pair(scene_.mujoco.contact, c.clearance, c.friction, soft, target_);
     xml_.open("<contact>");
     xml_.line(
         fmt::format(R"(<pair name="rub" geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0" )"
                     R"(solref="{} {}" solimp="{} {} 0.001" margin="{}" gap="{}"/>)",
-                    names::kRotorContact, names::kRingContact, is_cone && c.friction > 0.0 ? 3 : 1,
-                    c.friction, c.friction, -soft.stiffness, -soft.damping, soft.impedance,
-                    soft.impedance, margin, gap));
+                    names::kRotorContact, names::kRingContact, pair.condim, pair.friction, pair.friction,
+                    -pair.soft.stiffness, -pair.soft.damping, pair.soft.impedance, pair.soft.impedance,
+                    pair.margin, pair.gap));
     xml_.close("contact");
   }
 

@@ -5,20 +5,11 @@
 #include <utility>
 
 #include "compare/engine/mujoco_engine.h"
+#include "compare/engine/request_options.h"
 #include "native_model/run/run_native.h"
 
 namespace rotorub {
 namespace {
-
-template <typename Options>
-Options options_of(const RunRequest& request) {
-  Options options;
-  options.step = request.step;
-  options.output_times = request.output_times;
-  options.progress = request.progress;
-  options.interrupt = request.interrupt;
-  return options;
-}
 
 class NativeEngine final : public Engine {
  public:
@@ -41,9 +32,7 @@ class MujocoEngine final : public Engine {
   explicit MujocoEngine(scene::ContactModel contact) : contact_(contact) {}
   std::string name() const override { return std::string("mujoco-") + to_string(contact_); }
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
-    if (request.commands) throw std::invalid_argument("MuJoCo takes no recorded commands");
-    auto options = options_of<MujocoOptions>(request);
-    options.watch = request.watch;
+    MujocoOptions options = mujoco_options(request);
     options.contact = contact_;
     return finite(run_mujoco(perturbed(scene, request.perturbation_ulps), options));
   }

@@ -8,6 +8,9 @@
 #include <utility>
 
 #include "compare/engine/mujoco_messages.h"
+#include "compare/engine/request_options.h"
+#include "mjcf/contact_pair.h"
+#include "mjcf/mujoco_version.h"
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
 #include "native_model/stepping/step_limit.h"
@@ -57,21 +60,20 @@ std::shared_ptr<void> say_contact(mjModel* m, const char* word) {
 // The pair as a generated file has it.
 void set_pair(mjModel* m, const plugin::Config& config, scene::ContactModel contact) {
   const ContactParameters& c = *config.model.contact;
-  const SoftContact soft = soft_contact(c.restitution, m->opt.timestep);
-  const int pair = config.pair;
-  const bool rigid = contact == scene::ContactModel::kRigid;
-  const bool cone = contact == scene::ContactModel::kCone;
-  m->pair_dim[pair] = cone && c.friction > 0.0 ? 3 : 1;
-  std::fill_n(m->pair_friction + 5 * pair, 5, 0.0);
-  std::fill_n(m->pair_friction + 5 * pair, 2, c.friction);
-  mjtNum* solref = m->pair_solref + mjNREF * pair;
-  solref[0] = -soft.stiffness;
-  solref[1] = -soft.damping;
-  mjtNum* solimp = m->pair_solimp + mjNIMP * pair;
-  solimp[0] = solimp[1] = soft.impedance;
-  m->pair_margin[pair] = cone ? 0.0 : (rigid ? 1e-2 : 1e-3) * c.clearance;
-  m->pair_gap[pair] = rigid ? 1e3 : 0.0;
-  if (!cone) return;
+  const ContactPair pair = contact_pair(contact, c.clearance, c.friction,
+                                        soft_contact(c.restitution, m->opt.timestep), built_for());
+  const int at = config.pair;
+  m->pair_dim[at] = pair.condim;
+  std::fill_n(m->pair_friction + 5 * at, 5, 0.0);
+  std::fill_n(m->pair_friction + 5 * at, 2, pair.friction);
+  mjtNum* solref = m->pair_solref + mjNREF * at;
+  solref[0] = -pair.soft.stiffness;
+  solref[1] = -pair.soft.damping;
+  mjtNum* solimp = m->pair_solimp + mjNIMP * at;
+  solimp[0] = solimp[1] = pair.soft.impedance;
+  m->pair_margin[at] = pair.margin;
+  m->pair_gap[at] = pair.gap;
+  if (contact != scene::ContactModel::kCone) return;
   // Its force is found after the velocity stage, in which other models' sensors may be filled.
   for (const char* name : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
                            names::kFrictionForceScaled}) {
@@ -87,16 +89,14 @@ class OwnEngine final : public Engine {
   std::string name() const override { return std::string("mujoco-") + to_string(contact_); }
 
   Trajectory run(const scene::Scene& given, const RunRequest& request) const override {
-    if (request.commands) throw std::invalid_argument("MuJoCo takes no recorded commands");
+    if (request.perturbation_ulps != 0) {
+      throw std::invalid_argument("a machine of its own starts where its file says");
+    }
     scene::Scene scene = given;
     scene.run.step = request.step.value_or(given.run.step);
     check_steps(scene, scene.run.step);
-    MujocoOptions options;
-    options.output_times = request.output_times;
-    options.progress = request.progress;
-    options.interrupt = request.interrupt;
-    options.watch = request.watch;
-    return finite(run_mujoco(scene, machine_->setup(contact_, scene.run.step), options));
+    return finite(
+        run_mujoco(scene, machine_->setup(contact_, scene.run.step), mujoco_options(request)));
   }
 
  private:

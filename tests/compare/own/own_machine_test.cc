@@ -10,6 +10,7 @@
 #include "compare/study/scene_comparison.h"
 #include "native_model/run/run_native.h"
 #include "plugin/config.h"
+#include "tests/plugin/own/machine.h"
 #include "tests/support/order.h"
 
 namespace rotorub {
@@ -47,6 +48,32 @@ TEST(OwnMachine, ConvergesToItsTwin) {
   EXPECT_LT(fine, 0.35 * coarse);
 }
 
+// A ring that turns: the rub speeds the rotor up and the ring down. Of first order, as own models are.
+TEST(OwnMachine, ConvergesToItsTwinInARingThatTurns) {
+  test::Machine x;
+  x.friction = 0.15;
+  x.ring_geoms = R"(<joint name="turn" type="hinge" axis="0 0 1" damping="2e-3"/>)";
+  x.constraints = R"(<keyframe><key name="start" qpos="5e-4 0 0 0 0 0" qvel="0 0.4 100 0 0 314"/></keyframe>)";
+  const std::string file = ::testing::TempDir() + "/turning_ring.xml";
+  std::ofstream(file) << test::document(x);
+  const auto machine = std::make_shared<const OwnMachine>(file, until(0.02));
+  EXPECT_TRUE(machine->limits().empty());
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  const Trajectory native = run_native(machine->scene(), options);
+  ASSERT_EQ(native.status, Status::kOk) << native.message;
+  const auto last = [](const Trajectory& t, const char* column) { return t.column(column).back(); };
+  ASSERT_LT(last(native, "ring_speed"), 309.0) << "friction does something";
+  double error[2];
+  for (int k = 0; k < 2; ++k) {
+    const Trajectory t = own_run(machine, scene::ContactModel::kRigid, k == 0 ? 1e-5 : 2.5e-6);
+    error[k] = test::rotor_error(t, native);
+    for (const char* speed : {"spin_speed", "ring_speed"}) EXPECT_NEAR(last(t, speed), last(native, speed), 0.1);
+  }
+  EXPECT_LT(error[1], 0.35 * error[0]);
+  EXPECT_LT(error[1], 5e-6);
+}
+
 // The other contact models on the same file, which asks for one.
 TEST(OwnMachine, HasEveryContactModel) {
   const auto machine = std::make_shared<const OwnMachine>(kOwn, until(0.1));
@@ -73,6 +100,16 @@ TEST(OwnMachine, IsComparedLikeAScene) {
   EXPECT_EQ(c.sides[1].engine, "mujoco-rigid");
   ASSERT_TRUE(c.sides[0].metrics.first_touch && c.sides[1].metrics.first_touch);
   EXPECT_NEAR(*c.sides[1].metrics.first_touch, *c.sides[0].metrics.first_touch, 2e-5);
+}
+
+TEST(OwnMachine, TakesNeitherCommandsNorAnotherStart) {
+  const auto machine = std::make_shared<const OwnMachine>(kOwn, until(0.001));
+  const auto engine = own_engine(machine, scene::ContactModel::kRigid);
+  RunRequest moved, commanded;
+  moved.perturbation_ulps = 1;
+  commanded.commands = std::make_shared<const CommandRecord>();
+  EXPECT_THROW(engine->run(machine->scene(), moved), std::invalid_argument);
+  EXPECT_THROW(engine->run(machine->scene(), commanded), std::invalid_argument);
 }
 
 std::string refusal(const std::string& file) {
