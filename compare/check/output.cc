@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/study/format.h"
 #include "native_model/scene/printable.h"
 
 namespace rotorub::check {
@@ -13,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kWidth = 80;
+constexpr std::size_t kIndent = 6;              // of a reason's further lines
 constexpr std::size_t kName = 26, kColumn = 9;  // 26 + 6 engines of 9
 constexpr std::size_t kMostReason = 400;        // bytes of one reason
 
@@ -27,31 +28,6 @@ std::string head() {
   return groups + "\n" + line + "\n";
 }
 
-// The words of `sentence` in lines of kWidth, the first after `lead`, the others indented.
-std::string wrapped(const std::string& lead, const std::string& sentence) {
-  constexpr std::size_t kIndent = 6;
-  std::string out = lead;
-  std::size_t column = lead.size();
-  bool fresh = false;
-  for (std::size_t at = 0; at < sentence.size();) {
-    const std::size_t end = std::min(sentence.find_first_of(" \n", at), sentence.size());
-    const std::size_t word = end - at;
-    if (word > 0) {
-      if (!fresh && column + 1 + word > kWidth) {
-        out += "\n" + std::string(kIndent, ' ');
-        column = kIndent;
-        fresh = true;
-      }
-      if (!fresh) out += ' ';
-      column += word + (fresh ? 0 : 1);
-      out.append(sentence, at, word);
-      fresh = false;
-    }
-    at = end + 1;
-  }
-  return out + "\n";
-}
-
 // All of one outcome, native ones first.
 std::string notes(const std::vector<Case>& cases, Outcome outcome) {
   std::string text;
@@ -59,8 +35,8 @@ std::string notes(const std::vector<Case>& cases, Outcome outcome) {
     for (const Case& c : cases) {
       if (c.outcome() != outcome || c.native != native) continue;
       if (text.empty()) text = fmt::format("\n{}:\n", to_string(outcome));
-      text += wrapped(fmt::format("  {}, {}:", cut(c.scene), c.engine),
-                      scene::printable(c.deciding.reason, kMostReason));
+      text += wrapped(fmt::format("  {}, {}: ", cut(c.scene), c.engine),
+                      scene::printable(c.deciding.reason, kMostReason), kIndent);
     }
   }
   return text;

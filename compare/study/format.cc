@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rotorub {
@@ -49,23 +50,27 @@ std::string time_text(double seconds) {
   return fmt::format("{:.6g} s", seconds);
 }
 
-std::string wrapped(const std::string& lead, const std::string& sentence) {
+std::string wrapped(const std::string& lead, const std::string& sentence,
+                    std::optional<std::size_t> indent) {
+  const std::size_t margin = indent.value_or(lead.size());
   std::string out = lead;
   std::size_t column = lead.size();
-  std::size_t at = 0;
-  while (at < sentence.size()) {
-    std::size_t end = sentence.find(' ', at);
-    if (end == std::string::npos) end = sentence.size();
+  bool after_word = false;
+  for (std::size_t at = 0; at < sentence.size();) {
+    const std::size_t end = std::min(sentence.find_first_of(" \n", at), sentence.size());
     const std::size_t word = end - at;
-    if (column > lead.size() && column + 1 + word > kTerminalWidth) {
-      out += "\n" + std::string(lead.size(), ' ');
-      column = lead.size();
-    } else if (column > lead.size()) {
-      out += ' ';
-      ++column;
+    if (word > 0) {
+      if (column > margin && column + (after_word ? 1 : 0) + word > kTerminalWidth) {
+        out.erase(out.find_last_not_of(' ') + 1);
+        out += "\n" + std::string(margin, ' ');
+        column = margin;
+        after_word = false;
+      }
+      if (after_word) out += ' ';
+      column += word + (after_word ? 1 : 0);
+      out.append(sentence, at, word);
+      after_word = true;
     }
-    out += sentence.substr(at, word);
-    column += word;
     at = end + 1;
   }
   return out + "\n";

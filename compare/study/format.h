@@ -1,6 +1,8 @@
 // Numbers as people read them, the same on the terminal and in the page.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "compare/study/figure.h"
@@ -22,7 +24,9 @@ std::string percent_text(double share);
 std::string time_text(double seconds);
 
 inline constexpr std::size_t kTerminalWidth = 80;
-// A sentence in lines of at most kTerminalWidth, the first after `lead`, the others below it.
-std::string wrapped(const std::string& lead, const std::string& sentence);
+// The words of a sentence in lines of at most kTerminalWidth, the first after `lead`, the others indented:
+// by default below it.
+std::string wrapped(const std::string& lead, const std::string& sentence,
+                    std::optional<std::size_t> indent = {});
 
 }  // namespace rotorub

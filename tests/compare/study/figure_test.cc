@@ -57,6 +57,18 @@ TEST(Format, SizesHaveNoSign) {
   EXPECT_EQ(size_text(force, std::numeric_limits<double>::infinity()), "∞");
 }
 
+TEST(Format, WordsAreWrapped) {
+  const std::string word(30, 'w');
+  EXPECT_EQ(wrapped("- ", "one two"), "- one two\n");
+  EXPECT_EQ(wrapped("  - ", word + " " + word + "\n" + word), "  - " + word + " " + word + "\n    " + word + "\n");
+  // Indented less than the lead is long: the first word too goes where there is room for it.
+  const std::string lead = std::string(60, 'l') + ": ";
+  EXPECT_EQ(wrapped(lead, word + " end", 6), std::string(60, 'l') + ":\n      " + word + " end\n");
+  // What no line has room for stands in a line of its own.
+  const std::string longest(100, 'x');
+  EXPECT_EQ(wrapped("- ", longest + " " + longest), "- " + longest + "\n  " + longest + "\n");
+}
+
 TEST(Format, ShortNumbers) {
   EXPECT_EQ(short_number(0.0), "0");
   EXPECT_EQ(short_number(3.0), "3");
