@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
-#include <cstdint>
 #include <string_view>
 
 #include "mjcf/names.h"
-#include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model_checks.h"
@@ -19,6 +16,8 @@
 #include "plugin/model_parameters.h"
 #include "plugin/own/own_config.h"
 #include "plugin/own/own_names.h"
+#include "plugin/sensor_addresses.h"
+#include "plugin/shadow_config.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -116,75 +115,6 @@ void map_actuators(const mjModel* m, Config& config) {
   }
 }
 
-// Address in sensordata of the user sensor of that name; -1: taken out, or another's.
-int sensor_address(const mjModel* m, const std::string& name, int dim) {
-  const int id = mj_name2id(m, mjOBJ_SENSOR, name.c_str());
-  if (id < 0 || m->sensor_type[id] != mjSENS_USER) return -1;
-  if (m->sensor_dim[id] != dim) {
-    refuse(message("<user name=\"{}\">", name), message("accepted dim: {}", dim));
-  }
-  return m->sensor_adr[id];
-}
-
-ScaledSensor scaled_sensor(const mjModel* m, const std::string& name) {
-  ScaledSensor s;
-  s.address = sensor_address(m, name, 1);
-  if (s.address < 0) return s;
-  s.reference = count(m->nuser_sensor) * mj_name2id(m, mjOBJ_SENSOR, name.c_str());
-  if (m->nuser_sensor < 1 || !(m->sensor_user[s.reference] > 0.0)) {
-    refuse(message("<user name=\"{}\">", name),
-           "user[0] is the force that it has as 1; accepted: user=\"200\" for 200 N");
-  }
-  return s;
-}
-
-void map_sensors(const mjModel* m, Config& config) {
-  SensorAddresses& s = config.sensors;
-  s = contact_sensors(m);
-  s.control_force = sensor_address(m, names::kControlForce, 2);
-  s.current = sensor_address(m, names::kCurrent, 2);
-}
-
-void map_shadow(const mjModel* m, ShadowConfig& s) {
-  const std::string refusal = step_refusal(s.model, m->opt.timestep);
-  if (!refusal.empty()) {
-    refuse(text_element(names::kSceneText),
-           message("mujoco.shadow: the native model cannot run alongside: {}; accepted: a smaller "
-                   "run.step, or false",
-                   refusal));
-  }
-  s.gap = sensor_address(m, names::kShadowGap, 1);
-  s.normal_force = sensor_address(m, names::kShadowNormalForce, 1);
-  s.friction_force = sensor_address(m, names::kShadowFrictionForce, 1);
-  s.rotor = sensor_address(m, names::kShadowRotor, 2);
-  s.stator = sensor_address(m, names::kShadowStator, 2);
-  s.mujoco_rotor = sensor_address(m, names::kRotorPosition, 2);
-  const auto ghost = [m](const char* name) {
-    const int body = mj_name2id(m, mjOBJ_BODY, name);
-    return body < 0 || m->body_mocapid[body] < 0 ? -1 : 3 * m->body_mocapid[body];
-  };
-  s.ghost_rotor = ghost(names::kGhostRotor);
-  s.ghost_ring = ghost(names::kGhostRing);
-}
-
-// FNV-1a of the numbers that an edit of mjModel changes, as a whole number that a double holds.
-double mark_of(const Model& model) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  const auto add = [&hash](const double* x, std::size_t n) {
-    for (std::size_t i = 0; i < n; ++i) {
-      hash = (hash ^ std::bit_cast<std::uint64_t>(x[i])) * 1099511628211ULL;
-    }
-  };
-  for (const auto* list : {&model.mass, &model.stiffness, &model.damping, &model.weight}) {
-    add(list->data(), static_cast<std::size_t>(list->size()));
-  }
-  if (model.contact) add(&model.contact->radius, 1);
-  if (model.contact) add(&model.contact->clearance, 1);
-  if (model.contact) add(&model.contact->friction, 1);
-  add(&model.force_limit, 1);
-  return 1.0 + static_cast<double>(hash >> 12);
-}
-
 // The contact of a generated model, for own/: its sensors are the config's.
 OwnPair generated_pair(const Config& config) {
   OwnPair p;
@@ -230,29 +160,6 @@ int find_pair(const mjModel* m, int geom_a, int geom_b) {
     if ((a == geom_a && b == geom_b) || (a == geom_b && b == geom_a)) return i;
   }
   return -1;
-}
-
-SensorAddresses contact_sensors(const mjModel* m, const std::string& prefix,
-                                const std::string& suffix) {
-  const auto named = [&](const char* name) { return prefix + name + suffix; };
-  const auto address = [&](const char* name) { return sensor_address(m, named(name), 1); };
-  SensorAddresses s;
-  s.active = address(names::kActive);
-  s.gap = address(names::kGap);
-  s.gap_rate = address(names::kGapRate);
-  s.slip = address(names::kSlip);
-  s.normal_force = address(names::kNormalForce);
-  s.friction_force = address(names::kFrictionForce);
-  s.gap_scaled = address(names::kGapScaled);
-  s.normal_force_scaled = scaled_sensor(m, named(names::kNormalForceScaled));
-  s.friction_force_scaled = scaled_sensor(m, named(names::kFrictionForceScaled));
-  const auto elsewhere = [&](const char* name, int stage) {
-    const int id = mj_name2id(m, mjOBJ_SENSOR, named(name).c_str());
-    return id >= 0 && m->sensor_type[id] == mjSENS_USER && m->sensor_needstage[id] != stage;
-  };
-  s.gap_in_control = elsewhere(names::kGap, mjSTAGE_POS) || elsewhere(names::kGapScaled, mjSTAGE_POS);
-  s.rates_in_control = elsewhere(names::kGapRate, mjSTAGE_VEL) || elsewhere(names::kSlip, mjSTAGE_VEL);
-  return s;
 }
 
 bool Config::has_rigid() const {
@@ -327,7 +234,7 @@ Config make_config(const mjModel* m) {
     }
   }
   map_actuators(m, config);
-  map_sensors(m, config);
+  config.sensors = scene_sensors(m);
   map_structure(m, config);
   take_parameters(m, config);
   if (config.general) config.pairs = {generated_pair(config)};

@@ -4,43 +4,20 @@
 #include <cmath>
 #include <optional>
 
-#include "native_model/contact/kinematics.h"
-#include "plugin/contact/constrained_law.h"
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/memory.h"
+#include "plugin/own/coupled_contacts.h"
 #include "plugin/passes.h"
 
 namespace rotorub::plugin {
 namespace {
 
-using Columns = Eigen::Matrix<double, 3, 2>;
-
-// W_N and W_T as columns: the loads (x, y, torque) of a normal and of a friction impulse of 1.
-Columns columns(const Eigen::Vector2d& e_r, double radius) {
-  Columns w;
-  w.col(0) = contact_load(e_r, radius, 1.0, 0.0);
-  w.col(1) = contact_load(e_r, radius, 0.0, 1.0);
-  return w;
-}
-
-// A contact of the step that is being solved.
-struct Closing {
-  bool closed = false;
-  bool impact = false;              // by itself: it was open, and its rebound outlives the step
-  Columns w;
-  Eigen::Vector2d e_r;
-  Eigen::Vector2d lasting, sudden;  // N s, (normal, friction) of the two parts
-  Eigen::Vector3d end;              // rates at the end of the step with all impulses so far
-  RigidResult result;
-};
-
 class CoupledStep {
  public:
   CoupledStep(const mjModel* m, mjData* d, std::span<CoupledMember* const> members,
               ConstraintProbe* probe)
-      : d_(d), members_(members), probe_(probe), h_(m->opt.timestep) {
-    for (Closing& c : contacts_) c.lasting = c.sudden = Eigen::Vector2d::Zero();
-    find_ends();
+      : members_(members), probe_(probe), contacts_(m, d, members, probe) {
+    contacts_.find_ends();
     for (std::size_t i = 0; i < size(); ++i) {
       RigidStep& step = members_[i]->step;
       step.free = contacts_[i].end;
@@ -50,173 +27,45 @@ class CoupledStep {
 
   void solve() {
     // Each round closes one more, or is the last.
-    for (std::size_t round = 0; round <= size() && any_closed(); ++round) {
+    for (std::size_t round = 0; round <= size() && contacts_.any_closed(); ++round) {
       if (!solve_closed()) {
-        give_none();
+        contacts_.give_none();
         return;
       }
       if (!close_driven()) break;
     }
   }
 
-  bool converged() const { return converged_; }
+  bool converged() const { return contacts_.converged(); }
   const RigidResult& result(std::size_t i) const { return contacts_[i].result; }
 
   // The step with all impulses is what the pass will find.
   void keep() {
-    if (!probe_ || !any_closed()) return;
-    find_ends();
+    if (!probe_ || !contacts_.any_closed()) return;
+    contacts_.find_ends();
     probe_->keep();
   }
-  void add_forces(mjtNum* to) const {
-    for (std::size_t i = 0; i < size(); ++i) {
-      const Closing& c = contacts_[i];
-      if (!c.closed) continue;
-      if (!c.lasting.isZero(0.0)) members_[i]->space->add_load(c.w * c.lasting / h_, to);
-      if (!c.sudden.isZero(0.0)) members_[i]->space->add_impact(c.w * c.sudden / h_, to);
-    }
-  }
+  void add_forces(mjtNum* to) const { contacts_.add_forces(to); }
 
  private:
-  // Those of the contacts that one part of the step is solved for, in the order of its vectors.
-  struct Subset {
-    std::array<std::size_t, kMaxPairs> index{};
-    std::size_t count = 0;
-    bool impact = false;
-    std::array<double, kMaxPairs> offset{};  // m/s, of the normal law
-  };
-
   std::size_t size() const { return members_.size(); }
-  bool any_closed() const {
-    return std::any_of(contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(size()),
-                       [](const Closing& c) { return c.closed; });
-  }
 
-  // What was found of a step without a solution is its status.
-  void give_none() {
-    for (Closing& c : contacts_) {
-      const Status status = c.result.status;
-      c.lasting = c.sudden = Eigen::Vector2d::Zero();
-      c.result = {};
-      c.result.status = status;
-      c.result.converged = converged_;
-    }
-  }
-
-  // Rates at the end of the step, with the impulses as they are.
-  void find_ends() {
-    if (probe_) probe_->solve([this](mjtNum* force) { add_forces(force); });
+  bool solve_closed() {
+    start_over();
+    if (!solve_lasting()) return false;
+    ContactSubset all;
+    if (find_blow(all) && !solve_impacts(all)) return false;
     for (std::size_t i = 0; i < size(); ++i) {
-      const CoupledMember& at = *members_[i];
-      if (probe_) {
-        contacts_[i].end = at.step.start + h_ * probe_->acceleration(*at.space);
-        continue;
-      }
-      Eigen::Vector3d end = at.step.start + h_ * at.space->response(d_->qfrc_smooth);
-      for (std::size_t j = 0; j < size(); ++j) {
-        const Closing& other = contacts_[j];
-        if (!other.closed) continue;
-        const ContactSpace& space = *members_[j]->space;
-        if (!other.lasting.isZero(0.0)) {
-          end += at.space->flexibility(space) * (other.w * other.lasting);
-        }
-        if (!other.sudden.isZero(0.0)) end += at.space->admittance(space) * (other.w * other.sudden);
-      }
-      contacts_[i].end = end;
+      Closing& c = contacts_[i];
+      c.result.converged = contacts_.converged();
+      c.result.normal = c.lasting.x() + c.sudden.x();
+      c.result.friction = c.lasting.y() + c.sudden.y();
     }
-  }
-
-  // (gap rate + offset, slip) of a subset.
-  ContactVector rates(const Subset& s) const {
-    ContactVector y(2 * static_cast<Eigen::Index>(s.count));
-    for (std::size_t k = 0; k < s.count; ++k) {
-      const Closing& c = contacts_[s.index[k]];
-      const auto row = static_cast<Eigen::Index>(2 * k);
-      y.segment<2>(row) = c.w.transpose() * c.end;
-      y[row] += s.offset[k];
-    }
-    return y;
-  }
-
-  ContactMatrix matrix(const Subset& s) const {
-    const auto n = static_cast<Eigen::Index>(s.count);
-    ContactMatrix a(2 * n, 2 * n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      for (Eigen::Index j = 0; j < n; ++j) {
-        const std::size_t one = s.index[static_cast<std::size_t>(i)];
-        const std::size_t two = s.index[static_cast<std::size_t>(j)];
-        const ContactSpace &at = *members_[one]->space, &other = *members_[two]->space;
-        const Eigen::Matrix3d g = s.impact ? at.admittance(other) : at.flexibility(other);
-        a.block<2, 2>(2 * i, 2 * j) = contacts_[one].w.transpose() * g * contacts_[two].w;
-      }
-    }
-    return 0.5 * (a + a.transpose());
-  }
-
-  void put(const Subset& s, const ContactVector& p) {
-    for (std::size_t k = 0; k < s.count; ++k) {
-      Closing& c = contacts_[s.index[k]];
-      (s.impact ? c.sudden : c.lasting) = p.segment<2>(static_cast<Eigen::Index>(2 * k));
-    }
-  }
-
-  // The step's answer to impulses of a subset, for those whom constraints hold.
-  class Response final : public ContactResponse {
-   public:
-    Response(CoupledStep& step, const Subset& subset) : step_(step), subset_(subset) {}
-    ContactVector at(const ContactVector& p) override {
-      step_.put(subset_, p);
-      step_.find_ends();
-      return step_.rates(subset_);
-    }
-    double accuracy() const override { return step_.h_ * step_.probe_->accuracy(); }
-
-   private:
-    CoupledStep& step_;
-    const Subset& subset_;
-  };
-
-  // Puts the impulses of the subset; which of them stick. False: no solution, or several.
-  bool solve_subset(const Subset& s, std::array<bool, kMaxPairs>& sticks) {
-    const ContactMatrix a = matrix(s);
-    const ContactVector free = rates(s);
-    std::array<double, kMaxPairs> frictions{};
-    std::array<ImpactLaw, kMaxPairs> laws{};
-    std::array<ContactSet, kMaxPairs> sets{};
-    for (std::size_t k = 0; k < s.count; ++k) {
-      const ContactParameters& c = *members_[s.index[k]]->contact;
-      frictions[k] = sets[k].friction = c.friction;
-      laws[k] = {c.friction, c.restitution, c.tangential_restitution};
-    }
-    if (probe_) {
-      Response response(*this, s);
-      const ConstrainedContact found =
-          s.impact ? solve_constrained_impact(response, free, a, std::span(laws).first(s.count))
-                   : solve_constrained(response, free, a, std::span(frictions).first(s.count));
-      converged_ = converged_ && found.converged;
-      if (!found.solved || !found.converged) set_status(s, Status::kNoSolution);
-      sticks = found.sticks;
-      put(s, found.solved ? found.p : ContactVector::Zero(free.size()));
-      return found.solved;
-    }
-    const CoupledSolution found =
-        s.impact ? solve_coupled_impact(a, free, std::span(laws).first(s.count))
-                 : solve_coupled(a, free, std::span(sets).first(s.count));
-    if (found.solutions != 1) {
-      set_status(s, found.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous);
-      return false;
-    }
-    sticks = found.sticks;
-    put(s, found.p);
     return true;
   }
 
-  void set_status(const Subset& s, Status status) {
-    for (std::size_t k = 0; k < s.count; ++k) contacts_[s.index[k]].result.status = status;
-  }
-
-  bool solve_closed() {
-    Subset lasting, all;
+  // No impulses; where the closed contacts are, and which of them are impacts.
+  void start_over() {
     for (std::size_t i = 0; i < size(); ++i) {
       Closing& c = contacts_[i];
       c.lasting = c.sudden = Eigen::Vector2d::Zero();
@@ -224,29 +73,36 @@ class CoupledStep {
       if (!c.closed) continue;
       const CoupledMember& at = *members_[i];
       c.e_r = c.result.e_r = contact_normal(at.step, at.contact->clearance);
-      c.w = columns(c.e_r, at.contact->radius);
+      c.w = contact_columns(c.e_r, at.contact->radius);
       c.impact = is_impact(at.step, c.e_r, *at.contact);
     }
-    find_ends();
+    contacts_.find_ends();
+  }
+
+  bool solve_lasting() {
+    ContactSubset lasting;
     for (std::size_t i = 0; i < size(); ++i) {
-      Closing& c = contacts_[i];
-      if (!c.closed || c.impact) continue;
+      if (!contacts_[i].closed || contacts_[i].impact) continue;
       lasting.offset[lasting.count] = offset(i);
       lasting.index[lasting.count++] = i;
     }
+    if (lasting.count == 0) return true;
     std::array<bool, kMaxPairs> sticks{};
-    if (lasting.count > 0) {
-      if (!solve_subset(lasting, sticks)) return false;
-      find_ends();
-      for (std::size_t k = 0; k < lasting.count; ++k) {
-        Closing& c = contacts_[lasting.index[k]];
-        if (c.lasting.x() > 0.0) c.result.mode = sticks[k] ? Mode::kStick : Mode::kSlide;
-      }
+    if (!contacts_.solve(lasting, sticks)) return false;
+    contacts_.find_ends();
+    for (std::size_t k = 0; k < lasting.count; ++k) {
+      Closing& c = contacts_[lasting.index[k]];
+      if (c.lasting.x() > 0.0) c.result.mode = sticks[k] ? Mode::kStick : Mode::kSlide;
     }
+    return true;
+  }
+
+  // Those that take part in the blows of the step. False: there are none.
+  bool find_blow(ContactSubset& all) const {
     bool impacts = false;
     all.impact = true;
     for (std::size_t i = 0; i < size(); ++i) {
-      Closing& c = contacts_[i];
+      const Closing& c = contacts_[i];
       if (!c.closed) continue;
       // What the lasting contacts hold back has no blow in this step.
       if (c.impact && !reaches_ring(ended(i), members_[i]->contact->clearance)) continue;
@@ -254,22 +110,15 @@ class CoupledStep {
       all.offset[all.count] = c.impact ? 0.0 : offset(i);
       all.index[all.count++] = i;
     }
-    if (impacts && !solve_impacts(all)) return false;
-    for (std::size_t i = 0; i < size(); ++i) {
-      Closing& c = contacts_[i];
-      c.result.converged = converged_;
-      c.result.normal = c.lasting.x() + c.sudden.x();
-      c.result.friction = c.lasting.y() + c.sudden.y();
-    }
-    return true;
+    return impacts;
   }
 
-  bool solve_impacts(const Subset& s) {
-    const ContactVector before = rates(s);
+  bool solve_impacts(const ContactSubset& s) {
+    const ContactVector before = contacts_.rates(s);
     std::array<bool, kMaxPairs> sticks{};
-    if (!solve_subset(s, sticks)) return false;
-    find_ends();
-    const ContactVector after = rates(s);
+    if (!contacts_.solve(s, sticks)) return false;
+    contacts_.find_ends();
+    const ContactVector after = contacts_.rates(s);
     for (std::size_t k = 0; k < s.count; ++k) {
       Closing& c = contacts_[s.index[k]];
       if (!(c.sudden.x() > 0.0)) continue;
@@ -314,12 +163,9 @@ class CoupledStep {
     return any;
   }
 
-  mjData* d_;
   std::span<CoupledMember* const> members_;
   ConstraintProbe* probe_;
-  double h_;
-  bool converged_ = true;
-  std::array<Closing, kMaxPairs> contacts_;
+  CoupledContacts contacts_;
 };
 
 void note_results(const CoupledStep& step, const mjModel* m, mjData* d,

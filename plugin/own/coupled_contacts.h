@@ -1,0 +1,88 @@
+// The contacts of a coupled step (coupled_step.h) as one problem in their impulses: what impulses of some of them do
+// to the rates of all, and the impulses that meet the laws.
+//
+//   end_i = start_i + h a_i + sum_j G_ij w_j p_j,     w = (W_N, W_T), p = (normal, friction) impulses
+//
+// G is the flexibility of the step's matrix for what acts all through it, the admittance of the mass for a blow;
+// where MuJoCo's constraints hold a body, its solver is asked instead (contact/constraint_probe.h).
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "plugin/contact/constrained_law.h"
+#include "plugin/contact/constraint_probe.h"
+#include "plugin/own/coupled_step.h"
+
+namespace rotorub::plugin {
+
+using ContactColumns = Eigen::Matrix<double, 3, 2>;
+// W_N and W_T as columns: the loads (x, y, torque) of a normal and of a friction impulse of 1.
+ContactColumns contact_columns(const Eigen::Vector2d& e_r, double radius);
+
+// A contact of the step that is being solved.
+struct Closing {
+  bool closed = false;
+  bool impact = false;  // by itself: it was open, and its rebound outlives the step
+  ContactColumns w;
+  Eigen::Vector2d e_r;
+  Eigen::Vector2d lasting, sudden;  // N s, (normal, friction) of the two parts
+  Eigen::Vector3d end;              // rates at the end of the step with all impulses so far
+  RigidResult result;
+};
+
+// Those of the contacts that one part of the step is solved for, in the order of its vectors.
+struct ContactSubset {
+  std::array<std::size_t, kMaxPairs> index{};
+  std::size_t count = 0;
+  bool impact = false;
+  std::array<double, kMaxPairs> offset{};  // m/s, of the normal law
+};
+
+class CoupledContacts {
+ public:
+  // All open, without impulses. probe: null where no constraint moves with the members.
+  CoupledContacts(const mjModel* m, mjData* d, std::span<CoupledMember* const> members,
+                  ConstraintProbe* probe);
+
+  std::size_t size() const { return members_.size(); }
+  Closing& operator[](std::size_t i) { return contacts_[i]; }
+  const Closing& operator[](std::size_t i) const { return contacts_[i]; }
+  bool any_closed() const;
+  bool converged() const { return converged_; }
+
+  // Rates at the end of the step, with the impulses as they are.
+  void find_ends();
+  // (gap rate + offset, slip) of a subset.
+  ContactVector rates(const ContactSubset& s) const;
+  // Puts the impulses of the subset; which of them stick. False: no solution, or several, which is then the
+  // status of their results.
+  bool solve(const ContactSubset& s, std::array<bool, kMaxPairs>& sticks);
+  // What was found of a step without a solution is its status.
+  void give_none();
+
+  // Adds the impulses as forces over the step.
+  void add_forces(mjtNum* to) const;
+
+ private:
+  class Response;
+
+  ContactMatrix matrix(const ContactSubset& s) const;
+  void put(const ContactSubset& s, const ContactVector& p);
+  bool solve_held(const ContactSubset& s, const ContactMatrix& a, const ContactVector& free,
+                  std::array<bool, kMaxPairs>& sticks);
+  void set_status(const ContactSubset& s, Status status);
+
+  mjData* d_;
+  std::span<CoupledMember* const> members_;
+  ConstraintProbe* probe_;
+  double h_;
+  bool converged_ = true;
+  std::array<Closing, kMaxPairs> contacts_;
+};
+
+}  // namespace rotorub::plugin
