@@ -11,10 +11,6 @@ namespace {
 using Files = std::vector<std::string>;
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(CliBench, PrintsJsonAndNothingElse) {
   const Folder folder;
   const Outcome done =

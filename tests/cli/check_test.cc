@@ -15,10 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 const char* const kDrop =
     "[run]\nend = 0.01\nstep = 1e-4\n[rotor]\nspeed = 0.0\n[rotor.modal]\n"
     "mass = [2.0]\nstiffness = [0.0]\n[contact]\nradius = 0.05\n"

@@ -10,10 +10,6 @@ namespace {
 
 using Files = std::vector<std::string>;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(CliModesPage, IsOneWholeFile) {
   const Folder folder;
   const Outcome done = folder.run({"modes", shipped("paper_passive"), "-o", "deep/whirl.html"});

@@ -128,4 +128,15 @@ inline std::string shipped(const std::string& scene) {
 
 inline std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// No file that was written aside is left, whatever happened.
+inline void expect_whole_files(const Folder& folder) {
+  for (const std::string& file : folder.files()) {
+    EXPECT_FALSE(contains(file, ".part")) << file;
+  }
+}
+
 }  // namespace rotorub::test

@@ -1,63 +1,14 @@
 // Bad scenes: each is refused with the right file, line, key and reason, and with nothing else.
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
 #include "native_model/scene/reader.h"
-#include "tests/native_model/scene/scene_samples.h"
+#include "tests/native_model/scene/refusals.h"
 
 namespace rotorub::scene {
 namespace {
-
-std::vector<Diagnostic> refusal(const std::string& text) {
-  try {
-    parse_scene(text, "s.toml");
-  } catch (const SceneError& error) {
-    return error.diagnostics();
-  }
-  return {};
-}
-
-std::string replaced(std::string_view sample, const std::string& from, const std::string& to) {
-  std::string text(sample);
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
-struct Wrong {
-  const char* why;
-  std::string text;
-  int line;
-  const char* key;
-  const char* reason;  // must stand in the message
-};
-
-void expect_refused(const std::vector<Wrong>& cases) {
-  for (const Wrong& wrong : cases) {
-    const std::vector<Diagnostic> found = refusal(wrong.text);
-    ASSERT_EQ(found.size(), 1u) << wrong.why << (found.empty() ? "" : ": " + to_string(found[0]));
-    EXPECT_EQ(found[0].file, "s.toml") << wrong.why;
-    EXPECT_EQ(found[0].line, wrong.line) << wrong.why;
-    EXPECT_EQ(found[0].key, wrong.key) << wrong.why;
-    EXPECT_NE(found[0].reason.find(wrong.reason), std::string::npos)
-        << wrong.why << " gave: " << found[0].reason;
-  }
-}
-
-std::string modal(const std::string& from, const std::string& to) {
-  return replaced(kModalSample, from, to);
-}
-std::string geometry(const std::string& from, const std::string& to) {
-  return replaced(kGeometrySample, from, to);
-}
-std::string full(const std::string& from, const std::string& to) {
-  return replaced(kFullModalScene, from, to);
-}
-std::string modal_and(const std::string& more) { return std::string(kModalSample) + more; }
-std::string geometry_and(const std::string& more) { return std::string(kGeometrySample) + more; }
 
 TEST(Refusal, NamesUnknownKeysAndTables) {
   expect_refused({
@@ -264,154 +215,6 @@ TEST(Refusal, NamesWhatDoesNotFitTogether) {
             "\"table\"\ntable_speed = [1, 2]\ntable_torque = [1]"),
        24, "drive.table_torque", "expected 2 value(s)"},
   });
-}
-
-TEST(Refusal, NamesTheLineOfASyntaxError) {
-  expect_refused({
-      {"unit without quotes", modal("\"0.5 mm\"", "0.5 mm"), 8, "contact.clearance", "\"0.5 mm\""},
-      {"word without quotes", full("\"linear\"", "linear"), 22, "drive.kind",
-       "a word stands in quotes"},
-      {"no value", modal("0.15", ""), 9, "contact.friction", "TOML"},
-      {"key given twice", modal("friction = 0.15", "friction = 0.15\nfriction = 0.2"), 10,
-       "contact.friction", "given twice"},
-      {"table given twice", modal_and("[contact]\nradius = 1\n"), 11, "contact", "given twice"},
-      {"table not closed", modal("[contact]", "[contact"), 6, "", "TOML"},
-      {"in the second force", full("vector = [0.0, -20.0]", "vector = 1 N"), 48, "force[1].vector",
-       "TOML"},
-      {"three brackets", modal_and("[[[a]]]\n"), 11, "", "TOML"},
-      {"not UTF-8", modal_and("# \xff\n"), 11, "", "TOML"},
-  });
-}
-
-TEST(Refusal, TellsEverythingAtOnceInTheOrderOfTheFile) {
-  const std::string text = R"([run]
-end = -1
-stepp = 1e-5
-[rotor]
-speed = "50 mm"
-[rotor.modal]
-mass = [2.0, 1.0]
-stiffness = [2e5]
-[contact]
-radius = 0.05
-clearance = 0.5 mm
-friction = 0.15
-friction = 0.2
-restitution = 1.5
-[initial]
-stator = [1, 2]
-[actuator]
-)";
-  const std::vector<std::pair<int, std::string>> expected = {{2, "run.end"},
-                                                             {3, "run.stepp"},
-                                                             {5, "rotor.speed"},
-                                                             {8, "rotor.modal.stiffness"},
-                                                             {11, "contact.clearance"},
-                                                             {13, "contact.friction"},
-                                                             {14, "contact.restitution"},
-                                                             {16, "initial.stator"},
-                                                             {17, "actuator"}};
-  const std::vector<Diagnostic> found = refusal(text);
-  ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    EXPECT_EQ(found[i].line, expected[i].first);
-    EXPECT_EQ(found[i].key, expected[i].second);
-  }
-}
-
-TEST(Refusal, WritesOneLineAProblem) {
-  try {
-    parse_scene(modal("0.15", "-1") + "[zzz]\n", "dir/s.toml");
-    FAIL() << "not refused";
-  } catch (const SceneError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "dir/s.toml:9: contact.friction: out of range: expected a pure number, >= 0, got -1\n"
-        "dir/s.toml:11: zzz: unknown table; accepted: run, rotor, drive, force, "
-        "magnetic_bearing, contact, stator, actuator, controller, gravity, initial, mujoco, check");
-  }
-}
-
-// What the user wrote is quoted, and cut: no escape code reaches the terminal, and no megabyte.
-TEST(Refusal, QuotesAreShortAndPrintable) {
-  const std::string code = "\x1b[31m", written = "\\u001b[31m";  // as TOML can hold it
-  const std::string much(200'000, 'x');
-  struct Quoted {
-    std::string text;
-    std::vector<std::string> overrides;
-  };
-  const std::string sample(kModalSample);
-  for (const Quoted& q : std::vector<Quoted>{{modal("\"50 Hz\"", "\"" + written + "\""), {}},
-                                             {modal("\"50 Hz\"", "\"1 " + written + "\""), {}},
-                                             {modal("\"50 Hz\"", "\"1 m " + written + "\""), {}},
-                                             {modal("\"50 Hz\"", "\"" + much + "\""), {}},
-                                             {modal("\"50 Hz\"", "\"1 " + much + "\""), {}},
-                                             {modal("\"50 Hz\"", much), {}},
-                                             {modal("\"50 Hz\"", code), {}},
-                                             {sample + "\"" + written + "\" = 1\n", {}},
-                                             {sample + "\"" + much + "\" = 1\n", {}},
-                                             {sample + much + " = 1\n", {}},
-                                             {sample + much + " = 1\n" + much + " = 2\n", {}},
-                                             {sample + "[\"" + written + "\"]\n", {}},
-                                             {sample + "[" + much + "]\n[" + much + "]\n", {}},
-                                             {sample + code, {}},
-                                             {sample + "\xff\xfe = 1\n", {}},
-                                             {sample + "[drive]\nkind = \"" + written + "\"\n", {}},
-                                             {sample + "[drive]\nkind = \"" + much + "\"\n", {}},
-                                             {sample, {code}},
-                                             {sample, {much}},
-                                             {sample, {code + "=1"}},
-                                             {sample, {much + "=1"}},
-                                             {sample, {"contact." + code + "=1"}},
-                                             {sample, {"contact.friction=" + code}},
-                                             {sample, {"contact.friction=" + much}},
-                                             {sample, {"contact.friction." + code + "=" + much}},
-                                             {sample, {"rotor.speed=\"1 " + code + "\""}}}) {
-    try {
-      parse_scene(q.text, "s.toml", q.overrides);
-      ADD_FAILURE() << "accepted: " << q.text.substr(0, 200);
-    } catch (const SceneError& error) {
-      const std::string message = error.what();
-      EXPECT_LT(message.size(), 1500u) << message.substr(0, 300);
-      for (const char c : message) {
-        EXPECT_TRUE(c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f)) << message;
-      }
-    }
-  }
-}
-
-TEST(Refusal, OfAHundredFaultsIsEnough) {
-  std::string text(kModalSample);
-  for (int i = 0; i < 2'000; ++i) text += "wrong" + std::to_string(i) + " = 1\n";
-  try {
-    parse_scene(text, "s.toml");
-    FAIL() << "accepted";
-  } catch (const SceneError& error) {
-    EXPECT_EQ(error.diagnostics().size(), 2'000u);
-    const std::string message = error.what();
-    EXPECT_LT(message.size(), 100'000u);
-    EXPECT_TRUE(message.ends_with("and 1900 more")) << message.substr(message.size() - 200);
-  }
-}
-
-TEST(Refusal, OfFilesThatCannotBeRead) {
-  for (const std::string& path :
-       {std::string("/no/such/scene.toml"), std::string("/"), std::string()}) {
-    try {
-      read_scene(path);
-      FAIL() << path;
-    } catch (const SceneError& error) {
-      ASSERT_EQ(error.diagnostics().size(), 1u);
-      EXPECT_EQ(error.diagnostics()[0].file, path);
-      EXPECT_EQ(error.diagnostics()[0].line, 0);
-    }
-  }
-  EXPECT_THROW(read_scene("/dev/zero"), SceneError);  // ends at the largest size
-}
-
-// A rotor that starts on the ring, to round-off, starts in contact and not outside.
-TEST(Refusal, NotOfAStartOnTheRing) {
-  EXPECT_NO_THROW(parse_scene(modal_and("[initial]\nx = [3e-4, 0]\ny = [4e-4, 0]\n"), "s.toml"));
 }
 
 }  // namespace

@@ -1,0 +1,169 @@
+// `rotorub compare` by its command line: exit codes, files and what stands in them.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+using nlohmann::json;
+
+TEST(CliCompare, UnknownModesAndTolerancesAreRefused) {
+  const Folder folder;
+  EXPECT_EQ(folder.run({"compare", shipped("bench_ring"), "--mode", "guess"}).code, 2);
+  EXPECT_EQ(folder.run({"compare", shipped("bench_ring"), "--tolerance", "1 mm"}).code, 2);
+  EXPECT_TRUE(folder.files().empty());
+}
+
+// The native side under the commands that MuJoCo used; where there are none, that is said.
+TEST(CliCompare, ReplaysTheCommands) {
+  const Folder folder;
+  const std::vector<std::string> base{"compare", shipped("bench_ring"), "--mode", "replay",
+                                      "--end",   "0.02",                "--no-video", "--twins",
+                                      "2",       "-o",                  "out"};
+  const Outcome none = folder.run(base);
+  EXPECT_EQ(none.code, 0) << none.out << none.err;
+  EXPECT_TRUE(contains(none.out, "Replay equals lockstep here: no controller")) << none.out;
+
+  auto controlled = base;
+  for (const char* set : {"controller.kind=passive", "controller.stiffness=5e4"}) {
+    controlled.insert(controlled.end(), {"--set", set});
+  }
+  const Outcome replayed = folder.run(controlled);
+  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  EXPECT_TRUE(contains(replayed.out, "Replay: each MuJoCo run")) << replayed.out;
+  const json all = json::parse(folder.text("out/compare.json"));
+  EXPECT_EQ(all.at("mode"), "replay");
+  EXPECT_EQ(all.at("scenes")[0].at("shadow").at("commands_of"), "rigid");
+  EXPECT_TRUE(contains(folder.text("out/report.html"), "replay comparison"));
+}
+
+// The exit code is by the contacts of the model that decides, one by one.
+TEST(CliCompare, ResyncJudgesContactByContact) {
+  const Folder folder;
+  std::vector<std::string> call{"compare", shipped("bench_billiard"), "--mode", "resync",
+                                "--end",   "0.05", "--no-video", "-o", "out"};
+  const Outcome rigid = folder.run(call);
+  EXPECT_EQ(rigid.code, 0) << rigid.out << rigid.err;
+  EXPECT_TRUE(contains(rigid.out, "onset")) << rigid.out;
+  const json all = json::parse(folder.text("out/compare.json"));
+  EXPECT_EQ(all.at("mode"), "resync");
+  EXPECT_LT(all.at("scenes")[0]
+                .at("differences")
+                .at("rigid")
+                .at("resync")
+                .at("figures")
+                .at("impulse")
+                .at("worst")
+                .get<double>(),
+            0.01);
+  EXPECT_TRUE(contains(folder.text("out/report.html"), "Contact by contact"));
+  call.insert(call.end(), {"--contact", "cone"});
+  EXPECT_EQ(folder.run(call).code, 1) << "a soft contact takes the peak off";
+}
+
+// bench_ring: coulomb is close, but not to a millionth. The exit code is the verdict.
+TEST(CliCompare, ExitCodeSaysWhetherTheyAgree) {
+  const Folder folder;
+  const std::vector<std::string> base{
+      "compare", shipped("bench_ring"), "--end", "0.1", "--no-video", "--json", "-o", "out"};
+  auto loose = base;
+  loose.insert(loose.end(), {"--tolerance", "10%"});
+  const Outcome agree = folder.run(loose);
+  EXPECT_EQ(agree.code, 0) << agree.out << agree.err;
+  EXPECT_TRUE(json::parse(agree.out).at("within").get<bool>());
+
+  auto strict = base;
+  strict.insert(strict.end(), {"--tolerance", "1e-6"});
+  const Outcome differ = folder.run(strict);
+  EXPECT_EQ(differ.code, 1) << differ.out << differ.err;
+  EXPECT_FALSE(json::parse(differ.out).at("within").get<bool>());
+}
+
+// Whose verdict counts is the user's choice, and said.
+TEST(CliCompare, TheConeDecidesWhereAsked) {
+  const Folder folder;
+  const Outcome differ =
+      folder.run({"compare", shipped("bench_ring"), "--end", "0.05", "--no-video", "--tolerance",
+                  "10%", "--contact", "cone", "--twins", "4", "-o", "out"});
+  EXPECT_EQ(differ.code, 1) << differ.err;
+  EXPECT_TRUE(contains(differ.out, "Exit code: by cone (--contact), which is outside 10 %"))
+      << differ.out;
+  const json all = json::parse(folder.text("out/compare.json"));
+  EXPECT_EQ(all.at("contact"), "cone");
+  ASSERT_EQ(all.at("answer").size(), 3U);
+  EXPECT_EQ(all["answer"][0].at("contact"), "cone");
+  EXPECT_EQ(all["answer"][0].at("trusted"), "no");
+  EXPECT_TRUE(all["answer"][0].at("decides_exit_code").get<bool>());
+}
+
+// 1 may be meant as 1 % and would be 100 %: neither is guessed.
+TEST(CliCompare, ABareToleranceOfOneIsRefused) {
+  const Folder folder;
+  for (const std::string command : {"compare", "tune"}) {
+    const Outcome refused = folder.run({command, shipped("bench_ring"), "--tolerance", "1"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_EQ(refused.out, "");
+    for (const char* part : {"100 %", "\"1%\"", "0.01"}) {
+      EXPECT_TRUE(contains(refused.err, part)) << part << " in: " << refused.err;
+    }
+  }
+  EXPECT_EQ(folder.run({"compare", shipped("bench_ring"), "--twins", "-1"}).code, 2);
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(CliCompare, LeavesSeriesJsonAndReport) {
+  const Folder folder;
+  const Outcome done = folder.run({"compare", shipped("bench_ring"), shipped("bench_drop"), "--end",
+                                   "0.05", "--no-video", "-o", "out"});
+  ASSERT_LE(done.code, 1) << done.err;
+  EXPECT_EQ(done.err, "");
+  for (const std::string scene : {"bench_ring", "bench_drop"}) {
+    EXPECT_TRUE(contains(done.out, scene));
+    for (const std::string side : {"native", "coulomb", "cone"}) {
+      for (const std::string file : {"series.csv", "impacts.csv", "events.csv", "summary.json"}) {
+        EXPECT_TRUE(folder.has("out/" + scene + "/" + side + "/" + file)) << scene << side << file;
+      }
+    }
+  }
+  EXPECT_EQ(json::parse(folder.text("out/compare.json")).at("scenes").size(), 2U);
+  EXPECT_TRUE(contains(folder.text("out/report.html"), "bench_drop"));
+  expect_whole_files(folder);
+}
+
+// With films: they are files of their own, and inside the page.
+TEST(CliCompareLong, TheReportHoldsTheFilms) {
+  const Folder folder;
+  const Outcome done = folder.run({"compare", shipped("bench_ring"), "--end", "0.02", "-o", "out"});
+  ASSERT_LE(done.code, 1) << done.err;
+  for (const std::string side : {"native", "coulomb", "cone"}) {
+    EXPECT_TRUE(contains(folder.text("out/bench_ring/" + side + ".mp4"), "ftyp"));
+  }
+  const std::string page = folder.text("out/report.html");
+  std::size_t films = 0;
+  for (std::size_t at = page.find("src=\"data:video/mp4;base64,"); at != std::string::npos;
+       at = page.find("src=\"data:video/mp4;base64,", at + 1)) {
+    ++films;
+  }
+  EXPECT_GE(films, 3U);
+  expect_whole_files(folder);
+}
+
+TEST(CliCompareLong, AnInterruptIs130) {
+  const Folder folder;
+  Program program(folder.path(), {"compare", shipped("bench_ring"), "--end", "1000", "-o", "out"});
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  program.interrupt();
+  EXPECT_EQ(program.wait().code, 130);
+  EXPECT_FALSE(folder.has("out/report.html"));
+  expect_whole_files(folder);
+}
+
+}  // namespace
+}  // namespace rotorub::test

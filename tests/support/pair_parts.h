@@ -1,0 +1,191 @@
+// The parts that a machine may have, each as overrides of a small base scene: in geometry form (a shaft with two
+// modes) and in modal form (one mode).
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rotorub::test {
+
+enum class Form { kGeometry, kModal };
+
+// A part of one group shuts out the others of it: a machine has one drive.
+struct Part {
+  std::string name, group;
+  std::vector<std::string> geometry, modal;  // overrides; empty: the form does not have the part
+  const std::vector<std::string>& overrides(Form form) const {
+    return form == Form::kGeometry ? geometry : modal;
+  }
+};
+
+// Part of every scene: a rotor thrown at an elastic ring under a turning load. Within 10 ms it
+// bounces, and where restitution is not too high comes to slide. No two numbers alike.
+inline constexpr const char* kBaseGeometry = R"(
+[run]
+end = 0.010
+step = 1e-5
+output_step = 1e-3
+[rotor]
+speed = 310.0
+length = 0.60
+E = 2.1e11
+nu = 0.3
+rho = 7850.0
+modes = 2
+damping_ratio = 0.03
+[[rotor.section]]
+from = 0.0
+to = 0.60
+diameter = 0.018
+[[rotor.disc]]
+z = 0.30
+mass = 2.0
+Jt = 1.8e-3
+Jp = 3.6e-3
+[[rotor.bearing]]
+z = 0.03
+stiffness = 2e7
+[[rotor.bearing]]
+z = 0.57
+stiffness = 2e7
+[contact]
+station = 0.28
+radius = 0.02
+clearance = 0.5e-3
+friction = 0.2
+restitution = 0.4
+[stator]
+mass = 1.5
+damping = 300.0
+stiffness = 2e5
+[[force]]
+kind = "rotating"
+amplitude = 180.0
+frequency = 290.0
+phase = 0.4
+station = 0.42
+[initial]
+x = [0.2e-3, 0.01e-3]
+y = [-0.1e-3, -0.02e-3]
+vx = [0.25, 0.02]
+vy = [0.05, -0.03]
+)";
+
+inline constexpr const char* kBaseModal = R"(
+[run]
+end = 0.010
+step = 1e-5
+output_step = 1e-3
+[rotor]
+speed = 310.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e5]
+damping = [40.0]
+inertia = 2e-3
+[contact]
+radius = 0.03
+clearance = 0.5e-3
+friction = 0.2
+restitution = 0.4
+[stator]
+mass = 1.0
+damping = 200.0
+stiffness = 1e5
+[[force]]
+kind = "rotating"
+amplitude = 180.0
+frequency = 290.0
+phase = 0.4
+[initial]
+x = [0.2e-3]
+y = [-0.1e-3]
+vx = [0.25]
+vy = [0.05]
+)";
+
+// Held between samples; a whole number of every step that the tests use.
+inline constexpr const char* kSampleTime = "1e-3";
+
+inline std::vector<Part> pair_parts() {
+  const std::string magnets =
+      "actuator={kind='electromagnet',force_constant=3e-4,bias_current=3.0,air_gap=5e-3";
+  const std::string support = "controller={kind='passive',stiffness=4e4,damping=120.0";
+  const std::string sliding =
+      "controller={kind='sliding',on=0.61234e-3,gap_time=4e-3,bandwidth=400.0,boundary_layer=0.1,"
+      "switching_gain=60.0";
+  const auto both = [](const std::vector<std::string>& o) { return std::pair{o, o}; };
+  std::vector<Part> parts;
+  const auto add = [&](const char* name, const char* group, std::vector<std::string> geometry,
+                       std::vector<std::string> modal) {
+    parts.push_back({name, group, std::move(geometry), std::move(modal)});
+  };
+  const auto add_both = [&](const char* name, const char* group,
+                            const std::vector<std::string>& o) {
+    auto [g, m] = both(o);
+    add(name, group, std::move(g), std::move(m));
+  };
+
+  // Rotor.
+  add("gyroscopics", "gyroscopics",
+      {"rotor.disc[0].z=0.15", "rotor.disc[0].Jt=1e-2", "rotor.disc[0].Jp=2e-2"},
+      {"rotor.modal.gyroscopic=[0.4]"});
+  add("internal_damping", "internal_damping", {"rotor.internal_damping_ratio=0.03"},
+      {"rotor.modal.internal_damping=[35.0]"});
+  add("unbalance", "unbalance", {"rotor.disc[0].eccentricity=0.5e-3", "rotor.disc[0].phase=0.7"},
+      {});
+  add("torsion", "torsion", {"rotor.torsion={modes=1,damping_ratio=0.01}"},
+      {"rotor.torsion={inertia=[4e-4],stiffness=[60.0],damping=[0.01],drive_shape=[-0.5]}"});
+  add("anisotropic_rotor", "anisotropic_rotor",
+      {"rotor.bearing[0].stiffness=[2e7,2e6]", "rotor.bearing[1].stiffness=[2e7,3e6]"},
+      {"rotor.modal.mass_y=[2.4]", "rotor.modal.stiffness_y=[1.5e5]",
+       "rotor.modal.damping_y=[55.0]"});
+  add("bearing_dampers", "bearing_dampers",
+      {"rotor.bearing[0].damping=[900.0,600.0]", "rotor.bearing[1].damping=500.0"}, {});
+
+  // What drives it.
+  add("free_spin", "drive", {"drive={kind='free',inertia=2e-3}"}, {"drive={kind='free'}"});
+  add("linear_drive", "drive", {"drive={kind='linear',gain=0.5,speed=330.0,inertia=2e-3}"},
+      {"drive={kind='linear',gain=0.5,speed=330.0}"});
+  add("kloss_drive", "drive",
+      {"drive={kind='kloss',breakdown_torque=8.0,breakdown_slip=0.2,synchronous_speed=330.0,"
+       "inertia=2e-3}"},
+      {"drive={kind='kloss',breakdown_torque=8.0,breakdown_slip=0.2,synchronous_speed=330.0}"});
+  add("table_drive", "drive",
+      {"drive={kind='table',table_speed=[0.0,300.0,400.0],table_torque=[9.0,6.0,-12.0],"
+       "inertia=2e-3}"},
+      {"drive={kind='table',table_speed=[0.0,300.0,400.0],table_torque=[9.0,6.0,-12.0]}"});
+
+  // Ring and magnets.
+  add_both(
+      "anisotropic_ring", "ring",
+      {"stator.mass=[1.3,0.9]", "stator.stiffness=[1.2e5,2.3e5]", "stator.damping=[250.0,150.0]"});
+  add_both("turning_ring", "turning_ring", {"stator.spin={inertia=2e-4,drag=8e-3,speed=-40.0}"});
+  add("magnetic_bearing", "magnetic_bearing",
+      {"magnetic_bearing={station=0.42,negative_stiffness=4.5e4}"},
+      {"magnetic_bearing={negative_stiffness=4.5e4}"});
+  add_both("magnets", "actuator", {magnets + "}"});
+  add_both("coil_lag", "actuator", {support + "}", magnets + ",coil_lag=3e-4}"});
+
+  // Control: an extra spring and damper, and the sliding mode; held between samples or continuous.
+  add_both("sampled_support", "control", {support + ",sample_time=" + kSampleTime + "}"});
+  add_both("continuous_support", "control", {support + "}"});
+  add_both("continuous_sliding", "control", {sliding + "}"});
+
+  // Loads. Switched at instants that are a whole number of no step.
+  add_both("gravity", "gravity", {"gravity={acceleration=[0.5,-9.81]}"});
+  add("switched_load", "switched_load",
+      {"force[1]={kind='constant',vector=[60.0,40.0],on=1.2345678e-3,off=7.654321e-3,"
+       "station=0.42}"},
+      {"force[1]={kind='constant',vector=[60.0,40.0],on=1.2345678e-3,off=7.654321e-3}"});
+  add("ramped_load", "ramped_load", {"force[0].on=0.3141593e-3", "force[0].ramp=5.4321e-3"},
+      {"force[0].on=0.3141593e-3", "force[0].ramp=5.4321e-3"});
+
+  // Impacts that take time.
+  add_both("finite_impacts", "impacts",
+           {"contact.compression_time=2.1e-4", "contact.expansion_time=1.3e-4"});
+  return parts;
+}
+
+}  // namespace rotorub::test
