@@ -1,9 +1,13 @@
 // What the tests of the shadow share.
 #pragma once
 
+#include <Eigen/Core>
+#include <string>
 #include <vector>
 
+#include "native_model/run/run_native.h"
 #include "plugin/config.h"
+#include "plugin/hooks.h"
 #include "plugin/shadow.h"
 #include "plugin/user_data.h"
 #include "tests/support/mujoco_fixture.h"
@@ -24,5 +28,26 @@ inline std::vector<double> shadow_of(const plugin::Config& config, const mjData*
 inline double entry(const plugin::Config& config, const mjData* d, plugin::ShadowEntry which) {
   return d->userdata[config.shadow->data + which];
 }
+
+inline Eigen::Vector2d point(const mjModel* m, const mjData* d, const char* name) {
+  const mjtNum* p = d->sensordata + m->sensor_adr[mj_name2id(m, mjOBJ_SENSOR, name)];
+  return {p[0], p[1]};
+}
+
+// A native run of `paper` with a row at every step.
+inline Trajectory every_step(const scene::Scene& scene, int steps) {
+  NativeOptions options;
+  options.integrator = scene::Integrator::kPaper;
+  options.output_times.emplace();
+  for (int k = 0; k <= steps; ++k) options.output_times->push_back(k * scene.run.step);
+  scene::Scene own = scene;
+  own.run.end = options.output_times->back();
+  return run_native(own, options);
+}
+
+class Shadow : public MujocoTest {
+ protected:
+  plugin::Hooks hooks_;
+};
 
 }  // namespace rotorub::test

@@ -1,0 +1,174 @@
+#include "compare/report/figure_values.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "compare/report/mode_values.h"
+#include "compare/study/format.h"
+#include "compare/study/verdict.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+const char* tone(FigureVerdict verdict) {
+  switch (verdict) {
+    case FigureVerdict::kWithin:
+      return "good";
+    case FigureVerdict::kOutside:
+      return "bad";
+    case FigureVerdict::kUndecidable:
+      return "part";
+    case FigureVerdict::kNotJudged:
+      break;
+  }
+  return "";
+}
+
+// Value cells of one figure, with the chip of its deviation.
+json cells_of(const SceneComparison& c, std::size_t figure) {
+  json cells = json::array();
+  const Figure& f = figures()[figure];
+  for (const PageColumn& column : page_columns(c)) {
+    json cell = {{"value", figure_value(f, f.value(column.side->metrics))},
+                 {"other", !column.figures.empty()}};
+    if (!column.figures.empty()) {
+      const JudgedFigure& d = column.figures[figure];
+      cell["deviation"] = deviation_text(f, d.deviation);
+      cell["tone"] = column.judged ? tone(d.verdict) : "";
+      cell["verdict"] = column.judged ? to_string(d.verdict) : "the step's";
+    }
+    cells.push_back(std::move(cell));
+  }
+  return cells;
+}
+
+struct ResidualRow {
+  const char* label;
+  const char* meaning;
+  double Residuals::*value;
+};
+constexpr ResidualRow kResidualRows[] = {
+    {"law g ≥ 0", "Deepest penetration in a recorded row, over the clearance.",
+     &Residuals::penetration},
+    {"law λ ≥ 0", "Largest pull (a contact cannot pull), over the mean force in contact.",
+     &Residuals::adhesion},
+    {"law g λ = 0", "Largest product of open gap and force: force without touch.",
+     &Residuals::complementarity},
+    {"friction cone", "Friction beyond mu times the normal force.", &Residuals::cone},
+    {"sliding law", "While sliding: distance of the friction from -mu λ sign(slip).",
+     &Residuals::sliding},
+    {"friction brakes", "Friction power above 0: friction that drives.", &Residuals::power},
+    {"series itself", "Recorded gap against the gap of the recorded positions.",
+     &Residuals::gap_error},
+};
+
+}  // namespace
+
+json column_values(const SceneComparison& c) {
+  json all = json::array();
+  for (const PageColumn& column : page_columns(c)) {
+    all.push_back({{"label", column.side->label},
+                   {"other", !column.figures.empty()},
+                   {"settled", to_string(column.side->metrics.settled.attractor)}});
+  }
+  return all;
+}
+
+json figure_rows(const SceneComparison& c, bool judged_only) {
+  json rows = json::array();
+  for (std::size_t k = 0; k < figures().size(); ++k) {
+    const Figure& f = figures()[k];
+    if (judged_only && !f.is_judged()) continue;
+    rows.push_back(
+        {{"label", f.label}, {"unit", f.unit}, {"meaning", f.meaning}, {"cells", cells_of(c, k)}});
+  }
+  return rows;
+}
+
+json split_rows(const SceneComparison& c) {
+  json rows = json::array();
+  for (std::size_t k = 0; k < figures().size(); ++k) {
+    const Figure& f = figures()[k];
+    if (!f.split) continue;
+    for (std::size_t side = 1; side < c.sides.size(); ++side) {
+      const FigureDifference& d = c.differences[side - 1].figures[k];
+      rows.push_back(
+          {{"label", f.label},
+           {"unit", f.unit},
+           {"side", c.sides[side].label},
+           {"difference", figure_value(f, d.split.difference)},
+           {"model_gap", figure_value(f, d.split.model_gap)},
+           {"step_error", figure_value(f, d.split.step_error)},
+           {"native_step_error", figure_value(f, d.split.native_step_error)},
+           {"floor", size_text(f, d.spread)},
+           {"tone", d.split.valid ? "" : "unsure"},
+           {"note", d.split.valid ? fmt::format("valid, ± {}", figure_value(f, d.split.uncertainty))
+                                  : "not valid: " + d.split.reason}});
+    }
+  }
+  return rows;
+}
+
+json residual_rows(const SceneComparison& c) {
+  json rows = json::array();
+  for (const ResidualRow& row : kResidualRows) {
+    json cells = json::array();
+    for (const PageColumn& column : page_columns(c)) {
+      cells.push_back(fmt::format("{:.1e}", column.side->metrics.residuals.*row.value));
+    }
+    rows.push_back({{"label", row.label}, {"meaning", row.meaning}, {"cells", cells}});
+  }
+  return rows;
+}
+
+json cost_rows(const SceneComparison& c) {
+  json speed = json::array(), spread = json::array(), steps = json::array(), factor = json::array();
+  for (const PageColumn& column : page_columns(c)) {
+    const Side& side = *column.side;
+    const Timing& t = side.timing;
+    const bool timed = !t.us_per_step.empty();
+    speed.push_back(timed ? fmt::format("{:.3g} µs", t.median) : std::string("–"));
+    spread.push_back(timed ? fmt::format("{:.3g} – {:.3g} µs", t.lowest, t.highest)
+                           : std::string("–"));
+    steps.push_back(fmt::format("{}", side.trajectory.steps));
+    const double wall = 1e-6 * t.median * static_cast<double>(side.trajectory.steps);
+    factor.push_back(wall > 0.0 ? fmt::format("{:.3g}", side.trajectory.end / wall)
+                                : std::string("–"));
+  }
+  return json::array({
+      {{"label", "time of a step"},
+       {"cells", speed},
+       {"meaning", "Median of repeated runs that record nothing, engines taken in turn."}},
+      {{"label", "its spread"}, {"cells", spread}, {"meaning", "Fastest and slowest of them."}},
+      {{"label", "steps"}, {"cells", steps}, {"meaning", "Of the run that is shown."}},
+      {{"label", "real-time factor"},
+       {"cells", factor},
+       {"meaning", "Simulated time over computing time; above 1: faster than the machine."}},
+  });
+}
+
+json ladder_values(const SceneComparison& c) {
+  if (!c.model_error || !c.model_error->reason.empty()) return nullptr;
+  json rungs = json::array(), rows = json::array();
+  for (const int n : c.model_error->modes) rungs.push_back(fmt::format("{} modes", n));
+  for (const FigureLimit& f : c.model_error->figures) {
+    json cells = json::array();
+    for (const double v : f.values) cells.push_back(figure_value(*f.figure, v));
+    const bool seen = f.error.has_value();
+    rows.push_back({{"label", f.figure->label},
+                    {"unit", f.figure->unit},
+                    {"cells", cells},
+                    {"convergence", to_string(f.convergence)},
+                    {"tone", seen ? "" : "unsure"},
+                    {"off", seen ? deviation_text(*f.figure, *f.error) : std::string("–")},
+                    {"left", seen ? size_text(*f.figure, std::abs(*f.left)) : std::string("–")}});
+  }
+  return {{"rungs", rungs}, {"rows", rows}};
+}
+
+}  // namespace rotorub
