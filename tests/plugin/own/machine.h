@@ -2,6 +2,8 @@
 // without springs; what a test adds is given as MJCF.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 
 namespace rotorub::test {
@@ -11,6 +13,8 @@ inline constexpr double kEps = 0.5;
 struct Machine {
   std::string ring_joint = "";   // attributes of the slide ring_x
   std::string rotor_joint = "";  // of rotor_x
+  std::string spin = "";         // of the hinge spin
+  bool ring_moves = true;        // false: without slides
   std::string bodies = "", constraints = "", ring_geoms = "", pairs = "";
   std::string option = "";
   std::string contact = "rigid";
@@ -18,12 +22,21 @@ struct Machine {
   std::string custom = "";  // further elements
 };
 
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
 inline std::string document(const Machine& x) {
   // sqrt(K) h = 0.2; K and B of a restitution of 0.5, as bench_ring.xml has them.
   const std::string pair =
       x.contact == "rigid"
           ? "margin=\"5e-6\" gap=\"1\""
           : "solref=\"-4e8 -10211.0255\" solimp=\"0.9999 0.9999 0.001\" margin=\"5e-7\" gap=\"0\"";
+  const std::string slides = R"(<joint name="ring_x" type="slide" axis="1 0 0" )" + x.ring_joint +
+                             R"(/>
+      <joint name="ring_y" type="slide" axis="0 1 0"/>)";
   return R"(<mujoco>
   <option timestep="1e-5" gravity="0 0 0" collision="predefined" )" +
          x.option + R"(/>
@@ -35,15 +48,15 @@ inline std::string document(const Machine& x) {
       <joint name="rotor_y" type="slide" axis="0 1 0"/>
       <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
       <body name="rotor">
-        <joint name="spin" type="hinge" axis="0 0 1"/>
+        <joint name="spin" type="hinge" axis="0 0 1" )" +
+         x.spin + R"(/>
         <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
         <geom name="disc" type="cylinder" size="0.05 0.01"/>
       </body>
     </body>
     <body name="ring">
-      <joint name="ring_x" type="slide" axis="1 0 0" )" +
-         x.ring_joint + R"(/>
-      <joint name="ring_y" type="slide" axis="0 1 0"/>
+      )" + (x.ring_moves ? slides : "") +
+         R"(
       <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
       <geom name="bore" type="cylinder" size="0.06 0.01"/>
       )" + x.ring_geoms +

@@ -16,11 +16,6 @@ namespace names = mjcf_names;
 
 class OwnRules : public MujocoTest {
  protected:
-  static std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return at == std::string::npos ? text : text.replace(at, from.size(), to);
-  }
   static void expect_refused(const std::string& text, const std::string& named) {
     std::string why;
     EXPECT_EQ(try_load(text, why), nullptr) << named;

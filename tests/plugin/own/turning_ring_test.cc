@@ -1,5 +1,5 @@
-// A user's ring that turns: a hinge about the ring's axis beside its slides. Rotor and ring float; the
-// rotor circles in the ring's bore, where the normal force is known: m w^2 / delta_0, m the reduced mass.
+// A user's ring that turns (an auxiliary ball bearing): a hinge about the ring's axis with inertia and drag, by itself
+// or beside slides.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,9 +15,10 @@
 namespace rotorub::test {
 namespace {
 
-constexpr double kClearance = 5e-4, kWhirl = 0.4, kRingSpeed = 314.0, kSpeed = 100.0;
+constexpr double kRadius = 0.05, kClearance = 5e-4, kBore = kRadius + kClearance, kMu = 0.15;
+constexpr double kWhirl = 0.4, kRingSpeed = 314.0, kSpeed = 100.0;
 
-// The same machine, as a scene.
+// The floating machine, as a scene.
 const std::string kScene = R"(
 [run]
 end = 0.02
@@ -48,7 +49,23 @@ vy = [0.4]
 
 class OwnTurningRing : public MujocoTest {
  protected:
-  static ModelPointer turning(const std::string& contact, double friction) {
+  // Held at its centre, so that it can do nothing but turn, around a rotor whose spin hardly changes.
+  enum Held { kX, kY, kSpin, kRing };
+  static constexpr double kHeldInertia = 2e-3, kDrag = 4e-3, kRotorInertia = 100.0 + 1e-3;
+  static ModelPointer held(const std::string& contact, double friction, double drag) {
+    Machine x;
+    x.contact = contact;
+    x.friction = friction;
+    x.spin = "armature=\"100\"";
+    x.ring_moves = false;
+    x.ring_geoms = "<joint name=\"turn\" type=\"hinge\" axis=\"0 0 1\" armature=\"1e-3\" damping=\"" +
+                   std::to_string(drag) + "\"/>";
+    return load(document(x));
+  }
+
+  // Rotor and ring float; the rotor circles in the ring's bore, where the normal force is known:
+  // m w^2 / delta_0, m the reduced mass.
+  static ModelPointer floating(const std::string& contact, double friction) {
     Machine x;
     x.contact = contact;
     x.friction = friction;
@@ -67,11 +84,91 @@ class OwnTurningRing : public MujocoTest {
   plugin::Hooks hooks_;
 };
 
+// ---------------------------------------------------------------- held at its centre
+// Pressed against the ring by a load that turns with the rub's normal: at rest at angle 0, held by
+// y = 0. Omega_r(t) = (mu N R / c_r) (1 - exp(-c_r t / J_r)), R = r + delta_0, while it slips.
+TEST_F(OwnTurningRing, IsSpunUpByTheRub) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    const ModelPointer m = held(contact, kMu, kDrag);
+    const DataPointer d = start(m.get());
+    d->qpos[kX] = kClearance;
+    d->qvel[kSpin] = 1000.0;
+    constexpr double kForce = 100.0;
+    constexpr int kSteps = 40000;
+    double worst = 0.0, lowest = 1e9, highest = 0.0;
+    for (int k = 0; k < kSteps; ++k) {
+      d->qfrc_applied[kX] = kForce;
+      d->qfrc_applied[kY] = kMu * kForce;  // what friction pulls, so that it stays
+      mj_step(m.get(), d.get());
+      if (k < 200) continue;
+      const double normal = sensor(m.get(), d.get(), "normal_force");
+      lowest = std::min(lowest, normal);
+      highest = std::max(highest, normal);
+      const double t = d->time;
+      const double speed =
+          kMu * kForce * kBore / kDrag * (1.0 - std::exp(-kDrag * t / kHeldInertia));
+      worst = std::max(worst, std::abs(d->qvel[kRing] - speed));
+    }
+    EXPECT_GT(d->qvel[kRing], 90.0) << contact;
+    EXPECT_LT(worst, 1e-3 * d->qvel[kRing]) << contact;
+    EXPECT_NEAR(lowest, kForce, 0.02 * kForce) << contact;
+    EXPECT_NEAR(highest, kForce, 0.02 * kForce) << contact;
+    EXPECT_NEAR(sensor(m.get(), d.get(), "slip"),
+                d->qvel[kY] + kRadius * d->qvel[kSpin] - kBore * d->qvel[kRing], 1e-3)
+        << contact;
+  }
+}
+
+// A ring that turns by itself, without friction, changes nothing: neither force nor place.
+TEST_F(OwnTurningRing, WithoutFrictionItMayTurnAsItLikes) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    for (const double speed : {0.0, 314.0, -3000.0}) {
+      const ModelPointer m = held(contact, 0.0, 0.0);
+      const DataPointer d = start(m.get());
+      d->qpos[kX] = kClearance;
+      d->qvel[kRing] = speed;
+      double lowest = 1e9, highest = 0.0;
+      for (int k = 0; k < 3000; ++k) {
+        d->qfrc_applied[kX] = 20.0;
+        mj_step(m.get(), d.get());
+        if (k < 500) continue;
+        lowest = std::min(lowest, sensor(m.get(), d.get(), "normal_force"));
+        highest = std::max(highest, sensor(m.get(), d.get(), "normal_force"));
+      }
+      EXPECT_NEAR(lowest, 20.0, 0.05) << contact << speed;
+      EXPECT_NEAR(highest, 20.0, 0.05) << contact << speed;
+      EXPECT_NEAR(std::hypot(d->qpos[kX], d->qpos[kY]), kClearance, 5e-8) << contact << speed;
+    }
+  }
+}
+
+// Impacts with friction on a ring that turns: about the ring's axis nothing is lost.
+TEST_F(OwnTurningRing, AngularMomentumIsConserved) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    const ModelPointer m = held(contact, 0.3, 0.0);
+    const DataPointer d = start(m.get());
+    d->qvel[kX] = 0.3;
+    d->qvel[kY] = 0.2;
+    d->qvel[kSpin] = 20.0;
+    d->qvel[kRing] = 314.0;
+    const auto momentum = [&] {
+      return 2.0 * (d->qpos[kX] * d->qvel[kY] - d->qpos[kY] * d->qvel[kX]) +
+             kRotorInertia * d->qvel[kSpin] + kHeldInertia * d->qvel[kRing];
+    };
+    const double before = momentum();
+    for (int k = 0; k < 20000; ++k) mj_step(m.get(), d.get());
+    EXPECT_LT(d->qvel[kRing], 310.0) << contact;
+    // What changes hands is some 0.1 N m s.
+    EXPECT_NEAR(momentum(), before, contact[0] == 'r' ? 1e-10 : 1e-6) << contact;
+  }
+}
+
+// ---------------------------------------------------------------- floating
 TEST_F(OwnTurningRing, WithoutFrictionItsTurningGivesTheRotorNoForce) {
   constexpr double kReducedMass = 2.0 / 3.0;
   const double exact = kReducedMass * kWhirl * kWhirl / kClearance;
   for (const std::string contact : {"rigid", "coulomb"}) {
-    const ModelPointer m = turning(contact, 0.0);
+    const ModelPointer m = floating(contact, 0.0);
     const DataPointer d = begin(m.get());
     for (int k = 0; k < 2000; ++k) {
       mj_step(m.get(), d.get());
@@ -93,7 +190,7 @@ TEST_F(OwnTurningRing, FollowsTheNativeAnswer) {
   for (const std::string contact : {"rigid", "coulomb"}) {
     SCOPED_TRACE(contact);
     const auto error = [&](double step) {
-      const ModelPointer m = turning(contact, 0.15);
+      const ModelPointer m = floating(contact, kMu);
       m->opt.timestep = step;
       const DataPointer d = begin(m.get());
       for (int k = 0; k < std::lround(0.02 / step); ++k) mj_step(m.get(), d.get());
@@ -111,19 +208,19 @@ TEST_F(OwnTurningRing, FollowsTheNativeAnswer) {
 // What friction gives the one it takes from the other, at one point: the bore's radius is its lever there,
 // to the gap of the step's begin.
 TEST_F(OwnTurningRing, FrictionsMomentsBalance) {
-  const ModelPointer m = turning("rigid", 0.15);
+  const ModelPointer m = floating("rigid", kMu);
   const DataPointer d = begin(m.get());
-  const double radius = 0.05, inertia = 1e-3, drag = 2e-3;
+  const double inertia = 1e-3, drag = 2e-3;
   for (int k = 0; k < 500; ++k) {
     const double spin = d->qvel[2], ring = d->qvel[5], h = m->opt.timestep;
     const double delta = std::hypot(d->qpos[0] - d->qpos[3], d->qpos[1] - d->qpos[4]);
     EXPECT_NEAR(delta, kClearance, 1e-3 * kClearance);
     mj_step(m.get(), d.get());
     const double friction = sensor(m.get(), d.get(), mjcf_names::kFrictionForce);
-    EXPECT_NEAR(inertia * (d->qvel[2] - spin) / h, radius * friction, 1e-9);
+    EXPECT_NEAR(inertia * (d->qvel[2] - spin) / h, kRadius * friction, 1e-9);
     // MuJoCo's joint damping is that of the step's end.
     EXPECT_NEAR(inertia * (d->qvel[5] - ring) / h + drag * d->qvel[5],
-                -(radius + delta) * friction, 1e-9);
+                -(kRadius + delta) * friction, 1e-9);
   }
 }
 
