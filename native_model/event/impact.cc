@@ -1,7 +1,9 @@
 #include "native_model/event/impact.h"
 
 #include <algorithm>
+#include <span>
 
+#include "native_model/contact/impact_phase.h"
 #include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
 
@@ -108,49 +110,34 @@ EventImpact::Outcome EventImpact::over_time(Motion& motion, const ContactPoint& 
   return {r.status, parts ? Outcome::kParts : Outcome::kRests};
 }
 
-// One phase, over tau: velocities go straight from v_0 to v_1 = v_0 + tau a + M^-1 W p, the
-// coordinates with v_1, normal and friction force are p / tau. A run that ends within it takes the
-// part until then.
-//
-// Work: of the impulse W p between v_0 + tau a and v_1, which friction and Poisson's law keep from
-// being a gain; of the loads between v_0 and v_0 + tau a; and, since the path goes with v_1 and the
-// springs are held, what the stored energy grows by along the path at v_1.
+// One phase (contact/impact_phase.h), over tau; normal and friction force are p / tau. A run that ends
+// within it takes the part until then.
 void EventImpact::phase_of(Motion& motion, const Eigen::Vector2d& e_r, double tau, double normal,
                            double friction, Impact& record, double end) {
   if (motion.t >= end) return;
   const Model& m = *model_;
-  const int n = m.nq();
+  const auto n = static_cast<std::size_t>(m.nq());
   const bool cut = end - motion.t < tau;
   const double dt = cut ? end - motion.t : tau, share = cut ? dt / tau : 1.0;
   double *v = motion.v(), *v0 = before_.data(), *v1 = after_.data();
-  // Rates along the normal of the touch, which the impulses have.
-  const auto rates = [&] {
-    const Eigen::Vector3d w = contact_velocity(motion);
-    const Eigen::Vector2d e_t{-e_r.y(), e_r.x()};
-    return Eigen::Vector2d(-e_r.dot(w.head<2>()), e_t.dot(w.head<2>()) + m.contact->radius * w.z());
-  };
-  const auto load = [&](double time) {
-    for (int i = 0; i < n; ++i) v[i] += time * acceleration_[static_cast<std::size_t>(i)];
-  };
+  const auto rates = [&] { return rates_along(e_r, m.contact->radius, contact_velocity(motion)); };
 
   // v_1 of the whole phase, and what is seen on the way.
   std::copy_n(v, n, v0);
   const double rate_before = rates().x();
-  load(tau);
+  load_phase(tau, acceleration_, before_, {v, n});
   constraint_->apply(motion, e_r, normal, friction);
   std::copy_n(v, n, v1);
-  std::copy_n(v0, n, v);
   const double until = cut ? end : motion.t + dt;
+  std::copy_n(v0, n, v);
   if (tau > 0.0) {
     observer_->watch(motion, {tau, until, v0, v1, normal / tau, friction / tau});
   }
 
   // The part that there is of it.
-  load(dt);
+  load_phase(dt, acceleration_, before_, {v, n});
   double& work = motion.integral(kExternalWork);
-  for (int i = 0; i < m.layout.mechanical(); ++i) {
-    work += 0.5 * dt * force_[static_cast<std::size_t>(i)] * (v0[i] + v[i]);
-  }
+  add_load_work(dt, std::span(force_).first(static_cast<std::size_t>(m.layout.mechanical())), v0, v, work);
   const Eigen::Vector2d loaded = rates();
   constraint_->apply(motion, e_r, share * normal, share * friction);
   const double rate_after = rates().x();
@@ -158,7 +145,7 @@ void EventImpact::phase_of(Motion& motion, const Eigen::Vector2d& e_r, double ta
   motion.integral(kGapRateSquare) +=
       dt / 3.0 * (rate_before * (rate_before + rate_after) + rate_after * rate_after);
   work -= energy(m, motion.t, motion.q(), v);
-  for (int i = 0; i < n; ++i) motion.q()[i] += dt * v1[i];
+  for (std::size_t i = 0; i < n; ++i) motion.q()[i] += dt * v1[i];
   motion.t = until;
   work += energy(m, motion.t, motion.q(), v);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "native_model/contact/impact_phase.h"
 #include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
 
@@ -105,11 +106,11 @@ void Observer::meet_energy(const Motion& m) {
 
 void Observer::account(Impact& record, double normal, double friction,
                        const Eigen::Vector2d& before, const Eigen::Vector2d& after) {
-  const double rubbed = 0.5 * friction * (before.y() + after.y());
+  const ImpulseWork work = impulse_work(normal, friction, before, after);
   record.normal_impulse += normal;
   record.friction_impulse += friction;
-  record.energy_change += 0.5 * normal * (before.x() + after.x()) + rubbed;
-  recorder_->statistics().friction_work += rubbed;
+  record.energy_change += work.total();
+  recorder_->statistics().friction_work += work.friction;
   impact_impulse_ += normal;
 }
 

@@ -1,8 +1,10 @@
 #include "native_model/stepping/finite_impact.h"
 
 #include <algorithm>
+#include <span>
 
 #include "native_model/contact/impact_map.h"
+#include "native_model/contact/impact_phase.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 
@@ -21,31 +23,25 @@ double FiniteImpact::power(double t, const double* q, const double* v,
   return external_power(*model_, t, q, v, actuator_state(*model_, q, v, command).force);
 }
 
-// gdot_N, gdot_T along the normal of the touch, which the impulses have.
 Eigen::Vector2d FiniteImpact::rates(const double* v, const Eigen::Vector2d& e_r) const {
   const Eigen::Vector2d w = rotor_point(*model_, v) - stator_point(*model_, v);
-  return {-e_r.dot(w),
-          e_r.x() * w.y() - e_r.y() * w.x() + model_->contact->radius * contact_spin(*model_, v)};
+  return rates_along(e_r, model_->contact->radius, {w.x(), w.y(), contact_spin(*model_, v)});
 }
 
-// v_1 = v_0 + tau a + M^-1 W p; works as in EventImpact::phase_of.
+// contact/impact_phase.h
 void FiniteImpact::add_phase(double t, const double* q, double tau, double normal, double friction,
                              const Eigen::Vector2d& e_r, const std::vector<double>& from,
                              std::vector<double>& to) {
   const Model& m = *model_;
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    to[i] = from[i] + tau * acceleration_[i];
-    if (static_cast<int>(i) < m.layout.mechanical()) {
-      external_work_ += 0.5 * tau * force_[i] * (from[i] + to[i]);
-    }
-  }
+  load_phase(tau, acceleration_, from, to);
+  add_load_work(tau, std::span(force_).first(static_cast<std::size_t>(m.layout.mechanical())), from.data(), to.data(),
+                external_work_);
   const Eigen::Vector2d before = rates(to.data(), e_r);
   constraint_.apply(t, q, to.data(), e_r, normal, friction);
   const Eigen::Vector2d after = rates(to.data(), e_r);
   record_.normal_impulse += normal;
   record_.friction_impulse += friction;
-  record_.energy_change +=
-      0.5 * (normal * (before.x() + after.x()) + friction * (before.y() + after.y()));
+  record_.energy_change += impulse_work(normal, friction, before, after).total();
 }
 
 ImpactStatus FiniteImpact::begin(double t, const double* q, const double* v,

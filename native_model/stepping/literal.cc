@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "native_model/contact/impact.h"
+#include "native_model/contact/impact_phase.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 
@@ -12,10 +13,6 @@ namespace {
 Eigen::Vector3d rates(const Model& m, const Eigen::VectorXd& v) {
   const Eigen::Vector2d d = rotor_point(m, v.data()) - stator_point(m, v.data());
   return {d.x(), d.y(), contact_spin(m, v.data())};  // of accelerations the first two alone
-}
-
-double slip(const Eigen::Vector2d& e_r, double radius, const Eigen::Vector3d& v) {
-  return e_r.x() * v.y() - e_r.y() * v.x() + radius * v.z();
 }
 
 }  // namespace
@@ -73,18 +70,11 @@ void LiteralStepper::push(double t, const Eigen::Vector2d& e_r, double normal, d
 // One row of an impact; its impulses are those of the step.
 void LiteralStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out) {
   const double radius = model_->contact->radius;
-  const Eigen::Vector3d before = rates(*model_, free_), after = rates(*model_, state_.v);
-  Impact hit{t + h_,
-             out.normal_impulse,
-             out.friction_impulse,
-             -e_r.dot(before.head<2>()),
-             -e_r.dot(after.head<2>()),
-             slip(e_r, radius, before),
-             slip(e_r, radius, after),
-             0.0};
-  hit.energy_change = 0.5 * (hit.normal_impulse * (hit.gap_rate_before + hit.gap_rate_after) +
-                             hit.friction_impulse * (hit.slip_before + hit.slip_after));
-  hit_ = hit;
+  const Eigen::Vector2d before = rates_along(e_r, radius, rates(*model_, free_));
+  const Eigen::Vector2d after = rates_along(e_r, radius, rates(*model_, state_.v));
+  const ImpulseWork work = impulse_work(out.normal_impulse, out.friction_impulse, before, after);
+  hit_ = {t + h_,     out.normal_impulse, out.friction_impulse, before.x(), after.x(),
+          before.y(), after.y(),          work.total()};
   out.impacts = {&hit_, 1};
   out.mode = Mode::kFree;
 }
@@ -107,7 +97,7 @@ void LiteralStepper::touch(double t, FixedStep& out) {
   const double undone = h_ * (e_r.dot(acceleration.head<2>()) + whirl * whirl / c.clearance);
   const Delassus g = delassus(contact_admittance(m, t, q()), e_r, c.radius);
   if (!lasted && c.restitution * closing > undone) {
-    const ImpactResult r = solve_impact(g, -closing, slip(e_r, c.radius, free),
+    const ImpactResult r = solve_impact(g, -closing, rates_along(e_r, c.radius, free).y(),
                                         {c.friction, c.restitution, c.tangential_restitution});
     if (r.status != ImpactStatus::kOk) {
       out.status = r.status == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous;
@@ -118,7 +108,7 @@ void LiteralStepper::touch(double t, FixedStep& out) {
     push(t, e_r, r.normal(), r.friction());
     return record(t, e_r, out);
   }
-  const CoulombSolution s = solve_coulomb(g, gap / h_, slip(e_r, c.radius, free), c.friction);
+  const CoulombSolution s = solve_coulomb(g, gap / h_, rates_along(e_r, c.radius, free).y(), c.friction);
   if (s.solutions != 1) {
     out.status = s.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous;
     return;
