@@ -153,14 +153,17 @@ Eigen::MatrixXcd dynamic_stiffness(const RubSystem& s, double nu) {
   return d;
 }
 
+Eigen::VectorXcd response(const RubSystem& s, double nu, const Eigen::VectorXcd& load) {
+  return dynamic_stiffness(s, nu).partialPivLu().solve(load);
+}
+
 Complex ring_stiffness(const RubSystem& s, double nu) {
   assert(s.ring);
   return {s.ring->stiffness - s.ring->mass * nu * nu, s.ring->damping * nu};
 }
 
 Complex compliance(const RubSystem& s, double nu) {
-  const Eigen::VectorXcd c = s.contact.cast<Complex>();
-  const Complex rotor = s.contact.dot(dynamic_stiffness(s, nu).partialPivLu().solve(c));
+  const Complex rotor = s.contact.dot(response(s, nu, s.contact.cast<Complex>()));
   return s.ring ? rotor + 1.0 / ring_stiffness(s, nu) : rotor;
 }
 

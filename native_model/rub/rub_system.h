@@ -62,6 +62,9 @@ std::vector<RotatingLoad> rotating_loads(const RubSystem& system);
 
 // D_r(nu) = K + nu Omega G - nu^2 M + i nu D + i (nu - Omega) N, n x n, N/m; nu in rad/s, forward positive.
 Eigen::MatrixXcd dynamic_stiffness(const RubSystem& system, double nu);
+// D_r(nu)^-1 load, m: the rotor's modes under a load that turns at nu, N, n values. Not finite at an undamped
+// resonance.
+Eigen::VectorXcd response(const RubSystem& system, double nu, const Eigen::VectorXcd& load);
 // D_s(nu) = K_f - nu^2 M_f + i nu D_f, N/m. Asserts a ring.
 Complex ring_stiffness(const RubSystem& system, double nu);
 // H(nu) = c^T D_r^-1 c + 1 / D_s, m/N: the relative centre for a force that turns at nu. Not finite at an

@@ -1,6 +1,6 @@
 #include "native_model/rub/steady_rub.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,15 +20,12 @@ bool finite(const Complex& z) { return std::isfinite(z.real()) && std::isfinite(
 // Where rotor and ring stand under lambda (1 + i tau) and `load`, both in the turning frame.
 void place(const RubSystem& s, const Eigen::VectorXcd& load, SteadyRub& rub) {
   const Complex push = rub.normal_force * Complex(1.0, rub.friction);
-  rub.rotor = dynamic_stiffness(s, rub.whirl)
-                  .partialPivLu()
-                  .solve(load - push * s.contact.cast<Complex>());
+  rub.rotor = response(s, rub.whirl, load - push * s.contact.cast<Complex>());
   rub.ring = s.ring ? push / ring_stiffness(s, rub.whirl) : Complex();
 }
 
 Complex at_contact(const RubSystem& s, const RotatingLoad& load) {
-  const Eigen::VectorXcd r = dynamic_stiffness(s, load.frequency).partialPivLu().solve(load.load);
-  return s.contact.cast<Complex>().dot(r);
+  return s.contact.cast<Complex>().dot(response(s, load.frequency, load.load));
 }
 
 // Frequencies from `low` to `top`: evenly in the logarithm, and about each resonance in steps that double
