@@ -2,7 +2,7 @@
 // on which side of a watershed a start lies.
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -59,7 +59,8 @@ double growth_rate(const std::vector<double>& t, const std::vector<double>& x, d
       basis.row(i) << 1.0, std::cos(frequency * t[k]), std::sin(frequency * t[k]);
       value[i] = x[k];
     }
-    const Eigen::Vector3d fit = basis.colPivHouseholderQr().solve(value);
+    const Eigen::Matrix3d normal = basis.transpose() * basis;
+    const Eigen::Vector3d right = basis.transpose() * value, fit = normal.ldlt().solve(right);
     middle.push_back(t[first] + 0.5 * kWindow);
     logarithm.push_back(0.5 * std::log(fit.tail<2>().squaredNorm()));
     first = end;
@@ -68,7 +69,9 @@ double growth_rate(const std::vector<double>& t, const std::vector<double>& x, d
   line.col(0).setOnes();
   line.col(1) = Eigen::Map<Eigen::VectorXd>(middle.data(), line.rows());
   const Eigen::VectorXd y = Eigen::Map<Eigen::VectorXd>(logarithm.data(), line.rows());
-  return line.colPivHouseholderQr().solve(y)[1];
+  const Eigen::Matrix2d normal = line.transpose() * line;
+  const Eigen::Vector2d right = line.transpose() * y, fit = normal.ldlt().solve(right);
+  return fit[1];
 }
 
 // Within 2 % of the eigenvalue, judged over 5 s: over 1 s decay and growth look alike.

@@ -29,12 +29,13 @@ std::vector<Complex> exponents(const std::vector<double>& x, double step, Eigen:
   }
   now.conservativeResize(all - wide - 1, wide);
   next.conservativeResize(all - wide - 1, wide);
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(now, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  // Jacobi's: the matrices are small, and the other takes a minute to compile.
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(now, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::MatrixXd pencil = svd.singularValues().head(count).cwiseInverse().asDiagonal() *
                                  svd.matrixU().leftCols(count).transpose() * next *
                                  svd.matrixV().leftCols(count);
-  std::vector<Complex> found;
-  for (const Complex& z : real_eigenvalues(pencil).value()) found.push_back(std::log(z) / step);
+  std::vector<Complex> found = real_eigenvalues(pencil).value();
+  for (Complex& z : found) z = std::log(z) / step;
   std::sort(found.begin(), found.end(),
             [](const Complex& a, const Complex& b) { return a.real() > b.real(); });
   return found;
