@@ -1,5 +1,9 @@
 #include "plugin/segment_loads.h"
 
+#include <cmath>
+
+#include "native_model/dynamics/dynamics.h"
+
 namespace rotorub::plugin {
 namespace {
 
@@ -28,10 +32,21 @@ void add_segment_loads(const Config& config, mjData* d) {
     fx -= omega * (s.internal * gather(s.y, &JointAddress::position, d->qpos));
     fy += omega * (s.internal * gather(s.x, &JointAddress::position, d->qpos));
   }
+  const double phi = model.layout.spin
+                         ? s.spin_share.dot(gather(s.spin, &JointAddress::position, d->qpos))
+                         : spin_angle(model, d->time, nullptr);
   for (std::size_t i = 0; i < s.force_rows.size(); ++i) {
-    const Eigen::Vector2d force = model.forces[i].at(d->time);
+    const Eigen::Vector2d force = model.forces[i].at(d->time, phi);
     fx += force.x() * s.force_rows[i].transpose();
     fy += force.y() * s.force_rows[i].transpose();
+  }
+  // Blades that are lost; MuJoCo's bodies keep their masses. The spin is held (mjcf/writer.cc).
+  for (std::size_t i = 0; i < s.lost_rows.size(); ++i) {
+    const DiscUnbalance& lost = s.lost[i];
+    if (d->time < lost.on) continue;
+    const double size = lost.static_moment * model.speed * model.speed;
+    fx += size * std::cos(phi + lost.phase) * s.lost_rows[i].transpose();
+    fy += size * std::sin(phi + lost.phase) * s.lost_rows[i].transpose();
   }
   if (s.magnet_row.size() > 0) {
     const auto pull = [&](const std::vector<JointAddress>& joints) {
@@ -49,7 +64,8 @@ void add_segment_loads(const Config& config, mjData* d) {
   }
   if (s.drive_node >= 0 && model.drive) {
     const JointAddress& motor = s.spin[static_cast<std::size_t>(s.drive_node)];
-    d->qfrc_passive[motor.velocity] += model.drive->torque(d->qvel[motor.velocity]);
+    d->qfrc_passive[motor.velocity] += model.drive_torque(
+        d->time, d->qpos[motor.position] - model.drive_angle, d->qvel[motor.velocity]);
   }
   if (model.weight.size() > 0) {
     // The rotor's weight is MuJoCo's; the ring's mass is an armature, on which gravity does not

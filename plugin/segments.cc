@@ -85,7 +85,13 @@ Segments make_segments(const scene::Scene& scene, const Model& model,
   if (geometry.internal_damping_ratio > 0.0) s.internal = m.internal;
   if (!m.torsion_damping.isZero(0.0)) s.torsion_damping = m.torsion_damping;
   for (const scene::Force& force : scene.forces) {
-    s.force_rows.push_back(s.chain.deflection(force.station));
+    const Eigen::RowVectorXd row = s.chain.deflection(force.station);
+    if (force.kind != scene::ForceKind::kUnbalance) {
+      s.force_rows.push_back(row);
+    } else {
+      s.lost.push_back({{}, force.static_moment, force.phase, force.on});
+      s.lost_rows.push_back(row);
+    }
   }
   if (scene.magnetic_bearing) {
     s.magnet_row = s.chain.deflection(scene.magnetic_bearing->station);

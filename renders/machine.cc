@@ -144,12 +144,14 @@ double motion_at(const Machine& machine, const Playback& playback, double from, 
   return largest;
 }
 
-// Where a magnetic bearing sits, m: the scene's own, or one that makes its first rotating force.
+// Where a magnetic bearing sits, m: the scene's own, or one that makes its first force that turns.
 std::optional<double> exciter_station(const scene::Scene& scene) {
   if (!scene.rotor.geometry) return std::nullopt;
   if (scene.magnetic_bearing) return scene.magnetic_bearing->station;
   for (const scene::Force& force : scene.forces) {
-    if (force.kind == scene::ForceKind::kRotating) return force.station;
+    if (force.kind == scene::ForceKind::kRotating || force.kind == scene::ForceKind::kChirp) {
+      return force.station;
+    }
   }
   return std::nullopt;
 }

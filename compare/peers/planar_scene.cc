@@ -21,6 +21,11 @@ std::string beyond(const scene::Scene& s, const Model& m) {
   if (!m.dampers.empty() || !m.springs.empty())
     return "bearings or springs at stations of their own";
   if (!m.unbalances.empty()) return "unbalance";
+  for (const AppliedForce& f : m.forces) {
+    if (f.kind != scene::ForceKind::kRotating && f.kind != scene::ForceKind::kConstant) {
+      return "a [[force]] that is neither rotating nor constant";
+    }
+  }
   if (m.controller || m.magnets || s.actuator) return "[controller] or [actuator]";
   if (s.drive && s.drive->kind != scene::DriveKind::kLinear &&
       s.drive->kind != scene::DriveKind::kFree) {

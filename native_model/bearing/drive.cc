@@ -1,6 +1,7 @@
 #include "native_model/bearing/drive.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace rotorub {
@@ -47,7 +48,8 @@ double kloss_slope(const scene::Drive& d, double slip) {
 
 }  // namespace
 
-Drive::Drive(const scene::Drive& drive) : drive_(drive) {
+Drive::Drive(const scene::Drive& drive, double start) : drive_(drive), start_(start) {
+  if (follows()) ramp_end_ = std::abs(drive_.speed - start_) / drive_.acceleration;
   if (drive_.kind == scene::DriveKind::kTable) {
     tangents_ = monotone_tangents(drive_.table_speed, drive_.table_torque);
   }
@@ -59,6 +61,9 @@ double Drive::torque(double speed) const {
     case scene::DriveKind::kLinear: return drive_.gain * (drive_.speed - speed);
     case scene::DriveKind::kKloss:
       return kloss(drive_, 1.0 - speed / drive_.synchronous_speed);
+    case scene::DriveKind::kSpeedControlled:
+      assert(false);
+      return 0.0;
     case scene::DriveKind::kTable: break;
   }
   const auto &x = drive_.table_speed, &y = drive_.table_torque;
@@ -71,10 +76,24 @@ double Drive::torque(double speed) const {
          (3 * s2 - 2 * s3) * y[i + 1] + (s3 - s2) * h * tangents_[i + 1];
 }
 
+double Drive::torque(double t, double angle, double speed) const {
+  if (!follows()) return torque(speed);
+  // The mean of start and present reference over what has passed of the ramp, then the target.
+  const double rising = std::min(t, ramp_end_);
+  const double reference =
+      rising < ramp_end_ ? start_ + (drive_.speed - start_) * (rising / ramp_end_) : drive_.speed;
+  const double left = 0.5 * (start_ + reference) * rising + drive_.speed * (t - rising) - angle;
+  const auto limited = [most = drive_.torque_limit](double torque) {
+    return std::clamp(torque, -most, most);
+  };
+  return limited(drive_.gain * (reference - speed) + limited(drive_.integral_gain * left));
+}
+
 double Drive::slope(double speed) const {
   switch (drive_.kind) {
     case scene::DriveKind::kFree: return 0.0;
-    case scene::DriveKind::kLinear: return -drive_.gain;
+    case scene::DriveKind::kLinear:
+    case scene::DriveKind::kSpeedControlled: return -drive_.gain;
     case scene::DriveKind::kKloss:
       return kloss_slope(drive_, 1.0 - speed / drive_.synchronous_speed);
     case scene::DriveKind::kTable: break;

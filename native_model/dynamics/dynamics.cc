@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "native_model/dynamics/equations.h"
 
@@ -36,7 +37,7 @@ void add_loads(const Model& m, double t, const double* q, const double* v, doubl
   eq::add_springs(m, q, f);
   for (const AppliedForce& force : m.forces) {
     if (t < force.on || t >= force.off) continue;
-    const Eigen::Vector2d p = force.at(t);
+    const Eigen::Vector2d p = force.at(t, spin_angle(m, t, q));
     eq::add_station_force(m.layout.modes, force.shape, p.x(), p.y(), f);
   }
   if (!m.unbalances.empty()) {
@@ -44,16 +45,17 @@ void add_loads(const Model& m, double t, const double* q, const double* v, doubl
     at.fill(m, t, q);
     eq::add_unbalance(m, at, omega, f);
   }
-  eq::add_drive(m, v, f);
+  eq::add_drive(m, t, q, v, f);
 }
 
 }  // namespace
 
-double spin_angle(const Model& m, double t, const double* q) {
-  return m.layout.spin ? q[m.layout.phi()] : m.spin_angle + m.speed * t;
-}
+double spin_angle(const Model& m, double t, const double* q) { return eq::spin_angle(m, t, q); }
 double spin_speed(const Model& m, const double* v) { return eq::spin_speed(m, v); }
 double contact_spin(const Model& m, const double* v) { return eq::contact_spin(m, v); }
+double motor_torque(const Model& m, double t, const double* q, const double* v) {
+  return m.drive ? eq::motor_torque(m, t, q, v) : 0.0;
+}
 
 void coupling_force(const Model& m, double t, const double* q, const double* v, double* f) {
   load_force(m, t, q, v, f);
@@ -172,6 +174,20 @@ double energy(const Model& m, double t, const double* q, const double* v) {
     e += v[l.phi()] * bending;
   }
   return e;
+}
+
+double switching_work(const Model& m, double from, double to, const double* q, const double* v) {
+  if (!m.coupled_mass()) return 0.0;
+  const Layout& l = m.layout;
+  double work = 0.0;
+  for (const DiscUnbalance& u : m.unbalances) {
+    if (u.on <= from || u.on > to) continue;
+    const double angle = spin_angle(m, to, q) + u.phase;
+    const Eigen::Vector2d rate = at_station(l, u.shape, v);
+    work += v[l.phi()] * u.static_moment *
+            (std::cos(angle) * rate.y() - std::sin(angle) * rate.x());
+  }
+  return work;
 }
 
 double external_power(const Model& m, double t, const double* q, const double* v,

@@ -14,6 +14,9 @@ double spin_speed(const Model& model, const double* v);             // rad/s, Om
 // rad/s, Omega_c - (R/r) Omega_r, with torsion; Omega_r of a ring that turns
 double contact_spin(const Model& model, const double* v);
 
+// N m, of the drive on the rotor; 0 without one.
+double motor_torque(const Model& model, double t, const double* q, const double* v);
+
 // f(t, q, v), nq values: all loads but the contact's and the actuator's.
 void unactuated_force(const Model& model, double t, const double* q, const double* v, double* f);
 
@@ -53,6 +56,9 @@ void add_contact_load(const Model& model, const Eigen::Vector3d& p, double* f);
 double energy(const Model& model, double t, const double* q, const double* v);
 double external_power(const Model& model, double t, const double* q, const double* v,
                       const Eigen::Vector2d& ring_force);
+// J: what the energy gains at (q, v) by the blades lost in (from, to], where the spin is free: no velocity
+// jumps, and with a blade goes its part of the energy. Work of the outside in the balance.
+double switching_work(const Model& model, double from, double to, const double* q, const double* v);
 // What external_power has beyond (f + stiffness q) . v, for callers that hold f already.
 double extra_power(const Model& model, double t, const double* q, const double* v);
 

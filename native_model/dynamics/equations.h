@@ -77,21 +77,33 @@ ROTORUB_INLINE T contact_spin(const M& m, const T* v) {
   return turns_at_contact(m) ? omega + turning_at_contact(m, v) : omega;
 }
 
-// The directions of the eccentric discs: cosine and sine of phi + phase.
+// phi, without torsion.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE T spin_angle(const M& m, double t, const T* q) {
+  return m.layout.spin ? q[m.layout.phi()] : m.spin_angle + m.speed * lanes::all<T>(t);
+}
+
+// The directions of the eccentric discs: cosine and sine of phi + phase; both 0 of one that is not
+// there yet, with which all that it does is 0.
 template <class T>
 struct DiscAngles {
   T cosine[kMaxUnbalances], sine[kMaxUnbalances];
 
   template <class M>
   ROTORUB_INLINE void fill(const M& m, double t, const T* q) {
+    fill(m, t, q, t, t);
+  }
+  // Of a step from `begin` to `end`, s: those that come within it count with their share of it.
+  template <class M>
+  ROTORUB_INLINE void fill(const M& m, double t, const T* q, double begin, double end) {
+    const T spin = equations::spin_angle(m, t, q);
     for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
-      const T spin =
-          m.layout.spin ? q[m.layout.phi()] : m.spin_angle + m.speed * lanes::all<T>(t);
       const T angle = spin + m.unbalances[i].phase;
       for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
-        const double a = lanes::get(angle, lane);
-        lanes::set(cosine[i], lane, std::cos(a));
-        lanes::set(sine[i], lane, std::sin(a));
+        const double a = lanes::get(angle, lane), on = lanes::get(m.unbalances[i].on, lane);
+        const double share = on <= begin ? 1.0 : on < end ? (end - on) / (end - begin) : 0.0;
+        lanes::set(cosine[i], lane, share * std::cos(a));
+        lanes::set(sine[i], lane, share * std::sin(a));
       }
     }
   }
@@ -195,15 +207,30 @@ ROTORUB_INLINE void add_unbalance(const M& m, const DiscAngles<T>& at, const T& 
   }
 }
 
-// The drive's torque, by the speed at the motor.
+// The angle of the motor, or its speed.
 template <class M, class T = typename M::Scalar>
-ROTORUB_INLINE void add_drive(const M& m, const T* v, T* f) {
+ROTORUB_INLINE T at_motor(const M& m, const T* q) {
+  const auto& l = m.layout;
+  const T* shape = m.drive_shape.data();
+  T sum = q[l.phi()];
+  for (int k = 0; k < l.torsion; ++k) sum += shape[k] * q[l.theta() + k];
+  return sum;
+}
+
+// The drive's torque, by speed and where it matters time and angle at the motor; with a drive only.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE T motor_torque(const M& m, double t, const T* q, const T* v) {
+  const T speed = at_motor(m, v);
+  if (!m.drive_follows()) return m.drive_torque(0.0, T{}, speed);
+  return m.drive_torque(t, at_motor(m, q) - m.drive_angle, speed);
+}
+
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_drive(const M& m, double t, const T* q, const T* v, T* f) {
   if (!m.layout.spin) return;
   const auto& l = m.layout;
   const T* shape = m.drive_shape.data();
-  T speed = v[l.phi()];
-  for (int k = 0; k < l.torsion; ++k) speed += shape[k] * v[l.theta() + k];
-  const T torque = m.drive_torque(speed);
+  const T torque = motor_torque(m, t, q, v);
   f[l.phi()] += torque;
   for (int k = 0; k < l.torsion; ++k) f[l.theta() + k] += shape[k] * torque;
 }

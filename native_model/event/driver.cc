@@ -48,6 +48,7 @@ EventIntegrator::Result EventIntegrator::run(const State& start, double end, Rec
       fail(Status::kInterrupted, "interrupted");
     }
   }
+  book_switches();
   result_.end = motion_.t;
   result_.rejected = step_.rejected();
   if (const auto reason = out_of_balance(observer_.finish(motion_))) {
@@ -68,6 +69,7 @@ void EventIntegrator::begin(const State& start, Recorder& recorder) {
   force_scale_ = kLeastForce;
   stalled_ = 0;
   last_event_ = -1.0;
+  booked_ = start.t;
   sample_controller();
   if (model_->contact) begin_on_circle(contact_point(*model_, motion_.q(), motion_.v()));
   observer_.started(motion_);
@@ -137,9 +139,16 @@ void EventIntegrator::count_event() {
   if (++stalled_ > parameters_.stall_limit) fail(Status::kNoSolution, "events without end");
 }
 
+void EventIntegrator::book_switches() {
+  motion_.integral(kExternalWork) +=
+      switching_work(*model_, booked_, motion_.t, motion_.q(), motion_.v());
+  booked_ = motion_.t;
+}
+
 // Loads or the command jump here: lasting contact, and contact lost this very instant, is decided
 // anew.
 void EventIntegrator::arrive_at_break() {
+  book_switches();
   sample_controller();
   const Departure departure = phase_.state().departure;
   const bool just_left = departure == Departure::kParting || departure == Departure::kLiftOff;

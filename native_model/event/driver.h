@@ -40,6 +40,7 @@ class EventIntegrator {
   void begin_on_circle(const ContactPoint& point);
   void advance(double limit);
   void arrive_at_break();
+  void book_switches();
   void sample_controller();
 
   // Contact.
@@ -69,6 +70,7 @@ class EventIntegrator {
   double force_scale_ = 0.0;  // N, largest force met at the contact, carried or balanced
   int stalled_ = 0;           // events since the clock went on
   double last_event_ = 0.0;   // s
+  double booked_ = 0.0;       // s, up to here the work of what is switched has been counted
 };
 
 }  // namespace rotorub

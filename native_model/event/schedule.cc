@@ -18,6 +18,8 @@ void Schedule::begin(double start, double end) {
     add(f.off);
     if (f.ramp > 0.0) add(f.on + f.ramp);
   }
+  for (const DiscUnbalance& u : m.unbalances) add(u.on);
+  if (m.drive_follows()) add(m.drive->ramp_end());
   if (m.controller) {
     add(m.control_on);
     for (double t : m.controller->breaks()) add(t);

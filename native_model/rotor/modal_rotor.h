@@ -40,6 +40,7 @@ struct DiscUnbalance {
   ModeShape shape;
   double static_moment;  // kg m, m e
   double phase;          // rad
+  double on = -1e300;    // s, there from here on; the default: always
 };
 
 // Torsion about z: rotation at a station = rigid spin + sum of shape_k theta_k; shape 1 at the
@@ -65,7 +66,7 @@ struct ModalRotor {
   Eigen::MatrixXd internal_xx, internal_xy, internal_yy;  // N s/m, n x n, rotating damping D_i
   std::vector<StationDamper> bearing_dampers;
   std::vector<DiscUnbalance> unbalances;
-  std::vector<ModeShape> force_shapes;  // one for each of Scene.forces
+  std::vector<ModeShape> force_shapes;  // one for each of Scene.forces, of kind unbalance too
   std::optional<ModeShape> magnetic_bearing_shape;
   Eigen::VectorXd gravity_x, gravity_y;  // kg, n, load of each mode per unit acceleration
   double spin_inertia = 0.0;             // kg m^2, rigid rotor with the motor's

@@ -42,6 +42,10 @@ void check(const scene::Scene& scene) {
       refuse(scene, "force[" + std::to_string(k) + "].kind",
              "a constant force points one way, so no whirl is steady; accepted are rotating ones");
     }
+    if (force.kind == scene::ForceKind::kChirp || force.kind == scene::ForceKind::kPulse) {
+      refuse(scene, "force[" + std::to_string(k) + "].kind",
+             "under a force that passes no whirl is steady; accepted are rotating and synchronous ones");
+    }
   }
   if (scene.gravity && !scene.gravity->acceleration.isZero(0.0)) {
     refuse(scene, "gravity", "weight points one way, so no whirl is steady");
@@ -71,8 +75,12 @@ bool same_planes(const Model& m) {
 
 void add_loads(const Model& model, RubSystem& system) {
   for (const AppliedForce& f : model.forces) {
-    if (f.kind != scene::ForceKind::kRotating) continue;
-    system.forces.push_back({f.frequency, std::polar(f.amplitude, f.phase) * f.shape.x});
+    // One in step with the spin, which is held here.
+    const bool locked = f.kind == scene::ForceKind::kSynchronous;
+    if (f.kind != scene::ForceKind::kRotating && !locked) continue;
+    const double phase = locked ? f.phase + model.spin_angle : f.phase;
+    system.forces.push_back(
+        {locked ? model.speed : f.frequency, std::polar(f.amplitude, phase) * f.shape.x});
   }
   for (const DiscUnbalance& u : model.unbalances) {
     system.unbalance += std::polar(u.static_moment, model.spin_angle + u.phase) * u.shape.x;

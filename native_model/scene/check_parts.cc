@@ -68,6 +68,15 @@ void check_forces(const Checker& check) {
     if (check.record.sound({path + ".on", path + ".off"}) && force.off < force.on) {
       check.fail(path + ".off", "must not be before `on` = " + text(force.on) + " s");
     }
+    const bool passes = force.kind == ForceKind::kChirp || force.kind == ForceKind::kPulse;
+    if (!passes || !check.record.sound({path + ".kind", path + ".on", path + ".off"})) continue;
+    const std::string kind = force.kind == ForceKind::kChirp ? "chirp" : "pulse";
+    if (!check.record.given(path + ".off")) {
+      check.fail(path, "kind \"" + kind + "\" needs `off`, the time at which it is over");
+    } else if (force.off == force.on) {
+      check.fail(path + ".off", "must be after `on` = " + text(force.on) + " s: a " + kind +
+                                    " takes time");
+    }
   }
   if (const auto& magnetic = check.scene.magnetic_bearing) {
     check.station("magnetic_bearing.station", magnetic->station);
@@ -202,8 +211,27 @@ void check_initial_gap(const Checker& check) {
   }
 }
 
+// All of the start that bends or moves the ring is given by `steady`.
+void check_steady(const Checker& check) {
+  if (!check.scene.initial.steady) return;
+  for (const char* key : {"initial.x", "initial.y", "initial.vx", "initial.vy", "initial.stator",
+                          "initial.stator_velocity"}) {
+    if (!check.record.given(key)) continue;
+    check.fail(key, "not beside initial.steady, which gives it; accepted: one of the two");
+  }
+}
+
 void check_mujoco(const Checker& check) {
   const Scene& scene = check.scene;
+  for (std::size_t i = 0; i < scene.forces.size(); ++i) {
+    if (scene.forces[i].kind != ForceKind::kUnbalance || !scene.drive ||
+        scene.mujoco.rotor != MujocoRotor::kSegments) {
+      continue;
+    }
+    check.fail(element("force", i) + ".kind",
+               "with a [drive] \"unbalance\" changes how spin and bending are coupled, and MuJoCo's "
+               "rigid segments keep their masses; accepted: mujoco.rotor = \"modal\", or no [drive]");
+  }
   if (scene.mujoco.rotor == MujocoRotor::kSegments && scene.rotor.modal) {
     check.fail("mujoco.rotor",
                "\"segments\" needs the rotor's geometry, and the scene gives its modes; accepted: "
@@ -221,6 +249,7 @@ void check_parts(const Checker& check) {
   if (check.scene.actuator) check_actuator(check, *check.scene.actuator);
   check_initial_lists(check);
   check_initial_gap(check);
+  check_steady(check);
   check_mujoco(check);
 }
 

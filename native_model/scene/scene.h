@@ -111,32 +111,42 @@ struct Rotor {
 };
 
 // ---------------------------------------------------------------- [drive]
-enum class DriveKind { kFree, kLinear, kKloss, kTable };
+enum class DriveKind { kFree, kLinear, kKloss, kTable, kSpeedControlled };
 
 struct Drive {
   DriveKind kind = DriveKind::kFree;
-  double gain = 0.0;                 // linear: N m s, T = gain (speed - Omega_d), >= 0
-  double speed = 0.0;                // linear: rad/s
+  double gain = 0.0;                 // linear, speed_controlled: N m s, >= 0; bearing/drive.h
+  double speed = 0.0;                // the same: rad/s
   double breakdown_torque = 0.0;     // kloss: N m, > 0
   double breakdown_slip = 0.0;       // kloss: 1, > 0
   double synchronous_speed = 0.0;    // kloss: rad/s, > 0
   std::vector<double> table_speed;   // table: rad/s, ascending, at least 2
   std::vector<double> table_torque;  // table: N m
+  // speed_controlled: PI on the motor's speed, its reference rising from rotor.speed to `speed`
+  double integral_gain = 0.0;                                      // N m, >= 0, per rad left behind
+  double torque_limit = std::numeric_limits<double>::infinity();   // N m, > 0
+  double acceleration = std::numeric_limits<double>::infinity();   // rad/s^2, > 0; infinity: at once
   double station = 0.0;              // m, geometry form
   double inertia = 0.0;  // kg m^2, >= 0, geometry form: of the motor's rotor at `station`
 };
 
 // ---------------------------------------------------------------- [[force]], [magnetic_bearing]
-enum class ForceKind { kRotating, kConstant };
+enum class ForceKind { kRotating, kConstant, kSynchronous, kChirp, kPulse, kUnbalance };
 
-// Acts for on <= t < off, rising linearly from 0 over [on, on + ramp].
-// rotating: amplitude (cos(frequency t + phase), sin(frequency t + phase)), t absolute.
+// Acts for on <= t < off, rising linearly from 0 over [on, on + ramp]. amplitude (cos a, sin a) with
+//   rotating:    a = frequency t + phase, t absolute
+//   synchronous: a = phi + phase, phi the spin's angle; an outer force, without a torque on the spin
+//   chirp:       a' from `frequency` at `on` to `frequency_end` at `off`, linearly in time; a = phase at `on`
+// constant: vector; pulse: vector sin(pi (t - on)/(off - on)). unbalance: no outer force but a mass out
+// of the axis from `on` for ever (a blade is lost), as rotor.disc's eccentricity.
 struct Force {
   ForceKind kind = ForceKind::kRotating;
-  double amplitude = 0.0;            // N, rotating
-  double frequency = 0.0;            // rad/s, rotating; negative: backward
-  double phase = 0.0;                // rad, rotating
-  Eigen::Vector2d vector{0.0, 0.0};  // N, constant
+  double amplitude = 0.0;            // N; turned by pi if negative
+  double frequency = 0.0;            // rad/s, rotating, chirp; negative: backward
+  double frequency_end = 0.0;        // rad/s, chirp
+  double phase = 0.0;                // rad; unbalance: from the rotor's own x axis
+  double static_moment = 0.0;        // kg m, >= 0, unbalance: mass times eccentricity
+  Eigen::Vector2d vector{0.0, 0.0};  // N, constant, pulse
   double on = 0.0;                   // s
   double off = kNever;               // s
   double ramp = 0.0;                 // s, >= 0
@@ -232,8 +242,10 @@ struct Gravity {
   std::vector<double> participation;       // kg
 };
 
-// Missing lists mean 0. Modal coordinates at t = 0.
+// Missing lists mean 0. Modal coordinates at t = 0. steady: on the steady free orbit
+// (system/steady_orbit.h); the lists then are added to it.
 struct Initial {
+  bool steady = false;
   std::vector<double> x, y, vx, vy;            // m, m/s
   double spin_angle = 0.0;                     // rad
   std::vector<double> torsion, torsion_speed;  // rad, rad/s

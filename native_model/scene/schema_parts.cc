@@ -14,11 +14,30 @@ Table drive() {
       "the spin speed is held at `rotor.speed`",
       [](Scene& scene) -> void* { return &scene.drive.emplace(); },
       {word<&Drive::kind>(
-           "kind", {"free", "linear", "kloss", "table"},
+           "kind", {"free", "linear", "kloss", "table", "speed_controlled"},
            "no torque; T = `gain` (`speed` - Omega); asynchronous motor, T = 2 T_b s "
-           "s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; a table"),
-       key<&Drive::gain>("gain", kAngularDamping, "torque per speed").at_least(0).of({"linear"}),
-       key<&Drive::speed>("speed", kSpin, "at which the torque is 0").of({"linear"}),
+           "s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; a table; PI control of the speed "
+           "at the motor, T = `gain` (ref - Omega) + `integral_gain` (integral of ref - Omega), "
+           "sum and integral each within `torque_limit`, ref from `rotor.speed` to `speed` at `acceleration`"),
+       key<&Drive::gain>("gain", kAngularDamping, "torque per speed")
+           .at_least(0)
+           .of({"linear", "speed_controlled"}),
+       key<&Drive::speed>("speed", kSpin, "at which the torque is 0; the speed to be kept")
+           .of({"linear", "speed_controlled"}),
+       key<&Drive::integral_gain>("integral_gain", kAngularStiffness,
+                                  "torque per angle left behind")
+           .at_least(0)
+           .of({"speed_controlled"})
+           .optional(),
+       key<&Drive::torque_limit>("torque_limit", kTorque, "of the torque's size")
+           .above(0)
+           .of({"speed_controlled"})
+           .otherwise("none"),
+       key<&Drive::acceleration>("acceleration", kAngularAcceleration,
+                                 "of the reference, up or down, from `rotor.speed` at t = 0")
+           .above(0)
+           .of({"speed_controlled"})
+           .otherwise("`speed` at once"),
        key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "T_b").above(0).of({"kloss"}),
        key<&Drive::breakdown_slip>("breakdown_slip", kPure, "s_b").above(0).of({"kloss"}),
        key<&Drive::synchronous_speed>("synchronous_speed", kSpin, "at which the torque is 0")
@@ -44,19 +63,37 @@ Table force() {
           "none",
           [](Scene& scene) -> void* { return &scene.forces.emplace_back(); },
           {word<&Force::kind>(
-               "kind", {"rotating", "constant"},
+               "kind", {"rotating", "constant", "synchronous", "chirp", "pulse", "unbalance"},
                "`amplitude` (cos(w t + `phase`), sin(w t + `phase`)) with t absolute and w "
-               "= `frequency`; `vector`"),
+               "= `frequency`; `vector`; turning with the spin at phi + `phase`, an outer force "
+               "without a torque on the spin; turning ever faster, from `frequency` at `on` to "
+               "`frequency_end` at `off`; a half-sine of `vector` from `on` to `off`; a mass that is "
+               "out of the axis from `on` for ever, as a disc's eccentricity: a blade is lost"),
            key<&Force::amplitude>("amplitude", kForce, "size; turned by pi if negative")
-               .of({"rotating"}),
-           key<&Force::frequency>("frequency", kSpin, "negative: backward").of({"rotating"}),
-           key<&Force::phase>("phase", kAngle, "direction at t = 0, from the x axis")
-               .of({"rotating"})
+               .of({"rotating", "synchronous", "chirp"}),
+           key<&Force::frequency>("frequency", kSpin, "negative: backward")
+               .of({"rotating", "chirp"}),
+           key<&Force::frequency_end>("frequency_end", kSpin, "at `off`, linear in time")
+               .of({"chirp"}),
+           key<&Force::static_moment>("static_moment", kStaticMoment, "mass times eccentricity")
+               .at_least(0)
+               .of({"unbalance"}),
+           key<&Force::phase>("phase", kAngle,
+                              "direction from the x axis at t = 0, of a chirp at `on`; from the "
+                              "rotor's own x axis where it turns with the spin")
+               .of({"rotating", "synchronous", "chirp", "unbalance"})
                .optional(),
-           key<&Force::vector>("vector", kForce, "fixed in space").of({"constant"}),
+           key<&Force::vector>("vector", kForce, "fixed in space; of a pulse its peak")
+               .of({"constant", "pulse"}),
            key<&Force::on>("on", kTime, "acts from here").optional(),
-           key<&Force::off>("off", kTime, "acts up to here, not before `on`").otherwise("never"),
-           key<&Force::ramp>("ramp", kTime, "rise from 0 after `on`").at_least(0).optional(),
+           key<&Force::off>("off", kTime,
+                            "acts up to here, not before `on`; chirp and pulse need it")
+               .of({"rotating", "constant", "synchronous", "chirp", "pulse"})
+               .otherwise("never"),
+           key<&Force::ramp>("ramp", kTime, "rise from 0 after `on`")
+               .at_least(0)
+               .of({"rotating", "constant", "synchronous", "chirp"})
+               .optional(),
            key<&Force::shape>("shape", kPure, "value of each bending mode at the station")
                .in(Form::kModal)
                .otherwise("all 1"),
@@ -107,7 +144,11 @@ Table initial() {
       "State at t = 0. The spin speed is `rotor.speed`.",
       "all 0",
       [](Scene& scene) -> void* { return &scene.initial; },
-      {key<&Initial::x>("x", kLength, modal).otherwise("0"),
+      {key<&Initial::steady>("steady", kPure,
+                             "on the steady free orbit; not beside x, y, vx, vy, stator and "
+                             "stator_velocity (A steady start)")
+           .optional(),
+       key<&Initial::x>("x", kLength, modal).otherwise("0"),
        key<&Initial::y>("y", kLength, modal).otherwise("0"),
        key<&Initial::vx>("vx", kVelocity, modal).otherwise("0"),
        key<&Initial::vy>("vy", kVelocity, modal).otherwise("0"),

@@ -41,11 +41,15 @@ inline constexpr Quantity kSpin{
     "a speed of rotation or a frequency", "rad/s", "rad/s, Hz, rpm", {0, 0, -1, 0, 1}};
 inline constexpr Quantity kRate{"a rate", "1/s", "1/s, 1/ms, Hz", {0, 0, -1, 0, 0}};
 inline constexpr Quantity kRateSquared{"a rate squared", "1/s^2", "1/s^2", {0, 0, -2, 0, 0}};
+inline constexpr Quantity kAngularAcceleration{
+    "an angular acceleration", "rad/s^2", "rad/s^2, Hz/s, rpm/s", {0, 0, -2, 0, 1}};
 inline constexpr Quantity kVelocity{"a velocity", "m/s", "m/s, mm/s", {1, 0, -1, 0, 0}};
 inline constexpr Quantity kAcceleration{
     "an acceleration", "m/s^2", "m/s^2, mm/s^2", {1, 0, -2, 0, 0}};
 inline constexpr Quantity kForce{"a force", "N", "N, kN", {1, 1, -2, 0, 0}};
 inline constexpr Quantity kTorque{"a torque", "N m", "N m, N mm", {2, 1, -2, 0, 0}};
+inline constexpr Quantity kStaticMoment{
+    "a static moment", "kg m", "kg m, kg mm, g mm", {1, 1, 0, 0, 0}};
 inline constexpr Quantity kStiffness{"a stiffness", "N/m", "N/m, N/mm, kN/mm", {0, 1, -2, 0, 0}};
 inline constexpr Quantity kDamping{
     "a damping", "N s/m", "N s/m, N s/mm, N/(m/s)", {0, 1, -1, 0, 0}};

@@ -91,12 +91,15 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
     unbalances.push_back(
         {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
          number<T>(all, [&](const Model& m) { return of(m).static_moment; }),
-         number<T>(all, [&](const Model& m) { return of(m).phase; })});
+         number<T>(all, [&](const Model& m) { return of(m).phase; }),
+         number<T>(all, [&](const Model& m) { return of(m).on; })});
   }
   speed = number<T>(all, [](const Model& m) { return m.speed; });
   spin_angle = number<T>(all, [](const Model& m) { return m.spin_angle; });
   ring_ratio = number<T>(all, [](const Model& m) { return m.ring_ratio; });
   linear_drive = first.drive && first.drive->kind() == scene::DriveKind::kLinear;
+  following_drive = first.drive_follows();
+  drive_angle = number<T>(all, [](const Model& m) { return m.drive_angle; });
   if (linear_drive) {
     drive_gain = number<T>(all, [](const Model& m) { return -m.drive->slope(0.0); });
     drive_speed = number<T>(all, [](const Model& m) { return m.drive->target(); });

@@ -31,7 +31,7 @@ struct LaneModel {
   };
   struct Unbalance {
     Shape shape;
-    T static_moment{}, phase{};
+    T static_moment{}, phase{}, on{};
   };
 
   // One model a lane, all of the same structure (see same_structure); they must outlive this.
@@ -48,15 +48,18 @@ struct LaneModel {
   lanes::Array<T> drive_shape, torsion_contact;
   Shape contact_shape;
   T drive_gain{}, drive_speed{};  // of a linear drive
-  bool linear_drive = false;
+  T drive_angle{};
+  bool linear_drive = false, following_drive = false;
 
   bool coupled_mass() const { return layout.spin == 1 && !unbalances.empty(); }
-  ROTORUB_INLINE T drive_torque(const T& motor_speed) const {
+  bool drive_follows() const { return following_drive; }
+  ROTORUB_INLINE T drive_torque(double t, const T& angle, const T& motor_speed) const {
     if (linear_drive) return drive_gain * (drive_speed - motor_speed);
     T torque{};
     for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
       const Model& m = *models[static_cast<std::size_t>(lane)];
-      lanes::set(torque, lane, m.drive_torque(lanes::get(motor_speed, lane)));
+      lanes::set(torque, lane,
+                 m.drive_torque(t, lanes::get(angle, lane), lanes::get(motor_speed, lane)));
     }
     return torque;
   }

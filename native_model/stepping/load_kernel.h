@@ -118,7 +118,7 @@ class LoadKernel {
     equations::add_gyroscopic(m, omega, v, f);
     loads_.add(layout().modes, f);
     if (!m.unbalances.empty()) equations::add_unbalance(m, angles_, omega, f);
-    equations::add_drive(m, v, f);
+    equations::add_drive(m, instant_, q, v, f);
     if (applied) {
       for (int i = 0; i < layout().nq(); ++i) f[i] += applied[i];
     }
@@ -135,9 +135,12 @@ class LoadKernel {
   ROTORUB_INLINE void free_velocity(std::int64_t k, double begin, double t, const T* q) {
     const int nq = layout().nq();
     const T h = lanes::all<T>(h_);
-    loads_.advance(k, t, begin, t + 0.5 * h_);
+    const double end = t + 0.5 * h_;
+    instant_ = t;
+    loads_.advance(k, t, begin, end);
+    if (loads_.synchronous()) loads_.turn_with(equations::spin_angle(*m_, t, q));
     if (!m_->unbalances.empty()) {
-      angles_.fill(*m_, t, q);
+      angles_.fill(*m_, t, q, begin, end);
       if (coupled_) equations::spin_coupling(*m_, angles_, bx_.data(), by_.data());
     }
     const T* start = start_.data();
@@ -298,6 +301,7 @@ class LoadKernel {
 
   T open_{};
   int rounds_ = 0;
+  double instant_ = 0.0;  // s, of the loads
 };
 
 }  // namespace rotorub

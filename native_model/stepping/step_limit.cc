@@ -39,9 +39,13 @@ double bending(const Model& m, int plane) {
 double coupling(const Model& m) {
   if (!m.coupled_mass()) return 0.0;
   Eigen::VectorXd unit = Eigen::VectorXd::Unit(m.nq(), m.layout.phi()), solved(m.nq());
-  solve_mass(m, 0.0, m.q0.data(), unit.data(), solved.data());
-  // e' M^-1 e = 1 / (J - b' D^-1 b).
-  return std::clamp(1.0 - 1.0 / (solved[m.layout.phi()] * m.mass[m.layout.phi()]), 0.0, 1.0);
+  double most = 0.0;
+  for (const DiscUnbalance& u : m.unbalances) {
+    // From the instant on at which it is there. e' M^-1 e = 1 / (J - b' D^-1 b).
+    solve_mass(m, std::max(0.0, u.on), m.q0.data(), unit.data(), solved.data());
+    most = std::max(most, 1.0 - 1.0 / (solved[m.layout.phi()] * m.mass[m.layout.phi()]));
+  }
+  return std::clamp(most, 0.0, 1.0);
 }
 
 }  // namespace
@@ -60,6 +64,14 @@ StepLimit step_limit(const Model& m) {
   for (int k = 0; k < l.torsion; ++k) {
     const int i = l.theta() + k;
     take(m.stiffness[i] / m.mass[i], 0.0, "the stiffest torsion mode");
+  }
+  if (m.drive) {
+    // The integrator holds the motor's angle as a spring.
+    double mobility = 1.0 / m.mass[l.phi()];
+    for (int k = 0; k < l.torsion; ++k) {
+      mobility += m.drive_shape[k] * m.drive_shape[k] / m.mass[l.theta() + k];
+    }
+    take(m.drive->stiffness() * mobility, 0.0, "the drive's integral_gain");
   }
   for (int k = 0; k < l.stator; ++k) {
     const int i = l.ring() + k;

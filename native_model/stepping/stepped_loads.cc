@@ -9,11 +9,13 @@ SteppedLoads<T>::SteppedLoads(const std::vector<const Model*>& models, double h)
   loads_.resize(first.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     Load& to = loads_[i];
-    to.rotating = first[i].kind == scene::ForceKind::kRotating;
+    to.kind = first[i].kind;
+    synchronous_ = synchronous_ || to.kind == scene::ForceKind::kSynchronous;
     to.shape.x.assign(static_cast<std::size_t>(first[i].shape.x.size()), T{});
     to.shape.y = to.shape.x;
     for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
       const AppliedForce& from = models[static_cast<std::size_t>(lane)]->forces[i];
+      to.of.push_back(&from);
       to.switched = to.switched || from.on > 0.0 || from.off < scene::kNever || from.ramp > 0.0;
       set(to.amplitude, lane, from.amplitude);
       set(to.frequency, lane, from.frequency);

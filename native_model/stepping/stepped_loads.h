@@ -1,11 +1,12 @@
 // The loads of [[force]] over fixed steps. A rotating force turns by a fixed angle each step; its
 // sine and cosine are taken anew every kResync steps, so that round-off does not gather. A load
-// that is switched or ramped counts with the mean of its envelope over the step.
+// that is switched or ramped counts with the mean of its envelope over the step, a pulse too.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "native_model/dynamics/equations.h"
@@ -26,12 +27,29 @@ class SteppedLoads {
     if (k == now_) return;
     now_ = k;
     for (Load& load : loads_) {
-      if (load.rotating) turn(load, k, t);
-      const T x = load.rotating ? load.amplitude * load.cosine : load.vector_x;
-      const T y = load.rotating ? load.amplitude * load.sine : load.vector_y;
-      const T share = load.switched ? mean_envelope(load, begin, end) : lanes::all<T>(1.0);
-      load.x = share * x;
-      load.y = share * y;
+      if (load.kind == scene::ForceKind::kRotating) turn(load, k, t);
+      if (load.kind == scene::ForceKind::kChirp) sweep(load, t);
+      const bool turns = load.turns();
+      const T x = turns ? load.amplitude * load.cosine : load.vector_x;
+      const T y = turns ? load.amplitude * load.sine : load.vector_y;
+      if (load.kind == scene::ForceKind::kPulse) {
+        mean_pulse(load, begin, end);
+      } else {
+        load.share = load.switched ? mean_envelope(load, begin, end) : lanes::all<T>(1.0);
+      }
+      load.x = load.share * x;
+      load.y = load.share * y;
+    }
+  }
+  // After advance, where there are loads locked to a free spin; phi of the step's instant, rad.
+  bool synchronous() const { return synchronous_; }
+  ROTORUB_INLINE void turn_with(const T& phi) {
+    for (Load& load : loads_) {
+      if (load.kind != scene::ForceKind::kSynchronous) continue;
+      const T angle = phi + load.phase;
+      for (int lane = 0; lane < lanes::kWidth<T>; ++lane) point(load, lane, lanes::get(angle, lane));
+      load.x = load.share * load.amplitude * load.cosine;
+      load.y = load.share * load.amplitude * load.sine;
     }
   }
   ROTORUB_INLINE void add(int modes, T* f) const {
@@ -45,7 +63,7 @@ class SteppedLoads {
   template <class Action>
   void for_each_kept(Action action) {
     for (Load& load : loads_) {
-      if (!load.rotating) continue;
+      if (load.kind != scene::ForceKind::kRotating) continue;
       action(load.cosine);
       action(load.sine);
     }
@@ -53,25 +71,52 @@ class SteppedLoads {
 
  private:
   struct Load {
-    bool rotating = false, switched = false;
+    scene::ForceKind kind{};
+    bool switched = false;
     T amplitude{}, frequency{}, phase{}, vector_x{}, vector_y{}, on{}, off{}, ramp{};
     T cosine{}, sine{}, turn_cosine{}, turn_sine{};  // now, and of one step
-    T x{}, y{};                                      // N, now
+    T share{}, x{}, y{};                             // of the step; N, now
+    std::vector<const AppliedForce*> of;             // each lane's
+    bool turns() const {
+      return kind != scene::ForceKind::kConstant && kind != scene::ForceKind::kPulse;
+    }
     typename LaneModel<T>::Shape shape;
   };
+
+  static ROTORUB_INLINE void point(Load& load, int lane, double angle) {
+    lanes::set(load.cosine, lane, std::cos(angle));
+    lanes::set(load.sine, lane, std::sin(angle));
+  }
 
   ROTORUB_INLINE void turn(Load& load, std::int64_t k, double t) {
     if (k % kResync == 0) {
       for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
-        const double angle = lanes::get(load.frequency, lane) * t + lanes::get(load.phase, lane);
-        lanes::set(load.cosine, lane, std::cos(angle));
-        lanes::set(load.sine, lane, std::sin(angle));
+        point(load, lane, lanes::get(load.frequency, lane) * t + lanes::get(load.phase, lane));
       }
       return;
     }
     const T c = load.cosine, s = load.sine;
     load.cosine = c * load.turn_cosine - s * load.turn_sine;
     load.sine = s * load.turn_cosine + c * load.turn_sine;
+  }
+
+  // A chirp has no fixed angle a step.
+  ROTORUB_SLOW void sweep(Load& load, double t) const {
+    for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
+      point(load, lane, load.of[static_cast<std::size_t>(lane)]->angle(t, 0.0));
+    }
+  }
+  // Of sin(pi (t - on)/(off - on)), by its integral.
+  ROTORUB_SLOW void mean_pulse(Load& load, double from, double to) const {
+    for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
+      const double on = lanes::get(load.on, lane), off = lanes::get(load.off, lane);
+      const double begin = std::clamp(from, on, off), end = std::clamp(to, on, off);
+      const double turn = std::numbers::pi / (off - on);
+      // cos a - cos b = 2 sin((a + b)/2) sin((b - a)/2).
+      const double integral = 2.0 / turn * std::sin(turn * (0.5 * (begin + end) - on)) *
+                              std::sin(0.5 * turn * (end - begin));
+      lanes::set(load.share, lane, integral / (to - from));
+    }
   }
 
   // Integral of the envelope from `on` to t, s: t - on - ramp / 2 once the ramp is over.
@@ -92,6 +137,7 @@ class SteppedLoads {
   }
 
   std::int64_t now_ = -1;
+  bool synchronous_ = false;
   std::vector<Load> loads_;
 };
 

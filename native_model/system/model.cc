@@ -3,13 +3,16 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/bearing/electromagnet.h"
 #include "native_model/bearing/force_table.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/dynamics/equations.h"
 #include "native_model/system/model_checks.h"
+#include "native_model/system/steady_orbit.h"
 
 namespace rotorub {
 namespace {
@@ -57,8 +60,15 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
   assert(rotor.force_shapes.size() == scene.forces.size());
   for (std::size_t i = 0; i < scene.forces.size(); ++i) {
     const scene::Force& f = scene.forces[i];
-    model.forces.push_back({f.kind, f.amplitude, f.frequency, f.phase, f.vector, f.on, f.off,
-                            f.ramp, rotor.force_shapes[i]});
+    if (f.kind == scene::ForceKind::kUnbalance) continue;  // an unbalance beside the discs'
+    AppliedForce force{f.kind, f.amplitude, f.frequency, f.phase,        f.vector,
+                       f.on,   f.off,       f.ramp,      rotor.force_shapes[i], f.frequency_end};
+    if (f.kind == scene::ForceKind::kSynchronous && !scene.drive) {
+      force.kind = scene::ForceKind::kRotating;
+      force.frequency = scene.rotor.speed;
+      force.phase += scene.initial.spin_angle;
+    }
+    model.forces.push_back(std::move(force));
   }
   if (scene.magnetic_bearing && rotor.magnetic_bearing_shape) {
     const double k = -scene.magnetic_bearing->negative_stiffness;
@@ -69,6 +79,18 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
   model.gravity_mass.segment(l.y(), l.modes) = rotor.gravity_y;
   if (l.stator) model.gravity_mass.segment<2>(l.ring()) = scene.stator->mass;
   if (scene.gravity) set_gravity(model, scene.gravity->acceleration);
+}
+
+// Eccentric discs, then blades that are lost.
+void fill_unbalances(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
+  for (const DiscUnbalance& unbalance : rotor.unbalances) {
+    if (unbalance.static_moment != 0.0) model.unbalances.push_back(unbalance);
+  }
+  for (std::size_t i = 0; i < scene.forces.size(); ++i) {
+    const scene::Force& f = scene.forces[i];
+    if (f.kind != scene::ForceKind::kUnbalance || f.static_moment == 0.0) continue;
+    model.unbalances.push_back({rotor.force_shapes[i], f.static_moment, f.phase, f.on});
+  }
 }
 
 void fill_actuator(const scene::Scene& scene, Model& model) {
@@ -141,12 +163,23 @@ void fill_initial(const scene::Scene& scene, Model& model) {
 
 }  // namespace
 
-Eigen::Vector2d AppliedForce::at(double t) const {
+double AppliedForce::angle(double t, double spin) const {
+  if (kind == scene::ForceKind::kSynchronous) return spin + phase;
+  if (kind != scene::ForceKind::kChirp) return frequency * t + phase;
+  // The integral of frequency + (frequency_end - frequency) passed / (off - on).
+  const double passed = t - on;
+  return phase + (frequency + 0.5 * (frequency_end - frequency) * passed / (off - on)) * passed;
+}
+
+Eigen::Vector2d AppliedForce::at(double t, double spin) const {
   const double factor = envelope(t);
   if (factor == 0.0) return {0.0, 0.0};
   if (kind == scene::ForceKind::kConstant) return factor * vector;
-  const double angle = frequency * t + phase;
-  return factor * amplitude * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  if (kind == scene::ForceKind::kPulse) {
+    return std::sin(std::numbers::pi * (t - on) / (off - on)) * vector;
+  }
+  const double a = angle(t, spin);
+  return factor * amplitude * Eigen::Vector2d(std::cos(a), std::sin(a));
 }
 
 Model make_model(const scene::Scene& scene) {
@@ -168,12 +201,10 @@ Model make_model(const scene::Scene& scene) {
   for (StationDamper& damper : rotor.bearing_dampers) {
     if (!damper.damping.isZero(0.0)) model.dampers.push_back(std::move(damper));
   }
-  for (DiscUnbalance& unbalance : rotor.unbalances) {
-    if (unbalance.static_moment != 0.0) model.unbalances.push_back(std::move(unbalance));
-  }
+  fill_unbalances(scene, rotor, model);
   check_unbalances(scene, model.unbalances.size());
   check_spin_inertia(scene, model);
-  if (scene.drive) model.drive.emplace(*scene.drive);
+  if (scene.drive) model.drive.emplace(*scene.drive, scene.rotor.speed);
   model.drive_shape = rotor.torsion.drive_shape;
   model.torsion_contact = rotor.torsion.contact_shape;
   model.contact_shape = rotor.contact_shape;
@@ -188,7 +219,9 @@ Model make_model(const scene::Scene& scene) {
   fill_actuator(scene, model);
   check_initial_ring(scene);
   fill_initial(scene, model);
+  if (scene.initial.steady) add_steady_orbit(scene, model);
   check_initial_gap(scene, model);
+  if (model.drive) model.drive_angle = equations::at_motor(model, model.q0.data());
   fill_control(scene, model);
   model.admittance = contact_admittance(model, model.mass.data(), 0.0, model.q0.data());
   return model;

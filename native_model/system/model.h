@@ -52,20 +52,24 @@ struct Layout {
   }
 };
 
-// A load A(t) (c(t), s(t)) through the mode values of its station. Times: on <= t < off.
+// A load of [[force]] through the mode values of its station; Scene::Force has the formulas. Times:
+// on <= t < off. Not of kind unbalance; with the spin held not synchronous, as that is one that rotates.
 struct AppliedForce {
   scene::ForceKind kind;
   double amplitude, frequency, phase;  // N, rad/s, rad
   Eigen::Vector2d vector;              // N
   double on, off, ramp;                // s
   ModeShape shape;
-  // Envelope in [0, 1].
+  double frequency_end = 0.0;  // rad/s, chirp
+  // Envelope in [0, 1]: switching and ramp.
   double envelope(double t) const {
     if (t < on || t >= off) return 0.0;
     return (ramp > 0.0 && t < on + ramp) ? (t - on) / ramp : 1.0;
   }
+  // Where the force of a kind that turns points to at t, from the x axis, rad; spin: phi.
+  double angle(double t, double spin) const;
   // Force at time t, N.
-  Eigen::Vector2d at(double t) const;
+  Eigen::Vector2d at(double t, double spin) const;
 };
 
 // A spring of rank one in each plane: force -stiffness (shape . q) at its station.
@@ -109,7 +113,7 @@ struct Model {
   std::vector<StationDamper> dampers;                   // bearings
   std::vector<StationSpring> springs;                   // magnetic bearing
   std::vector<AppliedForce> forces;
-  std::vector<DiscUnbalance> unbalances;                // eccentric discs
+  std::vector<DiscUnbalance> unbalances;                // eccentric discs, blades that are lost
   Eigen::VectorXd gravity_mass;                         // nq, kg, load per unit acceleration
   Eigen::VectorXd weight;                               // nq or empty, N, gravity
 
@@ -118,6 +122,7 @@ struct Model {
   double spin_angle = 0.0;             // rad at t = 0
   std::optional<Drive> drive;
   Eigen::VectorXd drive_shape;         // torsion, mode values at the motor
+  double drive_angle = 0.0;            // rad, of the motor at t = 0
   Eigen::VectorXd torsion_contact;     // torsion, mode values at the contact
 
   ModeShape contact_shape;             // n each, 1 or 0
@@ -142,8 +147,11 @@ struct Model {
   Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();
   // Unbalance couples spin and bending where the spin is free.
   bool coupled_mass() const { return layout.spin == 1 && !unbalances.empty(); }
-  // N m, at a speed of the motor; with a drive only.
-  double drive_torque(double motor_speed) const { return drive->torque(motor_speed); }
+  // With a drive only: N m, at an angle (rad, turned since t = 0) and a speed of the motor.
+  double drive_torque(double t, double angle, double motor_speed) const {
+    return drive->torque(t, angle, motor_speed);
+  }
+  bool drive_follows() const { return drive && drive->follows(); }  // angle and t matter
   int nq() const { return layout.nq(); }
 };
 

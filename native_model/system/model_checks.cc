@@ -1,5 +1,6 @@
 #include "native_model/system/model_checks.h"
 
+#include <algorithm>
 #include <complex>
 #include <cstdio>
 #include <utility>
@@ -46,8 +47,10 @@ void check_unbalances(const scene::Scene& scene, std::size_t count) {
                       std::to_string(kMaxUnbalances)}});
 }
 
-double unbalance_inertia(const Model& model) {
-  if (!model.coupled_mass()) return 0.0;
+namespace {
+
+// Of those that are there at t, see the header.
+double unbalance_inertia(const Model& model, double t) {
   using Complex = std::complex<double>;
   const Layout& l = model.layout;
   double mean = 0.0;
@@ -55,6 +58,7 @@ double unbalance_inertia(const Model& model) {
   for (int k = 0; k < l.modes; ++k) {
     Complex x = 0.0, y = 0.0;
     for (const DiscUnbalance& u : model.unbalances) {
+      if (u.on > t) continue;
       const Complex arm = std::polar(u.static_moment, u.phase);
       x += u.shape.x[k] * arm;
       y += u.shape.y[k] * arm;
@@ -66,11 +70,23 @@ double unbalance_inertia(const Model& model) {
   return mean + std::abs(swing);
 }
 
+}  // namespace
+
+double unbalance_inertia(const Model& model) {
+  if (!model.coupled_mass()) return 0.0;
+  double most = 0.0;
+  for (const DiscUnbalance& u : model.unbalances) {
+    most = std::max(most, unbalance_inertia(model, u.on));
+  }
+  return most;
+}
+
 void check_spin_inertia(const scene::Scene& scene, const Model& model) {
   if (!model.coupled_mass()) return;
   const double inertia = model.mass[model.layout.phi()], bound = unbalance_inertia(model);
   if (inertia > bound * (1.0 + kRoundOff)) return;
-  refuse(scene, {{"", 0, "rotor.disc",
+  const bool disc = model.unbalances.front().on < 0.0;
+  refuse(scene, {{"", 0, disc ? "rotor.disc" : "force",
                   "the eccentric discs move " + text(bound) +
                       " kg m^2 with the spin, whose inertia is " + text(inertia) +
                       " kg m^2: the mass matrix is not positive definite; accepted: Jp of each "

@@ -19,7 +19,7 @@ void check_unbalances(const scene::Scene& scene, std::size_t count);
 // discs X_k = sum m e shape_x,k exp(i phase), Y_k as well, b_x,k = -Im(X_k e^{i phi}), b_y,k =
 // Re(Y_k e^{i phi}):
 //   sum (|X_k|^2/m_x,k + |Y_k|^2/m_y,k)/2 + |sum (Y_k^2/m_y,k - X_k^2/m_x,k)|/2
-// 0 where the spin is held or nothing is eccentric.
+// the largest over time too, as blades are lost. 0 where the spin is held or nothing is eccentric.
 double unbalance_inertia(const Model& model);
 // M(phi) is positive definite at every angle: the spin's inertia is above unbalance_inertia.
 void check_spin_inertia(const scene::Scene& scene, const Model& model);

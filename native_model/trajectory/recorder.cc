@@ -54,6 +54,7 @@ std::vector<Column> make_columns(const Model& model) {
     add("ring_angle", "rad");
     add("ring_speed", "rad/s");
   }
+  if (model.drive) add("motor_torque", "N m");
   return c;
 }
 
@@ -159,6 +160,7 @@ bool Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impa
   const double h = now.t - last_.t;
   const std::size_t row = next_;
   rows_until(now, impact);
+  statistics_.external_work += switching_work(*model_, last_.t, now.t, now.q, now.v);
   if (model_->contact) count_gap(point, h);
   keep(now);
   constexpr std::int64_t kLook = 256;  // steps
@@ -190,7 +192,8 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
   }
   s.contact_work += 0.5 * (normal_impulse * gap_rates + friction_impulse * slips);
   const double power = external_power(*model_, now.t, now.q, now.v, now.actuator.force);
-  s.external_work += 0.5 * h * (last_power_ + power);
+  s.external_work += 0.5 * h * (last_power_ + power) +
+                     switching_work(*model_, last_.t, now.t, now.q, now.v);
   keep(now);
   last_gap_rate_ = point.gap_rate;
   last_slip_ = dof_slip(*model_, point);
@@ -260,6 +263,7 @@ void Recorder::row(const Snapshot& now) {
   }
   block(now.q, l.ring_angle(), l.ring_spin);
   block(now.v, l.ring_angle(), l.ring_spin);
+  if (m.drive) put(motor_torque(m, next_time(), now.q, now.v));
   assert(column == columns_.end());
   ++next_;
 }

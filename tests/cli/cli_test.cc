@@ -37,7 +37,7 @@ TEST(Cli, HelpAndVersionAreDone) {
 
 constexpr const char* kSeries =
     "t,rotor_x,rotor_y,rotor_vx,rotor_vy,stator_x,stator_y,stator_vx,stator_vy,spin_angle,"
-    "spin_speed,gap,gap_rate,slip,normal_force,friction_force,mode,x_1,y_1,vx_1,vy_1";
+    "spin_speed,gap,gap_rate,slip,normal_force,friction_force,mode,x_1,y_1,vx_1,vy_1,motor_torque";
 
 TEST(CliRun, WritesTheContractsFiles) {
   for (const std::string engine : {"native", "mujoco"}) {

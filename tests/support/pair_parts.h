@@ -157,6 +157,11 @@ inline std::vector<Part> pair_parts() {
        "inertia=2e-3}"},
       {"drive={kind='table',table_speed=[0.0,300.0,400.0],table_torque=[9.0,6.0,-12.0]}"});
 
+  add("speed_controlled", "drive",
+      {"drive={kind='speed_controlled',gain=0.6,integral_gain=12.0,speed=340.0,acceleration=4000.0,"
+       "inertia=2e-3}"},
+      {"drive={kind='speed_controlled',gain=0.6,integral_gain=12.0,speed=340.0,acceleration=4000.0}"});
+
   // Ring and magnets.
   add_both(
       "anisotropic_ring", "ring",
@@ -181,6 +186,21 @@ inline std::vector<Part> pair_parts() {
       {"force[1]={kind='constant',vector=[60.0,40.0],on=1.2345678e-3,off=7.654321e-3}"});
   add("ramped_load", "ramped_load", {"force[0].on=0.3141593e-3", "force[0].ramp=5.4321e-3"},
       {"force[0].on=0.3141593e-3", "force[0].ramp=5.4321e-3"});
+  // Loads that follow the spin, sweep and strike, and a blade that is lost; one of them, or the
+  // switched one.
+  add("locked_load", "switched_load",
+      {"force[1]={kind='synchronous',amplitude=70.0,phase=0.9,on=0.7654321e-3,station=0.36}"},
+      {"force[1]={kind='synchronous',amplitude=70.0,phase=0.9,on=0.7654321e-3}"});
+  add("passing_loads", "switched_load",
+      {"force[1]={kind='chirp',amplitude=60.0,frequency=150.0,frequency_end=700.0,phase=0.2,"
+       "on=0.4321e-3,off=8.7654e-3,station=0.36}",
+       "force[2]={kind='pulse',vector=[-90.0,60.0],on=2.345678e-3,off=5.4321e-3,station=0.2}"},
+      {"force[1]={kind='chirp',amplitude=60.0,frequency=150.0,frequency_end=700.0,phase=0.2,"
+       "on=0.4321e-3,off=8.7654e-3}",
+       "force[2]={kind='pulse',vector=[-90.0,60.0],on=2.345678e-3,off=5.4321e-3}"});
+  add("lost_blade", "switched_load",
+      {"force[1]={kind='unbalance',static_moment=1e-3,phase=0.5,on=1.357911e-3,station=0.30}"},
+      {"force[1]={kind='unbalance',static_moment=1e-3,phase=0.5,on=1.357911e-3}"});
 
   // Impacts that take time.
   add_both("finite_impacts", "impacts",

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rotorub {
 namespace {
@@ -144,6 +146,48 @@ TEST(DriveSlope, IsTheDerivativeAndContinuous) {
   for (const double point : {0.0, 5.0, 40.0, 50.0, 52.0}) {
     EXPECT_NEAR(drive.slope(point - 1e-9), drive.slope(point + 1e-9), 1e-7) << point;
   }
+}
+
+// ---------------------------------------------------------------- speed_controlled
+scene::Drive controlled() {
+  scene::Drive d;
+  d.kind = scene::DriveKind::kSpeedControlled;
+  d.gain = 0.5;
+  d.integral_gain = 20.0;
+  d.speed = 300.0;
+  d.acceleration = 1000.0;
+  d.torque_limit = 4.0;
+  return d;
+}
+
+// On its reference, and the angle of the reference behind it, it has nothing to do.
+TEST(DriveSpeedControlled, RestsOnItsReference) {
+  for (const double start : {100.0, 500.0, 300.0}) {
+    const Drive drive(controlled(), start);
+    const double way = 300.0 - start, end = std::abs(way) / 1000.0;
+    EXPECT_DOUBLE_EQ(drive.ramp_end(), end);
+    for (const double t : {0.0, 0.3 * end, end, end + 0.7}) {
+      const double risen = std::min(t, end);
+      const double reference = end > 0.0 ? start + way * risen / end : 300.0;
+      const double angle = 0.5 * (start + reference) * risen + 300.0 * (t - risen);
+      EXPECT_NEAR(drive.torque(t, angle, reference), 0.0, 1e-11) << start << ' ' << t;
+      EXPECT_NEAR(drive.torque(t, angle, reference - 2.0), 1.0, 1e-11);
+      EXPECT_NEAR(drive.torque(t, angle - 0.1, reference), 2.0, 1e-11);
+      EXPECT_EQ(drive.torque(t, angle, reference - 20.0), 4.0) << "at its limit";
+      EXPECT_EQ(drive.torque(t, angle + 9.0, reference), -4.0);
+      // However far it was left behind, it goes no faster than limit / gain above its reference.
+      EXPECT_NEAR(drive.torque(t, angle - 900.0, reference + 8.0), 0.0, 1e-11);
+    }
+  }
+}
+
+TEST(DriveSpeedControlled, WithoutAnAccelerationItIsTheStepOfTheReference) {
+  scene::Drive d = controlled();
+  d.acceleration = std::numeric_limits<double>::infinity();
+  d.torque_limit = d.acceleration;
+  const Drive drive(d, 100.0);
+  EXPECT_EQ(drive.torque(0.0, 0.0, 100.0), 0.5 * 200.0);
+  EXPECT_DOUBLE_EQ(drive.torque(0.1, 20.0, 290.0), 0.5 * 10.0 + 20.0 * (30.0 - 20.0));
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ double power_by_hand(const Model& m, const State& s) {
   };
   double power = m.weight.dot(s.v) - s.v.dot(m.damping.cwiseProduct(s.v)) +
                  kActuator.dot(s.v.segment<2>(l.ring()));
-  for (const AppliedForce& f : m.forces) power += f.at(s.t).dot(at(f.shape, s.v));
+  for (const AppliedForce& f : m.forces) power += f.at(s.t, spin_angle(m, s.t, s.q.data())).dot(at(f.shape, s.v));
   for (const StationDamper& d : m.dampers) {
     const Eigen::Vector2d v = at(d.shape, s.v);
     power -= d.damping.dot(v.cwiseProduct(v));

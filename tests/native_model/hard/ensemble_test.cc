@@ -195,6 +195,49 @@ TEST(HardEnsemble, SwitchedForcesAndTorsion) {
   });
 }
 
+// Every kind of force, on and off at another time in each lane, with the spin held and free; a blade that is
+// lost changes the mass matrix of one lane after the other.
+TEST(HardEnsemble, EveryKindOfForce) {
+  for (const bool driven : {false, true}) {
+    SCOPED_TRACE(driven);
+    expect_same_bits([&](int i) {
+      scene::Scene scene = test::shipped("bench_ring");
+      if (!driven) scene.drive.reset();
+      const auto add = [&](scene::ForceKind kind) -> scene::Force& {
+        scene::Force f = scene.forces.front();
+        f.kind = kind;
+        f.amplitude = 20.0 + i;
+        f.vector = {90.0, -50.0 + i};
+        f.static_moment = 4e-4;
+        f.frequency_end = -200.0 - 10.0 * i;
+        f.phase = 0.3 * i;
+        f.on = 1e-3 + 1e-4 * i;
+        f.off = 0.015 + 1e-4 * i;
+        return scene.forces.emplace_back(f);
+      };
+      for (const auto kind : {scene::ForceKind::kSynchronous, scene::ForceKind::kChirp,
+                              scene::ForceKind::kPulse, scene::ForceKind::kUnbalance}) {
+        add(kind);
+      }
+      return make_model(scene);
+    });
+  }
+}
+
+TEST(HardEnsemble, MotorsUnderSpeedControl) {
+  expect_same_bits([](int i) {
+    scene::Scene scene = test::shipped("bench_ring");
+    scene.drive->kind = scene::DriveKind::kSpeedControlled;
+    scene.drive->gain = 0.3;
+    scene.drive->integral_gain = 5.0 + i;
+    scene.drive->speed = 330.0 + i;
+    scene.drive->acceleration = 2000.0;
+    scene.drive->torque_limit = 1.5;
+    scene.initial.spin_angle = 0.1 * i;
+    return make_model(scene);
+  });
+}
+
 // A lane that fails leaves its neighbours alone.
 TEST(HardEnsemble, AFailedRunStaysItsOwn) {
   std::vector<Model> models;

@@ -100,8 +100,8 @@ TEST(Model, ModalFormIsCopied) {
 
 TEST(Model, InitialStateIsTheScenes) {
   scene::Scene s = test::machine_scene(true);
-  s.initial = {{1e-4, -2e-4}, {3e-5, 0.0}, {0.1, 0.2},    {0.3, 0.4},  0.7,
-               {0.01, 0.02},  {1.5, -2.5}, {1e-5, -3e-5}, {0.02, 0.03}};
+  s.initial = {false,        {1e-4, -2e-4}, {3e-5, 0.0},   {0.1, 0.2},   {0.3, 0.4}, 0.7,
+               {0.01, 0.02}, {1.5, -2.5},   {1e-5, -3e-5}, {0.02, 0.03}};
   const State state = initial_state(make_model(s));
   Eigen::VectorXd q(9), v(9);
   q << 1e-4, -2e-4, 3e-5, 0.0, 0.7, 0.01, 0.02, 1e-5, -3e-5;

@@ -61,8 +61,13 @@ TEST_F(OutputTest, SeriesHeaderIsTheContracts) {
   EXPECT_EQ(series_header(make_model(test::machine_scene(true))),
             kCommon +
                 ",x_1,x_2,y_1,y_2,vx_1,vx_2,vy_1,vy_2,torsion_1,torsion_2,torsion_speed_1,"
-                "torsion_speed_2")
+                "torsion_speed_2,motor_torque")
       << "a passive bearing has no command";
+  EXPECT_EQ(series_header(make_model(test::machine_scene(false))),
+            kCommon +
+                ",x_1,x_2,y_1,y_2,vx_1,vx_2,vy_1,vy_2,torsion_1,torsion_2,torsion_speed_1,"
+                "torsion_speed_2")
+      << "without a drive there is no motor";
   scene::Scene s = test::make_scene({});
   test::add_ring(s, 1.0, 0.0, 1e5);
   s.controller = scene::Controller{};

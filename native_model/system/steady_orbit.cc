@@ -1,0 +1,266 @@
+#include "native_model/system/steady_orbit.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "native_model/bearing/actuator_axes.h"
+#include "native_model/dynamics/equations.h"
+#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/system/model_checks.h"
+#include "native_model/system/orbit_size.h"
+
+namespace rotorub {
+namespace {
+
+using Complex = std::complex<double>;
+
+std::string text(double number) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%g", number);
+  return buffer;
+}
+
+[[noreturn]] void refuse_steady(const scene::Scene& scene, const std::string& why) {
+  refuse(scene, {{"", 0, "initial.steady", why}});
+}
+
+// Bending of both planes at the speed of t = 0.
+struct Bending {
+  Eigen::VectorXd mass;                // kg, 2 n
+  Eigen::MatrixXd stiffness, damping;  // N/m, N s/m, 2 n x 2 n
+};
+
+Bending bending(const Model& m) {
+  const Layout& l = m.layout;
+  const int size = 2 * l.modes;
+  Bending b{m.mass.head(size), m.stiffness.head(size).asDiagonal(),
+            m.damping.head(size).asDiagonal()};
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(l.nq());
+  Eigen::VectorXd f(l.nq());
+  for (int j = 0; j < size; ++j) {
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(l.nq(), j);
+    f.setZero();
+    equations::add_rotating_damping(m, unit.data(), rest.data(), m.speed, f.data());
+    equations::add_springs(m, unit.data(), f.data());
+    b.stiffness.col(j) -= f.head(size);
+    f.setZero();
+    equations::add_rotating_damping(m, rest.data(), unit.data(), m.speed, f.data());
+    equations::add_dampers(m, unit.data(), f.data());
+    equations::add_gyroscopic(m, m.speed, unit.data(), f.data());
+    b.damping.col(j) -= f.head(size);
+  }
+  return b;
+}
+
+// Re(load e^{i frequency t}), frequency >= 0.
+struct Load {
+  double frequency;       // rad/s
+  Eigen::VectorXcd load;  // N, 2 n
+};
+
+class Loads {
+ public:
+  explicit Loads(int modes) : modes_(modes) {}
+  const std::vector<Load>& all() const { return all_; }
+
+  // x and y: N, complex amplitudes through the mode values of a station.
+  void add(double frequency, const ModeShape& shape, Complex x, Complex y) {
+    Eigen::VectorXcd load(2 * modes_);
+    load << x * shape.x.cast<Complex>(), y * shape.y.cast<Complex>();
+    add({frequency, std::move(load)});
+  }
+  // amplitude (cos(frequency t + phase), sin(..)); either sign.
+  void turn(double frequency, const ModeShape& shape, double amplitude, double phase) {
+    const Complex x = std::polar(1.0, phase) * amplitude, y = Complex(0.0, -1.0) * x;
+    if (frequency < 0.0) return add(-frequency, shape, std::conj(x), std::conj(y));
+    add(frequency, shape, x, y);
+  }
+  void add(Load load) {
+    constexpr double kSame = 1e-12;
+    if (load.load.isZero(0.0)) return;
+    if (load.frequency == 0.0) load.load = load.load.real().cast<Complex>().eval();
+    for (Load& other : all_) {
+      if (std::abs(other.frequency - load.frequency) <= kSame * other.frequency) {
+        other.load += load.load;
+        return;
+      }
+    }
+    all_.push_back(std::move(load));
+  }
+
+ private:
+  int modes_;
+  std::vector<Load> all_;
+};
+
+void add_force(const scene::Scene& scene, const Model& m, const AppliedForce& f, Loads& loads) {
+  using scene::ForceKind;
+  if (f.on > 0.0 || f.off <= 0.0) return;
+  if (f.kind == ForceKind::kPulse && f.on < 0.0) {
+    refuse_steady(scene, "a [[force]] of kind pulse is under way at t = 0, and no orbit is steady; "
+                         "accepted: one that begins at 0 or later");
+  }
+  if (f.ramp > 0.0 && f.on < 0.0 && f.on + f.ramp > 0.0) {
+    refuse_steady(scene, "a [[force]] is still rising at t = 0, and no orbit is steady; accepted: one "
+                         "that begins to rise at 0 or later, or has risen by then");
+  }
+  if (f.kind == ForceKind::kPulse || f.envelope(0.0) == 0.0) return;
+  if (f.kind == ForceKind::kConstant) return loads.add(0.0, f.shape, f.vector.x(), f.vector.y());
+  double frequency = f.frequency;
+  if (f.kind == ForceKind::kSynchronous) frequency = m.speed;
+  if (f.kind == ForceKind::kChirp) {
+    frequency += (f.frequency_end - f.frequency) * (0.0 - f.on) / (f.off - f.on);
+  }
+  loads.turn(frequency, f.shape, f.amplitude, f.angle(0.0, m.spin_angle));
+}
+
+std::vector<Load> loads_of(const scene::Scene& scene, const Model& m) {
+  Loads loads(m.layout.modes);
+  for (const AppliedForce& f : m.forces) add_force(scene, m, f, loads);
+  for (const DiscUnbalance& u : m.unbalances) {
+    if (u.on > 0.0) continue;
+    loads.turn(m.speed, u.shape, u.static_moment * m.speed * m.speed, m.spin_angle + u.phase);
+  }
+  if (m.weight.size() > 0) {
+    loads.add({0.0, m.weight.head(2 * m.layout.modes).cast<Complex>()});
+  }
+  return loads.all();
+}
+
+// Nothing grows: an orbit that nothing comes back to is no steady one.
+void check_stability(const scene::Scene& scene, const Model& m, const Bending& b) {
+  constexpr double kRoundOff = 1e-9;  // of the largest eigenvalue
+  // States (w q, q') of unit mass, w each coordinate's own frequency: no number is far from the others.
+  const Eigen::Index n = b.mass.size();
+  const Eigen::VectorXd root = b.mass.cwiseSqrt(), inverse = root.cwiseInverse();
+  const Eigen::MatrixXd k = inverse.asDiagonal() * b.stiffness * inverse.asDiagonal();
+  Eigen::VectorXd w = k.diagonal().cwiseAbs().cwiseSqrt();
+  const double largest = w.maxCoeff();
+  for (double& x : w) {
+    if (x == 0.0) x = largest > 0.0 ? largest : 1.0;
+  }
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  a.topRightCorner(n, n) = w.asDiagonal();
+  a.bottomLeftCorner(n, n) = -k * w.cwiseInverse().asDiagonal();
+  a.bottomRightCorner(n, n) = -(inverse.asDiagonal() * b.damping * inverse.asDiagonal());
+  const auto values = real_eigenvalues(a);
+  if (!values) refuse_steady(scene, "the eigenvalues of the free rotor do not converge");
+  double size = 0.0;
+  for (const Complex& s : *values) size = std::max(size, std::abs(s));
+  const Complex first = values->front();
+  if (first.real() <= kRoundOff * size) return;
+  refuse_steady(scene, "the free rotor is unstable at " + text(m.speed) + " rad/s, a motion at " +
+                           text(std::abs(first.imag())) + " rad/s grows with " +
+                           text(first.real()) + " 1/s; accepted: a stable one, or false");
+}
+
+// Q of one frequency.
+Eigen::VectorXcd answer(const scene::Scene& scene, const Bending& b, const Load& load) {
+  constexpr double kSingular = 1e-12;
+  const double nu = load.frequency;
+  // Rows and columns by the size that their terms have: away from resonance the diagonal is about 1.
+  Eigen::VectorXd scale = b.stiffness.diagonal().cwiseAbs() + nu * nu * b.mass +
+                          nu * b.damping.diagonal().cwiseAbs();
+  for (double& x : scale) x = x > 0.0 ? 1.0 / std::sqrt(x) : 1.0;
+  Eigen::MatrixXcd z = b.stiffness.cast<Complex>();
+  z += Complex(0.0, nu) * b.damping.cast<Complex>();
+  z.diagonal() -= (nu * nu * b.mass).cast<Complex>();
+  z = (scale.asDiagonal() * z * scale.asDiagonal()).eval();
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
+  // Against the scale, not against z itself: both planes may be in resonance.
+  const double size = z.cwiseAbs().colwise().sum().maxCoeff();
+  if (!(lu.rcond() * size > kSingular)) {
+    refuse_steady(scene, nu == 0.0 ? "nothing holds the rotor against a constant force or its weight"
+                                   : "a force turns at " + text(nu) +
+                                         " rad/s, where the free rotor has a resonance without "
+                                         "damping: its orbit has no bound");
+  }
+  return scale.asDiagonal() * lu.solve(Eigen::VectorXcd(scale.asDiagonal() * load.load));
+}
+
+// Where the ring comes to rest, m, by Newton's method from its middle.
+Eigen::Vector2d ring_at_rest(const scene::Scene& scene, const Model& m) {
+  const int ring = m.layout.ring();
+  const Eigen::Vector2d stiffness = m.stiffness.segment<2>(ring);
+  const Eigen::Vector2d weight =
+      m.weight.size() > 0 ? Eigen::Vector2d(m.weight.segment<2>(ring)) : Eigen::Vector2d(0.0, 0.0);
+  if (!m.magnets) {
+    Eigen::Vector2d place{0.0, 0.0};
+    for (int k = 0; k < 2; ++k) {
+      if (weight[k] == 0.0) continue;
+      if (stiffness[k] == 0.0) refuse_steady(scene, "nothing holds the ring against its weight");
+      place[k] = weight[k] / stiffness[k];
+    }
+    return place;
+  }
+  const ForceLaw& law = *m.magnets->law;
+  const auto force = [&](const Eigen::Vector2d& at) -> Eigen::Vector2d {
+    const Eigen::Vector2d s = to_axes(at);
+    return weight - stiffness.cwiseProduct(at) +
+           from_axes({law.force(s.x(), 0.0), law.force(s.y(), 0.0)});
+  };
+  const char* pulled =
+      "the bias of the actuator's magnets pulls the ring away from its middle harder than [stator] "
+      "holds it; accepted: a stiffer stator.stiffness, or false";
+  constexpr double kStep = 1e-8;  // m, of the difference quotients
+  Eigen::Vector2d place{0.0, 0.0};
+  for (int round = 0; round < 60; ++round) {
+    Eigen::Matrix2d slope;
+    for (int k = 0; k < 2; ++k) {
+      const Eigen::Vector2d h = kStep * Eigen::Vector2d::Unit(k);
+      slope.col(k) = (force(place - h) - force(place + h)) / (2.0 * kStep);
+    }
+    // Held: -dF/dq is positive definite; it is symmetric.
+    if (slope.trace() <= 0.0 || slope.determinant() <= 0.0) break;
+    const Eigen::Vector2d change = slope.inverse() * force(place);
+    place += change;
+    if (to_axes(place).cwiseAbs().maxCoeff() >= law.reach()) break;
+    if (change.norm() <= 1e-15 * (1e-3 + place.norm())) return place;
+  }
+  refuse_steady(scene, pulled);
+}
+
+}  // namespace
+
+void add_steady_orbit(const scene::Scene& scene, Model& m) {
+  const Layout& l = m.layout;
+  const int size = 2 * l.modes;
+  const Bending b = bending(m);
+  check_stability(scene, m, b);
+
+  OrbitSize orbit;
+  for (const Load& load : loads_of(scene, m)) {
+    const Eigen::VectorXcd q = answer(scene, b, load);
+    m.q0.head(size) += q.real();
+    m.v0.head(size) += (Complex(0.0, load.frequency) * q).real();
+    const Eigen::VectorXd re = q.real(), im = q.imag();
+    const auto c = equations::at_station(l.modes, m.contact_shape, re.data());
+    const auto s = equations::at_station(l.modes, m.contact_shape, im.data());
+    orbit.parts.push_back({load.frequency, {Complex(c.x, s.x), Complex(c.y, s.y)}});
+  }
+  if (l.stator) {
+    const Eigen::Vector2d place = ring_at_rest(scene, m);
+    m.q0.segment<2>(l.ring()) += place;
+    orbit.centre = -place;
+  }
+  if (l.torsion && m.drive && scene.initial.torsion.empty()) {
+    const double torque = m.drive->torque(0.0, 0.0, m.speed);
+    m.q0.segment(l.theta(), l.torsion) +=
+        torque * m.drive_shape.cwiseQuotient(m.stiffness.segment(l.theta(), l.torsion));
+  }
+
+  if (!m.contact) return;
+  const double largest = orbit.largest(), clearance = m.contact->clearance;
+  if (largest < clearance) return;
+  refuse_steady(scene, "the steady free orbit touches: it comes to " + text(largest) +
+                           " m from the middle of the ring; accepted: less than contact.clearance = " +
+                           text(clearance) + " m, or false and a start of your own");
+}
+
+}  // namespace rotorub

@@ -1,0 +1,409 @@
+// [initial] steady: the start on the orbit that repeats itself. Closed forms of one mode; a shaft with all
+// that a linear rotor can have, whose orbit must come back after each period; and what is refused.
+#include "native_model/system/steady_orbit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+
+#include "native_model/bearing/actuator_axes.h"
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/run/run_native.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/reader.h"
+#include "native_model/system/actuation.h"
+#include "tests/support/jeffcott.h"
+
+namespace rotorub {
+namespace {
+
+using Complex = std::complex<double>;
+
+// x + i y and its rate, of the first mode.
+Complex place(const Model& m) { return {m.q0[0], m.q0[m.layout.modes]}; }
+Complex rate(const Model& m) { return {m.v0[0], m.v0[m.layout.modes]}; }
+
+void expect_near(Complex a, Complex b, double error) {
+  EXPECT_NEAR(a.real(), b.real(), error);
+  EXPECT_NEAR(a.imag(), b.imag(), error);
+}
+
+scene::Scene steady(const test::Jeffcott& j) {
+  scene::Scene s = test::make_scene(j);
+  s.initial.steady = true;
+  return s;
+}
+
+// m e Omega^2 e^{i (phi_0 + phase)} / (k - m Omega^2 + i d Omega), below and beyond the resonance.
+TEST(SteadyOrbit, IsJeffcottsUnderUnbalance) {
+  for (const double speed : {100.0, 300.0, 316.0, 700.0, -250.0}) {
+    scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = speed});
+    s.initial.spin_angle = 0.3;
+    scene::Force blade;
+    blade.kind = scene::ForceKind::kUnbalance;
+    blade.static_moment = 4e-5;
+    blade.phase = 0.8;
+    s.forces = {blade};
+    const Model m = make_model(s);
+    const Complex exact = std::polar(4e-5 * speed * speed, 1.1) /
+                          Complex(2e5 - 2.0 * speed * speed, 40.0 * speed);
+    expect_near(place(m), exact, 1e-15 * 0.5e-3);
+    expect_near(rate(m), Complex(0.0, speed) * exact, 1e-15 * 0.2);
+  }
+}
+
+// One round mode with everything round: D(nu) = k + nu Omega g - m nu^2 + i nu d + i (nu - Omega) d_i, and
+// the magnetic bearing's -k_m.
+TEST(SteadyOrbit, OfARoundRotorAtAnyFrequency) {
+  const double speed = 500.0;
+  for (const double nu : {500.0, -500.0, 120.0, -77.0}) {
+    scene::Scene s = steady({.mass = 2.0, .damping = 60.0, .stiffness = 3e5, .speed = speed});
+    s.rotor.modal->gyroscopic = {0.4};
+    s.rotor.modal->internal_damping = {25.0};
+    s.magnetic_bearing = scene::MagneticBearing{0.0, {}, 4e4};
+    test::add_rotating_force(s, 30.0, nu, 0.7);
+    const Model m = make_model(s);
+    const Complex d(2.6e5 + nu * speed * 0.4 - 2.0 * nu * nu, nu * 60.0 + (nu - speed) * 25.0);
+    const Complex exact = std::polar(30.0, 0.7) / d;
+    expect_near(place(m), exact, 1e-14 * std::abs(exact));
+    expect_near(rate(m), Complex(0.0, nu) * exact, 1e-14 * std::abs(nu * exact));
+  }
+}
+
+TEST(SteadyOrbit, StaticLoadsAndWhatDoesNotActYet) {
+  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5});
+  s.gravity = scene::Gravity{{0.0, -9.81}, {}};
+  test::add_constant_force(s, {20.0, 0.0});
+  test::add_constant_force(s, {900.0, 0.0});
+  s.forces[1].on = 1e-9;
+  test::add_constant_force(s, {900.0, 0.0});
+  s.forces[2].ramp = 0.1;  // begins to rise at 0
+  test::add_constant_force(s, {900.0, 0.0});
+  s.forces[3].on = -2.0;
+  s.forces[3].off = 0.0;
+  test::add_constant_force(s, {0.0, 10.0});
+  s.forces[4].on = -0.2;
+  s.forces[4].ramp = 0.2;  // has risen
+  const Model m = make_model(s);
+  expect_near(place(m), {20.0 / 2e5, (10.0 - 2.0 * 9.81) / 2e5}, 1e-18);
+  EXPECT_EQ(rate(m), Complex());
+}
+
+// A shaft with gyroscopics, bearings that differ in the planes with dampers, rotating damping, unbalance on two
+// discs, weight, a backward and a forward force.
+scene::Scene shaft() {
+  return scene::parse_scene(R"(
+[run]
+end = 0.1
+step = 1e-5
+[rotor]
+speed = 400.0
+length = 0.6
+E = 2.1e11
+rho = 7850.0
+modes = 3
+damping_ratio = 0.01
+internal_damping_ratio = 0.002
+[[rotor.section]]
+from = 0.0
+to = 0.6
+diameter = 0.02
+[[rotor.disc]]
+z = 0.15
+mass = 2.0
+Jt = 5e-3
+Jp = 1e-2
+eccentricity = 20e-6
+phase = 0.4
+[[rotor.disc]]
+z = 0.5
+mass = 1.0
+Jt = 2e-3
+Jp = 4e-3
+eccentricity = 30e-6
+phase = 2.0
+[[rotor.bearing]]
+z = 0.03
+stiffness = [2e7, 3e6]
+damping = [100.0, 400.0]
+[[rotor.bearing]]
+z = 0.57
+stiffness = [2e6, 1e7]
+damping = 200.0
+[magnetic_bearing]
+station = 0.3
+negative_stiffness = 1e4
+[[force]]
+kind = "rotating"
+amplitude = 8.0
+frequency = -400.0
+phase = 0.5
+station = 0.4
+[[force]]
+kind = "synchronous"
+amplitude = 5.0
+phase = 1.5
+station = 0.2
+[[force]]
+kind = "constant"
+vector = [10.0, 5.0]
+station = 0.3
+[contact]
+station = 0.25
+radius = 0.02
+clearance = 0.5e-3
+friction = 0.2
+restitution = 0.4
+[stator]
+mass = 1.5
+damping = 300.0
+stiffness = [2e5, 1e5]
+[gravity]
+acceleration = [1.0, -9.81]
+[initial]
+steady = true
+spin_angle = 0.2
+)",
+                            "shaft.toml");
+}
+
+// Largest change of any coordinate against the first period's rows, as a share of the amplitude: the most that any
+// coordinate of its kind (place, speed) moves.
+double unrest(const scene::Scene& s, scene::Integrator integrator, double step, int periods) {
+  NativeOptions options;
+  options.integrator = integrator;
+  options.step = step;
+  std::vector<double> times;
+  const double period = 2.0 * std::numbers::pi / 400.0;
+  for (int k = 0; k <= 7 * periods; ++k) times.push_back(period * k / 7.0);
+  options.output_times = times;
+  scene::Scene run = s;
+  run.run.end = times.back();
+  const Trajectory t = run_native(run, options);
+  EXPECT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_EQ(t.statistics.first_touch, -1.0);
+  double change[2] = {}, size[2] = {};
+  for (const std::string name : {"x_1", "x_2", "x_3", "y_1", "y_2", "y_3", "vx_1", "vx_2", "vx_3", "vy_1",
+                           "vy_2", "vy_3", "stator_x", "stator_y"}) {
+    const std::vector<double>& c = t.column(name);
+    const int kind = name.front() == 'v' ? 1 : 0;
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      EXPECT_NE(c[k], 0.0) << name;
+      size[kind] = std::max(size[kind], std::abs(c[k]));
+      change[kind] = std::max(change[kind], std::abs(c[k] - c[k % 7]));
+    }
+  }
+  return std::max(change[0] / size[0], change[1] / size[1]);
+}
+
+TEST(SteadyOrbit, OfAWholeShaftRepeatsItself) {
+  const scene::Scene s = shaft();
+  EXPECT_LT(unrest(s, scene::Integrator::kEvent, 1e-5, 5), 1e-10);
+  // A start that is 1 % off is seen: the orbit is what is repeated, not anything.
+  scene::Scene off = s;
+  off.initial.vx = {1e-3, 0.0, 0.0};
+  EXPECT_GT(unrest(off, scene::Integrator::kEvent, 1e-5, 5), 1e-3);
+}
+
+// A fixed step has a steady orbit of its own, which comes to this one with the square of the step (paper
+// takes its loads at the middle of the step, so that away from contact it is of order 2 as well).
+TEST(SteadyOrbit, FixedStepsComeToItWithTheSquareOfTheStep) {
+  const scene::Scene s = shaft();
+  for (const auto integrator : {scene::Integrator::kVerlet, scene::Integrator::kPaper}) {
+    const double period = 2.0 * std::numbers::pi / 400.0;
+    const double coarse = unrest(s, integrator, period / 700.0, 4);
+    const double fine = unrest(s, integrator, period / 2800.0, 4);
+    EXPECT_LT(coarse, 2e-3);
+    EXPECT_NEAR(fine, coarse / 16.0, 0.2 * coarse / 16.0) << static_cast<int>(integrator);
+  }
+}
+
+scene::Scene magnetic_ring() {
+  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5});
+  s.stator = scene::Stator{{1.0, 1.5}, {200.0, 150.0}, {2e4, 3e4}};
+  s.actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
+                               .force_constant = 3e-5,
+                               .bias_current = 3.0,
+                               .air_gap = 1e-3};
+  s.contact->clearance = 2e-3;
+  return s;
+}
+
+// The bias pulls where the weight has brought the ring: F(s, 0) is not linear there.
+TEST(SteadyOrbit, RingBetweenItsMagnetsIsAtRest) {
+  scene::Scene s = magnetic_ring();
+  s.stator->stiffness *= 100.0;
+  s.gravity = scene::Gravity{{20.0, -98.1}, {}};
+  const Model m = make_model(s);
+  const int ring = m.layout.ring();
+  Eigen::VectorXd f(m.nq());
+  smooth_force(m, 0.0, m.q0.data(), m.v0.data(), {0.0, 0.0}, f.data());
+  EXPECT_NEAR(f[ring], 0.0, 1e-12 * 150.0);
+  EXPECT_NEAR(f[ring + 1], 0.0, 1e-12 * 150.0);
+  const double linear = 20.0 / s.stator->stiffness.x();
+  EXPECT_GT(std::abs(m.q0[ring] - linear), 0.01 * linear) << "the magnets count";
+}
+
+TEST(SteadyOrbit, RingInTheMiddleOfItsMagnetsWithoutALoad) {
+  scene::Scene s = magnetic_ring();
+  s.stator->stiffness *= 100.0;
+  const Model m = make_model(s);
+  EXPECT_EQ(m.q0[m.layout.ring()], 0.0);
+  EXPECT_EQ(m.q0[m.layout.ring() + 1], 0.0);
+}
+
+// T(Omega) winds the free-free shaft: none of its modes accelerates.
+TEST(SteadyOrbit, TorsionAtRestUnderTheMotorsTorque) {
+  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = 300.0});
+  s.rotor.modal->inertia = 1e-3;
+  s.rotor.torsion = scene::Torsion{0, 0.0, {4e-4, 1e-4}, {60.0, 90.0}, {0.01, 0.02}, {0.3, -0.5}};
+  s.drive.emplace();
+  s.drive->kind = scene::DriveKind::kLinear;
+  s.drive->gain = 0.05;
+  s.drive->speed = 330.0;
+  const Model m = make_model(s);
+  Eigen::VectorXd f(m.nq());
+  smooth_force(m, 0.0, m.q0.data(), m.v0.data(), {0.0, 0.0}, f.data());
+  EXPECT_NEAR(m.q0[m.layout.theta()], 0.05 * 30.0 * 0.3 / 60.0, 1e-17);
+  EXPECT_NEAR(f[m.layout.theta()], 0.0, 1e-15);
+  EXPECT_NEAR(f[m.layout.theta() + 1], 0.0, 1e-15);
+  EXPECT_EQ(m.v0[m.layout.phi()], 300.0);
+  s.initial.torsion = {1e-3, 0.0};
+  EXPECT_EQ(make_model(s).q0[m.layout.theta()], 1e-3) << "a torsion that is given stays";
+}
+
+// A chirp counts with its frequency of t = 0; a pulse begins at 0.
+TEST(SteadyOrbit, ChirpAndPulse) {
+  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5});
+  scene::Force f;
+  f.kind = scene::ForceKind::kChirp;
+  f.amplitude = 10.0;
+  f.frequency = 100.0;
+  f.frequency_end = 300.0;
+  f.on = -1.0;
+  f.off = 3.0;
+  f.phase = 0.4;
+  scene::Force g;
+  g.kind = scene::ForceKind::kPulse;
+  g.vector = {500.0, 0.0};
+  g.off = 0.01;
+  s.forces = {f, g};
+  const Model m = make_model(s);
+  // After a quarter of 4 s: 150 rad/s, turned by 125 rad.
+  const Complex exact =
+      std::polar(10.0, 0.4 + 125.0) / Complex(2e5 - 2.0 * 150.0 * 150.0, 40.0 * 150.0);
+  expect_near(place(m), exact, 1e-13 * std::abs(exact));
+}
+
+// ---------------------------------------------------------------- refused
+std::string refusal(const scene::Scene& s) {
+  try {
+    make_model(s);
+  } catch (const scene::SceneError& error) {
+    EXPECT_EQ(error.diagnostics().size(), 1U);
+    EXPECT_EQ(error.diagnostics()[0].key, "initial.steady");
+    return error.diagnostics()[0].reason;
+  }
+  return {};
+}
+
+void expect_refused(const scene::Scene& s, const std::string& reason) {
+  const std::string given = refusal(s);
+  EXPECT_NE(given.find(reason), std::string::npos) << given;
+}
+
+TEST(SteadyOrbitRefusal, TouchesWithItsSize) {
+  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5});
+  test::add_rotating_force(s, 99.0, 0.0);
+  EXPECT_EQ(refusal(s), "");
+  s.forces[0].amplitude = 101.0;
+  expect_refused(s, "touches: it comes to 0.000505 m");
+  expect_refused(s, "0.0005 m");
+  // By the ring's own sag alone.
+  scene::Scene sagging = steady({.mass = 1e-3, .damping = 40.0, .stiffness = 2e5});
+  test::add_ring(sagging, 10.0, 1.0, 1e4);
+  sagging.gravity = scene::Gravity{{0.0, -9.81}, {}};
+  expect_refused(sagging, "touches");
+}
+
+TEST(SteadyOrbitRefusal, Unstable) {
+  scene::Scene s = steady({.mass = 2.0, .damping = 8.0, .stiffness = 2e5, .speed = 900.0});
+  s.rotor.modal->internal_damping = {60.0};
+  expect_refused(s, "unstable at 900 rad/s, a motion at 318.6");
+  s.rotor.speed = 300.0;
+  EXPECT_EQ(refusal(s), "");
+  s.magnetic_bearing = scene::MagneticBearing{0.0, {}, 2.1e5};
+  expect_refused(s, "unstable");
+}
+
+TEST(SteadyOrbitRefusal, ResonanceAndNothingThatHolds) {
+  scene::Scene s = steady({.mass = 2.0, .stiffness = 2e5});
+  test::add_rotating_force(s, 1e-9, std::sqrt(1e5));
+  expect_refused(s, "resonance");
+  s.forces[0].frequency = 300.0;
+  EXPECT_EQ(refusal(s), "") << "without damping, but off the resonance: it repeats itself";
+  scene::Scene free = steady({.mass = 2.0});
+  EXPECT_EQ(refusal(free), "") << "a free mass at rest";
+  free.gravity = scene::Gravity{{0.0, -9.81}, {}};
+  expect_refused(free, "nothing holds the rotor");
+  scene::Scene ring = steady({.mass = 2.0, .stiffness = 2e7});
+  test::add_ring(ring, 1.0, 1.0, 0.0);
+  ring.gravity = free.gravity;
+  expect_refused(ring, "nothing holds the ring");
+}
+
+TEST(SteadyOrbitRefusal, MagnetsThatPullTheRingAway) {
+  // 4 k_m i_0^2 / s_0^3 = 1.08e6 N/m against 2e4.
+  expect_refused(magnetic_ring(), "magnets");
+}
+
+TEST(SteadyOrbitRefusal, LoadsThatAreUnderWay) {
+  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5});
+  test::add_constant_force(s, {1.0, 0.0});
+  s.forces[0].on = -0.1;
+  s.forces[0].ramp = 0.2;
+  expect_refused(s, "still rising");
+  s.forces[0].kind = scene::ForceKind::kPulse;
+  s.forces[0].ramp = 0.0;
+  s.forces[0].off = 0.1;
+  expect_refused(s, "pulse is under way");
+}
+
+TEST(SteadyOrbitRefusal, BesideAStartOfOnesOwn) {
+  const std::string text = R"([rotor]
+speed = 300.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e5]
+damping = [40.0]
+[stator]
+mass = 1.0
+stiffness = 1e5
+[contact]
+radius = 0.05
+clearance = 0.5e-3
+friction = 0.1
+restitution = 0.5
+[initial]
+steady = true
+)";
+  EXPECT_NO_THROW(make_model(scene::parse_scene(text, "s.toml")));
+  for (const char* key : {"x", "y", "vx", "vy", "stator", "stator_velocity"}) {
+    const bool ring = std::string(key).starts_with("stator");
+    try {
+      scene::parse_scene(text + key + (ring ? " = [0.0, 0.0]\n" : " = [0.0]\n"), "s.toml");
+      ADD_FAILURE() << key;
+    } catch (const scene::SceneError& error) {
+      ASSERT_EQ(error.diagnostics().size(), 1U);
+      EXPECT_EQ(error.diagnostics()[0].key, std::string("initial.") + key);
+      EXPECT_EQ(error.diagnostics()[0].line, 17);
+      EXPECT_NE(error.diagnostics()[0].reason.find("steady"), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
