@@ -89,8 +89,9 @@ inline constexpr const char* kShadowFrictionForce = "shadow_friction_force";  //
 
 // mjData.userdata entries that the plugin uses (plugin/user_data.h)
 inline constexpr int kUserDataSingle = 21;
-inline int user_data_size(int nq, bool controlled) {
-  return kUserDataSingle + (controlled ? 2 * nq : 0);
+// loop: of the memory of a sampled controller.
+inline int user_data_size(int nq, bool controlled, std::size_t loop) {
+  return kUserDataSingle + (controlled ? 2 * nq : 0) + static_cast<int>(loop);
 }
 // Behind them, with a contact on the modal chain: the step `verlet` of `rigid` (plugin/contact/verlet.h),
 // velocities and two slots of `slot` each.
@@ -98,8 +99,10 @@ inline constexpr int kVerletSingle = 3;
 inline int verlet_data_size(int nq, std::size_t slot) {
   return kVerletSingle + nq + 2 * static_cast<int>(slot);
 }
-// Behind them, with [mujoco] shadow: the shadow's, `memory` of them the stepper's.
-inline constexpr int kShadowSingle = 12;
-inline int shadow_data_size(std::size_t memory) { return kShadowSingle + static_cast<int>(memory); }
+// Behind them, with [mujoco] shadow: the shadow's, `hold` of them its controller's, `memory` its stepper's.
+inline constexpr int kShadowSingle = 9;
+inline int shadow_data_size(std::size_t hold, std::size_t memory) {
+  return kShadowSingle + static_cast<int>(hold + memory);
+}
 
 }  // namespace rotorub::mjcf_names

@@ -98,13 +98,16 @@ class Document {
                     R"(tolerance="1e-12"/>)",
                     scene_.run.step, gravity.x(), gravity.y(), implicit ? "implicit" : "Euler",
                     has_option ? R"(collision="predefined" )" : ""));
-    int user_data = names::user_data_size(model_.nq(), model_.controller != nullptr);
+    const std::size_t loop = model_.loop ? model_.loop->memory_size() : 0;
+    int user_data = names::user_data_size(model_.nq(), model_.controller != nullptr, loop);
     if (scene_.contact && !segments_) {
-      const std::size_t slot = VerletStepper::memory_size(model_) + ZeroOrderHold::kMemory + 1;
+      const std::size_t slot = VerletStepper::memory_size(model_) + ZeroOrderHold::memory_size(model_) + 1;
       user_data += names::verlet_data_size(model_.nq(), slot);
     }
     if (scene_.mujoco.shadow) {
-      user_data += names::shadow_data_size(PaperStepper::memory_size(make_model(scene_)));
+      const Model whole = make_model(scene_);
+      user_data += names::shadow_data_size(ZeroOrderHold::memory_size(whole),
+                                           PaperStepper::memory_size(whole));
     }
     // From 3.0 on there is room for what is needed.
     xml_.line(fmt::format(R"(<size {}nuserdata="{}"/>)",

@@ -6,6 +6,7 @@
 
 #include "mjcf/names.h"
 #include "native_model/stepping/stepper.h"
+#include "native_model/stepping/zero_order_hold.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model_checks.h"
 #include "plugin/chain_constraints.h"
@@ -198,14 +199,17 @@ Config make_config(const mjModel* m) {
   } catch (const std::exception& error) {
     refuse(text_element(names::kSceneText), error.what());
   }
-  int needed = names::user_data_size(config.model.nq(), config.model.controller != nullptr);
+  const std::size_t loop = config.model.loop ? config.model.loop->memory_size() : 0;
+  int needed = names::user_data_size(config.model.nq(), config.model.controller != nullptr, loop);
+  config.loop_data = needed - static_cast<int>(loop);
   if (scene.contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
     config.verlet_data = needed;
     needed += verlet_data_size(config.model);
   }
   if (config.shadow) {
     config.shadow->data = needed;
-    needed += names::shadow_data_size(PaperStepper::memory_size(config.shadow->model));
+    needed += names::shadow_data_size(ZeroOrderHold::memory_size(config.shadow->model),
+                                      PaperStepper::memory_size(config.shadow->model));
   }
   if (m->nuserdata < needed) {
     refuse("<size nuserdata>", message("at least {} needed", needed));
@@ -223,6 +227,7 @@ Config make_config(const mjModel* m) {
     config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
     map_contact(m, config);
     if (!config.segments) choose_path(m, config);
+    if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);
     try {
       if (config.contact == scene::ContactModel::kRigid) {
         const bool lags = config.model.magnets && config.model.magnets->coil_lag > 0.0;

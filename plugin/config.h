@@ -81,6 +81,9 @@ struct Config {
   // (chain_constraints.h): its contact is solved as that of a user's own model.
   bool general = false;
 
+  // In mjData.userdata: what Model::loop remembers, after the pass done last (with native steps in the
+  // slot that the step to come begins with).
+  int loop_data = 0;
   int verlet_data = -1;                 // in mjData.userdata, of `rigid` on the modal chain; -1: none
   int rotor_geom = -1, ring_geom = -1;  // of the contact pair; -1 without [contact]
   int pair = -1;                        // their <pair>

@@ -1,15 +1,41 @@
 #include "plugin/control.h"
 
+#include <algorithm>
+
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/control/sampling.h"
 #include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/trajectory/trajectory.h"
 #include "plugin/magnets.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"
 #include "plugin/velocity_history.h"
 
 namespace rotorub::plugin {
+namespace {
+
+Eigen::Vector2d command_of(const Config& config, const mjModel* m, mjData* d, const double* q,
+                           const double* v) {
+  const Model& model = config.model;
+  if (!model.loop) return control_command(model, d->time, q, v);
+  const Eigen::Vector2d current =
+      model.magnets ? actuator_state(config, m, d).current : Eigen::Vector2d(0.0, 0.0);
+  try {
+    return control_sample(model, d->time, q, v, current, d->userdata + config.loop_data);
+  } catch (const ControllerError& error) {
+    controller_failed(d, error.what());
+  }
+  return {0.0, 0.0};
+}
+
+}  // namespace
+
+void controller_failed(mjData* d, const std::string& why) {
+  d->userdata[kContactStatus] = static_cast<double>(Status::kControllerFailed);
+  raise_error(("rotorub: " + why).c_str());
+}
+
 void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
   const Model& model = config.model;
   if (!model.controller) return;
@@ -21,7 +47,7 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
     const double sample =
         model.sample_time > 0.0 ? 1.0 + sample_index(d->time, model.sample_time) : 0.0;
     if (sample == 0.0 || sample != d->userdata[kSample]) {
-      u = control_command(model, d->time, state.q(), v);
+      u = command_of(config, m, d, state.q(), v);
       d->userdata[kHeldX] = u.x();
       d->userdata[kHeldY] = u.y();
       d->userdata[kSample] = sample;
@@ -38,7 +64,12 @@ ActuatorState actuator_state(const Config& config, const mjModel* m, const mjDat
     force[k] = d->actuator_force[force_address(m, config.actuator[k])];
     if (config.model.magnets) current[k] = coil_current(m, d, config.actuator[k]);
   }
-  return {from_axes(force), current};
+  ActuatorState now{from_axes(force), current, {}};
+  if (config.model.loop) {
+    const double* outputs = ControlLoop::outputs(d->userdata + config.loop_data);
+    std::copy_n(outputs, now.outputs.size(), now.outputs.begin());
+  }
+  return now;
 }
 
 Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mjData* d) {

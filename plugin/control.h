@@ -3,6 +3,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include <string>
+
 #include "native_model/system/actuation.h"
 #include "plugin/config.h"
 #include "plugin/coordinates.h"
@@ -12,6 +14,9 @@ namespace rotorub::plugin {
 // Held between the samples k T of a sampled controller. Leaves the user's ctrl alone where the
 // scene has no active controller.
 void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
+
+// The law failed: mju_error with its word, which names the time; the data tell it too (kContactStatus).
+void controller_failed(mjData* d, const std::string& why);
 
 // Force of the actuators on the ring, of the forward pass done last, and the currents now.
 ActuatorState actuator_state(const Config& config, const mjModel* m, const mjData* d);

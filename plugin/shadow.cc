@@ -19,8 +19,6 @@
 namespace rotorub::plugin {
 namespace {
 
-static_assert(kShadowSingle - kShadowCommand == ZeroOrderHold::kMemory);
-
 // What takes the steps. Holds nothing between two calls but room: the state comes from userdata and
 // goes back there.
 struct Worker {
@@ -33,7 +31,10 @@ struct Worker {
   ZeroOrderHold command;
 };
 
-double* stepper_memory(double* entry) { return entry + kShadowSingle; }
+double* hold_memory(double* entry) { return entry + kShadowSingle; }
+std::size_t stepper_begin(const Config& config) {
+  return kShadowSingle + ZeroOrderHold::memory_size(config.shadow->model);
+}
 
 void move_ghosts(const Config& config, mjData* d) {
   const double* q = shadow_state(config, d);
@@ -83,8 +84,8 @@ void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
   double q[kMaxCoordinates], v[kMaxCoordinates];
   mujoco_state(config, m, d, q, v);
   worker.stepper.begin(d->time, q, v);
-  worker.stepper.save(stepper_memory(entry));
-  ZeroOrderHold(worker.model).save(entry + kShadowCommand);
+  worker.stepper.save(entry + stepper_begin(config));
+  ZeroOrderHold(worker.model).save(hold_memory(entry));
   move_ghosts(config, d);
   // The model was made for a smaller step, and the user has changed it since.
   if (!step_refusal(worker.model, h).empty()) {
@@ -99,14 +100,18 @@ void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
 void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
   const double h = m->opt.timestep;
   Worker& worker = thread_worker<Worker>(config, h);
-  worker.stepper.restore(stepper_memory(entry));
+  worker.stepper.restore(entry + stepper_begin(config));
   const double t = entry[kShadowOrigin] + entry[kShadowSteps] * h;
 
   Eigen::Vector2d u = actuator_state(config, m, d).force;
   if (worker.model.controller) {
-    worker.command.restore(entry + kShadowCommand);
+    worker.command.restore(hold_memory(entry));
     u = worker.command.at(t, worker.stepper.q(), worker.stepper.v());
-    worker.command.save(entry + kShadowCommand);
+    worker.command.save(hold_memory(entry));
+    if (!worker.command.failure().empty()) {
+      stop(entry, Status::kControllerFailed, "rotorub: shadow: its controller failed: it stands still");
+      return;
+    }
   }
   const FixedStep done = worker.stepper.step(static_cast<std::int64_t>(entry[kShadowSteps]), u);
   if (done.status != Status::kOk) {
@@ -117,7 +122,7 @@ void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
                "stands still");
     return;
   }
-  worker.stepper.save(stepper_memory(entry));
+  worker.stepper.save(entry + stepper_begin(config));
   entry[kShadowSteps] += 1.0;
   entry[kShadowNormal] = done.normal_impulse / h;
   entry[kShadowFriction] = done.friction_impulse / h;
@@ -149,7 +154,8 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
 }
 
 const double* shadow_state(const Config& config, const mjData* d) {
-  return PaperStepper::saved_q(d->userdata + config.shadow->data + kShadowSingle);
+  return PaperStepper::saved_q(d->userdata + config.shadow->data +
+                               stepper_begin(config));
 }
 
 }  // namespace rotorub::plugin

@@ -145,6 +145,7 @@ Command add_bench_command(CLI::App& program) {
                   "restitution table (hundreds of runs more)")
       ->type_name("DIR");
   app->add_option("--end", options->end, "End of the run, e.g. 0.5s (run.end)")->type_name("TIME");
+  add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run_bench(*options); }};
 }

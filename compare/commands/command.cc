@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cassert>
+#include <filesystem>
 
 #include "native_model/scene/reader.h"
 #include "native_model/scene/units.h"
@@ -28,8 +29,26 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
       ->type_name("TIME");
 }
 
+void add_controller_option(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option("--controller", options.controller,
+                  "Your own controller, a shared library, in the place of the scene's")
+      ->type_name("FILE.so")
+      ->check(CLI::ExistingFile);
+}
+
+std::vector<std::string> overrides_of(const CommonOptions& options) {
+  std::vector<std::string> overrides;
+  if (!options.controller.empty()) {
+    const std::string library = std::filesystem::absolute(options.controller).string();
+    overrides = {"controller.kind=library", "controller.library='" + library + "'"};
+  }
+  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
+  return overrides;
+}
+
 scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
-  std::vector<std::string> overrides = options.overrides;
+  std::vector<std::string> overrides = overrides_of(options);
   if (!options.step.empty()) overrides.push_back("run.step=" + options.step);
   if (!options.end.empty()) overrides.push_back("run.end=" + options.end);
   return scene::read_scene(file, overrides);

@@ -32,13 +32,18 @@ class Interrupted : public std::runtime_error {
 struct CommonOptions {
   std::vector<std::string> overrides;  // "table.key=value"
   std::string step, end;               // overrides of run.step and run.end; empty: none
+  std::string controller;              // library in the place of the scene's controller; empty: none
   bool json = false, quiet = false;
 };
 
 // --set, --json, --quiet, and --step and --end.
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_run_options(CLI::App& command, CommonOptions& options);
+// --controller
+void add_controller_option(CLI::App& command, CommonOptions& options);
 
+// --controller and --set, as overrides.
+std::vector<std::string> overrides_of(const CommonOptions& options);
 // The scene with all overrides applied, --step and --end last. Throws scene::SceneError.
 scene::Scene read_scene(const std::string& file, const CommonOptions& options);
 

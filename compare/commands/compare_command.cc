@@ -201,6 +201,7 @@ Command add_compare_command(CLI::App& program) {
       ->capture_default_str();
   app->add_flag("--no-video", options->no_video, "Leave the films out");
   add_run_options(*app, *options);
+  add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return compare(*options); }};
 }

@@ -15,14 +15,17 @@
 #include "compare/commands/command.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
+#include "compare/modes/control_text.h"
 #include "compare/modes/rub_map_text.h"
 #include "compare/modes/text.h"
 #include "compare/report/modes_page.h"
 #include "compare/report/rub_map_page.h"
 #include "compare/study/json.h"
 #include "native_model/rotor/refusal.h"
+#include "native_model/rub/feedback_map.h"
 #include "native_model/rub/rub_map.h"
 #include "native_model/scene/units.h"
+#include "native_model/system/plant_of.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
@@ -31,7 +34,8 @@ namespace {
 struct ModesArguments : CommonOptions {
   std::string scene, up_to, output;
   std::vector<std::string> speeds;
-  bool rub_map = false;
+  bool rub_map = false, feedback_map = false, state_space = false;
+  std::string map_feedbacks;
   std::string map_speeds, map_frictions;  // FROM:TO:COUNT; empty: not given
 };
 
@@ -157,7 +161,57 @@ rub::RubMap rub_map_of(const ModesArguments& options, const scene::Scene& scene,
   return map;
 }
 
+void say_progress(ProgressBar& bar, double share, const char* what) {
+  if (interrupted()) throw Interrupted();
+  bar.show(share, what);
+}
+
+// rotorub modes --feedback-map: by default from half to twice the scene's speed, k up to a ring's 10 rates.
+int show_feedback(const ModesArguments& options) {
+  MapRanges ranges = map_ranges(options);
+  const scene::Scene scene = read_scene(options.scene, options);
+  const double speed = std::abs(scene.rotor.speed);
+  if (ranges.speeds.empty() && speed == 0.0) {
+    throw UsageError("--feedback-map: the scene's rotor is at rest; give --speeds");
+  }
+  if (ranges.speeds.empty()) ranges.speeds = even_values(0.5 * speed, 1.5 * speed, 21);
+  ProgressBar bar(options.quiet || options.json);
+  const rub::FeedbackMap map = with_place(scene, [&] {
+    const rub::RubSystem system = rub::rub_system(scene);
+    if (!system.ring) throw UsageError("--feedback-map: the ring is fixed ([stator] is absent)");
+    const std::vector<double> feedbacks =
+        options.map_feedbacks.empty()
+            ? even_values(0.0, 10.0 * std::sqrt(system.ring->mass * system.ring->stiffness), 81)
+            : range_values("--feedbacks", options.map_feedbacks, scene::kDamping);
+    return rub::feedback_map(system, ranges.speeds, feedbacks,
+                             [&](double share) { say_progress(bar, share, "feedback"); });
+  });
+  bar.clear();
+  if (options.json) {
+    std::cout << json_text({{"feedback_map", feedback_map_json(map)}});
+  } else if (!options.quiet) {
+    std::cout << feedback_map_table(scene.name, map);
+  }
+  return kDone;
+}
+
+// rotorub modes --state-space: JSON, whatever else is asked.
+int show_state_space(const ModesArguments& options) {
+  const scene::Scene scene = read_scene(options.scene, options);
+  const Model model = make_model(scene);
+  if (!scene.stator || !scene.contact) {
+    throw UsageError("--state-space: needs [stator] and [contact]: the force on the ring is the input");
+  }
+  std::cout << json_text(state_space_json(scene, plant_of(model, scene.rotor.speed)));
+  return kDone;
+}
+
 int modes(const ModesArguments& options) {
+  if (!options.map_speeds.empty() && !options.rub_map && !options.feedback_map) {
+    throw UsageError("--speeds: belongs to --rub-map or --feedback-map");
+  }
+  if (options.state_space) return show_state_space(options);
+  if (options.feedback_map) return show_feedback(options);
   std::vector<double> speeds;
   for (const std::string& text : options.speeds) speeds.push_back(speed_of("--speed", text));
   const std::optional<double> range = range_of(options);
@@ -212,8 +266,19 @@ Command add_modes_command(CLI::App& program) {
       "A map over spin speed and friction: which lasting rubs are stable. Each load keeps its ratio to the spin");
   app->add_option("--speeds", options->map_speeds,
                   "Spin speeds of the map, e.g. 10Hz:100Hz:40 (default: 60 from 0.2 to 2 times rotor.speed)")
+      ->type_name("FROM:TO:COUNT");
+  CLI::Option* feedback = app->add_flag(
+      "--feedback-map", options->feedback_map,
+      "Which cross-coupled feedback of the ring calms the forced rub, by its eigenvalues: a rule for k(Omega)");
+  app->add_option("--feedbacks", options->map_feedbacks, "Values of k of that map, e.g. 0:4000:81, N s/m")
       ->type_name("FROM:TO:COUNT")
-      ->needs(map);
+      ->needs(feedback);
+  app->add_flag("--state-space", options->state_space,
+                "The plant of a controller as JSON: A, B, C of rotor and ring without contact, force on the ring "
+                "to their positions")
+      ->excludes(feedback)
+      ->excludes(map);
+  feedback->excludes(map);
   app->add_option("--frictions", options->map_frictions,
                   "Coefficients of friction of the map (default: 0.025:0.5:20)")
       ->type_name("FROM:TO:COUNT")

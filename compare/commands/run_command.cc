@@ -145,6 +145,7 @@ Command add_run_command(CLI::App& program) {
   app->add_option("-o,--output", options->folder,
                   "Folder of the results (default: runs/<scene>-<engine>)")
       ->type_name("DIR");
+  add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run(*options); }};
 }

@@ -203,7 +203,7 @@ int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
   job.folder = std::filesystem::canonical(sweep.folder);
   job.tasks = tasks_of(options, sweep);
   job.jobs = options.jobs > 0 ? options.jobs : 1;
-  job.overrides = options.overrides;
+  job.overrides = overrides_of(options);
   const path script = job.folder / sweep::kSlurmFile;
   write_whole(script, sweep::slurm_script(job));
   const std::vector<int> open = open_shards(sweep, job.tasks);
@@ -227,7 +227,7 @@ int sweep_study(const SweepArguments& options) {
   check_arguments(options);
   Sweep sweep;
   sweep.study = sweep::read_study(options.study);
-  sweep.scenes = std::make_unique<sweep::PointScenes>(sweep.study, options.overrides);
+  sweep.scenes = std::make_unique<sweep::PointScenes>(sweep.study, overrides_of(options));
   sweep.scenes->check();
   sweep.folder = options.folder.empty() ? path("runs") / path(options.study).stem()
                                         : path(options.folder);
@@ -260,6 +260,7 @@ Command add_sweep_command(CLI::App& program) {
       ->check(CLI::Range(1, sweep::kMostShards));
   app->add_option("--merge", options->merge, "Join the results of these folders' shards")
       ->type_name("DIR...");
+  add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return sweep_study(*options); }};
 }

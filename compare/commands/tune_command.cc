@@ -112,6 +112,7 @@ Command add_tune_command(CLI::App& program) {
   app->add_option("-o,--output", options->file, "Writes the scene with the trusted setting there")
       ->type_name("FILE.toml");
   app->add_option("--end", options->end, "End of the run, e.g. 0.5s (run.end)")->type_name("TIME");
+  add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run_tune(*options); }};
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "compare/engine/mujoco_messages.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/control.h"
+#include "plugin/user_data.h"
 
 namespace rotorub {
 
@@ -24,8 +26,7 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
     const bool native = config_.takes_native_steps();
     double* state = states_.data() + 2 * done * size();
     if (native) read_state(state);
-    mj_step(m_, data_.get());
-    failed_ = bad();
+    failed_ = !step() || bad();
     if (failed_) break;
     StepResult& r = results_[done];
     r.forces = plugin::contact_forces(config_, data_.get());
@@ -44,6 +45,20 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
   }
   wall_ += std::chrono::steady_clock::now() - start;
   return done;
+}
+
+bool ChunkedRun::step() {
+  try {
+    mj_step(m_, data_.get());
+    return true;
+  } catch (const MujocoError& error) {
+    error_ = error.what();
+    const auto controller = static_cast<double>(Status::kControllerFailed);
+    if (config_.model.loop && data_->userdata[plugin::kContactStatus] == controller) {
+      contact_status_ = Status::kControllerFailed;
+    }
+    return false;
+  }
 }
 
 StepResult ChunkedRun::last_half() {

@@ -5,6 +5,7 @@
 #include <mujoco/mujoco.h>
 
 #include <chrono>
+#include <string>
 #include <vector>
 
 #include "compare/engine/mujoco_setup.h"
@@ -42,13 +43,16 @@ class ChunkedRun {
   const double* start_q() const { return start_.data(); }
   const double* start_v() const { return start_.data() + size(); }
   bool failed() const { return failed_; }
-  // kNoSolution, kAmbiguous: what `rigid` failed by.
+  // What MuJoCo said when it gave up; empty: it did not.
+  const std::string& error() const { return error_; }
+  // kNoSolution, kAmbiguous: what `rigid` failed by; kControllerFailed.
   Status contact_status() const { return contact_status_; }
   double wall() const { return wall_.count(); }  // s
 
  private:
   std::size_t size() const { return static_cast<std::size_t>(model_.nq()); }
   void read_state(double* to) const { read_(data_.get(), to, to + size()); }
+  bool step();  // false: error_
   bool bad() const;
 
   const mjModel* m_;
@@ -60,6 +64,7 @@ class ChunkedRun {
   std::vector<StepResult> results_;
   std::vector<double> states_, start_;
   bool failed_ = false;
+  std::string error_;
   Status contact_status_ = Status::kOk;
   std::chrono::duration<double> wall_{0.0};
 };

@@ -11,6 +11,7 @@
 #include "compare/engine/mujoco_setup.h"
 #include "compare/engine/watch_feed.h"
 #include "mjcf/writer.h"
+#include "native_model/control/library.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/system/run_size.h"
@@ -52,6 +53,7 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const MujocoMessages messages;
   const plugin::Hooks hooks;
   MujocoSetup setup;
+  if (scene.folder) trust_controllers_of(*scene.folder);
   setup.m = load_mjcf(mjcf(scene));
   setup.config = std::make_unique<const plugin::Config>(plugin::make_config(setup.m.get()));
   const plugin::Config& config = *setup.config;
@@ -109,7 +111,10 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
       if (status != Status::kOk) break;
       if (run.contact_status() != Status::kOk) {
         status = run.contact_status();
-        message = contact_reason(status);
+        message = run.error().empty() ? contact_reason(status) : run.error();
+      } else if (!run.error().empty()) {
+        status = Status::kDiverged;
+        message = run.error();
       } else if (run.failed()) {
         status = Status::kDiverged;
         const std::vector<std::string> warnings = messages.warnings();

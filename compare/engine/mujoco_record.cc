@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/stepping/zero_order_hold.h"
 #include "native_model/trajectory/range_check.h"
 
 namespace rotorub {
@@ -34,9 +35,11 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
 void MujocoRecord::begin(const double* q, const double* v) {
   // A coil that lags has no current yet, whatever it is told.
   const bool lags = model_.magnets && model_.magnets->coil_lag > 0.0;
-  const Eigen::Vector2d acts =
-      lags ? Eigen::Vector2d(0.0, 0.0) : control_command(model_, 0.0, q, v);
-  recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, actuator_state(model_, q, v, acts)});
+  ZeroOrderHold hold(model_);
+  const Eigen::Vector2d told = hold.at(0.0, q, v);
+  ActuatorState acts = actuator_state(model_, q, v, lags ? Eigen::Vector2d(0.0, 0.0) : told);
+  acts.outputs = hold.outputs();
+  recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, acts});
   point_ = contact_point(model_, q, v);
 }
 

@@ -5,11 +5,13 @@
 #include <charconv>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "compare/study/json.h"
+#include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
@@ -111,7 +113,7 @@ void read_impacts(const path& file, Trajectory& trajectory) {
 Status status_of(const std::string& name) {
   for (const Status status : {Status::kOk, Status::kDiverged, Status::kNoSolution,
                               Status::kAmbiguous, Status::kStepTooLarge, Status::kOutOfRange,
-                              Status::kInterrupted}) {
+                              Status::kInterrupted, Status::kControllerFailed}) {
     if (name == to_string(status)) return status;
   }
   return Status::kDiverged;
@@ -125,6 +127,15 @@ nlohmann::json summary_of(const path& file) {
   }
 }
 
+// A library stands beside the scene, not beside its results.
+std::string text_to_keep(const scene::Scene& scene) {
+  if (!scene.controller || scene.controller->kind != scene::ControllerKind::kLibrary) {
+    return scene.text;
+  }
+  const std::string library = "controller.library='" + controller_library(scene).string() + "'";
+  return scene::parse_scene(scene.text, scene.name + ".toml", std::span(&library, 1)).text;
+}
+
 }  // namespace
 
 void write_run(const path& folder, const scene::Scene& scene, const Trajectory& trajectory) {
@@ -133,7 +144,7 @@ void write_run(const path& folder, const scene::Scene& scene, const Trajectory& 
   write_series(trajectory, folder / kSeries);
   write_impacts(trajectory, folder / kImpacts);
   write_events(trajectory, folder / kEvents);
-  write_whole(folder / (scene.rotor.assembled ? kOwnModel : kScene), scene.text);
+  write_whole(folder / (scene.rotor.assembled ? kOwnModel : kScene), text_to_keep(scene));
   write_whole(folder / kSummary, json_text(summary_json(scene, trajectory)));
 }
 
@@ -148,6 +159,7 @@ StoredRun read_run(const path& folder) {
   try {
     run.scene = scene::parse_scene(text_of(folder / kScene),
                                    summary.at("scene").get<std::string>() + ".toml");
+    run.scene.folder = folder.string();
     t.engine = summary.at("engine");
     t.integrator = summary.at("integrator");
     t.contact_model = summary.at("contact_model");

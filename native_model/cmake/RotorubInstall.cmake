@@ -18,6 +18,8 @@ foreach(part native_model mjcf plugin)
     PATTERN "*.h"
     PATTERN "cmake" EXCLUDE)
 endforeach()
+# What a controller of one's own includes: <rotorub/controller.h>.
+install(FILES "${PROJECT_SOURCE_DIR}/native_model/control/abi/rotorub/controller.h" DESTINATION include/rotorub)
 install(
   EXPORT rotorubTargets
   NAMESPACE rotorub::

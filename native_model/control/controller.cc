@@ -1,7 +1,12 @@
 #include "native_model/control/controller.h"
 
+#include "native_model/control/cross_coupled.h"
 #include "native_model/control/emulated_support.h"
+#include "native_model/control/library.h"
+#include "native_model/control/quadratic.h"
 #include "native_model/control/sliding.h"
+#include "native_model/control/tracking_pd.h"
+#include "native_model/control/two_phase.h"
 
 namespace rotorub {
 
@@ -10,9 +15,18 @@ std::shared_ptr<const Controller> make_controller(const scene::Scene& scene, con
   const scene::Controller& c = *scene.controller;
   switch (c.kind) {
     case scene::ControllerKind::kPassive:
-      if (c.stiffness == 0.0 && c.damping == 0.0) return nullptr;
+      // Magnets pull by their bias: without a command that balances it they are no passive bearing.
+      if (c.stiffness == 0.0 && c.damping == 0.0 && plant.current_limit == 0.0) return nullptr;
       return std::make_shared<EmulatedSupport>(c.stiffness, c.damping);
-    case scene::ControllerKind::kSliding: return std::make_shared<SlidingController>(c, plant);
+    case scene::ControllerKind::kSliding: return std::make_shared<SlidingController>(c, plant, scene.rotor.speed);
+    case scene::ControllerKind::kCrossCoupled: return std::make_shared<CrossCoupled>(c);
+    case scene::ControllerKind::kTwoPhase: return std::make_shared<TwoPhase>(c, plant, scene.rotor.speed);
+    case scene::ControllerKind::kPd: return std::make_shared<TrackingPd>(c, plant);
+    case scene::ControllerKind::kLqr:
+      return std::make_shared<StateFeedback>(quadratic_design(scene, *plant.linear));
+    case scene::ControllerKind::kLqg:
+      return std::make_shared<OutputFeedback>(quadratic_design(scene, *plant.linear), plant.force_limit);
+    case scene::ControllerKind::kLibrary: return std::make_shared<LibraryController>(scene, plant);
   }
   return nullptr;
 }

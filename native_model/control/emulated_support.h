@@ -8,7 +8,7 @@ namespace rotorub {
 class EmulatedSupport final : public Controller {
  public:
   EmulatedSupport(double stiffness, double damping) : stiffness_(stiffness), damping_(damping) {}
-  Eigen::Vector2d force(const Measurement& now) const override {
+  Eigen::Vector2d command(const Measurement& now, const SwitchOn&, double*) const override {
     return -stiffness_ * now.stator - damping_ * now.stator_velocity;
   }
   Gains ring_gains() const override { return {stiffness_, damping_}; }

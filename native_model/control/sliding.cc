@@ -1,21 +1,22 @@
 #include "native_model/control/sliding.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
-#include "native_model/contact/kinematics.h"
+#include "native_model/control/radial_tracking.h"
 
 namespace rotorub {
 
-SlidingController::SlidingController(const scene::Controller& settings, const Plant& plant)
-    : settings_(settings), plant_(plant) {}
-
-SlidingController::Reference SlidingController::reference(double t) const {
-  const double time = settings_.gap_time;
-  const double s = std::clamp((t - settings_.on) / time, 0.0, 1.0);
-  // With r = 1 - s the polynomial is r^3 (1 + 3 s + 6 s^2): never below 0, and 0 at the end.
-  const double r = 1.0 - s, g0 = plant_.clearance;
-  return {g0 * r * r * r * (1.0 + 3.0 * s + 6.0 * s * s), -g0 * 30.0 * s * s * r * r / time,
-          -g0 * 60.0 * s * r * (r - s) / (time * time)};
+SlidingController::SlidingController(const scene::Controller& settings, const Plant& plant,
+                                     double spin_speed)
+    : settings_(settings), plant_(plant), lead_(command_lead(settings, plant)) {
+  if (settings.sample_time <= 0.0) return;
+  const double turn = spin_speed == 0.0 ? 0.0 : 2.0 * std::numbers::pi / std::abs(spin_speed);
+  filter_time_ = settings.filter_time.value_or(turn);
+  const double critical =
+      2.0 * std::sqrt((plant.stator_mass.cwiseProduct(plant.stator_stiffness)).maxCoeff());
+  damping_ = settings.tracking_damping.value_or(critical);
 }
 
 // Within the layer s = edot + psi e is driven by k/phi: e'' = -(psi + k/phi) edot - psi (k/phi) e.
@@ -25,31 +26,77 @@ Controller::Gains SlidingController::ring_gains() const {
   return {mass * psi * slope, mass * (psi + slope)};
 }
 
-Eigen::Vector2d SlidingController::force(const Measurement& now) const {
-  const Eigen::Vector2d d = now.rotor - now.stator;
-  const double delta = d.norm();
-  if (delta <= kNoNormal) return {0.0, 0.0};  // no direction to track
-  const Eigen::Vector2d e_r = d / delta, e_t{-e_r.y(), e_r.x()};
-  const Eigen::Vector2d dv = now.rotor_velocity - now.stator_velocity;
-  const Reference wanted = reference(now.t);
-  const double error = plant_.clearance - delta - wanted.gap;
-  const double error_rate = -e_r.dot(dv) - wanted.rate;
-  const double s = error_rate + settings_.bandwidth * error;
-  const double switching =
-      settings_.switching_gain * std::clamp(s / settings_.boundary_layer, -1.0, 1.0);
-  const double gap_acceleration = wanted.acceleration - settings_.bandwidth * error_rate - switching;
-  const double whirl = e_t.dot(dv);
-  const double radial =
-      e_r.dot(now.rotor_acceleration) + whirl * whirl / delta + gap_acceleration;
-  // -f along e_r: what the ring's own spring and damper do to it is compensated.
+std::size_t SlidingController::state_size() const {
+  return (adapts() ? std::size_t{1} : 0) + (filters() ? std::size_t{kMeans} : 0);
+}
+
+void SlidingController::start(double* state) const {
+  if (adapts()) state[0] = settings_.boundary_layer;
+}
+
+double SlidingController::surface(const RadialError& r) const {
+  return r.rate + settings_.bandwidth * r.error;
+}
+
+std::span<const Controller::Output> SlidingController::outputs() const {
+  static constexpr Output kOutputs[] = {{"s", "m/s"}, {"layer", "m/s"}};
+  return kOutputs;
+}
+
+void SlidingController::output(const Measurement& now, const SwitchOn& on, const double* state,
+                               double* values) const {
+  const auto r = radial_error(now, on, plant_.clearance, settings_.gap_time);
+  values[0] = r ? surface(*r) : 0.0;
+  values[1] = adapts() ? state[0] : settings_.boundary_layer;
+}
+
+// What is known of the plant along e_r, m/s^2: the rotor's contact-free acceleration and the whirl, and what
+// the ring's own spring and damper do to it (-f of (25)).
+double SlidingController::forward(const Measurement& now, const RadialError& r) const {
   const Eigen::Vector2d own = plant_.stator_stiffness.cwiseProduct(now.stator) +
                               plant_.stator_damping.cwiseProduct(now.stator_velocity);
-  const double compensation = e_r.dot(own.cwiseQuotient(plant_.stator_mass));
-  const Eigen::Vector2d square = e_r.cwiseAbs2();
-  const double ring_mobility = square.dot(plant_.stator_mass.cwiseInverse());
-  const double share = 1.0 + square.dot(plant_.rotor_mobility) / ring_mobility;
-  const double preload = settings_.preload * share * (1.0 - wanted.gap / plant_.clearance);
-  return plant_.stator_mass.cwiseProduct((radial + compensation) * e_r) - preload * e_r;
+  return r.e_r.dot(now.rotor_acceleration) + r.whirl_speed * r.whirl_speed / r.delta +
+         r.e_r.dot(own.cwiseQuotient(plant_.stator_mass));
+}
+
+// The means over the filter time, in the frame of the whirl; the first sample is their start.
+void SlidingController::filter(double forward, const Eigen::Vector2d& ring, double* means) const {
+  const double share =
+      means[kBegun] == 0.0 ? 1.0 : 1.0 - std::exp(-settings_.sample_time / filter_time_);
+  means[kBegun] = 1.0;
+  means[kForward] += share * (forward - means[kForward]);
+  means[kRadial] += share * (ring.x() - means[kRadial]);
+  means[kTangential] += share * (ring.y() - means[kTangential]);
+}
+
+Eigen::Vector2d SlidingController::command(const Measurement& now, const SwitchOn& on,
+                                           double* state) const {
+  const double psi = settings_.bandwidth;
+  double gain = settings_.switching_gain, layer = settings_.boundary_layer;
+  if (adapts()) {
+    // Over one sample, exact: the layer that holds until the next.
+    layer = state[0];
+    const double rest = gain / psi;
+    state[0] = rest + (layer - rest) * std::exp(-psi * settings_.sample_time);
+    gain = psi * layer;
+  }
+  const auto r = radial_error(now, on, plant_.clearance, settings_.gap_time);
+  if (!r) return {0.0, 0.0};
+  const Eigen::Vector2d e_r = r->e_r, e_t{-e_r.y(), e_r.x()};
+  double known = forward(now, *r);
+  Eigen::Vector2d damped{0.0, 0.0};
+  if (filters()) {
+    double* means = state + (adapts() ? 1 : 0);
+    const Eigen::Vector2d ring{e_r.dot(now.stator_velocity), e_t.dot(now.stator_velocity)};
+    filter(known, ring, means);
+    known = means[kForward];
+    damped = -damping_ * ((ring.x() - means[kRadial]) * e_r + (ring.y() - means[kTangential]) * e_t);
+  }
+  const double switching = gain * std::clamp(surface(*r) / layer, -1.0, 1.0);
+  const double radial = known + r->wanted.acceleration - psi * r->rate - switching;
+  const double preload = settings_.preload * preload_share(plant_, e_r) * r->wanted.share;
+  const Eigen::Vector2d push = plant_.stator_mass.cwiseProduct(radial * e_r) - preload * e_r;
+  return turned_ahead(push, *r, lead_) + damped;
 }
 
 }  // namespace rotorub

@@ -64,6 +64,8 @@ void EventIntegrator::begin(const State& start, Recorder& recorder) {
   phase_.set({});
   phase_.first_touch(kInfinity);
   phase_.hold({0.0, 0.0});
+  phase_.show({});
+  loop_.assign(model_->loop ? model_->loop->memory_size() : 0, 0.0);
   step_.begin(motion_, std::min(kFirstStep, end_ - start.t));
   observer_.begin(motion_, recorder);
   force_scale_ = kLeastForce;
@@ -160,7 +162,21 @@ void EventIntegrator::arrive_at_break() {
 
 void EventIntegrator::sample_controller() {
   if (!schedule_.sample_due(motion_.t)) return;
-  phase_.hold(control_command(*model_, motion_.t, motion_.q(), motion_.v()));
+  const double *q = motion_.q(), *v = motion_.v();
+  if (!model_->loop) return phase_.hold(control_command(*model_, motion_.t, q, v));
+  const Eigen::Vector2d held = phase_.command(motion_.t, motion_.y.data());
+  const Eigen::Vector2d current =
+      model_->magnets ? actuator_state(*model_, q, v, held).current : Eigen::Vector2d::Zero();
+  try {
+    phase_.hold(control_sample(*model_, motion_.t, q, v, current, loop_.data()));
+    Phase::Outputs outputs;
+    std::copy_n(ControlLoop::outputs(loop_.data()), outputs.size(), outputs.begin());
+    phase_.show(outputs);
+  } catch (const ControllerError& error) {
+    if (result_.status != Status::kOk) return;
+    result_.status = Status::kControllerFailed;
+    result_.message = error.what();
+  }
 }
 
 void EventIntegrator::impact() {

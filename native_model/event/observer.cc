@@ -39,6 +39,7 @@ Snapshot Observer::snapshot(double t, const double* y) {
   s.friction_force = phase_->multipliers().friction;
   s.mode = phase_->state().mode;
   s.actuator = actuator_state(*model_, s.q, s.v, phase_->command(t, y));
+  s.actuator.outputs = phase_->outputs();
   return s;
 }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/event/contact_state.h"
@@ -34,6 +35,10 @@ class Phase {
   // Sampled controllers and recorded commands: the command is held; otherwise it follows the state.
   void hold(const Eigen::Vector2d& command) { held_ = command; }
   Eigen::Vector2d command(double t, const double* y) const;
+  // Of a sampled law, at its last sample (ActuatorState::outputs).
+  using Outputs = std::array<double, kMostOutputs>;
+  void show(const Outputs& outputs) { outputs_ = outputs; }
+  const Outputs& outputs() const { return outputs_; }
   // The rates of the gap are summed up from here on, s.
   void first_touch(double t) { first_touch_ = t; }
   double first_touch() const { return first_touch_; }
@@ -57,6 +62,7 @@ class Phase {
   const Model* model_;
   ContactState state_;
   Eigen::Vector2d held_{0.0, 0.0};
+  Outputs outputs_{};
   double first_touch_;
   Multipliers multipliers_;
   Margins margins_;

@@ -22,7 +22,7 @@ void Schedule::begin(double start, double end) {
   if (m.drive_follows()) add(m.drive->ramp_end());
   if (m.controller) {
     add(m.control_on);
-    for (double t : m.controller->breaks()) add(t);
+    for (double t : m.controller->breaks(m.control_on)) add(t);
   }
   if (m.recorded) {
     // Of a run from one contact to the next there are few.

@@ -99,7 +99,7 @@ Joint joint(const RubSystem& s, double nu) {
   if (s.ring) {
     j.mass[n] = s.ring->mass;
     j.normal[n] = -1.0;
-    j.rates(n, n) = s.ring->damping;
+    j.rates(n, n) = s.ring->rate();
     j.springs(n, n) = ring_stiffness(s, nu);
   }
   j.rates.diagonal() += (2.0 * kI * nu) * j.mass.cast<Complex>();
@@ -148,8 +148,8 @@ std::vector<Complex> free_eigenvalues(const RubSystem& s) {
 
 std::vector<Complex> ring_eigenvalues(const RubSystem& s) {
   if (!s.ring) return {};
-  const auto one = [](double x) { return Eigen::MatrixXcd::Constant(1, 1, x); };
-  return quadratic(Eigen::MatrixXd::Constant(1, 1, s.ring->mass), one(s.ring->damping),
+  const auto one = [](Complex x) { return Eigen::MatrixXcd::Constant(1, 1, x); };
+  return quadratic(Eigen::MatrixXd::Constant(1, 1, s.ring->mass), one(s.ring->rate()),
                    one(s.ring->stiffness));
 }
 
@@ -158,7 +158,7 @@ std::vector<Complex> joined_eigenvalues(const RubSystem& s) {
   const Eigen::MatrixXd M = s.mass.asDiagonal();
   if (s.ring) {  // b = c^T a
     const Eigen::MatrixXd cc = c * c.transpose();
-    return quadratic(M + s.ring->mass * cc, rates(s) + s.ring->damping * cc.cast<Complex>(),
+    return quadratic(M + s.ring->mass * cc, rates(s) + s.ring->rate() * cc.cast<Complex>(),
                      springs(s) + s.ring->stiffness * cc.cast<Complex>());
   }
   if (c.isZero(0.0)) return free_eigenvalues(s);

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "native_model/control/cross_coupled.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 #include "native_model/system/model.h"
@@ -21,6 +22,10 @@ constexpr Complex kI{0.0, 1.0};
 }
 
 bool differ(const scene::PlanePair& pair) { return pair.x() != pair.y(); }
+
+bool crosses(const scene::Controller& c) {
+  return c.kind == scene::ControllerKind::kCrossCoupled || c.kind == scene::ControllerKind::kTwoPhase;
+}
 
 // What the scene itself shows.
 void check(const scene::Scene& scene) {
@@ -50,8 +55,9 @@ void check(const scene::Scene& scene) {
   if (scene.gravity && !scene.gravity->acceleration.isZero(0.0)) {
     refuse(scene, "gravity", "weight points one way, so no whirl is steady");
   }
-  if (scene.controller && scene.controller->kind != scene::ControllerKind::kPassive) {
-    refuse(scene, "controller.kind", "the ring must be passive");
+  if (scene.controller && scene.controller->kind != scene::ControllerKind::kPassive &&
+      !crosses(*scene.controller)) {
+    refuse(scene, "controller.kind", "accepted are passive, cross_coupled and two_phase");
   }
   if (scene.actuator && scene.actuator->kind != scene::ActuatorKind::kIdeal) {
     refuse(scene, "actuator.kind", "the magnets' forces are not linear; accepted is an ideal actuator");
@@ -116,8 +122,12 @@ RubSystem rub_system(const scene::Scene& scene) {
   system.friction = model.contact->friction;
   if (model.layout.stator) {
     const int k = model.layout.ring();
-    system.ring = Ring{model.mass[k], model.damping[k], model.stiffness[k]};
-    if (scene.controller) {
+    system.ring = Ring{model.mass[k], model.damping[k], model.stiffness[k], 0.0};
+    if (scene.controller && crosses(*scene.controller)) {
+      const double gain = CrossCoupled(*scene.controller).gain(system.speed);
+      system.ring->coupling = std::copysign(gain, system.speed);
+      system.ring->damping += scene.controller->damping;
+    } else if (scene.controller) {
       system.ring->stiffness += scene.controller->stiffness;
       system.ring->damping += scene.controller->damping;
     }
@@ -167,7 +177,7 @@ Eigen::VectorXcd response(const RubSystem& s, double nu, const Eigen::VectorXcd&
 
 Complex ring_stiffness(const RubSystem& s, double nu) {
   assert(s.ring);
-  return {s.ring->stiffness - s.ring->mass * nu * nu, s.ring->damping * nu};
+  return s.ring->stiffness - s.ring->mass * nu * nu + kI * nu * s.ring->rate();
 }
 
 Complex compliance(const RubSystem& s, double nu) {

@@ -2,7 +2,7 @@
 // r = x + i y holds them, at a spin speed Omega that is held. n modes, c: their values at the contact.
 //
 //   M r'' + (D + N - i Omega G) r' + (K - i Omega N) r = f(t) - c lambda (1 + i tau) e^{i psi}
-//   M_f z'' + D_f z' + K_f z = lambda (1 + i tau) e^{i psi}         (a fixed ring: z = 0)
+//   M_f z'' + (D_f + i k) z' + K_f z = lambda (1 + i tau) e^{i psi}         (a fixed ring: z = 0)
 //   c^T r - z = delta_0 e^{i psi} in contact
 //
 // D: external damping with the bearings', N: rotating damping, K with a magnetic bearing's negative
@@ -10,7 +10,8 @@
 //
 // What is left out: the drive's yielding and torsion (the spin is held; constant friction does not feed back
 // on torsion), when a force switches on and off (each acts for ever), the actuator's limits. A passive
-// controller's spring and damper belong to the ring.
+// controller's spring and damper belong to the ring, and so does cross-coupled feedback (of `two_phase`
+// what follows the hand-over), without sampling and sensors.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,6 +27,9 @@ using Complex = std::complex<double>;
 
 struct Ring {
   double mass, damping, stiffness;  // kg > 0, N s/m >= 0, N/m >= 0
+  // N s/m, either sign: k sign(Omega) of cross-coupled feedback, the force -i k z'.
+  double coupling = 0.0;
+  Complex rate() const { return {damping, coupling}; }  // of z'
 };
 
 // Force load e^{i frequency t} on the modes.
@@ -50,7 +54,7 @@ struct RubSystem {
 };
 
 // Throws scene::SceneError as make_model does, and where no whirl can be steady or the equations above do
-// not hold: no contact, a ring that turns, planes that differ, constant loads, a controller that is not passive, magnets.
+// not hold: no contact, a ring that turns, planes that differ, constant loads, a controller other than these, magnets.
 RubSystem rub_system(const scene::Scene& scene);
 
 // At another spin speed: every force keeps its ratio to the spin (one in step with it, as an unbalance, stays
@@ -65,7 +69,7 @@ Eigen::MatrixXcd dynamic_stiffness(const RubSystem& system, double nu);
 // D_r(nu)^-1 load, m: the rotor's modes under a load that turns at nu, N, n values. Not finite at an undamped
 // resonance.
 Eigen::VectorXcd response(const RubSystem& system, double nu, const Eigen::VectorXcd& load);
-// D_s(nu) = K_f - nu^2 M_f + i nu D_f, N/m. Asserts a ring.
+// D_s(nu) = K_f - nu^2 M_f + i nu (D_f + i k), N/m. Asserts a ring.
 Complex ring_stiffness(const RubSystem& system, double nu);
 // H(nu) = c^T D_r^-1 c + 1 / D_s, m/N: the relative centre for a force that turns at nu. Not finite at an
 // undamped resonance.

@@ -64,10 +64,13 @@ class FixedRun {
   double time(std::int64_t k) const { return static_cast<double>(k) * step_; }
   bool good() const { return status_ == Status::kOk; }
 
-  void begin(const Eigen::Vector2d& command) { begin(command, {}, 1.0); }
-  void begin(const Eigen::Vector2d& command, const FixedStep& done, double kick) {
+  // command: of `hold`, or recorded.
+  void begin(const Eigen::Vector2d& command, const ZeroOrderHold& hold) { begin(command, hold, {}, 1.0); }
+  void begin(const Eigen::Vector2d& command, const ZeroOrderHold& hold, const FixedStep& done,
+             double kick) {
     Snapshot s = snapshot(0.0, model_.q0.data(), model_.v0.data(), done, kick);
     s.actuator = actuator_state(model_, s.q, s.v, command);
+    s.actuator.outputs = hold.outputs();
     recorder_.begin(s);
     record_mode(0.0, done);
   }
@@ -87,10 +90,13 @@ class FixedRun {
   // The next state, with the forces of `done`, impulses over `kick` (s); `impact`: one since the
   // last.
   void advance(const Reached& state, const FixedStep& done, double kick, bool impact,
-               const Eigen::Vector2d& u) {
+               const Eigen::Vector2d& u, const ZeroOrderHold& hold) {
     record_mode(state.t, done);
     Snapshot s = snapshot(state.t, state.q, state.v, done, kick);
-    if (recorder_.row_due(state.t)) s.actuator = actuator_state(model_, state.q, state.v, u);
+    if (recorder_.row_due(state.t)) {
+      s.actuator = actuator_state(model_, state.q, state.v, u);
+      s.actuator.outputs = hold.outputs();
+    }
     check(state.t, state.q, recorder_.advance(s, state.point, impact));
   }
 
@@ -102,6 +108,12 @@ class FixedRun {
   }
 
   void fail(Status status, double now) { fail(status, now, reason(status)); }
+  // The law's word names the time.
+  void listen(const ZeroOrderHold& hold) {
+    if (hold.failure().empty() || status_ != Status::kOk) return;
+    status_ = Status::kControllerFailed;
+    message_ = hold.failure();
+  }
   void fail(Status status, double now, const std::string& why) {
     if (status_ != Status::kOk) return;
     status_ = status;
@@ -202,12 +214,15 @@ Trajectory run_steps(const char* name, const Model& model, const scene::Run& sce
     if (recorded) return recorded->mean(t, run.time(k + 1));
     return hold.at(t, stepper.q(), stepper.v());
   };
-  run.begin(command(0));
+  run.begin(command(0), hold);
+  run.listen(hold);
   const std::int64_t steps = run.steps();
   const auto start = Clock::now();
   std::int64_t k = 0;
   for (; k < steps && run.good(); ++k) {
     const Eigen::Vector2d u = command(k);
+    run.listen(hold);
+    if (!run.good()) break;
     const FixedStep done = stepper.step(k, u, true);
     if (done.status != Status::kOk) {
       run.fail(done.status, run.time(k));
@@ -216,7 +231,7 @@ Trajectory run_steps(const char* name, const Model& model, const scene::Run& sce
     run.add_impacts(done);
     const Reached state(model, run.time(k + 1), stepper.q(), stepper.v());
     run.count(done, run.time(k), state, 1.0);
-    run.advance(state, done, step, !done.impacts.empty(), u);
+    run.advance(state, done, step, !done.impacts.empty(), u, hold);
     run.tick(k);
   }
   return run.finish(name, k, run.time(k), seconds_since(start));
@@ -260,6 +275,11 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
   for (; k <= steps && run.good(); ++k) {
     const double t = run.time(k);
     const Eigen::Vector2d u = command(k), held = model.recorded ? u : hold.held();
+    run.listen(hold);
+    if (!run.good()) {
+      if (k == 0) run.begin(held, hold);
+      break;
+    }
     FixedStep done = stepper.step(k, u, true);
     if (done.status != Status::kOk) {
       run.fail(done.status, t);
@@ -273,7 +293,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
       done.impact_force = all.impact_force;
     }
     const double kick = k == 0 ? 0.5 * step : step;
-    if (k == 0) run.begin(held, done, kick);
+    if (k == 0) run.begin(held, hold, done, kick);
     // Of a step half is done before t_k, half after; all of the first, half one after.
     const Reached state(model, t, stepper.last_q(), v.data());
     const auto half = [&] { run.count(done, t, state, k == 0 ? 1.0 : 0.5); };
@@ -281,7 +301,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
     if (k > 0) {
       const bool impact = !hits.impacts.empty();
       if (impact) run.count(hits, hits.impacts.front().t, state, 1.0);
-      run.advance(state, done, kick, impact, held);
+      run.advance(state, done, kick, impact, held, hold);
     }
     if (k < steps) half();
     hits = all;

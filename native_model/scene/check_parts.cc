@@ -1,6 +1,7 @@
 // Cross-checks of everything around the rotor.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "native_model/scene/checker.h"
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double kMostRows =
     1e7;  // of a series; the engines know its columns too (system/run_size.h)
+constexpr double kMostDelay = 1000.0;  // samples
 constexpr double kGapTolerance =
     1e-9;  // of the clearance: a rotor that starts on the ring is meant to
 
@@ -84,6 +86,84 @@ void check_forces(const Checker& check) {
   }
 }
 
+bool needs_contact(ControllerKind kind) {
+  return kind != ControllerKind::kPassive && kind != ControllerKind::kLibrary;
+}
+
+void check_feedback(const Checker& check, const Controller& c) {
+  if (!check.record.sound({"controller.feedback", "controller.feedback_speed"})) return;
+  if (!check.record.given("controller.feedback_speed")) {
+    if (c.feedback.size() > 1) {
+      check.fail("controller.feedback", "several values need controller.feedback_speed");
+    }
+    return;
+  }
+  if (std::adjacent_find(c.feedback_speed.begin(), c.feedback_speed.end(),
+                         std::greater_equal<>()) != c.feedback_speed.end()) {
+    check.fail("controller.feedback_speed", "must be strictly ascending");
+  }
+  check.list_length("controller.feedback_speed", c.feedback_speed, c.feedback.size(),
+                    "value of controller.feedback");
+}
+
+// What a built-in law reads must be measured.
+void check_measured(const Checker& check, const Controller& c) {
+  if (c.kind == ControllerKind::kLibrary) return;
+  const bool gap = c.kind != ControllerKind::kPassive && c.kind != ControllerKind::kCrossCoupled;
+  const auto needs = [&](bool measured, const char* key, const char* what) {
+    if (!measured) check.fail(key, std::string("the law needs ") + what);
+  };
+  needs(c.sensors.stator, "controller.sensors.stator", "the ring");
+  if (c.kind != ControllerKind::kLqg) needs(c.sensors.velocity != VelocitySensor::kNone, "controller.sensors.velocity", "velocities");
+  if (gap) needs(c.sensors.rotor, "controller.sensors.rotor", "the rotor");
+  const bool turns = c.kind == ControllerKind::kCrossCoupled || c.kind == ControllerKind::kTwoPhase;
+  if (turns) needs(c.sensors.spin, "controller.sensors.spin", "the spin speed");
+}
+
+void check_controller(const Checker& check) {
+  if (!check.record.given("controller")) return;
+  const Controller& c = *check.scene.controller;
+  const bool sampled = c.sample_time > 0.0;
+  const char* const why = "needs controller.sample_time above 0: ";
+  if (!check.record.sound({"controller.sample_time"})) return;
+  if (c.kind == ControllerKind::kLibrary && !sampled) {
+    check.fail("controller.sample_time", std::string("a library is sampled: expected a time in s, > 0"));
+  }
+  const bool remembers = c.layer == BoundaryLayer::kAdaptive || c.kind == ControllerKind::kTwoPhase || c.kind == ControllerKind::kLqr ||
+                         c.kind == ControllerKind::kLqg;
+  if (remembers && !sampled) {
+    check.fail("controller.sample_time", "this law is sampled: expected a time in s, > 0");
+  }
+  check_feedback(check, c);
+  check_measured(check, c);
+  if (c.kind != ControllerKind::kLibrary && check.record.given("controller.config")) {
+    check.fail("controller.config", "belongs to kind = \"library\"");
+  }
+  if (check.record.given("controller.sensors") && !sampled) {
+    check.fail("controller.sensors", std::string(why) + "a continuous law is shown the truth");
+  }
+  if (sampled && c.sensors.delay > 0.0) {
+    const double samples = c.sensors.delay / c.sample_time;
+    if (samples > kMostDelay || std::abs(samples - std::round(samples)) > 1e-9 * samples) {
+      check.fail("controller.sensors.delay",
+                 "must be a whole number of samples, up to " + text(kMostDelay) + ", of " +
+                     text(c.sample_time) + " s, got " + text(samples));
+    }
+  }
+  if (!c.trigger) return;
+  if (!sampled) check.fail("controller.trigger", std::string(why) + "it is looked for at the samples");
+  if (!check.record.given("contact")) check.fail("controller.trigger", "needs [contact]: there is no gap");
+  if (!c.sensors.rotor || !c.sensors.stator) {
+    check.fail("controller.trigger", "needs controller.sensors.rotor and .stator: it looks at the gap");
+  }
+  if (c.trigger->time_to_touch && c.sensors.velocity == VelocitySensor::kNone) {
+    check.fail("controller.trigger.time_to_touch", "needs controller.sensors.velocity other than \"none\"");
+  }
+  if (!c.trigger->gap && !c.trigger->time_to_touch && !c.trigger->touch) {
+    check.fail("controller.trigger", "needs `gap`, `time_to_touch` or `touch`");
+  }
+}
+
 void check_ring(const Checker& check) {
   const Scene& scene = check.scene;
   const bool has_ring = check.record.given("stator");
@@ -94,11 +174,10 @@ void check_ring(const Checker& check) {
   if (scene.controller && !has_ring) {
     check.fail("controller", "needs [stator]: the ring is fixed, and there is nothing to move");
   }
-  if (scene.controller && scene.controller->kind == ControllerKind::kSliding &&
-      !check.record.given("contact")) {
-    check.fail("controller",
-               "kind \"sliding\" needs [contact]: it tracks the rotor at the clearance");
+  if (scene.controller && needs_contact(scene.controller->kind) && !check.record.given("contact")) {
+    check.fail("controller", "needs [contact]: it acts on the gap between rotor and ring");
   }
+  check_controller(check);
   if (scene.stator && scene.stator->spin && !check.record.given("contact")) {
     check.fail("stator.spin", "needs [contact]: nothing else turns the ring");
   }

@@ -49,8 +49,14 @@ std::string file_text(const std::filesystem::path& path) {
   return text;
 }
 
+std::string folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path().string() : ".";
+}
+
 Scene read_scene(const std::filesystem::path& path, std::span<const std::string> overrides) {
-  return parse_scene(file_text(path), path.string(), overrides);
+  Scene scene = parse_scene(file_text(path), path.string(), overrides);
+  scene.folder = folder_of(path);
+  return scene;
 }
 
 Scene parse_scene(std::string_view text, const std::string& file_name,

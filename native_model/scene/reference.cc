@@ -61,6 +61,7 @@ std::string reference_markdown() {
     const std::string path(table.path);
     text += "### `" + (table.list ? "[[" + path + "]]" : "[" + path + "]") + "`\n\n";
     text += std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".\n\n";
+    if (table.keys.empty()) continue;
     text +=
         "| key | unit or words | range | default | meaning |\n| --- | --- | --- | --- | --- |\n";
     for (const Key& key : table.keys) text += row(key);

@@ -92,6 +92,8 @@ struct Table {
   // reader keeps beside the scene.
   void* (*object)(Scene& scene) = nullptr;
   std::vector<Key> keys;
+  // Of a table that takes any key: keeps a number or a text. Null: it takes `keys` alone.
+  void (*store_any)(void* object, ConfigEntry entry) = nullptr;
 
   const Key* find(std::string_view name) const;
 };

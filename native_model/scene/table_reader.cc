@@ -1,6 +1,7 @@
 #include "native_model/scene/table_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rotorub::scene {
@@ -106,6 +107,7 @@ void TableReader::read_table(const Table& table, const TomlNode& root) {
 
 void TableReader::read_object(const Table& table, const TomlNode& node, const std::string& path) {
   record_.note(path, node, true);
+  if (table.store_any != nullptr) return read_any(table, node, path);
   refuse_unknown(node, table.path, path);
   const TomlNode* kind_node = node.find("kind");
   std::string_view kind;
@@ -125,6 +127,31 @@ void TableReader::read_object(const Table& table, const TomlNode& node, const st
       const std::string key_path = child_path(path, key.name);
       record_.note_missing(key_path);
       fail(node, key_path, "missing: expected " + key.expected());
+    }
+  }
+}
+
+void TableReader::read_any(const Table& table, const TomlNode& node, const std::string& path) {
+  void* object = table.object(scene_);
+  for (const auto& [name, value] : node.entries) {
+    if (value.kind == Kind::kFaulty) continue;
+    ConfigEntry entry{name, std::nullopt, 0.0};
+    bool sound = true;
+    if (value.kind == Kind::kString) {
+      entry.text = value.text;
+    } else if (value.kind == Kind::kInteger) {
+      entry.number = static_cast<double>(value.integer);
+    } else {
+      entry.number = value.number;
+      sound = value.kind == Kind::kFloat && std::isfinite(value.number);
+    }
+    record_.note(child_path(path, name), value, sound);
+    if (sound) {
+      table.store_any(object, std::move(entry));
+    } else {
+      fail(value, child_path(path, name),
+           "expected a finite number or a text in quotes" +
+               (value.kind == Kind::kFloat ? "" : ", got " + std::string(kind_name(value.kind))));
     }
   }
 }

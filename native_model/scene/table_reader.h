@@ -30,6 +30,7 @@ class TableReader {
   void find_form(const TomlNode& root);
   void read_table(const Table& table, const TomlNode& root);
   void read_object(const Table& table, const TomlNode& node, const std::string& path);
+  void read_any(const Table& table, const TomlNode& node, const std::string& path);
   // False: the value cannot be used, and the reason is kept.
   bool read_key(const Key& key, std::string_view kind, const TomlNode& node,
                 const std::string& path, void* object);

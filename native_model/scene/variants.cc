@@ -25,7 +25,9 @@ Scene Variants::scene(std::span<const std::string> changes, bool with_text) cons
   TomlNode root = root_;
   apply_overrides(root, changes, diagnostics);
   std::string text = with_text ? write_toml(root) : std::string();
-  return scene_of(root, file_, std::move(text), std::move(diagnostics));
+  Scene scene = scene_of(root, file_, std::move(text), std::move(diagnostics));
+  scene.folder = folder_of(file_);
+  return scene;
 }
 
 }  // namespace rotorub::scene

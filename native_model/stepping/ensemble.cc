@@ -54,6 +54,7 @@ class LaneCommands {
                                       : hold.held());
       lanes::set(kernel.command_x, lane, u.x());
       lanes::set(kernel.command_y, lane, u.y());
+      if (!hold.failure().empty()) kernel.fail(lane, Status::kControllerFailed);
     }
   }
 

@@ -84,6 +84,11 @@ class LoadKernel {
     std::copy_n(q, layout().nq(), q_.begin());
     std::copy_n(v, layout().nq(), v_.begin());
   }
+  // The lane stays where it is.
+  ROTORUB_SLOW void fail(int lane, Status why) {
+    if (status[lane] == Status::kOk) status[lane] = why;
+    failed_ = true;
+  }
   // Ends every status.
   void revive() {
     for (Status& s : status) s = Status::kOk;
@@ -241,10 +246,6 @@ class LoadKernel {
     for (int lane = 0; lane < kLanes; ++lane) {
       if (lanes::get(rest, lane) != 0.0) fail(lane, Status::kDiverged);
     }
-  }
-  ROTORUB_SLOW void fail(int lane, Status why) {
-    if (status[lane] == Status::kOk) status[lane] = why;
-    failed_ = true;
   }
   // 1 in the lanes that go on.
   ROTORUB_INLINE T running() const {

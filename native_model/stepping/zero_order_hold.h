@@ -3,7 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "native_model/system/model.h"
 
@@ -12,7 +16,8 @@ namespace rotorub {
 class ZeroOrderHold {
  public:
   // The model must outlive the hold.
-  explicit ZeroOrderHold(const Model& model) : model_(&model) {}
+  explicit ZeroOrderHold(const Model& model)
+      : model_(&model), loop_(model.loop ? model.loop->memory_size() : 0) {}
 
   // What the actuator is told (system/actuation.h) over the step that starts at t (s), from the
   // state there; ask once a step, in order. 0 before the controller is on and without one.
@@ -26,21 +31,33 @@ class ZeroOrderHold {
                        const double* a);
   // Whether mean() would look at the state.
   bool listens(double end) const;
+  // Of a sampled law, at its last sample (ActuatorState::outputs).
+  std::array<double, kMostOutputs> outputs() const;
+  // Why the law failed; empty: it did not. Its last command stands.
+  const std::string& failure() const { return failure_; }
   // What holds after the last call.
   const Eigen::Vector2d& held() const { return held_; }
 
+  // The currents that the sensors see, A: of a model without coils' coordinates, whose currents lag
+  // all the same. Otherwise those of the coils, or the ones held.
+  void show_currents(const Eigen::Vector2d& now) { currents_ = now; }
+
   // All that it remembers, as plain numbers.
-  static constexpr std::size_t kMemory = 3;
+  static std::size_t memory_size(const Model& model);
   void save(double* to) const;
   void restore(const double* from);
 
  private:
+  Eigen::Vector2d command(double t, const double* q, const double* v);
   double next_sample() const;
   double next_switch(double from, double end) const;
 
   const Model* model_;
   Eigen::Vector2d held_{0.0, 0.0};
   double last_sample_ = -1.0;  // index of the sample held; -1: none yet
+  std::vector<double> loop_;   // the memory of Model::loop
+  std::optional<Eigen::Vector2d> currents_;
+  std::string failure_;
 };
 
 }  // namespace rotorub

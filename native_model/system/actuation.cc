@@ -1,9 +1,11 @@
 #include "native_model/system/actuation.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "native_model/bearing/actuator_axes.h"
+#include "native_model/control/sampling.h"
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
@@ -16,6 +18,9 @@ Measurement measure(const Model& m, double t, const double* q, const double* v) 
   now.rotor_velocity = rotor_point(m, v);
   now.stator = stator_point(m, q);
   now.stator_velocity = stator_point(m, v);
+  now.q = q;
+  now.v = v;
+  now.spin_angle = spin_angle(m, t, q);
   now.spin_speed = spin_speed(m, v);
   if (m.controller->needs_rotor_acceleration()) {
     constexpr int kStack = kMaxCoordinates;
@@ -28,6 +33,21 @@ Measurement measure(const Model& m, double t, const double* q, const double* v) 
   return now;
 }
 
+// Of a continuous law, which does not remember what it found.
+SwitchOn switched_on(const Model& m) {
+  return {m.control_on, m.contact ? m.contact->clearance : 0.0, 0.0};
+}
+
+// What the actuator is told for what the law asks.
+Eigen::Vector2d told(const Model& m, const double* q, const Eigen::Vector2d& asked) {
+  if (!m.magnets) return limited(asked, m.force_limit);
+  const MagneticActuator& magnets = *m.magnets;
+  const double most = magnets.current_limit;
+  if (m.controller->commands_currents()) return asked.cwiseMin(most).cwiseMax(-most);
+  const Eigen::Vector2d s = to_axes(stator_point(m, q)), f = to_axes(asked);
+  return {magnets.law->current(s.x(), f.x(), most), magnets.law->current(s.y(), f.y(), most)};
+}
+
 }  // namespace
 
 Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit) {
@@ -37,22 +57,35 @@ Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit) {
 Eigen::Vector2d control_command(const Model& m, double t, const double* q, const double* v) {
   if (m.recorded) return m.recorded->at(t);
   if (!m.controller || t < m.control_on) return {0.0, 0.0};
-  const Eigen::Vector2d force = m.controller->force(measure(m, t, q, v));
-  if (!m.magnets) return limited(force, m.force_limit);
-  const MagneticActuator& magnets = *m.magnets;
-  const Eigen::Vector2d s = to_axes(stator_point(m, q)), f = to_axes(force);
-  return {magnets.law->current(s.x(), f.x(), magnets.current_limit),
-          magnets.law->current(s.y(), f.y(), magnets.current_limit)};
+  assert(m.controller->state_size() == 0);
+  return told(m, q, m.controller->command(measure(m, t, q, v), switched_on(m), nullptr));
+}
+
+Eigen::Vector2d control_sample(const Model& m, double t, const double* q, const double* v,
+                               const Eigen::Vector2d& current, double* memory) {
+  if (t < m.control_on) return {0.0, 0.0};
+  Measurement now = measure(m, t, q, v);
+  now.sample = static_cast<std::int64_t>(sample_index(t, m.sample_time));
+  now.current = current;
+  return told(m, q, m.loop->sample(now, memory));
+}
+
+void control_outputs(const Model& m, double t, const double* q, const double* v, double* values) {
+  const std::size_t count = m.controller ? m.controller->outputs().size() : 0;
+  std::fill_n(values, count, 0.0);
+  if (count == 0 || t < m.control_on) return;
+  assert(!m.loop);
+  m.controller->output(measure(m, t, q, v), switched_on(m), nullptr, values);
 }
 
 ActuatorState actuator_state(const Model& m, const double* q, const double* v,
                              const Eigen::Vector2d& command) {
-  if (!m.magnets) return {command, {0.0, 0.0}};
+  if (!m.magnets) return {command, {0.0, 0.0}, {}};
   const Layout& l = m.layout;
   const Eigen::Vector2d s = to_axes(stator_point(m, q));
   const Eigen::Vector2d i = l.coils ? Eigen::Vector2d(v[l.coil()], v[l.coil() + 1]) : command;
   const ForceLaw& law = *m.magnets->law;
-  return {from_axes({law.force(s.x(), i.x()), law.force(s.y(), i.y())}), i};
+  return {from_axes({law.force(s.x(), i.x()), law.force(s.y(), i.y())}), i, {}};
 }
 
 void smooth_force(const Model& m, double t, const double* q, const double* v,

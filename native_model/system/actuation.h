@@ -2,24 +2,35 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "native_model/system/model.h"
 
 namespace rotorub {
 
-// The command at (t, q, v): the force on the ring, N, fixed frame, limited on each axis; with
-// magnets the currents of the two axes, A, whose forces come nearest to that force at the ring's
-// place (feedback linearisation). 0 before the controller is on and for passive bearings. Recorded
-// commands (CommandRecord) are given as they are.
+// The command of a continuous controller at (t, q, v): the force on the ring, N, fixed frame, limited
+// on each axis; with magnets the currents of the two axes, A, whose forces come nearest to that force
+// at the ring's place (feedback linearisation). 0 before the controller is on and for passive
+// bearings. Recorded commands (CommandRecord) are given as they are.
 Eigen::Vector2d control_command(const Model& model, double t, const double* q, const double* v);
+
+// The same of a sampled one, once a sample, in order. memory: Model::loop's; current: of the magnets'
+// axes now, A. Throws ControllerError.
+Eigen::Vector2d control_sample(const Model& model, double t, const double* q, const double* v,
+                               const Eigen::Vector2d& current, double* memory);
 
 // What the actuator does at (q, v) when it is told `command`.
 struct ActuatorState {
   Eigen::Vector2d force{0.0, 0.0};    // N, on the ring, fixed frame
   Eigen::Vector2d current{0.0, 0.0};  // A, of each axis; 0 for an ideal actuator
+  // Of a sampled law, at its last sample (Controller::outputs); who has them fills them in.
+  std::array<double, kMostOutputs> outputs{};
 };
 ActuatorState actuator_state(const Model& model, const double* q, const double* v,
                              const Eigen::Vector2d& command);
+
+// The outputs of a continuous law (Controller::outputs) at (t, q, v); 0 before it is on.
+void control_outputs(const Model& model, double t, const double* q, const double* v, double* values);
 
 // f(t, q, v, command), nq values: all loads but the contact's. No allocation.
 void smooth_force(const Model& model, double t, const double* q, const double* v,

@@ -12,6 +12,7 @@
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/equations.h"
 #include "native_model/system/model_checks.h"
+#include "native_model/system/plant_of.h"
 #include "native_model/system/steady_orbit.h"
 
 namespace rotorub {
@@ -118,21 +119,36 @@ void fill_actuator(const scene::Scene& scene, Model& model) {
 void fill_control(const scene::Scene& scene, Model& model) {
   if (!scene.controller || !scene.stator) return;
   // Only a law that tracks the rotor needs a contact (scene validation).
-  assert(scene.contact || scene.controller->kind == scene::ControllerKind::kPassive);
+  assert(scene.contact || scene.controller->kind == scene::ControllerKind::kPassive ||
+         scene.controller->kind == scene::ControllerKind::kLibrary);
   const double clearance = scene.contact ? scene.contact->clearance : 0.0;
   const int n = model.layout.modes;
   const auto mobility = [&](const Eigen::VectorXd& shape, int at) {
     return shape.cwiseAbs2().dot(model.mass.segment(at, n).cwiseInverse());
   };
-  const Plant plant{clearance,
-                    scene.stator->mass,
-                    scene.stator->damping,
-                    scene.stator->stiffness,
-                    {mobility(model.contact_shape.x, model.layout.x()),
-                     mobility(model.contact_shape.y, model.layout.y())}};
+  Plant plant;
+  plant.clearance = clearance;
+  plant.stator_mass = scene.stator->mass;
+  plant.stator_damping = scene.stator->damping;
+  plant.stator_stiffness = scene.stator->stiffness;
+  plant.rotor_mobility = {mobility(model.contact_shape.x, model.layout.x()),
+                          mobility(model.contact_shape.y, model.layout.y())};
+  if (model.magnets) {
+    plant.current_limit = model.magnets->current_limit;
+    plant.coil_lag = model.magnets->coil_lag;
+  } else {
+    plant.force_limit = model.force_limit;
+  }
+  const scene::Controller& c = *scene.controller;
+  if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
+    plant.linear = std::make_shared<LinearPlant>(plant_of(model, scene.rotor.speed));
+  }
   model.controller = make_controller(scene, plant);
-  model.control_on = scene.controller->on;
-  model.sample_time = scene.controller->sample_time;
+  model.control_on = c.on;
+  model.sample_time = c.sample_time;
+  if (!model.controller || c.sample_time <= 0.0) return;
+  model.loop = std::make_shared<ControlLoop>(model.controller, c.sensors, c.trigger, c.sample_time,
+                                             clearance);
 }
 
 void fill_initial(const scene::Scene& scene, Model& model) {
@@ -258,9 +274,15 @@ Model with_ideal_actuator(Model model) {
   return model;
 }
 
+Model without_controller(Model model) {
+  model.controller.reset();
+  model.loop.reset();
+  return model;
+}
+
 Model replayed(Model model, std::shared_ptr<const CommandRecord> commands) {
   if (!commands) return model;
-  model.controller.reset();
+  model = without_controller(std::move(model));
   model.recorded = std::move(commands);
   return model;
 }

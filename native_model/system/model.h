@@ -17,6 +17,7 @@
 #include "native_model/bearing/drive.h"
 #include "native_model/bearing/force_law.h"
 #include "native_model/control/command_record.h"
+#include "native_model/control/control_loop.h"
 #include "native_model/control/controller.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
@@ -130,6 +131,7 @@ struct Model {
   double ring_ratio = 1.0;             // the contact's surface_ratio(); used where the ring turns
 
   std::shared_ptr<const Controller> controller;  // null: passive
+  std::shared_ptr<const ControlLoop> loop;       // of a sampled controller
   double control_on = 0.0;                       // s
   double sample_time = 0.0;                      // s, 0: continuous
   // Commands of another run in the controller's place: then there is none (see replayed).
@@ -172,6 +174,8 @@ void set_gravity(Model& model, const Eigen::Vector2d& acceleration);
 Model without_coils(Model model);
 // The same with an ideal, unlimited actuator, for who knows the force on the ring.
 Model with_ideal_actuator(Model model);
+// The same without a controller.
+Model without_controller(Model model);
 // The same driven by the commands of another run instead of its controller; as it is for null.
 Model replayed(Model model, std::shared_ptr<const CommandRecord> commands);
 

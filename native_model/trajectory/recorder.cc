@@ -1,6 +1,7 @@
 #include "native_model/trajectory/recorder.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -50,6 +51,11 @@ std::vector<Column> make_columns(const Model& model) {
     add("control_y", "N");
   }
   numbered("current", "A", model.magnets ? 2 : 0);
+  if (model.controller) {
+    for (const Controller::Output& out : model.controller->outputs()) {
+      add("control_" + std::string(out.name), std::string(out.unit));
+    }
+  }
   if (l.ring_spin) {
     add("ring_angle", "rad");
     add("ring_speed", "rad/s");
@@ -260,6 +266,11 @@ void Recorder::row(const Snapshot& now) {
   if (m.magnets) {
     put(now.actuator.current.x());
     put(now.actuator.current.y());
+  }
+  if (m.controller && !m.controller->outputs().empty()) {
+    std::array<double, kMostOutputs> values = now.actuator.outputs;
+    if (!m.loop) control_outputs(m, now.t, now.q, now.v, values.data());
+    for (std::size_t k = 0; k < m.controller->outputs().size(); ++k) put(values[k]);
   }
   block(now.q, l.ring_angle(), l.ring_spin);
   block(now.v, l.ring_angle(), l.ring_spin);

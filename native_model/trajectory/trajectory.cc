@@ -34,6 +34,7 @@ const char* to_string(Status status) {
     case Status::kAmbiguous: return "ambiguous";
     case Status::kStepTooLarge: return "step_too_large";
     case Status::kOutOfRange: return "out_of_range";
+    case Status::kControllerFailed: return "controller_failed";
     case Status::kInterrupted: return "interrupted";
   }
   return "";

@@ -39,7 +39,8 @@ struct Event {
   EventKind kind = EventKind::kImpact;
 };
 
-// kOutOfRange: rotor or ring beyond what holds it.
+// kOutOfRange: rotor or ring beyond what holds it. kControllerFailed: the user's law reported a
+// failure, threw, or told what is no number.
 enum class Status {
   kOk,
   kDiverged,
@@ -47,7 +48,8 @@ enum class Status {
   kAmbiguous,
   kStepTooLarge,
   kOutOfRange,
-  kInterrupted
+  kInterrupted,
+  kControllerFailed
 };
 const char* to_string(Status status);
 

@@ -21,8 +21,8 @@ namespace rotorub::plugin {
 namespace {
 
 // One slot: the stepper's memory, the hold's, and the number of the step that comes.
-std::size_t slot_size(const Model& model) {
-  return VerletStepper::memory_size(model) + ZeroOrderHold::kMemory + 1;
+std::size_t slot_size(const Model& model, const Model& plant) {
+  return VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model) + 1;
 }
 
 // Currents that lag are activations, MuJoCo's to integrate.
@@ -35,8 +35,7 @@ bool lags(const Model& model) { return model.magnets && model.magnets->coil_lag 
 Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
   Model plant = model;
   if (lags(model) || !actuation) {
-    plant = with_ideal_actuator(model);
-    plant.controller.reset();
+    plant = without_controller(with_ideal_actuator(model));
   }
   if (!contact) plant.contact->clearance = 1e6;
   return plant;
@@ -53,18 +52,19 @@ struct Worker {
         plant(std::move(moved)),
         stepper(plant, h),
         hold(model),
-        memory(VerletStepper::memory_size(plant)) {}
+        memory(VerletStepper::memory_size(plant)),
+        counter(memory + ZeroOrderHold::memory_size(model)) {}
 
-  std::size_t slot() const { return memory + ZeroOrderHold::kMemory + 1; }
+  std::size_t slot() const { return counter + 1; }
   void load(const double* slot) {
     stepper.restore(slot);
     hold.restore(slot + memory);
-    next = static_cast<std::int64_t>(slot[memory + ZeroOrderHold::kMemory]);
+    next = static_cast<std::int64_t>(slot[counter]);
   }
   void save(double* slot) const {
     stepper.save(slot);
     hold.save(slot + memory);
-    slot[memory + ZeroOrderHold::kMemory] = static_cast<double>(next);
+    slot[counter] = static_cast<double>(next);
   }
   void begin(double t, const double* q, const double* v) {
     stepper.begin(t, q, v);
@@ -76,7 +76,7 @@ struct Worker {
   const Model model, plant;
   VerletStepper stepper;
   ZeroOrderHold hold;
-  std::size_t memory;
+  std::size_t memory, counter;  // of a slot: where the hold begins, and the number of the step
   std::int64_t next = 0;
 };
 
@@ -189,8 +189,10 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
       worker.stepper.velocity_now(worker.next, held_force, v);
       const bool first = worker.next == 0;
       for (int i = 0; i < model.nq(); ++i) a[i] = first ? 0.0 : 2.0 / h * (v[i] - state.v()[i]);
+      if (lags(model)) worker.hold.show_currents(actuator_state(config, m, d).current);
       mean = worker.hold.mean(first ? t : t - 0.5 * h, t, end, state.q(), v, a);
     }
+    if (const std::string& why = worker.hold.failure(); !why.empty()) controller_failed(d, why);
     const Eigen::Vector2d held = worker.hold.held();
     const Eigen::Vector2d told = model.magnets ? held : to_axes(held);
     for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
@@ -227,7 +229,16 @@ void note(mjData* d, const FixedStep& r, double kick) {
 }  // namespace
 
 int verlet_data_size(const Model& model) {
-  return kVerletSingle + model.nq() + 2 * static_cast<int>(slot_size(plant_of(model)));
+  return kVerletSingle + model.nq() + 2 * static_cast<int>(slot_size(model, plant_of(model)));
+}
+
+int verlet_loop_data(const Config& config) {
+  const Model& model = config.model;
+  const Model plant = plant_of(model);
+  const std::size_t hold = VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model);
+  const std::size_t loop = model.loop ? model.loop->memory_size() : 0;
+  return config.verlet_data + kVerletSingle + model.nq() +
+         static_cast<int>(slot_size(model, plant) + hold - loop);
 }
 
 const double* velocities_of_pass(const Config& config, const mjData* d) {

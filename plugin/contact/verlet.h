@@ -20,6 +20,8 @@ namespace rotorub::plugin {
 
 // Entries of userdata for a model (plugin/user_data.h), without coils.
 int verlet_data_size(const Model& model);
+// Where the memory of the sampled controller stands (Config::loop_data).
+int verlet_loop_data(const Config& config);
 
 // Writes ctrl of the scene's controller, adds to d->qfrc_passive and sets the userdata entries of the
 // contact. Called in mjcb_control. mju_error for RK4.

@@ -177,7 +177,7 @@ TEST_F(ShadowData, AFailureStopsItWithOneWarning) {
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
   for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());
-  const int velocity = config.shadow->data + plugin::kShadowSingle + 3 + config.model.nq();
+  const int velocity = config.shadow->data + plugin::kShadowSingle + 6 + config.model.nq();
   d->userdata[velocity] = d->userdata[velocity + 1] = 1.7e308;
   const auto said_by_fixture = mju_user_warning;
   mju_user_warning = [](const char* text) {

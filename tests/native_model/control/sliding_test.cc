@@ -1,5 +1,5 @@
-// The sliding law: its reference, and the error dynamics that it promises, on a ring that a rotor
-// on a prescribed orbit is put before.
+// The sliding law: the error dynamics that it promises, on a ring that a rotor on a prescribed orbit is put
+// before.
 #include "native_model/control/sliding.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "native_model/control/gap_reference.h"
 #include "tests/support/runge_kutta.h"
 
 namespace rotorub {
@@ -26,43 +27,16 @@ scene::Controller settings() {
   return c;
 }
 
-Plant plant() { return {kClearance, {1.5, 1.5}, {300.0, 250.0}, {2e5, 1.4e5}}; }
-
-// ------------------------------------------------------------------ reference
-
-TEST(SlidingReference, FallsFromTheClearanceToZero) {
-  const SlidingController c(settings(), plant());
-  EXPECT_EQ(c.reference(0.0).gap, kClearance);
-  EXPECT_EQ(c.reference(0.1).gap, kClearance);
-  EXPECT_NEAR(c.reference(0.104).gap, 0.5 * kClearance, 1e-15);
-  EXPECT_NEAR(c.reference(0.108).gap, 0.0, 1e-18);
-  EXPECT_NEAR(c.reference(5.0).gap, 0.0, 1e-18);
-  double last = kClearance;
-  for (double t = 0.1; t < 0.109; t += 1e-5) {
-    const SlidingController::Reference r = c.reference(t);
-    ASSERT_LE(r.gap, last);
-    ASSERT_LE(r.rate, 0.0);
-    last = r.gap;
-  }
+Plant plant() {
+  Plant p;
+  p.clearance = kClearance;
+  p.stator_mass = {1.5, 1.5};
+  p.stator_damping = {300.0, 250.0};
+  p.stator_stiffness = {2e5, 1.4e5};
+  return p;
 }
 
-TEST(SlidingReference, IsTwiceContinuouslyDifferentiable) {
-  const SlidingController c(settings(), plant());
-  const double h = 1e-7;
-  const double speed = kClearance / 0.008, acceleration = speed / 0.008;
-  for (double t = 0.0995; t < 0.109; t += 1.3e-5) {
-    const auto before = c.reference(t - h), now = c.reference(t), after = c.reference(t + h);
-    ASSERT_NEAR(now.rate, (after.gap - before.gap) / (2 * h), 1e-6 * speed) << t;
-    ASSERT_NEAR(now.acceleration, (after.rate - before.rate) / (2 * h), 2e-3 * acceleration) << t;
-    // No jump anywhere, the ends included: the third derivative is bounded by 60 g0 / T^3.
-    ASSERT_LT(std::abs(after.acceleration - before.acceleration), 130.0 * h / 0.008 * acceleration)
-        << t;
-  }
-  for (const double t : {0.1, 0.108}) {
-    EXPECT_NEAR(c.reference(t).rate, 0.0, 1e-12 * speed);
-    EXPECT_NEAR(c.reference(t).acceleration, 0.0, 1e-9 * acceleration);
-  }
-}
+const SwitchOn kOn{0.1, kClearance, 0.0};
 
 // ------------------------------------------------------------------ closed loop
 
@@ -99,7 +73,7 @@ class Loop {
   Error error(double t, const Eigen::VectorXd& y) const {
     const Measurement m = orbit(t);
     const Eigen::Vector2d d = m.rotor - y.head(2), dv = m.rotor_velocity - y.tail(2);
-    const auto wanted = law_.reference(t);
+    const auto wanted = gap_reference(kOn, t, settings().gap_time);
     const double e = kClearance - d.norm() - wanted.gap;
     return {e, -d.normalized().dot(dv) - wanted.rate + settings().bandwidth * e};
   }
@@ -112,7 +86,7 @@ class Loop {
       const Eigen::Vector2d own = plant_.stator_stiffness.cwiseProduct(m.stator) +
                                   plant_.stator_damping.cwiseProduct(m.stator_velocity);
       Eigen::VectorXd dy(4);
-      dy << m.stator_velocity, (law_.force(m) - own).cwiseQuotient(plant_.stator_mass);
+      dy << m.stator_velocity, (law_.command(m, kOn, nullptr) - own).cwiseQuotient(plant_.stator_mass);
       return dy;
     };
     return test::runge_kutta(rate, from, end, static_cast<int>((end - from) / 2e-6) + 1, start);
@@ -187,8 +161,8 @@ TEST(SlidingLoop, PreloadPressesOnceTheReferenceIsClosed) {
   const auto pressed = [&](double t) {
     Measurement m = orbit(t);
     m.stator = m.rotor - Eigen::Vector2d(3e-4, 0.0);
-    return SlidingController(c, plant()).force(m).x() -
-           SlidingController(none, plant()).force(m).x();
+    return SlidingController(c, plant()).command(m, kOn, nullptr).x() -
+           SlidingController(none, plant()).command(m, kOn, nullptr).x();
   };
   EXPECT_NEAR(pressed(0.1), 0.0, 1e-10);
   EXPECT_NEAR(pressed(0.104), -10.0, 1e-10);
@@ -210,7 +184,7 @@ TEST(SlidingForce, TurnsWithTheWorld) {
        {&n.rotor, &n.rotor_velocity, &n.rotor_acceleration, &n.stator, &n.stator_velocity}) {
     *v = turn * *v;
   }
-  EXPECT_LT((law.force(n) - turn * law.force(m)).norm(), 1e-12 * law.force(m).norm());
+  EXPECT_LT((law.command(n, kOn, nullptr) - turn * law.command(m, kOn, nullptr)).norm(), 1e-12 * law.command(m, kOn, nullptr).norm());
 }
 
 TEST(SlidingForce, CentresTogetherAskForNothing) {
@@ -219,7 +193,7 @@ TEST(SlidingForce, CentresTogetherAskForNothing) {
     Measurement m = orbit(0.103);
     m.stator = m.rotor = {0.0, 0.0};
     m.rotor.x() = delta;
-    EXPECT_EQ(law.force(m), Eigen::Vector2d(0.0, 0.0)) << delta << ": no direction to track";
+    EXPECT_EQ(law.command(m, kOn, nullptr), Eigen::Vector2d(0.0, 0.0)) << delta << ": no direction to track";
   }
 }
 

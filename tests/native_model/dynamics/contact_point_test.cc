@@ -120,7 +120,7 @@ struct Spy final : Controller {
   mutable Measurement seen;
   mutable int calls = 0;
   bool acceleration = true;
-  Eigen::Vector2d force(const Measurement& measurement) const override {
+  Eigen::Vector2d command(const Measurement& measurement, const SwitchOn&, double*) const override {
     seen = measurement;
     ++calls;
     return {1e9, 0.0};

@@ -7,9 +7,8 @@
 #include <functional>
 #include <limits>
 
-#include "native_model/control/sampling.h"
 #include "native_model/stepping/stepper.h"
-#include "native_model/system/actuation.h"
+#include "native_model/stepping/zero_order_hold.h"
 #include "native_model/dynamics/dynamics.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/machine.h"
@@ -28,17 +27,10 @@ struct Single {
 Single alone(const Model& model, double step, std::int64_t steps) {
   PaperStepper stepper(model, step);
   Single out;
-  Eigen::Vector2d u{0.0, 0.0};
-  double last = -1.0;
+  ZeroOrderHold hold(model);
   for (std::int64_t k = 0; k < steps; ++k) {
     const double t = static_cast<double>(k) * step;
-    if (model.controller && t >= model.control_on) {
-      const double sample = model.sample_time > 0.0 ? sample_index(t, model.sample_time) : -2.0;
-      if (sample == -2.0 || sample != last) {
-        u = control_command(model, t, stepper.q(), stepper.v());
-      }
-      last = sample;
-    }
+    const Eigen::Vector2d u = hold.at(t, stepper.q(), stepper.v());
     const FixedStep done = stepper.step(k, u);
     if (done.status != Status::kOk) {
       out.status = done.status;

@@ -64,7 +64,7 @@ TEST(PaperMemory, RestoredAtEveryStepItGivesTheBitsOfAnUninterruptedRun) {
     for (std::int64_t k = 0; k < kElsewhere; ++k) other.step(k);
 
     std::vector<double> memory(PaperStepper::memory_size(model), -1.0), elsewhere = memory;
-    std::vector<double> held(ZeroOrderHold::kMemory);
+    std::vector<double> held(ZeroOrderHold::memory_size(model));
     other.stepper.save(elsewhere.data());
     carried.stepper.save(memory.data());
     carried.command.save(held.data());

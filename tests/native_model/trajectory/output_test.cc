@@ -72,14 +72,15 @@ TEST_F(OutputTest, SeriesHeaderIsTheContracts) {
   test::add_ring(s, 1.0, 0.0, 1e5);
   s.controller = scene::Controller{};
   s.controller->kind = scene::ControllerKind::kSliding;
-  EXPECT_EQ(series_header(make_model(s)), kCommon + ",x_1,y_1,vx_1,vy_1,control_x,control_y");
+  EXPECT_EQ(series_header(make_model(s)), kCommon + ",x_1,y_1,vx_1,vy_1,control_x,control_y,control_s,control_layer")
+      << "what the law shows of itself";
   s.actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
                                .force_constant = 1e-4,
                                .bias_current = 3.0,
                                .air_gap = 5e-3,
                                .coil_lag = 1e-4};
   EXPECT_EQ(series_header(make_model(s)),
-            kCommon + ",x_1,y_1,vx_1,vy_1,control_x,control_y,current_1,current_2");
+            kCommon + ",x_1,y_1,vx_1,vy_1,control_x,control_y,current_1,current_2,control_s,control_layer");
 }
 
 TEST_F(OutputTest, SeriesReadsBackToTheSameBits) {

@@ -1,0 +1,108 @@
+#include "compare/modes/control_text.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <vector>
+
+#include "compare/study/format.h"
+#include "native_model/scene/printable.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kHz = 1.0 / (2.0 * std::numbers::pi);
+
+nlohmann::json rows_of(const Eigen::MatrixXd& matrix) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const Eigen::VectorXd row = matrix.row(i);
+    rows.push_back(std::vector<double>(row.data(), row.data() + row.size()));
+  }
+  return rows;
+}
+
+std::vector<std::string> state_names(const LinearPlant& plant) {
+  const std::size_t modes = (plant.coordinates.size() - 2) / 2;
+  std::vector<std::string> names;
+  for (const char* rate : {"", "v"}) {
+    for (const char* plane : {"x", "y"}) {
+      for (std::size_t k = 1; k <= modes; ++k) names.push_back(fmt::format("{}{}_{}", rate, plane, k));
+    }
+    for (const char* plane : {"x", "y"}) names.push_back(fmt::format("stator_{}{}", rate, plane));
+  }
+  return names;
+}
+
+// The stable stretch of a row that holds the rule.
+std::pair<double, double> stable_range(const rub::FeedbackMap& map, std::size_t speed, double rule) {
+  std::pair<double, double> range{rule, rule};
+  const auto stable = [&](std::size_t j) {
+    const auto& forced = map.at(speed, j).forced;
+    return forced && forced->stable;
+  };
+  std::size_t at = 0;
+  while (map.feedbacks[at] != rule) ++at;
+  for (std::size_t j = at; j < map.feedbacks.size() && stable(j); ++j) range.second = map.feedbacks[j];
+  for (std::size_t j = at + 1; j-- > 0 && stable(j);) range.first = map.feedbacks[j];
+  return range;
+}
+
+}  // namespace
+
+nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant) {
+  return {{"speed", scene.rotor.speed},
+          {"states", state_names(plant)},
+          {"inputs", {"control_x", "control_y"}},
+          {"outputs", {"rotor_x", "rotor_y", "stator_x", "stator_y"}},
+          {"A", rows_of(plant.a)},
+          {"B", rows_of(plant.b)},
+          {"C", rows_of(plant.c)}};
+}
+
+nlohmann::json feedback_map_json(const rub::FeedbackMap& map) {
+  nlohmann::json growth = nlohmann::json::array(), stable = growth, force = growth, rule = growth;
+  for (std::size_t i = 0; i < map.speeds.size(); ++i) {
+    nlohmann::json g = nlohmann::json::array(), s = g, f = g;
+    for (std::size_t j = 0; j < map.feedbacks.size(); ++j) {
+      const rub::FeedbackPoint& p = map.at(i, j);
+      g.push_back(p.forced ? nlohmann::json(p.forced->growth) : nlohmann::json());
+      s.push_back(p.forced && p.forced->stable);
+      f.push_back(p.normal_force ? nlohmann::json(*p.normal_force) : nlohmann::json());
+    }
+    growth.push_back(g);
+    stable.push_back(s);
+    force.push_back(f);
+  }
+  for (const auto& k : map.rule()) rule.push_back(k ? nlohmann::json(*k) : nlohmann::json());
+  return {{"speeds", map.speeds}, {"feedbacks", map.feedbacks}, {"growth", growth},
+          {"stable", stable},     {"normal_force", force},      {"rule", rule}};
+}
+
+std::string feedback_map_table(const std::string& name, const rub::FeedbackMap& map) {
+  std::string text = fmt::format(
+      "{}: cross-coupled feedback k, by the eigenvalues of the forced rub\n\n"
+      "   speed         k   stable from      to      decay     force\n"
+      "      Hz     N s/m         N s/m   N s/m        1/s         N\n",
+      scene::printable(name));
+  const auto rule = map.rule();
+  for (std::size_t i = 0; i < map.speeds.size(); ++i) {
+    text += fmt::format("{:>8}", short_number(kHz * map.speeds[i]));
+    if (!rule[i]) {
+      text += "      none   no forced rub is stable\n";
+      continue;
+    }
+    std::size_t j = 0;
+    while (map.feedbacks[j] != *rule[i]) ++j;
+    const auto range = stable_range(map, i, *rule[i]);
+    const rub::FeedbackPoint& p = map.at(i, j);
+    text += fmt::format("{:>10}{:>14}{:>8}{:>11}{:>10}{}\n", short_number(*rule[i]),
+                        short_number(range.first), short_number(range.second),
+                        short_number(-p.forced->growth), short_number(*p.normal_force),
+                        p.whip ? "  beside a whip" : "");
+  }
+  return text;
+}
+
+}  // namespace rotorub

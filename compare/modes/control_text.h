@@ -1,0 +1,21 @@
+// What a control engineer asks of a scene: the plant as matrices, and the map of cross-coupled feedback.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "native_model/control/linear_plant.h"
+#include "native_model/rub/feedback_map.h"
+#include "native_model/scene/scene.h"
+
+namespace rotorub {
+
+// {"speed", "states": [names], "inputs", "outputs", "A", "B", "C"}: rows of numbers, SI.
+nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant);
+
+// {"speeds", "feedbacks", "growth": rows of 1/s or null, "stable", "normal_force", "rule": [N s/m or null]}
+nlohmann::json feedback_map_json(const rub::FeedbackMap& map);
+// A line a speed: the k under which the forced rub decays fastest, and from where to where it is stable.
+std::string feedback_map_table(const std::string& name, const rub::FeedbackMap& map);
+
+}  // namespace rotorub

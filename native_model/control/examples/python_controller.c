@@ -1,0 +1,173 @@
+/* A controller written in Python: [controller.config] names a module, in the folder `path`, with
+ *
+ *   def create(setup):            # a dict: sample_time, clearance, config, ...; returns what step() is given
+ *   def state_size(law): ...      # numbers of the state; may be absent: 0
+ *   def step(law, now, state):    # now: a dict; state: a memoryview of floats, to be changed in place
+ *       return ux, uy             # N, the force on the ring
+ *
+ * Every step takes the interpreter's lock: it is right on several threads, and no faster than on one.
+ *
+ *   cc -shared -fPIC -I <prefix>/include/rotorub $(pkg-config --cflags python3-embed) \
+ *     python_controller.c -o python_controller.so $(pkg-config --libs python3-embed) */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+#include <dlfcn.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <rotorub/controller.h>
+
+typedef struct {
+  PyObject *step, *law;
+  Py_ssize_t size;
+} law;
+
+/* The pending exception in words. */
+static int failed(char* reason, size_t room) {
+  PyObject *type, *value, *trace;
+  PyErr_Fetch(&type, &value, &trace);
+  PyErr_NormalizeException(&type, &value, &trace);
+  PyObject* text = value != NULL ? PyObject_Str(value) : NULL;
+  const char* words = text != NULL ? PyUnicode_AsUTF8(text) : NULL;
+  snprintf(reason, room, "%s: %s", type != NULL ? ((PyTypeObject*)type)->tp_name : "Python",
+           words != NULL ? words : "it failed");
+  Py_XDECREF(text);
+  Py_XDECREF(type);
+  Py_XDECREF(value);
+  Py_XDECREF(trace);
+  PyErr_Clear();
+  return 1;
+}
+
+static void start_python(void) {
+  if (Py_IsInitialized()) return;
+  /* Modules written in C look for Python's symbols in the program. */
+  Dl_info info;
+  if (dladdr(Py_None, &info) != 0) {
+    dlopen(info.dli_fname, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD);
+  }
+  Py_InitializeEx(0);
+  PyEval_SaveThread();
+}
+
+static PyObject* config_of(const rotorub_setup* setup) {
+  PyObject* config = PyDict_New();
+  for (size_t i = 0; config != NULL && i < setup->entries; ++i) {
+    const rotorub_entry* e = &setup->config[i];
+    PyObject* value = e->text != NULL ? PyUnicode_FromString(e->text) : PyFloat_FromDouble(e->number);
+    if (value == NULL || PyDict_SetItemString(config, e->key, value) != 0) Py_CLEAR(config);
+    Py_XDECREF(value);
+  }
+  return config;
+}
+
+static const char* text_of(const rotorub_setup* setup, const char* key) {
+  for (size_t i = 0; i < setup->entries; ++i) {
+    if (strcmp(setup->config[i].key, key) == 0) return setup->config[i].text;
+  }
+  return NULL;
+}
+
+static int load(const rotorub_setup* setup, law* l) {
+  const char *path = text_of(setup, "path"), *name = text_of(setup, "module");
+  if (name == NULL) {
+    PyErr_SetString(PyExc_ValueError, "controller.config needs module = \"NAME\"");
+    return 1;
+  }
+  PyObject* paths = PySys_GetObject("path");
+  PyObject* folder = PyUnicode_FromString(path != NULL ? path : ".");
+  if (paths == NULL || folder == NULL) return 1;
+  const int known = PySequence_Contains(paths, folder);
+  if (known < 0 || (known == 0 && PyList_Insert(paths, 0, folder) != 0)) return 1;
+  Py_DECREF(folder);
+  PyObject* module = PyImport_ImportModule(name);
+  if (module == NULL) return 1;
+  PyObject* config = config_of(setup);
+  PyObject* told = Py_BuildValue("{s:d,s:d,s:I,s:(dd),s:(dd),s:(dd),s:O}", "sample_time", setup->sample_time,
+                                 "clearance", setup->clearance, "measured", setup->measured, "stator_mass",
+                                 setup->stator_mass[0], setup->stator_mass[1], "stator_damping",
+                                 setup->stator_damping[0], setup->stator_damping[1], "stator_stiffness",
+                                 setup->stator_stiffness[0], setup->stator_stiffness[1], "config", config);
+  Py_XDECREF(config);
+  if (told != NULL) l->law = PyObject_CallMethod(module, "create", "O", told);
+  Py_XDECREF(told);
+  l->step = PyObject_GetAttrString(module, "step");
+  if (l->law != NULL && PyObject_HasAttrString(module, "state_size")) {
+    PyObject* size = PyObject_CallMethod(module, "state_size", "O", l->law);
+    l->size = size != NULL ? PyNumber_AsSsize_t(size, PyExc_OverflowError) : -1;
+    Py_XDECREF(size);
+  }
+  Py_DECREF(module);
+  return l->law == NULL || l->step == NULL || l->size < 0;
+}
+
+static void destroy(void* self) {
+  law* l = self;
+  if (l == NULL) return;
+  const PyGILState_STATE lock = PyGILState_Ensure();
+  Py_XDECREF(l->step);
+  Py_XDECREF(l->law);
+  PyGILState_Release(lock);
+  free(l);
+}
+
+static int create(const rotorub_setup* setup, void** self, char* reason, size_t room) {
+  start_python();
+  law* l = calloc(1, sizeof *l);
+  if (l == NULL) return 1;
+  const PyGILState_STATE lock = PyGILState_Ensure();
+  const int bad = load(setup, l) != 0 ? failed(reason, room) : 0;
+  PyGILState_Release(lock);
+  if (bad) {
+    destroy(l);
+    return 1;
+  }
+  *self = l;
+  return 0;
+}
+
+static size_t state_size(const void* self) { return (size_t)((const law*)self)->size; }
+
+/* A memoryview of doubles over the caller's array. */
+static PyObject* view_of(double* state, Py_ssize_t size) {
+  double none;
+  PyObject* bytes = PyMemoryView_FromMemory((char*)(size > 0 ? state : &none),
+                                            size * (Py_ssize_t)sizeof *state, PyBUF_WRITE);
+  PyObject* view = bytes != NULL ? PyObject_CallMethod(bytes, "cast", "s", "d") : NULL;
+  Py_XDECREF(bytes);
+  return view;
+}
+
+static int step(const void* self, const rotorub_measurement* now, double* state, double command[2],
+                char* reason, size_t room) {
+  const law* l = self;
+  const PyGILState_STATE lock = PyGILState_Ensure();
+  PyObject* view = view_of(state, l->size);
+  PyObject* shown = Py_BuildValue(
+      "{s:d,s:L,s:(dd),s:(dd),s:(dd),s:(dd),s:d,s:d,s:(dd)}", "t", now->t, "sample",
+      (long long)now->sample, "rotor", now->rotor[0], now->rotor[1], "rotor_velocity",
+      now->rotor_velocity[0], now->rotor_velocity[1], "stator", now->stator[0], now->stator[1],
+      "stator_velocity", now->stator_velocity[0], now->stator_velocity[1], "spin_angle", now->spin_angle,
+      "spin_speed", now->spin_speed, "current", now->current[0], now->current[1]);
+  PyObject* told =
+      view != NULL && shown != NULL ? PyObject_CallFunctionObjArgs(l->step, l->law, shown, view, NULL) : NULL;
+  const int good = told != NULL && PyArg_ParseTuple(told, "dd", &command[0], &command[1]);
+  const int bad = good ? 0 : failed(reason, room);
+  Py_XDECREF(told);
+  Py_XDECREF(shown);
+  /* Whoever kept the view must not write to the array later. */
+  if (view != NULL) {
+    PyObject* released = PyObject_CallMethod(view, "release", NULL);
+    if (released == NULL) PyErr_Clear();
+    Py_XDECREF(released);
+    Py_DECREF(view);
+  }
+  PyGILState_Release(lock);
+  return bad;
+}
+
+const rotorub_controller* rotorub_controller_get(void) {
+  static const rotorub_controller controller = {
+      ROTORUB_CONTROLLER_ABI, ROTORUB_FORCE, "python_controller", create, destroy, state_size, NULL, step};
+  return &controller;
+}

@@ -1,0 +1,203 @@
+#include "native_model/control/library.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <mutex>
+#include <vector>
+
+#include "native_model/control/abi/rotorub/controller.h"
+#include "native_model/control/sensors.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/printable.h"
+#include "native_model/scene/record.h"
+
+namespace rotorub {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kRoom = 512;             // bytes of a reason
+constexpr std::size_t kLargestState = 1 << 20;  // numbers
+constexpr const char* kKey = "controller.library";
+constexpr const char* kPath = "ROTORUB_CONTROLLER_PATH";
+
+std::mutex mutex;
+std::vector<fs::path> trusted;
+
+[[noreturn]] void refuse(const scene::Scene& scene, const char* key, const std::string& reason) {
+  throw scene::SceneError(scene::placed(scene, {{"", 0, key, reason}}));
+}
+
+std::vector<fs::path> folders_of(const std::string& list) {
+  std::vector<fs::path> folders;
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t end = std::min(list.find(':', at), list.size());
+    if (end > at) folders.emplace_back(list.substr(at, end - at));
+    at = end + 1;
+  }
+  return folders;
+}
+
+fs::path found_in(const scene::Scene& scene, const std::vector<fs::path>& folders,
+                  const fs::path& name) {
+  std::string looked;
+  for (const fs::path& folder : folders) {
+    const fs::path path = fs::absolute(folder / name);
+    std::error_code status;
+    if (fs::is_regular_file(path, status)) return path;
+    looked += (looked.empty() ? "" : ", ") + path.string();
+  }
+  refuse(scene, kKey, "not found: looked for " + looked);
+}
+
+// What the library says, ended by 0 or not.
+std::string said(const std::array<char, kRoom>& reason) {
+  const std::string text(reason.data(), std::find(reason.begin(), reason.end(), '\0'));
+  return text.empty() ? "no reason given" : scene::printable(text, kRoom);
+}
+
+// `action` of the library: what it throws is its failure.
+template <typename Action>
+std::string failure_of(Action action) {
+  std::array<char, kRoom> reason{};
+  try {
+    return action(reason.data()) == 0 ? "" : said(reason);
+  } catch (const std::exception& error) {
+    return scene::printable(error.what(), kRoom);
+  } catch (...) {
+    return "it threw what is no std::exception";
+  }
+}
+
+}  // namespace
+
+void trust_controllers_of(const fs::path& folder) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  const fs::path path = fs::absolute(folder);
+  if (std::find(trusted.begin(), trusted.end(), path) == trusted.end()) trusted.push_back(path);
+}
+
+fs::path controller_library(const scene::Scene& scene) {
+  const fs::path name = scene.controller->library;
+  if (scene.folder) return found_in(scene, {*scene.folder}, name);
+  const char* path = std::getenv(kPath);
+  std::vector<fs::path> folders = folders_of(path == nullptr ? "" : path);
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (path == nullptr && trusted.empty()) {
+      refuse(scene, kKey,
+             std::string("is not loaded: a model must not load code by itself; set ") + kPath +
+                 " to the folder of the libraries that you trust");
+    }
+    folders.insert(folders.end(), trusted.begin(), trusted.end());
+  }
+  if (name.is_absolute()) return found_in(scene, {""}, name);
+  return found_in(scene, folders, name);
+}
+
+LibraryController::LibraryController(const scene::Scene& scene, const Plant& plant) {
+  const scene::Controller& c = *scene.controller;
+  const fs::path path = controller_library(scene);
+  name_ = path.filename().string();
+  library_ = std::shared_ptr<void>(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL), [](void* handle) {
+    if (handle != nullptr) dlclose(handle);
+  });
+  if (!library_) {
+    const char* why = dlerror();
+    refuse(scene, kKey, scene::printable(why != nullptr ? why : "cannot be loaded", kRoom));
+  }
+  const auto get = reinterpret_cast<rotorub_controller_get_function>(
+      dlsym(library_.get(), ROTORUB_CONTROLLER_SYMBOL));
+  if (get == nullptr) {
+    refuse(scene, kKey, path.string() + ": no function " ROTORUB_CONTROLLER_SYMBOL " (rotorub/controller.h)");
+  }
+  functions_ = get();
+  if (functions_ == nullptr) refuse(scene, kKey, path.string() + ": gives no controller");
+  if (functions_->abi != ROTORUB_CONTROLLER_ABI) {
+    refuse(scene, kKey,
+           path.string() + ": is of controller ABI " + std::to_string(functions_->abi) +
+               "; accepted: " + std::to_string(ROTORUB_CONTROLLER_ABI));
+  }
+  if (functions_->name != nullptr) name_ = scene::printable(functions_->name, 80);
+  if (functions_->create == nullptr || functions_->step == nullptr) {
+    refuse(scene, kKey, path.string() + ": has no create() or no step()");
+  }
+  if (functions_->command > ROTORUB_CURRENT) {
+    refuse(scene, kKey, path.string() + ": commands neither ROTORUB_FORCE nor ROTORUB_CURRENT");
+  }
+  if (functions_->command == ROTORUB_CURRENT && plant.current_limit <= 0.0) {
+    refuse(scene, kKey, name_ + " commands currents; accepted with [actuator] kind = \"electromagnet\" or \"table\"");
+  }
+  std::vector<rotorub_entry> entries;
+  for (const scene::ConfigEntry& e : c.config) {
+    entries.push_back({e.key.c_str(), e.text ? e.text->c_str() : nullptr, e.number});
+  }
+  rotorub_setup setup{};
+  setup.abi = ROTORUB_CONTROLLER_ABI;
+  setup.measured = Sensors(c.sensors, c.sample_time).measured();
+  setup.sample_time = c.sample_time;
+  setup.clearance = plant.clearance;
+  for (int k = 0; k < 2; ++k) {
+    setup.stator_mass[k] = plant.stator_mass[k];
+    setup.stator_damping[k] = plant.stator_damping[k];
+    setup.stator_stiffness[k] = plant.stator_stiffness[k];
+  }
+  setup.force_limit = plant.force_limit;
+  setup.current_limit = plant.current_limit;
+  setup.entries = entries.size();
+  setup.config = entries.data();
+  const std::string refused = failure_of(
+      [&](char* reason) { return functions_->create(&setup, &self_, reason, kRoom); });
+  if (!refused.empty()) refuse(scene, "controller.config", name_ + " refuses: " + refused);
+  if (functions_->state_size != nullptr) state_size_ = functions_->state_size(self_);
+  if (state_size_ > kLargestState) {
+    refuse(scene, kKey, name_ + ": a state of " + std::to_string(state_size_) +
+                            " numbers; accepted: up to " + std::to_string(kLargestState));
+  }
+}
+
+LibraryController::~LibraryController() {
+  if (functions_ != nullptr && functions_->destroy != nullptr) functions_->destroy(self_);
+}
+
+void LibraryController::start(double* state) const {
+  if (functions_->start != nullptr) functions_->start(self_, state);
+}
+
+bool LibraryController::commands_currents() const { return functions_->command == ROTORUB_CURRENT; }
+
+Eigen::Vector2d LibraryController::command(const Measurement& now, const SwitchOn&,
+                                           double* state) const {
+  rotorub_measurement m{};
+  m.t = now.t;
+  m.sample = now.sample;
+  for (int k = 0; k < 2; ++k) {
+    m.rotor[k] = now.rotor[k];
+    m.rotor_velocity[k] = now.rotor_velocity[k];
+    m.stator[k] = now.stator[k];
+    m.stator_velocity[k] = now.stator_velocity[k];
+    m.current[k] = now.current[k];
+  }
+  m.spin_angle = now.spin_angle;
+  m.spin_speed = now.spin_speed;
+  double told[2] = {0.0, 0.0};
+  const std::string failed = failure_of(
+      [&](char* reason) { return functions_->step(self_, &m, state, told, reason, kRoom); });
+  if (!failed.empty()) fail(now.t, failed);
+  if (!std::isfinite(told[0]) || !std::isfinite(told[1])) {
+    fail(now.t, "its command is not finite");
+  }
+  const bool finite = std::all_of(state, state + state_size_, [](double x) { return std::isfinite(x); });
+  if (!finite) fail(now.t, "its state is not finite");
+  return {told[0], told[1]};
+}
+
+void LibraryController::fail(double t, const std::string& reason) const {
+  throw ControllerError("controller " + name_ + " at t = " + std::to_string(t) + " s: " + reason);
+}
+
+}  // namespace rotorub

@@ -1,0 +1,67 @@
+#include "native_model/control/quadratic.h"
+
+#include <Eigen/Cholesky>
+#include <cassert>
+#include <string>
+#include <vector>
+
+#include "native_model/bearing/actuator_axes.h"
+#include "native_model/numerics/riccati.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/record.h"
+
+namespace rotorub {
+namespace {
+
+[[noreturn]] void refuse(const scene::Scene& scene, const std::string& reason) {
+  throw scene::SceneError(scene::placed(scene, {{"", 0, "controller.kind", reason}}));
+}
+
+}  // namespace
+
+QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& plant) {
+  const scene::Controller& c = *scene.controller;
+  QuadraticDesign d{sampled(plant, c.sample_time), {}, {}};
+  const Eigen::MatrixXd &a = d.plant.a, &b = d.plant.b, &y = d.plant.c;
+  const Eigen::MatrixXd apart = (y.topRows(2) - y.bottomRows(2)) / c.allowed_error;
+  const Eigen::MatrixXd travel = y.bottomRows(2) / c.allowed_travel;
+  const Eigen::MatrixXd q = apart.transpose() * apart + travel.transpose() * travel;
+  const Eigen::MatrixXd r = Eigen::Matrix2d::Identity() / (c.allowed_force * c.allowed_force);
+  const auto cost = solve_riccati(a, b, q, r);
+  if (!cost) refuse(scene, "no feedback of the ring stabilises rotor and ring: a mode that grows is out of its reach");
+  d.gain = riccati_gain(a, b, r, *cost);
+  if (c.kind == scene::ControllerKind::kLqr) return d;
+
+  const Eigen::MatrixXd w = d.plant.d * c.disturbance;
+  const Eigen::MatrixXd errors = Eigen::Matrix4d::Identity() * (c.measurement_error * c.measurement_error);
+  const auto spread = solve_riccati(a.transpose(), y.transpose(), w * w.transpose(), errors);
+  if (!spread) refuse(scene, "the positions do not show a mode that grows");
+  const Eigen::MatrixXd inner = y * *spread * y.transpose() + errors;
+  d.filter = inner.llt().solve(y * *spread).transpose();
+  return d;
+}
+
+Eigen::Vector2d StateFeedback::command(const Measurement& now, const SwitchOn&, double*) const {
+  assert(now.q != nullptr);
+  const std::vector<int>& at = design_.plant.coordinates;
+  const auto half = static_cast<Eigen::Index>(at.size());
+  Eigen::Vector2d u{0.0, 0.0};
+  for (Eigen::Index i = 0; i < half; ++i) {
+    const int k = at[static_cast<std::size_t>(i)];
+    u -= design_.gain.col(i) * now.q[k] + design_.gain.col(half + i) * now.v[k];
+  }
+  return u;
+}
+
+Eigen::Vector2d OutputFeedback::command(const Measurement& now, const SwitchOn&, double* state) const {
+  Eigen::Map<Eigen::VectorXd> x(state, design_.plant.a.rows());
+  Eigen::Vector4d y;
+  y << now.rotor, now.stator;
+  x += design_.filter * (y - design_.plant.c * x);
+  const Eigen::Vector2d asked = -design_.gain * x;
+  const Eigen::Vector2d u = from_axes(to_axes(asked).cwiseMin(force_limit_).cwiseMax(-force_limit_));
+  x = (design_.plant.a * x + design_.plant.b * u).eval();
+  return u;
+}
+
+}  // namespace rotorub

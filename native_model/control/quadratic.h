@@ -1,0 +1,55 @@
+// LQR and LQG: the feedback u = -K x of rotor and ring without contact that is least in the sum over the
+// samples of
+//
+//   |q_r - q_f|^2 / e_0^2 + |q_f|^2 / s_0^2 + |u|^2 / u_0^2,
+//
+// e_0, s_0, u_0: what is allowed of the rotor's distance from the ring's centre, of the ring's travel and of
+// the force (Bryson's rule). It keeps the ring about the rotor, so that they do not touch. K by the discrete
+// Riccati equation (numerics/riccati.h).
+//
+// LQR knows the whole state, which no sensor shows: the best that a linear law can do. LQG estimates it from
+// the measured positions of rotor and ring by a stationary Kalman filter,
+//
+//   x_k = x_k- + L (y_k - C x_k-),   x_{k+1}- = A x_k + B u_k,
+//
+// for forces d (N, standard deviation) on rotor and ring at the contact and errors r (m) of the positions.
+#pragma once
+
+#include "native_model/control/controller.h"
+#include "native_model/control/linear_plant.h"
+
+namespace rotorub {
+
+// Throws scene::SceneError where the Riccati equation has no stabilising solution.
+struct QuadraticDesign {
+  LinearPlant plant;       // sampled
+  Eigen::MatrixXd gain;    // K, 2 x n
+  Eigen::MatrixXd filter;  // L, n x 4; empty: LQR
+};
+QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& plant);
+
+class StateFeedback final : public Controller {
+ public:
+  explicit StateFeedback(QuadraticDesign design) : design_(std::move(design)) {}
+  Eigen::Vector2d command(const Measurement& now, const SwitchOn&, double*) const override;
+
+ private:
+  QuadraticDesign design_;
+};
+
+class OutputFeedback final : public Controller {
+ public:
+  // force_limit: N, on each axis of the actuator; what it cuts off the estimate knows.
+  OutputFeedback(QuadraticDesign design, double force_limit)
+      : design_(std::move(design)), force_limit_(force_limit) {}
+  std::size_t state_size() const override {
+    return static_cast<std::size_t>(design_.plant.a.rows());
+  }
+  Eigen::Vector2d command(const Measurement& now, const SwitchOn&, double* state) const override;
+
+ private:
+  QuadraticDesign design_;
+  double force_limit_;
+};
+
+}  // namespace rotorub

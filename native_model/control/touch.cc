@@ -1,0 +1,24 @@
+#include "native_model/control/touch.h"
+
+#include "native_model/contact/kinematics.h"
+
+namespace rotorub {
+
+SeenGap seen_gap(const Measurement& now, double clearance) {
+  const Eigen::Vector2d d = now.rotor - now.stator;
+  const double delta = d.norm();
+  if (delta <= kNoNormal) return {clearance - delta, 0.0};
+  return {clearance - delta, -d.dot(now.rotor_velocity - now.stator_velocity) / delta};
+}
+
+bool touched(const Measurement& now, double clearance, double* state) {
+  enum : std::size_t { kDue, kGap, kRate };  // when that gap would close, s; 0: none seen yet
+  const SeenGap seen = seen_gap(now, clearance);
+  const bool due = state[kDue] > 0.0 && now.t >= state[kDue] && seen.rate > state[kRate];
+  state[kDue] = seen.rate < 0.0 ? now.t - seen.gap / seen.rate : 0.0;
+  state[kGap] = seen.gap;
+  state[kRate] = seen.rate;
+  return seen.gap <= 0.0 || due;
+}
+
+}  // namespace rotorub

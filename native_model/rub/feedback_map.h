@@ -1,0 +1,39 @@
+// What cross-coupled feedback (control/cross_coupled.h) does to the rub that lasts: a rule for k(Omega). At each
+// spin speed and k the forced rub of the scene's friction is found with the ring's closed loop in it, and its least
+// stable pair. The k under which that pair decays fastest is the rule; where no rub lasts there is none.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "native_model/rub/rub_stability.h"
+#include "native_model/rub/rub_system.h"
+
+namespace rotorub::rub {
+
+struct FeedbackPoint {
+  double speed = 0.0;                  // rad/s, Omega
+  double feedback = 0.0;               // N s/m, k
+  std::optional<Stability> forced;     // of the forced rub; nothing: none lasts
+  std::optional<double> normal_force;  // N, of it
+  bool whip = false;                   // a stable backward whip or rolling exists beside it
+};
+
+struct FeedbackMap {
+  std::vector<double> speeds, feedbacks;
+  std::vector<FeedbackPoint> points;  // the feedback runs fastest
+  const FeedbackPoint& at(std::size_t speed, std::size_t feedback) const {
+    return points[speed * feedbacks.size() + feedback];
+  }
+  // Of the speeds: the k of the grid whose forced rub decays fastest, and is stable; nothing: none is.
+  std::vector<std::optional<double>> rule() const;
+};
+
+// Asserts a ring. Its coupling is replaced. progress: the share done, once a speed, may throw. Throws
+// RotorNotSolvable.
+FeedbackMap feedback_map(const RubSystem& system, const std::vector<double>& speeds,
+                         const std::vector<double>& feedbacks,
+                         const std::function<void(double share)>& progress = {});
+
+}  // namespace rotorub::rub

@@ -1,0 +1,70 @@
+// A whole run in MuJoCo under the user's own controller: the native one's, and how it ends.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "compare/engine/engine.h"
+#include "native_model/run/run_native.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+scene::Scene library_scene(const std::string& library, const std::vector<std::string>& more) {
+  std::vector<std::string> overrides{"rotor.modes=2",
+                                     "run.end=0.02",
+                                     "run.step=1e-5",
+                                     "controller.kind=library",
+                                     "controller.library=" + library,
+                                     "controller.on=0",
+                                     "controller.sample_time=1e-4",
+                                     "force[0].on=0",
+                                     "actuator.force_limit=none"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  scene::Scene s = shipped("paper_sliding", overrides);
+  s.folder = ROTORUB_LIBRARIES;
+  return s;
+}
+
+// Delay and noise on, nothing rounded, no touch: one trajectory.
+TEST(LibraryEngine, ClosedLoopIsTheNativeOneUpToTheFirstTouch) {
+  const scene::Scene s = library_scene(
+      "recording_controller.so", {"controller.sensors={delay=2e-4, position_noise=1e-6}",
+                                  "run.output_step=1e-4", "contact.clearance=0.01"});
+  NativeOptions options;
+  options.integrator = scene::Integrator::kVerlet;
+  const Trajectory native = run_native(s, options),
+                   mujoco = mujoco_engine(scene::ContactModel::kRigid)->run(s, {});
+  ASSERT_EQ(native.status, Status::kOk) << native.message;
+  ASSERT_EQ(mujoco.status, Status::kOk) << mujoco.message;
+  for (const char* column : {"control_x", "control_y"}) {
+    const auto &a = native.column(column), &b = mujoco.column(column);
+    ASSERT_EQ(a.size(), b.size());
+    double most = 0.0, apart = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      most = std::max(most, std::abs(a[i]));
+      apart = std::max(apart, std::abs(a[i] - b[i]));
+    }
+    EXPECT_GT(most, 1.0);
+    EXPECT_LT(apart, 1e-9 * most) << column;
+  }
+}
+
+TEST(LibraryEngine, AFailureEndsTheRunWithNameAndTime) {
+  for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
+    const scene::Scene s =
+        library_scene("faulty_controller.so", {"controller.config={fault=\"throw\", at=0.004}"});
+    const Trajectory t = mujoco_engine(contact)->run(s, {});
+    EXPECT_EQ(t.status, Status::kControllerFailed) << t.message;
+    EXPECT_NE(t.message.find("faulty"), std::string::npos) << t.message;
+    EXPECT_NE(t.message.find("0.004"), std::string::npos) << t.message;
+    EXPECT_NEAR(t.end, 0.004, 2e-5) << "and what was done before is kept";
+    EXPECT_GT(t.column("t").size(), 100u);
+  }
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,267 @@
+// A controller of the user's own: found, loaded, told, refused, and ended with a word where it fails.
+#include "native_model/control/library.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "native_model/run/run_native.h"
+#include "native_model/scene/reader.h"
+#include "native_model/system/actuation.h"
+
+namespace rotorub {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kLibraries = ROTORUB_LIBRARIES;
+
+std::string text(const std::string& library, const std::string& config = "") {
+  return R"([run]
+end = 0.01
+step = "10 us"
+[rotor]
+speed = "50 Hz"
+[rotor.modal]
+mass = [1.0]
+stiffness = [2e5]
+damping = [20.0]
+[contact]
+radius = 0.05
+clearance = "0.5 mm"
+friction = 0.1
+restitution = 0.5
+[stator]
+mass = 1.0
+stiffness = 1e5
+damping = 50.0
+[initial]
+x = [1e-4]
+[controller]
+kind = "library"
+library = ")" + library + R"("
+sample_time = "0.5 ms"
+[controller.config]
+)" + config;
+}
+
+// A scene in the folder of the libraries, as from a file there.
+scene::Scene read(const std::string& library, const std::string& config = "",
+                  const std::vector<std::string>& overrides = {}) {
+  scene::Scene s = scene::parse_scene(text(library, config), "own.toml", overrides);
+  s.folder = kLibraries.string();
+  return s;
+}
+
+std::string refusal(const scene::Scene& scene) {
+  try {
+    make_model(scene);
+  } catch (const scene::SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_said(const std::string& said, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    EXPECT_NE(said.find(word), std::string::npos) << "'" << word << "' in: " << said;
+  }
+}
+
+TEST(Library, TellsItsStateAndIsAskedOnceASample) {
+  const Model m = make_model(read("faulty_controller.so"));
+  ASSERT_NE(m.loop, nullptr);
+  EXPECT_EQ(m.controller->state_size(), 3u);
+  std::vector<double> memory(m.loop->memory_size(), 0.0);
+  const State s = initial_state(m);
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector2d u =
+        control_sample(m, k * 5e-4, s.q.data(), s.v.data(), {0.0, 0.0}, memory.data());
+    EXPECT_LT((u - Eigen::Vector2d(101.0 + k, k)).norm(), 1e-12) << "by way of the axes";
+  }
+}
+
+TEST(Library, EveryIntegratorGivesTheSameCommands) {
+  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+    scene::Scene s = read("faulty_controller.so");
+    s.run.integrator = integrator;
+    s.run.output_step = 1e-4;
+    const Trajectory t = run_native(s);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const auto &x = t.column("control_x"), &y = t.column("control_y");
+    for (std::size_t row = 1; row < 100; ++row) {
+      if (row % 5 == 0) continue;  // at a sample before or after it
+      EXPECT_NEAR(y[row], static_cast<double>(row / 5), 1e-12) << t.integrator << " " << row;
+      EXPECT_NEAR(x[row], 101.0 + static_cast<double>(row / 5), 1e-12) << t.integrator << " " << row;
+    }
+  }
+}
+
+TEST(Library, RefusalsNameKeyAndReason) {
+  expect_said(refusal(read("nowhere.so")), {"controller.library", "not found", "nowhere.so"});
+  const fs::path none = fs::path(testing::TempDir()) / "no_library.so";
+  std::ofstream(none) << "not a library";
+  expect_said(refusal(read(none.string())), {"controller.library", "no_library.so"});
+  expect_said(refusal(read("other_abi_controller.so")), {"controller.library", "4711", "accepted: 1"});
+  expect_said(refusal(read("odd_controller.so")), {"controller.library", "neither ROTORUB_FORCE"});
+  expect_said(refusal(read("current_controller.so")), {"controller.library", "commands currents"});
+  expect_said(refusal(read("faulty_controller.so", "fault = \"huge\"")), {"controller.library", "state of"});
+  expect_said(refusal(read("faulty_controller.so", "fault = \"create\"\nat = 2.5")),
+              {"controller.config", "faulty refuses: it does not like the number 2.5"});
+  expect_said(refusal(read("faulty_controller.so", "fault = \"throw in create\"")),
+              {"controller.config", "thrown in create"});
+  expect_said(refusal(read("../bin/../lib/faulty_controller.so")), {});
+}
+
+TEST(Library, IsRefusedWithoutASampleTimeAndConfigByOtherKinds) {
+  const auto parse = [](const std::vector<std::string>& overrides) -> std::string {
+    try {
+      scene::parse_scene(text("faulty_controller.so", "gain = 1"), "own.toml", overrides);
+    } catch (const scene::SceneError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(parse({}), "");
+  expect_said(parse({"controller.sample_time=0"}), {"controller.sample_time", "> 0"});
+  expect_said(parse({"controller.config.gain=true"}), {"controller.config.gain", "finite number or a text"});
+  expect_said(parse({"controller.config.gain=nan"}), {"controller.config.gain", "finite"});
+  expect_said(parse({"controller.kind=passive"}), {"controller.config", "belongs to kind"});
+  EXPECT_EQ(parse({"controller.kind=passive", "controller.config=none"}), "");
+}
+
+// Of every integrator: the run ends at the sample that failed, with the name, the time, and what it has.
+void expect_end(const std::string& fault, const std::string& word) {
+  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+    scene::Scene s = read("faulty_controller.so", "fault = \"" + fault + "\"\nat = 0.004");
+    s.run.integrator = integrator;
+    const Trajectory t = run_native(s);
+    EXPECT_EQ(t.status, Status::kControllerFailed) << t.integrator;
+    EXPECT_STREQ(to_string(t.status), "controller_failed");
+    expect_said(t.message, {"faulty", "0.004", word});
+    EXPECT_NEAR(t.end, 0.004, 1.1e-5) << t.integrator;
+    for (const auto& column : t.series) {
+      for (const double x : column.values) ASSERT_TRUE(std::isfinite(x)) << column.name;
+    }
+  }
+}
+
+TEST(Library, AReportedFailureEndsTheRun) { expect_end("step", "the encoder is lost"); }
+TEST(Library, ACommandThatIsNoNumberEndsTheRun) { expect_end("nan", "not finite"); }
+TEST(Library, AStateThatIsNoNumberEndsTheRun) { expect_end("nan state", "state is not finite"); }
+TEST(Library, AThrownErrorEndsTheRun) { expect_end("throw", "thrown in step"); }
+TEST(Library, AThrownNumberEndsTheRun) { expect_end("throw a number", "threw"); }
+
+TEST(Library, FailureAtTheFirstSampleIsARunToo) {
+  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+    scene::Scene s = read("faulty_controller.so", "fault = \"step\"");
+    s.run.integrator = integrator;
+    const Trajectory t = run_native(s);
+    EXPECT_EQ(t.status, Status::kControllerFailed) << t.integrator;
+    EXPECT_EQ(t.end, 0.0) << t.integrator;
+  }
+}
+
+// ------------------------------------------------------------------ where it may come from
+
+class Environment {
+ public:
+  Environment(const char* name, const std::string& value) : name_(name) { setenv(name, value.c_str(), 1); }
+  ~Environment() { unsetenv(name_); }
+
+ private:
+  const char* name_;
+};
+
+TEST(LibraryPath, AModelDoesNotLoadCodeByItself) {
+  scene::Scene s = read((kLibraries / "faulty_controller.so").string());
+  s.folder.reset();  // it came in an MJCF
+  expect_said(refusal(s), {"controller.library", "ROTORUB_CONTROLLER_PATH"});
+  const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere");
+  EXPECT_EQ(refusal(s), "") << "absolute, and the variable is set";
+}
+
+TEST(LibraryPath, IsLookedUpInTheFoldersOfTheVariable) {
+  scene::Scene s = read("faulty_controller.so");
+  s.folder.reset();
+  const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere:" + kLibraries.string());
+  EXPECT_EQ(controller_library(s), kLibraries / "faulty_controller.so");
+  s.controller->library = "nowhere.so";
+  expect_said(refusal(s), {"not found", "/nowhere/nowhere.so", (kLibraries / "nowhere.so").string()});
+}
+
+TEST(LibraryPath, OfASceneIsBesideIt) {
+  const fs::path folder = fs::path(testing::TempDir()) / "beside";
+  fs::create_directories(folder);
+  fs::copy_file(kLibraries / "faulty_controller.so", folder / "mine.so", fs::copy_options::overwrite_existing);
+  std::ofstream(folder / "own.toml") << text("mine.so");
+  EXPECT_EQ(refusal(scene::read_scene(folder / "own.toml")), "");
+}
+
+// ------------------------------------------------------------------ the examples
+
+TEST(OwnController, BringsTheRingToTheRotorByPositionsAlone) {
+  scene::Scene s = read("own_controller.so",
+                        "stiffness = 4e5\ndamping = 400\npreload = 20\nbandwidth = 8000\n",
+                        {"run.end=0.05", "controller.sample_time=20us", "initial.x=[4e-4]",
+                         "controller.sensors.velocity=none", "stator.damping=300"});
+  s.forces.push_back({});
+  s.forces.back().amplitude = 60.0;
+  s.forces.back().frequency = s.rotor.speed;
+  const Trajectory t = run_native(s);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_LT(std::abs(t.column("gap").back()), 1e-9) << "closed";
+  EXPECT_GT(t.column("normal_force").back(), 1.0);
+}
+
+TEST(OwnController, RefusesAWordThatItDoesNotKnow) {
+  expect_said(refusal(read("own_controller.so", "stifness = 1")), {"controller.config", "stifness", "accepted"});
+  expect_said(refusal(read("own_controller.so", "", {"controller.sensors.rotor=false"})), {"positions"});
+}
+
+TEST(PythonController, CommandsWhatItsLawSays) {
+  if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
+  const std::string examples = std::string(ROTORUB_SOURCE_DIR) + "/native_model/control/examples";
+  const Model m = make_model(read("python_controller.so",
+                                  "module = \"tracking_law\"\npath = \"" + examples +
+                                      "\"\nstiffness = 2e5\ndamping = 300\n"));
+  std::vector<double> memory(m.loop->memory_size(), 0.0);
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(m.nq()), v = q;
+  const int ring = m.layout.ring();
+  for (int k = 0; k < 4; ++k) {
+    q << 1e-4 + 2e-5 * k, -5e-5, 1e-5 * k, 3e-5;
+    v << 0.05, 0.01, -0.02, 0.03 * k;
+    ASSERT_EQ(ring, 2);
+    const double t = 0.002 + 5e-4 * k, s = (t - 0.002) / 0.008, r = 1.0 - s;
+    const Eigen::Vector2d d = q.head(2) - q.tail(2), e = d.normalized();
+    const double error = 0.5e-3 - d.norm() - 0.5e-3 * r * r * r * (1.0 + 3.0 * s + 6.0 * s * s);
+    const double push = 2e5 * error - 300.0 * e.dot(v.head(2) - v.tail(2));
+    const Eigen::Vector2d u = control_sample(m, t, q.data(), v.data(), {0.0, 0.0}, memory.data());
+    EXPECT_LT((u + push * e).norm(), 1e-12 * std::abs(push)) << k;
+  }
+}
+
+TEST(PythonController, AnExceptionEndsTheRunWithItsWords) {
+  if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
+  const fs::path folder = testing::TempDir();
+  std::ofstream(folder / "broken_law.py") << R"(
+def create(setup):
+    return None
+def step(law, now, state):
+    if now["t"] >= 0.002:
+        raise ValueError("no more")
+    return 1.0, 2.0
+)";
+  const Trajectory t = run_native(read("python_controller.so",
+                                       "module = \"broken_law\"\npath = \"" + folder.string() + "\"\n"));
+  EXPECT_EQ(t.status, Status::kControllerFailed);
+  expect_said(t.message, {"python_controller", "0.002", "ValueError: no more"});
+  expect_said(refusal(read("python_controller.so", "module = \"no_such_law\"\n")),
+              {"controller.config", "no_such_law"});
+}
+
+}  // namespace
+}  // namespace rotorub

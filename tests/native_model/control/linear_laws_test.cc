@@ -1,0 +1,214 @@
+// The linear laws against their closed-loop poles, as whole runs: what is released decays as they say.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "native_model/control/cross_coupled.h"
+#include "native_model/control/quadratic.h"
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/numerics/riccati.h"
+#include "native_model/rub/rub_stability.h"
+#include "native_model/run/run_native.h"
+#include "native_model/system/plant_of.h"
+#include "tests/support/jeffcott.h"
+
+namespace rotorub {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Two modes on a ring, no load, the contact out of reach.
+scene::Scene plain_scene() {
+  scene::Scene s;
+  s.name = "plain";
+  s.rotor.speed = 314.0;
+  scene::RotorModal modal;
+  modal.mass = {2.0, 0.8};
+  modal.stiffness = {2e5, 3e6};
+  modal.damping = {40.0, 60.0};
+  modal.gyroscopic = {0.05, -0.02};
+  modal.internal_damping = {5.0, 0.0};
+  s.rotor.modal = modal;
+  s.contact = scene::Contact{};
+  s.contact->radius = 0.05;
+  s.contact->clearance = 0.01;
+  s.stator = scene::Stator{};
+  s.stator->mass = {1.5, 1.5};
+  s.stator->damping = {30.0, 30.0};
+  s.stator->stiffness = {2e5, 2e5};
+  s.controller = scene::Controller{};
+  s.run.end = 0.02;
+  s.run.output_step = 1e-3;
+  return s;
+}
+
+// ------------------------------------------------------------------ cross-coupled feedback
+
+TEST(CrossCoupled, DoesNoWorkAndTurnsWithTheSpin) {
+  scene::Controller c;
+  c.feedback = {1000.0, 2000.0};
+  c.feedback_speed = {100.0, 300.0};
+  const CrossCoupled law(c);
+  Measurement m;
+  m.stator_velocity = {0.3, -0.7};
+  m.spin_speed = 200.0;
+  const Eigen::Vector2d u = law.command(m, {}, nullptr);
+  EXPECT_NEAR(u.dot(m.stator_velocity), 0.0, 1e-12);
+  EXPECT_EQ(u, Eigen::Vector2d(1500.0 * -0.7, -1500.0 * 0.3)) << "-k e_z x v, k between the two";
+  m.spin_speed = -200.0;
+  EXPECT_EQ(law.command(m, {}, nullptr), -u);
+  EXPECT_EQ(law.gain(50.0), 1000.0);
+  EXPECT_EQ(law.gain(-900.0), 2000.0);
+}
+
+// z'' m + (d + i k) z' + K z = 0: the ring's two whirls, each with its own decay.
+TEST(CrossCoupled, RingDecaysAsItsClosedLoopPoles) {
+  scene::Scene s = plain_scene();
+  s.controller->kind = scene::ControllerKind::kCrossCoupled;
+  s.controller->feedback = {900.0};
+  const rub::RubSystem system = rub::rub_system(s);
+  const auto poles = rub::ring_eigenvalues(system);
+  ASSERT_EQ(poles.size(), 2u);
+  for (const Complex& p : poles) {
+    EXPECT_LT(std::abs(1.5 * p * p + Complex(30.0, 900.0) * p + 2e5), 1e-6);
+    // Released in that whirl: z = a e^{p t}.
+    const double a = 1e-4;
+    s.initial.stator = {a, 0.0};
+    s.initial.stator_velocity = {a * p.real(), a * p.imag()};
+    const Trajectory t = run_native(s);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const Complex wanted = a * std::exp(p * s.run.end);
+    EXPECT_NEAR(t.column("stator_x").back(), wanted.real(), 1e-9 * a);
+    EXPECT_NEAR(t.column("stator_y").back(), wanted.imag(), 1e-9 * a);
+  }
+}
+
+// ------------------------------------------------------------------ tracking
+
+// A ring before a rotor at rest, X, with a wanted gap that stays: M x'' + (D + damping) x' + K x =
+// stiffness (X - x).
+TEST(TrackingPd, ErrorDecaysAsItsClosedLoopPoles) {
+  scene::Scene s = plain_scene();
+  s.rotor.modal->mass = {1e12, 1e12};  // at rest
+  s.rotor.modal->damping = {0.0, 0.0};
+  s.rotor.modal->stiffness = {1e-6, 1e-6};
+  s.controller->kind = scene::ControllerKind::kPd;
+  s.controller->stiffness = 4e5;
+  s.controller->damping = 500.0;
+  s.controller->preload = 0.0;
+  s.controller->gap_time = 1e6;
+  s.initial.x = {0.5e-3, 0.5e-3};
+  s.initial.stator = {2e-4, 0.0};
+  s.run.end = 0.006;
+  const Trajectory t = run_native(s);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const double rest = 4e5 / 6e5 * 1e-3, e = 2e-4 - rest;
+  const Complex root = std::sqrt(Complex(530.0 * 530.0 - 4.0 * 1.5 * 6e5, 0.0));
+  const Complex p = (-530.0 + root) / 3.0, q = (-530.0 - root) / 3.0;
+  const Complex a = -q * e / (p - q), b = e - a;
+  for (std::size_t row = 1; row <= 6; ++row) {
+    const double later = 1e-3 * static_cast<double>(row);
+    EXPECT_NEAR(t.column("stator_x")[row] - rest,
+                (a * std::exp(p * later) + b * std::exp(q * later)).real(), 1e-8 * std::abs(e))
+        << row;
+  }
+}
+
+// ------------------------------------------------------------------ LQR, LQG
+
+scene::Scene quadratic_scene(scene::ControllerKind kind) {
+  scene::Scene s = plain_scene();
+  s.controller->kind = kind;
+  s.controller->sample_time = 1e-4;
+  s.run.output_step = 1e-4;
+  return s;
+}
+
+TEST(LinearPlant, IsTheModelWithoutContact) {
+  const scene::Scene s = quadratic_scene(scene::ControllerKind::kPassive);
+  const Model m = make_model(s);
+  const LinearPlant p = plant_of(m, s.rotor.speed);
+  ASSERT_EQ(p.a.rows(), 12);
+  Eigen::VectorXd q = Eigen::VectorXd::Random(m.nq()), v = Eigen::VectorXd::Random(m.nq());
+  Eigen::VectorXd f(m.nq()), x(12);
+  unactuated_force(m, 0.0, q.data(), v.data(), f.data());
+  solve_mass(m, 0.0, q.data(), f.data(), f.data());
+  x << q, v;
+  const Eigen::VectorXd rates = p.a * x;
+  EXPECT_LT((rates.head(6) - v).norm(), 1e-14 * v.norm());
+  EXPECT_LT((rates.tail(6) - f).norm(), 1e-12 * f.norm());
+  EXPECT_LT((p.c.topRows(2) * x - rotor_point(m, q.data())).norm(), 1e-15);
+  EXPECT_LT((p.c.bottomRows(2) * x - stator_point(m, q.data())).norm(), 1e-15);
+  // A step of the sampled plant is the flow of the continuous one: exp over two halves.
+  const LinearPlant once = sampled(p, 2e-4), half = sampled(p, 1e-4);
+  EXPECT_LT((half.a * half.a - once.a).norm(), 1e-12 * once.a.norm());
+  EXPECT_LT((half.a * half.b + half.b - once.b).norm(), 1e-12 * once.b.norm());
+}
+
+// Released, sampled: x_{k+1} = (A - B K) x_k, as a whole run has it.
+TEST(Lqr, ARunIsItsClosedLoop) {
+  scene::Scene s = quadratic_scene(scene::ControllerKind::kLqr);
+  s.initial.x = {1e-4, 2e-5};
+  s.initial.stator = {-1e-4, 5e-5};
+  const Model m = make_model(s);
+  const QuadraticDesign d = quadratic_design(s, plant_of(m, s.rotor.speed));
+  Eigen::VectorXd x(12);
+  x << m.q0, m.v0;
+  const Trajectory t = run_native(s);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  for (std::size_t k = 0; k <= 200; ++k) {
+    ASSERT_NEAR(t.column("stator_x")[k], x[4], 1e-13) << k;
+    ASSERT_NEAR(t.column("rotor_x")[k], x[0] + x[1], 1e-13) << k;
+    x = ((d.plant.a - d.plant.b * d.gain) * x).eval();
+  }
+}
+
+// Plant and estimate: the run from an estimate of 0 is the recursion of both.
+TEST(Lqg, ARunIsItsClosedLoopAndTheEstimateComesToTheState) {
+  scene::Scene s = quadratic_scene(scene::ControllerKind::kLqg);
+  s.run.end = 0.05;
+  s.initial.x = {1e-4, 2e-5};
+  s.initial.stator = {-1e-4, 5e-5};
+  const Model m = make_model(s);
+  const QuadraticDesign d = quadratic_design(s, plant_of(m, s.rotor.speed));
+  Eigen::VectorXd x(12), guess = Eigen::VectorXd::Zero(12);
+  x << m.q0, m.v0;
+  double furthest = 0.0;
+  const Trajectory t = run_native(s);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  for (std::size_t k = 0; k < 500; ++k) {
+    ASSERT_NEAR(t.column("stator_x")[k], x[4], 1e-12) << k;
+    guess += d.filter * (d.plant.c * x - d.plant.c * guess);
+    const Eigen::Vector2d u = -d.gain * guess;
+    x = (d.plant.a * x + d.plant.b * u).eval();
+    guess = (d.plant.a * guess + d.plant.b * u).eval();
+    furthest = std::max(furthest, (x - guess).norm());
+  }
+  EXPECT_LT((x - guess).norm(), 0.05 * furthest);
+}
+
+TEST(Lqr, KeepsTheRingAboutTheRotor) {
+  scene::Scene s = quadratic_scene(scene::ControllerKind::kLqr);
+  s.run.end = 0.5;
+  s.forces.push_back({});
+  s.forces.back().amplitude = 50.0;
+  s.forces.back().frequency = s.rotor.speed;
+
+  const auto least = [](const scene::Scene& scene) {
+    const Trajectory t = run_native(scene);
+    EXPECT_EQ(t.status, Status::kOk) << t.message;
+    const auto& gap = t.column("gap");
+    return *std::min_element(gap.end() - 1000, gap.end());
+  };
+  scene::Scene none = s;
+  none.controller->kind = scene::ControllerKind::kPassive;
+  const double without = 0.01 - least(none), with = 0.01 - least(s);
+  EXPECT_LT(with, 0.7 * without) << "rotor and ring move apart less";
+}
+
+}  // namespace
+}  // namespace rotorub

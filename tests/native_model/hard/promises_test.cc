@@ -1,0 +1,125 @@
+// What the laws promise on the reference rig (8 modes, sleeve, friction 0.3): against the passive bearing, from
+// the first touch to the end, sampled and with a lag as a real amplifier has them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "native_model/run/run_native.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+struct Figures {
+  double impacts = 0.0, peak = 0.0, rate = 0.0, force = 0.0, contact = 0.0, open_until = 0.0;
+};
+
+Figures figures(const std::string& name, std::vector<std::string> overrides = {}) {
+  overrides.push_back("run.step=5us");
+  const scene::Scene s =
+      scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
+  NativeOptions options;
+  options.integrator = scene::Integrator::kVerlet;
+  const Trajectory t = run_native(s, options);
+  EXPECT_EQ(t.status, Status::kOk) << t.message;
+  const double span = t.end - t.statistics.first_touch;
+  Figures f;
+  for (const Impact& impact : t.impacts) {
+    f.impacts += counts(impact) ? 1.0 : 0.0;
+    f.peak = std::max(f.peak, impact.normal_impulse);
+  }
+  f.rate = std::sqrt(t.statistics.gap_rate_square / span);
+  f.force = t.statistics.impulse_total / span;
+  f.contact = t.statistics.contact_time / span;
+  const auto &gap = t.column("gap"), &time = t.column("t");
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (gap[i] > 1e-7) f.open_until = time[i];
+  }
+  return f;
+}
+
+const Figures& passive() {
+  static const Figures all = figures("paper_passive");
+  return all;
+}
+
+void expect_soft(const Figures& f, double slack) {
+  EXPECT_LE(f.impacts, slack * passive().impacts / 50.0);
+  EXPECT_LE(f.peak, slack * passive().peak / 5.0);
+  EXPECT_LE(f.rate, slack * passive().rate / 20.0);
+  EXPECT_LE(f.force, passive().force);
+  EXPECT_GT(f.contact, 0.98);
+}
+
+TEST(Promises, ThePassiveBearingBouncesToTheEnd) {
+  EXPECT_GT(passive().impacts, 500.0);
+  EXPECT_LT(passive().contact, 0.7);
+  EXPECT_GT(passive().open_until, 0.49);
+}
+
+TEST(Promises, ContinuousSlidingIsSoft) { expect_soft(figures("paper_sliding"), 1.0); }
+
+TEST(Promises, SampledSlidingIsSoft) {
+  for (const char* sample : {"20us", "100us"}) {
+    SCOPED_TRACE(sample);
+    expect_soft(figures("paper_sliding", {std::string("controller.sample_time=") + sample,
+                                          "controller.preload=30"}),
+                1.0);
+  }
+}
+
+TEST(Promises, SampledSlidingWithALagIsSoft) {
+  expect_soft(figures("paper_magnetic", {"controller.sample_time=100us", "actuator.coil_lag=0.1ms",
+                                         "controller.preload=30"}),
+              2.0);
+}
+
+// It holds the rotor at half the orbit, which takes more force: at most a 20th of the impacts.
+TEST(Promises, CrossCoupledFeedbackStopsTheBouncing) {
+  for (const char* sample : {"20us", "100us"}) {
+    SCOPED_TRACE(sample);
+    const Figures f =
+        figures("paper_cross_coupled", {std::string("controller.sample_time=") + sample});
+    EXPECT_LE(f.impacts, passive().impacts / 20.0);
+    EXPECT_GT(f.contact, 0.97);
+    EXPECT_LT(f.open_until, 0.15);
+  }
+}
+
+// The eigenvalues of the forced rub say which feedback does (rub/feedback_map.h): with 1,000 N s/m it grows.
+TEST(Promises, FeedbackOutsideTheWindowDoesNot) {
+  const Figures f = figures("paper_cross_coupled", {"controller.feedback=[1000]", "controller.damping=0"});
+  EXPECT_GT(f.impacts, 300.0);
+  EXPECT_GT(f.open_until, 0.49);
+}
+
+// The feedback's mean force is that of holding the rotor at half its orbit.
+TEST(Promises, TheTwoPhaseLawIsSoftAndHoldsTheOrbit) {
+  const Figures f = figures("paper_two_phase"), cross = figures("paper_cross_coupled");
+  EXPECT_LE(f.impacts, passive().impacts / 50.0);
+  EXPECT_LE(f.peak, passive().peak / 5.0);
+  EXPECT_LE(f.rate, passive().rate / 20.0);
+  EXPECT_GT(f.contact, 0.98);
+  EXPECT_NEAR(f.force, cross.force, 0.1 * cross.force);
+}
+
+// Magnets that are told nothing pull by their bias; `passive` balances that, and is the mechanical bearing.
+TEST(Promises, MagnetsAsAPassiveBearingAreOne) {
+  const auto run = [](const std::string& name) {
+    const scene::Scene s = scene::read_scene(
+        std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml",
+        std::vector<std::string>{"run.end=0.12", "run.step=1e-5", "rotor.modes=2"});
+    return run_native(s);
+  };
+  const Trajectory magnets = run("paper_emulated"), springs = run("paper_passive");
+  const auto &a = magnets.column("stator_x"), &b = springs.column("stator_x");
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-9) << i;
+  EXPECT_GT(std::abs(b.back()), 1e-6);
+}
+
+}  // namespace
+}  // namespace rotorub

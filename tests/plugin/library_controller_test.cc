@@ -1,0 +1,169 @@
+// The user's own controller in MuJoCo: the same library, the same commands as natively, its state in mjData.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "native_model/control/library.h"
+#include "plugin/config.h"
+#include "plugin/hooks.h"
+#include "plugin/user_data.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+const std::string kLibraries = ROTORUB_LIBRARIES;
+
+class LibraryControllerTest : public MujocoTest {
+ protected:
+  LibraryControllerTest() { setenv("ROTORUB_CONTROLLER_PATH", kLibraries.c_str(), 1); }
+  ~LibraryControllerTest() override { unsetenv("ROTORUB_CONTROLLER_PATH"); }
+
+  static scene::Scene scene(const std::string& library, std::vector<std::string> more = {}) {
+    std::vector<std::string> overrides{"rotor.modes=2",
+                                       "run.end=0.02",
+                                       "run.step=1e-5",
+                                       "controller.kind=library",
+                                       "controller.library=" + library,
+                                       "controller.on=0",
+                                       "controller.sample_time=1e-4",
+                                       "force[0].on=0",
+                                       "actuator.force_limit=none"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    scene::Scene s = shipped("paper_sliding", overrides);
+    s.folder.reset();  // as in a model
+    return s;
+  }
+  plugin::Hooks hooks_;
+};
+
+// What the recording library keeps (tests/native_model/control/libraries/recording_controller.c).
+constexpr std::size_t kShown = 5, kTold = kShown + 13, kRecordingState = kTold + 2;
+
+Measurement shown_of(const double* state) {
+  const double* s = state + kShown;
+  Measurement m;
+  m.t = s[0];
+  m.rotor = {s[1], s[2]};
+  m.rotor_velocity = {s[3], s[4]};
+  m.stator = {s[5], s[6]};
+  m.stator_velocity = {s[7], s[8]};
+  m.spin_angle = s[9];
+  m.spin_speed = s[10];
+  m.current = {s[11], s[12]};
+  return m;
+}
+
+// Noise, delay and rounding on: what MuJoCo's law was shown, sample by sample, shown to a law of the native
+// side gives the same commands and the same state, to the bit.
+TEST_F(LibraryControllerTest, TheSameMeasurementsGiveTheSameCommandsToTheBit) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    const scene::Scene s = scene("recording_controller.so",
+                                 {std::string("mujoco.contact=") + contact,
+                                  "controller.sensors={delay=2e-4, position_noise=1e-6, velocity_noise=1e-3, "
+                                  "position_resolution=1e-7}"});
+    const Model model = make_model(s);
+    const ModelPointer m = load(mjcf(s));
+    const DataPointer d = start(m.get());
+    const plugin::Config config = plugin::make_config(m.get());
+    ASSERT_EQ(model.controller->state_size(), kRecordingState);
+    // The law's state is the end of the loop's memory.
+    std::vector<double> native(kRecordingState, 0.0);
+    double counted = 0.0;
+    int samples = 0;
+    for (int k = 0; k < 1500; ++k) {
+      mj_step(m.get(), d.get());
+      const mjtNum* state =
+          d->userdata + config.loop_data + model.loop->memory_size() - kRecordingState;
+      if (state[0] == counted) continue;
+      counted = state[0];
+      ++samples;
+      const Eigen::Vector2d told =
+          model.controller->command(shown_of(state), {}, native.data());
+      ASSERT_EQ(told.x(), state[kTold]) << contact << " " << k;
+      ASSERT_EQ(told.y(), state[kTold + 1]) << contact << " " << k;
+      for (std::size_t i = 0; i < kRecordingState; ++i) ASSERT_EQ(native[i], state[i]) << contact << " " << i;
+    }
+    EXPECT_EQ(samples, 150) << contact;
+  }
+}
+
+TEST_F(LibraryControllerTest, ACopiedAndAResetDataGoOnAsTheFirst) {
+  const scene::Scene s = scene("recording_controller.so", {"controller.sensors={delay=2e-4}"});
+  const ModelPointer m = load(mjcf(s));
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 333; ++k) mj_step(m.get(), d.get());
+  const DataPointer copy(mj_copyData(nullptr, m.get(), d.get()));
+  for (int k = 0; k < 300; ++k) mj_step(m.get(), d.get());
+  const std::vector<double> end = state_of(m.get(), d.get());
+  for (int k = 0; k < 300; ++k) mj_step(m.get(), copy.get());
+  EXPECT_EQ(state_of(m.get(), copy.get()), end);
+  mj_resetDataKeyframe(m.get(), d.get(), 0);
+  for (int k = 0; k < 633; ++k) mj_step(m.get(), d.get());
+  EXPECT_EQ(state_of(m.get(), d.get()), end) << "nothing outside mjData";
+}
+
+TEST_F(LibraryControllerTest, RunsOnSeveralThreads) {
+  const scene::Scene s = scene("recording_controller.so");
+  const ModelPointer m = load(mjcf(s));
+  const std::vector<double> alone = state_after(m.get(), 500);
+  std::vector<std::vector<double>> ends(3);
+  std::vector<std::thread> threads;
+  for (auto& end : ends) threads.emplace_back([&] { end = state_after(m.get(), 500); });
+  for (std::thread& t : threads) t.join();
+  for (const auto& end : ends) EXPECT_EQ(end, alone);
+}
+
+// mju_error is thrown by this fixture.
+TEST_F(LibraryControllerTest, AFailureIsAnErrorWithNameAndTime) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    const scene::Scene s = scene("faulty_controller.so", {"controller.config={fault=\"throw\", at=0.004}",
+                                                          std::string("mujoco.contact=") + contact});
+    const ModelPointer m = load(mjcf(s));
+    const DataPointer d = start(m.get());
+    try {
+      for (int k = 0; k < 1000; ++k) mj_step(m.get(), d.get());
+      FAIL() << contact << ": it goes on";
+    } catch (const std::exception& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find("faulty"), std::string::npos) << said;
+      EXPECT_NE(said.find("0.004"), std::string::npos) << said;
+      EXPECT_NE(said.find("thrown in step"), std::string::npos) << said;
+    }
+    EXPECT_NEAR(d->time, 0.004, 2e-5);
+  }
+}
+
+TEST_F(LibraryControllerTest, AModelDoesNotLoadCodeByItself) {
+  const ModelPointer m = load(mjcf(scene("recording_controller.so")));
+  unsetenv("ROTORUB_CONTROLLER_PATH");
+  try {
+    plugin::make_config(m.get());
+    FAIL() << "loaded";
+  } catch (const plugin::ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("ROTORUB_CONTROLLER_PATH"), std::string::npos) << error.what();
+  }
+}
+
+// A program that writes ctrl itself needs no controller in the scene.
+TEST_F(LibraryControllerTest, WithoutOneTheProgramWritesCtrl) {
+  scene::Scene s = scene("recording_controller.so", {"controller=none"});
+  const ModelPointer m = load(mjcf(s));
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 100; ++k) {
+    d->ctrl[0] = 25.0;
+    mj_step(m.get(), d.get());
+  }
+  EXPECT_EQ(d->ctrl[0], 25.0);
+  EXPECT_EQ(d->actuator_force[0], 25.0);
+}
+
+}  // namespace
+}  // namespace rotorub::test
