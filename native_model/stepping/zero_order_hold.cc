@@ -45,11 +45,14 @@ double ZeroOrderHold::next_sample() const {
 // s: when a load is switched next after `from`, at most `end`.
 double ZeroOrderHold::next_switch(double from, double end) const {
   double next = end;
+  const auto look_at = [&](double instant) {
+    if (instant > from && instant < next) next = instant;
+  };
   for (const AppliedForce& force : model_->forces) {
-    for (const double instant : {force.on, force.off}) {
-      if (instant > from && instant < next) next = instant;
-    }
+    look_at(force.on);
+    look_at(force.off);
   }
+  for (const DiscUnbalance& unbalance : model_->unbalances) look_at(unbalance.on);
   return next;
 }
 
