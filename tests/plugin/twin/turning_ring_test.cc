@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "native_model/oracles/turning_ring.h"
 #include "native_model/run/run_native.h"
@@ -77,6 +78,7 @@ TEST_F(TwinOfATurningRing, SpinsDownAsTheClosedFormAndAsMujoco) {
 
 // The refusal names the hinge and says the reason.
 void expect_refused(const std::string& document, const std::string& reason) {
+  SCOPED_TRACE(reason);
   const std::string said = twin_refusal(document);
   EXPECT_NE(said.find("<joint name=\"turn\">"), std::string::npos) << said;
   EXPECT_NE(said.find(reason), std::string::npos) << said;
@@ -103,8 +105,10 @@ TEST_F(TwinOfATurningRing, WhatItCannotTakeIsRefusedByName) {
   motor.constraints = R"(<actuator><motor joint="turn"/></actuator>
     <keyframe><key name="start" ctrl="0.1"/></keyframe>)";
   expect_refused(document(motor), "0.1 N m at rest");
-  for (const char* drag : {R"(biasprm="0 0 -0.01" forcelimited="true" forcerange="-0.1 0.1")",
-                           R"(biasprm="0 0 0.01")"}) {
+  std::vector<std::string> drags{R"(biasprm="0 0 -0.01" forcelimited="true" forcerange="-0.1 0.1")"};
+  // Later releases read a positive number there as a damping ratio, of a stiffness that is not there.
+  if (mj_version() < 300) drags.push_back(R"(biasprm="0 0 0.01")");
+  for (const std::string& drag : drags) {
     Machine fed = turning("");
     fed.constraints +=
         std::string(R"(<actuator><general joint="turn" biastype="affine" gainprm="0" )") + drag + "/></actuator>";
