@@ -62,7 +62,7 @@ thread_local Recent recent;
 
 // mju_error may leave by longjmp (it does while a model is compiled): nothing with a destructor
 // lives in the frame that calls it.
-thread_local char message[1000];
+thread_local char raised_text[1000];
 
 const Config* look_up(const mjModel* m) {
   try {
@@ -76,7 +76,7 @@ const Config* look_up(const mjModel* m) {
     *at = {m, std::move(config)};
     return at->config.get();
   } catch (const std::exception& error) {
-    std::snprintf(message, sizeof message, "%s", error.what());
+    std::snprintf(raised_text, sizeof raised_text, "%s", error.what());
   }
   return nullptr;
 }
@@ -99,7 +99,7 @@ const Config* find(const mjModel* m, const mjData* d, bool check) {
   if (!is_ours(m)) return nullptr;
   config = look_up(m);
   if (!config) {
-    raise_error(message);
+    raise_error(raised_text);
     return nullptr;
   }
   if (!block_is_ours(*config, d)) {

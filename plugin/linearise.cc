@@ -41,17 +41,17 @@ MatrixXd projection_within(const MatrixXd& a, double radius) {
   return projection;
 }
 
-[[noreturn]] void refuse(const char* reason) {
+[[noreturn]] void refuse_linear(const char* reason) {
   throw std::runtime_error(std::string("rotorub: linearise: ") + reason +
                            "; accepted: a smaller <option timestep>");
 }
 
 void refuse_fast(const MatrixXd& a) {
   const auto values = real_eigenvalues(a);
-  if (!values) refuse("the eigenvalues of the step are not found");
+  if (!values) refuse_linear("the eigenvalues of the step are not found");
   for (const std::complex<double>& value : *values) {
     if (value.real() > 0.0 || std::abs(value.imag()) > 1e-9 * std::abs(value)) continue;
-    refuse("a mode turns by half a turn a step or more");
+    refuse_linear("a mode turns by half a turn a step or more");
   }
 }
 
@@ -67,7 +67,7 @@ LinearSystem linearise(const mjModel* m, const mjData* d, double eps) {
   const MatrixXd free = step * (one - out.held) + out.held;
   refuse_fast(free);
   const std::optional<MatrixXd> log = matrix_log(free);
-  if (!log) refuse("the logarithm of the step is not found");
+  if (!log) refuse_linear("the logarithm of the step is not found");
   const double h = m->opt.timestep;
   out.A = *log / h;
   // B_k = h phi(A h) B, phi(x) = (e^x - 1) / x = sum x^j / (j + 1)!: a few terms, |A h| being small, or

@@ -16,6 +16,17 @@
 
 namespace rotorub::renders {
 
+// Where each part of the picture lies, OpenGL's pixels (from the bottom).
+struct FrameLayout {
+  mjrRect machine, section, left_chart, right_chart;
+};
+
+// A second run with its own view of time.
+struct FrameGhost {
+  Playback playback;
+  std::string label;
+};
+
 namespace {
 
 constexpr double kArrowShare = 0.85;    // of the rotor's radius: arrow of a large force
@@ -29,17 +40,12 @@ std::optional<ModeLines> lines_of(const scene::Scene& scene) {
   return modal_rotor(scene).lines;
 }
 
-// Where each part of the picture lies, OpenGL's pixels (from the bottom).
-struct Layout {
-  mjrRect machine, section, left_chart, right_chart;
-};
-
-Layout make_layout(int width, int height, bool contact) {
+FrameLayout make_layout(int width, int height, bool contact) {
   const int gap = 6;
   const int charts = contact ? static_cast<int>(0.24 * height) : 0;
   const int upper = height - charts;
   const int section = contact ? std::min(upper, static_cast<int>(0.46 * width)) : 0;
-  Layout layout;
+  FrameLayout layout;
   layout.machine = {0, charts, width - section, upper};
   layout.section = {width - section, charts, section, upper};
   const int half = (width - 3 * gap) / 2;
@@ -57,17 +63,11 @@ std::string magnified_text(const Machine& machine) {
   return fmt::format("displacements x{:.4g}", machine.magnification);
 }
 
-// A second run with its own view of time.
-struct Ghost {
-  Playback playback;
-  std::string label;
-};
-
 }  // namespace
 
 struct FramePainter::Parts {
   Playback playback;
-  std::optional<Ghost> ghost;
+  std::optional<FrameGhost> ghost;
   Framing framing;
   Machine machine, section;  // the same machine, each magnified for its view
   InstantOptions instant;
@@ -81,7 +81,7 @@ struct FramePainter::Parts {
   std::optional<Chart> gap_chart, force_chart;
   std::optional<Stage> stage;
   std::optional<SceneBuffer> machine_scene, section_scene;
-  Layout layout;
+  FrameLayout layout;
 
   Parts(const scene::Scene& scene, const Trajectory& trajectory, const RenderOptions& options);
   double ring_motion() const;  // m
@@ -102,7 +102,7 @@ FramePainter::Parts::Parts(const scene::Scene& scene, const Trajectory& trajecto
   title = options.title.empty() ? scene.name : options.title;
   label = options.engine_label.empty() ? engine_label(trajectory) : options.engine_label;
   if (options.shadow != nullptr) {
-    ghost.emplace(Ghost{Playback(*options.shadow), options.shadow_label.empty()
+    ghost.emplace(FrameGhost{Playback(*options.shadow), options.shadow_label.empty()
                                                        ? engine_label(*options.shadow)
                                                        : options.shadow_label});
     if (ghost->playback.modes() != playback.modes()) {

@@ -12,7 +12,6 @@ namespace rotorub::renders {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kSpans = 48;  // of the drawn shaft
 // Shares of the rotor's radius: a clearance that is seen well, and the least that is seen.
 constexpr double kClearanceShare = 0.45;
@@ -62,7 +61,7 @@ DrawnDisc drawn_disc(const scene::Disc& disc, const scene::RotorGeometry& geomet
   if (disc.mass > 0.0 && disc.Jp > 0.0) {
     const double metres = std::sqrt(2.0 * disc.Jp / disc.mass);
     radius = metres * unit;
-    half_width = 0.5 * disc.mass / (geometry.rho * kPi * metres * metres) * unit;
+    half_width = 0.5 * disc.mass / (geometry.rho * std::numbers::pi * metres * metres) * unit;
   }
   return {disc.z * unit, std::clamp(radius, 1.3 * shaft, 0.2), std::clamp(half_width, 0.006, 0.06)};
 }
@@ -103,7 +102,7 @@ void draw_modal(Machine& machine, const scene::Scene& scene) {
   machine.bow = Eigen::VectorXd::Ones(machine.z.size());
   if (!held) return;
   constexpr double kEnd = 0.06;  // bearings this far from the ends
-  machine.bow = ((machine.z.array() - kEnd) * kPi / (1.0 - 2.0 * kEnd)).sin();
+  machine.bow = ((machine.z.array() - kEnd) * std::numbers::pi / (1.0 - 2.0 * kEnd)).sin();
   machine.bearings = {kEnd, 1.0 - kEnd};
   machine.bearing_bore = 1.05 * machine.span_radius.front();
   if (scene.drive) machine.motor = 0.0;

@@ -17,6 +17,9 @@
 
 namespace rotorub::renders {
 
+// The drawing's point at a station of a place (y, z) across the shaft.
+inline Eigen::Vector3d place_at(double station, const Eigen::Vector2d& yz) { return {station, yz[0], yz[1]}; }
+
 // A round body on the shaft.
 struct DrawnDisc {
   double z, radius, half_width;

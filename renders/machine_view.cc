@@ -44,8 +44,6 @@ RingShape mark_shape(double radius, double half_width) {
   return {0.3 * radius, kProud * radius, half_width + 0.02 * radius, 0.0, 90.0 * kDegree, 24};
 }
 
-Vector3d at(double station, const Vector2d& yz) { return {station, yz[0], yz[1]}; }
-
 }  // namespace
 
 MachineView::MachineView(const Machine& machine, std::vector<Mesh>& meshes) : machine_(machine) {
@@ -169,8 +167,8 @@ void MachineView::draw_base(const Stage& stage, Canvas& canvas) const {
 void MachineView::draw_shaft(Canvas& canvas, const Eigen::Matrix2Xd& line, const Color& color,
                              double thickness) const {
   for (Eigen::Index i = 0; i + 1 < machine_.z.size(); ++i) {
-    const Vector3d from = at(machine_.z[i], line.col(i));
-    const Vector3d to = at(machine_.z[i + 1], line.col(i + 1));
+    const Vector3d from = place_at(machine_.z[i], line.col(i));
+    const Vector3d to = place_at(machine_.z[i + 1], line.col(i + 1));
     // Closes the wedge on the outside of a bend; where one sees through, it would show twice.
     const Vector3d overlap = (color.alpha < 1.0F ? 0.0 : 0.06) * (to - from);
     canvas.cylinder(from - overlap, to + overlap,
@@ -199,7 +197,7 @@ void MachineView::draw_bodies(const Stage& stage, Canvas& canvas, const Pose& po
 void MachineView::draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
                             const Color& color) const {
   const DrawnContact& contact = *machine_.contact;
-  stage.draw_mesh(canvas, ring_, at(contact.z, section.ring), kUpright, color);
+  stage.draw_mesh(canvas, ring_, place_at(contact.z, section.ring), kUpright, color);
   // Its feet: two struts at 45 degrees, stretching with the ring or, for a fixed one, rigid.
   for (const double angle : {225.0 * kDegree, 315.0 * kDegree}) {
     const Vector2d direction(std::cos(angle), std::sin(angle));
@@ -207,9 +205,9 @@ void MachineView::draw_ring(const Stage& stage, Canvas& canvas, const DrawnSecti
     const Vector2d to = direction * (machine_.floor / direction[1]);
     const double middle = machine_.ring_moves ? 0.5 : 0.0;
     const Vector2d joint = from + middle * (to - from);
-    canvas.cylinder(at(contact.z, joint), at(contact.z, to), 0.016, palette::kHousing);
+    canvas.cylinder(place_at(contact.z, joint), place_at(contact.z, to), 0.016, palette::kHousing);
     if (machine_.ring_moves) {
-      canvas.cylinder(at(contact.z, from), at(contact.z, joint), 0.008, palette::kShaft);
+      canvas.cylinder(place_at(contact.z, from), place_at(contact.z, joint), 0.008, palette::kShaft);
     }
   }
 }
@@ -221,12 +219,12 @@ void MachineView::draw_contact(Canvas& canvas, const Instant& instant, const Dra
   // In front of the ring's near face, so that nothing hides them.
   const double station = contact.z + 1.6 * contact.half_width;
   for (const Spark& spark : instant.sparks) {
-    canvas.sphere(at(station, section.ring + contact.ring_bore() * spark.e_r),
+    canvas.sphere(place_at(station, section.ring + contact.ring_bore() * spark.e_r),
                   (0.3 + 0.4 * spark.strength) * contact.half_width,
                   palette::kStrike.with_alpha(spark.brightness));
   }
   if (!section.in_contact) return;
-  const Vector3d touch = at(station, section.touch);
+  const Vector3d touch = place_at(station, section.touch);
   canvas.sphere(touch, 0.3 * contact.half_width, palette::kNormal);
   const Vector2d force = -instant.pose.normal_force * force_length * section.e_r;
   if (force.norm() > 0.02 * contact.rotor_radius) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/bench/series.h"
+#include "compare/modes/units.h"
 #include "compare/study/json.h"
 #include "native_model/scene/reader.h"
 
@@ -17,7 +18,6 @@ json number(const std::optional<double>& value) { return value ? number(*value) 
 
 json wall_json(const WallTime& wall) {
   if (wall.repeats == 0) return nullptr;
-  constexpr double kMilli = 1e3;
   return {{"median", kMilli * wall.median},
           {"low", kMilli * wall.low},
           {"high", kMilli * wall.high},

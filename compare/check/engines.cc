@@ -8,13 +8,13 @@ using scene::RuleEngine;
 CheckEngine native(scene::Integrator integrator, RuleEngine word) {
   std::shared_ptr<const Engine> engine = native_engine(integrator);
   return {
-      engine->name(), to_string(integrator), word, true, integrator == scene::Integrator::kEvent,
+      engine->name(), rotorub::to_string(integrator), word, true, integrator == scene::Integrator::kEvent,
       engine};
 }
 
 CheckEngine mujoco(scene::ContactModel contact, RuleEngine word) {
   std::shared_ptr<const Engine> engine = mujoco_engine(contact);
-  return {engine->name(), to_string(contact), word, false, false, engine};
+  return {engine->name(), rotorub::to_string(contact), word, false, false, engine};
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace rotorub {
 namespace {
 
-std::mutex mutex;
+std::mutex messages_mutex;
 int living = 0;
 void (*previous_error)(const char*) = nullptr;
 void (*previous_warning)(const char*) = nullptr;
@@ -23,14 +23,14 @@ void on_warning(const char* message) { collected.emplace_back(message); }
 
 MujocoMessages::MujocoMessages() {
   collected.clear();
-  const std::lock_guard<std::mutex> lock(mutex);
+  const std::lock_guard<std::mutex> lock(messages_mutex);
   if (living++ > 0) return;
   previous_error = std::exchange(mju_user_error, on_error);
   previous_warning = std::exchange(mju_user_warning, on_warning);
 }
 
 MujocoMessages::~MujocoMessages() {
-  const std::lock_guard<std::mutex> lock(mutex);
+  const std::lock_guard<std::mutex> lock(messages_mutex);
   if (--living > 0) return;
   mju_user_error = previous_error;
   mju_user_warning = previous_warning;

@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <vector>
 
+#include "compare/modes/units.h"
 #include "compare/study/format.h"
 #include "native_model/scene/printable.h"
 
 namespace rotorub {
 namespace {
-
-constexpr double kHz = 1.0 / (2.0 * std::numbers::pi);
 
 nlohmann::json rows_of(const Eigen::MatrixXd& matrix) {
   nlohmann::json rows = nlohmann::json::array();

@@ -5,7 +5,7 @@
 namespace rotorub {
 
 std::string base64(std::string_view bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -16,7 +16,7 @@ std::string base64(std::string_view bytes) {
       if (i + k < bytes.size()) group |= static_cast<std::uint8_t>(bytes[i + k]);
     }
     for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k > bytes.size() ? '=' : kDigits[(group >> (18 - 6 * k)) & 0x3f];
+      text += i + k > bytes.size() ? '=' : kLetters[(group >> (18 - 6 * k)) & 0x3f];
     }
   }
   return text;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/bench/series.h"
+#include "compare/modes/units.h"
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/rounded.h"
@@ -16,9 +17,6 @@ namespace {
 
 using namespace bench;
 using nlohmann::json;
-
-constexpr int kDigits = 6;
-constexpr double kMilli = 1e3;
 
 const BenchEngine& engine_of(const SceneBench& bench, const std::string& name) {
   return *std::find_if(bench.engines.begin(), bench.engines.end(),

@@ -12,12 +12,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kDigits = 7;
-constexpr double kMilli = 1e3;
+constexpr int kPlotDigits = 7;
 
 json list(const Eigen::VectorXd& values, double factor) {
   json out = json::array();
-  for (double value : values) out.push_back(rounded(value * factor, kDigits));
+  for (double value : values) out.push_back(rounded(value * factor, kPlotDigits));
   return out;
 }
 
@@ -28,9 +27,9 @@ void add_pieces(const WhirlBranch& branch, json& pieces) {
   const auto add = [&](std::size_t k) {
     const WhirlMode& mode = branch.modes[k];
     const double ratio = std::abs(mode.damping_ratio) < kRoundOff ? 0.0 : mode.damping_ratio;
-    piece["speed"].push_back(rounded(branch.speed[k] * kRpm, kDigits));
-    piece["frequency"].push_back(rounded(std::abs(mode.frequency) * kHz, kDigits));
-    piece["damping"].push_back(rounded(100.0 * ratio, kDigits));
+    piece["speed"].push_back(rounded(branch.speed[k] * kRpm, kPlotDigits));
+    piece["frequency"].push_back(rounded(std::abs(mode.frequency) * kHz, kPlotDigits));
+    piece["damping"].push_back(rounded(100.0 * ratio, kPlotDigits));
   };
   for (std::size_t k = 0; k < branch.modes.size(); ++k) {
     const std::string sense = sense_of(branch.modes[k]);
@@ -53,14 +52,14 @@ json campbell(const scene::Scene& scene, const RotorAnalysis& analysis, double r
   for (const WhirlBranch& branch : branches) add_pieces(branch, pieces);
   json critical = json::array();
   for (double speed : analysis.critical_speeds) {
-    if (speed <= range) critical.push_back(rounded(speed * kRpm, kDigits));
+    if (speed <= range) critical.push_back(rounded(speed * kRpm, kPlotDigits));
   }
   json threshold = nullptr;
   if (analysis.stability_threshold) {
-    threshold = rounded(*analysis.stability_threshold * kRpm, kDigits);
+    threshold = rounded(*analysis.stability_threshold * kRpm, kPlotDigits);
   }
-  return {{"top", rounded(range * kRpm, kDigits)},
-          {"running", rounded(std::abs(scene.rotor.speed) * kRpm, kDigits)},
+  return {{"top", rounded(range * kRpm, kPlotDigits)},
+          {"running", rounded(std::abs(scene.rotor.speed) * kRpm, kPlotDigits)},
           {"critical", critical},
           {"threshold", threshold},
           {"pieces", pieces}};
@@ -73,7 +72,7 @@ json plane(const char* name, const PlaneShapes& shapes) {
     const double scale = 1.0 / shapes.shape.col(j).cwiseAbs().maxCoeff();
     modes.push_back({{"plane", name},
                      {"number", j + 1},
-                     {"frequency", rounded(shapes.frequency[j] * kHz, kDigits)},
+                     {"frequency", rounded(shapes.frequency[j] * kHz, kPlotDigits)},
                      {"shape", list(shapes.shape.col(j), scale)},
                      {"at_stations", list(shapes.at_stations.col(j), scale)}});
   }
@@ -83,7 +82,7 @@ json plane(const char* name, const PlaneShapes& shapes) {
 // mm; of a disc that is thin, from J_p = m r^2 / 2. Null without a polar moment.
 json disc_radius(const scene::Disc& disc) {
   if (!(disc.mass > 0.0 && disc.Jp > 0.0)) return nullptr;
-  return rounded(kMilli * std::sqrt(2.0 * disc.Jp / disc.mass), kDigits);
+  return rounded(kMilli * std::sqrt(2.0 * disc.Jp / disc.mass), kPlotDigits);
 }
 
 json shapes(const scene::Scene& scene, const RotorAnalysis& analysis) {
@@ -103,7 +102,7 @@ json shapes(const scene::Scene& scene, const RotorAnalysis& analysis) {
   for (const Station& station : analysis.shapes->stations) {
     stations.push_back({{"kind", to_string(station.kind)},
                         {"name", station.name},
-                        {"z", rounded(kMilli * station.z, kDigits)}});
+                        {"z", rounded(kMilli * station.z, kPlotDigits)}});
   }
   json modes = plane("x", analysis.shapes->x);
   if (!analysis.shapes->same_planes) {

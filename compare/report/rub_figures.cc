@@ -16,7 +16,6 @@ using rub::RubKind;
 using rub::RubPoint;
 using rub::StandingRub;
 
-constexpr int kDigits = 6;
 
 json number(double value) { return std::isfinite(value) ? json(rounded(value, kDigits)) : json(nullptr); }
 
@@ -31,30 +30,30 @@ double pair_frequency(const StandingRub& r) { return r.stability.frequency * kHz
 double force(const StandingRub& r) { return r.rub.normal_force; }
 double whirl(const StandingRub& r) { return r.rub.whirl * kHz; }
 
-struct Figure {
+struct RubFigure {
   const char *name, *unit, *meaning;
   bool word, is_signed;
   json (*value)(const RubPoint&);
 };
 
-const std::array kFigures = {
-    Figure{kLinearAttractors, "", "what is stable by its eigenvalues, and so may coexist", true, false,
+const std::array kRubFigures = {
+    RubFigure{kLinearAttractors, "", "what is stable by its eigenvalues, and so may coexist", true, false,
            [](const RubPoint& p) { return json(attractors_text(p.attractors())); }},
-    Figure{kLinearGrowth, "1/s", "synchronous rub, of its least stable pair: below 0 it is stable",
+    RubFigure{kLinearGrowth, "1/s", "synchronous rub, of its least stable pair: below 0 it is stable",
            false, true, [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, growth); }},
-    Figure{"linear: rub, frequency", "Hz", "synchronous rub, of that pair, seen from the turning frame", false,
+    RubFigure{"linear: rub, frequency", "Hz", "synchronous rub, of that pair, seen from the turning frame", false,
            false, [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, pair_frequency); }},
-    Figure{"linear: rub, normal force", "N", "synchronous rub", false, false,
+    RubFigure{"linear: rub, normal force", "N", "synchronous rub", false, false,
            [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, force); }},
-    Figure{"linear: whip, growth rate", "1/s", "backward whip that slips, load left out: below 0 it is stable",
+    RubFigure{"linear: whip, growth rate", "1/s", "backward whip that slips, load left out: below 0 it is stable",
            false, true, [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, growth); }},
-    Figure{"linear: whip, whirl", "Hz", "backward whip, its speed", false, false,
+    RubFigure{"linear: whip, whirl", "Hz", "backward whip, its speed", false, false,
            [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, whirl); }},
-    Figure{"linear: whip, normal force", "N", "backward whip", false, false,
+    RubFigure{"linear: whip, normal force", "N", "backward whip", false, false,
            [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, force); }},
-    Figure{"linear: rolling, normal force", "N", "backward rolling at the spin's pace, load left out", false,
+    RubFigure{"linear: rolling, normal force", "N", "backward rolling at the spin's pace, load left out", false,
            false, [](const RubPoint& p) { return of_leading<RubKind::kRolling>(p, force); }},
-    Figure{"linear: free orbit", "", "of the clearance, without contact", false, false,
+    RubFigure{"linear: free orbit", "", "of the clearance, without contact", false, false,
            [](const RubPoint& p) { return p.orbit ? number(*p.orbit / p.clearance) : json(nullptr); }},
 };
 
@@ -62,7 +61,7 @@ const std::array kFigures = {
 
 json rub_figures() {
   json all = json::array();
-  for (const Figure& f : kFigures) {
+  for (const RubFigure& f : kRubFigures) {
     all.push_back({{"name", f.name}, {"unit", f.unit}, {"meaning", f.meaning}, {"word", f.word},
                    {"linear", true}, {"signed", f.is_signed}});
   }
@@ -71,7 +70,7 @@ json rub_figures() {
 
 std::vector<json> rub_values(const RubPoint& point) {
   std::vector<json> values;
-  for (const Figure& f : kFigures) values.push_back(f.value(point));
+  for (const RubFigure& f : kRubFigures) values.push_back(f.value(point));
   return values;
 }
 

@@ -19,7 +19,6 @@ namespace {
 using nlohmann::json;
 using rub::RubMap;
 
-constexpr int kDigits = 6;
 
 json key(const char* name, const char* unit, const std::vector<double>& values, double per_si) {
   json list = json::array();

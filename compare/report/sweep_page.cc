@@ -23,7 +23,6 @@ using sweep::SampleKind;
 using sweep::Statement;
 using sweep::Vary;
 
-constexpr int kDigits = 6;
 
 // A unit as the page writes it.
 struct Unit {

@@ -7,7 +7,7 @@
 namespace rotorub {
 namespace {
 
-constexpr double kNativeWork = 1.0, kMujocoWork = 15.0;
+constexpr double kMujocoWork = 15.0;
 
 RunRequest without_rows(const scene::Scene& scene) {
   RunRequest request;

@@ -19,6 +19,7 @@ struct Contestant {
   double work;  // of one run at the scene's step, in units of a native one: for the progress bar
 };
 
+inline constexpr double kNativeWork = 1.0;
 inline constexpr double kLadderWork = 20.0;  // of the ladder of modes, in these units
 
 // Native, then MuJoCo with the contact model that decides, then with the others.

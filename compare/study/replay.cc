@@ -8,8 +8,6 @@
 namespace rotorub {
 namespace {
 
-constexpr double kWork = 1.0;  // of a run, see Contestant
-
 // A row at every step; each command acts about its instant.
 std::shared_ptr<const CommandRecord> commands_of(const Trajectory& t, double step) {
   const bool magnets = t.has("current_1");
@@ -34,7 +32,7 @@ std::vector<double> replay_floor(Runner& runner, const scene::Scene& scene) {
   if (scene.actuator && scene.actuator->coil_lag > 0.0) return floor;
   const auto event = native_engine(scene::Integrator::kEvent);
   const auto run = [&](const Engine& engine, RunRequest request) {
-    return runner.run(engine, std::move(request), kWork, "replay of the native model");
+    return runner.run(engine, std::move(request), kNativeWork, "replay of the native model");
   };
   // Rows at the steps alone.
   RunRequest every;

@@ -13,7 +13,7 @@
 namespace rotorub {
 namespace {
 
-const ResyncFigure kFigures[] = {
+const ResyncFigure kResyncFigures[] = {
     {"impulse", "impulse", "mN s", 1e3, "Normal impulse of the contact, its small bounces with it.",
      "the contact's own, or the largest impact where that is more", &ContactResult::impulse},
     {"peak", "peak force", "N", 1.0, "Largest normal force of the contact, averaged over one step.",
@@ -113,7 +113,7 @@ void read(const Trajectory& t, PredictedOnset& o) {
 
 }  // namespace
 
-std::span<const ResyncFigure> resync_figures() { return kFigures; }
+std::span<const ResyncFigure> resync_figures() { return kResyncFigures; }
 
 std::vector<PredictedOnset> predict(const scene::Scene& scene, const std::vector<Onset>& onsets,
                                     std::shared_ptr<const CommandRecord> commands, double step,
@@ -155,7 +155,7 @@ Resync judge_resync(std::vector<PredictedOnset> onsets, bool touches, double tol
     }
   }
   if (good > 0) {
-    for (const ResyncFigure& figure : kFigures) r.rows.push_back(row(figure, r, tolerance));
+    for (const ResyncFigure& figure : kResyncFigures) r.rows.push_back(row(figure, r, tolerance));
   }
   r.trust = trust_of(r, tolerance);
   return r;

@@ -3,13 +3,6 @@
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub {
-namespace {
-
-// Work of a run, see Contestant.
-constexpr double kWork = 1.0;
-
-}  // namespace
-
 ShadowColumn shadow_column(Runner& runner, const Side& native,
                            std::shared_ptr<const CommandRecord> commands,
                            const CompareOptions& options) {
@@ -20,7 +13,7 @@ ShadowColumn shadow_column(Runner& runner, const Side& native,
   // Impacts that take time are verlet's alone.
   for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
     try {
-      column.side = runner.shown({"shadow", native_engine(integrator), kWork}, request);
+      column.side = runner.shown({"shadow", native_engine(integrator), kNativeWork}, request);
       break;
     } catch (const scene::SceneError& error) {
       column.absent = error.what();

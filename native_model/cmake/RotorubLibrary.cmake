@@ -2,7 +2,7 @@
 #
 # The static library of the current folder: every .cc below it but main.cc and what EXCLUDE matches (a regular
 # expression on the path from the folder). PUBLIC and PRIVATE are what it links. Includes are written from the
-# root of the repository.
+# root of the repository. Compiled folder by folder (RotorubUnity).
 function(rotorub_library name)
   cmake_parse_arguments(ARG "" "EXCLUDE" "PUBLIC;PRIVATE" ${ARGN})
   file(
@@ -21,4 +21,5 @@ function(rotorub_library name)
     ${name}
     PUBLIC ${ARG_PUBLIC}
     PRIVATE ${ARG_PRIVATE} "$<BUILD_INTERFACE:rotorub_warnings>")
+  rotorub_unity(${name})
 endfunction()

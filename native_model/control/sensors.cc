@@ -33,7 +33,7 @@ void set_channels(const double* c, Measurement& m) {
 }
 
 // What is remembered: samples taken, time and positions of the last one, and the delayed ones.
-enum Memory : std::size_t { kTaken, kLastTime, kLastPosition, kBuffer = kLastPosition + 4 };
+enum SensorMemory : std::size_t { kTaken, kLastTime, kLastPosition, kBuffer = kLastPosition + 4 };
 
 std::uint64_t mixed(std::uint64_t x) {  // splitmix64, Steele et al. 2014
   x += 0x9e3779b97f4a7c15u;

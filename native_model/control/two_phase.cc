@@ -6,7 +6,7 @@
 namespace rotorub {
 namespace {
 
-enum State : std::size_t { kHandedOver, kTime, kLeftX, kLeftY, kTouch, kTrack = kTouch + kTouchState };
+enum State : std::size_t { kHandedOver, kTime, kLeftX, kLeftY, kTouchSeen, kTrack = kTouchSeen + kTouchState };
 
 }  // namespace
 
@@ -21,7 +21,7 @@ std::size_t TwoPhase::state_size() const { return kTrack + track_.state_size(); 
 void TwoPhase::start(double* state) const { track_.start(state + kTrack); }
 
 Eigen::Vector2d TwoPhase::command(const Measurement& now, const SwitchOn& on, double* state) const {
-  const bool touches = touched(now, clearance_, state + kTouch);
+  const bool touches = touched(now, clearance_, state + kTouchSeen);
   if (state[kHandedOver] == 0.0) {
     const Eigen::Vector2d tracking = track_.command(now, on, state + kTrack);
     if (!touches) return tracking;

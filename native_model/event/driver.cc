@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "native_model/event/location.h"
 #include "native_model/system/actuation.h"
@@ -12,7 +11,6 @@
 namespace rotorub {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFirstStep = 1e-6;     // s; the step size finds itself from there
 constexpr double kOnCircle = 1e-12;     // of the clearance: a gap of the start that is none
 constexpr double kLeastForce = 1e-300;  // N, a scale that is not 0

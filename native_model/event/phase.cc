@@ -1,18 +1,11 @@
 #include "native_model/event/phase.h"
 
 #include <cmath>
-#include <limits>
 
 #include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 Phase::Phase(const Model& model)
     : model_(&model),
       first_touch_(kInfinity),

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/event/contact_state.h"
@@ -18,6 +19,9 @@
 #include "native_model/system/model.h"
 
 namespace rotorub {
+
+// Of an instant that never comes, a bound that binds nothing.
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Multipliers {
   double normal = 0.0, friction = 0.0;  // N, lambda_N, lambda_T

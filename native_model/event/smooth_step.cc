@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rotorub {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastDisplacement = 1e-6, kLeastSpeed = 1e-6;  // m, m/s: of a system at rest
 
 // error^(-1/8), by roots: unlike pow their bits are the same on every processor.

@@ -15,7 +15,8 @@ using Complex = std::complex<double>;
 using Polynomial = Eigen::VectorXd;  // coefficients of nu^0, nu^1, ...
 constexpr Complex kI{0.0, 1.0};
 
-Complex dynamic_stiffness(const Support& s, double nu) {
+// Of a whirl at -nu, what the whip is.
+Complex backward_stiffness(const Support& s, double nu) {
   return {s.stiffness - s.mass * nu * nu, -s.damping * nu};
 }
 
@@ -66,7 +67,7 @@ std::vector<double> positive_roots(Polynomial p, double scale) {
 }  // namespace
 
 Complex ElasticWhip::compliance(double nu) const {
-  return 1.0 / dynamic_stiffness(rotor, nu) + 1.0 / dynamic_stiffness(ring, nu);
+  return 1.0 / backward_stiffness(rotor, nu) + 1.0 / backward_stiffness(ring, nu);
 }
 
 double ElasticWhip::normal_force(double nu) const {
@@ -84,8 +85,8 @@ bool ElasticWhip::rolls(double nu, double mu) const { return friction_asked(nu) 
 CircularWhirl ElasticWhip::whirl(double nu) const {
   const Complex force = -clearance / compliance(nu);
   CircularWhirl w;
-  w.rotor = -force / dynamic_stiffness(rotor, nu);
-  w.stator = force / dynamic_stiffness(ring, nu);
+  w.rotor = -force / backward_stiffness(rotor, nu);
+  w.stator = force / backward_stiffness(ring, nu);
   w.rotor_velocity = -kI * nu * w.rotor;
   w.stator_velocity = -kI * nu * w.stator;
   w.force = force.real();
@@ -145,7 +146,7 @@ std::vector<Complex> ElasticWhip::eigenvalues(double nu) const {
   Eigen::Matrix4d unknown;
   Eigen::Matrix<double, 4, 5> known;
   const auto body = [&](int row, const Support& s, const Complex& place, double sign) {
-    const Complex d = dynamic_stiffness(s, nu), rate = s.damping - 2.0 * s.mass * kI * nu;
+    const Complex d = backward_stiffness(s, nu), rate = s.damping - 2.0 * s.mass * kI * nu;
     const Complex mass = s.mass;
     set(unknown, row, 0, mass);
     set(unknown, row, 1, kI * mass);

@@ -44,7 +44,7 @@ struct TorsionSolution {
   }
 };
 
-TorsionSolution solve(const scene::Scene& scene, double omega) {
+TorsionSolution solve_torsion(const scene::Scene& scene, double omega) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   std::vector<double> stations;
   for (const scene::Disc& disc : geometry.discs) stations.push_back(disc.z);
@@ -98,7 +98,7 @@ TorsionModes torsion_modes(const scene::Scene& scene) {
   const double uniform =
       wanted * std::numbers::pi / geometry.length * std::sqrt(geometry.G / geometry.rho);
   const TorsionSolution solution =
-      solve_refined(uniform, [&](double omega) { return solve(scene, omega); });
+      solve_refined(uniform, [&](double omega) { return solve_torsion(scene, omega); });
 
   const std::optional<double> contact =
       scene.contact ? std::optional<double>(scene.contact->station) : std::nullopt;

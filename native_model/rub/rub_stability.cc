@@ -14,7 +14,6 @@
 namespace rotorub::rub {
 namespace {
 
-constexpr Complex kI{0.0, 1.0};
 
 [[noreturn]] void fail() { throw RotorNotSolvable("no eigenvalues of its rub can be found"); }
 

@@ -14,7 +14,6 @@
 namespace rotorub::rub {
 namespace {
 
-constexpr Complex kI{0.0, 1.0};
 
 [[noreturn]] void refuse(const scene::Scene& scene, const std::string& key, const std::string& why) {
   throw scene::SceneError(

@@ -24,6 +24,7 @@
 namespace rotorub::rub {
 
 using Complex = std::complex<double>;
+inline constexpr Complex kI{0.0, 1.0};
 
 struct Ring {
   double mass, damping, stiffness;  // kg > 0, N s/m >= 0, N/m >= 0

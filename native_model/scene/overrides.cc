@@ -9,6 +9,7 @@
 
 #include "native_model/scene/printable.h"
 #include "native_model/scene/schema.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 namespace {
@@ -201,12 +202,6 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
   if (steps.back().key == "kind") drop_other_kinds(*node, table_path(steps), kind);
   if (path == "run" && steps.back().key == "end") drop_times_beyond(*node, *target);
   return {};
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 }  // namespace

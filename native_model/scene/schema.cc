@@ -7,18 +7,6 @@
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub::scene {
-namespace detail {
-
-std::string number_text(double number) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%g", number);
-  return buffer.data();
-}
-
-}  // namespace detail
-
-using detail::number_text;
-
 std::string Range::text() const {
   const bool bounded_below = low > -std::numeric_limits<double>::infinity();
   const bool bounded_above = high < std::numeric_limits<double>::infinity();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "native_model/scene/scene.h"
+#include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
 
 namespace rotorub::scene {
@@ -178,8 +179,6 @@ constexpr ValueType type_of() {
     return ValueType::kList;
   }
 }
-
-std::string number_text(double number);  // "%g"
 
 // What a new object holds, for the reference; lists and words have no text here.
 template <typename T>

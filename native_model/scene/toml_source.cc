@@ -88,25 +88,25 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-std::string trimmed(std::string_view text) {
+std::string trimmed_line(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
 }
 
-bool is_header(const std::string& line) { return trimmed(line).starts_with('['); }
+bool is_header(const std::string& line) { return trimmed_line(line).starts_with('['); }
 
 std::string header_path(const std::string& line) {
-  const std::string header = trimmed(line);
+  const std::string header = trimmed_line(line);
   const std::size_t begin = header.find_first_not_of("[ ");
   const std::size_t end = header.find(']');
-  return begin < end && end != std::string::npos ? trimmed(header.substr(begin, end - begin)) : "";
+  return begin < end && end != std::string::npos ? trimmed_line(header.substr(begin, end - begin)) : "";
 }
 
 // The key of a line `key = value`; empty if it is none.
 std::string assigned_key(const std::string& line) {
   const std::size_t equals = line.find('=');
-  const std::string key = trimmed(std::string_view(line).substr(0, equals));
+  const std::string key = trimmed_line(std::string_view(line).substr(0, equals));
   const bool bare = std::all_of(key.begin(), key.end(), [](unsigned char c) {
     return std::isalnum(c) || c == '_' || c == '-' || c == '.';
   });
@@ -123,7 +123,7 @@ std::string dotted_key(const std::vector<std::string>& lines, std::size_t index)
     if (!is_header(lines[i])) continue;
     if (path.empty()) {
       path = header_path(lines[i]);
-      list = trimmed(lines[i]).starts_with("[[");
+      list = trimmed_line(lines[i]).starts_with("[[");
     } else if (header_path(lines[i]) == path) {
       ++same;
     }
@@ -134,7 +134,7 @@ std::string dotted_key(const std::vector<std::string>& lines, std::size_t index)
 
 // The commonest slips: 0.5 mm and linear without quotes.
 std::string hint(std::string_view line) {
-  const std::string value = trimmed(line.substr(line.find('=') + 1));
+  const std::string value = trimmed_line(line.substr(line.find('=') + 1));
   const bool letters =
       std::any_of(value.begin(), value.end(), [](unsigned char c) { return std::isalpha(c); });
   if (!letters || value.find_first_of("\"'[{") != std::string::npos) return {};

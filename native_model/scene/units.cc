@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 namespace {
@@ -27,7 +28,6 @@ struct NamedUnit {
   Unit unit;
 };
 
-constexpr double kPi = std::numbers::pi;
 constexpr Dimension kForceDimension{1, 1, -2, 0, 0};
 constexpr Dimension kPressureDimension{-1, 1, -2, 0, 0};
 constexpr Dimension kSpinDimension{0, 0, -1, 0, 1};
@@ -72,13 +72,13 @@ constexpr auto kUnits = std::to_array<NamedUnit>({
     {"A", {1.0, 1.0, {0, 0, 0, 1, 0}}},
     {"mA", {1.0, 1e3, {0, 0, 0, 1, 0}}},
     {"V", {1.0, 1.0, {2, 1, -3, -1, 0}}},
-    {"Hz", {2.0 * kPi, 1.0, kSpinDimension}},
-    {"kHz", {2e3 * kPi, 1.0, kSpinDimension}},
-    {"rpm", {2.0 * kPi, 60.0, kSpinDimension}},
+    {"Hz", {2.0 * std::numbers::pi, 1.0, kSpinDimension}},
+    {"kHz", {2e3 * std::numbers::pi, 1.0, kSpinDimension}},
+    {"rpm", {2.0 * std::numbers::pi, 60.0, kSpinDimension}},
     {"rad", {1.0, 1.0, kAngleDimension}},
     {"mrad", {1.0, 1e3, kAngleDimension}},
-    {"deg", {kPi, 180.0, kAngleDimension}},
-    {"\u00b0", {kPi, 180.0, kAngleDimension}},
+    {"deg", {std::numbers::pi, 180.0, kAngleDimension}},
+    {"\u00b0", {std::numbers::pi, 180.0, kAngleDimension}},
     {"%", {1.0, 100.0, {}}},
 });
 
@@ -218,12 +218,6 @@ bool fits(const Dimension& unit, const Dimension& key) {
   const bool dimensionless =
       key.metre == 0 && key.kilogram == 0 && key.second == 0 && key.ampere == 0;
   return same && (!dimensionless || unit.radian == key.radian);
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 }  // namespace

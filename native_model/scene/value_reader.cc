@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <utility>
 
 #include "native_model/scene/printable.h"
 #include "native_model/scene/table_reader.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 namespace {
@@ -18,21 +18,11 @@ using Kind = TomlNode::Kind;
 // Products of a few such numbers are still finite; nothing of a machine is so large.
 constexpr double kLargestNumber = 1e60;
 
-std::string number_text(double number) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%g", number);
-  return buffer.data();
-}
-
 std::string got(const TomlNode& node) {
   if (node.kind == Kind::kString) return ", got \"" + printable(node.text) + "\"";
   if (node.kind == Kind::kInteger) return ", got " + std::to_string(node.integer);
   if (node.kind == Kind::kFloat) return ", got " + number_text(node.number);
   return ", got " + std::string(kind_name(node.kind));
-}
-
-std::string element(const std::string& path, std::size_t index) {
-  return path + "[" + std::to_string(index) + "]";
 }
 
 }  // namespace
@@ -157,8 +147,8 @@ bool TableReader::read_pair(const Key& key, const TomlNode& node, const std::str
                                         : got(node)));
     return false;
   }
-  const bool x_good = read_number(key, node.items[0], element(path, 0), pair.x());
-  const bool y_good = read_number(key, node.items[1], element(path, 1), pair.y());
+  const bool x_good = read_number(key, node.items[0], list_element(path, 0), pair.x());
+  const bool y_good = read_number(key, node.items[1], list_element(path, 1), pair.y());
   return x_good && y_good;
 }
 
@@ -175,7 +165,7 @@ bool TableReader::read_list(const Key& key, const TomlNode& node, const std::str
   bool good = true;
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     double number = 0.0;
-    good = read_number(key, node.items[i], element(path, i), number) && good;
+    good = read_number(key, node.items[i], list_element(path, i), number) && good;
     list.push_back(number);
   }
   return good;

@@ -2,23 +2,17 @@
 
 #include <algorithm>
 #include <complex>
-#include <cstdio>
 #include <utility>
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/scene/record.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub {
 namespace {
 
 constexpr double kRoundOff = 1e-12;  // of the sums over modes and discs
-
-std::string text(double number) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%g", number);
-  return buffer;
-}
 
 // The part of the scene that sets how many bending modes there are.
 const char* modes_key(const scene::Rotor& rotor) {
@@ -87,11 +81,11 @@ void check_spin_inertia(const scene::Scene& scene, const Model& model) {
   if (inertia > bound * (1.0 + kRoundOff)) return;
   const bool disc = model.unbalances.front().on < 0.0;
   refuse(scene, {{"", 0, disc ? "rotor.disc" : "force",
-                  "the eccentric discs move " + text(bound) +
-                      " kg m^2 with the spin, whose inertia is " + text(inertia) +
+                  "the eccentric discs move " + scene::number_text(bound) +
+                      " kg m^2 with the spin, whose inertia is " + scene::number_text(inertia) +
                       " kg m^2: the mass matrix is not positive definite; accepted: Jp of each "
                       "disc at least mass eccentricity^2, and with shaft and motor more than " +
-                      text(bound) + " kg m^2"}});
+                      scene::number_text(bound) + " kg m^2"}});
 }
 
 void check_initial_lists(const scene::Scene& scene, const Layout& l) {
@@ -126,9 +120,9 @@ void check_initial_gap(const scene::Scene& scene, const Model& model) {
                     : !model.q0.segment(l.y(), l.modes).isZero(0.0) ? "initial.y"
                                                                     : "initial.stator";
   refuse(scene, {{"", 0, key,
-                  "the rotor starts outside the ring, " + text(delta) +
+                  "the rotor starts outside the ring, " + scene::number_text(delta) +
                       " m from its centre; accepted: at most contact.clearance = " +
-                      text(clearance) + " m"}});
+                      scene::number_text(clearance) + " m"}});
 }
 
 void check_initial_ring(const scene::Scene& scene) {
@@ -136,9 +130,9 @@ void check_initial_ring(const scene::Scene& scene) {
   const double start = to_axes(scene.initial.stator).cwiseAbs().maxCoeff();
   if (start < scene.actuator->air_gap) return;
   refuse(scene, {{"", 0, "initial.stator",
-                  "is " + text(start) +
+                  "is " + scene::number_text(start) +
                       " m along an axis of the actuator; accepted: less than actuator.air_gap = " +
-                      text(scene.actuator->air_gap) + " m"}});
+                      scene::number_text(scene.actuator->air_gap) + " m"}});
 }
 
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {

@@ -1,21 +1,17 @@
 #include "native_model/system/run_size.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/text.h"
 #include "native_model/system/model_checks.h"
 
 namespace rotorub {
 namespace {
 
-std::string text(double number) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.3g", number);
-  return buffer;
-}
+std::string rough_text(double number) { return scene::number_text(number, 3); }
 
 // Those of every row; torsion, command and currents beside them are few.
 double columns(const Model& model) {
@@ -30,9 +26,9 @@ double rows(const scene::Run& run) {
 void find_steps(const scene::Run& run, double step, std::vector<scene::Diagnostic>& wrong) {
   if (run.end / step <= kMostSteps) return;
   wrong.push_back({"", 0, "run.step",
-                   text(run.end / step) + " steps of " + text(step) + " s to run.end = " +
-                       text(run.end) + " s; accepted: at most " + text(kMostSteps) + " steps, of " +
-                       text(run.end / kMostSteps) + " s or more"});
+                   rough_text(run.end / step) + " steps of " + rough_text(step) + " s to run.end = " +
+                       rough_text(run.end) + " s; accepted: at most " + rough_text(kMostSteps) + " steps, of " +
+                       rough_text(run.end / kMostSteps) + " s or more"});
 }
 
 void find_rows(const scene::Run& run, const Model& model, const std::vector<double>* times,
@@ -43,9 +39,9 @@ void find_rows(const scene::Run& run, const Model& model, const std::vector<doub
   const char* key =
       run.output_step || run.output_times.empty() ? "run.output_step" : "run.output_times";
   wrong.push_back({"", 0, key,
-                   text(count) + " rows of " + text(columns(model)) +
-                       " columns to run.end = " + text(run.end) + " s; accepted: at most " +
-                       text(most) + " rows, one in " + text(run.end / most) + " s"});
+                   rough_text(count) + " rows of " + rough_text(columns(model)) +
+                       " columns to run.end = " + rough_text(run.end) + " s; accepted: at most " +
+                       rough_text(most) + " rows, one in " + rough_text(run.end / most) + " s"});
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/dynamics/equations.h"
 #include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/scene/text.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/system/orbit_size.h"
 
@@ -19,12 +19,6 @@ namespace rotorub {
 namespace {
 
 using Complex = std::complex<double>;
-
-std::string text(double number) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%g", number);
-  return buffer;
-}
 
 [[noreturn]] void refuse_steady(const scene::Scene& scene, const std::string& why) {
   refuse(scene, {{"", 0, "initial.steady", why}});
@@ -135,7 +129,7 @@ std::vector<Load> loads_of(const scene::Scene& scene, const Model& m) {
 
 // Nothing grows: an orbit that nothing comes back to is no steady one.
 void check_stability(const scene::Scene& scene, const Model& m, const Bending& b) {
-  constexpr double kRoundOff = 1e-9;  // of the largest eigenvalue
+  constexpr double kScatter = 1e-9;  // of the largest eigenvalue
   // States (w q, q') of unit mass, w each coordinate's own frequency: no number is far from the others.
   const Eigen::Index n = b.mass.size();
   const Eigen::VectorXd root = b.mass.cwiseSqrt(), inverse = root.cwiseInverse();
@@ -154,10 +148,10 @@ void check_stability(const scene::Scene& scene, const Model& m, const Bending& b
   double size = 0.0;
   for (const Complex& s : *values) size = std::max(size, std::abs(s));
   const Complex first = values->front();
-  if (first.real() <= kRoundOff * size) return;
-  refuse_steady(scene, "the free rotor is unstable at " + text(m.speed) + " rad/s, a motion at " +
-                           text(std::abs(first.imag())) + " rad/s grows with " +
-                           text(first.real()) + " 1/s; accepted: a stable one, or false");
+  if (first.real() <= kScatter * size) return;
+  refuse_steady(scene, "the free rotor is unstable at " + scene::number_text(m.speed) + " rad/s, a motion at " +
+                           scene::number_text(std::abs(first.imag())) + " rad/s grows with " +
+                           scene::number_text(first.real()) + " 1/s; accepted: a stable one, or false");
 }
 
 // Q of one frequency.
@@ -177,7 +171,7 @@ Eigen::VectorXcd answer(const scene::Scene& scene, const Bending& b, const Load&
   const double size = z.cwiseAbs().colwise().sum().maxCoeff();
   if (!(lu.rcond() * size > kSingular)) {
     refuse_steady(scene, nu == 0.0 ? "nothing holds the rotor against a constant force or its weight"
-                                   : "a force turns at " + text(nu) +
+                                   : "a force turns at " + scene::number_text(nu) +
                                          " rad/s, where the free rotor has a resonance without "
                                          "damping: its orbit has no bound");
   }
@@ -258,9 +252,9 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
   if (!m.contact) return;
   const double largest = orbit.largest(), clearance = m.contact->clearance;
   if (largest < clearance) return;
-  refuse_steady(scene, "the steady free orbit touches: it comes to " + text(largest) +
+  refuse_steady(scene, "the steady free orbit touches: it comes to " + scene::number_text(largest) +
                            " m from the middle of the ring; accepted: less than contact.clearance = " +
-                           text(clearance) + " m, or false and a start of your own");
+                           scene::number_text(clearance) + " m, or false and a start of your own");
 }
 
 }  // namespace rotorub

@@ -1,21 +1,17 @@
 #include "native_model/trajectory/range_check.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub {
 namespace {
 
 constexpr double kLargestResidual = 1.0;  // of the energy balance
 
-std::string text(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.3g", value);
-  return digits;
-}
+std::string text(double value) { return scene::number_text(value, 3); }
 
 }  // namespace
 

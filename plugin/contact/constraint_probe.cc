@@ -55,7 +55,7 @@ std::string row_name(const mjModel* m, const mjData* d, int row) {
   }
 }
 
-void warn(const mjModel* m, mjData* d, const ContactSpace& space, const char* what) {
+void warn_of_contact(const mjModel* m, mjData* d, const ContactSpace& space, const char* what) {
   std::string all, last;
   for_each_coupled(m, d, space, [&](int row) {
     const std::string name = row_name(m, d, row);
@@ -81,11 +81,11 @@ bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
 }
 
 void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space) {
-  warn(m, d, space, "no impulse meets the contact laws; that of the least error is taken");
+  warn_of_contact(m, d, space, "no impulse meets the contact laws; that of the least error is taken");
 }
 
 void warn_unknown(const mjModel* m, mjData* d, const ContactSpace& space) {
-  warn(m, d, space,
+  warn_of_contact(m, d, space,
        "contact model coulomb on segments does not know it; accepted: contact model rigid or cone");
 }
 

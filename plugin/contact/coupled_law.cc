@@ -31,9 +31,9 @@ bool distinct(const Case& c, const ContactSet& set) {
   return !one_bound && !(c.at_least && set.least_normal == 0.0);
 }
 
-class Problem {
+class CoupledProblem {
  public:
-  Problem(const ContactMatrix& a, const ContactVector& b, std::span<const ContactSet> sets)
+  CoupledProblem(const ContactMatrix& a, const ContactVector& b, std::span<const ContactSet> sets)
       : a_(a), b_(b), sets_(sets), n_(static_cast<int>(sets.size())) {
     rate_ = b.cwiseAbs().maxCoeff();
     for (int i = 0; i < n_; ++i) impulse_ = std::max(impulse_, set(i).least_normal);
@@ -144,7 +144,7 @@ class Problem {
 
 // Calls action(cases) for each combination.
 template <typename Action>
-void for_each_combination(const Problem& problem, Cases& cases, int from, Action& action) {
+void for_each_combination(const CoupledProblem& problem, Cases& cases, int from, Action& action) {
   if (from == problem.size()) {
     action(cases);
     return;
@@ -159,7 +159,7 @@ void for_each_combination(const Problem& problem, Cases& cases, int from, Action
   }
 }
 
-CoupledSolution by_cases(const Problem& problem) {
+CoupledSolution by_cases(const CoupledProblem& problem) {
   CoupledSolution best, tried;
   const auto action = [&](const Cases& cases) {
     if (!problem.meets(cases, tried)) return;
@@ -184,7 +184,7 @@ CoupledSolution by_cases(const Problem& problem) {
 // Each contact by itself, in turn, until their cases fit together (projected Gauss-Seidel): what is
 // then found is exact.
 CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
-                          std::span<const ContactSet> sets, const Problem& problem) {
+                          std::span<const ContactSet> sets, const CoupledProblem& problem) {
   const int n = problem.size();
   ContactVector p = ContactVector::Zero(2 * n);
   Cases cases{};
@@ -196,7 +196,7 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
       const ContactVector rest = b.segment(2 * i, 2) + a.middleRows(2 * i, 2) * p -
                                  own * p.segment(2 * i, 2);
       const std::span<const ContactSet> set = sets.subspan(static_cast<std::size_t>(i), 1);
-      const CoupledSolution s = by_cases(Problem(own, rest, set));
+      const CoupledSolution s = by_cases(CoupledProblem(own, rest, set));
       if (s.solutions == 0) return {};
       p.segment(2 * i, 2) = s.p;
       Case& c = found[static_cast<std::size_t>(i)];
@@ -255,7 +255,7 @@ CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
                               std::span<const ContactSet> sets) {
   assert(a.rows() == b.size() && b.size() == 2 * static_cast<Eigen::Index>(sets.size()));
   if (is_plain(a, sets)) return one_plain(a, b, sets[0]);
-  const Problem problem(a, b, sets);
+  const CoupledProblem problem(a, b, sets);
   if (problem.size() <= kMostTried) return by_cases(problem);
   const CoupledSolution swept = by_sweeps(a, b, sets, problem);
   if (swept.solutions > 0 || problem.size() > kMostTriedBlind) return swept;

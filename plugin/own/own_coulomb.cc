@@ -17,7 +17,7 @@ namespace rotorub::plugin {
 namespace {
 
 // One contact in accelerations: see coulomb.h.
-struct SoftContact {
+struct TouchingPair {
   const OwnPair* pair = nullptr;
   const OwnSpace* space = nullptr;
   int row = 0;  // of MuJoCo's solver
@@ -39,10 +39,10 @@ struct SoftContact {
   }
 };
 
-SoftContact soft_contact(const OwnPair& pair, const ContactPlace& place, const OwnSpace& space,
+TouchingPair touching_pair(const OwnPair& pair, const ContactPlace& place, const OwnSpace& space,
                          const mjModel* m, const mjData* d, int row) {
   const double h = m->opt.timestep;
-  SoftContact s;
+  TouchingPair s;
   s.pair = &pair;
   s.space = &space;
   s.row = row;
@@ -65,7 +65,7 @@ SoftContact soft_contact(const OwnPair& pair, const ContactPlace& place, const O
 }
 
 // y without any force. A rebound that the loads undo within the step is no flight.
-Eigen::Vector2d look(SoftContact& s, const Eigen::Vector3d& free, const mjModel* m, mjData* d) {
+Eigen::Vector2d look(TouchingPair& s, const Eigen::Vector3d& free, const mjModel* m, mjData* d) {
   const Eigen::Vector2d a = s.along(free);
   const bool before = s.entry(d)[kMode] != 0.0;
   const bool lasts = before && s.point.gap_rate <= -(a.x() - s.curvature) * m->opt.timestep;
@@ -77,23 +77,23 @@ Eigen::Vector2d look(SoftContact& s, const Eigen::Vector3d& free, const mjModel*
 double open_reference(double acceleration) { return acceleration - (1.0 + std::abs(acceleration)); }
 
 // The contacts of a pass.
-struct SoftContacts {
-  std::array<SoftContact, kMaxPairs> all;
+struct TouchingPairs {
+  std::array<TouchingPair, kMaxPairs> all;
   std::array<int, kMaxPairs> rows{};
   std::size_t count = 0;
-  std::span<SoftContact> span() { return {all.data(), count}; }
+  std::span<TouchingPair> span() { return {all.data(), count}; }
 };
 
 // Those that touch, in the order of a vector of forces.
 struct Touching {
-  std::array<SoftContact*, kMaxPairs> at{};
+  std::array<TouchingPair*, kMaxPairs> at{};
   std::array<double, kMaxPairs> frictions{};
   std::size_t count = 0;
 };
 
-Touching touching(SoftContacts& contacts) {
+Touching touching(TouchingPairs& contacts) {
   Touching t;
-  for (SoftContact& s : contacts.span()) {
+  for (TouchingPair& s : contacts.span()) {
     if (!s.touches) continue;
     t.frictions[t.count] = s.pair->contact.friction;
     t.at[t.count++] = &s;
@@ -105,11 +105,11 @@ ContactMatrix matrix(const Touching& t) {
   const auto n = static_cast<Eigen::Index>(t.count);
   ContactMatrix a(2 * n, 2 * n);
   for (Eigen::Index j = 0; j < n; ++j) {
-    const SoftContact& source = *t.at[static_cast<std::size_t>(j)];
+    const TouchingPair& source = *t.at[static_cast<std::size_t>(j)];
     for (int k = 0; k < 2; ++k) {
       const Eigen::Vector3d load = source.load(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0);
       for (Eigen::Index i = 0; i < n; ++i) {
-        const SoftContact& s = *t.at[static_cast<std::size_t>(i)];
+        const TouchingPair& s = *t.at[static_cast<std::size_t>(i)];
         a.col(2 * j + k).segment<2>(2 * i) = s.along(s.space->flexibility(*source.space) * load);
       }
     }
@@ -137,7 +137,7 @@ class ForceResponse final : public ContactResponse {
     });
     ContactVector y(2 * static_cast<Eigen::Index>(t_.count));
     for (std::size_t k = 0; k < t_.count; ++k) {
-      const SoftContact& s = *t_.at[k];
+      const TouchingPair& s = *t_.at[k];
       y.segment<2>(static_cast<Eigen::Index>(2 * k)) =
           s.base + s.along(probe_.acceleration(*s.space));
     }
@@ -152,7 +152,7 @@ class ForceResponse final : public ContactResponse {
 
 // Once, not every step.
 void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d) {
-  const auto warned = [d](const SoftContact* s) { return s->entry(d)[kContactStatus] != 0.0; };
+  const auto warned = [d](const TouchingPair* s) { return s->entry(d)[kContactStatus] != 0.0; };
   const bool known = std::any_of(t.at.begin(), t.at.begin() + static_cast<std::ptrdiff_t>(t.count), warned);
   if (!converged && !known) warn_unsolved(m, d, *t.at[0]->space);
   for (std::size_t k = 0; k < t.count; ++k) {
@@ -161,10 +161,10 @@ void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d)
   }
 }
 
-void solve_free(SoftContacts& contacts, const mjModel* m, mjData* d) {
+void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   ContactVector b(2 * static_cast<Eigen::Index>(contacts.count));
   Eigen::Index rows = 0;
-  for (SoftContact& s : contacts.span()) {
+  for (TouchingPair& s : contacts.span()) {
     const Eigen::Vector2d free = look(s, s.space->response(d->qfrc_smooth), m, d);
     if (!s.touches) continue;
     b.segment<2>(rows) = free;
@@ -180,14 +180,14 @@ void solve_free(SoftContacts& contacts, const mjModel* m, mjData* d) {
 }
 
 // MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R): the aref for the normal forces.
-void set_references(SoftContacts& contacts, const mjModel* m, mjData* d) {
+void set_references(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   StackFrame room(d);
   mjtNum* acceleration = room.numbers(count(m->nv));
   mju_copy(acceleration, d->qacc_smooth, count(m->nv));
-  for (const SoftContact& s : contacts.span()) {
+  for (const TouchingPair& s : contacts.span()) {
     if (s.force.x() > 0.0) s.space->add_acceleration(s.load(s.force.x(), s.force.y()), acceleration);
   }
-  for (const SoftContact& s : contacts.span()) {
+  for (const TouchingPair& s : contacts.span()) {
     const double found = s.along(s.space->rates(acceleration)).x();
     d->efc_aref[s.row] =
         s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
@@ -196,12 +196,12 @@ void set_references(SoftContacts& contacts, const mjModel* m, mjData* d) {
 
 // The same beside constraints: the contacts' own rows rest while the others are tried. What the solver
 // finds then is J a = aref - R l.
-void solve_beside_constraints(SoftContacts& contacts, const mjModel* m, mjData* d) {
+void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   constexpr double kResting = -1e12;  // m/s^2
-  for (const SoftContact& s : contacts.span()) d->efc_aref[s.row] = kResting;
+  for (const TouchingPair& s : contacts.span()) d->efc_aref[s.row] = kResting;
   ConstraintProbe probe(m, d);
   probe.solve([](mjtNum*) {});
-  for (SoftContact& s : contacts.span()) look(s, probe.acceleration(*s.space), m, d);
+  for (TouchingPair& s : contacts.span()) look(s, probe.acceleration(*s.space), m, d);
   Touching t = touching(contacts);
   if (t.count > 0) {
     ForceResponse response(probe, t);
@@ -217,7 +217,7 @@ void solve_beside_constraints(SoftContacts& contacts, const mjModel* m, mjData* 
     response.at(forces);
   }
   bool any = false;
-  for (const SoftContact& s : contacts.span()) {
+  for (const TouchingPair& s : contacts.span()) {
     const double found = s.along(s.space->rates(d->qacc)).x();
     any = any || s.force.x() > 0.0;
     d->efc_aref[s.row] =
@@ -226,7 +226,7 @@ void solve_beside_constraints(SoftContacts& contacts, const mjModel* m, mjData* 
   if (any) probe.keep();
 }
 
-void note(const SoftContact& s, mjData* d) {
+void note(const TouchingPair& s, mjData* d) {
   mjtNum* entry = s.entry(d);
   const bool closed = s.force.x() > 0.0;
   const Mode mode = !closed ? Mode::kFree : s.sticks ? Mode::kStick : Mode::kSlide;
@@ -240,7 +240,7 @@ void note(const SoftContact& s, mjData* d) {
 void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData* d) {
   // On the stack of mjData: the last made goes first.
   std::array<std::optional<OwnSpace>, kMaxPairs> spaces;
-  SoftContacts contacts;
+  TouchingPairs contacts;
   for (const OwnPair& pair : pairs) {
     if (pair.law == scene::ContactModel::kRigid) continue;
     mjtNum* entry = d->userdata + pair.data;
@@ -256,11 +256,11 @@ void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData*
     OwnSpace& space = spaces[contacts.count].emplace(pair, place, m, d);
     space.solve();
     contacts.rows[contacts.count] = contact->efc_address;
-    contacts.all[contacts.count++] = soft_contact(pair, place, space, m, d, contact->efc_address);
+    contacts.all[contacts.count++] = touching_pair(pair, place, space, m, d, contact->efc_address);
   }
   if (contacts.count == 0) return;
   bool beside = false;
-  for (const SoftContact& s : contacts.span()) {
+  for (const TouchingPair& s : contacts.span()) {
     beside = beside || constraints_couple(m, d, *s.space, std::span(contacts.rows).first(contacts.count));
   }
   if (beside) {
@@ -269,7 +269,7 @@ void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData*
     solve_free(contacts, m, d);
     set_references(contacts, m, d);
   }
-  for (const SoftContact& s : contacts.span()) {
+  for (const TouchingPair& s : contacts.span()) {
     note(s, d);
     s.space->add_load(s.load(0.0, s.force.y()), d->qfrc_passive);
   }

@@ -14,8 +14,6 @@ using Eigen::VectorXd;
 
 constexpr double kParallel = 1e-9;  // of directions, 1 or m
 
-std::string joint_of(const mjModel* m, int dof) { return joint_element(m, m->dof_jntid[dof]); }
-
 bool turns(const MatrixXd& jacobian, int dof) { return std::abs(jacobian(5, dof)) > kParallel; }
 
 // A hinge before a slide carries the slide's axis round with it: the machine is no linear one in its coordinates.
@@ -26,7 +24,7 @@ void refuse_turned_axes(const mjModel* m, int dof, int geom, const std::string& 
   probe.pose(VectorXd::Zero(m->nv));
   for (int i = 0; i < m->nv; ++i) {
     if ((after - before).col(i).cwiseAbs().maxCoeff() <= kParallel) continue;
-    refuse(joint_of(m, dof), "turns the axis of " + joint_of(m, i) + ", for a twin; accepted: a hinge after the " +
+    refuse(joint_of_dof(m, dof), "turns the axis of " + joint_of_dof(m, i) + ", for a twin; accepted: a hinge after the " +
                                  body + "'s other joints");
   }
 }
@@ -37,16 +35,16 @@ AxisJoint find(const mjModel* m, int geom, const std::string& body, Probe& probe
   for (int i = 0; i < m->nv; ++i) {
     if (!turns(j, i)) continue;
     if (m->jnt_type[m->dof_jntid[i]] != mjJNT_HINGE) {
-      refuse(joint_of(m, i), "turns the " + body + ", for a twin; accepted: one hinge about its axis");
+      refuse(joint_of_dof(m, i), "turns the " + body + ", for a twin; accepted: one hinge about its axis");
     }
     const double off = j.col(i).head<2>().norm() + j.col(i).segment<2>(3).norm();
     if (off > kParallel) {
-      refuse(joint_of(m, i), "turns the " + body +
+      refuse(joint_of_dof(m, i), "turns the " + body +
                                  " about another axis than that of the ring's geom through its centre, for a "
                                  "twin; accepted: that axis");
     }
     if (found.dof >= 0) {
-      refuse(joint_of(m, i), "a second joint about the " + body + "'s axis, for a twin; accepted: one");
+      refuse(joint_of_dof(m, i), "a second joint about the " + body + "'s axis, for a twin; accepted: one");
     }
     found = {i, j(5, i) > 0.0 ? 1.0 : -1.0};
   }
@@ -68,7 +66,7 @@ AxisJoint find_spin(const mjModel* m, const Config& config, Probe& probe) {
 AxisJoint find_ring_turn(const mjModel* m, const Config& config, Probe& probe) {
   const AxisJoint found = find(m, config.ring_geom, "ring", probe);
   if (found.dof >= 0 && turns(probe.geom_jacobian(config.rotor_geom), found.dof)) {
-    refuse(joint_of(m, found.dof), "turns rotor and ring, for a twin; accepted: one of them");
+    refuse(joint_of_dof(m, found.dof), "turns rotor and ring, for a twin; accepted: one of them");
   }
   return found;
 }

@@ -20,13 +20,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNone = 1e-9;  // share of a whole, of what differences leave
+constexpr double kNegligible = 1e-9;  // share of a whole, of what differences leave
 constexpr double kFree = 1e-6;  // (rad/s)^2 and rad/s^2 of what turns freely, of what differences leave
 
 std::vector<double> list(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
 // A nudge's round-off is no torque.
-bool is_none(double part, double whole) { return std::abs(part) <= kNone * std::abs(whole); }
+bool is_none(double part, double whole) { return std::abs(part) <= kNegligible * std::abs(whole); }
 
 class Maker {
  public:
@@ -72,7 +72,7 @@ class Maker {
     const MatrixXd d = plane.shapes.transpose() * machine_.damping(plane.dofs, plane.dofs) * plane.shapes;
     const MatrixXd even = 0.5 * (d + d.transpose());
     const MatrixXd beside = even - MatrixXd(even.diagonal().asDiagonal());
-    if (beside.cwiseAbs().maxCoeff() <= kNone * even.cwiseAbs().maxCoeff()) {
+    if (beside.cwiseAbs().maxCoeff() <= kNegligible * even.cwiseAbs().maxCoeff()) {
       modes.damping = even.diagonal();
     } else {
       add_dampers(even, row);
@@ -127,7 +127,7 @@ class Maker {
     if (!weight.isZero(0.0)) twin_.scene.gravity.emplace().acceleration = weight;
   }
 
-  std::string joint_of(int dof) const { return joint_element(m_, m_->dof_jntid[dof]); }
+  std::string joint_of(int dof) const { return joint_of_dof(m_, dof); }
 
   void refuse_spring(int turn, const std::string& body) const {
     if (std::abs(machine_.stiffness(turn, turn)) <= kFree * machine_.mass(turn, turn)) return;
@@ -185,7 +185,7 @@ class Maker {
                         std::abs(torque[k] - torque.front() - slope * step * static_cast<double>(k)));
     }
     if (largest == 0.0) return;
-    if (curved <= kNone * largest && slope < 0.0) {
+    if (curved <= kNegligible * largest && slope < 0.0) {
       drive.kind = scene::DriveKind::kLinear;
       drive.gain = -slope;
       drive.speed = sense * torque.front() / drive.gain;

@@ -17,8 +17,6 @@ using Eigen::VectorXd;
 
 constexpr double kNone = 1e-8;  // share of the larger, of what differences leave
 
-std::string joint_of(const mjModel* m, int dof) { return joint_element(m, m->dof_jntid[dof]); }
-
 // Which degrees of freedom act on each other, each pair in units of its own diagonal.
 class Links {
  public:
@@ -73,13 +71,13 @@ std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine, const
   for (int i = 0; i < m->nv; ++i) {
     if (!moves(machine.ring, i)) continue;
     if (moves(machine.rotor, i)) {
-      refuse(joint_of(m, i), "moves rotor and ring, for a twin; accepted: one of them");
+      refuse(joint_of_dof(m, i), "moves rotor and ring, for a twin; accepted: one of them");
     }
     ring.push_back(i);
   }
   if (ring.empty()) return ring;
   if (ring.size() != 2) {
-    refuse(joint_of(m, ring.front()),
+    refuse(joint_of_dof(m, ring.front()),
            "is one of " + text(static_cast<int>(ring.size())) +
                " that move the ring, for a twin; accepted: two, along x and y of its geom, or none");
   }
@@ -87,13 +85,13 @@ std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine, const
   for (int k = 0; k < 2; ++k) {
     const int dof = ring[static_cast<std::size_t>(k)];
     if (moves(machine.ring, 1 - k, dof) || !moves(machine.ring, k, dof)) {
-      refuse(joint_of(m, dof),
+      refuse(joint_of_dof(m, dof),
              "does not move the ring along x or y of its geom, for a twin; accepted: along one of "
              "them (a round geom may be turned about its axis)");
     }
     for (int other = 0; other < m->nv; ++other) {
       if (other == dof || !links.linked(dof, other)) continue;
-      refuse(joint_of(m, dof), "acts on " + joint_of(m, other) +
+      refuse(joint_of_dof(m, dof), "acts on " + joint_of_dof(m, other) +
                                    ", for a twin; accepted: a ring whose two joints act on nothing else");
     }
   }
@@ -107,19 +105,19 @@ void refuse_linked_turns(const mjModel* m, const LinearMachine& machine, const L
   if (spin >= 0) {
     for (const int i : others) {
       if (!links.linked(spin, i)) continue;
-      refuse(joint_of(m, spin), "acts on " + joint_of(m, i) +
+      refuse(joint_of_dof(m, spin), "acts on " + joint_of_dof(m, i) +
                                     " at rest, for a twin; accepted: a spin that bending meets by "
                                     "unbalance alone");
     }
   }
   if (turn < 0) return;
   if (ring.empty()) {
-    refuse(joint_of(m, turn),
+    refuse(joint_of_dof(m, turn),
            "turns a ring that does not move, for a twin; accepted: a ring with joints along x and y as well");
   }
   for (int i = 0; i < m->nv; ++i) {
     if (i == turn || !links.linked(turn, i)) continue;
-    refuse(joint_of(m, turn), "acts on " + joint_of(m, i) +
+    refuse(joint_of_dof(m, turn), "acts on " + joint_of_dof(m, i) +
                                   ", for a twin; accepted: a ring whose turning acts on nothing else");
   }
 }
@@ -190,8 +188,8 @@ TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
       }
     }
     if (joint[0] >= 0 && joint[1] >= 0) {
-      refuse(joint_of(m, joint[0]),
-             "moves with " + joint_of(m, joint[1]) +
+      refuse(joint_of_dof(m, joint[0]),
+             "moves with " + joint_of_dof(m, joint[1]) +
                  ", and they move the rotor in both planes of the ring's geom, for a twin; accepted: "
                  "planes that do not act on each other (a round geom may be turned about its axis)");
     }

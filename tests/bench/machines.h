@@ -9,12 +9,11 @@
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
 #include "native_model/system/model.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub::bench {
 
-inline scene::Scene shipped(const std::string& name) {
-  return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
-}
+using test::shipped;
 
 // Two modes in a fixed ring, spin held, one rotating force: bounces, then rubs for good.
 inline scene::Scene plain() {

@@ -83,9 +83,9 @@ TEST(CliModes, MapsTheFeedbackThatCalmsARub) {
   const Outcome table = folder.run(asked);
   ASSERT_EQ(table.code, 0) << table.err;
   EXPECT_TRUE(contains(table.out, "N s/m")) << table.out;
-  auto json = asked;
-  json.push_back("--json");
-  const auto map = nlohmann::json::parse(folder.run(json).out).at("feedback_map");
+  auto in_json = asked;
+  in_json.push_back("--json");
+  const auto map = nlohmann::json::parse(folder.run(in_json).out).at("feedback_map");
   EXPECT_EQ(map.at("growth").size(), 3u);
   EXPECT_EQ(map.at("growth")[0].size(), 9u);
   EXPECT_EQ(map.at("rule").size(), 3u);

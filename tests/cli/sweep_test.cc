@@ -25,7 +25,7 @@ std::string study(int frictions, int stiffnesses, const std::string& run) {
          "]\n[run]\n" + run;
 }
 
-void write(const Folder& folder, const std::string& name, const std::string& text) {
+void write_study(const Folder& folder, const std::string& name, const std::string& text) {
   std::ofstream(folder.path() / name) << text;
 }
 
@@ -35,13 +35,13 @@ TEST(Sweep, LeavesTableDatabasePageAndStudy) {
   const Folder folder;
   const std::string text =
       study(3, 2, "integrator = \"verlet\"\nstep = \"100 us\"\nend = \"50 ms\"\n");
-  write(folder, "study.toml", text);
+  write_study(folder, "study.toml", text);
   const Outcome outcome = folder.run({"sweep", "study.toml", "-o", "out", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(json.at("points"), 6);
-  EXPECT_EQ(json.at("done"), 6);
-  EXPECT_EQ(json.at("status").at("ok"), 6);
+  const auto summary = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(summary.at("points"), 6);
+  EXPECT_EQ(summary.at("done"), 6);
+  EXPECT_EQ(summary.at("status").at("ok"), 6);
   EXPECT_EQ(folder.files(),
             (std::vector<std::string>{"out/results.csv", "out/results.sqlite", "out/scene.toml",
                                       "out/study.toml", "out/sweep.html", "study.toml"}));
@@ -59,7 +59,7 @@ TEST(Sweep, DoesNotDependOnTheThreads) {
        {"integrator = \"event\"\nend = \"20 ms\"\n", "integrator = \"verlet\"\nend = \"20 ms\"\n",
         "engine = \"mujoco\"\ncontact = \"rigid\"\nend = \"20 ms\"\n",
         "engine = \"mujoco\"\ncontact = \"cone\"\nend = \"20 ms\"\n"}) {
-    write(folder, "study.toml", study(6, 2, run));
+    write_study(folder, "study.toml", study(6, 2, run));
     ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "one", "--jobs", "1", "-q"}).code, 0);
     ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "many", "--jobs", "3", "-q"}).code, 0);
     EXPECT_EQ(folder.text("one/results.csv"), folder.text("many/results.csv")) << run;
@@ -70,7 +70,7 @@ TEST(Sweep, DoesNotDependOnTheThreads) {
 
 TEST(Sweep, FailuresAreRows) {
   const Folder folder;
-  write(
+  write_study(
       folder, "study.toml",
       "scene = \"" + shipped("bench_ring") +
           "\"\n[sample]\nkind = \"list\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1, -1, "
@@ -88,21 +88,21 @@ TEST(Sweep, FailuresAreRows) {
 TEST(Sweep, AnotherStudyInTheSameFolderIsRefused) {
   const Folder folder;
   const std::string run = "integrator = \"verlet\"\nend = \"10 ms\"\n";
-  write(folder, "study.toml", study(2, 1, run));
+  write_study(folder, "study.toml", study(2, 1, run));
   ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "-q"}).code, 0);
   const std::string table = folder.text("out/results.csv");
-  write(folder, "study.toml", study(3, 1, run));
+  write_study(folder, "study.toml", study(3, 1, run));
   const Outcome changed = folder.run({"sweep", "study.toml", "-o", "out"});
   EXPECT_EQ(changed.code, 2);
   EXPECT_NE(changed.err.find("another study"), std::string::npos) << changed.err;
   EXPECT_EQ(folder.text("out/results.csv"), table);
-  write(folder, "study.toml", study(2, 1, run));
+  write_study(folder, "study.toml", study(2, 1, run));
   EXPECT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "--set", "run.step=1e-4"}).code, 2);
 }
 
 TEST(Sweep, UsageErrors) {
   const Folder folder;
-  write(folder, "study.toml", study(2, 1, "end = \"10 ms\"\n"));
+  write_study(folder, "study.toml", study(2, 1, "end = \"10 ms\"\n"));
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"nothing.toml"},
                                                 {"study.toml", "--shard", "3/2"},
                                                 {"study.toml", "--jobs", "0"},
@@ -123,7 +123,7 @@ TEST(Sweep, UsageErrors) {
 
 TEST(Sweep, InterruptedItSaysSoAndGoesOn) {
   const Folder folder;
-  write(folder, "study.toml", study(60, 10, "integrator = \"event\"\n"));
+  write_study(folder, "study.toml", study(60, 10, "integrator = \"event\"\n"));
   Program program(folder.path(), {"sweep", "study.toml", "-o", "out", "-q"});
   while (!folder.has("out/results.sqlite")) std::this_thread::sleep_for(10ms);
   std::this_thread::sleep_for(200ms);
@@ -138,7 +138,7 @@ TEST(Sweep, InterruptedItSaysSoAndGoesOn) {
 // Ten times, at moments that the machine and the generator choose.
 void expect_no_trace_of_kills(const std::string& text, const std::vector<std::string>& how) {
   const Folder folder;
-  write(folder, "study.toml", text);
+  write_study(folder, "study.toml", text);
   ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "whole", "-q"}).code, 0);
   const std::string whole = folder.text("whole/results.csv");
   std::mt19937 random(20260101);
@@ -171,7 +171,7 @@ TEST(LongSweep, KilledTenTimesItLeavesTheSameTableOfEnsembles) {
 
 TEST(LongSweep, ShardsOfWhichOneIsKilledAndRunAgainMergeIntoTheSameTable) {
   const Folder folder;
-  write(folder, "study.toml", study(20, 20, "integrator = \"event\"\n"));
+  write_study(folder, "study.toml", study(20, 20, "integrator = \"event\"\n"));
   ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "whole", "-q"}).code, 0);
   const auto shard = [](int number) {
     return std::vector<std::string>{"sweep", "study.toml", "-o",

@@ -9,6 +9,7 @@
 #include "mjcf/writer.h"
 #include "native_model/system/model.h"
 #include "plugin/hooks.h"
+#include "tests/plugin/normal_force.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -16,11 +17,6 @@ namespace rotorub::test {
 namespace {
 
 namespace names = mjcf_names;
-
-// The annular rub's force is to be met at a step of 1e-5; MuJoCo's implicit damping alone, d times
-// the velocity of half a step away, makes 6.5e-5 of it.
-constexpr double kForce = 1e-4;
-constexpr double kScatter = 1e-3;
 
 class CoulombContact : public MujocoTest {
  protected:
@@ -32,33 +28,6 @@ scene::Scene coulomb(const std::string& text, std::vector<std::string> overrides
   return parsed(text, overrides);
 }
 
-struct Sample {
-  double mean = 0.0, deviation = 0.0;
-  int steps_in_contact = 0;
-};
-
-// Normal force over the last `steps` of a scene.
-Sample normal_force(const scene::Scene& scene, int steps) {
-  const ModelPointer m = load(mjcf(scene));
-  const DataPointer d = start(m.get());
-  const auto all = static_cast<int>(std::lround(scene.run.end / scene.run.step));
-  double sum = 0.0, squares = 0.0;
-  Sample out;
-  for (int k = 0; k < all; ++k) {
-    mj_step(m.get(), d.get());
-    if (k < all - steps) continue;
-    const double force = sensor(m.get(), d.get(), names::kNormalForce);
-    sum += force;
-    squares += force * force;
-    if (force > 0.0) ++out.steps_in_contact;
-    EXPECT_NEAR(sensor(m.get(), d.get(), names::kFrictionForce), -scene.contact->friction * force,
-                1e-9 * force);
-  }
-  out.mean = sum / steps;
-  out.deviation = std::sqrt(std::max(0.0, squares / steps - out.mean * out.mean));
-  return out;
-}
-
 TEST_F(CoulombContact, AnnularRubOnARigidRing) {
   const double m = 2.0, k = 3e5, c = 40.0, mu = 0.2, amplitude = 200.0, delta = 0.5e-3;
   const double om = 100.0 * std::numbers::pi;
@@ -66,22 +35,22 @@ TEST_F(CoulombContact, AnnularRubOnARigidRing) {
   const double exact =
       (-p + std::sqrt(p * p - (1 + mu * mu) * (a * a + b * b - amplitude * amplitude))) /
       (1 + mu * mu);
-  const Sample found = normal_force(coulomb(kAnnularRub), 20000);
+  const NormalForce found = normal_force(coulomb(kAnnularRub), 20000);
   EXPECT_NEAR(found.mean, exact, kForce * exact);
   EXPECT_LT(found.deviation, kScatter * exact);
   EXPECT_EQ(found.steps_in_contact, 20000);
 }
 
 TEST_F(CoulombContact, AnnularRubOnAnElasticRing) {
-  using Complex = std::complex<double>;
+  using Stiffness = std::complex<double>;
   const double om = 100.0 * std::numbers::pi, mu = 0.2, u = 200.0, delta = 0.5e-3;
-  const Complex rotor(3e5 - 2.0 * om * om, 40.0 * om), stator(4e5 - om * om, 200.0 * om);
-  const Complex h = Complex(1.0, mu) * (1.0 / rotor + 1.0 / stator);
+  const Stiffness rotor(3e5 - 2.0 * om * om, 40.0 * om), stator(4e5 - om * om, 200.0 * om);
+  const Stiffness h = Stiffness(1.0, mu) * (1.0 / rotor + 1.0 / stator);
   const double a = std::norm(h), b = delta * h.real();
   const double constant = delta * delta - u * u / std::norm(rotor);
   const double exact = (-b + std::sqrt(b * b - a * constant)) / a;
   ASSERT_GT(exact, 0.0);
-  const Sample found = normal_force(coulomb(kAnnularRub + kElasticRing), 20000);
+  const NormalForce found = normal_force(coulomb(kAnnularRub + kElasticRing), 20000);
   EXPECT_NEAR(found.mean, exact, kForce * exact);
   EXPECT_LT(found.deviation, kScatter * exact);
   EXPECT_EQ(found.steps_in_contact, 20000);

@@ -30,42 +30,42 @@ class DataTest : public MujocoTest, public ::testing::WithParamInterface<const c
   ModelPointer model_;
 };
 
-constexpr int kSteps = 4000;
+constexpr int kDataSteps = 4000;
 
 TEST_P(DataTest, ResetStartsAnew) {
   const DataPointer d = start(model_.get());
-  steps(d.get(), kSteps);
+  steps(d.get(), kDataSteps);
   const std::vector<double> first = state_of(model_.get(), d.get());
   mj_resetDataKeyframe(model_.get(), d.get(), 0);
-  steps(d.get(), kSteps);
+  steps(d.get(), kDataSteps);
   EXPECT_EQ(state_of(model_.get(), d.get()), first);
 }
 
 TEST_P(DataTest, CopyGoesOnAlike) {
   const DataPointer d = start(model_.get());
-  steps(d.get(), kSteps);
+  steps(d.get(), kDataSteps);
   const DataPointer copy(mj_makeData(model_.get()));
   mj_copyData(copy.get(), model_.get(), d.get());
-  steps(d.get(), kSteps);
-  steps(copy.get(), kSteps);
+  steps(d.get(), kDataSteps);
+  steps(copy.get(), kDataSteps);
   EXPECT_EQ(state_of(model_.get(), copy.get()), state_of(model_.get(), d.get()));
 }
 
 TEST_P(DataTest, ThreadsGetTheSameBits) {
-  const std::vector<double> alone = state_after(model_.get(), kSteps);
+  const std::vector<double> alone = state_after(model_.get(), kDataSteps);
   std::vector<double> results[4];
   std::vector<std::thread> threads;
   for (auto& result : results) {
-    threads.emplace_back([&] { result = state_after(model_.get(), kSteps); });
+    threads.emplace_back([&] { result = state_after(model_.get(), kDataSteps); });
   }
   for (std::thread& thread : threads) thread.join();
   for (const auto& result : results) EXPECT_EQ(result, alone);
 }
 
 TEST_P(DataTest, StepInTwoHalvesIsTheSame) {
-  const std::vector<double> whole = state_after(model_.get(), kSteps);
+  const std::vector<double> whole = state_after(model_.get(), kDataSteps);
   const DataPointer d = start(model_.get());
-  for (int k = 0; k < kSteps; ++k) {
+  for (int k = 0; k < kDataSteps; ++k) {
     mj_step1(model_.get(), d.get());
     mj_step2(model_.get(), d.get());
   }

@@ -14,9 +14,9 @@ namespace {
 
 class HooksTest : public MujocoTest {};
 
-int calls = 0;
-void count_control(const mjModel*, mjData*) { ++calls; }
-void count_passive(const mjModel*, mjData*) { ++calls; }
+int hook_calls = 0;
+void count_control(const mjModel*, mjData*) { ++hook_calls; }
+void count_passive(const mjModel*, mjData*) { ++hook_calls; }
 
 TEST_F(HooksTest, InstallsAndRestores) {
   const auto control = mjcb_control, passive = mjcb_passive;
@@ -48,9 +48,9 @@ TEST_F(HooksTest, CallsWhatWasInstalledBefore) {
   mjcb_passive = count_passive;
   {
     const plugin::Hooks hooks;
-    calls = 0;
+    hook_calls = 0;
     mj_step(m.get(), d.get());
-    EXPECT_EQ(calls, 2);
+    EXPECT_EQ(hook_calls, 2);
     EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 1.0);
   }
   EXPECT_EQ(mjcb_control, &count_control);
@@ -61,7 +61,7 @@ TEST_F(HooksTest, CallsWhatWasInstalledBefore) {
 
 mjfGeneric below = nullptr;
 void in_front(const mjModel* m, mjData* d) {
-  ++calls;
+  ++hook_calls;
   if (below) below(m, d);
 }
 
@@ -75,9 +75,9 @@ TEST_F(HooksTest, LeavesWhoCameLaterInPlace) {
     mjcb_control = in_front;
   }
   EXPECT_EQ(mjcb_control, &in_front);
-  calls = 0;
+  hook_calls = 0;
   mj_step(m.get(), d.get());
-  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(hook_calls, 1);
   EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 0.0) << "ours only passes on";
   {
     const plugin::Hooks again;
@@ -99,10 +99,10 @@ TEST_F(HooksTest, GivesBackToWhoWroteOverThem) {
       const plugin::Hooks hooks;
       plain = state_after(m.get(), 300);
       mjcb_control = write;
-      calls = 0;
+      hook_calls = 0;
       EXPECT_EQ(state_after(m.get(), 300), plain);
-      EXPECT_EQ(calls, write ? 300 : 0);
-      EXPECT_NE(mjcb_control, write) << "ours is back, and calls it";
+      EXPECT_EQ(hook_calls, write ? 300 : 0);
+      EXPECT_NE(mjcb_control, write) << "ours is back, and hook_calls it";
     }
     EXPECT_EQ(mjcb_control, write);
     EXPECT_NE(state_after(m.get(), 300), plain) << "ours is gone";
@@ -110,7 +110,7 @@ TEST_F(HooksTest, GivesBackToWhoWroteOverThem) {
   }
 }
 
-// A callback that calls whoever was there before him, and one that was set back by him.
+// A callback that hook_calls whoever was there before him, and one that was set back by him.
 TEST_F(HooksTest, WhatWasThereBeforeMayBeSetBack) {
   const ModelPointer m = load(mjcf(parsed(kAnnularRub)));
   const plugin::Hooks hooks;
@@ -118,17 +118,17 @@ TEST_F(HooksTest, WhatWasThereBeforeMayBeSetBack) {
   const mjfGeneric ours = mjcb_control;
   for (int round = 0; round < 20; ++round) {
     mjcb_control = count_control;
-    calls = 0;
+    hook_calls = 0;
     EXPECT_EQ(state_after(m.get(), 300), plain);
-    EXPECT_EQ(calls, 300);
+    EXPECT_EQ(hook_calls, 300);
     mjcb_control = ours;
     EXPECT_EQ(state_after(m.get(), 300), plain);
-    EXPECT_EQ(calls, 300) << "round " << round;
+    EXPECT_EQ(hook_calls, 300) << "round " << round;
     below = mjcb_control;
     mjcb_control = in_front;
     EXPECT_EQ(state_after(m.get(), 300), plain);
-    EXPECT_EQ(mjcb_control, &in_front) << "he calls ours, and stays in front";
-    EXPECT_EQ(calls, 600);
+    EXPECT_EQ(mjcb_control, &in_front) << "he hook_calls ours, and stays in front";
+    EXPECT_EQ(hook_calls, 600);
     mjcb_control = below;
   }
 }

@@ -185,8 +185,8 @@ TEST_F(Interface, DisabledActuationIsNoForce) {
   EXPECT_EQ(state_of(m.get(), d.get()), state_of(without.get(), same.get()));
 }
 
-std::string said;
-void note_error(const char* message) { said = message; }
+std::string last_warning;
+void note_error(const char* message) { last_warning = message; }
 
 // The program's own handler may go on: then without contact, which the sensor says.
 TEST_F(Interface, RungeKuttaInMidRunIsRefusedWithAWord) {
@@ -198,7 +198,7 @@ TEST_F(Interface, RungeKuttaInMidRunIsRefusedWithAWord) {
   m->opt.integrator = mjINT_RK4;
   mj_step(m.get(), d.get());
   mju_user_error = before;
-  EXPECT_NE(said.find("RK4"), std::string::npos) << said;
+  EXPECT_NE(last_warning.find("RK4"), std::string::npos) << last_warning;
   EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 0.0);
   m->opt.integrator = mjINT_EULER;
   mj_step(m.get(), d.get());

@@ -14,10 +14,10 @@ namespace rotorub::test {
 namespace {
 
 int joint(const mjModel* m, const char* name) { return mj_name2id(m, mjOBJ_JOINT, name); }
-int dof(const mjModel* m, const char* name) { return m->jnt_dofadr[joint(m, name)]; }
+int dof_of(const mjModel* m, const char* name) { return m->jnt_dofadr[joint(m, name)]; }
 int geom(const mjModel* m, const char* name) { return mj_name2id(m, mjOBJ_GEOM, name); }
 
-constexpr int kSteps = 1600;  // 16 ms of bench_ring: impacts, accumulation, lasting rub
+constexpr int kRubSteps = 1600;  // 16 ms of bench_ring: impacts, accumulation, lasting rub
 
 // What MuJoCo asks for after an edit of masses.
 void set_constants(mjModel* m) {
@@ -29,14 +29,14 @@ class ModelParameters : public MujocoTest {
  protected:
   using Edit = std::function<void(mjModel*)>;
   static std::vector<double> edited(const std::vector<std::string>& overrides, const Edit& edit,
-                                    int steps = kSteps) {
+                                    int steps = kRubSteps) {
     const ModelPointer m = load(mjcf(shipped("bench_ring", overrides)));
     edit(m.get());
     set_constants(m.get());
     return state_after(m.get(), steps);
   }
   static std::vector<double> said(const std::vector<std::string>& overrides,
-                                  int steps = kSteps) {
+                                  int steps = kRubSteps) {
     return state_after(load(mjcf(shipped("bench_ring", overrides))).get(), steps);
   }
   // What MuJoCo calls an error when the edited model is stepped.
@@ -64,7 +64,7 @@ class ModelParameters : public MujocoTest {
 };
 
 void set_ring_mass(mjModel* m, double kg) {
-  m->dof_armature[dof(m, "ring_x")] = m->dof_armature[dof(m, "ring_y")] = kg;
+  m->dof_armature[dof_of(m, "ring_x")] = m->dof_armature[dof_of(m, "ring_y")] = kg;
 }
 
 struct Case {
@@ -78,10 +78,10 @@ std::vector<Case> cases() {
       {"ring mass", {"stator.mass=0.2"}, [](mjModel* m) { set_ring_mass(m, 0.2); }},
       {"rotor mass",
        {"rotor.modal.mass=[3.0]"},
-       [](mjModel* m) { m->dof_armature[dof(m, "x_1")] = m->dof_armature[dof(m, "y_1")] = 3.0; }},
+       [](mjModel* m) { m->dof_armature[dof_of(m, "x_1")] = m->dof_armature[dof_of(m, "y_1")] = 3.0; }},
       {"inertia",
        {"rotor.modal.inertia=2e-3"},
-       [](mjModel* m) { m->dof_armature[dof(m, "spin")] = 2e-3; }},
+       [](mjModel* m) { m->dof_armature[dof_of(m, "spin")] = 2e-3; }},
       {"stiffness",
        {"rotor.modal.stiffness=[1.5e5]"},
        [](mjModel* m) {
@@ -89,7 +89,7 @@ std::vector<Case> cases() {
        }},
       {"damping",
        {"rotor.modal.damping=[80.0]"},
-       [](mjModel* m) { m->dof_damping[dof(m, "x_1")] = m->dof_damping[dof(m, "y_1")] = 80.0; }},
+       [](mjModel* m) { m->dof_damping[dof_of(m, "x_1")] = m->dof_damping[dof_of(m, "y_1")] = 80.0; }},
       {"one plane of the ring",
        {"stator.stiffness=[1e5, 2e5]"},
        [](mjModel* m) { m->jnt_stiffness[joint(m, "ring_y")] = 2e5; }},
@@ -129,8 +129,8 @@ TEST_F(ModelParameters, ARingThatTurnsHasTheInertiaAndDragOfItsJoint) {
     EXPECT_NE(said({model, first}), wanted);
     EXPECT_EQ(edited({model, first},
                      [](mjModel* m) {
-                       m->dof_armature[dof(m, "ring_spin")] = 3e-4;
-                       m->dof_damping[dof(m, "ring_spin")] = 4e-3;
+                       m->dof_armature[dof_of(m, "ring_spin")] = 3e-4;
+                       m->dof_damping[dof_of(m, "ring_spin")] = 4e-3;
                      }),
               wanted);
     // A radius is R's as well, by which friction turns the ring.
@@ -153,7 +153,7 @@ TEST_F(ModelParameters, ALighterRingGainsNoEnergy) {
   d->qpos[0] = 0.49e-3;
   d->qvel[0] = 0.5;
   for (int k = 0; k < 5; ++k) mj_step(m.get(), d.get());
-  const double closing = 0.5, gap_rate = d->qvel[dof(m.get(), "ring_x")] - d->qvel[0];
+  const double closing = 0.5, gap_rate = d->qvel[dof_of(m.get(), "ring_x")] - d->qvel[0];
   EXPECT_NEAR(gap_rate / closing, 0.5, 0.01);
 }
 
@@ -191,7 +191,7 @@ TEST_F(ModelParameters, NumbersThatNoRotorHasAreRefusedByName) {
   const auto expect = [](const std::string& part, const std::string& whole) {
     EXPECT_NE(whole.find(part), std::string::npos) << whole;
   };
-  expect("ring_x", refusal([](mjModel* m) { m->dof_armature[dof(m, "ring_x")] = 0.0; }));
+  expect("ring_x", refusal([](mjModel* m) { m->dof_armature[dof_of(m, "ring_x")] = 0.0; }));
   expect("x_1", refusal([](mjModel* m) { m->jnt_stiffness[joint(m, "x_1")] = -1.0; }));
   expect("friction", refusal([](mjModel* m) { m->pair_friction[0] = -0.1; }));
   expect("ring", refusal([](mjModel* m) { m->geom_size[3 * geom(m, "ring")] = 0.04; }));
@@ -238,7 +238,7 @@ TEST_F(ModelParameters, AMassOnTheRingIsTheRings) {
   std::string document = mjcf(shipped("bench_ring"));
   const std::size_t ring = document.find("<body name=\"ring\">");
   document.replace(document.find("mass=\"1e-12\"", ring), 12, "mass=\"0.5\"");
-  expect_near(state_after(load(document).get(), kSteps), said({"stator.mass=1.5"}), 1e-9);
+  expect_near(state_after(load(document).get(), kRubSteps), said({"stator.mass=1.5"}), 1e-9);
 }
 
 // Somebody's motor on a joint of ours pushes as a load of the scene does.
@@ -250,7 +250,7 @@ TEST_F(ModelParameters, OtherActuatorsAct) {
   const DataPointer d = start(m.get());
   const ModelPointer free = load(mjcf(shipped("bench_ring")));
   const DataPointer e = start(free.get());
-  for (int k = 0; k < kSteps; ++k) {
+  for (int k = 0; k < kRubSteps; ++k) {
     d->ctrl[mj_name2id(m.get(), mjOBJ_ACTUATOR, "push")] = 10.0;
     mj_step(m.get(), d.get());
     e->qfrc_applied[0] = 20.0;

@@ -106,20 +106,20 @@ std::string document_of(const std::string& name) {
   return document;
 }
 
-constexpr int kSteps = 20000;
+constexpr int kTestspeedSteps = 20000;
 
 TEST_P(Preload, TestspeedGivesTheBitsOfALinkedRun) {
   const std::string document = document_of(GetParam());
-  const std::string wanted = linked(document, kSteps);
-  const std::vector<std::string> one = testspeed(document, kSteps, 1, true);
+  const std::string wanted = linked(document, kTestspeedSteps);
+  const std::vector<std::string> one = testspeed(document, kTestspeedSteps, 1, true);
   EXPECT_EQ(one.back(), wanted);
-  EXPECT_NE(testspeed(document, kSteps, 1, false).back(), wanted) << "the plugin did nothing";
+  EXPECT_NE(testspeed(document, kTestspeedSteps, 1, false).back(), wanted) << "the plugin did nothing";
 }
 
 TEST_P(Preload, TwoThreadsGiveTheBitsOfOne) {
   const std::string document = document_of(GetParam());
-  const std::string wanted = linked(document, kSteps);
-  const std::vector<std::string> two = testspeed(document, kSteps, 2, true);
+  const std::string wanted = linked(document, kTestspeedSteps);
+  const std::vector<std::string> two = testspeed(document, kTestspeedSteps, 2, true);
   ASSERT_GE(two.size(), 2u);
   EXPECT_EQ(two[two.size() - 1], wanted);
   EXPECT_EQ(two[two.size() - 2], wanted);

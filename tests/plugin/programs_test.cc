@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSteps = 3000;
+constexpr int kProgramSteps = 3000;
 
 class Programs : public MujocoTest {
  protected:
@@ -31,7 +31,7 @@ class Programs : public MujocoTest {
   }
   ~Programs() override { fs::remove_all(folder_); }
 
-  // The line that an mjData of the program leaves after kSteps steps from time 0 (step_log.cc).
+  // The line that an mjData of the program leaves after kProgramSteps steps from time 0 (step_log.cc).
   std::string logged(const std::string& document, const std::string& program,
                      const std::string& arguments, bool plugin) const {
     const fs::path xml = folder_ / "scene.xml", log = folder_ / "log";
@@ -45,7 +45,7 @@ class Programs : public MujocoTest {
                                 ROTORUB_SOURCE_DIR + "/tests/support/until_logged " + log.string() +
                                 " env LD_PRELOAD=" + libraries +
                                 " ROTORUB_STEP_LOG_FILE=" + log.string() +
-                                " ROTORUB_STEP_LOG_AT=" + std::to_string(kSteps) + " " + program +
+                                " ROTORUB_STEP_LOG_AT=" + std::to_string(kProgramSteps) + " " + program +
                                 " " + xml.string() + " " + arguments + " > out.txt 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::ifstream in(log);
@@ -63,7 +63,7 @@ class Programs : public MujocoTest {
     const plugin::Hooks hooks;
     const ModelPointer m = load(document);
     const DataPointer d(mj_makeData(m.get()));
-    for (int k = 0; k < kSteps; ++k) mj_step(m.get(), d.get());
+    for (int k = 0; k < kProgramSteps; ++k) mj_step(m.get(), d.get());
     std::string line = "1 ";
     const auto add = [&line](double value) {
       char text[20];

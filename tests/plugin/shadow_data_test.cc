@@ -16,7 +16,7 @@ namespace {
 
 namespace names = mjcf_names;
 
-constexpr int kSteps = 3000;
+constexpr int kShadowSteps = 3000;
 
 // Its controller is sampled and on from the start: everything that is remembered is in use.
 class ShadowData : public MujocoTest {
@@ -44,31 +44,31 @@ class ShadowData : public MujocoTest {
 
 TEST_F(ShadowData, ResetStartsAnew) {
   const DataPointer d = start(model_.get());
-  steps(d.get(), kSteps);
+  steps(d.get(), kShadowSteps);
   const std::vector<double> first = shadow(d.get());
   mj_resetDataKeyframe(model_.get(), d.get(), 0);
   EXPECT_EQ(entry(config_, d.get(), plugin::kShadowBegun), 0.0);
-  steps(d.get(), kSteps);
+  steps(d.get(), kShadowSteps);
   EXPECT_EQ(shadow(d.get()), first);
 }
 
 TEST_F(ShadowData, CopyGoesOnAlikeInAnotherThread) {
   const DataPointer d = start(model_.get());
-  steps(d.get(), kSteps);
+  steps(d.get(), kShadowSteps);
   const DataPointer copy(mj_makeData(model_.get()));
   mj_copyData(copy.get(), model_.get(), d.get());
-  std::thread other([&] { steps(copy.get(), kSteps); });
-  steps(d.get(), kSteps);
+  std::thread other([&] { steps(copy.get(), kShadowSteps); });
+  steps(d.get(), kShadowSteps);
   other.join();
   EXPECT_EQ(shadow(copy.get()), shadow(d.get()));
-  EXPECT_EQ(shadow(d.get()), shadow_after(2 * kSteps));
+  EXPECT_EQ(shadow(d.get()), shadow_after(2 * kShadowSteps));
 }
 
 TEST_F(ShadowData, ThreadsGetTheSameBits) {
-  const std::vector<double> alone = shadow_after(kSteps);
+  const std::vector<double> alone = shadow_after(kShadowSteps);
   std::vector<double> results[3];
   std::vector<std::thread> threads;
-  for (auto& result : results) threads.emplace_back([&] { result = shadow_after(kSteps); });
+  for (auto& result : results) threads.emplace_back([&] { result = shadow_after(kShadowSteps); });
   for (std::thread& thread : threads) thread.join();
   for (const auto& result : results) EXPECT_EQ(result, alone);
 }
@@ -77,7 +77,7 @@ TEST_F(ShadowData, ThreadsGetTheSameBits) {
 TEST_F(ShadowData, KeyframeInTheMiddleStartsAnew) {
   const std::vector<double> wanted = shadow_after(500);
   const DataPointer d = start(model_.get());
-  steps(d.get(), kSteps);
+  steps(d.get(), kShadowSteps);
   d->time = model_->key_time[0];
   std::copy_n(model_->key_qpos, model_->nq, d->qpos);
   std::copy_n(model_->key_qvel, model_->nv, d->qvel);
@@ -105,7 +105,7 @@ TEST_F(ShadowData, StartsFromMujocosState) {
 
 TEST_F(ShadowData, RepeatedPassesChangeNothing) {
   const DataPointer d = start(model_.get());
-  steps(d.get(), kSteps);
+  steps(d.get(), kShadowSteps);
   mj_forward(model_.get(), d.get());
   const auto memory = [&] {
     return std::vector<double>(d->userdata + config_.shadow->data, d->userdata + model_->nuserdata);
@@ -117,7 +117,7 @@ TEST_F(ShadowData, RepeatedPassesChangeNothing) {
   mj_step2(model_.get(), d.get());
   mj_forward(model_.get(), d.get());
   EXPECT_NE(memory(), before);
-  EXPECT_EQ(shadow(d.get()), shadow_after(kSteps + 2));
+  EXPECT_EQ(shadow(d.get()), shadow_after(kShadowSteps + 2));
 }
 
 // The step may change between two steps; the clock goes on with the new one.

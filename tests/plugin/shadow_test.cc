@@ -43,11 +43,11 @@ std::vector<double> row(const Trajectory& t, const Model& model, std::size_t k) 
 // What is tested hangs on no number of modes.
 const std::vector<std::string> kFewModes{"rotor.modes=2"};
 
-struct Case {
+struct ShadowCase {
   const char* name;
   double end;  // s
 };
-class ShadowBits : public Shadow, public ::testing::WithParamInterface<Case> {};
+class ShadowBits : public Shadow, public ::testing::WithParamInterface<ShadowCase> {};
 
 TEST_P(ShadowBits, AreThoseOfANativeRun) {
   const std::string name = GetParam().name;
@@ -88,9 +88,9 @@ TEST_P(ShadowBits, AreThoseOfANativeRun) {
 
 // Long enough for impacts, lasting contact and, in paper_sliding, the controller (on at 0.1 s).
 INSTANTIATE_TEST_SUITE_P(Scenes, ShadowBits,
-                         ::testing::Values(Case{"bench_ring", 0.03}, Case{"paper_passive", 0.2},
-                                           Case{"paper_sliding", 0.15},
-                                           Case{"paper_magnetic", 0.12}),
+                         ::testing::Values(ShadowCase{"bench_ring", 0.03}, ShadowCase{"paper_passive", 0.2},
+                                           ShadowCase{"paper_sliding", 0.15},
+                                           ShadowCase{"paper_magnetic", 0.12}),
                          [](const auto& which) { return std::string(which.param.name); });
 
 TEST_F(Shadow, LeavesMujocosMotionToTheBit) {

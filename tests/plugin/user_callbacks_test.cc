@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSteps = 2000;
+constexpr int kCallbackSteps = 2000;
 
 struct Line {
   double calls = -1, active = -1, touching = -1, penetration = -1;
@@ -40,7 +40,7 @@ class Program : public MujocoTest {
   ~Program() override { fs::remove_all(folder_); }
 
   // The program's lines for a case.
-  std::string said(const std::string& document, const std::string& what, int steps = kSteps) const {
+  std::string said(const std::string& document, const std::string& what, int steps = kCallbackSteps) const {
     const fs::path xml = folder_ / "scene.xml", out = folder_ / "out";
     write_whole(xml, for_this_mujoco(document));
     const std::string name = linked_ ? "rotorub_user_program_linked" : "rotorub_user_program";
@@ -108,7 +108,7 @@ TEST_P(UserCallbacks, AreCalledAndTheContactStays) {
       EXPECT_EQ(line.active, 1.0) << contact << " " << what;
       EXPECT_EQ(line.penetration, plain.penetration) << contact << " " << what;
       // A passive force that was found missing in mid-pass is computed anew.
-      EXPECT_NEAR(line.calls, kSteps, what == "passive" ? 1 : 0) << contact << " " << what;
+      EXPECT_NEAR(line.calls, kCallbackSteps, what == "passive" ? 1 : 0) << contact << " " << what;
     }
   }
 }
@@ -154,7 +154,7 @@ TEST_P(UserCallbacks, MayBeTakenOffAgain) {
     const Line line = run(document, what);
     EXPECT_EQ(line.state, plain.state) << what;
     EXPECT_EQ(line.active, 1.0) << what;
-    EXPECT_EQ(line.calls, kSteps / 2) << what;
+    EXPECT_EQ(line.calls, kCallbackSteps / 2) << what;
   }
 }
 
@@ -184,8 +184,8 @@ TEST_P(UserCallbacks, ThatStopCallingUsAreNoticed) {
             std::string::npos)
       << text;
   const Line line = line_of(text.substr(text.find('\n') + 1));
-  EXPECT_EQ(line.active, 1.0 - 1.0 / kSteps);
-  EXPECT_EQ(line.calls, kSteps);
+  EXPECT_EQ(line.active, 1.0 - 1.0 / kCallbackSteps);
+  EXPECT_EQ(line.calls, kCallbackSteps);
   EXPECT_LT(line.penetration, 20.0);
 }
 

@@ -19,14 +19,14 @@ Trajectory cubic_run() {
   return run;
 }
 
-constexpr double kRoundOff = 1e-16;  // m, of values of 1e-3 m
+constexpr double kLastDigit = 1e-16;  // m, of values of 1e-3 m
 
 TEST(Playback, FollowsPositionAndVelocityBetweenRows) {
   const Trajectory run = cubic_run();
   const Playback playback(run);
   for (const double t : {0.0, 0.013, 0.05, 0.0777, 0.1}) {
-    EXPECT_NEAR(playback.at(t).rotor[0], cubic(t), kRoundOff) << t;
-    EXPECT_NEAR(playback.at(t).x[0], cubic(t), kRoundOff) << t;
+    EXPECT_NEAR(playback.at(t).rotor[0], cubic(t), kLastDigit) << t;
+    EXPECT_NEAR(playback.at(t).x[0], cubic(t), kLastDigit) << t;
   }
 }
 
@@ -35,14 +35,14 @@ TEST(Playback, GoesStraightAcrossAnImpact) {
   run.impacts.push_back({.t = 0.02, .normal_impulse = 1.0, .gap_rate_before = -0.1});
   const Playback playback(run);
   const double straight = 0.8 * cubic(0.0) + 0.2 * cubic(0.05);
-  EXPECT_NEAR(playback.at(0.01).rotor[0], straight, kRoundOff);
+  EXPECT_NEAR(playback.at(0.01).rotor[0], straight, kLastDigit);
   EXPECT_NE(playback.at(0.01).rotor[0], cubic(0.01));
-  EXPECT_NEAR(playback.at(0.08).rotor[0], cubic(0.08), kRoundOff);  // no impact there
+  EXPECT_NEAR(playback.at(0.08).rotor[0], cubic(0.08), kLastDigit);  // no impact there
 }
 
 TEST(Playback, GoesStraightWhereVelocitiesAreNotGiven) {
   const Trajectory run = made_run(3, [](double t) { return Row{.rotor_y = t * t}; });
-  EXPECT_NEAR(Playback(run).at(0.025).rotor[1], 0.5 * 0.05 * 0.05, kRoundOff);
+  EXPECT_NEAR(Playback(run).at(0.025).rotor[1], 0.5 * 0.05 * 0.05, kLastDigit);
 }
 
 TEST(Playback, NeverLeavesTheRingBetweenTwoPointsInIt) {
@@ -73,7 +73,7 @@ TEST(Playback, ClampsToTheRun) {
   const Playback playback(run);
   EXPECT_EQ(playback.at(-1.0).t, 0.0);
   EXPECT_EQ(playback.at(9.0).t, 0.1);
-  EXPECT_NEAR(playback.at(9.0).rotor[0], cubic(0.1), kRoundOff);
+  EXPECT_NEAR(playback.at(9.0).rotor[0], cubic(0.1), kLastDigit);
 }
 
 TEST(Playback, FindsTheFirstContact) {

@@ -69,10 +69,6 @@ double sensor(const mjModel* m, const mjData* d, const char* name) {
   return d->sensordata[m->sensor_adr[id]];
 }
 
-scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides) {
-  return scene::read_scene(std::filesystem::path(ROTORUB_MJCF_DIR) / (name + ".toml"), overrides);
-}
-
 scene::Scene parsed(const std::string& text, const std::vector<std::string>& overrides) {
   return scene::parse_scene(text, "test.toml", overrides);
 }

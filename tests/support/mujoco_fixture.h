@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "native_model/scene/scene.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub::test {
 
@@ -33,8 +34,7 @@ std::vector<double> state_after(const mjModel* m, int steps);
 
 double sensor(const mjModel* m, const mjData* d, const char* name);
 
-// A shipped scene, and one written in the test.
-scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {});
+// A scene written in the test; a shipped one: native_run.h.
 scene::Scene parsed(const std::string& text, const std::vector<std::string>& overrides = {});
 std::vector<std::string> shipped_names();  // every mjcf/*.toml, without ending
 

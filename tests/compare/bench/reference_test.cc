@@ -7,13 +7,12 @@
 #include "compare/bench/closed_form.h"
 #include "compare/bench/event_engine.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub::bench {
 namespace {
 
-scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
-}
+using test::shipped;
 
 RunRequest rows(const scene::Scene& scene) {
   RunRequest r;

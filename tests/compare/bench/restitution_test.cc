@@ -11,14 +11,14 @@
 namespace rotorub::bench {
 namespace {
 
-const Progress kSilent = [](double, const std::string&) {};
+const Progress kQuiet = [](double, const std::string&) {};
 
 // A public benchmark of engines has it that MuJoCo's restitution cannot be set. The direct solref
 // sets it; the default does not.
 TEST(RestitutionLong, MujocoCanBeCalibrated) {
   // Share of the approach speed: of a bounce of 300 steps, the last is whole.
   constexpr double kCalibrated = 3e-3;
-  const auto rows = restitution_table(kSilent, nullptr);
+  const auto rows = restitution_table(kQuiet, nullptr);
   int calibrated = 0, defaults = 0;
   for (const RestitutionRow& r : rows) {
     ASSERT_EQ(r.failure, "") << r.engine;
@@ -45,7 +45,7 @@ TEST(StabilityMapLong, HasACellForEveryStepStiffnessAndFriction) {
     all.insert(all.end(), further.begin(), further.end());
     return scene::read_scene(file, all);
   };
-  const StabilityMap map = stability_map(reader, reader({}), kSilent, nullptr);
+  const StabilityMap map = stability_map(reader, reader({}), kQuiet, nullptr);
   ASSERT_EQ(map.frictions.size(), 3u);
   EXPECT_EQ(map.cells.size(), 3u * map.steps.size() * (1 + 2 * map.stiffnesses.size()));
   int cone_fine = 0;

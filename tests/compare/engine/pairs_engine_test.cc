@@ -9,6 +9,7 @@
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/native_run.h"
 #include "tests/support/order.h"
 #include "tests/support/pairs.h"
 
@@ -19,12 +20,6 @@ namespace {
 constexpr int kStepsInAMillisecond[] = {20, 25, 30, 40, 60, 90, 135, 200, 300, 450, 680};
 constexpr double kRigidOrder = 1.7;  // 2, less the scatter of impacts within their steps
 constexpr double kFloor = 1e-12;     // m: MuJoCo's links weigh 1e-12 kg; judged stands well above
-
-Trajectory event(const scene::Scene& scene) {
-  NativeOptions options;
-  options.integrator = scene::Integrator::kEvent;
-  return run_native(scene, options);
-}
 
 Convergence converge(const scene::Scene& scene, const Trajectory& exact) {
   Convergence c;
@@ -70,7 +65,7 @@ TEST_P(LongPairsEngine, RigidIsOfSecondOrder) {
       EXPECT_THROW(run_mujoco(scene, rigid), scene::SceneError);
       continue;
     }
-    const Trajectory exact = event(scene);
+    const Trajectory exact = run_event(scene);
     ASSERT_EQ(exact.status, Status::kOk) << scene.name << ": " << exact.message;
     const Convergence c = converge(scene, exact);
     const bool good = c.steps.size() >= 5 && c.order() >= least_order(pair);

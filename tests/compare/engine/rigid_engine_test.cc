@@ -8,6 +8,7 @@
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/native_run.h"
 #include "tests/support/order.h"
 
 namespace rotorub::test {
@@ -20,12 +21,6 @@ Trajectory rigid(const scene::Scene& scene, double step) {
   return run_mujoco(scene, options);
 }
 
-Trajectory event(const scene::Scene& scene) {
-  NativeOptions options;
-  options.integrator = scene::Integrator::kEvent;
-  return run_native(scene, options);
-}
-
 int counted(const Trajectory& t) {
   return static_cast<int>(std::count_if(t.impacts.begin(), t.impacts.end(),
                                         [](const Impact& impact) { return counts(impact); }));
@@ -33,7 +28,7 @@ int counted(const Trajectory& t) {
 
 TEST(RigidEngine, FollowsTheRingBench) {
   const scene::Scene scene = shipped("bench_ring");
-  const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
+  const Trajectory reference = run_event(scene), t = rigid(scene, 1e-5);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_EQ(t.contact_model, "rigid");
   EXPECT_LT(rotor_error(t, reference), 1.4e-8);
@@ -53,7 +48,7 @@ TEST(RigidEngine, FollowsTheRingBench) {
 
 TEST(RigidEngine, IsOfSecondOrderOnTheRingBench) {
   const scene::Scene scene = shipped("bench_ring", {"run.end=0.1"});
-  const Trajectory reference = event(scene);
+  const Trajectory reference = run_event(scene);
   const double coarse = rotor_error(rigid(scene, 1e-4), reference);
   const double middle = rotor_error(rigid(scene, 1e-5), reference);
   const double fine = rotor_error(rigid(scene, 1e-6), reference);
@@ -74,7 +69,7 @@ TEST(RigidEngine, KeepsABilliardsEnergy) {
 
 TEST(RigidEngine, BouncesToRest) {
   const scene::Scene scene = shipped("bench_drop");
-  const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
+  const Trajectory reference = run_event(scene), t = rigid(scene, 1e-5);
   EXPECT_LT(rotor_error(t, reference), 2e-6);
   EXPECT_NEAR(t.impacts[0].t, 10.0964e-3, 2e-5);
   EXPECT_NEAR(t.impacts[1].t, 20.1928e-3, 4e-5);
@@ -86,7 +81,7 @@ TEST(RigidEngine, FollowsThePapersScenes) {
   for (const char* name : {"paper_sliding", "paper_passive", "paper_magnetic"}) {
     SCOPED_TRACE(name);
     const scene::Scene scene = shipped(name, {"rotor.modes=2"});
-    const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
+    const Trajectory reference = run_event(scene), t = rigid(scene, 1e-5);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     EXPECT_NEAR(t.mean_force(), reference.mean_force(), 0.01 * reference.mean_force());
     // A bounce that is shorter than a step counts as contact.
@@ -98,7 +93,7 @@ TEST(RigidEngine, FollowsThePapersScenes) {
 // Rankings: what the model is for.
 TEST(RigidEngine, IsNearerThanCoulombThanCone) {
   const scene::Scene scene = shipped("bench_ring");
-  const Trajectory reference = event(scene);
+  const Trajectory reference = run_event(scene);
   const auto error = [&](scene::ContactModel contact) {
     MujocoOptions options;
     options.contact = contact;
@@ -112,7 +107,7 @@ TEST(RigidEngine, IsNearerThanCoulombThanCone) {
 
 TEST(RigidEngine, ImplicitIntegratorDoesTheSame) {
   const scene::Scene scene = shipped("bench_ring", {"mujoco.integrator=implicit"});
-  const Trajectory reference = event(scene), t = rigid(scene, 1e-5);
+  const Trajectory reference = run_event(scene), t = rigid(scene, 1e-5);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_EQ(t.integrator, "implicit");
   EXPECT_LT(rotor_error(t, reference), 5e-6);
@@ -125,7 +120,7 @@ TEST_P(RigidRubs, AreOfSecondOrder) {
   scene::Scene scene = shipped(GetParam());
   scene.run.end = 0.1;
   scene.run.output_step = 1e-3;
-  const Trajectory exact = event(scene);
+  const Trajectory exact = run_event(scene);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   Convergence c;
   for (const double step : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {

@@ -14,28 +14,28 @@ using test::Row;
 using test::sliding;
 using test::Whirl;
 
-constexpr double kRoundOff = 1e-12;
+constexpr double kResidual = 1e-12;
 
-const Whirl kWhirl;
-const ContactFacts kFacts{kWhirl.clearance, kWhirl.radius, kWhirl.friction};
+const Whirl kRub;
+const ContactFacts kRubFacts{kRub.clearance, kRub.radius, kRub.friction};
 
 // A lawful series with one row changed.
 Residuals with(const std::function<void(Row&)>& spoil) {
   return contact_residuals(hand_made(100, 1e-4,
                                      [&](double t) {
-                                       Row row = sliding(kWhirl, t);
+                                       Row row = sliding(kRub, t);
                                        if (t > 49.5e-4 && t < 50.5e-4) spoil(row);
                                        return row;
                                      }),
-                           kFacts);
+                           kRubFacts);
 }
 
 TEST(ContactResiduals, ALawfulSeriesHasNone) {
   const Residuals r = with([](Row&) {});
-  EXPECT_DOUBLE_EQ(r.force_scale, kWhirl.normal);
+  EXPECT_DOUBLE_EQ(r.force_scale, kRub.normal);
   for (const double residual :
        {r.penetration, r.adhesion, r.complementarity, r.cone, r.sliding, r.power, r.gap_error}) {
-    EXPECT_LE(residual, kRoundOff);
+    EXPECT_LE(residual, kResidual);
     EXPECT_GE(residual, 0.0);
   }
 }
@@ -44,14 +44,14 @@ TEST(ContactResiduals, SeesPenetration) {
   const Residuals r = with([](Row& row) {
     row.x *= 1.1;
     row.y *= 1.1;
-    row.gap = -0.1 * kWhirl.clearance;
+    row.gap = -0.1 * kRub.clearance;
   });
-  EXPECT_NEAR(r.penetration, 0.1, kRoundOff);
-  EXPECT_LE(r.gap_error, kRoundOff);
+  EXPECT_NEAR(r.penetration, 0.1, kResidual);
+  EXPECT_LE(r.gap_error, kResidual);
 }
 
 TEST(ContactResiduals, SeesAPull) {
-  EXPECT_NEAR(with([](Row& row) { row.normal = -5.0; }).adhesion, 5.0 / kWhirl.normal, kRoundOff);
+  EXPECT_NEAR(with([](Row& row) { row.normal = -5.0; }).adhesion, 5.0 / kRub.normal, kResidual);
 }
 
 TEST(ContactResiduals, SeesForceWithoutTouch) {
@@ -59,23 +59,23 @@ TEST(ContactResiduals, SeesForceWithoutTouch) {
     row.x *= 0.5;
     row.y *= 0.5;
   });
-  EXPECT_NEAR(r.complementarity, 0.5, kRoundOff);
-  EXPECT_NEAR(r.gap_error, 0.5, kRoundOff);  // the column says 0, the positions half the clearance
+  EXPECT_NEAR(r.complementarity, 0.5, kResidual);
+  EXPECT_NEAR(r.gap_error, 0.5, kResidual);  // the column says 0, the positions half the clearance
 }
 
 TEST(ContactResiduals, SeesFrictionBeyondTheCone) {
-  EXPECT_NEAR(with([](Row& row) { row.friction *= 2.0; }).cone, kWhirl.friction, kRoundOff);
+  EXPECT_NEAR(with([](Row& row) { row.friction *= 2.0; }).cone, kRub.friction, kResidual);
 }
 
 TEST(ContactResiduals, SeesSlidingWithTooLittleFriction) {
   const Residuals r = with([](Row& row) { row.friction *= 0.25; });
-  EXPECT_NEAR(r.sliding, 0.75 * kWhirl.friction, kRoundOff);
-  EXPECT_LE(r.cone, kRoundOff);
+  EXPECT_NEAR(r.sliding, 0.75 * kRub.friction, kResidual);
+  EXPECT_LE(r.cone, kResidual);
 }
 
 TEST(ContactResiduals, SeesFrictionThatDrives) {
-  EXPECT_NEAR(with([](Row& row) { row.friction = -row.friction; }).power, kWhirl.friction,
-              kRoundOff);
+  EXPECT_NEAR(with([](Row& row) { row.friction = -row.friction; }).power, kRub.friction,
+              kResidual);
 }
 
 TEST(ContactResiduals, SlowSlipMayHaveAnyFrictionInTheCone) {
@@ -83,17 +83,17 @@ TEST(ContactResiduals, SlowSlipMayHaveAnyFrictionInTheCone) {
     row.slip = 1e-6;
     row.friction = 0.0;
   });
-  EXPECT_LE(r.sliding, kRoundOff);
+  EXPECT_LE(r.sliding, kResidual);
 }
 
 TEST(ContactResiduals, WithoutContactForcesAreScaledByOneNewton) {
   const Residuals r = contact_residuals(hand_made(3, 1.0,
                                                   [](double) {
                                                     Row row;
-                                                    row.gap = kWhirl.clearance;
+                                                    row.gap = kRub.clearance;
                                                     return row;
                                                   }),
-                                        kFacts);
+                                        kRubFacts);
   EXPECT_EQ(r.force_scale, 1.0);
   EXPECT_EQ(r.penetration, 0.0);
   EXPECT_EQ(r.gap_error, 0.0);

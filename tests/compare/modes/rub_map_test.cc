@@ -7,15 +7,14 @@
 #include "compare/modes/rub_map_text.h"
 #include "compare/report/rub_map_page.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
 
-using nlohmann::json;
+using test::shipped;
 
-scene::Scene shipped(const std::string& name) {
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml");
-}
+using nlohmann::json;
 
 TEST(RubJson, OfTheWhip) {
   const scene::Scene scene = shipped("bench_whip");

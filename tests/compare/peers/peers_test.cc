@@ -12,13 +12,12 @@
 #include "compare/peers/penalty.h"
 #include "compare/peers/planar_scene.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub::peers {
 namespace {
 
-scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
-}
+using test::shipped;
 
 const Peer& peer(const std::string& name) {
   return *std::find_if(all_peers().begin(), all_peers().end(),

@@ -11,7 +11,7 @@
 namespace rotorub {
 namespace {
 
-const Electromagnet kMagnet({4e-4, 3.0, 5e-3, 0.0});
+const Electromagnet kSmoothMagnet({4e-4, 3.0, 5e-3, 0.0});
 constexpr double kReach = 2e-3, kCurrent = 2.5;  // m, A
 
 // n x n values of a function over +-reach and +-current, unevenly spaced.
@@ -29,7 +29,7 @@ ForceGrid grid(int n, Function f) {
   return g;
 }
 
-double of_magnet(double s, double i) { return kMagnet.force(s, i); }
+double of_magnet(double s, double i) { return kSmoothMagnet.force(s, i); }
 
 // Cubic in both: the spline is the function itself.
 double cubic(double s, double i) {
@@ -90,7 +90,7 @@ TEST(ForceTable, GainAndBiasMakeTheForce) {
   for (const double i : {-2.0, -1e-3, -1e-9, 0.0, 1e-9, 0.5, 2.5}) {
     EXPECT_NEAR(table.gain(7e-4, i) * i + table.force(7e-4, 0.0), table.force(7e-4, i), 1e-9) << i;
   }
-  EXPECT_NEAR(table.gain(0.0, 0.0), kMagnet.gain(0.0, 0.0), 1.0);
+  EXPECT_NEAR(table.gain(0.0, 0.0), kSmoothMagnet.gain(0.0, 0.0), 1.0);
 }
 
 TEST(ForceTable, BeyondItsEdgesTheForceIsHeld) {

@@ -10,14 +10,14 @@
 namespace rotorub {
 namespace {
 
-constexpr double kRoundOff = 1e-15;
+constexpr double kLastDigit = 1e-15;
 
 TEST(ImpactPhase, RatesAreThoseOfTheContactPoint) {
   const Eigen::Vector2d d{3e-4, -4e-4}, dv{0.2, 0.7};
   const ContactPoint p = contact_kinematics(d, dv, 30.0, 0.05, 6e-4);
   const Eigen::Vector2d rates = rates_along(p.e_r, 0.05, {dv.x(), dv.y(), 30.0});
-  EXPECT_NEAR(rates.x(), p.gap_rate, kRoundOff);
-  EXPECT_NEAR(rates.y(), p.slip, kRoundOff);
+  EXPECT_NEAR(rates.x(), p.gap_rate, kLastDigit);
+  EXPECT_NEAR(rates.y(), p.slip, kLastDigit);
 }
 
 // Masses 2 and 3 under constant forces; a third coordinate has a rate and no load's work.
@@ -26,9 +26,9 @@ TEST(ImpactPhase, TheLoadsWorkIsWhatTheyMove) {
   const double tau = 0.1;
   std::vector<double> to(3);
   load_phase(tau, acceleration, from, to);
-  EXPECT_NEAR(to[0], 0.5, kRoundOff);
-  EXPECT_NEAR(to[1], -0.5, kRoundOff);
-  EXPECT_NEAR(to[2], 1.7, kRoundOff);
+  EXPECT_NEAR(to[0], 0.5, kLastDigit);
+  EXPECT_NEAR(to[1], -0.5, kLastDigit);
+  EXPECT_NEAR(to[2], 1.7, kLastDigit);
   double work = 10.0;
   add_load_work(tau, force, from.data(), to.data(), work);
   const double gain = 0.5 * 2.0 * (0.25 - 0.09) + 0.5 * 3.0 * (0.25 - 0.04);
@@ -42,8 +42,8 @@ TEST(ImpactPhase, AnImpulsesWorkIsItsEnergy) {
   const Eigen::Vector2d after = before + Eigen::Vector2d(-normal, friction) / mass;
   const auto rates = [&](const Eigen::Vector2d& v) { return rates_along(e_r, 0.0, {v.x(), v.y(), 0.0}); };
   const ImpulseWork work = impulse_work(normal, friction, rates(before), rates(after));
-  EXPECT_NEAR(work.total(), 0.5 * mass * (after.squaredNorm() - before.squaredNorm()), kRoundOff);
-  EXPECT_NEAR(work.friction, 0.5 * mass * (after.y() * after.y() - before.y() * before.y()), kRoundOff);
+  EXPECT_NEAR(work.total(), 0.5 * mass * (after.squaredNorm() - before.squaredNorm()), kLastDigit);
+  EXPECT_NEAR(work.friction, 0.5 * mass * (after.y() * after.y() - before.y() * before.y()), kLastDigit);
   EXPECT_LT(work.friction, 0.0) << "friction brakes";
 }
 

@@ -12,7 +12,7 @@
 namespace rotorub {
 namespace {
 
-constexpr double kRoundOff = 1e-12;  // scaled residual of the closed form in double
+constexpr double kClosedForm = 1e-12;  // scaled residual of the closed form in double
 
 ImpactResidual residual(const Delassus& g, double gap_rate, double slip, const ImpactLaw& law,
                         const ImpactResult& r) {
@@ -40,8 +40,8 @@ TEST(Impact, PlanarOracleSweep) {
           const ImpactResult r =
               solve_impact({0.5, 0.0, 0.0, 3.0}, -0.8, slip, {mu, eps_n, eps_t});
           ASSERT_EQ(r.status, ImpactStatus::kOk);
-          EXPECT_NEAR(r.gap_rate, exact.normal_after(-0.8), kRoundOff);
-          EXPECT_NEAR(r.slip, exact.slip_after(-0.8, slip), kRoundOff * 40.0)
+          EXPECT_NEAR(r.gap_rate, exact.normal_after(-0.8), kClosedForm);
+          EXPECT_NEAR(r.slip, exact.slip_after(-0.8, slip), kClosedForm * 40.0)
               << "mu " << mu << " eps_N " << eps_n << " eps_T " << eps_t << " slip " << slip;
         }
       }
@@ -68,9 +68,9 @@ TEST(Impact, RandomImpactsSatisfyTheLawsAndDissipate) {
       continue;
     }
     const ImpactResidual e = residual(g, gap_rate, slip, law, r);
-    ASSERT_LT(e.compression, kRoundOff) << k;
-    ASSERT_LT(e.expansion, kRoundOff) << k;
-    ASSERT_LT(e.energy_gain, kRoundOff) << k;
+    ASSERT_LT(e.compression, kClosedForm) << k;
+    ASSERT_LT(e.expansion, kClosedForm) << k;
+    ASSERT_LT(e.energy_gain, kClosedForm) << k;
   }
 }
 
@@ -78,7 +78,7 @@ TEST(Impact, ResidualSeesAWrongImpulse) {
   const Delassus g{1.0, 0.0, 0.0, 2.0};
   const ImpactLaw law{0.3, 0.5, 0.0};
   ImpactResult r = solve_impact(g, -1.0, 5.0, law);
-  ASSERT_LT(residual(g, -1.0, 5.0, law, r).expansion, kRoundOff);
+  ASSERT_LT(residual(g, -1.0, 5.0, law, r).expansion, kClosedForm);
   r.normal_expansion *= 1.001;
   EXPECT_GT(residual(g, -1.0, 5.0, law, r).expansion, 1e-5);
   r = solve_impact(g, -1.0, 5.0, law);

@@ -8,7 +8,7 @@
 namespace rotorub {
 namespace {
 
-constexpr double kRoundOff = 1e-12;  // of a 2x2 solve with a condition number up to 100
+constexpr double kPlanarSolve = 1e-12;  // of a 2x2 solve with a condition number up to 100
 
 TEST(PlanarContact, StickByHand) {
   // [2 1; 0.5 3] (1, -2) = (0, -5.5).
@@ -33,12 +33,12 @@ TEST(PlanarContact, RandomSolutionsLeaveWhatTheyPromise) {
                                  1.5 + unit(random)};
     const double b_n = unit(random), b_t = unit(random), mu_sign = 0.9 * unit(random);
     const PlanarImpulse<double> s = stick(a, b_n, b_t);
-    ASSERT_NEAR(gap_rate_after(a, b_n, s), 0.0, kRoundOff);
-    ASSERT_NEAR(slip_after(a, b_t, s), 0.0, kRoundOff);
+    ASSERT_NEAR(gap_rate_after(a, b_n, s), 0.0, kPlanarSolve);
+    ASSERT_NEAR(slip_after(a, b_t, s), 0.0, kPlanarSolve);
     const double n = slide(a, b_n, mu_sign);
     const PlanarImpulse<double> l{n, -mu_sign * n};
-    ASSERT_NEAR(gap_rate_after(a, b_n, l), 0.0, kRoundOff);
-    ASSERT_NEAR(slip_after(a, b_t, l), slip_after_slide(a, b_t, mu_sign, n), kRoundOff);
+    ASSERT_NEAR(gap_rate_after(a, b_n, l), 0.0, kPlanarSolve);
+    ASSERT_NEAR(slip_after(a, b_t, l), slip_after_slide(a, b_t, mu_sign, n), kPlanarSolve);
   }
 }
 

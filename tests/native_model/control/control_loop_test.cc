@@ -8,7 +8,7 @@
 namespace rotorub {
 namespace {
 
-constexpr double kSample = 1e-4, kClearance = 5e-4;
+constexpr double kLoopSample = 1e-4, kLoopClearance = 5e-4;
 
 // Tells when it was let in, and how often it was asked.
 class Probe final : public Controller {
@@ -26,7 +26,7 @@ class Probe final : public Controller {
 // A rotor that goes to the ring at `speed` from the centre, along a slant line.
 Measurement approach(int k, double speed) {
   Measurement m;
-  m.t = k * kSample;
+  m.t = k * kLoopSample;
   m.sample = k;
   const Eigen::Vector2d e(0.6, 0.8);
   m.rotor = (1e-6 + speed * m.t) * e;
@@ -36,7 +36,7 @@ Measurement approach(int k, double speed) {
 
 struct Trial {
   explicit Trial(std::optional<scene::Trigger> trigger)
-      : law(std::make_shared<Probe>()), loop(law, {}, trigger, kSample, kClearance),
+      : law(std::make_shared<Probe>()), loop(law, {}, trigger, kLoopSample, kLoopClearance),
         memory(loop.memory_size(), 0.0) {}
   // The first sample with a command; -1: none up to `samples`.
   int first(int samples, double speed) {
@@ -54,8 +54,8 @@ TEST(ControlLoop, WithoutATriggerItRunsAtOnceAndKeepsItsState) {
   Trial run(std::nullopt);
   EXPECT_EQ(run.loop.sample(approach(3, 0.1), run.memory.data()).x(), 11.0) << "start() is asked once";
   EXPECT_EQ(run.loop.sample(approach(4, 0.1), run.memory.data()).x(), 12.0);
-  EXPECT_DOUBLE_EQ(run.law->seen.t, 3 * kSample);
-  EXPECT_DOUBLE_EQ(run.law->seen.gap, kClearance - 1e-6 - 3e-5);
+  EXPECT_DOUBLE_EQ(run.law->seen.t, 3 * kLoopSample);
+  EXPECT_DOUBLE_EQ(run.law->seen.gap, kLoopClearance - 1e-6 - 3e-5);
   EXPECT_DOUBLE_EQ(run.law->seen.gap_rate, -0.1);
 }
 
@@ -98,7 +98,7 @@ TEST(ControlLoop, TriggersByTouchAlsoBetweenTwoSamples) {
     ASSERT_TRUE(run.loop.sample(approach(k, 0.1), run.memory.data()).isZero(0.0)) << k;
   }
   Measurement back = approach(49, 0.1);
-  back.t = 50 * kSample;
+  back.t = 50 * kLoopSample;
   back.rotor_velocity *= -0.5;
   EXPECT_FALSE(run.loop.sample(back, run.memory.data()).isZero(0.0));
 }
@@ -110,7 +110,7 @@ TEST(ControlLoop, ARotorThatTurnsBackBeforeTheRingIsNoTouch) {
   for (int k = 0; k < 30; ++k) run.loop.sample(approach(k, 0.1), run.memory.data());
   for (int k = 30; k < 60; ++k) {
     Measurement back = approach(60 - k, 0.1);
-    back.t = k * kSample;
+    back.t = k * kLoopSample;
     back.rotor_velocity *= -1.0;
     ASSERT_TRUE(run.loop.sample(back, run.memory.data()).isZero(0.0)) << k;
   }

@@ -11,11 +11,11 @@
 namespace rotorub {
 namespace {
 
-constexpr double kSample = 1e-4;
+constexpr double kSensorSample = 1e-4;
 
 // No two numbers alike.
 Measurement truth(std::int64_t k) {
-  const double t = static_cast<double>(k) * kSample;
+  const double t = static_cast<double>(k) * kSensorSample;
   Measurement m;
   m.t = t;
   m.sample = k;
@@ -31,7 +31,7 @@ Measurement truth(std::int64_t k) {
 }
 
 std::vector<Measurement> shown(const scene::Sensors& settings, int samples) {
-  const Sensors sensors(settings, kSample);
+  const Sensors sensors(settings, kSensorSample);
   std::vector<double> memory(sensors.memory_size(), 0.0);
   std::vector<Measurement> all;
   for (int k = 0; k < samples; ++k) all.push_back(sensors.measure(truth(k), memory.data()));
@@ -39,7 +39,7 @@ std::vector<Measurement> shown(const scene::Sensors& settings, int samples) {
 }
 
 TEST(Sensors, ShowTheTruthAndRememberNothingByDefault) {
-  EXPECT_EQ(Sensors({}, kSample).memory_size(), 0u);
+  EXPECT_EQ(Sensors({}, kSensorSample).memory_size(), 0u);
   const Measurement m = shown({}, 3).back(), wanted = truth(2);
   EXPECT_EQ(m.rotor, wanted.rotor);
   EXPECT_EQ(m.stator_velocity, wanted.stator_velocity);
@@ -57,7 +57,7 @@ TEST(Sensors, WhatIsNotMeasuredIsZeroAndSaidSo) {
   EXPECT_EQ(m.stator_velocity, truth(0).stator_velocity);
   EXPECT_EQ(m.spin_speed, 0.0);
   EXPECT_TRUE(m.current.isZero(0.0));
-  EXPECT_EQ(Sensors(s, kSample).measured(), unsigned{ROTORUB_MEASURES_STATOR | ROTORUB_MEASURES_VELOCITY});
+  EXPECT_EQ(Sensors(s, kSensorSample).measured(), unsigned{ROTORUB_MEASURES_STATOR | ROTORUB_MEASURES_VELOCITY});
 }
 
 TEST(Sensors, RoundToTheResolution) {
@@ -101,7 +101,7 @@ TEST(Sensors, NoiseIsNormalIndependentAndAlwaysTheSame) {
 
 TEST(Sensors, DelayIsOfWholeSamplesAndTheFirstStandsForAllBefore) {
   scene::Sensors s;
-  s.delay = 3 * kSample;
+  s.delay = 3 * kSensorSample;
   const auto all = shown(s, 8);
   for (int k = 0; k < 8; ++k) {
     const Measurement wanted = truth(std::max(0, k - 3));
@@ -120,10 +120,10 @@ TEST(Sensors, VelocitiesFromTheShownPositions) {
   const auto all = shown(s, 4);
   EXPECT_TRUE(all[0].rotor_velocity.isZero(0.0)) << "nothing to differ from";
   for (std::size_t k = 1; k < all.size(); ++k) {
-    EXPECT_LT((all[k].rotor_velocity - (all[k].rotor - all[k - 1].rotor) / kSample).norm(), 1e-12);
-    EXPECT_LT((all[k].rotor_velocity - truth(0).rotor_velocity).norm(), 1.5e-6 / kSample);
+    EXPECT_LT((all[k].rotor_velocity - (all[k].rotor - all[k - 1].rotor) / kSensorSample).norm(), 1e-12);
+    EXPECT_LT((all[k].rotor_velocity - truth(0).rotor_velocity).norm(), 1.5e-6 / kSensorSample);
   }
-  s.delay = kSample;
+  s.delay = kSensorSample;
   const auto late = shown(s, 4);
   EXPECT_EQ(late[3].rotor_velocity, all[2].rotor_velocity) << "late as they are";
 }

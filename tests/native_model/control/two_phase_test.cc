@@ -9,21 +9,21 @@
 namespace rotorub {
 namespace {
 
-constexpr double kSample = 2e-5, kClearance = 5e-4;
+constexpr double kPhaseSample = 2e-5, kPhaseClearance = 5e-4;
 
-scene::Controller settings() {
+scene::Controller two_phase_settings() {
   scene::Controller c;
   c.kind = scene::ControllerKind::kTwoPhase;
-  c.sample_time = kSample;
+  c.sample_time = kPhaseSample;
   c.feedback = {2000.0};
   c.handover_time = 0.004;
   c.gap_time = 0.008;
   return c;
 }
 
-Plant plant() {
+Plant two_phase_plant() {
   Plant p;
-  p.clearance = kClearance;
+  p.clearance = kPhaseClearance;
   p.stator_mass = {1.5, 1.5};
   p.stator_damping = {300.0, 300.0};
   p.stator_stiffness = {2e5, 2e5};
@@ -32,7 +32,7 @@ Plant plant() {
 
 // The rotor closes on the ring at 0.1 m/s, touches at t = 2 ms and comes back at half of it; the ring moves.
 Measurement at(int k) {
-  const double t = k * kSample, touch = 0.002;
+  const double t = k * kPhaseSample, touch = 0.002;
   Measurement m;
   m.t = t;
   m.sample = k;
@@ -42,15 +42,15 @@ Measurement at(int k) {
   const Eigen::Vector2d e(std::cos(300.0 * t), std::sin(300.0 * t)), n(-e.y(), e.x());
   m.stator = {1e-5 * std::sin(400.0 * t), 2e-5 * std::cos(300.0 * t)};
   m.stator_velocity = {4e-3 * std::cos(400.0 * t), -6e-3 * std::sin(300.0 * t)};
-  m.rotor = m.stator + (kClearance - gap) * e;
-  m.rotor_velocity = m.stator_velocity - rate * e + 300.0 * (kClearance - gap) * n;
+  m.rotor = m.stator + (kPhaseClearance - gap) * e;
+  m.rotor_velocity = m.stator_velocity - rate * e + 300.0 * (kPhaseClearance - gap) * n;
   return m;
 }
 
 TEST(TwoPhase, TracksFirstThenCrossesAndTheForceDoesNotJump) {
-  const TwoPhase law(settings(), plant());
-  const SlidingController track(settings(), plant());
-  const CrossCoupled cross(settings());
+  const TwoPhase law(two_phase_settings(), two_phase_plant());
+  const SlidingController track(two_phase_settings(), two_phase_plant());
+  const CrossCoupled cross(two_phase_settings());
   const SwitchOn on{0.0, 2e-4, -0.1};
   std::vector<double> state(law.state_size(), 0.0);
   law.start(state.data());
@@ -77,8 +77,8 @@ TEST(TwoPhase, TracksFirstThenCrossesAndTheForceDoesNotJump) {
 }
 
 TEST(TwoPhase, WithoutATouchItGoesOnTracking) {
-  const TwoPhase law(settings(), plant());
-  const SlidingController track(settings(), plant());
+  const TwoPhase law(two_phase_settings(), two_phase_plant());
+  const SlidingController track(two_phase_settings(), two_phase_plant());
   std::vector<double> state(law.state_size(), 0.0);
   law.start(state.data());
   for (int k = 0; k < 95; ++k) {
@@ -88,17 +88,17 @@ TEST(TwoPhase, WithoutATouchItGoesOnTracking) {
 
 // The layer of (27): phi' + psi phi = k.
 TEST(AdaptiveLayer, GoesToItsRestAsTheEquationSays) {
-  scene::Controller c = settings();
+  scene::Controller c = two_phase_settings();
   c.kind = scene::ControllerKind::kSliding;
   c.layer = scene::BoundaryLayer::kAdaptive;
   c.boundary_layer = 0.03;
-  const SlidingController law(c, plant());
+  const SlidingController law(c, two_phase_plant());
   ASSERT_EQ(law.state_size(), 1u);
   double state = 0.0;
   law.start(&state);
   const double rest = c.switching_gain / c.bandwidth;
   for (int k = 0; k < 50; ++k) {
-    const double wanted = rest + (0.03 - rest) * std::exp(-c.bandwidth * kSample * k);
+    const double wanted = rest + (0.03 - rest) * std::exp(-c.bandwidth * kPhaseSample * k);
     EXPECT_NEAR(state, wanted, 1e-15) << k;
     // Within the layer psi s: u = M (... - psi e' - psi s), whatever k is.
     const Measurement m = at(k);
@@ -113,7 +113,7 @@ TEST(AdaptiveLayer, GoesToItsRestAsTheEquationSays) {
     const Eigen::Vector2d u = law.command(m, {0.0, 2e-4, -0.1}, &state);
     if (within) {
       const Eigen::Vector2d same =
-          SlidingController(constant, plant()).command(m, {0.0, 2e-4, -0.1}, nullptr);
+          SlidingController(constant, two_phase_plant()).command(m, {0.0, 2e-4, -0.1}, nullptr);
       EXPECT_LT((u - same).norm(), 1e-10 * same.norm()) << k;
     }
   }

@@ -14,16 +14,14 @@
 #include "native_model/oracles/drop.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
 
+using test::shipped;
 using test::Jeffcott;
 using test::make_scene;
-
-scene::Scene shipped(const std::string& name) {
-  return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
-}
 
 Trajectory run(const scene::Scene& scene) {
   NativeOptions options;

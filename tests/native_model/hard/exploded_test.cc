@@ -6,19 +6,15 @@
 
 #include "native_model/scene/reader.h"
 #include "tests/native_model/hard/rules.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
 
+using test::run_with;
+
 scene::Scene with(const std::string& name, const std::vector<std::string>& overrides) {
   return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml", overrides);
-}
-
-Trajectory run(const scene::Scene& scene, scene::Integrator integrator, double step = 1e-5) {
-  NativeOptions options;
-  options.integrator = integrator;
-  options.step = step;
-  return run_native(scene, options);
 }
 
 double error(const Trajectory& a, const Trajectory& b) {
@@ -36,7 +32,7 @@ TEST(HardExploded, AnEmulatedSpringBeyondTheStepIsRefusedWithTheLimit) {
   const scene::Scene scene =
       with("bench_ring", {"controller={kind=\"passive\",stiffness=1e14}", "run.end=10ms"});
   for (const scene::Integrator integrator : kFixed) {
-    const Trajectory t = run(scene, integrator);
+    const Trajectory t = run_with(scene, integrator);
     EXPECT_EQ(t.status, Status::kStepTooLarge);
     EXPECT_NE(t.message.find("the limit of the controller's gains on the ring"), std::string::npos)
         << t.message;
@@ -45,10 +41,10 @@ TEST(HardExploded, AnEmulatedSpringBeyondTheStepIsRefusedWithTheLimit) {
   // 2 / sqrt((1e9 + 1e5) / 1 kg) = 63 us.
   const scene::Scene stiff =
       with("bench_ring", {"controller={kind=\"passive\",stiffness=1e9}", "run.end=10ms"});
-  EXPECT_EQ(run(stiff, scene::Integrator::kPaper, 1e-4).status, Status::kStepTooLarge);
+  EXPECT_EQ(run_with(stiff, scene::Integrator::kPaper, 1e-4).status, Status::kStepTooLarge);
   const Trajectory exact = test::run_event(stiff);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
-  EXPECT_LT(error(exact, run(stiff, scene::Integrator::kVerlet, 1e-6)), 1e-5);
+  EXPECT_LT(error(exact, run_with(stiff, scene::Integrator::kVerlet, 1e-6)), 1e-5);
 }
 
 TEST(HardExploded, RotatingDampingOfAnySizeIsImplicit) {
@@ -57,7 +53,7 @@ TEST(HardExploded, RotatingDampingOfAnySizeIsImplicit) {
   const Trajectory exact = test::run_event(scene);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   for (const scene::Integrator integrator : kFixed) {
-    const Trajectory t = run(scene, integrator);
+    const Trajectory t = run_with(scene, integrator);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     EXPECT_EQ(t.statistics.impulse_total, exact.statistics.impulse_total);
     EXPECT_LT(error(exact, t), 1e-6);
@@ -71,7 +67,7 @@ TEST(HardExploded, AStrongDriveOnTorsionIsImplicit) {
   const Trajectory exact = test::run_event(scene);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   for (const scene::Integrator integrator : kFixed) {
-    const Trajectory t = run(scene, integrator);
+    const Trajectory t = run_with(scene, integrator);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     EXPECT_LT(error(exact, t), 1e-5);
   }
@@ -81,7 +77,7 @@ TEST(HardExploded, AFlightThroughTheRingEndsOrIsHeld) {
   const scene::Scene scene =
       with("bench_billiard", {"initial.vx=[300.0]", "initial.vy=[400.0]", "run.end=10ms"});
   for (const scene::Integrator integrator : kFixed) {
-    const Trajectory t = run(scene, integrator);
+    const Trajectory t = run_with(scene, integrator);
     test::expect_refused_or_finite(t);
     if (t.status == Status::kOk) {
       EXPECT_LE(t.statistics.max_penetration, scene.contact->clearance);
@@ -97,7 +93,7 @@ TEST(HardExploded, AnUnstableMagnetLeavesItsAirGap) {
                      "stator.stiffness=1e3", "initial.stator=[1e-5,0]", "run.end=0.2"});
   for (const scene::Integrator integrator :
        {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
-    const Trajectory t = run(scene, integrator);
+    const Trajectory t = run_with(scene, integrator);
     EXPECT_EQ(t.status, Status::kOutOfRange) << t.message;
     EXPECT_NE(t.message.find("air gap"), std::string::npos) << t.message;
     test::expect_refused_or_finite(t);
@@ -112,7 +108,7 @@ TEST(HardExploded, RestitutionZeroIsAnImpactAndNotAForce) {
   const double force = test::largest(exact.column("normal_force"));
   for (const scene::Integrator integrator : kFixed) {
     for (const double step : {1e-4, 1e-5, 1e-6}) {
-      const Trajectory t = run(scene, integrator, step);
+      const Trajectory t = run_with(scene, integrator, step);
       ASSERT_EQ(t.impacts.size(), 1u) << step;
       EXPECT_NEAR(t.impacts[0].normal_impulse, exact.impacts[0].normal_impulse,
                   0.05 * exact.impacts[0].normal_impulse);

@@ -13,6 +13,7 @@
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub::test {
 
@@ -20,21 +21,8 @@ inline constexpr double kLaws = 1e-10;   // scaled residual of complementarity a
 inline constexpr double kEnergy = 1e-9;  // energy residual of `event`: tolerance x steps, with room
 inline constexpr double kRoundOff = 1e-12;
 
-inline Trajectory run_event(const scene::Scene& scene) {
-  NativeOptions options;
-  options.integrator = scene::Integrator::kEvent;
-  return run_native(scene, options);
-}
-
 inline Trajectory run_paper(const scene::Scene& scene, double step) {
-  NativeOptions options;
-  options.integrator = scene::Integrator::kPaper;
-  options.step = step;
-  return run_native(scene, options);
-}
-
-inline scene::Scene shipped(const std::string& name) {
-  return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
+  return run_with(scene, scene::Integrator::kPaper, step);
 }
 
 // One of the reference rig, with so few modes that a test is quick.

@@ -11,11 +11,14 @@
 #include "native_model/oracles/turning_ring.h"
 #include "native_model/stepping/ensemble.h"
 #include "tests/native_model/hard/rules.h"
+#include "tests/support/native_run.h"
 #include "tests/support/order.h"
 #include "tests/support/whip.h"
 
 namespace rotorub {
 namespace {
+
+using test::run_with;
 
 using scene::Integrator;
 
@@ -23,13 +26,6 @@ using scene::Integrator;
 constexpr double kRadius = 0.05, kClearance = 0.5e-3;   // m
 constexpr double kBore = kRadius + kClearance;          // m, R
 constexpr double kSpinInertia = 1.3e-3, kRingInertia = 4.1e-4;  // kg m^2
-
-Trajectory run(const scene::Scene& scene, Integrator integrator, double step = 1e-5) {
-  NativeOptions options;
-  options.integrator = integrator;
-  options.step = step;
-  return run_native(scene, options);
-}
 
 // A rotor with a free spin thrown at a ring that turns; no damper and no load: nothing has a moment
 // about the bearings' axis but what rotor and ring do to each other.
@@ -80,7 +76,7 @@ TEST(TurningRing, AngularMomentumIsKeptThroughImpactsAndRubs) {
 TEST(TurningRing, BothSpinsKeepTheirSum) {
   for (const Integrator integrator :
        {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper, Integrator::kLiteral}) {
-    const Trajectory t = run(thrown(), integrator);
+    const Trajectory t = run_with(thrown(), integrator);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     const auto &spin = t.column("spin_speed"), &ring = t.column("ring_speed");
     const auto sum = [&](std::size_t k) {
@@ -102,7 +98,7 @@ TEST(TurningRing, ADeadLoadEndsInRolling) {
   const oracle::TurningRing ring{kRingInertia, 0.0, kBore};
   const double exact = oracle::rolling_surface_speed({kSpinInertia, kRadius, 200.0}, ring, -15.0);
   for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet}) {
-    const Trajectory t = run(s, integrator);
+    const Trajectory t = run_with(s, integrator);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     EXPECT_EQ(t.column("mode").back(), static_cast<double>(Mode::kStick));
     EXPECT_NEAR(kRadius * t.column("spin_speed").back(), exact, 1e-9 * exact);
@@ -156,7 +152,7 @@ TEST(TurningRing, ARubUnderAConstantForceSpinsItUpAsTheClosedFormSays) {
   test::expect_sound_event(rub.scene, event);
   // Of second order, and of first.
   const auto ratio = [&](Integrator integrator) {
-    return miss(run(rub.scene, integrator, 1e-4)) / miss(run(rub.scene, integrator, 1e-5));
+    return miss(run_with(rub.scene, integrator, 1e-4)) / miss(run_with(rub.scene, integrator, 1e-5));
   };
   EXPECT_GT(ratio(Integrator::kVerlet), 80.0);
   EXPECT_GT(ratio(Integrator::kPaper), 8.0);
@@ -188,7 +184,7 @@ TEST(TurningRing, OfEndlessInertiaIsTheRingThatDoesNotTurn) {
   for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
     // Before chaos has grown what round-off differs by.
     heavy.run.end = fixed.run.end = 0.02;
-    const Trajectory a = run(heavy, integrator), b = run(fixed, integrator);
+    const Trajectory a = run_with(heavy, integrator), b = run_with(fixed, integrator);
     EXPECT_EQ(a.impacts.size(), b.impacts.size());
     EXPECT_LT(test::trajectory_error(a, b, kRadius), 1e-11);
   }
@@ -201,7 +197,7 @@ TEST(TurningRing, OfNoInertiaIsARingWithoutFriction) {
   smooth.contact->friction = 0.0;
   light.run.end = smooth.run.end = 0.02;
   for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
-    const Trajectory a = run(light, integrator), b = run(smooth, integrator);
+    const Trajectory a = run_with(light, integrator), b = run_with(smooth, integrator);
     ASSERT_EQ(a.status, Status::kOk) << a.message;
     EXPECT_GT(b.impacts.size(), 3u);
     EXPECT_LT(test::rotor_error(a, b), 1e-10);
@@ -234,7 +230,7 @@ TEST(TurningRing, EachLaneIsTheRunAlone) {
   for (const Integrator integrator : {Integrator::kVerlet, Integrator::kPaper}) {
     const auto runs = Ensemble(models, 1e-5, integrator).run(10000);
     for (std::size_t k = 0; k < runs.size(); ++k) {
-      const Trajectory alone = run(scenes[k], integrator);
+      const Trajectory alone = run_with(scenes[k], integrator);
       ASSERT_EQ(runs[k].status, Status::kOk);
       const int at = models[k].layout.ring_angle();
       EXPECT_EQ(runs[k].q[static_cast<std::size_t>(at)], alone.column("ring_angle").back());

@@ -17,10 +17,10 @@
 namespace rotorub {
 namespace {
 
-constexpr double kMass = 1.0, kDamping = 200.0, kStiffness = 1e5;  // of the ring
+constexpr double kRingMass = 1.0, kRingDamping = 200.0, kRingStiffness = 1e5;  // of the ring
 constexpr double kConstant = 3e-4, kBias = 3.0, kAirGap = 5e-3;    // of the magnets
 constexpr double kAddedStiffness = 8e4, kAddedDamping = 150.0;     // asked of them
-constexpr double kStart = 1e-7, kEnd = 0.02;                       // m along axis 1, s
+constexpr double kMagnetStart = 1e-7, kMagnetEnd = 0.02;                       // m along axis 1, s
 
 scene::Actuator magnets(double lag) {
   return {.kind = scene::ActuatorKind::kElectromagnet,
@@ -32,10 +32,10 @@ scene::Actuator magnets(double lag) {
 
 scene::Scene ring_alone(double lag, bool controlled) {
   scene::Scene s = test::make_scene({.stiffness = 2e5});
-  test::add_ring(s, kMass, kDamping, kStiffness);
+  test::add_ring(s, kRingMass, kRingDamping, kRingStiffness);
   s.contact.reset();
-  s.run.end = kEnd;
-  s.initial.stator = from_axes({kStart, 0.0});
+  s.run.end = kMagnetEnd;
+  s.initial.stator = from_axes({kMagnetStart, 0.0});
   s.actuator = magnets(lag);
   if (controlled) {
     s.controller = scene::Controller{};
@@ -52,9 +52,9 @@ Eigen::Vector3d exact(double lag) {
   const double k_i = 4.0 * kConstant * kBias / (kAirGap * kAirGap);
   Eigen::Matrix3d a;
   a << 0.0, 1.0, 0.0,  //
-      (k_s - kStiffness) / kMass, -kDamping / kMass, k_i / kMass,
+      (k_s - kRingStiffness) / kRingMass, -kRingDamping / kRingMass, k_i / kRingMass,
       -(kAddedStiffness + k_s) / (k_i * lag), -kAddedDamping / (k_i * lag), -1.0 / lag;
-  return matrix_exp(kEnd * a) * Eigen::Vector3d(kStart, 0.0, 0.0);
+  return matrix_exp(kMagnetEnd * a) * Eigen::Vector3d(kMagnetStart, 0.0, 0.0);
 }
 
 // (s, s', i) of axis 1 in the last row.
@@ -73,7 +73,7 @@ TEST(MagneticRing, WithALagIsTheLinearSystem) {
     const Trajectory t = run_native(ring_alone(lag, true));
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     const Eigen::Vector3d found = last(t), expected = exact(lag);
-    const Eigen::Vector3d size{kStart, kStart * 500.0, 1e-4};
+    const Eigen::Vector3d size{kMagnetStart, kMagnetStart * 500.0, 1e-4};
     for (int k = 0; k < 3; ++k) {
       EXPECT_NEAR(found[k], expected[k], kNonlinearity * size[k]) << lag << " " << k;
     }
@@ -90,7 +90,7 @@ TEST(MagneticRing, PaperConvergesToIt) {
     return std::abs((last(run_native(ring_alone(lag, true), options)) - exact(lag)).x());
   };
   const double coarse = error(2e-5), fine = error(2e-6);
-  EXPECT_LT(fine, 1e-3 * kStart);
+  EXPECT_LT(fine, 1e-3 * kMagnetStart);
   EXPECT_NEAR(coarse / fine, 10.0, 1.0) << "first order: the command is held over the step";
 }
 
@@ -98,12 +98,12 @@ TEST(MagneticRing, PaperConvergesToIt) {
 TEST(MagneticRing, TheBiasCurrentIsANegativeSpring) {
   const double k_s = 4.0 * kConstant * kBias * kBias / std::pow(kAirGap, 3);
   const Trajectory t = run_native(ring_alone(0.0, false));
-  const double decay = kDamping / (2.0 * kMass);
-  const double omega = std::sqrt((kStiffness - k_s) / kMass - decay * decay);
-  ASSERT_LT(k_s, kStiffness);
-  const double expected = kStart * std::exp(-decay * kEnd) *
-                          (std::cos(omega * kEnd) + decay / omega * std::sin(omega * kEnd));
-  EXPECT_NEAR(last(t).x(), expected, kNonlinearity * kStart);
+  const double decay = kRingDamping / (2.0 * kRingMass);
+  const double omega = std::sqrt((kRingStiffness - k_s) / kRingMass - decay * decay);
+  ASSERT_LT(k_s, kRingStiffness);
+  const double expected = kMagnetStart * std::exp(-decay * kMagnetEnd) *
+                          (std::cos(omega * kMagnetEnd) + decay / omega * std::sin(omega * kMagnetEnd));
+  EXPECT_NEAR(last(t).x(), expected, kNonlinearity * kMagnetStart);
   EXPECT_EQ(last(t).z(), 0.0);
 }
 

@@ -13,18 +13,18 @@
 namespace rotorub {
 namespace {
 
-constexpr double kMass = 2.0, kStiffness = 2e5, kDamping = 64.0;  // resonance at 316 rad/s, 5 %
+constexpr double kRotorMass = 2.0, kRotorStiffness = 2e5, kRotorDamping = 64.0;  // resonance at 316 rad/s, 5 %
 constexpr double kMoment = 6e-4;                                  // kg m
-constexpr double kInertia = 2e-3, kTarget = 450.0, kStart = 250.0;
+constexpr double kRunUpInertia = 2e-3, kRunUpTarget = 450.0, kRunUpStart = 250.0;
 
 scene::Scene machine(double gain) {
   scene::Scene s = test::make_scene(
-      {.mass = kMass, .damping = kDamping, .stiffness = kStiffness, .clearance = 0.1, .speed = kStart});
-  s.rotor.modal->inertia = kInertia;
+      {.mass = kRotorMass, .damping = kRotorDamping, .stiffness = kRotorStiffness, .clearance = 0.1, .speed = kRunUpStart});
+  s.rotor.modal->inertia = kRunUpInertia;
   s.drive.emplace();
   s.drive->kind = scene::DriveKind::kLinear;
   s.drive->gain = gain;
-  s.drive->speed = kTarget;
+  s.drive->speed = kRunUpTarget;
   scene::Force unbalance;
   unbalance.kind = scene::ForceKind::kUnbalance;
   unbalance.static_moment = kMoment;
@@ -38,23 +38,23 @@ scene::Scene machine(double gain) {
 // N m: d |r|^2 Omega, what the orbit at a held speed takes.
 double taken(double speed) {
   const double r = kMoment * speed * speed /
-                   std::abs(std::complex<double>(kStiffness - kMass * speed * speed, kDamping * speed));
-  return kDamping * r * r * speed;
+                   std::abs(std::complex<double>(kRotorStiffness - kRotorMass * speed * speed, kRotorDamping * speed));
+  return kRotorDamping * r * r * speed;
 }
 
 // Where gain (target - speed) meets that first.
 double hanging(double gain) {
-  double low = kStart, high = std::sqrt(kStiffness / kMass);
-  EXPECT_GT(gain * (kTarget - low), taken(low));
-  EXPECT_LT(gain * (kTarget - high), taken(high));
+  double low = kRunUpStart, high = std::sqrt(kRotorStiffness / kRotorMass);
+  EXPECT_GT(gain * (kRunUpTarget - low), taken(low));
+  EXPECT_LT(gain * (kRunUpTarget - high), taken(high));
   while (high - low > 1e-9) {
     const double middle = 0.5 * (low + high);
-    (gain * (kTarget - middle) > taken(middle) ? low : high) = middle;
+    (gain * (kRunUpTarget - middle) > taken(middle) ? low : high) = middle;
   }
   return low;
 }
 
-Trajectory run(const scene::Scene& s, scene::Integrator integrator) {
+Trajectory run_up(const scene::Scene& s, scene::Integrator integrator) {
   NativeOptions options;
   options.integrator = integrator;
   options.step = 2e-4;
@@ -68,18 +68,18 @@ TEST(RunUp, AWeakMotorHangsBelowTheResonance) {
   const double speed = hanging(kGain);
   EXPECT_LT(speed, 316.0);
   for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
-    const Trajectory t = run(machine(kGain), integrator);
+    const Trajectory t = run_up(machine(kGain), integrator);
     EXPECT_NEAR(t.column("spin_speed").back(), speed, 1e-3 * speed);
     EXPECT_NEAR(t.column("motor_torque").back(), taken(speed), 2e-3 * taken(speed));
     const double r = std::hypot(t.column("rotor_x").back(), t.column("rotor_y").back());
-    EXPECT_NEAR(kDamping * r * r * speed, taken(speed), 1e-2 * taken(speed));
+    EXPECT_NEAR(kRotorDamping * r * r * speed, taken(speed), 1e-2 * taken(speed));
   }
 }
 
 TEST(RunUp, AStrongMotorPasses) {
-  const Trajectory t = run(machine(5e-3), scene::Integrator::kEvent);
+  const Trajectory t = run_up(machine(5e-3), scene::Integrator::kEvent);
   const double end = t.column("spin_speed").back();
-  EXPECT_NEAR(5e-3 * (kTarget - end), taken(end), 1e-2 * taken(end));
+  EXPECT_NEAR(5e-3 * (kRunUpTarget - end), taken(end), 1e-2 * taken(end));
   EXPECT_GT(end, 420.0);
   double largest = 0.0;
   for (std::size_t k = 0; k < t.rows(); ++k) {

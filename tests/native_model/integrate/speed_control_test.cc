@@ -10,9 +10,12 @@
 #include "native_model/scene/reader.h"
 #include "native_model/stepping/step_limit.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
+
+using test::run_with;
 
 constexpr double kInertia = 1e-2, kGain = 0.5, kIntegral = 20.0, kStart = 100.0, kTarget = 300.0;
 constexpr double kAcceleration = 1000.0, kRampEnd = 0.2;
@@ -60,19 +63,12 @@ double error(const Trajectory& t) {
   return most;
 }
 
-Trajectory run(const scene::Scene& s, scene::Integrator integrator, double step = 1e-5) {
-  NativeOptions options;
-  options.integrator = integrator;
-  options.step = step;
-  return run_native(s, options);
-}
-
 TEST(SpeedControl, IsALinearLoopWithinItsLimit) {
   ASSERT_GT(lag(kRampEnd), 0.4) << "it lags by more than what is asked of the angles below";
-  EXPECT_LT(error(run(motor(), scene::Integrator::kEvent)), 1e-10);
+  EXPECT_LT(error(run_with(motor(), scene::Integrator::kEvent)), 1e-10);
   for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
-    const double coarse = error(run(motor(), integrator, 1e-3));
-    const double fine = error(run(motor(), integrator, 2e-4));
+    const double coarse = error(run_with(motor(), integrator, 1e-3));
+    const double fine = error(run_with(motor(), integrator, 2e-4));
     EXPECT_LT(coarse, 0.05);
     EXPECT_LT(fine, coarse / 20.0);
   }
@@ -80,7 +76,7 @@ TEST(SpeedControl, IsALinearLoopWithinItsLimit) {
 
 // The torque's column is what turns the rotor: J Omega' of the closed form, J ref' - J e''.
 TEST(SpeedControl, TorqueIsAColumn) {
-  const Trajectory t = run(motor(), scene::Integrator::kEvent);
+  const Trajectory t = run_with(motor(), scene::Integrator::kEvent);
   const std::vector<double>&speed = t.column("spin_speed"), &torque = t.column("motor_torque");
   const double h = 1e-5;
   for (std::size_t k = 1; k < t.rows(); ++k) {
@@ -94,7 +90,7 @@ TEST(SpeedControl, TorqueIsAColumn) {
   EXPECT_EQ(t.series.back().unit, "N m");
   scene::Scene held = motor();
   held.drive.reset();
-  EXPECT_FALSE(run(held, scene::Integrator::kEvent).has("motor_torque"));
+  EXPECT_FALSE(run_with(held, scene::Integrator::kEvent).has("motor_torque"));
 }
 
 // At its limit the speed rises by limit / J; then it makes up for the angle, by limit / gain too fast.
@@ -104,7 +100,7 @@ TEST(SpeedControl, GivesNoMoreThanItsLimit) {
   s.run.end = 6.0;
   for (const auto integrator :
        {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
-    const Trajectory t = run(s, integrator, 1e-4);
+    const Trajectory t = run_with(s, integrator, 1e-4);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     const std::vector<double>& speed = t.column("spin_speed");
     EXPECT_NEAR(speed[20] - speed[10], 4.0 / kInertia * 0.1, 1e-6);

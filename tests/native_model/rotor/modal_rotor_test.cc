@@ -17,7 +17,7 @@ using test::kShaft;
 using test::pinned_shaft;
 using test::scene_of;
 
-constexpr double kTight = 1e-9;  // relative: mode values, one order looser than frequencies
+constexpr double kModeValue = 1e-9;  // relative: mode values, one order looser than frequencies
 
 Eigen::VectorXd frequencies(const PlaneModes& plane) {
   return plane.stiffness.cwiseQuotient(plane.mass).cwiseSqrt();
@@ -31,17 +31,17 @@ TEST(ModalRotor, PinnedShaftScaledAtMidSpan) {
     // sin(n pi z / L): 1 or -1 at mid span, or a node there and 1 at the largest deflection.
     const bool node = n % 2 == 0;
     EXPECT_EQ(rotor.contact_shape.x[n - 1], node ? 0.0 : 1.0);
-    EXPECT_NEAR(rotor.x.mass[n - 1] / kShaft.modal_mass(n), 1.0, kTight);
-    EXPECT_NEAR(frequencies(rotor.x)[n - 1] / kShaft.forward(n, 0.0), 1.0, kTight);
+    EXPECT_NEAR(rotor.x.mass[n - 1] / kShaft.modal_mass(n), 1.0, kModeValue);
+    EXPECT_NEAR(frequencies(rotor.x)[n - 1] / kShaft.forward(n, 0.0), 1.0, kModeValue);
     // g = int 2 rho I u_z^2 for a slope amplitude of n pi / L
     const double lambda = n * std::numbers::pi / kShaft.length;
     const double g = kShaft.rho * kShaft.inertia() * lambda * lambda * kShaft.length;
-    EXPECT_NEAR(rotor.gyroscopic(n - 1, n - 1) / g, 1.0, kTight);
+    EXPECT_NEAR(rotor.gyroscopic(n - 1, n - 1) / g, 1.0, kModeValue);
     // int rho A sin = 2 rho A L / (n pi), with the sign of the scaling; the peaks of even modes
     // cancel.
     const double sign = n % 4 == 3 ? -1.0 : 1.0;
     const double load = 2.0 * kShaft.rho * kShaft.area() / lambda * sign;
-    EXPECT_NEAR(rotor.gravity_x[n - 1], node ? 0.0 : load, kTight * 10.0);
+    EXPECT_NEAR(rotor.gravity_x[n - 1], node ? 0.0 : load, kModeValue * 10.0);
   }
 }
 
@@ -54,8 +54,8 @@ TEST(ModalRotor, ModeLinesAreSines) {
   EXPECT_EQ(rotor.lines->z[rotor.lines->z.size() - 1], 1.0);
   for (Eigen::Index i = 0; i < rotor.lines->z.size(); ++i) {
     const double z = std::numbers::pi * rotor.lines->z[i];
-    EXPECT_NEAR(rotor.lines->x(i, 0), std::sin(z) * std::numbers::sqrt2, kTight);
-    EXPECT_NEAR(rotor.lines->x(i, 1), std::sin(2.0 * z), kTight);
+    EXPECT_NEAR(rotor.lines->x(i, 0), std::sin(z) * std::numbers::sqrt2, kModeValue);
+    EXPECT_NEAR(rotor.lines->x(i, 1), std::sin(2.0 * z), kModeValue);
   }
 }
 
@@ -63,7 +63,7 @@ TEST(ModalRotor, WithoutContactEveryModePeaksAtOne) {
   const ModalRotor rotor = modal_rotor(scene_of(pinned_shaft(6)));
   for (int n = 0; n < 6; ++n) {
     EXPECT_NEAR(rotor.lines->x.col(n).maxCoeff(), 1.0, 0.04) << "stations beside the peak";
-    EXPECT_NEAR(rotor.x.mass[n] / kShaft.modal_mass(n + 1), 1.0, kTight);
+    EXPECT_NEAR(rotor.x.mass[n] / kShaft.modal_mass(n + 1), 1.0, kModeValue);
     EXPECT_GT(rotor.lines->x(3, n), 0.0) << "the first of equal peaks is the positive one";
   }
 }

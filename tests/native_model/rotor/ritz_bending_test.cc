@@ -8,16 +8,17 @@
 #include "native_model/rotor/rotor_modes.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/native_model/rotor/rotors.h"
+#include "tests/native_model/rotor/tolerances.h"
 
 namespace rotorub {
 namespace {
 
+using test::kBeam;
 using test::kShaft;
 using test::pinned_shaft;
 using test::scene_of;
 
-constexpr double kBeam = 1e-7;    // relative: what beam frequencies must be right to
-constexpr double kTight = 1e-10;  // relative: what the mesh is made for, with the pins' own error
+constexpr double kMesh = 1e-10;  // relative: what the mesh is made for, with the pins' own error
 
 // The shaft in equal elements, each with so many functions.
 std::vector<ShaftElement> equal_elements(const scene::RotorGeometry& g, int count, int functions) {
@@ -81,7 +82,7 @@ TEST(RotorModes, RayleighShaftAtRest) {
   constexpr int kModes = 20;
   const RotorModes modes = rotor_modes(scene_of(pinned_shaft(kModes)));
   for (int n = 1; n <= kModes; ++n) {
-    EXPECT_NEAR(modes.x.frequency[n - 1] / kShaft.forward(n, 0.0), 1.0, kTight * n) << n;
+    EXPECT_NEAR(modes.x.frequency[n - 1] / kShaft.forward(n, 0.0), 1.0, kMesh * n) << n;
   }
 }
 
@@ -90,7 +91,7 @@ TEST(RotorModes, HollowShaft) {
   tube.inner_diameter = 0.04;
   const RotorModes modes = rotor_modes(scene_of(pinned_shaft(5, tube)));
   for (int n = 1; n <= 5; ++n) {
-    EXPECT_NEAR(modes.x.frequency[n - 1] / tube.forward(n, 0.0), 1.0, kTight * n) << n;
+    EXPECT_NEAR(modes.x.frequency[n - 1] / tube.forward(n, 0.0), 1.0, kMesh * n) << n;
   }
 }
 
@@ -117,7 +118,7 @@ TEST(RotorModes, DoNotDependOnTheMesh) {
   for (const scene::Scene& other : {cut, rich}) {
     const RotorModes modes = rotor_modes(other);
     for (int n = 0; n < 3; ++n) {
-      EXPECT_NEAR(modes.x.frequency[n] / expected.x.frequency[n], 1.0, kTight) << n;
+      EXPECT_NEAR(modes.x.frequency[n] / expected.x.frequency[n], 1.0, kMesh) << n;
     }
   }
 }
@@ -148,7 +149,7 @@ TEST(RotorModes, SteppedShaftWithOverhang) {
   const PlanarModes reference = planar_modes(cubic.mass, cubic.stiffness_x);
   for (int n = 0; n < 4; ++n) {
     const double difference = reference.frequency[n] / modes.x.frequency[n] - 1.0;
-    EXPECT_GT(difference, -kTight) << "the coarser space cannot be lower";
+    EXPECT_GT(difference, -kMesh) << "the coarser space cannot be lower";
     EXPECT_LT(difference, kBeam) << n;
   }
 }

@@ -8,18 +8,19 @@
 
 #include "native_model/rotor/campbell.h"
 #include "tests/native_model/rotor/rotors.h"
+#include "tests/native_model/rotor/tolerances.h"
 
 namespace rotorub {
 namespace {
 
+using test::kBeam;
+using test::kTight;
 using test::jeffcott;
 using test::kShaft;
 using test::miss;
 using test::pinned_shaft;
 using test::scene_of;
 
-constexpr double kBeam = 1e-7;   // relative: what beam frequencies must be right to
-constexpr double kTight = 1e-9;  // relative: closed forms in few modes
 
 TEST(CriticalSpeeds, RayleighShaft) {
   const std::vector<double> speeds = critical_speeds(whirl_system(scene_of(pinned_shaft(6))));

@@ -14,7 +14,7 @@ using test::add_contact;
 using test::pinned_shaft;
 using test::scene_of;
 
-constexpr double kTight = 1e-10;  // relative
+constexpr double kTorsionMesh = 1e-10;  // relative
 
 scene::Scene with_torsion(const scene::RotorGeometry& geometry, int modes) {
   scene::Scene s = scene_of(geometry);
@@ -39,9 +39,9 @@ TEST(Torsion, UniformShaftHeldAtTheLeftEnd) {
   for (int n = 0; n < 4; ++n) {
     // sin((n + 1/2) pi z / L), 1 or -1 at the free end.
     const double omega = (n + 0.5) * std::numbers::pi * wave_speed(g);
-    EXPECT_NEAR(frequency(modes, n) / omega, 1.0, kTight);
-    EXPECT_NEAR(modes.inertia[n] / (0.5 * spin_inertia(s)), 1.0, kTight);
-    EXPECT_NEAR(modes.damping[n] / (0.02 * modes.inertia[n] * omega), 1.0, kTight);
+    EXPECT_NEAR(frequency(modes, n) / omega, 1.0, kTorsionMesh);
+    EXPECT_NEAR(modes.inertia[n] / (0.5 * spin_inertia(s)), 1.0, kTorsionMesh);
+    EXPECT_NEAR(modes.damping[n] / (0.02 * modes.inertia[n] * omega), 1.0, kTorsionMesh);
     EXPECT_EQ(modes.drive_shape[n], 0.0);
     EXPECT_EQ(modes.contact_shape[n], 1.0);
   }
@@ -55,7 +55,7 @@ TEST(Torsion, UniformFreeShaft) {
   const TorsionModes modes = torsion_modes(s);
   for (int n = 1; n <= 4; ++n) {
     // cos(n pi z / L): odd ones have a node at mid span.
-    EXPECT_NEAR(frequency(modes, n - 1) / (n * std::numbers::pi * wave_speed(g)), 1.0, kTight);
+    EXPECT_NEAR(frequency(modes, n - 1) / (n * std::numbers::pi * wave_speed(g)), 1.0, kTorsionMesh);
     EXPECT_EQ(modes.contact_shape[n - 1], n % 2 == 0 ? 1.0 : 0.0);
     const double at_drive = n % 4 == 2 ? -1.0 : 1.0;
     EXPECT_NEAR(modes.drive_shape[n - 1], at_drive, 1e-8);
@@ -93,9 +93,9 @@ TEST(Torsion, SpinInertiaOfEverythingThatTurns) {
   g.discs = {{.z = 0.5, .mass = 2.0, .Jp = 3e-3}};
   scene::Scene s = scene_of(g);
   const double shaft = g.rho * 2.0 * test::kShaft.inertia() * g.length;
-  EXPECT_NEAR(spin_inertia(s) / (shaft + 3e-3), 1.0, kTight);
+  EXPECT_NEAR(spin_inertia(s) / (shaft + 3e-3), 1.0, kTorsionMesh);
   s.drive.emplace().inertia = 2e-3;
-  EXPECT_NEAR(spin_inertia(s) / (shaft + 5e-3), 1.0, kTight);
+  EXPECT_NEAR(spin_inertia(s) / (shaft + 5e-3), 1.0, kTorsionMesh);
 }
 
 TEST(Torsion, AbsentCostsNothing) {

@@ -14,7 +14,7 @@ Scene with(const std::vector<std::string>& overrides) {
   return parse_scene(kFullModalScene, "scene.toml", overrides);
 }
 
-std::vector<Diagnostic> refusal(const std::vector<std::string>& overrides) {
+std::vector<Diagnostic> override_refusal(const std::vector<std::string>& overrides) {
   try {
     with(overrides);
   } catch (const SceneError& error) {
@@ -66,7 +66,7 @@ TEST(Overrides, ANewKindTakesAwayTheKeysOfTheOldOne) {
 
 TEST(Overrides, AnEarlierEndTakesAwayTheTimesBeyondIt) {
   EXPECT_EQ(with({"run.end=0.2"}).run.output_times, std::vector<double>{0.1234});
-  EXPECT_EQ(refusal({"run.end=0.2", "run.output_times=[0.3]"}).size(), 1u);
+  EXPECT_EQ(override_refusal({"run.end=0.2", "run.output_times=[0.3]"}).size(), 1u);
 }
 
 TEST(Overrides, LeaveATextThatGivesTheSameScene) {
@@ -115,7 +115,7 @@ TEST(Overrides, AreRefusedLikeAFile) {
       {"a.b.c.d.e.f.g.h.i.j=3", "", "expected table.key=value"},
   };
   for (const Case& wrong : cases) {
-    const std::vector<Diagnostic> found = refusal({wrong.text});
+    const std::vector<Diagnostic> found = override_refusal({wrong.text});
     ASSERT_EQ(found.size(), 1u) << wrong.text;
     EXPECT_EQ(found[0].key, wrong.key) << wrong.text;
     EXPECT_NE(found[0].reason.find(wrong.reason), std::string::npos)

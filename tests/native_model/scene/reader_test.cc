@@ -11,7 +11,6 @@
 namespace rotorub::scene {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 std::filesystem::path shipped(const std::string& name) {
   return std::filesystem::path(ROTORUB_MJCF_DIR) / (name + ".toml");
@@ -27,7 +26,7 @@ TEST(Reader, FillsEveryFieldOfTheContractsExample) {
   EXPECT_EQ(scene.run.series_step(), 1e-3);
   EXPECT_EQ(scene.run.output_times, (std::vector<double>{0.1234, 0.4}));  // sorted
 
-  EXPECT_EQ(scene.rotor.speed, 100.0 * kPi);
+  EXPECT_EQ(scene.rotor.speed, 100.0 * std::numbers::pi);
   EXPECT_FALSE(scene.rotor.geometry);
   ASSERT_TRUE(scene.rotor.modal);
   EXPECT_EQ(scene.rotor.modal->mass, (std::vector<double>{2.0, 0.8}));
@@ -40,7 +39,7 @@ TEST(Reader, FillsEveryFieldOfTheContractsExample) {
   ASSERT_TRUE(scene.drive);
   EXPECT_EQ(scene.drive->kind, DriveKind::kLinear);
   EXPECT_EQ(scene.drive->gain, 0.5);
-  EXPECT_EQ(scene.drive->speed, 100.0 * kPi);
+  EXPECT_EQ(scene.drive->speed, 100.0 * std::numbers::pi);
 
   ASSERT_TRUE(scene.contact);
   EXPECT_EQ(scene.contact->radius, 0.05);
@@ -54,7 +53,7 @@ TEST(Reader, FillsEveryFieldOfTheContractsExample) {
   ASSERT_EQ(scene.forces.size(), 2u);
   EXPECT_EQ(scene.forces[0].kind, ForceKind::kRotating);
   EXPECT_EQ(scene.forces[0].amplitude, 150.0);
-  EXPECT_EQ(scene.forces[0].phase, kPi / 2.0);
+  EXPECT_EQ(scene.forces[0].phase, std::numbers::pi / 2.0);
   EXPECT_EQ(scene.forces[0].off, 1e9);
   EXPECT_EQ(scene.forces[1].kind, ForceKind::kConstant);
   EXPECT_EQ(scene.forces[1].vector, Eigen::Vector2d(0.0, -20.0));
@@ -111,7 +110,7 @@ damping = 5
   ASSERT_EQ(shaft.sections.size(), 1u);
   EXPECT_EQ(shaft.sections[0].inner_diameter, 0.004);
   ASSERT_EQ(shaft.discs.size(), 1u);
-  EXPECT_EQ(shaft.discs[0].phase, kPi / 2.0);
+  EXPECT_EQ(shaft.discs[0].phase, std::numbers::pi / 2.0);
   ASSERT_EQ(shaft.bearings.size(), 2u);
   EXPECT_EQ(shaft.bearings[0].stiffness, PlanePair(2e7, 1e6));
   EXPECT_EQ(shaft.bearings[1].damping, PlanePair(5.0, 5.0));
@@ -144,7 +143,7 @@ TEST(Reader, ReadsEveryDrive) {
   const Drive table =
       drive("kind = \"table\"\ntable_speed = [0, \"50 Hz\"]\ntable_torque = [1.5, 0]\n");
   EXPECT_EQ(table.kind, DriveKind::kTable);
-  EXPECT_EQ(table.table_speed, (std::vector<double>{0.0, 100.0 * kPi}));
+  EXPECT_EQ(table.table_speed, (std::vector<double>{0.0, 100.0 * std::numbers::pi}));
 }
 
 TEST(Reader, TakesALineEndingOrAByteOrderMarkFromOtherSystems) {
@@ -157,7 +156,7 @@ TEST(Reader, ReadsTheShippedScenes) {
   const Scene ring = read_scene(shipped("bench_ring"));
   EXPECT_EQ(ring.name, "bench_ring");
   EXPECT_EQ(ring.rotor.modal->stiffness, std::vector<double>{2e5});
-  EXPECT_EQ(ring.drive->speed, 100.0 * kPi);
+  EXPECT_EQ(ring.drive->speed, 100.0 * std::numbers::pi);
   EXPECT_EQ(ring.stator->stiffness, PlanePair(1e5, 1e5));
   const Scene billiard = read_scene(shipped("bench_billiard"));
   EXPECT_EQ(billiard.contact->restitution, 1.0);

@@ -9,7 +9,6 @@
 namespace rotorub::scene {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 struct Good {
   const char* text;
@@ -33,14 +32,14 @@ TEST(Units, GiveTheSiValueToTheLastBits) {
       {"10us", kTime, 10e-6},
       {"8 ms", kTime, 0.008},
       {"1e-5s", kTime, 1e-5},
-      {"50 Hz", kSpin, 100.0 * kPi},
-      {"-50 Hz", kSpin, -100.0 * kPi},
-      {"4000 rpm", kSpin, 4000.0 * 2.0 * kPi / 60.0},
+      {"50 Hz", kSpin, 100.0 * std::numbers::pi},
+      {"-50 Hz", kSpin, -100.0 * std::numbers::pi},
+      {"4000 rpm", kSpin, 4000.0 * 2.0 * std::numbers::pi / 60.0},
       {"12 rad/s", kSpin, 12.0},
       {"12 1/s", kSpin, 12.0},
       {"12 s^-1", kSpin, 12.0},
-      {"180 deg/s", kSpin, kPi},
-      {"90 deg", kAngle, kPi / 2.0},
+      {"180 deg/s", kSpin, std::numbers::pi},
+      {"90 deg", kAngle, std::numbers::pi / 2.0},
       {"2 rad", kAngle, 2.0},
       {"30 %", kPure, 0.3},
       {"0.6 kN", kForce, 600.0},
@@ -78,7 +77,7 @@ TEST(Units, GiveTheSiValueToTheLastBits) {
   // A decimal unit adds no error of its own: the same double as the literal.
   EXPECT_EQ(parse_quantity("18 mm", kLength).value, 0.018);
   EXPECT_EQ(parse_quantity("20 um", kLength).value, 20e-6);
-  EXPECT_EQ(parse_quantity("50 Hz", kSpin).value, 100.0 * kPi);
+  EXPECT_EQ(parse_quantity("50 Hz", kSpin).value, 100.0 * std::numbers::pi);
 }
 
 struct Bad {

@@ -34,7 +34,7 @@ class Allocation : public testing::Test {
 };
 
 // Every kind of work in a step: free flight, impacts, sliding, torsion, unbalance, control.
-scene::Scene shipped(const std::string& name) {
+scene::Scene soon_active(const std::string& name) {
   scene::Scene scene =
       scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
   if (name.starts_with("paper")) {
@@ -51,7 +51,7 @@ constexpr const char* kScenes[] = {"bench_ring", "bench_billiard", "bench_drop",
 TEST_F(Allocation, NoneInAStepOfPaper) {
   for (const char* name : kScenes) {
     SCOPED_TRACE(name);
-    const Model model = make_model(shipped(name));
+    const Model model = make_model(soon_active(name));
     PaperStepper stepper(model, 1e-5);
     Eigen::Vector2d u{0.0, 0.0};
     bool touched = false;
@@ -72,7 +72,7 @@ TEST_F(Allocation, NoneInAStepOfPaper) {
 TEST_F(Allocation, NoneInAStepOrEventOfEvent) {
   for (const char* name : kScenes) {
     SCOPED_TRACE(name);
-    const Model model = make_model(shipped(name));
+    const Model model = make_model(soon_active(name));
     struct Run {
       std::int64_t allocations, steps;
       std::size_t impacts, events;
@@ -117,7 +117,7 @@ TEST_F(Allocation, NoneInAForceTable) {
 TEST_F(Allocation, NoneInAStepOfAnEnsemble) {
   for (const char* name : kScenes) {
     SCOPED_TRACE(name);
-    Ensemble ensemble(std::vector<Model>(9, make_model(shipped(name))), 1e-5);
+    Ensemble ensemble(std::vector<Model>(9, make_model(soon_active(name))), 1e-5);
     const auto count = [&](std::int64_t steps) {
       const std::int64_t before = allocations;
       const auto runs = ensemble.run(steps);

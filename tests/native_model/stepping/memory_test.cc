@@ -7,15 +7,14 @@
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
 
-constexpr double kStep = 1e-5;
-scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides) {
-  return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml", overrides);
-}
+using test::shipped;
 
+constexpr double kStep = 1e-5;
 // A closed loop, one step after the other.
 struct Loop {
   Loop(const Model& of, const State& start)

@@ -15,16 +15,14 @@
 #include "native_model/oracles/drop.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
 
+using test::shipped;
 using test::Jeffcott;
 using test::make_scene;
-
-scene::Scene shipped(const std::string& name) {
-  return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
-}
 
 Eigen::Vector2d rotor(const Trajectory& t, std::size_t row) {
   return {t.column("rotor_x")[row], t.column("rotor_y")[row]};

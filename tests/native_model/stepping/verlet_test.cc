@@ -10,12 +10,15 @@
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
 #include "tests/support/order.h"
 #include "tests/support/whip.h"
 
 namespace rotorub {
 namespace {
 
+using test::run_with;
+using test::shipped;
 using test::Convergence;
 
 // s; the rows of every scene here stand at whole numbers of each.
@@ -24,21 +27,8 @@ constexpr double kOrder = 1.9;
 // m: round-off of 500,000 steps, and that of rows that are interpolated at the end of a step.
 constexpr double kFloor = 2e-13;
 
-scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
-}
-
-Trajectory run(const scene::Scene& scene, scene::Integrator integrator, double step = 1e-5) {
-  NativeOptions options;
-  options.integrator = integrator;
-  options.step = step;
-  const Trajectory t = run_native(scene, options);
-  EXPECT_EQ(t.status, Status::kOk) << scene.name << ": " << t.message;
-  return t;
-}
-
 Trajectory verlet(const scene::Scene& scene, double step) {
-  return run(scene, scene::Integrator::kVerlet, step);
+  return run_with(scene, scene::Integrator::kVerlet, step);
 }
 
 // error: of a trajectory, m.
@@ -61,7 +51,7 @@ void expect_second_order(const Convergence& all) {
 // ---------------------------------------------------------------- against `event`
 TEST(Verlet, BenchRingOverTheWholeRun) {
   const scene::Scene scene = shipped("bench_ring");
-  const Trajectory exact = run(scene, scene::Integrator::kEvent);
+  const Trajectory exact = run_with(scene, scene::Integrator::kEvent);
   const Convergence c =
       converge(scene, [&](const Trajectory& t) { return test::rotor_error(t, exact); });
   expect_second_order(c);
@@ -72,7 +62,7 @@ TEST(Verlet, BenchRingOverTheWholeRun) {
 // Without rebound the first impact is the last, and is located all the same.
 TEST(Verlet, BenchRingWithoutRestitution) {
   const scene::Scene scene = shipped("bench_ring", {"contact.restitution=0.0"});
-  const Trajectory exact = run(scene, scene::Integrator::kEvent);
+  const Trajectory exact = run_with(scene, scene::Integrator::kEvent);
   const Convergence c =
       converge(scene, [&](const Trajectory& t) { return test::rotor_error(t, exact); });
   expect_second_order(c);
@@ -83,7 +73,7 @@ TEST(Verlet, BenchRingWithoutRestitution) {
 // Straight flights and located impacts: nothing is left but round-off.
 TEST(Verlet, BenchBilliardIsExact) {
   const scene::Scene scene = shipped("bench_billiard");
-  const Trajectory exact = run(scene, scene::Integrator::kEvent);
+  const Trajectory exact = run_with(scene, scene::Integrator::kEvent);
   EXPECT_LT(test::rotor_error(verlet(scene, 1e-5), exact), 1e-12);
 }
 
@@ -123,7 +113,7 @@ TEST(Verlet, AnnularRubOnARigidRing) {
   const auto rub = oracle::annular_rub({2.0, 40.0, 2e5}, 0.5e-3, 0.15, 150.0, kWhirl);
   ASSERT_TRUE(rub);
   const scene::Scene scene = rubbing(*rub);
-  ASSERT_LT(off_the_rub(run(scene, scene::Integrator::kEvent), *rub), 1e-13) << "is it stable?";
+  ASSERT_LT(off_the_rub(run_with(scene, scene::Integrator::kEvent), *rub), 1e-13) << "is it stable?";
   expect_second_order(converge(scene, [&](const Trajectory& t) { return off_the_rub(t, *rub); }));
 }
 
@@ -133,7 +123,7 @@ TEST(Verlet, AnnularRubOnAnElasticRing) {
   ASSERT_TRUE(rub);
   scene::Scene scene = rubbing(*rub);
   test::add_ring(scene, 1.0, 200.0, 1e5);
-  ASSERT_LT(off_the_rub(run(scene, scene::Integrator::kEvent), *rub), 1e-13) << "is it stable?";
+  ASSERT_LT(off_the_rub(run_with(scene, scene::Integrator::kEvent), *rub), 1e-13) << "is it stable?";
   expect_second_order(converge(scene, [&](const Trajectory& t) { return off_the_rub(t, *rub); }));
 }
 
@@ -159,7 +149,7 @@ TEST(Verlet, SettlesOnTheWhip) {
 
 TEST(Verlet, FollowsTheWhipFromItsStart) {
   const scene::Scene scene = shipped("bench_whip", {"run.end=0.1", "run.output_step=1e-3"});
-  const Trajectory exact = run(scene, scene::Integrator::kEvent);
+  const Trajectory exact = run_with(scene, scene::Integrator::kEvent);
   expect_second_order(
       converge(scene, [&](const Trajectory& t) { return test::trajectory_error(t, exact); }));
 }
@@ -171,7 +161,7 @@ TEST(Verlet, FollowsImpactsThatTakeTime) {
   scene::Scene scene = shipped("bench_ring", {"contact.compression_time=1e-3",
                                               "contact.expansion_time=5e-4", "run.end=0.02",
                                               "run.output_step=1e-4"});
-  const Trajectory exact = run(scene, scene::Integrator::kEvent);
+  const Trajectory exact = run_with(scene, scene::Integrator::kEvent);
   const Trajectory t = verlet(scene, 1e-6);
   ASSERT_EQ(t.impacts.size(), exact.impacts.size());
   ASSERT_GE(t.impacts.size(), 3u);

@@ -19,7 +19,7 @@ using test::Jeffcott;
 using test::make_scene;
 
 // The one diagnostic that make_model refuses `scene` with.
-scene::Diagnostic refusal(const scene::Scene& scene) {
+scene::Diagnostic model_refusal(const scene::Scene& scene) {
   try {
     make_model(scene);
   } catch (const scene::SceneError& error) {
@@ -31,7 +31,7 @@ scene::Diagnostic refusal(const scene::Scene& scene) {
 }
 
 void expect_refusal(const scene::Scene& scene, const std::string& key, const std::string& says) {
-  const scene::Diagnostic d = refusal(scene);
+  const scene::Diagnostic d = model_refusal(scene);
   EXPECT_EQ(d.file, scene.name + ".toml");
   EXPECT_EQ(d.line, 0);
   EXPECT_EQ(d.key, key);
@@ -210,7 +210,7 @@ TEST(ModelRefusal, ASpinWithoutTheInertiaOfItsUnbalance) {
 TEST(ModelRefusal, MatricesThatCannotBeSolved) {
   scene::Scene s = test::reference_rig();
   for (scene::ShaftSection& section : s.rotor.geometry->sections) section.diameter = 1e-200;
-  const scene::Diagnostic d = refusal(s);
+  const scene::Diagnostic d = model_refusal(s);
   EXPECT_EQ(d.key, "rotor");
   EXPECT_NE(d.reason.find("orders of magnitude"), std::string::npos) << d.reason;
 }

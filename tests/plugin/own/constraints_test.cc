@@ -19,7 +19,7 @@ namespace {
 
 namespace names = mjcf_names;
 
-constexpr double kStep = 1e-5, kSpeed = 0.3, kRotor = 2.0, kRing = 1.0;
+constexpr double kStep = 1e-5, kBlow = 0.3, kRotor = 2.0, kRing = 1.0;
 // What solimp 0.9999 gives way in a step, of the motion without the constraint.
 constexpr double kSoft = 3e-4;
 
@@ -31,7 +31,7 @@ class HeldBodies : public MujocoTest {
   static DataPointer begin(const mjModel* m) {
     DataPointer d = start(m);
     d->qpos[kX] = 4.99e-4;
-    d->qvel[kX] = kSpeed;
+    d->qvel[kX] = kBlow;
     return d;
   }
   static double gap_rate(const mjData* d) { return d->qvel[kRingX] - d->qvel[kX]; }
@@ -59,7 +59,7 @@ class HeldBodies : public MujocoTest {
   }
 };
 
-void move_base(mjData* d) { d->qvel[kOther] = kSpeed; }
+void move_base(mjData* d) { d->qvel[kOther] = kBlow; }
 // A ring that is held is a fixed ring: the disc leaves with half of its speed.
 TEST_F(HeldBodies, AHeldRingIsAFixedRing) {
   for (const Machine& x :
@@ -67,10 +67,10 @@ TEST_F(HeldBodies, AHeldRingIsAFixedRing) {
     const ModelPointer m = load(document(x));
     EXPECT_NEAR(rebound(m.get()), kEps, 1e-6) << x.constraints << x.ring_joint;
     const DataPointer d = blow(m.get());
-    EXPECT_NEAR(d->qvel[kX], -kEps * kSpeed, kSoft * kSpeed) << x.constraints << x.ring_joint;
-    EXPECT_NEAR(d->qvel[kRingX], 0.0, kSoft * kSpeed) << x.constraints << x.ring_joint;
+    EXPECT_NEAR(d->qvel[kX], -kEps * kBlow, kSoft * kBlow) << x.constraints << x.ring_joint;
+    EXPECT_NEAR(d->qvel[kRingX], 0.0, kSoft * kBlow) << x.constraints << x.ring_joint;
     // Over the whole blow too.
-    EXPECT_NEAR(gap_rate(blow(m.get(), 200).get()), kEps * kSpeed, 2e-3 * kSpeed);
+    EXPECT_NEAR(gap_rate(blow(m.get(), 200).get()), kEps * kBlow, 2e-3 * kBlow);
   }
 }
 
@@ -79,30 +79,30 @@ TEST_F(HeldBodies, ALimitHoldsOneWayOnly) {
   x.ring_joint = "limited=\"true\" range=\"1e-7 1\" solimplimit=\"0.9999 0.9999 0.001\"";
   const ModelPointer m = load(document(x));
   const DataPointer d = blow(m.get());
-  const double impulse = 1.5 * kSpeed / (1.0 / kRotor + 1.0 / kRing);
-  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / kRotor, 1e-6);
+  const double impulse = 1.5 * kBlow / (1.0 / kRotor + 1.0 / kRing);
+  EXPECT_NEAR(d->qvel[kX], kBlow - impulse / kRotor, 1e-6);
   EXPECT_NEAR(d->qvel[kRingX], impulse / kRing, 1e-6);
 }
 
 // 200 kg and the disc are one body.
 TEST_F(HeldBodies, ARotorTiedToAHeavyBodyStrikesWithIt) {
   const double whole = kRotor + 200.0;
-  const double impulse = 1.5 * kSpeed / (1.0 / whole + 1.0 / kRing);
+  const double impulse = 1.5 * kBlow / (1.0 / whole + 1.0 / kRing);
   const ModelPointer m = load(document(tied_to(200.0)));
   EXPECT_NEAR(rebound(m.get(), move_base), kEps, 1e-6);
   const DataPointer d = blow(m.get(), 1, move_base);
-  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / whole, kSoft * kSpeed);
-  EXPECT_NEAR(d->qvel[kOther], kSpeed - impulse / whole, kSoft * kSpeed);
-  EXPECT_NEAR(d->qvel[kRingX], impulse / kRing, kSoft * kSpeed);
+  EXPECT_NEAR(d->qvel[kX], kBlow - impulse / whole, kSoft * kBlow);
+  EXPECT_NEAR(d->qvel[kOther], kBlow - impulse / whole, kSoft * kBlow);
+  EXPECT_NEAR(d->qvel[kRingX], impulse / kRing, kSoft * kBlow);
 }
 
 // Compression ends at one velocity v = 0.3 - L / 2 = L - F h, the whole impulse is 1.5 L.
 TEST_F(HeldBodies, FrictionLossTakesItsShareOfABlow) {
   const ModelPointer m = load(document(rubbing_ring()));
   const double loss = kLoss * kStep;
-  const double impulse = 1.5 * (kSpeed + loss / kRing) / (1.0 / kRotor + 1.0 / kRing);
+  const double impulse = 1.5 * (kBlow + loss / kRing) / (1.0 / kRotor + 1.0 / kRing);
   const DataPointer d = blow(m.get());
-  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / kRotor, 1e-7);
+  EXPECT_NEAR(d->qvel[kX], kBlow - impulse / kRotor, 1e-7);
   EXPECT_NEAR(d->qvel[kRingX], (impulse - loss) / kRing, 1e-7);
 }
 
@@ -131,11 +131,11 @@ TEST_F(HeldBodies, FrictionLossHoldsAPressedRing) {
 TEST_F(HeldBodies, ALoosePartBehindTheRingTakesTheBlow) {
   const ModelPointer m = load(document(loose_part()));
   const double behind = kRing + 3.0;
-  const double impulse = 1.5 * kSpeed / (1.0 / kRotor + 1.0 / behind);
+  const double impulse = 1.5 * kBlow / (1.0 / kRotor + 1.0 / behind);
   const DataPointer d = blow(m.get());
-  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / kRotor, kSoft * kSpeed);
-  EXPECT_NEAR(d->qvel[kRingX], impulse / behind, kSoft * kSpeed);
-  EXPECT_NEAR(d->qvel[kOther], impulse / behind, kSoft * kSpeed);
+  EXPECT_NEAR(d->qvel[kX], kBlow - impulse / kRotor, kSoft * kBlow);
+  EXPECT_NEAR(d->qvel[kRingX], impulse / behind, kSoft * kBlow);
+  EXPECT_NEAR(d->qvel[kOther], impulse / behind, kSoft * kBlow);
   // One that comes against the ring in the same step.
   EXPECT_NEAR(rebound(m.get(), [](mjData* data) { data->qvel[kOther] = -1.0; }), kEps, 1e-6);
 }
@@ -146,16 +146,16 @@ TEST_F(HeldBodies, TwoConstraintsAtOnce) {
   const ModelPointer held = load(document(x));
   EXPECT_NEAR(rebound(held.get(), move_base), kEps, 1e-6);
   // The limit's softness is measured by the ring's 1 kg, the blow by the rotor's 22.
-  EXPECT_NEAR(blow(held.get(), 1, move_base)->qvel[kOther], -kEps * kSpeed, 22 * kSoft * kSpeed);
+  EXPECT_NEAR(blow(held.get(), 1, move_base)->qvel[kOther], -kEps * kBlow, 22 * kSoft * kBlow);
 
   x = tied_to(200.0);
   x.ring_joint = rubbing_ring().ring_joint;
   const ModelPointer rubbing = load(document(x));
   const double loss = kLoss * kStep, whole = kRotor + 200.0;
-  const double impulse = 1.5 * (kSpeed + loss / kRing) / (1.0 / whole + 1.0 / kRing);
+  const double impulse = 1.5 * (kBlow + loss / kRing) / (1.0 / whole + 1.0 / kRing);
   const DataPointer d = blow(rubbing.get(), 1, move_base);
-  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / whole, kSoft * kSpeed);
-  EXPECT_NEAR(d->qvel[kRingX], (impulse - loss) / kRing, kSoft * kSpeed);
+  EXPECT_NEAR(d->qvel[kX], kBlow - impulse / whole, kSoft * kBlow);
+  EXPECT_NEAR(d->qvel[kRingX], (impulse - loss) / kRing, kSoft * kBlow);
 }
 
 // Friction of the blow: the whole cone against the slip; and no more than stops it.
@@ -165,7 +165,7 @@ TEST_F(HeldBodies, FrictionIsOfTheImpulseThatTheHeldRingGives) {
     const ModelPointer m = load(document(x));
     const DataPointer slides =
         blow(m.get(), 1, [](mjData* data) { data->qvel[kSpin] = 100.0; });
-    const double impulse = (1.0 + kEps) * kRotor * kSpeed;
+    const double impulse = (1.0 + kEps) * kRotor * kBlow;
     const double normal = sensor(m.get(), slides.get(), names::kNormalForce);
     EXPECT_NEAR(normal * kStep, impulse, 2.0 * kSoft * impulse);
     EXPECT_NEAR(sensor(m.get(), slides.get(), names::kFrictionForce), -0.15 * normal, 1e-6 * normal);
@@ -215,7 +215,7 @@ TEST_F(HeldBodies, SoftContactStandsBesideConstraintsToo) {
   EXPECT_NEAR(a[0], -0.157, 1e-3);  // 16 steps a blow: not quite 0.5
   // The ring gives way by 1e-4 / kg of the impulse, 0.9 N s.
   EXPECT_NEAR(a[0], b[0], 2.0 * 0.9 * 1e-4);
-  EXPECT_NEAR(a[1], b[1], kSoft * kSpeed);
+  EXPECT_NEAR(a[1], b[1], kSoft * kBlow);
   EXPECT_NEAR(a[2], b[2], kSoft * (100.0 - a[2]));
 }
 

@@ -12,8 +12,8 @@
 namespace rotorub::test {
 namespace {
 
-constexpr double kStep = 1e-5, kSpeed = 0.3, kEps = 0.5, kShaft = 2.0;
-enum Coordinate { kX, kY, kTiltX, kTiltY, kSpin };
+constexpr double kPairStep = 1e-5, kPairSpeed = 0.3, kEps = 0.5, kShaft = 2.0;
+enum ShaftCoordinate { kShaftX, kShaftY, kTiltX, kTiltY, kShaftSpin };
 
 class Pairs : public MujocoTest {
  protected:
@@ -47,12 +47,12 @@ TEST_F(Pairs, ACentralHitDoesNotTilt) {
     x.tilts = tilts;
     const ModelPointer m = load(document(x));
     const DataPointer d = start(m.get());
-    d->qpos[kX] = 4.99e-4;
-    d->qvel[kX] = kSpeed;
+    d->qpos[kShaftX] = 4.99e-4;
+    d->qvel[kShaftX] = kPairSpeed;
     mj_step(m.get(), d.get());
-    EXPECT_NEAR(d->qvel[kX], -kEps * kSpeed, 1e-12);
+    EXPECT_NEAR(d->qvel[kShaftX], -kEps * kPairSpeed, 1e-12);
     for (int i = 1; i < m->nv; ++i) EXPECT_NEAR(d->qvel[i], 0.0, 1e-12) << i;
-    const double each = 0.5 * (1.0 + kEps) * kSpeed * kShaft / kStep;
+    const double each = 0.5 * (1.0 + kEps) * kPairSpeed * kShaft / kPairStep;
     EXPECT_NEAR(sensor(m.get(), d.get(), "normal_force"), each, 1e-9 * each);
     EXPECT_NEAR(sensor(m.get(), d.get(), "normal_force_2"), each, 1e-9 * each);
   }
@@ -71,20 +71,20 @@ TEST_F(Pairs, TwoRingsAreOneOfTwiceTheMass) {
     const ModelPointer a = load(document(two)), b = load(document(one));
     const DataPointer d = start(a.get()), e = start(b.get());
     for (mjData* data : {d.get(), e.get()}) {
-      data->qvel[kX] = kSpeed;
-      data->qvel[kY] = 0.1;
-      data->qvel[kSpin] = 100.0;
-      data->qfrc_applied[kX] = 200.0;
+      data->qvel[kShaftX] = kPairSpeed;
+      data->qvel[kShaftY] = 0.1;
+      data->qvel[kShaftSpin] = 100.0;
+      data->qfrc_applied[kShaftX] = 200.0;
     }
     for (int k = 0; k < 4000; ++k) {
       mj_step(a.get(), d.get());
       mj_step(b.get(), e.get());
       const bool soft = contact[0] == 'c';  // each contact has MuJoCo's softness to itself
-      ASSERT_NEAR(d->qpos[kX], e->qpos[kX], soft ? 2e-5 : 1e-9) << contact << k;
+      ASSERT_NEAR(d->qpos[kShaftX], e->qpos[kShaftX], soft ? 2e-5 : 1e-9) << contact << k;
       ASSERT_NEAR(d->qpos[kTiltY], 0.0, 1e-9) << contact << k;
     }
-    EXPECT_NEAR(d->qvel[kSpin], e->qvel[kSpin], 1e-3 * std::abs(100.0 - e->qvel[kSpin]));
-    EXPECT_LT(d->qvel[kSpin], 99.0);
+    EXPECT_NEAR(d->qvel[kShaftSpin], e->qvel[kShaftSpin], 1e-3 * std::abs(100.0 - e->qvel[kShaftSpin]));
+    EXPECT_LT(d->qvel[kShaftSpin], 99.0);
     const double normal = sensor(b.get(), e.get(), "normal_force");
     ASSERT_GT(normal, 10.0);
     EXPECT_NEAR(sensor(a.get(), d.get(), "normal_force"), 0.5 * normal, 1e-3 * normal) << contact;
@@ -98,11 +98,11 @@ TEST_F(Pairs, ABlowAtOneEndIsThatOfOneRing) {
   x.clearance[1] = 1e-2;
   const ModelPointer m = load(document(x));
   const DataPointer d = start(m.get());
-  d->qpos[kX] = 4.99e-4;
-  d->qvel[kX] = kSpeed;
+  d->qpos[kShaftX] = 4.99e-4;
+  d->qvel[kShaftX] = kPairSpeed;
   mj_step(m.get(), d.get());
-  const double impulse = (1.0 + kEps) * kSpeed / (1.0 / kShaft + 0.01 / 0.02);
-  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / kShaft, 1e-9);
+  const double impulse = (1.0 + kEps) * kPairSpeed / (1.0 / kShaft + 0.01 / 0.02);
+  EXPECT_NEAR(d->qvel[kShaftX], kPairSpeed - impulse / kShaft, 1e-9);
   EXPECT_NEAR(std::abs(d->qvel[kTiltY]), 0.1 * impulse / 0.02, 1e-9);
   EXPECT_EQ(sensor(m.get(), d.get(), "normal_force_2"), 0.0);
 }
@@ -117,9 +117,9 @@ TEST_F(Pairs, AnEndThatIsDrivenIntoItsRingIsCaught) {
     const DataPointer d = start(m.get());
     // The end at -0.1 at its ring in +x, the other at its ring in -x, the shaft tilted.
     d->qpos[kTiltY] = -(5e-4 - depth_left) / 0.1;
-    d->qvel[kX] = kSpeed;
+    d->qvel[kShaftX] = kPairSpeed;
     d->qvel[kTiltY] = -2.9;
-    d->qvel[kSpin] = 50.0;
+    d->qvel[kShaftSpin] = 50.0;
     const double before = energy(m.get(), d.get());
     mj_step(m.get(), d.get());
     mj_kinematics(m.get(), d.get());
@@ -147,8 +147,8 @@ TEST_F(Pairs, RandomFlightsStayInTheirRings) {
       const DataPointer d = start(m.get());
       for (int i = 0; i < 2; ++i) d->qvel[i] = 0.5 * unit(random);
       for (int i = kTiltX; i <= kTiltY; ++i) d->qvel[i] = 5.0 * unit(random);
-      d->qvel[kSpin] = 200.0 * unit(random);
-      for (int i = kSpin + 1; i < m->nv; ++i) d->qvel[i] = 0.2 * unit(random);
+      d->qvel[kShaftSpin] = 200.0 * unit(random);
+      for (int i = kShaftSpin + 1; i < m->nv; ++i) d->qvel[i] = 0.2 * unit(random);
       for (int n = 0; n < 1500; ++n) {
         if (!soft) mj_copyData(flies.get(), without.get(), d.get());
         mj_step(m.get(), d.get());
@@ -175,17 +175,17 @@ TEST_F(Pairs, ConstraintsAreSolvedTogetherWithBoth) {
   x.ring_mass = 1.0;
   const ModelPointer m = load(document(x));
   const DataPointer d = start(m.get());
-  d->qpos[kX] = 4.99e-4;
-  d->qvel[kX] = d->qvel[kSpin + 1 + 4] = kSpeed;
+  d->qpos[kShaftX] = 4.99e-4;
+  d->qvel[kShaftX] = d->qvel[kShaftSpin + 1 + 4] = kPairSpeed;
   mj_step(m.get(), d.get());
   const double whole = kShaft + 200.0;
-  const double impulse = (1.0 + kEps) * kSpeed / (1.0 / whole + 1.0 / 2.0);
-  EXPECT_NEAR(d->qvel[kX], kSpeed - impulse / whole, 3e-4 * kSpeed);
-  EXPECT_NEAR(d->qvel[kSpin + 1], impulse / 2.0, 3e-4 * kSpeed);
-  EXPECT_NEAR(d->qvel[kSpin + 3], impulse / 2.0, 3e-4 * kSpeed);
+  const double impulse = (1.0 + kEps) * kPairSpeed / (1.0 / whole + 1.0 / 2.0);
+  EXPECT_NEAR(d->qvel[kShaftX], kPairSpeed - impulse / whole, 3e-4 * kPairSpeed);
+  EXPECT_NEAR(d->qvel[kShaftSpin + 1], impulse / 2.0, 3e-4 * kPairSpeed);
+  EXPECT_NEAR(d->qvel[kShaftSpin + 3], impulse / 2.0, 3e-4 * kPairSpeed);
   EXPECT_NEAR(d->qvel[kTiltY], 0.0, 1e-6);
   EXPECT_NEAR(sensor(m.get(), d.get(), "normal_force"),
-              sensor(m.get(), d.get(), "normal_force_2"), 1e-6 * impulse / kStep);
+              sensor(m.get(), d.get(), "normal_force_2"), 1e-6 * impulse / kPairStep);
 }
 
 // A lasting contact at one end takes part in the blow at the other.
@@ -195,18 +195,18 @@ TEST_F(Pairs, ALastingContactTakesPartInABlow) {
   const ModelPointer m = load(document(x));
   const DataPointer d = start(m.get());
   // The near end lies pressed in its ring, the other comes down on its own.
-  d->qpos[kX] = 5e-4;
+  d->qpos[kShaftX] = 5e-4;
   d->qpos[kTiltY] = 0.0;
-  const auto press = [&](double force) { d->qfrc_applied[kX] = force; };
+  const auto press = [&](double force) { d->qfrc_applied[kShaftX] = force; };
   press(50.0);
   for (int k = 0; k < 200; ++k) mj_step(m.get(), d.get());
   EXPECT_NEAR(sensor(m.get(), d.get(), "normal_force"), 25.0, 1e-3);
   EXPECT_NEAR(sensor(m.get(), d.get(), "normal_force_2"), 25.0, 1e-3);
   // Turned about the near end, which stays: the far end off by 1 um and coming at 0.2 m/s.
   d->qpos[kTiltY] = -5e-6;
-  d->qpos[kX] = 5e-4 - 5e-7;
+  d->qpos[kShaftX] = 5e-4 - 5e-7;
   d->qvel[kTiltY] = 1.0;
-  d->qvel[kX] = 0.1;
+  d->qvel[kShaftX] = 0.1;
   const double before = energy(m.get(), d.get());
   mj_step(m.get(), d.get());
   mj_kinematics(m.get(), d.get());
@@ -224,10 +224,10 @@ TEST_F(Pairs, ResetAndCopyGiveTheSameBits) {
   x.clearance[1] = 4e-4;
   const ModelPointer m = load(document(x));
   const auto begin = [&](mjData* d) {
-    d->qvel[kX] = kSpeed;
+    d->qvel[kShaftX] = kPairSpeed;
     d->qvel[kTiltY] = 1.0;
-    d->qvel[kSpin] = 100.0;
-    d->qfrc_applied[kX] = 100.0;
+    d->qvel[kShaftSpin] = 100.0;
+    d->qfrc_applied[kShaftX] = 100.0;
   };
   const DataPointer d = start(m.get());
   begin(d.get());

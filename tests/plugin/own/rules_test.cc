@@ -25,7 +25,7 @@ class OwnRules : public MujocoTest {
 };
 
 TEST_F(OwnRules, MisspeltNamesAreRefusedWithASuggestion) {
-  const std::string good = document({});
+  const std::string good = document(Machine{});
   load(good);
   expect_refused(replaced(good, "rotorub_friction", "rotorub_fricton"),
                  "did you mean \"rotorub_friction\"");
@@ -95,13 +95,13 @@ TEST_F(OwnRules, ModelsOfOtherSizesAreToldApart) {
     mj_forward(m.get(), d.get());
     return sensor(m.get(), d.get(), names::kSlip);
   };
-  EXPECT_DOUBLE_EQ(slip(document({})), 5.0);
-  EXPECT_DOUBLE_EQ(slip(replaced(document({}), "size=\"0.05 0.01\"", "size=\"0.04 0.01\"")), 4.0);
+  EXPECT_DOUBLE_EQ(slip(document(Machine{})), 5.0);
+  EXPECT_DOUBLE_EQ(slip(replaced(document(Machine{}), "size=\"0.05 0.01\"", "size=\"0.04 0.01\"")), 4.0);
 }
 
 // Edited in mjModel, a size counts from the next pass on, collision included.
 TEST_F(OwnRules, AnEditedSizeCountsInTheSamePass) {
-  const ModelPointer m = load(document({}));
+  const ModelPointer m = load(document(Machine{}));
   const DataPointer d = start(m.get());
   d->qpos[0] = 5e-4;
   mj_forward(m.get(), d.get());
@@ -117,7 +117,7 @@ TEST_F(OwnRules, AnEditedSizeCountsInTheSamePass) {
 
 // 100 um deep, at rest: pushed out slowly, not shot out with 4 J.
 TEST_F(OwnRules, AStartInsideTheWallGainsNoEnergy) {
-  const ModelPointer m = load(document({}));
+  const ModelPointer m = load(document(Machine{}));
   const DataPointer d = start(m.get());
   d->qpos[0] = 6e-4;
   for (int k = 0; k < 20000; ++k) {

@@ -13,7 +13,7 @@
 namespace rotorub::test {
 namespace {
 
-constexpr double kRadius = 0.05, kClearance = 5e-4;
+constexpr double kTiltRadius = 0.05, kTiltClearance = 5e-4;
 
 class Tilt : public MujocoTest {
  protected:
@@ -27,7 +27,7 @@ class Tilt : public MujocoTest {
     for (const double z : {-half, half}) {
       for (int i = 0; i < kPoints; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / kPoints;
-        const double p[] = {kRadius * std::cos(angle), kRadius * std::sin(angle), z};
+        const double p[] = {kTiltRadius * std::cos(angle), kTiltRadius * std::sin(angle), z};
         double at[2];
         for (int k = 0; k < 2; ++k) {
           at[k] = centre[k] + axes[3 * k] * p[0] + axes[3 * k + 1] * p[1] + axes[3 * k + 2] * p[2];
@@ -35,7 +35,7 @@ class Tilt : public MujocoTest {
         farthest = std::max(farthest, std::hypot(at[0], at[1]));
       }
     }
-    return kRadius + kClearance - farthest;
+    return kTiltRadius + kTiltClearance - farthest;
   }
   plugin::Hooks hooks_;
 };
@@ -54,15 +54,15 @@ TEST_F(Tilt, LeavesOutTheSquareOfTheTilt) {
       d->qpos[2] = theta * std::cos(direction);
       d->qpos[3] = theta * std::sin(direction);
       mj_forward(m.get(), d.get());
-      const double ours = kClearance - 4e-4;
+      const double ours = kTiltClearance - 4e-4;
       const double missing = gap_of_edges(m.get(), d.get(), 0.0) - ours;
       EXPECT_GT(missing, -1e-12);
-      EXPECT_LT(missing, 0.5 * kRadius * theta * theta + 1e-12) << theta;
-      most = std::max(most, missing / (0.5 * kRadius * theta * theta));
+      EXPECT_LT(missing, 0.5 * kTiltRadius * theta * theta + 1e-12) << theta;
+      most = std::max(most, missing / (0.5 * kTiltRadius * theta * theta));
       const double long_one = ours - gap_of_edges(m.get(), d.get(), 0.01);
       EXPECT_LT(long_one, 0.01 * theta + 1e-12);
       if (direction > 1.5) {
-        EXPECT_GT(long_one, 0.8 * 0.01 * theta - 0.5 * kRadius * theta * theta);
+        EXPECT_GT(long_one, 0.8 * 0.01 * theta - 0.5 * kTiltRadius * theta * theta);
       }
     }
   }

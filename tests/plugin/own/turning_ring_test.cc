@@ -15,8 +15,8 @@
 namespace rotorub::test {
 namespace {
 
-constexpr double kRadius = 0.05, kClearance = 5e-4, kBore = kRadius + kClearance, kMu = 0.15;
-constexpr double kWhirl = 0.4, kRingSpeed = 314.0, kSpeed = 100.0;
+constexpr double kTurningRadius = 0.05, kTurningClearance = 5e-4, kBore = kTurningRadius + kTurningClearance, kMu = 0.15;
+constexpr double kWhirl = 0.4, kRingSpeed = 314.0, kRotorSpeed = 100.0;
 
 // The floating machine, as a scene.
 const std::string kScene = R"(
@@ -74,9 +74,9 @@ class OwnTurningRing : public MujocoTest {
   }
   static DataPointer begin(const mjModel* m) {
     DataPointer d = start(m);
-    d->qpos[0] = kClearance;
+    d->qpos[0] = kTurningClearance;
     d->qvel[1] = kWhirl;
-    d->qvel[2] = kSpeed;
+    d->qvel[2] = kRotorSpeed;
     d->qvel[5] = kRingSpeed;
     return d;
   }
@@ -91,7 +91,7 @@ TEST_F(OwnTurningRing, IsSpunUpByTheRub) {
   for (const char* contact : {"rigid", "coulomb"}) {
     const ModelPointer m = held(contact, kMu, kDrag);
     const DataPointer d = start(m.get());
-    d->qpos[kX] = kClearance;
+    d->qpos[kX] = kTurningClearance;
     d->qvel[kSpin] = 1000.0;
     constexpr double kForce = 100.0;
     constexpr int kSteps = 40000;
@@ -114,7 +114,7 @@ TEST_F(OwnTurningRing, IsSpunUpByTheRub) {
     EXPECT_NEAR(lowest, kForce, 0.02 * kForce) << contact;
     EXPECT_NEAR(highest, kForce, 0.02 * kForce) << contact;
     EXPECT_NEAR(sensor(m.get(), d.get(), "slip"),
-                d->qvel[kY] + kRadius * d->qvel[kSpin] - kBore * d->qvel[kRing], 1e-3)
+                d->qvel[kY] + kTurningRadius * d->qvel[kSpin] - kBore * d->qvel[kRing], 1e-3)
         << contact;
   }
 }
@@ -125,7 +125,7 @@ TEST_F(OwnTurningRing, WithoutFrictionItMayTurnAsItLikes) {
     for (const double speed : {0.0, 314.0, -3000.0}) {
       const ModelPointer m = held(contact, 0.0, 0.0);
       const DataPointer d = start(m.get());
-      d->qpos[kX] = kClearance;
+      d->qpos[kX] = kTurningClearance;
       d->qvel[kRing] = speed;
       double lowest = 1e9, highest = 0.0;
       for (int k = 0; k < 3000; ++k) {
@@ -137,7 +137,7 @@ TEST_F(OwnTurningRing, WithoutFrictionItMayTurnAsItLikes) {
       }
       EXPECT_NEAR(lowest, 20.0, 0.05) << contact << speed;
       EXPECT_NEAR(highest, 20.0, 0.05) << contact << speed;
-      EXPECT_NEAR(std::hypot(d->qpos[kX], d->qpos[kY]), kClearance, 5e-8) << contact << speed;
+      EXPECT_NEAR(std::hypot(d->qpos[kX], d->qpos[kY]), kTurningClearance, 5e-8) << contact << speed;
     }
   }
 }
@@ -166,7 +166,7 @@ TEST_F(OwnTurningRing, AngularMomentumIsConserved) {
 // ---------------------------------------------------------------- floating
 TEST_F(OwnTurningRing, WithoutFrictionItsTurningGivesTheRotorNoForce) {
   constexpr double kReducedMass = 2.0 / 3.0;
-  const double exact = kReducedMass * kWhirl * kWhirl / kClearance;
+  const double exact = kReducedMass * kWhirl * kWhirl / kTurningClearance;
   for (const std::string contact : {"rigid", "coulomb"}) {
     const ModelPointer m = floating(contact, 0.0);
     const DataPointer d = begin(m.get());
@@ -201,7 +201,7 @@ TEST_F(OwnTurningRing, FollowsTheNativeAnswer) {
     };
     const double coarse = error(1e-5), fine = error(2.5e-6);
     EXPECT_LT(fine, 0.3 * coarse);
-    EXPECT_LT(fine, 1e-2 * kClearance);
+    EXPECT_LT(fine, 1e-2 * kTurningClearance);
   }
 }
 
@@ -214,13 +214,13 @@ TEST_F(OwnTurningRing, FrictionsMomentsBalance) {
   for (int k = 0; k < 500; ++k) {
     const double spin = d->qvel[2], ring = d->qvel[5], h = m->opt.timestep;
     const double delta = std::hypot(d->qpos[0] - d->qpos[3], d->qpos[1] - d->qpos[4]);
-    EXPECT_NEAR(delta, kClearance, 1e-3 * kClearance);
+    EXPECT_NEAR(delta, kTurningClearance, 1e-3 * kTurningClearance);
     mj_step(m.get(), d.get());
     const double friction = sensor(m.get(), d.get(), mjcf_names::kFrictionForce);
-    EXPECT_NEAR(inertia * (d->qvel[2] - spin) / h, kRadius * friction, 1e-9);
+    EXPECT_NEAR(inertia * (d->qvel[2] - spin) / h, kTurningRadius * friction, 1e-9);
     // MuJoCo's joint damping is that of the step's end.
     EXPECT_NEAR(inertia * (d->qvel[5] - ring) / h + drag * d->qvel[5],
-                -(kRadius + delta) * friction, 1e-9);
+                -(kTurningRadius + delta) * friction, 1e-9);
   }
 }
 
