@@ -1,4 +1,5 @@
-# What nearly every unit includes, compiled once: half of a unit's time is the reading of these headers.
+# What nearly every unit includes, compiled once: what is left of the reading of headers when the files of a folder
+# are one unit (RotorubUnity), and half of a unit's time where each file is one.
 #
 # One for whoever compiles with the same flags (g++ takes none that was made with others) and needs the same third
 # parties; it belongs to the first target of them, and the others reuse it:
