@@ -12,6 +12,7 @@
 #include "compare/report/page_frame.h"
 #include "compare/report/page_values.h"
 #include "compare/report/plots.h"
+#include "compare/report/trade.h"
 #include "compare/study/format.h"
 #include "compare/version.h"
 
@@ -70,6 +71,7 @@ std::string names_of(const std::vector<PageScene>& scenes) {
 std::string report_page(const std::vector<PageScene>& scenes) {
   json pages = json::array();
   json plots = json::array();
+  std::vector<const SceneComparison*> comparisons;
   for (const PageScene& scene : scenes) {
     const SceneComparison& comparison = *scene.comparison;
     json values = scene_values(comparison);
@@ -82,13 +84,15 @@ std::string report_page(const std::vector<PageScene>& scenes) {
     values["windows"] = window_values(comparison);
     pages.push_back(std::move(values));
     plots.push_back(plot_data(comparison));
+    comparisons.push_back(&comparison);
   }
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
   const CompareMode mode =
       scenes.empty() ? CompareMode::kLockstep : scenes.front().comparison->mode;
   json values = page_frame({names_of(scenes), fmt::format("{} comparison", to_string(mode)),
                             "Can MuJoCo's contact forces be trusted?"},
-                           report_js(), {{"scenes", plots}});
+                           report_js(), {{"scenes", plots}, {"trade", trade_data(comparisons)}});
+  values["trades"] = scenes.size() > 1;
   values["by_figures"] = mode != CompareMode::kResync;
   values["resyncs"] = mode == CompareMode::kResync;
   values["mujoco_version"] = mujoco_version();

@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "compare/report/characteristics.h"
 #include "compare/report/rounded.h"
 #include "compare/report/thin.h"
+#include "native_model/bearing/actuator_axes.h"
 
 namespace rotorub {
 namespace {
@@ -47,6 +49,8 @@ Values magnitude(const Values& x, const Values& y) {
 // The values of a plot over time in its unit; empty where the run has none.
 Values series_of(const std::string& key, const Trajectory& t) {
   if (key == "gap") return scaled(t.column("gap"), kMicro);
+  if (key == "gap_rate") return scaled(t.column("gap_rate"), 1e3);
+  if (key == "rotor_x") return scaled(t.column("rotor_x"), kMicro);
   if (key == "normal_force" || key == "friction_force") return t.column(key);
   if (key == "spin") return scaled(t.column("spin_speed"), 60.0 / kTurn);
   if (key == "ring_speed" && t.has("ring_speed")) {
@@ -64,23 +68,51 @@ Values series_of(const std::string& key, const Trajectory& t) {
 
 constexpr PlotKind kKinds[] = {
     {"gap", "Gap", "µm", "0: contact; below 0: penetration", "wide"},
+    {"gap_rate", "Gap rate", "mm/s", "what control brings to 0 (paper, Fig. 8)", ""},
+    {"rotor_x", "Rotor", "µm", "along x; dotted, where there is control: without it (paper, Fig. 9)", ""},
     {"normal_force", "Normal force", "N",
      "of lasting contact; impulses of the rigid law's impacts are below", ""},
     {"friction_force", "Friction force", "N", "on the rotor, along the ring", ""},
     {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", ""},
+    {"friction_impacts", "Friction of impacts", "mN s", "size of the tangential impulse of each", ""},
+    {"normal_law", "Normal contact law", "m/s",
+     "gap rates before and after each impact; dashed: the restitution where friction has no part", "square"},
+    {"friction_law", "Friction law", "",
+     "of each impact, tangential over friction times normal impulse (paper, Fig. 5); dashed: Coulomb's", "square"},
     {"spin", "Spin speed", "rpm", "what friction takes from the drive", ""},
     {"ring_speed", "Ring speed", "rpm", "what friction and drag make of the ring that turns", ""},
     {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", ""},
     {"control", "Control force", "N", "magnitude of the actuators' force on the ring", ""},
     {"current", "Coil current", "A", "magnitude of the control currents of the two axes", ""},
+    {"actuator", "Actuator", "N", "force of axis 1 over its current, on the characteristic F(s, i) (paper, Fig. 3)",
+     "square"},
+    {"motor", "Motor", "N m", "torque over speed; dashed: the motor's characteristic (paper, Fig. 6)", "square"},
     {"orbit", "Orbits", "µm", "rotor solid, ring dotted; the last turns, or the time zoomed to",
      "square"},
     {"relative", "Rotor in the ring", "µm", "relative to the ring's centre; dashed: the clearance",
      "square"},
 };
 
+// Each impact a point: of these both laws have a friction of more than 0 and a restitution.
+bool of_impacts(const std::string& key) {
+  return key == "impacts" || key == "friction_impacts" || key == "normal_law" || key == "friction_law";
+}
+
 bool over_time(const std::string& key) {
-  return key != "impacts" && key != "orbit" && key != "relative";
+  return !of_impacts(key) && key != "orbit" && key != "relative" && key != "actuator" && key != "motor";
+}
+
+// What a plot that is not over time is drawn from.
+bool has_columns(const std::string& key, const Trajectory& t) {
+  if (key == "actuator") return t.has("current_1");
+  if (key == "motor") return t.has("motor_torque");
+  return true;
+}
+
+bool has_impacts(const std::string& key, const SceneComparison& comparison) {
+  if (!comparison.scene.contact) return false;
+  const bool friction = key == "friction_impacts" || key == "friction_law";
+  return !friction || comparison.scene.contact->friction > 0.0;
 }
 
 struct Rows {
@@ -103,12 +135,15 @@ json time_series(const Values& t, const Values& y, const std::vector<Window>& wi
   return out;
 }
 
-// Nothing for the whole run, which is the first window: all turns on top of each other show
+enum class WholeRun { kShown, kLeftOut };
+
+// kLeftOut: nothing for the whole run, which is the first window, where all turns on top of each other show
 // nothing.
-json curves(const Values& t, const Values& x, const Values& y, const std::vector<Window>& windows) {
+json curves(const Values& t, const Values& x, const Values& y, const std::vector<Window>& windows,
+            WholeRun whole = WholeRun::kLeftOut) {
   json out = json::array();
   for (std::size_t k = 0; k < windows.size(); ++k) {
-    if (k == 0) {
+    if (k == 0 && whole == WholeRun::kLeftOut) {
       out.push_back(nullptr);
       continue;
     }
@@ -120,20 +155,28 @@ json curves(const Values& t, const Values& x, const Values& y, const std::vector
   return out;
 }
 
-json impact_data(const Trajectory& trajectory) {
-  std::vector<std::size_t> counted;
-  Values t, impulse;
+// friction: of the contact, mu.
+json impact_data(const Trajectory& trajectory, double friction) {
+  Values t, normal, tangential, before, after, slip, share;
   for (const Impact& impact : trajectory.impacts) {
     if (!counts(impact) || impact.normal_impulse <= 0.0) continue;
     t.push_back(impact.t);
-    impulse.push_back(1e3 * impact.normal_impulse);
+    normal.push_back(1e3 * impact.normal_impulse);
+    tangential.push_back(1e3 * std::abs(impact.friction_impulse));
+    before.push_back(impact.gap_rate_before);
+    after.push_back(impact.gap_rate_after);
+    slip.push_back(impact.slip_after);
+    share.push_back(friction > 0.0 ? impact.friction_impulse / (friction * impact.normal_impulse) : 0.0);
   }
-  const auto kept = thin(impulse, 0, impulse.size(), kPlotBuckets);
-  return {{"t", pick(t, kept, 8)}, {"y", pick(impulse, kept, 5)}};
+  const auto kept = thin(normal, 0, normal.size(), kPlotBuckets);
+  return {{"t", pick(t, kept, 8)},          {"y", pick(normal, kept, 5)},
+          {"friction", pick(tangential, kept, 5)}, {"before", pick(before, kept, 5)},
+          {"after", pick(after, kept, 5)},  {"slip", pick(slip, kept, 5)},
+          {"share", pick(share, kept, 5)}};
 }
 
 json side_data(const Side& side, const std::vector<PlotKind>& kinds,
-               const std::vector<Window>& windows) {
+               const std::vector<Window>& windows, double friction) {
   const Trajectory& trajectory = side.trajectory;
   const Values& t = trajectory.column("t");
   json series = json::object();
@@ -151,12 +194,24 @@ json side_data(const Side& side, const std::vector<PlotKind>& kinds,
     x[i] = rotor_x[i] - ring_x[i];
     y[i] = rotor_y[i] - ring_y[i];
   }
+  json more = json::object();
+  if (has_columns("actuator", trajectory)) {
+    Values force = trajectory.column("control_x");
+    const Values& across = trajectory.column("control_y");
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] = to_axes({force[i], across[i]}).x();
+    more["actuator"] = curves(t, trajectory.column("current_1"), force, windows, WholeRun::kShown);
+  }
+  if (has_columns("motor", trajectory)) {
+    more["motor"] = curves(t, series_of("spin", trajectory), trajectory.column("motor_torque"), windows,
+                           WholeRun::kShown);
+  }
   return {{"label", side.label},
           {"series", series},
+          {"paths", more},
           {"rotor", curves(t, rotor_x, rotor_y, windows)},
           {"ring", curves(t, ring_x, ring_y, windows)},
           {"relative", curves(t, x, y, windows)},
-          {"impacts", impact_data(trajectory)}};
+          {"impacts", impact_data(trajectory, friction)}};
 }
 
 }  // namespace
@@ -185,8 +240,10 @@ std::vector<PlotKind> plot_kinds(const SceneComparison& comparison) {
   for (const PlotKind& kind : kKinds) {
     const bool has_data =
         std::any_of(comparison.sides.begin(), comparison.sides.end(), [&](const Side& side) {
-          return !over_time(kind.key) || !series_of(kind.key, side.trajectory).empty();
+          return over_time(kind.key) ? !series_of(kind.key, side.trajectory).empty()
+                                     : has_columns(kind.key, side.trajectory);
         });
+    if (of_impacts(kind.key) && !has_impacts(kind.key, comparison)) continue;
     if (has_data) kinds.push_back(kind);
   }
   return kinds;
@@ -196,13 +253,26 @@ json plot_data(const SceneComparison& comparison) {
   const auto windows = plot_windows(comparison);
   const auto kinds = plot_kinds(comparison);
   json sides = json::array();
-  for (const Side& side : comparison.sides) sides.push_back(side_data(side, kinds, windows));
+  const auto& contact = comparison.scene.contact;
+  const double friction = contact ? contact->friction : 0.0;
+  for (const Side& side : comparison.sides) sides.push_back(side_data(side, kinds, windows, friction));
   json spans = json::array();
   for (const Window& w : windows) {
     spans.push_back({{"name", w.name}, {"from", w.from}, {"to", w.to}});
   }
+  json uncontrolled = json::object();
+  if (const auto& run = comparison.uncontrolled) {
+    uncontrolled["rotor_x"] = time_series(run->column("t"), series_of("rotor_x", *run), windows);
+  }
+  const Values& speed = comparison.sides.front().trajectory.column("spin_speed");
+  const auto [slowest, fastest] = std::minmax_element(speed.begin(), speed.end());
+  const double room = std::max(0.02 * std::abs(*fastest), 0.2 * (*fastest - *slowest));
   return {{"name", comparison.scene.name},
-          {"clearance", comparison.scene.contact ? comparison.scene.contact->clearance : 0.0},
+          {"actuator", actuator_curves(comparison.scene)},
+          {"motor", motor_curve(comparison.scene, *slowest - room, *fastest + room)},
+          {"clearance", contact ? contact->clearance : 0.0},
+          {"restitution", contact ? contact->restitution : 0.0},
+          {"uncontrolled", uncontrolled},
           {"windows", spans},
           {"first_window", 0},
           {"sides", sides}};

@@ -23,6 +23,14 @@ double divergence_threshold(const scene::Scene& scene, const Trajectory& native)
   return std::max(kDivergenceShare * largest, 1e-12);
 }
 
+// Magnets balance their own pull, as a mechanical bearing has none.
+scene::Scene without_control(scene::Scene scene) {
+  const double on = scene.controller->on;
+  scene.controller = scene::Controller{};
+  scene.controller->on = on;
+  return scene;
+}
+
 double total_work(const std::vector<Contestant>& all, const CompareOptions& options) {
   const bool ladder = options.mode != CompareMode::kResync;
   double total = 1.0 + (ladder ? options.twins : 0);
@@ -98,6 +106,19 @@ class Comparison {
     for (Side& side : mujoco) result_.sides.push_back(std::move(side));
     if (runner_.interrupted()) return;
     result_.shadow = shadow_column(runner_, result_.sides[0], commands(1), options_);
+    if (result_.commands && !result_.own) run_without_control();
+  }
+
+  // For the plots: by `verlet`, as fast as there is.
+  void run_without_control() {
+    RunRequest request;
+    request.output_times = times_;
+    try {
+      request.interrupt = options_.interrupt;
+      Trajectory t = native_engine(scene::Integrator::kVerlet)->run(without_control(result_.scene), request);
+      if (t.status == Status::kOk) result_.uncontrolled = std::move(t);
+    } catch (const scene::SceneError&) {  // what `verlet` does not take has no such curve
+    }
   }
 
   void show_native(std::size_t driven_by) {

@@ -104,6 +104,8 @@ struct SceneComparison {
     return side < 2 || natives.empty() ? sides.front() : natives[side - 2];
   }
   ShadowColumn shadow;
+  // The native run of a passive bearing, where the scene's controller commands: none where that one fails.
+  std::optional<Trajectory> uncontrolled;
   std::vector<SideDifference> differences;  // of sides[1], sides[2], ...
   Divergence twin;                          // native against the twin that parts first
   std::optional<ModelError> model_error;    // none: not asked for

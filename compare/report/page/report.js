@@ -22,12 +22,49 @@
     });
   }
 
-  function impactTraces(scene) {
-    return scene.sides.map((side) => ({x: side.impacts.t, y: side.impacts.y, name: side.label,
+  // The same run with a passive bearing, behind all others.
+  function uncontrolledTraces(scene, key, window) {
+    const series = scene.uncontrolled[key];
+    return series ? [{x: series[window].t, y: series[window].y, name: 'without control', meta: 'without control',
+      type: 'scatter', mode: 'lines', line: {color: css('--soft'), width: 1, dash: 'dot'}, opacity: 0.7,
+      hovertemplate: '%{y:.5g}<extra>without control</extra>'}] : [];
+  }
+
+  // Every impact a point. `law`: over what it is drawn.
+  const laws = {
+    impacts: {x: 't', y: 'y', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
+    friction_impacts: {x: 't', y: 'friction', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
+    normal_law: {x: 'before', y: 'after', text: 'before %{x:.4g} m/s<br>after %{y:.4g} m/s'},
+    friction_law: {x: 'slip', y: 'share', text: 'slip after %{x:.4g} m/s<br>%{y:.4g} of friction times normal'},
+  };
+  function impactTraces(scene, key) {
+    const law = laws[key];
+    return scene.sides.map((side) => ({x: side.impacts[law.x], y: side.impacts[law.y], name: side.label,
       meta: side.label, type: 'scatter', mode: 'markers',
       marker: {color: css('--' + side.label), size: 5, opacity: 0.75,
         symbol: side.label === 'native' ? 'circle' : side.label === 'cone' ? 'triangle-up-open' : 'circle-open'},
-      hovertemplate: 't = %{x:.6g} s<br>%{y:.4g} mN s<extra>' + side.label + '</extra>'}));
+      hovertemplate: law.text + '<extra>' + side.label + '</extra>'}));
+  }
+
+  // A run's own points on the characteristic of what drives it.
+  function characteristicTraces(scene, key, window) {
+    const curves = key === 'motor' ? (scene.motor ? [{...scene.motor, name: 'characteristic'}] : []) : scene.actuator;
+    const law = curves.map((c) => ({x: c.x, y: c.y, name: c.name, meta: c.name, type: 'scatter', mode: 'lines',
+      line: {color: css('--soft'), width: 1, dash: 'dash'}, hovertemplate: '%{y:.4g}<extra>' + c.name + '</extra>'}));
+    return [...law, ...behindFirst(scene.sides).filter((side) => side.paths[key]).map((side) => ({
+      x: side.paths[key][window].x, y: side.paths[key][window].y, name: side.label, meta: side.label, type: 'scatter',
+      mode: 'lines', line: line(side.label, side.label === 'native' ? 2.4 : 1.2),
+      hovertemplate: '(%{x:.4g}, %{y:.4g})<extra>' + side.label + '</extra>'}))];
+  }
+
+  // The laws themselves: after = -eps before, and Coulomb's: against the slip, within +-1 where there is none.
+  function lawShape(scene, key) {
+    const line = {color: css('--soft'), width: 1, dash: 'dash'};
+    const all = scene.sides.flatMap((side) => side.impacts[laws[key].x]);
+    const low = Math.min(0, ...all), high = Math.max(0, ...all);
+    const piece = (x0, y0, x1, y1) => ({type: 'line', x0, y0, x1, y1, line, layer: 'below'});
+    return key === 'normal_law' ? [piece(low, -scene.restitution * low, 0, 0)] :
+      [piece(low, 1, 0, 1), piece(0, 1, 0, -1), piece(0, -1, high, -1)];
   }
 
   function curve(side, xy, text, width, dash) {
@@ -109,14 +146,28 @@
         shape = layout({hovermode: 'closest', shapes: key === 'relative' && r > 0 ? [circle] : [],
           xaxis: axes({title: {text: 'x / µm', standoff: 8}, automargin: false, constrain: 'domain'}),
           yaxis: axes({title: {text: 'y / µm', standoff: 8}, automargin: false, constrain: 'domain', scaleanchor: 'x'})});
+      } else if (key === 'normal_law' || key === 'friction_law') {
+        traces = impactTraces(this.scene, key);
+        const titles = key === 'normal_law' ? ['before / (m/s)', 'after / (m/s)'] :
+          ['slip after / (m/s)', 'tangential / (friction × normal)'];
+        shape = layout({hovermode: 'closest', shapes: lawShape(this.scene, key),
+          xaxis: axes({title: {text: titles[0], standoff: 8}}),
+          yaxis: axes({title: {text: titles[1], standoff: 8}})});
+      } else if (key === 'actuator' || key === 'motor') {
+        traces = characteristicTraces(this.scene, key, window);
+        const titles = key === 'motor' ? ['speed / rpm', 'torque / N m'] : ['current / A', 'force / N'];
+        shape = layout({hovermode: 'closest', xaxis: axes({title: {text: titles[0], standoff: 8}}),
+          yaxis: axes({title: {text: titles[1], standoff: 8}})});
       } else {
-        traces = key === 'impacts' ? impactTraces(this.scene) : timeTraces(this.scene, key, window);
+        const impacts = key in laws;
+        traces = impacts ? impactTraces(this.scene, key) :
+          [...uncontrolledTraces(this.scene, key, window), ...timeTraces(this.scene, key, window)];
         const height = key.endsWith('_force') ? heightFor(traces) : {};
         shape = layout({xaxis: axes({title: {text: 't / s', standoff: 6}, range: this.range.slice(),
             hoverformat: '.5f'}),
-          yaxis: axes(key === 'impacts' ? {type: 'log', exponentformat: 'power', dtick: 1} : height.axis),
+          yaxis: axes(impacts ? {type: 'log', exponentformat: 'power', dtick: 1} : height.axis),
           annotations: height.notes || []});
-        if (key === 'impacts') shape.hovermode = 'closest';
+        if (impacts) shape.hovermode = 'closest';
       }
       traces.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : true; });
       const first = !plot.classList.contains('drawn');
@@ -140,7 +191,8 @@
 
     // Zooming one plot in time zooms all of them; a double click shows the whole run.
     follow(key, change) {
-      if (this.quiet || key === 'orbit' || key === 'relative') return;
+      const timeless = ['orbit', 'relative', 'normal_law', 'friction_law', 'actuator', 'motor'];
+      if (this.quiet || timeless.includes(key)) return;
       if (change['xaxis.autorange']) this.show(this.span(0));
       const from = change['xaxis.range[0]'], to = change['xaxis.range[1]'];
       if (from === undefined || to === undefined) return;
@@ -170,7 +222,27 @@
     }
   }
 
+  // ------------------------------------------------------------------ all scenes
+  function drawTrade() {
+    const points = data.trade;
+    if (!points) return;
+    const trace = (key, name, symbol, color) => ({x: points.map((p) => p.orbit), y: points.map((p) => p[key]), name,
+      text: points.map((p) => p.name), type: 'scatter', mode: 'markers+text', cliponaxis: false,
+      textposition: key === 'contact' ? 'top center' : 'bottom center', textfont: {color: css('--soft'), size: 11},
+      marker: {symbol, size: 9, color: css(color)},
+      hovertemplate: '%{text}<br>orbit %{x:.4g} mm<br>%{y:.4g} N<extra>' + name + '</extra>'});
+    Plotly.react('trade', [trace('contact', 'contact', 'circle', '--native'),
+      trace('actuator', 'actuators', 'square-open', '--rigid')],
+    layout({hovermode: 'closest', showlegend: true, legend: {orientation: 'h', y: 1.12},
+      margin: {l: 56, r: 40, t: 28, b: 40},
+      xaxis: axes({title: {text: 'orbit / mm', standoff: 8}, rangemode: 'tozero'}),
+      yaxis: axes({title: {text: 'force / N', standoff: 8}, rangemode: 'tozero'})}), config);
+  }
+
   const scenes = [...document.querySelectorAll('.scene')].map(
     (element) => new Scene(element, data.scenes[Number(element.dataset.scene)]));
-  page.start(() => scenes.forEach((scene) => scene.drawAll()));
+  page.start(() => {
+    drawTrade();
+    scenes.forEach((scene) => scene.drawAll());
+  });
 })();
