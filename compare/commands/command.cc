@@ -41,7 +41,7 @@ std::vector<std::string> overrides_of(const CommonOptions& options) {
   std::vector<std::string> overrides;
   if (!options.controller.empty()) {
     const std::string library = std::filesystem::absolute(options.controller).string();
-    overrides = {"controller.kind=library", "controller.library='" + library + "'"};
+    overrides = {"controller.kind=library", "controller.library=" + library};
   }
   overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
   return overrides;

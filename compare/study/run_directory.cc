@@ -132,7 +132,7 @@ std::string text_to_keep(const scene::Scene& scene) {
   if (!scene.controller || scene.controller->kind != scene::ControllerKind::kLibrary) {
     return scene.text;
   }
-  const std::string library = "controller.library='" + controller_library(scene).string() + "'";
+  const std::string library = "controller.library=" + controller_library(scene).string();
   return scene::parse_scene(scene.text, scene.name + ".toml", std::span(&library, 1)).text;
 }
 

@@ -8,14 +8,8 @@ namespace rotorub {
 namespace {
 
 // What is remembered, before what the sensors and the law do.
-enum Memory : std::size_t { kRuns, kOnTime, kOnGap, kOnGapRate, kTouch, kOutputs = kTouch + kTouchState,
-                            kSingle = kOutputs + kMostOutputs };
-
-// The gap at switch-on. A clearance of 0 stands for no contact.
-SwitchOn seen(const Measurement& now, double clearance) {
-  const SeenGap gap = seen_gap(now, clearance);
-  return {now.t, gap.gap, gap.rate};
-}
+enum LoopMemory : std::size_t { kRuns, kOnTime, kOnGap, kOnGapRate, kTouch, kOutputs = kTouch + kTouchState,
+                                kSingle = kOutputs + kMostOutputs };
 
 }  // namespace
 
@@ -35,7 +29,8 @@ Eigen::Vector2d ControlLoop::sample(const Measurement& truth, double* memory) co
   const Measurement now = sensors_.measure(truth, memory + kSingle);
   double* state = memory + kSingle + sensors_.memory_size();
   if (memory[kRuns] == 0.0) {
-    const SwitchOn on = seen(now, clearance_);
+    const SeenGap gap = seen_gap(now, clearance_);
+    const SwitchOn on{now.t, gap.gap, gap.rate};
     const bool touch = trigger_ && trigger_->touch && touched(now, clearance_, memory + kTouch);
     if (!touch && !lets_in(on)) return {0.0, 0.0};
     memory[kRuns] = 1.0;

@@ -40,7 +40,7 @@ struct SwitchOn {
   double gap_rate = 0.0;  // m/s
 };
 
-// What a controller knows of the plant.
+// What a controller knows, or thinks to know, of the plant.
 struct Plant {
   double clearance = 0.0;                        // m
   Eigen::Vector2d stator_mass{1.0, 1.0};         // kg
@@ -52,7 +52,7 @@ struct Plant {
   double force_limit = std::numeric_limits<double>::infinity();  // N, on each axis of the actuator
   double current_limit = 0.0;                    // A, of magnets; 0: none
   double coil_lag = 0.0;                         // s, of magnets
-  std::shared_ptr<const LinearPlant> linear;     // of the laws that are designed on it, else null
+  std::shared_ptr<const LinearPlant> linear = nullptr;  // of the laws that are designed on it
 };
 
 // A law failed, or asked for what is no number: the run ends. The message names law and time.

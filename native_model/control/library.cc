@@ -73,6 +73,32 @@ std::string failure_of(Action action) {
   }
 }
 
+std::shared_ptr<void> opened(const scene::Scene& scene, const fs::path& path) {
+  void* const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    const char* why = dlerror();
+    refuse(scene, kKey, scene::printable(why != nullptr ? why : "cannot be loaded", kRoom));
+  }
+  return {handle, [](void* h) { dlclose(h); }};
+}
+
+// What the library gives, of this ABI and complete.
+const rotorub_controller* functions_of(const scene::Scene& scene, const fs::path& path, void* library) {
+  const auto refuse_it = [&](const std::string& why) { refuse(scene, kKey, path.string() + ": " + why); };
+  const auto get =
+      reinterpret_cast<rotorub_controller_get_function>(dlsym(library, ROTORUB_CONTROLLER_SYMBOL));
+  if (get == nullptr) refuse_it("no function " ROTORUB_CONTROLLER_SYMBOL " (rotorub/controller.h)");
+  const rotorub_controller* functions = get();
+  if (functions == nullptr) refuse_it("gives no controller");
+  if (functions->abi != ROTORUB_CONTROLLER_ABI) {
+    refuse_it("is of controller ABI " + std::to_string(functions->abi) +
+              "; accepted: " + std::to_string(ROTORUB_CONTROLLER_ABI));
+  }
+  if (functions->create == nullptr || functions->step == nullptr) refuse_it("has no create() or no step()");
+  if (functions->command > ROTORUB_CURRENT) refuse_it("commands neither ROTORUB_FORCE nor ROTORUB_CURRENT");
+  return functions;
+}
+
 }  // namespace
 
 void trust_controllers_of(const fs::path& folder) {
@@ -99,39 +125,28 @@ fs::path controller_library(const scene::Scene& scene) {
   return found_in(scene, folders, name);
 }
 
-LibraryController::LibraryController(const scene::Scene& scene, const Plant& plant) {
-  const scene::Controller& c = *scene.controller;
-  const fs::path path = controller_library(scene);
-  name_ = path.filename().string();
-  library_ = std::shared_ptr<void>(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL), [](void* handle) {
-    if (handle != nullptr) dlclose(handle);
-  });
-  if (!library_) {
-    const char* why = dlerror();
-    refuse(scene, kKey, scene::printable(why != nullptr ? why : "cannot be loaded", kRoom));
-  }
-  const auto get = reinterpret_cast<rotorub_controller_get_function>(
-      dlsym(library_.get(), ROTORUB_CONTROLLER_SYMBOL));
-  if (get == nullptr) {
-    refuse(scene, kKey, path.string() + ": no function " ROTORUB_CONTROLLER_SYMBOL " (rotorub/controller.h)");
-  }
-  functions_ = get();
-  if (functions_ == nullptr) refuse(scene, kKey, path.string() + ": gives no controller");
-  if (functions_->abi != ROTORUB_CONTROLLER_ABI) {
-    refuse(scene, kKey,
-           path.string() + ": is of controller ABI " + std::to_string(functions_->abi) +
-               "; accepted: " + std::to_string(ROTORUB_CONTROLLER_ABI));
-  }
-  if (functions_->name != nullptr) name_ = scene::printable(functions_->name, 80);
-  if (functions_->create == nullptr || functions_->step == nullptr) {
-    refuse(scene, kKey, path.string() + ": has no create() or no step()");
-  }
-  if (functions_->command > ROTORUB_CURRENT) {
-    refuse(scene, kKey, path.string() + ": commands neither ROTORUB_FORCE nor ROTORUB_CURRENT");
-  }
+// Delegating: what create() made is destroyed even where the controller is refused after it.
+LibraryController::LibraryController(const scene::Scene& scene, const Plant& plant)
+    : LibraryController(scene, controller_library(scene)) {
   if (functions_->command == ROTORUB_CURRENT && plant.current_limit <= 0.0) {
-    refuse(scene, kKey, name_ + " commands currents; accepted with [actuator] kind = \"electromagnet\" or \"table\"");
+    refuse(scene, kKey,
+           name_ + " commands currents; accepted with [actuator] kind = \"electromagnet\" or \"table\"");
   }
+  create(scene, plant);
+  if (functions_->state_size != nullptr) state_size_ = functions_->state_size(self_);
+  if (state_size_ > kLargestState) {
+    refuse(scene, kKey, name_ + ": a state of " + std::to_string(state_size_) +
+                            " numbers; accepted: up to " + std::to_string(kLargestState));
+  }
+}
+
+LibraryController::LibraryController(const scene::Scene& scene, const fs::path& path)
+    : library_(opened(scene, path)), functions_(functions_of(scene, path, library_.get())) {
+  name_ = functions_->name != nullptr ? scene::printable(functions_->name, 80) : path.filename().string();
+}
+
+void LibraryController::create(const scene::Scene& scene, const Plant& plant) {
+  const scene::Controller& c = *scene.controller;
   std::vector<rotorub_entry> entries;
   for (const scene::ConfigEntry& e : c.config) {
     entries.push_back({e.key.c_str(), e.text ? e.text->c_str() : nullptr, e.number});
@@ -150,18 +165,14 @@ LibraryController::LibraryController(const scene::Scene& scene, const Plant& pla
   setup.current_limit = plant.current_limit;
   setup.entries = entries.size();
   setup.config = entries.data();
-  const std::string refused = failure_of(
-      [&](char* reason) { return functions_->create(&setup, &self_, reason, kRoom); });
+  const std::string refused =
+      failure_of([&](char* reason) { return functions_->create(&setup, &self_, reason, kRoom); });
   if (!refused.empty()) refuse(scene, "controller.config", name_ + " refuses: " + refused);
-  if (functions_->state_size != nullptr) state_size_ = functions_->state_size(self_);
-  if (state_size_ > kLargestState) {
-    refuse(scene, kKey, name_ + ": a state of " + std::to_string(state_size_) +
-                            " numbers; accepted: up to " + std::to_string(kLargestState));
-  }
+  created_ = true;
 }
 
 LibraryController::~LibraryController() {
-  if (functions_ != nullptr && functions_->destroy != nullptr) functions_->destroy(self_);
+  if (created_ && functions_->destroy != nullptr) functions_->destroy(self_);
 }
 
 void LibraryController::start(double* state) const {

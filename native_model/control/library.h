@@ -26,11 +26,15 @@ class LibraryController final : public Controller {
   bool commands_currents() const override;
 
  private:
+  // Loaded and of this ABI, with nothing created yet.
+  LibraryController(const scene::Scene& scene, const std::filesystem::path& path);
+  void create(const scene::Scene& scene, const Plant& plant);
   [[noreturn]] void fail(double t, const std::string& reason) const;
 
   std::shared_ptr<void> library_;  // keeps what `functions_` points to
   const rotorub_controller* functions_ = nullptr;
   void* self_ = nullptr;
+  bool created_ = false;
   std::size_t state_size_ = 0;
   std::string name_;
 };

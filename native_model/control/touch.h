@@ -15,7 +15,7 @@ struct SeenGap {
 SeenGap seen_gap(const Measurement& now, double clearance);
 
 // state: kTouchState numbers, 0 before the first sample.
-inline constexpr std::size_t kTouchState = 3;
+inline constexpr std::size_t kTouchState = 2;
 bool touched(const Measurement& now, double clearance, double* state);
 
 }  // namespace rotorub

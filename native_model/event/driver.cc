@@ -26,7 +26,8 @@ EventIntegrator::EventIntegrator(const Model& model, const EventParameters& para
       step_(model, parameters_, phase_),
       constraint_(model),
       observer_(model, parameters_, phase_),
-      impact_(model, parameters_, phase_, constraint_, observer_) {}
+      impact_(model, parameters_, phase_, constraint_, observer_),
+      sampled_(model) {}
 
 EventIntegrator::Result EventIntegrator::run(const State& start, double end, Recorder& recorder,
                                              const std::function<void(double)>& progress,
@@ -63,7 +64,7 @@ void EventIntegrator::begin(const State& start, Recorder& recorder) {
   phase_.first_touch(kInfinity);
   phase_.hold({0.0, 0.0});
   phase_.show({});
-  loop_.assign(model_->loop ? model_->loop->memory_size() : 0, 0.0);
+  sampled_.clear();
   step_.begin(motion_, std::min(kFirstStep, end_ - start.t));
   observer_.begin(motion_, recorder);
   force_scale_ = kLeastForce;
@@ -163,18 +164,11 @@ void EventIntegrator::sample_controller() {
   const double *q = motion_.q(), *v = motion_.v();
   if (!model_->loop) return phase_.hold(control_command(*model_, motion_.t, q, v));
   const Eigen::Vector2d held = phase_.command(motion_.t, motion_.y.data());
-  const Eigen::Vector2d current =
-      model_->magnets ? actuator_state(*model_, q, v, held).current : Eigen::Vector2d::Zero();
-  try {
-    phase_.hold(control_sample(*model_, motion_.t, q, v, current, loop_.data()));
-    Phase::Outputs outputs;
-    std::copy_n(ControlLoop::outputs(loop_.data()), outputs.size(), outputs.begin());
-    phase_.show(outputs);
-  } catch (const ControllerError& error) {
-    if (result_.status != Status::kOk) return;
-    result_.status = Status::kControllerFailed;
-    result_.message = error.what();
-  }
+  phase_.hold(sampled_.take(motion_.t, q, v, held));
+  phase_.show(sampled_.outputs());
+  if (sampled_.failure().empty() || result_.status != Status::kOk) return;
+  result_.status = Status::kControllerFailed;
+  result_.message = sampled_.failure();  // with its time
 }
 
 void EventIntegrator::impact() {

@@ -13,6 +13,7 @@
 
 #include "native_model/event/impact.h"
 #include "native_model/event/schedule.h"
+#include "native_model/system/sampled_command.h"
 
 namespace rotorub {
 
@@ -66,7 +67,7 @@ class EventIntegrator {
   EventImpact impact_;
 
   Result result_;
-  std::vector<double> loop_;  // the memory of Model::loop
+  SampledCommand sampled_;
   double end_ = 0.0;          // s
   double force_scale_ = 0.0;  // N, largest force met at the contact, carried or balanced
   int stalled_ = 0;           // events since the clock went on

@@ -1,46 +1,34 @@
 // Cross-checks of everything around the rotor.
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 #include "native_model/scene/checker.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 namespace {
 
 constexpr double kMostRows =
     1e7;  // of a series; the engines know its columns too (system/run_size.h)
-constexpr double kMostDelay = 1000.0;  // samples
 constexpr double kGapTolerance =
     1e-9;  // of the clearance: a rotor that starts on the ring is meant to
-
-std::string element(const std::string& list, std::size_t index) {
-  return list + "[" + std::to_string(index) + "]";
-}
-
-std::string text(double number) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%g", number);
-  return buffer;
-}
 
 void check_run(const Checker& check) {
   const Run& run = check.scene.run;
   if (!check.record.sound({"run.end"})) return;
-  const std::string end = "run.end = " + text(run.end) + " s";
+  const std::string end = "run.end = " + number_text(run.end) + " s";
   if (check.record.sound({"run.step"}) && run.step > run.end) {
     check.fail("run.step", "must be at most " + end);
   }
   if (check.record.sound({"run.output_step"}) && run.end / run.series_step() > kMostRows) {
-    check.fail("run.output_step", "gives " + text(run.end / run.series_step()) +
+    check.fail("run.output_step", "gives " + number_text(run.end / run.series_step()) +
                                       " rows; expected at most 1e7 rows, one in " +
-                                      text(run.end / kMostRows) + " s");
+                                      number_text(run.end / kMostRows) + " s");
   }
   if (!check.record.sound({"run.output_times"})) return;
   for (std::size_t i = 0; i < run.output_times.size(); ++i) {
     if (run.output_times[i] > run.end) {
-      check.fail(element("run.output_times", i), "must be in [0, " + end + "]");
+      check.fail(list_element("run.output_times", i), "must be in [0, " + end + "]");
     }
   }
 }
@@ -63,12 +51,12 @@ void check_drive(const Checker& check, const Drive& drive) {
 void check_forces(const Checker& check) {
   const auto modes = check.bending_modes();
   for (std::size_t i = 0; i < check.scene.forces.size(); ++i) {
-    const std::string path = element("force", i);
+    const std::string path = list_element("force", i);
     const Force& force = check.scene.forces[i];
     check.station(path + ".station", force.station);
     if (modes) check.list_length(path + ".shape", force.shape, *modes, "bending mode");
     if (check.record.sound({path + ".on", path + ".off"}) && force.off < force.on) {
-      check.fail(path + ".off", "must not be before `on` = " + text(force.on) + " s");
+      check.fail(path + ".off", "must not be before `on` = " + number_text(force.on) + " s");
     }
     const bool passes = force.kind == ForceKind::kChirp || force.kind == ForceKind::kPulse;
     if (!passes || !check.record.sound({path + ".kind", path + ".on", path + ".off"})) continue;
@@ -76,91 +64,13 @@ void check_forces(const Checker& check) {
     if (!check.record.given(path + ".off")) {
       check.fail(path, "kind \"" + kind + "\" needs `off`, the time at which it is over");
     } else if (force.off == force.on) {
-      check.fail(path + ".off", "must be after `on` = " + text(force.on) + " s: a " + kind +
+      check.fail(path + ".off", "must be after `on` = " + number_text(force.on) + " s: a " + kind +
                                     " takes time");
     }
   }
   if (const auto& magnetic = check.scene.magnetic_bearing) {
     check.station("magnetic_bearing.station", magnetic->station);
     if (modes) check.list_length("magnetic_bearing.shape", magnetic->shape, *modes, "bending mode");
-  }
-}
-
-bool needs_contact(ControllerKind kind) {
-  return kind != ControllerKind::kPassive && kind != ControllerKind::kLibrary;
-}
-
-void check_feedback(const Checker& check, const Controller& c) {
-  if (!check.record.sound({"controller.feedback", "controller.feedback_speed"})) return;
-  if (!check.record.given("controller.feedback_speed")) {
-    if (c.feedback.size() > 1) {
-      check.fail("controller.feedback", "several values need controller.feedback_speed");
-    }
-    return;
-  }
-  if (std::adjacent_find(c.feedback_speed.begin(), c.feedback_speed.end(),
-                         std::greater_equal<>()) != c.feedback_speed.end()) {
-    check.fail("controller.feedback_speed", "must be strictly ascending");
-  }
-  check.list_length("controller.feedback_speed", c.feedback_speed, c.feedback.size(),
-                    "value of controller.feedback");
-}
-
-// What a built-in law reads must be measured.
-void check_measured(const Checker& check, const Controller& c) {
-  if (c.kind == ControllerKind::kLibrary) return;
-  const bool gap = c.kind != ControllerKind::kPassive && c.kind != ControllerKind::kCrossCoupled;
-  const auto needs = [&](bool measured, const char* key, const char* what) {
-    if (!measured) check.fail(key, std::string("the law needs ") + what);
-  };
-  needs(c.sensors.stator, "controller.sensors.stator", "the ring");
-  if (c.kind != ControllerKind::kLqg) needs(c.sensors.velocity != VelocitySensor::kNone, "controller.sensors.velocity", "velocities");
-  if (gap) needs(c.sensors.rotor, "controller.sensors.rotor", "the rotor");
-  const bool turns = c.kind == ControllerKind::kCrossCoupled || c.kind == ControllerKind::kTwoPhase;
-  if (turns) needs(c.sensors.spin, "controller.sensors.spin", "the spin speed");
-}
-
-void check_controller(const Checker& check) {
-  if (!check.record.given("controller")) return;
-  const Controller& c = *check.scene.controller;
-  const bool sampled = c.sample_time > 0.0;
-  const char* const why = "needs controller.sample_time above 0: ";
-  if (!check.record.sound({"controller.sample_time"})) return;
-  if (c.kind == ControllerKind::kLibrary && !sampled) {
-    check.fail("controller.sample_time", std::string("a library is sampled: expected a time in s, > 0"));
-  }
-  const bool remembers = c.layer == BoundaryLayer::kAdaptive || c.kind == ControllerKind::kTwoPhase || c.kind == ControllerKind::kLqr ||
-                         c.kind == ControllerKind::kLqg;
-  if (remembers && !sampled) {
-    check.fail("controller.sample_time", "this law is sampled: expected a time in s, > 0");
-  }
-  check_feedback(check, c);
-  check_measured(check, c);
-  if (c.kind != ControllerKind::kLibrary && check.record.given("controller.config")) {
-    check.fail("controller.config", "belongs to kind = \"library\"");
-  }
-  if (check.record.given("controller.sensors") && !sampled) {
-    check.fail("controller.sensors", std::string(why) + "a continuous law is shown the truth");
-  }
-  if (sampled && c.sensors.delay > 0.0) {
-    const double samples = c.sensors.delay / c.sample_time;
-    if (samples > kMostDelay || std::abs(samples - std::round(samples)) > 1e-9 * samples) {
-      check.fail("controller.sensors.delay",
-                 "must be a whole number of samples, up to " + text(kMostDelay) + ", of " +
-                     text(c.sample_time) + " s, got " + text(samples));
-    }
-  }
-  if (!c.trigger) return;
-  if (!sampled) check.fail("controller.trigger", std::string(why) + "it is looked for at the samples");
-  if (!check.record.given("contact")) check.fail("controller.trigger", "needs [contact]: there is no gap");
-  if (!c.sensors.rotor || !c.sensors.stator) {
-    check.fail("controller.trigger", "needs controller.sensors.rotor and .stator: it looks at the gap");
-  }
-  if (c.trigger->time_to_touch && c.sensors.velocity == VelocitySensor::kNone) {
-    check.fail("controller.trigger.time_to_touch", "needs controller.sensors.velocity other than \"none\"");
-  }
-  if (!c.trigger->gap && !c.trigger->time_to_touch && !c.trigger->touch) {
-    check.fail("controller.trigger", "needs `gap`, `time_to_touch` or `touch`");
   }
 }
 
@@ -171,13 +81,6 @@ void check_ring(const Checker& check) {
   if (scene.actuator && !has_ring) {
     check.fail("actuator", "needs [stator]: the ring is fixed, and there is nothing to move");
   }
-  if (scene.controller && !has_ring) {
-    check.fail("controller", "needs [stator]: the ring is fixed, and there is nothing to move");
-  }
-  if (scene.controller && needs_contact(scene.controller->kind) && !check.record.given("contact")) {
-    check.fail("controller", "needs [contact]: it acts on the gap between rotor and ring");
-  }
-  check_controller(check);
   if (scene.stator && scene.stator->spin && !check.record.given("contact")) {
     check.fail("stator.spin", "needs [contact]: nothing else turns the ring");
   }
@@ -223,7 +126,7 @@ void check_force_table(const Checker& check, const Actuator& actuator) {
   }
   const double most = std::min(-current.front(), current.back());
   if (check.record.sound({"actuator.current_limit"}) && actuator.current_limit > most) {
-    check.fail("actuator.current_limit", "must be within the table, at most " + text(most) + " A");
+    check.fail("actuator.current_limit", "must be within the table, at most " + number_text(most) + " A");
   }
 }
 
@@ -234,13 +137,22 @@ void check_actuator(const Checker& check, const Actuator& actuator) {
       check.record.sound({"actuator.bias_current", "actuator.current_limit"}) &&
       actuator.current_limit > actuator.bias_current) {
     check.fail("actuator.current_limit",
-               "must be at most actuator.bias_current = " + text(actuator.bias_current) +
+               "must be at most actuator.bias_current = " + number_text(actuator.bias_current) +
                    " A: beyond it a magnet's current would turn round");
   }
-  if (check.record.given("actuator.current_rate_limit") && actuator.coil_lag == 0.0 &&
-      check.record.sound({"actuator.coil_lag"})) {
-    check.fail("actuator.current_rate_limit",
-               "needs actuator.coil_lag: without it the current follows at once");
+  for (const char* key : {"actuator.current_rate_limit", "actuator.voltage_limit"}) {
+    if (check.record.given(key) && actuator.coil_lag == 0.0 && check.record.sound({"actuator.coil_lag"})) {
+      check.fail(key, "needs actuator.coil_lag: without it the current follows at once");
+    }
+  }
+  const bool limited = check.record.given("actuator.voltage_limit");
+  if (limited && !check.record.given("actuator.inductance")) {
+    check.fail("actuator.voltage_limit", "needs actuator.inductance: inductance di/dt = u - resistance i");
+  }
+  for (const char* key : {"actuator.inductance", "actuator.resistance"}) {
+    if (!limited && check.record.given(key)) {
+      check.fail(key, "needs actuator.voltage_limit: a voltage without limit gives every current");
+    }
   }
 }
 
@@ -284,9 +196,9 @@ void check_initial_gap(const Checker& check) {
     const char* key = check.record.given("initial.x")   ? "initial.x"
                       : check.record.given("initial.y") ? "initial.y"
                                                         : "initial.stator";
-    check.fail(key, "the rotor starts outside the ring, " + text(offset.norm()) +
+    check.fail(key, "the rotor starts outside the ring, " + number_text(offset.norm()) +
                         " m from its centre; expected at most contact.clearance = " +
-                        text(clearance) + " m");
+                        number_text(clearance) + " m");
   }
 }
 
@@ -307,7 +219,7 @@ void check_mujoco(const Checker& check) {
         scene.mujoco.rotor != MujocoRotor::kSegments) {
       continue;
     }
-    check.fail(element("force", i) + ".kind",
+    check.fail(list_element("force", i) + ".kind",
                "with a [drive] \"unbalance\" changes how spin and bending are coupled, and MuJoCo's "
                "rigid segments keep their masses; accepted: mujoco.rotor = \"modal\", or no [drive]");
   }

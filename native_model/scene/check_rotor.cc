@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "native_model/scene/checker.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 namespace {
@@ -18,10 +19,6 @@ constexpr double kThinnest = 1e-6;
 constexpr double kInertiaTolerance = 0.01;
 // Jp = mass eccentricity^2 is a point mass: meant, whatever the last digits.
 constexpr double kPointMassTolerance = 1e-9;
-
-std::string element(const std::string& list, std::size_t index) {
-  return list + "[" + std::to_string(index) + "]";
-}
 
 std::string metres(double z) { return std::to_string(z) + " m"; }
 
@@ -40,7 +37,7 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
   }
   bool sound = check.record.sound({"rotor.length"});
   for (std::size_t i = 0; i < shaft.sections.size(); ++i) {
-    const std::string path = element("rotor.section", i);
+    const std::string path = list_element("rotor.section", i);
     const ShaftSection& section = shaft.sections[i];
     if (check.record.sound({path + ".diameter", path + ".inner_diameter"}) &&
         section.inner_diameter >= section.diameter) {
@@ -68,7 +65,7 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
   for (std::size_t i = 0; i < shaft.sections.size(); ++i) {
     const ShaftSection& section = shaft.sections[i];
     if (std::abs(section.from - covered) > slack) {
-      check.fail(element("rotor.section", i) + ".from",
+      check.fail(list_element("rotor.section", i) + ".from",
                  "the sections must cover 0 to rotor.length in order, without gap or overlap: "
                  "expected " +
                      metres(covered) + ", got " + metres(section.from));
@@ -76,7 +73,7 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
     covered = section.to;
   }
   if (std::abs(covered - shaft.length) > slack) {
-    check.fail(element("rotor.section", shaft.sections.size() - 1) + ".to",
+    check.fail(list_element("rotor.section", shaft.sections.size() - 1) + ".to",
                "the sections must cover 0 to rotor.length: expected " + metres(shaft.length) +
                    ", got " + metres(covered));
   }
@@ -84,7 +81,7 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
 
 void check_discs_and_bearings(const Checker& check, const RotorGeometry& shaft) {
   for (std::size_t i = 0; i < shaft.discs.size(); ++i) {
-    const std::string path = element("rotor.disc", i);
+    const std::string path = list_element("rotor.disc", i);
     const Disc& disc = shaft.discs[i];
     check.station(path + ".z", disc.z);
     if (check.record.sound({path + ".Jt", path + ".Jp"}) &&
@@ -103,7 +100,7 @@ void check_discs_and_bearings(const Checker& check, const RotorGeometry& shaft) 
     }
   }
   for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
-    check.station(element("rotor.bearing", i) + ".z", shaft.bearings[i].z);
+    check.station(list_element("rotor.bearing", i) + ".z", shaft.bearings[i].z);
   }
 }
 

@@ -29,7 +29,8 @@ struct Checker {
   std::optional<std::size_t> torsion_modes() const;
 };
 
-void check_rotor(const Checker& check);  // [rotor] and its tables
-void check_parts(const Checker& check);  // everything else
+void check_rotor(const Checker& check);    // [rotor] and its tables
+void check_control(const Checker& check);  // [controller] and its tables
+void check_parts(const Checker& check);    // everything else
 
 }  // namespace rotorub::scene

@@ -149,13 +149,16 @@ std::string table_path(const std::vector<Step>& steps) {
   return path;
 }
 
-// A changed kind: the keys of the other kinds alone would be refused.
+// A changed kind: the keys and tables of the other kinds alone would be refused.
 void drop_other_kinds(TomlNode& table, const std::string& path, std::string_view kind) {
   const Table* schema = find_table(path);
   if (schema == nullptr || table.kind != Kind::kTable) return;
   std::erase_if(table.entries, [&](const auto& entry) {
+    if (entry.second.file == override_file()) return false;
+    const Table* below = find_table(path + "." + entry.first);
+    if (below != nullptr && !below->is_for(kind)) return true;
     const Key* key = schema->find(entry.first);
-    return key != nullptr && !(entry.second.file == override_file()) && !key->is_for(kind);
+    return key != nullptr && !key->is_for(kind);
   });
 }
 

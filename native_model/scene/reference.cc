@@ -60,7 +60,9 @@ std::string reference_markdown() {
   for (const Table& table : tables()) {
     const std::string path(table.path);
     text += "### `" + (table.list ? "[[" + path + "]]" : "[" + path + "]") + "`\n\n";
-    text += std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".\n\n";
+    text += std::string(table.meaning);
+    if (!table.kinds.empty()) text += " `" + join(table.kinds) + "` only.";
+    text += " Absent: " + std::string(table.when_absent) + ".\n\n";
     if (table.keys.empty()) continue;
     text +=
         "| key | unit or words | range | default | meaning |\n| --- | --- | --- | --- | --- |\n";

@@ -97,6 +97,10 @@ std::string Key::expected() const {
   return text;
 }
 
+bool Table::is_for(std::string_view kind) const {
+  return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
 const Key* Table::find(std::string_view name) const {
   const auto found =
       std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });

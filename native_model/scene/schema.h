@@ -1,7 +1,7 @@
 // Every table and key that a scene may hold, as data: name, quantity, range, default, when it is
 // needed, where it is stored. The reader, the search for unknown keys and the reference
 // (mjcf/README.md) all work from this one description; the rows stand in schema_rotor.cc,
-// schema_bearing.cc and schema_parts.cc.
+// schema_bearing.cc, schema_control.cc and schema_parts.cc.
 #pragma once
 
 #include <limits>
@@ -93,10 +93,13 @@ struct Table {
   // reader keeps beside the scene.
   void* (*object)(Scene& scene) = nullptr;
   std::vector<Key> keys;
+  // Values of the parent's `kind` that take it; empty: all.
+  std::vector<std::string_view> kinds{};
   // Of a table that takes any key: keeps a number or a text. Null: it takes `keys` alone.
   void (*store_any)(void* object, ConfigEntry entry) = nullptr;
 
   const Key* find(std::string_view name) const;
+  bool is_for(std::string_view kind) const;
 };
 
 // All tables, parents before children.
@@ -106,6 +109,7 @@ const Table* find_table(std::string_view path);
 // The rows.
 std::vector<Table> rotor_tables();
 std::vector<Table> bearing_tables();
+std::vector<Table> control_tables();
 std::vector<Table> part_tables();
 Table rule_table();
 

@@ -200,6 +200,7 @@ Table mujoco() {
 std::vector<Table> part_tables() {
   std::vector<Table> all{drive(), force(), magnetic_bearing()};
   for (Table& table : bearing_tables()) all.push_back(std::move(table));
+  for (Table& table : control_tables()) all.push_back(std::move(table));
   for (Table table : {gravity(), initial(), mujoco()}) all.push_back(std::move(table));
   return all;
 }

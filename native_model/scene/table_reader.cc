@@ -37,6 +37,16 @@ std::string homes_of(std::string_view name) {
   return text;
 }
 
+// Of a table with kinds the word given, or the default; empty: none, or one that is not known.
+std::string_view kind_of(const Table& table, const TomlNode& node) {
+  const Key* key = table.find("kind");
+  if (key == nullptr) return {};
+  const TomlNode* given = node.find("kind");
+  const std::string_view word = given ? std::string_view(given->text) : key->default_word();
+  const auto found = std::find(key->words.begin(), key->words.end(), word);
+  return found == key->words.end() ? std::string_view() : *found;
+}
+
 }  // namespace
 
 void TableReader::fail(const TomlNode& node, const std::string& path, std::string reason) {
@@ -84,6 +94,7 @@ void TableReader::read_table(const Table& table, const TomlNode& root) {
     if (path == "rotor") fail(root, path, "missing: every scene has a [rotor]");
     return;
   }
+  if (!kind_takes(table, root, *node)) return record_.note(path, *node, false);
   const std::string header = (table.list ? "[[" : "[") + path + (table.list ? "]]" : "]");
   if (table.list && node->kind == Kind::kArray) {
     record_.note(path, *node, true);
@@ -105,17 +116,21 @@ void TableReader::read_table(const Table& table, const TomlNode& root) {
   }
 }
 
+bool TableReader::kind_takes(const Table& table, const TomlNode& root, const TomlNode& node) {
+  if (table.kinds.empty()) return true;  // of the top level too
+  const std::string_view parent = table.path.substr(0, table.path.rfind('.'));
+  const std::string_view kind = kind_of(*find_table(parent), *find_path(root, parent));
+  if (kind.empty() || table.is_for(kind)) return true;
+  fail(node, std::string(table.path),
+       "belongs to kind = \"" + join(table.kinds) + "\" and has no effect with \"" + std::string(kind) + "\"");
+  return false;
+}
+
 void TableReader::read_object(const Table& table, const TomlNode& node, const std::string& path) {
   record_.note(path, node, true);
   if (table.store_any != nullptr) return read_any(table, node, path);
   refuse_unknown(node, table.path, path);
-  const TomlNode* kind_node = node.find("kind");
-  std::string_view kind;
-  if (const Key* key = table.find("kind")) {
-    const std::string_view given = kind_node ? kind_node->text : key->default_word();
-    const auto found = std::find(key->words.begin(), key->words.end(), given);
-    if (found != key->words.end()) kind = *found;
-  }
+  const std::string_view kind = kind_of(table, node);
 
   void* object = table.object != nullptr ? table.object(scene_) : &rules_.emplace_back();
   for (const Key& key : table.keys) {

@@ -62,6 +62,9 @@ inline constexpr Quantity kAngularDamping{
 inline constexpr Quantity kCurrent{"a current", "A", "A, mA", {0, 0, 0, 1, 0}};
 inline constexpr Quantity kCurrentRate{
     "a rate of current", "A/s", "A/s, A/ms, kA/s", {0, 0, -1, 1, 0}};
+inline constexpr Quantity kVoltage{"a voltage", "V", "V, kV", {2, 1, -3, -1, 0}};
+inline constexpr Quantity kResistance{"a resistance", "Ohm", "Ohm, mOhm, V/A", {2, 1, -3, -2, 0}};
+inline constexpr Quantity kInductance{"an inductance", "H", "H, mH, V s/A", {2, 1, -2, -2, 0}};
 inline constexpr Quantity kMagnetConstant{
     "a magnet's force constant", "N m^2/A^2", "N m^2/A^2, N mm^2/A^2", {3, 1, -2, -2, 0}};
 inline constexpr Quantity kPressure{"a pressure", "Pa", "Pa, MPa, GPa, N/mm^2", {-1, 1, -2, 0, 0}};

@@ -55,6 +55,7 @@ void validate(const Scene& scene, const Record& record, std::vector<Diagnostic>&
   const Checker check{scene, record, diagnostics};
   check_rotor(check);
   check_parts(check);
+  check_control(check);
 }
 
 void complete(Scene& scene, const Record& record) {

@@ -25,14 +25,7 @@ const Eigen::Vector2d& ZeroOrderHold::at(double t, const double* q, const double
 Eigen::Vector2d ZeroOrderHold::command(double t, const double* q, const double* v) {
   const Model& m = *model_;
   if (!m.loop) return control_command(m, t, q, v);
-  Eigen::Vector2d current{0.0, 0.0};
-  if (m.magnets) current = currents_ ? *currents_ : actuator_state(m, q, v, held_).current;
-  try {
-    return control_sample(m, t, q, v, current, loop_.data());
-  } catch (const ControllerError& error) {
-    if (failure_.empty()) failure_ = error.what();
-    return held_;
-  }
+  return sampled_.take(t, q, v, held_, currents_ ? &*currents_ : nullptr);
 }
 
 // s; infinity: none. The first is at switch-on, the others at multiples of the sample time.
@@ -116,28 +109,21 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
           magnets.law->current(s.y(), sum.y(), magnets.current_limit)};
 }
 
-std::array<double, kMostOutputs> ZeroOrderHold::outputs() const {
-  std::array<double, kMostOutputs> values{};
-  if (!loop_.empty()) std::copy_n(ControlLoop::outputs(loop_.data()), values.size(), values.begin());
-  return values;
-}
-
 std::size_t ZeroOrderHold::memory_size(const Model& model) {
-  return 3 + (model.loop ? model.loop->memory_size() : 0);
+  return 3 + SampledCommand::memory_size(model);
 }
 
 void ZeroOrderHold::save(double* to) const {
   to[0] = held_.x();
   to[1] = held_.y();
   to[2] = last_sample_;
-  std::copy(loop_.begin(), loop_.end(), to + 3);
+  sampled_.save(to + 3);
 }
 
 void ZeroOrderHold::restore(const double* from) {
   held_ = {from[0], from[1]};
   last_sample_ = from[2];
-  failure_.clear();
-  std::copy_n(from + 3, loop_.size(), loop_.begin());
+  sampled_.restore(from + 3);
 }
 
 }  // namespace rotorub

@@ -7,17 +7,15 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "native_model/system/model.h"
+#include "native_model/system/sampled_command.h"
 
 namespace rotorub {
 
 class ZeroOrderHold {
  public:
   // The model must outlive the hold.
-  explicit ZeroOrderHold(const Model& model)
-      : model_(&model), loop_(model.loop ? model.loop->memory_size() : 0) {}
+  explicit ZeroOrderHold(const Model& model) : model_(&model), sampled_(model) {}
 
   // What the actuator is told (system/actuation.h) over the step that starts at t (s), from the
   // state there; ask once a step, in order. 0 before the controller is on and without one.
@@ -32,9 +30,9 @@ class ZeroOrderHold {
   // Whether mean() would look at the state.
   bool listens(double end) const;
   // Of a sampled law, at its last sample (ActuatorState::outputs).
-  std::array<double, kMostOutputs> outputs() const;
+  std::array<double, kMostOutputs> outputs() const { return sampled_.outputs(); }
   // Why the law failed; empty: it did not. Its last command stands.
-  const std::string& failure() const { return failure_; }
+  const std::string& failure() const { return sampled_.failure(); }
   // What holds after the last call.
   const Eigen::Vector2d& held() const { return held_; }
 
@@ -55,9 +53,8 @@ class ZeroOrderHold {
   const Model* model_;
   Eigen::Vector2d held_{0.0, 0.0};
   double last_sample_ = -1.0;  // index of the sample held; -1: none yet
-  std::vector<double> loop_;   // the memory of Model::loop
+  SampledCommand sampled_;
   std::optional<Eigen::Vector2d> currents_;
-  std::string failure_;
 };
 
 }  // namespace rotorub

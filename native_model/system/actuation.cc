@@ -102,8 +102,11 @@ void smooth_force(const Model& m, double t, const double* q, const double* v,
 }
 
 double coil_load(const MagneticActuator& magnets, double asked, double current) {
-  const double most = magnets.coil_lag * magnets.current_rate_limit;
-  return std::abs(asked - current) <= most ? asked : current + std::copysign(most, asked - current);
+  // di/dt of the whole voltage: (+-U - R i) / L.
+  const double drop = magnets.resistance * current, rate = magnets.current_rate_limit;
+  const double fall = std::max(-rate, (-magnets.voltage_limit - drop) / magnets.inductance);
+  const double rise = std::min(rate, (magnets.voltage_limit - drop) / magnets.inductance);
+  return std::min(std::max(asked, current + magnets.coil_lag * fall), current + magnets.coil_lag * rise);
 }
 
 }  // namespace rotorub

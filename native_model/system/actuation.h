@@ -36,8 +36,8 @@ void control_outputs(const Model& model, double t, const double* q, const double
 void smooth_force(const Model& model, double t, const double* q, const double* v,
                   const Eigen::Vector2d& command, double* f);
 
-// The load on a coil's coordinate beyond -i: the current asked for, brought so near to the present
-// one that its rate keeps within the limit. A.
+// The load on a coil's coordinate beyond -i: the current asked for, brought so near to the present one that its
+// rate, load - i over the lag, keeps within the limit and needs no more than the voltage. A.
 double coil_load(const MagneticActuator& magnets, double asked, double current);
 
 // A force with its part along each axis of the actuator limited. N.

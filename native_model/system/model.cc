@@ -114,6 +114,9 @@ void fill_actuator(const scene::Scene& scene, Model& model) {
   magnets.current_limit = a.current_limit > 0.0 ? a.current_limit : most;
   magnets.coil_lag = a.coil_lag;
   magnets.current_rate_limit = a.current_rate_limit;
+  magnets.voltage_limit = a.voltage_limit;
+  if (a.inductance > 0.0) magnets.inductance = a.inductance;
+  magnets.resistance = a.resistance;
 }
 
 void fill_control(const scene::Scene& scene, Model& model) {
@@ -128,7 +131,7 @@ void fill_control(const scene::Scene& scene, Model& model) {
   };
   Plant plant;
   plant.clearance = clearance;
-  plant.stator_mass = scene.stator->mass;
+  plant.stator_mass = (1.0 + scene.controller->mass_error) * scene.stator->mass;
   plant.stator_damping = scene.stator->damping;
   plant.stator_stiffness = scene.stator->stiffness;
   plant.rotor_mobility = {mobility(model.contact_shape.x, model.layout.x()),

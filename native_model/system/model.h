@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -98,6 +99,8 @@ struct MagneticActuator {
   double current_limit = 0.0;           // A, > 0
   double coil_lag = 0.0;                // s, >= 0
   double current_rate_limit = 0.0;      // A/s, > 0, infinity: none
+  // V, > 0, infinity: none, then neither of the others counts; H, > 0; Ohm, >= 0.
+  double voltage_limit = std::numeric_limits<double>::infinity(), inductance = 1.0, resistance = 0.0;
 };
 
 struct Model {

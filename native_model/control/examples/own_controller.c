@@ -1,8 +1,11 @@
-/* A controller of one's own: it brings the ring to the rotor by the measured positions alone.
+/* A controller of one's own: it brings the ring to the rotor and holds it there, by measured positions alone.
  *
  * Along the line of centres, gap g and wanted gap g_d (from the gap at the start smoothly to 0):
  *   e = g - g_d,   u = -(stiffness e + damping de/dt + integral of e + preload) e_r
- * de/dt comes from a filter, as no velocity is measured:  de/dt ~ bandwidth (e - e_filtered).
+ * Closed, the two whirl with the spin, and friction makes them part again. Seen from the frame that turns with the
+ * shaft a synchronous whirl stands still, so that a damper there leaves it alone and takes all else:
+ *   u = -ring_damping R(phi) d/dt (R(-phi) q_f)
+ * Rates come from filters, as no velocity is measured:  dx/dt ~ bandwidth (x - x_filtered).
  *
  *   cc -shared -fPIC -I <prefix>/include/rotorub own_controller.c -o own_controller.so -lm
  */
@@ -14,17 +17,25 @@
 #include <rotorub/controller.h>
 
 typedef struct {
-  double stiffness; /* N/m */
-  double damping;   /* N s/m */
-  double integral;  /* N/(m s) */
-  double bandwidth; /* 1/s, of the filter */
-  double gap_time;  /* s, in which the wanted gap falls to 0 */
-  double preload;   /* N, once it has */
+  double stiffness;    /* N/m */
+  double damping;      /* N s/m */
+  double integral;     /* N/(m s) */
+  double ring_damping; /* N s/m */
+  double bandwidth;    /* 1/s, of the filters */
+  double gap_time;     /* s, in which the wanted gap falls to 0 */
+  double preload;      /* N, once it has */
   double sample_time, clearance;
 } law;
 
 /* The state: all 0 before the first sample. */
-enum { BEGUN, START, GAP, FILTERED, SUM, SIZE };
+enum { BEGUN, START, GAP, FILTERED, SUM, RING_X, RING_Y, SIZE };
+
+/* bandwidth (x - x_filtered), and x_filtered one sample on. */
+static double rate_of(const law* l, double x, double* filtered) {
+  const double rate = l->bandwidth * (x - *filtered);
+  *filtered += (1.0 - exp(-l->bandwidth * l->sample_time)) * (x - *filtered);
+  return rate;
+}
 
 static int create(const rotorub_setup* setup, void** self, char* reason, size_t room) {
   law* l = calloc(1, sizeof *l);
@@ -33,7 +44,8 @@ static int create(const rotorub_setup* setup, void** self, char* reason, size_t 
     const char* key;
     double* value;
   } keys[] = {{"stiffness", &l->stiffness}, {"damping", &l->damping},   {"integral", &l->integral},
-              {"bandwidth", &l->bandwidth}, {"gap_time", &l->gap_time}, {"preload", &l->preload}};
+              {"bandwidth", &l->bandwidth}, {"gap_time", &l->gap_time}, {"preload", &l->preload},
+              {"ring_damping", &l->ring_damping}};
   const size_t count = sizeof keys / sizeof *keys;
   l->gap_time = 0.008;
   l->bandwidth = 4000.0;
@@ -44,16 +56,17 @@ static int create(const rotorub_setup* setup, void** self, char* reason, size_t 
     while (k < count && strcmp(setup->config[i].key, keys[k].key) != 0) ++k;
     if (k == count || setup->config[i].text != NULL) {
       snprintf(reason, room,
-               "%s: accepted are the numbers stiffness, damping, integral, bandwidth, gap_time, preload",
+               "%s: accepted are the numbers stiffness, damping, integral, bandwidth, gap_time, preload, "
+               "ring_damping",
                setup->config[i].key);
       free(l);
       return 1;
     }
     *keys[k].value = setup->config[i].number;
   }
-  const unsigned positions = ROTORUB_MEASURES_ROTOR | ROTORUB_MEASURES_STATOR;
+  const unsigned positions = ROTORUB_MEASURES_ROTOR | ROTORUB_MEASURES_STATOR | ROTORUB_MEASURES_SPIN;
   if ((setup->measured & positions) != positions || l->clearance <= 0.0) {
-    snprintf(reason, room, "it needs a contact, and the positions of rotor and ring");
+    snprintf(reason, room, "it needs a contact, the positions of rotor and ring, and the spin's angle");
     free(l);
     return 1;
   }
@@ -71,23 +84,29 @@ static int step(const void* self, const rotorub_measurement* now, double* state,
   const law* l = self;
   const double x = now->rotor[0] - now->stator[0], y = now->rotor[1] - now->stator[1];
   const double delta = hypot(x, y), gap = l->clearance - delta;
+  const double cosine = cos(now->spin_angle), sine = sin(now->spin_angle);
+  const double turned[2] = {cosine * now->stator[0] + sine * now->stator[1],
+                            cosine * now->stator[1] - sine * now->stator[0]};
   (void)reason;
   (void)room;
   if (state[BEGUN] == 0.0) {
     state[BEGUN] = 1.0;
     state[START] = now->t;
     state[GAP] = gap;
+    state[RING_X] = turned[0];
+    state[RING_Y] = turned[1];
   }
   const double s = fmin((now->t - state[START]) / l->gap_time, 1.0), r = 1.0 - s;
   const double wanted = state[GAP] * r * r * r * (1.0 + 3.0 * s + 6.0 * s * s);
   const double error = gap - wanted;
-  const double rate = l->bandwidth * (error - state[FILTERED]);
-  state[FILTERED] += (1.0 - exp(-l->bandwidth * l->sample_time)) * (error - state[FILTERED]);
+  const double rate = rate_of(l, error, &state[FILTERED]);
+  const double a = l->ring_damping * rate_of(l, turned[0], &state[RING_X]);
+  const double b = l->ring_damping * rate_of(l, turned[1], &state[RING_Y]);
   state[SUM] += l->sample_time * error;
   const double push =
       l->stiffness * error + l->damping * rate + l->integral * state[SUM] + l->preload * (1.0 - r * r * r);
-  command[0] = delta > 0.0 ? -push * x / delta : 0.0;
-  command[1] = delta > 0.0 ? -push * y / delta : 0.0;
+  command[0] = (delta > 0.0 ? -push * x / delta : 0.0) - (cosine * a - sine * b);
+  command[1] = (delta > 0.0 ? -push * y / delta : 0.0) - (sine * a + cosine * b);
   return 0;
 }
 

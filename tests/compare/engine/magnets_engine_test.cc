@@ -36,6 +36,22 @@ TEST(MagnetsEngine, ConvergesToTheNativeRun) {
   EXPECT_GT(most, 0.1) << "or the magnets did nothing";
 }
 
+// The sliding law on its way to the rotor, which the voltage holds back.
+TEST(MagnetsEngine, TheVoltageLimitIsTheSameOnBothSides) {
+  const scene::Scene scene = shipped(
+      "paper_magnetic", {"run.end=0.106", "rotor.modes=2", "actuator.coil_lag=1e-4", "actuator.voltage_limit=5",
+                         "actuator.inductance=20 mH", "actuator.resistance=2 Ohm"});
+  const Trajectory native = run_native(scene);
+  ASSERT_EQ(native.status, Status::kOk) << native.message;
+  MujocoOptions options;
+  options.step = 2e-6;
+  const Trajectory t = run_mujoco(scene, options);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  double most = 0.0;
+  for (const double i : native.column("current_1")) most = std::max(most, std::abs(i));
+  EXPECT_NEAR(t.column("current_1").back(), native.column("current_1").back(), 1e-3 * most);
+}
+
 // With a lagging coil the current starts at 0 whatever is asked for.
 TEST(MagnetsEngine, WritesForcesAndCurrents) {
   const scene::Scene scene = shipped("paper_magnetic", {"run.end=1e-3", "actuator.coil_lag=1e-4",

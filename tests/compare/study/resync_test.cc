@@ -192,6 +192,32 @@ TEST(Resync, ReplaysTheCommandsInside) {
   EXPECT_LT(row(rigid, "impulse").worst, 1e-3);
 }
 
+// Restarted from the same state before each impact, under every law: its impulse within 1 % of the largest.
+TEST(ResyncLong, EveryLawsImpulsesAreRight) {
+  const std::string own = std::string("controller.library=") + ROTORUB_LIBRARIES + "/own_controller.so";
+  const std::pair<const char*, std::vector<std::string>> laws[] = {
+      {"paper_passive", {}},
+      {"paper_emulated", {}},
+      {"paper_sliding", {}},
+      {"paper_sliding", {"controller.sample_time=100us", "controller.preload=30"}},
+      {"paper_magnetic", {"controller.sample_time=100us", "actuator.coil_lag=0.1ms", "controller.preload=30"}},
+      {"paper_two_phase", {}},
+      {"paper_cross_coupled", {}},
+      {"paper_passive", {"controller.kind=pd", "controller.on=0.103", "controller.stiffness=5e4", "controller.damping=300"}},
+      {"examples/own_controller", {own}}};
+  for (const auto& [name, more] : laws) {
+    SCOPED_TRACE(std::string(name) + (more.empty() ? "" : " " + more.front()));
+    std::vector<std::string> overrides{"run.end=0.12", "run.step=2.5us", "mujoco.contact=rigid"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    const SceneComparison c = resync_of(name, overrides);
+    ASSERT_EQ(c.status(), Status::kOk);
+    const Resync& rigid = *c.differences[0].resync;
+    ASSERT_GE(rigid.onsets.size(), 1U);
+    EXPECT_EQ(rigid.failed, 0) << rigid.failure;
+    EXPECT_LT(row(rigid, "impulse").worst, 0.01) << "at " << row(rigid, "impulse").worst_time;
+  }
+}
+
 TEST(Resync, IsToldByTableJsonAndPage) {
   const SceneComparison& c = ring();
   const std::string table = comparison_table(c);

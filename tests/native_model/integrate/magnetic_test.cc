@@ -81,6 +81,48 @@ TEST(MagneticRing, WithALagIsTheLinearSystem) {
   }
 }
 
+// A ring too heavy to move asks for the whole current. First the voltage is at its limit,
+//   L i' = U - R i:  i = (U/R) (1 - exp(-R t / L))  up to  i* = (I/lag - U/L) / (1/lag - R/L),
+// then the lag counts:  i = I - (I - i*) exp(-(t - t*) / lag).
+TEST(MagneticRing, TheVoltageLimitIsTheCoilsOwnExponential) {
+  constexpr double kVoltage = 10.0, kInductance = 0.02, kResistance = 3.0, kLag = 2e-4, kMost = 2.0;
+  scene::Scene s = ring_alone(kLag, true);
+  s.stator->mass = {1e9, 1e9};
+  s.initial.stator = from_axes({-1e-3, 0.0});
+  s.controller->stiffness = 1e12;
+  s.controller->damping = 0.0;
+  s.actuator->current_limit = kMost;
+  s.actuator->voltage_limit = kVoltage;
+  s.actuator->inductance = kInductance;
+  s.actuator->resistance = kResistance;
+  const double rate = kResistance / kInductance;
+  const double handover = (kMost / kLag - kVoltage / kInductance) / (1.0 / kLag - rate);
+  const double at = -std::log1p(-handover * kResistance / kVoltage) / rate;
+  ASSERT_GT(at, 0.1 * kMagnetEnd);
+  ASSERT_LT(at, 0.9 * kMagnetEnd);
+  const auto error = [&](scene::Integrator integrator, double step) {
+    NativeOptions options;
+    options.integrator = integrator;
+    options.step = step;
+    const Trajectory t = run_native(s, options);
+    EXPECT_EQ(t.status, Status::kOk) << t.message;
+    double most = 0.0;
+    for (std::size_t k = 0; k < t.column("t").size(); ++k) {
+      const double now = t.column("t")[k];
+      const double expected = now < at ? -kVoltage / kResistance * std::expm1(-rate * now)
+                                       : kMost - (kMost - handover) * std::exp(-(now - at) / kLag);
+      most = std::max(most, std::abs(t.column("current_1")[k] - expected));
+    }
+    return most;
+  };
+  EXPECT_LT(error(scene::Integrator::kEvent, 1e-5), 1e-9);
+  for (const scene::Integrator integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+    const double coarse = error(integrator, 2e-5), fine = error(integrator, 1e-5);
+    EXPECT_LT(fine, 1e-2);
+    EXPECT_LT(fine, 0.6 * coarse);
+  }
+}
+
 TEST(MagneticRing, PaperConvergesToIt) {
   const double lag = 1e-3;
   const auto error = [&](double step) {

@@ -114,6 +114,26 @@ TEST(Coils, TheRateOfTheirCurrentIsLimited) {
   EXPECT_NEAR(a[m.layout.coil() + 1], -0.1 / 2e-4, 1e-9) << "within the limit";
 }
 
+// L di/dt = u - R i with |u| <= U: 55 V and -45 V are asked for.
+TEST(Coils, TheirVoltageIsLimited) {
+  scene::Scene scene = magnetic_scene(2e-4);
+  scene.actuator->voltage_limit = 12.0;
+  scene.actuator->inductance = 0.01;
+  scene.actuator->resistance = 2.0;
+  const Model m = make_model(scene);
+  State s = test::random_state(m, 8);
+  s.v.segment<2>(m.layout.coil()) << 0.4, -1.1;
+  const auto rates = [&](double first, double second) -> Eigen::Vector2d {
+    Eigen::VectorXd a(m.nq());
+    smooth_force(m, s.t, s.q.data(), s.v.data(), {first, second}, a.data());
+    solve_mass(m, s.t, s.q.data(), a.data(), a.data());
+    return a.segment<2>(m.layout.coil());
+  };
+  EXPECT_LT((rates(1.5, -2.0) - Eigen::Vector2d((12.0 - 0.8) / 0.01, (-12.0 + 2.2) / 0.01)).norm(), 1e-9);
+  EXPECT_LT((rates(-2.0, 2.0) - Eigen::Vector2d((-12.0 - 0.8) / 0.01, (12.0 + 2.2) / 0.01)).norm(), 1e-9);
+  EXPECT_LT((rates(0.5, -1.2) - Eigen::Vector2d(500.0, -500.0)).norm(), 1e-9) << "within the limit";
+}
+
 TEST(Coils, AreNoMechanicalEnergy) {
   const Model with = make_model(magnetic_scene(2e-4)), without = without_coils(with);
   EXPECT_EQ(without.nq(), with.layout.mechanical());

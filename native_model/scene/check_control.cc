@@ -1,0 +1,146 @@
+// Cross-checks of the controller.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "native_model/scene/checker.h"
+#include "native_model/scene/schema.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub::scene {
+namespace {
+
+constexpr double kMostDelay = 1000.0;  // samples
+constexpr const char* kSampledOnly = "needs controller.sample_time above 0: ";
+
+// A pure function of the measurement may be continuous.
+bool remembers(const Controller& c) {
+  switch (c.kind) {
+    case ControllerKind::kTwoPhase:
+    case ControllerKind::kLqr:
+    case ControllerKind::kLqg:
+    case ControllerKind::kLibrary: return true;
+    default: return c.layer == BoundaryLayer::kAdaptive;
+  }
+}
+
+bool needs_contact(ControllerKind kind) {
+  return kind != ControllerKind::kPassive && kind != ControllerKind::kLibrary;
+}
+
+void check_feedback(const Checker& check, const Controller& c) {
+  if (!check.record.sound({"controller.feedback", "controller.feedback_speed"})) return;
+  if (!check.record.given("controller.feedback_speed")) {
+    if (c.feedback.size() > 1) {
+      check.fail("controller.feedback", "several values need controller.feedback_speed");
+    }
+    return;
+  }
+  if (std::adjacent_find(c.feedback_speed.begin(), c.feedback_speed.end(),
+                         std::greater_equal<>()) != c.feedback_speed.end()) {
+    check.fail("controller.feedback_speed", "must be strictly ascending");
+  }
+  check.list_length("controller.feedback_speed", c.feedback_speed, c.feedback.size(),
+                    "value of controller.feedback");
+}
+
+// What a built-in law reads must be measured.
+void check_measured(const Checker& check, const Controller& c) {
+  if (c.kind == ControllerKind::kLibrary) return;
+  const bool gap = c.kind != ControllerKind::kPassive && c.kind != ControllerKind::kCrossCoupled;
+  const auto needs = [&](bool measured, const char* key, const char* what) {
+    if (!measured) check.fail(key, std::string("the law needs ") + what);
+  };
+  needs(c.sensors.stator, "controller.sensors.stator", "the ring");
+  if (c.kind != ControllerKind::kLqg) {
+    needs(c.sensors.velocity != VelocitySensor::kNone, "controller.sensors.velocity", "velocities");
+  }
+  if (gap) needs(c.sensors.rotor, "controller.sensors.rotor", "the rotor");
+  const bool turns = c.kind == ControllerKind::kCrossCoupled || c.kind == ControllerKind::kTwoPhase;
+  if (turns) needs(c.sensors.spin, "controller.sensors.spin", "the spin speed");
+}
+
+void check_sensors(const Checker& check, const Controller& c) {
+  if (c.sample_time <= 0.0) {
+    if (check.record.given("controller.sensors")) {
+      check.fail("controller.sensors", std::string(kSampledOnly) + "a continuous law is shown the truth");
+    }
+    return;
+  }
+  const double samples = c.sensors.delay / c.sample_time;
+  if (samples > kMostDelay || std::abs(samples - std::round(samples)) > 1e-9 * samples) {
+    check.fail("controller.sensors.delay",
+               "must be a whole number of samples, up to " + number_text(kMostDelay) + ", of " +
+                   number_text(c.sample_time) + " s, got " + number_text(samples));
+  }
+}
+
+// Within its layer sliding mode is a loop with the gain (d s + k)/s^2 a unit of the ring's mass, d = psi + sigma,
+// k = psi sigma, sigma = k_s/phi the slope of the layer (an adaptive one keeps it at psi). Where that is 1,
+//   w_c^2 = (d^2 + sqrt(d^4 + 4 k^2)) / 2,
+// what comes late by T costs the phase w_c T: with 1 rad of it gone the contact chatters (measured on the
+// reference rig, where w_c is 5,600 rad/s: 175 us do, 200 us do not).
+void check_latency(const Checker& check, const Controller& c) {
+  const bool slides = c.kind == ControllerKind::kSliding || c.kind == ControllerKind::kTwoPhase;
+  if (!slides || c.sample_time <= 0.0 ||
+      !check.record.sound({"controller.bandwidth", "controller.boundary_layer", "controller.switching_gain",
+                           "controller.sensors.delay", "actuator.coil_lag"})) {
+    return;
+  }
+  const double slope =
+      c.layer == BoundaryLayer::kAdaptive ? c.bandwidth : c.switching_gain / c.boundary_layer;
+  const double d = c.bandwidth + slope, k = c.bandwidth * slope;
+  const double most = 1.0 / std::sqrt(0.5 * (d * d + std::sqrt(d * d * d * d + 4.0 * k * k)));
+  const double besides = c.sensors.delay + (check.scene.actuator ? check.scene.actuator->coil_lag : 0.0);
+  const double late = besides + 0.5 * c.sample_time;
+  if (late <= most) return;
+  const std::string less = "a smaller `bandwidth` or `switching_gain`/`boundary_layer`";
+  check.fail("controller.sample_time",
+             "half of it, delay and coil_lag make the command " + number_text(late) +
+                 " s late, and with these gains it would chatter beyond " + number_text(most) +
+                 " s; accepted: " +
+                 (besides < most ? "at most " + number_text(2.0 * (most - besides)) + " s, or " + less : less));
+}
+
+void check_trigger(const Checker& check, const Controller& c) {
+  const auto refuse = [&](const char* key, const std::string& reason) { check.fail(key, reason); };
+  const char* const key = "controller.trigger";
+  if (c.sample_time <= 0.0) refuse(key, std::string(kSampledOnly) + "it is looked for at the samples");
+  if (!check.record.given("contact")) refuse(key, "needs [contact]: there is no gap");
+  if (!c.sensors.rotor || !c.sensors.stator) {
+    refuse(key, "needs controller.sensors.rotor and .stator: it looks at the gap");
+  }
+  if (c.trigger->time_to_touch && c.sensors.velocity == VelocitySensor::kNone) {
+    refuse("controller.trigger.time_to_touch",
+           "needs controller.sensors.velocity other than \"none\"");
+  }
+  if (!c.trigger->gap && !c.trigger->time_to_touch && !c.trigger->touch) {
+    refuse(key, "needs `gap`, `time_to_touch` or `touch`");
+  }
+}
+
+}  // namespace
+
+void check_control(const Checker& check) {
+  if (!check.record.given("controller")) return;
+  const Controller& c = *check.scene.controller;
+  if (!check.record.given("stator")) {
+    check.fail("controller", "needs [stator]: the ring is fixed, and there is nothing to move");
+  }
+  if (needs_contact(c.kind) && !check.record.given("contact")) {
+    check.fail("controller", "needs [contact]: it acts on the gap between rotor and ring");
+  }
+  check_feedback(check, c);
+  check_measured(check, c);
+  if (!check.record.sound({"controller.sample_time"})) return;
+  if (remembers(c) && c.sample_time <= 0.0) {
+    check.fail("controller.sample_time", "this law is sampled: expected a time in s, > 0");
+  }
+  check_sensors(check, c);
+  check_latency(check, c);
+  if (c.trigger) check_trigger(check, c);
+}
+
+}  // namespace rotorub::scene
