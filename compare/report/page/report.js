@@ -226,15 +226,20 @@
   function drawTrade() {
     const points = data.trade;
     if (!points) return;
+    // One name a scene, on alternating sides: laws of a kind lie close together. A thin line joins its two forces.
+    const sides = ['top right', 'bottom right', 'top left', 'bottom left'];
+    const pairs = points.map((p) => ({type: 'line', x0: p.orbit, x1: p.orbit, y0: p.contact, y1: p.actuator,
+      line: {color: css('--line'), width: 1}, layer: 'below'}));
     const trace = (key, name, symbol, color) => ({x: points.map((p) => p.orbit), y: points.map((p) => p[key]), name,
-      text: points.map((p) => p.name), type: 'scatter', mode: 'markers+text', cliponaxis: false,
-      textposition: key === 'contact' ? 'top center' : 'bottom center', textfont: {color: css('--soft'), size: 11},
+      text: points.map((p) => p.name), type: 'scatter', mode: key === 'contact' ? 'markers+text' : 'markers',
+      textposition: points.map((p, k) => sides[k % sides.length]), cliponaxis: false,
+      textfont: {color: css('--soft'), size: 11},
       marker: {symbol, size: 9, color: css(color)},
       hovertemplate: '%{text}<br>orbit %{x:.4g} mm<br>%{y:.4g} N<extra>' + name + '</extra>'});
     Plotly.react('trade', [trace('contact', 'contact', 'circle', '--native'),
       trace('actuator', 'actuators', 'square-open', '--rigid')],
-    layout({hovermode: 'closest', showlegend: true, legend: {orientation: 'h', y: 1.12},
-      margin: {l: 56, r: 40, t: 28, b: 40},
+    layout({hovermode: 'closest', showlegend: true, shapes: pairs, legend: {orientation: 'h', y: 1.12},
+      margin: {l: 56, r: 110, t: 28, b: 40},
       xaxis: axes({title: {text: 'orbit / mm', standoff: 8}, rangemode: 'tozero'}),
       yaxis: axes({title: {text: 'force / N', standoff: 8}, rangemode: 'tozero'})}), config);
   }
