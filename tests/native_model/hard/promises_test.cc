@@ -159,7 +159,7 @@ TEST(Promises, MagnetsAsAPassiveBearingAreOne) {
   const auto run = [](const std::string& name) {
     const scene::Scene s = scene::read_scene(
         std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml",
-        std::vector<std::string>{"run.end=0.12", "run.step=1e-5", "rotor.modes=2"});
+        std::vector<std::string>{"run.end=0.12", "run.step=1e-5", "rotor.modes=2", "initial.steady=true"});
     return run_native(s);
   };
   const Trajectory magnets = run("paper_emulated"), springs = run("paper_passive");
