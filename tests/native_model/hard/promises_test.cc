@@ -56,15 +56,15 @@ void expect_soft(const Figures& f, double slack) {
   EXPECT_GT(f.contact, 0.98);
 }
 
-TEST(Promises, ThePassiveBearingBouncesToTheEnd) {
+TEST(LongPromises, ThePassiveBearingBouncesToTheEnd) {
   EXPECT_GT(passive().impacts, 500.0);
   EXPECT_LT(passive().contact, 0.7);
   EXPECT_GT(passive().open_until, 0.49);
 }
 
-TEST(Promises, ContinuousSlidingIsSoft) { expect_soft(figures("paper_sliding"), 1.0); }
+TEST(LongPromises, ContinuousSlidingIsSoft) { expect_soft(figures("paper_sliding"), 1.0); }
 
-TEST(Promises, SampledSlidingIsSoft) {
+TEST(LongPromises, SampledSlidingIsSoft) {
   for (const char* sample : {"20us", "100us"}) {
     SCOPED_TRACE(sample);
     expect_soft(figures("paper_sliding", {std::string("controller.sample_time=") + sample,
@@ -74,7 +74,7 @@ TEST(Promises, SampledSlidingIsSoft) {
 }
 
 // As late as it may be, and what is refused beyond: 1/w_c = 178.5 us.
-TEST(Promises, TheSampleTimeThatIsNeededIsTold) {
+TEST(LongPromises, TheSampleTimeThatIsNeededIsTold) {
   expect_soft(figures("paper_sliding", {"controller.sample_time=300us", "controller.preload=30"}), 2.0);
   try {
     figures("paper_sliding", {"controller.sample_time=400us", "controller.preload=30"});
@@ -87,7 +87,7 @@ TEST(Promises, TheSampleTimeThatIsNeededIsTold) {
 }
 
 // The paper's thesis: the earlier it is switched on before the touch (107 ms), the smaller the largest impact.
-TEST(Promises, LeadTimeIsWhatSoftensTheTouch) {
+TEST(LongPromises, LeadTimeIsWhatSoftensTheTouch) {
   double last = 0.0;
   for (const char* on : {"103ms", "105ms", "107ms", "112ms"}) {
     const double peak = figures("paper_sliding", {std::string("controller.on=") + on, "run.end=0.15"}).peak;
@@ -98,7 +98,7 @@ TEST(Promises, LeadTimeIsWhatSoftensTheTouch) {
 }
 
 // Positions alone, rounded and late: the law of the example (examples/own_controller.c).
-TEST(Promises, AControllerOfOnesOwnFromPositionsAlone) {
+TEST(LongPromises, AControllerOfOnesOwnFromPositionsAlone) {
   const Figures f = figures("examples/own_controller",
                             {std::string("controller.library=") + ROTORUB_LIBRARIES + "/own_controller.so"});
   EXPECT_LE(f.impacts, passive().impacts / 50.0);
@@ -110,7 +110,7 @@ TEST(Promises, AControllerOfOnesOwnFromPositionsAlone) {
 
 // The quadratic laws keep the ring about the rotor, which is another way out: nothing touches. What it takes is
 // force: the ring is carried on the whole orbit.
-TEST(Promises, QuadraticLawsAvoidTheRub) {
+TEST(LongPromises, QuadraticLawsAvoidTheRub) {
   for (const char* kind : {"lqr", "lqg"}) {
     SCOPED_TRACE(kind);
     const Figures f = figures("paper_passive", {std::string("controller.kind=") + kind, "controller.sample_time=50us"});
@@ -119,14 +119,14 @@ TEST(Promises, QuadraticLawsAvoidTheRub) {
   }
 }
 
-TEST(Promises, SampledSlidingWithALagIsSoft) {
+TEST(LongPromises, SampledSlidingWithALagIsSoft) {
   expect_soft(figures("paper_magnetic", {"controller.sample_time=100us", "actuator.coil_lag=0.1ms",
                                          "controller.preload=30"}),
               2.0);
 }
 
 // It holds the rotor at half the orbit, which takes more force: at most a 20th of the impacts.
-TEST(Promises, CrossCoupledFeedbackStopsTheBouncing) {
+TEST(LongPromises, CrossCoupledFeedbackStopsTheBouncing) {
   for (const char* sample : {"20us", "100us"}) {
     SCOPED_TRACE(sample);
     const Figures f =
@@ -138,14 +138,14 @@ TEST(Promises, CrossCoupledFeedbackStopsTheBouncing) {
 }
 
 // The eigenvalues of the forced rub say which feedback does (rub/feedback_map.h): with 1,000 N s/m it grows.
-TEST(Promises, FeedbackOutsideTheWindowDoesNot) {
+TEST(LongPromises, FeedbackOutsideTheWindowDoesNot) {
   const Figures f = figures("paper_cross_coupled", {"controller.feedback=[1000]", "controller.damping=0"});
   EXPECT_GT(f.impacts, 300.0);
   EXPECT_GT(f.open_until, 0.49);
 }
 
 // The feedback's mean force is that of holding the rotor at half its orbit.
-TEST(Promises, TheTwoPhaseLawIsSoftAndHoldsTheOrbit) {
+TEST(LongPromises, TheTwoPhaseLawIsSoftAndHoldsTheOrbit) {
   const Figures f = figures("paper_two_phase"), cross = figures("paper_cross_coupled");
   EXPECT_LE(f.impacts, passive().impacts / 50.0);
   EXPECT_LE(f.peak, passive().peak / 5.0);
@@ -155,7 +155,7 @@ TEST(Promises, TheTwoPhaseLawIsSoftAndHoldsTheOrbit) {
 }
 
 // Magnets that are told nothing pull by their bias; `passive` balances that, and is the mechanical bearing.
-TEST(Promises, MagnetsAsAPassiveBearingAreOne) {
+TEST(LongPromises, MagnetsAsAPassiveBearingAreOne) {
   const auto run = [](const std::string& name) {
     const scene::Scene s = scene::read_scene(
         std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml",

@@ -77,7 +77,7 @@ TEST(WhirlBranches, KeepToTheirModeWhereTwoCross) {
 }
 
 // Planes that differ: the sense may change along a branch, which goes on.
-TEST(WhirlBranches, GoOnWhereTheSenseChanges) {
+TEST(LongWhirlBranches, GoOnWhereTheSenseChanges) {
   const WhirlSystem system = whirl_system(test::anisotropic_rotor());
   const std::vector<double> speeds = even_speeds(500.0, 51);
   const std::vector<WhirlBranch> branches = whirl_branches(system, speeds);
