@@ -9,6 +9,7 @@
 #include "compare/study/shadow_column.h"
 #include "compare/study/side_difference.h"
 #include "compare/study/verdict.h"
+#include "native_model/scene/diagnostic.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
