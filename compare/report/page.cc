@@ -44,7 +44,8 @@ json plot_values(const SceneComparison& comparison) {
                    {"title", kind.title},
                    {"unit", kind.unit},
                    {"text", kind.text},
-                   {"shape", kind.shape}});
+                   {"shape", kind.shape},
+                   {"over", to_string(kind.over)}});
   }
   return all;
 }

@@ -66,6 +66,11 @@ Values series_of(const std::string& key, const Trajectory& t) {
   return {};
 }
 
+bool touches(const scene::Scene& scene, const Trajectory&) { return scene.contact.has_value(); }
+bool rubs(const scene::Scene& scene, const Trajectory&) { return scene.contact && scene.contact->friction > 0.0; }
+bool has_currents(const scene::Scene&, const Trajectory& t) { return t.has("current_1"); }
+bool has_motor(const scene::Scene&, const Trajectory& t) { return t.has("motor_torque"); }
+
 constexpr PlotKind kKinds[] = {
     {"gap", "Gap", "µm", "0: contact; below 0: penetration", "wide"},
     {"gap_rate", "Gap rate", "mm/s", "what control brings to 0 (paper, Fig. 8)", ""},
@@ -73,47 +78,29 @@ constexpr PlotKind kKinds[] = {
     {"normal_force", "Normal force", "N",
      "of lasting contact; impulses of the rigid law's impacts are below", ""},
     {"friction_force", "Friction force", "N", "on the rotor, along the ring", ""},
-    {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", ""},
-    {"friction_impacts", "Friction of impacts", "mN s", "size of the tangential impulse of each", ""},
+    {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", "", PlotOver::kImpacts, touches},
+    {"friction_impacts", "Friction of impacts", "mN s", "size of the tangential impulse of each", "",
+     PlotOver::kImpacts, rubs},
     {"normal_law", "Normal contact law", "m/s",
-     "gap rates before and after each impact; dashed: the restitution where friction has no part", "square"},
+     "gap rates before and after each impact; dashed: the restitution where friction has no part", "square",
+     PlotOver::kLaw, touches},
     {"friction_law", "Friction law", "",
-     "of each impact, tangential over friction times normal impulse (paper, Fig. 5); dashed: Coulomb's", "square"},
+     "of each impact, tangential over friction times normal impulse (paper, Fig. 5); dashed: Coulomb's", "square",
+     PlotOver::kLaw, rubs},
     {"spin", "Spin speed", "rpm", "what friction takes from the drive", ""},
     {"ring_speed", "Ring speed", "rpm", "what friction and drag make of the ring that turns", ""},
     {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", ""},
     {"control", "Control force", "N", "magnitude of the actuators' force on the ring", ""},
     {"current", "Coil current", "A", "magnitude of the control currents of the two axes", ""},
     {"actuator", "Actuator", "N", "force of axis 1 over its current, on the characteristic F(s, i) (paper, Fig. 3)",
-     "square"},
-    {"motor", "Motor", "N m", "torque over speed; dashed: the motor's characteristic (paper, Fig. 6)", "square"},
-    {"orbit", "Orbits", "µm", "rotor solid, ring dotted; the last turns, or the time zoomed to",
-     "square"},
-    {"relative", "Rotor in the ring", "µm", "relative to the ring's centre; dashed: the clearance",
-     "square"},
+     "square", PlotOver::kPath, has_currents},
+    {"motor", "Motor", "N m", "torque over speed; dashed: the motor's characteristic (paper, Fig. 6)", "square",
+     PlotOver::kPath, has_motor},
+    {"orbit", "Orbits", "µm", "rotor solid, ring dotted; the last turns, or the time zoomed to", "square",
+     PlotOver::kTurns},
+    {"relative", "Rotor in the ring", "µm", "relative to the ring's centre; dashed: the clearance", "square",
+     PlotOver::kTurns},
 };
-
-// Each impact a point: of these both laws have a friction of more than 0 and a restitution.
-bool of_impacts(const std::string& key) {
-  return key == "impacts" || key == "friction_impacts" || key == "normal_law" || key == "friction_law";
-}
-
-bool over_time(const std::string& key) {
-  return !of_impacts(key) && key != "orbit" && key != "relative" && key != "actuator" && key != "motor";
-}
-
-// What a plot that is not over time is drawn from.
-bool has_columns(const std::string& key, const Trajectory& t) {
-  if (key == "actuator") return t.has("current_1");
-  if (key == "motor") return t.has("motor_torque");
-  return true;
-}
-
-bool has_impacts(const std::string& key, const SceneComparison& comparison) {
-  if (!comparison.scene.contact) return false;
-  const bool friction = key == "friction_impacts" || key == "friction_law";
-  return !friction || comparison.scene.contact->friction > 0.0;
-}
 
 struct Rows {
   std::size_t first, last;
@@ -181,7 +168,7 @@ json side_data(const Side& side, const std::vector<PlotKind>& kinds,
   const Values& t = trajectory.column("t");
   json series = json::object();
   for (const PlotKind& kind : kinds) {
-    if (!over_time(kind.key)) continue;
+    if (kind.over != PlotOver::kTime) continue;
     const Values y = series_of(kind.key, trajectory);
     if (!y.empty()) series[kind.key] = time_series(t, y, windows);
   }
@@ -195,13 +182,13 @@ json side_data(const Side& side, const std::vector<PlotKind>& kinds,
     y[i] = rotor_y[i] - ring_y[i];
   }
   json more = json::object();
-  if (has_columns("actuator", trajectory)) {
+  if (trajectory.has("current_1")) {
     Values force = trajectory.column("control_x");
     const Values& across = trajectory.column("control_y");
     for (std::size_t i = 0; i < force.size(); ++i) force[i] = to_axes({force[i], across[i]}).x();
     more["actuator"] = curves(t, trajectory.column("current_1"), force, windows, WholeRun::kShown);
   }
-  if (has_columns("motor", trajectory)) {
+  if (trajectory.has("motor_torque")) {
     more["motor"] = curves(t, series_of("spin", trajectory), trajectory.column("motor_torque"), windows,
                            WholeRun::kShown);
   }
@@ -215,6 +202,17 @@ json side_data(const Side& side, const std::vector<PlotKind>& kinds,
 }
 
 }  // namespace
+
+const char* to_string(PlotOver over) {
+  switch (over) {
+    case PlotOver::kTime: return "time";
+    case PlotOver::kImpacts: return "impacts";
+    case PlotOver::kLaw: return "law";
+    case PlotOver::kPath: return "path";
+    case PlotOver::kTurns: return "turns";
+  }
+  return "";
+}
 
 std::vector<Window> plot_windows(const SceneComparison& comparison) {
   const scene::Scene& scene = comparison.scene;
@@ -240,10 +238,9 @@ std::vector<PlotKind> plot_kinds(const SceneComparison& comparison) {
   for (const PlotKind& kind : kKinds) {
     const bool has_data =
         std::any_of(comparison.sides.begin(), comparison.sides.end(), [&](const Side& side) {
-          return over_time(kind.key) ? !series_of(kind.key, side.trajectory).empty()
-                                     : has_columns(kind.key, side.trajectory);
+          if (kind.shown) return kind.shown(comparison.scene, side.trajectory);
+          return kind.over != PlotOver::kTime || !series_of(kind.key, side.trajectory).empty();
         });
-    if (of_impacts(kind.key) && !has_impacts(kind.key, comparison)) continue;
     if (has_data) kinds.push_back(kind);
   }
   return kinds;

@@ -19,13 +19,20 @@ struct Window {
 // any run); the last two turns. Without a contact the whole and the end alone.
 std::vector<Window> plot_windows(const SceneComparison& comparison);
 
-// One kind of plot over time.
+// What a plot is drawn over, and how report.js draws it: a series over time; each impact a point, over time or on a
+// law; a path on the characteristic of what drives the run; the place over the last turns.
+enum class PlotOver { kTime, kImpacts, kLaw, kPath, kTurns };
+const char* to_string(PlotOver over);  // "time", "impacts", "law", "path", "turns"
+
 struct PlotKind {
   const char* key;
   const char* title;
   const char* unit;
   const char* text;   // what is to be seen, half a sentence
   const char* shape;  // class in the page: "", "wide", "square"
+  PlotOver over = PlotOver::kTime;
+  // Whether there is data for it; null: always, or of a series where it has values.
+  bool (*shown)(const scene::Scene& scene, const Trajectory& trajectory) = nullptr;
 };
 // Those that the scene has data for.
 std::vector<PlotKind> plot_kinds(const SceneComparison& comparison);

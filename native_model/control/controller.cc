@@ -2,6 +2,7 @@
 
 #include "native_model/control/cross_coupled.h"
 #include "native_model/control/emulated_support.h"
+#include "native_model/control/latency.h"
 #include "native_model/control/library.h"
 #include "native_model/control/quadratic.h"
 #include "native_model/control/sliding.h"
@@ -9,6 +10,16 @@
 #include "native_model/control/two_phase.h"
 
 namespace rotorub {
+namespace {
+
+template <typename Law>
+std::shared_ptr<const Controller> tracking(const scene::Scene& scene, const Plant& plant) {
+  auto law = std::make_shared<Law>(*scene.controller, plant, scene.rotor.speed);
+  refuse_lateness(scene, plant, *law);
+  return law;
+}
+
+}  // namespace
 
 std::shared_ptr<const Controller> make_controller(const scene::Scene& scene, const Plant& plant) {
   if (!scene.controller) return nullptr;
@@ -18,9 +29,9 @@ std::shared_ptr<const Controller> make_controller(const scene::Scene& scene, con
       // Magnets pull by their bias: without a command that balances it they are no passive bearing.
       if (c.stiffness == 0.0 && c.damping == 0.0 && plant.current_limit == 0.0) return nullptr;
       return std::make_shared<EmulatedSupport>(c.stiffness, c.damping);
-    case scene::ControllerKind::kSliding: return std::make_shared<SlidingController>(c, plant, scene.rotor.speed);
+    case scene::ControllerKind::kSliding: return tracking<SlidingController>(scene, plant);
     case scene::ControllerKind::kCrossCoupled: return std::make_shared<CrossCoupled>(c);
-    case scene::ControllerKind::kTwoPhase: return std::make_shared<TwoPhase>(c, plant, scene.rotor.speed);
+    case scene::ControllerKind::kTwoPhase: return tracking<TwoPhase>(scene, plant);
     case scene::ControllerKind::kPd: return std::make_shared<TrackingPd>(c, plant);
     case scene::ControllerKind::kLqr:
       return std::make_shared<StateFeedback>(quadratic_design(scene, *plant.linear));

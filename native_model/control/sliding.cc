@@ -19,10 +19,11 @@ SlidingController::SlidingController(const scene::Controller& settings, const Pl
   damping_ = settings.tracking_damping.value_or(critical);
 }
 
-// Within the layer s = edot + psi e is driven by k/phi: e'' = -(psi + k/phi) edot - psi (k/phi) e.
+// Within the layer s = edot + psi e is driven by k/phi: e'' = -(psi + k/phi) edot - psi (k/phi) e. An adaptive layer
+// keeps k/phi at psi.
 Controller::Gains SlidingController::ring_gains() const {
   const double mass = plant_.stator_mass.maxCoeff(), psi = settings_.bandwidth;
-  const double slope = settings_.switching_gain / settings_.boundary_layer;
+  const double slope = adapts() ? psi : settings_.switching_gain / settings_.boundary_layer;
   return {mass * psi * slope, mass * (psi + slope)};
 }
 

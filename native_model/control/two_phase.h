@@ -19,6 +19,7 @@ class TwoPhase final : public Controller {
   void start(double* state) const override;
   Eigen::Vector2d command(const Measurement& now, const SwitchOn& on, double* state) const override;
   bool needs_rotor_acceleration() const override { return true; }
+  Gains ring_gains() const override { return track_.ring_gains(); }
 
  private:
   SlidingController track_;

@@ -134,32 +134,32 @@
     }
 
     draw(plot) {
-      const key = plot.dataset.plot;
+      const {plot: key, over} = plot.dataset;
       const window = this.window();
       let traces, shape;
       // All turns of a run on top of each other show nothing: the last ones stand for it.
       const turns = window > 0 ? window : this.scene.windows.length - 1;
-      if (key === 'orbit' || key === 'relative') {
+      if (over === 'turns') {
         traces = key === 'orbit' ? orbitTraces(this.scene, turns) : relativeTraces(this.scene, turns);
         const r = 1e6 * this.scene.clearance;
         const circle = {type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}};
         shape = layout({hovermode: 'closest', shapes: key === 'relative' && r > 0 ? [circle] : [],
           xaxis: axes({title: {text: 'x / µm', standoff: 8}, automargin: false, constrain: 'domain'}),
           yaxis: axes({title: {text: 'y / µm', standoff: 8}, automargin: false, constrain: 'domain', scaleanchor: 'x'})});
-      } else if (key === 'normal_law' || key === 'friction_law') {
+      } else if (over === 'law') {
         traces = impactTraces(this.scene, key);
         const titles = key === 'normal_law' ? ['before / (m/s)', 'after / (m/s)'] :
           ['slip after / (m/s)', 'tangential / (friction × normal)'];
         shape = layout({hovermode: 'closest', shapes: lawShape(this.scene, key),
           xaxis: axes({title: {text: titles[0], standoff: 8}}),
           yaxis: axes({title: {text: titles[1], standoff: 8}})});
-      } else if (key === 'actuator' || key === 'motor') {
+      } else if (over === 'path') {
         traces = characteristicTraces(this.scene, key, window);
         const titles = key === 'motor' ? ['speed / rpm', 'torque / N m'] : ['current / A', 'force / N'];
         shape = layout({hovermode: 'closest', xaxis: axes({title: {text: titles[0], standoff: 8}}),
           yaxis: axes({title: {text: titles[1], standoff: 8}})});
       } else {
-        const impacts = key in laws;
+        const impacts = over === 'impacts';
         traces = impacts ? impactTraces(this.scene, key) :
           [...uncontrolledTraces(this.scene, key, window), ...timeTraces(this.scene, key, window)];
         const height = key.endsWith('_force') ? heightFor(traces) : {};
@@ -174,7 +174,7 @@
       Plotly.react(plot, traces, shape, config);
       if (first) {
         plot.classList.add('drawn');
-        plot.on('plotly_relayout', (change) => this.follow(key, change));
+        plot.on('plotly_relayout', (change) => this.follow(over, change));
       }
     }
 
@@ -190,9 +190,8 @@
     }
 
     // Zooming one plot in time zooms all of them; a double click shows the whole run.
-    follow(key, change) {
-      const timeless = ['orbit', 'relative', 'normal_law', 'friction_law', 'actuator', 'motor'];
-      if (this.quiet || timeless.includes(key)) return;
+    follow(over, change) {
+      if (this.quiet || (over !== 'time' && over !== 'impacts')) return;
       if (change['xaxis.autorange']) this.show(this.span(0));
       const from = change['xaxis.range[0]'], to = change['xaxis.range[1]'];
       if (from === undefined || to === undefined) return;

@@ -1,5 +1,5 @@
 // [initial] steady: the start on the orbit that repeats itself. Closed forms of one mode; a shaft with all
-// that a linear rotor can have, whose orbit must come back after each period; and what is refused.
+// that a linear rotor can have, whose orbit must come back after each period.
 #include "native_model/system/steady_orbit.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,16 @@
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/run_native.h"
-#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/actuation.h"
+#include "tests/native_model/system/steady_scenes.h"
 #include "tests/support/jeffcott.h"
 
 namespace rotorub {
 namespace {
 
+using test::magnetic_ring;
+using test::steady;
 using Complex = std::complex<double>;
 
 // x + i y and its rate, of the first mode.
@@ -29,12 +31,6 @@ Complex rate(const Model& m) { return {m.v0[0], m.v0[m.layout.modes]}; }
 void expect_near(Complex a, Complex b, double error) {
   EXPECT_NEAR(a.real(), b.real(), error);
   EXPECT_NEAR(a.imag(), b.imag(), error);
-}
-
-scene::Scene steady(const test::Jeffcott& j) {
-  scene::Scene s = test::make_scene(j);
-  s.initial.steady = true;
-  return s;
 }
 
 // m e Omega^2 e^{i (phi_0 + phase)} / (k - m Omega^2 + i d Omega), below and beyond the resonance.
@@ -221,17 +217,6 @@ TEST(SteadyOrbit, FixedStepsComeToItWithTheSquareOfTheStep) {
   }
 }
 
-scene::Scene magnetic_ring() {
-  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5});
-  s.stator = scene::Stator{{1.0, 1.5}, {200.0, 150.0}, {2e4, 3e4}};
-  s.actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
-                               .force_constant = 3e-5,
-                               .bias_current = 3.0,
-                               .air_gap = 1e-3};
-  s.contact->clearance = 2e-3;
-  return s;
-}
-
 // The bias pulls where the weight has brought the ring: F(s, 0) is not linear there.
 TEST(SteadyOrbit, RingBetweenItsMagnetsIsAtRest) {
   scene::Scene s = magnetic_ring();
@@ -296,113 +281,6 @@ TEST(SteadyOrbit, ChirpAndPulse) {
   const Complex exact =
       std::polar(10.0, 0.4 + 125.0) / Complex(2e5 - 2.0 * 150.0 * 150.0, 40.0 * 150.0);
   expect_near(place(m), exact, 1e-13 * std::abs(exact));
-}
-
-// ---------------------------------------------------------------- refused
-std::string refusal(const scene::Scene& s) {
-  try {
-    make_model(s);
-  } catch (const scene::SceneError& error) {
-    EXPECT_EQ(error.diagnostics().size(), 1U);
-    EXPECT_EQ(error.diagnostics()[0].key, "initial.steady");
-    return error.diagnostics()[0].reason;
-  }
-  return {};
-}
-
-void expect_refused(const scene::Scene& s, const std::string& reason) {
-  const std::string given = refusal(s);
-  EXPECT_NE(given.find(reason), std::string::npos) << given;
-}
-
-TEST(SteadyOrbitRefusal, TouchesWithItsSize) {
-  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5});
-  test::add_rotating_force(s, 99.0, 0.0);
-  EXPECT_EQ(refusal(s), "");
-  s.forces[0].amplitude = 101.0;
-  expect_refused(s, "touches: it comes to 0.000505 m");
-  expect_refused(s, "0.0005 m");
-  // By the ring's own sag alone.
-  scene::Scene sagging = steady({.mass = 1e-3, .damping = 40.0, .stiffness = 2e5});
-  test::add_ring(sagging, 10.0, 1.0, 1e4);
-  sagging.gravity = scene::Gravity{{0.0, -9.81}, {}};
-  expect_refused(sagging, "touches");
-}
-
-TEST(SteadyOrbitRefusal, Unstable) {
-  scene::Scene s = steady({.mass = 2.0, .damping = 8.0, .stiffness = 2e5, .speed = 900.0});
-  s.rotor.modal->internal_damping = {60.0};
-  expect_refused(s, "unstable at 900 rad/s, a motion at 318.6");
-  s.rotor.speed = 300.0;
-  EXPECT_EQ(refusal(s), "");
-  s.magnetic_bearing = scene::MagneticBearing{0.0, {}, 2.1e5};
-  expect_refused(s, "unstable");
-}
-
-TEST(SteadyOrbitRefusal, ResonanceAndNothingThatHolds) {
-  scene::Scene s = steady({.mass = 2.0, .stiffness = 2e5});
-  test::add_rotating_force(s, 1e-9, std::sqrt(1e5));
-  expect_refused(s, "resonance");
-  s.forces[0].frequency = 300.0;
-  EXPECT_EQ(refusal(s), "") << "without damping, but off the resonance: it repeats itself";
-  scene::Scene free = steady({.mass = 2.0});
-  EXPECT_EQ(refusal(free), "") << "a free mass at rest";
-  free.gravity = scene::Gravity{{0.0, -9.81}, {}};
-  expect_refused(free, "nothing holds the rotor");
-  scene::Scene ring = steady({.mass = 2.0, .stiffness = 2e7});
-  test::add_ring(ring, 1.0, 1.0, 0.0);
-  ring.gravity = free.gravity;
-  expect_refused(ring, "nothing holds the ring");
-}
-
-TEST(SteadyOrbitRefusal, MagnetsThatPullTheRingAway) {
-  // 4 k_m i_0^2 / s_0^3 = 1.08e6 N/m against 2e4.
-  expect_refused(magnetic_ring(), "magnets");
-}
-
-TEST(SteadyOrbitRefusal, LoadsThatAreUnderWay) {
-  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5});
-  test::add_constant_force(s, {1.0, 0.0});
-  s.forces[0].on = -0.1;
-  s.forces[0].ramp = 0.2;
-  expect_refused(s, "still rising");
-  s.forces[0].kind = scene::ForceKind::kPulse;
-  s.forces[0].ramp = 0.0;
-  s.forces[0].off = 0.1;
-  expect_refused(s, "pulse is under way");
-}
-
-TEST(SteadyOrbitRefusal, BesideAStartOfOnesOwn) {
-  const std::string text = R"([rotor]
-speed = 300.0
-[rotor.modal]
-mass = [2.0]
-stiffness = [2e5]
-damping = [40.0]
-[stator]
-mass = 1.0
-stiffness = 1e5
-[contact]
-radius = 0.05
-clearance = 0.5e-3
-friction = 0.1
-restitution = 0.5
-[initial]
-steady = true
-)";
-  EXPECT_NO_THROW(make_model(scene::parse_scene(text, "s.toml")));
-  for (const char* key : {"x", "y", "vx", "vy", "stator", "stator_velocity"}) {
-    const bool ring = std::string(key).starts_with("stator");
-    try {
-      scene::parse_scene(text + key + (ring ? " = [0.0, 0.0]\n" : " = [0.0]\n"), "s.toml");
-      ADD_FAILURE() << key;
-    } catch (const scene::SceneError& error) {
-      ASSERT_EQ(error.diagnostics().size(), 1U);
-      EXPECT_EQ(error.diagnostics()[0].key, std::string("initial.") + key);
-      EXPECT_EQ(error.diagnostics()[0].line, 17);
-      EXPECT_NE(error.diagnostics()[0].reason.find("steady"), std::string::npos);
-    }
-  }
 }
 
 }  // namespace

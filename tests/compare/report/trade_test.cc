@@ -1,0 +1,106 @@
+// The report's figures beyond series: what control trades, the characteristics, the laws of each impact.
+#include "compare/report/trade.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "compare/report/characteristics.h"
+#include "compare/report/plots.h"
+#include "compare/study/scene_comparison.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+scene::Scene figure_scene(const std::string& name, std::vector<std::string> overrides = {}) {
+  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
+}
+
+Side made_side(const std::vector<Column>& series, double end) {
+  Side side;
+  side.label = "native";
+  side.trajectory.series = series;
+  side.trajectory.end = end;
+  return side;
+}
+
+// Rows of the last fifth alone count: (3, 4) mm, and forces of 6 and 8 N across.
+TEST(Trade, IsOfTheLastFifth) {
+  Side side = made_side({{"t", "s", {0.0, 0.5, 0.9, 1.0}},
+                         {"rotor_x", "m", {1.0, 1.0, 3e-3, 1e-3}},
+                         {"rotor_y", "m", {1.0, 1.0, 4e-3, 1e-3}},
+                         {"control_x", "N", {99.0, 99.0, 6.0, 0.0}},
+                         {"control_y", "N", {99.0, 99.0, 0.0, 8.0}}},
+                        1.0);
+  side.metrics.mean_force = 7.0;
+  const Trade trade = trade_of(side);
+  EXPECT_NEAR(trade.orbit, 5e-3, 1e-15);
+  EXPECT_EQ(trade.contact_force, 7.0);
+  EXPECT_NEAR(trade.actuator_force, std::sqrt(50.0), 1e-12);
+  EXPECT_TRUE(trade_data({}).is_null());
+}
+
+TEST(Characteristics, AreTheLawsOwn) {
+  const scene::Scene magnetic = figure_scene("paper_magnetic");
+  const nlohmann::json curves = actuator_curves(magnetic);
+  ASSERT_EQ(curves.size(), 5U);
+  // F(0, i) = 4 k_m i_0 i / s_0^2 in the middle, exactly linear there.
+  const double slope = 4.0 * 416.7e-6 * 3.0 / (5e-3 * 5e-3);
+  for (std::size_t k = 0; k < curves[2]["x"].size(); ++k) {
+    const double i = curves[2]["x"][k];
+    EXPECT_NEAR(curves[2]["y"][k].get<double>(), slope * i, 1e-3) << i;
+  }
+  EXPECT_EQ(curves[2]["x"].back(), 3.0);
+  EXPECT_TRUE(actuator_curves(figure_scene("paper_passive")).empty());
+  const nlohmann::json motor = motor_curve(magnetic, 300.0, 320.0);
+  const double target = 100.0 * std::numbers::pi;
+  EXPECT_NEAR(motor["y"].front().get<double>(), 0.5 * (target - 300.0), 1e-4);
+  EXPECT_NEAR(motor["x"].back().get<double>(), 320.0 * 30.0 / std::numbers::pi, 0.01);
+  EXPECT_TRUE(motor_curve(figure_scene("run_up"), 300.0, 320.0).is_null()) << "it follows its reference";
+}
+
+// Of a run that slides through all its impacts each lies on Coulomb's law and on Poisson's.
+TEST(ImpactPlots, LieOnTheLawsThatTheyAreOf) {
+  CompareOptions options;
+  options.timing_repeats = 1;
+  options.twins = 1;
+  options.modes_ladder = false;
+  const SceneComparison c = compare_scene(figure_scene("bench_ring", {"run.end=0.012"}), options);
+  EXPECT_FALSE(c.uncontrolled) << "no controller";
+  const nlohmann::json impacts = plot_data(c)["sides"][0]["impacts"];
+  ASSERT_GE(impacts["t"].size(), 4U);
+  for (std::size_t k = 0; k < impacts["t"].size(); ++k) {
+    EXPECT_GT(impacts["slip"][k].get<double>(), 0.0);
+    EXPECT_NEAR(impacts["share"][k].get<double>(), -1.0, 1e-4);
+    EXPECT_NEAR(impacts["after"][k].get<double>(), -0.5 * impacts["before"][k].get<double>(),
+                1e-4 * std::abs(impacts["before"][k].get<double>()) + 1e-9);
+    EXPECT_NEAR(impacts["friction"][k].get<double>(), 0.15 * impacts["y"][k].get<double>(),
+                1e-4 * impacts["y"][k].get<double>());
+  }
+  std::string kinds;
+  for (const PlotKind& kind : plot_kinds(c)) kinds += std::string(kind.key) + ":" + to_string(kind.over) + " ";
+  EXPECT_NE(kinds.find("friction_law:law"), std::string::npos) << kinds;
+  EXPECT_NE(kinds.find("motor:path"), std::string::npos) << kinds;
+  EXPECT_EQ(kinds.find("actuator:"), std::string::npos) << kinds;
+}
+
+// The run without control is the passive bearing's: nothing is commanded.
+TEST(ImpactPlots, ShowTheRunWithoutControl) {
+  CompareOptions options;
+  options.timing_repeats = 1;
+  options.twins = 1;
+  options.modes_ladder = false;
+  const SceneComparison c = compare_scene(
+      figure_scene("bench_ring", {"run.end=0.006", "controller.kind=passive", "controller.stiffness=5e4",
+                                  "controller.damping=100", "controller.on=0.005"}),
+      options);
+  ASSERT_TRUE(c.uncontrolled);
+  EXPECT_FALSE(c.uncontrolled->has("control_x") && c.uncontrolled->column("control_x").back() != 0.0);
+  EXPECT_FALSE(plot_data(c)["uncontrolled"]["rotor_x"].empty());
+}
+
+}  // namespace
+}  // namespace rotorub
