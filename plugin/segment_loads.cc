@@ -48,7 +48,17 @@ void add_segment_loads(const Config& config, mjData* d) {
     fx += size * std::cos(phi + lost.phase) * s.lost_rows[i].transpose();
     fy += size * std::sin(phi + lost.phase) * s.lost_rows[i].transpose();
   }
-  if (s.magnet_row.size() > 0) {
+  if (model.feedback) {
+    MagneticFeedback<double> law = model.feedback->law;
+    law.held = 0.0;  // the chain has no such spring
+    const double share = d->time < law.fails_at ? 1.0 : 0.0;
+    const auto pull = [&](const std::vector<JointAddress>& joints, const Eigen::VectorXd& rates) {
+      const double r = s.magnet_row.dot(gather(joints, &JointAddress::position, d->qpos));
+      return law.force(share, r, s.magnet_row.dot(rates));
+    };
+    fx += pull(s.x, vx) * s.magnet_row.transpose();
+    fy += pull(s.y, vy) * s.magnet_row.transpose();
+  } else if (s.magnet_row.size() > 0) {
     const auto pull = [&](const std::vector<JointAddress>& joints) {
       return s.magnet_stiffness *
              s.magnet_row.dot(gather(joints, &JointAddress::position, d->qpos));

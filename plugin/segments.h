@@ -45,7 +45,7 @@ struct Segments {
   std::vector<Eigen::RowVectorXd> lost_rows;   // of [[force]] of kind unbalance
   std::vector<DiscUnbalance> lost;             // the same, without shapes
   Eigen::RowVectorXd magnet_row;  // deflection at the magnetic bearing; empty: none
-  double magnet_stiffness = 0.0;  // N/m, negative stiffness's size
+  double magnet_stiffness = 0.0;  // N/m, negative stiffness's size; of one without a feedback
   int drive_node = -1;            // -1: speed held
   Eigen::VectorXd spin_share;     // N + 1, J_k / sum J: mean spin
 

@@ -14,11 +14,14 @@ include(RotorubMujoco)
 # renders
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
+pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
+find_path(ROTORUB_FONTS DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu NO_DEFAULT_PATH REQUIRED)
 
 # compare
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 find_package(SQLite3 3.40 REQUIRED)
+pkg_check_modules(fftw3 REQUIRED IMPORTED_TARGET fftw3)
 
 # tests
 if(ROTORUB_BUILD_TESTS)

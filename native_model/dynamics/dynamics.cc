@@ -35,6 +35,7 @@ void add_loads(const Model& m, double t, const double* q, const double* v, doubl
   eq::add_rotating_damping(m, q, v, omega, f);
   eq::add_dampers(m, v, f);
   eq::add_springs(m, q, f);
+  if (m.feedback) eq::add_feedback(m, t < m.feedback->law.fails_at ? 1.0 : 0.0, q, v, f);
   for (const AppliedForce& force : m.forces) {
     if (t < force.on || t >= force.off) continue;
     const Eigen::Vector2d p = force.at(t, spin_angle(m, t, q));
@@ -55,6 +56,14 @@ double spin_speed(const Model& m, const double* v) { return eq::spin_speed(m, v)
 double contact_spin(const Model& m, const double* v) { return eq::contact_spin(m, v); }
 double motor_torque(const Model& m, double t, const double* q, const double* v) {
   return m.drive ? eq::motor_torque(m, t, q, v) : 0.0;
+}
+
+Eigen::Vector2d bearing_current(const Model& m, double t, const double* q, const double* v) {
+  if (!m.feedback || t >= m.feedback->law.fails_at) return {0.0, 0.0};
+  const MagneticFeedback<double>& law = m.feedback->law;
+  const Eigen::Vector2d r = at_station(m.layout, m.feedback->shape, q);
+  const Eigen::Vector2d rate = at_station(m.layout, m.feedback->shape, v);
+  return {law.current(r.x(), rate.x()), law.current(r.y(), rate.y())};
 }
 
 void coupling_force(const Model& m, double t, const double* q, const double* v, double* f) {

@@ -189,6 +189,17 @@ ROTORUB_INLINE void add_springs(const M& m, const T* q, T* f) {
   }
 }
 
+// A magnetic bearing with a feedback, which works for `share` of the time: all that it does beyond
+// its linear spring.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_feedback(const M& m, const T& share, const T* q, const T* v, T* f) {
+  const int n = m.layout.modes;
+  const auto& law = m.feedback->law;
+  const Pair<T> r = at_station(n, m.feedback->shape, q), rate = at_station(n, m.feedback->shape, v);
+  add_station_force<T>(n, m.feedback->shape, law.force(share, r.x, rate.x),
+                       law.force(share, r.y, rate.y), f);
+}
+
 // -Omega G v.
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE void add_gyroscopic(const M& m, const T& omega, const T* v, T* f) {

@@ -1,5 +1,7 @@
 #include "native_model/rotor/modal_reduction.h"
 
+#include <Eigen/Cholesky>
+
 #include "native_model/rotor/mode_scaling.h"
 
 namespace rotorub {
@@ -39,11 +41,47 @@ PlaneModes plane(const Eigen::MatrixXd& mass, const PlanarModes& modes, const Sc
 }
 
 // Rotating damping seen by the modes of two planes.
-Eigen::MatrixXd internal_damping(const RotorModes& modes, double ratio, const ScaledModes& left,
-                                 const ScaledModes& right) {
-  const Eigen::MatrixXd momentum = modes.ritz.mass * modes.mean.shape;
-  return (left.shape.transpose() * momentum) * (2.0 * ratio * modes.mean.frequency).asDiagonal() *
+Eigen::MatrixXd internal_damping(const Eigen::MatrixXd& mass, const PlanarModes& mean, double ratio,
+                                 const ScaledModes& left, const ScaledModes& right) {
+  const Eigen::MatrixXd momentum = mass * mean.shape;
+  return (left.shape.transpose() * momentum) * (2.0 * ratio * mean.frequency).asDiagonal() *
          (momentum.transpose() * right.shape);
+}
+
+// Columns a_i and numbers d_i >= 0 with sum d_i a_i a_i^T = `damping`, positive semidefinite.
+struct RankOnes {
+  Eigen::MatrixXd shape;
+  Eigen::VectorXd size;
+};
+RankOnes rank_ones(const Eigen::MatrixXd& damping) {
+  const Eigen::LDLT<Eigen::MatrixXd> factors(damping);
+  const Eigen::MatrixXd lower = factors.matrixL();
+  return {factors.transpositionsP().transpose() * lower, factors.vectorD().cwiseMax(0.0)};
+}
+
+// Damping of the shaft's own modes, which are not those of the coordinates: as dashpots.
+void add_own_damping(const RotorModes& modes, double ratio, double internal_ratio,
+                     const ScaledModes& x, const ScaledModes& y, ModalRotor& rotor) {
+  const Eigen::MatrixXd& mass = modes.ritz.mass;
+  const OwnModes& own = *modes.own;
+  const auto internal = [&](const ScaledModes& left, const ScaledModes& right) {
+    return internal_damping(mass, own.mean, internal_ratio, left, right);
+  };
+  rotor.internal_xx = internal(x, x);
+  rotor.internal_xy = modes.ritz.isotropic ? rotor.internal_xx : internal(x, y);
+  rotor.internal_yy = modes.ritz.isotropic ? rotor.internal_xx : internal(y, y);
+  rotor.x.damping.setZero();
+  rotor.y.damping.setZero();
+  if (ratio == 0.0) return;
+  const auto external = [&](const PlanarModes& of, const ScaledModes& plane) {
+    return rank_ones(plane.shape.transpose() * modal_damping(mass, of, ratio) * plane.shape);
+  };
+  const RankOnes in_x = external(own.x, x);
+  const RankOnes in_y = modes.ritz.isotropic ? in_x : external(own.y, y);
+  for (Eigen::Index i = 0; i < in_x.size.size(); ++i) {
+    rotor.bearing_dampers.push_back(
+        {{in_x.shape.col(i), in_y.shape.col(i)}, {in_x.size[i], in_y.size[i]}});
+  }
 }
 
 ModeLines lines(const BendingBasis& basis, const ScaledModes& x, const ScaledModes& y) {
@@ -101,9 +139,15 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
     rotor.internal_xx = rotor.internal_xy = rotor.internal_yy = internal.asDiagonal();
   } else {
     const double ratio = geometry.internal_damping_ratio;
-    rotor.internal_xx = internal_damping(modes, ratio, x, x);
-    rotor.internal_xy = internal_damping(modes, ratio, x, y);
-    rotor.internal_yy = internal_damping(modes, ratio, y, y);
+    const auto internal = [&](const ScaledModes& left, const ScaledModes& right) {
+      return internal_damping(ritz.mass, modes.mean, ratio, left, right);
+    };
+    rotor.internal_xx = internal(x, x);
+    rotor.internal_xy = internal(x, y);
+    rotor.internal_yy = internal(y, y);
+  }
+  if (modes.own) {
+    add_own_damping(modes, geometry.damping_ratio, geometry.internal_damping_ratio, x, y, rotor);
   }
 
   // Stations of the scene, through the mode values there.

@@ -30,6 +30,18 @@ PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& sti
   return modes;
 }
 
+PlanarModes free_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
+                       double reference) {
+  constexpr double kFree = 1e-9;  // of the square of the reference: what round-off leaves
+  const double shift = reference * reference;
+  PlanarModes modes = planar_modes(mass, stiffness + shift * mass);
+  for (double& omega : modes.frequency) {
+    const double square = omega * omega - shift;
+    omega = square > kFree * shift ? std::sqrt(square) : 0.0;
+  }
+  return modes;
+}
+
 ModalSums modal_sums(const PlanarModes& modes, const Eigen::RowVectorXd& u) {
   const Eigen::VectorXd square = (u * modes.shape).cwiseAbs2().transpose();
   ModalSums sums{square, square.cwiseQuotient(modes.frequency.cwiseAbs2())};

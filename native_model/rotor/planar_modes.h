@@ -15,6 +15,11 @@ struct PlanarModes {
 // Throws RotorNotSolvable (refusal.h) where a matrix is not positive definite to working precision.
 PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
 
+// The same of a stiffness that may leave a rigid motion free, of frequency 0. reference: rad/s, > 0, about
+// the lowest frequency there is.
+PlanarModes free_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
+                       double reference);
+
 // What the first k modes know of a place with the shape values u, k = 1 to N. They rise with k to
 // the values of all modes, u M^-1 u^T and u K^-1 u^T.
 struct ModalSums {

@@ -25,7 +25,8 @@ std::pair<double, double> supports(const scene::RotorGeometry& geometry, int pla
       {{"", 0, "rotor.bearing",
         std::string("leaves the shaft free to move as a rigid body in plane ") +
             (plane == 0 ? "x" : "y") +
-            "; accepted: bearings with stiffness > 0 at two stations or more"}});
+            "; accepted: bearings with stiffness > 0 at two stations or more, or at one beside a "
+            "[magnetic_bearing] with a control"}});
 }
 
 // M, G and the gravity load of the shaft itself, by Gauss quadrature exact for every product.

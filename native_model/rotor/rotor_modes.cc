@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "native_model/rotor/auto_modes.h"
+#include "native_model/rotor/magnetic_support.h"
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub {
@@ -38,8 +39,22 @@ int count_below(const PlanarModes& modes, double frequency) {
   return static_cast<int>((modes.frequency.array() <= frequency).count());
 }
 
+OwnModes own_modes(const RotorModes& modes, double station, double held) {
+  const RitzBending& r = modes.ritz;
+  const Eigen::RowVectorXd u = r.basis.deflection(station);
+  const Eigen::MatrixXd spring = held * u.transpose() * u;
+  const auto without = [&](const Eigen::MatrixXd& stiffness, const PlanarModes& with) {
+    return free_modes(r.mass, stiffness - spring, with.frequency[0]);
+  };
+  OwnModes own;
+  own.x = without(r.stiffness_x, modes.x);
+  own.y = r.isotropic ? own.x : without(r.stiffness_y, modes.y);
+  own.mean = r.isotropic ? own.x : without(0.5 * (r.stiffness_x + r.stiffness_y), modes.mean);
+  return own;
+}
+
 RotorModes solve(const scene::Scene& scene, double omega) {
-  const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  const scene::RotorGeometry geometry = supported(scene);
   RitzBending ritz =
       ritz_bending(geometry, bending_mesh(geometry, loaded_stations(scene), kWhirlMargin * omega));
   RotorModes result{std::move(ritz), {}, {}, {}};
@@ -48,6 +63,8 @@ RotorModes solve(const scene::Scene& scene, double omega) {
   result.y = r.isotropic ? result.x : planar_modes(r.mass, r.stiffness_y);
   result.mean =
       r.isotropic ? result.x : planar_modes(r.mass, 0.5 * (r.stiffness_x + r.stiffness_y));
+  const double held = magnetic_support(scene).held;
+  if (held > 0.0) result.own = own_modes(result, scene.magnetic_bearing->station, held);
   return result;
 }
 

@@ -2,16 +2,25 @@
 // frequencies right to about 1e-10.
 #pragma once
 
+#include <optional>
+
 #include "native_model/rotor/planar_modes.h"
 #include "native_model/rotor/ritz_bending.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
 
+// The modes that damping ratios are of, on the shaft's own bearings: a motion that only a magnetic
+// bearing holds has a frequency, and with it a damping, of 0.
+struct OwnModes {
+  PlanarModes x, y, mean;  // mean: as RotorModes
+};
+
 struct RotorModes {
   RitzBending ritz;
   PlanarModes x, y;  // all N of them; equal bit for bit for isotropic bearings
   PlanarModes mean;  // of the mean stiffness (K_x + K_y) / 2: those that carry internal damping
+  std::optional<OwnModes> own{};  // where a magnetic bearing's spring is among the bearings of x and y
   int kept = 0;      // modes kept in each plane, 1 <= kept <= N
   double highest() const;  // rad/s, of the modes asked for (see solve_refined)
 };

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "native_model/rotor/magnetic_support.h"
 #include "native_model/rotor/mode_scaling.h"
 #include "native_model/rotor/planar_modes.h"
 #include "native_model/rotor/rotor_modes.h"
@@ -60,17 +61,31 @@ Eigen::MatrixXd scaled_shapes(const scene::Scene& scene, const SegmentChain& cha
   return shape;
 }
 
-void fill_bending(const scene::Scene& scene, const SegmentChain& chain, int kept,
+// `modes`: with a magnetic bearing's spring, where it has one; damping ratios are of those without.
+void fill_damping(const scene::Scene& scene, const SegmentChain& chain, OwnModes modes,
                   SegmentMatrices& m) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  if (magnetic_support(scene).held > 0.0) {
+    const Eigen::MatrixXd x = stiffness(geometry, chain, 0), y = stiffness(geometry, chain, 1);
+    const auto own = [&](const Eigen::MatrixXd& of, const PlanarModes& with) {
+      return free_modes(m.mass, of, with.frequency[0]);
+    };
+    modes = {own(x, modes.x), own(y, modes.y), own(0.5 * (x + y), modes.mean)};
+  }
+  m.damping_x = modal_damping(m.mass, modes.x, geometry.damping_ratio);
+  m.damping_y = modal_damping(m.mass, modes.y, geometry.damping_ratio);
+  m.internal = modal_damping(m.mass, modes.mean, geometry.internal_damping_ratio);
+}
+
+void fill_bending(const scene::Scene& scene, const SegmentChain& chain, int kept,
+                  SegmentMatrices& m) {
+  const scene::RotorGeometry geometry = supported(scene);
   m.stiffness_x = stiffness(geometry, chain, 0);
   m.stiffness_y = stiffness(geometry, chain, 1);
   const PlanarModes x = planar_modes(m.mass, m.stiffness_x);
   const PlanarModes y = planar_modes(m.mass, m.stiffness_y);
   const PlanarModes mean = planar_modes(m.mass, 0.5 * (m.stiffness_x + m.stiffness_y));
-  m.damping_x = modal_damping(m.mass, x, geometry.damping_ratio);
-  m.damping_y = modal_damping(m.mass, y, geometry.damping_ratio);
-  m.internal = modal_damping(m.mass, mean, geometry.internal_damping_ratio);
+  fill_damping(scene, chain, {x, y, mean}, m);
   m.shape_x = scaled_shapes(scene, chain, x, kept);
   m.shape_y = scaled_shapes(scene, chain, y, kept);
   m.highest = std::max(x.frequency.maxCoeff(), y.frequency.maxCoeff());

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "native_model/rotor/magnetic_support.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rotor/rotor_modes.h"
@@ -46,6 +47,17 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
     system.damping_y = projected(modal_damping(ritz.mass, modes.y, geometry.damping_ratio));
   }
 
+  if (modes.own) {
+    const auto damping = [&](const PlanarModes& of, double ratio) {
+      return projected(modal_damping(ritz.mass, of, ratio));
+    };
+    system.damping_x = damping(modes.own->x, geometry.damping_ratio);
+    system.damping_y =
+        ritz.isotropic ? system.damping_x : damping(modes.own->y, geometry.damping_ratio);
+    system.internal_xx = damping(modes.own->mean, geometry.internal_damping_ratio);
+    system.internal_xy = system.internal_yy = system.internal_xx;
+  }
+
   // Dashpots of the bearings and the magnetic bearing, at their stations.
   for (const scene::ShaftBearing& bearing : geometry.bearings) {
     const Eigen::RowVectorXd u = ritz.basis.deflection(bearing.z) * phi;
@@ -54,9 +66,12 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
   }
   if (scene.magnetic_bearing) {
     const Eigen::RowVectorXd u = ritz.basis.deflection(scene.magnetic_bearing->station) * phi;
-    const double stiffness = scene.magnetic_bearing->negative_stiffness;
-    system.stiffness_x -= stiffness * u.transpose() * u;
-    system.stiffness_y -= stiffness * u.transpose() * u;
+    const MagneticSupport support = magnetic_support(scene);
+    const double stiffness = support.stiffness - support.held;
+    system.stiffness_x += stiffness * u.transpose() * u;
+    system.stiffness_y += stiffness * u.transpose() * u;
+    system.damping_x += support.damping * u.transpose() * u;
+    system.damping_y += support.damping * u.transpose() * u;
   }
   return system;
 }
@@ -84,8 +99,11 @@ WhirlSystem modal_system(const scene::Scene& scene) {
   if (scene.magnetic_bearing) {
     const Eigen::VectorXd ux = rotor.magnetic_bearing_shape->x.cwiseProduct(sx);
     const Eigen::VectorXd uy = rotor.magnetic_bearing_shape->y.cwiseProduct(sy);
-    system.stiffness_x -= scene.magnetic_bearing->negative_stiffness * ux * ux.transpose();
-    system.stiffness_y -= scene.magnetic_bearing->negative_stiffness * uy * uy.transpose();
+    const MagneticSupport support = magnetic_support(scene);
+    system.stiffness_x += support.stiffness * ux * ux.transpose();
+    system.stiffness_y += support.stiffness * uy * uy.transpose();
+    system.damping_x += support.damping * ux * ux.transpose();
+    system.damping_y += support.damping * uy * uy.transpose();
   }
   return system;
 }

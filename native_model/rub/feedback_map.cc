@@ -20,22 +20,27 @@ FeedbackPoint point_of(RubSystem system, double feedback) {
   return point;
 }
 
+bool stable(const FeedbackPoint& p) { return p.forced && p.forced->stable; }
+
+std::optional<FeedbackChoice> choice_of(const FeedbackMap& map, std::size_t speed) {
+  std::optional<std::size_t> best;
+  for (std::size_t j = 0; j < map.feedbacks.size(); ++j) {
+    const FeedbackPoint& p = map.at(speed, j);
+    if (stable(p) && (!best || p.forced->growth < map.at(speed, *best).forced->growth)) best = j;
+  }
+  if (!best) return std::nullopt;
+  std::size_t from = *best, to = *best;
+  while (from > 0 && stable(map.at(speed, from - 1))) --from;
+  while (to + 1 < map.feedbacks.size() && stable(map.at(speed, to + 1))) ++to;
+  return FeedbackChoice{&map.at(speed, *best), map.feedbacks[from], map.feedbacks[to]};
+}
+
 }  // namespace
 
-std::vector<std::optional<double>> FeedbackMap::rule() const {
-  std::vector<std::optional<double>> best;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    std::optional<double> k;
-    double growth = 0.0;
-    for (std::size_t j = 0; j < feedbacks.size(); ++j) {
-      const FeedbackPoint& p = at(i, j);
-      if (!p.forced || !p.forced->stable || p.forced->growth >= growth) continue;
-      growth = p.forced->growth;
-      k = p.feedback;
-    }
-    best.push_back(k);
-  }
-  return best;
+std::vector<std::optional<FeedbackChoice>> FeedbackMap::rule() const {
+  std::vector<std::optional<FeedbackChoice>> all;
+  for (std::size_t i = 0; i < speeds.size(); ++i) all.push_back(choice_of(*this, i));
+  return all;
 }
 
 FeedbackMap feedback_map(const RubSystem& system, const std::vector<double>& speeds,

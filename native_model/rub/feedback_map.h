@@ -20,14 +20,20 @@ struct FeedbackPoint {
   bool whip = false;                   // a stable backward whip or rolling exists beside it
 };
 
+// What the rule says at a speed.
+struct FeedbackChoice {
+  const FeedbackPoint* point;  // of the k of the grid whose forced rub decays fastest
+  double from, to;             // N s/m, the stretch of the grid about it that is stable throughout
+};
+
 struct FeedbackMap {
-  std::vector<double> speeds, feedbacks;
+  std::vector<double> speeds, feedbacks;  // both ascending
   std::vector<FeedbackPoint> points;  // the feedback runs fastest
   const FeedbackPoint& at(std::size_t speed, std::size_t feedback) const {
     return points[speed * feedbacks.size() + feedback];
   }
-  // Of the speeds: the k of the grid whose forced rub decays fastest, and is stable; nothing: none is.
-  std::vector<std::optional<double>> rule() const;
+  // Of the speeds; nothing where no forced rub is stable. Lives as long as the map.
+  std::vector<std::optional<FeedbackChoice>> rule() const;
 };
 
 // Asserts a ring. Its coupling is replaced. progress: the share done, once a speed, may throw. Throws

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "native_model/control/cross_coupled.h"
+#include "native_model/rotor/magnetic_support.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 #include "native_model/system/model.h"
@@ -24,6 +25,20 @@ bool differ(const scene::PlanePair& pair) { return pair.x() != pair.y(); }
 
 bool crosses(const scene::Controller& c) {
   return c.kind == scene::ControllerKind::kCrossCoupled || c.kind == scene::ControllerKind::kTwoPhase;
+}
+
+// Linear: it works without a limit for ever, or has failed.
+void check_feedback(const scene::Scene& scene, const scene::BearingControl& control) {
+  if (control.fails_at == 0.0) return;
+  if (control.fails_at < scene::kNever) {
+    refuse(scene, "magnetic_bearing.control.fails_at",
+           "before and after are two machines; accepted are 0 (it has failed) and never (left out)");
+  }
+  if (std::isfinite(control.current_limit)) {
+    refuse(scene, "magnetic_bearing.control.current_limit",
+           "at the limit the magnets' forces are not linear; accepted are none (left out), or "
+           "magnetic_bearing.control.fails_at = 0");
+  }
 }
 
 // What the scene itself shows.
@@ -54,6 +69,9 @@ void check(const scene::Scene& scene) {
   if (scene.gravity && !scene.gravity->acceleration.isZero(0.0)) {
     refuse(scene, "gravity", "weight points one way, so no whirl is steady");
   }
+  if (scene.magnetic_bearing && scene.magnetic_bearing->control) {
+    check_feedback(scene, *scene.magnetic_bearing->control);
+  }
   if (scene.controller && scene.controller->kind != scene::ControllerKind::kPassive &&
       !crosses(*scene.controller)) {
     refuse(scene, "controller.kind", "accepted are passive, cross_coupled and two_phase");
@@ -73,6 +91,7 @@ bool same_planes(const Model& m) {
              g == g.transpose() && xx == m.internal_xy.dense(n) && xx == m.internal_yy.dense(n);
   for (const StationDamper& d : m.dampers) all = all && same(d.shape) && !differ(d.damping);
   for (const StationSpring& s : m.springs) all = all && same(s.shape) && !differ(s.stiffness);
+  if (m.feedback) all = all && same(m.feedback->shape);
   for (const AppliedForce& f : m.forces) all = all && same(f.shape);
   for (const DiscUnbalance& u : m.unbalances) all = all && same(u.shape);
   return all;
@@ -114,6 +133,12 @@ RubSystem rub_system(const scene::Scene& scene) {
   }
   for (const StationSpring& s : model.springs) {
     system.stiffness += s.stiffness.x() * s.shape.x * s.shape.x.transpose();
+  }
+  if (model.feedback) {
+    const MagneticSupport support = magnetic_support(scene);
+    const Eigen::VectorXd& u = model.feedback->shape.x;
+    system.stiffness += (support.stiffness - model.feedback->law.held) * u * u.transpose();
+    system.damping += support.damping * u * u.transpose();
   }
   system.contact = model.contact_shape.x;
   system.clearance = model.contact->clearance;

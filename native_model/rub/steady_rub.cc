@@ -28,9 +28,9 @@ Complex at_contact(const RubSystem& s, const RotatingLoad& load) {
   return s.contact.cast<Complex>().dot(response(s, load.frequency, load.load));
 }
 
-// Frequencies from `low` to `top`: evenly in the logarithm, and about each resonance in steps that double
-// from a quarter of its half width.
-std::vector<double> fine_points(const std::vector<Complex>& poles, double low, double top) {
+}  // namespace
+
+std::vector<double> resonance_points(const std::vector<Complex>& poles, double low, double top) {
   constexpr int kEven = 400;
   constexpr double kSharpest = 1e-9;  // of a resonance without damping
   std::vector<double> nu;
@@ -52,8 +52,6 @@ std::vector<double> fine_points(const std::vector<Complex>& poles, double low, d
   nu.erase(std::unique(nu.begin(), nu.end()), nu.end());
   return nu;
 }
-
-}  // namespace
 
 const char* to_string(RubKind kind) {
   switch (kind) {
@@ -114,7 +112,7 @@ BackwardCompliance::BackwardCompliance(const RubSystem& system)
   }
   if (!(highest > 0.0)) highest = lowest = std::abs(system_.speed);
   const double rolling = system_.radius * std::abs(system_.speed) / system_.clearance;
-  nu_ = fine_points(poles, kBelow * lowest, std::max(rolling, kBeyond * highest));
+  nu_ = resonance_points(poles, kBelow * lowest, std::max(rolling, kBeyond * highest));
   for (const double nu : nu_) h_.push_back(at(nu));
 }
 

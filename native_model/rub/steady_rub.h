@@ -41,6 +41,10 @@ std::vector<SteadyRub> forced_rubs(const RubSystem& system, const RotatingLoad& 
 // |a|, m: the free orbit at the contact. Infinite at an undamped resonance.
 double free_orbit(const RubSystem& system, const RotatingLoad& load);
 
+// rad/s, ascending, from `low` to `top`: evenly in the logarithm, and about each resonance (poles: s of e^{s t}) in
+// steps that double from a quarter of its half width.
+std::vector<double> resonance_points(const std::vector<Complex>& poles, double low, double top);
+
 // H(nu) against the spin over all nu > 0 that matter, on points that stand close about each resonance,
 // so that no zero between two of them is missed. Shared by all frictions.
 class BackwardCompliance {

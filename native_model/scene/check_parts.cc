@@ -68,10 +68,6 @@ void check_forces(const Checker& check) {
                                     " takes time");
     }
   }
-  if (const auto& magnetic = check.scene.magnetic_bearing) {
-    check.station("magnetic_bearing.station", magnetic->station);
-    if (modes) check.list_length("magnetic_bearing.shape", magnetic->shape, *modes, "bending mode");
-  }
 }
 
 void check_ring(const Checker& check) {
@@ -236,6 +232,7 @@ void check_parts(const Checker& check) {
   check_run(check);
   if (check.scene.drive) check_drive(check, *check.scene.drive);
   check_forces(check);
+  check_magnetic_bearing(check);
   check_ring(check);
   if (check.scene.actuator) check_actuator(check, *check.scene.actuator);
   check_initial_lists(check);

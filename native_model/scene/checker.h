@@ -31,6 +31,7 @@ struct Checker {
 
 void check_rotor(const Checker& check);    // [rotor] and its tables
 void check_control(const Checker& check);  // [controller] and its tables
-void check_parts(const Checker& check);    // everything else
+void check_magnetic_bearing(const Checker& check);  // [magnetic_bearing] and its control
+void check_parts(const Checker& check);             // everything else
 
 }  // namespace rotorub::scene

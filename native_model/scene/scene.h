@@ -156,11 +156,22 @@ struct Force {
   double station = 0.0;              // m, geometry form
 };
 
-// Adds the force + negative_stiffness * deflection at its station.
+// The feedback of a magnetic bearing on each of x and y: bearing/magnetic_feedback.h. Without memory: no
+// integrator.
+struct BearingControl {
+  double force_per_current = 0.0;  // N/A, k_i > 0
+  double proportional = 0.0;       // A/m, P >= 0
+  double derivative = 0.0;         // A s/m, D >= 0
+  double current_limit = std::numeric_limits<double>::infinity();  // A, > 0, on each axis
+  double fails_at = kNever;  // s, >= 0: no current and no negative stiffness from then on
+};
+
+// Adds the force + negative_stiffness * deflection at its station, and what `control` does.
 struct MagneticBearing {
   double station = 0.0;             // m, geometry form
   std::vector<double> shape;        // modal form: mode values at the station, default all 1
   double negative_stiffness = 0.0;  // N/m, >= 0
+  std::optional<BearingControl> control{};  // absent: it holds nothing
 };
 
 // ---------------------------------------------------------------- [contact]

@@ -106,9 +106,8 @@ Table magnetic_bearing() {
   return {"magnetic_bearing",
           false,
           Form::kEither,
-          "Adds the force + `negative_stiffness` times the deflection at its station; its "
-          "excitation is a "
-          "[[force]] at the same station.",
+          "Adds the force + `negative_stiffness` times the deflection at its station, and what its "
+          "`control` does; its excitation is a [[force]] at the same station.",
           "none",
           [](Scene& scene) -> void* { return &scene.magnetic_bearing.emplace(); },
           {key<&MagneticBearing::negative_stiffness>("negative_stiffness", kStiffness, "its size")
@@ -119,6 +118,35 @@ Table magnetic_bearing() {
            key<&MagneticBearing::station>("station", kLength, "along the shaft")
                .at_least(0)
                .in(Form::kGeometry)}};
+}
+
+Table bearing_control() {
+  return {"magnetic_bearing.control",
+          false,
+          Form::kEither,
+          "The bearing's own feedback, on each of x and y by the deflection r at its station: the "
+          "current i = -(`proportional` r + `derivative` r'), within the limit, and its force "
+          "`force_per_current` i (A magnetic bearing that holds the rotor). Needs "
+          "[magnetic_bearing].",
+          "the bearing holds nothing",
+          [](Scene& scene) -> void* {
+            if (!scene.magnetic_bearing) scene.magnetic_bearing.emplace();
+            return &scene.magnetic_bearing->control.emplace();
+          },
+          {key<&BearingControl::force_per_current>("force_per_current", kForcePerCurrent, "k_i")
+               .above(0),
+           key<&BearingControl::proportional>("proportional", kCurrentPerLength, "P").at_least(0),
+           key<&BearingControl::derivative>("derivative", kCurrentPerVelocity, "D")
+               .at_least(0)
+               .optional(),
+           key<&BearingControl::current_limit>("current_limit", kCurrent,
+                                               "of the current's size on each axis")
+               .above(0)
+               .otherwise("none"),
+           key<&BearingControl::fails_at>("fails_at", kTime,
+                                          "from here on neither current nor negative stiffness")
+               .at_least(0)
+               .otherwise("never")}};
 }
 
 Table gravity() {
@@ -198,7 +226,7 @@ Table mujoco() {
 }  // namespace
 
 std::vector<Table> part_tables() {
-  std::vector<Table> all{drive(), force(), magnetic_bearing()};
+  std::vector<Table> all{drive(), force(), magnetic_bearing(), bearing_control()};
   for (Table& table : bearing_tables()) all.push_back(std::move(table));
   for (Table& table : control_tables()) all.push_back(std::move(table));
   for (Table table : {gravity(), initial(), mujoco()}) all.push_back(std::move(table));

@@ -62,6 +62,12 @@ inline constexpr Quantity kAngularDamping{
 inline constexpr Quantity kCurrent{"a current", "A", "A, mA", {0, 0, 0, 1, 0}};
 inline constexpr Quantity kCurrentRate{
     "a rate of current", "A/s", "A/s, A/ms, kA/s", {0, 0, -1, 1, 0}};
+inline constexpr Quantity kForcePerCurrent{
+    "a force per current", "N/A", "N/A, kN/A, N/mA", {1, 1, -2, -1, 0}};
+inline constexpr Quantity kCurrentPerLength{
+    "a current per length", "A/m", "A/m, A/mm, kA/m", {-1, 0, 0, 1, 0}};
+inline constexpr Quantity kCurrentPerVelocity{
+    "a current per velocity", "A s/m", "A s/m, A s/mm, A/(m/s)", {-1, 0, 1, 1, 0}};
 inline constexpr Quantity kVoltage{"a voltage", "V", "V, kV", {2, 1, -3, -1, 0}};
 inline constexpr Quantity kResistance{"a resistance", "Ohm", "Ohm, mOhm, V/A", {2, 1, -3, -2, 0}};
 inline constexpr Quantity kInductance{"an inductance", "H", "H, mH, V s/A", {2, 1, -2, -2, 0}};

@@ -86,6 +86,16 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
         {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
          plane<T>(all, [&](const Model& m) { return of(m).stiffness; })});
   }
+  if (first.feedback) {
+    const auto law = [&](auto member) {
+      return number<T>(all, [=](const Model& m) { return m.feedback->law.*member; });
+    };
+    using Law = MagneticFeedback<double>;
+    feedback = {shape<T>(all, [](const Model& m) -> const ModeShape& { return m.feedback->shape; }),
+                {law(&Law::negative_stiffness), law(&Law::force_per_current),
+                 law(&Law::proportional), law(&Law::derivative), law(&Law::current_limit),
+                 law(&Law::fails_at), law(&Law::held)}};
+  }
   for (std::size_t i = 0; i < first.unbalances.size(); ++i) {
     const auto of = [i](const Model& m) -> const DiscUnbalance& { return m.unbalances[i]; };
     unbalances.push_back(
@@ -112,7 +122,7 @@ bool same_structure(const Model& a, const Model& b) {
     for (const AppliedForce& f : m.forces) forces.push_back(static_cast<int>(f.kind));
     const Layout& l = m.layout;
     return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.coils, forces, m.springs.size(),
-                      m.dampers.size(), m.unbalances.size(), m.weight.size(),
+                      m.feedback.has_value(), m.dampers.size(), m.unbalances.size(), m.weight.size(),
                       m.drive ? static_cast<int>(m.drive->kind()) : -1, m.contact.has_value(),
                       m.magnets.has_value(), m.gyroscopic.absent(), m.internal_xx.absent(),
                       m.internal_yy.absent(), m.commanded());

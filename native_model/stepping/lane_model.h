@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "native_model/numerics/lanes.h"
@@ -29,6 +30,10 @@ struct LaneModel {
     Shape shape;
     Plane stiffness;
   };
+  struct Feedback {
+    Shape shape;
+    MagneticFeedback<T> law;
+  };
   struct Unbalance {
     Shape shape;
     T static_moment{}, phase{}, on{};
@@ -43,6 +48,7 @@ struct LaneModel {
   BasicModeMatrix<T> gyroscopic, internal_xx, internal_xy, internal_yy;
   std::vector<Damper> dampers;
   std::vector<Spring> springs;
+  std::optional<Feedback> feedback;
   std::vector<Unbalance> unbalances;
   T speed{}, spin_angle{}, ring_ratio{};
   lanes::Array<T> drive_shape, torsion_contact;

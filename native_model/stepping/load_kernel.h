@@ -5,7 +5,8 @@
 // p the contact's impulse (contact_kernel.h), for one run (M = Model) or for many (M = LaneModel),
 // of any size or of a known one (sized_model.h). With A = M + h/2 D (velocity_matrix.h) the linear
 // part is solved at once, v+ = v- + A^-1 (h F(q, v-) + J^T p); what depends on velocities beyond
-// that (free spin with gyroscopics or unbalance, a motor's curve, coils) is iterated. What a model
+// that (free spin with gyroscopics or unbalance, a motor's curve, coils, a magnetic bearing at its
+// limit) is iterated. What a model
 // lacks costs nothing. All inline: whoever calls it chooses the instruction set.
 #pragma once
 
@@ -43,7 +44,8 @@ class LoadKernel {
                           !first.internal_yy.absent() || coupled_);
     const bool curve = first.drive && first.drive->kind() != scene::DriveKind::kLinear &&
                        first.drive->kind() != scene::DriveKind::kFree;
-    iterates_ = turns || curve || layout().coils > 0;
+    for (const Model* model : models) switches_ = switches_ || feedback_switches(*model);
+    iterates_ = turns || curve || switches_ || layout().coils > 0;
     magnetic_ = first.magnets.has_value();
     if (!coupled_) return;
     bx_.assign(static_cast<std::size_t>(layout().modes), T{});
@@ -120,6 +122,7 @@ class LoadKernel {
     equations::add_rotating_damping(m, q, v, omega, f);
     equations::add_dampers(m, v, f);
     equations::add_springs(m, q, f);
+    if (m.feedback) equations::add_feedback(m, working_, q, v, f);
     equations::add_gyroscopic(m, omega, v, f);
     loads_.add(layout().modes, f);
     if (!m.unbalances.empty()) equations::add_unbalance(m, angles_, omega, f);
@@ -143,6 +146,7 @@ class LoadKernel {
     const double end = t + 0.5 * h_;
     instant_ = t;
     loads_.advance(k, t, begin, end);
+    if (m_->feedback) find_working(begin, end);
     if (loads_.synchronous()) loads_.turn_with(equations::spin_angle(*m_, t, q));
     if (!m_->unbalances.empty()) {
       angles_.fill(*m_, t, q, begin, end);
@@ -280,6 +284,20 @@ class LoadKernel {
  private:
   static constexpr int kMostRounds = 20;
 
+  // What the magnetic bearing does leaves its linear law, of which the damper is in the matrix.
+  static bool feedback_switches(const Model& m) {
+    if (!m.feedback) return false;
+    const MagneticFeedback<double>& law = m.feedback->law;
+    if (law.damping() == 0.0 || law.fails_at <= 0.0) return false;
+    return std::isfinite(law.current_limit) || law.fails_at < scene::kNever;
+  }
+  ROTORUB_SLOW void find_working(double begin, double end) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const double fails_at = lanes::get(m_->feedback->law.fails_at, lane);
+      lanes::set(working_, lane, MagneticFeedback<double>::working(fails_at, begin, end));
+    }
+  }
+
   // F(s, i) on the ring, lane by lane, and what drives the coils.
   ROTORUB_SLOW void magnet_force(const T* q, const T* v, T* f) const {
     const int ring = layout().ring(), coil = layout().coil();
@@ -301,6 +319,8 @@ class LoadKernel {
   }
 
   T open_{};
+  T working_{};  // share of the step for which the magnetic bearing has not failed
+  bool switches_ = false;
   int rounds_ = 0;
   double instant_ = 0.0;  // s, of the loads
 };

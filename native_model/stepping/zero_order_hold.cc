@@ -46,6 +46,7 @@ double ZeroOrderHold::next_switch(double from, double end) const {
     look_at(force.off);
   }
   for (const DiscUnbalance& unbalance : model_->unbalances) look_at(unbalance.on);
+  if (model_->feedback) look_at(model_->feedback->law.fails_at);
   return next;
 }
 

@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "native_model/bearing/force_table.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/equations.h"
+#include "native_model/rotor/magnetic_support.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/system/plant_of.h"
 #include "native_model/system/steady_orbit.h"
@@ -56,6 +56,20 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   assert(l.modes > 0);
 }
 
+void add_magnetic_bearing(const scene::Scene& scene, const ModeShape& shape, Model& model) {
+  const scene::MagneticBearing& bearing = *scene.magnetic_bearing;
+  const double k = bearing.negative_stiffness;
+  if (!bearing.control) return model.springs.push_back({shape, {-k, -k}});
+  const scene::BearingControl& c = *bearing.control;
+  StationFeedback feedback{shape, {k, c.force_per_current, c.proportional, c.derivative,
+                                   c.current_limit, c.fails_at, 0.0}};
+  // Its linear spring acts for ever, in the modes or beside them, and the law takes it back.
+  feedback.law.held = feedback.law.stiffness();
+  const double beside = feedback.law.held - magnetic_support(scene).held;
+  if (beside != 0.0) model.springs.push_back({shape, {beside, beside}});
+  model.feedback = std::move(feedback);
+}
+
 void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
   const Layout& l = model.layout;
   assert(rotor.force_shapes.size() == scene.forces.size());
@@ -72,8 +86,7 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
     model.forces.push_back(std::move(force));
   }
   if (scene.magnetic_bearing && rotor.magnetic_bearing_shape) {
-    const double k = -scene.magnetic_bearing->negative_stiffness;
-    model.springs.push_back({*rotor.magnetic_bearing_shape, {k, k}});
+    add_magnetic_bearing(scene, *rotor.magnetic_bearing_shape, model);
   }
   model.gravity_mass = Eigen::VectorXd::Zero(l.nq());
   model.gravity_mass.segment(l.x(), l.modes) = rotor.gravity_x;
@@ -258,36 +271,5 @@ void set_gravity(Model& model, const Eigen::Vector2d& acceleration) {
 }
 
 State initial_state(const Model& model) { return {0.0, model.q0, model.v0}; }
-
-Model without_coils(Model model) {
-  const int kept = model.layout.mechanical();
-  model.layout.coils = 0;
-  for (auto* vector : {&model.mass, &model.stiffness, &model.damping, &model.gravity_mass,
-                       &model.q0, &model.v0}) {
-    vector->conservativeResize(kept);
-  }
-  if (model.weight.size() > 0) model.weight.conservativeResize(kept);
-  return model;
-}
-
-Model with_ideal_actuator(Model model) {
-  model = without_coils(std::move(model));
-  model.magnets.reset();
-  model.force_limit = std::numeric_limits<double>::infinity();
-  return model;
-}
-
-Model without_controller(Model model) {
-  model.controller.reset();
-  model.loop.reset();
-  return model;
-}
-
-Model replayed(Model model, std::shared_ptr<const CommandRecord> commands) {
-  if (!commands) return model;
-  model = without_controller(std::move(model));
-  model.recorded = std::move(commands);
-  return model;
-}
 
 }  // namespace rotorub

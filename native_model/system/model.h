@@ -17,6 +17,7 @@
 
 #include "native_model/bearing/drive.h"
 #include "native_model/bearing/force_law.h"
+#include "native_model/bearing/magnetic_feedback.h"
 #include "native_model/control/command_record.h"
 #include "native_model/control/control_loop.h"
 #include "native_model/control/controller.h"
@@ -80,6 +81,12 @@ struct StationSpring {
   Eigen::Vector2d stiffness;  // N/m, negative for a magnetic bearing
 };
 
+// A magnetic bearing with a feedback of its own, the same in both planes.
+struct StationFeedback {
+  ModeShape shape;
+  MagneticFeedback<double> law;
+};
+
 struct ContactParameters {
   double radius, clearance;              // m
   double friction;                       // mu
@@ -116,6 +123,7 @@ struct Model {
   ModeMatrix internal_xx, internal_xy, internal_yy;     // N s/m, rotating damping
   std::vector<StationDamper> dampers;                   // bearings
   std::vector<StationSpring> springs;                   // magnetic bearing
+  std::optional<StationFeedback> feedback;              // of one: what it does beyond its spring
   std::vector<AppliedForce> forces;
   std::vector<DiscUnbalance> unbalances;                // eccentric discs, blades that are lost
   Eigen::VectorXd gravity_mass;                         // nq, kg, load per unit acceleration
@@ -177,6 +185,8 @@ void set_gravity(Model& model, const Eigen::Vector2d& acceleration);
 Model without_coils(Model model);
 // The same with an ideal, unlimited actuator, for who knows the force on the ring.
 Model with_ideal_actuator(Model model);
+// The same with a magnetic bearing whose current has no limit: its linear law.
+Model with_linear_feedback(Model model);
 // The same without a controller.
 Model without_controller(Model model);
 // The same driven by the commands of another run instead of its controller; as it is for null.

@@ -7,7 +7,8 @@
 namespace rotorub {
 
 // The loads are linear in what the states hold: a column is what one state changes of them.
-LinearPlant plant_of(const Model& model, double speed) {
+LinearPlant plant_of(const Model& given, double speed) {
+  const Model model = with_linear_feedback(given);
   assert(model.layout.stator && model.contact);
   const Layout& l = model.layout;
   LinearPlant p;

@@ -30,22 +30,26 @@ struct Bending {
   Eigen::MatrixXd stiffness, damping;  // N/m, N s/m, 2 n x 2 n
 };
 
-Bending bending(const Model& m) {
+Bending bending(const Model& given) {
+  const Model m = with_linear_feedback(given);
   const Layout& l = m.layout;
   const int size = 2 * l.modes;
   Bending b{m.mass.head(size), m.stiffness.head(size).asDiagonal(),
             m.damping.head(size).asDiagonal()};
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(l.nq());
+  const double works = m.feedback && m.feedback->law.fails_at > 0.0 ? 1.0 : 0.0;
   Eigen::VectorXd f(l.nq());
   for (int j = 0; j < size; ++j) {
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(l.nq(), j);
     f.setZero();
     equations::add_rotating_damping(m, unit.data(), rest.data(), m.speed, f.data());
     equations::add_springs(m, unit.data(), f.data());
+    if (m.feedback) equations::add_feedback(m, works, unit.data(), rest.data(), f.data());
     b.stiffness.col(j) -= f.head(size);
     f.setZero();
     equations::add_rotating_damping(m, rest.data(), unit.data(), m.speed, f.data());
     equations::add_dampers(m, unit.data(), f.data());
+    if (m.feedback) equations::add_feedback(m, works, rest.data(), unit.data(), f.data());
     equations::add_gyroscopic(m, m.speed, unit.data(), f.data());
     b.damping.col(j) -= f.head(size);
   }
@@ -178,6 +182,26 @@ Eigen::VectorXcd answer(const scene::Scene& scene, const Bending& b, const Load&
   return scale.asDiagonal() * lu.solve(Eigen::VectorXcd(scale.asDiagonal() * load.load));
 }
 
+// A, of the magnetic bearing's current on each axis: the linear law's, of one frequency.
+Eigen::Vector2d current_amplitude(const Model& m, double frequency, const Eigen::VectorXcd& q) {
+  const int n = m.layout.modes;
+  const MagneticFeedback<double>& law = m.feedback->law;
+  const Complex gain(law.proportional, frequency * law.derivative);
+  const auto of = [&](const Eigen::VectorXd& shape, int at) {
+    return std::abs(gain * shape.cast<Complex>().dot(q.segment(at, n)));
+  };
+  return {of(m.feedback->shape.x, 0), of(m.feedback->shape.y, n)};
+}
+
+// The orbit is that of the linear law: the sum of all frequencies' amplitudes keeps the limit.
+void check_current(const scene::Scene& scene, const StationFeedback& feedback, double most) {
+  if (feedback.law.fails_at <= 0.0 || most <= feedback.law.current_limit) return;
+  refuse_steady(scene, "the steady free orbit asks the magnetic bearing for up to " + scene::number_text(most) +
+                           " A, beyond magnetic_bearing.control.current_limit = " +
+                           scene::number_text(feedback.law.current_limit) +
+                           " A, where its law is not linear; accepted: a larger limit, or false");
+}
+
 // Where the ring comes to rest, m, by Newton's method from its middle.
 Eigen::Vector2d ring_at_rest(const scene::Scene& scene, const Model& m) {
   const int ring = m.layout.ring();
@@ -229,15 +253,18 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
   check_stability(scene, m, b);
 
   OrbitSize orbit;
+  Eigen::Vector2d current{0.0, 0.0};
   for (const Load& load : loads_of(scene, m)) {
     const Eigen::VectorXcd q = answer(scene, b, load);
     m.q0.head(size) += q.real();
     m.v0.head(size) += (Complex(0.0, load.frequency) * q).real();
+    if (m.feedback) current += current_amplitude(m, load.frequency, q);
     const Eigen::VectorXd re = q.real(), im = q.imag();
     const auto c = equations::at_station(l.modes, m.contact_shape, re.data());
     const auto s = equations::at_station(l.modes, m.contact_shape, im.data());
     orbit.parts.push_back({load.frequency, {Complex(c.x, s.x), Complex(c.y, s.y)}});
   }
+  if (m.feedback) check_current(scene, *m.feedback, current.maxCoeff());
   if (l.stator) {
     const Eigen::Vector2d place = ring_at_rest(scene, m);
     m.q0.segment<2>(l.ring()) += place;

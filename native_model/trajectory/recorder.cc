@@ -61,6 +61,10 @@ std::vector<Column> make_columns(const Model& model) {
     add("ring_speed", "rad/s");
   }
   if (model.drive) add("motor_torque", "N m");
+  if (model.feedback) {
+    add("bearing_current_x", "A");
+    add("bearing_current_y", "A");
+  }
   return c;
 }
 
@@ -275,6 +279,9 @@ void Recorder::row(const Snapshot& now) {
   block(now.q, l.ring_angle(), l.ring_spin);
   block(now.v, l.ring_angle(), l.ring_spin);
   if (m.drive) put(motor_torque(m, next_time(), now.q, now.v));
+  if (m.feedback) {
+    for (const double current : bearing_current(m, next_time(), now.q, now.v)) put(current);
+  }
   assert(column == columns_.end());
   ++next_;
 }

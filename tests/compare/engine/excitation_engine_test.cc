@@ -12,6 +12,7 @@
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/order.h"
 
 namespace rotorub::test {
@@ -21,15 +22,6 @@ Trajectory event(const scene::Scene& scene) {
   NativeOptions options;
   options.integrator = scene::Integrator::kEvent;
   Trajectory t = run_native(scene, options);
-  EXPECT_EQ(t.status, Status::kOk) << t.message;
-  return t;
-}
-
-Trajectory mujoco(const scene::Scene& scene, scene::ContactModel contact, double step) {
-  MujocoOptions options;
-  options.contact = contact;
-  options.step = step;
-  Trajectory t = run_mujoco(scene, options);
   EXPECT_EQ(t.status, Status::kOk) << t.message;
   return t;
 }
@@ -59,7 +51,7 @@ TEST_P(Excitations, RigidFollowsEvent) {
   for (const double step : {4e-5, 2e-5, 1e-5, 5e-6, 2.5e-6}) {
     c.steps.push_back(step);
     c.errors.push_back(
-        trajectory_error(mujoco(scene, scene::ContactModel::kRigid, step), exact, 0.02));
+        trajectory_error(mujoco_run(scene, scene::ContactModel::kRigid, step), exact, 0.02));
   }
   EXPECT_GT(c.order(), 1.6) << c.text();
   EXPECT_LT(c.errors.back(), 1e-7) << c.text();
@@ -72,7 +64,7 @@ TEST_P(Excitations, MujocosOwnStepFollowsEvent) {
   Convergence c;
   for (const double step : {4e-5, 2e-5, 1e-5, 5e-6, 2.5e-6, 1e-6}) {
     c.steps.push_back(step);
-    c.errors.push_back(rotor_error(mujoco(scene, scene::ContactModel::kCoulomb, step), exact));
+    c.errors.push_back(rotor_error(mujoco_run(scene, scene::ContactModel::kCoulomb, step), exact));
   }
   double size = 0.0;
   for (const double x : exact.column("rotor_x")) size = std::max(size, std::abs(x));
@@ -89,7 +81,7 @@ TEST(ExcitationSegments, FollowTheNativeBeam) {
         rig(force, {"drive=none", "rotor.torsion=none", "contact.clearance=0.05", "run.step=5e-6",
                     "mujoco={rotor=\"segments\", segments=16}"});
     const Trajectory exact = event(scene);
-    const Trajectory t = mujoco(scene, scene::ContactModel::kCoulomb, 5e-6);
+    const Trajectory t = mujoco_run(scene, scene::ContactModel::kCoulomb, 5e-6);
     double size = 0.0;
     for (const double x : exact.column("rotor_x")) size = std::max(size, std::abs(x));
     EXPECT_GT(size, 1e-4) << force;
@@ -114,7 +106,7 @@ TEST(SpeedControlEngine, RunsUpAsTheNativeMotor) {
       "torque_limit=15.0,inertia=2e-3,station=0.0}"};
   const scene::Scene scene = rig(kLocked, drive);
   const Trajectory exact = event(scene);
-  const Trajectory rigid = mujoco(scene, scene::ContactModel::kRigid, 5e-6);
+  const Trajectory rigid = mujoco_run(scene, scene::ContactModel::kRigid, 5e-6);
   double most = 0.0;
   for (std::size_t k = 0; k < exact.rows(); ++k) {
     EXPECT_NEAR(rigid.column("spin_speed")[k], exact.column("spin_speed")[k], 2e-3) << k;
@@ -125,7 +117,7 @@ TEST(SpeedControlEngine, RunsUpAsTheNativeMotor) {
   std::vector<std::string> cut = drive;
   cut.insert(cut.end(), {"mujoco={rotor=\"segments\", segments=12}", "rotor.torsion.modes=3"});
   const scene::Scene segments = rig(kLocked, cut);
-  const Trajectory t = mujoco(segments, scene::ContactModel::kCoulomb, 5e-6);
+  const Trajectory t = mujoco_run(segments, scene::ContactModel::kCoulomb, 5e-6);
   EXPECT_NEAR(t.column("spin_speed").back(), exact.column("spin_speed").back(), 0.5);
 }
 
@@ -153,19 +145,19 @@ TEST(SteadyStartEngine, HoldsInMujoco) {
                                       "force[0].on=1.0",      "initial={steady=true}",
                                       "gravity={acceleration=[0.0,-9.81]}"};
   const scene::Scene scene = shipped("paper_passive", more);
-  EXPECT_LT(unrest(scene, mujoco(scene, scene::ContactModel::kRigid, 1e-5)), 2e-3);
-  EXPECT_LT(unrest(scene, mujoco(scene, scene::ContactModel::kCoulomb, 1e-5)), 1e-2);
+  EXPECT_LT(unrest(scene, mujoco_run(scene, scene::ContactModel::kRigid, 1e-5)), 2e-3);
+  EXPECT_LT(unrest(scene, mujoco_run(scene, scene::ContactModel::kCoulomb, 1e-5)), 1e-2);
   // From rest the same is far from steady.
   const scene::Scene rest = shipped("paper_passive", {"drive=none", "rotor.torsion=none", "run.end=0.1",
                                                       "run.output_step=1e-3", "force[0].on=1.0"});
-  EXPECT_GT(unrest(rest, mujoco(rest, scene::ContactModel::kRigid, 1e-5)), 0.3);
+  EXPECT_GT(unrest(rest, mujoco_run(rest, scene::ContactModel::kRigid, 1e-5)), 0.3);
 }
 
 // The document carries the orbit in its keyframe, to the digit.
 TEST(SteadyStartEngine, IsTheKeyframe) {
   const scene::Scene scene = shipped("paper_passive", {"rotor.modes=2", "initial={steady=true}"});
   const Model model = make_model(scene);
-  const Trajectory t = mujoco(scene, scene::ContactModel::kRigid, 1e-5);
+  const Trajectory t = mujoco_run(scene, scene::ContactModel::kRigid, 1e-5);
   EXPECT_EQ(t.column("x_1").front(), model.q0[0]);
   EXPECT_EQ(t.column("vy_2").front(), model.v0[3]);
   EXPECT_NE(model.q0[0], 0.0);

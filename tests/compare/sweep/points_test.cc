@@ -227,6 +227,17 @@ TEST(PointScenes, OfTheShippedStudy) {
   EXPECT_EQ(last.rotor.speed, last.forces[0].frequency);
 }
 
+TEST(PointScenes, OfHighFriction) {
+  const Study study = read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/high_friction.toml");
+  const PointScenes scenes(study, {});
+  EXPECT_EQ(scenes.sample().size(), 5 * 15);
+  EXPECT_NO_THROW(scenes.check());
+  const scene::Scene point = scenes.at(2 * 15 + 14);
+  EXPECT_DOUBLE_EQ(point.drive->gain, 1.0);
+  EXPECT_DOUBLE_EQ(point.contact->friction, 1.5);
+  EXPECT_EQ(point.rotor.torsion->modes, 4);
+}
+
 TEST(ResultColumns, AreInTheReadme) {
   const std::string readme =
       scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/sweep/README.md");

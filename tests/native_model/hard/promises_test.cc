@@ -139,7 +139,7 @@ TEST(LongPromises, CrossCoupledFeedbackStopsTheBouncing) {
 
 // The eigenvalues of the forced rub say which feedback does (rub/feedback_map.h): with 1,000 N s/m it grows.
 TEST(LongPromises, FeedbackOutsideTheWindowDoesNot) {
-  const Figures f = figures("paper_cross_coupled", {"controller.feedback=[1000]", "controller.damping=0"});
+  const Figures f = figures("paper_cross_coupled", {"controller.feedback=[1000]", "controller.feedback_speed=[0]", "controller.damping=0"});
   EXPECT_GT(f.impacts, 300.0);
   EXPECT_GT(f.open_until, 0.49);
 }

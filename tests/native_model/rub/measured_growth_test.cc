@@ -2,44 +2,17 @@
 // normal force come back to it, or leave?
 #include <gtest/gtest.h>
 
-#include <Eigen/SVD>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/rub/rub_stability.h"
 #include "tests/native_model/hard/rules.h"
+#include "tests/native_model/rub/exponents.h"
 #include "tests/native_model/rub/rubs.h"
 
 namespace rotorub::rub {
 namespace {
-
-// Exponents s_j of x_k = sum c_j e^{s_j k step}, of `count` terms, by the matrix pencil: nothing is known of
-// them beforehand. By falling real part.
-std::vector<Complex> exponents(const std::vector<double>& x, double step, Eigen::Index count) {
-  const auto all = static_cast<Eigen::Index>(x.size()), wide = all / 2;
-  Eigen::MatrixXd now(all - wide, wide), next(all - wide, wide);
-  for (Eigen::Index i = 0; i < all - wide; ++i) {
-    for (Eigen::Index j = 0; j < wide; ++j) {
-      now(i, j) = x[static_cast<std::size_t>(i + j)];
-      next(i, j) = i + j + 1 < all ? x[static_cast<std::size_t>(i + j + 1)] : 0.0;
-    }
-  }
-  now.conservativeResize(all - wide - 1, wide);
-  next.conservativeResize(all - wide - 1, wide);
-  // Jacobi's: the matrices are small, and the other takes a minute to compile.
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(now, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::MatrixXd pencil = svd.singularValues().head(count).cwiseInverse().asDiagonal() *
-                                 svd.matrixU().leftCols(count).transpose() * next *
-                                 svd.matrixV().leftCols(count);
-  std::vector<Complex> found = real_eigenvalues(pencil).value();
-  for (Complex& z : found) z = std::log(z) / step;
-  std::sort(found.begin(), found.end(),
-            [](const Complex& a, const Complex& b) { return a.real() > b.real(); });
-  return found;
-}
 
 struct Case {
   scene::Scene scene;
@@ -71,7 +44,7 @@ void expect_measured(Case c, bool stable) {
   ASSERT_GT(test::largest(off), 1e-5 * rub.normal_force) << "it was off";
 
   const auto count = static_cast<Eigen::Index>(expected.size());
-  const std::vector<Complex> measured = exponents(off, c.step, count);
+  const std::vector<Complex> measured = test::exponents(off, c.step, count);
   // 1 % of the rate, and 0.01 rad/s for what the fit of a few periods leaves.
   double nearest = 1e300;
   Complex found;

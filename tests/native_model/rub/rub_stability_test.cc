@@ -4,28 +4,19 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/rub/rub_map.h"
 #include "tests/native_model/hard/rules.h"
+#include "tests/native_model/rub/differences.h"
 #include "tests/native_model/rub/rubs.h"
 #include "tests/support/whip.h"
 
 namespace rotorub::rub {
 namespace {
-
-double nearest_to(const Complex& s, const std::vector<Complex>& all) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Complex& z : all) nearest = std::min(nearest, std::abs(z - s));
-  return nearest;
-}
 
 // ---------------------------------------------------------------- one mode
 SteadyRub upper_whip(const scene::Scene& scene, double mu) {
@@ -45,7 +36,7 @@ TEST(RubStability, WhipOfOneModeIsTheClosedForm) {
     // Round-off of an eigenvalue is that of the largest, times its condition: a slow one stands near the
     // free direction's 0.
     for (const Complex& s : exact) {
-      EXPECT_LT(nearest_to(s, found), 1e-9 * largest) << mu << ' ' << s;
+      EXPECT_LT(test::nearest_to(s, found), 1e-9 * largest) << mu << ' ' << s;
     }
   }
 }
@@ -75,63 +66,13 @@ TEST(RubStability, HopfBorderOfTheWhip) {
 }
 
 // ---------------------------------------------------------------- several modes
-// The motion with contact kept and slip of one sense, in Cartesian coordinates with the model's right-hand
-// side: lambda keeps the relative acceleration on the circle. Nothing is linearised.
-Eigen::VectorXd kept_in_contact(const Model& m, double tau, const Eigen::VectorXd& y) {
-  const Eigen::Index nq = m.nq();
-  const Eigen::VectorXd q = y.head(nq), v = y.tail(nq);
-  const ContactPoint p = contact_point(m, q.data(), v.data());
-  Eigen::VectorXd free(nq), push = Eigen::VectorXd::Zero(nq);
-  unactuated_force(m, 0.0, q.data(), v.data(), free.data());
-  add_contact_load(m, contact_load(p.e_r, m.contact->radius, 1.0, -tau), push.data());
-  const auto radial = [&](const Eigen::VectorXd& f) {
-    const Eigen::VectorXd a = f.cwiseQuotient(m.mass);
-    return p.e_r.dot(contact_acceleration(m, a.data()).head<2>());
-  };
-  const double whirl = p.whirl_speed();
-  const double force = -(radial(free) + whirl * whirl / p.delta) / radial(push);
-  Eigen::VectorXd dy(2 * nq);
-  dy << v, (free + force * push).cwiseQuotient(m.mass);
-  return dy;
-}
-
-// Central differences in the frame that turns with the rub.
-std::vector<Complex> by_differences(const scene::Scene& scene, const SteadyRub& rub) {
-  const Model model = make_model(test::started_on(scene, rub));
-  const int n = model.layout.modes, nq = model.nq();
-  Eigen::VectorXd y(2 * nq);
-  y << model.q0, model.v0;
-  Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(2 * nq, 2 * nq);
-  const auto pair = [&](int x, int py) {
-    turn(x, py) = rub.whirl;
-    turn(py, x) = -rub.whirl;
-  };
-  for (int half = 0; half < 2 * nq; half += nq) {
-    for (int k = 0; k < n; ++k) pair(half + k, half + n + k);
-    if (model.layout.stator) pair(half + model.layout.ring(), half + model.layout.ring() + 1);
-  }
-  const auto rate = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-    return kept_in_contact(model, rub.friction, x) + turn * x;
-  };
-  EXPECT_LT(rate(y).norm(), 1e-8 * kept_in_contact(model, rub.friction, y).norm()) << "it stands";
-  Eigen::MatrixXd jacobian(2 * nq, 2 * nq);
-  for (int i = 0; i < 2 * nq; ++i) {
-    const double h = 1e-5 * (i < nq ? model.q0 : model.v0).lpNorm<Eigen::Infinity>();
-    Eigen::VectorXd up = y, down = y;
-    up[i] += h;
-    down[i] -= h;
-    jacobian.col(i) = (rate(up) - rate(down)) / (2.0 * h);
-  }
-  return real_eigenvalues(jacobian).value();
-}
-
 void expect_as_differences(const scene::Scene& scene, const RubSystem& system, const SteadyRub& rub,
                            std::size_t count) {
   const std::vector<Complex> found = rub_eigenvalues(system, rub);
   EXPECT_EQ(found.size(), count);
-  const std::vector<Complex> all = by_differences(scene, rub);
+  const std::vector<Complex> all = test::by_differences(make_model(test::started_on(scene, rub)), rub);
   for (const Complex& s : found) {
-    EXPECT_LT(nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2) << to_string(rub.kind) << ' ' << s;
+    EXPECT_LT(test::nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2) << to_string(rub.kind) << ' ' << s;
   }
 }
 

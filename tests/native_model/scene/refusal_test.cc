@@ -220,6 +220,30 @@ TEST(Refusal, NamesWhatDoesNotFitTogether) {
       {"station off the shaft",
        geometry_and("[magnetic_bearing]\nnegative_stiffness = 1\nstation = 0.61\n"), 12,
        "magnetic_bearing.station", "out of the shaft"},
+      {"magnets too weak for a free mode",
+       modal("[2e5, 3e6]", "[2e5, 0]") +
+           "[magnetic_bearing]\nnegative_stiffness = 2e5\n[magnetic_bearing.control]\n"
+           "force_per_current = 100\nproportional = 1500\n",
+       15, "magnetic_bearing.control.proportional", "50000 N/m too little to hold mode 2"},
+      {"magnets too weak for a shaft that nothing holds",
+       geometry_and("[magnetic_bearing]\nnegative_stiffness = 2e5\nstation = 0.1\n"
+                    "[magnetic_bearing.control]\nforce_per_current = 100\nproportional = 2000\n"),
+       15, "magnetic_bearing.control.proportional", "accepted: more than 2000 A/m"},
+      {"feedback without its bearing",
+       modal_and("[magnetic_bearing.control]\nforce_per_current = 100\nproportional = 2000\n"),
+       11, "magnetic_bearing.negative_stiffness", "missing"},
+      {"feedback without a gain",
+       modal_and("[magnetic_bearing]\nnegative_stiffness = 1\n[magnetic_bearing.control]\n"
+                 "force_per_current = 100\n"),
+       13, "magnetic_bearing.control.proportional", "missing"},
+      {"magnets that push the wrong way",
+       modal_and("[magnetic_bearing]\nnegative_stiffness = 1\n[magnetic_bearing.control]\n"
+                 "force_per_current = -100\nproportional = 1\n"),
+       14, "magnetic_bearing.control.force_per_current", "> 0"},
+      {"failed before the start",
+       modal_and("[magnetic_bearing]\nnegative_stiffness = 1\n[magnetic_bearing.control]\n"
+                 "force_per_current = 100\nproportional = 1\nfails_at = -1\n"),
+       16, "magnetic_bearing.control.fails_at", ">= 0"},
       {"bearing off the shaft", geometry_and("[[rotor.bearing]]\nz = 1\nstiffness = 1\n"), 11,
        "rotor.bearing[0].z", "out of the shaft"},
       {"modes and max_frequency", geometry("modes = 2", "modes = 2\nmax_frequency = 900"), 6,

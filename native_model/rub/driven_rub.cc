@@ -1,0 +1,196 @@
+#include "native_model/rub/driven_rub.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "native_model/numerics/root.h"
+#include "native_model/rub/perturbation.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/record.h"
+#include "native_model/system/model.h"
+
+namespace rotorub::rub {
+namespace {
+
+using Eigen::Index;
+
+// A load that turns with the spin, as rotating_loads tells it.
+bool in_step(const RubSystem& s, const SteadyRub& rub) {
+  return rub.kind == RubKind::kForced && std::abs(rub.whirl - s.speed) <= 1e-9 * std::abs(s.speed);
+}
+
+// The coordinates of an enlarged perturbation: n modes of both planes, then the ring, spin and torsion.
+struct Places {
+  Index modes, half, phi, theta, all;
+  bool spin;
+  Places(const RubSystem& s, const DriveTrain& t)
+      : modes(s.modes()),
+        half(modes + (s.ring ? 1 : 0)),
+        phi(2 * half),
+        theta(phi + (t.motor ? 1 : 0)),
+        all(theta + t.modes()),
+        spin(t.motor.has_value()) {}
+};
+
+// Column `column` of the rows of a, Re and Im.
+void put(Eigen::MatrixXd& matrix, const Places& at, Index column, const Eigen::VectorXcd& values) {
+  matrix.col(column).head(at.modes) += values.real();
+  matrix.col(column).segment(at.half, at.modes) += values.imag();
+}
+// Row `row`: Im(w^H a).
+void put_moment(Eigen::MatrixXd& matrix, const Places& at, Index row, const Eigen::VectorXcd& w) {
+  matrix.row(row).head(at.modes) -= w.imag().transpose();
+  matrix.row(row).segment(at.half, at.modes) += w.real().transpose();
+}
+
+Perturbation enlarged(const Perturbation& small, Index all) {
+  const Index m = small.push.cols();
+  const auto grown = [](const Eigen::MatrixXd& matrix, Index rows, Index columns) {
+    Eigen::MatrixXd larger = Eigen::MatrixXd::Zero(rows, columns);
+    larger.topLeftCorner(matrix.rows(), matrix.cols()) = matrix;
+    return larger;
+  };
+  return {grown(small.mass, all, all), grown(small.rates, all, all), grown(small.springs, all, all),
+          grown(small.push, all, m), grown(small.constraint, m, all)};
+}
+
+// Spin and torsion by themselves: inertias, torsion's springs and dampers, the motor's slope.
+void add_train(Perturbation& p, const Places& at, const DriveTrain& train, double speed) {
+  const Index k = train.modes();
+  p.mass.diagonal().segment(at.theta, k) = train.torsion_inertia;
+  p.rates.diagonal().segment(at.theta, k) = train.torsion_damping;
+  p.springs.diagonal().segment(at.theta, k) = train.torsion_stiffness;
+  if (!at.spin) return;
+  p.mass(at.phi, at.phi) = train.inertia;
+  Eigen::VectorXd motor = Eigen::VectorXd::Zero(at.all);
+  motor[at.phi] = 1.0;
+  motor.tail(k) = train.at_motor;
+  p.rates -= train.motor->slope(speed) * motor * motor.transpose();
+}
+
+// What the spin does to bending, and unbalance to the spin.
+void add_spin(Perturbation& p, const Places& at, const RubSystem& s, const DriveTrain& train,
+              const SteadyRub& rub) {
+  const Complex back = std::polar(1.0, -rub.direction);
+  const bool forced = rub.kind == RubKind::kForced;
+  const Eigen::VectorXcd U = (forced ? back : Complex()) * s.unbalance;
+  const Eigen::VectorXcd f = (forced ? back : Complex()) * train.locked;
+  const double omega = s.speed;
+  put(p.mass, at, at.phi, kI * U);
+  put(p.rates, at, at.phi,
+      rub.whirl * (s.gyroscopic.cast<Complex>() * rub.rotor) - kI * (s.internal.cast<Complex>() * rub.rotor) -
+          2.0 * omega * U);
+  put(p.springs, at, at.phi, -kI * (omega * omega * U + f));
+  put_moment(p.mass, at, at.phi, U);
+  put_moment(p.rates, at, at.phi, -2.0 * kI * omega * U);  // Im((-2 i Omega U)^H a') = 2 Omega Re(U^H a')
+  put_moment(p.springs, at, at.phi, -omega * omega * U);
+  p.springs(at.phi, at.phi) += omega * omega * U.dot(rub.rotor).real();
+}
+
+// The friction's torque; of rolling the constraint that goes with it.
+void add_friction(Perturbation& p, const Places& at, const RubSystem& s, const DriveTrain& train,
+                  const SteadyRub& rub) {
+  Eigen::VectorXd lever = Eigen::VectorXd::Zero(at.all);
+  if (at.spin) lever[at.phi] = s.radius;
+  lever.tail(train.modes()) = s.radius * train.at_contact;
+  if (rub.kind != RubKind::kRolling) {
+    p.push.col(0) += rub.friction * lever;
+    return;
+  }
+  // The torque is of the force along e_t, which turns with the contact.
+  p.springs -= (rub.normal_force / s.clearance) * lever * p.constraint.row(1);
+  p.constraint.row(1) += lever.transpose();
+  p.push.col(1) += lever;
+}
+
+// Directions and angles that may be any.
+int free_angles(const DriveTrain& train, const RubSystem& s, const SteadyRub& rub) {
+  if (rub.kind == RubKind::kRolling) return train.motor ? 1 : 0;  // both together; held, theta brings it back
+  if (rub.kind == RubKind::kWhip) return train.motor ? 2 : 1;
+  // Of loads that turn with the spin everything may be turned together, of others the spin alone; of both nothing.
+  const bool with_spin = !s.unbalance.isZero(0.0) || !train.locked.isZero(0.0);
+  return train.motor && !(with_spin && train.fixed) ? 1 : 0;
+}
+
+bool can_roll(const Complex& h, double mu) {
+  return std::isfinite(h.real()) && std::isfinite(h.imag()) && h.real() < 0.0 &&
+         std::abs(h.imag()) <= -mu * h.real();
+}
+
+}  // namespace
+
+DriveTrain drive_train(const scene::Scene& scene) {
+  const Model m = make_model(scene);
+  if (m.drive_follows()) {
+    throw scene::SceneError(scene::placed(
+        scene, {{"", 0, "drive.kind",
+                 "no lasting rub can be analysed with a torque that hangs on time and angle; accepted are free, "
+                 "linear, kloss and table"}}));
+  }
+  const auto torsion = [&](const Eigen::VectorXd& all) { return all.segment(m.layout.theta(), m.layout.torsion); };
+  DriveTrain train{m.drive, m.layout.spin ? m.mass[m.layout.phi()] : 0.0,
+                   torsion(m.mass), torsion(m.damping), torsion(m.stiffness),
+                   m.torsion_contact.head(m.layout.torsion),
+                   Eigen::VectorXd::Zero(m.layout.torsion), Eigen::VectorXcd::Zero(m.layout.modes), false};
+  if (m.drive) train.at_motor = m.drive_shape.head(m.layout.torsion);
+  for (const AppliedForce& force : m.forces) {
+    if (force.kind == scene::ForceKind::kRotating) train.fixed = true;
+    if (force.kind != scene::ForceKind::kSynchronous) continue;
+    train.locked += std::polar(force.amplitude, force.phase + m.spin_angle) * force.shape.x;
+  }
+  return train;
+}
+
+std::vector<Complex> driven_eigenvalues(const RubSystem& s, const DriveTrain& train, const SteadyRub& rub) {
+  assert(rub.kind != RubKind::kForced || s.unbalance.isZero(0.0) || in_step(s, rub));
+  const Places at(s, train);
+  Perturbation p = enlarged(perturbation(s, rub), at.all);
+  add_train(p, at, train, s.speed);
+  if (at.spin) add_spin(p, at, s, train, rub);
+  add_friction(p, at, s, train, rub);
+  std::vector<Complex> values = eigenvalues(p);
+  leave_out_smallest(values, free_angles(train, s, rub));
+  return values;
+}
+
+double torque_taken(const RubSystem& s, const SteadyRub& rub) {
+  double torque = s.radius * rub.friction * rub.normal_force;
+  if (in_step(s, rub)) {
+    const Complex reaction = std::polar(1.0, rub.direction) * s.unbalance.dot(rub.rotor);
+    torque -= s.speed * s.speed * reaction.imag();
+  }
+  return torque;
+}
+
+std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTrain& train, double top) {
+  std::vector<DrivenRolling> all;
+  if (!train.motor || !(top > 0.0)) return all;
+  const double ratio = system.radius / system.clearance;
+  const auto whirl = [&](double speed) { return -ratio * speed; };
+  const auto h = [&](double speed) { return compliance(at_speed(system, speed), whirl(speed)); };
+  // r tau lambda = r delta_0 Im H / |H|^2
+  const auto balance = [&](double speed) {
+    const Complex at = h(speed);
+    return train.motor->torque(speed) - system.radius * system.clearance * at.imag() / std::norm(at);
+  };
+  std::vector<double> speeds;
+  std::vector<Complex> poles = joined_eigenvalues(system);
+  for (const Complex& pole : free_eigenvalues(system)) poles.push_back(pole);
+  for (const double nu : resonance_points(poles, 1e-3 * ratio * top, ratio * top)) speeds.push_back(nu / ratio);
+  for (std::size_t k = 0; k + 1 < speeds.size(); ++k) {
+    const double left = balance(speeds[k]), right = balance(speeds[k + 1]);
+    if (!(left * right <= 0.0) || left == 0.0) continue;
+    const auto [lo, hi] = root(balance, speeds[k], speeds[k + 1], left, right);
+    const double speed = 0.5 * (lo + hi);
+    if (!can_roll(h(speed), system.friction)) continue;
+    const RubSystem turning = at_speed(system, speed);
+    const auto rub = BackwardCompliance(turning).rolling(system.friction);
+    if (!rub) continue;
+    all.push_back({speed, *rub, torque_taken(turning, *rub),
+                   stability_of(driven_eigenvalues(turning, train, *rub))});
+  }
+  return all;
+}
+
+}  // namespace rotorub::rub

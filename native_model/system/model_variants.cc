@@ -1,0 +1,47 @@
+// A model as other questions need it: without a part, or driven by what another run recorded.
+
+#include <limits>
+#include <utility>
+
+#include "native_model/system/model.h"
+
+namespace rotorub {
+
+Model without_coils(Model model) {
+  const int kept = model.layout.mechanical();
+  model.layout.coils = 0;
+  for (auto* vector : {&model.mass, &model.stiffness, &model.damping, &model.gravity_mass,
+                       &model.q0, &model.v0}) {
+    vector->conservativeResize(kept);
+  }
+  if (model.weight.size() > 0) model.weight.conservativeResize(kept);
+  return model;
+}
+
+Model with_ideal_actuator(Model model) {
+  model = without_coils(std::move(model));
+  model.magnets.reset();
+  model.force_limit = std::numeric_limits<double>::infinity();
+  return model;
+}
+
+Model with_linear_feedback(Model model) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (model.feedback) model.feedback->law.current_limit = kNone;
+  return model;
+}
+
+Model without_controller(Model model) {
+  model.controller.reset();
+  model.loop.reset();
+  return model;
+}
+
+Model replayed(Model model, std::shared_ptr<const CommandRecord> commands) {
+  if (!commands) return model;
+  model = without_controller(std::move(model));
+  model.recorded = std::move(commands);
+  return model;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,76 @@
+// A levitated rotor drops into its ring: MuJoCo against the native `event` and `verlet` integrators.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compare/engine/mujoco_engine.h"
+#include "native_model/run/run_native.h"
+#include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
+#include "tests/support/order.h"
+
+namespace rotorub::test {
+namespace {
+
+constexpr double kStep = 1e-5;
+
+scene::Scene touchdown(double end, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> overrides = {"rotor.modes=2", "run.output_step=2e-4",
+                                        "magnetic_bearing.control.fails_at=5.003e-3"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  scene::Scene s = shipped("touchdown", overrides);
+  s.run.end = end;
+  return s;
+}
+
+Trajectory native(const scene::Scene& scene, scene::Integrator integrator) {
+  NativeOptions options;
+  options.integrator = integrator;
+  options.step = kStep;
+  Trajectory t = run_native(scene, options);
+  EXPECT_EQ(t.status, Status::kOk) << t.message;
+  return t;
+}
+
+// `rigid` takes the native step: the fall, the first impacts, and the current.
+TEST(TouchdownEngine, RigidIsVerletUpToAndOverTheTouch) {
+  const scene::Scene scene = touchdown(0.02);
+  const Trajectory exact = native(scene, scene::Integrator::kEvent);
+  const Trajectory verlet = native(scene, scene::Integrator::kVerlet);
+  const Trajectory rigid = mujoco_run(scene, scene::ContactModel::kRigid, kStep);
+  ASSERT_FALSE(exact.impacts.empty());
+  ASSERT_FALSE(rigid.impacts.empty());
+  EXPECT_LT(rotor_error(rigid, verlet), 1e-9 * scene.contact->clearance);
+  EXPECT_LT(rotor_error(rigid, exact), 1e-3 * scene.contact->clearance);
+  EXPECT_NEAR(rigid.impacts[0].t, exact.impacts[0].t, kStep);
+  const auto &a = rigid.column("bearing_current_y"), &b = verlet.column("bearing_current_y");
+  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-6) << k;
+  EXPECT_GT(a.front(), 0.05);
+  EXPECT_EQ(a.back(), 0.0);
+  EXPECT_LT(rigid.statistics.energy_residual(), 1e-3);
+}
+
+// The limit of the current too: thrown at it from rest, without a contact.
+TEST(TouchdownEngine, SoftContactsSeeTheSameBearing) {
+  const scene::Scene scene =
+      touchdown(0.01, {"initial={vx=[0.05,0.0]}", "magnetic_bearing.control.current_limit=0.5",
+                       "contact.clearance=0.02"});
+  const Trajectory exact = native(scene, scene::Integrator::kEvent);
+  const double coarse = rotor_error(mujoco_run(scene, scene::ContactModel::kCoulomb, 1e-5), exact);
+  const double fine = rotor_error(mujoco_run(scene, scene::ContactModel::kCoulomb, 2.5e-6), exact);
+  EXPECT_LT(coarse, 1e-6);
+  EXPECT_LT(fine, 0.3 * coarse);  // MuJoCo's own step is of first order
+}
+
+// Rigid segments see the magnets at their own station.
+TEST(TouchdownEngine, SegmentsFallAsTheModesDo) {
+  const scene::Scene scene = touchdown(
+      0.0115, {"rotor.modes=6", "mujoco.rotor=segments", "mujoco.segments=12", "run.step=2e-6"});
+  const Trajectory exact = native(scene, scene::Integrator::kEvent);
+  const Trajectory segments = mujoco_run(scene, scene::ContactModel::kRigid, 2e-6);
+  EXPECT_GT(std::abs(exact.column("rotor_y").back()), 1e-4);
+  EXPECT_LT(rotor_error(segments, exact), 0.03 * scene.contact->clearance);
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,90 @@
+// How robust the laws are: every eighth point of the shipped studies (mjcf/studies/robustness_*.toml), against the
+// passive bearing at the same point. The shares of all 200 points stand in mjcf/README.md; the bounds here leave
+// room for what 25 points scatter (two standard deviations of a share of 90 % are 12 %).
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/sweep/point_scene.h"
+#include "native_model/scene/diagnostic.h"
+#include "tests/support/native_run.h"
+
+namespace rotorub::test {
+namespace {
+
+constexpr std::int64_t kEvery = 8;
+
+struct Point {
+  double impacts = 0.0, contact = 0.0;
+};
+
+// Nothing: the scene is refused, its steady orbit touches the ring.
+std::optional<Point> point_of(const sweep::PointScenes& scenes, std::int64_t index) {
+  try {
+    const Trajectory t = run_with(scenes.at(index), scene::Integrator::kVerlet);
+    EXPECT_EQ(t.status, Status::kOk) << index << ": " << t.message;
+    Point p;
+    for (const Impact& impact : t.impacts) p.impacts += counts(impact) ? 1.0 : 0.0;
+    p.contact = t.statistics.contact_time / (t.end - t.statistics.first_touch);
+    return p;
+  } catch (const scene::SceneError&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<std::optional<Point>> points_of(const std::string& law) {
+  const sweep::Study study =
+      sweep::read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/robustness_" + law + ".toml");
+  const sweep::PointScenes scenes(study, {});
+  std::vector<std::optional<Point>> all;
+  for (std::int64_t i = 0; i < scenes.sample().size(); i += kEvery) all.push_back(point_of(scenes, i));
+  return all;
+}
+
+const std::vector<std::optional<Point>>& passive() {
+  static const auto all = points_of("passive");
+  return all;
+}
+
+// Shares of the points at which the passive bearing is struck.
+struct Shares {
+  double closed = 0.0;  // contact over 97 %
+  double calm = 0.0;    // at most a 20th of its impacts
+};
+
+Shares shares_of(const std::string& law) {
+  const auto points = points_of(law);
+  double count = 0.0;
+  Shares shares;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i] || !passive().at(i) || passive()[i]->impacts == 0.0) continue;
+    count += 1.0;
+    shares.closed += points[i]->contact > 0.97 ? 1.0 : 0.0;
+    shares.calm += 20.0 * points[i]->impacts <= passive()[i]->impacts ? 1.0 : 0.0;
+  }
+  EXPECT_GE(count, 20.0) << "or these are not the points of a study";
+  return {shares.closed / count, shares.calm / count};
+}
+
+TEST(LongRobustness, SlidingClosesTheContactNearlyEverywhere) {
+  const Shares shares = shares_of("sliding");
+  EXPECT_GE(shares.closed, 0.85);
+  EXPECT_GE(shares.calm, 0.75);
+}
+
+TEST(LongRobustness, TwoPhaseClosesTheContactNearlyEverywhere) {
+  const Shares shares = shares_of("two_phase");
+  EXPECT_GE(shares.closed, 0.85);
+  EXPECT_GE(shares.calm, 0.8);
+}
+
+TEST(LongRobustness, CrossCoupledClosesTheContactNearlyEverywhere) {
+  const Shares shares = shares_of("cross_coupled");
+  EXPECT_GE(shares.closed, 0.85);
+  EXPECT_GE(shares.calm, 0.65);
+}
+
+}  // namespace
+}  // namespace rotorub::test
