@@ -33,20 +33,6 @@ std::vector<std::string> state_names(const LinearPlant& plant) {
   return names;
 }
 
-// The stable stretch of a row that holds the rule.
-std::pair<double, double> stable_range(const rub::FeedbackMap& map, std::size_t speed, double rule) {
-  std::pair<double, double> range{rule, rule};
-  const auto stable = [&](std::size_t j) {
-    const auto& forced = map.at(speed, j).forced;
-    return forced && forced->stable;
-  };
-  std::size_t at = 0;
-  while (map.feedbacks[at] != rule) ++at;
-  for (std::size_t j = at; j < map.feedbacks.size() && stable(j); ++j) range.second = map.feedbacks[j];
-  for (std::size_t j = at + 1; j-- > 0 && stable(j);) range.first = map.feedbacks[j];
-  return range;
-}
-
 }  // namespace
 
 nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant) {
@@ -73,9 +59,20 @@ nlohmann::json feedback_map_json(const rub::FeedbackMap& map) {
     stable.push_back(s);
     force.push_back(f);
   }
-  for (const auto& k : map.rule()) rule.push_back(k ? nlohmann::json(*k) : nlohmann::json());
+  for (const auto& k : map.rule()) rule.push_back(k ? nlohmann::json(k->point->feedback) : nlohmann::json());
   return {{"speeds", map.speeds}, {"feedbacks", map.feedbacks}, {"growth", growth},
           {"stable", stable},     {"normal_force", force},      {"rule", rule}};
+}
+
+std::string feedback_keys(const rub::FeedbackMap& map) {
+  std::string feedback, speed;
+  for (const auto& choice : map.rule()) {
+    if (!choice) continue;
+    feedback += fmt::format("{}{}", feedback.empty() ? "" : ", ", short_number(choice->point->feedback));
+    speed += fmt::format("{}\"{} Hz\"", speed.empty() ? "" : ", ", short_number(kHz * choice->point->speed));
+  }
+  if (feedback.empty()) return {};
+  return fmt::format("feedback = [{}]\nfeedback_speed = [{}]\n", feedback, speed);
 }
 
 std::string feedback_map_table(const std::string& name, const rub::FeedbackMap& map) {
@@ -91,15 +88,14 @@ std::string feedback_map_table(const std::string& name, const rub::FeedbackMap& 
       text += "      none   no forced rub is stable\n";
       continue;
     }
-    std::size_t j = 0;
-    while (map.feedbacks[j] != *rule[i]) ++j;
-    const auto range = stable_range(map, i, *rule[i]);
-    const rub::FeedbackPoint& p = map.at(i, j);
-    text += fmt::format("{:>10}{:>14}{:>8}{:>11}{:>10}{}\n", short_number(*rule[i]),
-                        short_number(range.first), short_number(range.second),
+    const rub::FeedbackPoint& p = *rule[i]->point;
+    text += fmt::format("{:>10}{:>14}{:>8}{:>11}{:>10}{}\n", short_number(p.feedback),
+                        short_number(rule[i]->from), short_number(rule[i]->to),
                         short_number(-p.forced->growth), short_number(*p.normal_force),
                         p.whip ? "  beside a whip" : "");
   }
+  const std::string keys = feedback_keys(map);
+  if (!keys.empty()) text += "\nIn [controller]:\n" + keys;
   return text;
 }
 

@@ -15,7 +15,10 @@ nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& pl
 
 // {"speeds", "feedbacks", "growth": rows of 1/s or null, "stable", "normal_force", "rule": [N s/m or null]}
 nlohmann::json feedback_map_json(const rub::FeedbackMap& map);
-// A line a speed: the k under which the forced rub decays fastest, and from where to where it is stable.
+// The rule as a scene's keys, two lines; empty where no k is stable at any speed.
+std::string feedback_keys(const rub::FeedbackMap& map);
+// A line a speed: the k under which the forced rub decays fastest, and from where to where it is stable; then
+// feedback_keys.
 std::string feedback_map_table(const std::string& name, const rub::FeedbackMap& map);
 
 }  // namespace rotorub

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "compare/modes/rotor_analysis.h"
 #include "compare/modes/units.h"
@@ -56,6 +58,21 @@ std::string whirls_table(const char* title, const std::vector<WhirlMode>& modes)
   return text;
 }
 
+// What of the scene turns and gives way: torsion, and a motor whose torque hangs on the speed alone.
+std::optional<rub::DriveTrain> train_of(const scene::Scene& scene) {
+  if (!scene.drive && !scene.rotor.torsion) return {};
+  if (scene.drive && scene.drive->kind == scene::DriveKind::kSpeedControlled) return {};
+  return rub::drive_train(scene);
+}
+
+// rad/s up to which the motor is asked what rolling it keeps.
+double top_speed(const scene::Scene& scene) {
+  double top = std::abs(scene.rotor.speed);
+  if (!scene.drive) return top;
+  for (const double speed : scene.drive->table_speed) top = std::max(top, speed);
+  return std::max({top, scene.drive->speed, scene.drive->synchronous_speed});
+}
+
 // Rolling without anything that can move does not grow: no number in JSON.
 json growth_json(double growth) { return std::isfinite(growth) ? json(growth) : json(nullptr); }
 
@@ -83,6 +100,30 @@ std::string rolling_text(const RubPoint& point) {
   return "friction is enough for backward rolling: " + text;
 }
 
+// The same rubs with the spin free, and where the motor keeps rolling.
+std::string driven_text(const RubAnalysis& analysis) {
+  std::string text;
+  if (!analysis.driven.empty()) text += "\nthe same where torsion and the speed under the motor give way\n";
+  for (std::size_t k = 0; k < analysis.driven.size(); ++k) {
+    const StandingRub& r = analysis.point.rubs[k];
+    const rub::Stability& s = analysis.driven[k];
+    text += fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14}{:>14.6g}  {}\n", rub::to_string(r.rub.kind),
+                        r.rub.whirl, r.rub.normal_force, r.rub.friction, growth_text(s.growth), s.frequency,
+                        s.stable ? "stable" : "unstable");
+  }
+  if (!analysis.rolling.empty()) {
+    text += "\nbackward rolling at a speed that the motor keeps\n";
+    text += fmt::format("  {:>10}{:>14}{:>14}{:>12}{:>12}{:>12}{:>12}\n", "spin rad/s", "whirl rad/s", "force / N",
+                        "friction", "torque / Nm", "growth 1/s", "at rad/s");
+  }
+  for (const rub::DrivenRolling& r : analysis.rolling) {
+    text += fmt::format("  {:>10.6g}{:>14.7g}{:>14.7g}{:>12.5g}{:>12.5g}{:>12}{:>12.6g}  {}\n", r.speed, r.rub.whirl,
+                        r.rub.normal_force, r.rub.friction, r.torque, growth_text(r.stability.growth),
+                        r.stability.frequency, r.stability.stable ? "stable" : "unstable");
+  }
+  return text;
+}
+
 }  // namespace
 
 RubAnalyses analyse_rubs(const scene::Scene& scene, const std::vector<double>& speeds) {
@@ -91,9 +132,17 @@ RubAnalyses analyse_rubs(const scene::Scene& scene, const std::vector<double>& s
   try {
     with_place(scene, [&] {
       const rub::RubSystem system = rub::rub_system(scene);
+      const auto train = train_of(scene);
+      const auto rolling = train ? rub::driven_rolling(system, *train, top_speed(scene))
+                                 : std::vector<rub::DrivenRolling>{};
       for (const double speed : speeds) {
         const rub::RubSystem turning = rub::at_speed(system, speed);
-        all.at.push_back({rub::RubStudy(turning).at(system.friction),
+        rub::RubPoint point = rub::RubStudy(turning).at(system.friction);
+        std::vector<rub::Stability> driven;
+        for (const StandingRub& r : point.rubs) {
+          if (train) driven.push_back(rub::stability_of(rub::driven_eigenvalues(turning, *train, r.rub)));
+        }
+        all.at.push_back({std::move(point), std::move(driven), rolling,
                           whirls(rub::ring_eigenvalues(turning)),
                           whirls(rub::joined_eigenvalues(turning))});
       }
@@ -148,6 +197,19 @@ json rub_json(const RubAnalysis& analysis) {
   json result = rub_point_json(analysis.point);
   result["ring"] = whirls_json(analysis.ring);
   result["joined"] = whirls_json(analysis.joined);
+  if (analysis.driven.empty() && analysis.rolling.empty()) return result;
+  const auto stability = [](const rub::Stability& s) {
+    return json{{"growth_rate", growth_json(s.growth)}, {"frequency", s.frequency}, {"stable", s.stable}};
+  };
+  json& driven = result["driven"] = json::array();
+  for (const rub::Stability& s : analysis.driven) driven.push_back(stability(s));
+  json& rolling = result["driven_rolling"] = json::array();
+  for (const rub::DrivenRolling& r : analysis.rolling) {
+    json one = stability(r.stability);
+    one.update({{"speed", r.speed}, {"torque", r.torque}, {"whirl", r.rub.whirl},
+                {"normal_force", r.rub.normal_force}, {"friction", r.rub.friction}});
+    rolling.push_back(std::move(one));
+  }
   return result;
 }
 
@@ -169,7 +231,8 @@ std::string rub_table(const RubAnalysis& analysis) {
   }
   if (point.rubs.empty()) text += "  none\n";
   text += "  " + orbit_text(point) + "\n  " + rolling_text(point) + "\n";
-  return text + "  attractors: " + attractors_text(point.attractors()) + "\n";
+  text += "  attractors: " + attractors_text(point.attractors()) + "\n";
+  return text + driven_text(analysis);
 }
 
 }  // namespace rotorub

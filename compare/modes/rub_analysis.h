@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "native_model/rotor/campbell.h"
+#include "native_model/rub/driven_rub.h"
 #include "native_model/rub/rub_map.h"
 #include "native_model/scene/scene.h"
 
@@ -15,6 +16,8 @@ namespace rotorub {
 
 struct RubAnalysis {
   rub::RubPoint point;
+  std::vector<rub::Stability> driven;      // of each of its rubs, with torsion and the spin free; empty: both are held
+  std::vector<rub::DrivenRolling> rolling;  // at the speeds that the motor keeps, whatever the speed here
   std::vector<WhirlMode> ring;    // alone; a fixed ring: none
   std::vector<WhirlMode> joined;  // rotor centre held to the ring's, as in rolling contact
 };
@@ -36,7 +39,10 @@ std::string attractors_text(unsigned attractors);
 // "frequency": rad/s, of the least stable pair in the frame that turns with the rub}], "rolling_ranges":
 // [[rad/s, rad/s or null]]}, with "speed" and "friction".
 nlohmann::json rub_point_json(const rub::RubPoint& point);
-// The same with "ring" and "joined": [{"frequency", "damping_ratio"}].
+// The same with "ring" and "joined": [{"frequency", "damping_ratio"}]. With torsion, or a [drive] whose torque hangs on
+// the speed alone, also "driven": [{"growth_rate", "frequency", "stable"}], the rubs where these give way, and
+// "driven_rolling": [{"speed": rad/s, "torque": N m, "whirl", "normal_force", "friction", "growth_rate",
+// "frequency", "stable"}].
 nlohmann::json rub_json(const RubAnalysis& analysis);
 
 // For people; each ends with a line break.

@@ -1,12 +1,11 @@
 #include "compare/report/rub_figures.h"
 
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "compare/modes/rub_analysis.h"
 #include "compare/modes/units.h"
-#include "compare/report/rounded.h"
+#include "compare/report/map_page.h"
 
 namespace rotorub {
 namespace {
@@ -16,13 +15,10 @@ using rub::RubKind;
 using rub::RubPoint;
 using rub::StandingRub;
 
-
-json number(double value) { return std::isfinite(value) ? json(rounded(value, kDigits)) : json(nullptr); }
-
 template <RubKind kind, class Value>
 json of_leading(const RubPoint& point, Value value) {
   const StandingRub* leading = point.leading(kind);
-  return leading ? number(value(*leading)) : json(nullptr);
+  return leading ? map_number(value(*leading)) : json(nullptr);
 }
 
 double growth(const StandingRub& r) { return r.stability.growth; }
@@ -54,7 +50,7 @@ const std::array kRubFigures = {
     RubFigure{"linear: rolling, normal force", "N", "backward rolling at the spin's pace, load left out", false,
            false, [](const RubPoint& p) { return of_leading<RubKind::kRolling>(p, force); }},
     RubFigure{"linear: free orbit", "", "of the clearance, without contact", false, false,
-           [](const RubPoint& p) { return p.orbit ? number(*p.orbit / p.clearance) : json(nullptr); }},
+           [](const RubPoint& p) { return p.orbit ? map_number(*p.orbit / p.clearance) : json(nullptr); }},
 };
 
 }  // namespace
@@ -62,8 +58,7 @@ const std::array kRubFigures = {
 json rub_figures() {
   json all = json::array();
   for (const RubFigure& f : kRubFigures) {
-    all.push_back({{"name", f.name}, {"unit", f.unit}, {"meaning", f.meaning}, {"word", f.word},
-                   {"linear", true}, {"signed", f.is_signed}});
+    all.push_back(map_figure(f.name, f.unit, f.meaning, f.word, f.is_signed));
   }
   return all;
 }

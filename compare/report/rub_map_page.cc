@@ -7,28 +7,14 @@
 
 #include "compare/modes/rub_analysis.h"
 #include "compare/modes/units.h"
-#include "compare/report/assets.h"
-#include "compare/report/page_frame.h"
-#include "compare/report/rounded.h"
+#include "compare/report/map_page.h"
 #include "compare/report/rub_figures.h"
-#include "native_model/scene/reader.h"
 
 namespace rotorub {
 namespace {
 
 using nlohmann::json;
 using rub::RubMap;
-
-
-json key(const char* name, const char* unit, const std::vector<double>& values, double per_si) {
-  json list = json::array();
-  for (const double value : values) list.push_back(rounded(value * per_si, kDigits));
-  return {{"name", name}, {"unit", unit}, {"even", true}, {"log", false}, {"values", list}};
-}
-
-json card(const char* title, const std::string& headline, const std::string& text) {
-  return {{"title", title}, {"tone", ""}, {"headline", headline}, {"text", text}};
-}
 
 std::string share(int count, const RubMap& map) {
   return fmt::format("{:.3g} %", 100.0 * count / static_cast<double>(map.points.size()));
@@ -42,12 +28,12 @@ json cards_of(const RubMap& map) {
   const auto add = [&](unsigned bit, const char* title, const char* text) {
     int all = 0;
     for (unsigned k = 0; k < met.size(); ++k) all += k & bit ? met[k] : 0;
-    cards.push_back(card(title, share(all, map), text));
+    cards.push_back(map_card(title, share(all, map), text));
   };
   add(rub::kForcedRub, "Synchronous rub stable", "the rotor slides round in step with its load");
   add(rub::kBackwardWhip, "Backward whip stable", "it slides round against the spin");
   add(rub::kRollingRub, "Rolling possible", "once there, it rolls round against the spin, and presses hard");
-  cards.push_back(card("Nothing stable but rolling",
+  cards.push_back(map_card("Nothing stable but rolling",
                        share(met[0] + met[rub::kRollingRub], map),
                        "a rotor that does not roll bounces for ever"));
   return cards;
@@ -56,37 +42,22 @@ json cards_of(const RubMap& map) {
 }  // namespace
 
 json rub_map_plots(const RubMap& map) {
-  json figures = rub_figures(), columns = json::array(), values = {json::array(), json::array()};
-  for (std::size_t k = 0; k < figures.size(); ++k) columns.push_back(json::array());
-  json status = json::array();
-  for (std::size_t s = 0; s < map.speeds.size(); ++s) {
-    for (std::size_t f = 0; f < map.frictions.size(); ++f) {
-      values[0].push_back(s);
-      values[1].push_back(f);
-      status.push_back(0);
-      std::vector<json> row = rub_values(map.at(s, f));
-      for (std::size_t k = 0; k < row.size(); ++k) columns[k].push_back(std::move(row[k]));
-    }
-  }
-  return {{"kind", "grid"},
-          {"keys", {key("spin speed", "Hz", map.speeds, kHz), key("friction", "", map.frictions, 1.0)}},
-          {"figures", figures},
-          {"values", values},
-          {"columns", columns},
-          {"status", status},
-          {"statuses", {"ok"}},
-          {"every", 1}};
+  return map_plots(map_key("spin speed", "Hz", map.speeds, kHz),
+                   map_key("friction", "", map.frictions, 1.0), rub_figures(),
+                   [&](std::size_t i, std::size_t j) { return rub_values(map.at(i, j)); });
 }
 
 std::string rub_map_page(const scene::Scene& scene, const RubMap& map) {
-  const json plots = rub_map_plots(map);
-  json values = page_frame({scene.name, "lasting rubs", "Which rubs last, and where?"}, sweep_js(),
-                           plots);
-  values["maps"] = figure_choices({kLinearAttractors, kLinearGrowth});
-  values["cards"] = cards_of(map);
-  values["figures"] = plots["figures"];
-  values["text"] = scene.text;
-  return fill_page(rub_map_html(), values);
+  return map_page(
+      scene,
+      {"lasting rubs", "Which rubs last, and where?",
+       "Steady rubs of rotor and ring over spin speed and friction, each judged by the eigenvalues of its "
+       "small perturbations with contact kept. The spin is held, and each load keeps its ratio to it. Where "
+       "several are stable, the start decides; where only rolling is, a rotor that does not roll bounces. A "
+       "stable rub may still be out of reach: these maps know nothing of impacts.",
+       "--rub-map",
+       {kLinearAttractors, kLinearGrowth}},
+      cards_of(map), rub_map_plots(map), nullptr);
 }
 
 }  // namespace rotorub

@@ -46,6 +46,24 @@ TEST(RubJson, HasNumbersOrNull) {
   EXPECT_EQ(rub_table(rubs.at[0]).find("inf"), std::string::npos);
 }
 
+// Torsion and the motor: each rub once more, and the rolling that the motor keeps; none of it where both are held.
+TEST(RubJson, WhereTorsionAndTheSpeedGiveWay) {
+  const scene::Scene scene = shipped("paper_rolling");
+  const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed});
+  const json point = rub_json(rubs.at.at(0));
+  ASSERT_EQ(point.at("driven").size(), point.at("rubs").size());
+  const json& rolling = point.at("driven_rolling").back();
+  EXPECT_EQ(rolling.at("stable"), true);
+  EXPECT_NEAR(rolling.at("speed").get<double>(), 196.09, 0.01);
+  EXPECT_NEAR(rolling.at("torque").get<double>(), 0.5 * (scene.drive->speed - rolling.at("speed").get<double>()), 1e-6);
+  const std::string table = rub_table(rubs.at[0]);
+  EXPECT_NE(table.find("at a speed that the motor keeps"), std::string::npos) << table;
+
+  EXPECT_FALSE(rub_json(analyse_rubs(shipped("bench_whip"), {314.0}).at.at(0)).contains("driven"));
+  const scene::Scene follows = shipped("run_up");  // its torque hangs on time too
+  EXPECT_FALSE(rub_json(analyse_rubs(follows, {follows.rotor.speed}).at.at(0)).contains("driven"));
+}
+
 TEST(RubAnalyses, SaysWhyThereAreNone) {
   const scene::Scene sliding = shipped("paper_sliding");
   const RubAnalyses rubs = analyse_rubs(sliding, {sliding.rotor.speed});

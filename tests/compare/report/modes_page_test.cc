@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/modes/units.h"
-#include "compare/report/web/plotly.h"
+#include "compare/report/web/scripts.h"
 #include "native_model/oracles/friswell_rotor.h"
 
 namespace rotorub {
