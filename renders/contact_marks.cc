@@ -10,13 +10,21 @@ constexpr int kTrailPoints = 72;
 constexpr double kFaintest = 0.15;  // weaker impacts are not drawn
 }  // namespace
 
-Instant instant_at(const Playback& playback, double t, const InstantOptions& options) {
+Instant instant_at(const Playback& playback, double t, const Scales& scales,
+                   const InstantOptions& options) {
   Instant instant;
   instant.pose = playback.at(t);
   const double oldest = std::max(playback.start(), t - options.trail_time);
   for (int i = 0; i <= kTrailPoints; ++i) {
     instant.trail.push_back(playback.at(oldest + (t - oldest) * i / kTrailPoints).rotor);
   }
+
+  const auto arrow = [](const ValueScale& scale, double force) {
+    return scale.high > 0.0 ? ArrowShare{scale.share(force), scale.clips(force)} : ArrowShare{};
+  };
+  instant.normal = arrow(scales.force, instant.pose.normal_force);
+  instant.friction = arrow(scales.force, std::abs(instant.pose.friction_force));
+  instant.control = arrow(scales.control, instant.pose.control.norm());
 
   const auto& strikes = playback.strikes();
   auto strike = std::upper_bound(strikes.begin(), strikes.end(), t,
@@ -25,9 +33,7 @@ Instant instant_at(const Playback& playback, double t, const InstantOptions& opt
     --strike;
     const double age = (t - strike->t) / options.spark_time;
     if (age >= 1.0) break;
-    const double share =
-        options.impulse_scale > 0.0 ? strike->impulse / options.impulse_scale : 0.0;
-    const double strength = std::sqrt(std::clamp(share, 0.0, 1.0));
+    const double strength = std::sqrt(scales.impulse.share(strike->impulse));
     if (strength > kFaintest) instant.sparks.push_back({strike->e_r, strength, 1.0 - age});
   }
   return instant;

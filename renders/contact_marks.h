@@ -6,6 +6,7 @@
 
 #include "renders/machine.h"
 #include "renders/playback.h"
+#include "renders/scales.h"
 
 namespace rotorub::renders {
 
@@ -16,19 +17,27 @@ struct Spark {
   double brightness = 0.0;  // (0, 1], falls with time
 };
 
+// An arrow's length against the longest one, by the film's scale.
+struct ArrowShare {
+  double share = 0.0;  // [0, 1]
+  bool clipped = false;
+};
+inline constexpr double kArrowShare = 0.85;  // of the rotor's radius: the longest arrow
+
 // A second view of time: pose now, path of the last while, recent impacts.
 struct Instant {
   Pose pose;
   std::vector<Eigen::Vector2d> trail;  // m, centres of the rotor, oldest first, the last is now
   std::vector<Spark> sparks;
+  ArrowShare normal, friction, control;
 };
 
 struct InstantOptions {
   double trail_time = 0.02;    // s
   double spark_time = 0.005;   // s, until an impact has faded
-  double impulse_scale = 1.0;  // N s, of the brightest spark
 };
-Instant instant_at(const Playback& playback, double t, const InstantOptions& options);
+Instant instant_at(const Playback& playback, double t, const Scales& scales,
+                   const InstantOptions& options);
 
 // The drawn circles: centre of the ring and of the rotor, point of contact; in the plane (Y, Z).
 struct DrawnSection {

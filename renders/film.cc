@@ -2,33 +2,77 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <initializer_list>
 #include <stdexcept>
 
+#include "renders/film_crew.h"
+#include "renders/framing.h"
 #include "renders/video.h"
 
 namespace rotorub::renders {
 
 namespace {
 
-void check_extension(const std::filesystem::path& file, const char* extension) {
-  if (file.extension() == extension) return;
+constexpr double kMostGifRate = 50.0;   // its clock counts 1/100 s, and browsers honour 2 of them
+constexpr double kMostGifBytes = 1e9;   // of all frames, which are kept for the palette
+
+FilmFormat format_of(const std::filesystem::path& file, std::initializer_list<FilmFormat> accepted) {
+  std::string names;
+  for (const FilmFormat format : accepted) {
+    if (file.extension() == extension(format)) return format;
+    names += (names.empty() ? "" : " or ") + std::string(extension(format));
+  }
   throw std::invalid_argument(
-      fmt::format("render: {}: a file name ending in {} is accepted", file.string(), extension));
+      fmt::format("render: {}: a file name ending in {} is accepted", file.string(), names));
+}
+
+void check_gif_length(const RenderOptions& options, int frames) {
+  const double bytes = 4.0 * options.width * options.height * frames;
+  if (bytes <= kMostGifBytes) return;
+  throw std::invalid_argument(
+      fmt::format("render: a GIF of {} frames of {} x {} pixels: at most {:.0f} such frames are "
+                  "accepted; show less of the run, or make it smaller, or an .mp4",
+                  frames, options.width, options.height, kMostGifBytes * frames / bytes));
 }
 
 }  // namespace
 
+const char* extension(FilmFormat format) {
+  if (format == FilmFormat::kMp4) return ".mp4";
+  return format == FilmFormat::kGif ? ".gif" : ".png";
+}
+
+void check_options(const RenderOptions& options, FilmFormat format) {
+  check_options(options);
+  const bool odd = options.width % 2 != 0 || options.height % 2 != 0;
+  if (format == FilmFormat::kMp4 && odd) {
+    throw std::invalid_argument(
+        fmt::format("render: size = {}x{}: of an .mp4 width and height are even (its colours have "
+                    "half the resolution); .gif and .png take any",
+                    options.width, options.height));
+  }
+  if (format == FilmFormat::kGif && options.frames_per_second > kMostGifRate) {
+    throw std::invalid_argument(fmt::format(
+        "render: frames per second = {}: 1 to {} is accepted of a .gif", options.frames_per_second,
+        kMostGifRate));
+  }
+}
+
 RenderResult render(const scene::Scene& scene, const Trajectory& trajectory,
                     const RenderOptions& options, const std::filesystem::path& file) {
   const auto start = std::chrono::steady_clock::now();
-  check_extension(file, ".mp4");
-  FramePainter painter(scene, trajectory, options);
-  const Framing& framing = painter.framing();
+  const FilmFormat format = format_of(file, {FilmFormat::kMp4, FilmFormat::kGif});
+  check_options(options, format);
+  FilmCrew crew(scene, trajectory, options);
+  const Framing framing = crew.framing();
+  const bool gif = format == FilmFormat::kGif;
+  if (gif) check_gif_length(options, framing.frames);
   VideoFile video(file, options.width, options.height,
-                  {options.frames_per_second, options.quality});
+                  {gif, options.frames_per_second, options.quality});
   for (int frame = 0; frame < framing.frames; ++frame) {
-    video.add(painter.paint(framing.time(frame)));
+    video.add(crew.next());
     if (options.progress) options.progress(static_cast<double>(frame + 1) / framing.frames);
   }
   video.finish();
@@ -36,11 +80,26 @@ RenderResult render(const scene::Scene& scene, const Trajectory& trajectory,
   return {framing, framing.frames / options.frames_per_second, wall.count()};
 }
 
-void render_still(const scene::Scene& scene, const Trajectory& trajectory, double t,
-                  const RenderOptions& options, const std::filesystem::path& file) {
-  check_extension(file, ".png");
+PictureResult render_still(const scene::Scene& scene, const Trajectory& trajectory,
+                           std::optional<double> t, const RenderOptions& asked,
+                           const std::filesystem::path& file) {
+  check_options(asked, format_of(file, {FilmFormat::kPng}));
+  RenderOptions options = asked;
+  // A time before what is shown by default is shown all the same.
+  const Playback playback(trajectory);
+  if (t && !options.from && *t >= playback.start()) {
+    options.from = std::min(*t, make_framing(playback, options).from);
+  }
   FramePainter painter(scene, trajectory, options);
-  write_picture(painter.paint(t), file);
+  const Framing& framing = painter.framing();
+  if (t && !(*t >= framing.from && *t <= framing.to)) {
+    throw std::invalid_argument(
+        fmt::format("render: a picture at {} s: accepted is a time of what is shown, {} s to {} s",
+                    *t, framing.from, framing.to));
+  }
+  const double shown = t.value_or(hardest_impact(playback, framing));
+  write_picture(painter.paint(shown), file);
+  return {framing, shown};
 }
 
 }  // namespace rotorub::renders

@@ -20,18 +20,43 @@ template <typename Value>
 }
 
 void check_size(const char* option, int value, int least, int most, const char* accepted) {
-  if (value < least || value > most || value % 2 != 0) refuse(option, value, accepted);
+  if (value < least || value > most) refuse(option, value, accepted);
 }
 
 void check_positive(const char* option, const std::optional<double>& value) {
   if (value && !(*value > 0.0 && std::isfinite(*value))) refuse(option, *value, "must be above 0");
 }
 
+// The part of the runs that is shown: from shortly before the first touch of any, by default.
+void set_window(Framing& framing, std::span<const Playback* const> runs,
+                const RenderOptions& options) {
+  double start = -1e300, end = 1e300, touch = -1.0;
+  for (const Playback* run : runs) {
+    start = std::max(start, run->start());
+    end = std::min(end, run->end());
+    const double own = run->first_touch();
+    if (own >= 0.0) touch = touch < 0.0 ? own : std::min(touch, own);
+  }
+  framing.to = options.to.value_or(end);
+  framing.from = start;
+  if (touch >= 0.0) framing.from = std::max(start, touch - kLeadIn * (framing.to - touch));
+  framing.from = options.from.value_or(framing.from);
+  // A run of another engine may end a rounding error earlier.
+  const double slack = kSlack * (end - start);
+  if (framing.from >= start - slack) framing.from = std::max(framing.from, start);
+  if (framing.to <= end + slack) framing.to = std::min(framing.to, end);
+  if (framing.from >= start && framing.from < framing.to && framing.to <= end) return;
+  throw std::invalid_argument(
+      fmt::format("render: from = {} s, to = {} s: a part of the run is accepted, which has rows "
+                  "from {} s to {} s",
+                  framing.from, framing.to, start, end));
+}
+
 }  // namespace
 
 void check_options(const RenderOptions& options) {
-  check_size("width", options.width, 320, 3840, "an even number from 320 to 3840 is accepted");
-  check_size("height", options.height, 180, 2160, "an even number from 180 to 2160 is accepted");
+  check_size("width", options.width, 320, 3840, "320 to 3840 is accepted");
+  check_size("height", options.height, 180, 2160, "180 to 2160 is accepted");
   if (!(options.frames_per_second >= 1.0 && options.frames_per_second <= 120.0)) {
     refuse("frames per second", options.frames_per_second, "1 to 120 is accepted");
   }
@@ -42,6 +67,9 @@ void check_options(const RenderOptions& options) {
   if (options.quality < 0 || options.quality > 51) {
     refuse("quality", options.quality, "0 (lossless) to 51 is accepted");
   }
+  if (options.threads < 0 || options.threads > 64) {
+    refuse("threads", options.threads, "0 (one a processor) to 64 is accepted");
+  }
   check_positive("slow motion", options.slow_motion);
   check_positive("duration", options.duration);
   for (const auto& magnification : {options.magnification, options.machine_magnification}) {
@@ -51,26 +79,32 @@ void check_options(const RenderOptions& options) {
   }
 }
 
-Framing make_framing(const Playback& playback, const RenderOptions& options) {
-  Framing framing;
-  const double start = playback.start();
-  const double end = playback.end();
-  framing.to = options.to.value_or(end);
-  framing.from = start;
-  const double touch = playback.first_touch();
-  if (touch >= 0.0) framing.from = std::max(start, touch - kLeadIn * (framing.to - touch));
-  framing.from = options.from.value_or(framing.from);
-  // A run of another engine may end a rounding error earlier.
-  const double slack = kSlack * (end - start);
-  if (framing.from >= start - slack) framing.from = std::max(framing.from, start);
-  if (framing.to <= end + slack) framing.to = std::min(framing.to, end);
-  if (!(framing.from >= start && framing.from < framing.to && framing.to <= end)) {
-    throw std::invalid_argument(
-        fmt::format("render: from = {} s, to = {} s: a part of the run is accepted, which has rows "
-                    "from {} s to {} s",
-                    framing.from, framing.to, start, end));
+const char* to_string(FilmView view) {
+  switch (view) {
+    case FilmView::kRig:
+      return "rig";
+    case FilmView::kAxis:
+      return "axis";
+    case FilmView::kCloseUp:
+      return "close-up";
+    case FilmView::kUnrolled:
+      return "unrolled";
   }
+  return "";
+}
 
+std::optional<FilmView> view_of(const std::string& name) {
+  for (const FilmView view : {FilmView::kRig, FilmView::kAxis, FilmView::kCloseUp, FilmView::kUnrolled}) {
+    if (name == to_string(view)) return view;
+  }
+  return std::nullopt;
+}
+
+std::string view_names() { return "rig, axis, close-up or unrolled"; }
+
+Framing make_framing(std::span<const Playback* const> runs, const RenderOptions& options) {
+  Framing framing;
+  set_window(framing, runs, options);
   const double span = framing.to - framing.from;
   const double duration = options.slow_motion ? *options.slow_motion * span : options.duration;
   const double frames = std::round(duration * options.frames_per_second);
@@ -79,8 +113,24 @@ Framing make_framing(const Playback& playback, const RenderOptions& options) {
            "at most 20000 are made: shorten the part shown, or ask for less slow motion");
   }
   framing.frames = std::max(2, static_cast<int>(frames));
-  framing.slow_motion = framing.frames / options.frames_per_second / span;
+  const double film = framing.frames / options.frames_per_second;
+  framing.slow_motion = film / span;
+  std::vector<Strike> strikes;
+  for (const Playback* run : runs) {
+    strikes.insert(strikes.end(), run->strikes().begin(), run->strikes().end());
+  }
+  framing.clock = options.slow_motion ? FilmClock(framing.from, framing.to, film)
+                                      : FilmClock(framing.from, framing.to, film, strikes);
   return framing;
+}
+
+double hardest_impact(const Playback& playback, const Framing& framing) {
+  const Strike* hardest = nullptr;
+  for (const Strike& strike : playback.strikes()) {
+    if (strike.t < framing.from || strike.t > framing.to) continue;
+    if (hardest == nullptr || strike.impulse > hardest->impulse) hardest = &strike;
+  }
+  return hardest != nullptr ? hardest->t : 0.5 * (framing.from + framing.to);
 }
 
 std::string engine_label(const Trajectory& trajectory) {

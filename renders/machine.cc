@@ -92,6 +92,7 @@ void draw_geometry(Machine& machine, const scene::Scene& scene, const ModeLines&
 // Modal data say nothing of a shape: a shaft of proportions that please, bent like a half wave
 // where a spring holds it and straight where none does.
 void draw_modal(Machine& machine, const scene::Scene& scene) {
+  machine.schematic = true;
   const double radius = scene.contact ? scene.contact->radius : 0.05;
   machine.unit = 1.0 / (14.0 * radius);
   machine.z = Eigen::VectorXd::LinSpaced(kSpans + 1, 0.0, 1.0);
@@ -108,14 +109,17 @@ void draw_modal(Machine& machine, const scene::Scene& scene) {
   if (scene.drive) machine.motor = 0.0;
 }
 
-// Largest drawn motion of any station for a magnification of 1, at the rows of the film.
-double largest_motion(const Machine& machine, const Playback& playback, double from, double to) {
+// Largest drawn motion of any station for a magnification of 1, at some times of the film.
+double largest_motion(const Machine& machine, std::span<const Playback* const> runs, double from,
+                      double to) {
   constexpr int kLooks = 600;
   double largest = 0.0;
-  for (int i = 0; i <= kLooks; ++i) {
-    const Pose pose = playback.at(from + (to - from) * i / kLooks);
-    const Eigen::Matrix2Xd line = machine.centre_line(pose) / machine.magnification;
-    largest = std::max(largest, line.colwise().norm().maxCoeff());
+  for (const Playback* run : runs) {
+    for (int i = 0; i <= kLooks; ++i) {
+      const Pose pose = run->at(from + (to - from) * i / kLooks);
+      const Eigen::Matrix2Xd line = machine.centre_line(pose) / machine.magnification;
+      largest = std::max(largest, line.colwise().norm().maxCoeff());
+    }
   }
   return largest;
 }
@@ -132,27 +136,44 @@ double machine_magnification(const scene::Scene& scene, double unit, double moti
 }
 
 // Largest magnified motion of one station.
-double motion_at(const Machine& machine, const Playback& playback, double from, double to,
-                 double z) {
+double motion_at(const Machine& machine, std::span<const Playback* const> runs, double from,
+                 double to, double z) {
   constexpr int kLooks = 200;
   double largest = 0.0;
-  for (int i = 0; i <= kLooks; ++i) {
-    const Pose pose = playback.at(from + (to - from) * i / kLooks);
-    largest = std::max(largest, machine.centre(machine.centre_line(pose), z).tail<2>().norm());
+  for (const Playback* run : runs) {
+    for (int i = 0; i <= kLooks; ++i) {
+      const Pose pose = run->at(from + (to - from) * i / kLooks);
+      largest = std::max(largest, machine.centre(machine.centre_line(pose), z).tail<2>().norm());
+    }
   }
   return largest;
 }
 
-// Where a magnetic bearing sits, m: the scene's own, or one that makes its first force that turns.
-std::optional<double> exciter_station(const scene::Scene& scene) {
-  if (!scene.rotor.geometry) return std::nullopt;
-  if (scene.magnetic_bearing) return scene.magnetic_bearing->station;
+DrawnSupport drawn_support(const scene::Scene& scene) {
+  DrawnSupport support;
+  if (!scene.stator) return support;
+  support.fixed = false;
+  support.spring_x = scene.stator->stiffness[0] > 0.0;
+  support.spring_y = scene.stator->stiffness[1] > 0.0;
+  const bool commanded =
+      scene.controller && scene.controller->kind != scene::ControllerKind::kPassive;
+  support.actuators = scene.actuator.has_value() || commanded;
+  support.magnets = scene.actuator && scene.actuator->kind == scene::ActuatorKind::kElectromagnet;
+  return support;
+}
+
+// Forces from outside: not a mass out of the axis, which is no force.
+void draw_loads(Machine& machine, const scene::Scene& scene) {
+  const Model model = make_model(scene);
+  std::size_t next = 0;
   for (const scene::Force& force : scene.forces) {
-    if (force.kind == scene::ForceKind::kRotating || force.kind == scene::ForceKind::kChirp) {
-      return force.station;
-    }
+    if (force.kind == scene::ForceKind::kUnbalance || next >= model.forces.size()) continue;
+    const AppliedForce& applied = model.forces[next++];
+    const double z = scene.rotor.geometry ? force.station * machine.unit : 0.5;
+    machine.loads.push_back({z, applied});
+    machine.largest_load =
+        std::max({machine.largest_load, std::abs(applied.amplitude), applied.vector.norm()});
   }
-  return std::nullopt;
 }
 
 void draw_contact(Machine& machine, const scene::Scene& scene) {
@@ -161,9 +182,13 @@ void draw_contact(Machine& machine, const scene::Scene& scene) {
   const double radius = contact.radius * machine.unit;
   const double clearance = machine.displaced(contact.clearance);
   machine.clearance = contact.clearance;
-  machine.ring_moves = scene.stator.has_value();
+  machine.support = drawn_support(scene);
   machine.ring_turns = scene.stator && scene.stator->spin;
   machine.contact = {z, radius, clearance, radius + clearance + 0.45 * radius, 0.4 * radius};
+  // The rotor's body there stands for a disc within the ring, its sleeve.
+  std::erase_if(machine.discs, [&](const DrawnDisc& disc) {
+    return std::abs(disc.z - z) < machine.contact->half_width && disc.radius < machine.contact->ring_outer;
+  });
 }
 
 }  // namespace
@@ -213,36 +238,40 @@ Eigen::Vector3d Machine::tangent(const Eigen::Matrix2Xd& line, double station) c
 }
 
 Machine make_machine(const scene::Scene& scene, const std::optional<ModeLines>& lines,
-                     const Playback& playback, double from, double to,
+                     std::span<const Playback* const> runs, double from, double to,
                      std::optional<double> magnification) {
   Machine machine;
   if (scene.rotor.geometry && lines) {
     draw_geometry(machine, scene, *lines);
-    if (machine.modes_x.cols() != playback.modes()) {
+    for (const Playback* run : runs) {
+      if (machine.modes_x.cols() == run->modes()) continue;
       throw std::runtime_error(
           fmt::format("the series has {} bending modes and the scene `{}` has {}: they do not "
                       "belong together",
-                      playback.modes(), scene.name, machine.modes_x.cols()));
+                      run->modes(), scene.name, machine.modes_x.cols()));
     }
   } else {
     draw_modal(machine, scene);
   }
-  const double motion = largest_motion(machine, playback, from, to);
+  const double motion = largest_motion(machine, runs, from, to);
   machine.magnification =
       magnification.value_or(machine_magnification(scene, machine.unit, motion));
   if (scene.contact) draw_contact(machine, scene);
-  if (const auto station = exciter_station(scene)) {
-    const double z = *station * machine.unit;
-    const double shaft = 0.5 * diameter_at(*scene.rotor.geometry, *station);
-    const double bore = 1.6 * shaft * machine.unit + motion_at(machine, playback, from, to, z);
+  draw_loads(machine, scene);
+  if (scene.magnetic_bearing && scene.rotor.geometry) {
+    const double station = scene.magnetic_bearing->station;
+    const double z = station * machine.unit;
+    const double shaft = 0.5 * diameter_at(*scene.rotor.geometry, station);
+    const double bore = 1.6 * shaft * machine.unit + motion_at(machine, runs, from, to, z);
     machine.magnetic_bearing = {z, bore, bore + 0.035, 0.025};
   }
 
   // The base plate lies below everything that moves.
   double reach = 0.08;
-  if (machine.contact) {
+  for (const Playback* run : runs) {
+    if (!machine.contact) break;
     reach = std::max(reach, machine.contact->ring_outer +
-                                machine.displaced(playback.largest_stator(from, to)) + 0.06);
+                                machine.displaced(run->largest_stator(from, to)) + 0.06);
   }
   for (const DrawnDisc& disc : machine.discs) {
     reach = std::max(reach, disc.radius + motion * machine.magnification + 0.02);

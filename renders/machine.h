@@ -9,10 +9,12 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
+#include "native_model/system/model.h"
 #include "renders/playback.h"
 
 namespace rotorub::renders {
@@ -32,6 +34,20 @@ struct DrawnContact {
   double ring_outer;  // radius
   double half_width;
   double ring_bore() const { return rotor_radius + clearance; }
+};
+
+// What holds the ring, as the scene has it: a housing (no [stator]), or springs, actuators at 45
+// degrees, these with electromagnets, or nothing.
+struct DrawnSupport {
+  bool fixed = true;
+  bool spring_x = false, spring_y = false;
+  bool actuators = false, magnets = false;
+};
+
+// A force that acts on the shaft from outside, at its station.
+struct DrawnLoad {
+  double z;
+  AppliedForce force;
 };
 
 struct DrawnMagneticBearing {
@@ -54,9 +70,12 @@ struct Machine {
   std::vector<double> bearings;  // z
   double bearing_bore = 0.0;
   std::optional<DrawnContact> contact;
+  DrawnSupport support;
   std::optional<DrawnMagneticBearing> magnetic_bearing;
+  std::vector<DrawnLoad> loads;
+  double largest_load = 0.0;  // N
   std::optional<double> motor;  // z
-  bool ring_moves = false;
+  bool schematic = false;  // a rotor of modal data: its shaft is not the scene's
   bool ring_turns = false;  // about its axis
   double floor = -0.2;  // Z of the base plate's top
 
@@ -69,12 +88,12 @@ struct Machine {
   Eigen::Vector3d tangent(const Eigen::Matrix2Xd& line, double station) const;
 };
 
-// `lines`: of the scene's modal rotor, geometry form. Without a given magnification: as large as
-// makes the largest motion between `from` and `to` a tenth of the shaft, within limits that keep
-// the clearance visible, and rounded down to a plain number. Throws std::runtime_error where the
-// trajectory has not the scene's number of modes.
+// `lines`: of the scene's modal rotor, geometry form; `runs`: all that are shown. Without a given
+// magnification: as large as makes the largest motion between `from` and `to` a tenth of the shaft,
+// within limits that keep the clearance visible, and rounded down to a plain number. Throws
+// std::runtime_error where a run has not the scene's number of modes.
 Machine make_machine(const scene::Scene& scene, const std::optional<ModeLines>& lines,
-                     const Playback& playback, double from, double to,
+                     std::span<const Playback* const> runs, double from, double to,
                      std::optional<double> magnification);
 
 // For a picture of the contact alone, 1 without a contact: the clearance drawn as 0.45 of the

@@ -51,6 +51,10 @@ MachineView::MachineView(const Machine& machine, std::vector<Mesh>& meshes) : ma
     const DrawnContact& contact = *machine.contact;
     ring_ = add_mesh(meshes, {contact.ring_bore(), contact.ring_outer, contact.half_width,
                               kKeptFrom, kKeptTo, 72});
+    if (machine.support.fixed) {
+      housing_ = add_mesh(meshes, {contact.ring_outer, 1.12 * contact.ring_outer,
+                                   contact.half_width, kKeptFrom, kKeptTo, 72});
+    }
     rotor_ = {add_mesh(meshes, {0.0, contact.rotor_radius, kRotorWidth * contact.half_width}),
               add_mesh(meshes, mark_shape(contact.rotor_radius, kRotorWidth * contact.half_width))};
   }
@@ -66,29 +70,39 @@ MachineView::MachineView(const Machine& machine, std::vector<Mesh>& meshes) : ma
     magnet_ = add_mesh(
         meshes, {magnet.bore + 0.012, magnet.outer, magnet.half_width, kKeptFrom, kKeptTo, 72});
   }
-}
-
-void MachineView::set_up(mjvScene& scene, double aspect) const {
   // From the side of the ring where no disc stands before it.
-  double side = 1.0;
   double nearest = 2.0;
-  for (const DrawnDisc& disc : machine_.discs) {
-    if (!machine_.contact) break;
-    const double away = disc.z - machine_.contact->z;
-    if (std::abs(away) < nearest) side = away > 0.0 ? -1.0 : 1.0;
+  for (const DrawnDisc& disc : machine.discs) {
+    if (!machine.contact) break;
+    const double away = disc.z - machine.contact->z;
+    if (std::abs(away) < nearest) side_ = away > 0.0 ? -1.0 : 1.0;
     nearest = std::min(nearest, std::abs(away));
   }
+}
+
+void MachineView::set_up(mjvScene& scene, double aspect, bool close) const {
   View view;
-  view.target = {0.5, 0.0, 0.0};
-  view.position = view.target + 3.0 * Vector3d(0.62 * side, -1.0, 0.5).normalized();
-  view.depth = 2.0;
   std::vector<Vector3d> corners;
-  for (const double x : {plate_left(), plate_right()}) {
-    for (const double y : {-kPlateHalfDepth, kPlateHalfDepth}) {
-      corners.push_back({x, y, machine_.floor});
+  if (close && machine_.contact) {
+    const DrawnContact& contact = *machine_.contact;
+    const double reach = 1.25 * contact.ring_outer;
+    for (const double y : {-reach, reach}) {
+      for (const double z : {-reach, reach}) corners.push_back({contact.z, y, z});
     }
-    corners.push_back({x, 0.0, 0.08});
+    view.target = {contact.z, 0.0, 0.0};
+    view.position = view.target + 3.0 * Vector3d(0.9 * side_, -1.0, 0.45).normalized();
+  } else {
+    for (const double x : {plate_left(), plate_right()}) {
+      for (const double y : {-kPlateHalfDepth, kPlateHalfDepth}) {
+        corners.push_back({x, y, machine_.floor});
+      }
+      corners.push_back({x, 0.0, 0.08});
+    }
+    if (machine_.contact) corners.push_back({machine_.contact->z, 0.0, machine_.contact->ring_outer});
+    view.target = {0.5, 0.0, 0.0};
+    view.position = view.target + 3.0 * Vector3d(0.62 * side_, -1.0, 0.5).normalized();
   }
+  view.depth = 2.0;
   set_view(scene, fitted(view, corners, aspect, 0.03));
   set_lights(scene, {0.35, 0.8, -1.0}, 0.42F);
 }
@@ -102,19 +116,22 @@ double MachineView::plate_right() const {
 }
 
 void MachineView::draw(const Stage& stage, mjvScene& scene, const Instant& instant,
-                       const Pose* ghost, double force_length) const {
+                       const Pose* ghost) const {
   Canvas canvas(scene);
   canvas.clear();
   draw_base(stage, canvas);
   const Eigen::Matrix2Xd line = machine_.centre_line(instant.pose);
+  draw_shadows(canvas, instant.pose, line);
   canvas.finish(kMetal);
   draw_shaft(canvas, line, palette::kShaft, 1.0);
   draw_bodies(stage, canvas, instant.pose, line);
   if (machine_.contact) {
     const DrawnSection section = drawn_section(machine_, instant.pose);
     draw_ring(stage, canvas, section, palette::kRing);
-    draw_contact(canvas, instant, section, force_length);
+    draw_support(stage, canvas, section);
+    draw_contact(canvas, instant, section);
   }
+  draw_loads(canvas, instant.pose, line);
   if (ghost != nullptr) {
     canvas.finish(kMatt);
     const Color color = palette::kGhost.with_alpha(0.45);
@@ -192,45 +209,6 @@ void MachineView::draw_bodies(const Stage& stage, Canvas& canvas, const Pose& po
     draw(machine_.discs[i].z, discs_[i], palette::kDisc);
   }
   if (machine_.contact) draw(machine_.contact->z, rotor_, palette::kRotor);
-}
-
-void MachineView::draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
-                            const Color& color) const {
-  const DrawnContact& contact = *machine_.contact;
-  stage.draw_mesh(canvas, ring_, place_at(contact.z, section.ring), kUpright, color);
-  // Its feet: two struts at 45 degrees, stretching with the ring or, for a fixed one, rigid.
-  for (const double angle : {225.0 * kDegree, 315.0 * kDegree}) {
-    const Vector2d direction(std::cos(angle), std::sin(angle));
-    const Vector2d from = section.ring + 0.97 * contact.ring_outer * direction;
-    const Vector2d to = direction * (machine_.floor / direction[1]);
-    const double middle = machine_.ring_moves ? 0.5 : 0.0;
-    const Vector2d joint = from + middle * (to - from);
-    canvas.cylinder(place_at(contact.z, joint), place_at(contact.z, to), 0.016, palette::kHousing);
-    if (machine_.ring_moves) {
-      canvas.cylinder(place_at(contact.z, from), place_at(contact.z, joint), 0.008, palette::kShaft);
-    }
-  }
-}
-
-void MachineView::draw_contact(Canvas& canvas, const Instant& instant, const DrawnSection& section,
-                               double force_length) const {
-  const DrawnContact& contact = *machine_.contact;
-  canvas.finish(kFlat);
-  // In front of the ring's near face, so that nothing hides them.
-  const double station = contact.z + 1.6 * contact.half_width;
-  for (const Spark& spark : instant.sparks) {
-    canvas.sphere(place_at(station, section.ring + contact.ring_bore() * spark.e_r),
-                  (0.3 + 0.4 * spark.strength) * contact.half_width,
-                  palette::kStrike.with_alpha(spark.brightness));
-  }
-  if (!section.in_contact) return;
-  const Vector3d touch = place_at(station, section.touch);
-  canvas.sphere(touch, 0.3 * contact.half_width, palette::kNormal);
-  const Vector2d force = -instant.pose.normal_force * force_length * section.e_r;
-  if (force.norm() > 0.02 * contact.rotor_radius) {
-    canvas.arrow(touch, touch + Vector3d(0.0, force[0], force[1]), 0.2 * contact.half_width,
-                 palette::kNormal);
-  }
 }
 
 }  // namespace rotorub::renders

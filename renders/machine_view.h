@@ -1,4 +1,5 @@
 // The whole machine in perspective: bent shaft, discs, bearings, ring cut open towards the viewer.
+// machine_view.cc has camera, base and shaft, machine_marks.cc the ring, forces and shadows.
 #pragma once
 
 #include <vector>
@@ -14,11 +15,11 @@ class MachineView {
   // Adds its meshes to `meshes`; the stage made of them must be given to draw().
   MachineView(const Machine& machine, std::vector<Mesh>& meshes);
 
-  // `force_length`: drawn length of one newton. `ghost`: a second pose drawn translucent, or null.
-  void draw(const Stage& stage, mjvScene& scene, const Instant& instant, const Pose* ghost,
-            double force_length) const;
-  // Sets camera and light for a picture of this shape (width / height).
-  void set_up(mjvScene& scene, double aspect) const;
+  // `ghost`: a second pose drawn translucent, or null.
+  void draw(const Stage& stage, mjvScene& scene, const Instant& instant, const Pose* ghost) const;
+  // Sets camera and light for a picture of this shape (width / height): of the whole machine, or
+  // close to the contact.
+  void set_up(mjvScene& scene, double aspect, bool close) const;
 
  private:
   double plate_left() const;
@@ -32,15 +33,19 @@ class MachineView {
                    const Eigen::Matrix2Xd& line) const;
   void draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
                  const Color& color) const;
-  void draw_contact(Canvas& canvas, const Instant& instant, const DrawnSection& section,
-                    double force_length) const;
+  void draw_support(const Stage& stage, Canvas& canvas, const DrawnSection& section) const;
+  void draw_strut(Canvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+  void draw_contact(Canvas& canvas, const Instant& instant, const DrawnSection& section) const;
+  void draw_shadows(Canvas& canvas, const Pose& pose, const Eigen::Matrix2Xd& line) const;
+  void draw_loads(Canvas& canvas, const Pose& pose, const Eigen::Matrix2Xd& line) const;
 
   Machine machine_;
+  double side_ = 1.0;  // of the contact that the camera sees, +1 or -1 along X
   // Meshes by number; a body and the mark that turns with it.
   struct Body {
     int solid = -1, mark = -1;
   };
-  int ring_ = -1, bearing_ = -1, magnet_ = -1;
+  int ring_ = -1, housing_ = -1, bearing_ = -1, magnet_ = -1;
   Body rotor_;
   std::vector<Body> discs_;
 };

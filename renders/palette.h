@@ -5,7 +5,8 @@
 
 namespace rotorub::renders::palette {
 
-inline constexpr Color kBackground{0.955F, 0.965F, 0.98F};
+// Whole numbers of 255: MuJoCo's picture and the flat parts beside it have one shade.
+inline constexpr Color kBackground{244 / 255.0F, 246 / 255.0F, 250 / 255.0F};
 inline constexpr Color kPaper{1.0F, 1.0F, 1.0F};
 inline constexpr Color kGrid{0.80F, 0.83F, 0.87F};
 inline constexpr Color kFuture{0.70F, 0.75F, 0.83F};  // of a curve, not yet reached
@@ -20,10 +21,14 @@ inline constexpr Color kRing{0.86F, 0.67F, 0.33F};
 inline constexpr Color kRingEdge{0.50F, 0.34F, 0.08F};
 inline constexpr Color kHousing{0.42F, 0.46F, 0.52F};
 inline constexpr Color kPlate{0.80F, 0.83F, 0.87F};
+inline constexpr Color kPenumbra{0.73F, 0.76F, 0.80F};  // shadows on the plate
+inline constexpr Color kUmbra{0.66F, 0.69F, 0.74F};
 inline constexpr Color kMotor{0.25F, 0.42F, 0.40F};
 inline constexpr Color kCopper{0.76F, 0.45F, 0.27F};
 inline constexpr Color kNormal{0.84F, 0.10F, 0.13F};    // normal force, point of contact
 inline constexpr Color kFriction{0.05F, 0.52F, 0.28F};  // friction force
+inline constexpr Color kControl{0.80F, 0.36F, 0.0F};    // force of the actuator on the ring
+inline constexpr Color kLoad{0.32F, 0.22F, 0.62F};      // outer force on the shaft
 inline constexpr Color kStrike{1.0F, 0.74F, 0.10F};     // an impact just now
 inline constexpr Color kTrail{0.09F, 0.24F, 0.60F};     // path of the rotor's centre
 inline constexpr Color kGhost{0.56F, 0.20F, 0.70F};     // the second trajectory

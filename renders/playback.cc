@@ -55,6 +55,10 @@ Playback::Playback(const Trajectory& trajectory)
     y_.push_back(track(fmt::format("y_{}", i), fmt::format("vy_{}", i)));
   }
   if (trajectory.has("ring_angle")) ring_ = track("ring_angle", "ring_speed");
+  if (trajectory.has("control_x")) {
+    control_x_ = track("control_x", "");
+    control_y_ = track("control_y", "");
+  }
   if (!std::is_sorted(time_->begin(), time_->end())) {
     throw std::runtime_error("the times of the series do not ascend");
   }
@@ -115,6 +119,10 @@ Pose Playback::at(double t) const {
     pose.x[i] = value(x_[static_cast<std::size_t>(i)]);
     pose.y[i] = value(y_[static_cast<std::size_t>(i)]);
   }
+  if (control_x_) {
+    pose.control = {interpolate(*control_x_, row, pose.t, false),
+                    interpolate(*control_y_, row, pose.t, false)};
+  }
   pose.gap = interpolate({gap_, nullptr}, row, pose.t, false);
 
   // Forces: within one contact between the rows, else as the row before says.
@@ -156,17 +164,31 @@ double Playback::largest_stator(double from, double to) const {
   return largest(stator_x_, stator_y_, from, to);
 }
 
-double Playback::force_quantile(double quantile, double from, double to) const {
-  Values forces;
+double Playback::largest_control(double from, double to) const {
+  return control_x_ ? largest(*control_x_, *control_y_, from, to) : 0.0;
+}
+
+template <class Taken>
+double Playback::quantile_of(const Values& values, double quantile, double from, double to,
+                             const Taken& taken) const {
+  Values found;
   for (std::size_t i = 0; i < time_->size(); ++i) {
-    if ((*time_)[i] < from || (*time_)[i] > to || (*normal_)[i] <= 0.0) continue;
-    forces.push_back((*normal_)[i]);
+    if ((*time_)[i] >= from && (*time_)[i] <= to && taken(i)) found.push_back(values[i]);
   }
-  if (forces.empty()) return 0.0;
-  const double place = quantile * static_cast<double>(forces.size() - 1);
-  const auto nth = forces.begin() + static_cast<std::ptrdiff_t>(place);
-  std::nth_element(forces.begin(), nth, forces.end());
+  if (found.empty()) return 0.0;
+  const double place = quantile * static_cast<double>(found.size() - 1);
+  const auto nth = found.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(found.begin(), nth, found.end());
   return *nth;
+}
+
+double Playback::force_quantile(double quantile, double from, double to) const {
+  return quantile_of(*normal_, quantile, from, to,
+                     [this](std::size_t i) { return (*normal_)[i] > 0.0; });
+}
+
+double Playback::gap_quantile(double quantile, double from, double to) const {
+  return quantile_of(*gap_, quantile, from, to, [](std::size_t) { return true; });
 }
 
 }  // namespace rotorub::renders

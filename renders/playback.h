@@ -20,6 +20,7 @@ struct Pose {
   double gap = 0.0;             // negative: penetration
   double normal_force = 0.0;    // >= 0
   double friction_force = 0.0;  // on the rotor along e_t = e_z x e_r
+  Eigen::Vector2d control{0.0, 0.0};  // on the ring, of its actuator
   Mode mode = Mode::kFree;
 
   // Outward normal from the ring's centre to the rotor's; 0 where they coincide.
@@ -56,6 +57,9 @@ class Playback {
   double largest_rotor(double from, double to) const;
   double largest_stator(double from, double to) const;
   double force_quantile(double quantile, double from, double to) const;
+  // The same of the gap over all rows there, m, and the largest control force, N (0: none).
+  double gap_quantile(double quantile, double from, double to) const;
+  double largest_control(double from, double to) const;
 
  private:
   using Values = std::vector<double>;
@@ -68,12 +72,16 @@ class Playback {
   std::size_t row_before(double t) const;
   double interpolate(const Track& track, std::size_t row, double t, bool smooth) const;
   bool impact_between(double from, double to) const;
+  template <class Taken>
+  double quantile_of(const Values& values, double quantile, double from, double to,
+                     const Taken& taken) const;
   double largest(const Track& x, const Track& y, double from, double to) const;
 
   const Trajectory* trajectory_;
   const Values *time_, *gap_, *normal_, *friction_, *mode_;
   Track rotor_x_, rotor_y_, stator_x_, stator_y_, spin_;
-  std::optional<Track> ring_;  // of a ring that turns
+  std::optional<Track> ring_;                   // of a ring that turns
+  std::optional<Track> control_x_, control_y_;  // of a ring with a controller
   std::vector<Track> x_, y_;
   std::vector<Strike> strikes_;
 };

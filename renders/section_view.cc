@@ -1,10 +1,11 @@
 #include "renders/section_view.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "renders/palette.h"
 
@@ -12,153 +13,186 @@ namespace rotorub::renders {
 
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
-constexpr double kMargin = 1.09;  // of the picture around what is drawn
+constexpr double kMargin = 1.06;       // of the picture around what is drawn
+constexpr double kSupportReach = 0.5;  // of the rotor's radius, from ring to wall
+constexpr double kPi = std::numbers::pi;
+
+Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 }  // namespace
 
-SectionView::SectionView(const Machine& machine, double motion, std::vector<Mesh>& meshes)
-    : machine_(machine) {
+SectionView::SectionView(const Machine& machine, double motion) : machine_(machine) {
   assert(machine.contact.has_value());
   const DrawnContact& contact = *machine.contact;
-  half_size_ = kMargin * (contact.ring_outer + machine.displaced(motion));
-  const double thin = 0.3 * depth(kBody);
-  const auto add = [&meshes](const char* name, const RingShape& shape) {
-    meshes.push_back(ring_mesh(name, shape));
-    return static_cast<int>(meshes.size()) - 1;
-  };
-  ring_ = add("section_ring", {contact.ring_bore(), contact.ring_outer, thin});
-  rotor_ = add("section_rotor", {0.0, contact.rotor_radius, thin});
-  mark_ = add("section_mark",
-              {0.55 * contact.rotor_radius, 0.93 * contact.rotor_radius, thin, 0.0, 0.5 * std::numbers::pi, 24});
-  if (machine.ring_turns) {
-    const double wide = contact.ring_outer - contact.ring_bore();
-    ring_mark_ = add("section_ring_mark",
-                     {contact.ring_bore() + 0.1 * wide, contact.ring_outer - 0.1 * wide, thin, 0.0,
-                      0.12 * std::numbers::pi, 8});
-  }
+  const double moved = contact.ring_outer + machine.displaced(motion);
+  wall_ = moved + kSupportReach * contact.rotor_radius;
+  const bool held = machine.support.spring_x || machine.support.spring_y || machine.support.actuators;
+  half_size_ = kMargin * (held ? wall_ : moved + 0.2 * contact.rotor_radius);
 }
 
-void SectionView::set_up(mjvScene& scene) const {
-  View view;
-  const double far = 60.0 * half_size_;  // nearly parallel rays
-  view.position = {far, 0.0, 0.0};
-  view.half_height = half_size_;
-  view.depth = 2.0 * half_size_;
-  set_view(scene, view);
-  set_lights(scene, {-1.0, 0.35, -0.45}, 0.45F);
+double SectionView::pixels(const Area& area) const {
+  return 0.5 * std::min(area.width, area.height) / half_size_;
 }
 
-void SectionView::draw(const Stage& stage, mjvScene& scene, const Instant& instant,
-                       const Pose* ghost, double force_length) const {
-  Canvas canvas(scene);
-  canvas.clear();
+void SectionView::draw(Sheet& sheet, const Instant& instant, const Pose* ghost) const {
+  const Area& area = sheet.area();
+  const Place at{{0.5 * area.width, 0.5 * area.height}, pixels(area)};
   const DrawnSection section = drawn_section(machine_, instant.pose);
-
-  // A sheet behind everything: MuJoCo's sky lies beyond this view's depth.
-  canvas.finish(kSheet);
-  canvas.box(place_at(-0.1 * half_size_, {0.0, 0.0}),
-             {0.01 * half_size_, 2.0 * half_size_, 2.0 * half_size_}, palette::kBackground);
-
-  // The axes through the centre at rest.
-  canvas.finish(kFlat);
-  const double reach = half_size_;
-  const double thin = 0.0025 * reach;
-  canvas.box(place_at(-0.05 * reach, {0.0, 0.0}), {thin, reach, thin}, palette::kFaintInk);
-  canvas.box(place_at(-0.05 * reach, {0.0, 0.0}), {thin, thin, reach}, palette::kFaintInk);
-
-  draw_ring(stage, canvas, section, instant.pose.ring_angle);
-  draw_rotor(stage, canvas, section, instant.pose.spin_angle);
-  if (ghost != nullptr) draw_ghost(stage, canvas, drawn_section(machine_, *ghost));
-  draw_path(canvas, instant, section);
-  draw_forces(canvas, instant, section, force_length);
+  draw_axes(sheet, at);
+  draw_support(sheet, at, section);
+  draw_ring(sheet, at, section, instant.pose.ring_angle);
+  draw_rotor(sheet, at, section, instant.pose.spin_angle);
+  if (ghost != nullptr) draw_ghost(sheet, at, drawn_section(machine_, *ghost));
+  draw_path(sheet, at, instant, section);
+  draw_forces(sheet, at, instant, section);
 }
 
-void SectionView::circle(Canvas& canvas, const Vector2d& centre, double radius, double x,
-                         double pixels, const Color& color, bool dashed) const {
-  const int pieces = dashed ? 72 : 96;
-  for (int i = 0; i < pieces; i += dashed ? 2 : 1) {
-    const double a = 2.0 * std::numbers::pi * i / pieces;
-    const double b = 2.0 * std::numbers::pi * (i + 1) / pieces;
-    canvas.line(place_at(x, centre + radius * Vector2d(std::cos(a), std::sin(a))),
-                place_at(x, centre + radius * Vector2d(std::cos(b), std::sin(b))), pixels, color);
-  }
+// Through the centre at rest.
+void SectionView::draw_axes(Sheet& sheet, const Place& at) const {
+  const Area& area = sheet.area();
+  sheet.fill(0.0, std::floor(at.middle[1]), area.width, 1.0, palette::kGrid);
+  sheet.fill(std::floor(at.middle[0]), 0.0, 1.0, area.height, palette::kGrid);
 }
 
-void SectionView::draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
-                            double ring_angle) const {
-  canvas.finish(kMatt);
-  stage.draw_mesh(canvas, ring_, place_at(depth(kBack), section.ring), Matrix3d::Identity(),
-                  palette::kRing);
-  if (ring_mark_ >= 0) {
-    const Matrix3d turn = Eigen::AngleAxisd(ring_angle, Vector3d::UnitX()).toRotationMatrix();
-    stage.draw_mesh(canvas, ring_mark_, place_at(depth(kBody), section.ring), turn, palette::kMark);
+void SectionView::draw_spring(Sheet& sheet, const Place& at, const Vector2d& from,
+                              const Vector2d& to) const {
+  constexpr int kTurns = 5;
+  const Vector2d along = to - from;
+  const Vector2d across = 0.08 * machine_.contact->rotor_radius *
+                          Vector2d(-along[1], along[0]).normalized();
+  std::vector<Sheet::Point> points = {at(from)};
+  for (int k = 0; k < 2 * kTurns; ++k) {
+    const double s = (k + 1.0) / (2.0 * kTurns + 1.0);
+    points.push_back(at(from + s * along + (k % 2 == 0 ? 1.0 : -1.0) * across));
   }
-  canvas.finish(kFlat);
+  points.push_back(at(to));
+  sheet.polyline(points, std::max(1.2, 0.03 * machine_.contact->rotor_radius * at.pixels),
+                 palette::kHousing);
+}
+
+void SectionView::draw_support(Sheet& sheet, const Place& at, const DrawnSection& section) const {
   const DrawnContact& contact = *machine_.contact;
-  circle(canvas, section.ring, contact.ring_bore(), depth(kEdge), 2.0, palette::kRingEdge, false);
-  circle(canvas, section.ring, contact.ring_outer, depth(kEdge), 1.5, palette::kRingEdge, false);
-}
-
-void SectionView::draw_rotor(const Stage& stage, Canvas& canvas, const DrawnSection& section,
-                             double spin_angle) const {
-  const double radius = machine_.contact->rotor_radius;
-  canvas.finish(kMatt);
-  const Matrix3d spin = Eigen::AngleAxisd(spin_angle, Vector3d::UnitX()).toRotationMatrix();
-  stage.draw_mesh(canvas, rotor_, place_at(depth(kBody), section.rotor), spin, palette::kRotor);
-  stage.draw_mesh(canvas, mark_, place_at(depth(kEdge), section.rotor), spin, palette::kMark);
-  canvas.finish(kFlat);
-  circle(canvas, section.rotor, radius, depth(kMark), 2.0, palette::kRotorEdge, false);
-}
-
-void SectionView::draw_path(Canvas& canvas, const Instant& instant,
-                            const DrawnSection& section) const {
-  canvas.finish(kFlat);
-  // The rotor's centre is held within the clearance circle around the ring's centre.
-  circle(canvas, section.ring, machine_.contact->clearance, depth(kMark), 1.5, palette::kInk, true);
-  const double scale = machine_.displaced(1.0);
-  for (std::size_t i = 0; i + 1 < instant.trail.size(); ++i) {
-    const double age = 1.0 - static_cast<double>(i + 1) / static_cast<double>(instant.trail.size());
-    canvas.line(place_at(depth(kPath), scale * instant.trail[i]),
-                place_at(depth(kPath), scale * instant.trail[i + 1]), 2.5,
-                palette::kTrail.with_alpha(1.0 - 0.9 * age));
+  const DrawnSupport& support = machine_.support;
+  const double unit = contact.rotor_radius;
+  if (support.fixed) {
+    sheet.ring(at(section.ring), contact.ring_outer * at.pixels,
+               (contact.ring_outer + 0.14 * unit) * at.pixels, palette::kHousing);
+    return;
   }
-  canvas.sphere(place_at(depth(kPath), section.rotor), 0.018 * half_size_, palette::kTrail);
+  const auto held = [&](double angle, const auto& draw) {
+    const Vector2d e = direction(angle);
+    const Vector2d wall = wall_ * e;
+    const Vector2d across(-e[1], e[0]);
+    sheet.bar(at(wall - 0.22 * unit * across), at(wall + 0.22 * unit * across),
+               0.06 * unit * at.pixels, palette::kHousing);
+    draw(Vector2d(section.ring + contact.ring_outer * e), wall, e);
+  };
+  const auto spring = [&](const Vector2d& from, const Vector2d& to, const Vector2d&) {
+    draw_spring(sheet, at, from, to);
+  };
+  if (support.spring_x) for (const double angle : {0.0, kPi}) held(angle, spring);
+  if (support.spring_y) for (const double angle : {0.5 * kPi, 1.5 * kPi}) held(angle, spring);
+  if (!support.actuators) return;
+  for (const double angle : {0.25 * kPi, 0.75 * kPi, 1.25 * kPi, 1.75 * kPi}) {
+    if (support.magnets) {
+      // A core with its coil, fixed, at an air gap from the ring.
+      held(angle, [&](const Vector2d&, const Vector2d& wall, const Vector2d& e) {
+        const Vector2d pole = wall - 0.38 * unit * e;
+        sheet.bar(at(wall), at(pole), 0.2 * unit * at.pixels, palette::kHousing);
+        const Vector2d coil = wall - 0.12 * unit * e;
+        sheet.bar(at(coil), at(coil - 0.1 * unit * e), 0.34 * unit * at.pixels, palette::kCopper);
+      });
+    } else if (angle > kPi) {
+      // A cylinder on the wall, its rod on the ring.
+      held(angle, [&](const Vector2d& ring, const Vector2d& wall, const Vector2d& e) {
+        sheet.bar(at(ring), at(wall), 0.07 * unit * at.pixels, palette::kShaft);
+        sheet.bar(at(wall), at(Vector2d(wall - 0.24 * unit * e)), 0.17 * unit * at.pixels,
+                   palette::kHousing);
+      });
+    }
+  }
 }
 
-void SectionView::draw_forces(Canvas& canvas, const Instant& instant, const DrawnSection& section,
-                              double force_length) const {
-  canvas.finish(kFlat);
+void SectionView::draw_ring(Sheet& sheet, const Place& at, const DrawnSection& section,
+                            double angle) const {
+  const DrawnContact& contact = *machine_.contact;
+  const Sheet::Point center = at(section.ring);
+  const double bore = contact.ring_bore() * at.pixels, outer = contact.ring_outer * at.pixels;
+  sheet.disc(center, bore, palette::kPaper);
+  sheet.ring(center, bore, outer, palette::kRing);
+  if (machine_.ring_turns) {
+    const double wide = outer - bore;
+    sheet.sector(center, bore + 0.1 * wide, outer - 0.1 * wide, angle, 0.12 * kPi, palette::kMark);
+  }
+  sheet.ring(center, bore, bore + 1.5, palette::kRingEdge);
+  sheet.ring(center, outer - 1.5, outer, palette::kRingEdge);
+}
+
+void SectionView::draw_rotor(Sheet& sheet, const Place& at, const DrawnSection& section,
+                             double angle) const {
+  const double radius = machine_.contact->rotor_radius * at.pixels;
+  const Sheet::Point center = at(section.rotor);
+  sheet.disc(center, radius, palette::kRotor);
+  sheet.sector(center, 0.55 * radius, 0.93 * radius, angle, 0.5 * kPi, palette::kMark);
+  sheet.ring(center, radius - 1.5, radius, palette::kRotorEdge);
+}
+
+void SectionView::draw_ghost(Sheet& sheet, const Place& at, const DrawnSection& ghost) const {
+  const DrawnContact& contact = *machine_.contact;
+  const double radius = contact.rotor_radius * at.pixels;
+  sheet.disc(at(ghost.rotor), radius, palette::kGhost.with_alpha(0.15));
+  sheet.ring(at(ghost.rotor), radius - 2.0, radius, palette::kGhost);
+  sheet.dashed_circle(at(ghost.ring), contact.ring_bore() * at.pixels, 1.5, palette::kGhost);
+  sheet.disc(at(ghost.rotor), 0.018 * half_size_ * at.pixels, palette::kGhost);
+}
+
+void SectionView::draw_path(Sheet& sheet, const Place& at, const Instant& instant,
+                            const DrawnSection& section) const {
+  // The rotor's centre is held within the clearance circle around the ring's centre.
+  sheet.dashed_circle(at(section.ring), machine_.contact->clearance * at.pixels, 1.5,
+                      palette::kInk);
+  const double scale = machine_.displaced(1.0);
+  std::vector<Sheet::Point> points;
+  for (const Vector2d& point : instant.trail) points.push_back(at(scale * point));
+  sheet.trail(points, 2.2, palette::kTrail);
+  sheet.disc(at(section.rotor), 0.018 * half_size_ * at.pixels, palette::kTrail);
+}
+
+void SectionView::draw_forces(Sheet& sheet, const Place& at, const Instant& instant,
+                              const DrawnSection& section) const {
   const double bore = machine_.contact->ring_bore();
   for (const Spark& spark : instant.sparks) {
     const double size = (0.015 + 0.045 * spark.strength * spark.brightness) * half_size_;
-    canvas.sphere(place_at(depth(kPath), section.ring + bore * spark.e_r), size,
-                  palette::kStrike.with_alpha(spark.brightness));
+    sheet.disc(at(section.ring + bore * spark.e_r), size * at.pixels,
+               palette::kStrike.with_alpha(spark.brightness));
+  }
+  const double width = std::max(2.5, 0.022 * half_size_ * at.pixels);
+  const double longest = kArrowShare * machine_.contact->rotor_radius;
+  const auto force = [&](const Vector2d& foot, const ArrowShare& arrow, const Vector2d& along,
+                         const Color& color) {
+    const Vector2d tip = arrow.share * longest * along;
+    if (tip.norm() < 0.02 * half_size_) return;
+    sheet.arrow(at(foot), at(foot + tip), width, color);
+    if (!arrow.clipped) return;
+    // Cut off: a gap across the shaft.
+    const Vector2d across(-along[1], along[0]);
+    const Vector2d cut = foot + 0.45 * tip;
+    const double half = 1.2 * width / at.pixels;
+    sheet.line(at(cut - half * across), at(cut + half * across), 0.6 * width, palette::kPaper);
+  };
+  if (instant.control.share > 0.0) {
+    const Vector2d along = instant.pose.control.normalized();
+    force(section.ring + machine_.contact->ring_outer * along, instant.control, along,
+          palette::kControl);
   }
   if (!section.in_contact) return;
-  const double width = 0.022 * half_size_;
-  const auto force = [&](double newtons, const Vector2d& direction, const Color& color) {
-    const Vector2d arrow = newtons * force_length * direction;
-    if (arrow.norm() < 0.03 * half_size_) return;
-    canvas.arrow(place_at(depth(kForce), section.touch), place_at(depth(kForce), section.touch + arrow), width,
-                 color);
-  };
-  force(-instant.pose.normal_force, section.e_r, palette::kNormal);
-  force(instant.pose.friction_force, section.e_t, palette::kFriction);
-  canvas.sphere(place_at(depth(kForce), section.touch), 0.026 * half_size_, palette::kNormal);
-}
-
-void SectionView::draw_ghost(const Stage& stage, Canvas& canvas, const DrawnSection& ghost) const {
-  const DrawnContact& contact = *machine_.contact;
-  canvas.finish(kFlat);
-  stage.draw_mesh(canvas, rotor_, place_at(depth(kMark), ghost.rotor), Matrix3d::Identity(),
-                  palette::kGhost.with_alpha(0.15));
-  circle(canvas, ghost.rotor, contact.rotor_radius, depth(kPath), 2.0, palette::kGhost, false);
-  circle(canvas, ghost.ring, contact.ring_bore(), depth(kPath), 1.5, palette::kGhost, true);
-  canvas.sphere(place_at(depth(kPath), ghost.rotor), 0.018 * half_size_, palette::kGhost);
+  force(section.touch, instant.normal, -section.e_r, palette::kNormal);
+  force(section.touch, instant.friction,
+        instant.pose.friction_force < 0.0 ? Vector2d(-section.e_t) : section.e_t,
+        palette::kFriction);
+  sheet.disc(at(section.touch), std::max(3.0, 0.02 * half_size_ * at.pixels), palette::kNormal);
 }
 
 }  // namespace rotorub::renders

@@ -1,13 +1,11 @@
 // The cross-section at the contact, seen from the shaft's far end: x to the right, y up, spin
-// counter-clockwise. Rotor and ring with the clearance magnified, the path of the rotor's centre in
-// the clearance circle, the point of contact and the forces on the rotor.
+// counter-clockwise. Rotor and ring with the clearance magnified, what holds the ring, the path of
+// the rotor's centre in the clearance circle, the point of contact and the forces.
 #pragma once
-
-#include <vector>
 
 #include "renders/contact_marks.h"
 #include "renders/machine.h"
-#include "renders/stage.h"
+#include "renders/sheet.h"
 
 namespace rotorub::renders {
 
@@ -15,34 +13,39 @@ class SectionView {
  public:
   // `motion`: the farthest that ring or free rotor get from the centre, m. The machine has a
   // contact.
-  SectionView(const Machine& machine, double motion, std::vector<Mesh>& meshes);
+  SectionView(const Machine& machine, double motion);
 
-  // `force_length`: drawn length of one newton. `ghost`: a second pose drawn translucent, or null.
-  void draw(const Stage& stage, mjvScene& scene, const Instant& instant, const Pose* ghost,
-            double force_length) const;
-  void set_up(mjvScene& scene) const;
-  // Half of the height (and width) that is seen, drawing units.
+  // `ghost`: a second pose drawn translucent, or null.
+  void draw(Sheet& sheet, const Instant& instant, const Pose* ghost) const;
+  // Half of the smaller side of what is seen, drawing units.
   double half_size() const { return half_size_; }
+  // Pixels of a drawing unit there.
+  double pixels(const Area& area) const;
 
  private:
-  // Depth of flat things, from the back to the front.
-  enum Layer { kBack, kBody, kEdge, kMark, kPath, kForce };
-  double depth(Layer layer) const { return 0.02 * half_size_ * static_cast<double>(layer); }
-  void circle(Canvas& canvas, const Eigen::Vector2d& centre, double radius, double x, double pixels,
-              const Color& color, bool dashed) const;
-  void draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
-                 double ring_angle) const;
-  void draw_rotor(const Stage& stage, Canvas& canvas, const DrawnSection& section,
-                  double spin_angle) const;
-  void draw_path(Canvas& canvas, const Instant& instant, const DrawnSection& section) const;
-  void draw_forces(Canvas& canvas, const Instant& instant, const DrawnSection& section,
-                   double force_length) const;
-  void draw_ghost(const Stage& stage, Canvas& canvas, const DrawnSection& ghost) const;
+  // Where drawing units are on a sheet.
+  struct Place {
+    Eigen::Vector2d middle;
+    double pixels;
+    Sheet::Point operator()(const Eigen::Vector2d& yz) const {
+      return {middle[0] + pixels * yz[0], middle[1] - pixels * yz[1]};
+    }
+  };
+  void draw_axes(Sheet& sheet, const Place& at) const;
+  void draw_support(Sheet& sheet, const Place& at, const DrawnSection& section) const;
+  void draw_spring(Sheet& sheet, const Place& at, const Eigen::Vector2d& from,
+                   const Eigen::Vector2d& to) const;
+  void draw_ring(Sheet& sheet, const Place& at, const DrawnSection& section, double angle) const;
+  void draw_rotor(Sheet& sheet, const Place& at, const DrawnSection& section, double angle) const;
+  void draw_ghost(Sheet& sheet, const Place& at, const DrawnSection& ghost) const;
+  void draw_path(Sheet& sheet, const Place& at, const Instant& instant,
+                 const DrawnSection& section) const;
+  void draw_forces(Sheet& sheet, const Place& at, const Instant& instant,
+                   const DrawnSection& section) const;
 
   Machine machine_;
+  double wall_;  // radius where springs and actuators end
   double half_size_;
-  int ring_ = -1, rotor_ = -1, mark_ = -1;  // meshes by number
-  int ring_mark_ = -1;                      // of a ring that turns
 };
 
 }  // namespace rotorub::renders

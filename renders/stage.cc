@@ -80,10 +80,7 @@ SceneBuffer::SceneBuffer(const mjModel& model) {
 Stage::Stage(const StageOptions& options, std::span<const Mesh> meshes)
     : gl_(options.width, options.height), model_(load(stage_mjcf(options, meshes))) {
   mjr_defaultContext(&context_);
-  const int font = options.height < 420   ? mjFONTSCALE_50
-                   : options.height < 800 ? mjFONTSCALE_100
-                                          : mjFONTSCALE_150;
-  mjr_makeContext(model_.get(), &context_, font);
+  mjr_makeContext(model_.get(), &context_, mjFONTSCALE_50);  // nothing is written with it
   mjr_setBuffer(mjFB_OFFSCREEN, &context_);
   if (context_.currentBuffer != mjFB_OFFSCREEN) {
     mjr_freeContext(&context_);
@@ -113,21 +110,21 @@ void Stage::begin_picture() {
   mjr_setBuffer(mjFB_OFFSCREEN, &context_);
 }
 
-void Stage::end_picture(Image& picture) {
+Image Stage::render(mjvScene& scene) {
   const mjrRect all{0, 0, width(), height()};
+  mjr_render(all, &scene, &context_);
   mjr_readPixels(pixels_.data(), nullptr, all, &context_);
   if (const int error = mjr_getError(); error != 0) {
     throw std::runtime_error(fmt::format("off-screen rendering: OpenGL error {:#x}", error));
   }
   // OpenGL counts rows from the bottom.
-  picture.width = width();
-  picture.height = height();
-  picture.rgb.resize(pixels_.size());
+  Image picture{width(), height(), std::vector<std::uint8_t>(pixels_.size())};
   const std::size_t row = 3 * static_cast<std::size_t>(width());
   for (std::size_t y = 0; y < static_cast<std::size_t>(height()); ++y) {
     std::memcpy(picture.rgb.data() + y * row,
                 pixels_.data() + (static_cast<std::size_t>(height()) - 1 - y) * row, row);
   }
+  return picture;
 }
 
 }  // namespace rotorub::renders

@@ -47,7 +47,6 @@ class Stage {
   Stage& operator=(const Stage&) = delete;
 
   const mjModel& model() const { return *model_; }
-  const mjrContext& context() const { return context_; }
   int width() const { return context_.offWidth; }
   int height() const { return context_.offHeight; }
 
@@ -56,8 +55,9 @@ class Stage {
   void draw_mesh(Canvas& canvas, int id, const Eigen::Vector3d& center, const Eigen::Matrix3d& axes,
                  const Color& color) const;
 
-  void begin_picture();  // the context is current, the picture empty
-  void end_picture(Image& picture);
+  void begin_picture();  // the context is current
+  // The scene as a picture of the stage's size.
+  Image render(mjvScene& scene);
 
  private:
   struct ModelDeleter {

@@ -82,6 +82,19 @@ std::vector<std::string> film_arguments(const Encoding& encoding) {
           "mp4"};
 }
 
+// One palette for all frames: ffmpeg keeps them until the last one has come.
+std::vector<std::string> gif_arguments() {
+  return {"-filter_complex",
+          "split[frames][counted];[counted]palettegen=stats_mode=full[palette];"
+          "[frames][palette]paletteuse=dither=none:diff_mode=rectangle",
+          "-loop",
+          "0",
+          "-fflags",
+          "+bitexact",
+          "-f",
+          "gif"};
+}
+
 // Starts ffmpeg with `in` as standard input and `log` as standard error, in a process group of its
 // own: an interrupt from the keyboard is the caller's to handle. Returns the error number.
 int spawn(std::vector<std::string> arguments, int in, int log, pid_t& child) {
@@ -162,8 +175,9 @@ VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
 
 VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
                      const Encoding& encoding)
-    : VideoFile(file, width, height, encoding.frames_per_second, film_arguments(encoding)) {
-  assert(width > 0 && height > 0 && width % 2 == 0 && height % 2 == 0);
+    : VideoFile(file, width, height, encoding.frames_per_second,
+                encoding.gif ? gif_arguments() : film_arguments(encoding)) {
+  assert(width > 0 && height > 0 && (encoding.gif || (width % 2 == 0 && height % 2 == 0)));
 }
 
 VideoFile::~VideoFile() {

@@ -1,4 +1,4 @@
-// Pictures to a file, by the program `ffmpeg`: H.264 film (mp4) or a still.
+// Pictures to a file, by the program `ffmpeg`: H.264 film (mp4), animated GIF or a still.
 #pragma once
 
 #include <sys/types.h>
@@ -12,6 +12,7 @@
 namespace rotorub::renders {
 
 struct Encoding {
+  bool gif = false;  // or H.264
   double frames_per_second = 25.0;  // > 0
   int quality = 25;                 // x264's constant rate factor, 0 (lossless) to 51
 };
@@ -21,7 +22,7 @@ struct Encoding {
 // out. All errors are std::runtime_error and carry what ffmpeg said.
 class VideoFile {
  public:
-  // Starts ffmpeg. Width and height must be even (yuv420p).
+  // Starts ffmpeg. For H.264 width and height must be even (yuv420p).
   VideoFile(const std::filesystem::path& file, int width, int height, const Encoding& encoding);
   ~VideoFile();
   VideoFile(const VideoFile&) = delete;

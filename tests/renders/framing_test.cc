@@ -28,6 +28,7 @@ TEST(Framing, DurationGivesTheSlowMotion) {
   RenderOptions options;
   options.from = 0.0;
   options.duration = 4.0;
+  options.frames_per_second = 25.0;
   const Framing framing = make_framing(Playback(run), options);
   EXPECT_EQ(framing.frames, 100);
   EXPECT_DOUBLE_EQ(framing.slow_motion, 40.0);
@@ -71,12 +72,26 @@ struct Refused {
   void (*spoil)(RenderOptions&);
 };
 
+TEST(Framing, HardestImpactIsOneThatIsShown) {
+  Trajectory run = resting_run({});
+  const auto impact = [](double t, double impulse) {
+    return Impact{.t = t, .normal_impulse = impulse, .gap_rate_before = -0.1};
+  };
+  run.impacts = {impact(0.02, 9.0), impact(0.05, 1.0), impact(0.06, 3.0)};
+  const Playback playback(run);
+  RenderOptions options;
+  options.from = 0.04;
+  EXPECT_EQ(hardest_impact(playback, make_framing(playback, options)), 0.06);
+  options.from = 0.08;
+  EXPECT_DOUBLE_EQ(hardest_impact(playback, make_framing(playback, options)), 0.09);
+}
+
 TEST(Framing, RefusesOptionsByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   static double value;
   value = nan;
   const Refused cases[] = {
-      {"width", [](RenderOptions& o) { o.width = 641; }},  // yuv420p halves the size
+      {"width", [](RenderOptions& o) { o.width = 4000; }},
       {"width", [](RenderOptions& o) { o.width = 0; }},
       {"height", [](RenderOptions& o) { o.height = 100000; }},
       {"frames per second", [](RenderOptions& o) { o.frames_per_second = 0.0; }},

@@ -18,8 +18,8 @@ namespace rotorub::renders {
 
 inline constexpr double kClearance = 0.5e-3;  // m
 
-// A rotor without geometry in an elastic ring.
-inline scene::Scene ring_scene() {
+// A rotor without geometry with a contact, and what further tables give it.
+inline scene::Scene modal_scene(const std::string& tables) {
   return scene::parse_scene(R"(
 [run]
 end = 0.1
@@ -34,13 +34,12 @@ radius = 0.05
 clearance = "0.5 mm"
 friction = 0.15
 restitution = 0.5
-[stator]
-mass = 1.0
-damping = 200.0
-stiffness = 1e5
-)",
-                            "ring.toml");
+)" + tables,
+                            "modal.toml");
 }
+
+inline const std::string kElasticRing = "[stator]\nmass = 1.0\ndamping = 200.0\nstiffness = 1e5\n";
+inline scene::Scene ring_scene() { return modal_scene(kElasticRing); }
 
 // A free mass, held by nothing and touching nothing.
 inline scene::Scene free_scene() {

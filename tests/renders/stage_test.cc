@@ -28,11 +28,8 @@ Image picture(const std::vector<Mesh>& meshes,
   set_lights(*scene, {-1.0, 0.0, 0.0}, 0.4F);
   Canvas canvas(*scene);
   draw(stage, canvas);
-  Image result;
   stage.begin_picture();
-  mjr_render({0, 0, kSize, kSize}, &*scene, &stage.context());
-  stage.end_picture(result);
-  return result;
+  return stage.render(*scene);
 }
 
 TEST(Stage, UpIsUpAndRightIsRight) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "renders/film.h"
+#include "renders/framing.h"
 #include "tests/renders/samples.h"
 
 namespace rotorub::renders {
@@ -95,6 +96,18 @@ TEST(Video, SameInputSameBytes) {
   EXPECT_EQ(bytes(folder / "a.mp4"), bytes(folder / "b.mp4"));
 }
 
+TEST(Video, FramesDoNotDependOnTheNumberOfThreads) {
+  const Folder folder;
+  const Trajectory run = whirling_run();
+  RenderOptions options = short_film();
+  for (const int threads : {1, 2, 3}) {
+    options.threads = threads;
+    render(ring_scene(), run, options, folder / (std::to_string(threads) + ".mp4"));
+  }
+  EXPECT_EQ(bytes(folder / "1.mp4"), bytes(folder / "2.mp4"));
+  EXPECT_EQ(bytes(folder / "1.mp4"), bytes(folder / "3.mp4"));
+}
+
 TEST(Video, MissingEncoderIsNamedAndLeavesNothing) {
   const Folder folder;
   const Folder* const empty = &folder;
@@ -162,6 +175,37 @@ TEST(Video, NameMustSayTheFormat) {
   EXPECT_EQ(folder.entries(), 0u);
 }
 
+TEST(Video, SizesAndRatesThatAFormatCannotTake) {
+  RenderOptions odd = short_film();
+  odd.width = 321;
+  EXPECT_THROW(check_options(odd, FilmFormat::kMp4), std::invalid_argument);  // yuv420p halves it
+  EXPECT_NO_THROW(check_options(odd, FilmFormat::kGif));
+  EXPECT_NO_THROW(check_options(odd, FilmFormat::kPng));
+  RenderOptions fast = short_film();
+  fast.frames_per_second = 60.0;
+  EXPECT_THROW(check_options(fast, FilmFormat::kGif), std::invalid_argument);
+  EXPECT_NO_THROW(check_options(fast, FilmFormat::kMp4));
+  RenderOptions large;  // 1280 x 720, 12 s: all its frames at once are more than 1 GB
+  large.frames_per_second = 50.0;
+  const Folder folder;
+  EXPECT_THROW(render(ring_scene(), whirling_run(), large, folder / "film.gif"),
+               std::invalid_argument);
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(Video, GifHasItsFramesAndSize) {
+  const Folder folder;
+  RenderOptions options = short_film();
+  options.width = 321;
+  options.frames_per_second = 10.0;
+  render(ring_scene(), whirling_run(), options, folder / "film.gif");
+  const std::string said = probe(folder / "film.gif");
+  for (const char* line : {"codec_name=gif\n", "width=321\n", "nb_read_frames=10\n"}) {
+    EXPECT_NE(said.find(line), std::string::npos) << line << said;
+  }
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
 TEST(Video, StillKeepsEveryPixel) {
   const Folder folder;
   Image picture = plain(6, 4, 10);
@@ -175,10 +219,27 @@ TEST(Video, StillKeepsEveryPixel) {
   EXPECT_EQ(std::vector<std::uint8_t>(raw.begin(), raw.end()), picture.rgb);
 }
 
+TEST(Video, StillBeforeWhatAFilmShowsByDefault) {
+  const Folder folder;
+  const Trajectory late = made_run(101, [](double t) {
+    return Row{.rotor_x = kClearance, .normal_force = t > 0.0495 ? 5.0 : 0.0};
+  });
+  ASSERT_GT(make_framing(Playback(late), short_film()).from, 0.02);
+  EXPECT_EQ(render_still(ring_scene(), late, 0.02, short_film(), folder / "still.png").t, 0.02);
+}
+
 TEST(Video, StillOfARun) {
   const Folder folder;
-  render_still(ring_scene(), whirling_run(), 0.03, short_film(), folder / "still.png");
+  const auto still =
+      render_still(ring_scene(), whirling_run(), 0.03, short_film(), folder / "still.png");
+  EXPECT_EQ(still.t, 0.03);
   EXPECT_NE(probe(folder / "still.png").find("codec_name=png"), std::string::npos);
+  render_still(ring_scene(), whirling_run(), 0.03, short_film(), folder / "again.png");
+  EXPECT_EQ(bytes(folder / "still.png"), bytes(folder / "again.png"));
+  render_still(ring_scene(), whirling_run(), 0.04, short_film(), folder / "later.png");
+  EXPECT_NE(bytes(folder / "still.png"), bytes(folder / "later.png"));
+  EXPECT_THROW(render_still(ring_scene(), whirling_run(), 0.3, short_film(), folder / "no.png"),
+               std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,167 @@
+#include "renders/panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renders/palette.h"
+
+namespace rotorub::renders {
+
+namespace {
+
+std::vector<double> control_size(const Trajectory& trajectory) {
+  const auto& x = trajectory.column("control_x");
+  const auto& y = trajectory.column("control_y");
+  std::vector<double> size;
+  for (std::size_t i = 0; i < x.size(); ++i) size.push_back(std::hypot(x[i], y[i]));
+  return size;
+}
+
+}  // namespace
+
+Panel::Panel(const FilmParts& film, const PanelLayout& layout, const Trajectory& trajectory,
+             const ShownRun& run, const ShownRun* ghost)
+    : film_(&film), layout_(layout), run_(&run), ghost_(ghost) {
+  if (film.has_contact()) make_charts(trajectory);
+}
+
+void Panel::make_charts(const Trajectory& trajectory) {
+  const Scales& scales = film_->scales;
+  const auto& t = trajectory.column("t");
+  Chart::Options options;
+  options.from = film_->from;
+  options.to = film_->to;
+
+  // The free orbit before the touch leaves the chart of the gap.
+  options.mark_clipped = false;
+  options.scale = scales.gap;
+  options.color = palette::kTrail;
+  options.unit = "µm";
+  std::vector<double> gap = trajectory.column("gap");
+  for (double& value : gap) value *= 1e6;
+  charts_.emplace_back(t, gap, options);
+
+  options.mark_clipped = true;
+  options.color = palette::kNormal;
+  if (scales.impulses) {
+    options.scale = scales.impulse;
+    options.unit = "N s";
+    options.stems = true;
+    std::vector<double> times, impulses;
+    for (const Strike& strike : run_->playback.strikes()) {
+      times.push_back(strike.t);
+      impulses.push_back(strike.impulse);
+    }
+    charts_.emplace_back(times, impulses, options);
+  } else {
+    options.scale = scales.force;
+    if (!(scales.force.high > 0.0)) options.scale.high = 1.0;
+    options.unit = "N";
+    charts_.emplace_back(t, trajectory.column("normal_force"), options);
+  }
+  options.stems = false;
+
+  if (!(scales.control.high > 0.0)) return;
+  options.scale = scales.control;
+  options.color = palette::kControl;
+  options.unit = "N";
+  const bool controlled = trajectory.has("control_x");
+  charts_.emplace_back(
+      t, controlled ? control_size(trajectory) : std::vector<double>(t.size(), 0.0), options);
+}
+
+void Panel::draw(const Sheet& picture, const Instant& instant, const Pose* ghost,
+                 double trail_time) const {
+  if (layout_.section.width > 0) {
+    Sheet sheet = picture.part(layout_.section);
+    sheet.fill(0, 0, layout_.section.width, layout_.section.height, palette::kBackground);
+    film_->section_view->draw(sheet, instant, ghost);
+    write_scale_bars(sheet);
+  }
+  if (layout_.unrolled.width > 0) {
+    Sheet sheet = picture.part(layout_.unrolled);
+    film_->unrolled_view->draw(sheet, film_->text_size, run_->playback, instant, trail_time,
+                               ghost_ != nullptr ? &ghost_->playback : nullptr);
+  }
+  if (layout_.machine.width > 0) write_machine_text(picture.part(layout_.machine));
+  write_caption(picture.part(layout_.caption), instant.pose);
+  if (!charts_.empty()) draw_charts(picture, instant.pose);
+}
+
+void Panel::write_caption(Sheet sheet, const Pose& pose) const {
+  const int size = film_->text_size;
+  double x = sheet.text(size, 0.3 * size, run_->label, size, palette::kInk);
+  if (ghost_ != nullptr) {
+    sheet.text(size, 1.6 * size, "translucent: " + ghost_->label, size, palette::kGhost);
+  }
+  if (!film_->has_contact()) return;
+  const bool touching = pose.mode != Mode::kFree;
+  sheet.text(x + size, 0.3 * size, to_string(pose.mode), size,
+             touching ? palette::kNormal : palette::kFaintInk, Weight::kBold);
+}
+
+void Panel::write_machine_text(Sheet sheet) const {
+  const int size = film_->text_size;
+  const Machine& machine = film_->machine;
+  std::string text = fmt::format("displacements ×{:.4g}", machine.magnification);
+  if (machine.schematic) text += ", shaft schematic";
+  sheet.text(size, sheet.area().height - 1.6 * size, text, size, palette::kInk);
+}
+
+// Clearance and forces as long as they are drawn.
+void Panel::write_scale_bars(Sheet sheet) const {
+  const Area& area = sheet.area();
+  const int size = std::min(film_->text_size, std::max(9, area.height / 26));
+  const double pixels = film_->section_view->pixels(area);
+  const DrawnContact& contact = *film_->section.contact;
+  double y = 2.2 * size;  // below the caption, where no actuator is
+  const auto bar = [&](double length, const std::string& text, const Color& color) {
+    const double wide = std::max(length, sheet.text_width(text, size));
+    sheet.fill(0.6 * size, y, wide + 0.8 * size, 1.7 * size, palette::kBackground.with_alpha(0.8));
+    sheet.text(size, y, text, size, palette::kInk);
+    sheet.fill(size, y + 1.2 * size, length, 3.0, color);
+    y += 1.9 * size;
+  };
+  const double longest = kArrowShare * contact.rotor_radius * pixels;
+  bar(contact.clearance * pixels, "clearance " + length_text(film_->clearance), palette::kInk);
+  const auto force = [&](const ValueScale& scale, const char* name, const Color& color) {
+    const double shown = scale.logarithmic ? scale.high : plain_number_below(scale.high);
+    bar(scale.share(shown) * longest,
+        fmt::format("{} {}{}", name, value_text(shown, "N"), scale.logarithmic ? ", log" : ""),
+        color);
+  };
+  if (!film_->scales.impulses && film_->scales.force.high > 0.0) {
+    force(film_->scales.force, "contact", palette::kNormal);
+  }
+  if (film_->scales.control.high > 0.0) force(film_->scales.control, "control", palette::kControl);
+  sheet.text_to(area.width - 0.6 * size, area.height - 1.5 * size,
+                fmt::format("×{:.4g}", film_->section.magnification), size, palette::kInk);
+}
+
+void Panel::draw_charts(const Sheet& picture, const Pose& pose) const {
+  const int size = film_->text_size;
+  const auto draw = [&](std::size_t k, const std::string& title,
+                        const std::vector<Chart::Reading>& readings) {
+    Sheet sheet = picture.part(layout_.charts[k]);
+    charts_[k].draw(sheet, size, pose.t, title, readings);
+  };
+  draw(0, "gap", {{fmt::format("{:.1f} µm", std::abs(pose.gap) < 0.05e-6 ? 0.0 : 1e6 * pose.gap), palette::kTrail}});
+  if (film_->scales.impulses) {
+    double last = 0.0;
+    for (const Strike& strike : run_->playback.strikes()) {
+      if (strike.t <= pose.t) last = strike.impulse;
+    }
+    draw(1, "last impulse", {{fmt::format("{:.4f} N s", last), palette::kNormal}});
+  } else {
+    draw(1, "force",
+         {{value_text(pose.normal_force, "N"), palette::kNormal},
+          {"friction " + value_text(pose.friction_force, "N"), palette::kFriction}});
+  }
+  if (charts_.size() > 2) {
+    draw(2, "control", {{value_text(pose.control.norm(), "N"), palette::kControl}});
+  }
+}
+
+}  // namespace rotorub::renders

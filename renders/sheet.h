@@ -1,0 +1,74 @@
+// Flat drawing into a picture, with smooth edges: what stands over and beside MuJoCo's rendering.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string_view>
+
+#include "renders/canvas.h"
+#include "renders/font.h"
+#include "renders/image.h"
+
+namespace rotorub::renders {
+
+// A part of the picture, whole pixels from its upper left corner.
+struct Area {
+  int left = 0, top = 0, width = 0, height = 0;
+  int right() const { return left + width; }
+  int bottom() const { return top + height; }
+  double aspect() const { return static_cast<double>(width) / height; }
+};
+
+// Coordinates are pixels of the area, x to the right, y down, (0, 0) its upper left corner; pixel i
+// covers [i, i + 1). Nothing is drawn outside of the area. Angles: rad, counter-clockwise as seen.
+class Sheet {
+ public:
+  using Point = Eigen::Vector2d;
+
+  // Both must outlive it.
+  Sheet(Image& picture, Font& font, const Area& area);
+  const Area& area() const { return area_; }
+  Sheet part(const Area& area) const { return {*picture_, *font_, area}; }  // of the picture
+
+  void fill(double x, double y, double width, double height, const Color& color);
+  void line(const Point& from, const Point& to, double width, const Color& color);  // round ends
+  void bar(const Point& from, const Point& to, double width, const Color& color);   // flat ends
+  void polyline(std::span<const Point> points, double width, const Color& color);
+  // A path that fades from its end, which is now, to its beginning. Two points farther apart than
+  // `longest` are not joined.
+  void trail(std::span<const Point> points, double width, const Color& color,
+             double longest = 1e300);
+  void disc(const Point& center, double radius, const Color& color);
+  void ring(const Point& center, double inner, double outer, const Color& color);
+  // A ring's part, from angle `from` over `span` in (0, pi].
+  void sector(const Point& center, double inner, double outer, double from, double span,
+              const Color& color);
+  void dashed_circle(const Point& center, double radius, double width, const Color& color);
+  // Corners in either order.
+  void convex(std::span<const Point> corners, const Color& color);
+  void arrow(const Point& from, const Point& to, double width, const Color& color);
+
+  // Text of one line, UTF-8, its capitals' top at about y; returns the x behind it.
+  double text(double x, double y, std::string_view words, int size, const Color& color,
+              Weight weight = Weight::kRegular);
+  double text_width(std::string_view words, int size, Weight weight = Weight::kRegular) const;
+  // The same, ending at x.
+  void text_to(double x, double y, std::string_view words, int size, const Color& color,
+               Weight weight = Weight::kRegular);
+
+ private:
+  // Blends the colour into every pixel between the corners by coverage(x, y) in [0, 1] of its
+  // middle.
+  template <class Coverage>
+  void shade(double left, double top, double right, double bottom, const Color& color,
+             const Coverage& coverage);
+
+  // Pixels of a row, first to last - 1.
+  void set(int row, int first, int last, const Color& color);
+
+  Image* picture_;
+  Font* font_;
+  Area area_;
+};
+
+}  // namespace rotorub::renders

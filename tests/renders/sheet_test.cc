@@ -1,0 +1,129 @@
+#include "renders/sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "renders/unrolled_view.h"
+#include "tests/renders/samples.h"
+
+namespace rotorub::renders {
+namespace {
+
+constexpr int kSide = 100;
+const Color kBlack{0.0F, 0.0F, 0.0F};
+
+// What is drawn in black on white: the area that it covers, in pixels.
+struct Drawing {
+  Image picture;
+  Font font;
+  Sheet sheet;
+  Drawing() : sheet(picture, font, {0, 0, kSide, kSide}) {
+    picture.width = picture.height = kSide;
+    picture.rgb.assign(3 * kSide * kSide, 255);
+  }
+
+  double ink(int left = 0, int top = 0, int right = kSide, int bottom = kSide) const {
+    double ink = 0.0;
+    for (int row = top; row < bottom; ++row) {
+      for (int column = left; column < right; ++column) {
+        ink += 1.0 - picture.pixel(column, row)[0] / 255.0;
+      }
+    }
+    return ink;
+  }
+};
+
+// Smooth edges keep the area: 1 %, of 8-bit shades.
+void expect_area(const Drawing& drawing, double area) { EXPECT_NEAR(drawing.ink(), area, 0.01 * area); }
+
+TEST(Sheet, ShapesHaveTheirAreas) {
+  constexpr double kHalfCircle = std::numbers::pi;
+  Drawing disc;
+  disc.sheet.disc({50.3, 49.8}, 30.25, kBlack);
+  expect_area(disc, kHalfCircle * 30.25 * 30.25);
+  Drawing ring;
+  ring.sheet.ring({50.0, 50.0}, 20.5, 30.5, kBlack);
+  expect_area(ring, kHalfCircle * (30.5 * 30.5 - 20.5 * 20.5));
+  Drawing sector;
+  sector.sheet.sector({50.0, 50.0}, 10.0, 40.0, 0.3, 0.5 * kHalfCircle, kBlack);
+  expect_area(sector, 0.25 * kHalfCircle * (1600.0 - 100.0));
+  Drawing fill;
+  fill.sheet.fill(10.25, 20.5, 30.5, 40.25, kBlack);
+  expect_area(fill, 30.5 * 40.25);
+  Drawing line;
+  line.sheet.line({10.0, 20.0}, {70.0, 63.0}, 6.0, kBlack);
+  expect_area(line, 6.0 * std::hypot(60.0, 43.0) + kHalfCircle * 9.0);
+}
+
+TEST(Sheet, AnglesGoCounterClockwiseFromTheRight) {
+  Drawing sector;
+  sector.sheet.sector({50.0, 50.0}, 0.0, 40.0, 0.0, 1.5707963, kBlack);
+  EXPECT_GT(sector.ink(50, 0, 100, 50), 0.99 * sector.ink());
+}
+
+TEST(Sheet, ATrailHasNoBeadsAndFades) {
+  Drawing trail;
+  std::vector<Sheet::Point> points;
+  for (int k = 0; k <= 40; ++k) points.push_back({10.0 + 2.0 * k, 50.0});
+  trail.sheet.trail(points, 3.0, kBlack);
+  double before = 0.0;
+  for (int column = 12; column < 88; ++column) {
+    const double ink = trail.ink(column, 40, column + 1, 60);
+    EXPECT_GE(ink, before - 0.02) << column;
+    before = ink;
+  }
+  EXPECT_NEAR(before, 3.0, 0.2);
+  Drawing broken;
+  const std::vector<Sheet::Point> apart = {{10.0, 50.0}, {90.0, 50.0}};
+  broken.sheet.trail(apart, 3.0, kBlack, 40.0);
+  EXPECT_EQ(broken.ink(), 0.0);
+}
+
+TEST(Sheet, NothingLeavesItsArea) {
+  Drawing drawing;
+  Sheet part = drawing.sheet.part({20, 30, 40, 20});
+  part.disc({0.0, 0.0}, 200.0, kBlack);
+  part.text(-20.0, -5.0, "outside", 30, kBlack);
+  part.line({-50.0, 5.0}, {500.0, 5.0}, 300.0, kBlack);
+  EXPECT_EQ(drawing.ink(), 40.0 * 20.0);
+  EXPECT_EQ(drawing.ink(20, 30, 60, 50), 40.0 * 20.0);
+}
+
+TEST(Font, HasTheLettersOfUnits) {
+  Font font;
+  const Glyph& box = font.glyph(0xFFFFF, 20, Weight::kRegular);
+  for (const char32_t code : {U'µ', U'×', U'°', U'▲', U'Ω', U'm'}) {
+    const Glyph& glyph = font.glyph(code, 20, Weight::kRegular);
+    EXPECT_GT(glyph.width, 0) << static_cast<unsigned>(code);
+    EXPECT_NE(glyph.coverage, box.coverage) << static_cast<unsigned>(code);
+  }
+  // Digits are of one width, so that readings stand still.
+  EXPECT_EQ(font.width("1111", 17, Weight::kRegular), font.width("8888", 17, Weight::kRegular));
+}
+
+TEST(Font, ReadsUtf8) {
+  EXPECT_EQ(characters("aµ▲"), (std::vector<char32_t>{U'a', U'µ', U'▲'}));
+  EXPECT_EQ(characters("\xff" "a\xc2"), (std::vector<char32_t>{0xFFFD, U'a', 0xFFFD}));
+}
+
+TEST(Unrolled, ABounceOfThreeMicrometresIsSeen) {
+  const UnrolledView view(kClearance, 0.0);
+  // Of a plot 500 pixels high a bounce of 3 um rises 150 and more from the ring's line.
+  EXPECT_GT(500.0 * (view.height_of(0.0) - view.height_of(3e-6)), 150.0);
+  EXPECT_EQ(view.height_of(0.0), 1.0);
+  EXPECT_GE(view.height_of(kClearance), 0.0);
+  EXPECT_EQ(view.height_of(-1e-3), 1.0) << "no room for a penetration where there is none";
+}
+
+TEST(Unrolled, PenetrationGoesDownByTheSameLaw) {
+  const UnrolledView view(kClearance, 20e-6);
+  EXPECT_NEAR(view.height_of(-1e-6) - view.height_of(0.0), view.height_of(0.0) - view.height_of(1e-6),
+              1e-12);
+  EXPECT_GT(view.height_of(-20e-6), view.height_of(-1e-6));
+  EXPECT_LE(view.height_of(-20e-6), 1.0);
+}
+
+}  // namespace
+}  // namespace rotorub::renders
