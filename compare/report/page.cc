@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "compare/report/assets.h"
-#include "compare/report/base64.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/page_values.h"
 #include "compare/report/plots.h"
+#include "compare/report/shown_runs.h"
 #include "compare/report/trade.h"
 #include "compare/study/format.h"
 #include "compare/version.h"
@@ -21,40 +18,9 @@ namespace {
 
 using nlohmann::json;
 
-std::string file_bytes(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in && !in.eof()) throw std::runtime_error("cannot read " + file.string());
-  if (bytes.empty()) throw std::runtime_error("cannot read " + file.string() + ", or it is empty");
-  return bytes;
-}
-
 json film_values(const std::vector<Film>& films) {
   json all = json::array();
-  for (const Film& film : films) {
-    all.push_back({{"data", base64(file_bytes(film.file))}, {"caption", film.caption}});
-  }
-  return all;
-}
-
-json plot_values(const SceneComparison& comparison) {
-  json all = json::array();
-  for (const PlotKind& kind : plot_kinds(comparison)) {
-    all.push_back({{"key", kind.key},
-                   {"title", kind.title},
-                   {"unit", kind.unit},
-                   {"text", kind.text},
-                   {"shape", kind.shape},
-                   {"over", to_string(kind.over)}});
-  }
-  return all;
-}
-
-json window_values(const SceneComparison& comparison) {
-  json all = json::array();
-  for (const Window& window : plot_windows(comparison)) {
-    all.push_back({{"index", all.size()}, {"name", window.name}});
-  }
+  for (const Film& film : films) all.push_back({{"link", film.link}, {"caption", film.caption}});
   return all;
 }
 
@@ -81,10 +47,12 @@ std::string report_page(const std::vector<PageScene>& scenes) {
     values["has_films"] = !scene.films.empty();
     values["films"] = film_values(scene.films);
     values["no_films"] = scene.no_films;
-    values["plots"] = plot_values(comparison);
-    values["windows"] = window_values(comparison);
+    values["setting"] = scene.setting;
+    const ShownRuns shown = shown_runs(comparison);
+    values["plots"] = plot_values(shown);
+    values["windows"] = window_values(shown);
     pages.push_back(std::move(values));
-    plots.push_back(plot_data(comparison));
+    plots.push_back(plot_data(shown));
     comparisons.push_back(&comparison);
   }
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
@@ -92,7 +60,8 @@ std::string report_page(const std::vector<PageScene>& scenes) {
       scenes.empty() ? CompareMode::kLockstep : scenes.front().comparison->mode;
   json values = page_frame({names_of(scenes), fmt::format("{} comparison", to_string(mode)),
                             "Can MuJoCo's contact forces be trusted?"},
-                           report_js(), {{"scenes", plots}, {"trade", trade_data(comparisons)}});
+                           report_js(), {{"scenes", plots}, {"trade", trade_data(comparisons)}},
+                           Pictures::kPlotsAndRig);
   values["trades"] = scenes.size() > 1;
   values["by_figures"] = mode != CompareMode::kResync;
   values["resyncs"] = mode == CompareMode::kResync;

@@ -1,7 +1,6 @@
-// The report: one HTML file with everything in it, for any browser, without a network.
+// The report: one HTML file with everything in it but the films beside it, for any browser, without a network.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,7 @@
 namespace rotorub {
 
 struct Film {
-  std::filesystem::path file;  // mp4
+  std::string link;  // from the page to the mp4 beside it, as a URL has it
   std::string caption;
 };
 
@@ -18,9 +17,10 @@ struct PageScene {
   const SceneComparison* comparison = nullptr;  // a finished one
   std::vector<Film> films;
   std::string no_films;  // why there are none
+  std::string setting{};  // to use, or how to find it; a sentence
 };
 
-// The whole page. Throws std::runtime_error where a film cannot be read.
+// The whole page.
 std::string report_page(const std::vector<PageScene>& scenes);
 
 }  // namespace rotorub

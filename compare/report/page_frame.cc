@@ -6,7 +6,7 @@
 
 #include "compare/report/assets.h"
 #include "compare/report/template.h"
-#include "compare/report/web/plotly.h"
+#include "compare/report/web/scripts.h"
 #include "compare/version.h"
 
 namespace rotorub {
@@ -20,20 +20,43 @@ std::string for_script(std::string text) {
   return text;
 }
 
+std::string live_scripts() {
+  std::string scripts;
+  for (const std::string_view part :
+       {tracks_js(), pictures_js(), whirl_js(), traces_js(), plots_js(), run_js(), clock_js(), rig_parts_js(), rig_js(),
+        section_js(), unrolled_js(), readings_js(), player_js(), live_js()}) {
+    scripts += part;
+  }
+  return scripts;
+}
+
 }  // namespace
 
 nlohmann::json page_frame(const PageHead& head, std::string_view script,
-                          const nlohmann::json& data) {
-  std::string scripts = "<script id=\"plotly\">\n";
+                          const nlohmann::json& data, Pictures pictures) {
+  // Where there is a player, its own script starts plotly once the player is drawn.
+  const bool live = pictures == Pictures::kPlotsAndRig;
+  std::string scripts = live ? "<script id=\"plotly\" type=\"text/plain\">\n" : "<script id=\"plotly\">\n";
   scripts += plotly_js();
+  if (live) {
+    scripts += "\n</script>\n<script id=\"three\">\n";
+    scripts += three_js();
+  }
   scripts += "\n</script>\n<script id=\"data\" type=\"application/json\">";
   scripts += for_script(data.dump());
   scripts += "</script>\n<script>\n";
   scripts += page_js();
+  std::string css(report_css());
+  if (live) {
+    scripts += live_scripts();
+    css += player_css();
+  }
   scripts += script;
   scripts += "\n</script>";
-  return {{"names", head.names},           {"topic", head.topic},  {"heading", head.heading},
-          {"version", program_version()}, {"css", report_css()}, {"scripts", std::move(scripts)}};
+  // The player's two sides.
+  const nlohmann::json places = {{{"place", 0}, {"which", "first"}}, {{"place", 1}, {"which", "second"}}};
+  return {{"places", places},       {"names", head.names},           {"topic", head.topic},  {"heading", head.heading},
+          {"version", program_version()}, {"css", std::move(css)}, {"scripts", std::move(scripts)}};
 }
 
 std::string fill_page(std::string_view html, const nlohmann::json& values) {
@@ -42,7 +65,10 @@ std::string fill_page(std::string_view html, const nlohmann::json& values) {
                         {"foot", foot_html()},
                         {"cards", cards_html()},
                         {"map", map_html()},
-                        {"figures", figures_html()}});
+                        {"figures", figures_html()},
+                        {"plots", plots_html()},
+                        {"player", player_html()},
+                        {"transport", transport_html()}});
 }
 
 }  // namespace rotorub

@@ -11,6 +11,8 @@
 #include "compare/report/mode_values.h"
 #include "compare/study/answer.h"
 #include "compare/study/format.h"
+#include "compare/study/palette.h"
+#include "compare/study/three_errors.h"
 #include "compare/study/verdict.h"
 #include "compare/version.h"
 #include "native_model/scene/reader.h"
@@ -21,7 +23,8 @@ namespace {
 using nlohmann::json;
 
 const char* tone(Trust trust) {
-  return trust == Trust::kYes ? "good" : trust == Trust::kNo ? "bad" : "part";
+  const Tone tone = tone_of(trust);
+  return tone == Tone::kGood ? "good" : tone == Tone::kBad ? "bad" : "part";
 }
 const char* mark(Trust trust) {
   switch (trust) {
@@ -60,11 +63,22 @@ json verdict_values(const SceneComparison& c) {
   return all;
 }
 
+json error_values(const LargestError& error) {
+  if (!error.figure) return {{"value", "not told"}, {"label", ""}, {"note", ""}};
+  return {{"value", deviation_text(*error.figure, error.share)},
+          {"label", error.figure->label},
+          {"note", error.untold > 0 ? fmt::format("{} not told", error.untold) : std::string()}};
+}
+
 // One row a contact model, none smaller than another.
 json answer_values(const SceneComparison& c) {
   json rows = json::array();
+  std::size_t side = 0;
   for (const AnswerRow& row : answer(c)) {
-    rows.push_back({{"contact", row.contact},
+    const ThreeErrors errors = three_errors(c, ++side);
+    rows.push_back({{"errors", {error_values(errors.contact), error_values(errors.step),
+                                error_values(errors.modes.value_or(LargestError()))}},
+                    {"contact", row.contact},
                     {"tone", tone(row.trust)},
                     {"mark", mark(row.trust)},
                     {"trusted", to_string(row.trust)},

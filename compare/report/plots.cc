@@ -6,9 +6,11 @@
 #include <numbers>
 
 #include "compare/report/characteristics.h"
+#include "compare/report/pack/packed_run.h"
+#include "compare/report/rig_values.h"
 #include "compare/report/rounded.h"
 #include "compare/report/thin.h"
-#include "native_model/bearing/actuator_axes.h"
+#include "compare/report/whirl_plots.h"
 
 namespace rotorub {
 namespace {
@@ -17,67 +19,25 @@ using nlohmann::json;
 using Values = std::vector<double>;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kMicro = 1e6;
 
-json pick(const Values& values, const std::vector<std::size_t>& rows, int digits) {
-  json out = json::array();
-  for (const std::size_t i : rows) out.push_back(rounded(values[i], digits));
-  return out;
-}
-
-Values scaled(Values values, double factor) {
-  for (double& v : values) v *= factor;
-  return values;
-}
-
-// The twist at the contact: each torsion mode is 1 there.
-Values torsion(const Trajectory& t) {
-  Values sum(t.rows(), 0.0);
-  for (int k = 1; t.has("torsion_" + std::to_string(k)); ++k) {
-    const Values& mode = t.column("torsion_" + std::to_string(k));
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += mode[i];
-  }
-  return scaled(std::move(sum), 1e3);
-}
-
-Values magnitude(const Values& x, const Values& y) {
-  Values r(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) r[i] = std::hypot(x[i], y[i]);
-  return r;
-}
-
-// The values of a plot over time in its unit; empty where the run has none.
-Values series_of(const std::string& key, const Trajectory& t) {
-  if (key == "gap") return scaled(t.column("gap"), kMicro);
-  if (key == "gap_rate") return scaled(t.column("gap_rate"), 1e3);
-  if (key == "rotor_x") return scaled(t.column("rotor_x"), kMicro);
-  if (key == "normal_force" || key == "friction_force") return t.column(key);
-  if (key == "spin") return scaled(t.column("spin_speed"), 60.0 / kTurn);
-  if (key == "ring_speed" && t.has("ring_speed")) {
-    return scaled(t.column("ring_speed"), 60.0 / kTurn);
-  }
-  if (key == "torsion" && t.has("torsion_1")) return torsion(t);
-  if (key == "control" && t.has("control_x")) {
-    return magnitude(t.column("control_x"), t.column("control_y"));
-  }
-  if (key == "current" && t.has("current_1")) {
-    return magnitude(t.column("current_1"), t.column("current_2"));
-  }
-  return {};
-}
-
-bool touches(const scene::Scene& scene, const Trajectory&) { return scene.contact.has_value(); }
-bool rubs(const scene::Scene& scene, const Trajectory&) { return scene.contact && scene.contact->friction > 0.0; }
-bool has_currents(const scene::Scene&, const Trajectory& t) { return t.has("current_1"); }
-bool has_motor(const scene::Scene&, const Trajectory& t) { return t.has("motor_torque"); }
+bool touches(const ShownRuns& s, const Trajectory&) { return s.scene->contact.has_value(); }
+bool rubs(const ShownRuns& s, const Trajectory&) { return s.scene->contact && s.scene->contact->friction > 0.0; }
+bool has_currents(const ShownRuns&, const Trajectory& t) { return t.has("current_1"); }
+bool has_control(const ShownRuns&, const Trajectory& t) { return t.has("control_x"); }
+bool has_torsion(const ShownRuns&, const Trajectory& t) { return t.has("torsion_1"); }
+bool has_ring_speed(const ShownRuns&, const Trajectory& t) { return t.has("ring_speed"); }
+bool is_compared(const ShownRuns& s, const Trajectory&) { return s.runs.size() > 1; }
+bool turns(const ShownRuns&, const Trajectory& t) { return mean_spin(t) != 0.0; }
+bool is_sampled(const ShownRuns&, const Trajectory& t) { return t.rows() >= kLeastSpectrumRows; }
+bool has_motor(const ShownRuns&, const Trajectory& t) { return t.has("motor_torque"); }
 
 constexpr PlotKind kKinds[] = {
-    {"gap", "Gap", "µm", "0: contact; below 0: penetration", "wide"},
-    {"gap_rate", "Gap rate", "mm/s", "what control brings to 0 (paper, Fig. 8)", ""},
+    {"gap", "Gap", "µm", "0: contact; below 0: penetration", "wide", PlotOver::kTime, touches},
+    {"gap_rate", "Gap rate", "mm/s", "what control brings to 0 (paper, Fig. 8)", "", PlotOver::kTime, touches},
     {"rotor_x", "Rotor", "µm", "along x; dotted, where there is control: without it (paper, Fig. 9)", ""},
     {"normal_force", "Normal force", "N",
-     "of lasting contact; impulses of the rigid law's impacts are below", ""},
-    {"friction_force", "Friction force", "N", "on the rotor, along the ring", ""},
+     "of lasting contact; impulses of the rigid law's impacts are below", "", PlotOver::kTime, touches},
+    {"friction_force", "Friction force", "N", "on the rotor, along the ring", "", PlotOver::kTime, touches},
     {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", "", PlotOver::kImpacts, touches},
     {"friction_impacts", "Friction of impacts", "mN s", "size of the tangential impulse of each", "",
      PlotOver::kImpacts, rubs},
@@ -88,10 +48,12 @@ constexpr PlotKind kKinds[] = {
      "of each impact, tangential over friction times normal impulse (paper, Fig. 5); dashed: Coulomb's", "square",
      PlotOver::kLaw, rubs},
     {"spin", "Spin speed", "rpm", "what friction takes from the drive", ""},
-    {"ring_speed", "Ring speed", "rpm", "what friction and drag make of the ring that turns", ""},
-    {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", ""},
-    {"control", "Control force", "N", "magnitude of the actuators' force on the ring", ""},
-    {"current", "Coil current", "A", "magnitude of the control currents of the two axes", ""},
+    {"ring_speed", "Ring speed", "rpm", "what friction and drag make of the ring that turns", "",
+     PlotOver::kTime, has_ring_speed},
+    {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", "", PlotOver::kTime, has_torsion},
+    {"control", "Control force", "N", "magnitude of the actuators' force on the ring", "", PlotOver::kTime, has_control},
+    {"current", "Coil current", "A", "magnitude of the control currents of the two axes", "",
+     PlotOver::kTime, has_currents},
     {"actuator", "Actuator", "N", "force of axis 1 over its current, on the characteristic F(s, i) (paper, Fig. 3)",
      "square", PlotOver::kPath, has_currents},
     {"motor", "Motor", "N m", "torque over speed; dashed: the motor's characteristic (paper, Fig. 6)", "square",
@@ -99,48 +61,15 @@ constexpr PlotKind kKinds[] = {
     {"orbit", "Orbits", "µm", "rotor solid, ring dotted; the last turns, or the time zoomed to", "square",
      PlotOver::kTurns},
     {"relative", "Rotor in the ring", "µm", "relative to the ring's centre; dashed: the clearance", "square",
-     PlotOver::kTurns},
+     PlotOver::kTurns, touches},
+    {"residual", "Away from the first run", "µm", "distance of a run's rotor from the first run's; in chaos it grows to the orbit's size",
+     "", PlotOver::kTime, is_compared},
+    {"spectrum", "Full spectrum", "µm", "of the second half: forward whirl above 0 Hz, backward below; dashed: the spin", "",
+     PlotOver::kWhirl, is_sampled},
+    {"waterfall", "Waterfall", "µm", "the full spectrum over the run, of the first run shown", "", PlotOver::kWhirl, is_sampled},
+    {"poincare", "Poincaré points", "µm", "the rotor once a turn, second half: a point is synchronous, a cloud chaos", "square",
+     PlotOver::kWhirl, turns},
 };
-
-struct Rows {
-  std::size_t first, last;
-};
-
-Rows rows_of(const Values& t, const Window& window) {
-  const auto first = std::lower_bound(t.begin(), t.end(), window.from);
-  const auto last = std::upper_bound(first, t.end(), window.to);
-  return {static_cast<std::size_t>(first - t.begin()), static_cast<std::size_t>(last - t.begin())};
-}
-
-json time_series(const Values& t, const Values& y, const std::vector<Window>& windows) {
-  json out = json::array();
-  for (const Window& window : windows) {
-    const auto [first, last] = rows_of(t, window);
-    const auto kept = thin(y, first, last, kPlotBuckets);
-    out.push_back({{"t", pick(t, kept, 8)}, {"y", pick(y, kept, 6)}});
-  }
-  return out;
-}
-
-enum class WholeRun { kShown, kLeftOut };
-
-// kLeftOut: nothing for the whole run, which is the first window, where all turns on top of each other show
-// nothing.
-json curves(const Values& t, const Values& x, const Values& y, const std::vector<Window>& windows,
-            WholeRun whole = WholeRun::kLeftOut) {
-  json out = json::array();
-  for (std::size_t k = 0; k < windows.size(); ++k) {
-    if (k == 0 && whole == WholeRun::kLeftOut) {
-      out.push_back(nullptr);
-      continue;
-    }
-    const Window& window = windows[k];
-    const auto [first, last] = rows_of(t, window);
-    const auto kept = thin_curve(x, y, first, last, kPlotBuckets / 2);
-    out.push_back({{"x", pick(x, kept, 6)}, {"y", pick(y, kept, 6)}});
-  }
-  return out;
-}
 
 // friction: of the contact, mu.
 json impact_data(const Trajectory& trajectory, double friction) {
@@ -156,49 +85,19 @@ json impact_data(const Trajectory& trajectory, double friction) {
     share.push_back(friction > 0.0 ? impact.friction_impulse / (friction * impact.normal_impulse) : 0.0);
   }
   const auto kept = thin(normal, 0, normal.size(), kPlotBuckets);
-  return {{"t", pick(t, kept, 8)},          {"y", pick(normal, kept, 5)},
-          {"friction", pick(tangential, kept, 5)}, {"before", pick(before, kept, 5)},
-          {"after", pick(after, kept, 5)},  {"slip", pick(slip, kept, 5)},
-          {"share", pick(share, kept, 5)}};
+  return {{"t", picked(t, kept, 8)},          {"y", picked(normal, kept, 5)},
+          {"friction", picked(tangential, kept, 5)}, {"before", picked(before, kept, 5)},
+          {"after", picked(after, kept, 5)},  {"slip", picked(slip, kept, 5)},
+          {"share", picked(share, kept, 5)}};
 }
 
-json side_data(const Side& side, const std::vector<PlotKind>& kinds,
-               const std::vector<Window>& windows, double friction) {
-  const Trajectory& trajectory = side.trajectory;
-  const Values& t = trajectory.column("t");
-  json series = json::object();
-  for (const PlotKind& kind : kinds) {
-    if (kind.over != PlotOver::kTime) continue;
-    const Values y = series_of(kind.key, trajectory);
-    if (!y.empty()) series[kind.key] = time_series(t, y, windows);
-  }
-  const Values rotor_x = scaled(trajectory.column("rotor_x"), kMicro);
-  const Values rotor_y = scaled(trajectory.column("rotor_y"), kMicro);
-  const Values ring_x = scaled(trajectory.column("stator_x"), kMicro);
-  const Values ring_y = scaled(trajectory.column("stator_y"), kMicro);
-  Values x(t.size()), y(t.size());
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    x[i] = rotor_x[i] - ring_x[i];
-    y[i] = rotor_y[i] - ring_y[i];
-  }
-  json more = json::object();
-  if (trajectory.has("current_1")) {
-    Values force = trajectory.column("control_x");
-    const Values& across = trajectory.column("control_y");
-    for (std::size_t i = 0; i < force.size(); ++i) force[i] = to_axes({force[i], across[i]}).x();
-    more["actuator"] = curves(t, trajectory.column("current_1"), force, windows, WholeRun::kShown);
-  }
-  if (trajectory.has("motor_torque")) {
-    more["motor"] = curves(t, series_of("spin", trajectory), trajectory.column("motor_torque"), windows,
-                           WholeRun::kShown);
-  }
-  return {{"label", side.label},
-          {"series", series},
-          {"paths", more},
-          {"rotor", curves(t, rotor_x, rotor_y, windows)},
-          {"ring", curves(t, ring_x, ring_y, windows)},
-          {"relative", curves(t, x, y, windows)},
-          {"impacts", impact_data(trajectory, friction)}};
+// The motor's characteristic about the speeds that the first run goes through.
+json motor_data(const scene::Scene& scene, const Trajectory& run) {
+  const Values& speed = run.column("spin_speed");
+  if (speed.empty()) return nullptr;
+  const auto [slowest, fastest] = std::minmax_element(speed.begin(), speed.end());
+  const double room = std::max(0.02 * std::abs(*fastest), 0.2 * (*fastest - *slowest));
+  return motor_curve(scene, *slowest - room, *fastest + room);
 }
 
 }  // namespace
@@ -210,20 +109,21 @@ const char* to_string(PlotOver over) {
     case PlotOver::kLaw: return "law";
     case PlotOver::kPath: return "path";
     case PlotOver::kTurns: return "turns";
+    case PlotOver::kWhirl: return "whirl";
   }
   return "";
 }
 
-std::vector<Window> plot_windows(const SceneComparison& comparison) {
-  const scene::Scene& scene = comparison.scene;
+std::vector<Window> plot_windows(const ShownRuns& shown) {
+  const scene::Scene& scene = *shown.scene;
   const double end = scene.run.end;
   const double speed = std::abs(scene.rotor.speed);
   const double turn = speed > 0.0 ? std::min(kTurn / speed, end) : 0.05 * end;
 
   std::vector<Window> windows{{"whole run", 0.0, end}};
   double touch = end;
-  for (const Side& side : comparison.sides) {
-    touch = std::min(touch, side.metrics.first_touch.value_or(end));
+  for (const ShownRun& run : shown.runs) {
+    touch = std::min(touch, first_touch(*run.trajectory).value_or(end));
   }
   if (touch < end) {
     windows.push_back(
@@ -233,46 +133,72 @@ std::vector<Window> plot_windows(const SceneComparison& comparison) {
   return windows;
 }
 
-std::vector<PlotKind> plot_kinds(const SceneComparison& comparison) {
+std::vector<PlotKind> plot_kinds(const ShownRuns& shown) {
   std::vector<PlotKind> kinds;
   for (const PlotKind& kind : kKinds) {
-    const bool has_data =
-        std::any_of(comparison.sides.begin(), comparison.sides.end(), [&](const Side& side) {
-          if (kind.shown) return kind.shown(comparison.scene, side.trajectory);
-          return kind.over != PlotOver::kTime || !series_of(kind.key, side.trajectory).empty();
-        });
+    const bool has_data = std::any_of(shown.runs.begin(), shown.runs.end(), [&](const ShownRun& run) {
+      return run.trajectory->rows() > 0 && (!kind.shown || kind.shown(shown, *run.trajectory));
+    });
     if (has_data) kinds.push_back(kind);
   }
   return kinds;
 }
 
-json plot_data(const SceneComparison& comparison) {
-  const auto windows = plot_windows(comparison);
-  const auto kinds = plot_kinds(comparison);
+json plot_data(const ShownRuns& shown) {
+  const scene::Scene& scene = *shown.scene;
+  const auto& contact = scene.contact;
+  const std::optional<renders::Machine> machine = drawn_machine(shown);
   json sides = json::array();
-  const auto& contact = comparison.scene.contact;
-  const double friction = contact ? contact->friction : 0.0;
-  for (const Side& side : comparison.sides) sides.push_back(side_data(side, kinds, windows, friction));
+  const double limit = shown_frequency(shown);
+  for (const ShownRun& run : shown.runs) {
+    const bool has_rows = machine && run.trajectory->rows() > 0;
+    sides.push_back({{"label", run.label},
+                     {"end", run.trajectory->end},
+                     {"status", to_string(run.trajectory->status)},
+                     {"tracks", packed_run_json(has_rows ? pack_run(scene, *machine, *run.trajectory) : PackedRun())},
+                     {"whirl", whirl_data(*run.trajectory, &run == &shown.runs.front() ? nullptr : shown.runs.front().trajectory, limit)},
+                     {"impacts", impact_data(*run.trajectory, contact ? contact->friction : 0.0)}});
+  }
   json spans = json::array();
-  for (const Window& w : windows) {
+  for (const Window& w : plot_windows(shown)) {
     spans.push_back({{"name", w.name}, {"from", w.from}, {"to", w.to}});
   }
-  json uncontrolled = json::object();
-  if (const auto& run = comparison.uncontrolled) {
-    uncontrolled["rotor_x"] = time_series(run->column("t"), series_of("rotor_x", *run), windows);
+  json uncontrolled = nullptr;
+  if (shown.uncontrolled && shown.uncontrolled->rows() > 0 && machine) {
+    uncontrolled = {{"rotor", track_json(pack_run(scene, *machine, *shown.uncontrolled).at("rotor"))}};
   }
-  const Values& speed = comparison.sides.front().trajectory.column("spin_speed");
-  const auto [slowest, fastest] = std::minmax_element(speed.begin(), speed.end());
-  const double room = std::max(0.02 * std::abs(*fastest), 0.2 * (*fastest - *slowest));
-  return {{"name", comparison.scene.name},
-          {"actuator", actuator_curves(comparison.scene)},
-          {"motor", motor_curve(comparison.scene, *slowest - room, *fastest + room)},
+  return {{"name", scene.name},
+          {"actuator", actuator_curves(scene)},
+          {"motor", shown.runs.empty() ? json() : motor_data(scene, *shown.runs.front().trajectory)},
+          {"spin", shown.runs.empty() ? 0.0 : mean_spin(*shown.runs.front().trajectory)},
           {"clearance", contact ? contact->clearance : 0.0},
           {"restitution", contact ? contact->restitution : 0.0},
           {"uncontrolled", uncontrolled},
           {"windows", spans},
           {"first_window", 0},
+          {"rig", machine ? rig_values(scene, *machine) : json()},
           {"sides", sides}};
+}
+
+json plot_values(const ShownRuns& shown) {
+  json all = json::array();
+  for (const PlotKind& kind : plot_kinds(shown)) {
+    all.push_back({{"key", kind.key},
+                   {"title", kind.title},
+                   {"unit", kind.unit},
+                   {"text", kind.text},
+                   {"shape", kind.shape},
+                   {"over", to_string(kind.over)}});
+  }
+  return all;
+}
+
+json window_values(const ShownRuns& shown) {
+  json all = json::array();
+  for (const Window& window : plot_windows(shown)) {
+    all.push_back({{"index", all.size()}, {"name", window.name}});
+  }
+  return all;
 }
 
 }  // namespace rotorub

@@ -55,16 +55,4 @@ Indices thin(const std::vector<double>& y, std::size_t first, std::size_t last,
   return in_order(std::move(kept), first, last);
 }
 
-Indices thin_curve(const std::vector<double>& x, const std::vector<double>& y, std::size_t first,
-                   std::size_t last, std::size_t buckets) {
-  assert(x.size() == y.size() && first <= last && last <= y.size() && buckets > 0);
-  if (last - first <= 4 * buckets + 2) return all_rows(first, last);
-  Indices kept;
-  for_each_bucket(first, last, buckets, [&](std::size_t begin, std::size_t end) {
-    keep_extremes(x, begin, end, kept);
-    keep_extremes(y, begin, end, kept);
-  });
-  return in_order(std::move(kept), first, last);
-}
-
 }  // namespace rotorub

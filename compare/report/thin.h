@@ -12,8 +12,4 @@ namespace rotorub {
 std::vector<std::size_t> thin(const std::vector<double>& y, std::size_t first, std::size_t last,
                               std::size_t buckets);
 
-// The same for a curve in the plane: of each part the extremes of x and of y.
-std::vector<std::size_t> thin_curve(const std::vector<double>& x, const std::vector<double>& y,
-                                    std::size_t first, std::size_t last, std::size_t buckets);
-
 }  // namespace rotorub

@@ -3,7 +3,12 @@
 'use strict';
 const page = (() => {
   const root = document.documentElement;
-  const css = (name) => getComputedStyle(root).getPropertyValue(name).trim();
+  // A custom property of the style sheet, kept until the theme changes.
+  const colors = new Map();
+  function css(name) {
+    if (!colors.has(name)) colors.set(name, getComputedStyle(root).getPropertyValue(name).trim());
+    return colors.get(name);
+  }
 
   function axes(extra) {
     return Object.assign({gridcolor: css('--hair'), zerolinecolor: css('--line'), linecolor: css('--line'),
@@ -18,11 +23,30 @@ const page = (() => {
     }, extra);
   }
 
+  const titled = (text, extra) => axes({title: {text, standoff: 8}, ...extra});
+
+  // Red, green and blue of "#rrggbb", and of a share of the way through a palette of such colours.
+  const parts = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
+  function shade(share, palette) {
+    const place = Math.min(Math.max(share, 0), 1) * (palette.length - 1), first = Math.min(Math.floor(place), palette.length - 2);
+    const a = parts(palette[first]), b = parts(palette[first + 1]);
+    return a.map((part, k) => Math.round(part + (place - first) * (b[k] - part)));
+  }
+  const scaleOfColours = (palette) => palette.map((color, k) => [k / (palette.length - 1), color]);
+
+  // How a run is told from the others: its colour, and as a second cue dash, width and mark. Native is in front.
+  const dashes = {native: 'solid', rigid: 'dash', coulomb: 'dashdot', cone: 'dot', shadow: 'dash'};
+  const symbols = {native: 'circle', rigid: 'circle-open', coulomb: 'square-open', cone: 'triangle-up-open', shadow: 'diamond-open'};
+  const isFront = (label) => label === 'native';
+  const line = (label, front = isFront(label)) => ({color: css('--' + label), width: front ? 2.4 : 1.4, dash: dashes[label] || 'dot', simplify: false});
+  const symbol = (label) => symbols[label] || 'cross-open';
+
   // Draws the page, and again whenever the theme changes.
   function start(draw) {
     const prefersDark = matchMedia('(prefers-color-scheme: dark)');
     let chosen = null;
     function theme(name) {
+      colors.clear();
       root.dataset.theme = name || chosen || (prefersDark.matches ? 'dark' : 'light');
       draw();
     }
@@ -31,11 +55,28 @@ const page = (() => {
       theme();
     });
     prefersDark.addEventListener('change', () => theme());
-    addEventListener('beforeprint', () => theme('light'));
-    addEventListener('afterprint', () => theme());
+    // On paper a picture does not fit itself to its place: it is drawn for it, at the paper's width.
+    function print(on) {
+      page.printing = on;
+      root.classList.toggle('printing', on);
+      theme(on ? 'light' : undefined);
+    }
+    addEventListener('beforeprint', () => print(true));
+    addEventListener('afterprint', () => print(false));
     theme();
   }
 
-  return {data: JSON.parse(document.getElementById('data').textContent), css, axes, layout, start,
+  // Plotly comes last and takes a third of a second: the player is there before it. `ready` follows.
+  function withPlotly(ready) {
+    requestAnimationFrame(() => setTimeout(() => {
+      const script = document.createElement('script');
+      script.textContent = document.getElementById('plotly').textContent;
+      document.head.append(script);
+      ready();
+    }, 50));
+  }
+
+  return {withPlotly, data: JSON.parse(document.getElementById('data').textContent), css, axes, layout, titled, parts, shade, scaleOfColours,
+    isFront, line, symbol, start,
     config: {responsive: true, displaylogo: false, displayModeBar: false}};
 })();

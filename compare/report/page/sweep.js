@@ -3,7 +3,7 @@
 // for every point, whether its run succeeded or not; and "signed": its colours part at 0.
 'use strict';
 (() => {
-  const {data, css, axes, layout, config} = page;
+  const {data, css, axes, layout, parts, shade, scaleOfColours, config} = page;
   const {keys, figures, columns, values, status, statuses} = data;
   const grid = data.kind === 'grid';
   const choice = {x: 0, y: Math.min(1, keys.length - 1), fixed: keys.map(() => 0)};
@@ -14,14 +14,6 @@
   const isFailed = (f, i) => status[i] !== 0 && !figures[f].linear;
 
   // ------------------------------------------------------------------ colours
-  const parts = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
-  function shade(share, palette) {
-    const place = Math.min(Math.max(share, 0), 1) * (palette.length - 1), first = Math.min(Math.floor(place), palette.length - 2);
-    const a = parts(palette[first]), b = parts(palette[first + 1]);
-    return a.map((part, k) => Math.round(part + (place - first) * (b[k] - part)));
-  }
-  const scaleOfColours = (palette) => palette.map((color, k) => [k / (palette.length - 1), color]);
-
   // Numbers of several decades are told apart by their logarithm.
   function colours(column, chosen, signed) {
     const given = chosen.map((i) => column[i]).filter((v) => v !== null);

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/report/web/plotly.h"
+#include "compare/report/web/scripts.h"
 #include "compare/sweep/linear_map.h"
 #include "tests/compare/sweep/studies.h"
 

@@ -64,19 +64,5 @@ TEST(Thin, StaysInItsRange) {
   EXPECT_EQ(kept.back(), 6999U);
 }
 
-TEST(ThinCurve, KeepsExtremesOfBothCoordinates) {
-  std::vector<double> x(20000), y(20000);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    x[i] = std::cos(0.002 * static_cast<double>(i));
-    y[i] = std::sin(0.002 * static_cast<double>(i));
-  }
-  x[7777] = 5.0;
-  y[12222] = -5.0;
-  const auto kept = thin_curve(x, y, 0, x.size(), 100);
-  EXPECT_LE(kept.size(), 402U);
-  EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), 7777UL));
-  EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), 12222UL));
-}
-
 }  // namespace
 }  // namespace rotorub

@@ -1,0 +1,117 @@
+// A run as the pictures ask for it: where everything is at a time, its impacts, its force scales.
+'use strict';
+page.Run = (() => {
+  const {Track} = page.tracks;
+  const kModes = ['free', 'slide', 'stick'];
+
+  class Run {
+    constructor(side, scene) {
+      this.label = side.label;
+      this.status = side.status;
+      this.clearance = scene.clearance;
+      this.finest = scene.rig ? scene.rig.gap_tolerance : 0;
+      this.tracks = {};
+      for (const [name, packed] of Object.entries(side.tracks)) this.tracks[name] = new Track(packed);
+      this.end = this.tracks.rotor ? this.tracks.rotor.time(this.tracks.rotor.knots - 1) : 0;
+      this.bends = [];
+      for (let k = 1; this.tracks['bend_' + k]; ++k) this.bends.push(this.tracks['bend_' + k]);
+    }
+
+    has(name) { return name in this.tracks; }
+    value(name, t, c = 0) { return this.has(name) ? this.tracks[name].at(t, c) : null; }
+    pair(name, t) { return this.has(name) ? [this.tracks[name].at(t, 0), this.tracks[name].at(t, 1)] : null; }
+
+    // All of one instant, SI; null for what the run does not have. e: from the ring's centre to the rotor's, of length
+    // 1 (0, 0 where they coincide). The rotor's place in the ring follows the gap, which is the finer of the two.
+    pose(t) {
+      const ring = this.pair('ring', t) || [0, 0];
+      let rotor = this.pair('rotor', t);
+      const d = [rotor[0] - ring[0], rotor[1] - ring[1]], delta = Math.hypot(d[0], d[1]);
+      const e = delta > 0 ? [d[0] / delta, d[1] / delta] : [0, 0];
+      const gap = this.value('gap', t);
+      if (gap !== null && delta > 0) {
+        const radius = this.clearance - gap;
+        rotor = [ring[0] + radius * e[0], ring[1] + radius * e[1]];
+      }
+      return {t, ring, rotor, e, angle: Math.atan2(d[1], d[0]), gap,
+        gapRate: this.has('gap') ? this.tracks.gap.rate(t) : null,
+        spin: this.value('spin', t), speed: this.value('spin_speed', t), ringSpin: this.value('ring_spin', t),
+        normal: this.value('normal', t), friction: this.value('friction', t),
+        mode: this.has('mode') ? kModes[Math.round(this.value('mode', t))] : null,
+        control: this.pair('control', t), current: this.pair('current', t)};
+    }
+
+    // {t, normal, friction, angle}, of every impact that counts, in order of time.
+    get impacts() {
+      if (!this.strikes) {
+        const track = this.tracks.impacts;
+        this.strikes = [];
+        for (let k = 0; track && k < track.knots; ++k) {
+          const t = track.time(k);
+          this.strikes.push({t, normal: track.values[0][k], friction: track.values[1][k], angle: this.pose(t).angle});
+        }
+      }
+      return this.strikes;
+    }
+    // How many impacts are at or before t.
+    impactsUntil(t) {
+      const all = this.impacts;
+      let low = 0, high = all.length;
+      while (low < high) {
+        const middle = (low + high) >> 1;
+        if (all[middle].t <= t) low = middle + 1; else high = middle;
+      }
+      return low;
+    }
+    get largestImpulse() { return this.impacts.reduce((most, i) => Math.max(most, i.normal), 0); }
+    // Times of the first impact and of those above a fifth of the largest; a tick after, where the rebound has begun.
+    get hardImpacts() {
+      const least = 0.2 * this.largestImpulse, tick = this.tracks.gap ? 2 * this.tracks.gap.packed.tick : 0;
+      return this.impacts.filter((i, k) => k === 0 || i.normal >= least).map((i) => i.t + tick);
+    }
+
+    // The force that 95 % of the knots in contact do not exceed, and the greatest of all.
+    get forces() {
+      if (!this.scale) {
+        const track = this.tracks.normal;
+        if (track) track.unpack();
+        const all = track ? Array.from(track.values[0]).filter((f) => f > 0).sort((a, b) => a - b) : [];
+        this.scale = {usual: all.length ? all[Math.floor(0.95 * (all.length - 1))] : 0, most: all.length ? all[all.length - 1] : 0};
+      }
+      return this.scale;
+    }
+    // Of control or current: the greatest length.
+    largest(name) {
+      const track = this.tracks[name];
+      if (!track) return 0;
+      track.unpack();
+      let most = 0;
+      for (let k = 0; k < track.knots; ++k) most = Math.max(most, Math.hypot(track.values[0][k], track.values[1][k]));
+      return most;
+    }
+
+    // Places of the rotor's centre from t - span to t, oldest first; n + 1 of them.
+    trail(t, span, n) {
+      const from = Math.max(t - span, this.tracks.rotor.time(0)), points = [];
+      for (let k = 0; k <= n; ++k) points.push(this.pose(from + (t - from) * k / n));
+      return points;
+    }
+
+    // Times in (from, to] at which the mark on the rotor passes +x: the keyphasor's pulses.
+    pulses(from, to) {
+      const turn = 2 * Math.PI, spin = this.tracks.spin, times = [];
+      let a = from, fa = spin.at(from) / turn;
+      const steps = 200;
+      for (let k = 1; k <= steps; ++k) {
+        const b = from + (to - from) * k / steps, fb = spin.at(b) / turn;
+        if (Math.floor(fa) !== Math.floor(fb)) {
+          const whole = fb > fa ? Math.floor(fb) : Math.floor(fa);
+          times.push(a + (b - a) * (whole - fa) / (fb - fa));
+        }
+        a = b; fa = fb;
+      }
+      return times;
+    }
+  }
+  return Run;
+})();

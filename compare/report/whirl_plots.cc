@@ -1,0 +1,163 @@
+#include "compare/report/whirl_plots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "compare/metrics/poincare.h"
+#include "compare/metrics/spectrum.h"
+#include "compare/report/base64.h"
+#include "compare/report/rounded.h"
+#include "compare/report/thin.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using Values = std::vector<double>;
+
+constexpr double kMicro = 1e6;
+constexpr std::size_t kMostSamples = 1 << 14;
+constexpr std::size_t kSpectrumBuckets = 400;  // twice as many points: peaks survive
+constexpr std::size_t kColumns = 240;          // of a waterfall: frequencies
+constexpr double kDecades = 4.0;               // that a waterfall shows, down from its largest
+
+double start_of_the_settled(const Trajectory& run) {
+  const Values& t = run.column("t");
+  return t.front() + 0.5 * (t.back() - t.front());
+}
+
+// As many as the run has rows in between.
+std::size_t samples_between(const Trajectory& run, double from, double to) {
+  const Values& t = run.column("t");
+  const auto rows = std::upper_bound(t.begin(), t.end(), to) - std::lower_bound(t.begin(), t.end(), from);
+  return std::min(static_cast<std::size_t>(rows), kMostSamples);
+}
+
+// The second half of the run.
+json spectrum_json(const Trajectory& run, double limit) {
+  const double from = start_of_the_settled(run), to = run.column("t").back();
+  const std::size_t count = samples_between(run, from, to);
+  if (2 * count < kLeastSpectrumRows) return nullptr;
+  const double h = (to - from) / static_cast<double>(count - 1);
+  const FullSpectrum s = full_spectrum(even_orbit(run, from, to, count), h);
+  const auto first = std::lower_bound(s.frequency.begin(), s.frequency.end(), -limit);
+  const auto last = std::upper_bound(first, s.frequency.end(), limit);
+  Values y(s.amplitude.size());
+  std::transform(s.amplitude.begin(), s.amplitude.end(), y.begin(), [](double a) { return kMicro * a; });
+  const auto kept = thin(y, static_cast<std::size_t>(first - s.frequency.begin()),
+                         static_cast<std::size_t>(last - s.frequency.begin()), kSpectrumBuckets);
+  return {{"f", picked(s.frequency, kept, 6)}, {"y", picked(y, kept, 4)}};
+}
+
+// The largest amplitude of each column's frequencies, a byte for what lies within kDecades of the largest of all.
+json waterfall_json(const Trajectory& run, double limit, double longest_turn) {
+  const double from = run.column("t").front(), to = run.column("t").back();
+  const std::size_t count = samples_between(run, from, to);
+  if (count < kLeastSpectrumRows) return nullptr;
+  const double h = (to - from) / static_cast<double>(count - 1);
+  // Eight turns tell frequencies of an eighth of the spin apart; a short run has a quarter of itself.
+  const auto wanted = static_cast<std::size_t>(8.0 * longest_turn / h);
+  const std::size_t stretch = std::clamp<std::size_t>(wanted, 16, count / 4);
+  const Waterfall w = waterfall(even_orbit(run, from, to, count), h, stretch);
+  // A column is one frequency or, of more than kColumns, as many neighbours each.
+  const auto middle = static_cast<std::size_t>(stretch / 2);
+  const double apart = w.frequency[middle + 1];
+  const std::size_t side = std::min(static_cast<std::size_t>(limit / apart), (stretch - 1) / 2);
+  const std::size_t bins = 2 * side + 1, each = (bins + kColumns - 1) / kColumns;
+  const std::size_t columns = (bins + each - 1) / each;
+  const double lowest = w.frequency[middle - side] - 0.5 * apart;
+  Values cell(w.time.size() * columns, 0.0);
+  for (std::size_t row = 0; row < w.time.size(); ++row) {
+    for (std::size_t k = 0; k < bins; ++k) {
+      double& largest = cell[row * columns + k / each];
+      largest = std::max(largest, kMicro * w.amplitude[row * stretch + middle - side + k]);
+    }
+  }
+  const double most = *std::max_element(cell.begin(), cell.end());
+  if (!(most > 0.0)) return nullptr;
+  const double high = std::log10(most), low = high - kDecades;
+  std::string levels;
+  for (const double a : cell) {
+    const double share = a > 0.0 ? (std::log10(a) - low) / kDecades : 0.0;
+    levels += static_cast<char>(static_cast<unsigned char>(std::lround(255.0 * std::clamp(share, 0.0, 1.0))));
+  }
+  return {{"t", {rounded(from + w.time.front(), 6), rounded(from + w.time.back(), 6)}},
+          {"f", {rounded(lowest, 6), rounded(lowest + apart * static_cast<double>(columns * each), 6)}},
+          {"rows", w.time.size()},
+          {"columns", columns},
+          {"low", rounded(low, 4)},
+          {"high", rounded(high, 4)},
+          {"levels", base64(levels)}};
+}
+
+json poincare_json(const Trajectory& run) {
+  constexpr std::size_t kMost = 1500;
+  const auto points = poincare_points(run, start_of_the_settled(run));
+  if (points.empty()) return nullptr;
+  json x = json::array(), y = json::array();
+  const std::size_t every = (points.size() + kMost - 1) / kMost;
+  for (std::size_t i = 0; i < points.size(); i += every) {
+    x.push_back(rounded(kMicro * points[i].real(), 5));
+    y.push_back(rounded(kMicro * points[i].imag(), 5));
+  }
+  return {{"x", x}, {"y", y}};
+}
+
+// |rotor - first's rotor| at the times of both.
+json residual_json(const Trajectory& run, const Trajectory& first) {
+  const Values &t = run.column("t"), &other = first.column("t");
+  Values times, distance;
+  for (std::size_t i = 0, j = 0; i < t.size() && j < other.size();) {
+    if (t[i] < other[j]) {
+      ++i;
+    } else if (t[i] > other[j]) {
+      ++j;
+    } else {
+      times.push_back(t[i]);
+      distance.push_back(kMicro * std::hypot(run.column("rotor_x")[i] - first.column("rotor_x")[j],
+                                             run.column("rotor_y")[i] - first.column("rotor_y")[j]));
+      ++i, ++j;
+    }
+  }
+  if (times.size() < 2) return nullptr;
+  const auto kept = thin(distance, 0, distance.size(), 600);
+  return {{"t", picked(times, kept, 7)}, {"y", picked(distance, kept, 4)}};
+}
+
+// s, of the spin; of a rotor that hardly turns a twentieth of the run.
+double turn_of(const Trajectory& run) {
+  const double span = run.column("t").back() - run.column("t").front(), spin = std::abs(mean_spin(run));
+  return spin * span > 1.0 ? 1.0 / spin : 0.05 * span;
+}
+
+}  // namespace
+
+double mean_spin(const Trajectory& run) {
+  if (run.rows() < 2) return 0.0;
+  const Values &t = run.column("t"), &angle = run.column("spin_angle");
+  return (angle.back() - angle.front()) / (2.0 * std::numbers::pi * (t.back() - t.front()));
+}
+
+double shown_frequency(const ShownRuns& shown) {
+  double limit = 1.0;
+  for (const ShownRun& run : shown.runs) {
+    if (run.trajectory->rows() < 2) continue;
+    limit = std::max(limit, 8.0 / turn_of(*run.trajectory));
+  }
+  return limit;
+}
+
+json whirl_data(const Trajectory& run, const Trajectory* first, double limit) {
+  if (run.rows() < 2) {
+    return {{"spectrum", nullptr}, {"waterfall", nullptr}, {"poincare", nullptr}, {"residual", nullptr}};
+  }
+  return {{"spectrum", spectrum_json(run, limit)},
+          {"waterfall", waterfall_json(run, limit, turn_of(run))},
+          {"poincare", poincare_json(run)},
+          {"residual", first ? residual_json(run, *first) : json()}};
+}
+
+}  // namespace rotorub

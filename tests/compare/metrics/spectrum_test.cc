@@ -1,0 +1,108 @@
+// The full spectrum against orbits whose whirls are known.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "compare/metrics/spectrum.h"
+#include "tests/support/native_run.h"
+
+namespace rotorub {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+constexpr std::size_t kSamples = 1000;
+constexpr double kSampling = 1e-3;  // s: a grid of 1 Hz, from -500 to 499 Hz
+
+template <class Orbit>
+std::vector<Complex> sampled(Orbit orbit, std::size_t count = kSamples) {
+  std::vector<Complex> z;
+  for (std::size_t n = 0; n < count; ++n) z.push_back(orbit(kSampling * static_cast<double>(n)));
+  return z;
+}
+
+Complex circle(double radius, double frequency, double t) {
+  return std::polar(radius, kFullTurn * frequency * t + 0.3);
+}
+
+double at(const FullSpectrum& s, double frequency) {
+  return s.amplitude.at(static_cast<std::size_t>(std::lround(frequency)) + kSamples / 2);
+}
+
+TEST(FullSpectrum, TellsForwardFromBackwardWhirl) {
+  const FullSpectrum s = full_spectrum(
+      sampled([](double t) {
+        return Complex(5.0, -7.0) + circle(2.0, 50.0, t) + circle(0.5, -120.0, t);
+      }),
+      kSampling);
+  ASSERT_EQ(s.frequency.size(), kSamples);
+  EXPECT_EQ(s.frequency.front(), -500.0);
+  EXPECT_EQ(s.frequency.back(), 499.0);
+  EXPECT_NEAR(at(s, 50.0), 2.0, 1e-12);
+  EXPECT_NEAR(at(s, -120.0), 0.5, 1e-12);
+  EXPECT_NEAR(at(s, -50.0), 0.0, 1e-12);
+  EXPECT_NEAR(at(s, 120.0), 0.0, 1e-12);
+  EXPECT_NEAR(at(s, 0.0), 0.0, 1e-12) << "the mean is where it is, no whirl";
+}
+
+// An ellipse of half axes a, b: a forward circle of (a + b)/2 and a backward one of (a - b)/2.
+TEST(FullSpectrum, TakesAnEllipseApart) {
+  const FullSpectrum s = full_spectrum(sampled([](double t) {
+                                         return Complex(3.0 * std::cos(kFullTurn * 40.0 * t),
+                                                        1.0 * std::sin(kFullTurn * 40.0 * t));
+                                       }),
+                                       kSampling);
+  EXPECT_NEAR(at(s, 40.0), 2.0, 1e-12);
+  EXPECT_NEAR(at(s, -40.0), 1.0, 1e-12);
+}
+
+TEST(FullSpectrum, LosesLittleBetweenItsFrequencies) {
+  const FullSpectrum s = full_spectrum(sampled([](double t) { return circle(1.0, 60.5, t); }), kSampling);
+  EXPECT_GT(at(s, 60.0), 0.84);
+  EXPECT_LT(at(s, 60.0), 0.86);
+  EXPECT_NEAR(at(s, 60.0), at(s, 61.0), 1e-3);
+  EXPECT_LT(at(s, 80.0), 1e-3) << "the window keeps it together";
+}
+
+TEST(FullSpectrum, TakesAnyLength) {
+  for (const std::size_t count : {2U, 3U, 7U, 1001U}) {
+    const FullSpectrum s = full_spectrum(sampled([](double t) { return circle(1.0, 9.0, t); }, count), kSampling);
+    ASSERT_EQ(s.frequency.size(), count);
+    ASSERT_EQ(s.amplitude.size(), count);
+    for (const double a : s.amplitude) EXPECT_TRUE(std::isfinite(a));
+    EXPECT_EQ(s.frequency[count / 2], 0.0);
+  }
+}
+
+// A sweep at 100 Hz/s, backward: each stretch peaks where the sweep is in its middle.
+TEST(Waterfall, FollowsASweep) {
+  const Waterfall w = waterfall(
+      sampled([](double t) { return std::polar(1.0, -kFullTurn * 50.0 * t * t); }, 4000), kSampling, 200);
+  ASSERT_EQ(w.frequency.size(), 200U);
+  ASSERT_EQ(w.time.size(), 77U);
+  EXPECT_DOUBLE_EQ(w.time.front(), 0.1);
+  for (std::size_t k = 0; k < w.time.size(); ++k) {
+    const auto row = w.amplitude.begin() + static_cast<std::ptrdiff_t>(200 * k);
+    const auto peak = std::max_element(row, row + 200) - row;
+    EXPECT_NEAR(w.frequency[static_cast<std::size_t>(peak)], -100.0 * w.time[k], 5.1) << k;
+  }
+}
+
+// A fall is a parabola, and so it is between rows that stand 2.5 ms apart.
+TEST(EvenOrbit, IsCubicBetweenRows) {
+  const Trajectory run =
+      test::run_event(test::shipped("bench_drop", {"run.end=0.01", "run.output_step=2.5e-3"}));
+  ASSERT_EQ(run.rows(), 5U);
+  const std::vector<Complex> z = even_orbit(run, 0.0, 0.01, 41);
+  ASSERT_EQ(z.size(), 41U);
+  for (std::size_t k = 0; k < z.size(); ++k) {
+    const double t = 2.5e-4 * static_cast<double>(k);
+    EXPECT_NEAR(z[k].imag(), -0.5 * 9.81 * t * t, 1e-12) << k;
+    EXPECT_EQ(z[k].real(), 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,231 @@
+// Runs as the player gets them: what is promised of every quantity, at every row of the run.
+#include "compare/report/pack/packed_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/engine/engine.h"
+#include "compare/report/rig_values.h"
+#include "compare/study/scene_comparison.h"
+#include "native_model/trajectory/recorder.h"
+#include "tests/support/native_run.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kRound = 1.0 + 1e-9;
+
+struct Packed {
+  scene::Scene scene;
+  Trajectory run;
+  PackedRun tracks;
+  renders::Machine machine;
+};
+
+Packed packed(scene::Scene scene, Trajectory run) {
+  const ShownRuns shown{&scene, {{"native", &run}}, nullptr};
+  const renders::Machine machine = *drawn_machine(shown);
+  PackedRun tracks = pack_run(scene, machine, run);
+  return {std::move(scene), std::move(run), std::move(tracks), machine};
+}
+
+// Rows as the report has them: dense, but no more than 50,000.
+Packed packed_run(const Engine& engine, const scene::Scene& scene) {
+  RunRequest request;
+  request.output_times = dense_times(scene.run, 50000);
+  return packed(scene, engine.run(scene, request));
+}
+
+void expect_places(const Packed& p, const std::string& track, const char* x, const char* y) {
+  const UnpackedTrack unpacked(p.tracks.at(track));
+  const auto& t = p.run.column("t");
+  double worst = 0.0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    worst = std::max(worst, std::hypot(unpacked.at(t[i], 0) - p.run.column(x)[i],
+                                       unpacked.at(t[i], 1) - p.run.column(y)[i]));
+  }
+  EXPECT_LE(worst, kPlaceTolerance * kRound) << track;
+}
+
+// 1 % of the force, or of the mean over the rows that have one: said here in other words than the packer's.
+void expect_forces(const Packed& p, const std::string& track, const std::vector<std::string>& names) {
+  const UnpackedTrack unpacked(p.tracks.at(track));
+  const auto& t = p.run.column("t");
+  std::vector<double> force(t.size()), error(t.size());
+  double sum = 0.0, rows = 0.0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      const double value = p.run.column(names[c])[i];
+      force[i] = std::hypot(force[i], value);
+      error[i] = std::hypot(error[i], unpacked.at(t[i], c) - value);
+    }
+    sum += force[i];
+    if (force[i] > 0.0) rows += 1.0;
+  }
+  const double mean = rows > 0.0 ? sum / rows : 1.0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    ASSERT_LE(error[i], 0.01 * std::max(force[i], mean) * kRound) << track << " at " << t[i];
+  }
+}
+
+// The bent shaft at every station that is drawn: the sum of all modes, as the page takes it.
+void expect_shaft(const Packed& p) {
+  std::vector<UnpackedTrack> modes;
+  for (Eigen::Index k = 0; k < p.machine.modes_x.cols(); ++k) {
+    modes.emplace_back(p.tracks.at("bend_" + std::to_string(k + 1)));
+  }
+  const auto& t = p.run.column("t");
+  double worst = 0.0;
+  for (std::size_t i = 0; i < t.size(); i += 7) {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(p.machine.z.size()), y = x;
+    for (std::size_t k = 0; k < modes.size(); ++k) {
+      const std::string n = std::to_string(k + 1);
+      x += p.machine.modes_x.col(static_cast<Eigen::Index>(k)) * (modes[k].at(t[i], 0) - p.run.column("x_" + n)[i]);
+      y += p.machine.modes_y.col(static_cast<Eigen::Index>(k)) * (modes[k].at(t[i], 1) - p.run.column("y_" + n)[i]);
+    }
+    worst = std::max(worst, (x.array().square() + y.array().square()).maxCoeff());
+  }
+  EXPECT_LE(std::sqrt(worst), kPlaceTolerance * kRound);
+}
+
+void expect_gap(const Packed& p) {
+  const UnpackedTrack unpacked(p.tracks.at("gap"));
+  const double least = std::min(30e-9, 6e-5 * p.scene.contact->clearance);
+  const auto& t = p.run.column("t");
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const double gap = p.run.column("gap")[i];
+    ASSERT_NEAR(unpacked.at(t[i], 0), gap, std::max(least, 0.01 * std::abs(gap)) * kRound) << t[i];
+  }
+}
+
+void expect_modes(const Packed& p) {
+  const UnpackedTrack unpacked(p.tracks.at("mode"));
+  const auto& t = p.run.column("t");
+  for (std::size_t i = 0; i < t.size(); ++i) ASSERT_EQ(unpacked.at(t[i], 0), p.run.column("mode")[i]) << t[i];
+}
+
+void expect_all(const Packed& p) {
+  expect_places(p, "rotor", "rotor_x", "rotor_y");
+  if (p.scene.stator) expect_places(p, "ring", "stator_x", "stator_y");
+  if (p.scene.rotor.geometry) expect_shaft(p);
+  expect_gap(p);
+  expect_modes(p);
+  expect_forces(p, "normal", {"normal_force"});
+  expect_forces(p, "friction", {"friction_force"});
+  if (p.run.has("control_x")) expect_forces(p, "control", {"control_x", "control_y"});
+  if (p.run.has("current_1")) expect_forces(p, "current", {"current_1", "current_2"});
+}
+
+std::size_t bytes(const PackedRun& tracks) {
+  std::size_t sum = 0;
+  for (const auto& [name, track] : tracks) sum += track.bytes.size();
+  return sum;
+}
+
+// A bouncing rotor with eight modes, from before its touch: hundreds of impacts.
+TEST(PackedRun, KeepsABouncingRotor) {
+  const scene::Scene scene = test::shipped("paper_passive", {"run.end=0.2"});
+  const Packed p = packed_run(*native_engine(scene::Integrator::kEvent), scene);
+  ASSERT_GT(p.run.impacts.size(), 50U);
+  expect_all(p);
+  EXPECT_LT(bytes(p.tracks), p.run.rows() * p.run.series.size() * 8 / 20) << "a twentieth of the rows";
+}
+
+// A controlled ring, and the cone's chatter: forces that are there for a step at a time.
+TEST(PackedRun, KeepsAChatteringContact) {
+  const scene::Scene scene = test::shipped("paper_sliding", {"run.end=0.15"});
+  for (const auto contact : {scene::ContactModel::kCone, scene::ContactModel::kCoulomb}) {
+    const Packed p = packed_run(*mujoco_engine(contact), scene);
+    ASSERT_TRUE(p.tracks.contains("control"));
+    expect_all(p);
+  }
+}
+
+TEST(PackedRun, KeepsCurrents) {
+  const scene::Scene scene = test::shipped("paper_magnetic", {"run.end=0.12"});
+  const Packed p = packed_run(*native_engine(scene::Integrator::kVerlet), scene);
+  ASSERT_TRUE(p.tracks.contains("current"));
+  expect_all(p);
+}
+
+// A clearance of 10 nm: what is fine is said by the scene.
+TEST(PackedRun, KeepsATinyClearance) {
+  const Packed p = packed_run(*native_engine(scene::Integrator::kEvent), test::shipped("hard/tiny_clearance"));
+  expect_all(p);
+  const UnpackedTrack rotor(p.tracks.at("rotor"));
+  const auto& t = p.run.column("t");
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    ASSERT_NEAR(rotor.at(t[i], 0), p.run.column("rotor_x")[i], 1e-8 / 200.0 * kRound) << t[i];
+  }
+}
+
+// Rows to the middle of the run alone: as where it diverged.
+TEST(PackedRun, MayEndEarly) {
+  const scene::Scene scene = test::shipped("bench_ring", {"run.end=0.05"});
+  RunRequest request;
+  request.output_times = dense_times(scene.run, 5000);
+  Trajectory run = native_engine(scene::Integrator::kEvent)->run(scene, request);
+  for (Column& column : run.series) column.values.resize(column.values.size() / 2);
+  const Packed p = packed(scene, run);
+  expect_all(p);
+  const UnpackedTrack rotor(p.tracks.at("rotor"));
+  EXPECT_EQ(rotor.at(1.0, 0), rotor.at(run.column("t").back(), 0)) << "stays at its last row";
+  for (Column& column : run.series) column.values.resize(1);
+  EXPECT_EQ(packed(scene, run).tracks.at("rotor").knots, 1U);
+  for (Column& column : run.series) column.values.clear();
+  EXPECT_TRUE(pack_run(scene, p.machine, run).empty());
+}
+
+// With rows of half a millisecond bounces lie between them: the gap touches 0 at each, and rises in between.
+TEST(PackedRun, ShowsBouncesBetweenRows) {
+  const scene::Scene scene = test::shipped("bench_drop");
+  RunRequest request;
+  request.output_times = output_times(scene.run);
+  const Packed p = packed(scene, native_engine(scene::Integrator::kEvent)->run(scene, request));
+  const UnpackedTrack gap(p.tracks.at("gap"));
+  const double fine = gap_tolerance(p.scene.contact->clearance);
+  std::size_t arcs = 0;
+  for (std::size_t i = 0; i + 1 < p.run.impacts.size(); ++i) {
+    const Impact &a = p.run.impacts[i], &b = p.run.impacts[i + 1];
+    if (!counts(a) || !counts(b)) continue;
+    EXPECT_NEAR(gap.at(a.t, 0), 0.0, 2.0 * fine) << a.t;
+    const double height = 0.25 * a.gap_rate_after * (b.t - a.t);  // of a parabola that leaves at this rate
+    if (height < 1e-6) continue;
+    ++arcs;
+    EXPECT_NEAR(gap.at(0.5 * (a.t + b.t), 0), height, 0.05 * height + 2.0 * fine) << a.t;
+  }
+  EXPECT_GT(arcs, 3U);
+}
+
+// Nor does a cubic between coarse rows let the rigid rotor into the ring.
+TEST(PackedRun, NeverPenetratesBetweenRowsOfTheRigidLaw) {
+  const scene::Scene scene = test::shipped("paper_magnetic", {"run.end=0.115", "run.output_step=5e-4"});
+  RunRequest request;
+  request.output_times = output_times(scene.run);
+  const Packed p = packed(scene, native_engine(scene::Integrator::kEvent)->run(scene, request));
+  const UnpackedTrack gap(p.tracks.at("gap"));
+  double least = 0.0;
+  for (double t = 0.0; t < 0.115; t += 1e-6) least = std::min(least, gap.at(t, 0));
+  EXPECT_GE(least, -gap_tolerance(scene.contact->clearance));
+  expect_gap(p);
+}
+
+TEST(PackedRun, HasNothingThatTheSceneHasNot) {
+  const scene::Scene billiard = test::shipped("bench_billiard", {"run.end=0.02"});
+  const Packed p = packed_run(*native_engine(scene::Integrator::kEvent), billiard);
+  ASSERT_FALSE(billiard.stator);
+  for (const char* name : {"ring", "bend_1", "control", "current", "torsion", "ring_spin", "motor_torque"}) {
+    EXPECT_FALSE(p.tracks.contains(name)) << name;
+  }
+  const nlohmann::json rig = rig_values(p.scene, p.machine);
+  EXPECT_FALSE(rig.at("ring_moves"));
+  EXPECT_FALSE(rig.at("actuators"));
+  EXPECT_TRUE(rig.at("motor").is_null());
+  EXPECT_TRUE(rig.at("bearings").empty());
+  EXPECT_TRUE(rig.at("magnetic_bearing").is_null());
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,89 @@
+// What the page is given of whirl, against motions made by hand.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "compare/report/whirl_plots.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+// 1 s at 40 Hz: a backward whirl of 20 um at 100 Hz beside a synchronous one of 5 um.
+Trajectory whirling(double spin = 40.0, std::size_t rows = 4001) {
+  std::vector<double> t, x, y, vx, vy, angle;
+  for (std::size_t i = 0; i < rows; ++i) {
+    t.push_back(static_cast<double>(i) / static_cast<double>(rows - 1));
+    const double back = -kTurn * 100.0 * t.back(), with = kTurn * spin * t.back();
+    x.push_back(20e-6 * std::cos(back) + 5e-6 * std::cos(with));
+    y.push_back(20e-6 * std::sin(back) + 5e-6 * std::sin(with));
+    vx.push_back(kTurn * (100.0 * 20e-6 * std::sin(back) - spin * 5e-6 * std::sin(with)));
+    vy.push_back(kTurn * (-100.0 * 20e-6 * std::cos(back) + spin * 5e-6 * std::cos(with)));
+    angle.push_back(with);
+  }
+  Trajectory run;
+  run.series = {{"t", "s", t},          {"rotor_x", "m", x},      {"rotor_y", "m", y},
+                {"rotor_vx", "m/s", vx}, {"rotor_vy", "m/s", vy}, {"spin_angle", "rad", angle}};
+  return run;
+}
+
+TEST(WhirlPlots, TheSpectrumPeaksAtTheWhirl) {
+  const Trajectory run = whirling();
+  EXPECT_NEAR(mean_spin(run), 40.0, 1e-9);
+  const json spectrum = whirl_data(run, nullptr, 320.0).at("spectrum");
+  const auto f = spectrum.at("f").get<std::vector<double>>(), y = spectrum.at("y").get<std::vector<double>>();
+  ASSERT_EQ(f.size(), y.size());
+  EXPECT_GE(f.front(), -320.0);
+  EXPECT_LE(f.back(), 320.0);
+  const auto peak = std::max_element(y.begin(), y.end());
+  EXPECT_NEAR(f[static_cast<std::size_t>(peak - y.begin())], -100.0, 1.1) << "the second half: 2 Hz apart";
+  EXPECT_GT(*peak, 0.84 * 20.0);
+  EXPECT_LE(*peak, 20.01);
+}
+
+TEST(WhirlPlots, TheWaterfallHasNoEmptyColumns) {
+  const json w = whirl_data(whirling(), nullptr, 320.0).at("waterfall");
+  const auto columns = w.at("columns").get<int>(), rows = w.at("rows").get<int>();
+  EXPECT_LE(columns, 240);
+  const double low = w.at("f")[0], high = w.at("f")[1];
+  EXPECT_NEAR(low, -high, 1e-9) << "as far backward as forward";
+  EXPECT_LE(high, 330.0);
+  // 8 turns of 25 ms: 5 Hz apart, and as wide a column.
+  EXPECT_NEAR((high - low) / columns, 5.0, 0.05);
+  EXPECT_EQ(w.at("levels").get<std::string>().size(), static_cast<std::size_t>((rows * columns + 2) / 3 * 4));
+  EXPECT_NEAR(w.at("high").get<double>(), std::log10(20.0), 0.08);
+}
+
+TEST(WhirlPlots, TheResidualIsTheDistance) {
+  const Trajectory run = whirling(), other = whirling(40.0, 2001);
+  const json none = whirl_data(run, nullptr, 320.0), same = whirl_data(run, &other, 320.0);
+  EXPECT_TRUE(none.at("residual").is_null());
+  for (const double y : same.at("residual").at("y").get<std::vector<double>>()) EXPECT_LT(y, 1e-9);
+  Trajectory away = whirling();
+  for (Column& column : away.series) {
+    if (column.name == "rotor_x") {
+      for (double& x : column.values) x += 3e-6;
+    }
+  }
+  const json apart = whirl_data(away, &other, 320.0).at("residual");
+  for (const double y : apart.at("y").get<std::vector<double>>()) EXPECT_NEAR(y, 3.0, 1e-6);
+}
+
+// A run that ends at once, and one of a rotor at rest.
+TEST(WhirlPlots, OfTooLittleThereIsNothing) {
+  for (const char* what : {"spectrum", "waterfall", "poincare", "residual"}) {
+    EXPECT_TRUE(whirl_data(whirling(40.0, 1), nullptr, 320.0).at(what).is_null()) << what;
+  }
+  const json short_run = whirl_data(whirling(40.0, 20), nullptr, 320.0);
+  EXPECT_TRUE(short_run.at("spectrum").is_null());
+  EXPECT_TRUE(short_run.at("waterfall").is_null());
+  EXPECT_TRUE(whirl_data(whirling(0.0), nullptr, 320.0).at("poincare").is_null());
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,142 @@
+// How the page looks: light and dark, narrow, on paper, without WebGL; one run, and runs that lack parts.
+'use strict';
+const fs = require('node:fs');
+const path = require('node:path');
+const {after, before, test} = require('node:test');
+const {assert, bring, folder, launch, open, rotorub, scene, seek, state} = require('./support.js');
+
+let browser;
+before(async () => {
+  rotorub(['compare', scene('bench_ring'), '--end', '0.02', '--twins', '0', '--no-video', '--quiet', '-o', '.'], [0, 1]);
+  rotorub(['run', scene('bench_ring'), '--end', '0.05', '--quiet', '-o', 'ring']);
+  rotorub(['run', scene('bench_billiard'), '--quiet', '-o', 'billiard']);
+  fs.writeFileSync(path.join(folder, 'free.toml'), '[run]\nend = 0.05\n[rotor]\nspeed = "50 Hz"\n[rotor.modal]\n' +
+    'mass = [2.0]\nstiffness = [2e5]\ndamping = [40.0]\ninertia = 1e-3\n[initial]\nx = [1e-4]\n');
+  rotorub(['run', 'free.toml', '--quiet', '-o', 'free']);
+  for (const run of ['ring', 'billiard', 'free']) rotorub(['plot', run, '--quiet']);
+  browser = await launch();
+});
+after(() => browser && browser.close());
+
+// How many colours a canvas shows, and its share of pixels that are not transparent.
+const colours = (page, selector) => page.evaluate((s) => {
+  const canvas = document.querySelector(s), {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const seen = new Set();
+  let solid = 0;
+  for (let k = 0; k < data.length; k += 4) {
+    if (data[k + 3] === 0) continue;
+    ++solid;
+    seen.add((data[k] << 16) + (data[k + 1] << 8) + data[k + 2]);
+  }
+  return {count: seen.size, share: solid / (canvas.width * canvas.height)};
+}, selector);
+
+test('the rig is drawn in WebGL, and moves', async () => {
+  const page = await open(browser, 'ring/plot.html');
+  const {count, share} = await colours(page, 'canvas.rig');
+  assert.ok(count > 200, `${count} colours`);
+  assert.ok(share > 0.03 && share < 0.7, `${share} of the canvas`);
+  const look = () => page.evaluate(() => document.querySelector('canvas.rig').toDataURL());
+  await seek(page, 0.01);
+  const before = await look();
+  await seek(page, 0.014);
+  assert.notEqual(await look(), before);
+  await seek(page, 0.01);
+  assert.equal(await look(), before, 'the same time is the same picture');
+  await bring(page, 'canvas.rig');
+  const box = await page.locator('canvas.rig').boundingBox();
+  await page.mouse.move(box.x + 100, box.y + 100);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 180, box.y + 100, {steps: 4});
+  await page.mouse.up();
+  assert.notEqual(await look(), before, 'a drag turns it');
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
+test('without WebGL section and gap are there, and a word', async () => {
+  const plain = await launch({webgl: false});
+  const page = await open(plain, 'ring/plot.html');
+  assert.equal((await state(page)).webgl, false);
+  assert.match(await page.locator('.player-note').textContent(), /no WebGL/);
+  assert.equal(await page.locator('canvas.rig').count(), 0);
+  for (const part of ['canvas.section', 'canvas.unrolled']) assert.ok((await colours(page, part)).count > 5, part);
+  await seek(page, 0.03);
+  const s = await state(page);
+  assert.deepEqual([s.sections[0].t, s.unrolled.t], [0.03, 0.03]);
+  assert.deepEqual(page.said, []);
+  await plain.close();
+});
+
+test('light and dark have colours of their own', async () => {
+  const looks = [];
+  for (const colorScheme of ['light', 'dark']) {
+    const page = await open(browser, 'ring/plot.html', {colorScheme});
+    looks.push(await page.evaluate(() => [getComputedStyle(document.body).backgroundColor,
+      document.querySelector('canvas.section').toDataURL(), document.querySelector('canvas.rig').toDataURL()]));
+    if (colorScheme === 'dark') {
+      await page.locator('#theme').click();
+      assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), looks[0][0]);
+      assert.equal(await page.evaluate(() => document.querySelector('canvas.section').toDataURL()), looks[0][1]);
+    }
+    await page.close();
+  }
+  looks[0].forEach((light, k) => assert.notEqual(light, looks[1][k]));
+});
+
+test('400 px are enough', async () => {
+  const page = await open(browser, 'report.html', {width: 400, height: 800});
+  assert.ok(await page.evaluate(() => document.scrollingElement.scrollWidth) <= 400);
+  const wide = await page.evaluate(() => [...document.querySelectorAll('.player canvas, .plot, .transport > *')].filter((e) => {
+    const box = e.getBoundingClientRect();
+    return box.width > 0 && (box.left < -0.5 || box.right > 400.5);
+  }).map((e) => e.className));
+  assert.deepEqual(wide, []);
+  await page.close();
+});
+
+test('prints: pictures have their places, and the screen comes back', async () => {
+  const page = await open(browser, 'report.html', {colorScheme: 'dark'});
+  const dark = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  await page.emulateMedia({media: 'print'});
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  const looks = await page.evaluate(() => {
+    const plots = [...document.querySelectorAll('.plot[data-plot]')];
+    const out = plots.filter((p) => {
+      const place = p.getBoundingClientRect(), picture = p.querySelector('.main-svg').getBoundingClientRect();
+      return picture.right > place.right + 1 || picture.bottom > place.bottom + 1;
+    }).map((p) => p.dataset.plot);
+    const boxes = [...document.querySelectorAll('.plot-grid figure')].map((f) => f.getBoundingClientRect());
+    const over = boxes.some((a, i) => boxes.some((b, j) => j > i && a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
+    return {drawn: plots.every((p) => p.classList.contains('drawn')), out, over, theme: document.documentElement.dataset.theme};
+  });
+  assert.deepEqual(looks, {drawn: true, out: [], over: false, theme: 'light'});
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  await page.emulateMedia({media: 'screen'});
+  assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), dark);
+  const pdf = await page.pdf({format: 'A4'});
+  assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
+  const pages = (pdf.toString('latin1').match(/\/Type\s*\/Page\b/g) || []).length;
+  assert.ok(pages >= 3 && pages < 40, `${pages} pages`);
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
+test('shows of a run what its scene has', async () => {
+  const billiard = await open(browser, 'billiard/plot.html');
+  assert.equal(await billiard.locator('.player-run').count(), 1);
+  assert.equal(await billiard.evaluate('page.players[0].runs[0].has("ring")'), false);
+  const parts = await billiard.evaluate('(({bearings, motor, actuators, discs}) => ({bearings, motor, actuators, discs}))(page.data.scenes[0].rig)');
+  assert.deepEqual(parts, {bearings: [], motor: null, actuators: false, discs: []});
+  const names = await billiard.locator('.readings dt').allTextContents();
+  assert.ok(names.includes('gap') && !names.some((n) => /control|current|ring’s/.test(n)), names.join());
+  assert.deepEqual(billiard.said, []);
+  await billiard.close();
+  const free = await open(browser, 'free/plot.html');
+  assert.equal(await free.locator('canvas.section, canvas.unrolled').count(), 0);
+  await seek(free, 0.02);
+  assert.equal((await state(free)).rigs[0].t, 0.02);
+  assert.equal((await state(free)).poses[0].gap, null);
+  assert.deepEqual(free.said, []);
+  await free.close();
+});

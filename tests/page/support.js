@@ -1,0 +1,62 @@
+// Pages of the program in Debian's Chromium, driven as a reader would.
+'use strict';
+const assert = require('node:assert/strict');
+const {execFileSync} = require('node:child_process');
+const fs = require('node:fs');
+const os = require('node:os');
+const path = require('node:path');
+
+const top = path.resolve(__dirname, '../..');
+const {chromium} = require(path.join(top, 'build/npm/node_modules/playwright-core'));
+const program = process.env.ROTORUB_BINARY || path.join(top, 'build/bin/rotorub');
+const scene = (name) => path.join(top, 'mjcf', name + '.toml');
+
+// Runs the program in a folder of its own, which goes when the tests end; `code`: what it may end with.
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'rotorub-page-'));
+process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
+function rotorub(args, codes = [0]) {
+  try {
+    execFileSync(program, args, {cwd: folder, stdio: ['ignore', 'pipe', 'pipe']});
+  } catch (error) {
+    assert.ok(codes.includes(error.status), `rotorub ${args.join(' ')}: ${error.status} ${error.stderr}`);
+  }
+}
+
+// WebGL by software, so that it is the same everywhere; without it where asked.
+function launch({webgl = true} = {}) {
+  const args = webgl ? ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'] : ['--disable-3d-apis'];
+  if (process.getuid() === 0) args.push('--no-sandbox');
+  return chromium.launch({executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args});
+}
+
+// A page, with all that it says on the console and asks of a network in `said`. Reduced motion: a smooth scroll that
+// is still under way would move the page between a look and a click.
+async function open(browser, file, {width = 1200, height = 1000, colorScheme = 'light'} = {}) {
+  const page = await browser.newPage({viewport: {width, height}, colorScheme, reducedMotion: 'reduce'});
+  page.said = [];
+  page.on('console', (message) => page.said.push(message.type() + ': ' + message.text()));
+  page.on('pageerror', (error) => page.said.push('error: ' + error.stack));
+  page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) page.said.push('request: ' + request.url()); });
+  await page.goto('file://' + path.join(folder, file));
+  await page.waitForFunction(() => window.Plotly && document.querySelector('.plot.drawn, .player'));
+  await page.waitForFunction(`page.players.every((p, k) => k > 0 || !p || p.firstDrawn)`);
+  return page;
+}
+
+const state = (page, k = 0) => page.evaluate(`page.players[${k}].state()`);
+// Brings a part of the k-th scene on the screen, in the middle of what the sticky bars leave.
+async function bring(page, selector, k = 0) {
+  await page.evaluate(([s, i]) => document.querySelectorAll('.scene')[i].querySelector(s)
+    .scrollIntoView({block: 'center', behavior: 'instant'}), [selector, k]);
+  await page.waitForTimeout(150);
+}
+const seek = (page, t, k = 0) => page.evaluate(`page.players[${k}].clock.seek(${t})`);
+
+// Rows of a run's series.csv as objects.
+function series(file) {
+  const [header, ...lines] = fs.readFileSync(path.join(folder, file), 'utf8').trim().split('\n');
+  const names = header.split(',');
+  return lines.map((line) => Object.fromEntries(line.split(',').map((field, k) => [names[k], field])));
+}
+
+module.exports = {assert, bring, folder, launch, open, rotorub, scene, seek, series, state};
