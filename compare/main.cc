@@ -1,6 +1,7 @@
 // The program `rotorub`: subcommands, and how errors become exit codes.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -9,6 +10,8 @@
 #include <vector>
 
 #include "compare/commands/command.h"
+#include "compare/commands/command_line.h"
+#include "compare/commands/help_format.h"
 #include "compare/commands/interrupt.h"
 #include "compare/engine/engine.h"
 #include "compare/version.h"
@@ -80,15 +83,24 @@ int rotorub_main(int argc, char** argv) {
       "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a "
       "native rigid-contact model",
       "rotorub");
+  program.formatter(std::make_shared<HelpFormat>());  // before its commands: they take it over
   program.set_version_flag("--version", version_line());
   program.require_subcommand(1);
   const std::vector<Command> commands{add_run_command(program),    add_compare_command(program),
                                       add_modes_command(program),  add_mjcf_command(program),
                                       add_render_command(program), add_bench_command(program),
                                       add_sweep_command(program),  add_check_command(program),
-                                      add_tune_command(program)};
+                                      add_tune_command(program),   add_plot_command(program)};
+  program.footer("rotorub help COMMAND tells the options of a command.");
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.push_back(command.app->get_name());
+  std::vector<std::string> arguments = with_help({argv + 1, argv + argc});
+  if (const std::string wrong = unknown_command(arguments, names); !wrong.empty()) {
+    return failed(kBadInput, wrong);
+  }
+  std::reverse(arguments.begin(), arguments.end());  // as the parser takes them
   try {
-    program.parse(argc, argv);
+    program.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     return parser_exit(program, error);
   }

@@ -56,13 +56,17 @@ json verdict_json(const Verdict& v) {
 
 }  // namespace
 
-std::string table(const std::vector<Case>& cases) {
+std::string table(const std::vector<Case>& cases, const Palette& palette) {
   std::string text = head();
   for (std::size_t i = 0; i < cases.size();) {
     const std::size_t first = i;
     text += fmt::format("{:<{}}", cut(cases[first].scene), kName);
     for (; i < cases.size() && i < first + check_engines().size(); ++i) {
-      text += fmt::format("{:>{}}", to_string(cases[i].outcome()), kColumn);
+      const Outcome outcome = cases[i].outcome();
+      const Tone tone = outcome == Outcome::kPass ? Tone::kGood
+                        : outcome == Outcome::kViolates ? Tone::kBad : Tone::kPart;
+      text += palette.paint_first(tone, fmt::format("{:>{}}", to_string(outcome), kColumn),
+                                  to_string(outcome));
     }
     text += '\n';
   }

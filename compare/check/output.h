@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "compare/check/case.h"
+#include "compare/study/palette.h"
 
 namespace rotorub::check {
 
 // A line a scene, a column an engine; below it every violation and every refusal with its reason.
 // `cases`: a scene's stand together.
-std::string table(const std::vector<Case>& cases);
+std::string table(const std::vector<Case>& cases, const Palette& palette = Palette());
 
 // {"cases": [{"scene", "engine", "outcome", "rule", "value", "limit", "reason", "rules": [...]}]};
 // value and limit are null where nothing is measured. `rules`: the same keys for every rule.

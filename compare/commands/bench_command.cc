@@ -80,7 +80,7 @@ void write_results(const BenchArguments& options, const bench::Machine& machine,
   write_whole(folder / "bench.json", json_text(bench::bench_json(machine, benches, restitution)));
   write_whole(folder / "bench.html", bench_page(machine, benches, restitution));
   if (!options.json && !options.quiet) {
-    fmt::print("\nwritten to {0}/bench.html and {0}/bench.json\n", options.folder);
+    fmt::print("\nwritten to {}: bench.html, bench.json\n", options.folder);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "compare/commands/command.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
+#include "compare/commands/terminal.h"
 #include "compare/study/json.h"
 #include "native_model/scene/reader.h"
 
@@ -110,9 +111,11 @@ int run_check(const CheckArguments& options) {
   if (options.json) {
     std::cout << json_text(check::cases_json(cases));
   } else if (!options.quiet) {
-    fmt::print("{}\n{} scenes: {}\n", check::table(cases), scenes.size(),
-               holds ? "every native case passes or is refused as its file says"
-                     : "a native case violates its rules");
+    const Palette palette = palette_of(stdout);
+    fmt::print("{} {}: {}\n\n{}", scenes.size(), scenes.size() == 1 ? "scene" : "scenes",
+               holds ? palette.paint(Tone::kGood, "every native case passes or is refused as its file says")
+                     : palette.paint(Tone::kBad, "a native case violates its rules"),
+               check::table(cases, palette));
   }
   return holds ? kDone : kOutside;
 }

@@ -70,6 +70,7 @@ Command add_compare_command(CLI::App& program);
 Command add_modes_command(CLI::App& program);
 Command add_mjcf_command(CLI::App& program);
 Command add_render_command(CLI::App& program);
+Command add_plot_command(CLI::App& program);
 Command add_bench_command(CLI::App& program);
 Command add_sweep_command(CLI::App& program);
 Command add_check_command(CLI::App& program);

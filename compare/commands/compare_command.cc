@@ -14,6 +14,8 @@
 #include "compare/commands/films.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
+#include "compare/commands/terminal.h"
+#include "compare/commands/tuning.h"
 #include "compare/own/own_machine.h"
 #include "compare/study/json.h"
 #include "compare/study/table.h"
@@ -26,7 +28,7 @@ struct CompareArguments : CommonOptions {
   std::vector<std::string> scenes;
   std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare";
   int twins = kDefaultTwins;
-  bool no_video = false, modes_ladder = true;
+  bool no_video = false, modes_ladder = true, tune = false;
 };
 
 // Share of the time that films take, for the progress bar.
@@ -100,6 +102,27 @@ std::vector<PageScene> pages_of(const CompareArguments& options,
   return pages;
 }
 
+// What a user is to set, beside the verdicts.
+void find_settings(const CompareArguments& options, double tolerance, const std::vector<Subject>& subjects,
+                   ProgressBar& bar, std::vector<PageScene>& pages) {
+  for (std::size_t k = 0; k < pages.size() && !interrupted(); ++k) {
+    const Subject& subject = subjects[k];
+    if (subject.own || !subject.scene.contact) continue;
+    if (!options.tune) {
+      pages[k].setting = fmt::format("the fastest that can be trusted is found by rotorub tune {} --tolerance {}",
+                                     options.scenes[k], options.tolerance);
+      continue;
+    }
+    pages[k].setting = setting_sentence(
+        tuned(options.scenes[k], subject.scene, options, tolerance, options.twins, "",
+              [&](double share, const std::string& what) { bar.show(share, subject.scene.name + ": " + what); }));
+    bar.clear();
+    if (!options.json && !options.quiet) {
+      fmt::print("\n{}: setting to use: {}\n", subject.scene.name, pages[k].setting);
+    }
+  }
+}
+
 int exit_code(const std::vector<SceneComparison>& comparisons) {
   if (interrupted()) return kStopped;
   int code = kDone;
@@ -137,7 +160,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     write_runs(options.folder, c);
     if (c.interrupted) break;
     if (!options.json && !options.quiet) {
-      fmt::print("{}{}", k > 0 ? "\n" : "", comparison_table(c));
+      fmt::print("{}{}", k > 0 ? "\n" : "", comparison_table(c, palette_of(stdout)));
       std::fflush(stdout);
     }
     comparisons.push_back(std::move(c));
@@ -152,10 +175,11 @@ int compare(const CompareArguments& options) {
   ProgressBar bar(options.quiet);
 
   const auto comparisons = compare_all(options, tolerance, subjects, bar);
-  const auto pages = pages_of(options, comparisons, [&](double share) {
+  auto pages = pages_of(options, comparisons, [&](double share) {
     bar.show(1.0 - kFilmShare + kFilmShare * share, "films");
   });
   bar.clear();
+  find_settings(options, tolerance, subjects, bar, pages);
   write_report(options.folder, comparisons, pages);
 
   if (options.json) {
@@ -199,6 +223,9 @@ Command add_compare_command(CLI::App& program) {
   app->add_option("-o,--output", options->folder, "Folder of the results")
       ->type_name("DIR")
       ->capture_default_str();
+  app->add_flag("--tune", options->tune,
+                "Finds the fastest setting that can be trusted for each scene (rotorub tune), and shows it beside the "
+                "verdicts");
   app->add_flag("--no-video", options->no_video, "Leave the films out");
   add_run_options(*app, *options);
   add_controller_option(*app, *options);

@@ -2,37 +2,39 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <memory>
-#include <mutex>
+#include <cctype>
 #include <optional>
-#include <stdexcept>
-#include <thread>
 
-#include "renders/frame.h"
-#include "renders/mujoco_errors.h"
-#include "renders/video.h"
+#include "compare/commands/command.h"
+#include "renders/film.h"
 
 namespace rotorub {
 namespace {
 
-// Small enough to be carried in the report.
+// Quickly made and looked at.
 renders::RenderOptions film_options() {
   renders::RenderOptions options;
-  options.width = 800;
-  options.height = 450;
-  options.duration = 8.0;
-  options.quality = 27;
+  options.frames_per_second = 25.0;
+  options.duration = 6.0;
   return options;
 }
 
-// One film to be made.
+// From the folder of the page, quoted as a URL asks for it (RFC 3986).
+std::string link_to(const std::string& scene, const std::filesystem::path& file) {
+  std::string link;
+  for (const char c : scene + "/" + file.filename().string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = std::isalnum(byte) || std::string_view("-._~/").find(c) != std::string_view::npos;
+    link += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return link;
+}
+
+// One film to be made: the native run, or a run of MuJoCo beside the native one.
 struct Job {
   const SceneComparison* comparison = nullptr;
   std::size_t side = 0;
   std::filesystem::path file;
-  std::optional<Film> film;
-  std::string failure;
 };
 
 std::vector<Job> jobs_of(const std::filesystem::path& folder,
@@ -41,91 +43,34 @@ std::vector<Job> jobs_of(const std::filesystem::path& folder,
   for (const SceneComparison& c : comparisons) {
     for (std::size_t k = 0; k < c.sides.size(); ++k) {
       if (c.sides[k].trajectory.status != Status::kOk) continue;
-      jobs.push_back({&c, k, folder / c.scene.name / (c.sides[k].label + ".mp4"), {}, {}});
+      jobs.push_back({&c, k, folder / c.scene.name / (c.sides[k].label + ".mp4")});
     }
   }
   return jobs;
 }
 
-class FilmCrew {
- public:
-  FilmCrew(std::vector<Job>& jobs, const std::atomic<bool>& interrupt,
-           const std::function<void(double)>& progress)
-      : jobs_(jobs), interrupt_(interrupt), progress_(progress) {}
-
-  void work() {
-    // Painters set this handler and put back the one before, picture by picture and thread by
-    // thread: with one around all of them every thread sets and puts back the same.
-    const renders::MujocoErrors errors;
-    const std::size_t hands =
-        std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), jobs_.size());
-    std::vector<std::jthread> crew;
-    for (std::size_t k = 1; k < hands; ++k) crew.emplace_back([this] { take_jobs(); });
-    take_jobs();
+std::string caption(const std::string& label, bool beside, const renders::Framing& framing) {
+  std::string slow = fmt::format("slowed down {:.3g} times", framing.clock.base());
+  if (!framing.clock.impacts().empty()) {
+    slow += fmt::format(", {:.3g} times at impacts", framing.clock.slowest());
   }
+  return fmt::format("{}{}; {}, displacements magnified {:.3g} times", label,
+                     beside ? " beside native" : "", slow, framing.magnification);
+}
 
- private:
-  void take_jobs() {
-    for (std::size_t k = next_++; k < jobs_.size() && !interrupt_; k = next_++) {
-      try {
-        make(jobs_[k]);
-      } catch (const std::exception& error) {
-        jobs_[k].failure = error.what();
-      }
-    }
+// Scales are of all runs of the scene, so that its films can be compared with each other too.
+Film make(const Job& job, const std::function<void(double)>& progress) {
+  const SceneComparison& c = *job.comparison;
+  renders::RenderOptions options = film_options();
+  options.progress = progress;
+  const bool beside = job.side > 0 && c.sides[0].trajectory.status == Status::kOk;
+  if (beside) options.beside = &c.reference(job.side).trajectory;
+  for (const Side& side : c.sides) {
+    if (side.trajectory.status == Status::kOk) options.scaled_with.push_back(&side.trajectory);
   }
-
-  // MuJoCo's reader of XML serves one thread at a time.
-  std::unique_ptr<renders::FramePainter> painter(const SceneComparison& c, std::size_t side,
-                                                 const renders::RenderOptions& options) {
-    const std::lock_guard lock(loading_);
-    return std::make_unique<renders::FramePainter>(c.scene, c.sides[side].trajectory, options);
-  }
-
-  void make(Job& job) {
-    const SceneComparison& c = *job.comparison;
-    renders::RenderOptions options = film_options();
-    if (job.side > 0) {
-      const renders::Framing native = painter(c, 0, options)->framing();
-      options.from = native.from;
-      options.to = native.to;
-      options.slow_motion = native.slow_motion;
-      options.magnification = native.magnification;
-      options.shadow = &c.sides[0].trajectory;
-    }
-    const auto paints = painter(c, job.side, options);
-    const renders::Framing& framing = paints->framing();
-    renders::VideoFile video(job.file, options.width, options.height,
-                             {options.frames_per_second, options.quality});
-    for (int frame = 0; frame < framing.frames; ++frame) {
-      if (interrupt_) return;
-      video.add(paints->paint(framing.time(frame)));
-      report(1.0 / framing.frames);
-    }
-    video.finish();
-    job.film = Film{job.file, caption(c.sides[job.side].label, job.side > 0, framing)};
-  }
-
-  static std::string caption(const std::string& label, bool ghost,
-                             const renders::Framing& framing) {
-    return fmt::format("{}{}; slowed down {:.3g} times, displacements magnified {:.3g} times",
-                       label, ghost ? ", the native run as a ghost" : "", framing.slow_motion,
-                       framing.magnification);
-  }
-
-  void report(double share_of_job) {
-    const std::lock_guard lock(reporting_);
-    done_ += share_of_job / static_cast<double>(jobs_.size());
-    if (progress_) progress_(done_);
-  }
-
-  std::vector<Job>& jobs_;
-  const std::atomic<bool>& interrupt_;
-  const std::function<void(double)>& progress_;
-  std::atomic<std::size_t> next_{0};
-  std::mutex loading_, reporting_;
-  double done_ = 0.0;
-};
+  const auto made = renders::render(c.scene, c.sides[job.side].trajectory, options, job.file);
+  return Film{link_to(c.scene.name, job.file), caption(c.sides[job.side].label, beside, made.framing)};
+}
 
 }  // namespace
 
@@ -133,13 +78,22 @@ std::vector<SceneFilms> write_films(const std::filesystem::path& folder,
                                     const std::vector<SceneComparison>& comparisons,
                                     const std::atomic<bool>& interrupt,
                                     const std::function<void(double)>& progress) {
-  std::vector<Job> jobs = jobs_of(folder, comparisons);
-  FilmCrew(jobs, interrupt, progress).work();
   std::vector<SceneFilms> all(comparisons.size());
-  for (Job& job : jobs) {
-    SceneFilms& scene = all[static_cast<std::size_t>(job.comparison - comparisons.data())];
-    if (job.film) scene.films.push_back(std::move(*job.film));
-    if (scene.failure.empty()) scene.failure = job.failure;
+  const std::vector<Job> jobs = jobs_of(folder, comparisons);
+  for (std::size_t k = 0; k < jobs.size() && !interrupt; ++k) {
+    SceneFilms& scene = all[static_cast<std::size_t>(jobs[k].comparison - comparisons.data())];
+    try {
+      scene.films.push_back(make(jobs[k], [&](double share) {
+        if (interrupt) throw Interrupted();
+        if (progress) {
+          progress((static_cast<double>(k) + share) / static_cast<double>(jobs.size()));
+        }
+      }));
+    } catch (const Interrupted&) {
+      break;
+    } catch (const std::exception& error) {
+      if (scene.failure.empty()) scene.failure = error.what();
+    }
   }
   return all;
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -15,9 +14,11 @@
 #include "compare/commands/command.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
+#include "compare/commands/ranges.h"
 #include "compare/modes/control_text.h"
 #include "compare/modes/rub_map_text.h"
 #include "compare/modes/text.h"
+#include "compare/report/feedback_map_page.h"
 #include "compare/report/modes_page.h"
 #include "compare/report/rub_map_page.h"
 #include "compare/study/json.h"
@@ -60,7 +61,8 @@ std::optional<double> range_of(const ModesArguments& options) {
 std::filesystem::path page_file(const ModesArguments& options) {
   const std::filesystem::path path(options.output);
   if (path.extension() == ".html") return path;
-  return path / (options.rub_map ? "rub_map.html" : "modes.html");
+  const char* name = options.rub_map ? "rub_map.html" : options.feedback_map ? "feedback_map.html" : "modes.html";
+  return path / name;
 }
 
 void write_file(const ModesArguments& options, const std::string& page) {
@@ -83,49 +85,6 @@ void write_page(const ModesArguments& options, const scene::Scene& scene,
 }
 
 // ---------------------------------------------------------------- the map of lasting rubs
-[[noreturn]] void refuse_range(const char* option, const std::string& text, const std::string& why) {
-  throw UsageError(fmt::format("{} {}: {}; accepted is FROM:TO:COUNT", option, text, why));
-}
-
-double value_of(const char* option, const std::string& all, const std::string& part,
-                const scene::Quantity& quantity) {
-  const auto parsed = scene::parse_quantity(part, quantity);
-  if (!parsed.error.empty()) refuse_range(option, all, parsed.error);
-  return parsed.value;
-}
-
-int count_of(const char* option, const std::string& all, const std::string& part) {
-  int count = 0;
-  const auto end = std::from_chars(part.data(), part.data() + part.size(), count);
-  if (end.ec != std::errc() || end.ptr != part.data() + part.size() || count < 2 || count > 1000) {
-    refuse_range(option, all, "COUNT is a whole number from 2 to 1000");
-  }
-  return count;
-}
-
-
-std::vector<double> even_values(double from, double to, int count) {
-  std::vector<double> values;
-  for (int k = 0; k < count; ++k) {
-    values.push_back(k + 1 == count ? to : from + (to - from) * k / (count - 1));
-  }
-  return values;
-}
-
-std::vector<double> range_values(const char* option, const std::string& text,
-                                 const scene::Quantity& quantity) {
-  const std::size_t first = text.find(':'), last = text.rfind(':');
-  if (first == std::string::npos || first == last ||
-      text.find(':', first + 1) != last) {
-    refuse_range(option, text, "it has three parts");
-  }
-  const double from = value_of(option, text, text.substr(0, first), quantity);
-  const double to = value_of(option, text, text.substr(first + 1, last - first - 1), quantity);
-  const int count = count_of(option, text, text.substr(last + 1));
-  if (!(from >= 0.0) || !(to > from)) refuse_range(option, text, "FROM is 0 or more and TO above it");
-  return even_values(from, to, count);
-}
-
 struct MapRanges {
   std::vector<double> speeds, frictions;  // empty: not given
 };
@@ -187,10 +146,12 @@ int show_feedback(const ModesArguments& options) {
                              [&](double share) { say_progress(bar, share, "feedback"); });
   });
   bar.clear();
+  if (!options.output.empty()) write_file(options, feedback_map_page(scene, map));
   if (options.json) {
     std::cout << json_text({{"feedback_map", feedback_map_json(map)}});
   } else if (!options.quiet) {
     std::cout << feedback_map_table(scene.name, map);
+    if (!options.output.empty()) fmt::print("\nwritten to {}\n", page_file(options).string());
   }
   return kDone;
 }
@@ -254,8 +215,8 @@ Command add_modes_command(CLI::App& program) {
       ->allow_extra_args(false);
   CLI::Option* page =
       app->add_option("-o,--output", options->output,
-                      "Writes a page with Campbell diagram and mode shapes, or of the rub map: a file that "
-                      "ends with .html, or a folder for modes.html or rub_map.html")
+                      "Writes a page with Campbell diagram and mode shapes, or of the map: a file that ends with "
+                      ".html, or a folder for modes.html, rub_map.html or feedback_map.html")
           ->type_name("DIR|FILE.html");
   app->add_option("--up-to", options->up_to,
                   "Highest spin speed of the Campbell diagram (default: to show what matters)")

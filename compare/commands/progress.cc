@@ -1,10 +1,12 @@
 #include "compare/commands/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
+
+#include "compare/commands/terminal.h"
+#include "native_model/scene/printable.h"
 
 namespace rotorub {
 namespace {
@@ -12,27 +14,44 @@ namespace {
 using namespace std::chrono_literals;
 constexpr auto kPatience = 2s;  // shorter work shows nothing
 constexpr auto kRefresh = 100ms;
+constexpr auto kLine = 30s;  // off a terminal
 constexpr int kWidth = 28;
 
 }  // namespace
 
+std::string progress_bar(double share, double seconds, const std::string& what, int columns) {
+  share = std::clamp(share, 0.0, 1.0);
+  const auto full = static_cast<std::size_t>(share * kWidth);
+  const std::string bar =
+      fmt::format("[{}{}] {:3.0f} %  {:.0f} s  ", std::string(full, '='),
+                  std::string(kWidth - full, ' '), 100.0 * share, seconds);
+  // The last column stays free: a terminal may wrap as soon as it is written to.
+  const auto room = static_cast<std::size_t>(std::max(columns - 1, 0));
+  constexpr std::size_t kCut = 3;  // "..."
+  if (bar.size() + kCut >= room) return bar.substr(0, room);
+  return bar + scene::printable(what, room - bar.size() - kCut);
+}
+
 ProgressBar::ProgressBar(bool quiet)
-    : enabled_(!quiet && isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_(start_) {}
+    : enabled_(!quiet), terminal_(is_terminal(stderr)), start_(Clock::now()), last_(start_) {}
 
 ProgressBar::~ProgressBar() { clear(); }
 
 void ProgressBar::show(double share, const std::string& what) {
   if (!enabled_) return;
   const auto now = Clock::now();
-  if (now - start_ < kPatience || now - last_ < kRefresh) return;
+  if (now - last_ < (terminal_ ? Clock::duration(kRefresh) : Clock::duration(kLine))) return;
+  if (now - start_ < kPatience) return;
   last_ = now;
-  share = std::clamp(share, 0.0, 1.0);
-  const auto full = static_cast<std::size_t>(share * kWidth);
   const double passed = std::chrono::duration<double>(now - start_).count();
-  fmt::print(stderr, "\r\033[K[{}{}] {:3.0f} %  {:.0f} s  {}", std::string(full, '='),
-             std::string(kWidth - full, ' '), 100.0 * share, passed, what);
+  if (terminal_) {
+    fmt::print(stderr, "\r\033[K{}", progress_bar(share, passed, what, columns_of(stderr)));
+    drawn_ = true;
+  } else {
+    fmt::print(stderr, "rotorub: {:.0f} % after {:.0f} s: {}\n", 100.0 * std::clamp(share, 0.0, 1.0),
+               passed, scene::printable(what));
+  }
   std::fflush(stderr);
-  drawn_ = true;
 }
 
 void ProgressBar::clear() {

@@ -1,4 +1,5 @@
-// A progress bar on standard error: on a terminal only, and only for what takes over two seconds.
+// How far a long piece of work is, on standard error: on a terminal a bar, from two seconds on; elsewhere a line
+// every half minute, so that a log of hours tells what they went into.
 #pragma once
 
 #include <chrono>
@@ -20,9 +21,12 @@ class ProgressBar {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool enabled_;
+  bool enabled_, terminal_;
   bool drawn_ = false;
   Clock::time_point start_, last_;
 };
+
+// A bar of at most so many columns: "[=====     ]  50 %  12 s  what", cut where it would wrap.
+std::string progress_bar(double share, double seconds, const std::string& what, int columns);
 
 }  // namespace rotorub

@@ -1,4 +1,4 @@
-// rotorub render: the film of a scene or of a run that was kept.
+// rotorub render: a film or picture of a scene, or of a run that was kept.
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "compare/commands/command.h"
+#include "compare/commands/film_options.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/engine/engine.h"
@@ -23,15 +24,27 @@ namespace rotorub {
 namespace {
 
 struct RenderArguments : CommonOptions {
-  std::string source, file;
+  std::string source;
+  FilmArguments film;
 };
 
 // Rows close enough for smooth pictures and for every touch to be seen.
 constexpr std::size_t kFilmRows = 50000;
 
-StoredRun run_for_film(const RenderArguments& options, ProgressBar& bar) {
+// A window that no run of the scene can have, before it is run.
+void check_window(const scene::Scene& scene, const renders::RenderOptions& film) {
+  for (const auto& [flag, time] : {std::pair{"--from", film.from}, {"--to", film.to}}) {
+    if (!time || *time <= scene.run.end) continue;
+    throw UsageError(fmt::format("{} {} s: accepted is a time of the run, which ends at {} s (--end)",
+                                 flag, *time, scene.run.end));
+  }
+}
+
+StoredRun run_for_film(const RenderArguments& options, const renders::RenderOptions& film,
+                       ProgressBar& bar) {
   StoredRun run;
   run.scene = read_scene(options.source, options);
+  check_window(run.scene, film);
   RunRequest request;
   request.output_times = dense_times(run.scene.run, kFilmRows);
   request.interrupt = &interrupted();
@@ -48,10 +61,75 @@ StoredRun stored(const RenderArguments& options) {
   return read_run(options.source);
 }
 
+// Engine, contact and integrator may differ; what is drawn may not.
+std::optional<StoredRun> run_beside(const FilmRequest& request, const StoredRun& run) {
+  if (request.beside.empty()) return std::nullopt;
+  if (!std::filesystem::is_directory(request.beside)) {
+    throw UsageError(fmt::format("--beside {}: accepted is the folder of a run", request.beside));
+  }
+  StoredRun beside = read_run(request.beside);
+  if (beside.scene.name != run.scene.name) {
+    throw UsageError(fmt::format("--beside {}: is a run of {}; accepted is one of {}",
+                                 request.beside, beside.scene.name, run.scene.name));
+  }
+  return beside;
+}
+
+// What was made, in words and as JSON.
+struct Outcome {
+  renders::Framing framing;
+  std::string words;
+  nlohmann::json json;
+};
+
+Outcome made_picture(const StoredRun& run, const FilmRequest& request, const std::string& file) {
+  const auto made =
+      renders::render_still(run.scene, run.trajectory, request.at, request.options, file);
+  return {made.framing, fmt::format("a picture of {:.6g} s", made.t), {{"t", made.t}}};
+}
+
+Outcome made_film(const StoredRun& run, const FilmRequest& request, const std::string& file) {
+  const auto made = renders::render(run.scene, run.trajectory, request.options, file);
+  const renders::FilmClock& clock = made.framing.clock;
+  std::string words = fmt::format("{:.3g} s of film, slowed down {:.4g} times", made.film_s,
+                                  clock.base());
+  if (!clock.impacts().empty()) {
+    words += fmt::format(", {:.4g} times at {} impacts", clock.slowest(), clock.impacts().size());
+  }
+  return {made.framing, words,
+          {{"slow_motion", made.framing.slow_motion},
+           {"slow_motion_at_impacts", clock.slowest()},
+           {"frames", made.framing.frames},
+           {"frames_per_second", request.options.frames_per_second},
+           {"film_s", made.film_s}}};
+}
+
+void tell(const RenderArguments& options, const FilmRequest& request, const StoredRun& run,
+          const Outcome& made, const std::string& file) {
+  const bool shadow = request.options.shadow != nullptr;
+  if (options.json) {
+    nlohmann::json all = made.json;
+    all.update({{"scene", run.scene.name},
+                {"file", file},
+                {"from", made.framing.from},
+                {"to", made.framing.to},
+                {"width", request.options.width},
+                {"height", request.options.height},
+                {"magnification", made.framing.magnification},
+                {"shadow", shadow}});
+    std::cout << json_text(all);
+  } else if (!options.quiet) {
+    fmt::print("{}: {}, displacements magnified {:.3g} times{}\nwritten to {}\n", run.scene.name,
+               made.words, made.framing.magnification, shadow ? ", its shadow as a ghost" : "",
+               file);
+  }
+}
+
 int render_film(const RenderArguments& options) {
+  FilmRequest request = film_request(options.film);
   ProgressBar bar(options.quiet);
   const bool is_run = std::filesystem::is_directory(options.source);
-  const StoredRun run = is_run ? stored(options) : run_for_film(options, bar);
+  const StoredRun run = is_run ? stored(options) : run_for_film(options, request.options, bar);
   const int code = is_run ? static_cast<int>(kDone) : exit_code_of(run.trajectory.status);
   if (code != kDone) {
     fmt::print(stderr, "rotorub: {}: {}: {}\n", scene::printable(run.scene.name),
@@ -59,34 +137,23 @@ int render_film(const RenderArguments& options) {
     return code;
   }
 
-  const std::string file = options.file.empty() ? run.scene.name + ".mp4" : options.file;
-  renders::RenderOptions film;
+  const std::string file = request.file.empty()
+                               ? run.scene.name + renders::extension(request.format)
+                               : request.file;
   const std::optional<StoredRun> shadow =
       is_run ? read_shadow(options.source, run) : std::optional<StoredRun>();
-  if (shadow) film.shadow = &shadow->trajectory;
-  film.progress = [&](double share) {
+  if (shadow) request.options.shadow = &shadow->trajectory;
+  const std::optional<StoredRun> beside = run_beside(request, run);
+  if (beside) request.options.beside = &beside->trajectory;
+  request.options.progress = [&](double share) {
     if (interrupted()) throw Interrupted();
     bar.show(0.1 + 0.9 * share, "film");
   };
-  const renders::RenderResult result = renders::render(run.scene, run.trajectory, film, file);
+  const bool picture = request.format == renders::FilmFormat::kPng;
+  const Outcome made =
+      picture ? made_picture(run, request, file) : made_film(run, request, file);
   bar.clear();
-  if (options.json) {
-    std::cout << json_text({{"scene", run.scene.name},
-                            {"file", file},
-                            {"from", result.framing.from},
-                            {"to", result.framing.to},
-                            {"slow_motion", result.framing.slow_motion},
-                            {"magnification", result.framing.magnification},
-                            {"frames", result.framing.frames},
-                            {"film_s", result.film_s},
-                            {"shadow", shadow.has_value()}});
-  } else if (!options.quiet) {
-    fmt::print(
-        "{}: {:.3g} s of film, slowed down {:.3g} times, displacements magnified {:.3g} "
-        "times{}\nwritten to {}\n",
-        run.scene.name, result.film_s, result.framing.slow_motion, result.framing.magnification,
-        shadow ? ", its shadow as a ghost" : "", file);
-  }
+  tell(options, request, run, made, file);
   return kDone;
 }
 
@@ -95,10 +162,10 @@ int render_film(const RenderArguments& options) {
 Command add_render_command(CLI::App& program) {
   auto options = std::make_shared<RenderArguments>();
   CLI::App* app =
-      program.add_subcommand("render", "Film a scene (native engine), or a run's folder");
+      program.add_subcommand("render", "Film or picture of a scene (native engine), or of a run's folder");
   app->add_option("SCENE|RUN_DIR", options->source, "Scene file (.toml), or folder of a run")
       ->required();
-  app->add_option("-o,--output", options->file, "File (default: <scene>.mp4)")->type_name("FILE");
+  add_film_options(*app, options->film);
   add_run_options(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return render_film(*options); }};

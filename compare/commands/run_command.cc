@@ -14,6 +14,7 @@
 #include "compare/commands/command.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
+#include "compare/commands/terminal.h"
 #include "compare/engine/engine.h"
 #include "compare/metrics/above_modes.h"
 #include "compare/study/format.h"
@@ -116,7 +117,7 @@ int run(const RunArguments& options) {
   if (options.json) {
     std::cout << json_text(summary_json(scene, trajectory));
   } else if (!options.quiet) {
-    fmt::print("{}{}{}written to {}\n", run_table(scene, trajectory), truncation_note(scene),
+    fmt::print("{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)), truncation_note(scene),
                whirl_note(scene, trajectory), folder.string());
   }
   say_failure(scene, "", trajectory);

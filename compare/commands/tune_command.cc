@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "compare/bench/ladder.h"
 #include "compare/commands/command.h"
-#include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
+#include "compare/commands/terminal.h"
+#include "compare/commands/tuning.h"
 #include "compare/study/json.h"
 #include "compare/study/scene_comparison.h"
 #include "compare/tune/json.h"
@@ -31,17 +29,6 @@ struct TuneArguments : CommonOptions {
   int twins = kDefaultTwins;
 };
 
-std::vector<double> tune_steps(const TuneArguments& options, const scene::Scene& scene) {
-  std::vector<double> steps =
-      options.steps.empty() ? bench::default_ladder().steps : bench::parse_steps(options.steps);
-  // A slow machine may take more than the bench's steps. The scene's own step is one that its user
-  // has a reason for.
-  if (options.steps.empty()) steps.insert(steps.end(), {1e-3, 5e-4, scene.run.step});
-  std::sort(steps.begin(), steps.end(), std::greater<>());
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
-  return steps;
-}
-
 // The scene with the trusted setting; says what it did, or why it did nothing.
 void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   if (!result.choice.trusted) {
@@ -52,39 +39,30 @@ void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   const auto tuned = tune::tuned_text(result.scene.text, options.scene, setting);
   write_whole(options.file, tuned.text);
   if (options.json || options.quiet) return;
-  fmt::print("\nwritten to {}{}; its own comparison: rotorub compare {} --contact {}\n",
-             options.file, tuned.comments_kept ? "" : " (anew: comments could not be kept)",
-             options.file, to_string(setting.contact));
+  fmt::print("\nwritten{}; its own comparison:\n  rotorub compare {} --contact {}\n",
+             tuned.comments_kept ? "" : " (anew: comments could not be kept)", options.file,
+             to_string(setting.contact));
 }
 
 int run_tune(const TuneArguments& options) {
-  tune::TuneParameters parameters;
-  parameters.tolerance = tolerance_of(options.tolerance);
+  const double tolerance = tolerance_of(options.tolerance);
   check_twins(options.twins);
-  parameters.twins = options.twins;
   const scene::Scene scene = read_scene(options.scene, options);
   if (!scene.contact) {
     throw UsageError(fmt::format(
         "{}: without a contact there is nothing to tune; accepted is a scene with [contact]",
         options.scene));
   }
-  parameters.steps = tune_steps(options, scene);
-  parameters.interrupt = &interrupted();
   ProgressBar bar(options.quiet);
-  parameters.progress = [&](double share, const std::string& what) { bar.show(share, what); };
-  const auto reader = [&](const std::vector<std::string>& further) {
-    TuneArguments with = options;
-    with.overrides.insert(with.overrides.end(), further.begin(), further.end());
-    return read_scene(options.scene, with);
-  };
-  const tune::TuneResult result = tune::tune_scene(reader, parameters);
+  const tune::TuneResult result =
+      tuned(options.scene, scene, options, tolerance, options.twins, options.steps,
+            [&](double share, const std::string& what) { bar.show(share, what); });
   bar.clear();
-  if (result.interrupted) throw Interrupted();
 
   if (options.json) {
     std::cout << json_text(tune::tune_json(result));
   } else if (!options.quiet) {
-    fmt::print("{}", tune::tune_table(result));
+    fmt::print("{}", tune::tune_table(result, palette_of(stdout)));
   }
   if (!options.file.empty()) write_tuned(options, result);
   return result.choice.trusted ? kDone : kOutside;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -151,7 +153,7 @@ void write_run(const path& folder, const scene::Scene& scene, const Trajectory& 
 StoredRun read_run(const path& folder) {
   if (std::filesystem::exists(folder / kOwnModel)) {
     throw std::runtime_error(folder.string() +
-                             ": is a run of a machine of your own; its films are in the report");
+                             ": is a run of a machine of your own; it is in the report of its comparison");
   }
   const nlohmann::json summary = summary_of(folder / kSummary);
   StoredRun run;
@@ -174,6 +176,26 @@ StoredRun read_run(const path& folder) {
   read_series(folder / kSeries, t);
   read_impacts(folder / kImpacts, t);
   return run;
+}
+
+void check_series(const Trajectory& trajectory, const std::string& file) {
+  for (const char* name : {"t", "rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x", "stator_y", "stator_vx",
+                           "stator_vy", "spin_angle", "spin_speed", "gap", "gap_rate", "normal_force",
+                           "friction_force", "mode"}) {
+    if (!trajectory.has(name)) throw std::runtime_error(fmt::format("{}: has no column `{}`", file, name));
+  }
+  // A header stands before the rows.
+  const auto line = [](std::size_t row) { return row + 2; };
+  for (const Column& column : trajectory.series) {
+    for (std::size_t i = 0; i < column.values.size(); ++i) {
+      if (std::isfinite(column.values[i])) continue;
+      throw std::runtime_error(fmt::format("{}:{}: {} = {} is no number", file, line(i), column.name, column.values[i]));
+    }
+  }
+  const auto& t = trajectory.column("t");
+  const auto back = std::is_sorted_until(t.begin(), t.end());
+  if (back == t.end()) return;
+  throw std::runtime_error(fmt::format("{}:{}: the times do not ascend", file, line(static_cast<std::size_t>(back - t.begin()))));
 }
 
 std::optional<StoredRun> read_shadow(const path& folder, const StoredRun& run) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
@@ -22,6 +23,10 @@ struct StoredRun {
 
 // Reads what write_run wrote. Throws std::runtime_error naming file and line for anything else.
 StoredRun read_run(const std::filesystem::path& folder);
+
+// That the series is one to draw: has the columns that the contract promises, in ascending times, and no value that
+// is none. Throws std::runtime_error naming file, column and line.
+void check_series(const Trajectory& trajectory, const std::string& file);
 
 // Folder, within that of a MuJoCo run, of the native model that ran alongside ([mujoco] shadow): a
 // run of its own.

@@ -131,15 +131,17 @@ std::string split_lines(const SceneComparison& c) {
 }
 
 // What was asked, answered: before any figure.
-std::string answer_lines(const SceneComparison& c) {
+std::string answer_lines(const SceneComparison& c, const Palette& palette) {
   constexpr int kContact = 10, kTrust = 15, kCost = 9;
   std::string text = fmt::format("  {:<{}}{:<{}}{:<{}}{}\n", "contact", kContact, "trusted", kTrust,
                                  "us a step", kCost + 2, "why");
   for (const AnswerRow& row : answer(c)) {
     const std::string cost = row.us_per_step > 0.0 ? short_number(row.us_per_step) : "-";
-    text += wrapped(fmt::format("{} {:<{}}{:<{}}{:>{}}  ", row.decides ? ">" : " ", row.contact,
-                                kContact, to_string(row.trust), kTrust, cost, kCost),
-                    row.why);
+    const std::string lines =
+        wrapped(fmt::format("{} {:<{}}{:<{}}{:>{}}  ", row.decides ? ">" : " ", row.contact, kContact,
+                            to_string(row.trust), kTrust, cost, kCost),
+                row.why);
+    text += palette.paint_first(tone_of(row.trust), lines, to_string(row.trust));
   }
   text += wrapped("  > ", whose_verdict(c));
   if (const std::string note = mode_note(c); !note.empty()) text += wrapped("    ", note);
@@ -165,11 +167,11 @@ const char* lead(Trust trust) {
 
 }  // namespace
 
-std::string comparison_table(const SceneComparison& c) {
+std::string comparison_table(const SceneComparison& c, const Palette& palette) {
   std::string text = fmt::format("{}: {}, step {}, {} simulated, scene {}\n", c.scene.name,
                                  to_string(c.mode), time_text(c.scene.run.step),
                                  time_text(c.scene.run.end), scene::scene_hash(c.scene));
-  text += answer_lines(c) + "\n";
+  text += answer_lines(c, palette) + "\n";
   if (c.mode == CompareMode::kResync) {
     text += resync_table(c);
   } else {
@@ -186,19 +188,22 @@ std::string comparison_table(const SceneComparison& c) {
   }
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const SideDifference& d = c.differences[k];
-    text += "\n" + wrapped(lead(d.trust), headline(c, c.sides[k + 1], d));
+    text += "\n" + palette.paint_first(tone_of(d.trust),
+                                      wrapped(lead(d.trust), headline(c, c.sides[k + 1], d)),
+                                      lead(d.trust));
     for (const std::string& reason : d.reasons) text += wrapped("               - ", reason);
   }
   return text;
 }
 
-std::string run_table(const scene::Scene& scene, const Trajectory& t) {
+std::string run_table(const scene::Scene& scene, const Trajectory& t, const Palette& palette) {
   const Metrics m = metrics(t, contact_facts(scene));
-  std::string text =
-      fmt::format("{}: {} {}, contact {}, step {}, {} of {} simulated, {}\n", scene.name, t.engine,
-                  t.integrator, t.contact_model, time_text(t.step), time_text(t.end),
-                  time_text(scene.run.end), to_string(t.status));
-  if (!t.message.empty()) text += "  " + t.message + "\n";
+  const std::string step = t.step > 0.0 ? "step " + time_text(t.step) : "steps of its own";
+  std::string text = fmt::format(
+      "{}: {}\n  {} {}, contact {}, {}, {} of {} simulated\n", scene.name,
+      palette.paint(t.status == Status::kOk ? Tone::kGood : Tone::kBad, to_string(t.status)), t.engine,
+      t.integrator, t.contact_model, step, time_text(t.end), time_text(scene.run.end));
+  if (!t.message.empty()) text += wrapped("  ", t.message);
   if (m.first_touch) {
     text += fmt::format("  {:<{}}{:>{}}\n", "first touch, ms", kLabel,
                         short_number(1e3 * *m.first_touch), kValue);

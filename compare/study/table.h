@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "compare/study/palette.h"
 #include "compare/study/scene_comparison.h"
 
 namespace rotorub {
@@ -10,9 +11,10 @@ namespace rotorub {
 // The answer, the figures side by side and their differences (in resync the contacts', onset by
 // onset), the split of the judged ones, and a verdict with its reasons for each contact model; at
 // most 80 columns wide.
-std::string comparison_table(const SceneComparison& comparison);
+std::string comparison_table(const SceneComparison& comparison, const Palette& palette = Palette());
 
 // What `run` says of one run.
-std::string run_table(const scene::Scene& scene, const Trajectory& trajectory);
+std::string run_table(const scene::Scene& scene, const Trajectory& trajectory,
+                      const Palette& palette = Palette());
 
 }  // namespace rotorub

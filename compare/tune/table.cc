@@ -22,8 +22,9 @@ std::string wrong_text(const JudgedSetting& s, double tolerance) {
 }
 
 std::string setting_lines(const char* label, const JudgedSetting& s, double tolerance) {
-  return fmt::format("  {:<16}{}\n  {:<16}{}\n  {:<16}{}\n", label, text(s.setting), "",
-                     cost_text(s), "", wrong_text(s, tolerance));
+  const std::string margin = fmt::format("  {:<16}", "");
+  return fmt::format("  {:<16}{}\n{}{}\n{}", label, text(s.setting), margin, cost_text(s),
+                     wrapped(margin, wrong_text(s, tolerance)));
 }
 
 std::string part_text(const ErrorPart& part, std::size_t k) {
@@ -52,22 +53,23 @@ std::string error_lines(const TuneResult& r) {
                          part_text(r.errors.contact, k), kValue, part_text(r.errors.step, k),
                          kValue, mode_text(modes, k), kValue);
   }
-  if (!r.errors.contact.reason.empty()) lines += "  not told: " + r.errors.contact.reason + "\n";
+  if (!r.errors.contact.reason.empty()) lines += wrapped("  not told: ", r.errors.contact.reason);
   return lines + "\n" + model_error_table(modes, "  ");
 }
 
 }  // namespace
 
-std::string tune_table(const TuneResult& r) {
+std::string tune_table(const TuneResult& r, const Palette& palette) {
   const auto& all = r.settings;
   std::string lines = fmt::format("{}: {} settings of MuJoCo judged at {}\n", r.scene.name,
                                   all.size(), percent_text(r.tolerance));
   if (!r.choice.trusted) {
-    lines += "  none can be trusted\n";
+    lines += "  " + palette.paint(Tone::kBad, "none can be trusted") + "\n";
     if (r.choice.nearest) lines += setting_lines("nearest", all[*r.choice.nearest], r.tolerance);
     return lines;
   }
-  lines += setting_lines("trusted", all[*r.choice.trusted], r.tolerance);
+  lines += palette.paint_first(
+      Tone::kGood, setting_lines("trusted", all[*r.choice.trusted], r.tolerance), "trusted");
   if (!r.choice.next_cheaper) {
     return lines + "  next cheaper    none: it is the cheapest of all\n" + error_lines(r);
   }

@@ -3,10 +3,11 @@
 
 #include <string>
 
+#include "compare/study/palette.h"
 #include "compare/tune/tune.h"
 
 namespace rotorub::tune {
 
-std::string tune_table(const TuneResult& result);
+std::string tune_table(const TuneResult& result, const Palette& palette = Palette());
 
 }  // namespace rotorub::tune

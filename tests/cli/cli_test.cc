@@ -228,26 +228,5 @@ TEST(CliModes, PrintsTheContractsJson) {
   EXPECT_EQ(folder.run({"modes", shipped("paper_passive"), "--speed", "4 kg"}).code, 2);
 }
 
-TEST(CliRender, FilmsAKeptRun) {
-  const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"}).code,
-            0);
-  const Outcome refused = folder.run({"render", "out", "--step", "1e-5"});
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_EQ(folder.run({"render", "nowhere.toml"}).code, 2);
-  EXPECT_FALSE(folder.has("film.mp4"));
-}
-
-TEST(CliRenderLong, WritesAFilm) {
-  const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"}).code,
-            0);
-  const Outcome done = folder.run({"render", "out", "-o", "film.mp4", "--json"});
-  ASSERT_EQ(done.code, 0) << done.err;
-  EXPECT_EQ(json::parse(done.out).at("file"), "film.mp4");
-  EXPECT_TRUE(contains(folder.text("film.mp4"), "ftyp"));
-  expect_whole_files(folder);
-}
-
 }  // namespace
 }  // namespace rotorub::test

@@ -137,22 +137,40 @@ TEST(CliCompare, LeavesSeriesJsonAndReport) {
   expect_whole_files(folder);
 }
 
-// With films: they are files of their own, and inside the page.
-TEST(CliCompareLong, TheReportHoldsTheFilms) {
+// With films: files beside the page, MuJoCo's beside the native run, which it links to; none is inside.
+TEST(CliCompareLong, TheReportLinksTheFilms) {
   const Folder folder;
   const Outcome done = folder.run({"compare", shipped("bench_ring"), "--end", "0.02", "-o", "out"});
   ASSERT_LE(done.code, 1) << done.err;
-  for (const std::string side : {"native", "coulomb", "cone"}) {
-    EXPECT_TRUE(contains(folder.text("out/bench_ring/" + side + ".mp4"), "ftyp"));
-  }
   const std::string page = folder.text("out/report.html");
-  std::size_t films = 0;
-  for (std::size_t at = page.find("src=\"data:video/mp4;base64,"); at != std::string::npos;
-       at = page.find("src=\"data:video/mp4;base64,", at + 1)) {
-    ++films;
+  for (const std::string side : {"native", "coulomb", "cone"}) {
+    const std::string film = "bench_ring/" + side + ".mp4";
+    EXPECT_TRUE(contains(folder.text("out/" + film), "ftyp"));
+    EXPECT_TRUE(contains(page, "href=\"" + film + "\"")) << side;
   }
-  EXPECT_GE(films, 3U);
+  EXPECT_FALSE(contains(page, "data:video"));
   expect_whole_files(folder);
+}
+
+// Beside the verdicts; without --tune the page says how it is found.
+TEST(CliCompareLong, TheSettingToUseStandsBesideTheVerdicts) {
+  const Folder folder;
+  const std::vector<std::string> arguments{"compare", shipped("bench_ring"), "--end", "0.02", "--no-video", "--twins", "0",
+                                           "-o", "out"};
+  ASSERT_LE(folder.run(arguments).code, 1);
+  EXPECT_TRUE(contains(folder.text("out/report.html"), "rotorub tune "));
+  auto tuned = arguments;
+  tuned.push_back("--tune");
+  const Outcome done = folder.run(tuned);
+  ASSERT_LE(done.code, 1) << done.err;
+  const std::size_t at = done.out.find("setting to use: ");
+  ASSERT_NE(at, std::string::npos) << done.out;
+  const std::string setting = first_line(done.out.substr(at + 16));
+  EXPECT_TRUE(contains(setting, " us a step")) << setting;
+  EXPECT_TRUE(contains(folder.text("out/report.html"), setting)) << setting;
+  const Outcome alone = folder.run({"tune", shipped("bench_ring"), "--end", "0.02", "--twins", "0", "--json"});
+  const json trusted = json::parse(alone.out).at("trusted");
+  EXPECT_TRUE(setting.starts_with(trusted.at("contact").get<std::string>())) << "as tune itself says: " << setting;
 }
 
 TEST(CliCompareLong, AnInterruptIs130) {

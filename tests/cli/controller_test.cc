@@ -11,10 +11,6 @@ namespace {
 
 const std::string kLibraries = ROTORUB_LIBRARIES;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::vector<std::string> run_with(const std::string& library, const std::vector<std::string>& more) {
   std::vector<std::string> all{"run", shipped("paper_sliding"), "--controller", kLibraries + "/" + library,
                                "--set", "controller.sample_time=\"50 us\"", "--set", "rotor.modes=2",
@@ -33,7 +29,7 @@ TEST(CliController, ALibraryTakesThePlaceOfTheScenes) {
   const Outcome mujoco = folder.run(run_with(
       "own_controller.so", {"--engine", "mujoco", "--set", "controller.config.stiffness=1e5"}));
   ASSERT_EQ(mujoco.code, 0) << mujoco.err << ": a scene that was given may load what it names";
-  const Outcome film = folder.run({"render", "out", "-o", "film.mp4", "--json"});
+  const Outcome film = folder.run({"render", "out", "--json", "--png", "--size", "320x180"});
   EXPECT_EQ(film.code, 0) << film.err << ": its results are complete where they lie";
 }
 
@@ -83,6 +79,7 @@ TEST(CliModes, MapsTheFeedbackThatCalmsARub) {
   const Outcome table = folder.run(asked);
   ASSERT_EQ(table.code, 0) << table.err;
   EXPECT_TRUE(contains(table.out, "N s/m")) << table.out;
+  EXPECT_TRUE(contains(table.out, "feedback_speed = [\"40 Hz\"")) << table.out;
   auto in_json = asked;
   in_json.push_back("--json");
   const auto map = nlohmann::json::parse(folder.run(in_json).out).at("feedback_map");

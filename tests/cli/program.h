@@ -126,6 +126,12 @@ inline std::string shipped(const std::string& scene) {
   return std::string(ROTORUB_MJCF_DIR) + "/" + scene + ".toml";
 }
 
+inline std::vector<std::string> with(std::vector<std::string> words,
+                                     const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
 inline std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 inline bool contains(const std::string& text, const std::string& part) {

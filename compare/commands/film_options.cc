@@ -1,0 +1,144 @@
+#include "compare/commands/film_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <filesystem>
+#include <stdexcept>
+
+#include "compare/commands/command.h"
+#include "native_model/scene/units.h"
+
+namespace rotorub {
+namespace {
+
+using renders::FilmFormat;
+
+// A GIF is for a page that takes no film: small and slow enough for its palette and its clock.
+constexpr int kGifWidth = 640, kGifHeight = 360;
+constexpr double kGifRate = 25.0, kGifSeconds = 6.0;
+
+[[noreturn]] void refuse(const std::string& flag, const std::string& value,
+                         const std::string& accepted) {
+  throw UsageError(fmt::format("{} {}: accepted is {}", flag, value, accepted));
+}
+
+std::optional<double> value_of(const std::string& flag, const std::string& text,
+                               const scene::Quantity& quantity, const std::string& accepted) {
+  if (text.empty()) return std::nullopt;
+  const auto parsed = scene::parse_quantity(text, quantity);
+  if (!parsed.error.empty()) refuse(flag, text, accepted);
+  return parsed.value;
+}
+
+std::optional<double> time_of(const std::string& flag, const std::string& text) {
+  const auto time =
+      value_of(flag, text, scene::kTime, "a time of the run, 0 or more, as 0.12 or \"120 ms\"");
+  if (time && *time < 0.0) refuse(flag, text, "a time of the run, 0 or more, as 0.12 or \"120 ms\"");
+  return time;
+}
+
+// "1280x720"
+void read_size(const std::string& text, renders::RenderOptions& options) {
+  const char* const accepted = "WIDTHxHEIGHT in pixels, as 1280x720";
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, options.width);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') {
+    refuse("--size", text, accepted);
+  }
+  const auto height = std::from_chars(width.ptr + 1, end, options.height);
+  if (height.ec != std::errc() || height.ptr != end) refuse("--size", text, accepted);
+}
+
+// By the flag, or by the ending of the file's name; mp4 where neither says.
+FilmFormat format_of(const FilmArguments& arguments) {
+  if (arguments.gif && arguments.png) {
+    throw UsageError("--gif and --png: accepted is one of them; neither gives a film (.mp4)");
+  }
+  const FilmFormat asked = arguments.gif   ? FilmFormat::kGif
+                           : arguments.png ? FilmFormat::kPng
+                                           : FilmFormat::kMp4;
+  if (arguments.file.empty()) return asked;
+  const std::string ending = std::filesystem::path(arguments.file).extension().string();
+  const bool flagged = arguments.gif || arguments.png;
+  for (const FilmFormat format : {FilmFormat::kMp4, FilmFormat::kGif, FilmFormat::kPng}) {
+    if (ending == renders::extension(format) && (!flagged || format == asked)) return format;
+  }
+  refuse("-o", arguments.file,
+         flagged ? fmt::format("a name that ends in {}", renders::extension(asked))
+                 : "a name that ends in .mp4, .gif or .png");
+}
+
+void check_picture(const FilmArguments& arguments, FilmFormat format) {
+  if (format != FilmFormat::kPng) {
+    if (!arguments.at.empty()) {
+      refuse("--at", arguments.at, "--at with --png alone: the time of the picture");
+    }
+    return;
+  }
+  for (const auto& [flag, text] : {std::pair{"--slow", &arguments.slow}, {"--fps", &arguments.fps}}) {
+    if (!text->empty()) refuse(flag, *text, "no " + std::string(flag) + " with --png: a picture has none");
+  }
+}
+
+}  // namespace
+
+void add_film_options(CLI::App& command, FilmArguments& arguments) {
+  const auto add = [&](const char* flag, std::string& value, const char* type, const char* help) {
+    command.add_option(flag, value, help)->type_name(type);
+  };
+  add("-o,--output", arguments.file, "FILE", "File: .mp4, .gif or .png (default: <scene>.mp4)");
+  add("--from", arguments.from, "TIME", "Begin there (default: shortly before the first touch)");
+  add("--to", arguments.to, "TIME", "End there (default: the end of the run)");
+  add("--slow", arguments.slow, "N",
+      "Seconds of film for a second of the run, the same throughout (default: what gives 12 s, --gif 6 s, slower at impacts)");
+  add("--size", arguments.size, "WxH", "Pixels (default: 1280x720; --gif 640x360)");
+  add("--fps", arguments.fps, "N", "Frames a second, 1 to 120 (default: 60; --gif 25)");
+  add("--view", arguments.view, "VIEW", "rig (default), axis, close-up or unrolled");
+  add("--title", arguments.title, "TEXT", "Written over the picture (default: the scene's name)");
+  add("--beside", arguments.beside, "RUN_DIR",
+      "A second run of the same scene, to the right, with one camera, clock and scale");
+  add("--at", arguments.at, "TIME",
+      "Time of the picture of --png (default: the hardest impact, or the middle)");
+  command.add_flag("--gif", arguments.gif, "An animated GIF");
+  command.add_flag("--png", arguments.png, "One picture");
+}
+
+FilmRequest film_request(const FilmArguments& arguments) {
+  FilmRequest request;
+  request.file = arguments.file;
+  request.format = format_of(arguments);
+  check_picture(arguments, request.format);
+
+  renders::RenderOptions& options = request.options;
+  if (request.format == FilmFormat::kGif) {
+    options.width = kGifWidth;
+    options.height = kGifHeight;
+    options.frames_per_second = kGifRate;
+    options.duration = kGifSeconds;
+  }
+  options.from = time_of("--from", arguments.from);
+  options.to = time_of("--to", arguments.to);
+  if (options.from && options.to && !(*options.from < *options.to)) {
+    refuse("--from", fmt::format("{} --to {}", arguments.from, arguments.to),
+           "a --from before the --to");
+  }
+  options.slow_motion = value_of("--slow", arguments.slow, scene::kPure, "a number above 0, as 40");
+  if (const auto rate = value_of("--fps", arguments.fps, scene::kPure, "a number from 1 to 120")) {
+    options.frames_per_second = *rate;
+  }
+  if (!arguments.size.empty()) read_size(arguments.size, options);
+  if (!arguments.view.empty()) {
+    const auto view = renders::view_of(arguments.view);
+    if (!view) refuse("--view", arguments.view, renders::view_names());
+    options.view = *view;
+  }
+  options.title = arguments.title;
+  request.beside = arguments.beside;
+  request.at = time_of("--at", arguments.at);
+  renders::check_options(options, request.format);
+  return request;
+}
+
+}  // namespace rotorub

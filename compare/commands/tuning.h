@@ -1,0 +1,23 @@
+// tune as commands run it: its default ladder of steps, its reader of scenes.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "compare/commands/command.h"
+#include "compare/tune/tune.h"
+
+namespace rotorub {
+
+// `steps`: LIST as --steps takes it; empty: 1-2-5 from 1 ms to 1 us, and the scene's own. `scene`: of `file`, with
+// the options' overrides, in contact. progress: (share done, what is running).
+tune::TuneResult tuned(const std::string& file, const scene::Scene& scene,
+                       const CommonOptions& options, double tolerance, int twins,
+                       const std::string& steps,
+                       const std::function<void(double, const std::string&)>& progress);
+
+// "rigid, 20 µs: 21.19 us a step", or that none can be trusted.
+std::string setting_sentence(const tune::TuneResult& result);
+
+}  // namespace rotorub

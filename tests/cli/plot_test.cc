@@ -1,0 +1,81 @@
+// rotorub plot: the page of a run's folder, and what it says of a folder that is none.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+using nlohmann::json;
+
+TEST(CliPlot, WritesThePageOfARun) {
+  const Folder folder;
+  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "0.02", "-o", "out"}).code, 0);
+  const Outcome done = folder.run({"plot", "out", "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const json summary = json::parse(done.out);
+  EXPECT_EQ(summary.at("file"), "out/plot.html");
+  EXPECT_EQ(summary.at("rows"), 1001);
+  EXPECT_EQ(summary.at("shadow"), false);
+  const std::string page = folder.text("out/plot.html");
+  EXPECT_TRUE(contains(page, "bench_ring"));
+  EXPECT_TRUE(contains(page, "\"label\":\"native\""));
+  const Outcome elsewhere = folder.run({"plot", "out", "-o", "pages/one.html"});
+  ASSERT_EQ(elsewhere.code, 0) << elsewhere.err;
+  EXPECT_EQ(folder.text("pages/one.html"), page) << "the same run, the same bytes";
+  expect_whole_files(folder);
+}
+
+TEST(CliPlot, HasTheShadowBesideARunOfMujoco) {
+  const Folder folder;
+  const Outcome run = folder.run({"run", shipped("bench_ring"), "--engine", "mujoco", "--contact", "cone", "--end",
+                                  "0.02", "--set", "mujoco.shadow=true", "-o", "out"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Outcome done = folder.run({"plot", "out", "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(json::parse(done.out).at("shadow"), true);
+  const std::string page = folder.text("out/plot.html");
+  EXPECT_TRUE(contains(page, "\"label\":\"cone\""));
+  EXPECT_TRUE(contains(page, "\"label\":\"shadow\""));
+}
+
+TEST(CliPlot, RefusesWhatIsNoRun) {
+  const Folder folder;
+  EXPECT_EQ(folder.run({"plot"}).code, 2);
+  const Outcome nowhere = folder.run({"plot", "nowhere"});
+  EXPECT_EQ(nowhere.code, 2);
+  EXPECT_TRUE(contains(nowhere.err, "nowhere: is no folder")) << nowhere.err;
+  std::filesystem::create_directory(folder.path() / "empty");
+  const Outcome empty = folder.run({"plot", "empty"});
+  EXPECT_EQ(empty.code, 2);
+  EXPECT_TRUE(contains(empty.err, "empty/summary.json")) << empty.err;
+  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"}).code, 0);
+  const Outcome changed = folder.run({"plot", "out", "--set", "run.end=1"});
+  EXPECT_EQ(changed.code, 2);
+  EXPECT_TRUE(contains(changed.err, "--set")) << changed.err;
+}
+
+// A series that somebody has edited is refused by its line, not drawn.
+TEST(CliPlot, RefusesASeriesThatIsNone) {
+  const Folder folder;
+  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"}).code, 0);
+  const std::string good = folder.text("out/series.csv");
+  const auto refusal = [&](std::string text, const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+    std::ofstream(folder.path() / "out/series.csv") << text;
+    const Outcome done = folder.run({"plot", "out"});
+    EXPECT_EQ(done.code, 2);
+    EXPECT_FALSE(folder.has("out/plot.html"));
+    return done.err;
+  };
+  EXPECT_TRUE(contains(refusal(good, "gap_rate", "gap_rape"), "out/series.csv: has no column `gap_rate`"));
+  EXPECT_TRUE(contains(refusal(good, "\n0,", "\n5,"), "out/series.csv:3: the times do not ascend"));
+  EXPECT_TRUE(contains(refusal(good, "\n0,", "\nnan,"), "out/series.csv:2: t = nan"));
+  EXPECT_TRUE(contains(refusal(good, "\n0,", "\nzero,"), "out/series.csv:2: `zero` is not a number"));
+}
+
+}  // namespace
+}  // namespace rotorub::test
