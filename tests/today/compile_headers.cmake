@@ -1,4 +1,4 @@
-# cmake -DCOMPILER=... -DSOURCE_DIR=... -DMUJOCO=<include folder> -DEIGEN=... -DWORK_DIR=... -P compile_headers.cmake
+# cmake -DCOMPILER=... -DSOURCE_DIR=... -DMUJOCO=<include folder> "-DINCLUDES=<other libraries' include folders>" -DWORK_DIR=... -P compile_headers.cmake
 # Reads every source that may include mujoco.h with the headers of one MuJoCo, without making code: the files of a
 # folder as one unit, as they are built (RotorubUnity).
 file(GLOB_RECURSE sources "${SOURCE_DIR}/plugin/*.cc" "${SOURCE_DIR}/compare/engine/*.cc" "${SOURCE_DIR}/renders/*.cc")
@@ -21,8 +21,10 @@ foreach(unit IN LISTS units)
   file(WRITE "${unit}" "${text_${folder}}")
 endforeach()
 
-set(flags -std=c++20 -Wall -Wextra -Wconversion -Wformat=2 -Werror -I "${SOURCE_DIR}" -isystem "${EIGEN}" -isystem
-          "${MUJOCO}")
+set(flags -std=c++20 -Wall -Wextra -Wconversion -Wformat=2 -Werror -I "${SOURCE_DIR}")
+foreach(include IN LISTS INCLUDES MUJOCO)
+  list(APPEND flags -isystem "${include}")
+endforeach()
 
 # What all of them read, once.
 file(WRITE "${WORK_DIR}/all.h" "#include <Eigen/Dense>\n#include <algorithm>\n#include <functional>\n#include <memory>\n"
