@@ -37,9 +37,12 @@ class Bodies {
   void write() {
     rotor();
     rotor_nodes();
-    ring();
+    write_beside_the_rotor();
   }
-  void write_ring() { ring(); }
+  void write_beside_the_rotor() {
+    ring();
+    integrator();
+  }
 
  private:
   void joint(const std::string& name, const char* type, const char* axis, int at) {
@@ -160,6 +163,16 @@ class Bodies {
     close_moving_body();
   }
 
+  // Two joints without a shape: what a magnetic bearing's integrator holds is in MuJoCo's state, qvel.
+  void integrator() {
+    if (model_.layout.integrals == 0) return;
+    const int at = model_.layout.integral();
+    joint(names::kBearingIntegral[0], "slide", "1 0 0", at);
+    joint(names::kBearingIntegral[1], "slide", "0 1 0", at + 1);
+    open_moving_body(names::kBearingIntegrator);
+    close_moving_body();
+  }
+
   // Shows that the ring turns.
   void ring_mark(double bore, double half) {
     xml_.line(fmt::format(R"(<geom name="ring_mark" type="box" pos="{} 0 {}" size="{} {} {}" )"
@@ -184,9 +197,9 @@ void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model,
   Bodies(xml, scene, model, target).write();
 }
 
-void write_ring(XmlWriter& xml, const scene::Scene& scene, const Model& model,
-                const MujocoVersion& target) {
-  Bodies(xml, scene, model, target).write_ring();
+void write_beside_the_rotor(XmlWriter& xml, const scene::Scene& scene, const Model& model,
+                            const MujocoVersion& target) {
+  Bodies(xml, scene, model, target).write_beside_the_rotor();
 }
 
 std::vector<int> joint_order(const Model& model) {

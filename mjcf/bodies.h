@@ -13,11 +13,11 @@ namespace rotorub {
 
 void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model,
                   const MujocoVersion& target);
-// The ring alone, for a rotor that is written otherwise.
-void write_ring(XmlWriter& xml, const scene::Scene& scene, const Model& model,
-                const MujocoVersion& target);
+// Ring and a magnetic bearing's integrator alone, for a rotor that is written otherwise.
+void write_beside_the_rotor(XmlWriter& xml, const scene::Scene& scene, const Model& model,
+                            const MujocoVersion& target);
 
-// Index in q of each of MuJoCo's coordinates: chain, branch, ring. The layout's own order where
+// Index in q of each of MuJoCo's coordinates: chain, branch, ring, integrator. The layout's own order where
 // there is no branch.
 std::vector<int> joint_order(const Model& model);
 

@@ -1,5 +1,6 @@
 // Names of the elements in a generated MJCF, as the plugin, the engine and the renderer look them
-// up. Joints: x_1.., y_1.. (bending modes), spin, torsion_1.., ring_x, ring_y, ring_spin.
+// up. Joints: x_1.., y_1.. (bending modes), spin, torsion_1.., ring_x, ring_y, ring_spin,
+// bearing_integral_x, bearing_integral_y.
 #pragma once
 
 #include <cstddef>
@@ -52,6 +53,9 @@ inline constexpr const char* kEndY = "end_y";
 inline constexpr const char* kRingX = "ring_x";
 inline constexpr const char* kRingY = "ring_y";
 inline constexpr const char* kRingSpin = "ring_spin";
+// Their velocities are the currents that a magnetic bearing's integrator holds, A; nothing is seen to move.
+inline constexpr const char* kBearingIntegrator = "bearing_integrator";  // body
+inline constexpr const char* kBearingIntegral[2] = {"bearing_integral_x", "bearing_integral_y"};
 
 // Actuators and the tendons that they pull, s_k = a_k . q_f
 inline constexpr const char* kActuator[2] = {"actuator_1", "actuator_2"};

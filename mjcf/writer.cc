@@ -64,7 +64,7 @@ class Document {
     surroundings();
     if (segments_) {
       segments_->write_bodies(xml_);
-      write_ring(xml_, scene_, model_, target_);
+      write_beside_the_rotor(xml_, scene_, model_, target_);
     } else {
       write_bodies(xml_, scene_, model_, target_);
     }
@@ -230,7 +230,7 @@ class Document {
     };
     const Layout& l = model_.layout;
     const auto with_ring = [&](Eigen::VectorXd rotor, const Eigen::VectorXd& all) {
-      const int ring = l.stator + l.ring_spin;
+      const int ring = l.coil() - l.ring();
       rotor.conservativeResize(rotor.size() + ring);
       rotor.tail(ring) = all.segment(l.ring(), ring);
       return rotor;

@@ -40,7 +40,8 @@ std::string joint_name(const Layout& l, int i) {
   if (i < l.phi()) return names::bending_joint('y', i - l.y() + 1);
   if (i < l.theta()) return names::kSpinJoint;
   if (i < l.ring()) return names::torsion_joint(i - l.theta() + 1);
-  if (i == l.ring_angle()) return names::kRingSpin;
+  if (i >= l.integral()) return names::kBearingIntegral[i - l.integral()];
+  if (i >= l.ring_angle()) return names::kRingSpin;
   return i == l.ring() ? names::kRingX : names::kRingY;
 }
 

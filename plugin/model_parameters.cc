@@ -145,7 +145,7 @@ void take_joints(const mjModel* m, Model& model, const Config& config) {
     if (i >= model.nq()) return;
     const double mass = mass_of(config, m, i, dof);
     check_joint_numbers(m, m->dof_jntid[dof], mass, stiffness_of(m, dof), m->dof_damping[dof]);
-    if (i >= model.layout.ring() && !model.layout.turns(i)) model.gravity_mass[i] = mass;
+    if (i >= model.layout.ring() && i < model.layout.ring() + model.layout.stator) model.gravity_mass[i] = mass;
     model.mass[i] = mass;
     model.stiffness[i] = stiffness_of(m, dof);
     model.damping[i] = m->dof_damping[dof];

@@ -65,8 +65,8 @@ void say_edited(double* entry) {
 void mujoco_state(const Config& config, const mjModel* m, const mjData* d, double* q, double* v) {
   const Layout& l = config.shadow->model.layout;
   const Coordinates state(config, d);
-  std::copy_n(state.q(), l.mechanical(), q);
-  std::copy_n(state.v(), l.mechanical(), v);
+  std::copy_n(state.q(), l.coil(), q);
+  std::copy_n(state.v(), l.coil(), v);
   for (int k = 0; k < l.coils; ++k) {
     q[l.coil() + k] = 0.0;
     v[l.coil() + k] = coil_current(m, d, config.actuator[k]);

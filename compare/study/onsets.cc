@@ -19,8 +19,8 @@ void OnsetWatch::step(const WatchedStep& s) {
   before_.t = s.t;
   before_.q = Eigen::VectorXd::Zero(l.nq());
   before_.v = Eigen::VectorXd::Zero(l.nq());
-  before_.q.head(l.mechanical()) = Eigen::Map<const Eigen::VectorXd>(s.q, l.mechanical());
-  before_.v.head(l.mechanical()) = Eigen::Map<const Eigen::VectorXd>(s.v, l.mechanical());
+  before_.q.head(l.coil()) = Eigen::Map<const Eigen::VectorXd>(s.q, l.coil());
+  before_.v.head(l.coil()) = Eigen::Map<const Eigen::VectorXd>(s.v, l.coil());
   for (int k = 0; k < l.coils; ++k) before_.v[l.coil() + k] = s.current[k];
 }
 

@@ -1,11 +1,14 @@
-// A magnetic bearing that holds the rotor by a feedback of its own, on one axis: the linear magnet and
-// a proportional-derivative law without memory (Schweitzer, Maslen: Magnetic Bearings, 2009, chapters 2
-// and 4), r the deflection at its station, i the control current beyond the bias,
+// A magnetic bearing that holds the rotor by a feedback of its own, on one axis: the linear magnet and a
+// proportional-integral-derivative law (Schweitzer, Maslen: Magnetic Bearings, 2009, chapters 2 and 4), r the
+// deflection at its station, i the control current beyond the bias, j the part of it that the integrator holds,
 //
-//   i = clamp(-(P r + D r'), -limit, limit),     F = k_s r + k_i i     for t < fails_at,
+//   u = -(P r + D r' + j),  i = clamp(u, -limit, limit),  F = k_s r + k_i i,  j' = I r + (u - i) I / P
 //
-// from then on i = 0 and F = 0. Its linear law is a spring k_i P - k_s and a damper k_i D. A model has that
-// spring for all time (the modes' stiffness, the stored energy), and here what F is beyond it.
+// for t < fails_at; from then on i = 0, F = 0 and j stays. The last term takes back from j within the
+// integral's own time P / I what the limit cuts off (K. J. Astrom, T. Hagglund, "PID Controllers", 1995, section
+// 3.5: back-calculation), or j would grow for as long as the rotor lies in its ring. Without the integrator the
+// linear law is a spring k_i P - k_s and a damper k_i D. A model has that spring for all time (the modes' stiffness,
+// the stored energy), and here what F is beyond it.
 #pragma once
 
 #include "native_model/numerics/lanes.h"
@@ -20,19 +23,30 @@ struct MagneticFeedback {
   T current_limit{};             // A, > 0, infinity: none
   T fails_at{};                  // s, >= 0
   T held{};                      // N/m: a spring that others have for it, taken back here
+  T integral{};                  // A/(m s), I >= 0; with P = 0 only 0
 
   T stiffness() const { return force_per_current * proportional - negative_stiffness; }  // N/m
   T damping() const { return force_per_current * derivative; }                           // N s/m
 
-  // A, while it works.
-  ROTORUB_INLINE T current(const T& r, const T& rate) const {
-    const T asked = -(proportional * r + derivative * rate);
+  // u and i, A, while it works; stored: j.
+  ROTORUB_INLINE T asked(const T& r, const T& rate, const T& stored) const {
+    return -(proportional * r + derivative * rate + stored);
+  }
+  ROTORUB_INLINE T limited(const T& asked) const {
     const T capped = lanes::select(asked > current_limit, current_limit, asked);
     return lanes::select(capped < -current_limit, -current_limit, capped);
   }
+  ROTORUB_INLINE T current(const T& r, const T& rate, const T& stored) const {
+    return limited(asked(r, rate, stored));
+  }
   // N, what it does beyond the spring `held`, working for `share` of the time, in [0, 1].
-  ROTORUB_INLINE T force(const T& share, const T& r, const T& rate) const {
-    return held * r + share * (negative_stiffness * r + force_per_current * current(r, rate));
+  ROTORUB_INLINE T force(const T& share, const T& r, const T& rate, const T& stored) const {
+    return held * r + share * (negative_stiffness * r + force_per_current * current(r, rate, stored));
+  }
+  // j', A/s; with an integrator only.
+  ROTORUB_INLINE T stored_rate(const T& share, const T& r, const T& rate, const T& stored) const {
+    const T u = asked(r, rate, stored);
+    return share * integral * (r + (u - limited(u)) / proportional);
   }
   // The share of the time from begin to end (s) for which it works; of an instant 0 or 1.
   static double working(double fails_at, double begin, double end) {

@@ -63,7 +63,8 @@ Eigen::Vector2d bearing_current(const Model& m, double t, const double* q, const
   const MagneticFeedback<double>& law = m.feedback->law;
   const Eigen::Vector2d r = at_station(m.layout, m.feedback->shape, q);
   const Eigen::Vector2d rate = at_station(m.layout, m.feedback->shape, v);
-  return {law.current(r.x(), rate.x()), law.current(r.y(), rate.y())};
+  const eq::Pair<double> stored = eq::stored_current(m, v);
+  return {law.current(r.x(), rate.x(), stored.x), law.current(r.y(), rate.y(), stored.y)};
 }
 
 void coupling_force(const Model& m, double t, const double* q, const double* v, double* f) {

@@ -55,7 +55,7 @@ Eigen::Matrix3d contact_admittance(const Model& model, const double* diagonal, d
 void add_contact_load(const Model& model, const Eigen::Vector3d& p, double* f);
 
 // Kinetic and elastic energy, J, and the power of all forces that are not the contact's nor the
-// diagonal or station springs', W; of the coils neither. ring_force: the actuator's, N.
+// diagonal or station springs', W; of integrators and coils neither. ring_force: the actuator's, N.
 double energy(const Model& model, double t, const double* q, const double* v);
 double external_power(const Model& model, double t, const double* q, const double* v,
                       const Eigen::Vector2d& ring_force);

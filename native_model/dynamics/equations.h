@@ -189,6 +189,13 @@ ROTORUB_INLINE void add_springs(const M& m, const T* q, T* f) {
   }
 }
 
+// A, what the integrator of a magnetic bearing holds; 0 without one.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE Pair<T> stored_current(const M& m, const T* v) {
+  if (m.layout.integrals == 0) return {T{}, T{}};
+  return {v[m.layout.integral()], v[m.layout.integral() + 1]};
+}
+
 // A magnetic bearing with a feedback, which works for `share` of the time: all that it does beyond
 // its linear spring.
 template <class M, class T = typename M::Scalar>
@@ -196,8 +203,13 @@ ROTORUB_INLINE void add_feedback(const M& m, const T& share, const T* q, const T
   const int n = m.layout.modes;
   const auto& law = m.feedback->law;
   const Pair<T> r = at_station(n, m.feedback->shape, q), rate = at_station(n, m.feedback->shape, v);
-  add_station_force<T>(n, m.feedback->shape, law.force(share, r.x, rate.x),
-                       law.force(share, r.y, rate.y), f);
+  const Pair<T> stored = stored_current(m, v);
+  add_station_force<T>(n, m.feedback->shape, law.force(share, r.x, rate.x, stored.x),
+                       law.force(share, r.y, rate.y, stored.y), f);
+  if (m.layout.integrals == 0) return;
+  const int at = m.layout.integral();
+  f[at] += m.mass[at] * law.stored_rate(share, r.x, rate.x, stored.x);
+  f[at + 1] += m.mass[at + 1] * law.stored_rate(share, r.y, rate.y, stored.y);
 }
 
 // -Omega G v.

@@ -47,10 +47,11 @@ void SmoothStep::meet(const Motion& motion) {
     of_q[i] = tolerance * (angle(i) ? 1.0 : displacement_);
     of_v[i] = tolerance * (angle(i) ? std::max(1.0, spin_) : speed_);
   }
-  // Nothing hangs on a coil's charge, nor on the integrals.
-  for (int i = l.coil(); i < n; ++i) {
+  // Nothing hangs on an integrator's own integral, a coil's charge, nor on the integrals of the run.
+  for (int i = l.integral(); i < n; ++i) {
     of_q[i] = kInfinity;
-    of_v[i] = tolerance * model_->magnets->current_limit;
+    of_v[i] = tolerance * (i < l.coil() ? model_->feedback->law.proportional * displacement_
+                                        : model_->magnets->current_limit);
   }
   std::fill(tolerance_.begin() + 2 * n, tolerance_.end(), kInfinity);
 }

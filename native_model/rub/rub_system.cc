@@ -34,6 +34,11 @@ void check_feedback(const scene::Scene& scene, const scene::BearingControl& cont
     refuse(scene, "magnetic_bearing.control.fails_at",
            "before and after are two machines; accepted are 0 (it has failed) and never (left out)");
   }
+  if (control.integral > 0.0) {
+    refuse(scene, "magnetic_bearing.control.integral",
+           "the analysis has no state for an integrator; accepted are 0 (left out), or "
+           "magnetic_bearing.control.fails_at = 0");
+  }
   if (std::isfinite(control.current_limit)) {
     refuse(scene, "magnetic_bearing.control.current_limit",
            "at the limit the magnets' forces are not linear; accepted are none (left out), or "

@@ -58,6 +58,10 @@ void check_magnetic_bearing(const Checker& check) {
     return;
   }
   const BearingControl& control = *magnetic->control;
+  if (control.integral > 0.0 && control.proportional == 0.0) {
+    check.fail("magnetic_bearing.control.integral",
+               "needs magnetic_bearing.control.proportional, whose force the integrator replaces within P / I");
+  }
   const double magnets = control.force_per_current * control.proportional;
   const double against = magnetic->negative_stiffness;
   if (magnets > against) return;

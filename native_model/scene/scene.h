@@ -156,11 +156,11 @@ struct Force {
   double station = 0.0;              // m, geometry form
 };
 
-// The feedback of a magnetic bearing on each of x and y: bearing/magnetic_feedback.h. Without memory: no
-// integrator.
+// The feedback of a magnetic bearing on each of x and y: bearing/magnetic_feedback.h.
 struct BearingControl {
   double force_per_current = 0.0;  // N/A, k_i > 0
   double proportional = 0.0;       // A/m, P >= 0
+  double integral = 0.0;           // A/(m s), I >= 0, needs P > 0
   double derivative = 0.0;         // A s/m, D >= 0
   double current_limit = std::numeric_limits<double>::infinity();  // A, > 0, on each axis
   double fails_at = kNever;  // s, >= 0: no current and no negative stiffness from then on

@@ -125,7 +125,8 @@ Table bearing_control() {
           false,
           Form::kEither,
           "The bearing's own feedback, on each of x and y by the deflection r at its station: the "
-          "current i = -(`proportional` r + `derivative` r'), within the limit, and its force "
+          "current i = -(`proportional` r + `integral` times the integral of r + `derivative` r'), "
+          "within the limit, and its force "
           "`force_per_current` i (A magnetic bearing that holds the rotor). Needs "
           "[magnetic_bearing].",
           "the bearing holds nothing",
@@ -136,6 +137,10 @@ Table bearing_control() {
           {key<&BearingControl::force_per_current>("force_per_current", kForcePerCurrent, "k_i")
                .above(0),
            key<&BearingControl::proportional>("proportional", kCurrentPerLength, "P").at_least(0),
+           key<&BearingControl::integral>("integral", kCurrentPerLengthTime,
+                                          "I; at the limit it takes back what is cut off; needs `proportional`")
+               .at_least(0)
+               .optional(),
            key<&BearingControl::derivative>("derivative", kCurrentPerVelocity, "D")
                .at_least(0)
                .optional(),

@@ -66,6 +66,8 @@ inline constexpr Quantity kForcePerCurrent{
     "a force per current", "N/A", "N/A, kN/A, N/mA", {1, 1, -2, -1, 0}};
 inline constexpr Quantity kCurrentPerLength{
     "a current per length", "A/m", "A/m, A/mm, kA/m", {-1, 0, 0, 1, 0}};
+inline constexpr Quantity kCurrentPerLengthTime{
+    "a current per length and time", "A/(m s)", "A/(m s), A/(mm s), kA/(m s)", {-1, 0, -1, 1, 0}};
 inline constexpr Quantity kCurrentPerVelocity{
     "a current per velocity", "A s/m", "A s/m, A s/mm, A/(m/s)", {-1, 0, 1, 1, 0}};
 inline constexpr Quantity kVoltage{"a voltage", "V", "V, kV", {2, 1, -3, -1, 0}};

@@ -94,7 +94,7 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
     feedback = {shape<T>(all, [](const Model& m) -> const ModeShape& { return m.feedback->shape; }),
                 {law(&Law::negative_stiffness), law(&Law::force_per_current),
                  law(&Law::proportional), law(&Law::derivative), law(&Law::current_limit),
-                 law(&Law::fails_at), law(&Law::held)}};
+                 law(&Law::fails_at), law(&Law::held), law(&Law::integral)}};
   }
   for (std::size_t i = 0; i < first.unbalances.size(); ++i) {
     const auto of = [i](const Model& m) -> const DiscUnbalance& { return m.unbalances[i]; };
@@ -121,7 +121,7 @@ bool same_structure(const Model& a, const Model& b) {
     std::vector<int> forces;
     for (const AppliedForce& f : m.forces) forces.push_back(static_cast<int>(f.kind));
     const Layout& l = m.layout;
-    return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.coils, forces, m.springs.size(),
+    return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils, forces, m.springs.size(),
                       m.feedback.has_value(), m.dampers.size(), m.unbalances.size(), m.weight.size(),
                       m.drive ? static_cast<int>(m.drive->kind()) : -1, m.contact.has_value(),
                       m.magnets.has_value(), m.gyroscopic.absent(), m.internal_xx.absent(),

@@ -5,7 +5,7 @@
 // p the contact's impulse (contact_kernel.h), for one run (M = Model) or for many (M = LaneModel),
 // of any size or of a known one (sized_model.h). With A = M + h/2 D (velocity_matrix.h) the linear
 // part is solved at once, v+ = v- + A^-1 (h F(q, v-) + J^T p); what depends on velocities beyond
-// that (free spin with gyroscopics or unbalance, a motor's curve, coils, a magnetic bearing at its
+// that (free spin with gyroscopics or unbalance, a motor's curve, coils, integrators, a magnetic bearing at its
 // limit) is iterated. What a model
 // lacks costs nothing. All inline: whoever calls it chooses the instruction set.
 #pragma once
@@ -45,7 +45,7 @@ class LoadKernel {
     const bool curve = first.drive && first.drive->kind() != scene::DriveKind::kLinear &&
                        first.drive->kind() != scene::DriveKind::kFree;
     for (const Model* model : models) switches_ = switches_ || feedback_switches(*model);
-    iterates_ = turns || curve || switches_ || layout().coils > 0;
+    iterates_ = turns || curve || switches_ || layout().integrals > 0 || layout().coils > 0;
     magnetic_ = first.magnets.has_value();
     if (!coupled_) return;
     bx_.assign(static_cast<std::size_t>(layout().modes), T{});

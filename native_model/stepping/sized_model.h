@@ -14,17 +14,18 @@ namespace rotorub {
 template <int kModes, int kSpin, int kStator>
 struct SmallLayout {
   static constexpr int modes = kModes, spin = kSpin, torsion = 0, stator = kStator;
-  static constexpr int ring_spin = 0, coils = 0;
+  static constexpr int ring_spin = 0, integrals = 0, coils = 0;
   static constexpr int phi() { return 2 * modes; }
   static constexpr int theta() { return phi() + spin; }
   static constexpr int ring() { return theta(); }
   static constexpr int ring_angle() { return ring() + stator; }
-  static constexpr int coil() { return ring_angle(); }
+  static constexpr int integral() { return ring_angle(); }
+  static constexpr int coil() { return integral(); }
   static constexpr int mechanical() { return coil(); }
   static constexpr int nq() { return coil(); }
   static bool fits(const Layout& l) {
     return l.modes == modes && l.spin == spin && l.torsion == 0 && l.stator == stator &&
-           l.ring_spin == 0 && l.coils == 0;
+           l.ring_spin == 0 && l.integrals == 0 && l.coils == 0;
   }
 };
 

@@ -18,6 +18,11 @@
 namespace rotorub {
 namespace {
 
+// kg: an integrator is the momentum of a mass that its rate pushes, so that whoever steps coordinates steps it. So
+// small that the mass is not noticed in sums over all coordinates, and so large that the weight of the 1e-12 kg that
+// MuJoCo wants of a body is not noticed by it.
+constexpr double kIntegratorMass = 1e-3;
+
 Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
   Layout layout;
   layout.modes = rotor.modes();
@@ -25,6 +30,10 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
   layout.torsion = static_cast<int>(rotor.torsion.inertia.size());
   layout.stator = scene.stator ? 2 : 0;
   layout.ring_spin = scene.stator && scene.stator->spin ? 1 : 0;
+  layout.integrals = scene.magnetic_bearing && scene.magnetic_bearing->control &&
+                             scene.magnetic_bearing->control->integral > 0.0
+                         ? 2
+                         : 0;
   layout.coils = scene.actuator && scene.actuator->coil_lag > 0.0 ? layout.stator : 0;
   return layout;
 }
@@ -50,6 +59,7 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
     model.mass[l.ring_angle()] = scene.stator->spin->inertia;
     model.damping[l.ring_angle()] = scene.stator->spin->drag;
   }
+  model.mass.segment(l.integral(), l.integrals).setConstant(kIntegratorMass);
   // lag dq''/dt + dq/dt = the current asked for, q the charge.
   model.mass.tail(l.coils).setConstant(l.coils ? scene.actuator->coil_lag : 0.0);
   model.damping.tail(l.coils).setOnes();
@@ -62,7 +72,7 @@ void add_magnetic_bearing(const scene::Scene& scene, const ModeShape& shape, Mod
   if (!bearing.control) return model.springs.push_back({shape, {-k, -k}});
   const scene::BearingControl& c = *bearing.control;
   StationFeedback feedback{shape, {k, c.force_per_current, c.proportional, c.derivative,
-                                   c.current_limit, c.fails_at, 0.0}};
+                                   c.current_limit, c.fails_at, 0.0, c.integral}};
   // Its linear spring acts for ever, in the modes or beside them, and the law takes it back.
   feedback.law.held = feedback.law.stiffness();
   const double beside = feedback.law.held - magnetic_support(scene).held;

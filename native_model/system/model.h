@@ -3,6 +3,7 @@
 //
 // Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k | ring x, y |
 //                       angle of the ring (where it turns) |
+//                       two of a magnetic bearing's integrator (their rates are the currents that it holds) |
 //                       charges of the two coils (with a coil lag; their rates are the currents)
 // Equations:            M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T          (9), (20)
 // M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
@@ -39,6 +40,7 @@ struct Layout {
   int torsion = 0;  // elastic torsion modes
   int stator = 0;   // 2 with a moving ring, else 0
   int ring_spin = 0;  // 1 with a ring that turns, else 0
+  int integrals = 0;  // 2 with a magnetic bearing's integrator, else 0
   int coils = 0;    // 2 with currents that lag, else 0
   int x() const { return 0; }
   int y() const { return modes; }
@@ -46,12 +48,13 @@ struct Layout {
   int theta() const { return 2 * modes + spin; }
   int ring() const { return theta() + torsion; }
   int ring_angle() const { return ring() + stator; }
-  int coil() const { return ring_angle() + ring_spin; }
-  int mechanical() const { return coil(); }  // the coordinates before the coils'
+  int integral() const { return ring_angle() + ring_spin; }
+  int coil() const { return integral() + integrals; }
+  int mechanical() const { return integral(); }  // the coordinates that have an energy
   int nq() const { return coil() + coils; }
   // Coordinate i is an angle.
   bool turns(int i) const {
-    return (i >= phi() && i < ring()) || (i >= ring_angle() && i < coil());
+    return (i >= phi() && i < ring()) || (i >= ring_angle() && i < integral());
   }
 };
 

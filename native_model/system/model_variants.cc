@@ -8,7 +8,7 @@
 namespace rotorub {
 
 Model without_coils(Model model) {
-  const int kept = model.layout.mechanical();
+  const int kept = model.layout.coil();
   model.layout.coils = 0;
   for (auto* vector : {&model.mass, &model.stiffness, &model.damping, &model.gravity_mass,
                        &model.q0, &model.v0}) {

@@ -24,10 +24,13 @@ using Complex = std::complex<double>;
   refuse(scene, {{"", 0, "initial.steady", why}});
 }
 
-// Bending of both planes at the speed of t = 0.
+// Bending of both planes at the speed of t = 0, with a magnetic bearing's integrator: the force
+// -force_per_current j at its stations, j' = integral station^T q of each plane.
 struct Bending {
   Eigen::VectorXd mass;                // kg, 2 n
   Eigen::MatrixXd stiffness, damping;  // N/m, N s/m, 2 n x 2 n
+  Eigen::MatrixXd station;             // 2 n x 2, or without an integrator that works 2 n x 0
+  double force_per_current = 0.0, integral = 0.0;  // N/A, A/(m s)
 };
 
 Bending bending(const Model& given) {
@@ -35,7 +38,7 @@ Bending bending(const Model& given) {
   const Layout& l = m.layout;
   const int size = 2 * l.modes;
   Bending b{m.mass.head(size), m.stiffness.head(size).asDiagonal(),
-            m.damping.head(size).asDiagonal()};
+            m.damping.head(size).asDiagonal(), Eigen::MatrixXd(size, 0)};
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(l.nq());
   const double works = m.feedback && m.feedback->law.fails_at > 0.0 ? 1.0 : 0.0;
   Eigen::VectorXd f(l.nq());
@@ -53,6 +56,12 @@ Bending bending(const Model& given) {
     equations::add_gyroscopic(m, m.speed, unit.data(), f.data());
     b.damping.col(j) -= f.head(size);
   }
+  if (l.integrals == 0 || works == 0.0) return b;
+  b.station = Eigen::MatrixXd::Zero(size, 2);
+  b.station.col(0).head(l.modes) = m.feedback->shape.x;
+  b.station.col(1).tail(l.modes) = m.feedback->shape.y;
+  b.force_per_current = m.feedback->law.force_per_current;
+  b.integral = m.feedback->law.integral;
   return b;
 }
 
@@ -134,8 +143,9 @@ std::vector<Load> loads_of(const scene::Scene& scene, const Model& m) {
 // Nothing grows: an orbit that nothing comes back to is no steady one.
 void check_stability(const scene::Scene& scene, const Model& m, const Bending& b) {
   constexpr double kScatter = 1e-9;  // of the largest eigenvalue
-  // States (w q, q') of unit mass, w each coordinate's own frequency: no number is far from the others.
-  const Eigen::Index n = b.mass.size();
+  // States (w q, q', j) of unit mass, w each coordinate's own frequency, j's unit one in which it acts as
+  // it is acted upon: no number is far from the others.
+  const Eigen::Index n = b.mass.size(), stored = b.station.cols();
   const Eigen::VectorXd root = b.mass.cwiseSqrt(), inverse = root.cwiseInverse();
   const Eigen::MatrixXd k = inverse.asDiagonal() * b.stiffness * inverse.asDiagonal();
   Eigen::VectorXd w = k.diagonal().cwiseAbs().cwiseSqrt();
@@ -143,10 +153,16 @@ void check_stability(const scene::Scene& scene, const Model& m, const Bending& b
   for (double& x : w) {
     if (x == 0.0) x = largest > 0.0 ? largest : 1.0;
   }
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  a.topRightCorner(n, n) = w.asDiagonal();
-  a.bottomLeftCorner(n, n) = -k * w.cwiseInverse().asDiagonal();
-  a.bottomRightCorner(n, n) = -(inverse.asDiagonal() * b.damping * inverse.asDiagonal());
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n + stored, 2 * n + stored);
+  a.block(0, n, n, n) = w.asDiagonal();
+  a.block(n, 0, n, n) = -k * w.cwiseInverse().asDiagonal();
+  a.block(n, n, n, n) = -(inverse.asDiagonal() * b.damping * inverse.asDiagonal());
+  if (stored > 0) {
+    const Eigen::MatrixXd station = inverse.asDiagonal() * b.station;
+    const double unit = std::sqrt(b.force_per_current * b.integral / w.maxCoeff());
+    a.block(n, 2 * n, n, stored) = -unit * w.maxCoeff() * station;
+    a.block(2 * n, 0, stored, n) = unit * station.transpose() * w.cwiseInverse().asDiagonal();
+  }
   const auto values = real_eigenvalues(a);
   if (!values) refuse_steady(scene, "the eigenvalues of the free rotor do not converge");
   double size = 0.0;
@@ -158,8 +174,12 @@ void check_stability(const scene::Scene& scene, const Model& m, const Bending& b
                            scene::number_text(first.real()) + " 1/s; accepted: a stable one, or false");
 }
 
-// Q of one frequency.
-Eigen::VectorXcd answer(const scene::Scene& scene, const Bending& b, const Load& load) {
+// Complex amplitudes of one frequency: Q (m, 2 n), and what an integrator holds (A).
+struct Answer {
+  Eigen::VectorXcd q;
+  Eigen::Vector2cd stored = Eigen::Vector2cd::Zero();
+};
+Answer answer(const scene::Scene& scene, const Bending& b, const Load& load) {
   constexpr double kSingular = 1e-12;
   const double nu = load.frequency;
   // Rows and columns by the size that their terms have: away from resonance the diagonal is about 1.
@@ -170,6 +190,19 @@ Eigen::VectorXcd answer(const scene::Scene& scene, const Bending& b, const Load&
   z += Complex(0.0, nu) * b.damping.cast<Complex>();
   z.diagonal() -= (nu * nu * b.mass).cast<Complex>();
   z = (scale.asDiagonal() * z * scale.asDiagonal()).eval();
+  // i nu j = I station^T q beside them; j in the unit of the force that its station's rows have.
+  const Eigen::Index n = b.mass.size(), stored = b.station.cols();
+  double unit = 1.0;
+  if (stored > 0) {
+    const Eigen::MatrixXd station = scale.asDiagonal() * b.station;
+    unit = station.cwiseAbs().maxCoeff();
+    z.conservativeResizeLike(Eigen::MatrixXcd::Zero(n + stored, n + stored));
+    z.topRightCorner(n, stored) = (station / unit).cast<Complex>();
+    z.bottomLeftCorner(stored, n) = (station / unit).transpose().cast<Complex>();
+    // F = k_i j: i nu F / (k_i I) - station^T q = 0.
+    z.bottomRightCorner(stored, stored).diagonal().setConstant(
+        Complex(0.0, -nu / (b.force_per_current * b.integral * unit * unit)));
+  }
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
   // Against the scale, not against z itself: both planes may be in resonance.
   const double size = z.cwiseAbs().colwise().sum().maxCoeff();
@@ -179,18 +212,23 @@ Eigen::VectorXcd answer(const scene::Scene& scene, const Bending& b, const Load&
                                          " rad/s, where the free rotor has a resonance without "
                                          "damping: its orbit has no bound");
   }
-  return scale.asDiagonal() * lu.solve(Eigen::VectorXcd(scale.asDiagonal() * load.load));
+  Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + stored);
+  right.head(n) = scale.asDiagonal() * load.load;
+  const Eigen::VectorXcd solved = lu.solve(right);
+  Answer answer{scale.asDiagonal() * solved.head(n)};
+  if (stored > 0) answer.stored = solved.tail(stored) / (unit * b.force_per_current);
+  return answer;
 }
 
 // A, of the magnetic bearing's current on each axis: the linear law's, of one frequency.
-Eigen::Vector2d current_amplitude(const Model& m, double frequency, const Eigen::VectorXcd& q) {
+Eigen::Vector2d current_amplitude(const Model& m, double frequency, const Answer& answer) {
   const int n = m.layout.modes;
   const MagneticFeedback<double>& law = m.feedback->law;
   const Complex gain(law.proportional, frequency * law.derivative);
-  const auto of = [&](const Eigen::VectorXd& shape, int at) {
-    return std::abs(gain * shape.cast<Complex>().dot(q.segment(at, n)));
+  const auto of = [&](const Eigen::VectorXd& shape, int plane) {
+    return std::abs(gain * shape.cast<Complex>().dot(answer.q.segment(plane * n, n)) + answer.stored[plane]);
   };
-  return {of(m.feedback->shape.x, 0), of(m.feedback->shape.y, n)};
+  return {of(m.feedback->shape.x, 0), of(m.feedback->shape.y, 1)};
 }
 
 // The orbit is that of the linear law: the sum of all frequencies' amplitudes keeps the limit.
@@ -255,10 +293,12 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
   OrbitSize orbit;
   Eigen::Vector2d current{0.0, 0.0};
   for (const Load& load : loads_of(scene, m)) {
-    const Eigen::VectorXcd q = answer(scene, b, load);
+    const Answer found = answer(scene, b, load);
+    const Eigen::VectorXcd& q = found.q;
     m.q0.head(size) += q.real();
     m.v0.head(size) += (Complex(0.0, load.frequency) * q).real();
-    if (m.feedback) current += current_amplitude(m, load.frequency, q);
+    m.v0.segment(l.integral(), l.integrals) += found.stored.real().head(l.integrals);
+    if (m.feedback) current += current_amplitude(m, load.frequency, found);
     const Eigen::VectorXd re = q.real(), im = q.imag();
     const auto c = equations::at_station(l.modes, m.contact_shape, re.data());
     const auto s = equations::at_station(l.modes, m.contact_shape, im.data());

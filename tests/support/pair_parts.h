@@ -176,6 +176,11 @@ inline std::vector<Part> pair_parts() {
        "proportional=2500.0,derivative=3.0,current_limit=0.9,fails_at=6.54321e-3}}"},
       {"magnetic_bearing={negative_stiffness=4.5e4,control={force_per_current=60.0,"
        "proportional=2500.0,derivative=3.0,current_limit=0.9,fails_at=6.54321e-3}}"});
+  add("magnetic_integral", "magnetic_bearing",
+      {"magnetic_bearing={station=0.42,negative_stiffness=4.5e4,control={force_per_current=60.0,"
+       "proportional=2500.0,integral=3e5,derivative=3.0,current_limit=0.9}}"},
+      {"magnetic_bearing={negative_stiffness=4.5e4,control={force_per_current=60.0,"
+       "proportional=2500.0,integral=3e5,derivative=3.0,current_limit=0.9}}"});
   add_both("magnets", "actuator", {magnets + "}"});
   add_both("coil_lag", "actuator", {support + "}", magnets + ",coil_lag=3e-4}"});
 

@@ -207,6 +207,7 @@ TEST(MagneticFeedback, LanesAreTheRunsAlone) {
     s.initial.vy = {0.1};
     s.magnetic_bearing->control->current_limit = 0.3 + 0.1 * k;
     s.magnetic_bearing->control->fails_at = 0.01 + 1.2345e-3 * k;
+    s.magnetic_bearing->control->integral = 1e4 + 2e4 * k;
     models.push_back(make_model(s));
     s.run.end = kSteps * kStep;
     const Trajectory t = run_with(s, scene::Integrator::kVerlet, kStep);

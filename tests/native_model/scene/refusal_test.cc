@@ -232,6 +232,11 @@ TEST(Refusal, NamesWhatDoesNotFitTogether) {
       {"feedback without its bearing",
        modal_and("[magnetic_bearing.control]\nforce_per_current = 100\nproportional = 2000\n"),
        11, "magnetic_bearing.negative_stiffness", "missing"},
+      {"an integrator alone",
+       modal("[2e5, 3e6]", "[2e5, 3e6]") +
+           "[magnetic_bearing]\nnegative_stiffness = 0\n[magnetic_bearing.control]\n"
+           "force_per_current = 100\nproportional = 0\nintegral = 5\n",
+       16, "magnetic_bearing.control.integral", "needs magnetic_bearing.control.proportional"},
       {"feedback without a gain",
        modal_and("[magnetic_bearing]\nnegative_stiffness = 1\n[magnetic_bearing.control]\n"
                  "force_per_current = 100\n"),
