@@ -39,9 +39,10 @@ void refuse_impossible_discs(const scene::Scene& scene) {
 
 double drawn_shaft_radius(const scene::RotorGeometry& geometry, const Segment& s) {
   for (const scene::ShaftSection& section : geometry.sections) {
-    if (s.centre <= section.to) return 0.5 * section.diameter;
+    if (s.centre <= section.to) return 0.5 * section.outer_at(s.centre);
   }
-  return 0.5 * geometry.sections.back().diameter;
+  const scene::ShaftSection& last = geometry.sections.back();
+  return 0.5 * last.outer_at(last.to);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ Eigen::VectorXd shaft_stations(const scene::RotorGeometry& geometry) {
 
 double diameter_at(const scene::RotorGeometry& geometry, double z) {
   for (const scene::ShaftSection& section : geometry.sections) {
-    if (z >= section.from && z <= section.to) return section.diameter;
+    if (z >= section.from && z <= section.to) return section.outer_at(z);
   }
   return 0.03 * geometry.length;
 }

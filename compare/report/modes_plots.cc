@@ -92,7 +92,8 @@ json shapes(const scene::Scene& scene, const RotorAnalysis& analysis) {
   for (const scene::ShaftSection& section : geometry.sections) {
     sections.push_back({{"from", kMilli * section.from},
                         {"to", kMilli * section.to},
-                        {"diameter", kMilli * section.diameter}});
+                        {"diameter", kMilli * section.diameter},
+                        {"end_diameter", kMilli * section.outer_at(section.to)}});
   }
   json discs = json::array();
   for (const scene::Disc& disc : geometry.discs) {

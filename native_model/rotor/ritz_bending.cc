@@ -32,14 +32,14 @@ std::pair<double, double> supports(const scene::RotorGeometry& geometry, int pla
 // M, G and the gravity load of the shaft itself, by Gauss quadrature exact for every product.
 void add_shaft(const scene::RotorGeometry& geometry, RitzBending& ritz) {
   for (const ShaftElement& element : ritz.basis.mesh()) {
-    const GaussRule rule = gauss_legendre(element.functions + 2);
+    const GaussRule rule = gauss_legendre(element.functions + 2 + (element.tapered() ? kTaperDegree / 2 : 0));
     for (int i = 0; i < rule.node.size(); ++i) {
       const double z = element.from + 0.5 * element.length() * (1.0 + rule.node[i]);
       const double dz = 0.5 * element.length() * rule.weight[i];
       const Eigen::RowVectorXd u = ritz.basis.deflection(z);
       const Eigen::RowVectorXd u_z = ritz.basis.slope(z);
-      const double mass = geometry.rho * element.area * dz;
-      const double tilt = geometry.rho * element.inertia * dz;
+      const double mass = geometry.rho * element.area(z) * dz;
+      const double tilt = geometry.rho * element.inertia(z) * dz;
       ritz.mass += mass * u.transpose() * u + tilt * u_z.transpose() * u_z;
       ritz.gyroscopic += 2.0 * tilt * u_z.transpose() * u_z;
       ritz.gravity += mass * u.transpose();
@@ -59,7 +59,7 @@ void add_discs(const scene::RotorGeometry& geometry, RitzBending& ritz) {
 
 Eigen::MatrixXd stiffness(const scene::RotorGeometry& geometry, const BendingBasis& basis,
                           int plane) {
-  Eigen::MatrixXd K = (geometry.E * basis.curvature_integral()).asDiagonal();
+  Eigen::MatrixXd K = geometry.E * basis.curvature_integral();
   for (const scene::ShaftBearing& bearing : geometry.bearings) {
     const Eigen::RowVectorXd u = basis.deflection(bearing.z);
     K += bearing.stiffness[plane] * u.transpose() * u;
@@ -76,8 +76,10 @@ std::vector<ShaftElement> bending_mesh(const scene::RotorGeometry& geometry,
   for (const scene::ShaftBearing& bearing : geometry.bearings) nodes.push_back(bearing.z);
   // Bending wave: E I k^4 = rho A omega^2.
   return shaft_mesh(geometry, nodes, [&](const ShaftElement& element) {
-    return std::sqrt(std::sqrt(omega * omega * geometry.rho * element.area /
-                               (geometry.E * element.inertia)));
+    // Of a cone where the wave is shortest: A / I is largest at an end.
+    const auto slenderness = [&](double z) { return element.area(z) / (geometry.E * element.inertia(z)); };
+    const double most = std::max(slenderness(element.from), slenderness(element.to));
+    return std::sqrt(std::sqrt(omega * omega * geometry.rho * most));
   });
 }
 

@@ -30,7 +30,7 @@ double pinned_frequency(const scene::RotorGeometry& geometry, int modes) {
   const double k = modes * std::numbers::pi / geometry.length;
   double diameter = 0.0;
   for (const scene::ShaftSection& section : geometry.sections) {
-    diameter = std::max(diameter, section.diameter);
+    diameter = std::max({diameter, section.diameter, section.outer_at(section.to)});
   }
   return 0.25 * diameter * std::sqrt(geometry.E / geometry.rho) * k * k;
 }

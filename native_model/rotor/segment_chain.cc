@@ -59,15 +59,23 @@ std::vector<double> nodes(const std::vector<double>& stations, int count) {
   return result;
 }
 
+// A cone is so many short cylinders, which converge with the square of their length, as the segments do.
+constexpr int kConePieces = 32;
+
 // Calls add(length, middle, A, I) for each piece of constant section of the range.
 template <typename Add>
 void for_each_piece(const scene::RotorGeometry& geometry, double from, double to, const Add& add) {
   for (const scene::ShaftSection& section : geometry.sections) {
     const double a = std::max(from, section.from), b = std::min(to, section.to);
     if (b <= a) continue;
-    const double outer = section.diameter, inner = section.inner_diameter;
-    add(b - a, 0.5 * (a + b), std::numbers::pi / 4.0 * (outer * outer - inner * inner),
-        std::numbers::pi / 64.0 * (fourth(outer) - fourth(inner)));
+    const int pieces = section.tapered() ? kConePieces : 1;
+    const double length = (b - a) / pieces;
+    for (int i = 0; i < pieces; ++i) {
+      const double z = pieces == 1 ? 0.5 * (a + b) : a + (i + 0.5) * length;
+      const double outer = section.outer_at(z), inner = section.inner_at(z);
+      add(length, z, std::numbers::pi / 4.0 * (outer * outer - inner * inner),
+          std::numbers::pi / 64.0 * (fourth(outer) - fourth(inner)));
+    }
   }
 }
 

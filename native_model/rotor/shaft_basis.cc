@@ -14,6 +14,31 @@ double local(const ShaftElement& element, double z) {
   return std::clamp(2.0 * (z - element.from) / element.length() - 1.0, -1.0, 1.0);
 }
 
+// int factor I P_m P_n dz of each element's Legendre polynomials, after `first` rows of zeros.
+Eigen::MatrixXd inertia_integral(const std::vector<ShaftElement>& mesh, int first, double factor) {
+  const int size = first + function_count(mesh);
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
+  int at = first;
+  for (const ShaftElement& element : mesh) {
+    const int n = element.functions;
+    if (element.tapered()) {
+      const GaussRule rule = gauss_legendre(n + kTaperDegree / 2);
+      for (int i = 0; i < rule.node.size(); ++i) {
+        const double z = element.from + 0.5 * element.length() * (1.0 + rule.node[i]);
+        const double weight = factor * element.inertia(z) * 0.5 * element.length() * rule.weight[i];
+        const Eigen::VectorXd p = integrated_legendre(n, rule.node[i]).value;
+        sum.block(at, at, n, n) += weight * p * p.transpose();
+      }
+    } else {
+      for (int k = 0; k < n; ++k) {
+        sum(at + k, at + k) = factor * element.inertia(element.from) * element.length() / (2 * k + 1);
+      }
+    }
+    at += n;
+  }
+  return sum;
+}
+
 }  // namespace
 
 BendingBasis::BendingBasis(std::vector<ShaftElement> mesh, double first_anchor,
@@ -63,16 +88,7 @@ Eigen::RowVectorXd BendingBasis::slope(double z) const {
   return row;
 }
 
-Eigen::VectorXd BendingBasis::curvature_integral() const {
-  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(size());
-  int at = 2;
-  for (const ShaftElement& element : mesh_) {
-    for (int n = 0; n < element.functions; ++n) {
-      diagonal[at++] = element.inertia * element.length() / (2 * n + 1);
-    }
-  }
-  return diagonal;
-}
+Eigen::MatrixXd BendingBasis::curvature_integral() const { return inertia_integral(mesh_, 2, 1.0); }
 
 TorsionBasis::TorsionBasis(std::vector<ShaftElement> mesh)
     : mesh_(std::move(mesh)), offset_(Eigen::RowVectorXd::Zero(function_count(mesh_))) {}
@@ -93,15 +109,6 @@ Eigen::RowVectorXd TorsionBasis::angle(double z) const {
   return row - offset_;
 }
 
-Eigen::VectorXd TorsionBasis::twist_integral() const {
-  Eigen::VectorXd diagonal(size());
-  int at = 0;
-  for (const ShaftElement& element : mesh_) {
-    for (int n = 0; n < element.functions; ++n) {
-      diagonal[at++] = 2.0 * element.inertia * element.length() / (2 * n + 1);
-    }
-  }
-  return diagonal;
-}
+Eigen::MatrixXd TorsionBasis::twist_integral() const { return inertia_integral(mesh_, 0, 2.0); }
 
 }  // namespace rotorub

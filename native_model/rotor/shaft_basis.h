@@ -3,7 +3,7 @@
 // The curvature (bending) or the twist per length (torsion) is, in every element, a sum of Legendre
 // polynomials; deflection and angle are its integrals. With m functions in an element the bending
 // space is that of the C1 finite elements of degree m + 1 (m = 2: Hermite cubics). The stiffness of
-// the shaft is then exactly diagonal, and rigid motion is stored apart from it: neither very short
+// a shaft of cylinders is then exactly diagonal, and rigid motion is stored apart from it: neither very short
 // elements nor very stiff bearings cost digits.
 #pragma once
 
@@ -26,8 +26,9 @@ class BendingBasis {
 
   Eigen::RowVectorXd deflection(double z) const;  // 1, u
   Eigen::RowVectorXd slope(double z) const;       // 1/m, u_z
-  // int I u_zz u_zz', diagonal (size): m^4 / m^3 per squared coordinate, to be multiplied by E.
-  Eigen::VectorXd curvature_integral() const;
+  // int I u_zz u_zz' (size x size): m^4 / m^3 per squared coordinate, to be multiplied by E. Diagonal but for
+  // cones, each of which has a block.
+  Eigen::MatrixXd curvature_integral() const;
 
  private:
   Eigen::RowVectorXd raw(double z, int derivative) const;
@@ -48,8 +49,8 @@ class TorsionBasis {
   void set_offset(const Eigen::RowVectorXd& offset) { offset_ = offset; }
 
   Eigen::RowVectorXd angle(double z) const;
-  // int 2 I theta_z theta_z', diagonal (size), to be multiplied by G.
-  Eigen::VectorXd twist_integral() const;
+  // int 2 I theta_z theta_z' (size x size), to be multiplied by G; as above.
+  Eigen::MatrixXd twist_integral() const;
 
  private:
   std::vector<ShaftElement> mesh_;

@@ -37,7 +37,31 @@ int functions_needed(double wave_length_ratio) {
             "max_frequency"}});
 }
 
+// On a cone the solution is a wave times what the section's change makes of it. Elements are so short that neither
+// diameter nor wall changes by more than this share in one: the cone's tip, where I = 0, is 2 / kMostTaper + 1 = 9 half
+// lengths away from the middle, and Legendre coefficients fall by 9 + sqrt(80) = 18 each.
+constexpr double kMostTaper = 0.25;
+constexpr int kTaperFunctions = 6;
+
+// Into how many parts a span of a section must be cut for that.
+double taper_parts(const scene::ShaftSection& section, double from, double to) {
+  if (!section.tapered()) return 1.0;
+  const auto parts = [](double a, double b) { return std::ceil(std::abs(a - b) / (kMostTaper * std::min(a, b))); };
+  const auto wall = [&](double z) { return section.outer_at(z) - section.inner_at(z); };
+  return std::max({1.0, parts(section.outer_at(from), section.outer_at(to)), parts(wall(from), wall(to))});
+}
+
 }  // namespace
+
+double ShaftElement::area(double z) const {
+  const double outer = section.outer_at(z), inner = section.inner_at(z);
+  return std::numbers::pi / 4.0 * (outer * outer - inner * inner);
+}
+
+double ShaftElement::inertia(double z) const {
+  const double o2 = section.outer_at(z) * section.outer_at(z), i2 = section.inner_at(z) * section.inner_at(z);
+  return std::numbers::pi / 64.0 * (o2 * o2 - i2 * i2);
+}
 
 std::vector<ShaftElement> shaft_mesh(
     const scene::RotorGeometry& geometry, std::vector<double> stations,
@@ -47,10 +71,7 @@ std::vector<ShaftElement> shaft_mesh(
 
   std::vector<ShaftElement> mesh;
   for (const scene::ShaftSection& section : geometry.sections) {
-    const double d2 = section.diameter * section.diameter;
-    const double i2 = section.inner_diameter * section.inner_diameter;
-    ShaftElement whole{section.from, section.to, std::numbers::pi / 4.0 * (d2 - i2),
-                       std::numbers::pi / 64.0 * (d2 * d2 - i2 * i2)};
+    const ShaftElement whole{section.from, section.to, section};
     const double k = wave_number(whole);
 
     // The section's own ends and the stations inside it.
@@ -62,14 +83,15 @@ std::vector<ShaftElement> shaft_mesh(
 
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       const double span = cuts[i + 1] - cuts[i];
-      const double parts = std::max(1.0, std::ceil(k * span / kLongestElement));
+      const double parts = std::max(std::ceil(k * span / kLongestElement),
+                                    taper_parts(section, cuts[i], cuts[i + 1]));
       if (!(parts < kMostFunctions)) refuse_size();
       const int count = static_cast<int>(parts);
       for (int part = 0; part < count; ++part) {
         ShaftElement element = whole;
         element.from = cuts[i] + span * part / count;
         element.to = part + 1 == count ? cuts[i + 1] : cuts[i] + span * (part + 1) / count;
-        element.functions = functions_needed(k * element.length());
+        element.functions = functions_needed(k * element.length()) + (section.tapered() ? kTaperFunctions : 0);
         mesh.push_back(element);
       }
     }

@@ -1,4 +1,4 @@
-// The shaft cut into elements of constant section, fine enough for a given frequency.
+// The shaft cut into elements, cylinders and cones, fine enough for a given frequency.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,18 @@ namespace rotorub {
 // One element, with the number of Legendre functions that carry its curvature (bending) or its
 // twist per length (torsion). Two functions of curvature are the Hermite cubic beam element.
 struct ShaftElement {
-  double from, to;    // m
-  double area;        // m^2
-  double inertia;     // m^4, I, second moment of area; the polar one is 2 I
-  int functions = 0;  // >= 1
+  double from, to;              // m
+  scene::ShaftSection section;  // of which it is a part
+  int functions = 0;            // >= 1
   double length() const { return to - from; }
+  bool tapered() const { return section.tapered(); }
+  // At z in [from, to]: m^2, and m^4, I, the second moment of area; the polar one is 2 I.
+  double area(double z) const;
+  double inertia(double z) const;
 };
+
+// Powers of z up to which area and I of a cone go: what a quadrature must be exact for beside them.
+inline constexpr int kTaperDegree = 4;
 
 // Elements end at every change of section and at every station given (m, in [0, length]): there the
 // solution has a kink in some derivative. wave_number (1/m, of an element): k of the shortest wave

@@ -23,10 +23,10 @@ void for_each_inertia(const scene::Scene& scene, const std::vector<ShaftElement>
                       const Add& add) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   for (const ShaftElement& element : mesh) {
-    const GaussRule rule = gauss_legendre(element.functions + 1);
+    const GaussRule rule = gauss_legendre(element.functions + 1 + (element.tapered() ? kTaperDegree / 2 : 0));
     for (int i = 0; i < rule.node.size(); ++i) {
       const double z = element.from + 0.5 * element.length() * (1.0 + rule.node[i]);
-      add(z, geometry.rho * 2.0 * element.inertia * 0.5 * element.length() * rule.weight[i]);
+      add(z, geometry.rho * 2.0 * element.inertia(z) * 0.5 * element.length() * rule.weight[i]);
     }
   }
   for (const scene::Disc& disc : geometry.discs) add(disc.z, disc.Jp);
@@ -71,7 +71,7 @@ TorsionSolution solve_torsion(const scene::Scene& scene, double omega) {
     const Eigen::RowVectorXd theta = basis.angle(z);
     inertia += J * theta.transpose() * theta;
   });
-  const Eigen::MatrixXd stiffness = (geometry.G * basis.twist_integral()).asDiagonal();
+  const Eigen::MatrixXd stiffness = geometry.G * basis.twist_integral();
   PlanarModes modes = planar_modes(inertia, stiffness);
   return {std::move(basis), std::move(modes), scene.rotor.torsion->modes};
 }
@@ -82,8 +82,13 @@ double spin_inertia(const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   double inertia = scene.drive ? scene.drive->inertia : 0.0;
   for (const scene::ShaftSection& section : geometry.sections) {
+    // The mean of d^4 over a cone's length is (a^4 + a^3 b + a^2 b^2 + a b^3 + b^4) / 5.
+    const auto mean = [](double a, double b) {
+      return a == b ? fourth(a) : ((a * a + b * b) * (a * a + a * b + b * b) - a * a * b * b) / 5.0;
+    };
     const double polar = std::numbers::pi / 32.0 *
-                         (fourth(section.diameter) - fourth(section.inner_diameter));
+                         (mean(section.diameter, section.outer_at(section.to)) -
+                          mean(section.inner_diameter, section.inner_at(section.to)));
     inertia += geometry.rho * polar * (section.to - section.from);
   }
   for (const scene::Disc& disc : geometry.discs) inertia += disc.Jp;

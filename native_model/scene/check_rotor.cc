@@ -1,11 +1,10 @@
 // Cross-checks of [rotor].
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "native_model/scene/checker.h"
+#include "native_model/scene/disc.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub::scene {
@@ -15,18 +14,8 @@ namespace {
 constexpr double kSectionTolerance = 1e-9;
 // Thinner than this part of the length no beam's eigenvalues can be found, or only in minutes.
 constexpr double kThinnest = 1e-6;
-// Jp <= 2 Jt for every rigid body; data sheets round.
-constexpr double kInertiaTolerance = 0.01;
-// Jp = mass eccentricity^2 is a point mass: meant, whatever the last digits.
-constexpr double kPointMassTolerance = 1e-9;
 
 std::string metres(double z) { return std::to_string(z) + " m"; }
-
-std::string inertia(double J) {
-  std::array<char, 40> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%g kg m^2", J);
-  return buffer.data();
-}
 
 // Sections in the order of the file cover 0 to length.
 void check_sections(const Checker& check, const RotorGeometry& shaft) {
@@ -43,6 +32,19 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
         section.inner_diameter >= section.diameter) {
       check.fail(path + ".inner_diameter",
                  "must be below the outer diameter, " + metres(section.diameter));
+    }
+    const double end = section.end_diameter.value_or(section.diameter);
+    if (section.tapered() &&
+        check.record.sound({path + ".diameter", path + ".inner_diameter", path + ".end_diameter",
+                            path + ".end_inner_diameter"}) &&
+        section.end_inner_diameter.value_or(section.inner_diameter) >= end) {
+      check.fail(path + (section.end_inner_diameter ? ".end_inner_diameter" : ".end_diameter"),
+                 "the bore at `to` must be below the outer diameter there, " + metres(end));
+    }
+    if (check.record.sound({path + ".end_diameter", "rotor.length"}) && end < kThinnest * shaft.length &&
+        section.diameter >= kThinnest * shaft.length) {
+      check.fail(path + ".end_diameter",
+                 "too thin for a shaft: expected at least a millionth of rotor.length = " + metres(shaft.length));
     }
     if (check.record.sound({path + ".diameter", "rotor.length"}) &&
         section.diameter < kThinnest * shaft.length) {
@@ -79,26 +81,7 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
   }
 }
 
-void check_discs_and_bearings(const Checker& check, const RotorGeometry& shaft) {
-  for (std::size_t i = 0; i < shaft.discs.size(); ++i) {
-    const std::string path = list_element("rotor.disc", i);
-    const Disc& disc = shaft.discs[i];
-    check.station(path + ".z", disc.z);
-    if (check.record.sound({path + ".Jt", path + ".Jp"}) &&
-        disc.Jp > 2.0 * disc.Jt * (1.0 + kInertiaTolerance)) {
-      check.fail(path + ".Jp", "no rigid body has Jp > 2 Jt; a thin disc has Jp = 2 Jt");
-    }
-    // Where the spin is free, less makes the mass matrix indefinite: energy out of nothing.
-    const double least = disc.mass * disc.eccentricity * disc.eccentricity;
-    if (check.scene.drive &&
-        check.record.sound({path + ".mass", path + ".Jp", path + ".eccentricity"}) &&
-        disc.Jp < least * (1.0 - kPointMassTolerance)) {
-      check.fail(path + ".Jp",
-                 "with [drive] the spin is free, and a disc whose mass is out of "
-                 "centre by its eccentricity has at least mass eccentricity^2 = " +
-                     inertia(least) + " about the shaft, got " + inertia(disc.Jp));
-    }
-  }
+void check_bearings(const Checker& check, const RotorGeometry& shaft) {
   for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
     check.station(list_element("rotor.bearing", i) + ".z", shaft.bearings[i].z);
   }
@@ -107,7 +90,8 @@ void check_discs_and_bearings(const Checker& check, const RotorGeometry& shaft) 
 void check_geometry(const Checker& check, const RotorGeometry& shaft) {
   const Record& record = check.record;
   check_sections(check, shaft);
-  check_discs_and_bearings(check, shaft);
+  check_discs(check, shaft);
+  check_bearings(check, shaft);
   if (record.given("rotor.modes") && record.given("rotor.max_frequency")) {
     check.fail("rotor.max_frequency", "give `modes` or `max_frequency`, not both");
   }

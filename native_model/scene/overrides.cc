@@ -149,6 +149,17 @@ std::string table_path(const std::vector<Step>& steps) {
   return path;
 }
 
+// A key set by one of its names: what the file says by the other would contradict it.
+void drop_other_name(TomlNode& table, const std::string& path, const std::string& name) {
+  const Table* schema = find_table(path);
+  const Key* key = schema == nullptr ? nullptr : schema->find(name);
+  if (key == nullptr || key->also.empty() || table.kind != Kind::kTable) return;
+  const std::string_view other = name == key->name ? key->also : key->name;
+  std::erase_if(table.entries, [&](const auto& entry) {
+    return entry.first == other && entry.second.file != override_file();
+  });
+}
+
 // A changed kind: the keys and tables of the other kinds alone would be refused.
 void drop_other_kinds(TomlNode& table, const std::string& path, std::string_view kind) {
   const Table* schema = find_table(path);
@@ -202,6 +213,7 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
   TomlNode* target = descend(*node, steps.back(), Kind::kString, reason);
   if (target == nullptr) return "cannot be set: " + (path.empty() ? "it" : path) + " " + reason;
   *target = std::move(value);
+  drop_other_name(*node, table_path(steps), steps.back().key);
   if (steps.back().key == "kind") drop_other_kinds(*node, table_path(steps), kind);
   if (path == "run" && steps.back().key == "end") drop_times_beyond(*node, *target);
   return {};

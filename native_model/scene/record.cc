@@ -5,8 +5,8 @@
 
 namespace rotorub::scene {
 
-void Record::note(const std::string& path, const TomlNode& node, bool sound) {
-  marks_[path] = {node.file, node.line, sound, true};
+void Record::note(const std::string& path, const TomlNode& node, bool sound, const std::string& written) {
+  marks_[path] = {node.file, node.line, sound, true, written == path ? std::string() : written};
 }
 
 bool Record::given(std::string_view path) const {
@@ -25,7 +25,9 @@ Diagnostic Record::diagnostic(const std::string& path, std::string reason) const
   for (std::string above = path;;) {
     const auto found = marks_.find(above);
     if (found != marks_.end() && found->second.given) {
-      return {found->second.file, found->second.line, path, std::move(reason)};
+      const std::string& written = found->second.written;
+      const bool here = above == path && !written.empty();
+      return {found->second.file, found->second.line, here ? written : path, std::move(reason)};
     }
     if (above.empty()) return {{}, 0, path, std::move(reason)};
     const std::size_t cut = above.find_last_of(".[");

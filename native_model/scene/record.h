@@ -15,8 +15,9 @@ namespace rotorub::scene {
 
 class Record {
  public:
-  // `path` stands at `node` ("force[0].amplitude", "contact"); sound: its value can be used.
-  void note(const std::string& path, const TomlNode& node, bool sound);
+  // `path` stands at `node` ("force[0].amplitude", "contact"); sound: its value can be used. written: the
+  // path with the key's other name, if that is the one in the file.
+  void note(const std::string& path, const TomlNode& node, bool sound, const std::string& written = {});
   // A required key that is not there.
   void note_missing(const std::string& path) { marks_[path] = {{}, 0, false, false}; }
 
@@ -32,6 +33,7 @@ class Record {
     int line = 0;
     bool sound = true;
     bool given = true;
+    std::string written{};  // empty: as the path
   };
   std::map<std::string, Mark, std::less<>> marks_;
 };

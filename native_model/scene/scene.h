@@ -46,6 +46,18 @@ struct ShaftSection {
   double to = 0.0;              // m
   double diameter = 0.0;        // m, > 0, outer
   double inner_diameter = 0.0;  // m, in [0, diameter)
+  // At `to`; empty: as at `from`. In between both change evenly: a cone.
+  std::optional<double> end_diameter{}, end_inner_diameter{};  // m
+
+  bool tapered() const { return end_diameter || end_inner_diameter; }
+  // Outer and inner diameter, m, at z in [from, to].
+  double outer_at(double z) const { return between(diameter, end_diameter.value_or(diameter), z); }
+  double inner_at(double z) const { return between(inner_diameter, end_inner_diameter.value_or(inner_diameter), z); }
+
+ private:
+  double between(double first, double last, double z) const {
+    return first == last ? first : first + (last - first) * (z - from) / (to - from);
+  }
 };
 
 struct Disc {
@@ -55,6 +67,13 @@ struct Disc {
   double Jp = 0.0;            // kg m^2, >= 0, polar, about the shaft axis
   double eccentricity = 0.0;  // m, >= 0, of the centre of mass
   double phase = 0.0;         // rad, of the eccentricity from the rotor-fixed x axis
+
+  // Other words for mass, Jt, Jp and for eccentricity, which have them after reading (scene/disc.h).
+  std::optional<double> diameter{}, inner_diameter{}, thickness{};  // m
+  std::optional<double> rho{};                                      // kg/m^3
+  std::optional<double> unbalance{};                                // kg m
+  std::string balance_grade{};                                      // "G 2.5"; empty: none
+  std::optional<double> balance_speed{};                            // rad/s
 };
 
 struct ShaftBearing {

@@ -42,6 +42,11 @@ Key& Key::between(double low, double high) {
   return *this;
 }
 
+Key& Key::or_called(std::string_view other_name) {
+  also = other_name;
+  return *this;
+}
+
 Key& Key::in(Form of_form) {
   form = of_form;
   return *this;
@@ -103,7 +108,7 @@ bool Table::is_for(std::string_view kind) const {
 
 const Key* Table::find(std::string_view name) const {
   const auto found =
-      std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
+      std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.is_called(name); });
   return found == keys.end() ? nullptr : &*found;
 }
 

@@ -56,6 +56,7 @@ struct Value {
 
 struct Key {
   std::string_view name;
+  std::string_view also;  // another name for it; empty: none
   ValueType type = ValueType::kNumber;
   Quantity quantity = kPure;
   std::string_view meaning;
@@ -71,11 +72,13 @@ struct Key {
   Key& at_least(double low);              // >= low
   Key& below(double high);                // < high
   Key& between(double low, double high);  // [low, high]
+  Key& or_called(std::string_view other_name);
   Key& in(Form of_form);
   Key& of(std::vector<std::string_view> of_kinds);
   Key& otherwise(std::string_view text);  // optional, with this default
   Key& optional();                        // optional; the default is the member's own
 
+  bool is_called(std::string_view word) const { return word == name || (!also.empty() && word == also); }
   bool required() const { return fallback.empty(); }
   std::string_view default_word() const;  // kWord; empty: required
   bool belongs_to(Form to_form) const { return form == Form::kEither || form == to_form; }
@@ -98,7 +101,7 @@ struct Table {
   // Of a table that takes any key: keeps a number or a text. Null: it takes `keys` alone.
   void (*store_any)(void* object, ConfigEntry entry) = nullptr;
 
-  const Key* find(std::string_view name) const;
+  const Key* find(std::string_view name) const;  // by either of its names
   bool is_for(std::string_view kind) const;
 };
 

@@ -22,7 +22,7 @@ Table contact() {
            .optional(),
        key<&Contact::compression_time>("compression_time", kTime, "tau_C").at_least(0).optional(),
        key<&Contact::expansion_time>("expansion_time", kTime, "tau_E").at_least(0).optional(),
-       key<&Contact::station>("station", kLength, "along the shaft")
+       key<&Contact::station>("station", kLength, "along the shaft").or_called("z")
            .at_least(0)
            .in(Form::kGeometry)}};
 }

@@ -45,7 +45,7 @@ Table drive() {
            .of({"kloss"}),
        key<&Drive::table_speed>("table_speed", kSpin, "ascending, two or more").of({"table"}),
        key<&Drive::table_torque>("table_torque", kTorque, "one for each speed").of({"table"}),
-       key<&Drive::station>("station", kLength, "of the motor")
+       key<&Drive::station>("station", kLength, "of the motor").or_called("z")
            .at_least(0)
            .in(Form::kGeometry)
            .optional(),
@@ -97,7 +97,7 @@ Table force() {
            key<&Force::shape>("shape", kPure, "value of each bending mode at the station")
                .in(Form::kModal)
                .otherwise("all 1"),
-           key<&Force::station>("station", kLength, "along the shaft")
+           key<&Force::station>("station", kLength, "along the shaft").or_called("z")
                .at_least(0)
                .in(Form::kGeometry)}};
 }
@@ -115,7 +115,7 @@ Table magnetic_bearing() {
            key<&MagneticBearing::shape>("shape", kPure, "value of each bending mode at the station")
                .in(Form::kModal)
                .otherwise("all 1"),
-           key<&MagneticBearing::station>("station", kLength, "along the shaft")
+           key<&MagneticBearing::station>("station", kLength, "along the shaft").or_called("z")
                .at_least(0)
                .in(Form::kGeometry)}};
 }

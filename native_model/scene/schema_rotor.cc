@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kMostModes = 1000;
 constexpr std::string_view kAuto = "auto";
+constexpr std::string_view kByDimensions = "by `diameter`, `thickness`";
 
 RotorGeometry& geometry(Scene& scene) {
   if (!scene.rotor.geometry) scene.rotor.geometry.emplace();
@@ -111,7 +112,14 @@ Table section() {
            key<&ShaftSection::diameter>("diameter", kLength, "outer diameter").above(0),
            key<&ShaftSection::inner_diameter>("inner_diameter", kLength, "bore, below `diameter`")
                .at_least(0)
-               .optional()}};
+               .optional(),
+           key<&ShaftSection::end_diameter>("end_diameter", kLength,
+                                            "of a cone: the outer diameter at `to`, `diameter` that at `from`")
+               .above(0)
+               .otherwise("`diameter`"),
+           key<&ShaftSection::end_inner_diameter>("end_inner_diameter", kLength, "the bore at `to`, below `end_diameter`")
+               .at_least(0)
+               .otherwise("`inner_diameter`")}};
 }
 
 Table disc() {
@@ -121,14 +129,35 @@ Table disc() {
           "Rigid discs on the shaft.",
           "none",
           [](Scene& scene) -> void* { return &geometry(scene).discs.emplace_back(); },
-          {key<&Disc::z>("z", kLength, "station").at_least(0),
-           key<&Disc::mass>("mass", kMass, "").at_least(0),
-           key<&Disc::Jt>("Jt", kInertia, "moment of inertia about a diameter").at_least(0),
+          {key<&Disc::z>("z", kLength, "along the shaft").or_called("station").at_least(0),
+           key<&Disc::mass>("mass", kMass, "").at_least(0).otherwise(kByDimensions),
+           key<&Disc::Jt>("Jt", kInertia, "moment of inertia about a diameter").at_least(0).otherwise(kByDimensions),
            key<&Disc::Jp>("Jp", kInertia, "moment of inertia about the shaft, at most 2 `Jt`")
-               .at_least(0),
+               .at_least(0)
+               .otherwise(kByDimensions),
+           key<&Disc::diameter>("diameter", kLength, "of a solid disc, whose `mass`, `Jt` and `Jp` follow")
+               .above(0)
+               .otherwise("the three are given"),
+           key<&Disc::inner_diameter>("inner_diameter", kLength, "its bore, below `diameter`: the shaft's part is the shaft's")
+               .at_least(0)
+               .otherwise("0"),
+           key<&Disc::thickness>("thickness", kLength, "along the shaft; needed with `diameter`")
+               .above(0)
+               .otherwise("the three are given"),
+           key<&Disc::rho>("rho", kDensity, "of the disc with a `diameter`").above(0).otherwise("`rotor.rho`"),
            key<&Disc::eccentricity>("eccentricity", kLength, "of the centre of mass")
                .at_least(0)
                .optional(),
+           key<&Disc::unbalance>("unbalance", kStaticMoment, "mass times eccentricity, in its place")
+               .at_least(0)
+               .otherwise("by `eccentricity`"),
+           key<&Disc::balance_grade>("balance_grade", kPure,
+                                     "of ISO 21940-11 in its place, as \"G 2.5\": an eccentricity of 2.5 mm/s over "
+                                     "`balance_speed`")
+               .otherwise("by `eccentricity`"),
+           key<&Disc::balance_speed>("balance_speed", kSpin, "of `balance_grade`, the fastest in service")
+               .above(0)
+               .otherwise("`rotor.speed`"),
            key<&Disc::phase>("phase", kAngle, "of the eccentricity, from the rotor's own x axis")
                .optional()}};
 }
@@ -140,7 +169,7 @@ Table bearing() {
           "Linear bearings between shaft and base.",
           "none",
           [](Scene& scene) -> void* { return &geometry(scene).bearings.emplace_back(); },
-          {key<&ShaftBearing::z>("z", kLength, "station").at_least(0),
+          {key<&ShaftBearing::z>("z", kLength, "along the shaft").or_called("station").at_least(0),
            planes<&ShaftBearing::stiffness>("stiffness", kStiffness, "").at_least(0),
            planes<&ShaftBearing::damping>("damping", kDamping, "").at_least(0).optional()}};
 }

@@ -134,9 +134,15 @@ void TableReader::read_object(const Table& table, const TomlNode& node, const st
 
   void* object = table.object != nullptr ? table.object(scene_) : &rules_.emplace_back();
   for (const Key& key : table.keys) {
-    if (const TomlNode* value = node.find(key.name)) {
-      const std::string key_path = child_path(path, key.name);
-      record_.note(key_path, *value, read_key(key, kind, *value, key_path, object));
+    const TomlNode* value = node.find(key.name);
+    const TomlNode* other = key.also.empty() ? nullptr : node.find(key.also);
+    if (value != nullptr && other != nullptr) {
+      fail(*other, child_path(path, key.also), "is another name of `" + std::string(key.name) + "`; give one of them");
+      record_.note(child_path(path, key.name), *value, false);
+    } else if (value != nullptr || other != nullptr) {
+      const std::string written = child_path(path, value != nullptr ? key.name : key.also);
+      if (value == nullptr) value = other;
+      record_.note(child_path(path, key.name), *value, read_key(key, kind, *value, written, object), written);
     } else if (key.required() && key.belongs_to(form_) &&
                (key.kinds.empty() || (!kind.empty() && key.is_for(kind)))) {
       const std::string key_path = child_path(path, key.name);
@@ -207,7 +213,10 @@ void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_pa
   }
   std::vector<std::string_view> known;
   if (own != nullptr) {
-    for (const Key& key : own->keys) known.push_back(key.name);
+    for (const Key& key : own->keys) {
+      known.push_back(key.name);
+      if (!key.also.empty()) known.push_back(key.also);
+    }
   }
   for (const Table& table : tables()) {
     const std::string_view below = table.path.substr(std::min(prefix.size(), table.path.size()));

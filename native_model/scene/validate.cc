@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "native_model/scene/checker.h"
+#include "native_model/scene/disc.h"
 
 namespace rotorub::scene {
 namespace {
@@ -65,6 +66,7 @@ void complete(Scene& scene, const Record& record) {
     const double nu = rotor.geometry->nu.value_or(kSteelPoisson);
     rotor.geometry->G = rotor.geometry->E / (2.0 * (1.0 + nu));
   }
+  if (rotor.geometry) complete_discs(rotor);
   if (rotor.torsion && rotor.geometry && !record.given("rotor.torsion.damping_ratio")) {
     rotor.torsion->damping_ratio = rotor.geometry->damping_ratio;
   }

@@ -1,0 +1,134 @@
+#include "native_model/scene/disc.h"
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub::scene {
+namespace {
+
+// Jp <= 2 Jt for every rigid body; data sheets round.
+constexpr double kInertiaTolerance = 0.01;
+// Jp = mass eccentricity^2 is a point mass: meant, whatever the last digits.
+constexpr double kPointMassTolerance = 1e-9;
+
+// The disc with mass, Jt, Jp and eccentricity, whatever its words. The speed is the rotor's.
+Disc in_numbers(Disc disc, double rho, double speed) {
+  if (disc.diameter && disc.thickness) {
+    const double outer = *disc.diameter, inner = disc.inner_diameter.value_or(0.0), h = *disc.thickness;
+    disc.mass = disc.rho.value_or(rho) * std::numbers::pi / 4.0 * (outer * outer - inner * inner) * h;
+    disc.Jp = disc.mass / 8.0 * (outer * outer + inner * inner);
+    disc.Jt = 0.5 * disc.Jp + disc.mass * h * h / 12.0;
+  }
+  if (disc.unbalance && disc.mass > 0.0) disc.eccentricity = *disc.unbalance / disc.mass;
+  if (!disc.balance_grade.empty()) {
+    const double turns = disc.balance_speed.value_or(std::abs(speed));
+    if (turns > 0.0) disc.eccentricity = balance_quality(disc.balance_grade).value_or(0.0) / turns;
+  }
+  return disc;
+}
+
+// By its numbers or by its dimensions, each whole.
+void check_size(const Checker& check, const std::string& path, const Disc& disc) {
+  const Record& record = check.record;
+  const auto given = [&](const char* key) { return record.given(path + key); };
+  const bool dimensions = given(".diameter") || given(".thickness");
+  const struct {
+    const char *key, *expected;
+  } numbers[] = {{".mass", "a mass in kg, >= 0"},
+                 {".Jt", "a moment of inertia in kg m^2, >= 0"},
+                 {".Jp", "a moment of inertia in kg m^2, >= 0"}};
+  for (const auto& number : numbers) {
+    if (dimensions && given(number.key)) {
+      check.fail(path + number.key, "follows from `diameter` and `thickness`; give one or the other");
+    } else if (!dimensions && !given(number.key)) {
+      check.fail(path + number.key,
+                 std::string("missing: expected ") + number.expected + ", or `diameter` and `thickness` of the disc");
+    }
+  }
+  for (const char* key : {".diameter", ".thickness"}) {
+    if (dimensions && !given(key)) check.fail(path + key, "missing: expected a length in m, > 0");
+  }
+  for (const char* key : {".inner_diameter", ".rho"}) {
+    if (!dimensions && given(key)) check.fail(path + key, "belongs to a disc with `diameter` and `thickness`");
+  }
+  if (disc.diameter && disc.inner_diameter && *disc.inner_diameter >= *disc.diameter) {
+    check.fail(path + ".inner_diameter", "must be below `diameter`, " + number_text(*disc.diameter) + " m");
+  }
+}
+
+void check_unbalance(const Checker& check, const std::string& path, const Disc& disc, const Disc& whole) {
+  const auto given = [&](const char* key) { return check.record.given(path + key); };
+  const char* first = nullptr;
+  for (const char* key : {".eccentricity", ".unbalance", ".balance_grade"}) {
+    if (!given(key)) continue;
+    if (first != nullptr) {
+      check.fail(path + key, std::string("says the same as `") + (first + 1) + "`; give one of them");
+    }
+    first = first == nullptr ? key : first;
+  }
+  if (disc.unbalance && *disc.unbalance > 0.0 && whole.mass == 0.0 && check.record.sound({path + ".mass"})) {
+    check.fail(path + ".unbalance", "needs a mass > 0, of which it is the eccentricity's moment");
+  }
+  if (given(".balance_speed") && !given(".balance_grade")) {
+    check.fail(path + ".balance_speed", "belongs to `balance_grade`");
+  }
+  if (!given(".balance_grade")) return;
+  if (!balance_quality(disc.balance_grade)) {
+    check.fail(path + ".balance_grade", "expected a grade of ISO 21940-11 in mm/s, as \"G 2.5\", got '" +
+                                            printable(disc.balance_grade) + "'");
+  } else if (!disc.balance_speed && check.scene.rotor.speed == 0.0 && check.record.sound({"rotor.speed"})) {
+    check.fail(path + ".balance_grade", "is an eccentricity times a speed, and rotor.speed is 0; give `balance_speed`");
+  }
+}
+
+void check_inertia(const Checker& check, const std::string& path, const Disc& disc) {
+  if (check.record.sound({path + ".Jt", path + ".Jp"}) &&
+      disc.Jp > 2.0 * disc.Jt * (1.0 + kInertiaTolerance)) {
+    check.fail(path + ".Jp", "no rigid body has Jp > 2 Jt; a thin disc has Jp = 2 Jt");
+  }
+  // Where the spin is free, less makes the mass matrix indefinite: energy out of nothing.
+  const double least = disc.mass * disc.eccentricity * disc.eccentricity;
+  if (check.scene.drive &&
+      check.record.sound({path + ".mass", path + ".Jp", path + ".eccentricity"}) &&
+      disc.Jp < least * (1.0 - kPointMassTolerance)) {
+    check.fail(path + ".Jp",
+               "with [drive] the spin is free, and a disc whose mass is out of "
+               "centre by its eccentricity has at least mass eccentricity^2 = " +
+                   number_text(least) + " kg m^2 about the shaft, got " + number_text(disc.Jp) + " kg m^2");
+  }
+}
+
+}  // namespace
+
+std::optional<double> balance_quality(std::string_view grade) {
+  grade = trimmed(grade);
+  if (!grade.starts_with('G')) return std::nullopt;
+  grade = trimmed(grade.substr(1));
+  double value = 0.0;
+  const auto [end, fault] = std::from_chars(grade.data(), grade.data() + grade.size(), value);
+  if (fault != std::errc() || end != grade.data() + grade.size()) return std::nullopt;
+  if (!(value > 0.0) || !std::isfinite(value)) return std::nullopt;
+  return value / 1000.0;
+}
+
+void check_discs(const Checker& check, const RotorGeometry& shaft) {
+  for (std::size_t i = 0; i < shaft.discs.size(); ++i) {
+    const std::string path = list_element("rotor.disc", i);
+    const Disc whole = in_numbers(shaft.discs[i], shaft.rho, check.scene.rotor.speed);
+    check.station(path + ".z", whole.z);
+    check_size(check, path, shaft.discs[i]);
+    check_unbalance(check, path, shaft.discs[i], whole);
+    check_inertia(check, path, whole);
+  }
+}
+
+void complete_discs(Rotor& rotor) {
+  for (Disc& disc : rotor.geometry->discs) disc = in_numbers(disc, rotor.geometry->rho, rotor.speed);
+}
+
+}  // namespace rotorub::scene
