@@ -25,6 +25,12 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
   const std::vector<double>& all = speeds.empty() ? own : speeds;
   for (double speed : all) analysis.spectra.push_back(whirl_spectrum(analysis.system, speed));
   analysis.rubs = analyse_rubs(scene, all);
+  if (!scene.contact) return analysis;
+  analysis.clearance = scene.contact->clearance;
+  scene::Scene free = scene;
+  free.initial = {};
+  const Model model = make_model(free);
+  for (double speed : all) analysis.orbits.push_back(free_orbit(free, model, speed));
   return analysis;
 }
 

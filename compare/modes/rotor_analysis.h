@@ -11,6 +11,7 @@
 #include "native_model/rotor/mode_shapes.h"
 #include "native_model/rotor/whirl_system.h"
 #include "native_model/scene/scene.h"
+#include "native_model/system/steady_orbit.h"
 
 namespace rotorub {
 
@@ -23,6 +24,8 @@ struct RotorAnalysis {
   std::optional<ModeShapes> shapes;           // geometry form only
   std::vector<TorsionMode> torsion;
   RubAnalyses rubs;                           // at the same speeds
+  std::vector<FreeOrbit> orbits;              // at the same speeds, of the modes kept; none without a contact
+  double clearance = 0.0;                     // m, of the contact
   std::optional<ContactMass> contact_mass;  // geometry form with a contact only
 };
 

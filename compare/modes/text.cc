@@ -109,6 +109,22 @@ json shapes_json(const std::optional<ModeShapes>& shapes) {
 
 }  // namespace
 
+json response_json(const RotorAnalysis& analysis, std::size_t at) {
+  const FreeOrbit& orbit = analysis.orbits[at];
+  if (!orbit.largest) return {{"orbit", nullptr}, {"least_gap", nullptr}, {"refused", orbit.refused}};
+  return {{"orbit", *orbit.largest}, {"least_gap", analysis.clearance - *orbit.largest}, {"refused", nullptr}};
+}
+
+std::string response_text(const RotorAnalysis& analysis, std::size_t at) {
+  constexpr double kMicro = 1e6;
+  const FreeOrbit& orbit = analysis.orbits[at];
+  if (!orbit.largest) return fmt::format("  response at the contact: none, {}\n", orbit.refused);
+  const double gap = analysis.clearance - *orbit.largest;
+  return fmt::format("  response at the contact: {:.5g} um from the middle of the ring, {}\n", kMicro * *orbit.largest,
+                     gap > 0.0 ? fmt::format("least gap {:.5g} um", kMicro * gap)
+                               : fmt::format("it touches: {:.5g} um beyond the clearance", -kMicro * gap));
+}
+
 json modes_json(const RotorAnalysis& analysis) {
   json spectra = json::array();
   for (const WhirlSpectrum& spectrum : analysis.spectra) {
@@ -117,9 +133,11 @@ json modes_json(const RotorAnalysis& analysis) {
       modes.push_back({{"frequency", mode.frequency}, {"damping_ratio", mode.damping_ratio}});
     }
     const RubAnalyses& rubs = analysis.rubs;
+    const std::size_t at = spectra.size();
     spectra.push_back({{"speed", spectrum.speed},
                        {"modes", modes},
-                       {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[spectra.size()])}});
+                       {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[at])},
+                       {"response", analysis.orbits.empty() ? json(nullptr) : response_json(analysis, at)}});
   }
   json torsion = json::array();
   for (const TorsionMode& mode : analysis.torsion) {
@@ -143,7 +161,10 @@ json modes_json(const RotorAnalysis& analysis) {
 
 std::string modes_table(const std::string& name, const RotorAnalysis& analysis) {
   std::string text = fmt::format("{}: whirl of the free rotor\n", name);
-  for (const WhirlSpectrum& spectrum : analysis.spectra) text += "\n" + spectrum_table(spectrum);
+  for (std::size_t i = 0; i < analysis.spectra.size(); ++i) {
+    text += "\n" + spectrum_table(analysis.spectra[i]);
+    if (!analysis.orbits.empty()) text += response_text(analysis, i);
+  }
   text += torsion_table(analysis);
 
   text += fmt::format("\ncritical speeds, undamped, {}\n",

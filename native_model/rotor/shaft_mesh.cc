@@ -83,8 +83,8 @@ std::vector<ShaftElement> shaft_mesh(
 
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       const double span = cuts[i + 1] - cuts[i];
-      const double parts = std::max(std::ceil(k * span / kLongestElement),
-                                    taper_parts(section, cuts[i], cuts[i + 1]));
+      const double parts = std::max(taper_parts(section, cuts[i], cuts[i + 1]),
+                                    std::ceil(k * span / kLongestElement));
       if (!(parts < kMostFunctions)) refuse_size();
       const int count = static_cast<int>(parts);
       for (int part = 0; part < count; ++part) {

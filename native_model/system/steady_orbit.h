@@ -16,6 +16,9 @@
 // to rise, and a pulse, come later.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "native_model/scene/scene.h"
 #include "native_model/system/model.h"
 
@@ -26,5 +29,13 @@ namespace rotorub {
 // holds it against a constant force, a ring that its magnets pull away, a ramp or pulse under way; or where it
 // touches, with its size.
 void add_steady_orbit(const scene::Scene& scene, Model& model);
+
+// How far the rotor's centre goes from the ring's at the contact on that orbit, at another spin speed (rad/s,
+// either sign): the response to unbalance and all else that acts at t = 0, whether it would touch or not.
+struct FreeOrbit {
+  std::optional<double> largest;  // m; empty: there is no such orbit
+  std::string refused;            // why, without a full stop
+};
+FreeOrbit free_orbit(const scene::Scene& scene, Model model, double speed);
 
 }  // namespace rotorub

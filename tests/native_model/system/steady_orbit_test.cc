@@ -51,6 +51,34 @@ TEST(SteadyOrbit, IsJeffcottsUnderUnbalance) {
   }
 }
 
+// The response at other speeds, to round-off; the ring hangs beside the middle under its weight.
+TEST(SteadyOrbit, AtAnotherSpeed) {
+  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = 100.0});
+  scene::Force blade;
+  blade.kind = scene::ForceKind::kUnbalance;
+  blade.static_moment = 4e-5;
+  scene::Force turning;
+  turning.kind = scene::ForceKind::kSynchronous;
+  turning.amplitude = 3.0;
+  turning.phase = 1.0;
+  s.forces = {blade, turning};
+  s.initial = {};
+  const Model model = make_model(s);
+  for (const double speed : {100.0, -250.0, 316.0, 700.0}) {
+    const Complex load = 4e-5 * speed * speed + 3.0 * std::polar(1.0, 1.0);
+    const double exact = std::abs(load / Complex(2e5 - 2.0 * speed * speed, 40.0 * speed));
+    const FreeOrbit orbit = free_orbit(s, model, speed);
+    ASSERT_TRUE(orbit.largest) << orbit.refused;
+    EXPECT_NEAR(*orbit.largest, exact, 1e-6 * exact) << speed;
+  }
+  scene::Scene unstable = s;
+  unstable.rotor.modal->internal_damping = {200.0};
+  const FreeOrbit none = free_orbit(unstable, make_model(unstable), 2000.0);
+  EXPECT_FALSE(none.largest);
+  EXPECT_NE(none.refused.find("unstable"), std::string::npos) << none.refused;
+  EXPECT_EQ(none.refused.find("accepted"), std::string::npos);
+}
+
 // One round mode with everything round: D(nu) = k + nu Omega g - m nu^2 + i nu d + i (nu - Omega) d_i, and
 // the magnetic bearing's -k_m.
 TEST(SteadyOrbit, OfARoundRotorAtAnyFrequency) {

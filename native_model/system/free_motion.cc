@@ -1,0 +1,256 @@
+#include "native_model/system/free_motion.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "native_model/dynamics/equations.h"
+#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/scene/text.h"
+#include "native_model/system/model_checks.h"
+#include "native_model/system/orbit_size.h"
+
+namespace rotorub {
+namespace {
+
+using Phasor = std::complex<double>;
+
+// Bending of both planes at the speed of t = 0, with a magnetic bearing's integrator: the force
+// -force_per_current j at its stations, j' = integral station^T q of each plane.
+struct Bending {
+  Eigen::VectorXd mass;                // kg, 2 n
+  Eigen::MatrixXd stiffness, damping;  // N/m, N s/m, 2 n x 2 n
+  Eigen::MatrixXd station;             // 2 n x 2, or without an integrator that works 2 n x 0
+  double force_per_current = 0.0, integral = 0.0;  // N/A, A/(m s)
+};
+
+Bending bending(const Model& given) {
+  const Model m = with_linear_feedback(given);
+  const Layout& l = m.layout;
+  const int size = 2 * l.modes;
+  Bending b{m.mass.head(size), m.stiffness.head(size).asDiagonal(),
+            m.damping.head(size).asDiagonal(), Eigen::MatrixXd(size, 0)};
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(l.nq());
+  const double works = m.feedback && m.feedback->law.fails_at > 0.0 ? 1.0 : 0.0;
+  Eigen::VectorXd f(l.nq());
+  for (int j = 0; j < size; ++j) {
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(l.nq(), j);
+    f.setZero();
+    equations::add_rotating_damping(m, unit.data(), rest.data(), m.speed, f.data());
+    equations::add_springs(m, unit.data(), f.data());
+    if (m.feedback) equations::add_feedback(m, works, unit.data(), rest.data(), f.data());
+    b.stiffness.col(j) -= f.head(size);
+    f.setZero();
+    equations::add_rotating_damping(m, rest.data(), unit.data(), m.speed, f.data());
+    equations::add_dampers(m, unit.data(), f.data());
+    if (m.feedback) equations::add_feedback(m, works, rest.data(), unit.data(), f.data());
+    equations::add_gyroscopic(m, m.speed, unit.data(), f.data());
+    b.damping.col(j) -= f.head(size);
+  }
+  if (l.integrals == 0 || works == 0.0) return b;
+  b.station = Eigen::MatrixXd::Zero(size, 2);
+  b.station.col(0).head(l.modes) = m.feedback->shape.x;
+  b.station.col(1).tail(l.modes) = m.feedback->shape.y;
+  b.force_per_current = m.feedback->law.force_per_current;
+  b.integral = m.feedback->law.integral;
+  return b;
+}
+
+// Re(load e^{i frequency t}), frequency >= 0.
+struct Load {
+  double frequency;       // rad/s
+  Eigen::VectorXcd load;  // N, 2 n
+};
+
+class Loads {
+ public:
+  explicit Loads(int modes) : modes_(modes) {}
+  const std::vector<Load>& all() const { return all_; }
+
+  // x and y: N, complex amplitudes through the mode values of a station.
+  void add(double frequency, const ModeShape& shape, Phasor x, Phasor y) {
+    Eigen::VectorXcd load(2 * modes_);
+    load << x * shape.x.cast<Phasor>(), y * shape.y.cast<Phasor>();
+    add({frequency, std::move(load)});
+  }
+  // amplitude (cos(frequency t + phase), sin(..)); either sign.
+  void turn(double frequency, const ModeShape& shape, double amplitude, double phase) {
+    const Phasor x = std::polar(1.0, phase) * amplitude, y = Phasor(0.0, -1.0) * x;
+    if (frequency < 0.0) return add(-frequency, shape, std::conj(x), std::conj(y));
+    add(frequency, shape, x, y);
+  }
+  void add(Load load) {
+    constexpr double kSame = 1e-12;
+    if (load.load.isZero(0.0)) return;
+    if (load.frequency == 0.0) load.load = load.load.real().cast<Phasor>().eval();
+    for (Load& other : all_) {
+      if (std::abs(other.frequency - load.frequency) <= kSame * other.frequency) {
+        other.load += load.load;
+        return;
+      }
+    }
+    all_.push_back(std::move(load));
+  }
+
+ private:
+  int modes_;
+  std::vector<Load> all_;
+};
+
+void add_force(const scene::Scene& scene, const Model& m, const AppliedForce& f, Loads& loads) {
+  using scene::ForceKind;
+  if (f.on > 0.0 || f.off <= 0.0) return;
+  if (f.kind == ForceKind::kPulse && f.on < 0.0) {
+    refuse_steady(scene, "a [[force]] of kind pulse is under way at t = 0, and no orbit is steady; "
+                         "accepted: one that begins at 0 or later");
+  }
+  if (f.ramp > 0.0 && f.on < 0.0 && f.on + f.ramp > 0.0) {
+    refuse_steady(scene, "a [[force]] is still rising at t = 0, and no orbit is steady; accepted: one "
+                         "that begins to rise at 0 or later, or has risen by then");
+  }
+  if (f.kind == ForceKind::kPulse || f.envelope(0.0) == 0.0) return;
+  if (f.kind == ForceKind::kConstant) return loads.add(0.0, f.shape, f.vector.x(), f.vector.y());
+  double frequency = f.frequency;
+  if (f.kind == ForceKind::kSynchronous) frequency = m.speed;
+  if (f.kind == ForceKind::kChirp) {
+    frequency += (f.frequency_end - f.frequency) * (0.0 - f.on) / (f.off - f.on);
+  }
+  loads.turn(frequency, f.shape, f.amplitude, f.angle(0.0, m.spin_angle));
+}
+
+std::vector<Load> loads_of(const scene::Scene& scene, const Model& m) {
+  Loads loads(m.layout.modes);
+  for (const AppliedForce& f : m.forces) add_force(scene, m, f, loads);
+  for (const DiscUnbalance& u : m.unbalances) {
+    if (u.on > 0.0) continue;
+    loads.turn(m.speed, u.shape, u.static_moment * m.speed * m.speed, m.spin_angle + u.phase);
+  }
+  if (m.weight.size() > 0) {
+    loads.add({0.0, m.weight.head(2 * m.layout.modes).cast<Phasor>()});
+  }
+  return loads.all();
+}
+
+// Nothing grows: an orbit that nothing comes back to is no steady one.
+void check_stability(const scene::Scene& scene, const Model& m, const Bending& b) {
+  constexpr double kScatter = 1e-9;  // of the largest eigenvalue
+  // States (w q, q', j) of unit mass, w each coordinate's own frequency, j's unit one in which it acts as
+  // it is acted upon: no number is far from the others.
+  const Eigen::Index n = b.mass.size(), stored = b.station.cols();
+  const Eigen::VectorXd root = b.mass.cwiseSqrt(), inverse = root.cwiseInverse();
+  const Eigen::MatrixXd k = inverse.asDiagonal() * b.stiffness * inverse.asDiagonal();
+  Eigen::VectorXd w = k.diagonal().cwiseAbs().cwiseSqrt();
+  const double largest = w.maxCoeff();
+  for (double& x : w) {
+    if (x == 0.0) x = largest > 0.0 ? largest : 1.0;
+  }
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n + stored, 2 * n + stored);
+  a.block(0, n, n, n) = w.asDiagonal();
+  a.block(n, 0, n, n) = -k * w.cwiseInverse().asDiagonal();
+  a.block(n, n, n, n) = -(inverse.asDiagonal() * b.damping * inverse.asDiagonal());
+  if (stored > 0) {
+    const Eigen::MatrixXd station = inverse.asDiagonal() * b.station;
+    const double unit = std::sqrt(b.force_per_current * b.integral / w.maxCoeff());
+    a.block(n, 2 * n, n, stored) = -unit * w.maxCoeff() * station;
+    a.block(2 * n, 0, stored, n) = unit * station.transpose() * w.cwiseInverse().asDiagonal();
+  }
+  const auto values = real_eigenvalues(a);
+  if (!values) refuse_steady(scene, "the eigenvalues of the free rotor do not converge");
+  double size = 0.0;
+  for (const Phasor& s : *values) size = std::max(size, std::abs(s));
+  const Phasor first = values->front();
+  if (first.real() <= kScatter * size) return;
+  refuse_steady(scene, "the free rotor is unstable at " + scene::number_text(m.speed) + " rad/s, a motion at " +
+                           scene::number_text(std::abs(first.imag())) + " rad/s grows with " +
+                           scene::number_text(first.real()) + " 1/s; accepted: a stable one, or false");
+}
+
+// Phasor amplitudes of one frequency: Q (m, 2 n), and what an integrator holds (A).
+struct Answer {
+  Eigen::VectorXcd q;
+  Eigen::Vector2cd stored = Eigen::Vector2cd::Zero();
+};
+Answer answer(const scene::Scene& scene, const Bending& b, const Load& load) {
+  constexpr double kSingular = 1e-12;
+  const double nu = load.frequency;
+  // Rows and columns by the size that their terms have: away from resonance the diagonal is about 1.
+  Eigen::VectorXd scale = b.stiffness.diagonal().cwiseAbs() + nu * nu * b.mass +
+                          nu * b.damping.diagonal().cwiseAbs();
+  for (double& x : scale) x = x > 0.0 ? 1.0 / std::sqrt(x) : 1.0;
+  Eigen::MatrixXcd z = b.stiffness.cast<Phasor>();
+  z += Phasor(0.0, nu) * b.damping.cast<Phasor>();
+  z.diagonal() -= (nu * nu * b.mass).cast<Phasor>();
+  z = (scale.asDiagonal() * z * scale.asDiagonal()).eval();
+  // i nu j = I station^T q beside them; j in the unit of the force that its station's rows have.
+  const Eigen::Index n = b.mass.size(), stored = b.station.cols();
+  double unit = 1.0;
+  if (stored > 0) {
+    const Eigen::MatrixXd station = scale.asDiagonal() * b.station;
+    unit = station.cwiseAbs().maxCoeff();
+    z.conservativeResizeLike(Eigen::MatrixXcd::Zero(n + stored, n + stored));
+    z.topRightCorner(n, stored) = (station / unit).cast<Phasor>();
+    z.bottomLeftCorner(stored, n) = (station / unit).transpose().cast<Phasor>();
+    // F = k_i j: i nu F / (k_i I) - station^T q = 0.
+    z.bottomRightCorner(stored, stored).diagonal().setConstant(
+        Phasor(0.0, -nu / (b.force_per_current * b.integral * unit * unit)));
+  }
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
+  // Against the scale, not against z itself: both planes may be in resonance.
+  const double size = z.cwiseAbs().colwise().sum().maxCoeff();
+  if (!(lu.rcond() * size > kSingular)) {
+    refuse_steady(scene, nu == 0.0 ? "nothing holds the rotor against a constant force or its weight"
+                                   : "a force turns at " + scene::number_text(nu) +
+                                         " rad/s, where the free rotor has a resonance without "
+                                         "damping: its orbit has no bound");
+  }
+  Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + stored);
+  right.head(n) = scale.asDiagonal() * load.load;
+  const Eigen::VectorXcd solved = lu.solve(right);
+  Answer answer{scale.asDiagonal() * solved.head(n)};
+  if (stored > 0) answer.stored = solved.tail(stored) / (unit * b.force_per_current);
+  return answer;
+}
+
+// A, of the magnetic bearing's current on each axis: the linear law's, of one frequency.
+Eigen::Vector2d current_amplitude(const Model& m, double frequency, const Answer& answer) {
+  const int n = m.layout.modes;
+  const MagneticFeedback<double>& law = m.feedback->law;
+  const Phasor gain(law.proportional, frequency * law.derivative);
+  const auto of = [&](const Eigen::VectorXd& shape, int plane) {
+    return std::abs(gain * shape.cast<Phasor>().dot(answer.q.segment(plane * n, n)) + answer.stored[plane]);
+  };
+  return {of(m.feedback->shape.x, 0), of(m.feedback->shape.y, 1)};
+}
+
+}  // namespace
+
+void refuse_steady(const scene::Scene& scene, const std::string& why) {
+  refuse(scene, {{"", 0, "initial.steady", why}});
+}
+
+FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
+  const Layout& l = m.layout;
+  const Bending b = bending(m);
+  check_stability(scene, m, b);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(2 * l.modes);
+  FreeMotion motion{rest, rest};
+  for (const Load& load : loads_of(scene, m)) {
+    const Answer found = answer(scene, b, load);
+    const Eigen::VectorXcd& q = found.q;
+    motion.q += q.real();
+    motion.v += (Phasor(0.0, load.frequency) * q).real();
+    motion.stored += found.stored.real();
+    if (m.feedback) motion.current += current_amplitude(m, load.frequency, found);
+    const Eigen::VectorXd re = q.real(), im = q.imag();
+    const auto c = equations::at_station(l.modes, m.contact_shape, re.data());
+    const auto s = equations::at_station(l.modes, m.contact_shape, im.data());
+    motion.orbit.parts.push_back({load.frequency, {Phasor(c.x, s.x), Phasor(c.y, s.y)}});
+  }
+  return motion;
+}
+
+}  // namespace rotorub
