@@ -12,6 +12,11 @@ namespace rotorub {
 
 namespace {
 
+// The scene's own where none are asked for.
+std::vector<double> speeds_of(const scene::Scene& scene, const std::vector<double>& asked) {
+  return asked.empty() ? std::vector<double>{scene.rotor.speed} : asked;
+}
+
 RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& speeds) {
   RotorAnalysis analysis;
   analysis.system = whirl_system(scene);
@@ -19,25 +24,38 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
   analysis.stability_threshold = stability_threshold(analysis.system);
   analysis.stability_bound = stability_bound(analysis.system);
   analysis.shapes = mode_shapes(scene);
+  if (analysis.shapes) {
+    analysis.whirl_shapes = whirl_shapes(scene, analysis.system, scene.rotor.speed, *analysis.shapes);
+  }
   analysis.contact_mass = contact_mass(scene);
   if (scene.rotor.torsion) analysis.torsion = torsion_frequencies(modal_rotor(scene));
-  const std::vector<double> own{scene.rotor.speed};
-  const std::vector<double>& all = speeds.empty() ? own : speeds;
-  for (double speed : all) analysis.spectra.push_back(whirl_spectrum(analysis.system, speed));
-  analysis.rubs = analyse_rubs(scene, all);
-  if (!scene.contact) return analysis;
+  for (double speed : speeds) analysis.spectra.push_back(whirl_spectrum(analysis.system, speed));
+  return analysis;
+}
+
+void add_response(const scene::Scene& scene, const std::vector<double>& speeds, RotorAnalysis& analysis) {
+  if (!scene.contact) return;
   analysis.clearance = scene.contact->clearance;
   scene::Scene free = scene;
   free.initial = {};
   const Model model = make_model(free);
-  for (double speed : all) analysis.orbits.push_back(free_orbit(free, model, speed));
-  return analysis;
+  for (double speed : speeds) analysis.orbits.push_back(free_orbit(free, model, speed));
 }
 
 }  // namespace
 
 RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>& speeds) {
-  return with_place(scene, [&] { return analysis_of(scene, speeds); });
+  return with_place(scene, [&] {
+    const std::vector<double> all = speeds_of(scene, speeds);
+    RotorAnalysis analysis = analysis_of(scene, all);
+    analysis.rubs = analyse_rubs(scene, all);
+    add_response(scene, all, analysis);
+    return analysis;
+  });
+}
+
+RotorAnalysis analyse_free_rotor(const scene::Scene& scene, const std::vector<double>& speeds) {
+  return with_place(scene, [&] { return analysis_of(scene, speeds_of(scene, speeds)); });
 }
 
 const char* sense_of(const WhirlMode& mode) {

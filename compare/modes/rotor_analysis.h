@@ -9,6 +9,7 @@
 #include "native_model/rotor/campbell.h"
 #include "native_model/rotor/contact_mass.h"
 #include "native_model/rotor/mode_shapes.h"
+#include "native_model/rotor/whirl_shapes.h"
 #include "native_model/rotor/whirl_system.h"
 #include "native_model/scene/scene.h"
 #include "native_model/system/steady_orbit.h"
@@ -22,8 +23,9 @@ struct RotorAnalysis {
   std::optional<double> stability_threshold;  // rad/s
   double stability_bound = 0.0;               // rad/s, may be infinite (campbell.h)
   std::optional<ModeShapes> shapes;           // geometry form only
+  std::vector<WhirlShape> whirl_shapes;       // at the scene's own speed; geometry form only
   std::vector<TorsionMode> torsion;
-  RubAnalyses rubs;                           // at the same speeds
+  RubAnalyses rubs;                           // at the same speeds as the spectra
   std::vector<FreeOrbit> orbits;              // at the same speeds, of the modes kept; none without a contact
   double clearance = 0.0;                     // m, of the contact
   std::optional<ContactMass> contact_mass;  // geometry form with a contact only
@@ -32,6 +34,8 @@ struct RotorAnalysis {
 // speeds: rad/s, of either sign; none: the scene's own rotor.speed. Throws scene::SceneError for a
 // rotor without modes (modal_rotor.h), std::runtime_error where an eigenvalue iteration fails.
 RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>& speeds);
+// The same of the free rotor alone, without its rubs.
+RotorAnalysis analyse_free_rotor(const scene::Scene& scene, const std::vector<double>& speeds);
 
 // "forward", "backward", "overdamped", or "rigid" for s = 0.
 const char* sense_of(const WhirlMode& mode);
