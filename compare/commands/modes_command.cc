@@ -73,15 +73,13 @@ void write_file(const ModesArguments& options, const std::string& page) {
 
 void write_page(const ModesArguments& options, const scene::Scene& scene,
                 const RotorAnalysis& analysis, std::optional<double> asked_range) {
-  const double range = asked_range.value_or(campbell_range(scene, analysis));
   ProgressBar bar(options.quiet);
-  const auto branches = whirl_branches(condensed(analysis.system, range, kCampbellAccuracy),
-                                       even_speeds(range, kCampbellSpeeds), [&](double share) {
-                                         if (interrupted()) throw Interrupted();
-                                         bar.show(share, "Campbell diagram");
-                                       });
+  const Campbell campbell = campbell_of(scene, analysis, asked_range, [&](double share) {
+    if (interrupted()) throw Interrupted();
+    bar.show(share, "Campbell diagram");
+  });
   bar.clear();
-  write_file(options, modes_page(scene, analysis, range, branches));
+  write_file(options, modes_page(scene, campbell.analysis, campbell.range, campbell.branches));
 }
 
 // ---------------------------------------------------------------- the map of lasting rubs

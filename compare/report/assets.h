@@ -17,6 +17,8 @@ std::string_view figures_html();  // meaning and unit of each
 std::string_view plots_html();    // a scene's plots and what is shown of them
 std::string_view player_html();   // a scene's live player
 std::string_view transport_html();  // time of player and plots
+std::string_view contents_html();   // links to the parts of the page
+std::string_view rotor_html();      // Campbell diagram and whirl shapes of a scene
 // Of the comparison's report, of the modes', of the bench's and of the sweep's page: the template
 // (see template.h) and the script.
 std::string_view report_html();
@@ -28,6 +30,7 @@ std::string_view player_css();
 std::string_view tracks_js();
 std::string_view pictures_js();
 std::string_view whirl_js();
+std::string_view campbell_js();  // of the modes' page too
 std::string_view traces_js();
 std::string_view plots_js();
 std::string_view run_js();

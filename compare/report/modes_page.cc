@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "compare/modes/units.h"
 #include "compare/report/assets.h"
@@ -156,13 +157,17 @@ json torsion_values(const std::vector<TorsionMode>& modes) {
   return rows;
 }
 
-// What lies beyond the Campbell diagram, in a sentence; empty where nothing does.
+}  // namespace
+
 std::string beyond_text(const RotorAnalysis& analysis, double range) {
   const std::vector<double>& speeds = analysis.critical_speeds;
-  const auto beyond = speeds.end() - std::upper_bound(speeds.begin(), speeds.end(), range);
+  const auto first = std::upper_bound(speeds.begin(), speeds.end(), range);
   std::string text;
-  if (beyond > 0) {
-    text = fmt::format("Beyond the diagram: {} critical speed{}.", beyond, beyond > 1 ? "s" : "");
+  if (first != speeds.end()) {
+    std::string list;
+    for (auto speed = first; speed != speeds.end(); ++speed) list += (list.empty() ? "" : ", ") + rpm_text(*speed);
+    text = fmt::format("Beyond the diagram: {} critical speed{}, {}.", speeds.end() - first,
+                       speeds.end() - first > 1 ? "s" : "", list);
   }
   if (analysis.stability_threshold && *analysis.stability_threshold > range) {
     text += fmt::format("{}The threshold of stability, {}, lies beyond the diagram.",
@@ -171,13 +176,19 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
   return text;
 }
 
-}  // namespace
+Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::optional<double> range,
+                     const std::function<void(double)>& progress) {
+  const double top = range.value_or(campbell_range(scene, analysis));
+  auto branches = whirl_branches(condensed(analysis.system, top, kCampbellAccuracy),
+                                 even_speeds(top, kCampbellSpeeds), progress);
+  return {std::move(analysis), top, std::move(branches)};
+}
 
 std::string modes_page(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
                        const std::vector<WhirlBranch>& branches) {
   json values = page_frame({scene.name, "whirl of the free rotor",
                             "Where does it whirl, and where does it stay stable?"},
-                           modes_js(), modes_plots(scene, analysis, range, branches));
+                           std::string(campbell_js()) + std::string(modes_js()), modes_plots(scene, analysis, range, branches));
   json spectra = json::array();
   for (const WhirlSpectrum& spectrum : analysis.spectra) {
     spectra.push_back(spectrum_values(spectrum));

@@ -21,12 +21,26 @@ double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis);
 inline constexpr int kCampbellSpeeds = 161;
 inline constexpr double kCampbellAccuracy = 1e-5;  // relative, of the curves: finer than a line
 
+// The scene's free rotor as its diagram shows it.
+struct Campbell {
+  RotorAnalysis analysis;
+  double range = 0.0;  // rad/s
+  std::vector<WhirlBranch> branches;
+};
+// range: none: campbell_range. progress as of whirl_branches.
+Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::optional<double> range = {},
+                     const std::function<void(double)>& progress = {});
+
+// What lies beyond the diagram, in a sentence; empty where nothing does.
+std::string beyond_text(const RotorAnalysis& analysis, double range);
+
 // branches: from 0 to `range` (rad/s) in even steps, as whirl_branches gives them.
 std::string modes_page(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
                        const std::vector<WhirlBranch>& branches);
 
 // What the page's script draws, in Hz, rpm, % and mm: "campbell" {"top", "running", "critical",
-// "threshold": null, "pieces"} and "shapes" (null for the modal form).
+// "threshold": null, "pieces", "torsion", "operating": the modes at the scene's speed} and "shapes" (null for the modal
+// form), "modes" at rest and "whirl" at the scene's speed among them.
 nlohmann::json modes_plots(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
                            const std::vector<WhirlBranch>& branches);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "compare/modes/text.h"
@@ -46,6 +47,17 @@ void add_pieces(const WhirlBranch& branch, json& pieces) {
   pieces.push_back(piece);
 }
 
+// Where the branches are at the scene's speed.
+json operating(const WhirlSpectrum& spectrum) {
+  json modes = json::array();
+  for (const WhirlMode& mode : spectrum.modes) {
+    modes.push_back({{"sense", sense_of(mode)},
+                     {"frequency", rounded(std::abs(mode.frequency) * kHz, kPlotDigits)},
+                     {"damping", rounded(100.0 * mode.damping_ratio, kPlotDigits)}});
+  }
+  return modes;
+}
+
 json campbell(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
               const std::vector<WhirlBranch>& branches) {
   json pieces = json::array();
@@ -58,7 +70,11 @@ json campbell(const scene::Scene& scene, const RotorAnalysis& analysis, double r
   if (analysis.stability_threshold) {
     threshold = rounded(*analysis.stability_threshold * kRpm, kPlotDigits);
   }
+  json torsion = json::array();
+  for (const TorsionMode& mode : analysis.torsion) torsion.push_back(rounded(mode.frequency * kHz, kPlotDigits));
   return {{"top", rounded(range * kRpm, kPlotDigits)},
+          {"torsion", torsion},
+          {"operating", operating(whirl_spectrum(analysis.system, scene.rotor.speed))},
           {"running", rounded(std::abs(scene.rotor.speed) * kRpm, kPlotDigits)},
           {"critical", critical},
           {"threshold", threshold},
@@ -83,6 +99,24 @@ json plane(const char* name, const PlaneShapes& shapes) {
 json disc_radius(const scene::Disc& disc) {
   if (!(disc.mass > 0.0 && disc.Jp > 0.0)) return nullptr;
   return rounded(kMilli * std::sqrt(2.0 * disc.Jp / disc.mass), kPlotDigits);
+}
+
+// A mode has its number among those of its sense.
+json whirl(const std::vector<WhirlShape>& shapes) {
+  constexpr int kShapeDigits = 4;  // of a curve 1 high
+  json all = json::array();
+  std::map<std::string, int> count;
+  for (const WhirlShape& whirl : shapes) {
+    json line = json::array();
+    for (const double value : whirl.shape) line.push_back(std::round(value * 1e4) / 1e4);
+    const std::string sense = sense_of(whirl.mode);
+    all.push_back({{"sense", sense},
+                   {"number", ++count[sense]},
+                   {"frequency", rounded(std::abs(whirl.mode.frequency) * kHz, kPlotDigits)},
+                   {"roundness", rounded(whirl.roundness, kShapeDigits)},
+                   {"shape", line}});
+  }
+  return all;
 }
 
 json shapes(const scene::Scene& scene, const RotorAnalysis& analysis) {
@@ -114,6 +148,7 @@ json shapes(const scene::Scene& scene, const RotorAnalysis& analysis) {
           {"sections", sections},
           {"discs", discs},
           {"same_planes", analysis.shapes->same_planes},
+          {"whirl", whirl(analysis.whirl_shapes)},
           {"modes", modes}};
 }
 

@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/report/assets.h"
+#include "compare/report/contents.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/page_values.h"
 #include "compare/report/plots.h"
+#include "compare/report/rotor_section.h"
 #include "compare/report/shown_runs.h"
 #include "compare/report/trade.h"
 #include "compare/study/format.h"
@@ -37,7 +39,7 @@ std::string names_of(const std::vector<PageScene>& scenes) {
 
 std::string report_page(const std::vector<PageScene>& scenes) {
   json pages = json::array();
-  json plots = json::array();
+  json plots = json::array(), parts = json::array();
   std::vector<const SceneComparison*> comparisons;
   for (const PageScene& scene : scenes) {
     const SceneComparison& comparison = *scene.comparison;
@@ -51,8 +53,12 @@ std::string report_page(const std::vector<PageScene>& scenes) {
     const ShownRuns shown = shown_runs(comparison);
     values["plots"] = plot_values(shown);
     values["windows"] = window_values(shown);
-    pages.push_back(std::move(values));
+    RotorSection rotor = rotor_section(comparison.scene);
+    values["rotor"] = std::move(rotor.values);
     plots.push_back(plot_data(shown));
+    plots.back()["rotor"] = std::move(rotor.data);
+    parts.push_back(scene_contents(values));
+    pages.push_back(std::move(values));
     comparisons.push_back(&comparison);
   }
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
@@ -62,6 +68,7 @@ std::string report_page(const std::vector<PageScene>& scenes) {
                             "Can MuJoCo's contact forces be trusted?"},
                            report_js(), {{"scenes", plots}, {"trade", trade_data(comparisons)}},
                            Pictures::kPlotsAndRig);
+  values["contents"] = report_contents(parts, scenes.size() > 1);
   values["trades"] = scenes.size() > 1;
   values["by_figures"] = mode != CompareMode::kResync;
   values["resyncs"] = mode == CompareMode::kResync;

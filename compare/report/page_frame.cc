@@ -23,7 +23,7 @@ std::string for_script(std::string text) {
 std::string live_scripts() {
   std::string scripts;
   for (const std::string_view part :
-       {tracks_js(), pictures_js(), whirl_js(), traces_js(), plots_js(), run_js(), clock_js(), rig_parts_js(), rig_js(),
+       {tracks_js(), pictures_js(), whirl_js(), campbell_js(), traces_js(), plots_js(), run_js(), clock_js(), rig_parts_js(), rig_js(),
         section_js(), unrolled_js(), readings_js(), player_js(), live_js()}) {
     scripts += part;
   }
@@ -68,7 +68,9 @@ std::string fill_page(std::string_view html, const nlohmann::json& values) {
                         {"figures", figures_html()},
                         {"plots", plots_html()},
                         {"player", player_html()},
-                        {"transport", transport_html()}});
+                        {"transport", transport_html()},
+                        {"contents", contents_html()},
+                        {"rotor", rotor_html()}});
 }
 
 }  // namespace rotorub

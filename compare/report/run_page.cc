@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/report/assets.h"
+#include "compare/report/contents.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plots.h"
+#include "compare/report/rotor_section.h"
 #include "compare/study/format.h"
 #include "compare/version.h"
 #include "native_model/scene/reader.h"
@@ -48,8 +50,14 @@ json facts(const StoredRun& run, const std::optional<StoredRun>& shadow) {
 
 std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shadow) {
   const ShownRuns shown = shown_runs(run, shadow);
+  RotorSection rotor = rotor_section(run.scene);
+  json plots = plot_data(shown);
+  plots["rotor"] = std::move(rotor.data);
   json values = page_frame({run.scene.name, "one run", run.scene.name}, report_js(),
-                           {{"scenes", {plot_data(shown)}}}, Pictures::kPlotsAndRig);
+                           {{"scenes", {std::move(plots)}}}, Pictures::kPlotsAndRig);
+  values["id"] = "run";
+  values["rotor"] = std::move(rotor.values);
+  values["contents"] = run_contents("run");
   json sides = json::array();
   for (const ShownRun& side : shown.runs) sides.push_back({{"label", side.label}});
   values["engine"] = engine_text(run.trajectory);

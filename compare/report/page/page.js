@@ -48,6 +48,7 @@ const page = (() => {
     function theme(name) {
       colors.clear();
       root.dataset.theme = name || chosen || (prefersDark.matches ? 'dark' : 'light');
+      document.getElementById('theme').setAttribute('aria-pressed', String(root.dataset.theme === 'dark'));
       draw();
     }
     document.getElementById('theme').addEventListener('click', () => {

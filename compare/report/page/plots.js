@@ -62,8 +62,8 @@ page.ScenePlots = (() => {
     draw(plot) {
       const {plot: key, over} = plot.dataset;
       const range = over === 'turns' ? this.turns() : this.range;
-      const {data, layout} = traces.of(this.scene, this.runs, key, over, range, this.hidden);
-      data.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : true; });
+      const {data, layout} = traces.of(this.scene, this.runs, key, over, range, this.hidden, plot.clientWidth);
+      data.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : trace.visible || true; });
       const first = !plot.classList.contains('drawn');
       const size = {width: plot.clientWidth, height: plot.clientHeight};
       plot.stale = false;

@@ -143,8 +143,9 @@ page.traces = (() => {
       yaxis: axes(impacts ? {type: 'log', exponentformat: 'power', dtick: 1} : height.axis)})};
   }
 
-  // hidden: labels of the runs that the reader has put away.
-  function of(scene, runs, key, over, range, hidden) {
+  // hidden: labels of the runs that the reader has put away; width: px, of the plot.
+  function of(scene, runs, key, over, range, hidden, width) {
+    if (over === 'rotor') return page.rotor.of(scene.rotor, key, width);
     if (page.whirl.keys.has(key)) return page.whirl.of(scene, key, range, hidden);
     if (over === 'turns') return turnsPlot(scene, runs, key, range);
     if (over === 'time' || over === 'impacts') return timePlot(scene, runs, key, over, range);
