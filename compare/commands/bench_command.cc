@@ -17,6 +17,7 @@
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/report/bench_page.h"
+#include "compare/report/beside.h"
 #include "compare/study/json.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
@@ -77,7 +78,7 @@ void write_results(const BenchArguments& options, const bench::Machine& machine,
                    const std::vector<bench::RestitutionRow>& restitution) {
   const std::filesystem::path folder(options.folder);
   std::filesystem::create_directories(folder);
-  write_whole(folder / "bench.json", json_text(bench::bench_json(machine, benches, restitution)));
+  write_whole(folder / kBenchFile, json_text(bench::bench_json(machine, benches, restitution)));
   write_whole(folder / "bench.html", bench_page(machine, benches, restitution));
   if (!options.json && !options.quiet) {
     fmt::print("\nwritten to {}: bench.html, bench.json\n", options.folder);

@@ -16,14 +16,17 @@
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/commands/terminal.h"
+#include "compare/report/beside.h"
 #include "compare/study/json.h"
 #include "native_model/scene/reader.h"
+#include "native_model/trajectory/output.h"
 
 namespace rotorub {
 namespace {
 
 struct CheckArguments : CommonOptions {
   std::vector<std::string> places;
+  std::string folder;
 };
 
 // Every scene file that was named, or stands in a folder that was; a folder's in order of name.
@@ -108,6 +111,10 @@ int run_check(const CheckArguments& options) {
   }
   bar.clear();
   const bool holds = check::holds(cases);
+  if (!options.folder.empty()) {
+    std::filesystem::create_directories(options.folder);
+    write_whole(std::filesystem::path(options.folder) / kCheckFile, json_text(check::cases_json(cases)));
+  }
   if (options.json) {
     std::cout << json_text(check::cases_json(cases));
   } else if (!options.quiet) {
@@ -129,6 +136,8 @@ Command add_check_command(CLI::App& program) {
   app->add_option("SCENE", options->places, "Scene files (.toml), or folders of them")
       ->required()
       ->type_name("SCENE|DIR");
+  app->add_option("-o,--output", options->folder, "Writes check.json there, as --json prints it, for `compare --with`")
+      ->type_name("DIR");
   add_common_options(*app, *options);
   return {app, [options] { return run_check(*options); }};
 }

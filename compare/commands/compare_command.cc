@@ -25,7 +25,7 @@ namespace rotorub {
 namespace {
 
 struct CompareArguments : CommonOptions {
-  std::vector<std::string> scenes;
+  std::vector<std::string> scenes, with;
   std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare";
   int twins = kDefaultTwins;
   bool no_video = false, modes_ladder = true, tune = false;
@@ -168,10 +168,20 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
   return comparisons;
 }
 
+// What is wrong with it is said before hours of runs.
+Beside beside_of(const CompareArguments& options) {
+  try {
+    return read_beside(options.with);
+  } catch (const std::runtime_error& error) {
+    throw UsageError(fmt::format("--with {}", error.what()));
+  }
+}
+
 int compare(const CompareArguments& options) {
   check_twins(options.twins);
   const double tolerance = tolerance_of(options.tolerance);
   const auto subjects = read_subjects(options);
+  const Beside beside = beside_of(options);
   ProgressBar bar(options.quiet);
 
   const auto comparisons = compare_all(options, tolerance, subjects, bar);
@@ -180,7 +190,7 @@ int compare(const CompareArguments& options) {
   });
   bar.clear();
   find_settings(options, tolerance, subjects, bar, pages);
-  write_report(options.folder, comparisons, pages);
+  write_report(options.folder, comparisons, pages, beside);
 
   if (options.json) {
     std::cout << json_text(comparisons_json(comparisons));
@@ -223,6 +233,13 @@ Command add_compare_command(CLI::App& program) {
   app->add_option("-o,--output", options->folder, "Folder of the results")
       ->type_name("DIR")
       ->capture_default_str();
+  app->add_option("--with", options->with,
+                  "Folder of results that the report shows too: of bench, check or sweep with -o, or a folder of such "
+                  "folders; may be repeated")
+      ->type_name("DIR")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
   app->add_flag("--tune", options->tune,
                 "Finds the fastest setting that can be trusted for each scene (rotorub tune), and shows it beside the "
                 "verdicts");

@@ -25,10 +25,10 @@ void write_runs(const path& folder, const SceneComparison& comparison) {
 }
 
 void write_report(const path& folder, const std::vector<SceneComparison>& comparisons,
-                  const std::vector<PageScene>& pages) {
+                  const std::vector<PageScene>& pages, const Beside& beside) {
   std::filesystem::create_directories(folder);
   write_whole(folder / "compare.json", json_text(comparisons_json(comparisons)));
-  if (!pages.empty()) write_whole(folder / "report.html", report_page(pages));
+  if (!pages.empty()) write_whole(folder / "report.html", report_page(pages, beside));
 }
 
 }  // namespace rotorub

@@ -17,6 +17,6 @@ void write_runs(const std::filesystem::path& folder, const SceneComparison& comp
 // compare.json and report.html.
 void write_report(const std::filesystem::path& folder,
                   const std::vector<SceneComparison>& comparisons,
-                  const std::vector<PageScene>& pages);
+                  const std::vector<PageScene>& pages, const Beside& beside = {});
 
 }  // namespace rotorub

@@ -80,7 +80,9 @@ void print_json(const Sweep& sweep, sweep::Store& store, const sweep::Shard& sha
 void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store) {
   sweep::remove_parts(sweep.folder);
   sweep::write_csv(store, sweep.folder / sweep::kCsvFile);
-  write_whole(sweep.folder / sweep::kPageFile, sweep_page(*sweep.scenes, store, sweep.study));
+  const nlohmann::json kept = sweep_json(*sweep.scenes, store, sweep.study);
+  write_whole(sweep.folder / sweep::kDataFile, kept.dump());
+  write_whole(sweep.folder / sweep::kPageFile, sweep_page(*sweep.scenes, store, sweep.study, kept));
   say(options, fmt::format("{} points: {}\nwritten to {} ({}, results.sqlite, {})", store.count(),
                            counts_text(store.count_by_status()), sweep.folder.string(),
                            sweep::kCsvFile, sweep::kPageFile));

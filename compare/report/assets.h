@@ -45,9 +45,11 @@ std::string_view live_js();
 std::string_view modes_html();
 std::string_view modes_js();
 std::string_view bench_html();
-std::string_view bench_js();
+std::string_view bench_js();        // its figures, of the report too
+std::string_view bench_page_js();
 std::string_view sweep_html();
-std::string_view sweep_js();
+std::string_view sweep_js();        // maps, of the report too
+std::string_view map_page_js();
 // The maps of the linear analyses have the sweep's script.
 std::string_view map_page_html();
 

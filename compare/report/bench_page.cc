@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/bench/json.h"
 #include "compare/bench/series.h"
 #include "compare/modes/units.h"
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
-#include "compare/report/rounded.h"
+#include "compare/report/precision_plots.h"
 #include "compare/study/format.h"
 
 namespace rotorub {
@@ -21,35 +22,6 @@ using nlohmann::json;
 const BenchEngine& engine_of(const SceneBench& bench, const std::string& name) {
   return *std::find_if(bench.engines.begin(), bench.engines.end(),
                        [&](const BenchEngine& e) { return e.name == name; });
-}
-
-// ------------------------------------------------------------------ plots
-json plot_point(const Point& p) {
-  json j = {{"step", p.setting.step ? json(*p.setting.step) : json(0.0)},
-            {"label", setting_text(p.setting)},
-            {"error", rounded(p.errors->position, kDigits)},
-            {"limit", rounded(p.limit_error.value_or(0.0), kDigits)},
-            {"ms", rounded(kMilli * p.wall.median, kDigits)},
-            {"low", rounded(kMilli * p.wall.low, kDigits)},
-            {"high", rounded(kMilli * p.wall.high, kDigits)},
-            {"outcome", bench::to_string(p.judgement.outcome)}};
-  return j;
-}
-
-json plot_scene(const SceneBench& bench) {
-  json all = json::array();
-  for (const Series& s : series_of(bench.points, bench.telling_errors())) {
-    json points = json::array();
-    for (const std::size_t k : s.points) {
-      if (bench.points[k].finished()) points.push_back(plot_point(bench.points[k]));
-    }
-    all.push_back({{"engine", s.engine},
-                   {"setting", s.setting},
-                   {"family", bench::to_string(engine_of(bench, s.engine).family)},
-                   {"order", s.order ? json(rounded(*s.order, kDigits)) : json(nullptr)},
-                   {"points", points}});
-  }
-  return {{"clearance", bench.scene.contact->clearance}, {"series", all}};
 }
 
 // ------------------------------------------------------------------ tables
@@ -184,10 +156,11 @@ json scene_values(const SceneBench& bench, std::size_t index) {
 std::string bench_page(const Machine& machine, const std::vector<SceneBench>& benches,
                        const std::vector<RestitutionRow>& restitution) {
   json scenes = json::array(), plots = json::array(), engines = json::array();
+  const json kept = bench_json(machine, benches, restitution);
+  for (const json& scene : kept.at("scenes")) plots.push_back(precision_plots(scene));
   std::string names;
   for (const SceneBench& bench : benches) {
     names += (names.empty() ? "" : ", ") + bench.scene.name;
-    plots.push_back(plot_scene(bench));
     scenes.push_back(scene_values(bench, scenes.size()));
   }
   for (const BenchEngine& e : bench_engines()) {
@@ -195,7 +168,7 @@ std::string bench_page(const Machine& machine, const std::vector<SceneBench>& be
         {{"name", e.name}, {"what", e.missing.empty() ? e.what : "not here: " + e.missing}});
   }
   json values = page_frame({names, "speed against error", "Who is the fastest at a given error?"},
-                           bench_js(), {{"scenes", plots}});
+                           std::string(bench_js()) + std::string(bench_page_js()), {{"scenes", plots}});
   values["scenes"] = scenes;
   values["engines"] = engines;
   values["has_restitution"] = !restitution.empty();

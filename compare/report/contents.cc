@@ -26,10 +26,13 @@ json scene_contents(const json& scene) {
   return entry(id, scene.at("name"), std::move(parts));
 }
 
-json report_contents(const json& scenes, bool trades) {
+json report_contents(const json& scenes, bool trades, const json& beside) {
   json all = {entry("verdicts", "Verdicts")};
   if (trades) all.push_back(entry("trades", "What control trades"));
   for (const json& scene : scenes) all.push_back(scene);
+  if (!beside.at("benches").empty()) all.push_back(entry("precision", "Speed against error"));
+  if (beside.at("has_cases")) all.push_back(entry("cases", "Hard cases"));
+  if (!beside.at("map_sets").empty()) all.push_back(entry("maps", "Maps"));
   return all;
 }
 

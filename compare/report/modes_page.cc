@@ -165,8 +165,8 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
   std::string text;
   if (first != speeds.end()) {
     std::string list;
-    for (auto speed = first; speed != speeds.end(); ++speed) list += (list.empty() ? "" : ", ") + rpm_text(*speed);
-    text = fmt::format("Beyond the diagram: {} critical speed{}, {}.", speeds.end() - first,
+    for (auto speed = first; speed != speeds.end(); ++speed) list += fmt::format("{}{:.0f}", list.empty() ? "" : ", ", *speed * kRpm);
+    text = fmt::format("Beyond the diagram: {} critical speed{}, {} rpm.", speeds.end() - first,
                        speeds.end() - first > 1 ? "s" : "", list);
   }
   if (analysis.stability_threshold && *analysis.stability_threshold > range) {

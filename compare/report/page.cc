@@ -37,7 +37,7 @@ std::string names_of(const std::vector<PageScene>& scenes) {
 
 }  // namespace
 
-std::string report_page(const std::vector<PageScene>& scenes) {
+std::string report_page(const std::vector<PageScene>& scenes, const Beside& beside) {
   json pages = json::array();
   json plots = json::array(), parts = json::array();
   std::vector<const SceneComparison*> comparisons;
@@ -64,11 +64,15 @@ std::string report_page(const std::vector<PageScene>& scenes) {
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
   const CompareMode mode =
       scenes.empty() ? CompareMode::kLockstep : scenes.front().comparison->mode;
+  const std::string script = std::string(bench_js()) + std::string(sweep_js()) + std::string(report_js());
   json values = page_frame({names_of(scenes), fmt::format("{} comparison", to_string(mode)),
                             "Can MuJoCo's contact forces be trusted?"},
-                           report_js(), {{"scenes", plots}, {"trade", trade_data(comparisons)}},
+                           script, {{"scenes", plots}, {"trade", trade_data(comparisons)}, {"benches", beside.benches}, {"maps", beside.maps}},
                            Pictures::kPlotsAndRig);
-  values["contents"] = report_contents(parts, scenes.size() > 1);
+  values["contents"] = report_contents(parts, scenes.size() > 1, beside.values);
+  values.update(beside.values);
+  values["has_benches"] = !beside.benches.empty();
+  values["has_maps"] = !beside.maps.empty();
   values["trades"] = scenes.size() > 1;
   values["by_figures"] = mode != CompareMode::kResync;
   values["resyncs"] = mode == CompareMode::kResync;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/report/beside.h"
 #include "compare/study/scene_comparison.h"
 
 namespace rotorub {
@@ -20,7 +21,7 @@ struct PageScene {
   std::string setting{};  // to use, or how to find it; a sentence
 };
 
-// The whole page.
-std::string report_page(const std::vector<PageScene>& scenes);
+// The whole page; beside: results of other commands, at its end.
+std::string report_page(const std::vector<PageScene>& scenes, const Beside& beside = {});
 
 }  // namespace rotorub

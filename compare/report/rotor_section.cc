@@ -12,6 +12,12 @@ namespace rotorub {
 
 using nlohmann::json;
 
+namespace {
+
+constexpr int kWhirlShapes = 4;  // of either sense
+
+}  // namespace
+
 RotorSection rotor_section(const scene::Scene& scene) {
   RotorSection section;
   section.values = {{"has_campbell", false}, {"has_shapes", false}, {"beyond", ""},
@@ -22,8 +28,13 @@ RotorSection rotor_section(const scene::Scene& scene) {
     section.values["has_campbell"] = true;
     section.values["has_shapes"] = campbell.analysis.shapes.has_value();
     section.values["beyond"] = beyond_text(campbell.analysis, campbell.range);
-    // Those at rest are on the page of `modes`.
-    if (campbell.analysis.shapes) section.data["shapes"].erase("modes");
+    // Those at rest, and the higher ones, are on the page of `modes`.
+    if (campbell.analysis.shapes) {
+      json& shapes = section.data["shapes"];
+      shapes.erase("modes");
+      std::erase_if(shapes["whirl"].get_ref<json::array_t&>(),
+                    [](const json& whirl) { return whirl.at("number") > kWhirlShapes; });
+    }
   } catch (const std::runtime_error& error) {
     // The run has its page, whatever its rotor's eigenvalues are.
     section.values["refusal"] = error.what();

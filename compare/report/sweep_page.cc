@@ -208,29 +208,36 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
           {"statuses", statuses.words()},    {"every", every}};
 }
 
-std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
-                       const sweep::Study& study) {
+json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store, const sweep::Study& study) {
   json plots = sweep_plots(scenes, store, study);
   const sweep::LinearMap linear = sweep::linear_map(scenes);
   const bool has_linear = linear.any() && plots["kind"] == "grid" &&
                           plots["status"].size() == linear.points.size();
   if (has_linear) add_linear(linear, plots);
-  json values = page_frame({study.scene.stem().string(), "sweep", "What does it do, and where?"},
-                           sweep_js(), plots);
-  values["maps"] = has_linear
+  return {{"name", study.scene.stem().string()},
+          {"cards", cards_of(store)},
+          {"maps", has_linear
                        ? figure_choices({"attractor", "peak_force", kLinearAttractors, kLinearGrowth})
-                       : figure_choices({"attractor", "peak_force"});
+                       : figure_choices({"attractor", "peak_force"})},
+          {"linear", has_linear},
+          {"linear_refused", linear.refused},
+          {"plots", std::move(plots)}};
+}
+
+std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
+                       const sweep::Study& study, const json& kept) {
+  const json& plots = kept.at("plots");
+  json values = page_frame({kept.at("name"), "sweep", "What does it do, and where?"},
+                           std::string(sweep_js()) + std::string(map_page_js()), plots);
+  for (const char* name : {"maps", "cards", "linear", "linear_refused"}) values[name] = kept.at(name);
   json headings = json::array();
   for (const Vary& vary : study.vary) headings.push_back({{"key", vary.key}, {"unit", vary.unit}});
-  values["cards"] = cards_of(store);
-  values["linear"] = has_linear;
-  values["linear_refused"] = linear.refused;
   values["two"] = study.vary.size() > 1;
-  const auto every = plots["every"].get<std::int64_t>();
+  const auto every = plots.at("every").get<std::int64_t>();
   values["thinned"] = every > 1 ? std::to_string(every) : "";
   values["keys"] = headings;
   values["failures"] = failures(store, study.vary.size());
-  values["figures"] = plots["figures"];
+  values["figures"] = plots.at("figures");
   values["study"] = study.text;
   values["scene"] = scenes.scene_text();
   return fill_page(sweep_html(), values);

@@ -10,9 +10,13 @@
 
 namespace rotorub {
 
-// The store holds all points.
+// The store holds all points; kept: sweep_json of the same.
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
-                       const sweep::Study& study);
+                       const sweep::Study& study, const nlohmann::json& kept);
+
+// The same for a report that shows it too (beside.h): "name", "cards", "maps" of the template and "plots".
+nlohmann::json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store,
+                          const sweep::Study& study);
 
 // A browser draws so many; of more, every n-th is taken, and marks stand for the cells.
 inline constexpr std::int64_t kMostDrawn = 50'000;

@@ -35,7 +35,7 @@ void remove_parts(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> parts;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    for (const char* file : {kCsvFile, kPageFile}) {
+    for (const char* file : {kCsvFile, kPageFile, kDataFile}) {
       if (name.starts_with(std::string(file) + ".part-")) parts.push_back(entry.path());
     }
   }

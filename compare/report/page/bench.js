@@ -1,8 +1,7 @@
-// Draws the log-log plots of the bench from the page's data. Without it the page still shows its
-// tables.
+// The log-log plots of a bench as plotly takes them, from a scene's series (precision_plots.h).
 'use strict';
-(() => {
-  const {data, css, axes, layout, config} = page;
+page.precision = (() => {
+  const {css, axes, layout} = page;
 
   // One colour a family's engine, one dash a setting.
   const colors = {'native-event': '--native', 'native-verlet': '--good', 'native-paper': '--mode-5',
@@ -40,25 +39,25 @@
   const useless = (scene) => ({shapes: [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: scene.clearance, y1: scene.clearance,
     line: {color: css('--bad'), width: 1, dash: 'dot'}}]});
 
-  function drawPrecision(plot, scene) {
-    Plotly.react(plot, scene.series.map((s) => trace(scene, s, 'ms', 'error', {})), frame(log('time of the whole run / ms'),
-      log('largest position error / m'), useless(scene)), config);
+  function precision(scene) {
+    return {data: scene.series.map((s) => trace(scene, s, 'ms', 'error', {})),
+      layout: frame(log('time of the whole run / ms'), log('largest position error / m'), Object.assign(useless(scene), below))};
   }
-  function drawStep(plot, scene) {
+  function byStep(scene) {
     const stepped = scene.series.filter((s) => s.points.some((p) => p.step > 0));
-    Plotly.react(plot, stepped.map((s) => trace(scene, s, 'step', 'error',
+    return {data: stepped.map((s) => trace(scene, s, 'step', 'error',
       {name: named(s) + (s.order === null ? '' : ' (' + s.order.toFixed(2) + ')')})),
-      frame(log('step / s'), log('largest position error / m'), Object.assign(useless(scene), below)), config);
+    layout: frame(log('step / s'), log('largest position error / m'), Object.assign(useless(scene), below))};
   }
-  function drawLimit(plot, scene) {
+  function limit(scene) {
     const mujoco = scene.series.filter((s) => s.family === 'mujoco' && s.points.some((p) => p.limit > 0));
     const line = (s, dash) => ({color: style(scene, s).color, width: 1.8, dash});
-    Plotly.react(plot, mujoco.flatMap((s) => [trace(scene, s, 'step', 'limit', {line: line(s, 'solid')}),
+    return {data: mujoco.flatMap((s) => [trace(scene, s, 'step', 'limit', {line: line(s, 'solid')}),
       trace(scene, s, 'step', 'error', {name: 'to the reference', showlegend: false, line: line(s, 'dot')})]),
-      frame(log('step / s'), log('distance / m'), Object.assign(useless(scene), below)), config);
+    layout: frame(log('step / s'), log('distance / m'), Object.assign(useless(scene), below))};
   }
 
-  const drawers = {precision: drawPrecision, step: drawStep, limit: drawLimit};
-  page.start(() => document.querySelectorAll('.plot').forEach((plot) =>
-    drawers[plot.dataset.plot](plot, data.scenes[plot.dataset.scene])));
+  const figures = {precision, step: byStep, limit};
+  const of = (scene, key) => figures[key](scene);
+  return {of};
 })();

@@ -29,9 +29,32 @@
   const scenes = [...document.querySelectorAll('.scene')].map(
     (element) => new page.LiveScene(element, data.scenes[Number(element.dataset.scene)]));
   page.players = scenes.map((scene) => scene.player);
+
+  // Results beside the comparison, each drawn when it comes near the screen: {element, draw}.
+  function drawStill(plot) {
+    const figure = page.precision.of(data.benches[plot.dataset.index], plot.dataset.still);
+    Plotly.react(plot, figure.data, figure.layout, config);
+  }
+  const beside = [
+    ...[...document.querySelectorAll('.plot[data-still]')].map((element) => ({element, draw: () => drawStill(element)})),
+    ...[...document.querySelectorAll('.map-set')].map((element) => ({element, draw: page.maps(element, data.maps[element.dataset.index]).draw})),
+  ];
+  beside.forEach((part) => new IntersectionObserver((entries) => {
+    part.near = entries[entries.length - 1].isIntersecting;
+    if (part.near && part.stale && window.Plotly) drawPart(part);
+  }, {rootMargin: '400px 0px'}).observe(part.element));
+  function drawPart(part) {
+    part.stale = false;
+    part.draw();
+    part.element.classList.add('drawn');
+  }
+
   function draw() {
-    if (window.Plotly) drawTrade();
     scenes.forEach((scene) => scene.drawAll());
+    beside.forEach((part) => { part.stale = true; });
+    if (!window.Plotly) return;
+    drawTrade();
+    beside.filter((part) => part.near || page.printing).forEach(drawPart);
   }
   page.start(draw);
   if (scenes.length) scenes[0].begin();

@@ -1,9 +1,9 @@
-// Draws the maps of a sweep. A grid is a picture of one pixel a cell, with marks that cannot be seen
+// The maps of a sweep or of a linear analysis, in `element`: its figures with a list each, its bar of axes. A grid is a picture of one pixel a cell, with marks that cannot be seen
 // for the pointer; other points are marks of their own; one key is a curve. A figure may be "linear": computed
 // for every point, whether its run succeeded or not; and "signed": its colours part at 0.
 'use strict';
-(() => {
-  const {data, css, axes, layout, parts, shade, scaleOfColours, config} = page;
+page.maps = (element, data) => {
+  const {css, axes, layout, parts, shade, scaleOfColours, config} = page;
   const {keys, figures, columns, values, status, statuses} = data;
   const grid = data.kind === 'grid';
   const choice = {x: 0, y: Math.min(1, keys.length - 1), fixed: keys.map(() => 0)};
@@ -126,7 +126,7 @@
   }
 
   // ------------------------------------------------------------------ what is chosen
-  const draw = () => document.querySelectorAll('figure').forEach((box) => {
+  const draw = () => element.querySelectorAll('figure').forEach((box) => {
     const f = Number(box.querySelector('select').value);
     box.querySelector('.meaning').textContent = figures[f].meaning;
     (keys.length > 1 ? drawMap : drawCurve)(box.querySelector('.plot'), f);
@@ -141,7 +141,7 @@
   }
 
   function axesBar() {
-    const bar = document.getElementById('axes'), names = keys.map(title), boxes = [];
+    const bar = element.querySelector('.axes'), names = keys.map(title), boxes = [];
     const change = (which, other) => (k) => {
       if (choice[other] === k) choice[other] = choice[which];
       choice[which] = k;
@@ -160,7 +160,7 @@
     bar.replaceChildren(...boxes);
   }
 
-  document.querySelectorAll('select.figure').forEach((list) => {
+  element.querySelectorAll('select.figure').forEach((list) => {
     figures.forEach((figure, f) => {
       if (columns[f].some((v) => v !== null)) list.add(new Option(figure.name, f, false, figure.name === list.dataset.first));
     });
@@ -168,5 +168,5 @@
     list.addEventListener('change', draw);
   });
   axesBar();
-  page.start(draw);
-})();
+  return {draw};
+};

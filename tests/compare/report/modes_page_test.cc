@@ -156,7 +156,7 @@ TEST(ModesPage, SaysWhatTheModelSays) {
   EXPECT_NE(page.find("unstable above 830.42 rpm"), std::string::npos) << "as the first critical";
   EXPECT_NE(page.find("954.93 rpm, unstable"), std::string::npos) << "100 rad/s lies above";
   EXPECT_NE(page.find("nearest critical speed 830.42 rpm, 13 % below"), std::string::npos);
-  EXPECT_NE(page.find("Beyond the diagram: 1 critical speed, 7), std::string::npos);
+  EXPECT_NE(page.find("Beyond the diagram: 1 critical speed, "), std::string::npos);
 }
 
 TEST(ModesPage, OfAModalFormSaysWhyItHasNoShapes) {

@@ -91,7 +91,7 @@ kind = "list"
 key = "contact.friction"
 values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
 )");
-  const std::string page = sweep_page(*scenes, *store, study);
+  const std::string page = sweep_page(*scenes, *store, study, sweep_json(*scenes, *store, study));
   EXPECT_NE(page.find("5 of 6 ran to their end"), std::string::npos);
   EXPECT_NE(page.find("&lt;b&gt;nowhere&lt;/b&gt;"), std::string::npos);
   EXPECT_EQ(page.find("<b>nowhere"), std::string::npos);
@@ -124,7 +124,7 @@ values = ["50 Hz", "60 Hz"]
     EXPECT_EQ(map.points[i]->speed, scene.rotor.speed) << i;
     EXPECT_TRUE(map.points[i]->attractors() & rub::kForcedRub) << i;
   }
-  const std::string page = sweep_page(*scenes, *store, study);
+  const std::string page = sweep_page(*scenes, *store, study, sweep_json(*scenes, *store, study));
   EXPECT_NE(page.find("linear: attractors"), std::string::npos);
   EXPECT_NE(page.find("without any run"), std::string::npos);
 }
@@ -137,7 +137,7 @@ key = "contact.friction"
 values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
 )");
   EXPECT_FALSE(sweep::linear_map(*scenes).any());
-  EXPECT_EQ(sweep_page(*scenes, *store, study).find("without any run"), std::string::npos);
+  EXPECT_EQ(sweep_page(*scenes, *store, study, sweep_json(*scenes, *store, study)).find("without any run"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,131 @@
+#include "compare/report/beside.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "compare/report/precision_plots.h"
+#include "compare/sweep/folder.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using std::filesystem::path;
+
+// Whoever wrote it: a member that is missing or of another type is a fault of the file.
+void add_bench(const json& all, Beside& beside) {
+  const json& machine = all.at("machine");
+  const std::string where = fmt::format("{}, {}", machine.at("processor").get<std::string>(),
+                                        machine.at("instructions").get<std::string>());
+  for (const json& scene : all.at("scenes")) {
+    beside.values["benches"].push_back({{"index", beside.benches.size()},
+                                        {"name", scene.at("scene")},
+                                        {"machine", where},
+                                        {"source", scene.at("reference").at("source")}});
+    beside.benches.push_back(precision_plots(scene));
+  }
+}
+
+void add_cases(const json& all, Beside& beside) {
+  json &engines = beside.values["case_engines"], &violations = beside.values["violations"];
+  std::vector<std::pair<std::string, std::map<std::string, json>>> rows;
+  for (const json& one : all.at("cases")) {
+    const std::string scene = one.at("scene"), engine = one.at("engine"), outcome = one.at("outcome");
+    if (std::find(engines.begin(), engines.end(), engine) == engines.end()) engines.push_back(engine);
+    if (rows.empty() || rows.back().first != scene) rows.push_back({scene, {}});
+    const std::string reason = one.at("reason");
+    const char* tone = outcome == "pass" ? "good" : outcome == "violates" ? "bad" : "part";
+    rows.back().second[engine] = {{"outcome", outcome}, {"tone", tone}, {"reason", reason}};
+    if (outcome == "violates") violations.push_back({{"scene", scene}, {"engine", engine}, {"reason", reason}});
+  }
+  for (const auto& [scene, by_engine] : rows) {
+    json cells = json::array();
+    for (const json& engine : engines) {
+      const auto found = by_engine.find(engine.get<std::string>());
+      cells.push_back(found != by_engine.end() ? found->second
+                                               : json{{"outcome", "–"}, {"tone", ""}, {"reason", "not run"}});
+    }
+    beside.values["cases"].push_back({{"scene", scene}, {"cells", cells}});
+  }
+  beside.values["has_cases"] = !rows.empty();
+}
+
+// As long as one another: the script indexes them side by side.
+void check_columns(const json& plots) {
+  const std::size_t points = plots.at("status").size();
+  for (const char* lists : {"values", "columns"}) {
+    for (const json& list : plots.at(lists)) {
+      if (list.size() != points) throw std::out_of_range(fmt::format("a list of {} has not {} values", lists, points));
+    }
+  }
+  if (plots.at("keys").size() != plots.at("values").size() || plots.at("keys").empty() ||
+      plots.at("figures").size() != plots.at("columns").size() || plots.at("figures").empty()) {
+    throw std::out_of_range("keys and figures have not a list each");
+  }
+  plots.at("kind").get_ref<const std::string&>();
+  plots.at("statuses").get_ref<const json::array_t&>();
+}
+
+void add_map(const json& all, Beside& beside) {
+  check_columns(all.at("plots"));
+  beside.values["map_sets"].push_back({{"index", beside.maps.size()},
+                                       {"name", all.at("name")},
+                                       {"cards", all.at("cards")},
+                                       {"maps", all.at("maps")}});
+  beside.maps.push_back(all.at("plots"));
+}
+
+struct Kind {
+  const char* file;
+  const char* command;
+  void (*add)(const json&, Beside&);
+};
+constexpr Kind kResults[] = {
+    {kBenchFile, "bench", add_bench}, {kCheckFile, "check", add_cases}, {sweep::kDataFile, "sweep", add_map}};
+
+bool add_folder(const path& folder, Beside& beside) {
+  bool any = false;
+  for (const Kind& kind : kResults) {
+    const path file = folder / kind.file;
+    if (!std::filesystem::is_regular_file(file)) continue;
+    any = true;
+    try {
+      kind.add(json::parse(scene::file_text(file.string())), beside);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("{}: {}; accepted is what `rotorub {} -o DIR` writes", file.string(),
+                                           error.what(), kind.command));
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+Beside read_beside(const std::vector<std::string>& folders) {
+  Beside beside;
+  for (const std::string& name : folders) {
+    std::vector<path> places{name};
+    if (std::filesystem::is_directory(name)) {
+      for (const auto& entry : std::filesystem::directory_iterator(name)) {
+        if (entry.is_directory()) places.push_back(entry.path());
+      }
+    }
+    std::sort(places.begin() + 1, places.end());
+    bool any = false;
+    for (const path& place : places) any = add_folder(place, beside) || any;
+    if (!any) {
+      throw std::runtime_error(fmt::format("{}: no {}, {} or {} here or one folder below; accepted are folders that "
+                                           "bench, check and sweep wrote with -o", name, kBenchFile, kCheckFile, sweep::kDataFile));
+    }
+  }
+  return beside;
+}
+
+}  // namespace rotorub
