@@ -42,7 +42,8 @@ void add_cases(const json& all, Beside& beside) {
     if (rows.empty() || rows.back().first != scene) rows.push_back({scene, {}});
     const std::string reason = one.at("reason");
     const char* tone = outcome == "pass" ? "good" : outcome == "violates" ? "bad" : "part";
-    rows.back().second[engine] = {{"outcome", outcome}, {"tone", tone}, {"reason", reason}};
+    const char* mark = outcome == "pass" ? "✓" : outcome == "violates" ? "✗" : "–";
+    rows.back().second[engine] = {{"outcome", outcome}, {"mark", mark}, {"tone", tone}, {"reason", reason}};
     if (outcome == "violates") violations.push_back({{"scene", scene}, {"engine", engine}, {"reason", reason}});
   }
   for (const auto& [scene, by_engine] : rows) {
@@ -50,7 +51,7 @@ void add_cases(const json& all, Beside& beside) {
     for (const json& engine : engines) {
       const auto found = by_engine.find(engine.get<std::string>());
       cells.push_back(found != by_engine.end() ? found->second
-                                               : json{{"outcome", "–"}, {"tone", ""}, {"reason", "not run"}});
+                                               : json{{"outcome", "–"}, {"mark", ""}, {"tone", ""}, {"reason", "not run"}});
     }
     beside.values["cases"].push_back({{"scene", scene}, {"cells", cells}});
   }

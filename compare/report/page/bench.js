@@ -30,7 +30,12 @@ page.precision = (() => {
       marker: {size: 8, symbol: points.map((p) => symbols[series.family] + (p.outcome === 'ok' ? '' : '-open')), color}}, extra);
   }
 
-  const log = (title, extra) => axes(Object.assign({type: 'log', title: {text: title, standoff: 6}, exponentformat: 'power', dtick: 1}, extra));
+  // Of many decades every third is named.
+  function log(title, values) {
+    const given = values.filter((v) => v > 0), decades = Math.log10(Math.max(...given) / Math.min(...given));
+    return axes({type: 'log', title: {text: title, standoff: 6}, exponentformat: 'power', dtick: decades > 8 ? 3 : 1});
+  }
+  const valuesOf = (list, key) => list.flatMap((s) => s.points.map((p) => p[key]));
   const frame = (x, y, extra) => layout(Object.assign({hovermode: 'closest', showlegend: true, legend: {font: {color: css('--ink')}},
     margin: {l: 70, r: 12, t: 8, b: 46}, xaxis: x, yaxis: y}, extra));
   const below = {legend: {orientation: 'h', x: 0, y: -0.2, font: {color: css('--ink'), size: 11}}};
@@ -41,20 +46,20 @@ page.precision = (() => {
 
   function precision(scene) {
     return {data: scene.series.map((s) => trace(scene, s, 'ms', 'error', {})),
-      layout: frame(log('time of the whole run / ms'), log('largest position error / m'), Object.assign(useless(scene), below))};
+      layout: frame(log('time of the whole run / ms', valuesOf(scene.series, 'ms')), log('largest position error / m', valuesOf(scene.series, 'error')), Object.assign(useless(scene), below))};
   }
   function byStep(scene) {
     const stepped = scene.series.filter((s) => s.points.some((p) => p.step > 0));
     return {data: stepped.map((s) => trace(scene, s, 'step', 'error',
       {name: named(s) + (s.order === null ? '' : ' (' + s.order.toFixed(2) + ')')})),
-    layout: frame(log('step / s'), log('largest position error / m'), Object.assign(useless(scene), below))};
+    layout: frame(log('step / s', valuesOf(stepped, 'step')), log('largest position error / m', valuesOf(stepped, 'error')), Object.assign(useless(scene), below))};
   }
   function limit(scene) {
     const mujoco = scene.series.filter((s) => s.family === 'mujoco' && s.points.some((p) => p.limit > 0));
     const line = (s, dash) => ({color: style(scene, s).color, width: 1.8, dash});
     return {data: mujoco.flatMap((s) => [trace(scene, s, 'step', 'limit', {line: line(s, 'solid')}),
       trace(scene, s, 'step', 'error', {name: 'to the reference', showlegend: false, line: line(s, 'dot')})]),
-    layout: frame(log('step / s'), log('distance / m'), Object.assign(useless(scene), below))};
+    layout: frame(log('step / s', valuesOf(mujoco, 'step')), log('distance / m', valuesOf(mujoco, 'limit')), Object.assign(useless(scene), below))};
   }
 
   const figures = {precision, step: byStep, limit};

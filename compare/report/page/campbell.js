@@ -74,7 +74,7 @@ page.rotor = (() => {
     const speeds = {type: 'scatter', x: critical, y: critical.map((n) => n / 60), name: 'critical speed',
       mode: 'markers+text', text: critical.map((n) => number(n, 4) + ' rpm'),
       // On either side of 1x in turn: critical speeds come in near pairs.
-      textposition: critical.map((_, k) => (critical.length > 1 && k % 2 === 0 ? 'top left' : 'bottom right')),
+      textposition: critical.map((n, k) => (critical.length > 1 && k % 2 === 0 ? 'top left' : n > 0.75 * top ? 'bottom left' : 'bottom right')),
       textfont: {color: css('--ink')}, cliponaxis: false,
       marker: {color: css('--paper'), size: 10, line: {color: css('--ink'), width: 2}},
       hovertemplate: 'critical: %{x:.6g} rpm, %{y:.5g} Hz<extra></extra>'};
