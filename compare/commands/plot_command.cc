@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/commands/command.h"
+#include "compare/commands/stored_run.h"
 #include "compare/report/run_page.h"
 #include "compare/study/json.h"
 #include "compare/study/run_directory.h"
-#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/printable.h"
 #include "native_model/trajectory/output.h"
 
@@ -31,15 +31,7 @@ StoredRun run_of(const PlotArguments& options) {
   if (!std::filesystem::is_directory(options.folder)) {
     throw UsageError(fmt::format("{}: is no folder; accepted is what `rotorub run -o DIR` wrote", options.folder));
   }
-  try {
-    StoredRun run = read_run(options.folder);
-    check_series(run.trajectory, options.folder + "/series.csv");
-    return run;
-  } catch (const scene::SceneError&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    throw UsageError(error.what());
-  }
+  return stored_run(options.folder);
 }
 
 int plot(const PlotArguments& options) {

@@ -13,6 +13,7 @@
 #include "compare/commands/film_options.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
+#include "compare/commands/stored_run.h"
 #include "compare/engine/engine.h"
 #include "compare/study/json.h"
 #include "compare/study/run_directory.h"
@@ -58,7 +59,13 @@ StoredRun stored(const RenderArguments& options) {
     throw UsageError(fmt::format("{} is the folder of a run: --set, --step and --end change scenes",
                                  options.source));
   }
-  return read_run(options.source);
+  StoredRun run = stored_run(options.source);
+  if (run.trajectory.status != Status::kOk) {
+    fmt::print(stderr, "rotorub: {}: ended at {:.6g} s of {:.6g} s: {}{}{}\n", options.source, run.trajectory.end,
+               run.scene.run.end, to_string(run.trajectory.status), run.trajectory.message.empty() ? "" : ", ",
+               run.trajectory.message);
+  }
+  return run;
 }
 
 // Engine, contact and integrator may differ; what is drawn may not.
@@ -67,7 +74,7 @@ std::optional<StoredRun> run_beside(const FilmRequest& request, const StoredRun&
   if (!std::filesystem::is_directory(request.beside)) {
     throw UsageError(fmt::format("--beside {}: accepted is the folder of a run", request.beside));
   }
-  StoredRun beside = read_run(request.beside);
+  StoredRun beside = stored_run(request.beside);
   if (beside.scene.name != run.scene.name) {
     throw UsageError(fmt::format("--beside {}: is a run of {}; accepted is one of {}",
                                  request.beside, beside.scene.name, run.scene.name));

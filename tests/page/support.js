@@ -11,12 +11,13 @@ const {chromium} = require(path.join(top, 'build/npm/node_modules/playwright-cor
 const program = process.env.ROTORUB_BINARY || path.join(top, 'build/bin/rotorub');
 const scene = (name) => path.join(top, 'mjcf', name + '.toml');
 
-// Runs the program in a folder of its own, which goes when the tests end; `code`: what it may end with.
+// Runs the program in a folder of its own, which goes when the tests end; `codes`: what it may end with. Gives what it
+// printed, where it ended with 0.
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'rotorub-page-'));
 process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
 function rotorub(args, codes = [0]) {
   try {
-    execFileSync(program, args, {cwd: folder, stdio: ['ignore', 'pipe', 'pipe']});
+    return execFileSync(program, args, {cwd: folder, stdio: ['ignore', 'pipe', 'pipe']});
   } catch (error) {
     assert.ok(codes.includes(error.status), `rotorub ${args.join(' ')}: ${error.status} ${error.stderr}`);
   }

@@ -1,6 +1,4 @@
 // The page of `bench`: the figures of bench.js. Without it the page still shows its tables.
 'use strict';
-page.start(() => document.querySelectorAll('.plot').forEach((plot) => {
-  const {data, layout} = page.precision.of(page.data.scenes[plot.dataset.scene], plot.dataset.plot);
-  Plotly.react(plot, data, layout, page.config);
-}));
+page.start(() => document.querySelectorAll('.plot').forEach((plot) =>
+  page.show(plot, page.precision.of(page.data.scenes[plot.dataset.scene], plot.dataset.plot))));

@@ -23,6 +23,7 @@ const page = (() => {
     }, extra);
   }
 
+  const config = {displaylogo: false, displayModeBar: false};
   const titled = (text, extra) => axes({title: {text, standoff: 8}, ...extra});
 
   // Red, green and blue of "#rrggbb", and of a share of the way through a palette of such colours.
@@ -67,6 +68,12 @@ const page = (() => {
     theme();
   }
 
+  // Draws a figure {data, layout} in its place. On paper at its place's size.
+  function show(plot, {data, layout: own}) {
+    const size = page.printing ? {width: plot.clientWidth, height: plot.clientHeight} : {};
+    Plotly.react(plot, data, Object.assign(own, size), {...config, responsive: !page.printing});
+  }
+
   // Plotly comes last and takes a third of a second: the player is there before it. `ready` follows.
   function withPlotly(ready) {
     requestAnimationFrame(() => setTimeout(() => {
@@ -78,6 +85,5 @@ const page = (() => {
   }
 
   return {withPlotly, data: JSON.parse(document.getElementById('data').textContent), css, axes, layout, titled, parts, shade, scaleOfColours,
-    isFront, line, symbol, start,
-    config: {responsive: true, displaylogo: false, displayModeBar: false}};
+    isFront, line, symbol, start, show};
 })();

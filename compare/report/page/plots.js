@@ -65,10 +65,9 @@ page.ScenePlots = (() => {
       const {data, layout} = traces.of(this.scene, this.runs, key, over, range, this.hidden, plot.clientWidth);
       data.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : trace.visible || true; });
       const first = !plot.classList.contains('drawn');
-      const size = {width: plot.clientWidth, height: plot.clientHeight};
       plot.stale = false;
       this.quiet = true;
-      Plotly.react(plot, data, Object.assign(layout, page.printing ? size : {}), {...page.config, responsive: !page.printing});
+      page.show(plot, {data, layout});
       this.quiet = false;
       if (first) {
         plot.classList.add('drawn');

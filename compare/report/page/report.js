@@ -3,7 +3,7 @@
 // Without it the page still shows verdicts and tables.
 'use strict';
 (() => {
-  const {data, css, axes, layout, config} = page;
+  const {data, css, axes, layout} = page;
 
   function drawTrade() {
     const points = data.trade;
@@ -18,12 +18,12 @@
       textfont: {color: css('--soft'), size: 11},
       marker: {symbol, size: 9, color: css(color)},
       hovertemplate: '%{text}<br>orbit %{x:.4g} mm<br>%{y:.4g} N<extra>' + name + '</extra>'});
-    Plotly.react('trade', [trace('contact', 'contact', 'circle', '--native'),
+    page.show(document.getElementById('trade'), {data: [trace('contact', 'contact', 'circle', '--native'),
       trace('actuator', 'actuators', 'square-open', '--rigid')],
-    layout({hovermode: 'closest', showlegend: true, shapes: pairs, legend: {orientation: 'h', y: 1.12},
+    layout: layout({hovermode: 'closest', showlegend: true, shapes: pairs, legend: {orientation: 'h', y: 1.12},
       margin: {l: 56, r: 110, t: 28, b: 40},
       xaxis: axes({title: {text: 'orbit / mm', standoff: 8}, rangemode: 'tozero'}),
-      yaxis: axes({title: {text: 'force / N', standoff: 8}, rangemode: 'tozero'})}), config);
+      yaxis: axes({title: {text: 'force / N', standoff: 8}, rangemode: 'tozero'})})});
   }
 
   const scenes = [...document.querySelectorAll('.scene')].map(
@@ -31,10 +31,7 @@
   page.players = scenes.map((scene) => scene.player);
 
   // Results beside the comparison, each drawn when it comes near the screen: {element, draw}.
-  function drawStill(plot) {
-    const figure = page.precision.of(data.benches[plot.dataset.index], plot.dataset.still);
-    Plotly.react(plot, figure.data, figure.layout, config);
-  }
+  const drawStill = (plot) => page.show(plot, page.precision.of(data.benches[plot.dataset.index], plot.dataset.still));
   const beside = [
     ...[...document.querySelectorAll('.plot[data-still]')].map((element) => ({element, draw: () => drawStill(element)})),
     ...[...document.querySelectorAll('.map-set')].map((element) => ({element, draw: page.maps(element, data.maps[element.dataset.index]).draw})),

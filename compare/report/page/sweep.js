@@ -3,7 +3,7 @@
 // for every point, whether its run succeeded or not; and "signed": its colours part at 0.
 'use strict';
 page.maps = (element, data) => {
-  const {css, axes, layout, parts, shade, scaleOfColours, config} = page;
+  const {css, axes, layout, parts, shade, scaleOfColours} = page;
   const {keys, figures, columns, values, status, statuses} = data;
   const grid = data.kind === 'grid';
   const choice = {x: 0, y: Math.min(1, keys.length - 1), fixed: keys.map(() => 0)};
@@ -109,10 +109,10 @@ page.maps = (element, data) => {
     const trace = {type: 'scatter', mode: 'markers', x: at(x, choice.x), y: at(y, choice.y), marker, showlegend: false,
       text: points.map((i) => words(i, f)), hovertemplate: '%{text}<extra></extra>'};
     const entries = legendOf(colour, anyFailed);
-    Plotly.react(plot, [trace, ...entries], layout({hovermode: 'closest', hoverdistance: grid ? -1 : 20, showlegend: entries.length > 0,
+    page.show(plot, {data: [trace, ...entries], layout: layout({hovermode: 'closest', hoverdistance: grid ? -1 : 20, showlegend: entries.length > 0,
       legend: {orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}},
       margin: {l: 64, r: 24, t: 30, b: 48}, images: grid ? [picture(points, f, colour, x, y)] : [],
-      xaxis: axisOf(choice.x, grid ? [x.from, x.to] : null), yaxis: axisOf(choice.y, grid ? [y.from, y.to] : null)}), config);
+      xaxis: axisOf(choice.x, grid ? [x.from, x.to] : null), yaxis: axisOf(choice.y, grid ? [y.from, y.to] : null)})});
   }
 
   function drawCurve(plot, f) {
@@ -121,8 +121,8 @@ page.maps = (element, data) => {
       x: points.map((i) => x.at(grid ? values[0][i] : i)), y: points.map((i) => columns[f][i]),
       text: points.map((i) => words(i, f)), hovertemplate: '%{text}<extra></extra>', line: {color: css('--native'), width: 1.5},
       marker: {color: css('--native'), size: 6}};
-    Plotly.react(plot, [trace], layout({hovermode: 'closest', margin: {l: 64, r: 24, t: 10, b: 48}, xaxis: axisOf(0),
-      yaxis: axes({title: {text: figures[f].name + (figures[f].unit ? ' / ' + figures[f].unit : '')}})}), config);
+    page.show(plot, {data: [trace], layout: layout({hovermode: 'closest', margin: {l: 64, r: 24, t: 10, b: 48}, xaxis: axisOf(0),
+      yaxis: axes({title: {text: figures[f].name + (figures[f].unit ? ' / ' + figures[f].unit : '')}})})});
   }
 
   // ------------------------------------------------------------------ what is chosen
