@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
@@ -129,6 +130,31 @@ TEST(CliRender, RunsOfOneSceneSideBySide) {
     EXPECT_EQ(refused.code, 2) << refused.err;
     EXPECT_TRUE(contains(refused.err, std::string("--beside ") + wrong)) << refused.err;
   }
+}
+
+// A broken folder is the user's mistake; a run that did not end well is filmed as far as it came, and says so.
+TEST(CliRender, TellsOfRunsThatAreBrokenOrEndedEarly) {
+  const Folder folder;
+  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"}).code, 0);
+  const Words picture = {"render", "out", "--png", "--size", "320x180", "--quiet", "-o", "one.png"};
+  const auto put = [&](const char* file, const std::string& text) { std::ofstream(folder.path() / file) << text; };
+  const std::string summary = folder.text("out/summary.json");
+  std::string stopped = summary;
+  const std::string ok = "\"status\": \"ok\"";
+  ASSERT_TRUE(contains(stopped, ok));
+  stopped.replace(stopped.find(ok), ok.size(), "\"status\": \"diverged\"");
+  put("out/summary.json", stopped);
+  const Outcome early = folder.run(picture);
+  EXPECT_EQ(early.code, 0) << early.err;
+  EXPECT_TRUE(contains(early.err, "rotorub: out: ended at 0.005 s of 0.005 s: diverged")) << early.err;
+  EXPECT_TRUE(folder.has("one.png"));
+
+  put("out/summary.json", summary);
+  EXPECT_TRUE(folder.run(picture).err.empty());
+  put("out/series.csv", "t,gap\n0,nan\n");
+  const Outcome broken = folder.run(picture);
+  EXPECT_EQ(broken.code, 2);
+  EXPECT_TRUE(contains(broken.err, "out/series.csv")) << broken.err;
 }
 
 TEST(CliRenderLong, WritesAFilm) {

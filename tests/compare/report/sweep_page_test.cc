@@ -140,5 +140,25 @@ values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
   EXPECT_EQ(sweep_page(*scenes, *store, study, sweep_json(*scenes, *store, study)).find("without any run"), std::string::npos);
 }
 
+// What a report reads later is what its own page shows.
+TEST_F(SweepPage, IsKeptForAReport) {
+  open(R"([sample]
+kind = "grid"
+[[vary]]
+key = "rotor.speed"
+from = "10 Hz"
+to = "20 Hz"
+count = 6
+)");
+  const json kept = sweep_json(*scenes, *store, study);
+  const json plots = sweep_plots(*scenes, *store, study);
+  for (const char* name : {"kind", "keys", "values", "status", "statuses", "every"}) {
+    EXPECT_EQ(kept.at("plots").at(name), plots.at(name)) << name;
+  }
+  EXPECT_EQ(column(kept.at("plots"), "mean_force"), json({0.0, 1.0, 2.0, 3.0, 4.0, nullptr}));
+  EXPECT_EQ(kept.at("cards").size(), 3u);
+  EXPECT_EQ(kept.at("maps")[0].at("first"), "attractor");
+}
+
 }  // namespace
 }  // namespace rotorub

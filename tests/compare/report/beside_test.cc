@@ -1,0 +1,125 @@
+#include "compare/report/beside.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "compare/bench/json.h"
+#include "compare/report/page.h"
+#include "tests/compare/bench/made_points.h"
+#include "tests/compare/hand_made.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+class BesideFolder : public testing::Test {
+ protected:
+  BesideFolder() : top(std::filesystem::path(testing::TempDir()) / "rotorub_beside") {
+    std::filesystem::remove_all(top);
+  }
+  ~BesideFolder() override { std::filesystem::remove_all(top); }
+  void put(const std::string& file, const std::string& text) const {
+    std::filesystem::create_directories((top / file).parent_path());
+    std::ofstream(top / file) << text;
+  }
+  Beside read() const { return read_beside({top.string()}); }
+  std::string refusal() const {
+    try {
+      read();
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  std::filesystem::path top;
+};
+
+json kept_bench() {
+  bench::SceneBench b;
+  b.scene = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml");
+  b.reference.source = "made up";
+  b.reference.trajectory = test::hand_made(101, 1e-3, [](double t) { return test::sliding({}, t); });
+  b.engines = {test::made_engine("native-event", bench::Family::kNative),
+               test::made_engine("mujoco-rigid", bench::Family::kMujoco)};
+  b.points = {test::made_point("native-event", std::nullopt, 1e-7, 2e-3, "tolerance 1e-6"),
+              test::made_point("native-event", std::nullopt, 1e-9, 3e-3, "tolerance 1e-8"),
+              test::made_point("mujoco-rigid", 1e-4, 7e-7, 6e-3, "Euler"),
+              test::failed_point("mujoco-rigid", 1e-3, bench::Outcome::kDiverged, "it flew away")};
+  b.points[3].setting.setting = "Euler";
+  return bench::bench_json({"made-up processor", 2, "avx2", "g++ 12", "2.2.2"}, {b}, {});
+}
+
+const char* const kMap = R"({"name": "ring", "cards": [], "maps": [{"first": "f", "which": "first"}], "plots": {
+  "kind": "grid", "keys": [{"name": "k", "unit": "", "even": true, "log": false, "values": [1, 2]}],
+  "figures": [{"name": "f", "unit": "N", "meaning": "m", "word": false}], "values": [[0, 1]],
+  "columns": [[3, 4]], "status": [0, 0], "statuses": ["ok"], "every": 1}})";
+
+// The folders of a folder, in order of name: one section each.
+TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
+  put("a/bench.json", kept_bench().dump());
+  put("b/check.json", R"({"cases": [
+    {"scene": "one", "engine": "native-event", "outcome": "pass", "rule": "", "value": null, "limit": null, "reason": ""},
+    {"scene": "one", "engine": "mujoco-cone", "outcome": "violates", "rule": "", "value": 2, "limit": 1, "reason": "2 > 1"},
+    {"scene": "two", "engine": "native-event", "outcome": "refused", "rule": "", "value": null, "limit": null, "reason": "no"}]})");
+  put("c/sweep.json", kMap);
+  put("d/series.csv", "t");
+  const Beside beside = read();
+  ASSERT_EQ(beside.benches.size(), 1u);
+  const json& series = beside.benches[0].at("series");
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series[0].at("engine"), "native-event");
+  ASSERT_EQ(series[0].at("points").size(), 2u) << "tolerances are one series";
+  EXPECT_EQ(series[0]["points"][1].at("label"), "tolerance 1e-8");
+  EXPECT_EQ(series[0]["points"][1].at("error"), 1e-9);
+  EXPECT_EQ(series[0]["points"][1].at("ms"), 3.0);
+  ASSERT_EQ(series[1].at("points").size(), 1u) << "what diverged has no error to draw";
+  EXPECT_EQ(series[1].at("family"), "mujoco");
+
+  const json& values = beside.values;
+  EXPECT_EQ(values.at("case_engines"), json({"native-event", "mujoco-cone"}));
+  ASSERT_EQ(values.at("cases").size(), 2u);
+  EXPECT_EQ(values["cases"][0]["cells"][1]["tone"], "bad");
+  EXPECT_EQ(values["cases"][1]["cells"][0]["outcome"], "refused");
+  EXPECT_EQ(values["cases"][1]["cells"][1]["outcome"], "–") << "not run";
+  ASSERT_EQ(values.at("violations").size(), 1u);
+  EXPECT_EQ(values["violations"][0]["reason"], "2 > 1");
+  ASSERT_EQ(beside.maps.size(), 1u);
+  EXPECT_EQ(values.at("map_sets")[0].at("name"), "ring");
+}
+
+TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
+  EXPECT_NE(refusal().find("no bench.json, check.json or sweep.json"), std::string::npos);
+  put("x/bench.json", "{");
+  EXPECT_NE(refusal().find("x/bench.json"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("rotorub bench -o DIR"), std::string::npos) << refusal();
+  put("x/bench.json", R"({"machine": {"processor": "p", "instructions": "i"}, "scenes": [{"scene": 1}]})");
+  EXPECT_NE(refusal().find("x/bench.json"), std::string::npos) << refusal();
+  std::filesystem::remove(top / "x/bench.json");
+  // A list that is shorter than the others would be drawn beside wrong points.
+  std::string cut = kMap;
+  cut.replace(cut.find("[3, 4]"), 6, "[3]");
+  put("x/sweep.json", cut);
+  EXPECT_NE(refusal().find("x/sweep.json"), std::string::npos) << refusal();
+  put("x/sweep.json", kMap);
+  EXPECT_EQ(refusal(), "");
+}
+
+// Sections and links of what is there, and of nothing else.
+TEST_F(BesideFolder, StandsInTheReportWhereItWasGiven) {
+  const std::string without = report_page({});
+  for (const char* id : {"precision", "cases", "maps"}) {
+    EXPECT_EQ(without.find(std::string("href=\"#") + id), std::string::npos) << id;
+  }
+  put("sweep.json", kMap);
+  const std::string page = report_page({}, read());
+  EXPECT_NE(page.find("href=\"#maps\""), std::string::npos);
+  EXPECT_NE(page.find("id=\"maps\""), std::string::npos);
+  EXPECT_EQ(page.find("id=\"precision\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rotorub
