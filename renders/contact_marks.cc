@@ -26,6 +26,11 @@ Instant instant_at(const Playback& playback, double t, const Scales& scales,
   instant.friction = arrow(scales.force, std::abs(instant.pose.friction_force));
   instant.control = arrow(scales.control, instant.pose.control.norm());
 
+  for (int k = 0; k < 2 && scales.current.high > 0.0; ++k) {
+    const double ampere = instant.pose.current[k];
+    instant.current[k] = std::copysign(scales.current.share(std::abs(ampere)), ampere);
+  }
+
   const auto& strikes = playback.strikes();
   auto strike = std::upper_bound(strikes.begin(), strikes.end(), t,
                                  [](double time, const Strike& s) { return time < s.t; });

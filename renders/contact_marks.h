@@ -30,6 +30,7 @@ struct Instant {
   std::vector<Eigen::Vector2d> trail;  // m, centres of the rotor, oldest first, the last is now
   std::vector<Spark> sparks;
   ArrowShare normal, friction, control;
+  Eigen::Vector2d current{0.0, 0.0};  // [-1, 1], of the coils of each axis, by the film's scale
 };
 
 struct InstantOptions {

@@ -28,6 +28,7 @@ inline constexpr Color kCopper{0.76F, 0.45F, 0.27F};
 inline constexpr Color kNormal{0.84F, 0.10F, 0.13F};    // normal force, point of contact
 inline constexpr Color kFriction{0.05F, 0.52F, 0.28F};  // friction force
 inline constexpr Color kControl{0.80F, 0.36F, 0.0F};    // force of the actuator on the ring
+inline constexpr Color kCurrent{0.76F, 0.10F, 0.55F};   // of a coil
 inline constexpr Color kLoad{0.32F, 0.22F, 0.62F};      // outer force on the shaft
 inline constexpr Color kStrike{1.0F, 0.74F, 0.10F};     // an impact just now
 inline constexpr Color kTrail{0.09F, 0.24F, 0.60F};     // path of the rotor's centre

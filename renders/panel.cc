@@ -136,6 +136,10 @@ void Panel::write_scale_bars(Sheet sheet) const {
     force(film_->scales.force, "contact", palette::kNormal);
   }
   if (film_->scales.control.high > 0.0) force(film_->scales.control, "control", palette::kControl);
+  if (film_->scales.current.high > 0.0) {
+    bar(kCurrentShare * contact.rotor_radius * pixels,
+        "coil current " + value_text(film_->scales.current.high, "A"), palette::kCurrent);
+  }
   sheet.text_to(area.width - 0.6 * size, area.height - 1.5 * size,
                 fmt::format("×{:.4g}", film_->section.magnification), size, palette::kInk);
 }

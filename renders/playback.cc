@@ -59,6 +59,10 @@ Playback::Playback(const Trajectory& trajectory)
     control_x_ = track("control_x", "");
     control_y_ = track("control_y", "");
   }
+  if (trajectory.has("current_1")) {
+    current_1_ = track("current_1", "");
+    current_2_ = track("current_2", "");
+  }
   if (!std::is_sorted(time_->begin(), time_->end())) {
     throw std::runtime_error("the times of the series do not ascend");
   }
@@ -123,6 +127,10 @@ Pose Playback::at(double t) const {
     pose.control = {interpolate(*control_x_, row, pose.t, false),
                     interpolate(*control_y_, row, pose.t, false)};
   }
+  if (current_1_) {
+    pose.current = {interpolate(*current_1_, row, pose.t, false),
+                    interpolate(*current_2_, row, pose.t, false)};
+  }
   pose.gap = interpolate({gap_, nullptr}, row, pose.t, false);
 
   // Forces: within one contact between the rows, else as the row before says.
@@ -166,6 +174,10 @@ double Playback::largest_stator(double from, double to) const {
 
 double Playback::largest_control(double from, double to) const {
   return control_x_ ? largest(*control_x_, *control_y_, from, to) : 0.0;
+}
+
+double Playback::largest_current(double from, double to) const {
+  return current_1_ ? largest(*current_1_, *current_2_, from, to) : 0.0;
 }
 
 template <class Taken>

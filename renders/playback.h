@@ -21,6 +21,7 @@ struct Pose {
   double normal_force = 0.0;    // >= 0
   double friction_force = 0.0;  // on the rotor along e_t = e_z x e_r
   Eigen::Vector2d control{0.0, 0.0};  // on the ring, of its actuator
+  Eigen::Vector2d current{0.0, 0.0};  // A, of the coils of the axes (1, 1) and (-1, 1)
   Mode mode = Mode::kFree;
 
   // Outward normal from the ring's centre to the rotor's; 0 where they coincide.
@@ -60,6 +61,7 @@ class Playback {
   // The same of the gap over all rows there, m, and the largest control force, N (0: none).
   double gap_quantile(double quantile, double from, double to) const;
   double largest_control(double from, double to) const;
+  double largest_current(double from, double to) const;  // A, of both coils together
 
  private:
   using Values = std::vector<double>;
@@ -82,6 +84,7 @@ class Playback {
   Track rotor_x_, rotor_y_, stator_x_, stator_y_, spin_;
   std::optional<Track> ring_;                   // of a ring that turns
   std::optional<Track> control_x_, control_y_;  // of a ring with a controller
+  std::optional<Track> current_1_, current_2_;  // of electromagnets
   std::vector<Track> x_, y_;
   std::vector<Strike> strikes_;
 };

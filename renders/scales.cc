@@ -60,7 +60,7 @@ Scales make_scales(std::span<const Playback* const> runs, double from, double to
   Scales scales;
   scales.force = force_scale(runs, from, to);
   scales.gap = gap_scale(runs, from, to, clearance);
-  double impulse = 0.0, control = 0.0;
+  double impulse = 0.0, control = 0.0, current = 0.0;
   for (const Playback* run : runs) {
     double own = 0.0;
     for (const Strike& strike : run->strikes()) {
@@ -68,10 +68,12 @@ Scales make_scales(std::span<const Playback* const> runs, double from, double to
     }
     impulse = std::max(impulse, own);
     control = std::max(control, run->largest_control(from, to));
+    current = std::max(current, run->largest_current(from, to));
     if (own > 0.0 && !(run->force_quantile(1.0, from, to) > 0.0)) scales.impulses = true;
   }
   scales.impulse = {0.0, high_or_one(kRoom * impulse), false};
   scales.control = {0.0, control, false};
+  scales.current = {0.0, current, false};
   return scales;
 }
 

@@ -21,6 +21,7 @@ struct ValueScale {
 struct Scales {
   ValueScale force;      // N, normal force; high 0: no contact. Logarithmic where runs are far apart
   ValueScale control;    // N, size of the control force; high 0: there is none
+  ValueScale current;    // A, of a coil, either sign; high 0: there is none
   ValueScale gap;        // um
   ValueScale impulse;    // N s, normal, of an impact
   bool impulses = false;  // a run has impacts and no lasting contact: impulses say more than forces

@@ -45,6 +45,7 @@ void SectionView::draw(Sheet& sheet, const Instant& instant, const Pose* ghost) 
   draw_ring(sheet, at, section, instant.pose.ring_angle);
   draw_rotor(sheet, at, section, instant.pose.spin_angle);
   if (ghost != nullptr) draw_ghost(sheet, at, drawn_section(machine_, *ghost));
+  draw_currents(sheet, at, instant);
   draw_path(sheet, at, instant, section);
   draw_forces(sheet, at, instant, section);
 }
@@ -158,6 +159,22 @@ void SectionView::draw_path(Sheet& sheet, const Place& at, const Instant& instan
   for (const Vector2d& point : instant.trail) points.push_back(at(scale * point));
   sheet.trail(points, 2.2, palette::kTrail);
   sheet.disc(at(section.rotor), 0.018 * half_size_ * at.pixels, palette::kTrail);
+}
+
+// A bar beside the magnet of each axis that the current strengthens, from the wall inwards; pale: the largest.
+void SectionView::draw_currents(Sheet& sheet, const Place& at, const Instant& instant) const {
+  if (!machine_.support.magnets || instant.current.isZero()) return;
+  const double unit = machine_.contact->rotor_radius;
+  for (int k = 0; k < 2; ++k) {
+    const double share = instant.current[k];
+    const Vector2d e = (share < 0.0 ? -1.0 : 1.0) * direction((0.25 + 0.5 * k) * kPi);
+    const Vector2d foot = wall_ * e + 0.3 * unit * Vector2d(-e[1], e[0]);
+    const auto bar = [&](double length, const Color& color) {
+      sheet.bar(at(foot), at(Vector2d(foot - length * kCurrentShare * unit * e)), 0.09 * unit * at.pixels, color);
+    };
+    bar(1.0, palette::kGrid);
+    bar(std::abs(share), palette::kCurrent);
+  }
 }
 
 void SectionView::draw_forces(Sheet& sheet, const Place& at, const Instant& instant,

@@ -9,6 +9,8 @@
 
 namespace rotorub::renders {
 
+inline constexpr double kCurrentShare = 0.38;  // of the rotor's radius: the bar of the largest coil current
+
 class SectionView {
  public:
   // `motion`: the farthest that ring or free rotor get from the centre, m. The machine has a
@@ -40,6 +42,7 @@ class SectionView {
   void draw_ghost(Sheet& sheet, const Place& at, const DrawnSection& ghost) const;
   void draw_path(Sheet& sheet, const Place& at, const Instant& instant,
                  const DrawnSection& section) const;
+  void draw_currents(Sheet& sheet, const Place& at, const Instant& instant) const;
   void draw_forces(Sheet& sheet, const Place& at, const Instant& instant,
                    const DrawnSection& section) const;
 

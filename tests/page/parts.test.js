@@ -147,6 +147,12 @@ test('maps from a kept sweep, that change as on their own page', async () => {
   assert.deepEqual(page.said, []);
 });
 
+// Tables that are wider than their place.
+const cutOff = (of) => of.evaluate(() => [...document.querySelectorAll('.scroll > table')].filter((t) => t.offsetParent &&
+  t.scrollWidth > t.parentElement.clientWidth + 1).map((t) => t.textContent.trim().slice(0, 30) + ` ${t.scrollWidth} in ${t.parentElement.clientWidth}`));
+
+test('no table is cut off', async () => assert.deepEqual(await cutOff(page), []));
+
 test('prints with all of it', async () => {
   await page.emulateMedia({media: 'print'});
   await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
@@ -157,6 +163,7 @@ test('prints with all of it', async () => {
     return picture.right > place.right + 1 || picture.bottom > place.bottom + 1;
   }).map((p) => p.dataset.plot || p.dataset.still || p.id || 'map'));
   assert.deepEqual(out, []);
+  assert.deepEqual(await cutOff(page), []);
   await page.evaluate(() => dispatchEvent(new Event('afterprint')));
   await page.emulateMedia({media: 'screen'});
 });

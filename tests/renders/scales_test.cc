@@ -98,6 +98,14 @@ TEST(Scales, ControlForceFromItsColumns) {
   run.series.push_back({"control_y", "N", std::vector<double>(run.rows(), -40.0)});
   EXPECT_DOUBLE_EQ(scales_of({&run}).control.high, 50.0);
   EXPECT_EQ(Playback(run).at(0.02).control, Eigen::Vector2d(30.0, -40.0));
+  EXPECT_EQ(scales_of({&run}).current.high, 0.0) << "an ideal force has no coil";
+  run.series.push_back({"current_1", "A", std::vector<double>(run.rows(), 0.6)});
+  run.series.push_back({"current_2", "A", std::vector<double>(run.rows(), -0.8)});
+  EXPECT_DOUBLE_EQ(scales_of({&run}).current.high, 1.0);
+  // Signed, against the film's largest.
+  const Instant instant = instant_at(Playback(run), 0.02, scales_of({&run}), {});
+  EXPECT_DOUBLE_EQ(instant.current[0], 0.6);
+  EXPECT_DOUBLE_EQ(instant.current[1], -0.8);
 }
 
 TEST(Scales, ValuesInWords) {
