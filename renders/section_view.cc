@@ -168,7 +168,7 @@ void SectionView::draw_currents(Sheet& sheet, const Place& at, const Instant& in
   for (int k = 0; k < 2; ++k) {
     const double share = instant.current[k];
     const Vector2d e = (share < 0.0 ? -1.0 : 1.0) * direction((0.25 + 0.5 * k) * kPi);
-    const Vector2d foot = wall_ * e + 0.3 * unit * Vector2d(-e[1], e[0]);
+    const Vector2d foot = wall_ * e + 0.3 * unit * Vector2d(e[1], -e[0]);
     const auto bar = [&](double length, const Color& color) {
       sheet.bar(at(foot), at(Vector2d(foot - length * kCurrentShare * unit * e)), 0.09 * unit * at.pixels, color);
     };
