@@ -137,10 +137,12 @@ page.rotor = (() => {
   const radiusAt = (shapes, z) => Math.max(0, ...shapes.sections.filter((s) => s.from <= z && z <= s.to).map((s) =>
     (s.diameter + (s.end_diameter - s.diameter) * (z - s.from) / (s.to - s.from)) / 2));
 
-  // The rotor itself as rectangles on the lower axes, and a hairline through the modes at each station.
+  // The rotor itself as rectangles and cones on the lower axes, and a hairline through the modes at each station.
   function rotorShapes(shapes) {
     const box = (x0, x1, radius, fill) => ({type: 'rect', yref: 'y2', layer: 'between', x0, x1, y0: -radius, y1: radius, fillcolor: css(fill),
       line: {color: css('--soft'), width: 1}});
+    const cone = (s) => ({type: 'path', yref: 'y2', layer: 'between', fillcolor: css('--line'), line: {color: css('--soft'), width: 1},
+      path: `M${s.from},${s.diameter / 2}L${s.to},${s.end_diameter / 2}L${s.to},${-s.end_diameter / 2}L${s.from},${-s.diameter / 2}Z`});
     const half = 0.006 * length(shapes);
     return [
       ...shapes.stations.map(({z}) => ({type: 'line', x0: z, x1: z, yref: 'paper', y0: 0.3, y1: 1, layer: 'below',
