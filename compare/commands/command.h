@@ -71,10 +71,14 @@ Command add_modes_command(CLI::App& program);
 Command add_mjcf_command(CLI::App& program);
 Command add_render_command(CLI::App& program);
 Command add_plot_command(CLI::App& program);
+Command add_init_command(CLI::App& program);
+Command add_schema_command(CLI::App& program);
 Command add_bench_command(CLI::App& program);
 Command add_sweep_command(CLI::App& program);
 Command add_check_command(CLI::App& program);
 Command add_tune_command(CLI::App& program);
+// The manual of the program itself: added last.
+Command add_manual_command(CLI::App& program);
 
 // The exit code for the status of a run.
 int exit_code_of(Status status);

@@ -53,3 +53,22 @@ install(
   FILES_MATCHING
   PATTERN "*.toml"
   PATTERN "*.xml")
+
+# What stands beside them: manual page, completion, schema for editors, the words.
+set(ROTORUB_MANUAL_DIR "${PROJECT_BINARY_DIR}/manual")
+install(FILES "${ROTORUB_MANUAL_DIR}/rotorub.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+install(
+  FILES "${ROTORUB_MANUAL_DIR}/rotorub.bash"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
+  RENAME rotorub)
+install(FILES "${ROTORUB_MANUAL_DIR}/scene.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/rotorub")
+install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/docs/theory.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(
+  FILES "${PROJECT_SOURCE_DIR}/mjcf/README.md"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  RENAME scenes.md)
+install(
+  FILES "${PROJECT_SOURCE_DIR}/LICENSE"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  RENAME copyright)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/find_package" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")

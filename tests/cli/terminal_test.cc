@@ -78,7 +78,7 @@ TEST(CliTerminal, HelpOfACommand) {
 
 TEST(CliTerminal, HelpFitsEightyColumns) {
   const Folder folder;
-  for (const char* command : {"", "run", "compare", "modes", "mjcf", "render", "bench", "sweep", "check", "tune", "plot"}) {
+  for (const char* command : {"", "run", "compare", "modes", "mjcf", "render", "bench", "sweep", "check", "tune", "plot", "init"}) {
     std::vector<std::string> words{"help"};
     if (*command) words.push_back(command);
     std::istringstream help(folder.run(words).out);

@@ -1,0 +1,96 @@
+// rotorub manual: the program's own manual page and completion, from the parser's description of it.
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "compare/commands/command.h"
+#include "compare/manual/program_text.h"
+#include "compare/version.h"
+#include "native_model/trajectory/output.h"
+
+namespace rotorub {
+namespace {
+
+struct ManualArguments {
+  std::string kind = "man", file;
+};
+
+// A type as the parser has it is "TEXT:{native,mujoco}": the value's name, and what it is checked for.
+void set_type(OptionText& option, const std::string& type) {
+  const std::size_t colon = type.find(':');
+  option.value = type.substr(0, colon);
+  const std::size_t open = type.find('{');
+  if (open == std::string::npos) return;
+  std::string word;
+  for (std::size_t i = open + 1; i < type.size(); ++i) {
+    if (type[i] != ',' && type[i] != '}') {
+      word += type[i];
+      continue;
+    }
+    option.words.push_back(word);
+    word.clear();
+    if (type[i] == '}') break;
+  }
+}
+
+OptionText text_of(const CLI::Option& option) {
+  OptionText text;
+  text.positional = option.get_positional();
+  if (text.positional) {
+    text.names.push_back(option.get_name(true));
+  } else {
+    for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
+  }
+  const bool flag = option.get_type_size() == 0;
+  if (!flag) set_type(text, option.get_type_name());
+  if (!flag) text.standard = option.get_default_str();
+  text.description = option.get_description();
+  text.required = option.get_required();
+  return text;
+}
+
+std::vector<OptionText> options_of(const CLI::App& app) {
+  std::vector<OptionText> positionals, options;
+  for (const CLI::Option* option : app.get_options()) {
+    OptionText text = text_of(*option);
+    (text.positional ? positionals : options).push_back(std::move(text));
+  }
+  positionals.insert(positionals.end(), options.begin(), options.end());
+  return positionals;
+}
+
+ProgramText text_of(const CLI::App& program) {
+  ProgramText text{program.get_name(), program.get_description(), "rotorub " + program_version(), options_of(program), {}};
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    text.commands.push_back({command->get_name(), command->get_description(), options_of(*command)});
+  }
+  return text;
+}
+
+int write_manual(const CLI::App& program, const ManualArguments& options) {
+  const ProgramText words = text_of(program);
+  const std::string text = options.kind == "bash" ? bash_completion(words) : man_page(words);
+  if (options.file.empty()) {
+    std::cout << text;
+  } else {
+    write_whole(options.file, text);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+Command add_manual_command(CLI::App& program) {
+  auto options = std::make_shared<ManualArguments>();
+  CLI::App* app = program.add_subcommand("manual", "The manual page, or the completion of bash");
+  app->add_option("KIND", options->kind, "man: the manual page; bash: the completion")
+      ->check(CLI::IsMember({"man", "bash"}))
+      ->capture_default_str();
+  app->add_option("-o,--output", options->file, "File (default: standard output)")->type_name("FILE");
+  return {app, [options, &program] { return write_manual(program, *options); }};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "compare/manual/program_text.h"
+
+namespace rotorub {
+namespace {
+
+// As groff prints it: a hyphen stays one, and no line is taken for a request.
+std::string printed(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\') {
+      result += "\\e";
+    } else if (c == '-') {
+      result += "\\-";
+    } else {
+      result += c;
+    }
+  }
+  return (result.starts_with('.') || result.starts_with('\'') ? "\\&" : "") + result;
+}
+
+std::string bold(const std::string& text) { return "\\fB" + printed(text) + "\\fR"; }
+std::string italic(const std::string& text) { return "\\fI" + printed(text) + "\\fR"; }
+
+std::string option_entry(const OptionText& option) {
+  std::string head;
+  for (const std::string& name : option.names) {
+    head += (head.empty() ? "" : ", ") + (option.positional ? italic(name) : bold(name));
+  }
+  if (!option.positional && !option.value.empty()) head += " " + italic(option.value);
+  std::string text = ".TP\n" + head + "\n" + printed(option.description);
+  if (!option.words.empty()) {
+    std::string words;
+    for (const std::string& word : option.words) words += (words.empty() ? "" : ", ") + bold(word);
+    text += "\n.br\nOne of " + words + ".";
+  }
+  if (!option.standard.empty()) text += "\n.br\nDefault: " + bold(option.standard) + ".";
+  return text + "\n";
+}
+
+std::string synopsis(const std::string& program, const CommandText& command) {
+  std::string text = ".br\n" + bold(program) + " " + bold(command.name) + " [" + italic("OPTIONS") + "]";
+  for (const OptionText& option : command.options) {
+    if (!option.positional) continue;
+    const std::string name = italic(option.names.front());
+    text += option.required ? " " + name : " [" + name + "]";
+  }
+  return text + "\n";
+}
+
+constexpr const char* kExitStatus = R"(.SH EXIT STATUS
+.TP
+.B 0
+Done; of
+.BR compare :
+within the tolerance.
+.TP
+.B 1
+.BR compare :
+outside the tolerance;
+.BR check :
+a native case violates its rules;
+.BR tune :
+no setting can be trusted.
+.TP
+.B 2
+Usage or bad input, with file, line, key and reason.
+.TP
+.B 3
+The run diverged or could not be solved, or what was written did not arrive.
+.TP
+.B 130
+Interrupted.
+)";
+
+constexpr const char* kRest = R"(.SH ENVIRONMENT
+.TP
+.B ROTORUB_CONTROLLER_PATH
+Folders in which an MJCF's controllers are looked up; without it an MJCF loads no code.
+.SH FILES
+.TP
+.I SCENE.toml
+One rotor, its auxiliary bearing and a run, in SI units;
+.B rotorub init
+writes one,
+.B rotorub schema
+lists every table and key.
+.TP
+.I librotorub_mujoco.so
+The plugin: preloaded (LD_PRELOAD) into any program of MuJoCo it runs what
+.B rotorub mjcf
+wrote.
+.SH EXAMPLES
+.nf
+rotorub init rotor \-\-speed "3000 rpm"
+rotorub run rotor.toml \-\-set contact.friction=0.3
+rotorub compare rotor.toml \-o report
+.fi
+)";
+
+}  // namespace
+
+std::string man_page(const ProgramText& program) {
+  std::string title = program.name;
+  std::transform(title.begin(), title.end(), title.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::string text = fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", title, program.version);
+  text += ".SH NAME\n" + program.name + " \\- " + printed(program.description) + "\n.SH SYNOPSIS\n" +
+          bold(program.name) + " [" + bold("--help") + " | " + bold("--version") + "]\n";
+  for (const CommandText& command : program.commands) text += synopsis(program.name, command);
+  text += ".SH OPTIONS\n";
+  for (const OptionText& option : program.options) text += option_entry(option);
+  text += ".SH COMMANDS\n";
+  for (const CommandText& command : program.commands) {
+    text += ".SS " + command.name + "\n" + printed(command.description) + ".\n";
+    for (const OptionText& option : command.options) text += option_entry(option);
+  }
+  return text + kExitStatus + kRest;
+}
+
+}  // namespace rotorub

@@ -1,0 +1,157 @@
+#include "compare/manual/scene_schema.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/schema.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using scene::Form;
+using scene::Key;
+using scene::Table;
+using scene::ValueType;
+
+// A number with or without a unit; which units fit, the description says.
+constexpr const char* kWithUnit = R"(^[ \t]*[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?[^0-9]*.*$)";
+
+json bounded(const char* type, const scene::Range& range) {
+  json schema{{"type", type}};
+  if (std::isfinite(range.low)) schema[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
+  if (std::isfinite(range.high)) schema[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
+  return schema;
+}
+
+json one_number(const Key& key) {
+  return {{"anyOf", {bounded("number", key.range), {{"type", "string"}, {"pattern", kWithUnit}}}}};
+}
+
+json list_of(json item, int least, int most) {
+  json schema{{"type", "array"}, {"items", std::move(item)}};
+  if (least > 0) schema["minItems"] = least;
+  if (most > 0) schema["maxItems"] = most;
+  return schema;
+}
+
+json value_schema(const Key& key) {
+  switch (key.type) {
+    case ValueType::kNumber:
+      return one_number(key);
+    case ValueType::kWhole:
+      if (key.words.empty()) return bounded("integer", key.range);
+      return {{"anyOf", {bounded("integer", key.range), {{"enum", key.words}}}}};
+    case ValueType::kWord:
+      return {{"enum", key.words}};
+    case ValueType::kFlag:
+      return {{"type", "boolean"}};
+    case ValueType::kPlanes:
+      return {{"anyOf", {one_number(key), list_of(one_number(key), 2, 2)}}};
+    case ValueType::kVector:
+      return list_of(one_number(key), 2, 2);
+    case ValueType::kList:
+      return list_of(one_number(key), key.required() ? 1 : 0, 0);
+    case ValueType::kText:
+      return {{"type", "string"}, {"minLength", 1}};
+  }
+  return true;
+}
+
+// "of the shaft, from 0. A length in m (m, mm, um), > 0. Required."
+std::string described(const Key& key) {
+  std::string text(key.meaning.empty() ? key.quantity.name : key.meaning);
+  const bool measured = key.type != ValueType::kWord && key.type != ValueType::kFlag && key.type != ValueType::kText;
+  if (measured) {
+    text += ". Expected: " + key.expected();
+    if (key.type != ValueType::kWhole) text += "; units: " + std::string(key.quantity.examples);
+  }
+  if (!key.kinds.empty()) text += ". With kind " + scene::join(key.kinds) + " only";
+  if (key.form != Form::kEither) text += key.form == Form::kGeometry ? ". Geometry form" : ". Modal form";
+  return text + (key.required() ? ". Required." : ". Default: " + key.fallback + ".");
+}
+
+// What the word of `kind` asks for and shuts out.
+json kind_rules(const Table& table) {
+  const Key* kind = table.find("kind");
+  json rules = json::array();
+  if (kind == nullptr) return rules;
+  for (const std::string_view word : kind->words) {
+    json required = json::array(), shut = json::object();
+    for (const Key& key : table.keys) {
+      if (key.kinds.empty()) continue;
+      if (!key.is_for(word)) {
+        shut[std::string(key.name)] = false;
+      } else if (key.required() && key.form == Form::kEither) {
+        required.push_back(key.name);
+      }
+    }
+    if (required.empty() && shut.empty()) continue;
+    json given{{"properties", {{"kind", {{"const", word}}}}}};
+    if (kind->default_word() != word) given["required"] = {"kind"};
+    json then{{"properties", shut}};
+    if (!required.empty()) then["required"] = required;
+    rules.push_back({{"if", given}, {"then", then}});
+  }
+  return rules;
+}
+
+json table_schema(const Table& table) {
+  json schema{{"type", "object"}, {"properties", json::object()}};
+  schema["additionalProperties"] = false;
+  if (table.store_any != nullptr) schema["additionalProperties"] = {{"type", {"number", "string"}}};
+  json required = json::array();
+  for (const Key& key : table.keys) {
+    json value = value_schema(key);
+    value["description"] = described(key);
+    schema["properties"][std::string(key.name)] = std::move(value);
+    if (key.required() && key.form == Form::kEither && key.kinds.empty()) required.push_back(key.name);
+  }
+  if (!required.empty()) schema["required"] = required;
+  if (json rules = kind_rules(table); !rules.empty()) schema["allOf"] = std::move(rules);
+  return schema;
+}
+
+// What belongs to one form of the rotor and is asked for there, by what stands in [rotor].
+json form_rule(const Table& rotor) {
+  json geometry = json::array(), shut = json::object();
+  for (const Key& key : rotor.keys) {
+    if (key.form != Form::kGeometry) continue;
+    shut[std::string(key.name)] = false;
+    if (key.required()) geometry.push_back(key.name);
+  }
+  for (const Table& table : scene::tables()) {
+    const std::string_view path = table.path;
+    if (table.form == Form::kGeometry && path.starts_with("rotor.")) shut[std::string(path.substr(6))] = false;
+  }
+  geometry.push_back("section");
+  return {{"if", {{"required", {"modal"}}}}, {"then", {{"properties", shut}}}, {"else", {{"required", geometry}}}};
+}
+
+}  // namespace
+
+std::string scene_schema() {
+  json root{{"$schema", "http://json-schema.org/draft-07/schema#"},
+            {"title", "A scene of rotorub"},
+            {"type", "object"},
+            {"required", {"rotor"}},
+            {"properties", json::object()},
+            {"additionalProperties", false}};
+  for (const Table& table : scene::tables()) {
+    // Parents stand before children, and are no lists.
+    json* parent = &root;
+    std::string_view name = table.path;
+    for (std::size_t dot; (dot = name.find('.')) != std::string_view::npos; name.remove_prefix(dot + 1)) {
+      parent = &(*parent)["properties"][std::string(name.substr(0, dot))];
+    }
+    json schema = table_schema(table);
+    if (table.path == "rotor") schema["allOf"].push_back(form_rule(table));
+    if (table.list) schema = {{"type", "array"}, {"items", std::move(schema)}};
+    schema["description"] = std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".";
+    (*parent)["properties"][std::string(name)] = std::move(schema);
+  }
+  return root.dump(1) + "\n";
+}
+
+}  // namespace rotorub

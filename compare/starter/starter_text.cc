@@ -1,0 +1,178 @@
+#include "compare/starter/starter_text.h"
+
+#include <fmt/format.h>
+
+#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub {
+namespace {
+
+// As TOML: a plain number, or a text with its unit.
+std::string written(const StarterValue& value) {
+  const std::string_view text = scene::trimmed(value.text);
+  const bool plain = text.find_first_not_of("0123456789.eE+-") == std::string_view::npos;
+  return plain ? scene::number_text(value.value, 15) : "\"" + std::string(text) + "\"";
+}
+
+// As a person writes it: 2e7 rather than 2e+07.
+std::string number(double value) {
+  std::string text = scene::number_text(value, 6);
+  for (const char* filler : {"e+0", "e+", "e-0"}) {
+    const std::size_t at = text.find(filler);
+    if (at != std::string::npos) text.replace(at, std::string_view(filler).size(), filler[1] == '-' ? "e-" : "e");
+  }
+  return text;
+}
+
+std::string aligned(const std::string& assignment, const std::string& comment) {
+  return fmt::format("{:<28} # {}\n", assignment, comment);
+}
+
+std::string value(const char* key, const std::string& text, const std::string& comment) {
+  return aligned(fmt::format("{} = {}", key, text), comment);
+}
+std::string value(const char* key, double number_, const std::string& comment) {
+  return value(key, number(number_), comment);
+}
+
+std::string head(const Starter& starter) {
+  const std::string what =
+      starter.form == StarterForm::kRig
+          ? "A test rig: a shaft with a disc, driven by a motor; a magnetic exciter drives it into its auxiliary\n"
+            "# bearing, whose ring an actuator can move."
+      : starter.form == StarterForm::kModal
+          ? "A Jeffcott rotor, by its one mode: it loses a part of a blade and rubs in its auxiliary bearing."
+          : "A shaft with a disc on two bearings: it loses a part of a blade and rubs in its auxiliary bearing.";
+  return fmt::format(
+      "# {0}\n"
+      "# Written by `rotorub init`; every value is there to be changed. Plain numbers are in SI, a speed without a\n"
+      "# unit in rad/s; a text may have a unit: \"0.5 mm\", \"3000 rpm\", \"20 kN/mm\".\n"
+      "#\n"
+      "#     rotorub run {1}        the motion: series, impacts, summary\n"
+      "#     rotorub modes {1}      whirl frequencies, critical speeds, which rubs last\n"
+      "#     rotorub compare {1}    beside MuJoCo, with a report and films\n"
+      "#     rotorub render {1}     a film of it\n"
+      "#     rotorub check {1}      every engine against the rules at the end\n"
+      "#\n"
+      "# `rotorub schema` prints all tables and keys as a JSON schema, with which an editor completes and checks.\n\n",
+      what, scene::printable(starter.file));
+}
+
+std::string run_table(const StarterSizes& s) {
+  return "[run]\n" + value("end", s.end, "s") +
+         value("step", s.step, "s, of MuJoCo and of `--integrator verlet`; the default, event, has none") + "\n";
+}
+
+std::string shaft(const Starter& starter, const StarterSizes& s) {
+  const bool rig = starter.form == StarterForm::kRig;
+  return "[rotor]\n" +
+         value("speed", written(starter.speed), rig ? "of the spin at t = 0" : "of the spin; held, as there is no [drive]") +
+         value("length", written(starter.length), "of the shaft; stations count from its end") +
+         value("E", "\"210 GPa\"", "steel") + value("nu", "0.3", "") + value("rho", "7850.0", "kg/m^3") +
+         value("modes", "8", "bending modes kept; sizes of impacts hang on them") +
+         value("damping_ratio", "0.01", "of each mode") +
+         "\n[[rotor.section]]             # pieces of the shaft, from 0 to its length\n" + "from = 0.0\n" +
+         value("to", written(starter.length), "") + value("diameter", written(starter.diameter), "") +
+         "\n[[rotor.disc]]                # the disc\n" + value("z", s.disc_station, "m, station") +
+         value("mass", written(starter.disc_mass), "") + value("Jt", s.disc_Jt, "kg m^2, about a diameter") +
+         value("Jp", s.disc_Jp, "kg m^2, about the shaft") +
+         value("eccentricity", s.eccentricity, "m: an orbit of a tenth of the clearance") +
+         "\n[[rotor.disc]]                # the sleeve at the contact: without a mass a rigid impact has no limit\n" +
+         value("z", s.contact_station, "m") + value("mass", s.sleeve_mass, "kg") + value("Jt", s.sleeve_Jt, "") +
+         value("Jp", s.sleeve_Jp, "") + "\n[[rotor.bearing]]\n" + value("z", s.first_bearing, "m") +
+         value("stiffness", s.bearing_stiffness, "N/m; [x, y] where the planes differ") + "\n[[rotor.bearing]]\n" +
+         value("z", s.last_bearing, "m") + value("stiffness", s.bearing_stiffness, "N/m") + "\n";
+}
+
+std::string one_mode(const Starter& starter, const StarterSizes& s) {
+  return "[rotor]\n" + value("speed", written(starter.speed), "of the spin; held, as there is no [drive]") +
+         fmt::format("\n# A disc of {} in the middle of a steel shaft, {} long and {} in diameter: 48 E I / L^3, the mass with\n"
+                     "# 17/35 of the shaft's. Lists: one value a mode.\n",
+                     starter.disc_mass.text, starter.length.text, starter.diameter.text) +
+         "[rotor.modal]\n" + value("mass", "[" + number(s.modal_mass) + "]", "kg") +
+         value("stiffness", "[" + number(s.modal_stiffness) + "]", "N/m") +
+         value("damping", "[" + number(s.modal_damping) + "]", "N s/m: a damping ratio of 0.01") + "\n" +
+         "[[force]]                     # the residual unbalance\n" + value("kind", "\"unbalance\"", "") +
+         value("static_moment", s.eccentricity, "kg m, mass times eccentricity: an orbit of a tenth of the clearance") +
+         "\n";
+}
+
+std::string motor(const Starter& starter, const StarterSizes& s) {
+  return "[rotor.torsion]\n" + value("modes", "1", "elastic torsion") + "\n[drive]\n" +
+         value("kind", "\"linear\"", "T = gain (speed - Omega)") + value("gain", s.motor_gain, "N m s") +
+         value("speed", written(starter.speed), "") + value("station", "0.0", "m, where the motor sits") +
+         value("inertia", s.motor_inertia, "kg m^2, of its rotor") + "\n";
+}
+
+std::string load(const Starter& starter, const StarterSizes& s) {
+  const bool modal = starter.form == StarterForm::kModal;
+  if (starter.form == StarterForm::kRig) {
+    return "[[force]]                     # the magnetic exciter: a free orbit of four clearances\n" +
+           value("kind", "\"rotating\"", "") + value("amplitude", s.load, "N") +
+           value("frequency", written(starter.speed), "negative: backward") + value("on", s.on, "s") +
+           value("station", s.exciter_station, "m") + "\n";
+  }
+  return "[[force]]                     # the blade: a free orbit of two clearances\n" + value("kind", "\"unbalance\"", "") +
+         value("static_moment", s.load, "kg m, of the mass that is missing from then on") +
+         value("on", s.on, "s, when it goes") + (modal ? "" : value("station", s.disc_station, "m")) + "\n";
+}
+
+std::string bearing(const Starter& starter, const StarterSizes& s) {
+  const bool modal = starter.form == StarterForm::kModal;
+  return "[contact]\n" + (modal ? "" : value("station", s.contact_station, "m")) +
+         value("radius", s.radius, "m, of the rotor there") +
+         value("clearance", written(starter.clearance), "radial") +
+         value("friction", written(starter.friction), "Coulomb") +
+         value("restitution", "0.5", "of an impact: 0 plastic, 1 elastic") +
+         "\n[stator]                      # the ring of the auxiliary bearing; without this table it is fixed\n" +
+         value("mass", s.ring_mass, "kg") + value("damping", s.ring_damping, "N s/m") +
+         value("stiffness", s.ring_stiffness, "N/m") + "\n";
+}
+
+// What the ring can be told, ready to be switched on.
+std::string active_ring(const StarterSizes& s) {
+  return "[actuator]\n" + value("force_limit", s.force_limit, "N, on each of the two axes at 45 degrees") +
+         "\n# A sliding-mode controller brings the ring to the rotor before it strikes. To switch it on, uncomment:\n" +
+         "#[controller]\n#kind = \"sliding\"\n" + value("#on", s.on, "s") +
+         value("#gap_time", "\"8 ms\"", "in which the gap is closed") +
+         value("#preload", "\"10 N\"", "that the lasting contact then carries") + "\n";
+}
+
+std::string rules(const Starter& starter) {
+  return "[[check]]                     # rules of `rotorub check`, on every native engine\n" +
+         value("metric", "\"impacts\"", "") + value("min", "1", "") +
+         value("why", "\"The load is large enough for the rotor to touch.\"", "") + "\n[[check]]\n" +
+         value("metric", "\"max_penetration\"", "") + value("max", number(starter.clearance.value), "m") +
+         value("why", "\"A rigid contact lets nothing in, at a finite step only a little.\"", "");
+}
+
+// Comments that say nothing are left out.
+std::string without_empty_comments(const std::string& text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    std::string line = text.substr(at, end - at);
+    if (line.size() > 1 && line.ends_with(" # ")) line.resize(line.size() - 3);
+    line.resize(line.find_last_not_of(' ') + 1);
+    result += line + "\n";
+    at = end + 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string starter_text(const Starter& starter, const StarterSizes& sizes) {
+  const bool rig = starter.form == StarterForm::kRig;
+  std::string text = head(starter) + run_table(sizes);
+  text += starter.form == StarterForm::kModal ? one_mode(starter, sizes) : shaft(starter, sizes);
+  if (rig) text += motor(starter, sizes);
+  text += load(starter, sizes) + bearing(starter, sizes);
+  if (rig && sizes.force_limit > 0.0) text += active_ring(sizes);
+  text += "[initial]\n" + value("steady", "true", "on the orbit of what acts at t = 0") + "\n";
+  text += rules(starter);
+  return without_empty_comments(text);
+}
+
+}  // namespace rotorub

@@ -1,0 +1,30 @@
+# The Debian package, of everything that is installed: `cmake --build build --target deb` makes build/package/*.deb.
+# (The target `package` makes it too, after all tests have been built.) Included after every install().
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME rotorub)
+set(CPACK_PACKAGE_CONTACT "The authors of rotorub <rotorub@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+    "${PROJECT_DESCRIPTION}.\n\
+ Says whether the contact forces of a rub in MuJoCo are physics or the solver. Holds the\n\
+ program, the plugin to preload into MuJoCo's programs, the scenes, and libraries, headers and\n\
+ CMake package for programs and controllers of one's own.")
+# What the program and the plugin are linked with, by dpkg-shlibdeps (dpkg-dev).
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Films are coded by ffmpeg; find_package(rotorub) needs Eigen and MuJoCo.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, libeigen3-dev, libmujoco-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, bash-completion, libmujoco-samples")
+set(CPACK_OUTPUT_FILE_PREFIX "${PROJECT_BINARY_DIR}/package")
+include(CPack)
+
+add_custom_target(
+  deb
+  COMMAND "${CMAKE_CPACK_COMMAND}" -G DEB
+  DEPENDS rotorub rotorub_mujoco rotorub_manual rotorub_native_model rotorub_mjcf rotorub_plugin
+  WORKING_DIRECTORY "${PROJECT_BINARY_DIR}"
+  COMMENT "Packing ${PROJECT_BINARY_DIR}/package/*.deb"
+  VERBATIM)

@@ -1,0 +1,116 @@
+"""rotorub init: what it writes runs at once, on every engine, with what was asked for in it."""
+
+import csv
+import json
+import pathlib
+import tomllib
+import unittest
+
+from product import InAFolder
+
+FORMS = ["geometry", "modal", "rig"]
+# Sizes of a watch's and a turbine's order, above and below the first critical speed.
+MACHINES = {
+    "small": ["--speed", "1 kHz", "--length", "60 mm", "--diameter", "3 mm", "--disc-mass", "10 g", "--clearance", "50 um"],
+    "large": ["--speed", "3000 rpm", "--length", "4", "--diameter", "40 cm", "--disc-mass", "2 t", "--clearance", "1 mm"],
+    "slippery": ["--speed", "120", "--friction", "0"],
+    "rough": ["--speed", "90 Hz", "--friction", "0.6"],
+}
+
+
+class Starter(InAFolder):
+    def summary(self, file, *words):
+        return json.loads(self.rotorub("run", file, "--json", "-o", "out", *words))
+
+    def test_every_form_runs_and_touches(self):
+        for form in FORMS:
+            self.rotorub("init", form, "--form", form)
+            for engine in (["--engine", "native"], ["--engine", "native", "--integrator", "verlet", "--end", "0.2"]):
+                summary = self.summary(f"{form}.toml", *engine)
+                self.assertEqual(summary["status"], "ok", form)
+                self.assertGreater(summary["impacts"], 0, form)
+                self.assertGreater(summary["contact_fraction"], 0.1, form)
+
+    def test_its_mjcf_loads(self):
+        for form in FORMS:
+            self.rotorub("init", form, "--form", form)
+            for contact in ("rigid", "cone"):
+                summary = self.summary(f"{form}.toml", "--engine", "mujoco", "--contact", contact, "--end", "20ms")
+                self.assertEqual(summary["status"], "ok", f"{form} {contact}")
+
+    def test_its_rules_hold(self):
+        for form in FORMS:
+            self.rotorub("init", form, "--form", form)
+            shorter = "run.end=200ms" if form == "modal" else "run.end=125ms"  # all touch by then
+            cases = json.loads(self.rotorub("check", f"{form}.toml", "--json", "--set", shorter))["cases"]
+            native = [case["outcome"] for case in cases if case["engine"].startswith("native")]
+            self.assertEqual(set(native), {"pass"}, form)
+
+    def test_machines_of_other_sizes_touch_too(self):
+        for name, words in MACHINES.items():
+            for form in FORMS:
+                self.rotorub("init", name, "--form", form, "--force", *words)
+                summary = self.summary(f"{name}.toml")
+                self.assertEqual(summary["status"], "ok", f"{name} {form}")
+                self.assertGreater(summary["impacts"], 0, f"{name} {form}")
+
+    def test_what_is_asked_for_stands_in_it(self):
+        words = ["--speed", "61 Hz", "--length", "0.7", "--diameter", "21 mm", "--disc-mass", "2.5 kg",
+                 "--clearance", "0.4 mm", "--friction", "25 %"]
+        for form in FORMS:
+            scene = tomllib.loads(self.rotorub("init", "-o", "-", "--form", form, *words))
+            self.assertEqual(scene["rotor"]["speed"], "61 Hz")
+            self.assertEqual(scene["contact"]["clearance"], "0.4 mm")
+            self.assertEqual(scene["contact"]["friction"], "25 %")
+            if form == "modal":
+                # 48 E I / L^3, and the disc with 17/35 of the shaft.
+                self.assertAlmostEqual(scene["rotor"]["modal"]["stiffness"][0] / 280537, 1, places=3)
+                self.assertAlmostEqual(scene["rotor"]["modal"]["mass"][0] / 3.4244, 1, places=3)
+            else:
+                self.assertEqual(scene["rotor"]["length"], 0.7)
+                self.assertEqual(scene["rotor"]["section"][0]["diameter"], "21 mm")
+                self.assertEqual(scene["rotor"]["disc"][0]["mass"], "2.5 kg")
+
+    def test_the_controller_of_the_rig_can_be_switched_on(self):
+        text = self.rotorub("init", "-o", "-", "--form", "rig")
+        lines = [line[1:] if line.startswith("#") and not line.startswith("# ") else line for line in text.splitlines()]
+        self.assertIn("[controller]", lines)
+        (self.folder / "active.toml").write_text("\n".join(lines))
+        passive = self.folder / "passive.toml"
+        passive.write_text(text)
+        hardest = {}
+        for name in ("active", "passive"):
+            self.assertEqual(self.summary(f"{name}.toml")["status"], "ok")
+            with open(self.folder / "out" / "impacts.csv") as impacts:
+                hardest[name] = max(float(row["normal_impulse"]) for row in csv.DictReader(impacts))
+        self.assertLess(hardest["active"], 0.5 * hardest["passive"])
+
+    def test_nothing_is_written_over(self):
+        self.rotorub("init", "mine")
+        file = self.folder / "mine.toml"
+        file.write_text("mine")
+        self.rotorub("init", "mine", code=2)
+        self.assertIn("mine.toml: is there already; --force writes over it", self.said)
+        self.rotorub("init", "-o", "mine.toml", code=2)
+        self.assertEqual(file.read_text(), "mine")
+        self.rotorub("init", "mine", "--force")
+        self.assertIn("[rotor]", file.read_text())
+        self.assertEqual([f.name for f in self.folder.iterdir()], ["mine.toml"])
+
+    def test_what_makes_no_machine_is_refused(self):
+        for words in (["--speed", "0"], ["--speed", "-50 Hz"], ["--length", "2 kg"], ["--friction", "-0.1"],
+                      ["--diameter", "0.5 m"], ["--clearance", "1 m"], ["--disc-mass", "nan"], ["--length", "1e9"],
+                      ["-o", "nowhere/rotor.toml"]):
+            self.rotorub("init", *words, code=2)
+            self.assertNotEqual(self.said, "")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_the_same_words_give_the_same_text(self):
+        first, second = (self.rotorub("init", "-o", "-", "--form", "rig") for _ in range(2))
+        self.assertEqual(first, second)
+        said = json.loads(self.rotorub("init", "rig", "--form", "rig", "--json"))
+        self.assertEqual(pathlib.Path(said["file"]), pathlib.Path("rig.toml"))
+
+
+if __name__ == "__main__":
+    unittest.main()
