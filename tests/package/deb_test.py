@@ -13,7 +13,7 @@ usr/bin/rotorub
 usr/lib/librotorub_mujoco.so
 usr/lib/librotorub_native_model.a
 usr/lib/cmake/rotorub/rotorubConfig.cmake
-usr/include/rotorub/rotorub/controller.h
+usr/include/rotorub/controller.h
 usr/include/rotorub/native_model/run/run_native.h
 usr/share/rotorub/mjcf/paper_sliding.toml
 usr/share/rotorub/mjcf/paper_sliding.xml

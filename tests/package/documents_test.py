@@ -1,0 +1,99 @@
+"""What the documents say is there: equations, links, examples, commands."""
+
+import pathlib
+import re
+import unittest
+
+from product import SOURCE
+
+NO_SOURCE = ["build", "runs"]  # what a build or a run leaves
+CODE = ["native_model", "plugin", "mjcf", "compare", "renders", "tests"]
+# "(12)", "(12)-(13)" in a comment; not "man(7)", "5(3)", "f(1)".
+CITED = re.compile(r"(?<![\w)])\((\d{1,2})\)(?:\s?-\s?\((\d{1,2})\))?")
+
+
+def documents():
+    return sorted(file for file in SOURCE.rglob("*.md") if not {"build", "node_modules"} & set(file.relative_to(SOURCE).parts))
+
+
+def cited_equations():
+    """{number: [file, ...]} of the equations that comments of the code cite."""
+    cited = {}
+    for folder in CODE:
+        for file in [*(SOURCE / folder).rglob("*.h"), *(SOURCE / folder).rglob("*.cc")]:
+            for line in file.read_text().splitlines():
+                _, _, comment = line.partition("//")
+                for first, last in CITED.findall(comment):
+                    for number in range(int(first), int(last or first) + 1):
+                        cited.setdefault(number, []).append(file.name)
+    return cited
+
+
+def without_code(text):
+    return re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.S)
+
+
+class Documents(unittest.TestCase):
+    def test_every_equation_that_the_code_cites_stands_in_the_theory(self):
+        numbers = [int(tag) for tag in re.findall(r"\\tag\{(\d+)\}", (SOURCE / "docs/theory.md").read_text())]
+        self.assertEqual(len(numbers), len(set(numbers)), "a number stands twice")
+        self.assertEqual(sorted(numbers), list(range(1, len(numbers) + 1)), "no number is left out")
+        cited = cited_equations()
+        self.assertGreater(len(cited), 15)
+        missing = {number: files for number, files in cited.items() if number not in numbers and number > 0}
+        self.assertEqual(missing, {})
+
+    def test_every_folder_has_a_readme(self):
+        for entry in SOURCE.iterdir():
+            if entry.is_dir() and entry.name[0] != "." and entry.name not in NO_SOURCE:
+                self.assertTrue((entry / "README.md").is_file(), entry.name)
+
+    def test_every_link_leads_somewhere(self):
+        links = 0
+        for document in documents():
+            for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", without_code(document.read_text())):
+                if "://" in target or target.startswith("mailto:"):
+                    continue
+                links += 1
+                self.assertTrue((document.parent / target).exists(), f"{document.relative_to(SOURCE)}: {target}")
+        self.assertGreater(links, 60)
+
+    def test_every_anchor_is_a_heading(self):
+        for document in documents():
+            for target, anchor in re.findall(r"\]\(([^)#\s]*)#([^)]*)\)", without_code(document.read_text())):
+                if "://" in target:
+                    continue
+                text = (document.parent / target if target else document).read_text()
+                headings = [re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in re.findall(r"^#+ (.*)$", text, re.M)]
+                self.assertIn(anchor, headings, f"{document.relative_to(SOURCE)} -> {target}")
+
+    def test_the_example_stands_in_the_readme_word_for_word(self):
+        readme = (SOURCE / "README.md").read_text()
+        for file in ("CMakeLists.txt", "main.cc"):
+            self.assertTrue((SOURCE / "examples/find_package" / file).read_text() in readme, file)
+
+    def test_tables_of_figures_have_their_command(self):
+        """Beside each table of results stands what makes it: in the lines of its section before it, or just below."""
+        command = re.compile(r"rotorub (run|compare|modes|bench|tune|sweep|check)\b|compare/run|rotorub_cone_figures|rotorub_\w+")
+        lines = (SOURCE / "README.md").read_text().splitlines()
+        tables = 0
+        for i, line in enumerate(lines):
+            begins = line.startswith("| ---") and i > 0
+            if not begins:
+                continue
+            body = []
+            for row in lines[i + 1:]:
+                if not row.startswith("|"):
+                    break
+                body.append(row)
+            if len(re.findall(r"\d\.\d|\d %|\d,\d{3}|1e-\d", "\n".join(body))) < 4:
+                continue  # words, no results
+            tables += 1
+            section = max((j for j in range(i) if lines[j].startswith("#")), default=0)
+            around = "\n".join(lines[max(section, i - 14):i - 1] + lines[i + 1 + len(body):i + 7 + len(body)])
+            self.assertRegex(around, command, f"README.md:{i}: {lines[i - 1]}")
+        self.assertGreater(tables, 6)
+
+
+if __name__ == "__main__":
+    unittest.main()
