@@ -1,5 +1,5 @@
-# cmake -DBUILD_DIR=... -DOUTSIDE_DIR=... -DWORK_DIR=... -P outside_project.cmake
-# Installs the build into a fresh folder, and builds and runs the project in OUTSIDE_DIR against that.
+# cmake -DBUILD_DIR=... -DOUTSIDE_DIR=... -DEXAMPLE_DIR=... -DWORK_DIR=... -P outside_project.cmake
+# Installs the build into a fresh folder, and builds and runs the projects in OUTSIDE_DIR and EXAMPLE_DIR against that.
 file(REMOVE_RECURSE "${WORK_DIR}")
 execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/prefix"
                         COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
@@ -10,6 +10,20 @@ execute_process(COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}/build" COMMAND_E
 execute_process(COMMAND "${WORK_DIR}/build/outside"
                         "${WORK_DIR}/prefix/share/rotorub/mjcf/bench_ring.toml"
                         COMMAND_ERROR_IS_FATAL ANY)
+
+# The example of the README: the first impacts of bench_ring are published.
+execute_process(
+  COMMAND "${CMAKE_COMMAND}" -G Ninja -S "${EXAMPLE_DIR}" -B "${WORK_DIR}/example"
+          "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}/example" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(
+  COMMAND "${WORK_DIR}/example/first_impacts" "${WORK_DIR}/prefix/share/rotorub/mjcf/bench_ring.toml"
+  OUTPUT_VARIABLE impacts COMMAND_ERROR_IS_FATAL ANY)
+foreach(time 4.0601 7.5981 8.9758 9.5869 9.8768)
+  if(NOT impacts MATCHES "${time} ms")
+    message(SEND_ERROR "the example misses the impact at ${time} ms:\n${impacts}")
+  endif()
+endforeach()
 
 # Nothing that was installed may lead back to the build or the source.
 file(GLOB package "${WORK_DIR}/prefix/lib*/cmake/rotorub/*.cmake"

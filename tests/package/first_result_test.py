@@ -1,0 +1,42 @@
+"""The README's way to a first result, command by command as it stands there."""
+
+import json
+import os
+import shlex
+import subprocess
+import unittest
+
+from product import BUILD, InAFolder, SOURCE
+
+# What is added to a command, so that a test can wait for it: fewer pictures, a shorter comparison without films.
+QUICKER = {
+    "render": ["--size", "320x240", "--slow", "40"],
+    "compare": ["--end", "112ms", "--twins", "2", "--no-video", "--no-modes-ladder"],
+}
+
+
+def commands():
+    section = (SOURCE / "README.md").read_text().split("## First result")[1].split("\n## ")[0]
+    block = section.split("```sh\n")[1].split("```")[0]
+    return [shlex.split(line, comments=True) for line in block.splitlines()]
+
+
+class FirstResult(InAFolder):
+    def test_every_command_does_what_it_says(self):
+        lines = commands()
+        self.assertEqual([line[1] for line in lines], ["init", "modes", "run", "run", "render", "compare"])
+        path = {**os.environ, "PATH": f"{BUILD / 'bin'}:{os.environ['PATH']}"}
+        for line in lines:
+            done = subprocess.run(line + QUICKER.get(line[1], []), cwd=self.folder, env=path, text=True, capture_output=True)
+            # So short a comparison may find single impacts further apart than the whole one does.
+            self.assertIn(done.returncode, (0, 1) if line[1] == "compare" else (0,), f"{line}\n{done.stdout}{done.stderr}")
+        before, after = (json.loads((self.folder / run / "summary.json").read_text()) for run in ("before", "after"))
+        self.assertEqual((before["impacts"], after["impacts"]), (48, 1572))
+        self.assertAlmostEqual(before["contact_fraction"], 0.98, delta=0.005)
+        self.assertAlmostEqual(after["contact_fraction"], 0.39, delta=0.005)
+        self.assertGreater((self.folder / "rub.mp4").stat().st_size, 10_000)
+        self.assertIn("</html>", (self.folder / "report/report.html").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
