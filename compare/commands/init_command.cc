@@ -84,7 +84,8 @@ std::filesystem::path starter_file(const InitArguments& options) {
 int write_starter(const InitArguments& options) {
   Starter starter = starter_of(options);
   const std::filesystem::path file = starter_file(options);
-  starter.file = file.empty() ? options.name + (options.name.ends_with(".toml") ? "" : ".toml") : file.filename().string();
+  starter.file =
+      file.empty() ? options.name + (options.name.ends_with(".toml") ? "" : ".toml") : file.filename().string();
   const std::string text = starter_scene(starter);
   if (!file.empty()) write_whole(file, text);
   if (options.json) {

@@ -63,7 +63,8 @@ std::vector<OptionText> options_of(const CLI::App& app) {
 }
 
 ProgramText text_of(const CLI::App& program) {
-  ProgramText text{program.get_name(), program.get_description(), "rotorub " + program_version(), options_of(program), {}};
+  ProgramText text{
+      program.get_name(), program.get_description(), "rotorub " + program_version(), options_of(program), {}};
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
     text.commands.push_back({command->get_name(), command->get_description(), options_of(*command)});
   }

@@ -24,9 +24,10 @@ std::string value_branches(const CommandText& command) {
     for (const std::string& name : option.names) patterns.push_back("'" + command.name + " " + name + "'");
     const std::string words = option.words.empty() ? "" : fmt::format("-W '{}'", joined(option.words, " "));
     const char* files = names_a_file(option.value) ? "-f" : "";
-    const std::string answer = words.empty() && *files == '\0'
-                                   ? "return"
-                                   : fmt::format("mapfile -t COMPREPLY < <(compgen {}{} -- \"$word\"); return", words, files);
+    const std::string answer =
+        words.empty() && *files == '\0'
+            ? "return"
+            : fmt::format("mapfile -t COMPREPLY < <(compgen {}{} -- \"$word\"); return", words, files);
     text += fmt::format("    {}) {} ;;\n", joined(patterns, "|"), answer);
   }
   return text;
@@ -50,7 +51,8 @@ std::string bash_completion(const ProgramText& program) {
     values += value_branches(command);
     names += option_branch(command);
   }
-  for (const OptionText& option : program.options) options.insert(options.end(), option.names.begin(), option.names.end());
+  for (const OptionText& option : program.options)
+    options.insert(options.end(), option.names.begin(), option.names.end());
   return fmt::format(R"(# Completion of {0} in bash: commands, options, the words that an option takes, files.
 _{0}() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} command='' words='' i

@@ -106,7 +106,8 @@ rotorub compare rotor.toml \-o report
 
 std::string man_page(const ProgramText& program) {
   std::string title = program.name;
-  std::transform(title.begin(), title.end(), title.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(title.begin(), title.end(), title.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   std::string text = fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", title, program.version);
   text += ".SH NAME\n" + program.name + " \\- " + printed(program.description) + "\n.SH SYNOPSIS\n" +
           bold(program.name) + " [" + bold("--help") + " | " + bold("--version") + "]\n";

@@ -1,5 +1,5 @@
-// What the program says of itself, apart from who parses it: the parser's description of commands and options is the one
-// source of help, manual page and completion.
+// What the program says of itself, apart from who parses it: the parser's description of commands and options is the
+// one source of help, manual page and completion.
 #pragma once
 
 #include <string>

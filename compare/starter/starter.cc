@@ -125,7 +125,8 @@ std::string starter_scene(const Starter& starter) {
   const double by_load = answer(0.0, small_load) / small_load;
   sizes.load = rounded((rig ? 4.0 : 2.0) * clearance / by_load, 2);
   sizes.force_limit = rounded(4.0 * sizes.load, 2);
-  sizes.step = std::min(sizes.step, rounded_down(2.0 * pi / highest_frequency(make_model(read_back(starter, sizes))) / 38.0));
+  sizes.step =
+      std::min(sizes.step, rounded_down(2.0 * pi / highest_frequency(make_model(read_back(starter, sizes))) / 38.0));
   read_back(starter, sizes);
   return starter_text(starter, sizes);
 }

@@ -67,7 +67,8 @@ std::string run_table(const StarterSizes& s) {
 std::string shaft(const Starter& starter, const StarterSizes& s) {
   const bool rig = starter.form == StarterForm::kRig;
   return "[rotor]\n" +
-         value("speed", written(starter.speed), rig ? "of the spin at t = 0" : "of the spin; held, as there is no [drive]") +
+         value("speed", written(starter.speed),
+               rig ? "of the spin at t = 0" : "of the spin; held, as there is no [drive]") +
          value("length", written(starter.length), "of the shaft; stations count from its end") +
          value("E", "\"210 GPa\"", "steel") + value("nu", "0.3", "") + value("rho", "7850.0", "kg/m^3") +
          value("modes", "8", "bending modes kept; sizes of impacts hang on them") +
@@ -87,9 +88,11 @@ std::string shaft(const Starter& starter, const StarterSizes& s) {
 
 std::string one_mode(const Starter& starter, const StarterSizes& s) {
   return "[rotor]\n" + value("speed", written(starter.speed), "of the spin; held, as there is no [drive]") +
-         fmt::format("\n# A disc of {} in the middle of a steel shaft, {} long and {} in diameter: 48 E I / L^3, the mass with\n"
-                     "# 17/35 of the shaft's. Lists: one value a mode.\n",
-                     starter.disc_mass.text, starter.length.text, starter.diameter.text) +
+         fmt::format(
+             "\n# A disc of {} in the middle of a steel shaft, {} long and {} in diameter: 48 E I / L^3, the mass "
+             "with\n"
+             "# 17/35 of the shaft's. Lists: one value a mode.\n",
+             starter.disc_mass.text, starter.length.text, starter.diameter.text) +
          "[rotor.modal]\n" + value("mass", "[" + number(s.modal_mass) + "]", "kg") +
          value("stiffness", "[" + number(s.modal_stiffness) + "]", "N/m") +
          value("damping", "[" + number(s.modal_damping) + "]", "N s/m: a damping ratio of 0.01") + "\n" +
@@ -113,7 +116,8 @@ std::string load(const Starter& starter, const StarterSizes& s) {
            value("frequency", written(starter.speed), "negative: backward") + value("on", s.on, "s") +
            value("station", s.exciter_station, "m") + "\n";
   }
-  return "[[force]]                     # the blade: a free orbit of two clearances\n" + value("kind", "\"unbalance\"", "") +
+  return "[[force]]                     # the blade: a free orbit of two clearances\n" +
+         value("kind", "\"unbalance\"", "") +
          value("static_moment", s.load, "kg m, of the mass that is missing from then on") +
          value("on", s.on, "s, when it goes") + (modal ? "" : value("station", s.disc_station, "m")) + "\n";
 }
@@ -121,8 +125,7 @@ std::string load(const Starter& starter, const StarterSizes& s) {
 std::string bearing(const Starter& starter, const StarterSizes& s) {
   const bool modal = starter.form == StarterForm::kModal;
   return "[contact]\n" + (modal ? "" : value("station", s.contact_station, "m")) +
-         value("radius", s.radius, "m, of the rotor there") +
-         value("clearance", written(starter.clearance), "radial") +
+         value("radius", s.radius, "m, of the rotor there") + value("clearance", written(starter.clearance), "radial") +
          value("friction", written(starter.friction), "Coulomb") +
          value("restitution", "0.5", "of an impact: 0 plastic, 1 elastic") +
          "\n[stator]                      # the ring of the auxiliary bearing; without this table it is fixed\n" +

@@ -1,4 +1,4 @@
-# The Debian package, of everything that is installed: `cmake --build build --target deb` makes build/package/*.deb.
+# The Debian package: `cmake --build build --target deb` makes build/package/*.deb.
 # (The target `package` makes it too, after all tests have been built.) Included after every install().
 
 set(CPACK_GENERATOR DEB)
@@ -9,10 +9,12 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-    "${PROJECT_DESCRIPTION}.\n\
- Says whether the contact forces of a rub in MuJoCo are physics or the solver. Holds the\n\
- program, the plugin to preload into MuJoCo's programs, the scenes, and libraries, headers and\n\
- CMake package for programs and controllers of one's own.")
+    "Says whether the contact forces of a rub in MuJoCo are physics or the solver. Holds the program, the plugin to preload \
+into MuJoCo's programs, the scenes, and libraries, headers and CMake package for programs and controllers of one's own.")
+# One package, of all but the peers of `rotorub bench`.
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL Unspecified)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
 # What the program and the plugin are linked with, by dpkg-shlibdeps (dpkg-dev).
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Films are coded by ffmpeg; find_package(rotorub) needs Eigen and MuJoCo.

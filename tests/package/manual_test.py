@@ -26,11 +26,12 @@ count = 2
 end = "11 ms"
 """
 
-# Command lines, one after the other in one folder; together they name every option of every command. What each does is
-# the matter of the tests of its command; here it must be taken, and end as it should.
+# Command lines, one after the other in one folder; together they name every option of every command. What each does
+# is the matter of the tests of its command; here it must be taken, and end as it should.
 TRIED = [
     "--help", "-h", "--version",
-    "init a --form modal --speed 60Hz --length 0.5 --diameter 20mm --disc-mass 3kg --clearance 0.3mm --friction 0.2 --quiet",
+    "init a --form modal --speed 60Hz --length 0.5 --diameter 20mm --disc-mass 3kg --clearance 0.3mm --friction 0.2 -q",
+    "init a --force --quiet",
     "init a --force --json", "init b -q --output c.toml", "init -h", "init --help", "init d -o -",
     f"run {DROP} --engine native --integrator verlet --step 20us --end 12ms --output r1 --json",
     f"run {DROP} --engine mujoco --contact cone --end 12ms -o r2 --quiet",
@@ -43,7 +44,8 @@ TRIED = [
     f"modes {RING} --rub-map --speeds 40Hz:60Hz:2 --frictions 0.1:0.2:2 --json",
     f"modes {RING} --feedback-map --feedbacks 0:1000:2 --speeds 50Hz:51Hz:2 --output f --quiet",
     f"modes {RING} --state-space",
-    f"mjcf {RING} --mujoco 3.12 -o ring.xml --set contact.friction=0.2 --json", f"mjcf {RING} --output r.xml --quiet", f"mjcf {RING} -q",
+    f"mjcf {RING} --mujoco 3.12 -o ring.xml --set contact.friction=0.2 --json",
+    f"mjcf {RING} --output r.xml --quiet", f"mjcf {RING} -q",
     "render r1 --png --at 10.5ms --size 320x240 --view axis --title Drop -o p.png --json",
     "render r1 --beside r1 --gif --from 9ms --to 10ms --slow 200 --fps 5 --size 320x240 --output two.gif --quiet",
     f"render {DROP} --png --step 20us --end 12ms --size 320x240 --set contact.restitution=0.6 -q -o q.png",
@@ -52,11 +54,12 @@ TRIED = [
     f"bench {DROP} --engines native-verlet --steps 100us --repeats 1 --end 11ms --quiet --output b1",
     f"bench {PAPER} --controller {OWN} {SAMPLED} --engines native-verlet --steps 20us --repeats 1 --end 1ms -o b2 -q",
     "sweep study.toml --output s --jobs 1 --json",
-    "sweep study.toml -o s1 --shard 1/2 --set contact.friction=0.1 -q", "sweep study.toml -o s2 --shard 2/2 --set contact.friction=0.1 -q",
+    "sweep study.toml -o s1 --shard 1/2 --set contact.friction=0.1 -q",
+    "sweep study.toml -o s2 --shard 2/2 --set contact.friction=0.1 -q",
     "sweep study.toml -o s3 --merge s1 s2 --set contact.friction=0.1 --quiet",
     "sweep study.toml -o s4 --slurm --tasks 2 --quiet",
     f"sweep paper.toml -o s5 --controller {OWN} {SAMPLED} -q",
-    f"check {DROP} --set run.end=11ms --json", f"check {DROP} --set run.end=11ms --quiet", f"check {DROP} --set run.end=11ms -q",
+    f"check {DROP} --set run.end=11ms --json", f"check {DROP} --set run.end=11ms --quiet",
     f"tune {DROP} --tolerance 1% --steps 50us,20us --twins 0 --end 12ms -o tuned.toml --json",
     f"tune {DROP} --steps 20us --twins 0 --end 12ms --output tuned2.toml --set contact.restitution=0.4 --quiet",
     f"tune {PAPER} --controller {OWN} {SAMPLED} --steps 20us --twins 0 --end 200us -q",
@@ -110,15 +113,17 @@ class Manual(InAFolder):
     @unittest.skipUnless(shutil.which("groff"), "groff is not installed")
     def test_groff_prints_the_manual_page(self):
         self.rotorub("manual", "man", "-o", "rotorub.1")
-        done = subprocess.run(["groff", "-man", "-Kutf8", "-Tutf8", "-wall", "-P-cbou", "rotorub.1"], cwd=self.folder,
-                              capture_output=True, text=True)
+        done = subprocess.run(["groff", "-man", "-Kutf8", "-Tutf8", "-wall", "-P-cbou", "rotorub.1"],
+                              cwd=self.folder, capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("--clearance LENGTH", done.stdout)
 
     def completed(self, *words):
         """What bash offers for the last word."""
-        script = """source ./rotorub.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _rotorub; printf '%s\\n' "${COMPREPLY[@]}" """
-        done = subprocess.run(["bash", "-euc", script, "bash", "rotorub", *words], cwd=self.folder, capture_output=True, text=True)
+        script = """source ./rotorub.bash
+                    COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _rotorub; printf '%s\\n' "${COMPREPLY[@]}" """
+        done = subprocess.run(["bash", "-euc", script, "bash", "rotorub", *words], cwd=self.folder,
+                              capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return done.stdout.split()
 
@@ -138,7 +143,8 @@ class Manual(InAFolder):
         self.assertEqual(self.completed("run", "sc"), ["scene.toml"])
 
     def test_the_build_has_them_as_the_program_writes_them(self):
-        for words, file in ((["manual", "man"], "rotorub.1"), (["manual", "bash"], "rotorub.bash"), (["schema"], "scene.schema.json")):
+        for words, file in ((["manual", "man"], "rotorub.1"), (["manual", "bash"], "rotorub.bash"),
+                            (["schema"], "scene.schema.json")):
             self.assertEqual((BUILD / "manual" / file).read_text(), self.rotorub(*words), file)
 
 

@@ -29,8 +29,9 @@ def written(value):
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (list, dict)):
-        inner = [written(v) for v in value] if isinstance(value, list) else [f"{k} = {written(v)}" for k, v in value.items()]
-        return ("[" + ", ".join(inner) + "]") if isinstance(value, list) else ("{" + ", ".join(inner) + "}")
+        if isinstance(value, list):
+            return "[" + ", ".join(map(written, value)) + "]"
+        return "{" + ", ".join(f"{key} = {written(inner)}" for key, inner in value.items()) + "}"
     return json.dumps(value) if isinstance(value, str) else repr(value)
 
 

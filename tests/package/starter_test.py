@@ -11,8 +11,10 @@ from product import InAFolder
 FORMS = ["geometry", "modal", "rig"]
 # Sizes of a watch's and a turbine's order, above and below the first critical speed.
 MACHINES = {
-    "small": ["--speed", "1 kHz", "--length", "60 mm", "--diameter", "3 mm", "--disc-mass", "10 g", "--clearance", "50 um"],
-    "large": ["--speed", "3000 rpm", "--length", "4", "--diameter", "40 cm", "--disc-mass", "2 t", "--clearance", "1 mm"],
+    "small": ["--speed", "1 kHz", "--length", "60 mm", "--diameter", "3 mm", "--disc-mass", "10 g",
+              "--clearance", "50 um"],
+    "large": ["--speed", "3000 rpm", "--length", "4", "--diameter", "40 cm", "--disc-mass", "2 t",
+              "--clearance", "1 mm"],
     "slippery": ["--speed", "120", "--friction", "0"],
     "rough": ["--speed", "90 Hz", "--friction", "0.6"],
 }
