@@ -72,26 +72,35 @@ std::string described(const Key& key) {
   return text + (key.required() ? ". Required." : ". Default: " + key.fallback + ".");
 }
 
+// Asks for the key in `schema`, under either of its names.
+void require(json& schema, const Key& key) {
+  if (key.also.empty()) {
+    schema["required"].push_back(key.name);
+  } else {
+    schema["allOf"].push_back({{"anyOf", {{{"required", {key.name}}}, {{"required", {key.also}}}}}});
+  }
+}
+
 // What the word of `kind` asks for and shuts out.
 json kind_rules(const Table& table) {
   const Key* kind = table.find("kind");
   json rules = json::array();
   if (kind == nullptr) return rules;
   for (const std::string_view word : kind->words) {
-    json required = json::array(), shut = json::object();
+    json then = json::object(), shut = json::object();
     for (const Key& key : table.keys) {
       if (key.kinds.empty()) continue;
       if (!key.is_for(word)) {
         shut[std::string(key.name)] = false;
+        if (!key.also.empty()) shut[std::string(key.also)] = false;
       } else if (key.required() && key.form == Form::kEither) {
-        required.push_back(key.name);
+        require(then, key);
       }
     }
-    if (required.empty() && shut.empty()) continue;
+    if (then.empty() && shut.empty()) continue;
     json given{{"properties", {{"kind", {{"const", word}}}}}};
     if (kind->default_word() != word) given["required"] = {"kind"};
-    json then{{"properties", shut}};
-    if (!required.empty()) then["required"] = required;
+    then["properties"] = shut;
     rules.push_back({{"if", given}, {"then", then}});
   }
   return rules;
@@ -101,15 +110,17 @@ json table_schema(const Table& table) {
   json schema{{"type", "object"}, {"properties", json::object()}};
   schema["additionalProperties"] = false;
   if (table.store_any != nullptr) schema["additionalProperties"] = {{"type", {"number", "string"}}};
-  json required = json::array();
   for (const Key& key : table.keys) {
     json value = value_schema(key);
     value["description"] = described(key);
+    if (!key.also.empty()) {  // one of its names, not both
+      schema["properties"][std::string(key.also)] = value;
+      schema["allOf"].push_back({{"not", {{"required", {key.name, key.also}}}}});
+    }
     schema["properties"][std::string(key.name)] = std::move(value);
-    if (key.required() && key.form == Form::kEither && key.kinds.empty()) required.push_back(key.name);
+    if (key.required() && key.form == Form::kEither && key.kinds.empty()) require(schema, key);
   }
-  if (!required.empty()) schema["required"] = required;
-  if (json rules = kind_rules(table); !rules.empty()) schema["allOf"] = std::move(rules);
+  for (json& rule : kind_rules(table)) schema["allOf"].push_back(std::move(rule));
   return schema;
 }
 

@@ -113,6 +113,16 @@ class Schema(InAFolder):
             slip = copy.deepcopy(scene)
             del slip["contact"][missing]
             self.assertNotEqual(self.slips(slip), [], missing)
+        # One place has two names: either will do, one of them is needed, both are too many.
+        disc = scene["rotor"]["disc"][0]
+        disc["station"] = disc["z"]
+        self.assertNotEqual(self.slips(scene), [])
+        del disc["z"]
+        self.assertEqual(self.slips(scene), [])
+        del disc["station"]
+        self.assertNotEqual(self.slips(scene), [])
+        disc["z"] = 0.3
+        self.assertEqual(self.slips(scene), [])
         del scene["drive"]["gain"]
         self.assertNotEqual(self.slips(scene), [])
 
