@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/study/column_files.h"
 #include "compare/study/json.h"
 #include "compare/study/run_directory.h"
 #include "native_model/trajectory/output.h"
@@ -28,6 +29,7 @@ void write_report(const path& folder, const std::vector<SceneComparison>& compar
                   const std::vector<PageScene>& pages, const Beside& beside) {
   std::filesystem::create_directories(folder);
   write_whole(folder / "compare.json", json_text(comparisons_json(comparisons)));
+  write_whole(folder / kColumnsFile, columns_text(compare_columns_json()));
   if (!pages.empty()) write_whole(folder / "report.html", report_page(pages, beside));
 }
 

@@ -14,7 +14,7 @@ namespace rotorub {
 // times.
 void write_runs(const std::filesystem::path& folder, const SceneComparison& comparison);
 
-// compare.json and report.html.
+// compare.json, columns.json and report.html.
 void write_report(const std::filesystem::path& folder,
                   const std::vector<SceneComparison>& comparisons,
                   const std::vector<PageScene>& pages, const Beside& beside = {});

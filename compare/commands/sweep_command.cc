@@ -15,7 +15,9 @@
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/report/sweep_page.h"
+#include "compare/study/column_files.h"
 #include "compare/study/json.h"
+#include "compare/sweep/columns.h"
 #include "compare/sweep/csv.h"
 #include "compare/sweep/folder.h"
 #include "compare/sweep/slurm.h"
@@ -80,6 +82,7 @@ void print_json(const Sweep& sweep, sweep::Store& store, const sweep::Shard& sha
 void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store) {
   sweep::remove_parts(sweep.folder);
   sweep::write_csv(store, sweep.folder / sweep::kCsvFile);
+  write_whole(sweep.folder / kColumnsFile, columns_text(sweep::sweep_columns_json(sweep.study)));
   const nlohmann::json kept = sweep_json(*sweep.scenes, store, sweep.study);
   write_whole(sweep.folder / sweep::kDataFile, kept.dump());
   write_whole(sweep.folder / sweep::kPageFile, sweep_page(*sweep.scenes, store, sweep.study, kept));

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "compare/study/column_files.h"
 #include "compare/study/json.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
@@ -147,6 +148,7 @@ void write_run(const path& folder, const scene::Scene& scene, const Trajectory& 
   write_impacts(trajectory, folder / kImpacts);
   write_events(trajectory, folder / kEvents);
   write_whole(folder / (scene.rotor.assembled ? kOwnModel : kScene), text_to_keep(scene));
+  write_whole(folder / kColumnsFile, columns_text(run_columns_json(trajectory)));
   write_whole(folder / kSummary, json_text(summary_json(scene, trajectory)));
 }
 

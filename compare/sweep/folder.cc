@@ -1,5 +1,6 @@
 #include "compare/sweep/folder.h"
 
+#include "compare/study/column_files.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
@@ -35,7 +36,7 @@ void remove_parts(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> parts;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    for (const char* file : {kCsvFile, kPageFile, kDataFile}) {
+    for (const char* file : {kCsvFile, kPageFile, kDataFile, kColumnsFile}) {
       if (name.starts_with(std::string(file) + ".part-")) parts.push_back(entry.path());
     }
   }

@@ -23,7 +23,7 @@ const char* attractor(const Figures& f) { return to_string(f.settled.attractor);
 const ResultColumn kColumns[] = {
     {"end", Type::kNumber, "s", "time reached", member<&Figures::end>, nullptr},
     {"steps", Type::kWhole, "", "steps of the integrator", member<&Figures::steps>, nullptr},
-    {"first_touch", Type::kNumber, "s", "first contact; empty: never touched",
+    {"first_touch", Type::kNumber, "s", "first contact; of an ensemble the beginning of its step; empty: never touched",
      member<&Figures::first_touch>, nullptr},
     {"impacts", Type::kWhole, "", "impacts that close faster than 0.1 mm/s",
      member<&Figures::impacts>, nullptr},
@@ -31,11 +31,12 @@ const ResultColumn kColumns[] = {
      member<&Figures::contact_fraction>, nullptr},
     {"mean_force", Type::kNumber, "N", "normal impulse over the time from first touch",
      member<&Figures::mean_force>, nullptr},
-    {"peak_force", Type::kNumber, "N", "largest normal impulse of one run.step / run.step",
+    {"peak_force", Type::kNumber, "N", "largest normal impulse of one run.step, divided by it: an impact's grows as the step shrinks",
      member<&Figures::peak_force>, nullptr},
     {"impulse_total", Type::kNumber, "N s", "all normal impulse", member<&Figures::impulse_total>,
      nullptr},
-    {"attractor", Type::kWord, "", "what the last fifth of the run is", nullptr, attractor},
+    {"attractor", Type::kWord, "", "what the last fifth of the run is: no contact, chattering, resting, synchronous rub, forward rub, backward whip, "
+     "rolling or unknown; from 41 rows evenly spaced over it", nullptr, attractor},
     {"contact_share", Type::kNumber, "", "share of the last fifth's rows in contact",
      last<&Settled::contact_share>, nullptr},
     {"whirl_frequency", Type::kNumber, "rad/s",
@@ -48,7 +49,7 @@ const ResultColumn kColumns[] = {
      member<&Figures::friction_work>, nullptr},
     {"max_penetration", Type::kNumber, "m", "deepest penetration",
      member<&Figures::max_penetration>, nullptr},
-    {"energy_residual", Type::kNumber, "", "imbalance of the energy over the largest energy met",
+    {"energy_residual", Type::kNumber, "", "imbalance of the energy over the largest energy met; single runs",
      member<&Figures::energy_residual>, nullptr},
 };
 

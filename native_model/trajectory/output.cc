@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "native_model/trajectory/columns.h"
+
 namespace rotorub {
 namespace {
 
@@ -28,6 +30,12 @@ void append_row(std::string& text, std::initializer_list<double> values) {
     append(text, value);
   }
   text += '\n';
+}
+
+std::string header(std::span<const ColumnMeaning> columns) {
+  std::string text;
+  for (const ColumnMeaning& column : columns) text += (text.empty() ? "" : ",") + std::string(column.name);
+  return text + '\n';
 }
 
 }  // namespace
@@ -57,9 +65,7 @@ void write_series(const Trajectory& trajectory, const std::filesystem::path& fil
 }
 
 void write_impacts(const Trajectory& trajectory, const std::filesystem::path& file) {
-  std::string text =
-      "t,normal_impulse,friction_impulse,gap_rate_before,gap_rate_after,slip_before,slip_after,"
-      "energy_change\n";
+  std::string text = header(impact_columns());
   for (const Impact& i : trajectory.impacts) {
     append_row(text, {i.t, i.normal_impulse, i.friction_impulse, i.gap_rate_before,
                       i.gap_rate_after, i.slip_before, i.slip_after, i.energy_change});
@@ -68,7 +74,7 @@ void write_impacts(const Trajectory& trajectory, const std::filesystem::path& fi
 }
 
 void write_events(const Trajectory& trajectory, const std::filesystem::path& file) {
-  std::string text = "t,event\n";
+  std::string text = header(event_columns());
   for (const Event& e : trajectory.events) {
     append(text, e.t);
     text += ',';

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 namespace {
@@ -15,55 +16,42 @@ bool has_actuator_columns(const Model& model) {
   return model.layout.stator && (model.commanded() || model.magnets);
 }
 
+// Their units and meanings: columns.cc.
 std::vector<Column> make_columns(const Model& model) {
   const Layout& l = model.layout;
   std::vector<Column> c;
-  const auto add = [&c](std::string name, std::string unit) {
-    c.push_back({std::move(name), std::move(unit), {}});
+  const auto add = [&c](const std::string& name) {
+    c.push_back({name, std::string(series_column(name).unit), {}});
   };
-  add("t", "s");
-  for (const char* body : {"rotor", "stator"}) {
-    const std::string name = body;
-    add(name + "_x", "m");
-    add(name + "_y", "m");
-    add(name + "_vx", "m/s");
-    add(name + "_vy", "m/s");
+  for (const char* name : {"t", "rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x", "stator_y",
+                           "stator_vx", "stator_vy", "spin_angle", "spin_speed", "gap", "gap_rate", "slip",
+                           "normal_force", "friction_force", "mode"}) {
+    add(name);
   }
-  add("spin_angle", "rad");
-  add("spin_speed", "rad/s");
-  add("gap", "m");
-  add("gap_rate", "m/s");
-  add("slip", "m/s");
-  add("normal_force", "N");
-  add("friction_force", "N");
-  add("mode", "");
-  const auto numbered = [&](const std::string& name, const std::string& unit, int count) {
-    for (int k = 1; k <= count; ++k) add(name + "_" + std::to_string(k), unit);
+  const auto numbered = [&](const std::string& name, int count) {
+    for (int k = 1; k <= count; ++k) add(name + "_" + std::to_string(k));
   };
-  numbered("x", "m", l.modes);
-  numbered("y", "m", l.modes);
-  numbered("vx", "m/s", l.modes);
-  numbered("vy", "m/s", l.modes);
-  numbered("torsion", "rad", l.torsion);
-  numbered("torsion_speed", "rad/s", l.torsion);
+  for (const char* name : {"x", "y", "vx", "vy"}) numbered(name, l.modes);
+  numbered("torsion", l.torsion);
+  numbered("torsion_speed", l.torsion);
   if (has_actuator_columns(model)) {
-    add("control_x", "N");
-    add("control_y", "N");
+    add("control_x");
+    add("control_y");
   }
-  numbered("current", "A", model.magnets ? 2 : 0);
+  numbered("current", model.magnets ? 2 : 0);
   if (model.controller) {
     for (const Controller::Output& out : model.controller->outputs()) {
-      add("control_" + std::string(out.name), std::string(out.unit));
+      c.push_back({"control_" + std::string(out.name), std::string(out.unit), {}});
     }
   }
   if (l.ring_spin) {
-    add("ring_angle", "rad");
-    add("ring_speed", "rad/s");
+    add("ring_angle");
+    add("ring_speed");
   }
-  if (model.drive) add("motor_torque", "N m");
+  if (model.drive) add("motor_torque");
   if (model.feedback) {
-    add("bearing_current_x", "A");
-    add("bearing_current_y", "A");
+    add("bearing_current_x");
+    add("bearing_current_y");
   }
   return c;
 }

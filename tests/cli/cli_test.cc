@@ -52,8 +52,8 @@ TEST(CliRun, WritesTheContractsFiles) {
     ASSERT_EQ(done.code, 0) << done.err;
     EXPECT_EQ(done.err, "");
     EXPECT_EQ(folder.files(),
-              (std::vector<std::string>{"out/events.csv", "out/impacts.csv", "out/scene.toml",
-                                        "out/series.csv", "out/summary.json"}));
+              (std::vector<std::string>{"out/columns.json", "out/events.csv", "out/impacts.csv",
+                                        "out/scene.toml", "out/series.csv", "out/summary.json"}));
     EXPECT_EQ(first_line(folder.text("out/series.csv")), kSeries);
     EXPECT_EQ(first_line(folder.text("out/impacts.csv")),
               "t,normal_impulse,friction_impulse,gap_rate_before,gap_rate_after,slip_before,"

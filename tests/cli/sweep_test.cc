@@ -43,8 +43,8 @@ TEST(Sweep, LeavesTableDatabasePageAndStudy) {
   EXPECT_EQ(summary.at("done"), 6);
   EXPECT_EQ(summary.at("status").at("ok"), 6);
   EXPECT_EQ(folder.files(),
-            (std::vector<std::string>{"out/results.csv", "out/results.sqlite", "out/scene.toml",
-                                      "out/study.toml", "out/sweep.html", "study.toml"}));
+            (std::vector<std::string>{"out/columns.json", "out/results.csv", "out/results.sqlite",
+                                      "out/scene.toml", "out/study.toml", "out/sweep.html", "study.toml"}));
   EXPECT_EQ(folder.text("out/study.toml"), text);
   EXPECT_EQ(lines(folder.text("out/results.csv")), 7);
   // Again: nothing is left to do, and nothing changes.

@@ -1,0 +1,123 @@
+#include "compare/study/column_files.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "compare/engine/engine.h"
+#include "compare/study/json.h"
+#include "compare/sweep/columns.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+scene::Scene shipped_scene(const std::string& name, std::vector<std::string> overrides = {"run.end=1e-3"}) {
+  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
+}
+
+Trajectory short_run(const scene::Scene& scene) { return native_engine(scene::Integrator::kVerlet)->run(scene, {}); }
+
+// Between the marks stands what the program says; ROTORUB_UPDATE_REFERENCE=1 in the environment writes it instead.
+void expect_in_readme(const std::string& file, const std::string& text) {
+  const std::string path = std::string(ROTORUB_SOURCE_DIR) + "/" + file;
+  std::stringstream content;
+  content << std::ifstream(path).rdbuf();
+  std::string readme = content.str();
+  const std::size_t begin = readme.find(kColumnsBegin), end = readme.find(kColumnsEnd);
+  ASSERT_TRUE(begin != std::string::npos && end != std::string::npos) << "no marks in " << path;
+  const std::size_t first = begin + std::string(kColumnsBegin).size();
+  if (std::getenv("ROTORUB_UPDATE_REFERENCE") != nullptr) {
+    std::ofstream(path) << readme.replace(first, end - first, "\n" + text);
+    return;
+  }
+  EXPECT_EQ(readme.substr(first, end - first), "\n" + text)
+      << path << " is behind the program; run this test with ROTORUB_UPDATE_REFERENCE=1";
+}
+
+TEST(ColumnFiles, StandInTheReadmesAsTheProgramHasThem) {
+  expect_in_readme("compare/study/README.md", columns_markdown());
+  expect_in_readme("compare/sweep/README.md", sweep::sweep_columns_markdown() + "\n");
+}
+
+// Leaves of an object, as "contact_mass.kept".
+void collect(const json& object, const std::string& prefix, std::set<std::string>& keys) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      collect(value, prefix + key + ".", keys);
+    } else {
+      keys.insert(prefix + key);
+    }
+  }
+}
+
+std::set<std::string> names_of(std::span<const ColumnMeaning> columns) {
+  std::set<std::string> names;
+  for (const ColumnMeaning& column : columns) {
+    EXPECT_TRUE(names.emplace(column.name).second) << column.name << " stands twice";
+    EXPECT_FALSE(column.meaning.empty()) << column.name;
+  }
+  return names;
+}
+
+// Every key that is written is explained, and none that is not.
+TEST(ColumnFiles, NameTheKeysOfSummaryAndMetrics) {
+  std::set<std::string> written;
+  for (const char* name : {"paper_passive", "touchdown_ball_bearing"}) {
+    const scene::Scene scene = shipped_scene(name);
+    collect(summary_json(scene, short_run(scene)), "", written);
+  }
+  written.erase("contact_mass");  // null: modal data
+  written.erase("above_modes");
+  EXPECT_EQ(written, names_of(summary_keys()));
+  std::set<std::string> metrics;
+  collect(metrics_json({}), "", metrics);
+  EXPECT_EQ(metrics, names_of(metric_keys()));
+}
+
+// Each column of a run by its own name, in the order of the file, with the unit that the recorder gave it.
+TEST(ColumnFiles, NameEveryColumnOfEveryShippedScene) {
+  std::set<std::string_view> met;
+  for (const auto& entry : std::filesystem::directory_iterator(ROTORUB_MJCF_DIR)) {
+    if (entry.path().extension() != ".toml") continue;
+    scene::Scene scene = shipped_scene(entry.path().stem(), {"run.end=2e-5", "run.step=1e-5", "run.output_step=1e-5"});
+    const Trajectory run = native_engine(scene.run.integrator)->run(scene, {});
+    const auto series = run_columns_json(run).at("series.csv");
+    ASSERT_EQ(series.size(), run.series.size());
+    for (std::size_t k = 0; k < series.size(); ++k) {
+      const ColumnMeaning& meaning = series_column(run.series[k].name);
+      met.insert(meaning.name);
+      EXPECT_EQ(series[k].at("name"), run.series[k].name);
+      EXPECT_EQ(series[k].at("unit"), run.series[k].unit);
+      if (meaning.name != "control_<name>") {
+        EXPECT_EQ(run.series[k].unit, meaning.unit) << run.series[k].name;
+      }
+    }
+  }
+  for (const ColumnMeaning& column : series_columns()) {
+    EXPECT_TRUE(met.contains(column.name)) << "no shipped scene has " << column.name;
+  }
+}
+
+TEST(ColumnFiles, NumberedColumnsAreToldApart) {
+  EXPECT_EQ(series_column("torsion_12").unit, "rad");
+  EXPECT_EQ(series_column("torsion_speed_1").unit, "rad/s");
+  EXPECT_EQ(series_column("x_3").name, "x_<n>");
+  EXPECT_EQ(series_column("control_x").unit, "N");
+  EXPECT_EQ(series_column("control_x_1").name, "control_<name>") << "a law's own";
+}
+
+// A sentence a figure in SI, whatever unit it is shown in.
+TEST(ColumnFiles, FiguresAreInSi) {
+  const std::set<std::string_view> units{"", "s", "m", "m/s", "N", "N s", "J", "rad/s"};
+  for (const ColumnMeaning& key : metric_keys()) EXPECT_TRUE(units.contains(key.unit)) << key.name << ": " << key.unit;
+}
+
+}  // namespace
+}  // namespace rotorub
