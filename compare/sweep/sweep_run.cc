@@ -2,61 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <utility>
 
 #include "compare/engine/mujoco_messages.h"
-#include "compare/sweep/ensemble_points.h"
+#include "compare/sweep/batch_run.h"
 #include "compare/sweep/exchange.h"
-#include "compare/sweep/single_point.h"
 #include "plugin/hooks.h"
 
 namespace rotorub::sweep {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr std::int64_t kEnsemblePoints = 32;  // of a batch: whole groups on every instruction set
 constexpr auto kStoreEvery = 100ms;           // a transaction waits for the disk
-
-// Of a batch: those that can go into ensembles do, the others run by themselves.
-class BatchRun {
- public:
-  BatchRun(const PointScenes& scenes, const std::atomic<bool>& interrupt)
-      : scenes_(scenes), interrupt_(interrupt) {}
-
-  std::vector<PointResult> run(const std::vector<std::int64_t>& points) const {
-    std::vector<PointResult> out;
-    std::map<scene::Integrator, std::vector<PointScene>> together;
-    for (const std::int64_t point : points) {
-      if (interrupt_) return {};
-      try {
-        PointScene made{point, scenes_.at(point)};
-        const Study& study = scenes_.study();
-        const auto integrator = study.integrator.value_or(made.scene.run.integrator);
-        if (study.engine == EngineKind::kNative && has_ensemble(integrator)) {
-          together[integrator].push_back(std::move(made));
-        } else if (auto result = run_single(point, made.scene, *engine_of(study, made.scene),
-                                            interrupt_)) {
-          out.push_back(std::move(*result));
-        }
-      } catch (const scene::SceneError& error) {
-        out.push_back(refused(point, reason_of(error)));
-      }
-    }
-    for (const auto& [integrator, members] : together) {
-      for (PointResult& result : run_ensembles(members, integrator, interrupt_)) {
-        out.push_back(std::move(result));
-      }
-    }
-    return out;
-  }
-
- private:
-  const PointScenes& scenes_;
-  const std::atomic<bool>& interrupt_;
-};
 
 // The batches of the shard, handed out in order.
 class Work {
@@ -96,11 +55,7 @@ struct MujocoInPlace {
 }  // namespace
 
 Batches batches_of(const PointScenes& scenes) {
-  const Study& study = scenes.study();
-  // Where each point says its integrator, any of them may be one with ensembles.
-  const bool together = study.engine == EngineKind::kNative &&
-                        (!study.integrator || has_ensemble(*study.integrator));
-  return {scenes.sample().size(), together ? kEnsemblePoints : 1};
+  return {scenes.sample().size(), batch_size(scenes.study())};
 }
 
 bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& options) {
@@ -114,7 +69,7 @@ bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& opti
   std::optional<MujocoInPlace> mujoco;
   if (scenes.study().engine == EngineKind::kMujoco) mujoco.emplace();
 
-  const BatchRun batch(scenes, stop);
+  const BatchRun batch(scenes.study(), [&](std::int64_t point) { return scenes.at(point); }, stop);
   const auto loop = [&] {
     while (!stop) {
       const auto points = work.next();

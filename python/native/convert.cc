@@ -1,0 +1,199 @@
+#include "python/native/convert.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "compare/study/column_files.h"
+#include "compare/study/json.h"
+#include "native_model/scene/reader.h"
+#include "native_model/scene/variants.h"
+
+namespace py = pybind11;
+
+namespace rotorub::python {
+namespace {
+
+constexpr const char* kTextName = "scene.toml";  // of a scene that came as text
+
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+// A value as TOML, in a list or by itself.
+std::string value_text(const py::handle& value, const std::string& key, bool in_list) {
+  if (value.is_none() && !in_list) return "none";
+  if (PyBool_Check(value.ptr())) return value.cast<bool>() ? "true" : "false";
+  if (py::isinstance<py::str>(value)) {
+    const auto text = value.cast<std::string>();
+    return in_list ? quoted(text) : text;
+  }
+  if (PyFloat_Check(value.ptr())) return fmt::format("{}", value.cast<double>());
+  if (py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value)) {
+    std::string text;
+    for (const py::handle& element : value) text += (text.empty() ? "" : ", ") + value_text(element, key, true);
+    return "[" + text + "]";
+  }
+  if (PyIndex_Check(value.ptr())) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
+  if (py::hasattr(value, "__float__")) return fmt::format("{}", py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>());
+  throw py::type_error(fmt::format("{}: a {} is no value of a scene; accepted are numbers, flags, strings, lists of them, None", key,
+                                   py::str(py::type::of(value).attr("__name__")).cast<std::string>()));
+}
+
+// Nothing: a path.
+std::optional<std::string> text_of(const py::object& scene) {
+  if (!py::isinstance<py::str>(scene)) return std::nullopt;
+  auto text = scene.cast<std::string>();
+  return text.find('\n') != std::string::npos ? std::optional(std::move(text)) : std::nullopt;
+}
+
+std::filesystem::path path_of(const py::object& scene) {
+  return py::module_::import("os").attr("fspath")(scene).cast<std::string>();
+}
+
+// numpy's words for numbers.
+py::object words_of(const std::vector<std::string>& words, const std::vector<int>& which) {
+  const py::module_ numpy = py::module_::import("numpy");
+  return numpy.attr("array")(words).attr("take")(py::array_t<int>(static_cast<py::ssize_t>(which.size()), which.data()));
+}
+
+py::dict series_dict(const Trajectory& t) {
+  py::dict all;
+  for (const Column& column : t.series) {
+    if (column.name == "mode") {
+      const std::vector<int> which(column.values.begin(), column.values.end());
+      all[column.name.c_str()] = words_of({"free", "slide", "stick"}, which);
+    } else {
+      all[column.name.c_str()] = array_of(column.values);
+    }
+  }
+  return all;
+}
+
+py::dict impacts_dict(const Trajectory& t) {
+  static constexpr double Impact::*kMembers[] = {&Impact::t, &Impact::normal_impulse, &Impact::friction_impulse,
+                                                 &Impact::gap_rate_before, &Impact::gap_rate_after,
+                                                 &Impact::slip_before, &Impact::slip_after, &Impact::energy_change};
+  py::dict all;
+  std::size_t k = 0;
+  for (const ColumnMeaning& column : impact_columns()) {
+    std::vector<double> values;
+    for (const Impact& impact : t.impacts) values.push_back(impact.*kMembers[k]);
+    all[py::str(std::string(column.name))] = array_of(values);
+    ++k;
+  }
+  return all;
+}
+
+py::dict events_dict(const Trajectory& t) {
+  std::vector<double> times;
+  std::vector<int> which;
+  for (const Event& event : t.events) {
+    times.push_back(event.t);
+    which.push_back(static_cast<int>(event.kind));
+  }
+  std::vector<std::string> words;
+  for (const EventKind kind : {EventKind::kImpact, EventKind::kSlide, EventKind::kStick, EventKind::kLiftOff, EventKind::kReverse}) {
+    words.emplace_back(to_string(kind));
+  }
+  py::dict all;
+  all["t"] = array_of(times);
+  all["event"] = words_of(words, which);
+  return all;
+}
+
+}  // namespace
+
+py::array_t<double> array_of(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+py::object parsed_json(const std::string& text) { return py::module_::import("json").attr("loads")(text); }
+
+std::vector<std::string> overrides_of(const py::object& changes) {
+  std::vector<std::string> all;
+  if (changes.is_none()) return all;
+  if (py::isinstance<py::dict>(changes)) {
+    for (const auto& [key, value] : changes.cast<py::dict>()) {
+      const auto name = key.cast<std::string>();
+      all.push_back(name + "=" + value_text(value, name, false));
+    }
+    return all;
+  }
+  if (py::isinstance<py::str>(changes) || !py::isinstance<py::sequence>(changes)) {
+    throw py::type_error("overrides: accepted are a dict of keys and values, or a list of \"table.key=value\"");
+  }
+  return changes.cast<std::vector<std::string>>();
+}
+
+scene::Scene scene_of(const py::object& scene, const std::vector<std::string>& overrides) {
+  if (const auto text = text_of(scene)) return scene::parse_scene(*text, kTextName, overrides);
+  return scene::read_scene(path_of(scene), overrides);
+}
+
+std::function<scene::Scene(const std::vector<std::string>&)> points_of(const py::object& scene,
+                                                                      const std::vector<std::string>& overrides) {
+  if (const auto text = text_of(scene)) {
+    return [text = *text, overrides](const std::vector<std::string>& changes) {
+      std::vector<std::string> all = overrides;
+      all.insert(all.end(), changes.begin(), changes.end());
+      return scene::parse_scene(text, kTextName, all);
+    };
+  }
+  const auto variants = std::make_shared<scene::Variants>(path_of(scene), overrides);
+  return [variants](const std::vector<std::string>& changes) { return variants->scene(changes, false); };
+}
+
+py::dict run_dict(const scene::Scene& scene, const Trajectory& t) {
+  nlohmann::ordered_json by_name = nlohmann::ordered_json::object();
+  const nlohmann::ordered_json files = run_columns_json(t);
+  for (const auto& [file, columns] : files.items()) {
+    for (const auto& column : columns) {
+      by_name[file][column.at("name").get<std::string>()] = {{"unit", column.at("unit")}, {"meaning", column.at("meaning")}};
+    }
+  }
+  py::dict all;
+  all["series"] = series_dict(t);
+  all["impacts"] = impacts_dict(t);
+  all["events"] = events_dict(t);
+  all["columns"] = parsed_json(by_name.dump());
+  all["scene_text"] = scene.text;
+  all["summary"] = parsed_json(json_text(summary_json(scene, t)));
+  return all;
+}
+
+py::dict points_dict(const std::vector<sweep::PointResult>& points) {
+  const py::module_ numpy = py::module_::import("numpy");
+  py::dict all;
+  std::vector<std::string> statuses, reasons;
+  std::vector<double> numbers;
+  for (const sweep::PointResult& p : points) {
+    numbers.push_back(static_cast<double>(p.point));
+    statuses.push_back(p.status);
+    reasons.push_back(p.reason);
+  }
+  all["point"] = array_of(numbers);
+  all["status"] = numpy.attr("array")(statuses, "str");
+  all["reason"] = numpy.attr("array")(reasons, "str");
+  for (const sweep::ResultColumn& column : sweep::result_columns()) {
+    if (column.word) {
+      std::vector<std::string> words;
+      for (const auto& p : points) words.emplace_back(p.figures ? column.word(*p.figures) : "");
+      all[column.name] = numpy.attr("array")(words, "str");
+      continue;
+    }
+    std::vector<double> values;
+    for (const auto& p : points) {
+      const auto value = p.figures ? column.number(*p.figures) : std::nullopt;
+      values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    all[column.name] = array_of(values);
+  }
+  return all;
+}
+
+}  // namespace rotorub::python

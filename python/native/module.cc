@@ -1,0 +1,151 @@
+// The Python module rotorub_native: scenes and studies run in the process itself, by the native model.
+
+#include <fmt/format.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/engine/engine.h"
+#include "compare/sweep/batch_run.h"
+#include "compare/sweep/point_scene.h"
+#include "compare/version.h"
+#include "python/native/background.h"
+#include "python/native/convert.h"
+
+namespace py = pybind11;
+
+namespace rotorub::python {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::optional<scene::Integrator> integrator_of(const std::optional<std::string>& name) {
+  if (!name) return std::nullopt;
+  using enum scene::Integrator;
+  for (const scene::Integrator one : {kEvent, kVerlet, kPaper, kLiteral}) {
+    if (*name == to_string(one)) return one;
+  }
+  throw py::value_error(fmt::format("integrator: {}; accepted are event, verlet, paper, literal", *name));
+}
+
+// What a call sets beside its overrides: seconds, or a string with a unit.
+Words with_run(const py::object& overrides, const py::object& step, const py::object& end) {
+  Words all = overrides_of(overrides);
+  py::dict run;
+  if (!step.is_none()) run["run.step"] = step;
+  if (!end.is_none()) run["run.end"] = end;
+  for (std::string& text : overrides_of(run)) all.push_back(std::move(text));
+  return all;
+}
+
+py::dict run(const py::object& scene, const py::object& overrides, const std::optional<std::string>& integrator,
+             const py::object& step, const py::object& end, std::optional<std::vector<double>> output_times) {
+  const scene::Scene made = scene_of(scene, with_run(overrides, step, end));
+  const auto engine = native_engine(integrator_of(integrator).value_or(made.run.integrator));
+  const Trajectory trajectory = in_background<Trajectory>([&](const std::atomic<bool>& interrupt) {
+    RunRequest request;
+    request.output_times = output_times;
+    request.interrupt = &interrupt;
+    return engine->run(made, request);
+  });
+  return run_dict(made, trajectory);
+}
+
+py::dict sweep_points(const py::object& scene, const std::vector<py::object>& points, const py::object& overrides,
+                      const std::optional<std::string>& integrator, const py::object& step, const py::object& end) {
+  const Words common = with_run(overrides, step, end);
+  std::vector<Words> changes;
+  for (const py::object& point : points) changes.push_back(overrides_of(point));
+  sweep::Study study;
+  study.integrator = integrator_of(integrator);
+  const auto scene_at = points_of(scene, common);
+  const auto results = in_background<std::vector<sweep::PointResult>>([&](const std::atomic<bool>& interrupt) {
+    return sweep::run_points(
+        study, static_cast<std::int64_t>(changes.size()),
+        [&](std::int64_t k) { return scene_at(changes[static_cast<std::size_t>(k)]); }, interrupt);
+  });
+  return points_dict(results);
+}
+
+// The varied values of each point, before the figures.
+py::dict study_dict(const sweep::PointScenes& scenes, const std::vector<sweep::PointResult>& results) {
+  py::dict all;
+  const auto& vary = scenes.study().vary;
+  for (std::size_t k = 0; k < vary.size(); ++k) {
+    py::list values;
+    for (const sweep::PointResult& result : results) {
+      const sweep::Value value = scenes.sample().at(result.point)[k];
+      values.append(value.number ? py::object(py::float_(*value.number)) : py::object(py::str(value.text)));
+    }
+    all[vary[k].key.c_str()] = py::module_::import("numpy").attr("array")(values);
+  }
+  for (const auto& [key, column] : points_dict(results)) all[key] = column;
+  return all;
+}
+
+py::dict study(const py::object& file, const py::object& overrides) {
+  const sweep::Study read = sweep::read_study(py::module_::import("os").attr("fspath")(file).cast<std::string>());
+  if (read.engine != sweep::EngineKind::kNative) {
+    throw py::value_error("run.engine: rotorub_native runs the native model; rotorub sweep runs studies in MuJoCo");
+  }
+  const sweep::PointScenes scenes(read, overrides_of(overrides));
+  scenes.check();
+  const auto results = in_background<std::vector<sweep::PointResult>>([&](const std::atomic<bool>& interrupt) {
+    return sweep::run_points(
+        read, scenes.sample().size(), [&](std::int64_t k) { return scenes.at(k); }, interrupt);
+  });
+  return study_dict(scenes, results);
+}
+
+// Raises SceneError, a ValueError whose `diagnostics` is a list of {"file", "line", "key", "reason"}; `file`, `line`,
+// `key` and `reason` are those of the first.
+void raise(const py::object& type, const scene::SceneError& error) {
+  py::list all;
+  for (const scene::Diagnostic& d : error.diagnostics()) {
+    py::dict one;
+    one["file"] = d.file;
+    one["line"] = d.line;
+    one["key"] = d.key;
+    one["reason"] = d.reason;
+    all.append(one);
+  }
+  const py::object made = type(error.what());
+  made.attr("diagnostics") = all;
+  for (const char* name : {"file", "line", "key", "reason"}) {
+    made.attr(name) = all.empty() ? py::object(py::none()) : py::object(all[0][name]);
+  }
+  PyErr_SetObject(type.ptr(), made.ptr());
+}
+
+}  // namespace
+}  // namespace rotorub::python
+
+PYBIND11_MODULE(rotorub_native, module) {
+  namespace own = rotorub::python;
+  module.doc() = "Runs scenes and studies of rotorub by the native model, in the process itself (python/README.md).";
+  module.attr("__version__") = rotorub::program_version();
+  static py::object scene_error = py::exception<rotorub::scene::SceneError>(module, "SceneError", PyExc_ValueError);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const rotorub::scene::SceneError& error) {
+      own::raise(scene_error, error);
+    }
+  });
+  const auto none = py::none();
+  module.def("run", &own::run, py::arg("scene"), py::arg("overrides") = none, py::kw_only(), py::arg("integrator") = none,
+             py::arg("step") = none, py::arg("end") = none, py::arg("output_times") = none,
+             "Runs a scene, a path or a text of several lines: a dict with series, impacts and events (arrays by column), "
+             "columns (units and meanings), scene_text and summary.\n\noverrides: {\"contact.friction\": 0.2}; step, end: "
+             "seconds, or a string with a unit; output_times: rows of the series, s, ascending.");
+  module.def("sweep", &own::sweep_points, py::arg("scene"), py::arg("points"), py::arg("overrides") = none, py::kw_only(),
+             py::arg("integrator") = none, py::arg("step") = none, py::arg("end") = none,
+             "Runs a scene once for each dict of overrides, on all processors: arrays by the columns of results.csv. A "
+             "point that fails says so in status and reason; its figures are NaN.");
+  module.def("study", &own::study, py::arg("file"), py::arg("overrides") = none,
+             "Runs all points of a study (compare/sweep/README.md), on all processors: as sweep, with the varied keys.");
+}
