@@ -37,6 +37,21 @@ void add_controller_option(CLI::App& command, CommonOptions& options) {
       ->check(CLI::ExistingFile);
 }
 
+void add_format_option(CLI::App& command, std::string& format) {
+  command
+      .add_option("--format", format, "Of the series: csv, or hdf5: a file run.h5 beside the tables of every run")
+      ->check(CLI::IsMember({"csv", "hdf5"}))
+      ->capture_default_str();
+}
+
+hdf5::ImageOf hdf5_of(const std::string& format) {
+  if (format != "hdf5") return nullptr;
+  std::string missing;
+  const hdf5::ImageOf image_of = hdf5::load(missing);
+  if (!image_of) throw UsageError(fmt::format("--format hdf5: {}", missing));
+  return image_of;
+}
+
 std::vector<std::string> overrides_of(const CommonOptions& options) {
   std::vector<std::string> overrides;
   if (!options.controller.empty()) {

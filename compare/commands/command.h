@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/hdf5/module.h"
 #include "compare/own/own_machine.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
@@ -41,6 +42,10 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_run_options(CLI::App& command, CommonOptions& options);
 // --controller
 void add_controller_option(CLI::App& command, CommonOptions& options);
+// --format csv|hdf5
+void add_format_option(CLI::App& command, std::string& format);
+// Null: csv. Throws UsageError where there is no module for hdf5.
+hdf5::ImageOf hdf5_of(const std::string& format);
 
 // --controller and --set, as overrides.
 std::vector<std::string> overrides_of(const CommonOptions& options);

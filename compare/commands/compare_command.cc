@@ -26,7 +26,7 @@ namespace {
 
 struct CompareArguments : CommonOptions {
   std::vector<std::string> scenes, with;
-  std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare";
+  std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare", format = "csv";
   int twins = kDefaultTwins;
   bool no_video = false, modes_ladder = true, tune = false;
 };
@@ -138,7 +138,7 @@ int exit_code(const std::vector<SceneComparison>& comparisons) {
 // disk, but is no comparison.
 std::vector<SceneComparison> compare_all(const CompareArguments& options, double tolerance,
                                          const std::vector<Subject>& subjects,
-                                         ProgressBar& bar) {
+                                         hdf5::ImageOf hdf5, ProgressBar& bar) {
   std::vector<SceneComparison> comparisons;
   const double work = options.no_video ? 1.0 : 1.0 - kFilmShare;
   for (std::size_t k = 0; k < subjects.size() && !interrupted(); ++k) {
@@ -157,7 +157,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     };
     SceneComparison c = compare_scene(scene, how);
     bar.clear();
-    write_runs(options.folder, c);
+    write_runs(options.folder, c, hdf5);
     if (c.interrupted) break;
     if (!options.json && !options.quiet) {
       fmt::print("{}{}", k > 0 ? "\n" : "", comparison_table(c, palette_of(stdout)));
@@ -180,11 +180,12 @@ Beside beside_of(const CompareArguments& options) {
 int compare(const CompareArguments& options) {
   check_twins(options.twins);
   const double tolerance = tolerance_of(options.tolerance);
+  const hdf5::ImageOf hdf5 = hdf5_of(options.format);
   const auto subjects = read_subjects(options);
   const Beside beside = beside_of(options);
   ProgressBar bar(options.quiet);
 
-  const auto comparisons = compare_all(options, tolerance, subjects, bar);
+  const auto comparisons = compare_all(options, tolerance, subjects, hdf5, bar);
   auto pages = pages_of(options, comparisons, [&](double share) {
     bar.show(1.0 - kFilmShare + kFilmShare * share, "films");
   });
@@ -240,6 +241,7 @@ Command add_compare_command(CLI::App& program) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
+  add_format_option(*app, options->format);
   app->add_flag("--tune", options->tune,
                 "Finds the fastest setting that can be trusted for each scene (rotorub tune), and shows it beside the "
                 "verdicts");

@@ -11,11 +11,11 @@
 namespace rotorub {
 using std::filesystem::path;
 
-void write_runs(const path& folder, const SceneComparison& comparison) {
+void write_runs(const path& folder, const SceneComparison& comparison, hdf5::ImageOf hdf5) {
   const auto times = output_times(comparison.scene.run);
   const auto write = [&](const std::string& name, const Side& side) {
     write_run(folder / comparison.scene.name / name, comparison.scene,
-              rows_at(side.trajectory, times));
+              rows_at(side.trajectory, times), hdf5);
   };
   for (const Side& side : comparison.sides) write(side.label, side);
   if (comparison.interrupted) return;

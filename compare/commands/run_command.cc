@@ -28,7 +28,7 @@ namespace rotorub {
 namespace {
 
 struct RunArguments : CommonOptions {
-  std::string scene, engine = "native", integrator, contact, folder;
+  std::string scene, engine = "native", integrator, contact, folder, format = "csv";
 };
 
 std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scene& scene) {
@@ -88,18 +88,19 @@ void say_failure(const scene::Scene& scene, const char* what, const Trajectory& 
 // (tests/plugin/shadow_test.cc). (Magnets that no controller commands are the exception: in the
 // plugin their force is MuJoCo's.)
 void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene, ProgressBar& bar,
-                  bool quiet) {
+                  bool quiet, hdf5::ImageOf hdf5) {
   RunRequest request;
   request.interrupt = &interrupted();
   request.progress = [&](double share) { bar.show(share, kShadowFolder); };
   const Trajectory trajectory = native_engine(scene::Integrator::kPaper)->run(scene, request);
   bar.clear();
-  write_run(folder / kShadowFolder, scene, trajectory);
+  write_run(folder / kShadowFolder, scene, trajectory, hdf5);
   if (!quiet) fmt::print("its shadow written to {}\n", (folder / kShadowFolder).string());
   say_failure(scene, "shadow: ", trajectory);
 }
 
 int run(const RunArguments& options) {
+  const hdf5::ImageOf hdf5 = hdf5_of(options.format);
   const scene::Scene scene = read_scene(options.scene, options);
   const auto engine = engine_of(options, scene);
   const std::filesystem::path folder =
@@ -112,7 +113,7 @@ int run(const RunArguments& options) {
   request.progress = [&](double share) { bar.show(share, engine->name()); };
   const Trajectory trajectory = engine->run(scene, request);
   bar.clear();
-  write_run(folder, scene, trajectory);
+  write_run(folder, scene, trajectory, hdf5);
 
   if (options.json) {
     std::cout << json_text(summary_json(scene, trajectory));
@@ -123,7 +124,7 @@ int run(const RunArguments& options) {
   say_failure(scene, "", trajectory);
   const bool stopped = trajectory.status == Status::kInterrupted;
   if (options.engine == "mujoco" && scene.mujoco.shadow && !stopped) {
-    write_shadow(folder, scene, bar, options.quiet || options.json);
+    write_shadow(folder, scene, bar, options.quiet || options.json, hdf5);
   }
   return exit_code_of(trajectory.status);
 }
@@ -146,6 +147,7 @@ Command add_run_command(CLI::App& program) {
   app->add_option("-o,--output", options->folder,
                   "Folder of the results (default: runs/<scene>-<engine>)")
       ->type_name("DIR");
+  add_format_option(*app, options->format);
   add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run(*options); }};

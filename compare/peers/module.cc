@@ -7,26 +7,15 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "compare/modules/module_file.h"
 #include "compare/peers/peer_engine.h"
 
 namespace rotorub::peers {
 namespace {
 
-// Beside the program, as it is built and as it is installed; empty: nowhere.
-std::filesystem::path module_file(const std::string& name) {
-  std::error_code failed;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", failed);
-  for (const char* folder : {"lib", ROTORUB_INSTALL_LIBDIR}) {
-    const auto file =
-        program.parent_path().parent_path() / folder / ("librotorub_peer_" + name + ".so");
-    if (std::filesystem::exists(file, failed)) return file;
-  }
-  return {};
-}
-
 const ModuleInterface* load(const std::string& name, const std::string& package,
                             std::string& missing) {
-  const std::filesystem::path file = module_file(name);
+  const std::filesystem::path file = module_file("librotorub_peer_" + name + ".so");
   if (file.empty()) {
     missing = fmt::format("built without it; install {} and build again", package);
     return nullptr;

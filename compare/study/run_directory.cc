@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "compare/hdf5/run_file.h"
 #include "compare/study/column_files.h"
 #include "compare/study/json.h"
 #include "native_model/control/library.h"
@@ -29,6 +30,7 @@ constexpr const char* kEvents = "events.csv";
 constexpr const char* kScene = "scene.toml";
 constexpr const char* kOwnModel = "model.xml";  // of a machine of the user's own
 constexpr const char* kSummary = "summary.json";
+constexpr const char* kHdf5 = "run.h5";  // where it is asked for
 
 std::string text_of(const path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -141,13 +143,15 @@ std::string text_to_keep(const scene::Scene& scene) {
 
 }  // namespace
 
-void write_run(const path& folder, const scene::Scene& scene, const Trajectory& trajectory) {
+void write_run(const path& folder, const scene::Scene& scene, const Trajectory& trajectory, hdf5::ImageOf hdf5) {
   std::filesystem::create_directories(folder);
-  std::filesystem::remove(folder / kSummary);
+  for (const char* file : {kSummary, kHdf5}) std::filesystem::remove(folder / file);
   write_series(trajectory, folder / kSeries);
   write_impacts(trajectory, folder / kImpacts);
   write_events(trajectory, folder / kEvents);
-  write_whole(folder / (scene.rotor.assembled ? kOwnModel : kScene), text_to_keep(scene));
+  const std::string scene_text = text_to_keep(scene);
+  write_whole(folder / (scene.rotor.assembled ? kOwnModel : kScene), scene_text);
+  if (hdf5) write_whole(folder / kHdf5, hdf5::run_file(hdf5, scene, scene_text, trajectory));
   write_whole(folder / kColumnsFile, columns_text(run_columns_json(trajectory)));
   write_whole(folder / kSummary, json_text(summary_json(scene, trajectory)));
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "compare/hdf5/module.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -14,8 +15,9 @@ namespace rotorub {
 // Makes the folder where it is missing and writes the files, each whole or not at all;
 // summary.json comes last, so that it is never beside the series of another run. Throws
 // std::runtime_error naming the file.
+// hdf5: writes run.h5 too (compare/hdf5/run_file.h); null: does not.
 void write_run(const std::filesystem::path& folder, const scene::Scene& scene,
-               const Trajectory& trajectory);
+               const Trajectory& trajectory, hdf5::ImageOf hdf5 = nullptr);
 
 struct StoredRun {
   scene::Scene scene;

@@ -72,3 +72,4 @@ install(
   DESTINATION "${CMAKE_INSTALL_DOCDIR}"
   RENAME copyright)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/find_package" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")
+install(FILES "${PROJECT_SOURCE_DIR}/matlab/rotorub_read.m" DESTINATION "${CMAKE_INSTALL_DATADIR}/rotorub/matlab")

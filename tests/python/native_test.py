@@ -1,7 +1,6 @@
 """rotorub_native: the same bits as the program, figures of many runs, errors with their place."""
 
 import os
-import pathlib
 import signal
 import threading
 import time

@@ -1,0 +1,84 @@
+#include "compare/hdf5/run_file.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "compare/study/json.h"
+#include "native_model/trajectory/columns.h"
+
+namespace rotorub::hdf5 {
+namespace {
+
+Column column_of(const ColumnMeaning& meaning, std::span<const double> numbers) {
+  return {std::string(meaning.name), std::string(meaning.unit), std::string(meaning.meaning), numbers};
+}
+
+Table series_of(const Trajectory& t) {
+  Table table{"series", {}};
+  for (const rotorub::Column& c : t.series) {
+    Column column{c.name, c.unit, std::string(series_column(c.name).meaning), c.values};
+    if (c.name == "mode") {
+      for (const Mode mode : {Mode::kFree, Mode::kSlide, Mode::kStick}) column.words.emplace_back(to_string(mode));
+      column.which.assign(c.values.begin(), c.values.end());
+    }
+    table.columns.push_back(std::move(column));
+  }
+  return table;
+}
+
+// values: one list a column.
+Table impacts_of(const Trajectory& t, std::array<std::vector<double>, 8>& values) {
+  for (const Impact& i : t.impacts) {
+    const double row[] = {i.t, i.normal_impulse, i.friction_impulse, i.gap_rate_before,
+                          i.gap_rate_after, i.slip_before, i.slip_after, i.energy_change};
+    for (std::size_t k = 0; k < values.size(); ++k) values[k].push_back(row[k]);
+  }
+  Table table{"impacts", {}};
+  for (const ColumnMeaning& c : impact_columns()) table.columns.push_back(column_of(c, values[table.columns.size()]));
+  return table;
+}
+
+Table events_of(const Trajectory& t, std::vector<double>& times) {
+  std::vector<int> which;
+  for (const Event& event : t.events) {
+    times.push_back(event.t);
+    which.push_back(static_cast<int>(event.kind));
+  }
+  Table table{"events", {column_of(event_columns()[0], times), column_of(event_columns()[1], {})}};
+  for (const EventKind kind :
+       {EventKind::kImpact, EventKind::kSlide, EventKind::kStick, EventKind::kLiftOff, EventKind::kReverse}) {
+    table.columns[1].words.emplace_back(to_string(kind));
+  }
+  table.columns[1].which = std::move(which);
+  return table;
+}
+
+// What hangs on the machine's speed is no result.
+void add_attributes(const nlohmann::json& object, const std::string& prefix, std::vector<Attribute>& all) {
+  for (const auto& [key, value] : object.items()) {
+    if (key == "wall_s" || key == "us_per_step" || value.is_null()) continue;
+    if (value.is_object()) {
+      add_attributes(value, prefix + key + ".", all);
+    } else if (value.is_string()) {
+      all.push_back({prefix + key, value.get<std::string>()});
+    } else if (value.is_number_integer()) {
+      all.push_back({prefix + key, value.get<std::int64_t>()});
+    } else {
+      all.push_back({prefix + key, value.get<double>()});
+    }
+  }
+}
+
+}  // namespace
+
+std::string run_file(ImageOf image_of, const scene::Scene& scene, const std::string& scene_text, const Trajectory& t) {
+  Content content;
+  add_attributes(summary_json(scene, t), "", content.attributes);
+  content.attributes.push_back({"scene_text", scene_text});
+  std::array<std::vector<double>, 8> impacts;
+  std::vector<double> times;
+  content.tables = {series_of(t), impacts_of(t, impacts), events_of(t, times)};
+  return image_of(content);
+}
+
+}  // namespace rotorub::hdf5
