@@ -1,6 +1,5 @@
 #include "native_model/trajectory/columns.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace rotorub {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -127,12 +128,19 @@ TEST(CliCompare, LeavesSeriesJsonAndReport) {
   for (const std::string scene : {"bench_ring", "bench_drop"}) {
     EXPECT_TRUE(contains(done.out, scene));
     for (const std::string side : {"native", "coulomb", "cone"}) {
-      for (const std::string file : {"series.csv", "impacts.csv", "events.csv", "summary.json"}) {
+      for (const std::string file : {"series.csv", "impacts.csv", "events.csv", "summary.json", "columns.json"}) {
         EXPECT_TRUE(folder.has("out/" + scene + "/" + side + "/" + file)) << scene << side << file;
       }
     }
   }
-  EXPECT_EQ(json::parse(folder.text("out/compare.json")).at("scenes").size(), 2U);
+  const json compared = json::parse(folder.text("out/compare.json"));
+  EXPECT_EQ(compared.at("scenes").size(), 2U);
+  // What the metrics are stands beside them.
+  for (const json& key : json::parse(folder.text("out/columns.json")).at("compare.json runs.*.metrics")) {
+    json value = compared.at("scenes")[0].at("runs").at("native").at("metrics");
+    std::istringstream path(key.at("name").get<std::string>());
+    for (std::string part; std::getline(path, part, '.');) value = json(value).at(part);
+  }
   EXPECT_TRUE(contains(folder.text("out/report.html"), "bench_drop"));
   expect_whole_files(folder);
 }

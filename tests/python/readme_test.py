@@ -1,29 +1,41 @@
-"""The blocks of python/README.md run as they stand there."""
+"""The blocks of python/README.md, and that of the README of the project, run as they stand there."""
 
 import contextlib
 import io
 import os
 import unittest
 
-from support import InFolder, blocks
+from support import SCENES, InFolder, blocks
 
 
 class Readme(InFolder):
-    def test_every_block_runs(self):
-        self.readme_commands("python/README.md")
+    def said_by(self, readme, count):
+        """What its blocks print, each run by itself."""
+        found = blocks(readme, "python")
+        self.assertEqual(len(found), count)
+        said = io.StringIO()
         here = os.getcwd()
         os.chdir(self.folder)
         try:
-            said = io.StringIO()
-            found = blocks("python/README.md", "python")
-            self.assertGreaterEqual(len(found), 4)
             with contextlib.redirect_stdout(said):
                 for block in found:
-                    exec(compile(block, "python/README.md", "exec"), {})
+                    exec(compile(block, readme, "exec"), {})
         finally:
             os.chdir(here)
-        self.assertIn("smallest gap", said.getvalue())
-        self.assertIn("um off", said.getvalue())
+        return said.getvalue()
+
+    def test_every_block_runs(self):
+        self.readme_commands("python/README.md")
+        said = self.said_by("python/README.md", 5)
+        self.assertIn("smallest gap", said)
+        self.assertRegex(said, r"hardest of \d+ impacts at 0\.1\d+ s: [\d.]+ N s")
+        self.assertIn("um off", said)
+        self.assertIn("has the least peak force", said)
+        self.assertIn("contact.frction", said)
+
+    def test_the_projects_own_runs(self):
+        self.rotorub("run", SCENES / "paper_passive.toml", "--end", "0.12")
+        self.assertRegex(self.said_by("README.md", 1), r"^-?[\d.e-]+ m 0\.\d+ 0\.\d+\n$")
 
 
 if __name__ == "__main__":
