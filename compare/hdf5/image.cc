@@ -104,7 +104,8 @@ void write_table(hid_t file, const Table& table) {
 extern "C" std::string rotorub_hdf5_image(const Content& content) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // an exception says it
   constexpr std::size_t kGrow = 1 << 20;        // bytes
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a file"), plain(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a file");
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a file"),
+      plain(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a file");
   check(H5Pset_fapl_core(access, kGrow, false), "into memory");
   check(H5Pset_obj_track_times(plain, false), "a file");
   const Handle file(H5Fcreate("run.h5", H5F_ACC_TRUNC, plain, access), H5Fclose, "a file");

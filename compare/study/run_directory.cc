@@ -143,7 +143,8 @@ std::string text_to_keep(const scene::Scene& scene) {
 
 }  // namespace
 
-void write_run(const path& folder, const scene::Scene& scene, const Trajectory& trajectory, hdf5::ImageOf hdf5) {
+void write_run(const path& folder, const scene::Scene& scene, const Trajectory& trajectory,
+               hdf5::ImageOf hdf5) {
   std::filesystem::create_directories(folder);
   for (const char* file : {kSummary, kHdf5}) std::filesystem::remove(folder / file);
   write_series(trajectory, folder / kSeries);

@@ -31,12 +31,14 @@ const ResultColumn kColumns[] = {
      member<&Figures::contact_fraction>, nullptr},
     {"mean_force", Type::kNumber, "N", "normal impulse over the time from first touch",
      member<&Figures::mean_force>, nullptr},
-    {"peak_force", Type::kNumber, "N", "largest normal impulse of one run.step, divided by it: an impact's grows as the step shrinks",
+    {"peak_force", Type::kNumber, "N",
+     "largest normal impulse of one run.step, divided by it: an impact's grows as the step shrinks",
      member<&Figures::peak_force>, nullptr},
     {"impulse_total", Type::kNumber, "N s", "all normal impulse", member<&Figures::impulse_total>,
      nullptr},
-    {"attractor", Type::kWord, "", "what the last fifth of the run is: no contact, chattering, resting, synchronous rub, forward rub, backward whip, "
-     "rolling or unknown; from 41 rows evenly spaced over it", nullptr, attractor},
+    {"attractor", Type::kWord, "",
+     "what the last fifth of the run is: no contact, chattering, resting, synchronous rub, forward rub, "
+     "backward whip, rolling or unknown; from 41 rows evenly spaced over it", nullptr, attractor},
     {"contact_share", Type::kNumber, "", "share of the last fifth's rows in contact",
      last<&Settled::contact_share>, nullptr},
     {"whirl_frequency", Type::kNumber, "rad/s",

@@ -39,9 +39,12 @@ std::string value_text(const py::handle& value, const std::string& key, bool in_
     return "[" + text + "]";
   }
   if (PyIndex_Check(value.ptr())) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
-  if (py::hasattr(value, "__float__")) return fmt::format("{}", py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>());
-  throw py::type_error(fmt::format("{}: a {} is no value of a scene; accepted are numbers, flags, strings, lists of them, None", key,
-                                   py::str(py::type::of(value).attr("__name__")).cast<std::string>()));
+  if (py::hasattr(value, "__float__")) {
+    return fmt::format("{}", py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>());
+  }
+  throw py::type_error(
+      fmt::format("{}: a {} is no value of a scene; accepted are numbers, flags, strings, lists of them, None", key,
+                  py::str(py::type::of(value).attr("__name__")).cast<std::string>()));
 }
 
 // Nothing: a path.
@@ -58,7 +61,8 @@ std::filesystem::path path_of(const py::object& scene) {
 // numpy's words for numbers.
 py::object words_of(const std::vector<std::string>& words, const std::vector<int>& which) {
   const py::module_ numpy = py::module_::import("numpy");
-  return numpy.attr("array")(words).attr("take")(py::array_t<int>(static_cast<py::ssize_t>(which.size()), which.data()));
+  return numpy.attr("array")(words).attr("take")(
+      py::array_t<int>(static_cast<py::ssize_t>(which.size()), which.data()));
 }
 
 py::dict series_dict(const Trajectory& t) {
@@ -97,7 +101,8 @@ py::dict events_dict(const Trajectory& t) {
     which.push_back(static_cast<int>(event.kind));
   }
   std::vector<std::string> words;
-  for (const EventKind kind : {EventKind::kImpact, EventKind::kSlide, EventKind::kStick, EventKind::kLiftOff, EventKind::kReverse}) {
+  for (const EventKind kind :
+       {EventKind::kImpact, EventKind::kSlide, EventKind::kStick, EventKind::kLiftOff, EventKind::kReverse}) {
     words.emplace_back(to_string(kind));
   }
   py::dict all;
@@ -153,7 +158,8 @@ py::dict run_dict(const scene::Scene& scene, const Trajectory& t) {
   const nlohmann::ordered_json files = run_columns_json(t);
   for (const auto& [file, columns] : files.items()) {
     for (const auto& column : columns) {
-      by_name[file][column.at("name").get<std::string>()] = {{"unit", column.at("unit")}, {"meaning", column.at("meaning")}};
+      by_name[file][column.at("name").get<std::string>()] = {{"unit", column.at("unit")},
+                                                             {"meaning", column.at("meaning")}};
     }
   }
   py::dict all;

@@ -41,5 +41,5 @@ class InFolder(unittest.TestCase):
         """Runs the commands of a README's first sh block."""
         (cls.folder / "mjcf").symlink_to(SCENES)
         path = f"{pathlib.Path(PROGRAM).parent}:{os.environ['PATH']}"
-        subprocess.run(["sh", "-ec", blocks(readme, "sh")[0]], cwd=cls.folder, env={**os.environ, "PATH": path}, check=True,
-                       stdout=subprocess.DEVNULL)
+        subprocess.run(["sh", "-ec", blocks(readme, "sh")[0]], cwd=cls.folder, env={**os.environ, "PATH": path},
+                       check=True, stdout=subprocess.DEVNULL)
