@@ -44,7 +44,8 @@ TEST(Sweep, LeavesTableDatabasePageAndStudy) {
   EXPECT_EQ(summary.at("status").at("ok"), 6);
   EXPECT_EQ(folder.files(),
             (std::vector<std::string>{"out/columns.json", "out/results.csv", "out/results.sqlite",
-                                      "out/scene.toml", "out/study.toml", "out/sweep.html", "study.toml"}));
+                                      "out/scene.toml", "out/study.toml", "out/sweep.html", "out/sweep.json",
+                                      "study.toml"}));
   EXPECT_EQ(folder.text("out/study.toml"), text);
   EXPECT_EQ(lines(folder.text("out/results.csv")), 7);
   // Again: nothing is left to do, and nothing changes.
