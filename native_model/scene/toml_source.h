@@ -28,6 +28,8 @@ struct TomlNode {
   double number = 0.0;                                    // kFloat
   bool boolean = false;                                   // kBoolean
 
+  TomlNode();  // in the source: clang asks for it while `entries` is being made of it
+
   // The entry of a table, or nullptr.
   TomlNode* find(std::string_view key);
   const TomlNode* find(std::string_view key) const;

@@ -31,6 +31,15 @@ void find_steps(const scene::Run& run, double step, std::vector<scene::Diagnosti
                        rough_text(run.end / kMostSteps) + " s or more"});
 }
 
+void find_samples(const scene::Scene& scene, std::vector<scene::Diagnostic>& wrong) {
+  const double time = scene.controller ? scene.controller->sample_time : 0.0;
+  if (!(time > 0.0) || scene.run.end / time <= kMostSteps) return;
+  wrong.push_back({"", 0, "controller.sample_time",
+                   rough_text(scene.run.end / time) + " samples to run.end = " + rough_text(scene.run.end) +
+                       " s; accepted: at most " + rough_text(kMostSteps) + " samples, one in " +
+                       rough_text(scene.run.end / kMostSteps) + " s"});
+}
+
 void find_rows(const scene::Run& run, const Model& model, const std::vector<double>* times,
                std::vector<scene::Diagnostic>& wrong) {
   const double count = times ? static_cast<double>(times->size()) : rows(run);
@@ -56,6 +65,7 @@ void check_run_size(const scene::Scene& scene, const Model& model, std::optional
                     const std::vector<double>* times) {
   std::vector<scene::Diagnostic> wrong;
   if (fixed_step) find_steps(scene.run, *fixed_step, wrong);
+  find_samples(scene, wrong);
   find_rows(scene.run, model, times, wrong);
   if (!wrong.empty()) refuse(scene, std::move(wrong));
 }

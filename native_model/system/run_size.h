@@ -1,4 +1,4 @@
-// Whether a run can be done at all: its steps and the rows of its series, before the first step.
+// Whether a run can be done at all: its steps, samples of its controller and the rows of its series, before the first step.
 #pragma once
 
 #include <cstddef>

@@ -75,6 +75,9 @@ TEST(Fuzz, NastyTextIsRefused) {
       "\xff\xfe",
       "\xef\xbb\xbf",
       "\xc3",
+      "a = 1\xc7\xbd" "2",  // letters of Latin scripts where none may stand
+      "\xc3\xa9 = 1",
+      "a = \xc3\xa9",
       "a=1 b=2",
       "a=1979-13-45",
       "rotor = []",
