@@ -34,7 +34,7 @@ constexpr const char* kHdf5 = "run.h5";  // where it is asked for
 
 std::string text_of(const path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
+  if (!in) throw BrokenRun(fmt::format("{}: cannot be read", file.string()));
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
@@ -63,13 +63,13 @@ std::vector<std::string> read_csv(const path& file, Row row) {
     if (header.empty()) {
       header.assign(fields.begin(), fields.end());
     } else if (fields.size() != header.size()) {
-      throw std::runtime_error(fmt::format("{}:{}: {} fields where the header has {}",
+      throw BrokenRun(fmt::format("{}:{}: {} fields where the header has {}",
                                            file.string(), number, fields.size(), header.size()));
     } else {
       row(fields, number);
     }
   }
-  if (header.empty()) throw std::runtime_error(file.string() + " is empty");
+  if (header.empty()) throw BrokenRun(file.string() + ": is empty");
   return header;
 }
 
@@ -77,7 +77,7 @@ double number_of(std::string_view field, const path& file, int line) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc() || end != field.data() + field.size()) {
-    throw std::runtime_error(
+    throw BrokenRun(
         fmt::format("{}:{}: `{}` is not a number", file.string(), line, field));
   }
   return value;
@@ -107,7 +107,7 @@ void read_series(const path& file, Trajectory& trajectory) {
 void read_impacts(const path& file, Trajectory& trajectory) {
   read_csv(file, [&](const auto& fields, int line) {
     if (fields.size() != 8) {
-      throw std::runtime_error(fmt::format("{}:{}: not eight columns", file.string(), line));
+      throw BrokenRun(fmt::format("{}:{}: not eight columns", file.string(), line));
     }
     const auto value = [&](std::size_t k) { return number_of(fields[k], file, line); };
     trajectory.impacts.push_back(
@@ -128,7 +128,7 @@ nlohmann::json summary_of(const path& file) {
   try {
     return nlohmann::json::parse(text_of(file));
   } catch (const nlohmann::json::exception& error) {
-    throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
+    throw BrokenRun(fmt::format("{}: {}", file.string(), error.what()));
   }
 }
 
@@ -139,6 +139,17 @@ std::string text_to_keep(const scene::Scene& scene) {
   }
   const std::string library = "controller.library=" + controller_library(scene).string();
   return scene::parse_scene(scene.text, scene.name + ".toml", std::span(&library, 1)).text;
+}
+
+// Named after its run, but its faults stand in the folder.
+scene::Scene read_kept_scene(const path& file, const std::string& name) {
+  try {
+    return scene::parse_scene(text_of(file), name + ".toml");
+  } catch (const scene::SceneError& error) {
+    auto wrong = error.diagnostics();
+    for (scene::Diagnostic& d : wrong) d.file = file.string();
+    throw scene::SceneError(std::move(wrong));
+  }
 }
 
 }  // namespace
@@ -159,15 +170,14 @@ void write_run(const path& folder, const scene::Scene& scene, const Trajectory& 
 
 StoredRun read_run(const path& folder) {
   if (std::filesystem::exists(folder / kOwnModel)) {
-    throw std::runtime_error(folder.string() +
+    throw BrokenRun(folder.string() +
                              ": is a run of a machine of your own; it is in the report of its comparison");
   }
   const nlohmann::json summary = summary_of(folder / kSummary);
   StoredRun run;
   Trajectory& t = run.trajectory;
   try {
-    run.scene = scene::parse_scene(text_of(folder / kScene),
-                                   summary.at("scene").get<std::string>() + ".toml");
+    run.scene = read_kept_scene(folder / kScene, summary.at("scene").get<std::string>());
     run.scene.folder = folder.string();
     t.engine = summary.at("engine");
     t.integrator = summary.at("integrator");
@@ -178,7 +188,7 @@ StoredRun read_run(const path& folder) {
     t.status = status_of(summary.at("status"));
     t.message = summary.at("message");
   } catch (const nlohmann::json::exception& error) {
-    throw std::runtime_error(fmt::format("{}: {}", (folder / kSummary).string(), error.what()));
+    throw BrokenRun(fmt::format("{}: {}", (folder / kSummary).string(), error.what()));
   }
   read_series(folder / kSeries, t);
   read_impacts(folder / kImpacts, t);
@@ -189,20 +199,20 @@ void check_series(const Trajectory& trajectory, const std::string& file) {
   for (const char* name : {"t", "rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x", "stator_y", "stator_vx",
                            "stator_vy", "spin_angle", "spin_speed", "gap", "gap_rate", "normal_force",
                            "friction_force", "mode"}) {
-    if (!trajectory.has(name)) throw std::runtime_error(fmt::format("{}: has no column `{}`", file, name));
+    if (!trajectory.has(name)) throw BrokenRun(fmt::format("{}: has no column `{}`", file, name));
   }
   // A header stands before the rows.
   const auto line = [](std::size_t row) { return row + 2; };
   for (const Column& column : trajectory.series) {
     for (std::size_t i = 0; i < column.values.size(); ++i) {
       if (std::isfinite(column.values[i])) continue;
-      throw std::runtime_error(fmt::format("{}:{}: {} = {} is no number", file, line(i), column.name, column.values[i]));
+      throw BrokenRun(fmt::format("{}:{}: {} = {} is no number", file, line(i), column.name, column.values[i]));
     }
   }
   const auto& t = trajectory.column("t");
   const auto back = std::is_sorted_until(t.begin(), t.end());
   if (back == t.end()) return;
-  throw std::runtime_error(fmt::format("{}:{}: the times do not ascend", file, line(static_cast<std::size_t>(back - t.begin()))));
+  throw BrokenRun(fmt::format("{}:{}: the times do not ascend", file, line(static_cast<std::size_t>(back - t.begin()))));
 }
 
 std::optional<StoredRun> read_shadow(const path& folder, const StoredRun& run) {

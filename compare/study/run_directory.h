@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "compare/hdf5/module.h"
@@ -19,16 +20,21 @@ namespace rotorub {
 void write_run(const std::filesystem::path& folder, const scene::Scene& scene,
                const Trajectory& trajectory, hdf5::ImageOf hdf5 = nullptr);
 
+// A folder that is none of a run, or whose files have been changed since. what() names file and line.
+class BrokenRun : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 struct StoredRun {
   scene::Scene scene;
   Trajectory trajectory;  // without statistics
 };
 
-// Reads what write_run wrote. Throws std::runtime_error naming file and line for anything else.
+// Reads what write_run wrote. Throws BrokenRun, or scene::SceneError, for anything else.
 StoredRun read_run(const std::filesystem::path& folder);
 
 // That the series is one to draw: has the columns that the contract promises, in ascending times, and no value that
-// is none. Throws std::runtime_error naming file, column and line.
+// is none. Throws BrokenRun naming file, column and line.
 void check_series(const Trajectory& trajectory, const std::string& file);
 
 // Folder, within that of a MuJoCo run, of the native model that ran alongside ([mujoco] shadow): a

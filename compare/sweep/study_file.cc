@@ -42,6 +42,18 @@ const TomlNode& table_of(const TomlNode& root, const std::string& name, const To
   return none;
 }
 
+// Why a value cannot stand in one field of a row, and behind `key =`; empty: it can.
+std::string unfit(const TomlNode& node) {
+  if (node.kind == Kind::kTable) return "expected a value, got a table; a [[vary]] for each of its keys varies them";
+  if (node.kind == Kind::kDate) return "expected a value of a scene, got a date or time";
+  const bool broken = std::any_of(node.text.begin(), node.text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  if (broken) return "expected a text on one line, without control characters";
+  for (const TomlNode& item : node.items) {
+    if (std::string reason = unfit(item); !reason.empty()) return reason;
+  }
+  return {};
+}
+
 Value value_of(const StudyTable& table, const TomlNode& node, const std::string& name,
                const scene::Key* key) {
   const bool number = key != nullptr && (key->type == scene::ValueType::kNumber ||
@@ -61,8 +73,9 @@ void read_values(const StudyTable& table, const TomlNode& node, const scene::Key
     return;
   }
   for (std::size_t i = 0; i < node.items.size(); ++i) {
-    vary.values.push_back(
-        value_of(table, node.items[i], "values[" + std::to_string(i) + "]", key));
+    const std::string name = "values[" + std::to_string(i) + "]";
+    if (const std::string reason = unfit(node.items[i]); !reason.empty()) table.fail("values", name + ": " + reason);
+    vary.values.push_back(value_of(table, node.items[i], name, key));
   }
   vary.count = static_cast<std::int64_t>(vary.values.size());
 }
@@ -257,6 +270,11 @@ Study read_study(const std::filesystem::path& file) {
   const StudyTable top(*root, "", {"scene", "sample", "vary", "run"}, diagnostics);
   if (const auto scene = top.text("scene")) {
     study.scene = file.parent_path() / *scene;  // an absolute path stays one
+    try {
+      scene::file_text(study.scene);
+    } catch (const scene::SceneError& error) {
+      top.fail("scene", error.what());
+    }
   } else if (!top.has("scene")) {
     top.missing("scene", "a scene file, beside the study or absolute");
   }

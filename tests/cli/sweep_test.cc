@@ -86,6 +86,31 @@ TEST(Sweep, FailuresAreRows) {
   EXPECT_EQ(table.find("nan"), std::string::npos) << table;
 }
 
+// They could stand neither behind `key =` nor on one line of the results.
+TEST(Sweep, TablesAndBrokenLinesAreNoValues) {
+  const Folder folder;
+  for (const std::string values : {"[{a = 1}, 0.1]", "[[{a = 1}]]", "[1979-05-27]", "[\"a\\nb\"]"}) {
+    for (const std::string key : {"controller.kind", "initial.x", "stator"}) {
+      write_study(folder, "study.toml",
+                  "scene = \"" + shipped("bench_ring") + "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"" + key +
+                      "\"\nvalues = " + values + "\n");
+      const Outcome refused = folder.run({"sweep", "study.toml", "-o", "out"});
+      EXPECT_EQ(refused.code, 2) << values;
+      EXPECT_NE(refused.err.find("study.toml:6: vary[0].values: values[0]: expected a "), std::string::npos) << refused.err;
+      EXPECT_FALSE(folder.has("out"));
+    }
+  }
+}
+
+TEST(Sweep, ASceneThatIsNotThereIsTheStudysMistake) {
+  const Folder folder;
+  write_study(folder, "study.toml", "scene = \"nowhere.toml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"run.end\"\nvalues = [1]\n");
+  const Outcome refused = folder.run({"sweep", "study.toml", "-o", "out"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("study.toml:1: scene: nowhere.toml: cannot be read: No such file"), std::string::npos)
+      << refused.err;
+}
+
 TEST(Sweep, AnotherStudyInTheSameFolderIsRefused) {
   const Folder folder;
   const std::string run = "integrator = \"verlet\"\nend = \"10 ms\"\n";
