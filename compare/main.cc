@@ -14,9 +14,11 @@
 #include "compare/commands/help_format.h"
 #include "compare/commands/interrupt.h"
 #include "compare/engine/engine.h"
+#include "compare/study/run_directory.h"
 #include "compare/version.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/printable.h"
+#include "native_model/trajectory/output.h"
 
 namespace {
 
@@ -64,6 +66,10 @@ int run(const Action& action) {
     std::cerr << error.what() << "\n";
     return kBadInput;
   } catch (const UsageError& error) {
+    return failed(kBadInput, error.what());
+  } catch (const UnwritablePlace& error) {
+    return failed(kBadInput, error.what());
+  } catch (const BrokenRun& error) {
     return failed(kBadInput, error.what());
   } catch (const NotOffered& error) {
     return failed(kBadInput, error.what());
@@ -114,4 +120,8 @@ int rotorub_main(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return with_whole_output(rotorub_main(argc, argv)); }
+// An interruption is told as a shell tells the signal: 130 (SIGINT), 143 (SIGTERM).
+int main(int argc, char** argv) {
+  const int code = with_whole_output(rotorub_main(argc, argv));
+  return code == kStopped && interrupting_signal() > 0 ? 128 + interrupting_signal() : code;
+}

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
@@ -9,11 +10,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
+
+#include "native_model/trajectory/part_file.h"
 
 extern char** environ;
 
@@ -23,10 +30,19 @@ namespace {
 
 constexpr const char* kEncoder = "ffmpeg";
 
-std::filesystem::path part_of(const std::filesystem::path& file) {
-  std::filesystem::path part = file;
-  part.replace_filename(file.stem().string() + ".part" + file.extension().string());
-  return part;
+constexpr int kPoll_ms = 100;
+
+// Seconds of the processor that a process has used; constant while it hangs. 0: unknown.
+double processor_seconds(pid_t process) {
+  std::ifstream in(fmt::format("/proc/{}/stat", process));
+  std::string line;
+  std::getline(in, line);
+  std::istringstream fields(line.substr(std::min(line.rfind(')'), line.size())));  // the name may hold anything
+  std::string skipped;
+  for (int k = 0; k < 12; ++k) fields >> skipped;
+  double user = 0.0, system = 0.0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 // ffmpeg's arguments: raw frames on standard input, nothing but errors on standard error.
@@ -160,6 +176,40 @@ Process start(std::vector<std::string> arguments, const std::filesystem::path& f
 
 }  // namespace
 
+// How long the encoder may neither take frames, nor use the processor, nor write.
+class VideoFile::Patience {
+ public:
+  explicit Patience(VideoFile& video) : video_(&video) { renew(); }
+
+  void renew() {
+    used_ = processor_seconds(video_->encoder_);
+    written_ = written();
+    since_ = Clock::now();
+  }
+  // Ends the encoder, and throws, when it is over.
+  void check() {
+    if (processor_seconds(video_->encoder_) > used_ || written() != written_) return renew();
+    const double waited = std::chrono::duration<double>(Clock::now() - since_).count();
+    if (waited < video_->patience_) return;
+    video_->fail(fmt::format("ffmpeg hangs: it has done nothing for {:.0f} s, and was ended", waited));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // Bytes of the file so far: where ffmpeg is a script, another process of its group does the work.
+  std::uintmax_t written() const {
+    std::error_code none;
+    const std::uintmax_t size = std::filesystem::file_size(video_->part_, none);
+    return none ? 0 : size;
+  }
+
+  VideoFile* video_;
+  double used_ = 0.0;
+  std::uintmax_t written_ = 0;
+  Clock::time_point since_;
+};
+
 VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
                      double frames_per_second, std::vector<std::string> output)
     : file_(file), part_(part_of(file)), width_(width), height_(height) {
@@ -177,17 +227,15 @@ VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
                      const Encoding& encoding)
     : VideoFile(file, width, height, encoding.frames_per_second,
                 encoding.gif ? gif_arguments() : film_arguments(encoding)) {
+  patience_ = encoding.patience;
   assert(width > 0 && height > 0 && (encoding.gif || (width % 2 == 0 && height % 2 == 0)));
 }
 
 VideoFile::~VideoFile() {
   close_pipe();
-  if (encoder_ > 0) {
-    kill(encoder_, SIGKILL);
-    wait();
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-  }
+  end_encoder();
+  std::error_code ignored;
+  if (!finished_) std::filesystem::remove(part_, ignored);
   if (log_ >= 0) close(log_);
 }
 
@@ -195,12 +243,20 @@ void VideoFile::add(const Image& frame) {
   assert(frame.width == width_ && frame.height == height_);
   const std::uint8_t* data = frame.rgb.data();
   std::size_t left = frame.rgb.size();
+  Patience patience(*this);
   while (left > 0) {
-    const ssize_t sent = send(pipe_, data, left, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) fail(fmt::format("ffmpeg takes no more frames ({})", std::strerror(errno)));
-    data += sent;
-    left -= static_cast<std::size_t>(sent);
+    const ssize_t sent = send(pipe_, data, left, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent > 0) {
+      data += sent;
+      left -= static_cast<std::size_t>(sent);
+      patience.renew();
+    } else if (sent < 0 && errno == EAGAIN) {
+      pollfd writable{pipe_, POLLOUT, 0};
+      poll(&writable, 1, kPoll_ms);
+      patience.check();
+    } else if (sent < 0 && errno != EINTR) {
+      fail(fmt::format("ffmpeg takes no more frames ({})", std::strerror(errno)));
+    }
   }
 }
 
@@ -212,6 +268,7 @@ void VideoFile::finish() {
   std::error_code error;
   std::filesystem::rename(part_, file_, error);
   if (error) fail(error.message());
+  finished_ = true;
 }
 
 void VideoFile::close_pipe() {
@@ -221,15 +278,27 @@ void VideoFile::close_pipe() {
 
 int VideoFile::wait() {
   int status = 0;
-  while (waitpid(encoder_, &status, 0) < 0 && errno == EINTR) {
+  Patience patience(*this);
+  while (waitpid(encoder_, &status, WNOHANG) == 0) {
+    poll(nullptr, 0, kPoll_ms / 10);
+    patience.check();
   }
   encoder_ = -1;
   return status;
 }
 
+// With what it has started: it is the first of its group.
+void VideoFile::end_encoder() {
+  if (encoder_ <= 0) return;
+  kill(-encoder_, SIGKILL);
+  while (waitpid(encoder_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  encoder_ = -1;
+}
+
 void VideoFile::fail(const std::string& reason) {
   close_pipe();
-  if (encoder_ > 0) wait();
+  end_encoder();
   std::error_code ignored;
   std::filesystem::remove(part_, ignored);
   const std::string said = read_log(log_);

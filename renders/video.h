@@ -11,15 +11,18 @@
 
 namespace rotorub::renders {
 
+inline constexpr double kPatience = 20.0;  // s
+
 struct Encoding {
   bool gif = false;  // or H.264
   double frames_per_second = 25.0;  // > 0
   int quality = 25;                 // x264's constant rate factor, 0 (lossless) to 51
+  double patience = kPatience;      // s that ffmpeg may do nothing at all, until it is ended
 };
 
 // A film in the making. The file appears whole when finish() returns, or not at all: frames go to
-// `<stem>.part<extension>` beside it, which is renamed at the end and removed on every other way
-// out. All errors are std::runtime_error and carry what ffmpeg said.
+// a part beside it (part_file.h), which is renamed at the end and removed on every other way out. An
+// ffmpeg that does nothing for too long is ended. All errors are std::runtime_error and carry what ffmpeg said.
 class VideoFile {
  public:
   // Starts ffmpeg. For H.264 width and height must be even (yuv420p).
@@ -39,12 +42,17 @@ class VideoFile {
   VideoFile(const std::filesystem::path& file, int width, int height, double frames_per_second,
             std::vector<std::string> output);
 
+  class Patience;
+
   void close_pipe();
   int wait();
+  void end_encoder();
   [[noreturn]] void fail(const std::string& reason);
 
   std::filesystem::path file_, part_;
   int width_, height_;
+  double patience_ = kPatience;
+  bool finished_ = false;
   pid_t encoder_ = -1;
   int pipe_ = -1;  // raw frames to ffmpeg
   int log_ = -1;   // what ffmpeg says on standard error, in memory

@@ -21,6 +21,7 @@
 #include "compare/study/json.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
+#include "native_model/trajectory/part_file.h"
 
 namespace rotorub {
 namespace {
@@ -88,6 +89,7 @@ void write_results(const BenchArguments& options, const bench::Machine& machine,
 int run_bench(const BenchArguments& options) {
   const bench::BenchParameters parameters = bench_parameters(options);
   check_scenes(options);
+  if (!options.folder.empty()) check_writable(options.folder);
   if (!options.quiet && options.engines.empty()) fmt::print(stderr, "{}", bench::missing_text());
   ProgressBar bar(options.quiet);
   const auto count = static_cast<double>(options.scenes.size());

@@ -20,6 +20,7 @@
 #include "compare/study/json.h"
 #include "compare/study/table.h"
 #include "native_model/scene/reader.h"
+#include "native_model/trajectory/part_file.h"
 
 namespace rotorub {
 namespace {
@@ -183,6 +184,7 @@ int compare(const CompareArguments& options) {
   const hdf5::ImageOf hdf5 = hdf5_of(options.format);
   const auto subjects = read_subjects(options);
   const Beside beside = beside_of(options);
+  check_writable(options.folder);
   ProgressBar bar(options.quiet);
 
   const auto comparisons = compare_all(options, tolerance, subjects, hdf5, bar);

@@ -1,14 +1,27 @@
 #include "compare/commands/interrupt.h"
 
+#include <unistd.h>
+
 #include <csignal>
 
 namespace rotorub {
 namespace {
 
 std::atomic<bool> flag{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "set in a signal handler");
+std::atomic<int> caught{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
+              "set in a signal handler");
 
-extern "C" void on_interrupt(int) { flag.store(true); }
+// s that a program asked to end by whoever does not look at it (SIGTERM, SIGHUP) has for it.
+constexpr unsigned kGrace = 20;
+
+extern "C" void on_interrupt(int signal) {
+  caught.store(signal);
+  flag.store(true);
+  if (signal != SIGINT) alarm(kGrace);
+}
+
+extern "C" void on_alarm(int) { _exit(128 + caught.load()); }
 
 }  // namespace
 
@@ -18,9 +31,17 @@ void catch_interrupts() {
   sigemptyset(&action.sa_mask);
   // Not restarted: a blocking call ends. Once only: the second signal has its default effect.
   action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup stays
+  }
+  action.sa_handler = on_alarm;
+  sigaction(SIGALRM, &action, nullptr);
 }
 
 const std::atomic<bool>& interrupted() { return flag; }
+
+int interrupting_signal() { return caught.load(); }
 
 }  // namespace rotorub

@@ -19,6 +19,7 @@
 #include "compare/study/run_directory.h"
 #include "compare/study/scene_comparison.h"
 #include "native_model/scene/printable.h"
+#include "native_model/trajectory/part_file.h"
 #include "renders/film.h"
 
 namespace rotorub {
@@ -134,6 +135,7 @@ void tell(const RenderArguments& options, const FilmRequest& request, const Stor
 
 int render_film(const RenderArguments& options) {
   FilmRequest request = film_request(options.film);
+  check_writable(std::filesystem::path(request.file).parent_path());
   ProgressBar bar(options.quiet);
   const bool is_run = std::filesystem::is_directory(options.source);
   const StoredRun run = is_run ? stored(options) : run_for_film(options, request.options, bar);

@@ -23,6 +23,7 @@
 #include "compare/study/table.h"
 #include "native_model/rotor/contact_mass.h"
 #include "native_model/scene/printable.h"
+#include "native_model/trajectory/part_file.h"
 
 namespace rotorub {
 namespace {
@@ -106,6 +107,8 @@ int run(const RunArguments& options) {
   const std::filesystem::path folder =
       options.folder.empty() ? std::filesystem::path("runs") / (scene.name + "-" + engine->name())
                              : std::filesystem::path(options.folder);
+
+  check_writable(folder);
 
   ProgressBar bar(options.quiet);
   RunRequest request;

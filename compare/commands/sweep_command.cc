@@ -80,7 +80,6 @@ void print_json(const Sweep& sweep, sweep::Store& store, const sweep::Shard& sha
 
 // All points are there: the table and the page.
 void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store) {
-  sweep::remove_parts(sweep.folder);
   sweep::write_csv(store, sweep.folder / sweep::kCsvFile);
   write_whole(sweep.folder / kColumnsFile, columns_text(sweep::sweep_columns_json(sweep.study)));
   const nlohmann::json kept = sweep_json(*sweep.scenes, store, sweep.study);

@@ -20,6 +20,7 @@
 #include "compare/tune/table.h"
 #include "compare/tune/tune.h"
 #include "native_model/trajectory/output.h"
+#include "native_model/trajectory/part_file.h"
 
 namespace rotorub {
 namespace {
@@ -53,6 +54,7 @@ int run_tune(const TuneArguments& options) {
         "{}: without a contact there is nothing to tune; accepted is a scene with [contact]",
         options.scene));
   }
+  if (!options.file.empty()) check_writable(std::filesystem::path(options.file).parent_path());
   ProgressBar bar(options.quiet);
   const tune::TuneResult result =
       tuned(options.scene, scene, options, tolerance, options.twins, options.steps,

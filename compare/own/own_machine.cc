@@ -1,6 +1,7 @@
 #include "compare/own/own_machine.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -13,6 +14,7 @@
 #include "mjcf/mujoco_version.h"
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
+#include "native_model/scene/diagnostic.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model.h"
 #include "native_model/system/run_size.h"
@@ -25,7 +27,7 @@ namespace names = mjcf_names;
 
 std::string text_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error("cannot read " + file.string());
+  if (!in) throw scene::SceneError({{file.string(), 0, {}, std::string("cannot be read: ") + std::strerror(errno)}});
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();

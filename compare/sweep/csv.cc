@@ -1,10 +1,10 @@
 #include "compare/sweep/csv.h"
 
-#include <unistd.h>
-
 #include <charconv>
 #include <fstream>
 #include <stdexcept>
+
+#include "native_model/trajectory/part_file.h"
 
 namespace rotorub::sweep {
 namespace {
@@ -41,8 +41,7 @@ void append_field(std::string& line, const Statement& row, int column) {
 
 // Line by line: the table may be larger than the memory.
 void write_csv(Store& store, const std::filesystem::path& file) {
-  std::filesystem::path aside = file;
-  aside += ".part-" + std::to_string(::getpid());
+  const std::filesystem::path aside = part_of(file);
   std::ofstream out(aside, std::ios::binary | std::ios::trunc);
   std::string line;
   for (const std::string& name : store.names()) {

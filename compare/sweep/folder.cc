@@ -32,15 +32,4 @@ void keep_study(const std::filesystem::path& folder, const PointScenes& scenes) 
   for (const auto& [name, text] : files) write_whole(folder / name, text);
 }
 
-void remove_parts(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> parts;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    for (const char* file : {kCsvFile, kPageFile, kDataFile, kColumnsFile}) {
-      if (name.starts_with(std::string(file) + ".part-")) parts.push_back(entry.path());
-    }
-  }
-  for (const auto& part : parts) std::filesystem::remove(part);
-}
-
 }  // namespace rotorub::sweep

@@ -21,7 +21,4 @@ StudyIdentity identity_of(const PointScenes& scenes);
 // StoreMismatch where there are results of another study.
 void keep_study(const std::filesystem::path& folder, const PointScenes& scenes);
 
-// Takes away what a killed sweep left of files that it was writing. Nobody else may be writing.
-void remove_parts(const std::filesystem::path& folder);
-
 }  // namespace rotorub::sweep

@@ -1,8 +1,5 @@
 #include "native_model/trajectory/output.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -11,6 +8,7 @@
 #include <system_error>
 
 #include "native_model/trajectory/columns.h"
+#include "native_model/trajectory/part_file.h"
 
 namespace rotorub {
 namespace {
@@ -92,12 +90,14 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
   const bool exists = fs::exists(file, none), regular = fs::is_regular_file(file, none);
   const fs::path target = regular ? fs::canonical(file, none) : file;
   const bool aside = !exists || regular;
-  fs::path written = target;
-  if (aside) written += ".part-" + std::to_string(::getpid());
+  const fs::path written = aside ? part_of(target) : target;
   const auto fail = [&](const char* what, int error) {
     if (aside) fs::remove(written, none);
-    throw std::runtime_error("cannot " + std::string(what) + " " + file.string() + ": " +
-                             std::error_code(error, std::generic_category()).message());
+    const std::error_code code(error, std::generic_category());
+    const std::string said = "cannot " + std::string(what) + " " + file.string() + ": " + code.message();
+    // A place that takes no file was badly chosen; one that is full was not.
+    if (error != ENOSPC && error != EDQUOT && error != EIO) throw UnwritablePlace(said);
+    throw std::runtime_error(said);
   };
   if (fs::is_directory(file, none)) fail("write", EISDIR);
   errno = 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,35 @@ TEST(CliOutput, LostIsAFailureThatIsSaid) {
     const Outcome lost = folder.run(arguments, kFullDevice);
     EXPECT_EQ(lost.code, 3) << arguments[0];
     EXPECT_NE(lost.err.find("standard output"), std::string::npos) << arguments[0] << lost.err;
+  }
+}
+
+// The same of the commands that print at the end of their work.
+TEST(CliOutput, LostOfLongerWorkToo) {
+  const Folder folder;
+  const std::string ring = shipped("bench_ring"), drop = shipped("bench_drop");
+  ASSERT_EQ(folder.run({"run", drop, "--end", "1ms", "-o", "kept", "-q"}).code, 0);
+  std::ofstream(folder.path() / "study.toml")
+      << "scene = \"" << drop << "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1]\n"
+      << "[run]\nend = 1e-3\n";
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"check", drop, "--set", "run.end=1e-3"},
+                                             {"check", drop, "--set", "run.end=1e-3", "--json"},
+                                             {"sweep", "study.toml", "-o", "one"},
+                                             {"sweep", "study.toml", "-o", "two", "--json"},
+                                             {"plot", "kept"},
+                                             {"plot", "kept", "--json"},
+                                             {"render", "kept", "--png", "--size", "320x180", "-o", "a.png"},
+                                             {"compare", drop, "--end", "1ms", "--no-video", "--twins", "0"},
+                                             {"tune", drop, "--end", "1ms", "--steps", "100us", "--twins", "0"},
+                                             {"bench", drop, "--set", "run.end=1e-3", "--engines", "native-event",
+                                              "--steps", "100us", "--repeats", "1"}}) {
+    const Outcome lost = folder.run(arguments, kFullDevice);
+    EXPECT_EQ(lost.code, 3) << testing::PrintToString(arguments) << lost.err;
+    EXPECT_NE(lost.err.find("standard output"), std::string::npos) << testing::PrintToString(arguments) << lost.err;
+  }
+  for (const char* command : {"run", "compare", "modes", "mjcf", "render", "bench", "sweep", "check", "tune", "plot"}) {
+    EXPECT_EQ(folder.run({command, "--help"}, kFullDevice).code, 3) << command;
   }
 }
 

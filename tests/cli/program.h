@@ -47,7 +47,8 @@ class Program {
     if (process_ == 0) become(words);
   }
 
-  void interrupt() const { kill(process_, SIGINT); }
+  void interrupt(int signal = SIGINT) const { kill(process_, signal); }
+  pid_t process() const { return process_; }
   Outcome kill_and_wait() const {
     kill(process_, SIGKILL);
     return wait();

@@ -168,6 +168,28 @@ TEST(Video, EncoderThatFailsAtTheEndIsNoticed) {
   EXPECT_FALSE(std::filesystem::exists(folder / "film.mp4"));
 }
 
+// A stand-in named ffmpeg that never takes a frame, or takes them all and never ends.
+TEST(Video, EncoderThatHangsIsEnded) {
+  for (const char* taken : {"", "/bin/cat > /dev/null\n"}) {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "bin");
+    std::ofstream(folder / "bin/ffmpeg") << "#!/bin/sh\n" << taken << "/bin/sleep 1000\n";
+    std::filesystem::permissions(folder / "bin/ffmpeg", std::filesystem::perms::owner_all);
+    const Path path((folder / "bin").string());
+    Encoding encoding;
+    encoding.patience = 0.5;
+    VideoFile video(folder / "film.mp4", 640, 480, encoding);
+    try {
+      for (int i = 0; i < 10; ++i) video.add(plain(640, 480, 128));  // more than a socket holds
+      video.finish();
+      FAIL() << "waited for an encoder that hangs";
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("film.mp4: ffmpeg hangs"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(folder.entries(), 1u) << "bin alone";
+  }
+}
+
 TEST(Video, NameMustSayTheFormat) {
   const Folder folder;
   EXPECT_THROW(render(ring_scene(), whirling_run(), short_film(), folder / "film.avi"),

@@ -1,0 +1,96 @@
+// Whoever stops the program finds whole files alone, at once or after the next run.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::vector<std::string> kLongRun{"run",  shipped("bench_ring"), "--integrator", "paper", "--end", "1e5", "--set",
+                                        "run.output_step=0.1", "-o", "out"};
+
+// As a shell tells them: 128 and the signal.
+TEST(CliStop, ASignalKeepsPartialResults) {
+  for (const auto& [signal, code] : {std::pair{SIGTERM, 143}, {SIGHUP, 129}, {SIGINT, 130}}) {
+    const Folder folder;
+    Program program(folder.path(), kLongRun);
+    std::this_thread::sleep_for(1s);
+    program.interrupt(signal);
+    const Outcome stopped = program.wait();
+    EXPECT_EQ(stopped.code, code) << stopped.err;
+    expect_whole_files(folder);
+    EXPECT_EQ(nlohmann::json::parse(folder.text("out/summary.json")).at("status"), "interrupted");
+  }
+}
+
+TEST(CliStop, AFilmIsNotLeftHalfMade) {
+  const Folder folder;
+  Program program(folder.path(), {"render", shipped("bench_ring"), "--end", "0.1", "-o", "film.mp4"});
+  for (int tries = 0; tries < 300 && folder.files().empty(); ++tries) std::this_thread::sleep_for(20ms);
+  EXPECT_EQ(folder.files().size(), 1u) << "it is being made";
+  program.interrupt(SIGTERM);
+  EXPECT_EQ(program.wait().code, 143);
+  EXPECT_EQ(folder.files(), std::vector<std::string>());
+}
+
+// A number that no process has any more, as a killed one leaves it.
+pid_t ended_process(const Folder& folder) {
+  const Program program(folder.path(), {"--version"});
+  program.wait();
+  return program.process();
+}
+
+TEST(CliStop, TheNextRunRemovesWhatAKilledOneLeft) {
+  const Folder folder;
+  const std::string ended = std::to_string(ended_process(folder)), running = std::to_string(getpid());
+  std::filesystem::create_directory(folder.path() / "out");
+  const std::vector<std::string> stale{"out/series.csv.part-" + ended, "out/summary.json.part-" + ended,
+                                       "drop.xml.part-" + ended, "film.png.part-" + ended};
+  const std::vector<std::string> others{"out/series.csv.part-" + running, "out/notes.part-" + ended, "out/series.csv.part-x"};
+  for (const auto& files : {stale, others}) {
+    for (const std::string& file : files) std::ofstream(folder.path() / file) << "half";
+  }
+  const std::string drop = shipped("bench_drop");
+  ASSERT_EQ(folder.run({"run", drop, "--end", "1ms", "-o", "out"}).code, 0);
+  ASSERT_EQ(folder.run({"mjcf", drop, "-o", "drop.xml"}).code, 0);
+  ASSERT_EQ(folder.run({"render", "out", "--png", "--size", "320x180", "-o", "film.png"}).code, 0);
+  for (const std::string& file : stale) EXPECT_FALSE(folder.has(file)) << file;
+  for (const std::string& file : others) EXPECT_TRUE(folder.has(file)) << file << " is somebody else's";
+}
+
+// Killed at whatever moment: the run after it leaves whole files alone.
+TEST(CliStop, AKilledFilmLeavesNothingAfterTheNext) {
+  const Folder folder;
+  const std::vector<std::string> render{"render", shipped("bench_ring"), "--end", "20ms", "--size", "320x180",
+                                        "--slow", "50", "-o", "film.mp4"};
+  Program program(folder.path(), render);
+  for (int tries = 0; tries < 300 && folder.files().empty(); ++tries) std::this_thread::sleep_for(20ms);
+  EXPECT_EQ(program.kill_and_wait().code, 128 + SIGKILL);
+  EXPECT_EQ(folder.run(render).code, 0);
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"film.mp4"});
+}
+
+// The stand-in of ffmpeg never takes a frame.
+TEST(CliStop, AnEncoderThatHangsIsAFailureThatIsSaid) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path() / "bin");
+  std::ofstream(folder.path() / "bin/ffmpeg") << "#!/bin/sh\nexec sleep 1000\n";
+  std::filesystem::permissions(folder.path() / "bin/ffmpeg", std::filesystem::perms::owner_all);
+  const std::string path = (folder.path() / "bin").string() + ":" + std::getenv("PATH");
+  const Outcome hung = folder.run({"render", shipped("bench_ring"), "--end", "20ms", "--slow", "50", "-o", "film.mp4"},
+                                  {{{"PATH", path}}});
+  EXPECT_EQ(hung.code, 3);
+  EXPECT_NE(hung.err.find("film.mp4: ffmpeg hangs"), std::string::npos) << hung.err;
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"bin/ffmpeg"});
+}
+
+}  // namespace
+}  // namespace rotorub::test
