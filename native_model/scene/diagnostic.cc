@@ -21,14 +21,14 @@ std::vector<Diagnostic> ordered(std::vector<Diagnostic> diagnostics) {
 
 // Beyond these a message helps nobody: bytes of a part, and problems.
 constexpr std::size_t kLongestFile = 300, kLongestKey = 120, kLongestReason = 2000;
-constexpr std::size_t kMostLines = 100;
+constexpr std::size_t kMostLines = 100, kLongestText = 12000;
 
 std::string lines(const std::vector<Diagnostic>& diagnostics) {
   std::string text;
   for (std::size_t i = 0; i < diagnostics.size(); ++i) {
     if (i > 0) text += '\n';
-    if (i == kMostLines) {
-      return text + "and " + std::to_string(diagnostics.size() - kMostLines) + " more";
+    if (i == kMostLines || text.size() > kLongestText) {
+      return text + "and " + std::to_string(diagnostics.size() - i) + " more";
     }
     text += to_string(diagnostics[i]);
   }

@@ -22,7 +22,7 @@ struct Diagnostic {
 std::string to_string(const Diagnostic& diagnostic);
 
 // A scene that cannot be used. what() has one line per diagnostic (of the first
-// hundred), ordered by file and line.
+// hundred, and 12 kB), ordered by file and line.
 class SceneError : public std::runtime_error {
  public:
   explicit SceneError(std::vector<Diagnostic> diagnostics);

@@ -58,6 +58,7 @@ void find_rows(const scene::Run& run, const Model& model, const std::vector<doub
 void check_steps(const scene::Scene& scene, double fixed_step) {
   std::vector<scene::Diagnostic> wrong;
   find_steps(scene.run, fixed_step, wrong);
+  find_samples(scene, wrong);
   if (!wrong.empty()) refuse(scene, std::move(wrong));
 }
 

@@ -15,7 +15,7 @@ inline constexpr double kMostSteps = 1e10;
 // Numbers of a series: 2 GB of memory, 5 GB of text.
 inline constexpr double kMostSeriesValues = 2.5e8;
 
-// Throws scene::SceneError for a run of more than kMostSteps of `fixed_step`, s.
+// Throws scene::SceneError for a run of more than kMostSteps of `fixed_step`, s, or samples of its controller.
 void check_steps(const scene::Scene& scene, double fixed_step);
 
 // Throws scene::SceneError for a run that is too large. fixed_step: s, absent for an integrator
