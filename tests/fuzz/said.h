@@ -1,0 +1,21 @@
+// What a refusal may say; ends the program at anything else, as a fuzzer expects it.
+#pragma once
+
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
+#include "native_model/scene/printable.h"
+
+namespace rotorub::test {
+
+inline void check_said(const std::string& message) {
+  constexpr std::size_t kLongest = 16u << 10u;
+  if (message.empty() || message.size() > kLongest) std::abort();
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) {
+    if (scene::printable(line, line.size()) != line) std::abort();
+  }
+}
+
+}  // namespace rotorub::test
