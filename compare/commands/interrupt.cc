@@ -15,13 +15,15 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
 // s that a program asked to end by whoever does not look at it (SIGTERM, SIGHUP) has for it.
 constexpr unsigned kGrace = 20;
 
+extern "C" void on_alarm(int) { _exit(128 + caught.load()); }
+
 extern "C" void on_interrupt(int signal) {
   caught.store(signal);
   flag.store(true);
-  if (signal != SIGINT) alarm(kGrace);
+  if (signal == SIGINT) return;
+  std::signal(SIGALRM, on_alarm);
+  alarm(kGrace);
 }
-
-extern "C" void on_alarm(int) { _exit(128 + caught.load()); }
 
 }  // namespace
 
@@ -36,8 +38,6 @@ void catch_interrupts() {
     sigaction(signal, nullptr, &before);
     if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup stays
   }
-  action.sa_handler = on_alarm;
-  sigaction(SIGALRM, &action, nullptr);
 }
 
 const std::atomic<bool>& interrupted() { return flag; }
