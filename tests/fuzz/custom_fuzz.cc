@@ -55,6 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   mjModel other = *model;
   other.text_data = text.data();  // the other texts, of which there may be one, are empty
   other.text_adr = address.data();
+  other.ntextdata = static_cast<decltype(other.ntextdata)>(text.size() + 1);
   try {
     rotorub::plugin::make_config(&other);
   } catch (const rotorub::plugin::ConfigError& error) {

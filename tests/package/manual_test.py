@@ -34,10 +34,10 @@ TRIED = [
     "init a --force --quiet",
     "init a --force --json", "init b -q --output c.toml", "init -h", "init --help", "init d -o -",
     f"run {DROP} --engine native --integrator verlet --step 20us --end 12ms --output r1 --json",
-    f"run {DROP} --engine mujoco --contact cone --end 12ms -o r2 --quiet",
+    f"run {DROP} --engine mujoco --contact cone --end 12ms -o r2 --quiet --format hdf5",
     f"run {PAPER} --controller {OWN} {SAMPLED} --end 2ms -q -o r3",
     f"compare {DROP} --mode lockstep --tolerance 1% --contact rigid --twins 2 --no-modes-ladder --no-video --step 20us "
-    "--end 12ms --output c1 --json",
+    "--end 12ms --output c1 --json --format hdf5",
     f"compare {PAPER} --modes-ladder --twins 0 --no-video --end 200us -o c2 -q --controller {OWN} {SAMPLED}",
     f"compare {DROP} --tune --twins 0 --no-video --end 12ms --step 20us -o c3 --quiet",
     f"modes {RING} --speed 3000rpm -o m.html --up-to 100Hz -q --set contact.friction=0.2",
