@@ -15,7 +15,7 @@ into MuJoCo's programs, the scenes, and libraries, headers and CMake package for
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL Unspecified)
 set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
-# What the program and the plugin are linked with, by dpkg-shlibdeps (dpkg-dev).
+# What the program and the plugin are linked with, by dpkg-shlibdeps (dpkg-dev, file).
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Films are coded by ffmpeg; find_package(rotorub) needs Eigen and MuJoCo.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, libeigen3-dev, libmujoco-dev")
