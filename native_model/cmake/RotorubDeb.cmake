@@ -18,7 +18,7 @@ set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
 # What the program and the plugin are linked with, by dpkg-shlibdeps (dpkg-dev, file).
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Films are coded by ffmpeg; find_package(rotorub) needs Eigen and MuJoCo.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, libeigen3-dev, libmujoco-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, libeigen3-dev, libmujoco-dev, libgl-dev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, bash-completion, libmujoco-samples")
 set(CPACK_OUTPUT_FILE_PREFIX "${PROJECT_BINARY_DIR}/package")
 include(CPack)

@@ -46,7 +46,7 @@ if(MUJOCO_DIR)
 else()
   find_package(mujoco 2.2 CONFIG QUIET)
   if(NOT TARGET mujoco::mujoco)
-    message(FATAL_ERROR "MuJoCo 2.2 or later was not found (Debian: libmujoco-dev; or MUJOCO_DIR)")
+    message(FATAL_ERROR "MuJoCo 2.2 or later was not found (Debian: libmujoco-dev with libgl-dev, which it asks for; or MUJOCO_DIR)")
   endif()
   # Debian's package names the include folder of a libqhull it does not depend on: leave it out.
   get_target_property(_rotorub_mujoco_include mujoco::mujoco INTERFACE_INCLUDE_DIRECTORIES)
