@@ -62,7 +62,7 @@ install(
   DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
   RENAME rotorub)
 install(FILES "${ROTORUB_MANUAL_DIR}/scene.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/rotorub")
-install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/docs/theory.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/native_model/docs/theory.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(
   FILES "${PROJECT_SOURCE_DIR}/mjcf/README.md"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}"
@@ -71,5 +71,5 @@ install(
   FILES "${PROJECT_SOURCE_DIR}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}"
   RENAME copyright)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/find_package" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")
-install(FILES "${PROJECT_SOURCE_DIR}/matlab/rotorub_read.m" DESTINATION "${CMAKE_INSTALL_DATADIR}/rotorub/matlab")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/native_model/examples/find_package" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")
+install(FILES "${PROJECT_SOURCE_DIR}/compare/matlab/rotorub_read.m" DESTINATION "${CMAKE_INSTALL_DATADIR}/rotorub/matlab")

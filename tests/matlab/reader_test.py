@@ -1,4 +1,4 @@
-"""Octave reads a run with matlab/rotorub_read.m, and runs the blocks of matlab/README.md."""
+"""Octave reads a run with compare/matlab/rotorub_read.m, and runs the blocks of compare/matlab/README.md."""
 
 import pathlib
 import shutil
@@ -24,14 +24,15 @@ class Matlab(InFolder):
             shutil.copytree(self.folder / "run", self.folder / name)
             with open(self.folder / name / "impacts.csv", "a") as file:
                 file.write(line)
-        said = self.octave(f"addpath('{ROOT}/matlab', '{HERE}'); reader_test('run', {{'short', 'word', 'nowhere'}}); "
+        said = self.octave(f"addpath('{ROOT}/compare/matlab', '{HERE}'); reader_test('run', {{'short', 'word', 'nowhere'}}); "
                            "run = rotorub_read('empty'); printf('%d', numel(run.impacts.t) + numel(run.events.event));")
         self.assertEqual(said, "all is well\n0")
 
     def test_the_blocks_of_the_readme_run(self):
-        (self.folder / "matlab").symlink_to(ROOT / "matlab")
-        self.readme_commands("matlab/README.md")
-        found = blocks("matlab/README.md", "matlab")
+        (self.folder / "compare").mkdir()
+        (self.folder / "compare/matlab").symlink_to(ROOT / "compare/matlab")
+        self.readme_commands("compare/matlab/README.md")
+        found = blocks("compare/matlab/README.md", "matlab")
         self.assertEqual(len(found), 2)
         said = self.octave("\n".join(found))
         self.assertRegex(said, r"hardest of \d+ impacts: [\d.]+ N s at 0.1")

@@ -36,13 +36,18 @@ def without_code(text):
 
 class Documents(unittest.TestCase):
     def test_every_equation_that_the_code_cites_stands_in_the_theory(self):
-        numbers = [int(tag) for tag in re.findall(r"\\tag\{(\d+)\}", (SOURCE / "docs/theory.md").read_text())]
+        numbers = [int(tag) for tag in re.findall(r"\\tag\{(\d+)\}", (SOURCE / "native_model/docs/theory.md").read_text())]
         self.assertEqual(len(numbers), len(set(numbers)), "a number stands twice")
         self.assertEqual(sorted(numbers), list(range(1, len(numbers) + 1)), "no number is left out")
         cited = cited_equations()
         self.assertGreater(len(cited), 15)
         missing = {number: files for number, files in cited.items() if number not in numbers and number > 0}
         self.assertEqual(missing, {})
+
+    def test_the_top_level_is_the_products(self):
+        shown = {entry.name for entry in SOURCE.iterdir() if entry.name[0] != "." and entry.name not in NO_SOURCE}
+        self.assertEqual(shown, {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "compare", "mjcf",
+                                 "native_model", "plugin", "renders", "tests"})
 
     def test_every_folder_has_a_readme(self):
         for entry in SOURCE.iterdir():
@@ -72,7 +77,7 @@ class Documents(unittest.TestCase):
     def test_the_example_stands_in_the_readme_word_for_word(self):
         readme = (SOURCE / "README.md").read_text()
         for file in ("CMakeLists.txt", "main.cc"):
-            self.assertTrue((SOURCE / "examples/find_package" / file).read_text() in readme, file)
+            self.assertTrue((SOURCE / "native_model/examples/find_package" / file).read_text() in readme, file)
 
     def test_tables_of_figures_have_their_command(self):
         """Beside each table of results stands what makes it: in the lines of its section before it, or just below."""

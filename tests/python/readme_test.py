@@ -1,4 +1,4 @@
-"""The blocks of python/README.md, and that of the README of the project, run as they stand there."""
+"""The blocks of compare/python/README.md, and that of the README of the project, run as they stand there."""
 
 import contextlib
 import io
@@ -25,8 +25,8 @@ class Readme(InFolder):
         return said.getvalue()
 
     def test_every_block_runs(self):
-        self.readme_commands("python/README.md")
-        said = self.said_by("python/README.md", 5)
+        self.readme_commands("compare/python/README.md")
+        said = self.said_by("compare/python/README.md", 5)
         self.assertIn("smallest gap", said)
         self.assertRegex(said, r"hardest of \d+ impacts at 0\.1\d+ s: [\d.]+ N s")
         self.assertIn("um off", said)

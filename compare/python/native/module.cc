@@ -13,8 +13,8 @@
 #include "compare/sweep/batch_run.h"
 #include "compare/sweep/point_scene.h"
 #include "compare/version.h"
-#include "python/native/background.h"
-#include "python/native/convert.h"
+#include "compare/python/native/background.h"
+#include "compare/python/native/convert.h"
 
 namespace py = pybind11;
 
@@ -126,7 +126,7 @@ void raise(const py::object& type, const scene::SceneError& error) {
 
 PYBIND11_MODULE(rotorub_native, module) {
   namespace own = rotorub::python;
-  module.doc() = "Runs scenes and studies of rotorub by the native model, in the process itself (python/README.md).";
+  module.doc() = "Runs scenes and studies of rotorub by the native model, in the process itself (compare/python/README.md).";
   module.attr("__version__") = rotorub::program_version();
   static py::object scene_error = py::exception<rotorub::scene::SceneError>(module, "SceneError", PyExc_ValueError);
   py::register_exception_translator([](std::exception_ptr thrown) {

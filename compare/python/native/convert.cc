@@ -1,4 +1,4 @@
-#include "python/native/convert.h"
+#include "compare/python/native/convert.h"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
