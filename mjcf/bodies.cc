@@ -57,14 +57,14 @@ class Bodies {
 
   // A body, open, that moves by the joints collected. MuJoCo gives a body six at most: what is
   // beyond goes on links before it.
-  void open_moving_body(const char* name) {
+  void open_moving_body(const char* name, const std::string& place = "") {
     constexpr std::size_t kMostJoints = 6;
     open_bodies_ = 0;
     for (std::size_t at = 0; at == 0 || at < joints_.size(); at += kMostJoints) {
       const std::size_t end = std::min(at + kMostJoints, joints_.size());
       ++open_bodies_;
       xml_.open(end == joints_.size()
-                    ? fmt::format(R"(<body name="{}">)", name)
+                    ? fmt::format(R"(<body name="{}"{}>)", name, place)
                     : fmt::format(R"(<body name="{}_link_{}">)", name, open_bodies_));
       xml_.line(massless_);
       for (std::size_t i = at; i < end; ++i) xml_.line(joints_[i]);
@@ -145,7 +145,10 @@ class Bodies {
     if (model_.layout.ring_spin) {
       joint(names::kRingSpin, "hinge", "0 0 1", model_.layout.ring_angle());
     }
-    open_moving_body(names::kRing);  // massless where fixed too: MuJoCo weighs it with the world
+    const Eigen::Vector2d& offset = model_.ring_offset;
+    const std::string place =
+        offset.isZero(0.0) ? std::string() : fmt::format(R"( pos="{} {} 0")", offset.x(), offset.y());
+    open_moving_body(names::kRing, place);  // massless where fixed too: MuJoCo weighs it with the world
     const double clearance = scene_.contact ? scene_.contact->clearance : 0.0;
     xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
                           R"(conaffinity="0" group="1" rgba="0.2 0.45 0.7 0.25"/>)",

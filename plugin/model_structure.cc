@@ -20,14 +20,14 @@ bool is_above(const mjModel* m, int body, int above) {  // or the same
   return body == above;
 }
 
-// The native axes are the world's, and the ring's place is that of its joints.
-void check_pose(const mjModel* m, int body) {
+// The native axes are the world's, and the ring's place is that of its joints and its offset.
+void check_pose(const mjModel* m, int body, const Eigen::Vector2d& offset) {
   const mjtNum* p = m->body_pos + 3 * body;
   const mjtNum* q = m->body_quat + 4 * body;
-  if (p[0] != 0.0 || p[1] != 0.0) {
+  if (p[0] != offset.x() || p[1] != offset.y()) {
     refuse(body_element(m, body),
-           message("pos=\"{} {} {}\"; accepted: x and y 0, as the scene has it", p[0], p[1],
-                       p[2]));
+           message("pos=\"{} {} {}\"; accepted: x {} and y {}, as the scene has it", p[0], p[1],
+                       p[2], offset.x(), offset.y()));
   }
   if (std::abs(q[0]) < 1.0 - kRoundOff) {
     refuse(body_element(m, body),
@@ -35,8 +35,12 @@ void check_pose(const mjModel* m, int body) {
   }
 }
 
-void check_poses(const mjModel* m, int body) {
-  for (; body > 0; body = m->body_parentid[body]) check_pose(m, body);
+// The body's own x and y are `offset`, those of the bodies that it stands on 0.
+void check_poses(const mjModel* m, int body, Eigen::Vector2d offset) {
+  for (; body > 0; body = m->body_parentid[body]) {
+    check_pose(m, body, offset);
+    offset.setZero();
+  }
 }
 
 void check_joint(const mjModel* m, int joint, int along, const char* accepted) {
@@ -63,7 +67,7 @@ void check_mode(const mjModel* m, int joint, int rotor, double shape) {
 void check_chain(const mjModel* m, Config& config) {
   const Layout& l = config.model.layout;
   const int rotor = m->geom_bodyid[config.rotor_geom];
-  check_poses(m, rotor);
+  check_poses(m, rotor, Eigen::Vector2d::Zero());
   for (int i = 0; i < l.ring(); ++i) {
     const int dof = config.dof_address[static_cast<std::size_t>(i)];
     const int joint = m->dof_jntid[dof], body = m->dof_bodyid[dof];
@@ -88,7 +92,7 @@ void check_chain(const mjModel* m, Config& config) {
 
 void check_ring(const mjModel* m, const Config& config) {
   const Layout& l = config.model.layout;
-  check_poses(m, m->geom_bodyid[config.ring_geom]);
+  check_poses(m, m->geom_bodyid[config.ring_geom], config.model.ring_offset);
   for (int k = 0; k < l.stator; ++k) {
     const int dof = config.dof_address[static_cast<std::size_t>(l.ring() + k)];
     check_joint(m, m->dof_jntid[dof], k, k == 0 ? "1 0 0" : "0 1 0");

@@ -69,8 +69,7 @@ ContactPoint point_of(const Config& config, const mjData* d) {
 double gap_of(const Config& config, const mjData* d) {
   const double clearance = config.model.contact->clearance;
   const Coordinates state(config, d);
-  return clearance -
-         (rotor_point(config.model, state.q()) - stator_point(config.model, state.q())).norm();
+  return clearance - separation(config.model, state.q()).norm();
 }
 
 // Beside MuJoCo's own rotor what the shadow has come to (shadow.h).
@@ -84,7 +83,7 @@ void fill_shadow_sensors(const Config& config, mjData* d) {
   const double* entry = d->userdata + s.data;
   const double* q = shadow_state(config, d);
   put(d, s.rotor, rotor_point(model, q));
-  put(d, s.stator, stator_point(model, q));
+  put(d, s.stator, ring_centre(model, q));
   if (!model.contact) return;
   put(d, s.gap, contact_point(model, q, q + model.nq()).gap);
   put(d, s.normal_force, entry[kShadowNormal]);

@@ -45,7 +45,7 @@ void move_ghosts(const Config& config, mjData* d) {
   };
   const ShadowConfig& shadow = *config.shadow;
   move(shadow.ghost_rotor, rotor_point(shadow.model, q));
-  move(shadow.ghost_ring, stator_point(shadow.model, q));
+  move(shadow.ghost_ring, ring_centre(shadow.model, q));
 }
 
 void stop(double* entry, Status status, const char* warning) {

@@ -38,7 +38,7 @@ bool is_plain(const scene::Scene& s) {
                         m.damping == m.damping_y && first(m.internal_damping) == 0.0 &&
                         first(m.gyroscopic) == 0.0;
   const bool turning_ring = s.stator && s.stator->spin;
-  return one_mode && !turning_ring && !s.rotor.torsion && !s.drive && !s.magnetic_bearing && !s.actuator &&
+  return one_mode && !turning_ring && s.contact->offset.isZero(0.0) && !s.rotor.torsion && !s.drive && !s.magnetic_bearing && !s.actuator &&
          !s.controller && !s.gravity && s.contact->compression_time == 0.0 &&
          s.contact->expansion_time == 0.0 && s.contact->tangential_restitution == 0.0;
 }

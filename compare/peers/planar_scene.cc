@@ -14,6 +14,7 @@ std::string beyond(const scene::Scene& s, const Model& m) {
   if (m.layout.modes != 1) return fmt::format("{} bending modes in a plane", m.layout.modes);
   if (!s.contact) return "a scene without [contact]";
   if (s.gravity) return "[gravity]";
+  if (!m.ring_offset.isZero(0.0)) return "contact.offset";
   if (m.layout.torsion > 0) return "elastic torsion";
   if (m.layout.ring_spin > 0) return "a ring that turns ([stator.spin])";
   if (!m.gyroscopic.absent()) return "gyroscopic terms";

@@ -21,10 +21,10 @@ struct LinearPlant;  // linear_plant.h
 struct Measurement {
   double t = 0.0;                                  // s
   std::int64_t sample = 0;                         // number of the sample; 0 for a continuous law
-  Eigen::Vector2d rotor{0.0, 0.0};                 // m, rotor centre at the contact
+  Eigen::Vector2d rotor{0.0, 0.0};                 // m, rotor centre at the contact, from the ring's middle at rest
   Eigen::Vector2d rotor_velocity{0.0, 0.0};        // m/s
   Eigen::Vector2d rotor_acceleration{0.0, 0.0};    // m/s^2, of the model without contact force
-  Eigen::Vector2d stator{0.0, 0.0};                // m, ring centre
+  Eigen::Vector2d stator{0.0, 0.0};                // m, ring centre, from its middle at rest
   Eigen::Vector2d stator_velocity{0.0, 0.0};       // m/s
   double spin_angle = 0.0;                         // rad
   double spin_speed = 0.0;                         // rad/s

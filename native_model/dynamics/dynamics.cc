@@ -110,10 +110,14 @@ Eigen::Vector2d stator_point(const Model& m, const double* q) {
   return {q[m.layout.ring()], q[m.layout.ring() + 1]};
 }
 
+Eigen::Vector2d ring_centre(const Model& m, const double* q) { return m.ring_offset + stator_point(m, q); }
+
+Eigen::Vector2d separation(const Model& m, const double* q) { return vector(eq::separation(m, q)); }
+
 ContactPoint contact_point(const Model& m, const double* q, const double* v) {
   const double radius = m.contact ? m.contact->radius : 0.0;
   const double clearance = m.contact ? m.contact->clearance : 0.0;
-  const eq::Pair<double> d = eq::relative(m, q), rate = eq::relative(m, v);
+  const eq::Pair<double> d = eq::separation(m, q), rate = eq::relative(m, v);
   return contact_kinematics({d.x, d.y}, {rate.x, rate.y}, eq::contact_spin(m, v), radius, clearance);
 }
 

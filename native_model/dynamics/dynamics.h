@@ -36,9 +36,12 @@ void solve_mass(const Model& model, double t, const double* q, const double* f, 
 void solve_mass(const Model& model, const double* diagonal, double t, const double* q,
                 const double* f, double* a);
 
-// Rotor centre and ring centre in the contact plane.
+// In the contact plane, m: the rotor's centre; how far the ring is from where it is at rest; both of velocities too.
 Eigen::Vector2d rotor_point(const Model& model, const double* q);
-Eigen::Vector2d stator_point(const Model& model, const double* q);  // also of velocities
+Eigen::Vector2d stator_point(const Model& model, const double* q);
+// m: the ring's centre, and the rotor's from it.
+Eigen::Vector2d ring_centre(const Model& model, const double* q);
+Eigen::Vector2d separation(const Model& model, const double* q);
 ContactPoint contact_point(const Model& model, const double* q, const double* v);
 
 // (ddot', contact_spin') of the generalized accelerations a.

@@ -37,7 +37,7 @@ ROTORUB_INLINE Pair<T> at_station(int n, const Shape& shape, const T* q) {
   return sum;
 }
 
-// Relative position (or velocity) of the centres in the contact plane, ring to rotor.
+// Of the centres in the contact plane, ring to rotor: the relative velocity, or displacement from rest.
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE Pair<T> relative(const M& m, const T* q) {
   Pair<T> d = at_station(m.layout.modes, m.contact_shape, q);
@@ -46,6 +46,13 @@ ROTORUB_INLINE Pair<T> relative(const M& m, const T* q) {
     d.y -= q[m.layout.ring() + 1];
   }
   return d;
+}
+
+// The relative position: with where the ring is at rest.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE Pair<T> separation(const M& m, const T* q) {
+  const Pair<T> d = relative(m, q);
+  return {d.x - m.ring_offset.x(), d.y - m.ring_offset.y()};
 }
 
 // Omega, without torsion.

@@ -15,10 +15,11 @@ namespace rotorub {
 
 std::optional<double> locate_contact(const Model& m, SmoothStep& step, const Motion& start,
                                      Departure departure) {
+  // Of velocities, and of what the step adds to coordinates.
   const auto centre = [&m](const double* at) -> Eigen::Vector2d {
     return rotor_point(m, at) - stator_point(m, at);
   };
-  const Eigen::Vector2d d0 = centre(start.q()), d1 = centre(step.end());
+  const Eigen::Vector2d d0 = separation(m, start.q()), d1 = separation(m, step.end());
   // Out of reach: no further than the larger end plus what the speeds, twice over, could add.
   const double speed = std::max(centre(start.v()).norm(), centre(step.end() + m.nq()).norm());
   const double reach = std::max(d0.norm(), d1.norm()) + 2.0 * speed * step.length();

@@ -74,6 +74,9 @@ void check(const scene::Scene& scene) {
   if (scene.gravity && !scene.gravity->acceleration.isZero(0.0)) {
     refuse(scene, "gravity", "weight points one way, so no whirl is steady");
   }
+  if (!scene.contact->offset.isZero(0.0)) {
+    refuse(scene, "contact.offset", "the ring is out of the middle of the whirl, and none is steady; accepted is 0");
+  }
   if (scene.magnetic_bearing && scene.magnetic_bearing->control) {
     check_feedback(scene, *scene.magnetic_bearing->control);
   }

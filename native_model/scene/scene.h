@@ -203,6 +203,8 @@ struct Contact {
   double compression_time = 0.0;        // s, >= 0, tau_C
   double expansion_time = 0.0;          // s, >= 0, tau_E
   double station = 0.0;                 // m, geometry form
+  // m: of the ring's middle at rest from the line of x = y = 0, off which deflections are counted.
+  Eigen::Vector2d offset{0.0, 0.0};
 };
 
 // ---------------------------------------------------------------- [stator], [actuator]

@@ -24,7 +24,9 @@ Table contact() {
        key<&Contact::expansion_time>("expansion_time", kTime, "tau_E").at_least(0).optional(),
        key<&Contact::station>("station", kLength, "along the shaft").or_called("z")
            .at_least(0)
-           .in(Form::kGeometry)}};
+           .in(Form::kGeometry),
+       key<&Contact::offset>("offset", kLength, "of the ring's middle at rest from the line of the shaft at rest")
+           .optional()}};
 }
 
 Table stator() {

@@ -51,7 +51,7 @@ class ContactKernel : public LoadKernel<M> {
   bool any_impact() const { return impacted_; }
   // m^2, |d|^2 as the step ended.
   ROTORUB_INLINE T square_of_relative() const {
-    const Centre d = equations::relative(*m_, this->q_.data());
+    const Centre d = equations::separation(*m_, this->q_.data());
     return d.x * d.x + d.y * d.y;
   }
 
@@ -88,7 +88,7 @@ class ContactKernel : public LoadKernel<M> {
   template <class Collide, class Lasted>
   ROTORUB_INLINE void touch(const T* from, Collide collide, Lasted done) {
     const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(h_), c = contact.clearance;
-    const Centre d = equations::relative(*m_, from);
+    const Centre d = equations::separation(*m_, from);
     const Centre w = equations::relative(*m_, free_.data());
     const T px = d.x + h * w.x, py = d.y + h * w.y;
     T outside = lanes::select(px * px + py * py > c * c, one, zero);

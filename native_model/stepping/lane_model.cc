@@ -106,6 +106,7 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
   }
   speed = number<T>(all, [](const Model& m) { return m.speed; });
   spin_angle = number<T>(all, [](const Model& m) { return m.spin_angle; });
+  ring_offset = plane<T>(all, [](const Model& m) -> const Eigen::Vector2d& { return m.ring_offset; });
   ring_ratio = number<T>(all, [](const Model& m) { return m.ring_ratio; });
   linear_drive = first.drive && first.drive->kind() == scene::DriveKind::kLinear;
   following_drive = first.drive_follows();

@@ -51,6 +51,7 @@ struct LaneModel {
   std::optional<Feedback> feedback;
   std::vector<Unbalance> unbalances;
   T speed{}, spin_angle{}, ring_ratio{};
+  Plane ring_offset{};
   lanes::Array<T> drive_shape, torsion_contact;
   Shape contact_shape;
   T drive_gain{}, drive_speed{};  // of a linear drive

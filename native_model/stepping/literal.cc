@@ -45,7 +45,7 @@ FixedStep LiteralStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool wo
       out.contact_work += hit.energy_change - hit.friction_impulse * held;
     }
     if (out.impacts.empty() && out.normal_impulse > 0.0) {
-      const Eigen::Vector2d e_r = (rotor_point(m, q()) - stator_point(m, q())).normalized();
+      const Eigen::Vector2d e_r = separation(m, q()).normalized();
       const Eigen::Vector3d mean = 0.5 * (rates(m, start.v) + rates(m, state_.v));
       Eigen::Vector3d of_coordinates = mean;
       if (!m.layout.spin) of_coordinates.z() -= m.speed;
@@ -82,7 +82,7 @@ void LiteralStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out
 void LiteralStepper::touch(double t, FixedStep& out) {
   const Model& m = *model_;
   const ContactParameters& c = *m.contact;
-  const Eigen::Vector2d d = rotor_point(m, q()) - stator_point(m, q());
+  const Eigen::Vector2d d = separation(m, q());
   const bool lasted = in_contact_;
   in_contact_ = false;
   const double delta = d.norm();

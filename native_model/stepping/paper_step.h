@@ -31,7 +31,7 @@ class PaperKernel : public ContactKernel<M> {
   ROTORUB_INLINE T slip_of_last() const {
     const M& m = *this->m_;
     const T *q = this->q_.data(), *v = this->v_.data();
-    const Centre d = equations::relative(m, q), w = equations::relative(m, v);
+    const Centre d = equations::separation(m, q), w = equations::relative(m, v);
     const T zero{}, one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
     const T delta = lanes::square_root(lanes::select(square > zero, square, one));
     return (d.x * w.y - d.y * w.x) / delta + this->contact.radius * equations::contact_spin(m, v);
@@ -74,7 +74,7 @@ class PaperKernel : public ContactKernel<M> {
   // back to the circle, by the least change in the norm of A. Left to lasting contact, the depth
   // would come back as speed.
   ROTORUB_INLINE void back_to_circle() {
-    const Centre d = equations::relative(*this->m_, middle_.data());
+    const Centre d = equations::separation(*this->m_, middle_.data());
     const T square = d.x * d.x + d.y * d.y, c = this->contact.clearance;
     const Mask outside = square > c * c * lanes::all<T>(1.02);
     if (!lanes::any(outside)) return;
@@ -105,7 +105,7 @@ class PaperKernel : public ContactKernel<M> {
     const ContactParameters& c = *m.contact;
     double q[kMaxCoordinates], change[kMaxCoordinates];
     this->read_lane(middle_.data(), lane, q);
-    const Eigen::Vector2d d = rotor_point(m, q) - stator_point(m, q);
+    const Eigen::Vector2d d = separation(m, q);
     const Eigen::Vector3d free = this->lane_rates(this->free_.data(), lane);
     const Eigen::Vector3d start = this->lane_rates(this->start_.data(), lane);
     const Eigen::Vector2d e_r = normal(d, free.head<2>(), c.clearance);

@@ -56,7 +56,7 @@ class VerletImpacts : public ContactKernel<M> {
 
     FlightStep s;
     s.h = h;
-    s.d = rotor_point(m, q) - stator_point(m, q);
+    s.d = separation(m, q);
     s.velocity = this->lane_rates(this->free_.data(), lane);
     s.acceleration = (s.velocity - this->lane_rates(this->start_.data(), lane)) / kick;
     s.clearance = c.clearance;

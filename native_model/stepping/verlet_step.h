@@ -93,7 +93,7 @@ class VerletKernel : public VerletImpacts<M> {
     kick(k);
     if (this->takes_time_) this->find_lasting();
     if (this->contact_ && lanes::any(this->in_contact > T{})) {
-      const Centre d = equations::relative(*this->m_, this->q_.data());
+      const Centre d = equations::separation(*this->m_, this->q_.data());
       const T one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
       const T delta = lanes::square_root(lanes::select(square > T{}, square, one));
       if (this->coupled_) this->respond();

@@ -14,7 +14,7 @@ namespace {
 Measurement measure(const Model& m, double t, const double* q, const double* v) {
   Measurement now;
   now.t = t;
-  now.rotor = rotor_point(m, q);
+  now.rotor = rotor_point(m, q) - m.ring_offset;  // from the ring's middle at rest, as `stator` is
   now.rotor_velocity = rotor_point(m, v);
   now.stator = stator_point(m, q);
   now.stator_velocity = stator_point(m, v);

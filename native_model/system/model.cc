@@ -257,6 +257,7 @@ Model make_model(const scene::Scene& scene) {
         c.radius,           c.clearance,     c.friction, c.restitution, c.tangential_restitution,
         c.compression_time, c.expansion_time};
     model.ring_ratio = model.contact->surface_ratio();
+    model.ring_offset = c.offset;
   }
   fill_actuator(scene, model);
   check_initial_ring(scene);

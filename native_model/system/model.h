@@ -142,6 +142,7 @@ struct Model {
 
   ModeShape contact_shape;             // n each, 1 or 0
   std::optional<ContactParameters> contact;
+  Eigen::Vector2d ring_offset{0.0, 0.0};  // m, of the ring's middle at rest
   double ring_ratio = 1.0;             // the contact's surface_ratio(); used where the ring turns
 
   std::shared_ptr<const Controller> controller;  // null: passive

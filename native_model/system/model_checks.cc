@@ -110,7 +110,7 @@ void check_initial_lists(const scene::Scene& scene, const Layout& l) {
 void check_initial_gap(const scene::Scene& scene, const Model& model) {
   if (!model.contact) return;
   const double* q = model.q0.data();
-  const double delta = (rotor_point(model, q) - stator_point(model, q)).norm();
+  const double delta = (separation(model, q)).norm();
   const double clearance = model.contact->clearance;
   // On the ring is meant.
   constexpr double kTolerance = 1e-9;  // of the clearance
@@ -118,7 +118,9 @@ void check_initial_gap(const scene::Scene& scene, const Model& model) {
   const Layout& l = model.layout;
   const char* key = !model.q0.segment(l.x(), l.modes).isZero(0.0)   ? "initial.x"
                     : !model.q0.segment(l.y(), l.modes).isZero(0.0) ? "initial.y"
-                                                                    : "initial.stator";
+                    : model.layout.stator && !model.q0.segment(l.ring(), 2).isZero(0.0)
+                        ? "initial.stator"
+                        : "contact.offset";
   refuse(scene, {{"", 0, key,
                   "the rotor starts outside the ring, " + scene::number_text(delta) +
                       " m from its centre; accepted: at most contact.clearance = " +

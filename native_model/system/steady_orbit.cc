@@ -78,6 +78,7 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
     m.q0.segment<2>(l.ring()) += place;
     orbit.centre = -place;
   }
+  orbit.centre -= m.ring_offset;
   if (l.torsion && m.drive && scene.initial.torsion.empty()) {
     const double torque = m.drive->torque(0.0, 0.0, m.speed);
     m.q0.segment(l.theta(), l.torsion) +=
@@ -104,6 +105,7 @@ FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
   try {
     OrbitSize orbit = free_motion(scene, m).orbit;
     if (m.layout.stator) orbit.centre = -ring_at_rest(scene, m);
+    orbit.centre -= m.ring_offset;
     return {orbit.largest(), {}};
   } catch (const scene::SceneError& error) {
     const std::string& why = error.diagnostics().front().reason;

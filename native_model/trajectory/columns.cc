@@ -13,7 +13,7 @@ const ColumnMeaning kSeries[] = {
     {"rotor_y", "m", "the same along y; the spin turns x to y", ""},
     {"rotor_vx", "m/s", "its velocity along x; at an impact, that after it", ""},
     {"rotor_vy", "m/s", "its velocity along y", ""},
-    {"stator_x", "m", "centre of the ring, from the same middle; 0 for a fixed one", ""},
+    {"stator_x", "m", "centre of the ring, from the same middle; contact.offset for a fixed one", ""},
     {"stator_y", "m", "the same along y", ""},
     {"stator_vx", "m/s", "its velocity along x", ""},
     {"stator_vy", "m/s", "its velocity along y", ""},

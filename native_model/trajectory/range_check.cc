@@ -26,7 +26,7 @@ std::optional<std::string> out_of_range(const Model& m, const double* q) {
   }
   if (m.contact) {
     const double clearance = m.contact->clearance;
-    const double square = (rotor_point(m, q) - stator_point(m, q)).squaredNorm();
+    const double square = (separation(m, q)).squaredNorm();
     if (square > 4.0 * clearance * clearance) {
       return "the rotor is " + text(std::sqrt(square) - clearance) +
              " m deep in the ring, with a clearance of " + text(clearance) + " m";

@@ -236,7 +236,7 @@ void Recorder::row(const Snapshot& now) {
   const Layout& l = m.layout;
   const ContactPoint p = contact_point(m, now.q, now.v);
   const Eigen::Vector2d r = rotor_point(m, now.q), rv = rotor_point(m, now.v);
-  const Eigen::Vector2d f = stator_point(m, now.q), fv = stator_point(m, now.v);
+  const Eigen::Vector2d f = ring_centre(m, now.q), fv = stator_point(m, now.v);
   auto column = columns_.begin();
   const auto put = [&column](double value) { (column++)->values.push_back(value); };
   for (double value : {next_time(), r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(),

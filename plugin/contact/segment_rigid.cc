@@ -14,7 +14,7 @@ void apply_segment_rigid(const Config& config, const mjModel* m, mjData* d,
   const SegmentSpace space(config, m, d);
   RigidStep step;
   step.h = m->opt.timestep;
-  step.d = rotor_point(model, state.q()) - stator_point(model, state.q());
+  step.d = separation(model, state.q());
   step.start = space.rates(d->qvel);
   apply_rigid_step(m, d, space, step, *model.contact);
 }

@@ -82,7 +82,7 @@ class RunPacker {
   void add_places() {
     add_even("rotor", TrackKind::kHermite, columns({"rotor_x", "rotor_y"}),
              columns({"rotor_vx", "rotor_vy"}), place_tolerance());
-    if (scene_.stator) {
+    if (scene_.stator || (scene_.contact && !scene_.contact->offset.isZero(0.0))) {
       add_even("ring", TrackKind::kHermite, columns({"stator_x", "stator_y"}),
                columns({"stator_vx", "stator_vy"}), place_tolerance());
     }
