@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "native_model/numerics/monotone_cubic.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
@@ -40,7 +41,7 @@ class Drive {
  private:
   scene::Drive drive_;
   double start_, ramp_end_ = 0.0;
-  std::vector<double> tangents_;  // of the table
+  MonotoneCubic table_;
 };
 
 }  // namespace rotorub
