@@ -19,7 +19,8 @@ std::string beyond(const scene::Scene& s, const Model& m) {
   if (m.layout.ring_spin > 0) return "a ring that turns ([stator.spin])";
   if (!m.gyroscopic.absent()) return "gyroscopic terms";
   if (!m.internal_xx.absent() || !m.internal_xy.absent()) return "internal (rotating) damping";
-  if (!m.dampers.empty() || !m.springs.empty() || m.feedback)
+  if (m.weight.size() > 0) return "a bearing that stands off the line";
+  if (!m.dampers.empty() || !m.springs.empty() || m.feedback || !m.films.empty())
     return "bearings or springs at stations of their own";
   if (!m.unbalances.empty()) return "unbalance";
   for (const AppliedForce& f : m.forces) {

@@ -34,6 +34,7 @@ void add_loads(const Model& m, double t, const double* q, const double* v, doubl
   const double omega = eq::spin_speed(m, v);
   eq::add_rotating_damping(m, q, v, omega, f);
   eq::add_dampers(m, v, f);
+  eq::add_films(m, omega, q, v, f);
   eq::add_springs(m, q, f);
   if (m.feedback) eq::add_feedback(m, t < m.feedback->law.fails_at ? 1.0 : 0.0, q, v, f);
   for (const AppliedForce& force : m.forces) {

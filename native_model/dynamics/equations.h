@@ -186,6 +186,19 @@ ROTORUB_INLINE void add_dampers(const M& m, const T* v, T* f) {
   }
 }
 
+// Bearings beyond their springs and dashpots, at the speed omega.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_films(const M& m, const T& omega, const T* q, const T* v, T* f) {
+  const int n = m.layout.modes;
+  for (const auto& film : m.films) {
+    const auto c = film.law.at(omega);
+    const Pair<T> at = at_station(n, film.shape, q), rate = at_station(n, film.shape, v);
+    const T x = at.x - film.law.offset_x, y = at.y - film.law.offset_y;
+    add_station_force<T>(n, film.shape, -(c[0] * x + c[1] * y + c[4] * rate.x + c[5] * rate.y),
+                         -(c[2] * x + c[3] * y + c[6] * rate.x + c[7] * rate.y), f);
+  }
+}
+
 // Springs at stations: the magnetic bearing's negative ones.
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE void add_springs(const M& m, const T* q, T* f) {

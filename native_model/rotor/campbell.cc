@@ -1,16 +1,12 @@
 #include "native_model/rotor/campbell.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
 
-#include "native_model/numerics/complex_eigenvalues.h"
 #include "native_model/numerics/symmetric_eigenvalues.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rotor/whirl_eigenvalues.h"
@@ -19,37 +15,6 @@ namespace rotorub {
 namespace {
 
 using Complex = std::complex<double>;
-
-// What an iteration found; refuses the rotor where it found nothing.
-template <typename Values>
-Values found(std::optional<Values> values) {
-  if (!values) throw RotorNotSolvable("no eigenvalues can be found");
-  return *std::move(values);
-}
-
-// Positive Omega of K u = Omega^2 A u for Hermitian K and A, A not necessarily definite.
-template <typename Matrix>
-std::vector<double> synchronous_speeds(const Matrix& K, const Matrix& A) {
-  std::vector<double> inverse_squares;
-  if (Eigen::LLT<Matrix>(K).info() == Eigen::Success) {
-    const Eigen::VectorXd values = found(symmetric_eigenvalues(A, K));
-    inverse_squares.assign(values.begin(), values.end());
-  } else {
-    // A magnetic bearing stronger than the shaft: K^-1 A, whose real eigenvalues count.
-    constexpr double kReal = 1e-9;
-    const Eigen::MatrixXcd product =
-        K.template cast<Complex>().fullPivLu().solve(A.template cast<Complex>());
-    for (const Complex& mu : found(complex_eigenvalues(product))) {
-      if (std::abs(mu.imag()) <= kReal * std::abs(mu)) inverse_squares.push_back(mu.real());
-    }
-  }
-  std::vector<double> speeds;
-  for (double mu : inverse_squares) {
-    if (mu > 0.0) speeds.push_back(1.0 / std::sqrt(mu));
-  }
-  std::sort(speeds.begin(), speeds.end());
-  return speeds;
-}
 
 // |s| below this share of the highest is a rigid mode: what it has is round-off.
 constexpr double kRigid = 1e-7;
@@ -71,14 +36,15 @@ double growth(const WhirlSystem& system, double speed) {
   return largest;
 }
 
-// Nothing can grow: no rotating damping, and no negative stiffness left in either plane.
+// Nothing can grow: no rotating damping, no oil film, and no negative stiffness left in either plane.
 bool passive(const WhirlSystem& system) {
   const auto holds = [](const Eigen::MatrixXd& K) {
     constexpr double kRoundOff = 1e-14;
-    const Eigen::VectorXd values = found(symmetric_eigenvalues(K));
-    return values.minCoeff() >= -kRoundOff * values.maxCoeff();
+    const std::optional<Eigen::VectorXd> values = symmetric_eigenvalues(K);
+    if (!values) throw RotorNotSolvable("no eigenvalues can be found");
+    return values->minCoeff() >= -kRoundOff * values->maxCoeff();
   };
-  return system.internal_xy.isZero(0.0) && holds(system.stiffness_x) && holds(system.stiffness_y);
+  return system.films.empty() && system.internal_xy.isZero(0.0) && holds(system.stiffness_x) && holds(system.stiffness_y);
 }
 
 // Zero of growth between a stable and an unstable speed: Ridders' method, which keeps the bracket.
@@ -128,29 +94,6 @@ WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed) {
     spectrum.modes.push_back({s.imag(), size > 0.0 ? (0.0 - s.real()) / size : 0.0});
   }
   return spectrum;
-}
-
-std::vector<double> critical_speeds(const WhirlSystem& system) {
-  const Eigen::Index n = system.size();
-  std::vector<double> speeds;
-  std::size_t most = static_cast<std::size_t>(system.kept);
-  if (system.isotropic) {
-    // Forward: x + i y ~ e^{i Omega t}.
-    const Eigen::MatrixXd inertia = Eigen::MatrixXd::Identity(n, n) - system.gyroscopic;
-    speeds = synchronous_speeds(system.stiffness_x, inertia);
-  } else {
-    // (x, y) ~ e^{i Omega t}: 1 - i [0 G; -G^T 0], Hermitian.
-    Eigen::MatrixXcd K = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
-    K.topLeftCorner(n, n) = system.stiffness_x.cast<Complex>();
-    K.bottomRightCorner(n, n) = system.stiffness_y.cast<Complex>();
-    Eigen::MatrixXcd A = Eigen::MatrixXcd::Identity(2 * n, 2 * n);
-    A.topRightCorner(n, n) = Complex(0.0, -1.0) * system.gyroscopic;
-    A.bottomLeftCorner(n, n) = Complex(0.0, 1.0) * system.gyroscopic.transpose();
-    speeds = synchronous_speeds(K, A);
-    most *= 2;
-  }
-  if (speeds.size() > most) speeds.resize(most);
-  return speeds;
 }
 
 double stability_bound(const WhirlSystem& system) {

@@ -34,7 +34,8 @@ WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed);
 // Undamped critical speeds (rad/s, ascending): whirl in step with the spin, K u = Omega^2 (1 - G)
 // u. Isotropic planes: forward whirl alone, since unbalance cannot excite the other, at most
 // `kept`; anisotropic: forward and backward, at most 2 `kept`. A rotor with a flat enough disc has
-// fewer.
+// fewer. Of bearings the springs k_xx and k_yy count, where they follow the speed those at the critical speed itself:
+// it may cross its own curve at none or several. (critical_speeds.cc)
 std::vector<double> critical_speeds(const WhirlSystem& system);
 
 // The lowest spin speed >= 0 (rad/s) above which a kept mode grows, right to 1e-9 relative; 0 where

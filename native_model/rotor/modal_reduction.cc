@@ -159,6 +159,14 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
     if (bearing.damping.isZero(0.0)) continue;
     rotor.bearing_dampers.push_back({shape_at(bearing.z), bearing.damping});
   }
+  for (const scene::ShaftBearing& bearing : geometry.bearings) {
+    if (auto film = film_of(bearing)) rotor.films.push_back({shape_at(bearing.z), std::move(*film)});
+    if (bearing.offset.isZero(0.0)) continue;
+    const ModeShape at = shape_at(bearing.z);
+    if (rotor.pull_x.size() == 0) rotor.pull_x = rotor.pull_y = Eigen::VectorXd::Zero(rotor.modes());
+    rotor.pull_x += bearing.stiffness.x() * bearing.offset.x() * at.x;
+    rotor.pull_y += bearing.stiffness.y() * bearing.offset.y() * at.y;
+  }
   for (const scene::Disc& disc : geometry.discs) {
     const double static_moment = disc.mass * disc.eccentricity;
     if (static_moment == 0.0) continue;

@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "native_model/bearing/bearing_film.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
@@ -34,6 +35,12 @@ struct PlaneModes {
 struct StationDamper {
   ModeShape shape;
   Eigen::Vector2d damping;  // N s/m, x and y
+};
+
+// What else a bearing does there.
+struct StationFilm {
+  ModeShape shape;
+  BearingFilm<double> law;
 };
 
 struct DiscUnbalance {
@@ -65,6 +72,8 @@ struct ModalRotor {
   Eigen::MatrixXd gyroscopic;  // kg, n x n, g: rows x modes, columns y modes
   Eigen::MatrixXd internal_xx, internal_xy, internal_yy;  // N s/m, n x n, rotating damping D_i
   std::vector<StationDamper> bearing_dampers;
+  std::vector<StationFilm> films;
+  Eigen::VectorXd pull_x, pull_y;  // N, n or empty: of springs of bearings that stand off the line
   std::vector<DiscUnbalance> unbalances;
   std::vector<ModeShape> force_shapes;  // one for each of Scene.forces, of kind unbalance too
   std::optional<ModeShape> magnetic_bearing_shape;

@@ -94,6 +94,7 @@ WhirlSystem leading(const WhirlSystem& system, Eigen::Index n) {
         &part.internal_xx, &part.internal_xy, &part.internal_yy}) {
     *matrix = block(*matrix);
   }
+  for (WhirlFilm& film : part.films) film.station = film.station.head(n).eval();
   return part;
 }
 

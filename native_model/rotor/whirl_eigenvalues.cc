@@ -34,12 +34,9 @@ Matrix state_matrix(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W) 
 
 [[noreturn]] void fail() { throw RotorNotSolvable("no eigenvalues can be found"); }
 
-// x + i y: r'' + (D + N - i Omega G) r' + (K - i Omega N) r = 0. Each eigenvalue is one whirl.
+// Each eigenvalue is one whirl.
 std::vector<Complex> isotropic_eigenvalues(const WhirlSystem& system, double speed) {
-  const Complex turn(0.0, speed);
-  const Eigen::MatrixXcd B =
-      (system.damping_x + system.internal_xx).cast<Complex>() - turn * system.gyroscopic;
-  const Eigen::MatrixXcd C = system.stiffness_x.cast<Complex>() - turn * system.internal_xx;
+  const auto [B, C] = isotropic_matrices(system, speed);
   const auto values = complex_eigenvalues(state_matrix(B, C, state_scale(system.stiffness_x)));
   if (!values) fail();
   return *values;
@@ -57,11 +54,7 @@ bool forward(const Eigen::VectorXcd& x, const Eigen::VectorXcd& y) {
 // the real ones, which also come in twos, every other.
 std::vector<Complex> anisotropic_eigenvalues(const WhirlSystem& system, double speed) {
   const Eigen::Index n = system.size();
-  Eigen::MatrixXd B(2 * n, 2 * n), C(2 * n, 2 * n);
-  B << system.damping_x + system.internal_xx, speed * system.gyroscopic,
-      -speed * system.gyroscopic.transpose(), system.damping_y + system.internal_yy;
-  C << system.stiffness_x, speed * system.internal_xy, -speed * system.internal_xy.transpose(),
-      system.stiffness_y;
+  const auto [B, C] = planes_matrices(system, speed);
   Eigen::VectorXd W(2 * n);
   W << state_scale(system.stiffness_x), state_scale(system.stiffness_y);
   const std::optional<RealModes> modes = real_modes(state_matrix(B, C, W));

@@ -40,20 +40,16 @@ Complex beside(Complex s) { return s * (1.0 + 1e-10); }
 Turns turns_of(const WhirlSystem& system, double speed, Complex s) {
   const Eigen::Index n = system.size();
   if (system.isotropic) {
-    const Complex at = beside(s), turn(0.0, speed);
-    Eigen::MatrixXcd P = at * (system.damping_x + system.internal_xx).cast<Complex>() -
-                         at * turn * system.gyroscopic + system.stiffness_x.cast<Complex>() -
-                         turn * system.internal_xx;
+    const Complex at = beside(s);
+    const WhirlMatrices m = isotropic_matrices(system, speed);
+    Eigen::MatrixXcd P = at * m.damping + m.stiffness;
     P.diagonal().array() += at * at;
     return {null_vector(P, system.stiffness_x.diagonal()), Eigen::VectorXcd::Zero(n)};
   }
   // Of the complex pair the one with Im s > 0: x = Re(x^ e^{st}), y alike.
   const Complex at = beside(s.imag() > 0.0 ? s : std::conj(s));
-  Eigen::MatrixXcd P(2 * n, 2 * n);
-  P << at * (system.damping_x + system.internal_xx) + system.stiffness_x,
-      speed * (at * system.gyroscopic + system.internal_xy),
-      -speed * (at * system.gyroscopic + system.internal_xy).transpose(),
-      at * (system.damping_y + system.internal_yy) + system.stiffness_y;
+  const PlanesMatrices m = planes_matrices(system, speed);
+  Eigen::MatrixXcd P = at * m.damping + m.stiffness;
   P.diagonal().array() += at * at;
   Eigen::VectorXd stiffness(2 * n);
   stiffness << system.stiffness_x.diagonal(), system.stiffness_y.diagonal();

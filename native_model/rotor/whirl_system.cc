@@ -1,6 +1,9 @@
 #include "native_model/rotor/whirl_system.h"
 
+#include <algorithm>
 #include <cassert>
+#include <complex>
+#include <utility>
 
 #include "native_model/rotor/magnetic_support.h"
 #include "native_model/rotor/modal_rotor.h"
@@ -13,7 +16,10 @@ namespace {
 bool same_planes(const WhirlSystem& s) {
   return s.stiffness_x == s.stiffness_y && s.damping_x == s.damping_y &&
          s.internal_xx == s.internal_yy && s.internal_xx == s.internal_xy &&
-         s.gyroscopic == s.gyroscopic.transpose();
+         s.gyroscopic == s.gyroscopic.transpose() &&
+         std::all_of(s.films.begin(), s.films.end(), [](const WhirlFilm& film) {
+           return isotropic(film.law.constant) && (!film.law.follows() || film.law.tables.front()->isotropic());
+         });
 }
 
 // Untruncated: coordinates are all modes of the mean stiffness, of unit mass.
@@ -63,6 +69,7 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
     const Eigen::RowVectorXd u = ritz.basis.deflection(bearing.z) * phi;
     system.damping_x += bearing.damping.x() * u.transpose() * u;
     system.damping_y += bearing.damping.y() * u.transpose() * u;
+    if (auto film = film_of(bearing)) system.films.push_back({u.transpose(), std::move(*film)});
   }
   if (scene.magnetic_bearing) {
     const Eigen::RowVectorXd u = ritz.basis.deflection(scene.magnetic_bearing->station) * phi;
@@ -109,6 +116,43 @@ WhirlSystem modal_system(const scene::Scene& scene) {
 }
 
 }  // namespace
+
+// x + i y: r'' + (D + N - i Omega G) r' + (K - i Omega N) r = 0, and of a film with k_xx = k_yy, k_xy = -k_yx
+// (k_xx - i k_xy) r.
+WhirlMatrices isotropic_matrices(const WhirlSystem& system, double speed) {
+  using Complex = std::complex<double>;
+  const Complex turn(0.0, speed);
+  WhirlMatrices m{(system.damping_x + system.internal_xx).cast<Complex>() - turn * system.gyroscopic,
+                  system.stiffness_x.cast<Complex>() - turn * system.internal_xx};
+  for (const WhirlFilm& film : system.films) {
+    const BearingCoefficients<double> c = film.law.at(speed);
+    const Eigen::MatrixXcd uu = (film.station * film.station.transpose()).cast<Complex>();
+    m.stiffness += Complex(c[0], -c[1]) * uu;
+    m.damping += Complex(c[4], -c[5]) * uu;
+  }
+  return m;
+}
+
+PlanesMatrices planes_matrices(const WhirlSystem& system, double speed) {
+  const Eigen::Index n = system.size();
+  PlanesMatrices m{Eigen::MatrixXd(2 * n, 2 * n), Eigen::MatrixXd(2 * n, 2 * n)};
+  m.damping << system.damping_x + system.internal_xx, speed * system.gyroscopic,
+      -speed * system.gyroscopic.transpose(), system.damping_y + system.internal_yy;
+  m.stiffness << system.stiffness_x, speed * system.internal_xy, -speed * system.internal_xy.transpose(),
+      system.stiffness_y;
+  for (const WhirlFilm& film : system.films) {
+    const BearingCoefficients<double> c = film.law.at(speed);
+    const Eigen::MatrixXd uu = film.station * film.station.transpose();
+    for (int row = 0; row < 2; ++row) {
+      for (int column = 0; column < 2; ++column) {
+        const auto at = static_cast<std::size_t>(2 * row + column);
+        m.stiffness.block(row * n, column * n, n, n) += c[at] * uu;
+        m.damping.block(row * n, column * n, n, n) += c[4 + at] * uu;
+      }
+    }
+  }
+  return m;
+}
 
 WhirlSystem whirl_system(const scene::Scene& scene) {
   assert(scene.rotor.geometry.has_value() != scene.rotor.modal.has_value());

@@ -9,6 +9,7 @@
 #include "native_model/control/cross_coupled.h"
 #include "native_model/rotor/magnetic_support.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/text.h"
 #include "native_model/scene/record.h"
 #include "native_model/system/model.h"
 
@@ -73,6 +74,17 @@ void check(const scene::Scene& scene) {
   }
   if (scene.gravity && !scene.gravity->acceleration.isZero(0.0)) {
     refuse(scene, "gravity", "weight points one way, so no whirl is steady");
+  }
+  for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
+    const scene::ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
+    const std::string path = scene::list_element("rotor.bearing", i);
+    if (!bearing.offset.isZero(0.0)) {
+      refuse(scene, path + ".offset", "a bearing off the line bends the shaft one way, so no whirl is steady; accepted is 0");
+    }
+    if (bearing.follows_speed() || bearing.crosses()) {
+      refuse(scene, path + (bearing.follows_speed() ? ".table_speed" : ".cross_stiffness"),
+             "the analysis has springs and dashpots alone; accepted are bearings without tables and crosses");
+    }
   }
   if (!scene.contact->offset.isZero(0.0)) {
     refuse(scene, "contact.offset", "the ring is out of the middle of the whirl, and none is steady; accepted is 0");

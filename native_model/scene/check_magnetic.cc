@@ -3,17 +3,18 @@
 #include <algorithm>
 
 #include "native_model/scene/checker.h"
+#include "native_model/scene/shaft_bearing.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 namespace {
 
 // The bearings leave the shaft no rigid motion in this plane: they hold it at two stations.
-bool held_by_bearings(const RotorGeometry& shaft, int plane) {
+bool held_by_bearings(const RotorGeometry& shaft, double speed, int plane) {
   double first = 0.0;
   bool any = false;
   for (const ShaftBearing& bearing : shaft.bearings) {
-    if (!(bearing.stiffness[plane] > 0.0)) continue;
+    if (!(stiffness_at(bearing, speed)[plane] > 0.0)) continue;
     if (any && bearing.z != first) return true;
     first = bearing.z;
     any = true;
@@ -26,7 +27,7 @@ std::string held_by_magnets(const Scene& scene, const MagneticBearing& magnetic)
   const char* planes[] = {"x", "y"};
   if (scene.rotor.geometry) {
     for (int plane : {0, 1}) {
-      if (held_by_bearings(*scene.rotor.geometry, plane)) continue;
+      if (held_by_bearings(*scene.rotor.geometry, scene.rotor.speed, plane)) continue;
       return std::string("the shaft against rigid motion in plane ") + planes[plane];
     }
   }

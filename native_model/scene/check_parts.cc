@@ -219,6 +219,18 @@ void check_mujoco(const Checker& check) {
                "with a [drive] \"unbalance\" changes how spin and bending are coupled, and MuJoCo's "
                "rigid segments keep their masses; accepted: mujoco.rotor = \"modal\", or no [drive]");
   }
+  for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
+    const ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
+    if (scene.mujoco.rotor != MujocoRotor::kSegments) break;
+    const char* key = bearing.follows_speed()                     ? ".table_speed"
+                      : !bearing.cross_stiffness.isZero(0.0)      ? ".cross_stiffness"
+                      : !bearing.cross_damping.isZero(0.0)        ? ".cross_damping"
+                      : !bearing.offset.isZero(0.0)               ? ".offset"
+                                                                  : nullptr;
+    if (key == nullptr) continue;
+    check.fail(list_element("rotor.bearing", i) + key,
+               "MuJoCo's rigid segments stand on springs and dashpots alone; accepted: mujoco.rotor = \"modal\"");
+  }
   if (scene.mujoco.rotor == MujocoRotor::kSegments && scene.rotor.modal) {
     check.fail("mujoco.rotor",
                "\"segments\" needs the rotor's geometry, and the scene gives its modes; accepted: "

@@ -5,6 +5,7 @@
 
 #include "native_model/scene/checker.h"
 #include "native_model/scene/disc.h"
+#include "native_model/scene/shaft_bearing.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub::scene {
@@ -78,12 +79,6 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
     check.fail(list_element("rotor.section", shaft.sections.size() - 1) + ".to",
                "the sections must cover 0 to rotor.length: expected " + metres(shaft.length) +
                    ", got " + metres(covered));
-  }
-}
-
-void check_bearings(const Checker& check, const RotorGeometry& shaft) {
-  for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
-    check.station(list_element("rotor.bearing", i) + ".z", shaft.bearings[i].z);
   }
 }
 

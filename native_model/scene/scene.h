@@ -76,10 +76,22 @@ struct Disc {
   std::optional<double> balance_speed{};                            // rad/s
 };
 
+// Beyond stiffness and damping: bearing/bearing_film.h.
 struct ShaftBearing {
   double z = 0.0;                 // m, station
-  PlanePair stiffness{0.0, 0.0};  // N/m, >= 0
-  PlanePair damping{0.0, 0.0};    // N s/m, >= 0
+  PlanePair stiffness{0.0, 0.0};  // N/m, >= 0; after reading of rotor.speed, where there is a table
+  PlanePair damping{0.0, 0.0};    // N s/m, >= 0; alike
+  Eigen::Vector2d cross_stiffness{0.0, 0.0};  // N/m, k_xy, k_yx
+  Eigen::Vector2d cross_damping{0.0, 0.0};    // N s/m, c_xy, c_yx
+  Eigen::Vector2d offset{0.0, 0.0};           // m, where it stands off the line x = y = 0
+
+  // The coefficients over the speed of rotation, in place of the four above: rad/s, ascending; each as long or empty.
+  std::vector<double> table_speed{};
+  std::vector<double> table_kxx{}, table_kxy{}, table_kyx{}, table_kyy{};  // N/m; kyy empty: as kxx
+  std::vector<double> table_cxx{}, table_cxy{}, table_cyx{}, table_cyy{};  // N s/m; cyy empty: as cxx
+
+  bool follows_speed() const { return !table_speed.empty(); }
+  bool crosses() const { return !cross_stiffness.isZero(0.0) || !cross_damping.isZero(0.0); }
 };
 
 // Geometry form: a continuous Euler-Bernoulli shaft.

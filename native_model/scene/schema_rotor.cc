@@ -166,12 +166,30 @@ Table bearing() {
   return {"rotor.bearing",
           true,
           Form::kGeometry,
-          "Linear bearings between shaft and base.",
+          "Linear bearings between shaft and base, as springs and dashpots, or by the eight coefficients of an oil film.",
           "none",
           [](Scene& scene) -> void* { return &geometry(scene).bearings.emplace_back(); },
           {key<&ShaftBearing::z>("z", kLength, "along the shaft").or_called("station").at_least(0),
-           planes<&ShaftBearing::stiffness>("stiffness", kStiffness, "").at_least(0),
-           planes<&ShaftBearing::damping>("damping", kDamping, "").at_least(0).optional()}};
+           planes<&ShaftBearing::stiffness>("stiffness", kStiffness, "").at_least(0).otherwise("by `table_kxx`"),
+           planes<&ShaftBearing::damping>("damping", kDamping, "").at_least(0).optional(),
+           key<&ShaftBearing::cross_stiffness>("cross_stiffness", kStiffness,
+                                               "[k_xy, k_yx], across the planes: -k_xy y on x, -k_yx x on y")
+               .optional(),
+           key<&ShaftBearing::cross_damping>("cross_damping", kDamping, "[c_xy, c_yx], alike").optional(),
+           key<&ShaftBearing::offset>("offset", kLength, "where it stands off the line of the others: its alignment")
+               .optional(),
+           key<&ShaftBearing::table_speed>("table_speed", kSpin,
+                                           "ascending, two or more: the coefficients follow the speed, by a smooth "
+                                           "curve through the points, held beyond the ends")
+               .otherwise("`stiffness` and the others at every speed"),
+           key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "one for each speed").otherwise("needed with `table_speed`"),
+           key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "alike").otherwise("0"),
+           key<&ShaftBearing::table_kyx>("table_kyx", kStiffness, "alike").otherwise("0"),
+           key<&ShaftBearing::table_kyy>("table_kyy", kStiffness, "alike").otherwise("`table_kxx`"),
+           key<&ShaftBearing::table_cxx>("table_cxx", kDamping, "alike").otherwise("0"),
+           key<&ShaftBearing::table_cxy>("table_cxy", kDamping, "alike").otherwise("0"),
+           key<&ShaftBearing::table_cyx>("table_cyx", kDamping, "alike").otherwise("0"),
+           key<&ShaftBearing::table_cyy>("table_cyy", kDamping, "alike").otherwise("`table_cxx`")}};
 }
 
 Table modal() {

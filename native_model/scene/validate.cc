@@ -4,6 +4,7 @@
 
 #include "native_model/scene/checker.h"
 #include "native_model/scene/disc.h"
+#include "native_model/scene/shaft_bearing.h"
 
 namespace rotorub::scene {
 namespace {
@@ -67,6 +68,7 @@ void complete(Scene& scene, const Record& record) {
     rotor.geometry->G = rotor.geometry->E / (2.0 * (1.0 + nu));
   }
   if (rotor.geometry) complete_discs(rotor);
+  if (rotor.geometry) complete_bearings(rotor);
   if (rotor.torsion && rotor.geometry && !record.given("rotor.torsion.damping_ratio")) {
     rotor.torsion->damping_ratio = rotor.geometry->damping_ratio;
   }

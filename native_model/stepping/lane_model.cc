@@ -80,6 +80,20 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
         {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
          plane<T>(all, [&](const Model& m) { return of(m).damping; })});
   }
+  for (std::size_t i = 0; i < first.films.size(); ++i) {
+    const auto of = [i](const Model& m) -> const StationFilm& { return m.films[i]; };
+    BearingFilm<T> law;
+    for (std::size_t k = 0; k < law.constant.size(); ++k) {
+      law.constant[k] = number<T>(all, [&](const Model& m) { return of(m).law.constant[k]; });
+    }
+    law.offset_x = number<T>(all, [&](const Model& m) { return of(m).law.offset_x; });
+    law.offset_y = number<T>(all, [&](const Model& m) { return of(m).law.offset_y; });
+    for (const Model* m : all) {
+      if (of(*m).law.follows()) law.tables.push_back(of(*m).law.tables.front());
+    }
+    films.push_back(
+        {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }), std::move(law)});
+  }
   for (std::size_t i = 0; i < first.springs.size(); ++i) {
     const auto of = [i](const Model& m) -> const StationSpring& { return m.springs[i]; };
     springs.push_back(
@@ -121,8 +135,10 @@ bool same_structure(const Model& a, const Model& b) {
   const auto structure = [](const Model& m) {
     std::vector<int> forces;
     for (const AppliedForce& f : m.forces) forces.push_back(static_cast<int>(f.kind));
+    std::vector<bool> films;
+    for (const StationFilm& film : m.films) films.push_back(film.law.follows());
     const Layout& l = m.layout;
-    return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils, forces, m.springs.size(),
+    return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils, forces, films, m.springs.size(),
                       m.feedback.has_value(), m.dampers.size(), m.unbalances.size(), m.weight.size(),
                       m.drive ? static_cast<int>(m.drive->kind()) : -1, m.contact.has_value(),
                       m.magnets.has_value(), m.gyroscopic.absent(), m.internal_xx.absent(),

@@ -26,6 +26,10 @@ struct LaneModel {
     Shape shape;
     Plane damping;
   };
+  struct Film {
+    Shape shape;
+    BearingFilm<T> law;
+  };
   struct Spring {
     Shape shape;
     Plane stiffness;
@@ -47,6 +51,7 @@ struct LaneModel {
   lanes::Array<T> mass, stiffness, damping, weight;
   BasicModeMatrix<T> gyroscopic, internal_xx, internal_xy, internal_yy;
   std::vector<Damper> dampers;
+  std::vector<Film> films;
   std::vector<Spring> springs;
   std::optional<Feedback> feedback;
   std::vector<Unbalance> unbalances;

@@ -45,7 +45,9 @@ class LoadKernel {
     const bool curve = first.drive && first.drive->kind() != scene::DriveKind::kLinear &&
                        first.drive->kind() != scene::DriveKind::kFree;
     for (const Model* model : models) switches_ = switches_ || feedback_switches(*model);
-    iterates_ = turns || curve || switches_ || layout().integrals > 0 || layout().coils > 0;
+    bool follows = false;  // bearings the spin, where that is free
+    for (const auto& film : first.films) follows = follows || (layout().spin && film.law.follows());
+    iterates_ = turns || curve || follows || switches_ || layout().integrals > 0 || layout().coils > 0;
     magnetic_ = first.magnets.has_value();
     if (!coupled_) return;
     bx_.assign(static_cast<std::size_t>(layout().modes), T{});
@@ -121,6 +123,7 @@ class LoadKernel {
     equations::diagonal_force(m, q, v, f);
     equations::add_rotating_damping(m, q, v, omega, f);
     equations::add_dampers(m, v, f);
+    equations::add_films(m, omega, q, v, f);
     equations::add_springs(m, q, f);
     if (m.feedback) equations::add_feedback(m, working_, q, v, f);
     equations::add_gyroscopic(m, omega, v, f);

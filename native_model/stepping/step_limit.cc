@@ -27,6 +27,15 @@ double bending(const Model& m, int plane) {
     const Eigen::VectorXd& shape = plane == 0 ? s.shape.x : s.shape.y;
     most += std::max(0.0, s.stiffness[plane]) * shape.cwiseAbs2().cwiseQuotient(mass).sum();
   }
+  for (const StationFilm& film : m.films) {
+    const Eigen::VectorXd &shape = plane == 0 ? film.shape.x : film.shape.y,
+                          &other = plane == 0 ? film.shape.y : film.shape.x;
+    const BearingCoefficients<double> c = largest(film.law);
+    // What the rows of the plane have of both planes, and of their damping nothing: that is in the step's matrix.
+    const auto row = shape.cwiseAbs().cwiseQuotient(mass);
+    const double own = plane == 0 ? c[0] : c[3], cross = plane == 0 ? c[1] : c[2];
+    most += row.maxCoeff() * (own * shape.cwiseAbs().sum() + cross * other.cwiseAbs().sum());
+  }
   if (!m.internal_xy.absent()) {
     const Eigen::MatrixXd turning = m.internal_xy.dense(l.modes).cwiseAbs();
     const double speed = std::max(std::abs(m.speed), m.drive ? std::abs(m.drive->target()) : 0.0);

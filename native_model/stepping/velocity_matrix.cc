@@ -22,7 +22,7 @@ void put_matrix(lanes::Array<T>& to, const Eigen::MatrixXd& from, int lane) {
 }  // namespace
 
 Eigen::MatrixXd linear_damping(const Model& given) {
-  const Model m = with_linear_feedback(given);
+  const Model m = without_offsets(with_linear_feedback(given));
   const Layout& l = m.layout;
   const int nq = l.nq();
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(nq);
@@ -33,6 +33,7 @@ Eigen::MatrixXd linear_damping(const Model& given) {
     f.setZero();
     equations::add_rotating_damping(m, rest.data(), v.data(), m.speed, f.data());
     equations::add_dampers(m, v.data(), f.data());
+    equations::add_films(m, m.speed, rest.data(), v.data(), f.data());
     if (m.feedback && m.feedback->law.fails_at > 0.0) {
       equations::add_feedback(m, 1.0, rest.data(), v.data(), f.data());
     }

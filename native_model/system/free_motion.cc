@@ -29,7 +29,7 @@ struct Bending {
 };
 
 Bending bending(const Model& given) {
-  const Model m = with_linear_feedback(given);
+  const Model m = without_offsets(with_linear_feedback(given));
   const Layout& l = m.layout;
   const int size = 2 * l.modes;
   Bending b{m.mass.head(size), m.stiffness.head(size).asDiagonal(),
@@ -42,11 +42,13 @@ Bending bending(const Model& given) {
     f.setZero();
     equations::add_rotating_damping(m, unit.data(), rest.data(), m.speed, f.data());
     equations::add_springs(m, unit.data(), f.data());
+    equations::add_films(m, m.speed, unit.data(), rest.data(), f.data());
     if (m.feedback) equations::add_feedback(m, works, unit.data(), rest.data(), f.data());
     b.stiffness.col(j) -= f.head(size);
     f.setZero();
     equations::add_rotating_damping(m, rest.data(), unit.data(), m.speed, f.data());
     equations::add_dampers(m, unit.data(), f.data());
+    equations::add_films(m, m.speed, rest.data(), unit.data(), f.data());
     if (m.feedback) equations::add_feedback(m, works, rest.data(), unit.data(), f.data());
     equations::add_gyroscopic(m, m.speed, unit.data(), f.data());
     b.damping.col(j) -= f.head(size);
@@ -129,9 +131,11 @@ std::vector<Load> loads_of(const scene::Scene& scene, const Model& m) {
     if (u.on > 0.0) continue;
     loads.turn(m.speed, u.shape, u.static_moment * m.speed * m.speed, m.spin_angle + u.phase);
   }
-  if (m.weight.size() > 0) {
-    loads.add({0.0, m.weight.head(2 * m.layout.modes).cast<Phasor>()});
-  }
+  // Of films that stand off the line, weight and springs that do.
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(m.nq());
+  Eigen::VectorXd constant = m.weight.size() > 0 ? m.weight : rest;
+  equations::add_films(m, m.speed, rest.data(), rest.data(), constant.data());
+  loads.add({0.0, constant.head(2 * m.layout.modes).cast<Phasor>()});
   return loads.all();
 }
 

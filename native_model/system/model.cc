@@ -102,7 +102,14 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
   model.gravity_mass.segment(l.x(), l.modes) = rotor.gravity_x;
   model.gravity_mass.segment(l.y(), l.modes) = rotor.gravity_y;
   if (l.stator) model.gravity_mass.segment<2>(l.ring()) = scene.stator->mass;
-  if (scene.gravity) set_gravity(model, scene.gravity->acceleration);
+  if (rotor.pull_x.size() > 0) {
+    model.pull = Eigen::VectorXd::Zero(l.nq());
+    model.pull.segment(l.x(), l.modes) = rotor.pull_x;
+    model.pull.segment(l.y(), l.modes) = rotor.pull_y;
+  }
+  if (scene.gravity || model.pull.size() > 0) {
+    set_gravity(model, scene.gravity ? scene.gravity->acceleration : Eigen::Vector2d(0.0, 0.0));
+  }
 }
 
 // Eccentric discs, then blades that are lost.
@@ -243,6 +250,7 @@ Model make_model(const scene::Scene& scene) {
   for (StationDamper& damper : rotor.bearing_dampers) {
     if (!damper.damping.isZero(0.0)) model.dampers.push_back(std::move(damper));
   }
+  model.films = std::move(rotor.films);
   fill_unbalances(scene, rotor, model);
   check_unbalances(scene, model.unbalances.size());
   check_spin_inertia(scene, model);
@@ -279,6 +287,7 @@ void set_gravity(Model& model, const Eigen::Vector2d& acceleration) {
   along(l.x(), l.modes, acceleration.x());
   along(l.y(), l.modes, acceleration.y());
   for (int k = 0; k < l.stator; ++k) along(l.ring() + k, 1, acceleration[k]);
+  if (model.pull.size() > 0) model.weight += model.pull;
 }
 
 State initial_state(const Model& model) { return {0.0, model.q0, model.v0}; }

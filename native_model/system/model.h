@@ -127,10 +127,12 @@ struct Model {
   std::vector<StationDamper> dampers;                   // bearings
   std::vector<StationSpring> springs;                   // magnetic bearing
   std::optional<StationFeedback> feedback;              // of one: what it does beyond its spring
+  std::vector<StationFilm> films;                       // bearings that cross the planes or follow the speed
   std::vector<AppliedForce> forces;
   std::vector<DiscUnbalance> unbalances;                // eccentric discs, blades that are lost
   Eigen::VectorXd gravity_mass;                         // nq, kg, load per unit acceleration
-  Eigen::VectorXd weight;                               // nq or empty, N, gravity
+  Eigen::VectorXd pull;                                 // nq or empty, N, of bearings off the line
+  Eigen::VectorXd weight;                               // nq or empty, N, gravity and pull
 
   // Spin. Without a drive phi = spin_angle + speed t.
   double speed = 0.0;                  // rad/s at t = 0
@@ -191,6 +193,8 @@ Model without_coils(Model model);
 Model with_ideal_actuator(Model model);
 // The same with a magnetic bearing whose current has no limit: its linear law.
 Model with_linear_feedback(Model model);
+// The same with every bearing on the line.
+Model without_offsets(Model model);
 // The same without a controller.
 Model without_controller(Model model);
 // The same driven by the commands of another run instead of its controller; as it is for null.

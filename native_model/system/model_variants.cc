@@ -15,6 +15,7 @@ Model without_coils(Model model) {
     vector->conservativeResize(kept);
   }
   if (model.weight.size() > 0) model.weight.conservativeResize(kept);
+  if (model.pull.size() > 0) model.pull.conservativeResize(kept);
   return model;
 }
 
@@ -28,6 +29,15 @@ Model with_ideal_actuator(Model model) {
 Model with_linear_feedback(Model model) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   if (model.feedback) model.feedback->law.current_limit = kNone;
+  return model;
+}
+
+Model without_offsets(Model model) {
+  for (StationFilm& film : model.films) film.law.offset_x = film.law.offset_y = 0.0;
+  if (model.pull.size() > 0) {
+    model.weight -= model.pull;
+    model.pull.resize(0);
+  }
   return model;
 }
 

@@ -143,6 +143,14 @@ inline std::vector<Part> pair_parts() {
        "rotor.modal.damping_y=[55.0]"});
   add("bearing_dampers", "bearing_dampers",
       {"rotor.bearing[0].damping=[900.0,600.0]", "rotor.bearing[1].damping=500.0"}, {});
+  add("bearing_offset", "bearing_offset", {"rotor.bearing[0].offset=[0.06e-3,-0.03e-3]"}, {});
+  add("crossed_bearings", "film",
+      {"rotor.bearing[0].cross_stiffness=[4e6,-3e6]", "rotor.bearing[1].cross_damping=[200.0,-150.0]"}, {});
+  // A steady bearing between the others, whose coefficients change much within the run of a free spin.
+  add("film_tables", "film",
+      {"rotor.bearing[2]={z=0.45,offset=[0.0,0.03e-3],table_speed=[295.0,305.0,320.0],table_kxx=[2e5,3e5,2.5e5],"
+       "table_kxy=[1e5,2e5,2.2e5],table_kyx=[-1.5e5,-2e5,-1e5],table_cxx=[90.0,60.0,70.0],table_cxy=[10.0,15.0,20.0]}"},
+      {});
 
   // What drives it.
   add("free_spin", "drive", {"drive={kind='free',inertia=2e-3}"}, {"drive={kind='free'}"});
@@ -166,6 +174,7 @@ inline std::vector<Part> pair_parts() {
   add_both(
       "anisotropic_ring", "ring",
       {"stator.mass=[1.3,0.9]", "stator.stiffness=[1.2e5,2.3e5]", "stator.damping=[250.0,150.0]"});
+  add_both("ring_offset", "ring_offset", {"contact.offset=[0.09e-3,-0.06e-3]"});
   add_both("turning_ring", "turning_ring", {"stator.spin={inertia=2e-4,drag=8e-3,speed=-40.0}"});
   add("magnetic_bearing", "magnetic_bearing",
       {"magnetic_bearing={station=0.42,negative_stiffness=4.5e4}"},

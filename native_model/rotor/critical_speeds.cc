@@ -1,0 +1,146 @@
+// Critical speeds: Campbell's diagram where a whirl goes in step with the spin.
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "native_model/numerics/complex_eigenvalues.h"
+#include "native_model/numerics/root.h"
+#include "native_model/numerics/symmetric_eigenvalues.h"
+#include "native_model/rotor/campbell.h"
+#include "native_model/rotor/refusal.h"
+
+namespace rotorub {
+namespace {
+
+using Complex = std::complex<double>;
+
+// What an iteration found; refuses the rotor where it found nothing.
+template <typename Values>
+Values found(std::optional<Values> values) {
+  if (!values) throw RotorNotSolvable("no eigenvalues can be found");
+  return *std::move(values);
+}
+
+// Positive Omega of K u = Omega^2 A u for Hermitian K and A, A not necessarily definite.
+template <typename Matrix>
+std::vector<double> synchronous_speeds(const Matrix& K, const Matrix& A) {
+  std::vector<double> inverse_squares;
+  if (Eigen::LLT<Matrix>(K).info() == Eigen::Success) {
+    const Eigen::VectorXd values = found(symmetric_eigenvalues(A, K));
+    inverse_squares.assign(values.begin(), values.end());
+  } else {
+    // A magnetic bearing stronger than the shaft: K^-1 A, whose real eigenvalues count.
+    constexpr double kReal = 1e-9;
+    const Eigen::MatrixXcd product =
+        K.template cast<Complex>().fullPivLu().solve(A.template cast<Complex>());
+    for (const Complex& mu : found(complex_eigenvalues(product))) {
+      if (std::abs(mu.imag()) <= kReal * std::abs(mu)) inverse_squares.push_back(mu.real());
+    }
+  }
+  std::vector<double> speeds;
+  for (double mu : inverse_squares) {
+    if (mu > 0.0) speeds.push_back(1.0 / std::sqrt(mu));
+  }
+  std::sort(speeds.begin(), speeds.end());
+  return speeds;
+}
+
+// With the springs that the bearings have at one speed.
+WhirlSystem with_springs_at(WhirlSystem system, double speed) {
+  for (const WhirlFilm& film : system.films) {
+    const BearingCoefficients<double> c = film.law.at(speed);
+    const Eigen::MatrixXd uu = film.station * film.station.transpose();
+    system.stiffness_x += c[0] * uu;
+    system.stiffness_y += c[3] * uu;
+  }
+  system.films.clear();
+  return system;
+}
+
+// Of springs that do not change.
+std::vector<double> of_constant_springs(const WhirlSystem& system) {
+  const Eigen::Index n = system.size();
+  std::vector<double> speeds;
+  std::size_t most = static_cast<std::size_t>(system.kept);
+  if (system.isotropic) {
+    // Forward: x + i y ~ e^{i Omega t}.
+    const Eigen::MatrixXd inertia = Eigen::MatrixXd::Identity(n, n) - system.gyroscopic;
+    speeds = synchronous_speeds(system.stiffness_x, inertia);
+  } else {
+    // (x, y) ~ e^{i Omega t}: 1 - i [0 G; -G^T 0], Hermitian.
+    Eigen::MatrixXcd K = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
+    K.topLeftCorner(n, n) = system.stiffness_x.cast<Complex>();
+    K.bottomRightCorner(n, n) = system.stiffness_y.cast<Complex>();
+    Eigen::MatrixXcd A = Eigen::MatrixXcd::Identity(2 * n, 2 * n);
+    A.topRightCorner(n, n) = Complex(0.0, -1.0) * system.gyroscopic;
+    A.bottomLeftCorner(n, n) = Complex(0.0, 1.0) * system.gyroscopic.transpose();
+    speeds = synchronous_speeds(K, A);
+    most *= 2;
+  }
+  if (speeds.size() > most) speeds.resize(most);
+  return speeds;
+}
+
+// Speeds at which the tables have a point: between two of them the springs change evenly.
+std::vector<double> table_speeds(const WhirlSystem& system) {
+  std::vector<double> speeds{0.0};
+  for (const WhirlFilm& film : system.films) {
+    if (!film.law.follows()) continue;
+    for (const double speed : film.law.tables.front()->speeds()) {
+      if (speed > 0.0) speeds.push_back(speed);
+    }
+  }
+  std::sort(speeds.begin(), speeds.end());
+  speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
+  return speeds;
+}
+
+}  // namespace
+
+std::vector<double> critical_speeds(const WhirlSystem& system) {
+  const bool follows = std::any_of(system.films.begin(), system.films.end(),
+                                   [](const WhirlFilm& film) { return film.law.follows(); });
+  if (!follows) return of_constant_springs(with_springs_at(system, 0.0));
+  // Each speed is critical with the springs that it has itself: the k-th critical speed of springs at a speed, less
+  // that speed, is 0. Beyond the tables the springs stay.
+  const auto at = [&](double speed) { return of_constant_springs(with_springs_at(system, speed)); };
+  constexpr int kParts = 8;  // of the way between two points of a table
+  constexpr double kAccuracy = 1e-14;
+  const std::vector<double> points = table_speeds(system);
+  std::vector<double> all_found;
+  std::vector<double> low = at(points.front());
+  double begin = points.front();
+  const auto between = [&](double end) {
+    const std::vector<double> high = at(end);
+    for (std::size_t k = 0; k < std::min(low.size(), high.size()); ++k) {
+      const double f_begin = low[k] - begin, f_end = high[k] - end;
+      if (f_end == 0.0) all_found.push_back(end);
+      if (!(f_begin * f_end < 0.0)) continue;
+      const auto miss = [&](double speed) {
+        const std::vector<double> all = at(speed);
+        return k < all.size() ? all[k] - speed : -speed;
+      };
+      all_found.push_back(root(miss, begin, end, f_begin, f_end, kAccuracy * end).first);
+    }
+    low = high;
+    begin = end;
+  };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    for (int part = 1; part <= kParts; ++part) {
+      between(points[i] + (points[i + 1] - points[i]) * part / kParts);
+    }
+  }
+  for (const double speed : low) {
+    if (speed > begin) all_found.push_back(speed);
+  }
+  std::sort(all_found.begin(), all_found.end());
+  return all_found;
+}
+
+}  // namespace rotorub

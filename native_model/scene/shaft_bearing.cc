@@ -1,0 +1,107 @@
+#include "native_model/scene/shaft_bearing.h"
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+#include "native_model/numerics/monotone_cubic.h"
+#include "native_model/scene/schema.h"
+
+namespace rotorub::scene {
+namespace {
+
+struct TableKey {
+  const char* name;
+  std::vector<double> ShaftBearing::*list;
+};
+constexpr TableKey kTableKeys[] = {
+    {".table_kxx", &ShaftBearing::table_kxx}, {".table_kxy", &ShaftBearing::table_kxy},
+    {".table_kyx", &ShaftBearing::table_kyx}, {".table_kyy", &ShaftBearing::table_kyy},
+    {".table_cxx", &ShaftBearing::table_cxx}, {".table_cxy", &ShaftBearing::table_cxy},
+    {".table_cyx", &ShaftBearing::table_cyx}, {".table_cyy", &ShaftBearing::table_cyy}};
+
+void check_table(const Checker& check, const std::string& path, const ShaftBearing& bearing) {
+  const auto given = [&](const std::string& key) { return check.record.given(path + key); };
+  for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
+    if (given(key)) check.fail(path + key, "not beside `table_speed`, whose tables give it; accepted: one of the two");
+  }
+  if (!given(".table_kxx")) {
+    check.fail(path + ".table_kxx", "missing: expected a list of stiffnesses in N/m, one for each speed");
+  }
+  if (!check.record.sound({path + ".table_speed"})) return;
+  const std::vector<double>& speed = bearing.table_speed;
+  if (speed.size() < 2) check.fail(path + ".table_speed", "expected two speeds or more");
+  if (std::adjacent_find(speed.begin(), speed.end(), std::greater_equal<>()) != speed.end()) {
+    check.fail(path + ".table_speed", "must be strictly ascending");
+  }
+  for (const TableKey& key : kTableKeys) {
+    check.list_length(path + key.name, bearing.*key.list, speed.size(), "speed of table_speed");
+  }
+}
+
+bool sound(const ShaftBearing& bearing) {
+  const std::size_t n = bearing.table_speed.size();
+  const bool ascends = std::adjacent_find(bearing.table_speed.begin(), bearing.table_speed.end(),
+                                          std::greater_equal<>()) == bearing.table_speed.end();
+  return n >= 2 && ascends && std::all_of(std::begin(kTableKeys), std::end(kTableKeys), [&](const TableKey& key) {
+           return (bearing.*key.list).empty() || (bearing.*key.list).size() == n;
+         });
+}
+
+// N/m and N s/m, in the order of the lists.
+std::array<double, 8> coefficients_at(const ShaftBearing& bearing, double speed) {
+  const auto lists = coefficient_lists(bearing);
+  std::array<double, 8> all{};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!lists[k].empty()) all[k] = MonotoneCubic(bearing.table_speed, lists[k]).value(speed);
+  }
+  return all;
+}
+
+}  // namespace
+
+void check_bearings(const Checker& check, const RotorGeometry& shaft) {
+  for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
+    const std::string path = list_element("rotor.bearing", i);
+    const ShaftBearing& bearing = shaft.bearings[i];
+    check.station(path + ".z", bearing.z);
+    if (check.record.given(path + ".table_speed")) {
+      check_table(check, path, bearing);
+      continue;
+    }
+    for (const TableKey& key : kTableKeys) {
+      if (check.record.given(path + key.name)) check.fail(path + key.name, "needs `table_speed`, which it is over");
+    }
+    if (!check.record.given(path + ".stiffness")) {
+      const Key& key = *find_table("rotor.bearing")->find("stiffness");
+      check.fail(path + ".stiffness", "missing: expected " + key.expected() + ", or tables over `table_speed`");
+    }
+  }
+}
+
+std::array<std::vector<double>, 8> coefficient_lists(const ShaftBearing& b) {
+  const auto or_else = [](const std::vector<double>& list, const std::vector<double>& other) {
+    return list.empty() ? other : list;
+  };
+  return {b.table_kxx, b.table_kxy, b.table_kyx, or_else(b.table_kyy, b.table_kxx),
+          b.table_cxx, b.table_cxy, b.table_cyx, or_else(b.table_cyy, b.table_cxx)};
+}
+
+PlanePair stiffness_at(const ShaftBearing& bearing, double speed) {
+  if (!bearing.follows_speed() || !sound(bearing)) return bearing.stiffness;
+  const auto c = coefficients_at(bearing, speed);
+  return {std::max(0.0, c[0]), std::max(0.0, c[3])};
+}
+
+void complete_bearings(Rotor& rotor) {
+  for (ShaftBearing& bearing : rotor.geometry->bearings) {
+    if (!bearing.follows_speed()) continue;
+    const auto c = coefficients_at(bearing, rotor.speed);
+    bearing.stiffness = stiffness_at(bearing, rotor.speed);
+    bearing.damping = {std::max(0.0, c[4]), std::max(0.0, c[7])};
+    bearing.cross_stiffness = {c[1], c[2]};
+    bearing.cross_damping = {c[5], c[6]};
+  }
+}
+
+}  // namespace rotorub::scene

@@ -1,0 +1,89 @@
+// contact.offset: a machine and its ring moved by the same are the same machine.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "native_model/rub/rub_system.h"
+#include "native_model/run/run_native.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/reader.h"
+#include "native_model/system/model.h"
+
+namespace rotorub {
+namespace {
+
+// A free mass, thrown: no spring holds it to where deflections are counted from.
+constexpr const char* kThrown = R"(
+[run]
+end = 0.05
+step = 1e-5
+output_step = 1e-3
+[rotor]
+speed = 200.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [0.0]
+inertia = 2e-3
+[contact]
+radius = 0.02
+clearance = 0.5e-3
+friction = 0.2
+restitution = 0.6
+[initial]
+vx = [0.1]
+vy = [0.04]
+)";
+
+Trajectory thrown(scene::Integrator integrator, const std::vector<std::string>& overrides) {
+  NativeOptions options;
+  options.integrator = integrator;
+  options.step = 1e-5;
+  return run_native(scene::parse_scene(kThrown, "thrown.toml", overrides), options);
+}
+
+TEST(RingOffset, AMachineMovedIsTheSameMachine) {
+  const std::vector<std::string> ring{"stator={mass=1.0,stiffness=1e5,damping=100.0}"};
+  for (const std::vector<std::string>& with : {std::vector<std::string>{}, ring}) {
+    for (const scene::Integrator integrator :
+         {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kPaper, scene::Integrator::kLiteral}) {
+      std::vector<std::string> there = with;
+      there.insert(there.end(), {"contact.offset=[\"0.25 mm\",\"-0.125 mm\"]", "initial.x=[2.5e-4]", "initial.y=[-1.25e-4]"});
+      std::vector<std::string> here = with;
+      if (integrator == scene::Integrator::kLiteral) {
+        for (auto* all : {&here, &there}) all->push_back("contact.friction=0.0");
+      }
+      const Trajectory moved = thrown(integrator, there), plain = thrown(integrator, here);
+      ASSERT_EQ(moved.status, Status::kOk) << moved.message;
+      ASSERT_EQ(plain.status, Status::kOk) << plain.message;
+      EXPECT_GE(plain.impacts.size(), 3u);
+      ASSERT_EQ(moved.impacts.size(), plain.impacts.size());
+      for (std::size_t k = 0; k < moved.rows(); ++k) {
+        EXPECT_NEAR(moved.column("rotor_x")[k] - 2.5e-4, plain.column("rotor_x")[k], 1e-12);
+        EXPECT_NEAR(moved.column("rotor_y")[k] + 1.25e-4, plain.column("rotor_y")[k], 1e-12);
+        EXPECT_NEAR(moved.column("stator_x")[k] - 2.5e-4, plain.column("stator_x")[k], 1e-12);
+        EXPECT_NEAR(moved.column("gap")[k], plain.column("gap")[k], 1e-12);
+      }
+    }
+  }
+}
+
+TEST(RingOffset, AStartOutsideTheRingIsRefusedByIt) {
+  const auto with = [](const std::string& offset) {
+    const std::vector<std::string> overrides{"contact.offset=" + offset};
+    return scene::parse_scene(kThrown, "thrown.toml", overrides);
+  };
+  const scene::Scene s = with("[0.0,0.6e-3]");
+  try {
+    make_model(s);
+    ADD_FAILURE() << "taken";
+  } catch (const scene::SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find("contact.offset"), std::string::npos) << error.what();
+  }
+  const scene::Scene inside = with("[0.0,0.1e-3]");
+  EXPECT_THROW(rub::rub_system(inside), scene::SceneError);
+}
+
+}  // namespace
+}  // namespace rotorub
