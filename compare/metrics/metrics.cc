@@ -67,6 +67,7 @@ Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>&
   m.friction_work = s.friction_work;
   m.max_penetration = s.max_penetration;
   m.energy_residual = s.energy_residual();
+  if (std::isfinite(s.least_gap)) m.least_gap = s.first_touch >= 0.0 ? std::min(0.0, s.least_gap) : s.least_gap;
   m.settled = settled(trajectory);
   if (facts) {
     m.whirl_penetration = whirl_penetration(trajectory, facts->clearance);

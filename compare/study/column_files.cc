@@ -65,6 +65,7 @@ std::vector<ColumnMeaning> make_metric_keys() {
   for (const Figure& f : figures()) keys.push_back({f.key, si_unit(f), f.meaning, ""});
   const ColumnMeaning more[] = {
       {"first_touch", "s", "time of the first contact; null: never", ""},
+      {"least_gap", "m", "smallest gap of all rows and ends of steps; 0 or, by penetration, less where it touched; null: no [contact]", ""},
       {"friction_impulse", "N s", "on the rotor, signed along e_t", ""},
       {"real_time_factor", "", "simulated time over time taken; no result", ""},
       {"settled.attractor", "", "what the last fifth of the run is", ""},

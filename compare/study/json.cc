@@ -185,6 +185,7 @@ json metrics_json(const Metrics& m) {
   json all = json::object();
   for (const Figure& f : figures()) all[f.key] = f.value(m);
   all["first_touch"] = or_null(m.first_touch);
+  all["least_gap"] = or_null(m.least_gap);
   all["friction_impulse"] = m.friction_impulse;
   all["real_time_factor"] = m.real_time_factor;
   all["settled"] = {

@@ -208,6 +208,9 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
     text += fmt::format("  {:<{}}{:>{}}\n", "first touch, ms", kLabel,
                         short_number(1e3 * *m.first_touch), kValue);
   }
+  if (m.least_gap && *m.least_gap > 0.0) {
+    text += fmt::format("  {:<{}}{:>{}}\n", "least gap, µm", kLabel, short_number(1e6 * *m.least_gap), kValue);
+  }
   for (const Figure& f : figures()) {
     text +=
         fmt::format("  {:<{}}{:>{}}\n", label_of(f), kLabel, figure_value(f, f.value(m)), kValue);

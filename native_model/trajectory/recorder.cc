@@ -116,6 +116,7 @@ void Recorder::look_at_energy() {
 void Recorder::begin(const Snapshot& start) {
   const ContactPoint point = contact_point(*model_, start.q, start.v);
   keep(start);
+  if (model_->contact) statistics_.least_gap = point.gap;
   last_gap_rate_ = point.gap_rate;
   last_slip_ = dof_slip(*model_, point);
   last_whole_slip_ = point.slip;
@@ -139,6 +140,7 @@ void Recorder::count_contact(double normal_impulse, double friction_impulse, dou
 
 void Recorder::count_gap(const ContactPoint& point, double h) {
   Statistics& s = statistics_;
+  s.least_gap = std::min(s.least_gap, point.gap);
   penetration_ = std::max(0.0, -point.gap);
   if (penetration_ > 0.0) {
     s.max_penetration = std::max(s.max_penetration, penetration_);
@@ -237,6 +239,7 @@ void Recorder::row(const Snapshot& now) {
   const ContactPoint p = contact_point(m, now.q, now.v);
   const Eigen::Vector2d r = rotor_point(m, now.q), rv = rotor_point(m, now.v);
   const Eigen::Vector2d f = ring_centre(m, now.q), fv = stator_point(m, now.v);
+  if (m.contact) statistics_.least_gap = std::min(statistics_.least_gap, p.gap);
   auto column = columns_.begin();
   const auto put = [&column](double value) { (column++)->values.push_back(value); };
   for (double value : {next_time(), r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,7 @@ struct Statistics {
   double friction_impulse = 0.0;    // N s, signed
   double friction_work = 0.0;       // J, <= 0
   double max_penetration = 0.0;     // m
+  double least_gap = std::numeric_limits<double>::infinity();  // m, of rows and ends of steps; infinity: no contact
   double penetration_square = 0.0;  // m^2 s, integral of penetration^2
   double force_square = 0.0;        // N^2 s, integral of (impulse of the step / step)^2 in contact
   double peak_force = 0.0;          // N, largest impulse of a step / step

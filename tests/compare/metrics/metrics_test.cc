@@ -57,6 +57,19 @@ TEST(Metrics, AreTakenFromFirstTouch) {
   EXPECT_DOUBLE_EQ(m.real_time_factor, 500.0);
 }
 
+// What a fixed step sees of the gap is at its ends: an impact within it is a gap of 0.
+TEST(Metrics, TheLeastGapOfATouchIsNone) {
+  Trajectory t = half_touched();
+  EXPECT_FALSE(metrics(t, kFacts).least_gap) << "no [contact] told a gap";
+  t.statistics.least_gap = 3e-6;
+  EXPECT_EQ(metrics(t, kFacts).least_gap, 0.0);
+  t.statistics.least_gap = -2e-6;
+  EXPECT_EQ(metrics(t, kFacts).least_gap, -2e-6);
+  t.statistics.first_touch = -1.0;
+  t.statistics.least_gap = 3e-6;
+  EXPECT_EQ(metrics(t, kFacts).least_gap, 3e-6);
+}
+
 // A disc that leaves along the tangent at v_t = omega delta_0 is (v_t dt)^2 / (2 delta_0) beyond
 // the ring after dt.
 TEST(Metrics, PredictsThePenetrationOfOneStep) {

@@ -67,6 +67,7 @@ TEST(Statistics, ContactIsCountedFromFirstTouch) {
   EXPECT_DOUBLE_EQ(t.contact_fraction(), 3.0 / 8.0);
   EXPECT_DOUBLE_EQ(t.mean_force(), 9.0 / 8.0);
   EXPECT_NEAR(s.max_penetration, 1e-5, 1e-17);
+  EXPECT_NEAR(s.least_gap, -1e-5, 1e-17);
   EXPECT_NEAR(s.penetration_square, 1e-10 * 4.0, 1e-20);
   EXPECT_NEAR(s.gap_rate_square, 0.01 * 4.0, 1e-15);
   // Slip: whirl 0.2 + 0.05 * 100. At rest before the first contact step, whirling after it.
