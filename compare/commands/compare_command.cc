@@ -16,10 +16,13 @@
 #include "compare/commands/progress.h"
 #include "compare/commands/terminal.h"
 #include "compare/commands/tuning.h"
+#include "compare/measured/reader.h"
 #include "compare/own/own_machine.h"
 #include "compare/study/json.h"
 #include "compare/study/table.h"
+#include "native_model/scene/printable.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/units.h"
 #include "native_model/trajectory/part_file.h"
 
 namespace rotorub {
@@ -28,6 +31,7 @@ namespace {
 struct CompareArguments : CommonOptions {
   std::vector<std::string> scenes, with;
   std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare", format = "csv";
+  std::string measured, measured_shift, measured_angle;  // empty: none, found
   int twins = kDefaultTwins;
   bool no_video = false, modes_ladder = true, tune = false;
 };
@@ -83,6 +87,34 @@ std::vector<Subject> read_subjects(const CompareArguments& options) {
   return subjects;
 }
 
+// What a record is laid in by.
+struct MeasuredInput {
+  std::shared_ptr<const MeasuredRecord> record;  // null: none
+  AlignmentOptions alignment;
+};
+
+std::optional<double> quantity_of(const char* option, const std::string& text, const scene::Quantity& quantity) {
+  if (text.empty()) return std::nullopt;
+  const scene::ParsedQuantity parsed = scene::parse_quantity(text, quantity);
+  if (!parsed.error.empty()) throw UsageError(fmt::format("{}: {}", option, parsed.error));
+  return parsed.value;
+}
+
+MeasuredInput measured_of(const CompareArguments& options) {
+  MeasuredInput input;
+  if (options.measured.empty()) {
+    if (options.measured_shift.empty() && options.measured_angle.empty()) return input;
+    throw UsageError("--measured-shift and --measured-angle: of what --measured names, and it names nothing");
+  }
+  if (options.scenes.size() > 1) {
+    throw UsageError(fmt::format("--measured: one scene is accepted with it, {} are given", options.scenes.size()));
+  }
+  input.alignment.shift = quantity_of("--measured-shift", options.measured_shift, scene::kTime);
+  input.alignment.angle = quantity_of("--measured-angle", options.measured_angle, scene::kAngle);
+  input.record = std::make_shared<const MeasuredRecord>(read_measured(options.measured));
+  return input;
+}
+
 // The pages' scenes, filmed or not: films are worth having, but no reason to lose the figures.
 std::vector<PageScene> pages_of(const CompareArguments& options,
                                 const std::vector<SceneComparison>& comparisons,
@@ -135,10 +167,18 @@ int exit_code(const std::vector<SceneComparison>& comparisons) {
   return code;
 }
 
+SceneComparison compared(const scene::Scene& scene, const CompareOptions& how) {
+  try {
+    return compare_scene(scene, how);
+  } catch (const MeasuredError& error) {
+    throw UsageError(fmt::format("{}: {}", scene::printable(how.measured->file), error.what()));
+  }
+}
+
 // Runs and compares the scenes one by one, writes and prints each. An interrupted one is kept on
 // disk, but is no comparison.
 std::vector<SceneComparison> compare_all(const CompareArguments& options, double tolerance,
-                                         const std::vector<Subject>& subjects,
+                                         const std::vector<Subject>& subjects, const MeasuredInput& measured,
                                          hdf5::ImageOf hdf5, ProgressBar& bar) {
   std::vector<SceneComparison> comparisons;
   const double work = options.no_video ? 1.0 : 1.0 - kFilmShare;
@@ -151,12 +191,14 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     how.contact = contact_model_of(options.contact);
     how.twins = options.twins;
     how.modes_ladder = options.modes_ladder;
+    how.measured = measured.record;
+    how.alignment = measured.alignment;
     how.interrupt = &interrupted();
     how.progress = [&](double share, const std::string& what) {
       bar.show(work * (static_cast<double>(k) + share) / static_cast<double>(subjects.size()),
                scene.name + ": " + what);
     };
-    SceneComparison c = compare_scene(scene, how);
+    SceneComparison c = compared(scene, how);
     bar.clear();
     write_runs(options.folder, c, hdf5);
     if (c.interrupted) break;
@@ -183,11 +225,12 @@ int compare(const CompareArguments& options) {
   const double tolerance = tolerance_of(options.tolerance);
   const hdf5::ImageOf hdf5 = hdf5_of(options.format);
   const auto subjects = read_subjects(options);
+  const MeasuredInput measured = measured_of(options);
   const Beside beside = beside_of(options);
   check_writable(options.folder);
   ProgressBar bar(options.quiet);
 
-  const auto comparisons = compare_all(options, tolerance, subjects, hdf5, bar);
+  const auto comparisons = compare_all(options, tolerance, subjects, measured, hdf5, bar);
   auto pages = pages_of(options, comparisons, [&](double share) {
     bar.show(1.0 - kFilmShare + kFilmShare * share, "films");
   });
@@ -243,6 +286,17 @@ Command add_compare_command(CLI::App& program) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
+  app->add_option("--measured", options->measured,
+                  "A measured run of the one scene, laid beside its runs: a table with a header, t and any of rotor, ring, "
+                  "gap, force, current, each with its unit, as `t [ms], rotor_x [um]` (compare/README.md)")
+      ->type_name("CSV");
+  app->add_option("--measured-shift", options->measured_shift,
+                  "Time added to the record's, as 12.5ms (default: found by least squares)")
+      ->type_name("TIME");
+  app->add_option("--measured-angle", options->measured_angle,
+                  "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: found where x and y are "
+                  "measured)")
+      ->type_name("ANGLE");
   add_format_option(*app, options->format);
   app->add_flag("--tune", options->tune,
                 "Finds the fastest setting that can be trusted for each scene (rotorub tune), and shows it beside the "

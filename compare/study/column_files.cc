@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compare/measured/json.h"
 #include "compare/study/figure.h"
 
 namespace rotorub {
@@ -129,7 +130,8 @@ ordered_json run_columns_json(const Trajectory& trajectory) {
 
 ordered_json compare_columns_json() {
   return {{"compare.json runs.*.metrics", columns_json(metric_keys())},
-          {"compare.json runs.*.summary", columns_json(summary_keys())}};
+          {"compare.json runs.*.summary", columns_json(summary_keys())},
+          {"compare.json measured", columns_json(measured_keys())}};
 }
 
 std::string columns_text(const ordered_json& columns) {
@@ -154,7 +156,8 @@ std::string columns_table(std::span<const ColumnMeaning> columns) {
 std::string columns_markdown() {
   return section("series.csv", series_columns()) + section("impacts.csv", impact_columns()) +
          section("events.csv", event_columns()) + section("summary.json", summary_keys()) +
-         section("compare.json: metrics of a run", metric_keys());
+         section("compare.json: metrics of a run", metric_keys()) +
+         section("compare.json: a measured run", measured_keys());
 }
 
 }  // namespace rotorub

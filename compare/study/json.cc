@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/measured/json.h"
 #include "compare/metrics/above_modes.h"
 #include "compare/model_error/json.h"
 #include "compare/study/answer.h"
@@ -220,6 +221,7 @@ json comparison_json(const SceneComparison& comparison) {
           {"within", comparison.within()},
           {"model_error", comparison.model_error ? model_error_json(*comparison.model_error)
                                                  : json(nullptr)},
+          {"measured", comparison.measured ? measured_json(*comparison.measured) : json(nullptr)},
           {"runs", sides},
           {"differences", differences},
           {"twin", divergence_json(comparison.twin)}};

@@ -108,6 +108,15 @@ class Comparison {
     if (runner_.interrupted()) return;
     result_.shadow = shadow_column(runner_, result_.sides[0], commands(1), options_);
     if (result_.commands && !result_.own) run_without_control();
+    lay_measured_in();
+  }
+
+  // Before the longer part of the work: it may be refused.
+  void lay_measured_in() {
+    if (!options_.measured || runner_.interrupted()) return;
+    std::vector<RunToHold> runs;
+    for (const Side& side : result_.sides) runs.push_back({side.label, &side.trajectory});
+    result_.measured = lay_in(*options_.measured, options_.alignment, result_.scene, runs);
   }
 
   // For the plots: by `verlet`, as fast as there is.

@@ -12,6 +12,7 @@
 #include "compare/align/divergence.h"
 #include "compare/align/impacts.h"
 #include "compare/engine/engine.h"
+#include "compare/measured/measured_run.h"
 #include "compare/metrics/metrics.h"
 #include "compare/model_error/model_error.h"
 #include "compare/study/figure.h"
@@ -39,6 +40,9 @@ struct CompareOptions {
   // The scene is the twin of a machine of the user's own: MuJoCo runs that one.
   std::shared_ptr<const OwnMachine> own;
   std::size_t rows = 50000;  // recorded at most: every step, or every so many of them
+  // A record to lay beside the runs; null: none.
+  std::shared_ptr<const MeasuredRecord> measured;
+  AlignmentOptions alignment{};  // of it
   // (share done of this scene, what is running)
   std::function<void(double, const std::string&)> progress;
   const std::atomic<bool>* interrupt = nullptr;
@@ -109,13 +113,14 @@ struct SceneComparison {
   std::vector<SideDifference> differences;  // of sides[1], sides[2], ...
   Divergence twin;                          // native against the twin that parts first
   std::optional<ModelError> model_error;    // none: not asked for
+  std::optional<MeasuredRun> measured;      // none: not asked for
   bool interrupted = false;                 // nothing beyond the runs that ended is filled
   // Worst of the runs that decide: native and sides[1].
   Status status() const;
   bool within() const;
 };
 
-// Throws what the engines throw. An interrupt ends it early with what there is.
+// Throws what the engines throw, and MeasuredError where the record cannot be laid beside them. An interrupt ends it early with what there is.
 SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& options);
 
 // Times of rows: every step, or every so many so that there are at most `rows`, and the scene's

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "compare/measured/table.h"
 #include "compare/study/answer.h"
 #include "compare/study/format.h"
 #include "compare/study/resync_text.h"
@@ -186,6 +187,7 @@ std::string comparison_table(const SceneComparison& c, const Palette& palette) {
     text += split_lines(c);
     if (c.model_error) text += "\n" + model_error_table(*c.model_error, "  ");
   }
+  if (c.measured) text += "\n" + measured_table(*c.measured);
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const SideDifference& d = c.differences[k];
     text += "\n" + palette.paint_first(tone_of(d.trust),

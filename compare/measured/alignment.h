@@ -1,0 +1,57 @@
+// Where a record lies in time on a simulated run, and how the frame of its sensors stands.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/measured/record.h"
+#include "compare/measured/sampled_run.h"
+
+namespace rotorub {
+
+struct AlignmentOptions {
+  std::optional<double> shift;  // s, added to the record's times; none: found
+  std::optional<double> angle;  // rad, of the sensors' x axis in the scene, from x to y; none: found where a pair x, y is
+};
+
+enum class AngleFrom {
+  kGiven,
+  kFound,
+  kNoPair,  // 0: no x and y of anything is measured
+  kCircle   // 0: the motion is a circle, a turn of the frame looks like a shift
+};
+
+struct Alignment {
+  double shift = 0.0;  // s
+  double angle = 0.0;  // rad, in (-pi, pi]
+  bool shift_found = true;
+  AngleFrom angle_from = AngleFrom::kFound;
+  std::vector<std::string> by;      // "rotor", "gap": what it was found by; empty: both are given and nothing moves
+  std::optional<double> correlation;  // [-1, 1], see lag_search.h; none where `by` is empty
+  std::optional<double> residual;     // share: rms of what is left over the run's deviation, means taken off
+  // Standard deviation if what is left is white noise (the least that any estimate has, Cramer and Rao). The angle's
+  // is none where it was not found.
+  std::optional<double> shift_error, angle_error;  // s, rad
+  struct Other {
+    double shift = 0.0, correlation = 0.0;
+  };
+  std::optional<Other> next;  // the next best shift beyond a valley
+  bool ambiguous() const { return next && correlation && next->correlation > kAlike * *correlation; }
+  static constexpr double kAlike = 0.95;
+};
+
+inline constexpr double kLeastCorrelation = 0.5;
+// Below it a turn of the frame does what a shift does: share of the shift's own effect that no turn explains.
+inline constexpr double kLeastOwnEffect = 0.01;
+
+// By least squares: of all shifts the one of the highest correlation (lag_search.h), then between the grid's instants
+// the least sum of squares of what is left, each channel by its scale, means taken off (a sensor's zero is not known);
+// the angle follows in closed form. Throws MeasuredError where record and run do not overlap, or no shift makes them
+// alike.
+Alignment align(const MeasuredRecord& record, const SampledRun& run, const AlignmentOptions& options);
+
+// The sentence on it, for people: "shift +1.234567 ms, angle 12.3 deg, by rotor ...".
+std::string alignment_text(const Alignment& alignment);
+
+}  // namespace rotorub

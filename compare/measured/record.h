@@ -1,0 +1,65 @@
+// A measured run as its file gives it, in SI: times of the record's own clock, and what was measured at them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "native_model/scene/units.h"
+
+namespace rotorub {
+
+// Where a column lies in the plane of the contact: a pair x, y turns with the frame of the sensors.
+enum class Axis : std::uint8_t { kNone, kX, kY };
+
+// What a column of a record may hold, and which column of a run it is held against.
+struct Measurable {
+  std::string_view name;      // in the file's header
+  std::string_view other;     // the same under the name of the product's own series; "": none
+  std::string_view series;    // column of a run; "": the contact's force averaged over a sample
+  std::string_view rate;      // column of its rate, for values between rows; "": linear between them
+  scene::Quantity quantity;
+  Axis axis = Axis::kNone;
+  bool clips = false;         // a sensor with a limit: samples that stay at it are no values (clipping.h)
+  std::string_view meaning;
+  std::string_view unit() const { return quantity.unit; }
+};
+
+// All of them; x stands before its y.
+std::span<const Measurable> measurables();
+inline constexpr std::string_view kContactForce = "force";  // the one that is averaged over a sample
+
+enum class Sample : std::uint8_t { kGood, kMissing, kClipped };
+
+struct MeasuredColumn {
+  const Measurable* what = nullptr;
+  std::string header;          // as in the file: "rotor_x [um]"
+  std::vector<double> value;   // SI; 0 where it is missing
+  std::vector<Sample> sample;  // one a value
+  std::size_t count(Sample kind) const;
+};
+
+struct MeasuredRecord {
+  std::string file;
+  std::vector<double> t;  // s, of its own clock, strictly ascending; kLeastSamples or more
+  std::vector<MeasuredColumn> columns;
+  std::vector<std::string> left_out;  // columns of the product's own series that are not compared
+  bool has_units = true;              // false: no column has one, and all is taken in SI
+  double interval = 0.0;              // s, between samples: the median
+
+  const MeasuredColumn* find(std::string_view name) const;  // null: none
+  double duration() const { return t.back() - t.front(); }  // s
+};
+
+inline constexpr std::size_t kLeastSamples = 16;
+
+// A record that cannot be laid beside the run, in a sentence for the user.
+class MeasuredError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace rotorub
