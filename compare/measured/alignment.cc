@@ -38,6 +38,7 @@ std::vector<Complex> without_mean(std::vector<Complex> z) {
 struct Fit {
   double angle = 0.0;
   double left = 0.0, run = 0.0, record = 0.0, both = 0.0;  // sums of squares, and of products, in scales
+  std::vector<double> noise;  // mean square of what is left of each channel, in scales
   double correlation() const { return run > 0.0 && record > 0.0 ? both / std::sqrt(run * record) : 0.0; }
 };
 
@@ -83,6 +84,7 @@ class Fitting {
     fit.angle = angle_.value_or(std::arg(pairs));
     for (std::size_t k = 0; k < channels_.size(); ++k) {
       const FittedChannel& c = channels_[k];
+      const double before = fit.left;
       for (std::size_t i = 0; i < c.m.size(); ++i) {
         const Complex m = turn(c, fit.angle) * c.m[i];
         fit.left += weight(c) * std::norm(s[k][i] - m);
@@ -90,23 +92,29 @@ class Fitting {
         fit.record += weight(c) * std::norm(m);
         fit.both += weight(c) * (std::conj(m) * s[k][i]).real();
       }
+      const std::size_t numbers = c.m.size() * (c.channel.is_pair() ? 2 : 1);
+      fit.noise.push_back((fit.left - before) / static_cast<double>(std::max<std::size_t>(numbers, 1)));
     }
     return fit;
   }
 
-  // Gradient products at a fit, by central differences over `h`: of the shift's effect d and the angle's e.
+  // Products of the gradients at a fit, by central differences over `h`: of the shift's effect d on the run, of the
+  // angle's e, and of what is left r.
   struct Effects {
     double dd = 0.0, de = 0.0, ee = 0.0, dr = 0.0, er = 0.0;
-    double own() const { return ee > 0.0 ? dd - de * de / ee : dd; }  // of the shift, that no turn explains
+    double across() const { return ee > 0.0 ? de / ee : 0.0; }
+    double own() const { return dd - across() * de; }  // of the shift, that no turn explains
   };
-  Effects effects(const Fit& fit, double shift, double h) const {
-    Effects g;
+  // Of each channel.
+  std::vector<Effects> effects(const Fit& fit, double shift, double h) const {
+    std::vector<Effects> all;
     for (const FittedChannel& c : channels_) {
+      Effects g;
       const auto s = run_at(c, shift), ahead = run_at(c, shift + h), behind = run_at(c, shift - h);
       for (std::size_t i = 0; i < c.m.size(); ++i) {
         const Complex m = turn(c, fit.angle) * c.m[i], left = m - s[i];
         const Complex d = (ahead[i] - behind[i]) / (2.0 * h);
-        // A turn of the frame by a moves m by i a m: s has to follow.
+        // A turn of the frame by a moves m by i a m: what is left grows as if the run went back by that.
         const Complex e = c.channel.is_pair() && !angle_ ? Complex(0.0, -1.0) * m : 0.0;
         g.dd += weight(c) * std::norm(d);
         g.ee += weight(c) * std::norm(e);
@@ -114,8 +122,9 @@ class Fitting {
         g.dr += weight(c) * (std::conj(d) * left).real();
         g.er += weight(c) * (std::conj(e) * left).real();
       }
+      all.push_back(g);
     }
-    return g;
+    return all;
   }
 
  private:
@@ -132,6 +141,33 @@ class Fitting {
   std::vector<FittedChannel> channels_;
   std::size_t values_ = 0;
 };
+
+Fitting::Effects total(const std::vector<Fitting::Effects>& all) {
+  Fitting::Effects sum;
+  for (const auto& g : all) {
+    sum.dd += g.dd;
+    sum.de += g.de;
+    sum.ee += g.ee;
+    sum.dr += g.dr;
+    sum.er += g.er;
+  }
+  return sum;
+}
+
+// Standard deviation of an estimate sum(f r) / sum(f f), where r is white with a variance of its own in each channel and
+// f = d - across e (of the shift), or e - across d (of the angle).
+std::optional<double> estimate_error(const std::vector<Fitting::Effects>& all, const std::vector<double>& noise, bool shift,
+                                     double across) {
+  double own = 0.0, scatter = 0.0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto& g = all[k];
+    const double ff = shift ? g.dd - 2.0 * across * g.de + across * across * g.ee : g.ee - 2.0 * across * g.de + across * across * g.dd;
+    own += ff;
+    scatter += noise[k] * ff;
+  }
+  if (!(own > 0.0)) return std::nullopt;
+  return std::sqrt(std::max(scatter, 0.0)) / own;
+}
 
 // Between the grid's instants: the least that is left, first coarse where the grid is wider than the record's samples,
 // then by Brent, and by Gauss and Newton, who end in round-off where nothing is left.
@@ -154,9 +190,9 @@ double refined(const Fitting& fitting, double shift, double h, double interval) 
   shift += width * boost::math::tools::brent_find_minima(left, -1.0, 1.0, 26, evaluations).first;
   for (int pass = 0; pass < 3; ++pass) {
     const Fit fit = fitting.at(shift);
-    const auto g = fitting.effects(fit, shift, 0.01 * interval);
+    const auto g = total(fitting.effects(fit, shift, 0.01 * interval));
     if (!(g.own() > 0.0)) break;
-    const double step = (g.ee > 0.0 ? g.dr - g.de * g.er / g.ee : g.dr) / g.own();
+    const double step = (g.dr - g.across() * g.er) / g.own();
     if (!(std::abs(step) < 0.1 * interval) || !(fitting.at(shift + step).left < fit.left)) break;
     shift += step;
   }
@@ -205,15 +241,11 @@ struct Search {
     a.angle = fit.angle;
     a.correlation = fit.correlation();
     a.residual = fit.run > 0.0 ? std::optional(std::sqrt(fit.left / fit.run)) : std::nullopt;
-    const auto g = fitting.effects(fit, a.shift, 0.01 * record.interval);
+    const auto each = fitting.effects(fit, a.shift, 0.01 * record.interval);
+    const Fitting::Effects g = total(each);
     own_effect = g.dd > 0.0 ? g.own() / g.dd : 0.0;
-    const auto freedoms = static_cast<double>(fitting.values()) - 2.0;
-    const double noise = freedoms > 0.0 ? fit.left / freedoms : 0.0;
-    if (!shift && g.own() > 0.0) a.shift_error = std::sqrt(noise / g.own());
-    if (!angle && g.ee > 0.0) {
-      const double own = shift || g.dd <= 0.0 ? g.ee : g.ee - g.de * g.de / g.dd;
-      if (own > 0.0) a.angle_error = std::sqrt(noise / own);
-    }
+    if (!shift) a.shift_error = estimate_error(each, fit.noise, true, g.across());
+    if (!angle) a.angle_error = estimate_error(each, fit.noise, false, shift || !(g.dd > 0.0) ? 0.0 : g.de / g.dd);
     return a;
   }
 

@@ -162,10 +162,16 @@ BestLags best_lags(std::span<const LagScore> scores) {
   const auto after = std::find_if(best, scores.end(), in_valley);
   const auto before = std::find_if(std::make_reverse_iterator(best), scores.rend(), in_valley).base();
   BestLags found{static_cast<std::size_t>(best - scores.begin()), {}};
+  // A slope up to the valley's edge is no peak.
+  const auto is_peak = [&](auto at) {
+    return (at == scores.begin() || !less(*at, *(at - 1))) && (at + 1 == scores.end() || !less(*at, *(at + 1)));
+  };
   for (const auto& [from, to] : {std::pair{scores.begin(), before}, std::pair{after, scores.end()}}) {
-    if (from == to) continue;
-    const auto next = static_cast<std::size_t>(std::max_element(from, to, less) - scores.begin());
-    if (!found.next || less(scores[*found.next], scores[next])) found.next = next;
+    for (auto at = from; at != to; ++at) {
+      if (!is_peak(at)) continue;
+      const auto next = static_cast<std::size_t>(at - scores.begin());
+      if (!found.next || less(scores[*found.next], scores[next])) found.next = next;
+    }
   }
   return found;
 }

@@ -27,7 +27,7 @@ inline constexpr double kLeastOverlap = 0.5;
 std::vector<LagScore> lag_scores(const MeasuredRecord& record, const SampledRun& run,
                                  std::span<const Channel> channels, std::optional<double> angle);
 
-// The best, and the best that a valley parts from it (correlations below kValley of the best).
+// The best, and the best other peak that a valley parts from it (correlations below kValley of the best).
 struct BestLags {
   std::size_t best = 0;
   std::optional<std::size_t> next;

@@ -32,9 +32,10 @@ WrittenUnit written_unit(const Measurable& what) {
 
 }  // namespace
 
+std::string residual_unit(const Measurable& what) { return written_unit(what).unit; }
+
 std::string residual_text(const Measurable& what, double value) {
-  const WrittenUnit unit = written_unit(what);
-  return fmt::format("{} {}", short_number(value * unit.per_unit), unit.unit);
+  return short_number(value * written_unit(what).per_unit);
 }
 
 std::string share_text(const ColumnResidual& residual) {
@@ -57,15 +58,15 @@ std::string measured_table(const MeasuredRun& run) {
     for (const double value : f.runs) values.push_back(short_number(value * f.per_unit));
     text += record_line("    " + figure_label(f), measured_value(f), values);
   }
-  text += record_line("  left, rms, of the run's own", "", run.labels);
+  text += record_line("  record less run, rms", "", run.labels);
   for (const ColumnFit& c : run.columns) {
     std::vector<std::string> rms, shares;
     for (const ColumnResidual& r : c.runs) {
       rms.push_back(residual_text(*c.what, r.rms));
       shares.push_back(share_text(r));
     }
-    text += record_line(fmt::format("    {}", c.what->name), "", rms);
-    text += record_line("", "", shares);
+    text += record_line(fmt::format("    {}, {}", c.what->name, residual_unit(*c.what)), "", rms);
+    text += record_line("      of its deviation", "", shares);
   }
   for (const std::string& remark : run.remarks) text += wrapped("    - ", remark);
   return text;

@@ -11,7 +11,8 @@ namespace rotorub {
 // wide.
 std::string measured_table(const MeasuredRun& run);
 
-// What of a column is left against a run: "12.3 µm", and its share of the run's deviation: "4.1 %".
+// What of a column is left against a run: "12.3" in "µm", and its share of the run's deviation: "4.1 %".
+std::string residual_unit(const Measurable& what);
 std::string residual_text(const Measurable& what, double value);
 std::string share_text(const ColumnResidual& residual);
 // "mean force, N"

@@ -51,6 +51,7 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
     values["no_films"] = scene.no_films;
     values["setting"] = scene.setting;
     const ShownRuns shown = shown_runs(comparison);
+    values["legend"] = legend_values(shown);
     values["plots"] = plot_values(shown);
     values["windows"] = window_values(shown);
     RotorSection rotor = rotor_section(comparison.scene);

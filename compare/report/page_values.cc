@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/report/figure_values.h"
+#include "compare/report/measured_side.h"
 #include "compare/report/mode_values.h"
 #include "compare/study/answer.h"
 #include "compare/study/format.h"
@@ -151,7 +152,10 @@ json scene_values(const SceneComparison& c) {
   const json impacts = impact_rows(c);
   const json resync = resync_rows(c);
   const json ladder = ladder_values(c);
+  const json measured = measured_values(c.measured);
   return {{"name", c.scene.name},
+          {"has_measured", !measured.is_null()},
+          {"measured", measured.is_null() ? json::array() : json::array({measured})},
           {"mode_note", mode_note(c)},
           {"own_notes", own_notes(c)},
           {"by_figures", c.mode != CompareMode::kResync},

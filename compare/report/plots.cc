@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "compare/report/characteristics.h"
+#include "compare/report/measured_side.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/rig_values.h"
 #include "compare/report/rounded.h"
@@ -26,6 +27,7 @@ bool has_currents(const ShownRuns&, const Trajectory& t) { return t.has("current
 bool has_control(const ShownRuns&, const Trajectory& t) { return t.has("control_x"); }
 bool has_torsion(const ShownRuns&, const Trajectory& t) { return t.has("torsion_1"); }
 bool has_ring_speed(const ShownRuns&, const Trajectory& t) { return t.has("ring_speed"); }
+bool has_measured_force(const ShownRuns& s, const Trajectory&) { return s.measured && !s.measured->forces.empty(); }
 bool is_compared(const ShownRuns& s, const Trajectory&) { return s.runs.size() > 1; }
 bool turns(const ShownRuns&, const Trajectory& t) { return mean_spin(t) != 0.0; }
 bool is_sampled(const ShownRuns&, const Trajectory& t) { return t.rows() >= kLeastSpectrumRows; }
@@ -37,6 +39,9 @@ constexpr PlotKind kKinds[] = {
     {"rotor_x", "Rotor", "µm", "along x; dotted, where there is control: without it (paper, Fig. 9)", ""},
     {"normal_force", "Normal force", "N",
      "of lasting contact; impulses of the rigid law's impacts are below", "", PlotOver::kTime, touches},
+    {"sample_force", "Force of a sample", "N",
+     "what the force sensor sees: of every run averaged over the record's samples, impacts included", "wide",
+     PlotOver::kTime, has_measured_force},
     {"friction_force", "Friction force", "N", "on the rotor, along the ring", "", PlotOver::kTime, touches},
     {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", "", PlotOver::kImpacts, touches},
     {"friction_impacts", "Friction of impacts", "mN s", "size of the tangential impulse of each", "",
@@ -159,6 +164,10 @@ json plot_data(const ShownRuns& shown) {
                      {"whirl", whirl_data(*run.trajectory, &run == &shown.runs.front() ? nullptr : shown.runs.front().trajectory, limit)},
                      {"impacts", impact_data(*run.trajectory, contact ? contact->friction : 0.0)}});
   }
+  for (std::size_t k = 0; k < shown.runs.size(); ++k) {
+    if (json force = sampled_force(shown, k); !force.is_null()) sides[k]["tracks"]["force"] = std::move(force);
+  }
+  if (shown.measured && machine) sides.push_back(measured_side(shown, limit));
   json spans = json::array();
   for (const Window& w : plot_windows(shown)) {
     spans.push_back({{"name", w.name}, {"from", w.from}, {"to", w.to}});
@@ -198,6 +207,13 @@ json window_values(const ShownRuns& shown) {
   for (const Window& window : plot_windows(shown)) {
     all.push_back({{"index", all.size()}, {"name", window.name}});
   }
+  return all;
+}
+
+json legend_values(const ShownRuns& shown) {
+  json all = json::array();
+  for (const ShownRun& run : shown.runs) all.push_back({{"label", run.label}});
+  if (shown.measured) all.push_back({{"label", kMeasured}});
   return all;
 }
 

@@ -42,8 +42,10 @@ inline constexpr std::size_t kPlotBuckets = 600;  // of a run's impacts: 1200 po
 
 // For the scripts: windows, runs as tracks (pack/packed_run.h), impacts on their laws, the drawn rig.
 nlohmann::json plot_data(const ShownRuns& shown);
-// For the templates: {{plots}} and {{windows}} of plots.html.
+// For the templates: {{plots}}, {{windows}} and {{legend}} of plots.html.
 nlohmann::json plot_values(const ShownRuns& shown);
 nlohmann::json window_values(const ShownRuns& shown);
+// {{legend}}: of every run that is drawn, its label.
+nlohmann::json legend_values(const ShownRuns& shown);
 
 }  // namespace rotorub

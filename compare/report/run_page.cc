@@ -58,12 +58,10 @@ std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shado
   values["id"] = "run";
   values["rotor"] = std::move(rotor.values);
   values["contents"] = run_contents("run");
-  json sides = json::array();
-  for (const ShownRun& side : shown.runs) sides.push_back({{"label", side.label}});
   values["engine"] = engine_text(run.trajectory);
   values["ending"] = ending(run);
   values["ended_well"] = run.trajectory.status == Status::kOk;
-  values["sides"] = sides;
+  values["legend"] = legend_values(shown);
   values["plots"] = plot_values(shown);
   values["windows"] = window_values(shown);
   values["conditions"] = facts(run, shadow);

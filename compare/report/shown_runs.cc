@@ -5,15 +5,16 @@
 namespace rotorub {
 
 ShownRuns shown_runs(const SceneComparison& comparison) {
-  ShownRuns shown{&comparison.scene, {}, nullptr};
+  ShownRuns shown{&comparison.scene, {}, nullptr, nullptr};
   for (const Side& side : comparison.sides) shown.runs.push_back({side.label, &side.trajectory});
+  if (comparison.measured) shown.measured = &*comparison.measured;
   if (comparison.uncontrolled) shown.uncontrolled = &*comparison.uncontrolled;
   return shown;
 }
 
 ShownRuns shown_runs(const StoredRun& run, const std::optional<StoredRun>& shadow) {
   const Trajectory& t = run.trajectory;
-  ShownRuns shown{&run.scene, {{t.engine == "mujoco" ? t.contact_model : "native", &t}}, nullptr};
+  ShownRuns shown{&run.scene, {{t.engine == "mujoco" ? t.contact_model : "native", &t}}, nullptr, nullptr};
   if (shadow) shown.runs.push_back({"shadow", &shadow->trajectory});
   return shown;
 }

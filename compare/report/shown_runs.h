@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/measured/measured_run.h"
 #include "compare/study/run_directory.h"
 #include "compare/study/scene_comparison.h"
 
@@ -19,6 +20,7 @@ struct ShownRun {
 struct ShownRuns {
   const scene::Scene* scene = nullptr;
   std::vector<ShownRun> runs;               // the first two are compared first
+  const MeasuredRun* measured = nullptr;     // laid beside them; null: none
   const Trajectory* uncontrolled = nullptr;  // the first run with a passive bearing; null: none
 };
 

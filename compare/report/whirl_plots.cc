@@ -42,14 +42,7 @@ json spectrum_json(const Trajectory& run, double limit) {
   const std::size_t count = samples_between(run, from, to);
   if (2 * count < kLeastSpectrumRows) return nullptr;
   const double h = (to - from) / static_cast<double>(count - 1);
-  const FullSpectrum s = full_spectrum(even_orbit(run, from, to, count), h);
-  const auto first = std::lower_bound(s.frequency.begin(), s.frequency.end(), -limit);
-  const auto last = std::upper_bound(first, s.frequency.end(), limit);
-  Values y(s.amplitude.size());
-  std::transform(s.amplitude.begin(), s.amplitude.end(), y.begin(), [](double a) { return kMicro * a; });
-  const auto kept = thin(y, static_cast<std::size_t>(first - s.frequency.begin()),
-                         static_cast<std::size_t>(last - s.frequency.begin()), kSpectrumBuckets);
-  return {{"f", picked(s.frequency, kept, 6)}, {"y", picked(y, kept, 4)}};
+  return spectrum_data(even_orbit(run, from, to, count), h, limit);
 }
 
 // The largest amplitude of each column's frequencies, a byte for what lies within kDecades of the largest of all.
@@ -148,6 +141,17 @@ double shown_frequency(const ShownRuns& shown) {
     limit = std::max(limit, 8.0 / turn_of(*run.trajectory));
   }
   return limit;
+}
+
+json spectrum_data(const std::vector<std::complex<double>>& z, double h, double limit) {
+  const FullSpectrum s = full_spectrum(z, h);
+  const auto first = std::lower_bound(s.frequency.begin(), s.frequency.end(), -limit);
+  const auto last = std::upper_bound(first, s.frequency.end(), limit);
+  Values y(s.amplitude.size());
+  std::transform(s.amplitude.begin(), s.amplitude.end(), y.begin(), [](double a) { return kMicro * a; });
+  const auto kept = thin(y, static_cast<std::size_t>(first - s.frequency.begin()),
+                         static_cast<std::size_t>(last - s.frequency.begin()), kSpectrumBuckets);
+  return {{"f", picked(s.frequency, kept, 6)}, {"y", picked(y, kept, 4)}};
 }
 
 json whirl_data(const Trajectory& run, const Trajectory* first, double limit) {

@@ -2,8 +2,10 @@
 // from the first.
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <vector>
 
 #include "compare/report/shown_runs.h"
 
@@ -21,5 +23,8 @@ inline constexpr std::size_t kLeastSpectrumRows = 64;
 // frequency}, "poincare": {"x", "y"} um, "residual": {"t", "y"} um or null}. Null members where a run is too short.
 // `limit`: shown_frequency.
 nlohmann::json whirl_data(const Trajectory& run, const Trajectory* first, double limit);
+
+// "spectrum" of it: of z (m) at even times h (s) apart, to `limit` (Hz) on either side.
+nlohmann::json spectrum_data(const std::vector<std::complex<double>>& z, double h, double limit);
 
 }  // namespace rotorub

@@ -74,17 +74,12 @@ class RunPacker {
     add(name, TrackKind::kLinear, values, {}, force_tolerance(values));
   }
 
-  double place_tolerance() const {
-    if (!scene_.contact || scene_.contact->clearance <= 0.0) return kPlaceTolerance;
-    return std::min(kPlaceTolerance, kClearanceShare * scene_.contact->clearance);
-  }
-
   void add_places() {
     add_even("rotor", TrackKind::kHermite, columns({"rotor_x", "rotor_y"}),
-             columns({"rotor_vx", "rotor_vy"}), place_tolerance());
+             columns({"rotor_vx", "rotor_vy"}), place_tolerance(scene_));
     if (scene_.stator || (scene_.contact && !scene_.contact->offset.isZero(0.0))) {
       add_even("ring", TrackKind::kHermite, columns({"stator_x", "stator_y"}),
-               columns({"stator_vx", "stator_vy"}), place_tolerance());
+               columns({"stator_vx", "stator_vy"}), place_tolerance(scene_));
     }
     if (scene_.contact) {
       packed_["gap"] = pack(TrackKind::kHermite, gap_samples(run_, gap_tolerance(scene_.contact->clearance), kShare),
@@ -102,7 +97,7 @@ class RunPacker {
       add_even(fmt::format("bend_{}", n), TrackKind::kHermite,
                columns({fmt::format("x_{}", n), fmt::format("y_{}", n)}),
                columns({fmt::format("vx_{}", n), fmt::format("vy_{}", n)}),
-               place_tolerance() / (static_cast<double>(modes) * std::max(reach, 1e-12)));
+               place_tolerance(scene_) / (static_cast<double>(modes) * std::max(reach, 1e-12)));
     }
   }
 
@@ -181,6 +176,11 @@ class RunPacker {
 };
 
 }  // namespace
+
+double place_tolerance(const scene::Scene& scene) {
+  if (!scene.contact || scene.contact->clearance <= 0.0) return kPlaceTolerance;
+  return std::min(kPlaceTolerance, kClearanceShare * scene.contact->clearance);
+}
 
 double gap_tolerance(double clearance) {
   constexpr double kFinest = 30e-9, kShareOfClearance = 6e-5;

@@ -36,6 +36,8 @@ using PackedRun = std::map<std::string, Track>;
 PackedRun pack_run(const scene::Scene& scene, const renders::Machine& machine,
                    const Trajectory& trajectory);
 
+// m: kPlaceTolerance, and 1 / 200 of the scene's clearance where that is less.
+double place_tolerance(const scene::Scene& scene);
 // m: 30 nm, and 6e-5 of the clearance (m) where that is less.
 double gap_tolerance(double clearance);
 // The tolerance of forces: of each row (see above).

@@ -11,7 +11,7 @@ page.LiveScene = class {
     });
     this.player = null;
     const live = element.querySelector('.live'), moving = this.runs.filter((run) => run.has('rotor'));
-    if (scene.rig && moving.length) this.player = new page.Player(live, scene, moving, this.clock);
+    if (scene.rig && moving.length) this.player = new page.Player(live, scene, moving, this.clock, this.runs.filter((run) => !run.has('rotor')));
     else live.querySelectorAll('.player, .transport').forEach((part) => part.remove());
     // The first touch is worth seeing first, and a little of what comes of it.
     const touch = this.clock.hard[0];

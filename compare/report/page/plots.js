@@ -114,6 +114,7 @@ page.ScenePlots = (() => {
       const shown = this.runs.filter((run) => run.has('rotor') && !this.hidden.has(run.label));
       plot.mark.innerHTML = shown.map((run) => {
         const {rotor, ring} = run.pose(this.t);
+        if (!run.within(this.t) || (plot.dataset.plot !== 'orbit' && !run.ringKnown)) return '';
         const from = plot.dataset.plot === 'orbit' ? [0, 0] : ring;
         const x = layout.xaxis.d2p(1e6 * (rotor[0] - from[0])), y = layout.yaxis.d2p(1e6 * (rotor[1] - from[1]));
         const inside = x >= 0 && x <= layout.xaxis._length && y >= 0 && y <= layout.yaxis._length;

@@ -19,6 +19,7 @@ page.traces = (() => {
     gap_rate: {track: 'gap', jumps: true, read: (run, t) => 1e3 * run.tracks.gap.rate(t)},
     rotor_x: component('rotor', 1e6),
     normal_force: component('normal'),
+    sample_force: component('force'),
     friction_force: component('friction'),
     spin: component('spin_speed', 60 / kTurn),
     ring_speed: component('ring_speed', 60 / kTurn),
@@ -30,11 +31,23 @@ page.traces = (() => {
   function sampled(run, key, [from, to]) {
     const {track, read, jumps} = series[key];
     const t = run.tracks[track].instants(from, to, 2 * kBuckets, jumps);
-    return thinned(t, t.map((time) => read(run, time)), kBuckets);
+    return open(run, track, thinned(t, t.map((time) => read(run, time)), kBuckets));
   }
 
+  // A line is open where a record has no samples.
+  function open(run, track, {t, y}) {
+    const holes = run.holes && run.holes[track] || [];
+    if (!holes.length) return {t, y};
+    const points = t.map((time, k) => [time, y[k]]).filter(([time]) => !holes.some(([from, to]) => time > from && time < to));
+    holes.forEach(([from, to]) => points.push([0.5 * (from + to), null]));
+    points.sort((a, b) => a[0] - b[0]);
+    return {t: points.map((p) => p[0]), y: points.map((p) => p[1])};
+  }
+
+  const has = (run, key) => run.has(series[key].track) && !(series[key].jumps && run.tracks[series[key].track].kind !== 'hermite');
+
   function timeTraces(runs, key, range) {
-    return behindFirst(runs).filter((run) => run.has(series[key].track)).map((run) => {
+    return behindFirst(runs).filter((run) => has(run, key)).map((run) => {
       const {t, y} = sampled(run, key, range);
       return {x: t, y, name: run.label, meta: run.label, type: 'scatter', mode: 'lines',
         opacity: run.label === 'cone' ? 0.6 : 1,
@@ -89,7 +102,7 @@ page.traces = (() => {
   const orbitTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor')).flatMap((run) => [
     curve(run, 'rotor', range, (t) => micro(run.pose(t).rotor), ' rotor', isFront(run.label) ? 2.4 : 1.4, 'solid'),
     ...(run.has('ring') ? [curve(run, 'ring', range, (t) => micro(run.pair('ring', t)), ' ring', isFront(run.label) ? 1.8 : 1, 'dot')] : [])]);
-  const relativeTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor')).map((run) =>
+  const relativeTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor') && run.has('gap') && run.ringKnown).map((run) =>
     curve(run, 'gap', range, (t) => { const p = run.pose(t); return micro([p.rotor[0] - p.ring[0], p.rotor[1] - p.ring[1]]); },
       ' relative', isFront(run.label) ? 2.4 : 1.4));
 
@@ -101,7 +114,7 @@ page.traces = (() => {
     const [track, read] = key === 'motor' ?
       ['motor_torque', (run) => (t) => [run.value('spin_speed', t) * 60 / kTurn, run.value('motor_torque', t)]] :
       ['current', (run) => (t) => { const [x, y] = run.pair('control', t); return [run.value('current', t), (x + y) * Math.SQRT1_2]; }];
-    return [...dashed, ...behindFirst(runs).filter((run) => run.has(track)).map((run) =>
+    return [...dashed, ...behindFirst(runs).filter((run) => run.has(track) && (key === 'motor' || run.has('control'))).map((run) =>
       curve(run, track, range, read(run), '', isFront(run.label) ? 2.4 : 1.4))];
   }
 

@@ -7,11 +7,11 @@ page.Player = (() => {
   const kFilm = 25;  // s that a run takes at first
 
   class Player {
-    // live: the element that holds player, transport and plots. runs: page.Run.
-    constructor(live, scene, runs, clock) {
+    // live: the element that holds player, transport and plots. runs: page.Run; left: those without a rotor to draw.
+    constructor(live, scene, runs, clock, left = []) {
       this.element = live.querySelector('.player');
       this.transport = live.querySelector('.transport');
-      Object.assign(this, {scene, runs, clock, visible: false, rig: undefined, rigs: []});
+      Object.assign(this, {scene, runs, left, clock, visible: false, rig: undefined, rigs: []});
       const {rig} = scene;
       this.places = [...this.element.querySelectorAll('.player-run')];
       this.chosen = runs.length > 1 ? [0, 1] : [0];
@@ -105,12 +105,13 @@ page.Player = (() => {
       if (impulse > 0) words.push(`Longest impulse stem ${units.impulse(impulse)}.`);
       if (control > 0) words.push(`Longest control arrow ${units.force(control)}.`);
       if (current > 0) words.push(`Bars beside the ring: coil currents, in full ${units.current(current)}, outwards positive.`);
+      this.runs.concat(this.left).forEach((run) => { if (run.absent) words.push(run.absent); });
       return words.join(' ');
     }
 
     // s: the last turn of the rotor, as far as there is one.
     span(run, t) {
-      const whole = this.clock.to - this.clock.from, speed = Math.abs(run.value('spin_speed', t));
+      const whole = this.clock.to - this.clock.from, speed = Math.abs(run.value('spin_speed', t) || 2 * Math.PI * this.scene.spin);
       return Math.min(0.25 * whole, speed > 0 ? 2 * Math.PI / speed : 0.05 * whole);
     }
 
@@ -120,7 +121,7 @@ page.Player = (() => {
       const shown = this.shown.map((run) => ({run, pose: run.pose(t), span: this.span(run, t)}));
       this.sections.forEach((section, k) =>
         section.draw(shown[k].run, shown[k].pose, outlined ? shown[1 - k] : null, shown[k].span));
-      if (this.unrolled) this.unrolled.draw(shown, shown[0].span);
+      if (this.unrolled) this.unrolled.draw(shown.filter(({run, pose}) => pose.gap !== null && run.ringKnown && run.within(t)), shown[0].span);
       this.readings.show(shown);
       if (!this.clock.playing) this.describe(shown);
       this.firstFlat = this.firstFlat || performance.now();

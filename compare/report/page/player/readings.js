@@ -7,6 +7,7 @@ page.Readings = (() => {
   const kinds = [
     ['gap', (p, run) => p.gap === null ? null : units.gap(p.gap, run.finest)],
     ['gap rate', (p) => p.gapRate === null ? null : units.speed(Math.abs(p.gapRate) < 1e-6 ? 0 : p.gapRate)],
+    ['force, a sample', (p) => p.force === null ? null : units.force(p.force)],
     ['normal force', (p) => p.normal === null ? null : units.force(p.normal)],
     ['friction force', (p) => p.friction === null ? null : units.force(p.friction)],
     ['last impact', (p, run) => {
@@ -15,7 +16,7 @@ page.Readings = (() => {
     }],
     ['control x, y', (p) => p.control && pair(p.control, units.force)],
     ['current 1, 2', (p) => p.current && pair(p.current, units.current)],
-    ['spin', (p) => units.rpm(p.speed)],
+    ['spin', (p) => p.speed === null ? null : units.rpm(p.speed)],
     ['ring’s spin', (p, run) => run.has('ring_speed') ? units.rpm(run.value('ring_speed', p.t)) : null],
     ['rotor x, y', (p) => pair(p.rotor, units.length)],
   ];
@@ -24,7 +25,7 @@ page.Readings = (() => {
     constructor(places) { this.places = places; }
     show(shown) {
       shown.forEach(({run, pose}, k) => {
-        const rows = kinds.map(([name, text]) => [name, text(pose, run)]).filter(([, text]) => text !== null);
+        const rows = !run.within(pose.t) ? [] : kinds.map(([name, text]) => [name, text(pose, run)]).filter(([, text]) => text !== null);
         const list = this.places[k].querySelector('.readings');
         if (list.children.length !== rows.length) {
           list.innerHTML = rows.map(([name]) => `<div><dt>${name}</dt><dd></dd></div>`).join('');
@@ -34,7 +35,7 @@ page.Readings = (() => {
           list.children[r].lastChild.textContent = text;
         });
         const mode = this.places[k].querySelector('.mode');
-        mode.textContent = pose.t > run.end + 1e-12 ? 'ended at ' + units.time(run.end) : pose.mode || '';
+        mode.textContent = !run.within(pose.t) ? 'no samples here' : pose.t > run.end + 1e-12 ? 'ended at ' + units.time(run.end) : pose.mode || '';
         mode.className = 'mode ' + (pose.mode || '');
       });
     }

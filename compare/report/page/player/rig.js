@@ -63,6 +63,7 @@ page.Rig = (() => {
 
     draw(canvas, run, pose, scales, span) {
       const {ctx, width, height} = page.sharp(canvas), gl = renderer();
+      if (run.measured) return this.unseen(ctx, run, pose);
       const line = this.centreLine(run, pose);
       this.parts.pose(line, pose, this.displaced(1));
       this.parts.paint(css, run.label);
@@ -77,6 +78,14 @@ page.Rig = (() => {
       ctx.fillStyle = css('--soft');
       ctx.fillText(`displacements × ${Number(this.values.magnification.toPrecision(3)).toLocaleString('en')}`, 8, height - 8);
       return {t: pose.t, stations: line.length, largest: line.reduce((most, p) => Math.max(most, Math.hypot(...p)), 0)};
+    }
+
+    // A record of one station: what the shaft does beside it is not known, and not drawn.
+    unseen(ctx, run, pose) {
+      ctx.font = page.font(12);
+      ctx.fillStyle = css('--soft');
+      ctx.fillText('measured at the contact alone: the shaft between is not known', 8, 20);
+      return {t: pose.t, stations: 0, largest: 0};
     }
 
     aim(aspect) {

@@ -8,15 +8,26 @@ page.Run = (() => {
     constructor(side, scene) {
       this.label = side.label;
       this.status = side.status;
+      this.measured = Boolean(side.measured);
+      this.holes = side.holes || {};
+      this.absent = side.absent || '';
       this.clearance = scene.clearance;
       this.finest = scene.rig ? scene.rig.gap_tolerance : 0;
       this.tracks = {};
       for (const [name, packed] of Object.entries(side.tracks)) this.tracks[name] = new Track(packed);
+      // A ring that does not move is where it is without being measured.
+      this.ringKnown = !this.measured || 'ring' in this.tracks || Boolean(scene.rig && !scene.rig.ring_moves);
+      this.start = this.tracks.rotor ? this.tracks.rotor.time(0) : 0;
       this.end = this.tracks.rotor ? this.tracks.rotor.time(this.tracks.rotor.knots - 1) : 0;
       this.bends = [];
       for (let k = 1; this.tracks['bend_' + k]; ++k) this.bends.push(this.tracks['bend_' + k]);
     }
 
+    // Whether there is anything of the rotor at t: a record may begin late, end early, and have holes.
+    within(t) {
+      if (!this.measured) return true;
+      return t >= this.start - 1e-9 && t <= this.end + 1e-9 && !(this.holes.rotor || []).some(([from, to]) => t > from && t < to);
+    }
     has(name) { return name in this.tracks; }
     value(name, t, c = 0) { return this.has(name) ? this.tracks[name].at(t, c) : null; }
     pair(name, t) { return this.has(name) ? [this.tracks[name].at(t, 0), this.tracks[name].at(t, 1)] : null; }
@@ -29,14 +40,14 @@ page.Run = (() => {
       const d = [rotor[0] - ring[0], rotor[1] - ring[1]], delta = Math.hypot(d[0], d[1]);
       const e = delta > 0 ? [d[0] / delta, d[1] / delta] : [0, 0];
       const gap = this.value('gap', t);
-      if (gap !== null && delta > 0) {
+      if (gap !== null && delta > 0 && !this.measured) {
         const radius = this.clearance - gap;
         rotor = [ring[0] + radius * e[0], ring[1] + radius * e[1]];
       }
       return {t, ring, rotor, e, angle: Math.atan2(d[1], d[0]), gap,
-        gapRate: this.has('gap') ? this.tracks.gap.rate(t) : null,
+        gapRate: this.has('gap') && !this.measured ? this.tracks.gap.rate(t) : null,
         spin: this.value('spin', t), speed: this.value('spin_speed', t), ringSpin: this.value('ring_spin', t),
-        normal: this.value('normal', t), friction: this.value('friction', t),
+        force: this.value('force', t), normal: this.value('normal', t), friction: this.value('friction', t),
         mode: this.has('mode') ? kModes[Math.round(this.value('mode', t))] : null,
         control: this.pair('control', t), current: this.pair('current', t)};
     }
@@ -94,11 +105,12 @@ page.Run = (() => {
     trail(t, span, n) {
       const from = Math.max(t - span, this.tracks.rotor.time(0)), points = [];
       for (let k = 0; k <= n; ++k) points.push(this.pose(from + (t - from) * k / n));
-      return points;
+      return points.filter((p) => this.within(p.t));
     }
 
     // Times in (from, to] at which the mark on the rotor passes +x: the keyphasor's pulses.
     pulses(from, to) {
+      if (!this.has('spin')) return [];
       const turn = 2 * Math.PI, spin = this.tracks.spin, times = [];
       let a = from, fa = spin.at(from) / turn;
       const steps = 200;

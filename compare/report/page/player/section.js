@@ -29,14 +29,16 @@ page.Section = (() => {
     draw(run, pose, other, span) {
       const l = this.layout(), {ctx} = l;
       this.drawn = {t: pose.t, touching: pose.mode !== null && pose.mode !== 'free', arrows: [], stems: 0, outline: Boolean(other)};
+      if (!run.within(pose.t)) return;  // a record without samples here: nothing is known, nothing is drawn
+      Object.assign(this.drawn, {rotor: true, ring: run.ringKnown});
       ctx.save();
       // y upwards, as in the scene; the picture goes with the ring, and the axes show where its place at rest is.
       ctx.translate(l.width / 2 - l.magnified * pose.ring[0], l.middle + l.magnified * pose.ring[1]);
       ctx.scale(1, -1);
       this.axes(l, pose);
-      this.ring(l, pose);
+      if (run.ringKnown) this.ring(l, pose);
       this.rotor(l, run, pose);
-      if (other) this.outline(l, other.run, other.pose);
+      if (other && other.run.within(pose.t)) this.outline(l, other.run, other.pose);
       this.trail(l, run, pose.t, span);
       this.stems(l, run, pose, span);
       this.forces(l, pose);
@@ -110,7 +112,7 @@ page.Section = (() => {
       ctx.fillStyle = css('--rotor');
       ctx.fill();
       this.circle(ctx, place, l.radius, css('--' + run.label), 2);
-      this.mark(ctx, place, 0.62 * l.radius, 0.96 * l.radius, pose.spin, 0.13);
+      if (pose.spin !== null) this.mark(ctx, place, 0.62 * l.radius, 0.96 * l.radius, pose.spin, 0.13);
     }
 
     outline(l, run, pose) {
@@ -128,7 +130,7 @@ page.Section = (() => {
       const inRing = (p) => this.at(l, [p.rotor[0] - p.ring[0] + now.ring[0], p.rotor[1] - p.ring[1] + now.ring[1]]);
       const places = points.map(inRing);
       // Where the rotor's centre may go.
-      this.circle(ctx, this.at(l, now.ring), l.magnified * this.rig.clearance, css('--soft'), 1, [4, 4]);
+      if (run.ringKnown) this.circle(ctx, this.at(l, now.ring), l.magnified * this.rig.clearance, css('--soft'), 1, [4, 4]);
       page.fading(ctx, places, css('--' + run.label), 2);
       const pulses = run.pulses(points[0].t, t);
       for (const pulse of pulses) this.circle(ctx, inRing(run.pose(pulse)), 4.5, css('--ink'), 1.5);

@@ -1,0 +1,193 @@
+#include "compare/report/measured_side.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <nlohmann/json.hpp>
+
+#include "compare/measured/sampled_run.h"
+#include "compare/measured/table.h"
+#include "compare/report/pack/packed_run.h"
+#include "compare/report/plots.h"
+#include "compare/report/rounded.h"
+#include "compare/report/thin.h"
+#include "compare/report/whirl_plots.h"
+#include "compare/study/format.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using Numbers = std::vector<double>;
+
+// Columns of the record that make one track, at the samples where all of them are there.
+struct ShownColumns {
+  Numbers t;
+  std::vector<Numbers> value;
+  json holes = json::array();
+};
+
+std::optional<ShownColumns> shown_columns(const MeasuredRecord& laid, std::initializer_list<std::string_view> names) {
+  std::vector<const MeasuredColumn*> columns;
+  for (const std::string_view name : names) {
+    columns.push_back(laid.find(name));
+    if (!columns.back()) return std::nullopt;
+  }
+  const std::size_t every = (laid.t.size() + kMostShown - 1) / kMostShown;
+  ShownColumns shown;
+  shown.value.resize(columns.size());
+  bool broken = false;
+  for (std::size_t i = 0; i < laid.t.size(); ++i) {
+    const bool missing = std::any_of(columns.begin(), columns.end(), [&](const auto* c) { return c->sample[i] == Sample::kMissing; });
+    broken = broken || missing || (i > 0 && laid.t[i] - laid.t[i - 1] > 2.5 * laid.interval);
+    if (missing || i % every != 0) continue;
+    if (broken && !shown.t.empty()) shown.holes.push_back({shown.t.back(), laid.t[i]});
+    broken = false;
+    shown.t.push_back(laid.t[i]);
+    for (std::size_t c = 0; c < columns.size(); ++c) shown.value[c].push_back(columns[c]->value[i]);
+  }
+  if (shown.t.size() < 2) return std::nullopt;
+  return shown;
+}
+
+class SideMaker {
+ public:
+  SideMaker(const ShownRuns& shown) : shown_(shown), laid_(shown.measured->laid) {}
+
+  json make(double limit) {
+    const scene::Scene& scene = *shown_.scene;
+    add_even("rotor", {"rotor_x", "rotor_y"}, place_tolerance(scene));
+    if (scene.stator) add_even("ring", {"ring_x", "ring_y"}, place_tolerance(scene));
+    if (scene.contact) {
+      const double least = gap_tolerance(scene.contact->clearance);
+      add("gap", {"gap"}, [&](const std::vector<Numbers>& value) {
+        Numbers tolerance;
+        for (const double gap : value.front()) tolerance.push_back(std::max(least, kShare * std::abs(gap)));
+        return tolerance;
+      });
+      add("force", {kContactForce}, force_tolerance);
+      add("normal", {"normal_force"}, force_tolerance);
+      add("friction", {"friction_force"}, force_tolerance);
+    }
+    add("control", {"control_x", "control_y"}, force_tolerance);
+    add("current", {"current_1", "current_2"}, force_tolerance);
+    add("spin_speed", {"spin_speed"}, force_tolerance);
+    const json none = json::array();
+    return {{"label", kMeasured}, {"measured", true}, {"status", to_string(Status::kOk)},
+            {"start", laid_.t.front()}, {"end", laid_.t.back()}, {"tracks", tracks_}, {"holes", holes_},
+            {"absent", absent()}, {"whirl", whirl(limit)},
+            {"impacts", {{"t", none}, {"y", none}, {"friction", none}, {"before", none}, {"after", none}, {"slip", none}, {"share", none}}}};
+  }
+
+ private:
+  template <class Tolerance>
+  void add(const char* name, std::initializer_list<std::string_view> columns, Tolerance tolerance) {
+    auto found = shown_columns(laid_, columns);
+    if (!found) return;
+    Numbers bound = tolerance(found->value);
+    for (double& b : bound) b = std::max(b, 1e-300);
+    tracks_[name] = track_json(pack(TrackKind::kLinear, {std::move(found->t), std::move(found->value), {}, std::move(bound)}));
+    holes_[name] = std::move(found->holes);
+  }
+  void add_even(const char* name, std::initializer_list<std::string_view> columns, double tolerance) {
+    add(name, columns, [&](const std::vector<Numbers>& value) { return Numbers(value.front().size(), tolerance); });
+  }
+
+  std::string absent() const {
+    if (!tracks_.contains("rotor")) return "The record has no rotor_x with its rotor_y: the measured run is in the plots alone.";
+    std::string missing;
+    const auto lacks = [&](const char* name, const char* words) {
+      if (!tracks_.contains(name)) missing += (missing.empty() ? "" : ", ") + std::string(words);
+    };
+    if (shown_.scene->stator) lacks("ring", "ring");
+    if (shown_.scene->contact) lacks("gap", "gap");
+    lacks("spin_speed", "speed");
+    return fmt::format("Of the measured run the player shows what its record has; not measured, and not drawn: the shaft's shape, "
+                       "the angle of spin{}{}.", missing.empty() ? "" : ", ", missing);
+  }
+
+  // The second half of the record, as of the other runs; its distance from the first run at its samples.
+  json whirl(double limit) const {
+    json all = {{"spectrum", nullptr}, {"waterfall", nullptr}, {"poincare", nullptr}, {"residual", nullptr}};
+    const auto rotor = shown_columns(laid_, {"rotor_x", "rotor_y"});
+    if (!rotor) return all;
+    const double to = rotor->t.back(), from = 0.5 * (rotor->t.front() + to);
+    const auto count = static_cast<std::size_t>(std::count_if(rotor->t.begin(), rotor->t.end(), [&](double t) { return t >= from; }));
+    if (2 * count >= kLeastSpectrumRows) {
+      const double h = (to - from) / static_cast<double>(count - 1);
+      std::vector<std::complex<double>> z;
+      for (std::size_t k = 0, row = 0; k < count; ++k) {
+        const double at = from + static_cast<double>(k) * h;
+        while (row + 2 < rotor->t.size() && rotor->t[row + 1] <= at) ++row;
+        const double share = std::clamp((at - rotor->t[row]) / (rotor->t[row + 1] - rotor->t[row]), 0.0, 1.0);
+        const auto between = [&](const Numbers& y) { return y[row] + share * (y[row + 1] - y[row]); };
+        z.emplace_back(between(rotor->value[0]), between(rotor->value[1]));
+      }
+      all["spectrum"] = spectrum_data(z, h, limit);
+    }
+    const SampledRun first(*shown_.runs.front().trajectory);
+    const SampleTimes times = sample_times(rotor->t, laid_.interval);
+    const Numbers x = first.values(*laid_.find("rotor_x")->what, times), y = first.values(*laid_.find("rotor_y")->what, times);
+    Numbers distance;
+    for (std::size_t i = 0; i < x.size(); ++i) distance.push_back(1e6 * std::hypot(rotor->value[0][i] - x[i], rotor->value[1][i] - y[i]));
+    const auto kept = thin(distance, 0, distance.size(), kPlotBuckets);
+    all["residual"] = {{"t", picked(rotor->t, kept, 7)}, {"y", picked(distance, kept, 4)}};
+    return all;
+  }
+
+  const ShownRuns& shown_;
+  const MeasuredRecord& laid_;
+  json tracks_ = json::object(), holes_ = json::object();
+};
+
+json run_texts(const std::vector<std::string>& values) {
+  json cells = json::array();
+  for (const std::string& value : values) cells.push_back({{"value", value}});
+  return cells;
+}
+
+}  // namespace
+
+json measured_side(const ShownRuns& shown, double limit) {
+  if (!shown.measured) return nullptr;
+  return SideMaker(shown).make(limit);
+}
+
+json sampled_force(const ShownRuns& shown, std::size_t run) {
+  if (!shown.measured || run >= shown.measured->forces.size()) return nullptr;
+  const MeasuredRecord& laid = shown.measured->laid;
+  const std::size_t every = (laid.t.size() + kMostShown - 1) / kMostShown;
+  Samples samples;
+  samples.value.resize(1);
+  for (std::size_t i = 0; i < laid.t.size(); i += every) {
+    samples.t.push_back(laid.t[i]);
+    samples.value[0].push_back(shown.measured->forces[run][i]);
+  }
+  samples.tolerance = force_tolerance(samples.value);
+  return track_json(pack(TrackKind::kLinear, samples));
+}
+
+json measured_values(const std::optional<MeasuredRun>& run) {
+  if (!run) return nullptr;
+  json labels = json::array(), figures = json::array(), columns = json::array();
+  for (const std::string& label : run->labels) labels.push_back({{"label", label}});
+  for (const MeasuredFigure& f : run->figures) {
+    std::vector<std::string> values;
+    for (const double value : f.runs) values.push_back(short_number(value * f.per_unit));
+    figures.push_back({{"label", f.label}, {"unit", f.unit}, {"measured", measured_value(f)}, {"cells", run_texts(values)}, {"meaning", f.meaning}});
+  }
+  for (const ColumnFit& c : run->columns) {
+    std::vector<std::string> values;
+    for (const ColumnResidual& r : c.runs) values.push_back(fmt::format("{} · {}", residual_text(*c.what, r.rms), share_text(r)));
+    const ColumnResidual& native = c.runs.front();
+    columns.push_back({{"name", c.what->name}, {"unit", residual_unit(*c.what)}, {"cells", run_texts(values)},
+                       {"offset", residual_text(*c.what, native.offset)}, {"good", c.good}, {"missing", c.missing}, {"clipped", c.clipped}});
+  }
+  return {{"file", run->file}, {"samples", run->samples}, {"interval", time_text(run->interval)},
+          {"alignment", alignment_text(run->alignment)}, {"ambiguous", run->alignment.ambiguous()}, {"labels", labels},
+          {"figures", figures}, {"columns", columns}, {"remarks", run->remarks}, {"has_remarks", !run->remarks.empty()}};
+}
+
+}  // namespace rotorub
