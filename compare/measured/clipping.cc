@@ -56,7 +56,8 @@ void mark_at(double limit, const std::vector<Flat>& flats, std::size_t longest, 
   if (limit == 0.0) return;
   const auto is_met = [&](const Flat& flat) {
     return c.value[flat.first] == limit && flat.size() >= std::max(kLeastClipped, longest + 1) &&
-           comes_fast(c, flat.first, -1, limit, least) && comes_fast(c, flat.last - 1, +1, limit, least);
+           comes_fast(c, flat.first, -1, limit, least) &&
+           (flat.last == c.value.size() || comes_fast(c, flat.last - 1, +1, limit, least));
   };
   if (std::none_of(flats.begin(), flats.end(), is_met)) return;
   for (std::size_t i = 0; i < c.value.size(); ++i) {

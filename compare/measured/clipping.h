@@ -6,8 +6,8 @@
 namespace rotorub {
 
 // At the least and the greatest value of a column with a limit (Measurable::clips) samples are marked kClipped where
-// the record comes to that value, stays for kLeastClipped samples or more, bit for bit, and leaves it, and does so
-// faster than a peak of its own would:
+// the record comes to that value, stays for kLeastClipped samples or more, bit for bit, and leaves it or ends, and does
+// so faster than a peak of its own would (what it begins with may be a machine at rest):
 //
 //   flat part   l l l ... l, of more samples than any other equal values in a row but 0
 //   both ends   the sample outside is more than kSteps of the record's resolution away from l; or a parabola through

@@ -69,11 +69,13 @@ std::vector<ColumnMeaning> make_measured_keys() {
       {"columns.<name>.runs.<run>.offset", "as the column", "mean of record less run", ""},
       {"columns.<name>.runs.<run>.share", "", "that rms over the run's deviation from its mean; null: the run does not move", ""},
   };
+  keys.push_back({"figures.<name>.measured", "as the figure", "of the record; a figure stands where its columns are measured", ""});
+  keys.push_back({"figures.<name>.bound", "", "at least or at most: the sensor was at its limit; else empty", ""});
+  keys.push_back({"figures.<name>.runs.<run>", "as the figure", "of the run at the record's samples", ""});
   for (const MeasuredFigure& f : measured_figures()) {
     names.push_back(fmt::format("figures.{}", f.key));
-    keys.push_back({names.back(), si_unit_of(f), f.meaning, "its columns are measured"});
+    keys.push_back({names.back(), si_unit_of(f), f.meaning, ""});
   }
-  keys.push_back({"figures.<name>.bound", "", "at least or at most: the sensor was at its limit; else empty", ""});
   keys.push_back({"remarks", "", "what was left out, and why", ""});
   return keys;
 }

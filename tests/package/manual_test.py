@@ -62,6 +62,9 @@ TRIED = [
     f"check {DROP} --set run.end=11ms --json", f"check {DROP} --set run.end=11ms --quiet --output k1",
     f"check {DROP} --set run.end=11ms -q -o k2",
     f"compare {DROP} --with k1 --twins 0 --no-modes-ladder --no-video --end 11ms --step 20us -o c4 -q",
+    f"run {RING} --integrator event --end 20ms -q -o r4",
+    f"compare {RING} --measured r4/series.csv --measured-shift 0ms --measured-angle 0deg --twins 0 --no-modes-ladder --no-video "
+    "--end 20ms -o c5 -q",
     f"tune {DROP} --tolerance 1% --steps 50us,20us --twins 0 --end 12ms -o tuned.toml --json",
     f"tune {DROP} --steps 20us --twins 0 --end 12ms --output tuned2.toml --set contact.restitution=0.4 --quiet",
     f"tune {PAPER} --controller {OWN} {SAMPLED} --steps 20us --twins 0 --end 200us -q",

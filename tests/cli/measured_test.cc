@@ -1,0 +1,120 @@
+// `rotorub compare --measured` by its command line: what it says, writes and refuses.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string> comparison(const std::vector<std::string>& more) {
+  std::vector<std::string> call{"compare", shipped("bench_ring"), "--end", "0.05", "--twins", "0", "--no-modes-ladder",
+                                "--no-video", "-o", "out"};
+  call.insert(call.end(), more.begin(), more.end());
+  return call;
+}
+
+// A run's own series as measured by another clock: t + 0.25 s, in ms, x and y as sensors see them that stand a quarter
+// turn on (x' = y, y' = -x).
+void write_measurement(const Folder& folder, const std::string& name) {
+  EXPECT_EQ(folder.run({"run", shipped("bench_ring"), "--integrator", "event", "--end", "0.05", "--set",
+                        "run.output_step=50us", "-o", "rig", "-q"}).code, 0);
+  std::istringstream series(folder.text("rig/series.csv"));
+  std::ofstream out(folder.path() / name);
+  out << "# rig 1, made by a test\nt [ms];rotor_x [mm];rotor_y [mm]\n";
+  out.precision(17);
+  std::string line;
+  std::getline(series, line);
+  while (std::getline(series, line)) {
+    double t = 0.0, x = 0.0, y = 0.0;
+    char comma = 0;
+    std::istringstream(line) >> t >> comma >> x >> comma >> y;
+    out << 1e3 * (t + 0.25) << ';' << 1e3 * y << ';' << -1e3 * x << '\n';
+  }
+}
+
+TEST(CliMeasured, IsLaidBesideTheRuns) {
+  const Folder folder;
+  write_measurement(folder, "rig.csv");
+  const Outcome done = folder.run(comparison({"--measured", "rig.csv"}));
+  EXPECT_LE(done.code, 1) << done.err;
+  EXPECT_TRUE(contains(done.out, "measured: rig.csv, 1001 samples, 50 µs apart")) << done.out;
+  EXPECT_TRUE(contains(done.out, "rotor's whirl, rms, µm")) << done.out;
+  const json all = json::parse(folder.text("out/compare.json")).at("scenes")[0].at("measured");
+  const json& alignment = all.at("alignment");
+  // Integrators part by some nm here, which is some ns.
+  EXPECT_NEAR(alignment.at("shift").get<double>(), -0.25, 1e-6);
+  EXPECT_NEAR(alignment.at("angle").get<double>(), 1.5707963, 1e-4);
+  EXPECT_EQ(alignment.at("by"), json::array({"rotor"}));
+  for (const char* run : {"native", "rigid", "coulomb", "cone"}) {
+    EXPECT_TRUE(all.at("columns").at("rotor_x").at("runs").contains(run)) << run;
+    EXPECT_TRUE(all.at("figures").at("rotor_rms").at("runs").contains(run)) << run;
+  }
+  EXPECT_LT(all.at("columns").at("rotor_x").at("runs").at("native").at("share").get<double>(), 1e-3);
+  EXPECT_TRUE(json::parse(folder.text("out/columns.json")).contains("compare.json measured"));
+  const std::string page = folder.text("out/report.html");
+  for (const char* part : {"The measured run", "id=\"scene-1-measured\"", "data-side=\"measured\"", "href=\"#scene-1-measured\""}) {
+    EXPECT_TRUE(contains(page, part)) << part;
+  }
+
+  const Outcome told = folder.run(comparison({"--measured", "rig.csv", "--measured-shift", "-249.9ms", "--measured-angle", "90deg"}));
+  EXPECT_TRUE(contains(told.out, "shift -249.900000 ms as given")) << told.out;
+  EXPECT_TRUE(contains(told.out, "+90.000° as given")) << told.out;
+}
+
+// What nobody measured is nowhere.
+TEST(CliMeasured, IsInNoPageWithoutOne) {
+  const Folder folder;
+  EXPECT_LE(folder.run(comparison({})).code, 1);
+  EXPECT_TRUE(json::parse(folder.text("out/compare.json")).at("scenes")[0].at("measured").is_null());
+  EXPECT_FALSE(contains(folder.text("out/report.html"), "The measured run"));
+}
+
+struct Bad {
+  std::vector<std::string> words;
+  const char* says;
+};
+
+TEST(CliMeasured, RefusalsSayWhyAndLeaveNothing) {
+  const Folder folder;
+  std::ofstream(folder.path() / "bad.csv") << "t [ms], rotor [um]\n0,1\n";
+  std::ofstream noise(folder.path() / "noise.csv");
+  noise << "t [ms],rotor_x [um],rotor_y [um]\n";
+  unsigned state = 1;
+  for (int k = 0; k < 500; ++k) {
+    noise << 0.1 * k;
+    for (int c = 0; c < 2; ++c) {
+      state = state * 1664525U + 1013904223U;
+      noise << ',' << (state >> 16U) % 1000U;
+    }
+    noise << '\n';
+  }
+  noise.close();
+  const std::vector<Bad> all = {
+      {{"--measured", "none.csv"}, "none.csv: cannot be read"},
+      {{"--measured", "bad.csv"}, "bad.csv:1: rotor: no such column"},
+      {{"--measured", "noise.csv", "--measured-shift", "3 mm"}, "--measured-shift"},
+      {{"--measured", "noise.csv", "--measured-angle", "3 mm"}, "--measured-angle"},
+      {{"--measured-shift", "3ms"}, "--measured"},
+      {{shipped("bench_drop"), "--measured", "noise.csv"}, "one scene is accepted"},
+      {{"--measured", "noise.csv"}, "no shift makes the record like the native run"},
+      {{"--measured", "noise.csv", "--measured-shift", "7s"}, "samples in common"},
+  };
+  for (const Bad& bad : all) {
+    SCOPED_TRACE(bad.says);
+    const Outcome refused = folder.run(comparison(bad.words));
+    EXPECT_EQ(refused.code, 2) << refused.out;
+    EXPECT_TRUE(contains(refused.err, bad.says)) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out" / "compare.json"));
+  }
+}
+
+}  // namespace
+}  // namespace rotorub::test

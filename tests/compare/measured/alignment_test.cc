@@ -1,0 +1,255 @@
+#include "compare/measured/alignment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "compare/measured/clipping.h"
+#include "tests/compare/hand_made.h"
+#include "tests/compare/measurement.h"
+#include "tests/support/native_run.h"
+
+namespace rotorub::test {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// The passive rig from rest into its rub, 0.15 s: bounces, no two turns alike.
+const scene::Scene& rig() {
+  static const scene::Scene scene = shipped("paper_passive", {"run.end=0.15", "run.step=1e-5"});
+  return scene;
+}
+
+std::vector<double> every(double apart, double end) {
+  std::vector<double> t;
+  for (double k = 0.0; k * apart <= end * (1.0 + 1e-12); k += 1.0) t.push_back(std::min(end, k * apart));
+  return t;
+}
+
+Trajectory rows_of(scene::Integrator integrator, const std::vector<double>& times) {
+  NativeOptions options;
+  options.integrator = integrator;
+  options.step = 1e-5;
+  options.output_times = times;
+  return run_native(rig(), options);
+}
+
+// The run that is aligned with: rows every 10 us.
+const Trajectory& native() {
+  static const Trajectory run = rows_of(scene::Integrator::kEvent, every(1e-5, 0.15));
+  return run;
+}
+
+// What sensors see: rows of the reference integrator at the instants themselves, exact.
+const Trajectory& seen(const Sensors& sensors) {
+  static std::map<std::pair<double, double>, Trajectory> known;
+  auto& run = known[{sensors.rate, sensors.from}];
+  if (run.rows() == 0) run = rows_of(scene::Integrator::kEvent, instants(sensors));
+  return run;
+}
+
+Alignment aligned(const Sensors& sensors, const AlignmentOptions& options = {}) {
+  MeasuredRecord record = record_of(seen(sensors), sensors);
+  mark_clipped(record);
+  return align(record, SampledRun(native()), options);
+}
+
+double turned(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
+
+// Without noise what is left is the cubic between rows 10 us apart, and at the jump of a speed v within a row no
+// more than v 10 us / 4, some um at 200 impacts of 0.15 s: far below a thousandth of a sample at the rig's speeds.
+TEST(Alignment, FindsTheClockAndTheFrame) {
+  for (const double rate : {20e3, 51.2e3}) {
+    for (const double shift : {0.0, 12.3456789e-3, -7.7e-3, 1234.567890123}) {
+      for (const double angle : {0.0, 30.0, -135.0, 179.0}) {
+        Sensors sensors;
+        sensors.rate = rate;
+        sensors.shift = shift;
+        sensors.angle = angle * kDegree;
+        SCOPED_TRACE(fmt::format("{} Hz, {} s, {} deg", rate, shift, angle));
+        const Alignment a = aligned(sensors);
+        EXPECT_NEAR(a.shift, shift, 1e-3 / rate);
+        EXPECT_NEAR(turned(a.angle - sensors.angle), 0.0, 1e-5);
+        EXPECT_GT(a.correlation.value(), 0.9999999);
+        EXPECT_LT(a.residual.value(), 1e-4);
+        EXPECT_TRUE(a.shift_found);
+        EXPECT_EQ(a.angle_from, AngleFrom::kFound);
+        EXPECT_EQ(a.by, (std::vector<std::string>{"rotor", "ring", "gap"}));
+      }
+    }
+  }
+}
+
+// The error that it states is the error that it makes: over seeds, squares of error / stated follow chi^2 with as many
+// freedoms; 99.9 % of it lies between the bounds.
+TEST(Alignment, StatesTheErrorThatNoiseMakes) {
+  constexpr int kSeeds = 12;
+  constexpr double kLow = 2.21 / kSeeds, kHigh = 32.9 / kSeeds;  // 0.1 % and 99.9 % of chi^2 with 12
+  double shift = 0.0, angle = 0.0;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    Sensors sensors;
+    sensors.shift = 3.21e-3;
+    sensors.angle = 0.5;
+    sensors.noise = 5e-6;
+    sensors.seed = seed;
+    const Alignment a = aligned(sensors);
+    ASSERT_TRUE(a.shift_error && a.angle_error);
+    EXPECT_LT(*a.shift_error, 0.2 / sensors.rate);
+    shift += std::pow((a.shift - sensors.shift) / *a.shift_error, 2) / kSeeds;
+    angle += std::pow((a.angle - sensors.angle) / *a.angle_error, 2) / kSeeds;
+  }
+  EXPECT_GT(shift, kLow);
+  EXPECT_LT(shift, kHigh);
+  EXPECT_GT(angle, kLow);
+  EXPECT_LT(angle, kHigh);
+}
+
+// What is beyond the limit is left out, and does not pull: with the clipped samples in, the fit is off by more.
+TEST(Alignment, ClippedSamplesDoNotPull) {
+  Sensors sensors;
+  sensors.shift = -2.2e-3;
+  sensors.angle = 1.0;
+  sensors.limit = 300e-6;
+  MeasuredRecord record = record_of(seen(sensors), sensors);
+  const Alignment naive = align(record, SampledRun(native()), {});
+  mark_clipped(record);
+  ASSERT_GT(record.find("rotor_x")->count(Sample::kClipped), 100u);
+  const Alignment a = align(record, SampledRun(native()), {});
+  EXPECT_NEAR(a.shift, sensors.shift, 1e-3 / sensors.rate);
+  EXPECT_NEAR(a.angle, sensors.angle, 1e-5);
+  EXPECT_LT(a.residual.value(), 1e-4);
+  EXPECT_GT(std::abs(naive.angle - sensors.angle), 1e-3);
+}
+
+// Another integrator is another run: as far as it parts from the first the shift may go, and no further.
+TEST(Alignment, HoldsAgainstAnotherIntegrator) {
+  Sensors sensors;
+  sensors.shift = 5.5e-3;
+  sensors.angle = -0.7;
+  const Trajectory verlet = rows_of(scene::Integrator::kVerlet, instants(sensors));
+  const Alignment a = align(record_of(verlet, sensors), SampledRun(native()), {});
+  EXPECT_NEAR(a.shift, sensors.shift, 0.02 / sensors.rate);
+  EXPECT_NEAR(a.angle, sensors.angle, 1e-3);
+}
+
+TEST(Alignment, TakesWhatItIsTold) {
+  Sensors sensors;
+  sensors.shift = 2e-3;
+  sensors.angle = 0.3;
+  const Alignment free = aligned(sensors), told = aligned(sensors, {.shift = 2.2e-3, .angle = 0.3});
+  EXPECT_EQ(told.shift, 2.2e-3);
+  EXPECT_EQ(told.angle, 0.3);
+  EXPECT_FALSE(told.shift_found);
+  EXPECT_EQ(told.angle_from, AngleFrom::kGiven);
+  EXPECT_GT(told.residual.value(), 100.0 * free.residual.value()) << "0.2 ms off is a bad fit, and it says so";
+  EXPECT_NEAR(aligned(sensors, {.shift = 2e-3, .angle = {}}).angle, 0.3, 1e-5);
+  EXPECT_NEAR(aligned(sensors, {.shift = {}, .angle = 0.3}).shift, 2e-3, 1e-3 / sensors.rate);
+}
+
+// One signal of any kind is enough.
+TEST(Alignment, FindsTheClockByWhatThereIs) {
+  Sensors sensors;
+  sensors.shift = 1.5e-3;
+  const MeasuredRecord whole = record_of(seen(sensors), sensors);
+  for (const char* name : {"gap", "rotor_y", "ring_x"}) {
+    SCOPED_TRACE(name);
+    MeasuredRecord one = whole;
+    one.columns = {*whole.find(name)};
+    const Alignment a = align(one, SampledRun(native()), {});
+    EXPECT_NEAR(a.shift, sensors.shift, 1e-3 / sensors.rate);
+    EXPECT_EQ(a.angle_from, AngleFrom::kNoPair);
+    EXPECT_EQ(a.angle, 0.0);
+  }
+}
+
+// y alone of sensors that stand at an angle which is known.
+TEST(Alignment, TurnsASingleColumnByTheAngleGiven) {
+  Sensors sensors;
+  sensors.shift = 1.5e-3;
+  sensors.angle = 0.9;
+  MeasuredRecord record = record_of(seen(sensors), sensors);
+  record.columns = {*record.find("rotor_y")};
+  const Alignment a = align(record, SampledRun(native()), {.shift = {}, .angle = 0.9});
+  EXPECT_NEAR(a.shift, sensors.shift, 1e-3 / sensors.rate);
+  EXPECT_LT(a.residual.value(), 1e-4);
+}
+
+// A sensor's zero is not known.
+TEST(Alignment, IsBlindToASensorsZero) {
+  Sensors sensors;
+  sensors.shift = 4e-3;
+  MeasuredRecord record = record_of(seen(sensors), sensors);
+  for (MeasuredColumn& c : record.columns) {
+    for (double& value : c.value) value += 3e-3;
+  }
+  EXPECT_NEAR(align(record, SampledRun(native()), {}).shift, sensors.shift, 1e-3 / sensors.rate);
+}
+
+constexpr double kWhirl = 2.0 * std::numbers::pi * 50.0;  // rad/s
+Trajectory circle(double radius) {
+  return hand_made(20001, 1e-5, [&](double t) {
+    Row row;
+    row.x = radius * std::cos(kWhirl * t);
+    row.y = radius * std::sin(kWhirl * t);
+    row.vx = -kWhirl * row.y;
+    row.vy = kWhirl * row.x;
+    return row;
+  });
+}
+
+// On a circle a turn of the frame is a shift: the frame is taken as the scene's, and the turns look alike.
+TEST(Alignment, SaysWhatACircleDoesNotTell) {
+  const Trajectory run = circle(1e-4);
+  std::string text = "t [s],rotor_x [m],rotor_y [m]\n";
+  for (int k = 0; k < 1200; ++k) {
+    const double t = 0.031 + k / 20e3;
+    text += fmt::format("{:.17g},{:.17g},{:.17g}\n", t - 7.3e-3, 1e-4 * std::cos(kWhirl * t), 1e-4 * std::sin(kWhirl * t));
+  }
+  const MeasuredRecord record = parse_measured(text, "circle.csv");
+  const Alignment a = align(record, SampledRun(run), {});
+  EXPECT_EQ(a.angle_from, AngleFrom::kCircle);
+  EXPECT_EQ(a.angle, 0.0);
+  EXPECT_NEAR(std::remainder(a.shift - 7.3e-3, 0.02), 0.0, 1e-8);
+  ASSERT_TRUE(a.next);
+  EXPECT_TRUE(a.ambiguous());
+  EXPECT_NEAR(std::remainder(a.next->shift - a.shift, 0.02), 0.0, 1.0 / 20e3) << "another whole turn";
+  EXPECT_NE(alignment_text(a).find("ambiguous"), std::string::npos);
+  EXPECT_NE(alignment_text(a).find("circle"), std::string::npos);
+}
+
+TEST(Alignment, RefusesWhatIsNoRecordOfTheRun) {
+  Sensors sensors;
+  MeasuredRecord noise = record_of(seen(sensors), sensors);
+  std::mt19937 bits(7);
+  for (MeasuredColumn& c : noise.columns) {
+    for (double& value : c.value) value = std::normal_distribution<double>(0.0, 1e-4)(bits);
+  }
+  try {
+    align(noise, SampledRun(native()), {});
+    ADD_FAILURE() << "is taken";
+  } catch (const MeasuredError& error) {
+    EXPECT_NE(std::string(error.what()).find("no shift makes the record like the native run"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("--measured-shift"), std::string::npos);
+  }
+  EXPECT_NO_THROW(align(noise, SampledRun(native()), {.shift = 0.0, .angle = {}})) << "as told, however bad";
+
+  try {
+    align(record_of(seen(sensors), sensors), SampledRun(native()), {.shift = 10.0, .angle = {}});
+    ADD_FAILURE() << "is taken";
+  } catch (const MeasuredError& error) {
+    EXPECT_NE(std::string(error.what()).find("0 samples in common"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Alignment, HasAShiftToFindOnlyWhereSomethingMoves) {
+  std::string text = "t [s],rotor_x [m],rotor_y [m]\n";
+  for (int k = 0; k < 100; ++k) text += fmt::format("{},0,0\n", k * 1e-3);
+  EXPECT_THROW(align(parse_measured(text, "still.csv"), SampledRun(circle(1e-4)), {}), MeasuredError);
+  const Alignment a = align(parse_measured(text, "still.csv"), SampledRun(circle(1e-4)), {.shift = 0.01, .angle = {}});
+  EXPECT_TRUE(a.by.empty());
+  EXPECT_FALSE(a.correlation);
+}
+
+}  // namespace
+}  // namespace rotorub::test
