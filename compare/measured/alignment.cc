@@ -298,10 +298,10 @@ Alignment align(const MeasuredRecord& record, const SampledRun& run, const Align
 
 std::string alignment_text(const Alignment& a) {
   const auto error = [](const std::optional<double>& e, double unit, const char* name) {
-    return e ? fmt::format(" ± {} {}", short_number(*e / unit), name) : std::string();
+    return e ? fmt::format(" ± {:.3g}{}", *e / unit, name) : std::string();
   };
   std::string text = fmt::format("shift {:+.6f} ms{}{}", 1e3 * a.shift, a.shift_found ? "" : " as given",
-                                 error(a.shift_error, 1e-6, "µs"));
+                                 error(a.shift_error, 1e-6, " µs"));
   text += fmt::format(", sensors' x axis at {:+.3f}°", a.angle / kDegree);
   switch (a.angle_from) {
     case AngleFrom::kGiven: text += " as given"; break;

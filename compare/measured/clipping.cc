@@ -26,11 +26,16 @@ std::vector<Flat> flats_of(const MeasuredColumn& c) {
   return flats;
 }
 
+// The least difference of two values: what a converter's steps are, and next to nothing where there is none.
 double resolution(const MeasuredColumn& c) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < c.value.size(); ++i) {
+    if (c.sample[i] == Sample::kGood) values.push_back(c.value[i]);
+  }
+  std::sort(values.begin(), values.end());
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < c.value.size(); ++i) {
-    const double step = std::abs(c.value[i] - c.value[i - 1]);
-    if (step > 0.0 && c.sample[i] == Sample::kGood && c.sample[i - 1] == Sample::kGood) least = std::min(least, step);
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] > values[i - 1]) least = std::min(least, values[i] - values[i - 1]);
   }
   return least;
 }

@@ -13,8 +13,8 @@ namespace rotorub {
 //   both ends   the sample outside is more than kSteps of the record's resolution away from l; or a parabola through
 //               the three samples outside would pass l by as much at the second sample inside
 //
-// The resolution is the least difference that two neighbours have: a converter's peak is flat too, but comes there
-// in steps of one. 0 is no limit: it is where a force without contact, a ring at rest, or a gap in contact stays. A
+// The resolution is the least difference of two values: a converter's peak is flat too, but comes there in steps of
+// one. 0 is no limit: it is where a force without contact, a ring at rest, or a gap in contact stays. A
 // limit that is met once counts for every sample that has its value.
 void mark_clipped(MeasuredRecord& record);
 

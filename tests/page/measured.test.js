@@ -120,6 +120,7 @@ test('shows nothing where nothing was recorded', async () => {
 test('without ring and gap draws neither', async () => {
   const other = await open(browser, 'rotor/report.html');
   await choose(other, 'measured');
+  await bring(other, '.player');
   await seek(other, 0.04);
   const s = await state(other);
   assert.equal(s.sections[1].rotor, true);
