@@ -244,6 +244,7 @@ struct Search {
     const auto each = fitting.effects(fit, a.shift, 0.01 * record.interval);
     const Fitting::Effects g = total(each);
     own_effect = g.dd > 0.0 ? g.own() / g.dd : 0.0;
+    if (!shift && !angle && own_effect < kNearCircle) a.turn_for_shift = -g.across();
     if (!shift) a.shift_error = estimate_error(each, fit.noise, true, g.across());
     if (!angle) a.angle_error = estimate_error(each, fit.noise, false, shift || !(g.dd > 0.0) ? 0.0 : g.de / g.dd);
     return a;
@@ -267,7 +268,14 @@ void check_overlap(const MeasuredRecord& record, const SampledRun& run, double s
       span_text(record.t.front() + shift, record.t.back() + shift), span_text(run.start(), run.end()), on, kLeastSamples));
 }
 
+double left_by(double correlation) { return std::sqrt(std::max(0.0, 1.0 - correlation * correlation)); }
+
 }  // namespace
+
+bool Alignment::ambiguous() const {
+  if (!next || !correlation) return false;
+  return left_by(next->correlation) < std::max(kTwice * left_by(*correlation), kNextToNothing);
+}
 
 Alignment align(const MeasuredRecord& record, const SampledRun& run, const AlignmentOptions& options) {
   if (options.shift) check_overlap(record, run, *options.shift);
@@ -279,7 +287,7 @@ Alignment align(const MeasuredRecord& record, const SampledRun& run, const Align
                           "--measured-shift lays it in where it is told");
     }
     Alignment told{*options.shift, options.angle.value_or(0.0), false, options.angle ? AngleFrom::kGiven : AngleFrom::kNoPair,
-                   {}, {}, {}, {}, {}, {}};
+                   {}, {}, {}, {}, {}, {}, {}};
     return told;
   }
   const Search search{record, run, channels};
@@ -314,6 +322,10 @@ std::string alignment_text(const Alignment& a) {
   if (a.by.empty()) return text + "; nothing moves in both: nothing says how well it fits";
   text += fmt::format("; by {}: correlation {:.4f}", channels_text(a.by), a.correlation.value_or(0.0));
   if (a.residual) text += fmt::format(", left {:.3g} % of the run's rms", 100.0 * *a.residual);
+  if (a.turn_for_shift) {
+    text += fmt::format("; so near to a circle that {:+.3g}° of the angle make up for 10 µs of the shift: tell one of them, if it is known",
+                        1e-5 * *a.turn_for_shift / kDegree);
+  }
   if (a.ambiguous()) {
     text += fmt::format("; ambiguous: {:+.6f} ms fits nearly as well (correlation {:.4f})", 1e3 * a.next->shift,
                         a.next->correlation);

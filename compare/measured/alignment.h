@@ -37,13 +37,17 @@ struct Alignment {
     double shift = 0.0, correlation = 0.0;
   };
   std::optional<Other> next;  // the next best shift beyond a valley
-  bool ambiguous() const { return next && correlation && next->correlation > kAlike * *correlation; }
-  static constexpr double kAlike = 0.95;
+  // It leaves less than kTwice what the best leaves, or next to nothing as well: left = sqrt(1 - correlation^2).
+  bool ambiguous() const;
+  // rad/s: what a shift is made up by of a turn of the frame, in a motion so near to a circle that no more than
+  // kNearCircle of the shift's own effect is left by it; none elsewhere, and where one of the two is given.
+  std::optional<double> turn_for_shift;
 };
 
+inline constexpr double kTwice = 2.0, kNextToNothing = 0.05;
 inline constexpr double kLeastCorrelation = 0.5;
 // Below it a turn of the frame does what a shift does: share of the shift's own effect that no turn explains.
-inline constexpr double kLeastOwnEffect = 0.01;
+inline constexpr double kLeastOwnEffect = 0.01, kNearCircle = 0.1;
 
 // By least squares: of all shifts the one of the highest correlation (lag_search.h), then between the grid's instants
 // the least sum of squares of what is left, each channel by its scale, means taken off (a sensor's zero is not known);
