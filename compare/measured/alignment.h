@@ -12,7 +12,8 @@ namespace rotorub {
 
 struct AlignmentOptions {
   std::optional<double> shift;  // s, added to the record's times; none: found
-  std::optional<double> angle;  // rad, of the sensors' x axis in the scene, from x to y; none: found where a pair x, y is
+  std::optional<double>
+      angle;  // rad, of the sensors' x axis in the scene, from x to y; none: found where a pair x, y is
 };
 
 enum class AngleFrom {
@@ -27,7 +28,7 @@ struct Alignment {
   double angle = 0.0;  // rad, in (-pi, pi]
   bool shift_found = true;
   AngleFrom angle_from = AngleFrom::kFound;
-  std::vector<std::string> by;      // "rotor", "gap": what it was found by; empty: both are given and nothing moves
+  std::vector<std::string> by;        // "rotor", "gap": what it was found by; empty: both are given and nothing moves
   std::optional<double> correlation;  // [-1, 1], see lag_search.h; none where `by` is empty
   std::optional<double> residual;     // share: rms of what is left over the run's deviation, means taken off
   // Standard deviation if what is left is white noise (the least that any estimate has, Cramer and Rao). The angle's

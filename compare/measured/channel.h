@@ -21,8 +21,8 @@ struct Channel {
 };
 
 // The first of these groups that record and run both move in: places (rotor, ring, gap); the contact's force; forces
-// of lasting contact; control and currents; speed of spin. Empty where there is none. angle: of the sensors' frame, rad,
-// 0 where it is not given.
+// of lasting contact; control and currents; speed of spin. Empty where there is none. angle: of the sensors' frame,
+// rad, 0 where it is not given.
 std::vector<Channel> channels_of(const MeasuredRecord& record, const SampledRun& run, double angle);
 
 // Of the record, SI, and where it has a value.

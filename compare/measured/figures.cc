@@ -17,24 +17,43 @@ using Complex = std::complex<double>;
 using Values = std::vector<double>;
 
 enum Kind : std::size_t {
-  kMeanForce, kForceDeviation, kPeakForce, kLeastGap, kMeanGap, kContact, kRotorRms, kRotorLargest, kRotorFrequency,
-  kRotorAmplitude, kRingRms, kRingFrequency, kControlRms, kCurrent1, kCurrent2, kMeanSpin, kKinds
+  kMeanForce,
+  kForceDeviation,
+  kPeakForce,
+  kLeastGap,
+  kMeanGap,
+  kContact,
+  kRotorRms,
+  kRotorLargest,
+  kRotorFrequency,
+  kRotorAmplitude,
+  kRingRms,
+  kRingFrequency,
+  kControlRms,
+  kCurrent1,
+  kCurrent2,
+  kMeanSpin,
+  kKinds
 };
 
 // In the order of Kind.
 const MeasuredFigure kKnown[] = {
-    {"mean_force", "mean force", "N", 1.0, "Mean of the samples of force; of a run with its impacts, over the same time."},
+    {"mean_force", "mean force", "N", 1.0,
+     "Mean of the samples of force; of a run with its impacts, over the same time."},
     {"force_deviation", "force scatter", "N", 1.0, "Standard deviation of the same samples."},
     {"peak_force", "peak force of a sample", "N", 1.0, "Largest sample: an impact's force is averaged over it."},
     {"least_gap", "least gap", "µm", 1e6, "Smallest sample of the gap."},
     {"mean_gap", "mean gap", "µm", 1e6, "Mean of the samples of the gap."},
-    {"contact_fraction", "samples in contact", "%", 100.0, "Share of the samples with a gap below 1 % of the clearance."},
+    {"contact_fraction", "samples in contact", "%", 100.0,
+     "Share of the samples with a gap below 1 % of the clearance."},
     {"rotor_rms", "rotor's whirl, rms", "µm", 1e6, "Root mean square of the rotor's distance from its mean place."},
     {"rotor_largest", "rotor's whirl, largest", "µm", 1e6, "Largest distance of the rotor from its mean place."},
-    {"rotor_frequency", "rotor's frequency", "Hz", 1.0, "Frequency at which the rotor's whirl is largest; negative: backward."},
+    {"rotor_frequency", "rotor's frequency", "Hz", 1.0,
+     "Frequency at which the rotor's whirl is largest; negative: backward."},
     {"rotor_amplitude", "amplitude there", "µm", 1e6, "Amplitude of the whirl at that frequency, under a Hann window."},
     {"ring_rms", "ring's motion, rms", "µm", 1e6, "Root mean square of the ring's distance from its mean place."},
-    {"ring_frequency", "ring's frequency", "Hz", 1.0, "Frequency at which the ring's whirl is largest; negative: backward."},
+    {"ring_frequency", "ring's frequency", "Hz", 1.0,
+     "Frequency at which the ring's whirl is largest; negative: backward."},
     {"control_rms", "control force, rms", "N", 1.0, "Root mean square of the actuator's force."},
     {"current_1_rms", "current 1, rms", "A", 1.0, "Root mean square of the first axis' current."},
     {"current_2_rms", "current 2, rms", "A", 1.0, "Root mean square of the second axis' current."},
@@ -89,7 +108,8 @@ class FigureList {
   FigureList(const std::vector<HeldColumn>& columns, const FigureFacts& facts) : columns_(columns), facts_(facts) {}
 
   const HeldColumn* find(std::string_view name) const {
-    const auto found = std::find_if(columns_.begin(), columns_.end(), [&](const auto& c) { return c.what->name == name; });
+    const auto found =
+        std::find_if(columns_.begin(), columns_.end(), [&](const auto& c) { return c.what->name == name; });
     return found == columns_.end() ? nullptr : &*found;
   }
 
@@ -108,10 +128,12 @@ class FigureList {
     if (!force) return;
     const Picked p = picked_samples(*force, nullptr);
     if (p.good.empty()) return;
-    add(kMeanForce, *force, nullptr, [&](const Values& f, const Values&) { return mean_of(f, p.known); },
+    add(
+        kMeanForce, *force, nullptr, [&](const Values& f, const Values&) { return mean_of(f, p.known); },
         p.clipped() ? Bound::kAtLeast : Bound::kNone);
     add(kForceDeviation, *force, nullptr, [&](const Values& f, const Values&) { return deviation_about(f, p.good); });
-    add(kPeakForce, *force, nullptr, [&](const Values& f, const Values&) { return extreme_of(f, p.known, true); },
+    add(
+        kPeakForce, *force, nullptr, [&](const Values& f, const Values&) { return extreme_of(f, p.known, true); },
         p.clipped() ? Bound::kAtLeast : Bound::kNone);
   }
 
@@ -120,8 +142,10 @@ class FigureList {
     if (!gap || !facts_.clearance) return;
     const Picked p = picked_samples(*gap, nullptr);
     if (p.good.empty()) return;
-    const bool low = p.clipped() && extreme_of(gap->measured, p.known, false) < extreme_of(gap->measured, p.good, false);
-    add(kLeastGap, *gap, nullptr, [&](const Values& g, const Values&) { return extreme_of(g, p.known, false); },
+    const bool low =
+        p.clipped() && extreme_of(gap->measured, p.known, false) < extreme_of(gap->measured, p.good, false);
+    add(
+        kLeastGap, *gap, nullptr, [&](const Values& g, const Values&) { return extreme_of(g, p.known, false); },
         low ? Bound::kAtMost : Bound::kNone);
     add(kMeanGap, *gap, nullptr, [&](const Values& g, const Values&) { return mean_of(g, p.good); });
     const double touch = kTouchShare * *facts_.clearance;
@@ -131,8 +155,8 @@ class FigureList {
     });
   }
 
-  void add_whirl(std::string_view name_x, std::string_view name_y, Kind rms, std::optional<Kind> largest, Kind frequency,
-                 std::optional<Kind> amplitude, bool rate_tells) {
+  void add_whirl(std::string_view name_x, std::string_view name_y, Kind rms, std::optional<Kind> largest,
+                 Kind frequency, std::optional<Kind> amplitude, bool rate_tells) {
     const HeldColumn *x = find(name_x), *y = find(name_y);
     if (!x || !y) return;
     const Picked p = picked_samples(*x, y);
@@ -148,11 +172,15 @@ class FigureList {
     };
     if (largest) add(*largest, *x, y, farthest, p.clipped() ? Bound::kAtLeast : Bound::kNone);
     if (!rate_tells) return;
-    const auto whirl = [&](const Values& a, const Values& b) { return dominant_whirl(even(a, b, p.good), even_interval(p.good)); };
+    const auto whirl = [&](const Values& a, const Values& b) {
+      return dominant_whirl(even(a, b, p.good), even_interval(p.good));
+    };
     if (!whirl(x->measured, y->measured)) return;
-    add(frequency, *x, y, [&](const Values& a, const Values& b) { return whirl(a, b).value_or(DominantWhirl()).frequency; });
+    add(frequency, *x, y,
+        [&](const Values& a, const Values& b) { return whirl(a, b).value_or(DominantWhirl()).frequency; });
     if (!amplitude) return;
-    add(*amplitude, *x, y, [&](const Values& a, const Values& b) { return whirl(a, b).value_or(DominantWhirl()).amplitude; });
+    add(*amplitude, *x, y,
+        [&](const Values& a, const Values& b) { return whirl(a, b).value_or(DominantWhirl()).amplitude; });
   }
 
   void add_rms(Kind kind, std::string_view name_x, std::string_view name_y = {}) {
@@ -213,12 +241,14 @@ std::vector<MeasuredFigure> measured_figures() { return {std::begin(kKnown), std
 std::optional<DominantWhirl> dominant_whirl(const std::vector<Complex>& z, double h) {
   if (z.size() < 8) return std::nullopt;
   const FullSpectrum s = full_spectrum(z, h);
-  const auto peak = static_cast<std::size_t>(std::max_element(s.amplitude.begin(), s.amplitude.end()) - s.amplitude.begin());
+  const auto peak =
+      static_cast<std::size_t>(std::max_element(s.amplitude.begin(), s.amplitude.end()) - s.amplitude.begin());
   const double apart = 1.0 / (static_cast<double>(z.size()) * h);
   if (!(s.amplitude[peak] > 0.0) || std::abs(s.frequency[peak]) < (kLeastTurns - 0.5) * apart) return std::nullopt;
   DominantWhirl found{s.frequency[peak], s.amplitude[peak]};
   if (peak > 0 && peak + 1 < s.amplitude.size() && s.amplitude[peak - 1] > 0.0 && s.amplitude[peak + 1] > 0.0) {
-    const double a = std::log(s.amplitude[peak - 1]), b = std::log(s.amplitude[peak]), c = std::log(s.amplitude[peak + 1]);
+    const double a = std::log(s.amplitude[peak - 1]), b = std::log(s.amplitude[peak]),
+                 c = std::log(s.amplitude[peak + 1]);
     const double bend = a - 2.0 * b + c, by = bend < 0.0 ? 0.5 * (a - c) / bend : 0.0;
     found.frequency += by * apart;
     found.amplitude = std::exp(b - 0.25 * (a - c) * by);
@@ -233,8 +263,9 @@ std::vector<MeasuredFigure> figures_of(const std::vector<HeldColumn>& columns, c
   const bool rate_tells = std::abs(run_frequency) < kMostOfRate * rate;
   const bool whirls = list.find("rotor_x") && list.find("rotor_y");
   if (whirls && !rate_tells) {
-    remarks.push_back(fmt::format("no frequency: the native rotor's {:.4g} Hz is beyond {:.0f} % of the sample rate, {:.4g} Hz",
-                                  run_frequency, 100.0 * kMostOfRate, rate));
+    remarks.push_back(
+        fmt::format("no frequency: the native rotor's {:.4g} Hz is beyond {:.0f} % of the sample rate, {:.4g} Hz",
+                    run_frequency, 100.0 * kMostOfRate, rate));
   }
   list.add_force();
   list.add_gap();

@@ -131,8 +131,8 @@ MeasuredHeader read_header(const std::vector<std::string>& fields, const std::st
     column.is_time = part.name == kTime;
     column.what = measurable(part.name);
     const bool again = column.read() && std::any_of(header.columns.begin(), header.columns.end(), [&](const auto& c) {
-      return column.is_time ? c.is_time : c.what == column.what;
-    });
+                         return column.is_time ? c.is_time : c.what == column.what;
+                       });
     if (part.name.empty()) {
       refuse(name, "has no name; accepted are " + accepted_names());
     } else if (again) {

@@ -65,13 +65,15 @@ struct Grid {
 Grid grid_of(const MeasuredRecord& record, const SampledRun& run) {
   const double length = run.end() - run.start();
   const double h = std::max(record.interval, (record.duration() + length) / static_cast<double>(kMostGrid - 2));
-  Grid grid{h, static_cast<std::size_t>(record.duration() / h + 1e-6) + 1, static_cast<std::size_t>(length / h + 1e-6) + 1, 1};
+  Grid grid{h, static_cast<std::size_t>(record.duration() / h + 1e-6) + 1,
+            static_cast<std::size_t>(length / h + 1e-6) + 1, 1};
   while (grid.size < grid.record + grid.run) grid.size *= 2;
   return grid;
 }
 
 // On the grid, linear between neighbours; weight 0 in a hole: where they are no good, or far apart.
-void lay_on_grid(const MeasuredRecord& record, const Channel& channel, const Grid& grid, Signal& value, Signal& weight) {
+void lay_on_grid(const MeasuredRecord& record, const Channel& channel, const Grid& grid, Signal& value,
+                 Signal& weight) {
   value.assign(grid.record, 0.0);
   weight.assign(grid.record, 0.0);
   std::vector<std::size_t> good;
@@ -112,8 +114,10 @@ void add_channel(const MeasuredRecord& record, const SampledRun& run, const Chan
   const Signal s = run_values(channel, run, sample_times(t, grid.h));
   const auto w_ = fourier.spectrum(w), m_ = fourier.spectrum(m), mm_ = fourier.spectrum(squares(m));
   const auto v_ = fourier.spectrum(Signal(grid.run, 1.0)), s_ = fourier.spectrum(s), ss_ = fourier.spectrum(squares(s));
-  const auto count = fourier.correlation(w_, v_), sum_m = fourier.correlation(m_, v_), sum_s = fourier.correlation(w_, s_);
-  const auto sum_mm = fourier.correlation(mm_, v_), sum_ss = fourier.correlation(w_, ss_), sum_ms = fourier.correlation(m_, s_);
+  const auto count = fourier.correlation(w_, v_), sum_m = fourier.correlation(m_, v_),
+             sum_s = fourier.correlation(w_, s_);
+  const auto sum_mm = fourier.correlation(mm_, v_), sum_ss = fourier.correlation(w_, ss_),
+             sum_ms = fourier.correlation(m_, s_);
   const double weight = 1.0 / (channel.scale * channel.scale);
   const Complex turn = std::polar(1.0, -angle.value_or(0.0));
   for (std::size_t l = 0; l < grid.size; ++l) {
@@ -133,8 +137,8 @@ void add_channel(const MeasuredRecord& record, const SampledRun& run, const Chan
 
 }  // namespace
 
-std::vector<LagScore> lag_scores(const MeasuredRecord& record, const SampledRun& run,
-                                 std::span<const Channel> channels, std::optional<double> angle) {
+std::vector<LagScore> lag_scores(const MeasuredRecord& record, const SampledRun& run, std::span<const Channel> channels,
+                                 std::optional<double> angle) {
   const Grid grid = grid_of(record, run);
   FourierPair fourier(grid.size);
   LagSums sums;
@@ -150,7 +154,8 @@ std::vector<LagScore> lag_scores(const MeasuredRecord& record, const SampledRun&
     const double size = std::sqrt(sums.record[l] * sums.run[l]);
     if (sums.overlap[l] < std::max(kLeastOverlap * most, static_cast<double>(kLeastSamples)) || !(size > 0.0)) continue;
     const double correlation = (std::abs(sums.both[l]) + sums.both_real[l]) / size;
-    scores.push_back({run.start() - record.t.front() + static_cast<double>(lag) * grid.h, std::clamp(correlation, -1.0, 1.0)});
+    scores.push_back(
+        {run.start() - record.t.front() + static_cast<double>(lag) * grid.h, std::clamp(correlation, -1.0, 1.0)});
   }
   return scores;
 }

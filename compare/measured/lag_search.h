@@ -24,8 +24,8 @@ struct LagScore {
 // Ascending in shift, a grid interval apart: those at which record and run have at least kLeastOverlap of the shorter
 // one's samples in common, whatever the clock's zero. The interval is the record's, more where that would be too many.
 inline constexpr double kLeastOverlap = 0.5;
-std::vector<LagScore> lag_scores(const MeasuredRecord& record, const SampledRun& run,
-                                 std::span<const Channel> channels, std::optional<double> angle);
+std::vector<LagScore> lag_scores(const MeasuredRecord& record, const SampledRun& run, std::span<const Channel> channels,
+                                 std::optional<double> angle);
 
 // The best, and the best other peak that a valley parts from it (correlations below kValley of the best).
 struct BestLags {

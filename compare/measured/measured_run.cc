@@ -104,8 +104,9 @@ class LayingIn {
       fit.clipped += s == Sample::kClipped ? 1 : 0;
     }
     if (fit.clipped > 0) {
-      out_.remarks.push_back(fmt::format("{}: {} samples at the sensor's limit are left out of residuals, and make extremes bounds",
-                                         c.what->name, fit.clipped));
+      out_.remarks.push_back(
+          fmt::format("{}: {} samples at the sensor's limit are left out of residuals, and make extremes bounds",
+                      c.what->name, fit.clipped));
     }
     if (fit.good == 0) {
       out_.remarks.push_back(fmt::format("{} is left out: no good sample on the run", c.what->name));
@@ -144,7 +145,8 @@ class LayingIn {
     const std::size_t count = std::clamp<std::size_t>(native.rows(), 8, kMost);
     double frequency = 0.0;
     if (to > from && native.has("rotor_vx")) {
-      const auto whirl = dominant_whirl(even_orbit(native, from, to, count), (to - from) / static_cast<double>(count - 1));
+      const auto whirl =
+          dominant_whirl(even_orbit(native, from, to, count), (to - from) / static_cast<double>(count - 1));
       if (whirl) frequency = whirl->frequency;
     }
     out_.figures = figures_of(held_, facts, frequency, out_.remarks);
@@ -173,7 +175,9 @@ class LayingIn {
         own.value[i] = z.real();
         other.value[i] = z.imag();
         const auto is = [&](Sample s) { return own.sample[i] == s || other.sample[i] == s; };
-        own.sample[i] = other.sample[i] = is(Sample::kMissing) ? Sample::kMissing : is(Sample::kClipped) ? Sample::kClipped : Sample::kGood;
+        own.sample[i] = other.sample[i] = is(Sample::kMissing)   ? Sample::kMissing
+                                          : is(Sample::kClipped) ? Sample::kClipped
+                                                                 : Sample::kGood;
       }
       laid.columns.push_back(std::move(own));
       laid.columns.push_back(std::move(other));
@@ -186,9 +190,9 @@ class LayingIn {
   MeasuredRecord record_;
   const scene::Scene& scene_;
   MeasuredRun out_;
-  std::vector<std::size_t> on_;   // samples of the record on the run
-  SampleTimes times_;             // theirs, by the scene's clock
-  std::vector<bool> whole_;       // their averages are
+  std::vector<std::size_t> on_;  // samples of the record on the run
+  SampleTimes times_;            // theirs, by the scene's clock
+  std::vector<bool> whole_;      // their averages are
   std::vector<HeldColumn> held_;
 };
 

@@ -22,8 +22,8 @@ const char* to_string(Bound bound);  // "", "at least", "at most"
 struct MeasuredFigure {
   const char* key;
   const char* label;
-  const char* unit;   // as written
-  double per_unit;    // written value = value in SI * per_unit
+  const char* unit;  // as written
+  double per_unit;   // written value = value in SI * per_unit
   const char* meaning;
   double measured = 0.0;  // SI
   Bound bound = Bound::kNone;

@@ -34,8 +34,9 @@ class MeasuredFile {
     }
     if (header_.columns.empty() && wrong_.empty()) refuse(0, "", "is empty; accepted is a header and a line a sample");
     if (wrong_.empty() && record_.t.size() < kLeastSamples) {
-      refuse(0, "", fmt::format("{} samples, too few to tell anything by; accepted are {} or more", record_.t.size(),
-                                kLeastSamples));
+      refuse(0, "",
+             fmt::format("{} samples, too few to tell anything by; accepted are {} or more", record_.t.size(),
+                         kLeastSamples));
     }
     if (wrong_.empty()) check_columns();
     if (!wrong_.empty()) throw scene::SceneError(std::move(wrong_));
@@ -106,8 +107,9 @@ class MeasuredFile {
 
   void take_time(double t, const std::string& field, int number) {
     if (!record_.t.empty() && wrong_.empty() && !(t > record_.t.back())) {
-      refuse(number, "t", fmt::format("{} is not after the time of the line before; accepted are times that ascend",
-                                      printable(field)));
+      refuse(
+          number, "t",
+          fmt::format("{} is not after the time of the line before; accepted are times that ascend", printable(field)));
     }
     record_.t.push_back(t);
   }
@@ -140,7 +142,8 @@ class MeasuredFile {
                              : "is not a number; an empty field is a gap in the record");
     }
     value *= head.factor;
-    if (error != std::errc() || std::abs(value) > kLargestValue) return fail("is too large or too small to be measured");
+    if (error != std::errc() || std::abs(value) > kLargestValue)
+      return fail("is too large or too small to be measured");
     return value;
   }
 

@@ -18,13 +18,13 @@ enum class Axis : std::uint8_t { kNone, kX, kY };
 
 // What a column of a record may hold, and which column of a run it is held against.
 struct Measurable {
-  std::string_view name;      // in the file's header
-  std::string_view other;     // the same under the name of the product's own series; "": none
-  std::string_view series;    // column of a run; "": the contact's force averaged over a sample
-  std::string_view rate;      // column of its rate, for values between rows; "": linear between them
+  std::string_view name;    // in the file's header
+  std::string_view other;   // the same under the name of the product's own series; "": none
+  std::string_view series;  // column of a run; "": the contact's force averaged over a sample
+  std::string_view rate;    // column of its rate, for values between rows; "": linear between them
   scene::Quantity quantity;
   Axis axis = Axis::kNone;
-  bool clips = false;         // a sensor with a limit: samples that stay at it are no values (clipping.h)
+  bool clips = false;  // a sensor with a limit: samples that stay at it are no values (clipping.h)
   std::string_view meaning;
   std::string_view unit() const { return quantity.unit; }
 };

@@ -50,7 +50,8 @@ std::string measured_value(const MeasuredFigure& f) {
 }
 
 std::string measured_table(const MeasuredRun& run) {
-  std::string text = wrapped("  measured: ", fmt::format("{}, {} samples, {} apart", run.file, run.samples, time_text(run.interval)));
+  std::string text =
+      wrapped("  measured: ", fmt::format("{}, {} samples, {} apart", run.file, run.samples, time_text(run.interval)));
   text += wrapped("    ", alignment_text(run.alignment));
   if (!run.figures.empty()) text += record_line("  at the record's samples", "measured", run.labels);
   for (const MeasuredFigure& f : run.figures) {

@@ -40,7 +40,8 @@ std::optional<ShownColumns> shown_columns(const MeasuredRecord& laid, std::initi
   shown.value.resize(columns.size());
   bool broken = false;
   for (std::size_t i = 0; i < laid.t.size(); ++i) {
-    const bool missing = std::any_of(columns.begin(), columns.end(), [&](const auto* c) { return c->sample[i] == Sample::kMissing; });
+    const bool missing =
+        std::any_of(columns.begin(), columns.end(), [&](const auto* c) { return c->sample[i] == Sample::kMissing; });
     broken = broken || missing || (i > 0 && laid.t[i] - laid.t[i - 1] > 2.5 * laid.interval);
     if (missing || i % every != 0) continue;
     if (broken && !shown.t.empty()) shown.holes.push_back({shown.t.back(), laid.t[i]});
@@ -75,10 +76,23 @@ class SideMaker {
     add("current", {"current_1", "current_2"}, force_tolerance);
     add("spin_speed", {"spin_speed"}, force_tolerance);
     const json none = json::array();
-    return {{"label", kMeasured}, {"measured", true}, {"status", to_string(Status::kOk)},
-            {"start", laid_.t.front()}, {"end", laid_.t.back()}, {"tracks", tracks_}, {"holes", holes_},
-            {"absent", absent()}, {"whirl", whirl(limit)},
-            {"impacts", {{"t", none}, {"y", none}, {"friction", none}, {"before", none}, {"after", none}, {"slip", none}, {"share", none}}}};
+    return {{"label", kMeasured},
+            {"measured", true},
+            {"status", to_string(Status::kOk)},
+            {"start", laid_.t.front()},
+            {"end", laid_.t.back()},
+            {"tracks", tracks_},
+            {"holes", holes_},
+            {"absent", absent()},
+            {"whirl", whirl(limit)},
+            {"impacts",
+             {{"t", none},
+              {"y", none},
+              {"friction", none},
+              {"before", none},
+              {"after", none},
+              {"slip", none},
+              {"share", none}}}};
   }
 
  private:
@@ -88,7 +102,8 @@ class SideMaker {
     if (!found) return;
     Numbers bound = tolerance(found->value);
     for (double& b : bound) b = std::max(b, 1e-300);
-    tracks_[name] = track_json(pack(TrackKind::kLinear, {std::move(found->t), std::move(found->value), {}, std::move(bound)}));
+    tracks_[name] =
+        track_json(pack(TrackKind::kLinear, {std::move(found->t), std::move(found->value), {}, std::move(bound)}));
     holes_[name] = std::move(found->holes);
   }
   void add_even(const char* name, std::initializer_list<std::string_view> columns, double tolerance) {
@@ -96,7 +111,8 @@ class SideMaker {
   }
 
   std::string absent() const {
-    if (!tracks_.contains("rotor")) return "The record has no rotor_x with its rotor_y: the measured run is in the plots alone.";
+    if (!tracks_.contains("rotor"))
+      return "The record has no rotor_x with its rotor_y: the measured run is in the plots alone.";
     std::string missing;
     const auto lacks = [&](const char* name, const char* words) {
       if (!tracks_.contains(name)) missing += (missing.empty() ? "" : ", ") + std::string(words);
@@ -104,8 +120,10 @@ class SideMaker {
     if (shown_.scene->stator) lacks("ring", "ring");
     if (shown_.scene->contact) lacks("gap", "gap");
     lacks("spin_speed", "speed");
-    return fmt::format("Of the measured run the player shows what its record has; not measured, and not drawn: the shaft's shape, "
-                       "the angle of spin{}{}.", missing.empty() ? "" : ", ", missing);
+    return fmt::format(
+        "Of the measured run the player shows what its record has; not measured, and not drawn: the shaft's shape, "
+        "the angle of spin{}{}.",
+        missing.empty() ? "" : ", ", missing);
   }
 
   // The second half of the record, as of the other runs; its distance from the first run at its samples.
@@ -114,7 +132,8 @@ class SideMaker {
     const auto rotor = shown_columns(laid_, {"rotor_x", "rotor_y"});
     if (!rotor) return all;
     const double to = rotor->t.back(), from = 0.5 * (rotor->t.front() + to);
-    const auto count = static_cast<std::size_t>(std::count_if(rotor->t.begin(), rotor->t.end(), [&](double t) { return t >= from; }));
+    const auto count =
+        static_cast<std::size_t>(std::count_if(rotor->t.begin(), rotor->t.end(), [&](double t) { return t >= from; }));
     if (2 * count >= kLeastSpectrumRows) {
       const double h = (to - from) / static_cast<double>(count - 1);
       std::vector<std::complex<double>> z;
@@ -129,9 +148,11 @@ class SideMaker {
     }
     const SampledRun first(*shown_.runs.front().trajectory);
     const SampleTimes times = sample_times(rotor->t, laid_.interval);
-    const Numbers x = first.values(*laid_.find("rotor_x")->what, times), y = first.values(*laid_.find("rotor_y")->what, times);
+    const Numbers x = first.values(*laid_.find("rotor_x")->what, times),
+                  y = first.values(*laid_.find("rotor_y")->what, times);
     Numbers distance;
-    for (std::size_t i = 0; i < x.size(); ++i) distance.push_back(1e6 * std::hypot(rotor->value[0][i] - x[i], rotor->value[1][i] - y[i]));
+    for (std::size_t i = 0; i < x.size(); ++i)
+      distance.push_back(1e6 * std::hypot(rotor->value[0][i] - x[i], rotor->value[1][i] - y[i]));
     const auto kept = thin(distance, 0, distance.size(), kPlotBuckets);
     all["residual"] = {{"t", picked(rotor->t, kept, 7)}, {"y", picked(distance, kept, 4)}};
     return all;
@@ -176,18 +197,35 @@ json measured_values(const std::optional<MeasuredRun>& run) {
   for (const MeasuredFigure& f : run->figures) {
     std::vector<std::string> values;
     for (const double value : f.runs) values.push_back(short_number(value * f.per_unit));
-    figures.push_back({{"label", f.label}, {"unit", f.unit}, {"measured", measured_value(f)}, {"cells", run_texts(values)}, {"meaning", f.meaning}});
+    figures.push_back({{"label", f.label},
+                       {"unit", f.unit},
+                       {"measured", measured_value(f)},
+                       {"cells", run_texts(values)},
+                       {"meaning", f.meaning}});
   }
   for (const ColumnFit& c : run->columns) {
     std::vector<std::string> values;
-    for (const ColumnResidual& r : c.runs) values.push_back(fmt::format("{} · {}", residual_text(*c.what, r.rms), share_text(r)));
+    for (const ColumnResidual& r : c.runs)
+      values.push_back(fmt::format("{} · {}", residual_text(*c.what, r.rms), share_text(r)));
     const ColumnResidual& native = c.runs.front();
-    columns.push_back({{"name", c.what->name}, {"unit", residual_unit(*c.what)}, {"cells", run_texts(values)},
-                       {"offset", residual_text(*c.what, native.offset)}, {"good", c.good}, {"missing", c.missing}, {"clipped", c.clipped}});
+    columns.push_back({{"name", c.what->name},
+                       {"unit", residual_unit(*c.what)},
+                       {"cells", run_texts(values)},
+                       {"offset", residual_text(*c.what, native.offset)},
+                       {"good", c.good},
+                       {"missing", c.missing},
+                       {"clipped", c.clipped}});
   }
-  return {{"file", run->file}, {"samples", run->samples}, {"interval", time_text(run->interval)},
-          {"alignment", alignment_text(run->alignment)}, {"ambiguous", run->alignment.ambiguous()}, {"labels", labels},
-          {"figures", figures}, {"columns", columns}, {"remarks", run->remarks}, {"has_remarks", !run->remarks.empty()}};
+  return {{"file", run->file},
+          {"samples", run->samples},
+          {"interval", time_text(run->interval)},
+          {"alignment", alignment_text(run->alignment)},
+          {"ambiguous", run->alignment.ambiguous()},
+          {"labels", labels},
+          {"figures", figures},
+          {"columns", columns},
+          {"remarks", run->remarks},
+          {"has_remarks", !run->remarks.empty()}};
 }
 
 }  // namespace rotorub

@@ -15,8 +15,8 @@ namespace {
 using nlohmann::json;
 
 std::vector<std::string> comparison(const std::vector<std::string>& more) {
-  std::vector<std::string> call{"compare", shipped("bench_ring"), "--end", "0.05", "--twins", "0", "--no-modes-ladder",
-                                "--no-video", "-o", "out"};
+  std::vector<std::string> call{"compare", shipped("bench_ring"), "--end",      "0.05", "--twins",
+                                "0",       "--no-modes-ladder",   "--no-video", "-o",   "out"};
   call.insert(call.end(), more.begin(), more.end());
   return call;
 }
@@ -24,8 +24,11 @@ std::vector<std::string> comparison(const std::vector<std::string>& more) {
 // A run's own series as measured by another clock: t + 0.25 s, in ms, x and y as sensors see them that stand a quarter
 // turn on (x' = y, y' = -x).
 void write_measurement(const Folder& folder, const std::string& name) {
-  EXPECT_EQ(folder.run({"run", shipped("bench_ring"), "--integrator", "event", "--end", "0.05", "--set",
-                        "run.output_step=50us", "-o", "rig", "-q"}).code, 0);
+  EXPECT_EQ(folder
+                .run({"run", shipped("bench_ring"), "--integrator", "event", "--end", "0.05", "--set",
+                      "run.output_step=50us", "-o", "rig", "-q"})
+                .code,
+            0);
   std::istringstream series(folder.text("rig/series.csv"));
   std::ofstream out(folder.path() / name);
   out << "# rig 1, made by a test\nt [ms];rotor_x [mm];rotor_y [mm]\n";
@@ -60,11 +63,13 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
   EXPECT_LT(all.at("columns").at("rotor_x").at("runs").at("native").at("share").get<double>(), 1e-3);
   EXPECT_TRUE(json::parse(folder.text("out/columns.json")).contains("compare.json measured"));
   const std::string page = folder.text("out/report.html");
-  for (const char* part : {"The measured run", "id=\"scene-1-measured\"", "data-side=\"measured\"", "href=\"#scene-1-measured\""}) {
+  for (const char* part :
+       {"The measured run", "id=\"scene-1-measured\"", "data-side=\"measured\"", "href=\"#scene-1-measured\""}) {
     EXPECT_TRUE(contains(page, part)) << part;
   }
 
-  const Outcome told = folder.run(comparison({"--measured", "rig.csv", "--measured-shift", "-249.9ms", "--measured-angle", "90deg"}));
+  const Outcome told =
+      folder.run(comparison({"--measured", "rig.csv", "--measured-shift", "-249.9ms", "--measured-angle", "90deg"}));
   EXPECT_TRUE(contains(told.out, "shift -249.900000 ms as given")) << told.out;
   EXPECT_TRUE(contains(told.out, "+90.000° as given")) << told.out;
 }

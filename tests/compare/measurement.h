@@ -53,8 +53,9 @@ inline std::string record_text(const Trajectory& run, const Sensors& sensors,
       text += ",,,,,\n";
       continue;
     }
-    text += fmt::format(",{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", 1e6 * held(rotor.real()), 1e6 * held(rotor.imag()),
-                        1e6 * ring.real(), 1e6 * ring.imag(), 1e6 * (run.column("gap")[i] + noise()));
+    text +=
+        fmt::format(",{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", 1e6 * held(rotor.real()), 1e6 * held(rotor.imag()),
+                    1e6 * ring.real(), 1e6 * ring.imag(), 1e6 * (run.column("gap")[i] + noise()));
   }
   return text;
 }

@@ -92,7 +92,9 @@ TEST(Clipping, FindsALimitThatTheRecordEndsAt) {
 
 // Straight from no force to the limit: nothing beside it bends towards it.
 TEST(Clipping, FindsTheLimitOfPulses) {
-  const auto pulses = [](double t) { return std::fmod(t, 0.01) < 0.0005 ? 500.0 : std::fmod(t, 0.01) < 0.001 ? 3e5 * t - std::floor(3e5 * t) : 0.0; };
+  const auto pulses = [](double t) {
+    return std::fmod(t, 0.01) < 0.0005 ? 500.0 : std::fmod(t, 0.01) < 0.001 ? 3e5 * t - std::floor(3e5 * t) : 0.0;
+  };
   std::size_t at_limit = 0;
   for (std::size_t k = 0; k < 4000; ++k) at_limit += pulses(static_cast<double>(k) / 20e3) == 500.0 ? 1 : 0;
   MeasuredRecord record = record_of("force", 4000, pulses);

@@ -76,8 +76,9 @@ TEST(MeasuredRun, FiguresAreThoseOfTheMotion) {
   std::string text = "t [ms], rotor_x [um], rotor_y [um], gap [um]\n";
   for (int k = 0; k < 1500; ++k) {
     const double t = 0.02 + k / kRate, held = 0.95 * kRadius;
-    text += fmt::format("{:.17g},{:.17g},{:.17g},{}\n", 1e3 * t, 1e6 * std::clamp(kRadius * std::cos(w * t), -held, held),
-                        1e6 * kRadius * std::sin(w * t), k == 70 ? 2.0 : 300.0);
+    text +=
+        fmt::format("{:.17g},{:.17g},{:.17g},{}\n", 1e3 * t, 1e6 * std::clamp(kRadius * std::cos(w * t), -held, held),
+                    1e6 * kRadius * std::sin(w * t), k == 70 ? 2.0 : 300.0);
   }
   const scene::Scene scene = short_rig();  // clearance 0.5 mm
   const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0}, scene, {{"native", &run}});
@@ -97,6 +98,33 @@ TEST(MeasuredRun, FiguresAreThoseOfTheMotion) {
   EXPECT_GT(x.clipped, 200u);
   EXPECT_LT(x.runs.front().rms, 1e-9) << "the clipped ones are left out";
   EXPECT_NE(m.remarks.size(), 0u);
+  // The run's gap rises by 1 um a second, for 0.15 s: an even distribution.
+  const ColumnResidual& gap = column_of(m, "gap").runs.front();
+  EXPECT_NEAR(gap.share.value() * 0.15e-6 / std::sqrt(12.0), gap.rms, 2e-3 * gap.rms);
+  EXPECT_NEAR(gap.offset, -298e-6 / 1500.0 - 1e-6 * (0.02 + 0.075), 1e-9);
+}
+
+// A force beyond the sensor's limit: what is summed up or largest is a bound, and the run's is not cut.
+TEST(MeasuredRun, AClippedForceIsABound) {
+  const auto force = [](double t) { return std::max(0.0, 50.0 * std::sin(400.0 * t) * (1.0 + t)); };
+  const Trajectory run = hand_made(10001, 1e-5, [&](double t) {
+    Row row;
+    row.normal = force(t);
+    return row;
+  });
+  std::string text = "t [s], force [N]\n";
+  for (int k = 0; k < 1900; ++k)
+    text += fmt::format("{:.17g},{:.17g}\n", 5e-5 * (k + 1), std::min(40.0, force(5e-5 * (k + 1))));
+  const scene::Scene scene = short_rig();
+  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = {}}, scene, {{"native", &run}});
+  EXPECT_GT(column_of(m, "force").clipped, 100u);
+  for (const char* key : {"mean_force", "peak_force"}) {
+    EXPECT_EQ(figure_of(m, key).bound, Bound::kAtLeast) << key;
+    EXPECT_GT(figure_of(m, key).runs.front(), figure_of(m, key).measured) << key;
+  }
+  EXPECT_EQ(figure_of(m, "peak_force").measured, 40.0);
+  EXPECT_LT(column_of(m, "force").runs.front().rms, 0.05) << "a mean over 50 us of a sine is near its value";
+  EXPECT_EQ(measured_value(figure_of(m, "peak_force")), "≥ 40");
 }
 
 // The force of a sample is the momentum given in its time: of a run with impacts, all of it.
@@ -175,7 +203,8 @@ TEST(MeasuredRun, SaysWhatItLeavesOut) {
   const Trajectory run = run_event(scene);
   std::string text = "t [ms], gap [um], current_1 [A]\n";
   for (std::size_t i = 0; i < run.rows(); ++i) {
-    text += fmt::format("{:.17g},{},1\n", 1e3 * run.column("t")[i], i % 7 == 0 ? "" : fmt::format("{:.17g}", 1e6 * run.column("gap")[i]));
+    text += fmt::format("{:.17g},{},1\n", 1e3 * run.column("t")[i],
+                        i % 7 == 0 ? "" : fmt::format("{:.17g}", 1e6 * run.column("gap")[i]));
   }
   const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {}, scene, {{"native", &run}});
   ASSERT_EQ(m.columns.size(), 1u);
@@ -202,8 +231,10 @@ TEST(MeasuredRun, AFrequencyNeedsASampleRate) {
     return row;
   });
   std::string text = "t [ms], rotor_x [um], rotor_y [um]\n";
-  for (int k = 0; k < 80; ++k) text += fmt::format("{},{},{}\n", 2.0 * k, 100.0 * std::cos(w * 2e-3 * k), 100.0 * std::sin(w * 2e-3 * k));
-  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0}, short_rig(), {{"native", &run}});
+  for (int k = 0; k < 80; ++k)
+    text += fmt::format("{},{},{}\n", 2.0 * k, 100.0 * std::cos(w * 2e-3 * k), 100.0 * std::sin(w * 2e-3 * k));
+  const MeasuredRun m =
+      lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0}, short_rig(), {{"native", &run}});
   EXPECT_THROW(figure_of(m, "rotor_frequency"), std::out_of_range);
   EXPECT_NE(m.remarks.back().find("sample rate"), std::string::npos) << m.remarks.back();
 }

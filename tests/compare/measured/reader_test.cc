@@ -18,7 +18,8 @@ std::string with_lines(const std::string& header, const std::string& first, cons
 
 TEST(MeasuredReader, TakesUnitsToSiAndKeepsHoles) {
   std::string text = "# rig 2\n t [ms], \"rotor_x [µm]\", rotor_y (mm), force [kN], spin_speed [rpm]\n\n";
-  for (int k = 0; k < 20; ++k) text += k == 3 ? "1.5,,0.25,,\n" : std::to_string(0.5 * k) + ", +12.5, -0.25 ,1e-3,3000\n";
+  for (int k = 0; k < 20; ++k)
+    text += k == 3 ? "1.5,,0.25,,\n" : std::to_string(0.5 * k) + ", +12.5, -0.25 ,1e-3,3000\n";
   const MeasuredRecord r = parse_measured(text, "rig.csv");
   ASSERT_EQ(r.t.size(), 20u);
   EXPECT_DOUBLE_EQ(r.t[2], 1e-3);
@@ -72,19 +73,23 @@ TEST(MeasuredReader, RefusesWithLineColumnReasonAndWhatIsAccepted) {
       {"empty file", "", 0, "", "is empty", "a header and a line a sample"},
       {"comments alone", "# nothing\n", 0, "", "is empty", "accepted"},
       {"no time", with_lines("time [s],gap [um]", "0,1"), 1, "time", "no such column", "accepted are t, rotor_x"},
-      {"unknown column", with_lines("t [s],rotorx [um]", "0,1"), 1, "rotorx", "did you mean rotor_x?", "accepted are t, rotor_x"},
-      {"column twice", with_lines("t [s],ring_x [um],stator_x [um]", "0,1,1"), 1, "stator_x", "stands twice", "accepted is once"},
+      {"unknown column", with_lines("t [s],rotorx [um]", "0,1"), 1, "rotorx", "did you mean rotor_x?",
+       "accepted are t, rotor_x"},
+      {"column twice", with_lines("t [s],ring_x [um],stator_x [um]", "0,1,1"), 1, "stator_x", "stands twice",
+       "accepted is once"},
       {"time twice", with_lines("t [s],t [ms],gap [um]", "0,1,1"), 1, "t", "stands twice", "accepted is once"},
       {"no name", with_lines("t [s],[um]", "0,1"), 1, "column 2", "has no name", "accepted are t"},
       {"unit of another quantity", with_lines("t [s],gap [N]", "0,1"), 1, "gap", "length", "mm"},
       {"no such unit", with_lines("t [s],gap [furlong]", "0,1"), 1, "gap", "furlong", "mm"},
       {"empty unit", with_lines("t [s],gap []", "0,1"), 1, "gap", "no unit", "m, mm, um"},
-      {"one without a unit", with_lines("t [s],gap", "0,1"), 1, "gap", "has no unit, which other columns have", "gap [m]"},
+      {"one without a unit", with_lines("t [s],gap", "0,1"), 1, "gap", "has no unit, which other columns have",
+       "gap [m]"},
       {"time alone", with_lines("t [s]", "0"), 1, "", "nothing measured", "accepted are"},
       {"a word", with_lines(good, "0,high"), 2, "gap [um]", "`high` is not a number", "an empty field is a gap"},
       {"nan", with_lines(good, "0,nan"), 2, "gap [um]", "`nan` is not a number", "an empty field is a gap"},
       {"inf", with_lines(good, "0,-inf"), 2, "gap [um]", "`-inf` is not a number", "an empty field is a gap"},
-      {"a unit in a field", with_lines(good, "0,1 um"), 2, "gap [um]", "`1 um` is not a number alone", "units stand in the header"},
+      {"a unit in a field", with_lines(good, "0,1 um"), 2, "gap [um]", "`1 um` is not a number alone",
+       "units stand in the header"},
       {"too large", with_lines(good, "0,1e300"), 2, "gap [um]", "too large", ""},
       {"hexadecimal", with_lines(good, "0,0x1p3"), 2, "gap [um]", "is not a number", ""},
       {"no time in a line", with_lines(good, ",1"), 2, "t", "is empty", "accepted is a time in every line"},
