@@ -60,7 +60,8 @@ class SideMaker {
   json make(double limit) {
     const scene::Scene& scene = *shown_.scene;
     add_even("rotor", {"rotor_x", "rotor_y"}, place_tolerance(scene));
-    if (scene.stator) add_even("ring", {"ring_x", "ring_y"}, place_tolerance(scene));
+    add_even("ring", {"ring_x", "ring_y"}, place_tolerance(scene));
+    if (!tracks_.contains("ring")) add_fixed_ring(scene);
     if (scene.contact) {
       const double least = gap_tolerance(scene.contact->clearance);
       add("gap", {"gap"}, [&](const std::vector<Numbers>& value) {
@@ -108,6 +109,17 @@ class SideMaker {
   }
   void add_even(const char* name, std::initializer_list<std::string_view> columns, double tolerance) {
     add(name, columns, [&](const std::vector<Numbers>& value) { return Numbers(value.front().size(), tolerance); });
+  }
+
+  // A ring that cannot move is where the scene has it, measured or not.
+  void add_fixed_ring(const scene::Scene& scene) {
+    if (scene.stator || !scene.contact || scene.contact->offset.isZero(0.0)) return;
+    const auto still = [](double place) { return Numbers{place, place}; };
+    Samples samples{{laid_.t.front(), laid_.t.back()},
+                    {still(scene.contact->offset.x()), still(scene.contact->offset.y())},
+                    {},
+                    Numbers(2, place_tolerance(scene))};
+    tracks_["ring"] = track_json(pack(TrackKind::kLinear, samples));
   }
 
   std::string absent() const {
