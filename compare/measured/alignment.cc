@@ -136,12 +136,14 @@ Alignment align(const MeasuredRecord& record, const SampledRun& run, const Align
 }
 
 std::string alignment_text(const Alignment& a) {
+  // Without the sign of a zero that rounding makes.
+  const auto rounded_to = [](double value, double unit) { return std::round(value / unit) * unit + 0.0; };
   const auto error = [](const std::optional<double>& e, double unit, const char* name) {
     return e ? fmt::format(" ± {:.3g}{}", *e / unit, name) : std::string();
   };
-  std::string text = fmt::format("shift {:+.6f} ms{}{}", 1e3 * a.shift, a.shift_found ? "" : " as given",
-                                 error(a.shift_error, 1e-6, " µs"));
-  text += fmt::format(", sensors' x axis at {:+.3f}°", a.angle / kDegree);
+  std::string text = fmt::format("shift {:+.6f} ms{}{}", rounded_to(1e3 * a.shift, 1e-6),
+                                 a.shift_found ? "" : " as given", error(a.shift_error, 1e-6, " µs"));
+  text += fmt::format(", sensors' x axis at {:+.3f}°", rounded_to(a.angle / kDegree, 1e-3));
   switch (a.angle_from) {
     case AngleFrom::kGiven:
       text += " as given";

@@ -8,8 +8,6 @@
 #include <limits>
 #include <numbers>
 
-#include "compare/metrics/spectrum.h"
-
 namespace rotorub {
 namespace {
 
@@ -27,8 +25,12 @@ enum Kind : std::size_t {
   kRotorLargest,
   kRotorFrequency,
   kRotorAmplitude,
+  kRotorX,
+  kRotorY,
   kRingRms,
   kRingFrequency,
+  kRingX,
+  kRingY,
   kControlRms,
   kCurrent1,
   kCurrent2,
@@ -51,9 +53,17 @@ const MeasuredFigure kKnown[] = {
     {"rotor_frequency", "rotor's frequency", "Hz", 1.0,
      "Frequency at which the rotor's whirl is largest; negative: backward."},
     {"rotor_amplitude", "amplitude there", "µm", 1e6, "Amplitude of the whirl at that frequency, under a Hann window."},
+    {"rotor_x_rms", "rotor along x, rms", "µm", 1e6,
+     "Root mean square of it about its mean, where the other axis is not measured."},
+    {"rotor_y_rms", "rotor along y, rms", "µm", 1e6,
+     "Root mean square of it about its mean, where the other axis is not measured."},
     {"ring_rms", "ring's motion, rms", "µm", 1e6, "Root mean square of the ring's distance from its mean place."},
     {"ring_frequency", "ring's frequency", "Hz", 1.0,
      "Frequency at which the ring's whirl is largest; negative: backward."},
+    {"ring_x_rms", "ring along x, rms", "µm", 1e6,
+     "Root mean square of it about its mean, where the other axis is not measured."},
+    {"ring_y_rms", "ring along y, rms", "µm", 1e6,
+     "Root mean square of it about its mean, where the other axis is not measured."},
     {"control_rms", "control force, rms", "N", 1.0, "Root mean square of the actuator's force."},
     {"current_1_rms", "current 1, rms", "A", 1.0, "Root mean square of the first axis' current."},
     {"current_2_rms", "current 2, rms", "A", 1.0, "Root mean square of the second axis' current."},
@@ -183,6 +193,15 @@ class FigureList {
         [&](const Values& a, const Values& b) { return whirl(a, b).value_or(DominantWhirl()).amplitude; });
   }
 
+  // Of a column whose other axis is not there.
+  void add_alone(Kind kind, std::string_view name, std::string_view across) {
+    const HeldColumn* x = find(name);
+    if (!x || find(across)) return;
+    const Picked p = picked_samples(*x, nullptr);
+    if (p.good.empty()) return;
+    add(kind, *x, nullptr, [&](const Values& a, const Values&) { return deviation_about(a, p.good); });
+  }
+
   void add_rms(Kind kind, std::string_view name_x, std::string_view name_y = {}) {
     const HeldColumn *x = find(name_x), *y = name_y.empty() ? nullptr : find(name_y);
     if (!x || (!name_y.empty() && !y)) return;
@@ -238,24 +257,6 @@ const char* to_string(Bound bound) {
 
 std::vector<MeasuredFigure> measured_figures() { return {std::begin(kKnown), std::end(kKnown)}; }
 
-std::optional<DominantWhirl> dominant_whirl(const std::vector<Complex>& z, double h) {
-  if (z.size() < 8) return std::nullopt;
-  const FullSpectrum s = full_spectrum(z, h);
-  const auto peak =
-      static_cast<std::size_t>(std::max_element(s.amplitude.begin(), s.amplitude.end()) - s.amplitude.begin());
-  const double apart = 1.0 / (static_cast<double>(z.size()) * h);
-  if (!(s.amplitude[peak] > 0.0) || std::abs(s.frequency[peak]) < (kLeastTurns - 0.5) * apart) return std::nullopt;
-  DominantWhirl found{s.frequency[peak], s.amplitude[peak]};
-  if (peak > 0 && peak + 1 < s.amplitude.size() && s.amplitude[peak - 1] > 0.0 && s.amplitude[peak + 1] > 0.0) {
-    const double a = std::log(s.amplitude[peak - 1]), b = std::log(s.amplitude[peak]),
-                 c = std::log(s.amplitude[peak + 1]);
-    const double bend = a - 2.0 * b + c, by = bend < 0.0 ? 0.5 * (a - c) / bend : 0.0;
-    found.frequency += by * apart;
-    found.amplitude = std::exp(b - 0.25 * (a - c) * by);
-  }
-  return found;
-}
-
 std::vector<MeasuredFigure> figures_of(const std::vector<HeldColumn>& columns, const FigureFacts& facts,
                                        double run_frequency, std::vector<std::string>& remarks) {
   FigureList list(columns, facts);
@@ -271,6 +272,10 @@ std::vector<MeasuredFigure> figures_of(const std::vector<HeldColumn>& columns, c
   list.add_gap();
   list.add_whirl("rotor_x", "rotor_y", kRotorRms, kRotorLargest, kRotorFrequency, kRotorAmplitude, rate_tells);
   list.add_whirl("ring_x", "ring_y", kRingRms, std::nullopt, kRingFrequency, std::nullopt, rate_tells);
+  list.add_alone(kRotorX, "rotor_x", "rotor_y");
+  list.add_alone(kRotorY, "rotor_y", "rotor_x");
+  list.add_alone(kRingX, "ring_x", "ring_y");
+  list.add_alone(kRingY, "ring_y", "ring_x");
   list.add_rms(kControlRms, "control_x", "control_y");
   list.add_rms(kCurrent1, "current_1");
   list.add_rms(kCurrent2, "current_2");

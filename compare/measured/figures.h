@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "compare/measured/dominant_whirl.h"
 #include "compare/measured/measured_run.h"
 
 namespace rotorub {
@@ -28,16 +29,8 @@ struct FigureFacts {
 // 0: none).
 std::vector<MeasuredFigure> figures_of(const std::vector<HeldColumn>& columns, const FigureFacts& facts,
                                        double run_frequency, std::vector<std::string>& remarks);
-inline constexpr double kLeastTurns = 3.0;
 inline constexpr double kMostOfRate = 0.4;
 // A gap below this share of the clearance counts as contact, of record and runs alike: no sensor's zero is exact.
 inline constexpr double kTouchShare = 0.01;
-
-// The frequency (Hz, backward whirl negative) that x + i y is largest at, and its amplitude, of z at even times h s
-// apart: the peak of full_spectrum() by a parabola through its logarithm. None below kLeastTurns in all.
-struct DominantWhirl {
-  double frequency = 0.0, amplitude = 0.0;
-};
-std::optional<DominantWhirl> dominant_whirl(const std::vector<std::complex<double>>& z, double h);
 
 }  // namespace rotorub

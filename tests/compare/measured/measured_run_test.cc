@@ -1,6 +1,7 @@
 #include "compare/measured/measured_run.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -102,6 +103,24 @@ TEST(MeasuredRun, FiguresAreThoseOfTheMotion) {
   const ColumnResidual& gap = column_of(m, "gap").runs.front();
   EXPECT_NEAR(gap.share.value() * 0.15e-6 / std::sqrt(12.0), gap.rms, 2e-3 * gap.rms);
   EXPECT_NEAR(gap.offset, -298e-6 / 1500.0 - 1e-6 * (0.02 + 0.075), 1e-9);
+}
+
+TEST(MeasuredRun, AnAxisAloneHasItsRms) {
+  const Trajectory run = hand_made(10001, 1e-5, [](double t) {
+    Row row;
+    row.x = 30e-6 + 100e-6 * std::sin(2.0 * std::numbers::pi * 50.0 * t);
+    row.vx = 100e-6 * 2.0 * std::numbers::pi * 50.0 * std::cos(2.0 * std::numbers::pi * 50.0 * t);
+    return row;
+  });
+  std::string text = "t [s],rotor_x [um]\n";
+  for (int k = 0; k < 1600; ++k)
+    text += fmt::format("{},{}\n", 5e-5 * k, 100.0 * std::sin(2.0 * std::numbers::pi * 50.0 * 5e-5 * k));
+  const MeasuredRun m =
+      lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = {}}, short_rig(), {{"native", &run}});
+  ASSERT_EQ(m.figures.size(), 1u);
+  EXPECT_NEAR(figure_of(m, "rotor_x_rms").measured, 100e-6 / std::sqrt(2.0), 1e-9)
+      << "four whole turns, whatever the zero";
+  EXPECT_NEAR(figure_of(m, "rotor_x_rms").runs.front(), 100e-6 / std::sqrt(2.0), 1e-9);
 }
 
 // A force beyond the sensor's limit: what is summed up or largest is a bound, and the run's is not cut.
