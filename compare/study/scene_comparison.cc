@@ -116,7 +116,12 @@ class Comparison {
     if (!options_.measured || runner_.interrupted()) return;
     std::vector<RunToHold> runs;
     for (const Side& side : result_.sides) runs.push_back({side.label, &side.trajectory});
-    result_.measured = lay_in(*options_.measured, options_.alignment, result_.scene, runs);
+    try {
+      result_.measured = lay_in(*options_.measured, options_.alignment, result_.scene, runs);
+    } catch (const MeasuredError&) {
+      // Of a run that did not reach its end that is what there is to say.
+      if (result_.sides.front().trajectory.status == Status::kOk) throw;
+    }
   }
 
   // For the plots: by `verlet`, as fast as there is.
