@@ -79,10 +79,13 @@ std::string shaft(const Starter& starter, const StarterSizes& s) {
          value("mass", written(starter.disc_mass), "") + value("Jt", s.disc_Jt, "kg m^2, about a diameter") +
          value("Jp", s.disc_Jp, "kg m^2, about the shaft") +
          value("eccentricity", s.eccentricity, "m: an orbit of a tenth of the clearance") +
+         "# unbalance = \"30 g mm\"      # in place of eccentricity; or balance_grade = \"G 6.3\"\n" +
          "\n[[rotor.disc]]                # the sleeve at the contact: without a mass a rigid impact has no limit\n" +
          value("z", s.contact_station, "m") + value("mass", s.sleeve_mass, "kg") + value("Jt", s.sleeve_Jt, "") +
          value("Jp", s.sleeve_Jp, "") + "\n[[rotor.bearing]]\n" + value("z", s.first_bearing, "m") +
-         value("stiffness", s.bearing_stiffness, "N/m; [x, y] where the planes differ") + "\n[[rotor.bearing]]\n" +
+         value("stiffness", s.bearing_stiffness, "N/m; [x, y] where the planes differ") +
+         "# damping = 100                # N s/m; oil films: cross_stiffness, table_speed; out of line: offset\n" +
+         "\n[[rotor.bearing]]\n" +
          value("z", s.last_bearing, "m") + value("stiffness", s.bearing_stiffness, "N/m") + "\n";
 }
 

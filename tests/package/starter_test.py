@@ -33,6 +33,16 @@ class Starter(InAFolder):
                 self.assertGreater(summary["impacts"], 0, form)
                 self.assertGreater(summary["contact_fraction"], 0.1, form)
 
+    def test_the_words_in_comments_are_words(self):
+        self.rotorub("init", "words")
+        file = pathlib.Path(self.folder) / "words.toml"
+        text = file.read_text()
+        for said, instead in (("\neccentricity", "\n# eccentricity"), ("# unbalance", "unbalance"), ("# damping", "damping")):
+            self.assertEqual(text.count(said), 1, said)
+            text = text.replace(said, instead)
+        file.write_text(text)
+        self.assertEqual(self.summary("words.toml")["status"], "ok")
+
     def test_its_mjcf_loads(self):
         for form in FORMS:
             self.rotorub("init", form, "--form", form)

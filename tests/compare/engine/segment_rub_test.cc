@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/run/run_native.h"
@@ -12,11 +14,12 @@ namespace {
 
 // Of little friction, the rig's rub settles. The modes that the native side keeps are as many as
 // matter at its impacts.
-scene::Scene rub(int segments) {
-  return shipped(
-      "paper_passive",
-      {"mujoco={rotor=\"segments\", segments=" + std::to_string(segments) + "}", "run.step=5e-6",
-       "run.end=0.3", "contact.friction=0.1", "rotor.modes=5", "rotor.torsion.modes=3"});
+scene::Scene rub(int segments, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> overrides = {
+      "mujoco={rotor=\"segments\", segments=" + std::to_string(segments) + "}", "run.step=5e-6",
+      "run.end=0.3", "contact.friction=0.1", "rotor.modes=5", "rotor.torsion.modes=3"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return shipped("paper_passive", overrides);
 }
 
 TEST(SegmentRubLong, LastingRubAgreesWithNative) {
@@ -59,6 +62,19 @@ TEST(SegmentRub, SurvivesItsFirstImpacts) {
   // Every impact takes energy.
   for (const Impact& impact : t.impacts) EXPECT_LE(impact.energy_change, 1e-12);
   EXPECT_GT(t.contact_fraction(), 0.5);
+}
+
+// The ring stands off the line: the segments meet it when the beam does, which is another time.
+TEST(SegmentRub, MeetsARingOffTheLineWhereItIs) {
+  const double centred = run_native(rub(20, {"run.end=0.11"})).impacts.at(0).t;
+  for (const char* offset : {"contact.offset=[2e-4,-1e-4]", "contact.offset=[-2e-4,1e-4]"}) {
+    const scene::Scene scene = rub(20, {"run.end=0.11", offset});
+    const double native = run_native(scene).impacts.at(0).t;
+    EXPECT_GT(std::abs(native - centred), 3e-4) << offset;
+    MujocoOptions options;
+    options.contact = scene::ContactModel::kRigid;
+    EXPECT_NEAR(run_mujoco(scene, options).impacts.at(0).t, native, 5e-5) << offset;
+  }
 }
 
 }  // namespace
