@@ -20,6 +20,9 @@ usr/share/rotorub/mjcf/paper_sliding.xml
 usr/share/rotorub/scene.schema.json
 usr/share/man/man1/rotorub.1
 usr/share/bash-completion/completions/rotorub
+usr/lib/python3/dist-packages/rotorub.py
+usr/lib/python3/dist-packages/rotorub_native.so
+usr/share/rotorub/matlab/rotorub_read.m
 usr/share/doc/rotorub/README.md
 usr/share/doc/rotorub/theory.md
 usr/share/doc/rotorub/scenes.md
