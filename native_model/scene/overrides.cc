@@ -203,6 +203,7 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
     if (node == nullptr) return "cannot be set: " + path + " " + reason;
   }
   if (removing) {
+    if (node == &root && steps.back().key == "rotor") return "cannot be removed: every scene has a [rotor]";
     remove(*node, steps.back());
     return {};
   }

@@ -1,6 +1,9 @@
 #include "native_model/system/run_size.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -40,6 +43,22 @@ void find_samples(const scene::Scene& scene, std::vector<scene::Diagnostic>& wro
                        rough_text(scene.run.end / kMostSteps) + " s"});
 }
 
+// An integrator that chooses its steps follows every turn of a load.
+void find_turns(const scene::Scene& scene, std::vector<scene::Diagnostic>& wrong) {
+  const auto look = [&](const std::string& key, double frequency, double from, double to) {
+    const double turns = std::abs(frequency) * (std::min(to, scene.run.end) - std::max(from, 0.0)) / (2.0 * std::numbers::pi);
+    if (!(turns > kMostSteps)) return;
+    wrong.push_back({"", 0, key, rough_text(turns) + " turns to run.end = " + rough_text(scene.run.end) +
+                                     " s; accepted: at most " + rough_text(kMostSteps)});
+  };
+  for (std::size_t k = 0; k < scene.forces.size(); ++k) {
+    const scene::Force& f = scene.forces[k];
+    const std::string path = scene::list_element("force", k);
+    if (f.kind == scene::ForceKind::kRotating) look(path + ".frequency", f.frequency, f.on, f.off);
+    if (f.kind == scene::ForceKind::kChirp) look(path + ".frequency_end", f.frequency_end, f.on, f.off);
+  }
+}
+
 void find_rows(const scene::Run& run, const Model& model, const std::vector<double>* times,
                std::vector<scene::Diagnostic>& wrong) {
   const double count = times ? static_cast<double>(times->size()) : rows(run);
@@ -65,7 +84,11 @@ void check_steps(const scene::Scene& scene, double fixed_step) {
 void check_run_size(const scene::Scene& scene, const Model& model, std::optional<double> fixed_step,
                     const std::vector<double>* times) {
   std::vector<scene::Diagnostic> wrong;
-  if (fixed_step) find_steps(scene.run, *fixed_step, wrong);
+  if (fixed_step) {
+    find_steps(scene.run, *fixed_step, wrong);
+  } else {
+    find_turns(scene, wrong);
+  }
   find_samples(scene, wrong);
   find_rows(scene.run, model, times, wrong);
   if (!wrong.empty()) refuse(scene, std::move(wrong));

@@ -6,9 +6,11 @@
 #include <complex>
 #include <functional>
 #include <numbers>
+#include <string>
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/run_native.h"
+#include "native_model/scene/diagnostic.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/order.h"
 
@@ -263,6 +265,23 @@ TEST(LostBlade, FixedStepsConverge) {
     }
     EXPECT_GT(c.order(), 1.85) << static_cast<int>(integrator) << ' ' << c.text();
   }
+}
+
+// `event` follows each turn: more of them than days of computing are refused beforehand, by the force.
+TEST(Excitation, MoreTurnsThanCanBeFollowedAreRefused) {
+  scene::Scene s = oscillator();
+  s.forces.resize(2);
+  s.forces[0].kind = ForceKind::kConstant;
+  s.forces[1].kind = ForceKind::kRotating;
+  s.forces[1].frequency = -1e17;
+  try {
+    run(s, scene::Integrator::kEvent);
+    ADD_FAILURE() << "taken";
+  } catch (const scene::SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find("force[1].frequency"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("turns"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(run(s, scene::Integrator::kVerlet).status, Status::kOk);
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(Overrides, AreRefusedLikeAFile) {
       {"force[7].amplitude=1", "force[7].amplitude", "2 elements"},
       {"contact[0].friction=1", "contact[0].friction", "a table and has no element"},
       {"contact.friction=none", "contact.friction", "missing"},
-      {"rotor=none", "rotor", "missing"},
+      {"rotor=none", "rotor", "cannot be removed"},
       {"contact.friction", "", "expected table.key=value"},
       {"contact.friction=", "", "expected table.key=value"},
       {"=3", "", "expected table.key=value"},
