@@ -10,37 +10,16 @@
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
+#include "tests/support/thrown.h"
 
 namespace rotorub {
 namespace {
-
-// A free mass, thrown: no spring holds it to where deflections are counted from.
-constexpr const char* kThrown = R"(
-[run]
-end = 0.05
-step = 1e-5
-output_step = 1e-3
-[rotor]
-speed = 200.0
-[rotor.modal]
-mass = [2.0]
-stiffness = [0.0]
-inertia = 2e-3
-[contact]
-radius = 0.02
-clearance = 0.5e-3
-friction = 0.2
-restitution = 0.6
-[initial]
-vx = [0.1]
-vy = [0.04]
-)";
 
 Trajectory thrown(scene::Integrator integrator, const std::vector<std::string>& overrides) {
   NativeOptions options;
   options.integrator = integrator;
   options.step = 1e-5;
-  return run_native(scene::parse_scene(kThrown, "thrown.toml", overrides), options);
+  return run_native(scene::parse_scene(test::kThrown, "thrown.toml", overrides), options);
 }
 
 TEST(RingOffset, AMachineMovedIsTheSameMachine) {
@@ -72,7 +51,7 @@ TEST(RingOffset, AMachineMovedIsTheSameMachine) {
 TEST(RingOffset, AStartOutsideTheRingIsRefusedByIt) {
   const auto with = [](const std::string& offset) {
     const std::vector<std::string> overrides{"contact.offset=" + offset};
-    return scene::parse_scene(kThrown, "thrown.toml", overrides);
+    return scene::parse_scene(test::kThrown, "thrown.toml", overrides);
   };
   const scene::Scene s = with("[0.0,0.6e-3]");
   try {
