@@ -98,14 +98,14 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
         if (config.takes_native_steps()) {
           record.native_step(k, run.q(i), run.v(i), run.result(i), false);
           feed.native_step(k, run.q(i), run.v(i), run.result(i));
-          if (const auto why = record.lost(run.q(i))) {
-            status = Status::kOutOfRange;
-            message = *why;
-            break;
-          }
         } else {
           record.step(k, run.q(i), run.v(i), run.result(i));
           feed.step(k, run.q(i), run.v(i), run.result(i));
+        }
+        if (const auto why = record.lost(run.q(i))) {
+          status = Status::kOutOfRange;
+          message = *why;
+          break;
         }
       }
       if (status != Status::kOk) break;

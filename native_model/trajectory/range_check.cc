@@ -16,6 +16,10 @@ std::string text(double value) { return scene::number_text(value, 3); }
 }  // namespace
 
 std::optional<std::string> out_of_range(const Model& m, const double* q) {
+  return out_of_range(m, q, m.contact ? m.contact->clearance : 0.0);
+}
+
+std::optional<std::string> out_of_range(const Model& m, const double* q, double depth) {
   if (m.magnets && m.layout.stator) {
     const double reach = m.magnets->law->reach();
     const double s = to_axes(stator_point(m, q)).cwiseAbs().maxCoeff();
@@ -27,7 +31,7 @@ std::optional<std::string> out_of_range(const Model& m, const double* q) {
   if (m.contact) {
     const double clearance = m.contact->clearance;
     const double square = (separation(m, q)).squaredNorm();
-    if (square > 4.0 * clearance * clearance) {
+    if (square > (clearance + depth) * (clearance + depth)) {
       return "the rotor is " + text(std::sqrt(square) - clearance) +
              " m deep in the ring, with a clearance of " + text(clearance) + " m";
     }

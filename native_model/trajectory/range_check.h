@@ -12,9 +12,10 @@ namespace rotorub {
 
 // Why the configuration q (nq values) is out of range; empty where it is not:
 //   the ring is displaced along an axis of its actuator by the magnets' air gap or more,
-//   the rotor is beyond the clearance by more than the clearance.
+//   the rotor is deeper in the ring than `depth` (m): by default the clearance.
 // A few operations, and no allocation where the answer is empty: to be asked at every step.
 std::optional<std::string> out_of_range(const Model& model, const double* q);
+std::optional<std::string> out_of_range(const Model& model, const double* q, double depth);
 
 // Why the balance of the energy says that the run is none of the model's; empty where it does not:
 // more energy came from nowhere, or went there, than the system ever held (residual above 1).

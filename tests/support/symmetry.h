@@ -1,0 +1,155 @@
+// The same machine seen in a mirror, or turned: every vector, sense of rotation and pair (x, y) of a scene as
+// overrides of its text, so that every engine reads the other machine from the file.
+//
+// R of the plane: kMirrored (x, y) -> (x, -y), which turns all rotation round; kTurned (x, y) -> (-y, x). Both are
+// exact in floating point, and both map the actuator's axes at 45 degrees onto each other.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "native_model/scene/scene.h"
+
+namespace rotorub::test {
+
+enum class Symmetry { kMirrored, kTurned };
+
+class Transformed {
+ public:
+  // Of the scene as it was read.
+  Transformed(const scene::Scene& scene, Symmetry symmetry) : mirrored_(symmetry == Symmetry::kMirrored) {
+    rotor(scene.rotor);
+    if (scene.drive) drive(*scene.drive);
+    for (std::size_t k = 0; k < scene.forces.size(); ++k) force(scene.forces[k], "force[" + std::to_string(k) + "].");
+    if (scene.contact) vector("contact.offset", scene.contact->offset);
+    if (scene.stator) stator(*scene.stator);
+    if (scene.gravity) vector("gravity.acceleration", scene.gravity->acceleration);
+    initial(scene);
+  }
+
+  const std::vector<std::string>& overrides() const { return overrides_; }
+  Eigen::Vector2d of(const Eigen::Vector2d& v) const {
+    return mirrored_ ? Eigen::Vector2d(v.x(), -v.y()) : Eigen::Vector2d(-v.y(), v.x());
+  }
+  double sense() const { return mirrored_ ? -1.0 : 1.0; }
+
+ private:
+  static std::string text(double value) {
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%.17g", value);
+    const std::string number = digits;
+    return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
+  }
+  static std::string text(const std::vector<double>& values) {
+    std::string list = "[";
+    for (const double v : values) list += (list.size() > 1 ? "," : "") + text(v);
+    return list + "]";
+  }
+  void set(const std::string& key, const std::string& value) { overrides_.push_back(key + "=" + value); }
+  // What is 0 stays out: it may belong to a part that the scene has not.
+  void number(const std::string& key, double value) {
+    if (value != 0.0) set(key, text(value));
+  }
+  void vector(const std::string& key, const Eigen::Vector2d& v) {
+    if (!v.isZero(0.0)) set(key, text({of(v).x(), of(v).y()}));
+  }
+  // Of the two planes: they change places where the machine is turned.
+  void planes(const std::string& key, const Eigen::Vector2d& v) {
+    if (!mirrored_ && v.x() != v.y()) set(key, text({v.y(), v.x()}));
+  }
+  // The direction of an angle in the plane.
+  double direction(double angle) const { return mirrored_ ? -angle : angle + 0.5 * std::numbers::pi; }
+
+  void rotor(const scene::Rotor& rotor) {
+    number("rotor.speed", sense() * rotor.speed);
+    if (const auto& modal = rotor.modal; modal && !mirrored_ && !modal->mass_y.empty()) {
+      for (const auto& [name, x, y] : {std::tuple{"mass", &modal->mass, &modal->mass_y},
+                                       std::tuple{"stiffness", &modal->stiffness, &modal->stiffness_y},
+                                       std::tuple{"damping", &modal->damping, &modal->damping_y}}) {
+        set(std::string("rotor.modal.") + name, text(*y));
+        set(std::string("rotor.modal.") + name + "_y", text(*x));
+      }
+    }
+    if (!rotor.geometry) return;
+    // The rotor's own marks: in a mirror they are on the other side; turned, the spin's angle turns with it.
+    for (std::size_t k = 0; mirrored_ && k < rotor.geometry->discs.size(); ++k) {
+      number("rotor.disc[" + std::to_string(k) + "].phase", -rotor.geometry->discs[k].phase);
+    }
+    for (std::size_t k = 0; k < rotor.geometry->bearings.size(); ++k) {
+      bearing(rotor.geometry->bearings[k], "rotor.bearing[" + std::to_string(k) + "].");
+    }
+  }
+  void bearing(const scene::ShaftBearing& b, const std::string& at) {
+    planes(at + "stiffness", b.stiffness);
+    planes(at + "damping", b.damping);
+    vector(at + "offset", b.offset);
+    // R K R': the cross terms change their sign, and places where it is turned.
+    const auto cross = [&](const std::string& key, const Eigen::Vector2d& c) {
+      if (!c.isZero(0.0)) set(at + key, mirrored_ ? text({-c.x(), -c.y()}) : text({-c.y(), -c.x()}));
+    };
+    cross("cross_stiffness", b.cross_stiffness);
+    cross("cross_damping", b.cross_damping);
+  }
+  void drive(const scene::Drive& drive) {
+    number("drive.speed", sense() * drive.speed);
+    if (!mirrored_) return;
+    number("drive.synchronous_speed", -drive.synchronous_speed);
+  }
+  void force(const scene::Force& force, const std::string& at) {
+    using scene::ForceKind;
+    const bool fixed = force.kind == ForceKind::kRotating || force.kind == ForceKind::kChirp;
+    if (fixed) {
+      number(at + "phase", direction(force.phase));
+      number(at + "frequency", sense() * force.frequency);
+      number(at + "frequency_end", sense() * force.frequency_end);
+    } else if (force.kind == ForceKind::kSynchronous || force.kind == ForceKind::kUnbalance) {
+      number(at + "phase", sense() * force.phase);
+    } else {
+      vector(at + "vector", force.vector);
+    }
+  }
+  void stator(const scene::Stator& stator) {
+    planes("stator.mass", stator.mass);
+    planes("stator.damping", stator.damping);
+    planes("stator.stiffness", stator.stiffness);
+    if (stator.spin) number("stator.spin.speed", sense() * stator.spin->speed);
+  }
+  void initial(const scene::Scene& scene) {
+    const scene::Initial& initial = scene.initial;
+    const auto lists = [&](const char* x_key, const char* y_key, const std::vector<double>& x,
+                           const std::vector<double>& y) {
+      std::vector<double> new_x, new_y;
+      const auto at = [](const std::vector<double>& list, std::size_t k) { return k < list.size() ? list[k] : 0.0; };
+      for (std::size_t k = 0; k < std::max(x.size(), y.size()); ++k) {
+        const Eigen::Vector2d v = of({at(x, k), at(y, k)});
+        new_x.push_back(v.x());
+        new_y.push_back(v.y());
+      }
+      if (new_x.empty()) return;
+      set(std::string("initial.") + x_key, text(new_x));
+      set(std::string("initial.") + y_key, text(new_y));
+    };
+    lists("x", "y", initial.x, initial.y);
+    lists("vx", "vy", initial.vx, initial.vy);
+    vector("initial.stator", initial.stator);
+    vector("initial.stator_velocity", initial.stator_velocity);
+    number("initial.spin_angle", direction(initial.spin_angle));
+    if (!mirrored_) return;
+    const auto turned_round = [&](const char* key, std::vector<double> values) {
+      for (double& v : values) v = -v;
+      if (!values.empty()) set(std::string("initial.") + key, text(values));
+    };
+    turned_round("torsion", initial.torsion);
+    turned_round("torsion_speed", initial.torsion_speed);
+  }
+
+  bool mirrored_;
+  std::vector<std::string> overrides_;
+};
+
+}  // namespace rotorub::test
