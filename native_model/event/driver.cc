@@ -24,6 +24,7 @@ EventIntegrator::EventIntegrator(const Model& model, const EventParameters& para
       schedule_(model),
       phase_(model),
       step_(model, parameters_, phase_),
+      stiffness_(model, parameters_),
       constraint_(model),
       observer_(model, parameters_, phase_),
       impact_(model, parameters_, phase_, constraint_, observer_),
@@ -66,6 +67,7 @@ void EventIntegrator::begin(const State& start, Recorder& recorder) {
   phase_.show({});
   sampled_.clear();
   step_.begin(motion_, std::min(kFirstStep, end_ - start.t));
+  stiffness_.begin();
   observer_.begin(motion_, recorder);
   force_scale_ = kLeastForce;
   stalled_ = 0;
@@ -95,6 +97,9 @@ void EventIntegrator::begin_on_circle(const ContactPoint& p) {
 void EventIntegrator::advance(double limit) {
   if (!step_.advance(motion_, limit)) return fail_step();
   ++result_.steps;
+  if (const auto why = stiffness_.look(step_.end_time(), end_, step_)) {
+    return fail(Status::kStepTooLarge, *why);
+  }
 
   std::optional<double> event;
   if (phase_.in_contact()) {

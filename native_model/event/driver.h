@@ -13,6 +13,7 @@
 
 #include "native_model/event/impact.h"
 #include "native_model/event/schedule.h"
+#include "native_model/event/stiffness.h"
 #include "native_model/system/sampled_command.h"
 
 namespace rotorub {
@@ -62,6 +63,7 @@ class EventIntegrator {
   Schedule schedule_;
   Phase phase_;
   SmoothStep step_;
+  StiffnessWatch stiffness_;
   Constraint constraint_;
   Observer observer_;
   EventImpact impact_;

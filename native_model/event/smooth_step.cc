@@ -92,6 +92,11 @@ bool SmoothStep::advance(const Motion& from, double limit) {
   return false;
 }
 
+SmoothStep::Stability SmoothStep::stability() const {
+  const auto [rate, component] = step_.fastest(tolerance_.data());
+  return {rate, component % model_->nq()};
+}
+
 void SmoothStep::accept(Motion& motion) {
   std::copy_n(step_.end(), motion.y.size(), motion.y.begin());
   step_.advance();

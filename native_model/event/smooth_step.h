@@ -31,6 +31,13 @@ class SmoothStep {
   // The end of the step becomes the state; the next one may go on from there without restart().
   void accept(Motion& motion);
 
+  // Of the step: the system's fastest rate as its last two stages show it, 1/s, and the coordinate it shows in.
+  struct Stability {
+    double rate = 0.0;
+    int coordinate = 0;
+  };
+  Stability stability() const;
+
   double length() const { return step_.step(); }
   double end_time() const { return end_time_; }  // s; a step up to the limit ends there to the bit
   const double* end() const { return step_.end(); }
