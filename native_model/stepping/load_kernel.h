@@ -49,6 +49,11 @@ class LoadKernel {
     for (const auto& film : first.films) follows = follows || (layout().spin && film.law.follows());
     iterates_ = turns || curve || follows || switches_ || layout().integrals > 0 || layout().coils > 0;
     magnetic_ = first.magnets.has_value();
+    for (int i = 0; iterates_ && i < layout().nq(); ++i) {
+      const auto c = static_cast<std::size_t>(i);
+      const T sprung = lanes::all<T>(1e-15 * h) * m.stiffness[c];
+      round_off_[c] = sprung * sprung / m.mass[c];
+    }
     if (!coupled_) return;
     bx_.assign(static_cast<std::size_t>(layout().modes), T{});
     by_ = bx_;
@@ -168,6 +173,8 @@ class LoadKernel {
       for (int i = 0; i < nq; ++i) free[i] = start[i] + f[i];
     }
     if (!iterates_) return;
+    balanced_ = T{};
+    for (int i = 0; i < nq; ++i) balanced_ += round_off_[static_cast<std::size_t>(i)] * q[i] * q[i];
     begin_iteration(lanes::all<T>(1.0));
     while (improve(q, free)) {
     }
@@ -210,8 +217,9 @@ class LoadKernel {
       whole += mass[i] * end[i] * end[i];
       free[i] = lanes::select(open_ > zero, better, free[i]);
     }
-    // To 1e-10 of the change, as the next round would gain as much again; or to round-off.
-    const T enough = lanes::all<T>(1e-20) * size + lanes::all<T>(1e-30) * whole;
+    // To 1e-10 of the change, as the next round would gain as much again; or to round-off, of the velocities or,
+    // of a rotor that rests under its load, of the forces in balance.
+    const T enough = lanes::all<T>(1e-20) * size + lanes::all<T>(1e-30) * whole + balanced_;
     open_ = lanes::select(moved > enough, open_, zero);
     if (++rounds_ < kMostRounds) return lanes::any(open_ > zero);
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -283,6 +291,9 @@ class LoadKernel {
   // Coordinates; velocities before the step, at its start, without contact.
   Coordinates q_ = make(*m_), v_ = make(*m_), start_ = make(*m_), free_ = make(*m_);
   Coordinates f_ = make(*m_), change_ = make(*m_);
+  // Of a deflection q_i the least energy that a step can tell, (1e-15 h k_i)^2/m_i q_i^2; their sum at q_k.
+  Coordinates round_off_ = make(*m_);
+  T balanced_{};
 
  private:
   static constexpr int kMostRounds = 20;
