@@ -271,7 +271,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   worker.load(slot_of_pass(config, m, d, entry, worker, state));
   worker.stepper.adopt(state.q(), state.v());
 
-  double foreign[kMaxCoordinates], loads[kMaxCoordinates], mass[kMaxCoordinates];
+  double foreign[kMaxCoordinates], loads[kMaxCoordinates];
   foreign_force(config, m, d, state, foreign);
   std::copy_n(foreign, n, loads);
   add_other_actuators(config, m, d, loads);
@@ -285,14 +285,22 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   ++worker.next;
   worker.save(entry + kVerletSingle + n + worker.slot());
 
-  // The passive force that makes it MuJoCo's step.
-  step_mass(config, m, mass);
+  // The passive force that makes it MuJoCo's step, by MuJoCo's own mass matrix: its links weigh little, but so may
+  // what they carry.
+  StackFrame room(d);
+  const auto all = static_cast<int>(m->nv);
+  mjtNum* change = room.numbers(all);
+  mjtNum* momentum = room.numbers(all);
+  mju_zero(change, all);
   const double* v = worker.stepper.v_half();
+  for (int i = 0; i < n; ++i) change[config.dof_address[static_cast<std::size_t>(i)]] = v[i] - state.v()[i];
+  mj_mulM(m, d, momentum, change);
   for (int i = 0; i < n; ++i) {
     const int dof = config.dof_address[static_cast<std::size_t>(i)];
     const double others = foreign[i] - model.stiffness[i] * state.q()[i] -
                           model.damping[i] * state.v()[i] + d->qfrc_actuator[dof];
-    d->qfrc_passive[dof] += mass[i] * (v[i] - state.v()[i]) / h - others;
+    const double damped = damped_step(m) * model.damping[i] * change[dof];
+    d->qfrc_passive[dof] += (momentum[dof] + damped) / h - others;
   }
 }
 

@@ -26,6 +26,24 @@ int counted(const Trajectory& t) {
                                         [](const Impact& impact) { return counts(impact); }));
 }
 
+// Inertias that are no more than a thousand times that of MuJoCo's links: the step is still the native one, and the
+// state that MuJoCo comes to the one it was sent to.
+TEST(RigidEngine, KnowsTheStateOfAPartThatWeighsLittle) {
+  for (const double inertia : {9.5e-8, 7e-8, 1e-9}) {
+    const std::string size = std::to_string(inertia * 1e9) + "e-9";
+    for (const std::string& part :
+         {"stator.spin={inertia=" + size + ",drag=0.0}",
+          "rotor.torsion={inertia=[" + size + "],stiffness=[" + std::to_string(inertia * 4e6) +
+              "],damping=[0.0],drive_shape=[0.0]}"}) {
+      const scene::Scene scene = shipped("bench_ring", {part, "run.end=0.05"});
+      const Trajectory native = run_with(scene, scene::Integrator::kVerlet), t = rigid(scene, 1e-5);
+      ASSERT_EQ(t.status, Status::kOk) << part << ": " << t.message;
+      EXPECT_EQ(counted(t), counted(native)) << part;
+      EXPECT_LT(trajectory_error(t, native, scene.contact->radius), 1e-11) << part;
+    }
+  }
+}
+
 TEST(RigidEngine, FollowsTheRingBench) {
   const scene::Scene scene = shipped("bench_ring");
   const Trajectory reference = run_event(scene), t = rigid(scene, 1e-5);

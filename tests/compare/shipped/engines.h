@@ -49,10 +49,10 @@ inline std::vector<std::string> scenes_of(const std::string& folder) {
 
 // Nothing where the engine refuses the scene.
 inline std::optional<Trajectory> run(const NamedEngine& e, const std::string& name, std::vector<std::string> overrides,
-                              int ulps = 0) {
+                              int ulps = 0, double step = kStep) {
   if (*e.override_ != 0) overrides.emplace_back(e.override_);
   RunRequest request;
-  request.step = kStep;
+  request.step = step;
   request.perturbation_ulps = ulps;
   try {
     return e.engine->run(shipped(name, overrides), request);

@@ -77,7 +77,7 @@ std::vector<std::string> all_scenes() {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, LongSymmetry, ::testing::ValuesIn(all_scenes()),
                          [](const auto& shown) {
-                           std::string name = shown.param;
+                           std::string name = shown.param.substr(1);
                            std::replace(name.begin(), name.end(), '/', '_');
                            return name;
                          });
