@@ -40,9 +40,10 @@ struct OwnPair {
   int rotor_geom = -1, ring_geom = -1;
   int pair = -1;                  // their <pair>
   double reach = 1e300;           // m: apart along the axis, they do not meet
-  std::array<mjtNum, 6> sizes{};  // of the two geoms, m, as they were read
+  std::array<mjtNum, 8> given{};  // sizes of the two geoms, m, and the pair's frictions, as they were read
   int data = 0;                   // in mjData.userdata (user_data.h)
   SensorAddresses sensors;
+  bool axial = false;      // with friction, and one moves along the other's axis (own/axial_motion.h)
   bool in_world = false;   // the contact plane is the world's x and y, not that of the ring's geom
   double held_spin = 0.0;  // rad/s, of a rotor whose spin is no degree of freedom
 };

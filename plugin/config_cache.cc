@@ -10,6 +10,7 @@
 #include "plugin/fingerprint.h"
 #include "plugin/model_parameters.h"
 #include "plugin/mujoco_versions.h"
+#include "plugin/own/own_config.h"
 #include "plugin/own/user_block.h"
 #include "plugin/user_data.h"
 
@@ -26,7 +27,7 @@ class Registry {
     const std::lock_guard<std::mutex> lock(mutex_);
     ConfigPointer near;
     for (const ConfigPointer& config : configs_) {
-      if (!config || !has_fingerprint(m, config->fingerprint)) continue;
+      if (!config || !has_fingerprint(m, config->fingerprint) || !same_motion(*config, m)) continue;
       if (has_parameters(*config, m)) return config;
       near = config;
     }

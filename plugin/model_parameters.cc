@@ -94,9 +94,9 @@ Circle circle_of(const Config& config, const mjModel* m) {
 }
 
 // What a user's own model takes from its geoms (own/own_config.h).
-bool has_own_sizes(const Config& config, const mjModel* m) {
+bool has_own_numbers(const Config& config, const mjModel* m) {
   return std::all_of(config.pairs.begin(), config.pairs.end(),
-                     [m](const OwnPair& p) { return p.sizes == own_sizes(m, p); });
+                     [m](const OwnPair& p) { return p.given == own_numbers(m, p); });
 }
 
 bool rotor_is_massless(const Config& config, const mjModel* m) {
@@ -198,7 +198,7 @@ void take(const mjModel* m, Model& model, const Config& config) {
 }  // namespace
 
 bool has_parameters(const Config& config, const mjModel* m) {
-  if (config.own) return has_own_sizes(config, m);
+  if (config.own) return has_own_numbers(config, m);
   const Model& model = config.model;
   bool same = gravity_of(m) == config.gravity && rotor_is_massless(config, m);
   for_each_joint(config, [&](int i, int dof) {

@@ -19,22 +19,25 @@ struct Answer {
   std::array<bool, kMaxPairs> sticks{};
 };
 
-using Frictions = std::array<double, kMaxPairs>;
+// Numbers of each contact in a vector.
+Eigen::Index rows_of(const ContactVector& v, std::span<const ImpactLaw> laws) {
+  return v.size() / static_cast<Eigen::Index>(laws.size());
+}
 
 class Slopes {
  public:
-  Slopes(const ContactMatrix& without, const Frictions& frictions)
-      : expected(without), frictions_(frictions) {}
+  Slopes(const ContactMatrix& without, std::span<const ImpactLaw> laws)
+      : expected(without), laws_(laws) {}
 
   // dy/dp at p by trials. Of a passive system they are symmetric and positive but for round-off; what
   // a constraint holds still moves by a little.
   void find(ContactResponse& response, const ContactVector& p, const ContactVector& y, double size) {
-    const Eigen::Index n = p.size();
+    const Eigen::Index n = p.size(), rows = rows_of(p, laws_);
     a = expected;
-    std::array<bool, 2 * kMaxPairs> tried{};
+    std::array<bool, 3 * kMaxPairs> tried{};
     for (Eigen::Index k = 0; k < n; ++k) {
-      const bool friction = k % 2 == 1;
-      if (friction && frictions_[static_cast<std::size_t>(k / 2)] == 0.0) continue;
+      const bool friction = k % rows != 0;
+      if (friction && laws_[static_cast<std::size_t>(k / rows)].friction == 0.0) continue;
       tried[static_cast<std::size_t>(k)] = true;
       ContactVector moved = p;
       moved[k] += size;
@@ -59,21 +62,21 @@ class Slopes {
   ContactMatrix a;
 
  private:
-  const Frictions& frictions_;
+  std::span<const ImpactLaw> laws_;
   bool known_ = false;
 };
 
 // The largest normal impulse of `a` beyond that of `b`.
-double normal_beyond(const ContactVector& a, const ContactVector& b) {
+double normal_beyond(const ContactVector& a, const ContactVector& b, Eigen::Index rows) {
   double most = 0.0;
-  for (Eigen::Index k = 0; k < a.size(); k += 2) most = std::max(most, std::abs(a[k] - b[k]));
+  for (Eigen::Index k = 0; k < a.size(); k += rows) most = std::max(most, std::abs(a[k] - b[k]));
   return most;
 }
 
 // From p, y(p) on.
 template <typename Law>
 ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVector y,
-                           Slopes& line, Law law) {
+                           Eigen::Index rows, Slopes& line, Law law) {
   ConstrainedContact best;
   best.converged = false;
   best.p = ContactVector::Zero(p.size());
@@ -82,7 +85,7 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
   Answer guess = law(line.expected, y - line.expected * p);
   if (!guess.solved) guess.p = p;
   const ContactVector none = ContactVector::Zero(p.size());
-  double size = std::max(normal_beyond(guess.p, p), kLocal * normal_beyond(guess.p, none));
+  double size = std::max(normal_beyond(guess.p, p, rows), kLocal * normal_beyond(guess.p, none, rows));
   if (!(size > 0.0)) {
     size = std::max(y.cwiseAbs().maxCoeff(), 1e-12) / line.expected.diagonal().maxCoeff();
   }
@@ -117,21 +120,17 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
       y = response.at(p);
     }
     if (off > kFarOff * (found - y).norm() + kFarOff * kFarOff * scale || k >= kUndamped) {
-      line.find(response, p, y, kLocal * std::max(normal_beyond(p, none), size));
+      line.find(response, p, y, kLocal * std::max(normal_beyond(p, none, rows), size));
     }
   }
   return best;
 }
 
 ConstrainedContact closed(ContactResponse& response, const ContactVector& free,
-                          const Frictions& frictions, Slopes& line) {
-  std::array<ContactSet, kMaxPairs> sets{};
-  const auto count = static_cast<std::size_t>(free.size() / 2);
-  for (std::size_t i = 0; i < count; ++i) sets[i].friction = frictions[i];
-  const std::span<const ContactSet> used(sets.data(), count);
-  return iterate(response, ContactVector::Zero(free.size()), free, line,
+                          std::span<const ImpactLaw> laws, Slopes& line) {
+  return iterate(response, ContactVector::Zero(free.size()), free, rows_of(free, laws), line,
                  [&](const ContactMatrix& a, const ContactVector& b) {
-                   const CoupledSolution s = solve_coupled(a, b, used);
+                   const CoupledSolution s = solve_compression(a, b, laws);
                    return Answer{s.p, s.solutions == 1, s.sticks};
                  });
 }
@@ -141,31 +140,24 @@ ConstrainedContact closed(ContactResponse& response, const ContactVector& free,
 ConstrainedContact solve_constrained(ContactResponse& response, const ContactVector& free,
                                      const ContactMatrix& expected,
                                      std::span<const double> frictions) {
-  Frictions all{};
-  std::copy(frictions.begin(), frictions.end(), all.begin());
-  Slopes line(expected, all);
-  return closed(response, free, all, line);
+  std::array<ImpactLaw, kMaxPairs> all{};
+  for (std::size_t i = 0; i < frictions.size(); ++i) all[i].friction = frictions[i];
+  const std::span<const ImpactLaw> laws(all.data(), frictions.size());
+  Slopes line(expected, laws);
+  return closed(response, free, laws, line);
 }
 
 ConstrainedContact solve_constrained_impact(ContactResponse& response, const ContactVector& free,
                                             const ContactMatrix& expected,
                                             std::span<const ImpactLaw> laws) {
-  Frictions frictions{};
-  for (std::size_t i = 0; i < laws.size(); ++i) frictions[i] = laws[i].friction;
-  Slopes line(expected, frictions);
-  const ConstrainedContact c = closed(response, free, frictions, line);
+  Slopes line(expected, laws);
+  const ConstrainedContact c = closed(response, free, laws, line);
   if (!c.solved) return c;
-  std::array<ContactSet, kMaxPairs> sets{};
-  for (std::size_t i = 0; i < laws.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(2 * i);
-    sets[i] = expansion_set(laws[i], c.p[at], c.p[at + 1]);
-  }
-  const std::span<const ContactSet> used(sets.data(), laws.size());
   const auto expansion = [&](const ContactMatrix& a, const ContactVector& b) {
-    const CoupledSolution s = solve_coupled(a, b + a * c.p, used);
+    const CoupledSolution s = solve_expansion(a, b + a * c.p, laws, c.p);
     return Answer{s.solutions > 0 ? ContactVector(c.p + s.p) : c.p, s.solutions == 1, {}};
   };
-  ConstrainedContact e = iterate(response, c.p, c.y, line, expansion);
+  ConstrainedContact e = iterate(response, c.p, c.y, rows_of(free, laws), line, expansion);
   e.converged = e.converged && c.converged;
   return e;
 }

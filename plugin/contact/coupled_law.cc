@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "plugin/contact/disc_law.h"
+
 namespace rotorub::plugin {
 namespace {
 
@@ -96,17 +98,7 @@ class CoupledProblem {
       matrix.row(k) = carried.row(rows[static_cast<std::size_t>(k)]);
       right[k] = -free[rows[static_cast<std::size_t>(k)]];
     }
-    p += columns.leftCols(count) * solution(matrix, right);
-  }
-
-  static ContactVector solution(const ContactMatrix& matrix, const ContactVector& right) {
-    const Eigen::PartialPivLU<ContactMatrix> lu(matrix);
-    const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
-    if (pivots.minCoeff() > kSingular * matrix.cwiseAbs().maxCoeff()) return lu.solve(right);
-    Eigen::CompleteOrthogonalDecomposition<ContactMatrix> least(matrix.rows(), matrix.cols());
-    least.setThreshold(kSingular);
-    least.compute(matrix);
-    return least.solve(right);
+    p += columns.leftCols(count) * shared_solution(matrix, right);
   }
 
   static bool in_set(const Case& c, const ContactSet& set, int i, CoupledSolution& s, double rates,
@@ -251,6 +243,16 @@ ContactSet expansion_set(const ImpactLaw& law, double normal, double friction) {
   return set;
 }
 
+ContactVector shared_solution(const ContactMatrix& matrix, const ContactVector& right) {
+  const Eigen::PartialPivLU<ContactMatrix> lu(matrix);
+  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
+  if (pivots.minCoeff() > kSingular * matrix.cwiseAbs().maxCoeff()) return lu.solve(right);
+  Eigen::CompleteOrthogonalDecomposition<ContactMatrix> least(matrix.rows(), matrix.cols());
+  least.setThreshold(kSingular);
+  least.compute(matrix);
+  return least.solve(right);
+}
+
 CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
                               std::span<const ContactSet> sets) {
   assert(a.rows() == b.size() && b.size() == 2 * static_cast<Eigen::Index>(sets.size()));
@@ -262,18 +264,33 @@ CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
   return by_cases(problem);
 }
 
+CoupledSolution solve_compression(const ContactMatrix& a, const ContactVector& b,
+                                  std::span<const ImpactLaw> laws) {
+  return solve_expansion(a, b, laws, ContactVector::Zero(b.size()));
+}
+
+CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
+                                std::span<const ImpactLaw> laws, const ContactVector& compressed) {
+  std::array<ContactSet, kMaxPairs> sets{};
+  std::array<DiscSet, kMaxPairs> discs{};
+  const auto rows = b.size() / static_cast<Eigen::Index>(laws.size());
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    const auto at = rows * static_cast<Eigen::Index>(i);
+    if (rows == 3) {
+      discs[i] = expansion_disc(laws[i], compressed[at], compressed.segment<2>(at + 1));
+    } else {
+      sets[i] = expansion_set(laws[i], compressed[at], compressed[at + 1]);
+    }
+  }
+  if (rows == 3) return solve_discs(a, b, std::span(discs).first(laws.size()));
+  return solve_coupled(a, b, std::span(sets).first(laws.size()));
+}
+
 CoupledSolution solve_coupled_impact(const ContactMatrix& a, const ContactVector& b,
                                      std::span<const ImpactLaw> laws) {
-  std::array<ContactSet, kMaxPairs> sets{};
-  const std::span<const ContactSet> used(sets.data(), laws.size());
-  for (std::size_t i = 0; i < laws.size(); ++i) sets[i].friction = laws[i].friction;
-  CoupledSolution c = solve_coupled(a, b, used);
+  const CoupledSolution c = solve_compression(a, b, laws);
   if (c.solutions != 1) return c;
-  for (std::size_t i = 0; i < laws.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(2 * i);
-    sets[i] = expansion_set(laws[i], c.p[at], c.p[at + 1]);
-  }
-  CoupledSolution e = solve_coupled(a, c.y, used);
+  CoupledSolution e = solve_expansion(a, c.y, laws, c.p);
   e.p += c.p;
   return e;
 }

@@ -26,10 +26,11 @@ namespace rotorub::plugin {
 
 inline constexpr int kMaxPairs = 8;
 
-// (normal, friction) of each contact in turn. No memory but their own.
-using ContactVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * kMaxPairs, 1>;
+// (normal, friction) of each contact in turn; with disc_law.h (normal, friction, friction along the axis).
+// No memory but their own.
+using ContactVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3 * kMaxPairs, 1>;
 using ContactMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
-                                    2 * kMaxPairs, 2 * kMaxPairs>;
+                                    3 * kMaxPairs, 3 * kMaxPairs>;
 
 // The set of one contact.
 struct ContactSet {
@@ -52,10 +53,19 @@ struct CoupledSolution {
   std::array<bool, kMaxPairs> sticks{};  // y_T = 0 within the set
 };
 
+// matrix x = right; the least squares where the matrix is singular.
+ContactVector shared_solution(const ContactMatrix& matrix, const ContactVector& right);
+
 // a: symmetric, positive semidefinite, of 2 x sets.size() rows; at most kMaxPairs sets.
 CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
                               std::span<const ContactSet> sets);
 
+// Coulomb's law of all contacts; with two numbers of each in b, planar, with three, disc_law.h's.
+CoupledSolution solve_compression(const ContactMatrix& a, const ContactVector& b,
+                                  std::span<const ImpactLaw> laws);
+// The expansion alone, after a compression with the impulses `compressed`; b: rates after that.
+CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
+                                std::span<const ImpactLaw> laws, const ContactVector& compressed);
 // Compression and expansion, one after the other, of all at a time, in no time. b: rates before.
 // p: the sum of both.
 CoupledSolution solve_coupled_impact(const ContactMatrix& a, const ContactVector& b,

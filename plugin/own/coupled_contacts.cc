@@ -13,6 +13,10 @@ ContactColumns contact_columns(const Eigen::Vector2d& e_r, double radius) {
   return w;
 }
 
+Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius) {
+  return {1.0, radius * e_r.y(), -radius * e_r.x()};
+}
+
 // The step's answer to impulses of a subset, for those whom constraints hold.
 class CoupledContacts::Response final : public ContactResponse {
  public:
@@ -33,7 +37,10 @@ class CoupledContacts::Response final : public ContactResponse {
 CoupledContacts::CoupledContacts(const mjModel* m, mjData* d, std::span<CoupledMember* const> members,
                                  ConstraintProbe* probe)
     : d_(d), members_(members), probe_(probe), h_(m->opt.timestep) {
-  for (Closing& c : contacts_) c.lasting = c.sudden = Eigen::Vector2d::Zero();
+  for (Closing& c : contacts_) c.lasting = c.sudden = Eigen::Vector3d::Zero();
+  for (const CoupledMember* at : members) {
+    if (at->axial) rows_ = 3;
+  }
 }
 
 bool CoupledContacts::any_closed() const {
@@ -44,7 +51,7 @@ bool CoupledContacts::any_closed() const {
 void CoupledContacts::give_none() {
   for (Closing& c : contacts_) {
     const Status status = c.result.status;
-    c.lasting = c.sudden = Eigen::Vector2d::Zero();
+    c.lasting = c.sudden = Eigen::Vector3d::Zero();
     c.result = {};
     c.result.status = status;
     c.result.converged = converged_;
@@ -55,54 +62,65 @@ void CoupledContacts::add_forces(mjtNum* to) const {
   for (std::size_t i = 0; i < size(); ++i) {
     const Closing& c = contacts_[i];
     if (!c.closed) continue;
-    if (!c.lasting.isZero(0.0)) members_[i]->space->add_load(c.w * c.lasting / h_, to);
-    if (!c.sudden.isZero(0.0)) members_[i]->space->add_impact(c.w * c.sudden / h_, to);
+    const CoupledMember& at = *members_[i];
+    if (!c.lasting.isZero(0.0)) at.space->add_load(c.w * c.lasting.head<2>() / h_, to);
+    if (!c.sudden.isZero(0.0)) at.space->add_impact(c.w * c.sudden.head<2>() / h_, to);
+    if (c.lasting.z() != 0.0) at.axial->add_load(c.w_axial * (c.lasting.z() / h_), to);
+    if (c.sudden.z() != 0.0) at.axial->add_impact(c.w_axial * (c.sudden.z() / h_), to);
   }
+}
+
+Eigen::Vector3d CoupledContacts::end_of(const ContactSpace& at, const Eigen::Vector3d& start) const {
+  if (probe_) return start + h_ * probe_->acceleration(at);
+  Eigen::Vector3d end = start + h_ * at.response(d_->qfrc_smooth);
+  for (std::size_t j = 0; j < size(); ++j) {
+    const Closing& c = contacts_[j];
+    if (!c.closed) continue;
+    const ContactSpace &plane = *members_[j]->space, *axial = members_[j]->axial;
+    if (!c.lasting.isZero(0.0)) end += at.flexibility(plane) * (c.w * c.lasting.head<2>());
+    if (!c.sudden.isZero(0.0)) end += at.admittance(plane) * (c.w * c.sudden.head<2>());
+    if (c.lasting.z() != 0.0) end += at.flexibility(*axial) * (c.w_axial * c.lasting.z());
+    if (c.sudden.z() != 0.0) end += at.admittance(*axial) * (c.w_axial * c.sudden.z());
+  }
+  return end;
 }
 
 void CoupledContacts::find_ends() {
   if (probe_) probe_->solve([this](mjtNum* force) { add_forces(force); });
   for (std::size_t i = 0; i < size(); ++i) {
     const CoupledMember& at = *members_[i];
-    if (probe_) {
-      contacts_[i].end = at.step.start + h_ * probe_->acceleration(*at.space);
-      continue;
-    }
-    Eigen::Vector3d end = at.step.start + h_ * at.space->response(d_->qfrc_smooth);
-    for (std::size_t j = 0; j < size(); ++j) {
-      const Closing& other = contacts_[j];
-      if (!other.closed) continue;
-      const ContactSpace& space = *members_[j]->space;
-      if (!other.lasting.isZero(0.0)) {
-        end += at.space->flexibility(space) * (other.w * other.lasting);
-      }
-      if (!other.sudden.isZero(0.0)) end += at.space->admittance(space) * (other.w * other.sudden);
-    }
-    contacts_[i].end = end;
+    contacts_[i].end = end_of(*at.space, at.step.start);
+    if (at.axial) contacts_[i].axial_end = end_of(*at.axial, at.axial_start);
   }
 }
 
 ContactVector CoupledContacts::rates(const ContactSubset& s) const {
-  ContactVector y(2 * static_cast<Eigen::Index>(s.count));
+  ContactVector y = ContactVector::Zero(rows_ * static_cast<Eigen::Index>(s.count));
   for (std::size_t k = 0; k < s.count; ++k) {
     const Closing& c = contacts_[s.index[k]];
-    const auto row = static_cast<Eigen::Index>(2 * k);
+    const Eigen::Index row = rows_ * static_cast<Eigen::Index>(k);
     y.segment<2>(row) = c.w.transpose() * c.end;
     y[row] += s.offset[k];
+    if (members_[s.index[k]]->axial) y[row + 2] = c.w_axial.dot(c.axial_end);
   }
   return y;
 }
 
 ContactMatrix CoupledContacts::matrix(const ContactSubset& s) const {
-  const auto n = static_cast<Eigen::Index>(s.count);
-  ContactMatrix a(2 * n, 2 * n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const std::size_t one = s.index[static_cast<std::size_t>(i)];
-      const std::size_t two = s.index[static_cast<std::size_t>(j)];
-      const ContactSpace &at = *members_[one]->space, &other = *members_[two]->space;
-      const Eigen::Matrix3d g = s.impact ? at.admittance(other) : at.flexibility(other);
-      a.block<2, 2>(2 * i, 2 * j) = contacts_[one].w.transpose() * g * contacts_[two].w;
+  const Eigen::Index n = rows_ * static_cast<Eigen::Index>(s.count);
+  ContactMatrix a = ContactMatrix::Zero(n, n);
+  const auto g = [&](const ContactSpace& at, const ContactSpace& from) {
+    return s.impact ? at.admittance(from) : at.flexibility(from);
+  };
+  for (std::size_t i = 0; i < s.count; ++i) {
+    for (std::size_t j = 0; j < s.count; ++j) {
+      const Closing &one = contacts_[s.index[i]], &two = contacts_[s.index[j]];
+      const CoupledMember &at = *members_[s.index[i]], &from = *members_[s.index[j]];
+      const Eigen::Index row = rows_ * static_cast<Eigen::Index>(i), column = rows_ * static_cast<Eigen::Index>(j);
+      a.block<2, 2>(row, column) = one.w.transpose() * g(*at.space, *from.space) * two.w;
+      if (from.axial) a.block<2, 1>(row, column + 2) = one.w.transpose() * g(*at.space, *from.axial) * two.w_axial;
+      if (at.axial) a.block<1, 2>(row + 2, column) = one.w_axial.transpose() * g(*at.axial, *from.space) * two.w;
+      if (at.axial && from.axial) a(row + 2, column + 2) = one.w_axial.dot(g(*at.axial, *from.axial) * two.w_axial);
     }
   }
   return 0.5 * (a + a.transpose());
@@ -110,8 +128,9 @@ ContactMatrix CoupledContacts::matrix(const ContactSubset& s) const {
 
 void CoupledContacts::put(const ContactSubset& s, const ContactVector& p) {
   for (std::size_t k = 0; k < s.count; ++k) {
+    const Eigen::Index row = rows_ * static_cast<Eigen::Index>(k);
     Closing& c = contacts_[s.index[k]];
-    (s.impact ? c.sudden : c.lasting) = p.segment<2>(static_cast<Eigen::Index>(2 * k));
+    (s.impact ? c.sudden : c.lasting) = {p[row], p[row + 1], members_[s.index[k]]->axial ? p[row + 2] : 0.0};
   }
 }
 
@@ -123,16 +142,14 @@ bool CoupledContacts::solve(const ContactSubset& s, std::array<bool, kMaxPairs>&
   const ContactMatrix a = matrix(s);
   const ContactVector free = rates(s);
   if (probe_) return solve_held(s, a, free, sticks);
-  std::array<ImpactLaw, kMaxPairs> laws{};
-  std::array<ContactSet, kMaxPairs> sets{};
+  std::array<ImpactLaw, kMaxPairs> all{};
   for (std::size_t k = 0; k < s.count; ++k) {
     const ContactParameters& c = *members_[s.index[k]]->contact;
-    sets[k].friction = c.friction;
-    laws[k] = {c.friction, c.restitution, c.tangential_restitution};
+    all[k] = {c.friction, c.restitution, c.tangential_restitution};
   }
+  const std::span<const ImpactLaw> laws(all.data(), s.count);
   const CoupledSolution found =
-      s.impact ? solve_coupled_impact(a, free, std::span(laws).first(s.count))
-               : solve_coupled(a, free, std::span(sets).first(s.count));
+      s.impact ? solve_coupled_impact(a, free, laws) : solve_compression(a, free, laws);
   if (found.solutions != 1) {
     set_status(s, found.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous);
     return false;

@@ -3,8 +3,9 @@
 //
 //   end_i = start_i + h a_i + sum_j G_ij w_j p_j,     w = (W_N, W_T), p = (normal, friction) impulses
 //
-// G is the flexibility of the step's matrix for what acts all through it, the admittance of the mass for a blow;
-// where MuJoCo's constraints hold a body, its solver is asked instead (contact/constraint_probe.h).
+// and where one of them moves along its ring's axis (axial_motion.h) with W_Z and the friction along the axis for
+// a third. G is the flexibility of the step's matrix for what acts all through it, the admittance of the mass for a
+// blow; where MuJoCo's constraints hold a body, its solver is asked instead (contact/constraint_probe.h).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -23,15 +24,18 @@ namespace rotorub::plugin {
 using ContactColumns = Eigen::Matrix<double, 3, 2>;
 // W_N and W_T as columns: the loads (x, y, torque) of a normal and of a friction impulse of 1.
 ContactColumns contact_columns(const Eigen::Vector2d& e_r, double radius);
+// W_Z in the space of CoupledMember::axial: the load of a friction of 1 along the axis, at the rotor's surface.
+Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius);
 
 // A contact of the step that is being solved.
 struct Closing {
   bool closed = false;
   bool impact = false;  // by itself: it was open, and its rebound outlives the step
   ContactColumns w;
+  Eigen::Vector3d w_axial;
   Eigen::Vector2d e_r;
-  Eigen::Vector2d lasting, sudden;  // N s, (normal, friction) of the two parts
-  Eigen::Vector3d end;              // rates at the end of the step with all impulses so far
+  Eigen::Vector3d lasting, sudden;  // N s, (normal, friction, friction along the axis) of the two parts
+  Eigen::Vector3d end, axial_end;   // rates at the end of the step with all impulses so far
   RigidResult result;
 };
 
@@ -54,10 +58,12 @@ class CoupledContacts {
   const Closing& operator[](std::size_t i) const { return contacts_[i]; }
   bool any_closed() const;
   bool converged() const { return converged_; }
+  // Numbers of a contact in a vector: 2, or 3 where one of them moves along its axis.
+  Eigen::Index rows() const { return rows_; }
 
   // Rates at the end of the step, with the impulses as they are.
   void find_ends();
-  // (gap rate + offset, slip) of a subset.
+  // (gap rate + offset, slip, and that along the axis) of a subset.
   ContactVector rates(const ContactSubset& s) const;
   // Puts the impulses of the subset; which of them stick. False: no solution, or several, which is then the
   // status of their results.
@@ -73,6 +79,8 @@ class CoupledContacts {
 
   ContactMatrix matrix(const ContactSubset& s) const;
   void put(const ContactSubset& s, const ContactVector& p);
+  // Rates at the end of the step in one space, `start` those at its beginning.
+  Eigen::Vector3d end_of(const ContactSpace& at, const Eigen::Vector3d& start) const;
   bool solve_held(const ContactSubset& s, const ContactMatrix& a, const ContactVector& free,
                   std::array<bool, kMaxPairs>& sticks);
   void set_status(const ContactSubset& s, Status status);
@@ -81,6 +89,7 @@ class CoupledContacts {
   std::span<CoupledMember* const> members_;
   ConstraintProbe* probe_;
   double h_;
+  Eigen::Index rows_ = 2;
   bool converged_ = true;
   std::array<Closing, kMaxPairs> contacts_;
 };

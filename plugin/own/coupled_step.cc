@@ -68,12 +68,13 @@ class CoupledStep {
   void start_over() {
     for (std::size_t i = 0; i < size(); ++i) {
       Closing& c = contacts_[i];
-      c.lasting = c.sudden = Eigen::Vector2d::Zero();
+      c.lasting = c.sudden = Eigen::Vector3d::Zero();
       c.result = {};
       if (!c.closed) continue;
       const CoupledMember& at = *members_[i];
       c.e_r = c.result.e_r = contact_normal(at.step, at.contact->clearance);
       c.w = contact_columns(c.e_r, at.contact->radius);
+      c.w_axial = axial_column(c.e_r, at.contact->radius);
       c.impact = is_impact(at.step, c.e_r, *at.contact);
     }
     contacts_.find_ends();
@@ -122,7 +123,7 @@ class CoupledStep {
     for (std::size_t k = 0; k < s.count; ++k) {
       Closing& c = contacts_[s.index[k]];
       if (!(c.sudden.x() > 0.0)) continue;
-      const auto row = static_cast<Eigen::Index>(2 * k);
+      const Eigen::Index row = contacts_.rows() * static_cast<Eigen::Index>(k);
       // A lasting contact that the blow has not opened lasts.
       const double changed = std::abs(after[row]) + before.cwiseAbs().maxCoeff();
       if (!c.impact && after[row] <= 1e-9 * changed) {
@@ -185,7 +186,11 @@ void note_results(const CoupledStep& step, const mjModel* m, mjData* d,
 
 bool moves_with(const CoupledMember& a, const CoupledMember& b) {
   if (a.held && b.held) return true;
-  return !a.space->admittance(*b.space).isZero(0.0);
+  const auto answers = [](const ContactSpace* at, const ContactSpace* to) {
+    return at && to && !at->admittance(*to).isZero(0.0);
+  };
+  return answers(a.space, b.space) || answers(a.space, b.axial) || answers(a.axial, b.space) ||
+         answers(a.axial, b.axial);
 }
 
 void apply_coupled_step(const mjModel* m, mjData* d, std::span<CoupledMember* const> members) {

@@ -22,6 +22,10 @@ struct CoupledMember {
   int data = 0;       // its memory (user_data.h)
   bool held = false;  // MuJoCo's constraints move with it
   RigidStep step;     // h, d, bend, start
+  // Of a contact with friction that moves along its ring's axis (axial_motion.h), else null: (velocity along the
+  // axis, tilt rates about x and y).
+  const ContactSpace* axial = nullptr;
+  Eigen::Vector3d axial_start{0.0, 0.0, 0.0};
 };
 
 // True where an impulse of one changes the rates of the other: for what is held, it may.

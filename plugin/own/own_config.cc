@@ -7,6 +7,7 @@
 #include "plugin/contact/coupled_law.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/message.h"
+#include "plugin/own/axial_motion.h"
 #include "plugin/own/own_names.h"
 #include "plugin/own/pair_rules.h"
 #include "plugin/user_data.h"
@@ -93,8 +94,9 @@ OwnPair make_pair(const mjModel* m, const PairName& name) {
             (own_number(m, name.of(names::kOwnWidth))
                  ? 0.5 * number(names::kOwnWidth, 0.0, kLength)
                  : half_length(m, p.ring_geom, 1e300));
-  p.sizes = own_sizes(m, p);
+  p.given = own_numbers(m, p);
   p.sensors = contact_sensors(m, name.prefix, name.suffix);
+  p.axial = slides_along_axis(m, p);
   check_pair(m, name, p);
   return p;
 }
@@ -126,11 +128,18 @@ void check_beside(const mjModel* m, const OwnPair& a, const OwnPair& b, const Pa
 
 }  // namespace
 
-std::array<mjtNum, 6> own_sizes(const mjModel* m, const OwnPair& pair) {
-  std::array<mjtNum, 6> sizes;
-  std::copy_n(m->geom_size + 3 * pair.rotor_geom, 3, sizes.begin());
-  std::copy_n(m->geom_size + 3 * pair.ring_geom, 3, sizes.begin() + 3);
-  return sizes;
+std::array<mjtNum, 8> own_numbers(const mjModel* m, const OwnPair& pair) {
+  std::array<mjtNum, 8> numbers{};
+  std::copy_n(m->geom_size + 3 * pair.rotor_geom, 3, numbers.begin());
+  std::copy_n(m->geom_size + 3 * pair.ring_geom, 3, numbers.begin() + 3);
+  if (pair.pair >= 0) std::copy_n(m->pair_friction + 5 * pair.pair, 2, numbers.begin() + 6);
+  return numbers;
+}
+
+bool same_motion(const Config& config, const mjModel* m) {
+  return !config.own || std::all_of(config.pairs.begin(), config.pairs.end(), [m](const OwnPair& p) {
+    return p.axial == slides_along_axis(m, p);
+  });
 }
 
 void map_own_contacts(const mjModel* m, Config& config) {

@@ -28,7 +28,9 @@ namespace rotorub::plugin {
 // ConfigError.
 void map_own_contacts(const mjModel* m, Config& config);
 
-// Sizes of the geoms of rotor and ring, m: what a contact takes from them changes with them.
-std::array<mjtNum, 6> own_sizes(const mjModel* m, const OwnPair& pair);
+// OwnPair::given of now: what a contact takes from them, or was held against, changes with them.
+std::array<mjtNum, 8> own_numbers(const mjModel* m, const OwnPair& pair);
+// Whether rotors and rings of m, of the config's fingerprint, move along their axes as in the config.
+bool same_motion(const Config& config, const mjModel* m);
 
 }  // namespace rotorub::plugin

@@ -58,7 +58,7 @@ std::size_t take_group(std::span<CoupledMember> all, std::array<bool, kMaxPairs>
 
 void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjData* d) {
   // On the stack of mjData: the last made goes first.
-  std::array<std::optional<OwnSpace>, kMaxPairs> spaces;
+  std::array<std::optional<OwnSpace>, kMaxPairs> spaces, axial;
   std::array<CoupledMember, kMaxPairs> members;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const ContactPlace place = contact_place(*pairs[i], d);
@@ -70,20 +70,29 @@ void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjDa
     member.data = pairs[i]->data;
     member.step = begin_step(*pairs[i], place, space, m, d);
     member.held = contact_enabled(m) && constraints_couple(m, d, space);
+    if (!pairs[i]->axial) continue;
+    OwnSpace& along = axial[i].emplace(*pairs[i], place, m, d, OwnRows::kAxis);
+    along.solve();
+    member.axial = &along;
+    member.axial_start = along.rates(d->qvel);
+    member.held = member.held || (contact_enabled(m) && constraints_couple(m, d, along));
   }
   const std::span<CoupledMember> all(members.data(), pairs.size());
   std::array<bool, kMaxPairs> left{};
   left.fill(true);
   Group group{};
   while (const std::size_t count = take_group(all, left, group)) {
-    if (count == 1) {
+    if (count == 1 && !group[0]->axial) {
       CoupledMember& one = *group[0];
       apply_rigid_step(m, d, *one.space, one.step, *one.contact, one.data);
     } else {
       apply_coupled_step(m, d, {group.data(), count});
     }
   }
-  for (std::size_t i = pairs.size(); i-- > 0;) spaces[i].reset();
+  for (std::size_t i = pairs.size(); i-- > 0;) {
+    axial[i].reset();
+    spaces[i].reset();
+  }
 }
 
 }  // namespace
@@ -108,7 +117,7 @@ void apply_own_rigid(std::span<const OwnPair> pairs, const mjModel* m, mjData* d
     for (std::size_t i = 0; i < count; ++i) {
       ContactMemory(d, facing[i]->data).note({}, m->opt.timestep);
     }
-  } else if (count == 1) {
+  } else if (count == 1 && !facing[0]->axial) {
     apply_one(*facing[0], m, d);
   } else {
     apply_several({facing.data(), count}, m, d);

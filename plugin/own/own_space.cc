@@ -92,8 +92,9 @@ Eigen::Vector2d own_turning(const OwnPair& pair, const ContactPlace& place, cons
   return a;
 }
 
-OwnSpace::OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d)
-    : ContactSpace(count(m->nv)), m_(m), d_(d), room_(d), damped_step_(step_of_dampers(m)) {
+OwnSpace::OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
+                   OwnRows rows)
+    : ContactSpace(count(m->nv)), m_(m), d_(d), rows_(rows), room_(d), damped_step_(step_of_dampers(m)) {
   jacobian_ = room_.numbers(3 * nv_);
   std::fill_n(jacobian_, 3 * nv_, 0.0);
   const int rotor = m->geom_bodyid[pair.rotor_geom], ring = m->geom_bodyid[pair.ring_geom];
@@ -111,6 +112,12 @@ void OwnSpace::add_body(const mjtNum* axes, const mjtNum* point, int body, doubl
     const mjtNum* axis = d_->cdof + 6 * i;  // rotation, then translation at the tree's centre
     mju_cross(turn, axis, arm);
     for (int k = 0; k < 3; ++k) {
+      if (rows_ == OwnRows::kAxis) {
+        jacobian_[i] += sign * axes[3 * k + 2] * (axis[3 + k] + turn[k]);
+        jacobian_[nv_ + i] += sign * spin * axes[3 * k] * axis[k];
+        jacobian_[2 * nv_ + i] += sign * spin * axes[3 * k + 1] * axis[k];
+        continue;
+      }
       jacobian_[i] += sign * axes[3 * k] * (axis[3 + k] + turn[k]);
       jacobian_[nv_ + i] += sign * axes[3 * k + 1] * (axis[3 + k] + turn[k]);
       jacobian_[2 * nv_ + i] += sign * spin * axes[3 * k + 2] * axis[k];

@@ -39,10 +39,15 @@ ContactPlace contact_place(const OwnPair& pair, const mjData* d);
 Eigen::Vector2d own_turning(const OwnPair& pair, const ContactPlace& place, const mjModel* m,
                             const mjData* d);
 
+// kAxis: (velocity along the ring's axis, tilt rates about x and y) instead, the ring's tilt weighed as its spin is:
+// the contact's slip along the axis is z' + r (e_r,y omega_x - e_r,x omega_y) (axial_motion.h).
+enum class OwnRows { kPlane, kAxis };
+
 // Lives on the stack of mjData for as long as the object does; the last made goes first.
 class OwnSpace final : public ContactSpace {
  public:
-  OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d);
+  OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
+           OwnRows rows = OwnRows::kPlane);
 
   // Solves with M and H; needed once, before all but `rates` and `add_load`. H = M + h D is the
   // matrix of the Euler step, near that of `implicit`; M alone for RK4.
@@ -57,6 +62,7 @@ class OwnSpace final : public ContactSpace {
 
   const mjModel* m_;
   mjData* d_;
+  OwnRows rows_;
   StackFrame room_;
   double damped_step_;  // s, h of H; 0: H is M
   DofRange trees_[2];   // of rotor and ring; the second empty where they share one

@@ -1,0 +1,191 @@
+#include "plugin/contact/disc_law.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace rotorub::plugin {
+namespace {
+
+constexpr int kDiscSweeps = 4000;
+constexpr int kPolished = 8;           // sweeps between two trials of the linear system
+constexpr int kTurns = 20;             // of the slips' directions in it
+constexpr double kSettled = 1e-13;     // of the rates in question: what a sweep may change at the end
+using DiscCases = std::array<DiscCase, kMaxPairs>;
+
+class DiscSystem {
+ public:
+  DiscSystem(const ContactMatrix& a, const ContactVector& b, std::span<const DiscSet> sets)
+      : a_(a), b_(b), sets_(sets), n_(static_cast<Eigen::Index>(sets.size())) {
+    for (const DiscSet& set : sets) impulse_ = std::max(impulse_, set.least_normal);
+  }
+
+  CoupledSolution solve() const {
+    ContactVector p = ContactVector::Zero(b_.size());
+    DiscCases cases{};
+    for (int k = 0; k < kDiscSweeps; ++k) {
+      const double change = sweep(p, cases);
+      if (change < 0.0) return {};
+      const bool settled = change <= kSettled * scale(p);
+      if (!settled && k % kPolished != kPolished - 1) continue;
+      ContactVector shared = p;
+      DiscCases same = touching(cases, p);
+      if (polish(same, shared)) {
+        ContactVector again = shared;
+        const double left = sweep(again, same);
+        if (left >= 0.0 && left <= kSettled * scale(shared)) return found(same, shared);
+      }
+      if (settled) return found(cases, p);
+    }
+    return {};
+  }
+
+ private:
+  double scale(const ContactVector& p) const {
+    return b_.cwiseAbs().maxCoeff() +
+           std::max(p.cwiseAbs().maxCoeff(), impulse_) * a_.cwiseAbs().maxCoeff();
+  }
+
+  // Each contact by itself with the impulses of the others. The largest change of a rate; < 0: one has no solution.
+  double sweep(ContactVector& p, DiscCases& cases) const {
+    double change = 0.0;
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const Eigen::Matrix3d own = a_.block<3, 3>(3 * i, 3 * i);
+      const Eigen::Vector3d before = p.segment<3>(3 * i);
+      const Eigen::Vector3d rest = b_.segment<3>(3 * i) + a_.middleRows<3>(3 * i) * p - own * before;
+      const SingleDisc s = solve_disc(own, rest, sets_[at]);
+      if (s.solutions == 0) return -1.0;
+      p.segment<3>(3 * i) = s.p;
+      cases[at] = s.found;
+      change = std::max(change, (own * (s.p - before)).cwiseAbs().maxCoeff());
+    }
+    return change;
+  }
+
+  // What neither opens nor presses may have a share of what the others bear.
+  DiscCases touching(DiscCases cases, const ContactVector& p) const {
+    const ContactVector y = a_ * p + b_;
+    const double none = kSettled * scale(p);
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      DiscCase& c = cases[static_cast<std::size_t>(i)];
+      if (!c.at_least || y[3 * i] > none) continue;
+      c.at_least = false;
+      if (y.segment<2>(3 * i + 1).norm() <= none) c.friction = DiscFriction::kStick;
+    }
+    return cases;
+  }
+
+  // The impulses of these cases, p = given + columns z with `rows` . y = 0; the directions of what slides follow
+  // its slip. False: not of cases that are linear.
+  bool polish(DiscCases& cases, ContactVector& p) const {
+    for (int k = 0; k < kTurns; ++k) {
+      ContactMatrix columns = ContactMatrix::Zero(3 * n_, 3 * n_), rows = columns;
+      ContactVector given = ContactVector::Zero(3 * n_);
+      Eigen::Index count = 0;
+      for (Eigen::Index i = 0; i < n_; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (!add_case(cases[at], sets_[at], 3 * i, given, columns, rows, count)) return false;
+      }
+      const auto c = columns.leftCols(count);
+      const auto r = rows.leftCols(count);
+      p = given;
+      if (count > 0) {
+        const ContactMatrix matrix = r.transpose() * (a_ * c);
+        const ContactVector right = -(r.transpose() * (a_ * given + b_));
+        p += c * shared_solution(matrix, right);
+      }
+      if (!p.allFinite()) return false;
+      if (!turn(cases, a_ * p + b_)) return true;
+    }
+    return true;
+  }
+
+  static bool add_case(const DiscCase& c, const DiscSet& set, Eigen::Index row, ContactVector& given,
+                       ContactMatrix& columns, ContactMatrix& rows, Eigen::Index& count) {
+    if (c.friction == DiscFriction::kCorner) return false;
+    const bool rim = c.friction == DiscFriction::kRim;
+    const Eigen::Vector2d by_normal = rim ? Eigen::Vector2d(-set.friction * c.direction) : Eigen::Vector2d(0.0, 0.0);
+    given.segment<2>(row + 1) = c.friction == DiscFriction::kChord ? Eigen::Vector2d(set.floor * set.side)
+                                                                   : Eigen::Vector2d(0.0, 0.0);
+    if (c.at_least) {
+      given[row] = set.least_normal;
+      given.segment<2>(row + 1) += set.least_normal * by_normal;
+    } else {
+      columns(row, count) = rows(row, count) = 1.0;
+      columns.col(count).segment<2>(row + 1) = by_normal;
+      ++count;
+    }
+    if (c.friction == DiscFriction::kStick) {
+      columns(row + 1, count) = rows(row + 1, count) = 1.0;
+      columns(row + 2, count + 1) = rows(row + 2, count + 1) = 1.0;
+      count += 2;
+    } else if (c.friction == DiscFriction::kChord) {
+      const Eigen::Vector2d along(-set.side.y(), set.side.x());
+      columns.col(count).segment<2>(row + 1) = along;
+      rows.col(count).segment<2>(row + 1) = along;
+      ++count;
+    }
+    return true;
+  }
+
+  // False: they are those of the slips already.
+  bool turn(DiscCases& cases, const ContactVector& y) const {
+    bool turned = false;
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      DiscCase& c = cases[static_cast<std::size_t>(i)];
+      const Eigen::Vector2d slip = y.segment<2>(3 * i + 1);
+      if (c.friction != DiscFriction::kRim || slip.isZero(0.0)) continue;
+      const Eigen::Vector2d direction = slip.normalized();
+      turned = turned || (direction - c.direction).norm() > 1e-15;
+      c.direction = direction;
+    }
+    return turned;
+  }
+
+  CoupledSolution found(const DiscCases& cases, const ContactVector& p) const {
+    CoupledSolution out;
+    out.solutions = 1;
+    out.p = p;
+    out.y = a_ * p + b_;
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      out.sticks[at] = cases[at].friction == DiscFriction::kStick;
+      out.y[3 * i] = cases[at].at_least ? std::max(0.0, out.y[3 * i]) : 0.0;  // not round-off
+      if (out.sticks[at]) out.y.segment<2>(3 * i + 1).setZero();
+    }
+    return out;
+  }
+
+  const ContactMatrix& a_;
+  const ContactVector& b_;
+  std::span<const DiscSet> sets_;
+  Eigen::Index n_;
+  double impulse_ = 0.0;
+};
+
+}  // namespace
+
+DiscSet expansion_disc(const ImpactLaw& law, double normal, const Eigen::Vector2d& friction) {
+  DiscSet set;
+  set.friction = law.friction;
+  set.least_normal = law.restitution * normal;
+  const double size = friction.norm();
+  if (size > 0.0) set.side = friction / size;
+  set.floor = law.restitution * law.tangential_restitution * size;
+  return set;
+}
+
+CoupledSolution solve_discs(const ContactMatrix& a, const ContactVector& b, std::span<const DiscSet> sets) {
+  assert(a.rows() == b.size() && b.size() == 3 * static_cast<Eigen::Index>(sets.size()));
+  if (sets.size() > 1) return DiscSystem(a, b, sets).solve();
+  const SingleDisc s = solve_disc(a, b, sets[0]);
+  CoupledSolution out;
+  out.solutions = s.solutions;
+  out.p = s.p;
+  out.y = s.y;
+  out.sticks[0] = s.found.friction == DiscFriction::kStick;
+  return out;
+}
+
+}  // namespace rotorub::plugin
