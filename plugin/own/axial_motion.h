@@ -11,6 +11,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Core>
+
 #include "plugin/config.h"
 
 namespace rotorub::plugin {
@@ -18,5 +20,10 @@ namespace rotorub::plugin {
 // With friction, and a joint that moves the rotor's centre, or the ring, along the axis, by a lever of more than a
 // clearance where it is a hinge. Looked at in qpos0.
 bool slides_along_axis(const mjModel* m, const OwnPair& pair);
+
+// W_Z in the space of OwnRows::kAxis: gdot_Z of its rates, and the load of a friction of 1 along the axis.
+inline Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius) {
+  return {1.0, radius * e_r.y(), -radius * e_r.x()};
+}
 
 }  // namespace rotorub::plugin

@@ -13,10 +13,6 @@ ContactColumns contact_columns(const Eigen::Vector2d& e_r, double radius) {
   return w;
 }
 
-Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius) {
-  return {1.0, radius * e_r.y(), -radius * e_r.x()};
-}
-
 // The step's answer to impulses of a subset, for those whom constraints hold.
 class CoupledContacts::Response final : public ContactResponse {
  public:

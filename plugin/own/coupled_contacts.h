@@ -24,8 +24,6 @@ namespace rotorub::plugin {
 using ContactColumns = Eigen::Matrix<double, 3, 2>;
 // W_N and W_T as columns: the loads (x, y, torque) of a normal and of a friction impulse of 1.
 ContactColumns contact_columns(const Eigen::Vector2d& e_r, double radius);
-// W_Z in the space of CoupledMember::axial: the load of a friction of 1 along the axis, at the rotor's surface.
-Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius);
 
 // A contact of the step that is being solved.
 struct Closing {

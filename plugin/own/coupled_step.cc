@@ -6,6 +6,7 @@
 
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/memory.h"
+#include "plugin/own/axial_motion.h"
 #include "plugin/own/coupled_contacts.h"
 #include "plugin/passes.h"
 

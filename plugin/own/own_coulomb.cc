@@ -5,68 +5,20 @@
 #include <cmath>
 #include <optional>
 
-#include "native_model/contact/kinematics.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/contact/annular.h"
 #include "plugin/contact/constrained_law.h"
 #include "plugin/contact/constraint_probe.h"
-#include "plugin/own/own_space.h"
+#include "plugin/own/touching_pair.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
 
-// One contact in accelerations: see coulomb.h.
-struct TouchingPair {
-  const OwnPair* pair = nullptr;
-  const OwnSpace* space = nullptr;
-  int row = 0;  // of MuJoCo's solver
-  ContactPoint point;
-  Eigen::Vector2d base;  // m/s^2, of y what is not the acceleration of a coordinate
-  double curvature = 0.0;  // m/s^2, towards the ring, with that of centres that go in circles
-  bool touches = false;
-  Eigen::Vector2d force{0.0, 0.0};  // N, (normal, friction)
-  bool sticks = false;
-
-  mjtNum* entry(mjData* d) const { return d->userdata + pair->data; }
-  Eigen::Vector3d load(double normal, double friction) const {
-    return contact_load(point.e_r, pair->contact.radius, normal, friction);
-  }
-  // y = base + this of the coordinates' accelerations.
-  Eigen::Vector2d along(const Eigen::Vector3d& a) const {
-    return {-point.e_r.dot(a.head<2>()),
-            point.e_t().dot(a.head<2>()) + pair->contact.radius * a.z()};
-  }
-};
-
-TouchingPair touching_pair(const OwnPair& pair, const ContactPlace& place, const OwnSpace& space,
-                         const mjModel* m, const mjData* d, int row) {
-  const double h = m->opt.timestep;
-  TouchingPair s;
-  s.pair = &pair;
-  s.space = &space;
-  s.row = row;
-  Eigen::Vector3d rates = space.rates(d->qvel);
-  rates.z() += pair.held_spin;
-  s.point = contact_kinematics(place.d, rates.head<2>(), rates.z(), pair.contact.radius,
-                               pair.contact.clearance);
-  const ContactPoint& p = s.point;
-  const double whirl = p.whirl_speed();
-  const Eigen::Vector2d turning = own_turning(pair, place, m, d);
-  const double whirling = whirl * whirl / p.delta;
-  s.curvature = whirling + p.e_r.dot(turning);
-  // MuJoCo's a_ref with the gap rate of the state's own time: that of a semi-implicit step is of half a
-  // step ago.
-  const mjtNum* kbip = d->efc_KBIP + 4 * row;
-  const double reference = -kbip[1] * (p.gap_rate + 0.5 * h * s.curvature) - kbip[0] * kbip[2] * p.gap;
-  s.base = {-s.curvature - reference,
-            p.slip / h + whirl / p.delta * p.gap_rate + p.e_t().dot(turning)};
-  return s;
-}
-
-// y without any force. A rebound that the loads undo within the step is no flight.
-Eigen::Vector2d look(TouchingPair& s, const Eigen::Vector3d& free, const mjModel* m, mjData* d) {
-  const Eigen::Vector2d a = s.along(free);
+// y without any force, free(space) the accelerations. A rebound that the loads undo within the step is no flight.
+template <typename Free>
+Eigen::Vector3d look(TouchingPair& s, Free free, const mjModel* m, mjData* d) {
+  const Eigen::Vector3d a = s.along(free);
   const bool before = s.entry(d)[kMode] != 0.0;
   const bool lasts = before && s.point.gap_rate <= -(a.x() - s.curvature) * m->opt.timestep;
   s.touches = s.point.gap < 0.0 || lasts;
@@ -89,6 +41,8 @@ struct Touching {
   std::array<TouchingPair*, kMaxPairs> at{};
   std::array<double, kMaxPairs> frictions{};
   std::size_t count = 0;
+  Eigen::Index rows = 2;  // 3 where one moves along its axis
+  Eigen::Index row(std::size_t k) const { return rows * static_cast<Eigen::Index>(k); }
 };
 
 Touching touching(TouchingPairs& contacts) {
@@ -97,20 +51,22 @@ Touching touching(TouchingPairs& contacts) {
     if (!s.touches) continue;
     t.frictions[t.count] = s.pair->contact.friction;
     t.at[t.count++] = &s;
+    if (s.axial) t.rows = 3;
   }
   return t;
 }
 
 ContactMatrix matrix(const Touching& t) {
-  const auto n = static_cast<Eigen::Index>(t.count);
-  ContactMatrix a(2 * n, 2 * n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const TouchingPair& source = *t.at[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 2; ++k) {
-      const Eigen::Vector3d load = source.load(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0);
-      for (Eigen::Index i = 0; i < n; ++i) {
-        const TouchingPair& s = *t.at[static_cast<std::size_t>(i)];
-        a.col(2 * j + k).segment<2>(2 * i) = s.along(s.space->flexibility(*source.space) * load);
+  const Eigen::Index n = t.row(t.count);
+  ContactMatrix a = ContactMatrix::Zero(n, n);
+  for (std::size_t j = 0; j < t.count; ++j) {
+    for (Eigen::Index k = 0; k < t.rows; ++k) {
+      if (k == 2 && !t.at[j]->axial) continue;
+      const OwnSpace& from = k == 2 ? *t.at[j]->axial : *t.at[j]->space;
+      const Eigen::Vector3d load = k == 2 ? t.at[j]->column() : t.at[j]->load(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0);
+      const auto answer = [&](const OwnSpace& at) -> Eigen::Vector3d { return at.flexibility(from) * load; };
+      for (std::size_t i = 0; i < t.count; ++i) {
+        a.col(t.row(j) + k).segment(t.row(i), t.rows) = t.at[i]->along(answer).head(t.rows);
       }
     }
   }
@@ -119,7 +75,7 @@ ContactMatrix matrix(const Touching& t) {
 
 void put(Touching& t, const ContactVector& forces, const std::array<bool, kMaxPairs>& sticks) {
   for (std::size_t k = 0; k < t.count; ++k) {
-    t.at[k]->force = forces.segment<2>(static_cast<Eigen::Index>(2 * k));
+    t.at[k]->force.head(t.rows) = forces.segment(t.row(k), t.rows);
     t.at[k]->sticks = sticks[k];
   }
 }
@@ -131,15 +87,16 @@ class ForceResponse final : public ContactResponse {
   ContactVector at(const ContactVector& p) override {
     probe_.solve([&](mjtNum* force) {
       for (std::size_t k = 0; k < t_.count; ++k) {
-        const auto row = static_cast<Eigen::Index>(2 * k);
-        t_.at[k]->space->add_load(t_.at[k]->load(p[row], p[row + 1]), force);
+        const Eigen::Index row = t_.row(k);
+        t_.at[k]->for_each_load({p[row], p[row + 1], t_.rows == 3 ? p[row + 2] : 0.0},
+                                [&](const OwnSpace& at, const Eigen::Vector3d& load) { at.add_load(load, force); });
       }
     });
-    ContactVector y(2 * static_cast<Eigen::Index>(t_.count));
+    ContactVector y(t_.row(t_.count));
+    const auto found = [this](const OwnSpace& at) { return probe_.acceleration(at); };
     for (std::size_t k = 0; k < t_.count; ++k) {
       const TouchingPair& s = *t_.at[k];
-      y.segment<2>(static_cast<Eigen::Index>(2 * k)) =
-          s.base + s.along(probe_.acceleration(*s.space));
+      y.segment(t_.row(k), t_.rows) = (s.base + s.along(found)).head(t_.rows);
     }
     return y;
   }
@@ -162,20 +119,22 @@ void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d)
 }
 
 void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
-  ContactVector b(2 * static_cast<Eigen::Index>(contacts.count));
-  Eigen::Index rows = 0;
+  std::array<Eigen::Vector3d, kMaxPairs> free;
+  const auto response = [d](const OwnSpace& at) { return at.response(d->qfrc_smooth); };
+  std::size_t count = 0;
   for (TouchingPair& s : contacts.span()) {
-    const Eigen::Vector2d free = look(s, s.space->response(d->qfrc_smooth), m, d);
-    if (!s.touches) continue;
-    b.segment<2>(rows) = free;
-    rows += 2;
+    const Eigen::Vector3d y = look(s, response, m, d);
+    if (s.touches) free[count++] = y;
   }
   Touching t = touching(contacts);
   if (t.count == 0) return;
-  std::array<ContactSet, kMaxPairs> sets{};
-  for (std::size_t k = 0; k < t.count; ++k) sets[k].friction = t.frictions[k];
-  const CoupledSolution s =
-      solve_coupled(matrix(t), b.head(rows), std::span(sets).first(t.count));
+  ContactVector b(t.row(t.count));
+  std::array<ImpactLaw, kMaxPairs> laws{};
+  for (std::size_t k = 0; k < t.count; ++k) {
+    b.segment(t.row(k), t.rows) = free[k].head(t.rows);
+    laws[k].friction = t.frictions[k];
+  }
+  const CoupledSolution s = solve_compression(matrix(t), b, std::span(laws).first(t.count));
   if (s.solutions > 0) put(t, s.p, s.sticks);
 }
 
@@ -185,10 +144,14 @@ void set_references(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   mjtNum* acceleration = room.numbers(count(m->nv));
   mju_copy(acceleration, d->qacc_smooth, count(m->nv));
   for (const TouchingPair& s : contacts.span()) {
-    if (s.force.x() > 0.0) s.space->add_acceleration(s.load(s.force.x(), s.force.y()), acceleration);
+    if (!(s.force.x() > 0.0)) continue;
+    s.for_each_load(s.force, [&](const OwnSpace& at, const Eigen::Vector3d& load) {
+      at.add_acceleration(load, acceleration);
+    });
   }
+  const auto rates = [acceleration](const OwnSpace& at) { return at.rates(acceleration); };
   for (const TouchingPair& s : contacts.span()) {
-    const double found = s.along(s.space->rates(acceleration)).x();
+    const double found = s.along(rates).x();
     d->efc_aref[s.row] =
         s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
   }
@@ -201,24 +164,26 @@ void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData*
   for (const TouchingPair& s : contacts.span()) d->efc_aref[s.row] = kResting;
   ConstraintProbe probe(m, d);
   probe.solve([](mjtNum*) {});
-  for (TouchingPair& s : contacts.span()) look(s, probe.acceleration(*s.space), m, d);
+  const auto free = [&probe](const OwnSpace& at) { return probe.acceleration(at); };
+  for (TouchingPair& s : contacts.span()) look(s, free, m, d);
   Touching t = touching(contacts);
   if (t.count > 0) {
     ForceResponse response(probe, t);
-    const ContactVector none = ContactVector::Zero(2 * static_cast<Eigen::Index>(t.count));
+    const ContactVector none = ContactVector::Zero(t.row(t.count));
     const ConstrainedContact found = solve_constrained(response, response.at(none), matrix(t),
                                                        std::span(t.frictions).first(t.count));
     if (found.solved) put(t, found.p, found.sticks);
     note_status(t, found.converged, m, d);
     ContactVector forces = none;
     for (std::size_t k = 0; k < t.count; ++k) {
-      forces.segment<2>(static_cast<Eigen::Index>(2 * k)) = t.at[k]->force;
+      forces.segment(t.row(k), t.rows) = t.at[k]->force.head(t.rows);
     }
     response.at(forces);
   }
   bool any = false;
+  const auto rates = [d](const OwnSpace& at) { return at.rates(d->qacc); };
   for (const TouchingPair& s : contacts.span()) {
-    const double found = s.along(s.space->rates(d->qacc)).x();
+    const double found = s.along(rates).x();
     any = any || s.force.x() > 0.0;
     d->efc_aref[s.row] =
         s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
@@ -239,7 +204,7 @@ void note(const TouchingPair& s, mjData* d) {
 
 void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData* d) {
   // On the stack of mjData: the last made goes first.
-  std::array<std::optional<OwnSpace>, kMaxPairs> spaces;
+  std::array<std::optional<OwnSpace>, kMaxPairs> spaces, axial;
   TouchingPairs contacts;
   for (const OwnPair& pair : pairs) {
     if (pair.law == scene::ContactModel::kRigid) continue;
@@ -255,13 +220,17 @@ void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData*
     const ContactPlace place = contact_place(pair, d);
     OwnSpace& space = spaces[contacts.count].emplace(pair, place, m, d);
     space.solve();
+    OwnSpace* along = nullptr;
+    if (pair.axial) along = &axial[contacts.count].emplace(pair, place, m, d, OwnRows::kAxis);
+    if (along) along->solve();
     contacts.rows[contacts.count] = contact->efc_address;
-    contacts.all[contacts.count++] = touching_pair(pair, place, space, m, d, contact->efc_address);
+    contacts.all[contacts.count++] = touching_pair(pair, place, space, along, m, d, contact->efc_address);
   }
   if (contacts.count == 0) return;
   bool beside = false;
   for (const TouchingPair& s : contacts.span()) {
-    beside = beside || constraints_couple(m, d, *s.space, std::span(contacts.rows).first(contacts.count));
+    const std::span<const int> own = std::span(contacts.rows).first(contacts.count);
+    beside = beside || constraints_couple(m, d, *s.space, own) || (s.axial && constraints_couple(m, d, *s.axial, own));
   }
   if (beside) {
     solve_beside_constraints(contacts, m, d);
@@ -271,9 +240,14 @@ void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData*
   }
   for (const TouchingPair& s : contacts.span()) {
     note(s, d);
-    s.space->add_load(s.load(0.0, s.force.y()), d->qfrc_passive);
+    s.for_each_load({0.0, s.force.y(), s.force.z()}, [d](const OwnSpace& at, const Eigen::Vector3d& load) {
+      at.add_load(load, d->qfrc_passive);
+    });
   }
-  for (std::size_t i = contacts.count; i-- > 0;) spaces[i].reset();
+  for (std::size_t i = contacts.count; i-- > 0;) {
+    axial[i].reset();
+    spaces[i].reset();
+  }
 }
 
 }  // namespace rotorub::plugin

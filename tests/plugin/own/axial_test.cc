@@ -103,6 +103,33 @@ TEST_F(Axial, FallsWithItsWeightLessFriction) {
   EXPECT_NEAR(sensor(m.get(), d.get(), "friction_force"), 0.0, 1e-9);  // none along the ring
 }
 
+// Normal force by MuJoCo's solver, friction beside it.
+TEST_F(Axial, CoulombHasBothDirectionsToo) {
+  for (const double mu : {0.1, 0.5}) {
+    Lift x;
+    x.friction = mu;
+    x.contact = "coulomb";
+    const ModelPointer m = load(document(x));
+    const DataPointer d = pressed(m.get(), mu == 0.1 ? 0.0 : -0.2);
+    run(m.get(), d.get(), 0.1);
+    const double speed = mu == 0.1 ? -0.1 * (kWeight - 10.0) / kLiftMass : 0.0;
+    EXPECT_NEAR(of(m.get(), d->qvel, "lift"), speed, 1e-5) << mu;
+    EXPECT_NEAR(sensor(m.get(), d.get(), "normal_force"), 100.0, 1e-3) << mu;
+    if (mu == 0.1) continue;
+    EXPECT_LT(std::abs(of(m.get(), d->qvel, "lift")), 1e-12);
+  }
+  Lift x = held_across();
+  x.contact = "coulomb";
+  const ModelPointer m = load(document(x));
+  const DataPointer d = pressed(m.get(), 4.0, 3.0 / kLiftRadius);
+  of(m.get(), d->qfrc_applied, "lift") = 0.0;
+  run(m.get(), d.get(), 0.02);
+  const double left = 1.0 - 0.02 * 50.0 / kLiftMass / 5.0;
+  EXPECT_NEAR(of(m.get(), d->qvel, "lift"), 4.0 * left, 1e-4);
+  EXPECT_NEAR(of(m.get(), d->qvel, "spin") * kLiftRadius, 3.0 * left, 1e-4);
+  EXPECT_NEAR(sensor(m.get(), d.get(), "friction_force"), -30.0, 1e-2);
+}
+
 // MuJoCo's own cone has both directions in the frame of its contact.
 TEST_F(Axial, AsMujocosCone) {
   for (const double mu : {0.1, 0.5}) {
@@ -293,15 +320,18 @@ TEST_F(Axial, AShaftInTwoRings) {
 
 // Tied along its axis to 3 kg: friction brakes both.
 TEST_F(Axial, BesideAConstraint) {
+  for (const char* contact : {"rigid", "coulomb"}) {
   Lift x;
   x.friction = 0.1;
+  x.contact = contact;
   x.bodies = R"(<body name="weight" pos="1 0 0"><joint name="weight" type="slide" axis="0 0 1"/>
       <inertial pos="0 0 0" mass="3" diaginertia="1 1 1"/></body>)";
   x.more = equality("<joint joint1=\"lift\" joint2=\"weight\"" + kHard + "/>");
   const ModelPointer m = load(document(x));
   const DataPointer d = pressed(m.get());
   run(m.get(), d.get(), 0.1);
-  EXPECT_NEAR(of(m.get(), d->qvel, "lift"), -0.1 * (kWeight - 10.0) / 5.0, 1e-3);
+  EXPECT_NEAR(of(m.get(), d->qvel, "lift"), -0.1 * (kWeight - 10.0) / 5.0, 1e-3) << contact;
+  }
 }
 
 }  // namespace
