@@ -52,6 +52,10 @@ class Maker {
     fill_spin(l);
     fill_scene(l);
     twin_.limits = twin_limits(m_, machine_, planes_);
+    if (config_.pairs.front().axial) {
+      twin_.limits.push_back("friction along the ring's axis, and its work, are MuJoCo's alone; the twin's acts round "
+                             "the ring");
+    }
     return std::move(twin_);
   }
 

@@ -73,7 +73,7 @@ std::vector<std::string> twin_limits(const mjModel* m, const LinearMachine& mach
   }
   add_constraints(m, machine, planes, all);
   for (const int dof : planes.ignored) {
-    all.push_back(joint_element(m, m->dof_jntid[dof]) + " moves nothing that the contact meets; left out");
+    all.push_back(joint_element(m, m->dof_jntid[dof]) + " moves nothing in the contact's plane; left out");
   }
   return all;
 }

@@ -318,6 +318,44 @@ TEST_F(Axial, AShaftInTwoRings) {
   EXPECT_NEAR(std::abs(one - two), 100.0 * 0.15 * 0.5, 1e-4);
 }
 
+// The ring moves instead, on a damper: what friction takes from the rotor it gives to the ring. At the end the ring
+// falls no faster than its damper lets it, c v = mu N.
+TEST_F(Axial, ARingThatIsDraggedAlong) {
+  Lift x;
+  x.friction = 0.1;
+  x.joints = R"(<joint name="press" type="slide" axis="1 0 0"/><joint name="spin" type="hinge" axis="0 0 1"/>
+      <joint name="lift" type="slide" axis="0 0 1"/>)";
+  const std::string text = replaced(
+      document(x), R"(<geom name="bore")",
+      R"(<body name="holder"><joint name="ring" type="slide" axis="0 0 1" damping="20"/>
+      <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/><geom name="bore")");
+  const ModelPointer m = load(replaced(text, "size=\"0.0505\"/>", "size=\"0.0505\"/></body>"));
+  const DataPointer d = pressed(m.get(), -1.0);
+  run(m.get(), d.get(), 0.01);
+  const double first = 1.0 - std::exp(-20.0 * 0.01);  // of 1 kg on 20 N s/m
+  EXPECT_NEAR(of(m.get(), d->qvel, "ring"), -0.5 * first, 1e-4);
+  EXPECT_NEAR(of(m.get(), d->qvel, "lift"), -1.0 - 0.01 * (kWeight - 10.0) / kLiftMass, 1e-12);
+  run(m.get(), d.get(), 1.0);
+  EXPECT_NEAR(of(m.get(), d->qvel, "ring"), -0.5, 1e-8);
+}
+
+// What is told apart is the machine, not its names: the same document with another axis.
+TEST_F(Axial, ModelsThatDifferInAnAxisAlone) {
+  const std::string lifts = document(Lift{}), stays = replaced(lifts, "name=\"lift\" type=\"slide\" axis=\"0 0 1\"",
+                                                               "name=\"lift\" type=\"slide\" axis=\"0 1 0\"");
+  for (const std::string* text : {&stays, &lifts, &stays}) {
+    const ModelPointer m = load(*text);
+    const DataPointer d = pressed(m.get(), -1.0);
+    run(m.get(), d.get(), 1e-3);
+    const double friction = sensor(m.get(), d.get(), "friction_force");
+    if (text == &lifts) {
+      EXPECT_NEAR(of(m.get(), d->qvel, "lift"), -1.0 + 1e-3 * (50.0 - kWeight) / kLiftMass, 1e-12);
+    } else {
+      EXPECT_GT(std::abs(friction), 10.0);
+    }
+  }
+}
+
 // Tied along its axis to 3 kg: friction brakes both.
 TEST_F(Axial, BesideAConstraint) {
   for (const char* contact : {"rigid", "coulomb"}) {

@@ -207,6 +207,33 @@ TEST(DiscLaw, SeveralContactsMeetTheLaws) {
   EXPECT_GT(solved, 890);
 }
 
+// Two rings of a shaft side by side: one contact's rows, and the same less what the distance between makes of them.
+TEST(DiscLaw, TwoContactsThatAreNearlyOne) {
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal;
+  for (const double apart : {1.0, 1e-1, 1e-2}) {
+    int solved = 0;
+    for (int k = 0; k < 200; ++k) {
+      Eigen::MatrixXd w(6, 6), beside(6, 3);
+      for (double& x : w.reshaped()) x = normal(random);
+      for (double& x : beside.reshaped()) x = normal(random);
+      w.rightCols(3) = w.leftCols(3) + apart * beside;
+      const ContactMatrix a = w.transpose() * w;
+      Eigen::VectorXd v(6);
+      for (double& x : v) x = normal(random);
+      ContactVector b = w.transpose() * v;
+      if (b[0] > 0.0) b = -b;
+      std::vector<DiscSet> sets(2);
+      for (DiscSet& s : sets) s.friction = 0.3;
+      const CoupledSolution s = solve_discs(a, b, sets);
+      if (s.solutions == 0) continue;
+      ++solved;
+      EXPECT_LT(off_the_laws(a, b, sets, s.p), 1e-10) << apart << " " << k;
+    }
+    EXPECT_GT(solved, 190) << apart;
+  }
+}
+
 // Two rings about a body that cannot tilt: one motion, and each takes half, along the axis too.
 TEST(DiscLaw, WhatIsSharedIsSharedAlike) {
   ContactMatrix a(6, 6);

@@ -165,6 +165,13 @@ TEST_F(NativeTwinTest, SaysWhatItLeavesOut) {
       <inertial pos="0 0 0.05" mass="2" diaginertia="1e-3 1e-3 1e-3"/>
       <geom name="disc" type="cylinder" size="0.05 0.01" pos="0 0 0.002" contype="0" conaffinity="0" mass="0"/>
       </body>)"));
+  const std::string friction = R"(<numeric name="rotorub_friction" data="0.15"/>)";
+  const NativeTwin lifted = twin_of(machine(R"(<body name="shaft">
+      <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint name="lift" type="slide" axis="0 0 1"/>
+      <inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 1e-3 1e-3"/>)" + kDisc + "</body>"));
+  ASSERT_EQ(lifted.limits.size(), 2u);
+  EXPECT_NE(lifted.limits[0].find("\"lift\"> moves nothing in the contact's plane"), std::string::npos);
+  EXPECT_NE(lifted.limits[1].find("friction along the ring's axis"), std::string::npos);
   ASSERT_FALSE(tilting_far.limits.empty());
   EXPECT_NE(tilting_far.limits[0].find("not small"), std::string::npos) << tilting_far.limits[0];
 }
