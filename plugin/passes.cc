@@ -102,7 +102,7 @@ void apply_soft_contact(const Config& config, const mjModel* m, mjData* d,
   } else if (config.contact == scene::ContactModel::kCoulomb) {
     apply_coulomb(config, m, d, *contact, state);
   } else {
-    apply_cone(config, d, *contact);
+    apply_cone(config, m, d, *contact);
   }
 }
 

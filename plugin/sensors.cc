@@ -57,7 +57,7 @@ void fill_pair_sensors(const OwnPair& pair, const mjModel* m, mjData* d, int sta
   const SensorAddresses& s = pair.sensors;
   if (stage == mjSTAGE_POS && has_gap(s)) put_gap(pair, d);
   if (stage == mjSTAGE_VEL && has_rates(s)) put_rates(d, s, own_contact_point(pair, m, d));
-  if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(pair, d));
+  if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(pair, m, d));
 }
 
 ContactPoint point_of(const Config& config, const mjData* d) {
@@ -102,7 +102,7 @@ void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d) 
     const SensorAddresses& s = pair.sensors;
     if (s.gap_in_control) put_gap(pair, d);
     if (s.rates_in_control) put_rates(d, s, own_contact_point(pair, m, d));
-    put_forces(m, d, s, contact_forces(pair, d));
+    put_forces(m, d, s, contact_forces(pair, m, d));
   }
 }
 
@@ -119,7 +119,7 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
   }
   if (stage == mjSTAGE_VEL && config.shadow) fill_shadow_sensors(config, d);
   if (!config.model.contact) return;
-  if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(config, d));
+  if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(config, m, d));
   if (stage == mjSTAGE_POS && has_gap(s)) {
     put_gap(d, s, gap_of(config, d), config.model.contact->clearance);
   }

@@ -29,7 +29,7 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
     failed_ = !step() || bad();
     if (failed_) break;
     StepResult& r = results_[done];
-    r.forces = plugin::contact_forces(config_, data_.get());
+    r.forces = plugin::contact_forces(config_, m_, data_.get());
     r.actuator = plugin::actuator_state(config_, m_, data_.get());
     if (commands_) r.command = plugin::command_of_pass(config_, m_, data_.get());
     if (r.forces.status != Status::kOk) {
@@ -65,7 +65,7 @@ StepResult ChunkedRun::last_half() {
   mj_forward(m_, data_.get());
   read_state(states_.data());
   std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), states_.data() + size());
-  return {plugin::contact_forces(config_, data_.get()),
+  return {plugin::contact_forces(config_, m_, data_.get()),
           plugin::actuator_state(config_, m_, data_.get()),
           {0.0, 0.0}};
 }

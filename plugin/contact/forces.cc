@@ -24,13 +24,23 @@ ContactForces rigid_forces(const mjtNum* entry) {
   return out;
 }
 
+// Within the surface of the cone, where MuJoCo's regularisation lets nothing stick in full: of its pyramid
+// both edges of the tangent then carry, of its ellipse |T| < mu N.
+bool within_cone(const mjModel* m, const mjData* d, const mjContact& contact, const ContactForces& f) {
+  const mjtNum* edges = d->efc_force + contact.efc_address;
+  if (mj_isPyramidal(m)) return edges[0] > 0.0 && edges[1] > 0.0;
+  return std::abs(f.friction) < (1.0 - 1e-6) * contact.friction[0] * f.normal;
+}
+
 // Of a soft contact. Where `told`, it is known before MuJoCo's solver, which then finds the same.
-ContactForces soft_forces(scene::ContactModel law, const mjContact* contact, const mjtNum* entry,
-                          bool told, const mjData* d) {
+ContactForces soft_forces(const mjModel* m, scene::ContactModel law, const mjContact* contact,
+                          const mjtNum* entry, bool told, const mjData* d) {
   if (!contact) return {};
-  const int row = contact->efc_address;
+  // Along the contact's frame, whether the cone is a pyramid or an ellipse.
+  mjtNum force[6];
+  mj_contactForce(m, d, static_cast<int>(contact - d->contact), force);
   ContactForces out;
-  out.normal = told ? entry[kNormalForce] : d->efc_force[row];
+  out.normal = told ? entry[kNormalForce] : force[0];
   if (!(out.normal > 0.0)) return {};
   if (law == scene::ContactModel::kCoulomb) {
     out.friction = entry[kFrictionForce];
@@ -38,28 +48,26 @@ ContactForces soft_forces(scene::ContactModel law, const mjContact* contact, con
     return out;
   }
   // A force on geom 2 along the frame. Turning the frame turns e_t and the body that it acts on.
-  out.friction = contact->dim >= 3 ? -d->efc_force[row + 1] : 0.0;
-  // MuJoCo regularises: on the cone's surface it slides.
-  const bool inside = std::abs(out.friction) < (1.0 - 1e-6) * contact->friction[0] * out.normal;
-  out.mode = contact->dim >= 3 && inside ? Mode::kStick : Mode::kSlide;
+  out.friction = -force[1];
+  out.mode = contact->dim >= 3 && within_cone(m, d, *contact, out) ? Mode::kStick : Mode::kSlide;
   return out;
 }
 
 }  // namespace
 
-ContactForces contact_forces(const Config& config, const mjData* d) {
-  if (!config.pairs.empty()) return contact_forces(config.pairs.front(), d);
+ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d) {
+  if (!config.pairs.empty()) return contact_forces(config.pairs.front(), m, d);
   if (!config.model.contact) return {};
   if (config.contact == scene::ContactModel::kRigid) return rigid_forces(d->userdata);
   const mjContact* contact = find_contact(config.rotor_geom, config.ring_geom, d);
-  return soft_forces(config.contact, contact, d->userdata, false, d);
+  return soft_forces(m, config.contact, contact, d->userdata, false, d);
 }
 
-ContactForces contact_forces(const OwnPair& pair, const mjData* d) {
+ContactForces contact_forces(const OwnPair& pair, const mjModel* m, const mjData* d) {
   const mjtNum* entry = d->userdata + pair.data;
   if (pair.law == scene::ContactModel::kRigid) return rigid_forces(entry);
   const mjContact* contact = find_contact(pair.rotor_geom, pair.ring_geom, d);
-  return soft_forces(pair.law, contact, entry, pair.law == scene::ContactModel::kCoulomb, d);
+  return soft_forces(m, pair.law, contact, entry, pair.law == scene::ContactModel::kCoulomb, d);
 }
 
 }  // namespace rotorub::plugin

@@ -21,8 +21,8 @@ struct ContactForces {
 
 // After mj_forward or mj_step: of the forward pass done last.
 // Of several contacts the first.
-ContactForces contact_forces(const Config& config, const mjData* d);
+ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d);
 // Of one contact of a user's own model.
-ContactForces contact_forces(const OwnPair& pair, const mjData* d);
+ContactForces contact_forces(const OwnPair& pair, const mjModel* m, const mjData* d);
 
 }  // namespace rotorub::plugin
