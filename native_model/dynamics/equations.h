@@ -98,16 +98,17 @@ struct DiscAngles {
 
   template <class M>
   ROTORUB_INLINE void fill(const M& m, double t, const T* q) {
-    fill(m, t, q, t, t);
+    fill(m, t, q, lanes::all<T>(t), lanes::all<T>(t));
   }
   // Of a step from `begin` to `end`, s: those that come within it count with their share of it.
   template <class M>
-  ROTORUB_INLINE void fill(const M& m, double t, const T* q, double begin, double end) {
+  ROTORUB_INLINE void fill(const M& m, double t, const T* q, const T& begins, const T& ends) {
     const T spin = equations::spin_angle(m, t, q);
     for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
       const T angle = spin + m.unbalances[i].phase;
       for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
         const double a = lanes::get(angle, lane), on = lanes::get(m.unbalances[i].on, lane);
+        const double begin = lanes::get(begins, lane), end = lanes::get(ends, lane);
         const double share = on <= begin ? 1.0 : on < end ? (end - on) / (end - begin) : 0.0;
         lanes::set(cosine[i], lane, share * std::cos(a));
         lanes::set(sine[i], lane, share * std::sin(a));

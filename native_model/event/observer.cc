@@ -126,7 +126,7 @@ void Observer::record_impact(const Impact& impact) {
   record(impact.t, EventKind::kImpact);
 }
 
-const Statistics& Observer::finish(const Motion& end) {
+void Observer::finish(const Motion& end) {
   Statistics& s = recorder_->statistics();
   if (std::isfinite(phase_->first_touch())) s.first_touch = phase_->first_touch();
   s.contact_time = contact_time_;
@@ -137,8 +137,7 @@ const Statistics& Observer::finish(const Motion& end) {
   s.contact_work = end.integral(kContactWork) + impact_work_;
   s.external_work = end.integral(kExternalWork);
   s.energy_end = energy(*model_, end.t, end.q(), end.v());
-  s.energy_scale = std::max(energy_scale_, std::abs(s.energy_end));
-  return s;
+  s.energy_scale = std::max({s.energy_scale, energy_scale_, std::abs(s.energy_end)});
 }
 
 }  // namespace rotorub

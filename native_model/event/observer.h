@@ -41,7 +41,7 @@ class Observer {
   void record(double t, EventKind kind) { recorder_->add(Event{t, kind}); }
 
   // All figures of the run. Asked once, at its end.
-  const Statistics& finish(const Motion& end);
+  void finish(const Motion& end);
 
  private:
   Snapshot snapshot(double t, const double* y);

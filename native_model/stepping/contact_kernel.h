@@ -87,6 +87,17 @@ class ContactKernel : public LoadKernel<M> {
   // is done.
   template <class Collide, class Lasted>
   ROTORUB_INLINE void touch(const T* from, Collide collide, Lasted done) {
+    const T zero{}, lasted = in_contact, outside = go_on(from, done);
+    const Mask fresh = (outside > zero) & (lasted == zero);
+    if (!lanes::any(fresh)) return;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (lanes::get(fresh, lane)) collide(lane);
+    }
+  }
+
+  // Of that what goes on of lasting contact; 1 where the path leaves the circle.
+  template <class Lasted>
+  ROTORUB_INLINE T go_on(const T* from, Lasted done) {
     const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(h_), c = contact.clearance;
     const Centre d = equations::separation(*m_, from);
     const Centre w = equations::relative(*m_, free_.data());
@@ -96,18 +107,12 @@ class ContactKernel : public LoadKernel<M> {
     const T lasted = in_contact;
     in_contact = outside * lasted;
     slip_sign = in_contact * slip_sign;
-    if (!lanes::any(outside > zero)) return;
-
     const Mask rests = (outside > zero) & (lasted > zero);
     if (lanes::any(rests)) {
       lasting_contact(rests, from, d, w);
       done();
     }
-    const Mask fresh = (outside > zero) & (lasted == zero);
-    if (!lanes::any(fresh)) return;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (lanes::get(fresh, lane)) collide(lane);
-    }
+    return outside;
   }
 
   // The step's end: v = after_, q = from + dt after_. A lane with a status stays where it was.

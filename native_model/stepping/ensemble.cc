@@ -48,10 +48,13 @@ class LaneCommands {
         v[i] = lanes::get(kLate ? v_[static_cast<std::size_t>(i)] : kernel.v()[i], lane);
         a[i] = k == 0 ? 0.0 : 2.0 / step_ * (v[i] - lanes::get(kernel.v()[i], lane));
       }
-      const Eigen::Vector2d u =
-          !kLate ? hold.at(t, q, v)
-                 : (hold.listens(end) ? hold.mean(k == 0 ? t : t - 0.5 * step_, t, end, q, v, a)
-                                      : hold.held());
+      Eigen::Vector2d u = hold.held();
+      if constexpr (!kLate) {
+        u = hold.at(t, q, v);
+      } else if (hold.listens(end)) {
+        u = hold.mean(k == 0 ? t : t - 0.5 * step_, t, end, q, v, a);
+        kernel.jump(lane, hold.jump());
+      }
       lanes::set(kernel.command_x, lane, u.x());
       lanes::set(kernel.command_y, lane, u.y());
       if (!hold.failure().empty()) kernel.fail(lane, Status::kControllerFailed);

@@ -1,6 +1,7 @@
 // What a fixed step of one run did.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -18,6 +19,13 @@ struct ImpactList {
     if (count < StepImpacts::kMost) impact[static_cast<std::size_t>(count++)] = i;
   }
   std::span<const Impact> view() const { return {impact.data(), static_cast<std::size_t>(count)}; }
+};
+
+// A command that jumps within a step: the share of the step before, in (0, 1), and the means before
+// and after. Share 0: none.
+struct CommandJump {
+  double share = 0.0;
+  Eigen::Vector2d before{0.0, 0.0}, after{0.0, 0.0};
 };
 
 struct FixedStep {

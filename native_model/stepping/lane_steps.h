@@ -50,7 +50,8 @@ struct LaneWork {
   template_ void VerletImpacts<__VA_ARGS__>::find_lasting();                                \
   template_ void VerletImpacts<__VA_ARGS__>::show_lasting(int, std::int64_t, T*) const;     \
   template_ void VerletImpacts<__VA_ARGS__>::go_on_lasting(std::int64_t);                   \
-  template_ void VerletImpacts<__VA_ARGS__>::collide(int, std::int64_t);
+  template_ void VerletImpacts<__VA_ARGS__>::collide(int, std::int64_t);                    \
+  template_ void VerletJumps<__VA_ARGS__>::split(const Before&, double, double, T&, T&);
 
 // Of W lanes, of any size and of each known one.
 #define ROTORUB_SMALL_LANE_STEPS(L, W) ROTORUB_LANE_STEPS(W, Sized<Lanes<W>, L>)

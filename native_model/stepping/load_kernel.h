@@ -149,11 +149,16 @@ class LoadKernel {
   // start_ -> free_: the velocities that the loads of step k give, about the instant t and at q;
   // begin (s): of the loads, they end at t + h/2.
   ROTORUB_INLINE void free_velocity(std::int64_t k, double begin, double t, const T* q) {
+    instant_ = t;
+    const double end = t + 0.5 * h_;
+    loads_.advance(k, t, begin, end);
+    weighed_free_velocity(lanes::all<T>(begin), lanes::all<T>(end), q);
+  }
+  // The same with the loads as weighed last; begin..end: of all others that are switched.
+  ROTORUB_INLINE void weighed_free_velocity(const T& begin, const T& end, const T* q) {
     const int nq = layout().nq();
     const T h = lanes::all<T>(h_);
-    const double end = t + 0.5 * h_;
-    instant_ = t;
-    loads_.advance(k, t, begin, end);
+    const double t = instant_;
     if (m_->feedback) find_working(begin, end);
     if (loads_.synchronous()) loads_.turn_with(equations::spin_angle(*m_, t, q));
     if (!m_->unbalances.empty()) {
@@ -189,7 +194,7 @@ class LoadKernel {
   // end with its contact. False once every lane has come to rest; one that has keeps its bits.
   ROTORUB_INLINE bool improve(const T* q, const T* end) {
     const int nq = layout().nq(), n = layout().modes, phi = layout().phi();
-    const T h = lanes::all<T>(h_), half = lanes::all<T>(0.5), zero{};
+    const T h = lanes::all<T>(kick_ * h_), half = lanes::all<T>(0.5), zero{};
     const T *start = start_.data(), *mass = m_->mass.data();
     T *f = f_.data(), *change = change_.data(), *free = free_.data();
     for (int i = 0; i < nq; ++i) change[i] = half * (start[i] + end[i]);
@@ -283,6 +288,7 @@ class LoadKernel {
 
   const M* m_;
   double h_;
+  double kick_ = 1.0;  // of a step: what the loads and the contact act for where they are iterated
   bool coupled_ = false, iterates_ = false, failed_ = false, magnetic_ = false;
   VelocityMatrix<T> matrix_;
   SteppedLoads<T> loads_;
@@ -305,10 +311,12 @@ class LoadKernel {
     if (law.damping() == 0.0 || law.fails_at <= 0.0) return false;
     return std::isfinite(law.current_limit) || law.fails_at < scene::kNever;
   }
-  ROTORUB_SLOW void find_working(double begin, double end) {
+  ROTORUB_SLOW void find_working(const T& begin, const T& end) {
     for (int lane = 0; lane < kLanes; ++lane) {
       const double fails_at = lanes::get(m_->feedback->law.fails_at, lane);
-      lanes::set(working_, lane, MagneticFeedback<double>::working(fails_at, begin, end));
+      lanes::set(working_, lane,
+                 MagneticFeedback<double>::working(fails_at, lanes::get(begin, lane),
+                                                   lanes::get(end, lane)));
     }
   }
 

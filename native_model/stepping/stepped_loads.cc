@@ -2,6 +2,20 @@
 
 namespace rotorub {
 
+double next_switch(const Model& model, double from, double end) {
+  double next = end;
+  const auto look_at = [&](double instant) {
+    if (instant > from && instant < next) next = instant;
+  };
+  for (const AppliedForce& force : model.forces) {
+    look_at(force.on);
+    look_at(force.off);
+  }
+  for (const DiscUnbalance& unbalance : model.unbalances) look_at(unbalance.on);
+  if (model.feedback) look_at(model.feedback->law.fails_at);
+  return next;
+}
+
 template <class T>
 SteppedLoads<T>::SteppedLoads(const std::vector<const Model*>& models, double h) {
   using lanes::set;

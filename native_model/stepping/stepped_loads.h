@@ -14,6 +14,9 @@
 
 namespace rotorub {
 
+// s: when a load is switched next after `from`, at most `end`.
+double next_switch(const Model& model, double from, double end);
+
 template <class T>
 class SteppedLoads {
  public:
@@ -29,6 +32,12 @@ class SteppedLoads {
     for (Load& load : loads_) {
       if (load.kind == scene::ForceKind::kRotating) turn(load, k, t);
       if (load.kind == scene::ForceKind::kChirp) sweep(load, t);
+    }
+    weigh(lanes::all<T>(begin), lanes::all<T>(end));
+  }
+  // After advance: the envelopes over another part of the step.
+  ROTORUB_INLINE void weigh(const T& begin, const T& end) {
+    for (Load& load : loads_) {
       const bool turns = load.turns();
       const T x = turns ? load.amplitude * load.cosine : load.vector_x;
       const T y = turns ? load.amplitude * load.sine : load.vector_y;
@@ -107,8 +116,9 @@ class SteppedLoads {
     }
   }
   // Of sin(pi (t - on)/(off - on)), by its integral.
-  ROTORUB_SLOW void mean_pulse(Load& load, double from, double to) const {
+  ROTORUB_SLOW void mean_pulse(Load& load, const T& begins, const T& ends) const {
     for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
+      const double from = lanes::get(begins, lane), to = lanes::get(ends, lane);
       const double on = lanes::get(load.on, lane), off = lanes::get(load.off, lane);
       const double begin = std::clamp(from, on, off), end = std::clamp(to, on, off);
       const double turn = std::numbers::pi / (off - on);
@@ -127,10 +137,9 @@ class SteppedLoads {
     return lanes::select(since < load.ramp, half * since * since / length,
                          since - half * load.ramp);
   }
-  ROTORUB_INLINE T mean_envelope(const Load& load, double from, double to) const {
-    const T begin = lanes::all<T>(from), end = lanes::all<T>(to);
+  ROTORUB_INLINE T mean_envelope(const Load& load, const T& begin, const T& end) const {
     const auto until = [&](const T& x) { return lanes::select(x < load.off, x, load.off); };
-    const T mean = (risen(load, until(end)) - risen(load, until(begin))) / lanes::all<T>(to - from);
+    const T mean = (risen(load, until(end)) - risen(load, until(begin))) / (end - begin);
     // Exactly 1 where nothing changes within the step.
     const auto whole = (begin >= load.on + load.ramp) & (end <= load.off);
     return lanes::select(whole, lanes::all<T>(1.0), mean);

@@ -7,7 +7,7 @@
 
 namespace rotorub {
 
-// What a kernel of any size offers; the last four are verlet's.
+// What a kernel of any size offers; the last five are verlet's.
 struct Stepper::Kernel {
   virtual ~Kernel() = default;
   virtual FixedStep step(std::int64_t k, const Eigen::Vector2d& u, bool works) = 0;
@@ -19,6 +19,7 @@ struct Stepper::Kernel {
   virtual void restore(const double* from) = 0;
   virtual void adopt(const double* q, const double* v) = 0;
   virtual void apply(const double* loads) = 0;
+  virtual void jump(const CommandJump&) { assert(false); }
   virtual void velocity_now(std::int64_t, const Eigen::Vector2d&, double*) { assert(false); }
   virtual const double* last_q() const { return nullptr; }
   virtual void last_velocity(double*) const { assert(false); }
@@ -80,6 +81,9 @@ class Stepper::Kernel::Of final : public Stepper::Kernel {
   void adopt(const double* q, const double* v) override { kernel_.adopt(q, v); }
   void apply(const double* loads) override { kernel_.applied = loads; }
 
+  void jump(const CommandJump& command) override {
+    if constexpr (kLate) kernel_.jump(0, command);
+  }
   void velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) override {
     if constexpr (kLate) {
       kernel_.command_x = held.x();
@@ -154,6 +158,7 @@ std::size_t VerletStepper::memory_size(const Model& model) {
 }
 void VerletStepper::adopt(const double* q, const double* v) { kernel_->adopt(q, v); }
 void VerletStepper::apply(const double* loads) { kernel_->apply(loads); }
+void VerletStepper::jump(const CommandJump& command) { kernel_->jump(command); }
 const double* VerletStepper::v_half() const { return kernel_->v(); }
 void VerletStepper::velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) {
   kernel_->velocity_now(k, held, v);

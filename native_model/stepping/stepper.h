@@ -65,6 +65,8 @@ class VerletStepper : public Stepper {
   // MuJoCo), and further loads (nq values, held over it; they must outlive it; null: none).
   void adopt(const double* q, const double* v_half);
   void apply(const double* loads);
+  // The command of the step that comes jumps within it.
+  void jump(const CommandJump& command);
 
   const double* v_half() const;  // of t_{k+1/2}: what the next impact does to it is not in it
   // Before step k: the velocities of t_k under the command that holds and the contact force of the

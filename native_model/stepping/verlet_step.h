@@ -7,16 +7,17 @@
 //      half a kick.
 //   2. The straight path q_k + h v_f stays in the ring: done.
 //   3. It leaves the circle, out of flight: Poisson's law where it does (verlet_impacts.h).
-//   4. Lasting contact: the step ends on the circle (contact/lasting_contact.h).
+//   4. Lasting contact: the step ends on the circle (contact/lasting_contact.h); where a load or the
+//      command jumps within it, verlet_jumps.h.
 #pragma once
 
-#include "native_model/stepping/verlet_impacts.h"
+#include "native_model/stepping/verlet_jumps.h"
 
 namespace rotorub {
 
 template <class M>
-class VerletKernel : public VerletImpacts<M> {
-  using Base = VerletImpacts<M>;
+class VerletKernel : public VerletJumps<M> {
+  using Base = VerletJumps<M>;
 
  public:
   using typename Base::Centre;
@@ -68,6 +69,10 @@ class VerletKernel : public VerletImpacts<M> {
     this->was_first_ = this->first_ > 0.0;
     if (this->takes_time_) this->find_lasting();
     if (this->contact_) {
+      const double end = time_of(k) + 0.5 * this->h_, begin = this->was_first_ ? time_of(k) : end - this->h_;
+      const typename Base::Before was{this->in_contact, this->slip_sign};
+      const bool jumps = this->jumps(begin, end);
+      this->kick_ = this->was_first_ ? 0.5 : 1.0;
       pressed_normal_ = pressed_friction_ = T{};
       this->touch(
           q, [&](int lane) { this->collide(lane, k); },
@@ -75,8 +80,11 @@ class VerletKernel : public VerletImpacts<M> {
             pressed_normal_ = this->normal_impulse;
             pressed_friction_ = this->friction_impulse;
           });
+      if (jumps) this->split(was, begin, end, pressed_normal_, pressed_friction_);
       if (this->impact_lasts_) this->go_on_lasting(k);
+      this->kick_ = 1.0;
     }
+    this->forget_jumps();
     this->first_ = 0.0;
     this->move(before_.data(), lanes::all<T>(this->h_));
   }
@@ -176,17 +184,16 @@ class VerletKernel : public VerletImpacts<M> {
   // start_ and free_ of step k.
   ROTORUB_INLINE void kick(std::int64_t k) {
     const int nq = this->layout().nq();
-    T *start = this->start_.data(), *free = this->free_.data();
+    T* start = this->start_.data();
     for (int i = 0; i < nq; ++i) start[i] = this->v_[static_cast<std::size_t>(i)];
     if (this->owes_ > 0.0) {
       for (int i = 0; i < nq; ++i) start[i] += this->late_[static_cast<std::size_t>(i)];
     }
-    const double t = this->origin + static_cast<double>(k) * this->h_;
+    const double t = time_of(k);
     this->free_velocity(k, this->first_ > 0.0 ? t : t - 0.5 * this->h_, t, this->q_.data());
-    if (this->first_ == 0.0) return;
-    const T half = lanes::all<T>(0.5);
-    for (int i = 0; i < nq; ++i) free[i] = half * (start[i] + free[i]);
+    this->halve_first_kick();
   }
+  double time_of(std::int64_t k) const { return this->origin + static_cast<double>(k) * this->h_; }
 
   typename Base::Coordinates before_ = Base::make(*this->m_);  // q_k
   T pressed_normal_{}, pressed_friction_{};                    // N s, of lasting contact alone

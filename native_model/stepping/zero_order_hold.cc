@@ -7,6 +7,7 @@
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/control/sampling.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/stepping/stepped_loads.h"
 #include "native_model/system/actuation.h"
 
 namespace rotorub {
@@ -33,21 +34,6 @@ double ZeroOrderHold::next_sample() const {
   if (!model_->controller) return std::numeric_limits<double>::infinity();
   if (last_sample_ < 0.0) return model_->control_on;
   return (last_sample_ + 1.0) * model_->sample_time;
-}
-
-// s: when a load is switched next after `from`, at most `end`.
-double ZeroOrderHold::next_switch(double from, double end) const {
-  double next = end;
-  const auto look_at = [&](double instant) {
-    if (instant > from && instant < next) next = instant;
-  };
-  for (const AppliedForce& force : model_->forces) {
-    look_at(force.on);
-    look_at(force.off);
-  }
-  for (const DiscUnbalance& unbalance : model_->unbalances) look_at(unbalance.on);
-  if (model_->feedback) look_at(model_->feedback->law.fails_at);
-  return next;
 }
 
 bool ZeroOrderHold::listens(double end) const {
@@ -77,12 +63,15 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
     const ForceLaw& law = *m.magnets->law;
     return {law.force(s.x(), command.x()), law.force(s.y(), command.y())};
   };
-  Eigen::Vector2d sum{0.0, 0.0};
+  Eigen::Vector2d sum{0.0, 0.0}, before{0.0, 0.0};
   double from = begin;
-  bool jumps = false;
+  jump_ = {};
   const auto until = [&](double instant) {
     const double to = std::clamp(instant, from, end);
-    jumps = jumps || (from > begin && to > from);
+    if (jump_.share == 0.0 && from > begin && to > from) {
+      jump_.share = (from - begin) / (end - begin);
+      before = sum;
+    }
     sum += (to - from) * acts(held_);
     from = to;
   };
@@ -95,19 +84,25 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
   } else {
     // A load that is switched jumps in a command that feeds the loads forward.
     if (m.control_on > begin) until(m.control_on);
-    for (double instant = next_switch(from, end); from < end; instant = next_switch(from, end)) {
-      const double before = std::nextafter(instant, begin);
-      take(instant < end ? std::clamp(t, from, before) : std::max(t, from));
+    for (double instant = next_switch(m, from, end); from < end; instant = next_switch(m, from, end)) {
+      const double last = std::nextafter(instant, begin);
+      take(instant < end ? std::clamp(t, from, last) : std::max(t, from));
       until(instant);
     }
   }
   until(end);
-  if (!jumps) return held_;
-  sum /= end - begin;
-  if (!forces) return sum;
-  const MagneticActuator& magnets = *m.magnets;
-  return {magnets.law->current(s.x(), sum.x(), magnets.current_limit),
-          magnets.law->current(s.y(), sum.y(), magnets.current_limit)};
+  if (jump_.share == 0.0) return held_;
+  const auto mean_of = [&](const Eigen::Vector2d& part, double time) -> Eigen::Vector2d {
+    const Eigen::Vector2d mean = part / time;
+    if (!forces) return mean;
+    const MagneticActuator& magnets = *m.magnets;
+    return {magnets.law->current(s.x(), mean.x(), magnets.current_limit),
+            magnets.law->current(s.y(), mean.y(), magnets.current_limit)};
+  };
+  const double whole = end - begin;
+  jump_.before = mean_of(before, jump_.share * whole);
+  jump_.after = mean_of(sum - before, (1.0 - jump_.share) * whole);
+  return mean_of(sum, whole);
 }
 
 std::size_t ZeroOrderHold::memory_size(const Model& model) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "native_model/stepping/fixed_step.h"
 #include "native_model/system/sampled_command.h"
 
 namespace rotorub {
@@ -27,6 +28,8 @@ class ZeroOrderHold {
   // magnets that do not lag, the ones of the mean force. Ask in order.
   Eigen::Vector2d mean(double begin, double t, double end, const double* q, const double* v,
                        const double* a);
+  // Of the last mean(): where the command first jumped in it.
+  const CommandJump& jump() const { return jump_; }
   // Whether mean() would look at the state.
   bool listens(double end) const;
   // Of a sampled law, at its last sample (ActuatorState::outputs).
@@ -48,10 +51,10 @@ class ZeroOrderHold {
  private:
   Eigen::Vector2d command(double t, const double* q, const double* v);
   double next_sample() const;
-  double next_switch(double from, double end) const;
 
   const Model* model_;
   Eigen::Vector2d held_{0.0, 0.0};
+  CommandJump jump_;
   double last_sample_ = -1.0;  // index of the sample held; -1: none yet
   SampledCommand sampled_;
   std::optional<Eigen::Vector2d> currents_;

@@ -9,8 +9,6 @@
 namespace rotorub {
 namespace {
 
-constexpr double kLargestResidual = 1.0;  // of the energy balance
-
 std::string text(double value) { return scene::number_text(value, 3); }
 
 }  // namespace
@@ -37,13 +35,6 @@ std::optional<std::string> out_of_range(const Model& m, const double* q, double 
     }
   }
   return {};
-}
-
-std::optional<std::string> out_of_balance(const Statistics& s) {
-  const double residual = s.energy_residual();
-  if (residual <= kLargestResidual) return {};
-  return "the energy balance misses " + text(residual) + " times the largest energy met, " +
-         text(s.energy_scale) + " J";
 }
 
 }  // namespace rotorub

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "native_model/system/model.h"
-#include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
 
@@ -16,9 +15,5 @@ namespace rotorub {
 // A few operations, and no allocation where the answer is empty: to be asked at every step.
 std::optional<std::string> out_of_range(const Model& model, const double* q);
 std::optional<std::string> out_of_range(const Model& model, const double* q, double depth);
-
-// Why the balance of the energy says that the run is none of the model's; empty where it does not:
-// more energy came from nowhere, or went there, than the system ever held (residual above 1).
-std::optional<std::string> out_of_balance(const Statistics& statistics);
 
 }  // namespace rotorub

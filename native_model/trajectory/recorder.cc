@@ -111,6 +111,13 @@ void Recorder::look_at_energy() {
   Statistics& s = statistics_;
   s.energy_end = energy(*model_, last_.t, last_.q, last_.v);
   s.energy_scale = std::max(s.energy_scale, std::abs(s.energy_end));
+  meet_contact(last_);
+}
+
+void Recorder::meet_contact(const Snapshot& now) {
+  if (now.mode == Mode::kFree) return;
+  Statistics& s = statistics_;
+  s.energy_scale = std::max(s.energy_scale, now.normal_force * model_->contact->clearance);
 }
 
 void Recorder::begin(const Snapshot& start) {
@@ -156,7 +163,7 @@ void Recorder::count(const StepFigures& f, double begin) {
   statistics_.external_work += f.external_work;
 }
 
-bool Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impact) {
+void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impact) {
   const double h = now.t - last_.t;
   const std::size_t row = next_;
   rows_until(now, impact);
@@ -164,9 +171,7 @@ bool Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impa
   if (model_->contact) count_gap(point, h);
   keep(now);
   constexpr std::int64_t kLook = 256;  // steps
-  if (++steps_ % kLook != 0 && row == next_) return false;
-  look_at_energy();
-  return true;
+  if (++steps_ % kLook == 0 || row != next_) look_at_energy();
 }
 
 void Recorder::step(const Snapshot& now, double normal_impulse, double friction_impulse,
@@ -240,6 +245,7 @@ void Recorder::row(const Snapshot& now) {
   const Eigen::Vector2d r = rotor_point(m, now.q), rv = rotor_point(m, now.v);
   const Eigen::Vector2d f = ring_centre(m, now.q), fv = stator_point(m, now.v);
   if (m.contact) statistics_.least_gap = std::min(statistics_.least_gap, p.gap);
+  meet_contact(now);
   auto column = columns_.begin();
   const auto put = [&column](double value) { (column++)->values.push_back(value); };
   for (double value : {next_time(), r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(),

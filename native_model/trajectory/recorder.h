@@ -50,11 +50,10 @@ class Recorder {
   void step(const Snapshot& now, double normal_impulse, double friction_impulse, bool impact,
             const Impact* detail = nullptr);
   // For engines that know their works: what was done, beginning at `begin` (s), and the next
-  // snapshot. The latter says whether the energy was looked at (it costs a model evaluation: now and
-  // then). `impact`: as above.
+  // snapshot. The energy is looked at now and then, as it costs a model evaluation. `impact`: as above.
   void count(const StepFigures& figures, double begin);
   // `point`: the contact of `now`, read where there is one.
-  bool advance(const Snapshot& now, const ContactPoint& point, bool impact);
+  void advance(const Snapshot& now, const ContactPoint& point, bool impact);
   // The actuator's part of a snapshot is only read where a row is due up to its time.
   bool row_due(double t) const { return next_time() <= t * (1.0 + 1e-9); }
   double penetration() const { return penetration_; }  // m, of the last snapshot, >= 0
@@ -72,6 +71,7 @@ class Recorder {
  private:
   void keep(const Snapshot& now);
   void look_at_energy();
+  void meet_contact(const Snapshot& now);
   void count_contact(double normal_impulse, double friction_impulse, double h, double begin);
   void count_gap(const ContactPoint& point, double h);
   void rows_until(const Snapshot& now, bool impact);

@@ -66,14 +66,5 @@ TEST(RangeCheck, EndsARunWithWhatThereIs) {
   }
 }
 
-TEST(RangeCheck, OfABalanceThatDoesNotClose) {
-  Statistics s;
-  s.energy_scale = 2.0;
-  s.energy_end = 1.0;
-  EXPECT_FALSE(out_of_balance(s));
-  s.energy_end = 2.1;
-  EXPECT_TRUE(out_of_balance(s));
-}
-
 }  // namespace
 }  // namespace rotorub

@@ -1,0 +1,128 @@
+// `verlet` keeps its order where a load or a command jumps within a step in lasting contact: the
+// contact may open there, the slip stop or turn. The jump stands at the same share of a step all
+// along a ladder of steps, and away from its middle.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "native_model/stepping/ensemble.h"
+#include "tests/support/native_run.h"
+#include "tests/support/order.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kLadder[] = {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6, 2.5e-6};
+constexpr double kJumpOrder = 1.9;
+constexpr double kInstant = 0.02;  // s
+
+// A rotor that is pressed onto the ring from the start.
+constexpr const char* kPressed = R"(
+[run]
+end = 0.03
+output_step = 1e-3
+[rotor]
+speed = 300.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e4]
+damping = [400.0]
+[contact]
+radius = 0.05
+clearance = 0.5e-3
+friction = 0.15
+restitution = 0.3
+[[force]]
+kind = "constant"
+vector = [100.0, 0.0]
+[initial]
+x = [0.5e-3]
+)";
+const std::string kRing = "stator={mass=20.0,damping=400.0,stiffness=1e5}";
+
+scene::Scene pressed(const std::vector<std::string>& overrides) {
+  return scene::parse_scene(kPressed, "pressed.toml", overrides);
+}
+
+// `jump`: the override that makes it, with AT for its instant.
+std::vector<std::string> jumping(std::string jump, std::vector<std::string> others, double at) {
+  jump.replace(jump.find("AT"), 2, std::to_string(1e9 * at) + "e-9");
+  others.push_back(jump);
+  return others;
+}
+
+void expect_order_two(const std::string& jump, const std::vector<std::string>& others) {
+  for (const double share : {0.1, 0.3, 0.5, 0.75, 0.95}) {
+    test::Convergence c;
+    for (const double step : kLadder) {
+      const scene::Scene scene = pressed(jumping(jump, others, kInstant + share * step));
+      const Trajectory exact = test::run_event(scene);
+      const Trajectory t = test::run_with(scene, scene::Integrator::kVerlet, step);
+      ASSERT_EQ(exact.status, Status::kOk) << exact.message;
+      ASSERT_EQ(t.status, Status::kOk) << t.message;
+      c.steps.push_back(step);
+      c.errors.push_back(test::trajectory_error(t, exact, 0.05));
+    }
+    std::printf("%s\n", c.text().c_str());
+    EXPECT_GE(c.order(), kJumpOrder) << "at " << share << " of a step: " << c.text();
+  }
+}
+
+TEST(VerletJump, ALoadThatEndsOpensTheContact) {
+  expect_order_two("force[0].off=AT", {});
+  expect_order_two("force[0].off=AT", {kRing});
+}
+
+TEST(VerletJump, ALoadThatComesOpensTheContact) {
+  expect_order_two("force[1]={kind='constant',vector=[-150.0,60.0],on=AT}",
+                   {kRing, "contact.restitution=0.0"});
+}
+
+// The spin is free: the steps are iterated.
+TEST(VerletJump, ALoadThatEndsOpensTheContactOfADrivenRotor) {
+  expect_order_two("force[0].off=AT",
+                   {kRing, "rotor.modal.inertia=1e-3", "rotor.modal.gyroscopic=[1e-3]",
+                    "drive={kind='linear',gain=0.5,speed=300.0}"});
+}
+
+// It sticks, and is torn off; it slides, and is stopped.
+TEST(VerletJump, ALoadAcrossTurnsTheSlip) {
+  const std::vector<std::string> still = {kRing, "rotor.speed=0.0", "contact.friction=0.5"};
+  expect_order_two("force[1]={kind='constant',vector=[0.0,80.0],on=AT}", still);
+}
+
+TEST(VerletJump, AMagneticBearingThatFailsOpensTheContact) {
+  expect_order_two(
+      "magnetic_bearing={negative_stiffness=4.5e4,control={force_per_current=60.0,"
+      "proportional=2500.0,derivative=3.0,fails_at=AT}}",
+      {kRing, "force[0].vector=[-60.0,-20.0]", "initial.x=[-0.5e-3]"});
+}
+
+TEST(VerletJump, AControllerSwitchedOnOpensTheContact) {
+  expect_order_two(
+      "controller={kind='sliding',on=AT,gap_time=4e-3,bandwidth=400.0,boundary_layer=0.1,"
+      "switching_gain=60.0}",
+      {kRing, "contact.restitution=0.0"});
+  expect_order_two("controller={kind='passive',stiffness=2e6,damping=10.0,on=AT}", {kRing});
+}
+
+// In the lanes of an ensemble each has its own instant, and the bits of its run alone.
+TEST(VerletJump, LanesHaveTheBitsOfTheRunAlone) {
+  std::vector<Model> models;
+  std::vector<scene::Scene> scenes;
+  for (int k = 0; k < 9; ++k) {
+    scenes.push_back(pressed(jumping("force[0].off=AT", {kRing}, kInstant + 0.37e-5 * k)));
+    models.push_back(make_model(scenes.back()));
+  }
+  const std::vector<EnsembleRun> runs =
+      Ensemble(models, 1e-5, scene::Integrator::kVerlet).run(3000);
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    const Trajectory t = test::run_with(scenes[k], scene::Integrator::kVerlet, 1e-5);
+    EXPECT_EQ(runs[k].q[0], t.column("x_1").back()) << k;
+    EXPECT_EQ(runs[k].q[1], t.column("y_1").back()) << k;
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
