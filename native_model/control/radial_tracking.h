@@ -17,6 +17,9 @@ struct RadialError {
   Eigen::Vector2d e_r{1.0, 0.0};
   double delta = 0.0;       // m
   double whirl_speed = 0.0; // m/s, e_t . d'
+  // m/s^2, whirl_speed^2 / delta: by how much more the distance grows than e_r . d''.
+  double centrifugal = 0.0;
+  double certainty = 1.0;   // of e_r: falls to 0 at the centre
   double error = 0.0;       // m
   double rate = 0.0;        // m/s
   GapReference wanted{};
@@ -32,7 +35,13 @@ inline std::optional<RadialError> radial_error(const Measurement& now, const Swi
   r.e_r = d / r.delta;
   const Eigen::Vector2d dv = now.rotor_velocity - now.stator_velocity;
   r.whirl_speed = -r.e_r.y() * dv.x() + r.e_r.x() * dv.y();
-  r.wanted = gap_reference(on, now.t, gap_time);
+  // About the centre, where e_r turns by half a turn at once, no law may hang on it: a force along
+  // it, or the whole of what a passage beside the centre bends the distance by, would hold the ring
+  // there.
+  const double middle = 0.1 * clearance;
+  r.certainty = std::min(1.0, r.delta / middle);
+  r.centrifugal = r.whirl_speed * r.whirl_speed / std::max(r.delta, middle);
+  r.wanted = gap_reference(on, now.t, gap_time, clearance);
   r.error = clearance - r.delta - r.wanted.gap;
   r.rate = -r.e_r.dot(dv) - r.wanted.rate;
   return r;

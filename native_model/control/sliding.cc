@@ -56,7 +56,7 @@ void SlidingController::output(const Measurement& now, const SwitchOn& on, const
 double SlidingController::forward(const Measurement& now, const RadialError& r) const {
   const Eigen::Vector2d own = plant_.stator_stiffness.cwiseProduct(now.stator) +
                               plant_.stator_damping.cwiseProduct(now.stator_velocity);
-  return r.e_r.dot(now.rotor_acceleration) + r.whirl_speed * r.whirl_speed / r.delta +
+  return r.e_r.dot(now.rotor_acceleration) + r.centrifugal +
          r.e_r.dot(own.cwiseQuotient(plant_.stator_mass));
 }
 
@@ -96,7 +96,8 @@ Eigen::Vector2d SlidingController::command(const Measurement& now, const SwitchO
   const double switching = gain * std::clamp(surface(*r) / layer, -1.0, 1.0);
   const double radial = known + r->wanted.acceleration - psi * r->rate - switching;
   const double preload = settings_.preload * preload_share(plant_, e_r) * r->wanted.share;
-  const Eigen::Vector2d push = plant_.stator_mass.cwiseProduct(radial * e_r) - preload * e_r;
+  const Eigen::Vector2d push =
+      r->certainty * (plant_.stator_mass.cwiseProduct(radial * e_r) - preload * e_r);
   return turned_ahead(push, *r, lead_) + damped;
 }
 

@@ -113,7 +113,8 @@ struct LaneGroup {
         q_of[i] = work.kernel.q()[i][l];
         v_of[i] = v[i][l];
       }
-      const double force = k > 0 && !impact(l) ? work.kernel.normal_impulse[l] / step : 0.0;
+      double force = k > 0 && !impact(l) ? work.kernel.normal_impulse[l] / step : 0.0;
+      if constexpr (kVerlet) force += work.kernel.impact_force(l, k).x();
       watch.look({first + lane, k, q_of, v_of, force, work.totals.impacts[l]});
     }
   }
@@ -128,7 +129,7 @@ struct LaneGroup {
           step_refusal(*models[lane], step).empty() ? kernel.status[l] : Status::kStepTooLarge;
       if (watch.stopped()) r.status = Status::kInterrupted;
       r.first_touch = work.totals.first_touch[l];
-      r.contact_steps = static_cast<std::int64_t>(work.totals.contact_steps[l]);
+      r.contact_steps = work.totals.contact_steps[l];
       r.impacts = work.totals.impacts[l];
       r.impulse_total = work.totals.impulse_total[l];
       r.peak_impulse = work.totals.peak_impulse[l];
@@ -229,7 +230,7 @@ InstructionSet best_instruction_set() {
 
 double EnsembleRun::contact_fraction(double end, double step) const {
   if (first_touch < 0.0 || end <= first_touch) return 0.0;
-  const double in_contact = static_cast<double>(contact_steps) + (ends_in_contact ? 0.5 : 0.0);
+  const double in_contact = contact_steps + (ends_in_contact ? 0.5 : 0.0);
   return std::min(1.0, in_contact * step / (end - first_touch));
 }
 

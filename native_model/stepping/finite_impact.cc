@@ -133,6 +133,7 @@ void FiniteImpact::velocities(double t, double* v) const {
 }
 
 Eigen::Vector2d FiniteImpact::force(double t) const {
+  if (t <= touch_ || t >= end_) return {0.0, 0.0};
   return t < middle_ ? Eigen::Vector2d(phase_force_[0], phase_force_[1])
                      : Eigen::Vector2d(phase_force_[2], phase_force_[3]);
 }

@@ -23,14 +23,14 @@ class FiniteImpact {
   // has another one at the end. With a status there is none.
   ImpactStatus begin(double t, const double* q, const double* v, const Eigen::Vector2d& command,
                      bool follows);
-  void cancel() { active_ = 0.0; }
+  void cancel() { active_ = end_ = 0.0; }
   bool active() const { return active_ > 0.0; }  // begun, and not finished
 
   double end() const { return end_; }  // s
   // In [touch, end], nq values each.
   void coordinates(double t, double* q) const;
   void velocities(double t, double* v) const;
-  Eigen::Vector2d force(double t) const;  // N, normal and friction
+  Eigen::Vector2d force(double t) const;  // N, normal and friction; 0 outside
 
   const Impact& record() const { return record_; }
   // J, over the whole of it, of all forces but springs and contact.

@@ -28,6 +28,18 @@ ROTORUB_INLINE void count_impacts(const Kernel& kernel, LaneTotals<W>& totals,
   }
 }
 
+// Impacts that take time are in contact that long, with the force of their mean.
+template <class Kernel>
+ROTORUB_INLINE void spread(const Kernel& kernel, double step, typename Kernel::T& steps,
+                           typename Kernel::T& impulse) {
+  for (int lane = 0; lane < W; ++lane) {
+    if (!(kernel.impact_time[lane] > 0.0)) continue;
+    const double taken = kernel.impact_time[lane] / step;
+    lanes::set(steps, lane, taken);
+    lanes::set(impulse, lane, lanes::get(impulse, lane) / taken);
+  }
+}
+
 template <class Kernel>
 ROTORUB_INLINE void advance_one(LaneWork<Kernel, W>& work, double step, std::int64_t k) {
   using T = lanes::Lane<W>;
@@ -41,9 +53,14 @@ ROTORUB_INLINE void advance_one(LaneWork<Kernel, W>& work, double step, std::int
   const T now = lanes::all<T>(static_cast<double>(k) * step);
   totals.first_touch =
       lanes::select(touched & (totals.first_touch < zero), now, totals.first_touch);
-  totals.contact_steps += lanes::select(touched, one, zero);
+  T steps = lanes::select(touched, one, zero);
   totals.impulse_total += impulse;
-  totals.peak_impulse = lanes::larger(totals.peak_impulse, impulse);
+  T peak = impulse;
+  if constexpr (requires { kernel.impact_time; }) {
+    if (kernel.any_impact()) spread(kernel, step, steps, peak);
+  }
+  totals.contact_steps += steps;
+  totals.peak_impulse = lanes::larger(totals.peak_impulse, peak);
   totals.farthest = lanes::larger(totals.farthest, kernel.square_of_relative());
   T friction_work = kernel.friction_impulse * kernel.slip_of_last();
   if (kernel.any_impact()) count_impacts(kernel, totals, friction_work);

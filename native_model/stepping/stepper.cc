@@ -54,8 +54,8 @@ class Stepper::Kernel::Of final : public Stepper::Kernel {
       out.reversed = sign * kernel_.slip_sign < 0.0;
     }
     if constexpr (kLate) {
-      out.impact_time = kernel_.impact_time;
-      out.impact_force = kernel_.impact_force();
+      out.impact_time = kernel_.impact_time[0];
+      out.impact_force = kernel_.impact_force(0, k);
     }
     if (works && out.status == Status::kOk) {
       out.contact_work = kernel_.contact_work_of_last();

@@ -38,8 +38,14 @@ class VerletImpacts : public ContactKernel<M> {
   // J, of the impacts of the step: what the mean of the step's velocities misses of the loads'
   // work.
   double late_work = 0.0;
-  // s, of an impact of the step that takes time; 0: none began.
-  double impact_time = 0.0;
+  // s, of a lane's impact of the step that takes time; 0: none began.
+  double impact_time[kLanes] = {};
+  // N, normal and friction force at t_k of a lane's impact that takes time.
+  Eigen::Vector2d impact_force(int lane, std::int64_t k) const {
+    if (!takes_time_) return {0.0, 0.0};
+    return lasting_[static_cast<std::size_t>(lane)].force(this->origin +
+                                                          static_cast<double>(k) * this->h_);
+  }
 
  protected:
   // The impacts of one lane.
@@ -175,7 +181,7 @@ class VerletImpacts : public ContactKernel<M> {
     }
     // The kick went on to the middle of the step.
     late_work += late * impact.power_at_touch() + impact.external_work();
-    impact_time = impact.end() - t;
+    impact_time[lane] = impact.end() - t;
     const Impact& record = impact.record();
     const auto add = [lane](T& to, double x) { lanes::set(to, lane, lanes::get(to, lane) + x); };
     add(this->normal_impulse, record.normal_impulse);

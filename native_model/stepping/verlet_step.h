@@ -54,7 +54,8 @@ class VerletKernel : public VerletJumps<M> {
     const int nq = this->layout().nq();
     const T* q = this->q_.data();
     T* after = this->after_.data();
-    if (this->impacted_ || this->takes_time_) this->late_work = this->impact_time = 0.0;
+    if (this->impacted_ || this->takes_time_) this->late_work = 0.0;
+    if (this->takes_time_) std::fill_n(this->impact_time, kLanes, 0.0);
     this->forget_last();
     kick(k);
     for (int i = 0; i < nq; ++i) {
@@ -141,11 +142,6 @@ class VerletKernel : public VerletJumps<M> {
       spin = half * (spin + equations::contact_spin(m, this->after_.data()));
     }
     return this->slip_of(w, spin);
-  }
-  // N, normal and friction force at the begin of the last step of an impact that was under way.
-  Eigen::Vector2d impact_force() const requires(Base::kLanes == 1) {
-    if (!this->impact_lasts_) return {0.0, 0.0};
-    return this->lasting_[0].force(this->origin + this->last_time_);
   }
   bool was_first() const { return this->was_first_; }
   // The step's works on the coordinates, J; alone (one lane).

@@ -144,6 +144,38 @@ step = "20 us"
   EXPECT_GT(deepest, 1e-9) << "`paper` goes into the ring, so that there is something to compare";
 }
 
+// They are in contact as long as they take, with the force of that time.
+TEST(EnsemblePoints, ImpactsThatTakeTimeHaveTheirDuration) {
+  constexpr double kRoundOff = 1e-11;  // relative
+  const StudyFolder folder;
+  const Study study = folder.study(of_ring() + R"([sample]
+kind = "list"
+[[vary]]
+key = "contact.compression_time"
+values = ["20 us", "1 ms", "3 us"]
+[[vary]]
+key = "contact.expansion_time"
+values = ["14 us", "0.5 ms", "2 us"]
+[run]
+end = "20 ms"
+step = "10 us"
+)");
+  const PointScenes scenes(study, {});
+  for (const PointResult& many :
+       run_ensembles(all_points(scenes), scene::Integrator::kVerlet, kGoOn)) {
+    SCOPED_TRACE(many.point);
+    const auto one = run_single(many.point, scenes.at(many.point),
+                                *native_engine(scene::Integrator::kVerlet), kGoOn);
+    ASSERT_TRUE(one && one->ok() && many.ok());
+    const Figures &a = *many.figures, &b = *one->figures;
+    EXPECT_NEAR(a.peak_force, b.peak_force, kRoundOff * b.peak_force);
+    EXPECT_NEAR(a.impulse_total, b.impulse_total, kRoundOff * b.impulse_total);
+    // The first touch of an ensemble is the beginning of its step.
+    EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 2e-3 * b.contact_fraction);
+    EXPECT_EQ(a.settled.contact_share, b.settled.contact_share);
+  }
+}
+
 TEST(EnsemblePoints, OtherPartsStepsAndEndsComeApart) {
   const StudyFolder folder;
   const Study study = folder.study(of_ring() + R"([sample]

@@ -64,5 +64,19 @@ TEST(GapReference, NeverAsksForAClosedGapBeforeItsTime) {
   EXPECT_EQ(gap_reference({0.1, -1e-6, -1.0}, 0.101, kTime).gap, 0.0) << "closed already";
 }
 
+// Beyond the clearance the ring would have to be on the other side of the rotor.
+TEST(GapReference, NeverAsksForLessThanHalfTheDistanceAtSwitchOn) {
+  for (const double distance : {0.0, 0.01, 0.1, 0.3, 0.5, 0.9}) {
+    const double clearance = kGap, gap = (1.0 - distance) * clearance;
+    for (const double rate : {0.01, 0.1, 100.0}) {
+      for (double t = 0.1; t < 0.108; t += 1e-5) {
+        ASSERT_GE(clearance - gap_reference({0.1, gap, rate}, t, kTime, clearance).gap,
+                  0.5 * distance * clearance)
+            << distance << " " << rate << " " << t;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rotorub
