@@ -3,11 +3,18 @@
 #include <algorithm>
 
 #include "compare/engine/mujoco_messages.h"
-#include "plugin/contact/verlet.h"
 #include "plugin/control.h"
 #include "plugin/user_data.h"
 
 namespace rotorub {
+namespace {
+
+struct TellWorks {
+  explicit TellWorks(plugin::StepWorks* to) { plugin::tell_works(to); }
+  ~TellWorks() { plugin::tell_works(nullptr); }
+};
+
+}  // namespace
 
 ChunkedRun::ChunkedRun(const MujocoSetup& setup, bool commands)
     : m_(setup.m.get()), config_(*setup.config), model_(*setup.model), read_(setup.read),
@@ -29,6 +36,7 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
     failed_ = !step() || bad();
     if (failed_) break;
     StepResult& r = results_[done];
+    r.works = works_;
     r.forces = plugin::contact_forces(config_, m_, data_.get());
     r.actuator = plugin::actuator_state(config_, m_, data_.get());
     if (commands_) r.command = plugin::command_of_pass(config_, m_, data_.get());
@@ -48,6 +56,7 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
 }
 
 bool ChunkedRun::step() {
+  const TellWorks told(&works_);
   try {
     mj_step(m_, data_.get());
     return true;
@@ -62,12 +71,14 @@ bool ChunkedRun::step() {
 }
 
 StepResult ChunkedRun::last_half() {
+  const TellWorks told(&works_);
   mj_forward(m_, data_.get());
   read_state(states_.data());
   std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), states_.data() + size());
   return {plugin::contact_forces(config_, m_, data_.get()),
           plugin::actuator_state(config_, m_, data_.get()),
-          {0.0, 0.0}};
+          {0.0, 0.0},
+          works_};
 }
 
 // MuJoCo resets a state that is not finite (or beyond 1e10) and warns.

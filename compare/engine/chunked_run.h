@@ -13,6 +13,7 @@
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/config.h"
 #include "plugin/contact/forces.h"
+#include "plugin/contact/verlet.h"
 
 namespace rotorub {
 
@@ -21,6 +22,7 @@ struct StepResult {
   plugin::ContactForces forces;
   ActuatorState actuator;
   Eigen::Vector2d command{0.0, 0.0};  // plugin/control.h, where it was asked for
+  plugin::StepWorks works{};          // of native steps
 };
 
 class ChunkedRun {
@@ -53,6 +55,7 @@ class ChunkedRun {
   std::size_t size() const { return static_cast<std::size_t>(model_.nq()); }
   void read_state(double* to) const { read_(data_.get(), to, to + size()); }
   bool step();  // false: error_
+  plugin::StepWorks works_;  // of the last step
   bool bad() const;
 
   const mjModel* m_;

@@ -30,7 +30,9 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
       rigid_(rigid),
       step_(step),
       recorder_(model, std::move(times)),
-      episodes_(recorder_) {}
+      episodes_(recorder_),
+      middle_(static_cast<std::size_t>(model.nq())),
+      half_(middle_) {}
 
 void MujocoRecord::begin(const double* q, const double* v) {
   // A coil that lags has no current yet, whatever it is told.
@@ -41,6 +43,51 @@ void MujocoRecord::begin(const double* q, const double* v) {
   acts.outputs = hold.outputs();
   recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, acts});
   point_ = contact_point(model_, q, v);
+  last_q_.assign(q, q + model_.nq());
+  last_v_.assign(v, v + model_.nq());
+}
+
+// MuJoCo's step is leapfrog, v_k the velocity of half a step before q_k. So the forces of step k do
+// their work at the mean of the velocities about t_k, and what they change is
+//
+//   E_k = v_k' M v_{k+1} / 2 + V(q_k):   E_k - E_{k-1} = (W_{k-1} + W_k) / 2,
+//
+// to round-off for linear springs. (With energies and powers of q_k and v_k at one time it would miss
+// h/2 of the change of every force, without bound.) Dampers of the joints are implicit, -D v_{k+1}.
+StepBalance MujocoRecord::balance_of_step(std::int64_t k, const double* q, const double* v,
+                                          const StepResult& r) {
+  const double t = static_cast<double>(k) * step_;
+  StepBalance done;  // of the whole step, at its begin
+  for (std::size_t i = 0; i < middle_.size(); ++i) {
+    middle_[i] = 0.5 * (last_v_[i] + v[i]);
+    half_[i] = 0.5 * (v[i] - last_v_[i]);
+    const double damping = model_.damping[static_cast<Eigen::Index>(i)];
+    done.external_work -= step_ * damping * middle_[i] * half_[i];
+  }
+  done.external_work +=
+      step_ * external_power(model_, t, last_q_.data(), middle_.data(), r.actuator.force);
+  if (model_.contact) {
+    const ContactPoint p = contact_point(model_, last_q_.data(), middle_.data());
+    done.contact_work =
+        step_ * (r.forces.normal * p.gap_rate + r.forces.friction * (p.slip - held()));
+  }
+  const auto stored = [&](const std::vector<double>& rates) {
+    return energy(model_, t, last_q_.data(), rates.data());
+  };
+  done.energy = stored(middle_) - stored(half_);
+  std::fill(half_.begin(), half_.end(), 0.0);
+  done.energy += stored(half_);
+
+  if (k == 0) {
+    recorder_.statistics().energy_start = done.energy;
+    last_step_ = {done.energy, -done.contact_work, -done.external_work};
+  }
+  const StepBalance since{done.energy, 0.5 * (last_step_.contact_work + done.contact_work),
+                          0.5 * (last_step_.external_work + done.external_work)};
+  last_step_ = done;
+  std::copy_n(q, last_q_.size(), last_q_.begin());
+  std::copy_n(v, last_v_.size(), last_v_.begin());
+  return since;
 }
 
 void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const StepResult& r) {
@@ -53,10 +100,12 @@ void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const 
   if (model_.contact && !rigid_) {
     episodes_.step({t, step_, point_, after, f.normal, f.friction, f.mode});
   }
+  const StepBalance balance = balance_of_step(k, q, v, r);
   // An impact's impulse is no force of lasting contact.
   const double lasting = f.impact ? 0.0 : 1.0;
   recorder_.step({next, q, v, lasting * f.normal, lasting * f.friction, f.mode, r.actuator},
-                 step_ * f.normal, step_ * f.friction, f.impact, f.impact ? &impact : nullptr);
+                 step_ * f.normal, step_ * f.friction, f.impact, f.impact ? &impact : nullptr,
+                 &balance);
   point_ = after;
 }
 
@@ -75,18 +124,19 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
   }
   StepFigures figures;
   figures.h = k == 0 || last ? 0.5 * step_ : step_;
-  figures.external_work = figures.h * external_power(model_, t, q, v, r.actuator.force);
+  const double share = last ? 0.5 : 1.0;  // the first step's works are those of half a kick
+  figures.external_work = share * r.works.external;
   if (lasting && f.mode != Mode::kFree && f.normal > 0.0) {
     figures.normal_impulse = figures.h * f.normal;
     figures.friction_impulse = figures.h * f.friction;
     figures.friction_work = figures.friction_impulse * p.slip;
-    figures.contact_work =
-        figures.normal_impulse * p.gap_rate + figures.friction_impulse * (p.slip - held());
+    figures.contact_work = share * r.works.contact;
   }
   recorder_.count(figures, t);
   impact_ = Impact{};
   if (f.impact && !last) {
     impact_ = impact_of(f, f.impact_time, k == 0 ? 0.5 * step_ : step_);
+    impact_work_ = r.works.contact;
     recorder_.add(impact_);
     recorder_.add(Event{impact_.t, EventKind::kImpact});
   }
@@ -118,7 +168,7 @@ void MujocoRecord::count_impact() {
   figures.friction_impulse = impact_.friction_impulse;
   figures.friction_work =
       0.5 * impact_.friction_impulse * (impact_.slip_before + impact_.slip_after);
-  figures.contact_work = impact_.energy_change - impact_.friction_impulse * held();
+  figures.contact_work = impact_work_;
   recorder_.count(figures, impact_.t);
 }
 

@@ -31,6 +31,7 @@ class MujocoRecord {
   Trajectory finish(double end);
 
  private:
+  StepBalance balance_of_step(std::int64_t k, const double* q, const double* v, const StepResult& r);
   double held() const;
   void count_impact();
   void note_mode(double t, Mode mode);
@@ -44,7 +45,12 @@ class MujocoRecord {
   Recorder recorder_;
   ContactEpisodes episodes_;
   ContactPoint point_;
-  Impact impact_;  // of native steps: of the step before
+  // Of native steps, of the step before: its impact, and the impact's work on the coordinates.
+  Impact impact_;
+  double impact_work_ = 0.0;  // J
+  // Of others: the state that the step began from, and what its forces did over the whole of it, J.
+  std::vector<double> last_q_, last_v_, middle_, half_;
+  StepBalance last_step_;
 };
 
 }  // namespace rotorub

@@ -108,8 +108,12 @@ void Recorder::keep(const Snapshot& now) {
 }
 
 void Recorder::look_at_energy() {
+  statistics_.energy_end = energy(*model_, last_.t, last_.q, last_.v);
+  meet_energy();
+}
+
+void Recorder::meet_energy() {
   Statistics& s = statistics_;
-  s.energy_end = energy(*model_, last_.t, last_.q, last_.v);
   s.energy_scale = std::max(s.energy_scale, std::abs(s.energy_end));
   meet_contact(last_);
 }
@@ -175,7 +179,7 @@ void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impa
 }
 
 void Recorder::step(const Snapshot& now, double normal_impulse, double friction_impulse,
-                    bool impact, const Impact* detail) {
+                    bool impact, const Impact* detail, const StepBalance* balance) {
   const double h = now.t - last_.t;
   const ContactPoint point = contact_point(*model_, now.q, now.v);
   rows_until(now, impact);
@@ -188,6 +192,25 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
     s.friction_work += 0.5 * friction_impulse * slips;
   }
   if (model_->contact) count_gap(point, h);
+  s.external_work += switching_work(*model_, last_.t, now.t, now.q, now.v);
+  if (balance) {
+    s.contact_work += balance->contact_work;
+    s.external_work += balance->external_work;
+    keep(now);
+    s.energy_end = balance->energy;
+    meet_energy();
+  } else {
+    book_ends(now, point, normal_impulse, friction_impulse, detail);
+    keep(now);
+    look_at_energy();
+  }
+  last_whole_slip_ = point.slip;
+}
+
+// Works by the means of rates and powers at the step's ends.
+void Recorder::book_ends(const Snapshot& now, const ContactPoint& point, double normal_impulse,
+                         double friction_impulse, const Impact* detail) {
+  Statistics& s = statistics_;
   double gap_rates = last_gap_rate_ + point.gap_rate;
   double slips = last_slip_ + dof_slip(*model_, point);
   if (detail) {
@@ -197,14 +220,10 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
   }
   s.contact_work += 0.5 * (normal_impulse * gap_rates + friction_impulse * slips);
   const double power = external_power(*model_, now.t, now.q, now.v, now.actuator.force);
-  s.external_work += 0.5 * h * (last_power_ + power) +
-                     switching_work(*model_, last_.t, now.t, now.q, now.v);
-  keep(now);
+  s.external_work += 0.5 * (now.t - last_.t) * (last_power_ + power);
   last_gap_rate_ = point.gap_rate;
   last_slip_ = dof_slip(*model_, point);
-  last_whole_slip_ = point.slip;
   last_power_ = power;
-  look_at_energy();
 }
 
 // Rows in (last, now]: at the step's own time its state to the bit, else interpolated.

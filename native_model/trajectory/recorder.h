@@ -37,6 +37,14 @@ struct StepFigures {
   double external_work = 0.0;    // J, of all forces but springs and contact
 };
 
+// The balance of the energy of an engine that knows it better than from the states at the ends of
+// its steps.
+struct StepBalance {
+  double energy = 0.0;         // J
+  double contact_work = 0.0;   // J, on the coordinates, and
+  double external_work = 0.0;  // J, of all forces but springs and contact, since the last step's
+};
+
 class Recorder {
  public:
   // `times`: the rows wanted, ascending.
@@ -46,9 +54,9 @@ class Recorder {
   // One fixed step from the last snapshot to `now`; impulses over the step, N s, all of them,
   // with an impact's. `impact`: velocities are not continuous within this step. `detail`: the
   // impact, for engines whose states are not those just before and after it: its work is taken
-  // from its own rates.
+  // from its own rates. `balance`: what is booked in place of powers and rates at both ends.
   void step(const Snapshot& now, double normal_impulse, double friction_impulse, bool impact,
-            const Impact* detail = nullptr);
+            const Impact* detail = nullptr, const StepBalance* balance = nullptr);
   // For engines that know their works: what was done, beginning at `begin` (s), and the next
   // snapshot. The energy is looked at now and then, as it costs a model evaluation. `impact`: as above.
   void count(const StepFigures& figures, double begin);
@@ -71,8 +79,11 @@ class Recorder {
  private:
   void keep(const Snapshot& now);
   void look_at_energy();
+  void meet_energy();
   void meet_contact(const Snapshot& now);
   void count_contact(double normal_impulse, double friction_impulse, double h, double begin);
+  void book_ends(const Snapshot& now, const ContactPoint& point, double normal_impulse,
+                 double friction_impulse, const Impact* detail);
   void count_gap(const ContactPoint& point, double h);
   void rows_until(const Snapshot& now, bool impact);
 

@@ -20,6 +20,8 @@
 namespace rotorub::plugin {
 namespace {
 
+thread_local StepWorks* told_works = nullptr;
+
 // One slot: the stepper's memory, the hold's, and the number of the step that comes.
 std::size_t slot_size(const Model& model, const Model& plant) {
   return VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model) + 1;
@@ -242,6 +244,8 @@ int verlet_loop_data(const Config& config) {
          static_cast<int>(slot_size(model, plant) + hold - loop);
 }
 
+void tell_works(StepWorks* to) { told_works = to; }
+
 const double* velocities_of_pass(const Config& config, const mjData* d) {
   return d->userdata + config.verlet_data + kVerletSingle;
 }
@@ -278,7 +282,8 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   add_other_actuators(config, m, d, loads);
   worker.stepper.apply(loads);
   const Eigen::Vector2d u = command(config, m, d, state, worker);
-  const FixedStep r = worker.stepper.step(worker.next, u);
+  const FixedStep r = worker.stepper.step(worker.next, u, told_works != nullptr);
+  if (told_works) *told_works = {r.contact_work, r.external_work};
   const double kick = worker.stepper.last_kick() * h;
   note(d, r, kick);
   if (r.status != Status::kOk) return;

@@ -161,21 +161,44 @@ TEST(MujocoEngine, RefusesWhatIsNotOffered) {
 }
 
 // The balance of soft contacts is taken at MuJoCo's staggered times. What it misses of a run that never
-// touches falls with the step, as the error of the motion does.
-TEST(MujocoEngine, TheBalanceOfAFreeRunFallsWithTheStep) {
-  constexpr double kRate = 6.0;  // 1/s, twice what is found
-  // At the resonance the orbit grows: room for it.
-  const scene::Scene scene = shipped("bench_ring", {"contact.clearance=40mm", "run.end=0.1"});
+// touches falls with the square of the step, and does not grow as the run goes on: far from resonance the
+// load does thousands of times the energy that the orbit holds.
+TEST(MujocoEngine, TheBalanceOfAFreeRunFallsWithTheSquareOfTheStepAndDoesNotGrow) {
+  constexpr double kRate = 2.0e4;  // 1/s^2, twice what is found
+  const std::vector<std::string> free = {"contact.clearance=40mm", "drive=none",
+                                         "force[0].frequency=500.0"};
   for (const auto contact : {scene::ContactModel::kCone, scene::ContactModel::kCoulomb}) {
-    for (const double step : {1e-4, 1e-5, 1e-6}) {
-      MujocoOptions options;
-      options.contact = contact;
-      options.step = step;
-      const Trajectory t = run_mujoco(scene, options);
-      ASSERT_EQ(t.status, Status::kOk) << t.message;
-      ASSERT_EQ(t.statistics.contact_time, 0.0);
-      EXPECT_LT(t.statistics.energy_residual(), kRate * step) << step;
+    for (const double step : {1e-4, 1e-5}) {
+      for (const char* end : {"run.end=0.05", "run.end=0.2", "run.end=1.0"}) {
+        std::vector<std::string> overrides = free;
+        overrides.push_back(end);
+        MujocoOptions options;
+        options.contact = contact;
+        options.step = step;
+        const Trajectory t = run_mujoco(shipped("bench_ring", overrides), options);
+        ASSERT_EQ(t.status, Status::kOk) << t.message;
+        ASSERT_EQ(t.statistics.contact_time, 0.0);
+        EXPECT_LT(t.statistics.energy_residual(), kRate * step * step) << step << " " << end;
+      }
     }
+  }
+}
+
+// What a native step's impacts and sampled commands do is what they do natively.
+TEST(MujocoEngine, TheBalanceOfRigidIsThatOfVerlet) {
+  const std::vector<std::string> finite = {"contact.compression_time=1e-3",
+                                           "contact.expansion_time=5e-4", "run.end=0.1"};
+  const std::vector<std::string> held = {
+      "controller={kind=\"passive\",stiffness=1e5,damping=100.0,sample_time=1e-3}", "run.end=0.1"};
+  for (const std::vector<std::string>& overrides : {finite, held}) {
+    const scene::Scene scene = shipped("bench_ring", overrides);
+    NativeOptions verlet;
+    verlet.integrator = scene::Integrator::kVerlet;
+    const double native = run_native(scene, verlet).statistics.energy_residual();
+    const Trajectory t = run_mujoco(scene);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    EXPECT_LT(native, 1e-6);
+    EXPECT_NEAR(t.statistics.energy_residual(), native, 1e-9);
   }
 }
 
