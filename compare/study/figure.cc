@@ -68,7 +68,7 @@ const Figure kFigures[] = {
      "(v_t dt)^2 / (2 delta_0): what one step along the tangent costs a whirling rotor.",
      [](const Metrics& m) { return m.whirl_penetration; }},
     {"energy_residual", "energy balance", "ppm", 1e6, kRel, kNo, false, false,
-     "|change of energy - work of all loads| over the largest energy met; 0 for exact integration.",
+     "|change of energy - work of all loads| over the largest energy met (of a contact at the end: its force over the clearance); 0 for exact integration.",
      [](const Metrics& m) { return m.energy_residual; }},
 };
 

@@ -137,7 +137,7 @@ void Observer::finish(const Motion& end) {
   s.contact_work = end.integral(kContactWork) + impact_work_;
   s.external_work = end.integral(kExternalWork);
   s.energy_end = energy(*model_, end.t, end.q(), end.v());
-  s.energy_scale = std::max({s.energy_scale, energy_scale_, std::abs(s.energy_end)});
+  s.energy_scale = std::max(energy_scale_, std::abs(s.energy_end));
 }
 
 }  // namespace rotorub

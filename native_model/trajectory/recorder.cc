@@ -108,20 +108,13 @@ void Recorder::keep(const Snapshot& now) {
 }
 
 void Recorder::look_at_energy() {
-  statistics_.energy_end = energy(*model_, last_.t, last_.q, last_.v);
-  meet_energy();
+  meet_energy(energy(*model_, last_.t, last_.q, last_.v));
 }
 
-void Recorder::meet_energy() {
+void Recorder::meet_energy(double now) {
   Statistics& s = statistics_;
-  s.energy_scale = std::max(s.energy_scale, std::abs(s.energy_end));
-  meet_contact(last_);
-}
-
-void Recorder::meet_contact(const Snapshot& now) {
-  if (now.mode == Mode::kFree) return;
-  Statistics& s = statistics_;
-  s.energy_scale = std::max(s.energy_scale, now.normal_force * model_->contact->clearance);
+  s.energy_end = now;
+  s.energy_scale = std::max(s.energy_scale, std::abs(now));
 }
 
 void Recorder::begin(const Snapshot& start) {
@@ -197,8 +190,7 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
     s.contact_work += balance->contact_work;
     s.external_work += balance->external_work;
     keep(now);
-    s.energy_end = balance->energy;
-    meet_energy();
+    meet_energy(balance->energy);
   } else {
     book_ends(now, point, normal_impulse, friction_impulse, detail);
     keep(now);
@@ -264,7 +256,7 @@ void Recorder::row(const Snapshot& now) {
   const Eigen::Vector2d r = rotor_point(m, now.q), rv = rotor_point(m, now.v);
   const Eigen::Vector2d f = ring_centre(m, now.q), fv = stator_point(m, now.v);
   if (m.contact) statistics_.least_gap = std::min(statistics_.least_gap, p.gap);
-  meet_contact(now);
+  resting_ = now.mode == Mode::kFree ? 0.0 : now.normal_force * m.contact->clearance;
   auto column = columns_.begin();
   const auto put = [&column](double value) { (column++)->values.push_back(value); };
   for (double value : {next_time(), r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(),
@@ -304,6 +296,7 @@ void Recorder::row(const Snapshot& now) {
 
 Trajectory Recorder::finish(double end) {
   if (steps_ > 0) look_at_energy();
+  statistics_.energy_scale = std::max(statistics_.energy_scale, resting_);
   Trajectory t;
   t.end = end;
   t.series = std::move(columns_);

@@ -71,7 +71,7 @@ struct Statistics {
   double energy_end = 0.0;          // J
   double external_work = 0.0;       // J, of all forces that are not springs or contact
   double contact_work = 0.0;        // J
-  double energy_scale = 0.0;        // J, largest energy met
+  double energy_scale = 0.0;        // J, largest energy met; of a contact at the end: N delta_0
   double energy_residual() const;   // |E_end - E_start - works| / scale, 0 for a scale of 0
 };
 
