@@ -12,4 +12,11 @@ std::optional<std::vector<std::complex<double>>> complex_eigenvalues(const Eigen
   return std::vector<std::complex<double>>(solver.eigenvalues().begin(), solver.eigenvalues().end());
 }
 
+std::optional<EigenModes> complex_modes(const Eigen::MatrixXcd& A) {
+  if (!A.allFinite()) return {};
+  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(A);
+  if (solver.info() != Eigen::Success) return {};
+  return EigenModes{solver.eigenvalues(), solver.eigenvectors()};
+}
+
 }  // namespace rotorub

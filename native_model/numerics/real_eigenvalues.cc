@@ -23,11 +23,11 @@ std::optional<std::vector<std::complex<double>>> real_eigenvalues(const Eigen::M
   return values;
 }
 
-std::optional<RealModes> real_modes(const Eigen::MatrixXd& A) {
+std::optional<EigenModes> real_modes(const Eigen::MatrixXd& A) {
   if (!A.allFinite()) return {};
   const Solver solver(A);
   if (solver.info() != Eigen::Success) return {};
-  return RealModes{solver.eigenvalues(), solver.eigenvectors()};
+  return EigenModes{solver.eigenvalues(), solver.eigenvectors()};
 }
 
 }  // namespace rotorub

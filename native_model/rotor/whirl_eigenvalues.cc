@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "native_model/numerics/complex_eigenvalues.h"
+#include "native_model/numerics/lowest_modes.h"
 #include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/rotor/refusal.h"
 
@@ -34,45 +36,12 @@ Matrix state_matrix(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W) 
 
 [[noreturn]] void fail() { throw RotorNotSolvable("no eigenvalues can be found"); }
 
-// Each eigenvalue is one whirl.
-std::vector<Complex> isotropic_eigenvalues(const WhirlSystem& system, double speed) {
-  const auto [B, C] = isotropic_matrices(system, speed);
-  const auto values = complex_eigenvalues(state_matrix(B, C, state_scale(system.stiffness_x)));
-  if (!values) fail();
-  return *values;
-}
-
 // Sense of the orbit x = Re(x^ e^{st}), y = Re(y^ e^{st}), Im s > 0: the sign of its angular
 // momentum, sum Im(x^ conj(y^)) in coordinates of unit mass; planar to round-off: forward.
 bool forward(const Eigen::VectorXcd& x, const Eigen::VectorXcd& y) {
   constexpr double kPlanar = 1e-10;
   const double momentum = (x.array() * y.array().conjugate()).imag().sum();
   return momentum > -kPlanar * (x.squaredNorm() + y.squaredNorm());
-}
-
-// Both planes as real equations. Of each complex pair one eigenvalue stands for the whirl, and of
-// the real ones, which also come in twos, every other.
-std::vector<Complex> anisotropic_eigenvalues(const WhirlSystem& system, double speed) {
-  const Eigen::Index n = system.size();
-  const auto [B, C] = planes_matrices(system, speed);
-  Eigen::VectorXd W(2 * n);
-  W << state_scale(system.stiffness_x), state_scale(system.stiffness_y);
-  const std::optional<RealModes> modes = real_modes(state_matrix(B, C, W));
-  if (!modes) fail();
-
-  std::vector<Complex> whirls;
-  std::vector<double> real;
-  for (Eigen::Index j = 0; j < 4 * n; ++j) {
-    const Complex s = modes->values[j];
-    if (s.imag() == 0.0) real.push_back(s.real());
-    if (!(s.imag() > 0.0)) continue;
-    const Eigen::VectorXcd velocity = modes->vectors.col(j).tail(2 * n);
-    const bool sense = forward(velocity.head(n), velocity.tail(n));
-    whirls.push_back(sense ? s : std::conj(s));
-  }
-  std::sort(real.begin(), real.end());
-  for (std::size_t i = 1; i < real.size(); i += 2) whirls.emplace_back(real[i], 0.0);
-  return whirls;
 }
 
 void sort_by_frequency(std::vector<Complex>& s) {
@@ -87,6 +56,9 @@ void sort_by_frequency(std::vector<Complex>& s) {
     if (equal && s[i].imag() > 0.0 && s[i + 1].imag() < 0.0) std::swap(s[i], s[i + 1]);
   }
 }
+
+// Well below the lowest mode, and off a rigid one.
+double shift_of(const Eigen::VectorXd& W) { return 0.05 * W.minCoeff(); }
 
 // The lowest by |s|, which overdamping does not make small. Isotropic planes: as many of each
 // sense, since the spin lowers backward whirl and lifts the other.
@@ -112,12 +84,60 @@ std::vector<Complex> lowest(std::vector<Complex> s, const WhirlSystem& system) {
   return chosen;
 }
 
+// Each eigenvalue is one whirl.
+std::vector<Complex> isotropic_eigenvalues(const WhirlSystem& system, double speed) {
+  const auto [B, C] = isotropic_matrices(system, speed);
+  const Eigen::VectorXd W = state_scale(system.stiffness_x);
+  const auto kept = [&](const Eigen::VectorXcd& values) {
+    return lowest({values.begin(), values.end()}, system);
+  };
+  const std::size_t wanted = 2 * static_cast<std::size_t>(system.kept);
+  const auto enough = [&](const Eigen::VectorXcd& values) { return kept(values).size() == wanted; };
+  if (const auto part = lowest_modes(B, C, W, shift_of(W), 2 * system.kept, enough)) return kept(part->values);
+  auto values = complex_eigenvalues(state_matrix(B, C, W));
+  if (!values) fail();
+  return lowest(*std::move(values), system);
+}
+
+// Both planes as real equations. Of each complex pair one eigenvalue stands for the whirl, and of
+// the real ones, which also come in twos, every other. rates: q' of each.
+std::vector<Complex> whirls_of(const Eigen::VectorXcd& values, const Eigen::MatrixXcd& rates) {
+  const Eigen::Index n = rates.rows() / 2;
+  std::vector<Complex> whirls;
+  std::vector<double> real;
+  for (Eigen::Index j = 0; j < values.size(); ++j) {
+    const Complex s = values[j];
+    if (s.imag() == 0.0) real.push_back(s.real());
+    if (!(s.imag() > 0.0)) continue;
+    const bool sense = forward(rates.col(j).head(n), rates.col(j).tail(n));
+    whirls.push_back(sense ? s : std::conj(s));
+  }
+  std::sort(real.begin(), real.end(), std::greater<>());
+  for (std::size_t i = 0; i < real.size(); i += 2) whirls.emplace_back(real[i], 0.0);
+  return whirls;
+}
+
+std::vector<Complex> anisotropic_eigenvalues(const WhirlSystem& system, double speed) {
+  const auto [B, C] = planes_matrices(system, speed);
+  Eigen::VectorXd W(2 * system.size());
+  W << state_scale(system.stiffness_x), state_scale(system.stiffness_y);
+  const auto enough = [&](const Eigen::VectorXcd& values) {
+    const auto real = (values.imag().array() == 0.0).count();
+    return (values.imag().array() > 0.0).count() + real / 2 >= 2 * system.kept;
+  };
+  if (const auto part = lowest_modes(B, C, W, shift_of(W), 4 * system.kept, enough)) {
+    return lowest(whirls_of(part->values, part->rates), system);
+  }
+  const std::optional<EigenModes> modes = real_modes(state_matrix(B, C, W));
+  if (!modes) fail();
+  return lowest(whirls_of(modes->values, modes->vectors.bottomRows(W.size())), system);
+}
+
 }  // namespace
 
 std::vector<Complex> whirl_eigenvalues(const WhirlSystem& system, double speed) {
-  std::vector<Complex> s = lowest(system.isotropic ? isotropic_eigenvalues(system, speed)
-                                                   : anisotropic_eigenvalues(system, speed),
-                                  system);
+  std::vector<Complex> s =
+      system.isotropic ? isotropic_eigenvalues(system, speed) : anisotropic_eigenvalues(system, speed);
   sort_by_frequency(s);
   return s;
 }

@@ -56,7 +56,7 @@ class LinearMotion {
   }
 
  private:
-  RealModes modes_;
+  EigenModes modes_;
   Eigen::Vector3cd share_;
 };
 
