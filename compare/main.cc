@@ -2,9 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -71,12 +73,16 @@ int run(const Action& action) {
     return failed(kBadInput, error.what());
   } catch (const BrokenRun& error) {
     return failed(kBadInput, error.what());
+  } catch (const MissingColumn& error) {
+    return failed(kBadInput, error.what());
   } catch (const NotOffered& error) {
     return failed(kBadInput, error.what());
   } catch (const std::invalid_argument& error) {
     return failed(kBadInput, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
-    return failed(kBadInput, error.what());
+    return failed(kBadInput, error.path1().string() + ": " + error.code().message());
+  } catch (const std::bad_alloc&) {
+    return failed(kFailed, "there is not enough memory for this: a shorter run, fewer rows or a smaller picture needs less");
   } catch (const Interrupted& error) {
     return failed(kStopped, error.what());
   } catch (const std::exception& error) {
@@ -112,6 +118,7 @@ int rotorub_main(int argc, char** argv) {
     return parser_exit(program, error);
   }
   catch_interrupts();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` then fails to be written, which is told
   for (const Command& command : commands) {
     if (command.app->parsed()) return run(command.action);
   }

@@ -138,6 +138,7 @@ Command add_check_command(CLI::App& program) {
       ->type_name("SCENE|DIR");
   app->add_option("-o,--output", options->folder, "Writes check.json there, as --json prints it, for `compare --with`")
       ->type_name("DIR");
+  add_allow_library_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run_check(*options); }};
 }

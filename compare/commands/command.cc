@@ -6,6 +6,7 @@
 #include <cassert>
 #include <filesystem>
 
+#include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/units.h"
 
@@ -34,7 +35,19 @@ void add_controller_option(CLI::App& command, CommonOptions& options) {
       .add_option("--controller", options.controller,
                   "Your own controller, a shared library, in the place of the scene's")
       ->type_name("FILE.so")
-      ->check(CLI::ExistingFile);
+      ->check(CLI::ExistingFile)
+      ->each([](const std::string& file) { allow_library(std::filesystem::absolute(file)); });
+  add_allow_library_option(command, options);
+}
+
+void add_allow_library_option(CLI::App& command, CommonOptions& options) {
+  command.add_flag_callback(
+      "--allow-library",
+      [&options] {
+        options.allow_library = true;
+        set_scene_libraries(SceneLibraries::kAllowed);
+      },
+      "Open the library that the scene names as its controller: code that you trust");
 }
 
 void add_format_option(CLI::App& command, std::string& format) {

@@ -34,14 +34,16 @@ struct CommonOptions {
   std::vector<std::string> overrides;  // "table.key=value"
   std::string step, end;               // overrides of run.step and run.end; empty: none
   std::string controller;              // library in the place of the scene's controller; empty: none
+  bool allow_library = false;          // scenes may have their library opened
   bool json = false, quiet = false;
 };
 
 // --set, --json, --quiet, and --step and --end.
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_run_options(CLI::App& command, CommonOptions& options);
-// --controller
+// --controller and --allow-library; --allow-library alone.
 void add_controller_option(CLI::App& command, CommonOptions& options);
+void add_allow_library_option(CLI::App& command, CommonOptions& options);
 // --format csv|hdf5
 void add_format_option(CLI::App& command, std::string& format);
 // Null: csv. Throws UsageError where there is no module for hdf5.

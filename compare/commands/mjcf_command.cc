@@ -10,6 +10,7 @@
 #include "compare/commands/command.h"
 #include "compare/study/json.h"
 #include "mjcf/writer.h"
+#include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
@@ -56,7 +57,10 @@ Command add_mjcf_command(CLI::App& program) {
                   "MuJoCo that shall read it (default: " + to_string(built_for()) + ")")
       ->type_name("VERSION");
   add_common_options(*app, *options);
-  return {app, [options] { return write_mjcf(*options); }};
+  return {app, [options] {
+            set_scene_libraries(SceneLibraries::kLeftOut);
+            return write_mjcf(*options);
+          }};
 }
 
 }  // namespace rotorub

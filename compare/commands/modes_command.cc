@@ -22,6 +22,7 @@
 #include "compare/report/modes_page.h"
 #include "compare/report/rub_map_page.h"
 #include "compare/study/json.h"
+#include "native_model/control/library.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rub/feedback_map.h"
 #include "native_model/rub/rub_map.h"
@@ -243,7 +244,10 @@ Command add_modes_command(CLI::App& program) {
       ->type_name("FROM:TO:COUNT")
       ->needs(map);
   add_common_options(*app, *options);
-  return {app, [options] { return modes(*options); }};
+  return {app, [options] {
+            set_scene_libraries(SceneLibraries::kLeftOut);
+            return modes(*options);
+          }};
 }
 
 }  // namespace rotorub

@@ -13,6 +13,7 @@
 #include "compare/report/run_page.h"
 #include "compare/study/json.h"
 #include "compare/study/run_directory.h"
+#include "native_model/control/library.h"
 #include "native_model/scene/printable.h"
 #include "native_model/trajectory/output.h"
 
@@ -63,7 +64,10 @@ Command add_plot_command(CLI::App& program) {
   app->add_option("RUN_DIR", options->folder, "Folder of a run, as `rotorub run -o DIR` wrote it")->required();
   app->add_option("-o,--output", options->file, "File (default: RUN_DIR/plot.html)")->type_name("FILE.html");
   add_common_options(*app, *options);
-  return {app, [options] { return plot(*options); }};
+  return {app, [options] {
+            set_scene_libraries(SceneLibraries::kLeftOut);
+            return plot(*options);
+          }};
 }
 
 }  // namespace rotorub

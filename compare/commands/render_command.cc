@@ -18,6 +18,7 @@
 #include "compare/study/json.h"
 #include "compare/study/run_directory.h"
 #include "compare/study/scene_comparison.h"
+#include "native_model/control/library.h"
 #include "native_model/scene/printable.h"
 #include "native_model/trajectory/part_file.h"
 #include "renders/film.h"
@@ -46,6 +47,12 @@ StoredRun run_for_film(const RenderArguments& options, const renders::RenderOpti
                        ProgressBar& bar) {
   StoredRun run;
   run.scene = read_scene(options.source, options);
+  if (run.scene.controller && run.scene.controller->kind == scene::ControllerKind::kLibrary) {
+    throw UsageError(fmt::format(
+        "{}: its controller is a library, {}, which render does not open; run it first, rotorub run {} --allow-library "
+        "-o DIR, and render DIR",
+        options.source, run.scene.controller->library, options.source));
+  }
   check_window(run.scene, film);
   RunRequest request;
   request.output_times = dense_times(run.scene.run, kFilmRows);
@@ -177,7 +184,10 @@ Command add_render_command(CLI::App& program) {
   add_film_options(*app, options->film);
   add_run_options(*app, *options);
   add_common_options(*app, *options);
-  return {app, [options] { return render_film(*options); }};
+  return {app, [options] {
+            set_scene_libraries(SceneLibraries::kLeftOut);
+            return render_film(*options);
+          }};
 }
 
 }  // namespace rotorub

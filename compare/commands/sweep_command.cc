@@ -208,6 +208,7 @@ int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
   job.tasks = tasks_of(options, sweep);
   job.jobs = options.jobs > 0 ? options.jobs : 1;
   job.overrides = overrides_of(options);
+  job.allow_library = options.allow_library || !options.controller.empty();
   const path script = job.folder / sweep::kSlurmFile;
   write_whole(script, sweep::slurm_script(job));
   const std::vector<int> open = open_shards(sweep, job.tasks);

@@ -53,7 +53,7 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const MujocoMessages messages;
   const plugin::Hooks hooks;
   MujocoSetup setup;
-  if (scene.folder) trust_controllers_of(*scene.folder);
+  if (scene.folder) look_for_controllers_in(*scene.folder);
   setup.m = load_mjcf(mjcf(scene));
   setup.config = std::make_unique<const plugin::Config>(plugin::make_config(setup.m.get()));
   const plugin::Config& config = *setup.config;

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "compare/measured/header.h"
 #include "native_model/scene/printable.h"
+#include "native_model/scene/regular_file.h"
 
 namespace rotorub {
 namespace {
@@ -178,13 +177,14 @@ MeasuredRecord parse_measured(std::string_view text, const std::string& file) {
 }
 
 MeasuredRecord read_measured(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in || std::filesystem::is_directory(file)) {
-    throw scene::SceneError({{file.string(), 0, "", "cannot be read; accepted is a text file with a header"}});
+  std::string text;
+  try {
+    text = scene::regular_file_text(file);
+  } catch (const std::runtime_error& error) {
+    throw scene::SceneError(
+        {{file.string(), 0, "", std::string(error.what()) + "; accepted is a text file with a header"}});
   }
-  return parse_measured(text.str(), file.string());
+  return parse_measured(text, file.string());
 }
 
 }  // namespace rotorub

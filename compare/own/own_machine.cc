@@ -1,10 +1,6 @@
 #include "compare/own/own_machine.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -15,6 +11,7 @@
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/regular_file.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model.h"
 #include "native_model/system/run_size.h"
@@ -26,11 +23,11 @@ namespace {
 namespace names = mjcf_names;
 
 std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw scene::SceneError({{file.string(), 0, {}, std::string("cannot be read: ") + std::strerror(errno)}});
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+  try {
+    return scene::regular_file_text(file);
+  } catch (const std::runtime_error& error) {
+    throw scene::SceneError({{file.string(), 0, {}, error.what()}});
+  }
 }
 
 // The model's text rotorub_contact, which is of the length that the file gave it: all texts are put

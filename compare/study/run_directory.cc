@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -17,6 +15,7 @@
 #include "compare/study/json.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/regular_file.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
@@ -33,11 +32,11 @@ constexpr const char* kSummary = "summary.json";
 constexpr const char* kHdf5 = "run.h5";  // where it is asked for
 
 std::string text_of(const path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw BrokenRun(fmt::format("{}: cannot be read", file.string()));
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+  try {
+    return scene::regular_file_text(file);
+  } catch (const std::runtime_error& error) {
+    throw BrokenRun(fmt::format("{}: {}", file.string(), error.what()));
+  }
 }
 
 std::vector<std::string_view> fields_of(std::string_view line) {
@@ -124,11 +123,18 @@ Status status_of(const std::string& name) {
   return Status::kDiverged;
 }
 
+// What the library says, without its own "[json.exception.parse_error.101] ".
+std::string json_reason(const nlohmann::json::exception& error) {
+  const std::string said = error.what();
+  const std::size_t end = said.find("] ");
+  return said.starts_with("[json.") && end != std::string::npos ? said.substr(end + 2) : said;
+}
+
 nlohmann::json summary_of(const path& file) {
   try {
     return nlohmann::json::parse(text_of(file));
   } catch (const nlohmann::json::exception& error) {
-    throw BrokenRun(fmt::format("{}: {}", file.string(), error.what()));
+    throw BrokenRun(fmt::format("{}: is no summary of a run: {}", file.string(), json_reason(error)));
   }
 }
 
@@ -188,7 +194,7 @@ StoredRun read_run(const path& folder) {
     t.status = status_of(summary.at("status"));
     t.message = summary.at("message");
   } catch (const nlohmann::json::exception& error) {
-    throw BrokenRun(fmt::format("{}: {}", (folder / kSummary).string(), error.what()));
+    throw BrokenRun(fmt::format("{}: is no summary of a run: {}", (folder / kSummary).string(), json_reason(error)));
   }
   read_series(folder / kSeries, t);
   read_impacts(folder / kImpacts, t);

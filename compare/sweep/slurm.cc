@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -28,8 +29,21 @@ std::pair<std::string, int> output_of(const std::string& command) {
 }  // namespace
 
 std::string shell_word(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (std::none_of(text.begin(), text.end(), control)) {
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+    return word + "'";
+  }
+  // As bash has it in $'...': the word stays on its line, in a comment too.
+  std::string word = "$'";
+  for (const char c : text) {
+    if (control(c)) {
+      word += fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    } else {
+      word += c == '\'' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    }
+  }
   return word + "'";
 }
 
@@ -38,6 +52,7 @@ std::string slurm_script(const SlurmJob& job) {
       fmt::format("exec {} sweep {} \\\n  -o {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --jobs {}",
                   shell_word(job.program.string()), shell_word(job.study.string()),
                   shell_word(job.folder.string()), job.tasks, job.jobs);
+  if (job.allow_library) command += " --allow-library";
   for (const std::string& text : job.overrides) command += " \\\n  --set " + shell_word(text);
   return fmt::format(
       R"(#!/bin/bash

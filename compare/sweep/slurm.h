@@ -15,6 +15,7 @@ struct SlurmJob {
   int tasks = 1;                       // shards
   int jobs = 1;                        // processors of a task, and threads
   std::vector<std::string> overrides;  // --set
+  bool allow_library = false;          // the tasks may open the scene's library, as the user said here
 };
 
 inline constexpr const char* kSlurmFile = "sweep.sbatch";
@@ -26,7 +27,7 @@ std::string slurm_script(const SlurmJob& job);
 // sbatch says.
 std::string submit(const std::filesystem::path& script, const std::vector<int>& tasks);
 
-// "'it'\''s'": one word of a shell.
+// "'it'\''s'", "$'two\x0alines'": one word of bash, on one line.
 std::string shell_word(const std::string& text);
 
 }  // namespace rotorub::sweep

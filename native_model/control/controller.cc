@@ -37,7 +37,9 @@ std::shared_ptr<const Controller> make_controller(const scene::Scene& scene, con
       return std::make_shared<StateFeedback>(quadratic_design(scene, *plant.linear));
     case scene::ControllerKind::kLqg:
       return std::make_shared<OutputFeedback>(quadratic_design(scene, *plant.linear), plant.force_limit);
-    case scene::ControllerKind::kLibrary: return std::make_shared<LibraryController>(scene, plant);
+    case scene::ControllerKind::kLibrary:
+      if (libraries_left_out()) return std::make_shared<UnopenedLibrary>();
+      return std::make_shared<LibraryController>(scene, plant);
   }
   return nullptr;
 }

@@ -26,7 +26,8 @@ constexpr const char* kKey = "controller.library";
 constexpr const char* kPath = "ROTORUB_CONTROLLER_PATH";
 
 std::mutex mutex;
-std::vector<fs::path> trusted;
+std::vector<fs::path> scene_folders, allowed_files;
+SceneLibraries scene_libraries = SceneLibraries::kAsked;
 
 [[noreturn]] void refuse(const scene::Scene& scene, const char* key, const std::string& reason) {
   throw scene::SceneError(scene::placed(scene, {{"", 0, key, reason}}));
@@ -42,16 +43,46 @@ std::vector<fs::path> folders_of(const std::string& list) {
   return folders;
 }
 
-fs::path found_in(const scene::Scene& scene, const std::vector<fs::path>& folders,
-                  const fs::path& name) {
+// A path without links and "..", to be compared.
+fs::path plain(const fs::path& path) {
+  std::error_code failed;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path), failed);
+  return failed ? fs::absolute(path) : whole;
+}
+
+bool is_allowed(const fs::path& file, const std::vector<fs::path>& open_folders) {
+  if (scene_libraries == SceneLibraries::kAllowed) return true;
+  const fs::path path = plain(file);
+  const auto same = [&path](const fs::path& other) { return plain(other) == path; };
+  if (std::any_of(allowed_files.begin(), allowed_files.end(), same)) return true;
+  // In one of the folders, or below it.
+  return std::any_of(open_folders.begin(), open_folders.end(), [&path](const fs::path& folder) {
+    const fs::path top = plain(folder / "");
+    return std::mismatch(top.begin(), top.end(), path.begin(), path.end()).first == top.end() ||
+           plain(folder) == path.parent_path();
+  });
+}
+
+// The first that is there and allowed.
+fs::path found_in(const scene::Scene& scene, const std::vector<fs::path>& folders, const fs::path& name,
+                  const std::vector<fs::path>& open_folders) {
   std::string looked;
+  fs::path refused;
   for (const fs::path& folder : folders) {
     const fs::path path = fs::absolute(folder / name);
     std::error_code status;
-    if (fs::is_regular_file(path, status)) return path;
-    looked += (looked.empty() ? "" : ", ") + path.string();
+    if (!fs::is_regular_file(path, status)) {
+      looked += (looked.empty() ? "" : ", ") + path.string();
+    } else if (is_allowed(path, open_folders)) {
+      return path;
+    } else if (refused.empty()) {
+      refused = path;
+    }
   }
-  refuse(scene, kKey, "not found: looked for " + looked);
+  if (refused.empty()) refuse(scene, kKey, "not found: looked for " + looked);
+  refuse(scene, kKey,
+         refused.string() + " is not opened: a scene must not run code by itself; if you trust this one, say "
+         "--allow-library (Python: allow_library=True), or set " + kPath + " to its folder");
 }
 
 // What the library says, ended by 0 or not.
@@ -101,28 +132,45 @@ const rotorub_controller* functions_of(const scene::Scene& scene, const fs::path
 
 }  // namespace
 
-void trust_controllers_of(const fs::path& folder) {
+void set_scene_libraries(SceneLibraries which) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  scene_libraries = which;
+}
+
+void allow_library(const fs::path& file) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  allowed_files.push_back(file);
+}
+
+bool libraries_left_out() {
+  const std::lock_guard<std::mutex> lock(mutex);
+  return scene_libraries == SceneLibraries::kLeftOut;
+}
+
+void look_for_controllers_in(const fs::path& folder) {
   const std::lock_guard<std::mutex> lock(mutex);
   const fs::path path = fs::absolute(folder);
-  if (std::find(trusted.begin(), trusted.end(), path) == trusted.end()) trusted.push_back(path);
+  if (std::find(scene_folders.begin(), scene_folders.end(), path) == scene_folders.end()) {
+    scene_folders.push_back(path);
+  }
 }
 
 fs::path controller_library(const scene::Scene& scene) {
+  const std::lock_guard<std::mutex> lock(mutex);
   const fs::path name = scene.controller->library;
-  if (scene.folder) return found_in(scene, {*scene.folder}, name);
   const char* path = std::getenv(kPath);
-  std::vector<fs::path> folders = folders_of(path == nullptr ? "" : path);
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (path == nullptr && trusted.empty()) {
-      refuse(scene, kKey,
-             std::string("is not loaded: a model must not load code by itself; set ") + kPath +
-                 " to the folder of the libraries that you trust");
-    }
-    folders.insert(folders.end(), trusted.begin(), trusted.end());
+  const std::vector<fs::path> open_folders = folders_of(path == nullptr ? "" : path);
+  std::vector<fs::path> folders = scene.folder ? std::vector<fs::path>{*scene.folder} : scene_folders;
+  folders.insert(folders.end(), open_folders.begin(), open_folders.end());
+  if (folders.empty()) {
+    refuse(scene, kKey,
+           std::string("is not loaded: a model must not load code by itself; set ") + kPath +
+               " to the folder of the libraries that you trust");
   }
-  if (name.is_absolute()) return found_in(scene, {""}, name);
-  return found_in(scene, folders, name);
+  if (!name.is_absolute()) return found_in(scene, folders, name, open_folders);
+  // Of an MJCF, whose paths are absolute or none, setting the variable allows them.
+  const bool model = !scene.folder && path != nullptr;
+  return found_in(scene, {""}, name, model ? std::vector<fs::path>{name.parent_path()} : open_folders);
 }
 
 // Delegating: what create() made is destroyed even where the controller is refused after it.

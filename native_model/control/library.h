@@ -39,13 +39,31 @@ class LibraryController final : public Controller {
   std::string name_;
 };
 
-// Where a scene's library is: relative to the scene's file; of a scene that comes in an MJCF,
-// absolute or below one of the folders of ROTORUB_CONTROLLER_PATH (with ':' between them), and
-// only where that variable is set: a model that is opened must not load code by itself. Throws
-// scene::SceneError.
+// Code that comes with a file is not run unasked: what a scene names is opened only if it stands in one of the folders
+// of ROTORUB_CONTROLLER_PATH (with ':' between them), or the user has allowed it. Of the whole process.
+enum class SceneLibraries {
+  kAsked,    // the file must be allowed: allow_library()
+  kAllowed,  // whatever a scene names
+  kLeftOut,  // none is opened, in its place stands UnopenedLibrary: of what shows a scene and does not run it
+};
+void set_scene_libraries(SceneLibraries which);
+void allow_library(const std::filesystem::path& file);
+bool libraries_left_out();
+
+// Commands nothing. An MJCF leaves this much room for the library's state; where that needs more, the plugin says how much.
+class UnopenedLibrary final : public Controller {
+ public:
+  static constexpr std::size_t kRoomForState = 256;  // numbers
+  std::size_t state_size() const override { return kRoomForState; }
+  Eigen::Vector2d command(const Measurement&, const SwitchOn&, double*) const override { return {0.0, 0.0}; }
+};
+
+// Where a scene's library is: beside the scene's file, or in a folder of ROTORUB_CONTROLLER_PATH; of a scene that comes
+// in an MJCF in such a folder, or absolute where that variable is set. Throws scene::SceneError where there is none, or
+// it is not allowed.
 std::filesystem::path controller_library(const scene::Scene& scene);
 
-// A program that was given the scene itself lets its MJCF load libraries of that folder.
-void trust_controllers_of(const std::filesystem::path& folder);
+// A program that was given the scene itself lets its MJCF look for libraries in that folder too.
+void look_for_controllers_in(const std::filesystem::path& folder);
 
 }  // namespace rotorub

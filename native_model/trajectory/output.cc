@@ -96,7 +96,7 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
     const std::error_code code(error, std::generic_category());
     const std::string said = "cannot " + std::string(what) + " " + file.string() + ": " + code.message();
     // A place that takes no file was badly chosen; one that is full was not.
-    if (error != ENOSPC && error != EDQUOT && error != EIO) throw UnwritablePlace(said);
+    if (error != ENOSPC && error != EDQUOT && error != EIO && error != EFBIG) throw UnwritablePlace(said);
     throw std::runtime_error(said);
   };
   if (fs::is_directory(file, none)) fail("write", EISDIR);

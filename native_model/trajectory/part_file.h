@@ -5,7 +5,8 @@
 
 namespace rotorub {
 
-// `<file>.part-<process>`. What ended processes left of the same file is removed.
+// `<file>.part-<process>-<machine>-<random>`, a file that was not there and is empty now. What ended processes of this
+// machine left of the same file is removed.
 std::filesystem::path part_of(const std::filesystem::path& file);
 
 // That files can be made there: the folder, or the nearest one above it that exists, is one and lets itself be

@@ -49,7 +49,7 @@ double Statistics::energy_residual() const {
 const std::vector<double>& Trajectory::column(const std::string& name) const {
   const auto at = std::find_if(series.begin(), series.end(),
                                [&](const Column& column) { return column.name == name; });
-  assert(at != series.end());
+  if (at == series.end()) throw MissingColumn("the series has no column `" + name + "`");
   return at->values;
 }
 

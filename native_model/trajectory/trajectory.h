@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,10 @@ struct Statistics {
   double energy_residual() const;   // |E_end - E_start - works| / scale, 0 for a scale of 0
 };
 
+class MissingColumn : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 struct Trajectory {
   std::string engine, integrator, contact_model;  // contact_model: "rigid", "coulomb", "cone"
   double step = 0.0;                              // s; `event`: 0
@@ -89,7 +94,7 @@ struct Trajectory {
   std::string message;
 
   std::size_t rows() const { return series.empty() ? 0 : series.front().values.size(); }
-  // Asserts that the column exists.
+  // Throws MissingColumn: a series may come from a file.
   const std::vector<double>& column(const std::string& name) const;
   bool has(const std::string& name) const;
   double contact_fraction() const;   // from first touch to the end, 0 when never touched

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
@@ -54,6 +55,66 @@ TEST(CliController, WhatCannotBeLoadedIsExit2) {
   const Outcome other = folder.run(run_with("other_abi_controller.so", {}));
   EXPECT_EQ(other.code, 2);
   EXPECT_TRUE(contains(other.err, "controller.library")) << other.err;
+}
+
+// ------------------------------------------------------------------ a scene, or results, from elsewhere
+class CliForeignLibrary : public testing::Test {
+ protected:
+  CliForeignLibrary() {
+    std::filesystem::copy_file(kLibraries + "/marking_controller.so", folder_.path() / "evil.so");
+    std::filesystem::copy_file(shipped("bench_ring"), folder_.path() / "scene.toml");
+    std::ofstream(folder_.path() / "scene.toml", std::ios::app)
+        << "[controller]\nkind = \"library\"\nlibrary = \"evil.so\"\nsample_time = \"50 us\"\n";
+  }
+  bool opened() const { return std::filesystem::exists(folder_.path() / "opened"); }
+
+  Folder folder_;
+};
+
+TEST_F(CliForeignLibrary, IsNotOpenedUnasked) {
+  const std::vector<std::vector<std::string>> commands{
+      {"run", "scene.toml"},   {"run", "scene.toml", "--engine", "mujoco"}, {"compare", "scene.toml"},
+      {"bench", "scene.toml"}, {"check", "scene.toml"},                     {"tune", "scene.toml", "--tolerance", "1%"},
+      {"render", "scene.toml"}};
+  for (const auto& command : commands) {
+    const Outcome done = folder_.run(command);
+    EXPECT_EQ(done.code, 2) << command.front() << ": " << done.err;
+    EXPECT_TRUE(contains(done.err, "evil.so")) << command.front() << ": " << done.err;
+    EXPECT_TRUE(contains(done.err, "--allow-library")) << command.front() << ": " << done.err;
+    EXPECT_FALSE(opened()) << command.front();
+  }
+}
+
+TEST_F(CliForeignLibrary, IsNotOpenedByASweep) {
+  std::ofstream(folder_.path() / "study.toml")
+      << "scene = \"scene.toml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1, 0.2]\n";
+  const Outcome done = folder_.run({"sweep", "study.toml", "-o", "out"});
+  EXPECT_EQ(done.code, 2) << done.err;
+  EXPECT_TRUE(contains(done.err, "evil.so")) << done.err;
+  EXPECT_FALSE(opened());
+}
+
+TEST_F(CliForeignLibrary, IsOpenedWhereTheUserSaysSo) {
+  const Outcome done = folder_.run({"run", "scene.toml", "--allow-library"});
+  EXPECT_TRUE(opened());
+  EXPECT_EQ(done.code, 2) << "it is no controller";
+}
+
+TEST_F(CliForeignLibrary, IsNoMatterOfShowing) {
+  ASSERT_EQ(folder_.run({"run", shipped("bench_ring"), "--end", "10 ms", "-o", "results"}).code, 0);
+  // Results whose scene names a library that is not theirs.
+  std::filesystem::copy_file(folder_.path() / "scene.toml", folder_.path() / "results/scene.toml",
+                             std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::copy_file(folder_.path() / "evil.so", folder_.path() / "results/evil.so");
+  for (const auto& command : std::vector<std::vector<std::string>>{
+           {"modes", "scene.toml"},
+           {"mjcf", "scene.toml", "-o", "scene.xml"},
+           {"plot", "results"},
+           {"render", "results", "--png", "--size", "320x180"}}) {
+    const Outcome done = folder_.run(command);
+    EXPECT_EQ(done.code, 0) << command.front() << ": " << done.err;
+    EXPECT_FALSE(opened()) << command.front();
+  }
 }
 
 TEST(CliModes, GivesThePlantOfAController) {

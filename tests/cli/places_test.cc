@@ -47,6 +47,18 @@ void expect_all_refused(const Folder& folder, const std::string& place) {
   }
 }
 
+// `ulimit -f` of 4 KiB.
+TEST(CliPlaces, WhereFilesMayNotGrow) {
+  const Folder folder;
+  const std::string command = "cd " + folder.path().string() + " && ulimit -f 4 && " + ROTORUB_BINARY + " run " +
+                              shipped("bench_ring") + " -o out >said 2>&1";
+  const int status = std::system(("bash -c '" + command + "'").c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+  EXPECT_TRUE(contains(folder.text("said"), "File too large")) << folder.text("said");
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"said"});
+}
+
 TEST(CliPlaces, BelowAFile) {
   const Folder folder;
   std::ofstream(folder.path() / "file") << "text";

@@ -77,5 +77,33 @@ TEST(CliPlot, RefusesASeriesThatIsNone) {
   EXPECT_TRUE(contains(refusal(good, "\n0,", "\nzero,"), "out/series.csv:2: `zero` is not a number"));
 }
 
+TEST(CliPlot, NamesAColumnOfTheModesThatIsMissing) {
+  const Folder folder;
+  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"}).code, 0);
+  std::string text = folder.text("out/series.csv");
+  text.replace(text.find(",vx_1"), 5, ",vx_7");
+  std::ofstream(folder.path() / "out/series.csv") << text;
+  const Outcome done = folder.run({"plot", "out"});
+  EXPECT_EQ(done.code, 2);
+  EXPECT_TRUE(contains(done.err, "no column `vx_1`")) << done.err;
+}
+
+// A device has no end.
+TEST(CliPlot, ReadsFilesAlone) {
+  const Folder folder;
+  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"}).code, 0);
+  for (const char* file : {"series.csv", "impacts.csv", "summary.json", "scene.toml"}) {
+    const std::filesystem::path there = folder.path() / "out" / file;
+    const std::filesystem::path kept = folder.path() / "kept";
+    std::filesystem::rename(there, kept);
+    std::filesystem::create_symlink("/dev/zero", there);
+    const Outcome done = folder.run({"plot", "out"});
+    EXPECT_EQ(done.code, 2) << file;
+    EXPECT_TRUE(contains(done.err, std::string("out/") + file + ": is a device")) << done.err;
+    std::filesystem::rename(kept, there);
+  }
+  EXPECT_EQ(folder.run({"compare", shipped("bench_ring"), "--measured", "/dev/zero"}).code, 2);
+}
+
 }  // namespace
 }  // namespace rotorub::test

@@ -15,6 +15,7 @@
 #include "compare/version.h"
 #include "compare/python/native/background.h"
 #include "compare/python/native/convert.h"
+#include "native_model/control/library.h"
 
 namespace py = pybind11;
 
@@ -42,8 +43,20 @@ Words with_run(const py::object& overrides, const py::object& step, const py::ob
   return all;
 }
 
+// While it lives a scene's library may be opened, or not.
+struct OpenedLibraries {
+  explicit OpenedLibraries(bool may) {
+    set_scene_libraries(may ? SceneLibraries::kAllowed : SceneLibraries::kAsked);
+  }
+  ~OpenedLibraries() { set_scene_libraries(SceneLibraries::kAsked); }
+  OpenedLibraries(const OpenedLibraries&) = delete;
+  OpenedLibraries& operator=(const OpenedLibraries&) = delete;
+};
+
 py::dict run(const py::object& scene, const py::object& overrides, const std::optional<std::string>& integrator,
-             const py::object& step, const py::object& end, std::optional<std::vector<double>> output_times) {
+             const py::object& step, const py::object& end, std::optional<std::vector<double>> output_times,
+             bool may_open) {
+  const OpenedLibraries opened(may_open);
   const scene::Scene made = scene_of(scene, with_run(overrides, step, end));
   const auto engine = native_engine(integrator_of(integrator).value_or(made.run.integrator));
   const Trajectory trajectory = in_background<Trajectory>([&](const std::atomic<bool>& interrupt) {
@@ -56,7 +69,9 @@ py::dict run(const py::object& scene, const py::object& overrides, const std::op
 }
 
 py::dict sweep_points(const py::object& scene, const std::vector<py::object>& points, const py::object& overrides,
-                      const std::optional<std::string>& integrator, const py::object& step, const py::object& end) {
+                      const std::optional<std::string>& integrator, const py::object& step, const py::object& end,
+                      bool may_open) {
+  const OpenedLibraries opened(may_open);
   const Words common = with_run(overrides, step, end);
   std::vector<Words> changes;
   for (const py::object& point : points) changes.push_back(overrides_of(point));
@@ -87,7 +102,8 @@ py::dict study_dict(const sweep::PointScenes& scenes, const std::vector<sweep::P
   return all;
 }
 
-py::dict study(const py::object& file, const py::object& overrides) {
+py::dict study(const py::object& file, const py::object& overrides, bool may_open) {
+  const OpenedLibraries opened(may_open);
   const sweep::Study read = sweep::read_study(py::module_::import("os").attr("fspath")(file).cast<std::string>());
   if (read.engine != sweep::EngineKind::kNative) {
     throw py::value_error("run.engine: rotorub_native runs the native model; rotorub sweep runs studies in MuJoCo");
@@ -138,14 +154,15 @@ PYBIND11_MODULE(rotorub_native, module) {
   });
   const auto none = py::none();
   module.def("run", &own::run, py::arg("scene"), py::arg("overrides") = none, py::kw_only(), py::arg("integrator") = none,
-             py::arg("step") = none, py::arg("end") = none, py::arg("output_times") = none,
+             py::arg("step") = none, py::arg("end") = none, py::arg("output_times") = none, py::arg("allow_library") = false,
              "Runs a scene, a path or a text of several lines: a dict with series, impacts and events (arrays by column), "
              "columns (units and meanings), scene_text and summary.\n\noverrides: {\"contact.friction\": 0.2}; step, end: "
-             "seconds, or a string with a unit; output_times: rows of the series, s, ascending.");
+             "seconds, or a string with a unit; output_times: rows of the series, s, ascending; allow_library: the library that "
+             "the scene names as its controller is opened, code that you trust.");
   module.def("sweep", &own::sweep_points, py::arg("scene"), py::arg("points"), py::arg("overrides") = none, py::kw_only(),
-             py::arg("integrator") = none, py::arg("step") = none, py::arg("end") = none,
+             py::arg("integrator") = none, py::arg("step") = none, py::arg("end") = none, py::arg("allow_library") = false,
              "Runs a scene once for each dict of overrides, on all processors: arrays by the columns of results.csv. A "
              "point that fails says so in status and reason; its figures are NaN.");
-  module.def("study", &own::study, py::arg("file"), py::arg("overrides") = none,
+  module.def("study", &own::study, py::arg("file"), py::arg("overrides") = none, py::kw_only(), py::arg("allow_library") = false,
              "Runs all points of a study (compare/sweep/README.md), on all processors: as sweep, with the varied keys.");
 }

@@ -7,11 +7,15 @@
 #include <vector>
 
 #include "compare/engine/engine.h"
+#include "native_model/control/library.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
 namespace {
+
+// The libraries that are opened here are the tests' own.
+[[maybe_unused]] const bool library_engine_trusts = (set_scene_libraries(SceneLibraries::kAllowed), true);
 
 scene::Scene library_scene(const std::string& library, const std::vector<std::string>& more) {
   std::vector<std::string> overrides{"rotor.modes=2",

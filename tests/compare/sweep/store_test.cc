@@ -147,6 +147,17 @@ TEST(Shard, CoverAllPointsOnce) {
   }
 }
 
+// Of a path with a line break no line is a command of its own, in the comments neither.
+TEST(SlurmScript, KeepsAPathOnItsLine) {
+  sweep::SlurmJob job;
+  job.program = "/usr/bin/rotorub";
+  job.study = "/tmp/a\ntouch owned\n/it's\\.toml";
+  job.folder = "/tmp/out\r\nrm x";
+  const std::string script = sweep::slurm_script(job);
+  for (const char* command : {"\ntouch owned", "\nrm x"}) EXPECT_EQ(script.find(command), std::string::npos) << script;
+  EXPECT_NE(script.find(R"($'/tmp/a\x0atouch owned\x0a/it\'s\\.toml')"), std::string::npos) << script;
+}
+
 TEST(Slurm, TheScriptQuotesWhatTheUserNamed) {
   SlurmJob job;
   job.program = "/opt/a b/rotorub";

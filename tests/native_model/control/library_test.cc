@@ -24,6 +24,13 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path kLibraries = ROTORUB_LIBRARIES;
 
+// The libraries of these tests are the tests' own; LibraryGate says what happens to others.
+class Trusting : public testing::Environment {
+ public:
+  void SetUp() override { set_scene_libraries(SceneLibraries::kAllowed); }
+};
+[[maybe_unused]] const auto* const trusting = testing::AddGlobalTestEnvironment(new Trusting);
+
 std::string text(const std::string& library, const std::string& config = "") {
   return R"([run]
 end = 0.01
@@ -205,6 +212,50 @@ TEST(LibraryPath, OfASceneIsBesideIt) {
   fs::copy_file(kLibraries / "faulty_controller.so", folder / "mine.so", fs::copy_options::overwrite_existing);
   std::ofstream(folder / "own.toml") << text("mine.so");
   EXPECT_EQ(refusal(scene::read_scene(folder / "own.toml")), "");
+}
+
+// ------------------------------------------------------------------ what may be opened
+class LibraryGate : public testing::Test {
+ protected:
+  LibraryGate() { set_scene_libraries(SceneLibraries::kAsked); }
+  ~LibraryGate() override { set_scene_libraries(SceneLibraries::kAllowed); }
+};
+
+TEST_F(LibraryGate, WhatASceneNamesIsNotOpenedUnasked) {
+  for (const std::string& library :
+       {std::string("current_controller.so"), (kLibraries / "current_controller.so").string(),
+        "../" + kLibraries.filename().string() + "/current_controller.so"}) {
+    expect_said(refusal(read(library)), {"controller.library", "current_controller.so is not opened", "--allow-library",
+                                         "ROTORUB_CONTROLLER_PATH"});
+  }
+}
+
+TEST_F(LibraryGate, OneFileMayBeAllowed) {
+  allow_library(kLibraries / "recording_controller.so");
+  EXPECT_EQ(refusal(read("recording_controller.so")), "");
+  EXPECT_EQ(refusal(read("../" + kLibraries.filename().string() + "/recording_controller.so")), "");
+  EXPECT_NE(refusal(read("current_controller.so")), "");
+}
+
+TEST_F(LibraryGate, OrItsFolder) {
+  const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere:" + kLibraries.string() + "/");
+  EXPECT_EQ(refusal(read("faulty_controller.so")), "");
+  scene::Scene elsewhere = read("faulty_controller.so");
+  elsewhere.folder = testing::TempDir();
+  EXPECT_EQ(refusal(elsewhere), "") << "found there too";
+  const fs::path below = fs::path(testing::TempDir()) / "gate" / "below";
+  fs::create_directories(below);
+  fs::copy_file(kLibraries / "faulty_controller.so", below / "mine.so", fs::copy_options::overwrite_existing);
+  scene::Scene above = read("below/../below/mine.so");
+  above.folder = below.parent_path().string();
+  EXPECT_NE(refusal(above), "") << "not in that folder";
+  const Environment whole("ROTORUB_CONTROLLER_PATH", below.parent_path().string());
+  EXPECT_EQ(refusal(above), "") << "below it";
+}
+
+TEST_F(LibraryGate, WhatShowsASceneOpensNone) {
+  set_scene_libraries(SceneLibraries::kLeftOut);
+  EXPECT_EQ(refusal(read("nowhere.so")), "");
 }
 
 // ------------------------------------------------------------------ the examples

@@ -7,12 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "native_model/control/library.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
 namespace {
+
+// The libraries that are opened here are the tests' own.
+[[maybe_unused]] const bool promises_trusts = (set_scene_libraries(SceneLibraries::kAllowed), true);
 
 struct Figures {
   double impacts = 0.0, peak = 0.0, rate = 0.0, force = 0.0, contact = 0.0, open_until = 0.0;

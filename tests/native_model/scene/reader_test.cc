@@ -16,6 +16,33 @@ std::filesystem::path shipped(const std::string& name) {
   return std::filesystem::path(ROTORUB_MJCF_DIR) / (name + ".toml");
 }
 
+// What is limited is the depth of a key, not how many numbers stand in a line.
+TEST(Reader, TakesLongLinesOfNumbers) {
+  std::string times = "[", square = "[";
+  for (int k = 0; k <= 1000; ++k) times += (k > 0 ? "," : "") + std::to_string(1e-4 * k);
+  for (int k = 0; k < 41 * 41; ++k) square += (k > 0 ? "," : "") + std::to_string(0.1 * k);
+  const std::vector<std::string> overrides{"run.output_times=" + times + "]"};
+  const Scene scene = read_scene(shipped("bench_ring"), overrides);
+  EXPECT_EQ(scene.run.output_times.size(), 1001U);
+  EXPECT_EQ(parse_scene(scene.text, "again.toml").run.output_times, scene.run.output_times) << "its own text";
+  std::vector<Diagnostic> wrong;
+  EXPECT_TRUE(parse_toml("table = " + square + "]\n", "table.toml", wrong));
+  EXPECT_TRUE(wrong.empty());
+}
+
+TEST(Reader, RefusesAKeyThatIsTooDeep) {
+  std::string deep = "a";
+  for (int k = 0; k < 20000; ++k) deep += ".a";
+  for (const std::string& line : {deep + " = 1", "x = { " + deep + " = 1 }", "[" + deep + "]", "x = [1.5, { " + deep + " = 2.5 }]"}) {
+    try {
+      parse_scene(line + "\n", "deep.toml");
+      ADD_FAILURE() << line.substr(0, 20);
+    } catch (const SceneError& error) {
+      EXPECT_EQ(error.diagnostics().front().reason, "a key with more than 1000 dots");
+    }
+  }
+}
+
 TEST(Reader, FillsEveryFieldOfTheContractsExample) {
   const Scene scene = parse_scene(kFullModalScene, "some/where/example.toml");
   EXPECT_EQ(scene.name, "example");

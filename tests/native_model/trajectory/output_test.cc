@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <limits>
 #include <sstream>
 
+#include "native_model/trajectory/part_file.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
@@ -50,6 +52,14 @@ class OutputTest : public ::testing::Test {
   }
   fs::path folder_;
 };
+
+// Written aside under a name that nobody knows before, in a file that was not there.
+TEST_F(OutputTest, IsWrittenAsideUnderANameOfItsOwn) {
+  const fs::path first = part_of(folder_ / "a.csv"), second = part_of(folder_ / "a.csv");
+  EXPECT_NE(first, second);
+  EXPECT_TRUE(first.filename().string().starts_with("a.csv.part-" + std::to_string(::getpid()) + "-"));
+  for (const fs::path& part : {first, second}) EXPECT_TRUE(fs::is_regular_file(part)) << part;
+}
 
 // As the contract has it.
 const std::string kCommon =
