@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstddef>
 
+#include <Eigen/LU>
+
 namespace rotorub::plugin {
 namespace {
 
-constexpr double kDiscRoundOff = 1e-11;  // of the rates and impulses in question
+constexpr double kDiscRoundOff = 1e-11;  // of what a rate or an impulse is the sum of
 constexpr double kDiscTrace = 1e-12;     // of the normal's mobility: what cannot move
-constexpr double kOneMotion = 1e-8;      // of the rates: solutions nearer to each other are one
+constexpr double kOneMotion = 1e-8;      // of the same: solutions nearer to each other are one
 
 Eigen::Vector2d turned(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
@@ -86,12 +88,10 @@ void for_each_parallel(const Eigen::Vector2d& v, const Eigen::Matrix2d& k, Actio
 class DiscProblem {
  public:
   DiscProblem(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const DiscSet& set)
-      : a_(a), b_(b), set_(set), rate_(b.cwiseAbs().maxCoeff()) {
+      : a_(a), b_(b), set_(set) {
     for (int k = 1; k < 3; ++k) {
       if (a_(k, k) <= kDiscTrace * a_(0, 0)) a_(k, k) += kDiscTrace * a_(0, 0);
     }
-    largest_ = a_.cwiseAbs().maxCoeff();
-    rate_ = std::max(rate_, set.least_normal * largest_);
   }
 
   SingleDisc solve() {
@@ -129,7 +129,8 @@ class DiscProblem {
     const Eigen::Matrix2d k = mu * (line.c * line.beta.transpose() - line.alpha * line.s);
     for_each_parallel(line.c, k, [&](const Eigen::Vector2d& d) {
       const double normal = line.alpha / (1.0 + mu * line.beta.dot(d));
-      take({line.at_least, DiscFriction::kRim, d}, {normal, -mu * normal * d.x(), -mu * normal * d.y()});
+      const Eigen::Vector3d p(normal, -mu * normal * d.x(), -mu * normal * d.y());
+      take({line.at_least, DiscFriction::kRim, d}, polished(p, line.at_least));
     });
     if (set_.side.isZero(0.0)) return;
     const Eigen::Vector2d begun = set_.floor * set_.side, along = turned(set_.side);
@@ -145,6 +146,21 @@ class DiscProblem {
     }
   }
 
+  // A step of Newton's for y_N = 0 (or L_N as it is), L_T x y_T = 0, |L_T| = mu L_N: an angle alone is not enough
+  // where 1 + mu beta . d is small, or one direction far stiffer than the other.
+  Eigen::Vector3d polished(const Eigen::Vector3d& p, bool at_least) const {
+    const Eigen::Vector3d y = a_ * p + b_;
+    const double mu2 = set_.friction * set_.friction;
+    const Eigen::Vector3d left(at_least ? 0.0 : y.x(), p.y() * y.z() - p.z() * y.y(), p.tail<2>().squaredNorm() - mu2 * p.x() * p.x());
+    Eigen::Matrix3d slope;
+    slope.row(0) = at_least ? Eigen::RowVector3d(1.0, 0.0, 0.0) : Eigen::RowVector3d(a_.row(0));
+    slope.row(1) = p.y() * a_.row(2) - p.z() * a_.row(1) + Eigen::RowVector3d(0.0, y.z(), -y.y());
+    slope.row(2) << -2.0 * mu2 * p.x(), 2.0 * p.y(), 2.0 * p.z();
+    Eigen::Vector3d better = p - slope.inverse() * left;
+    if (at_least) better.x() = p.x();
+    return better.allFinite() ? better : p;
+  }
+
   // S^-1 c; the least where the two directions are one motion.
   static Eigen::Vector2d stuck(const Eigen::Matrix2d& s, const Eigen::Vector2d& c) {
     const double det = s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0);
@@ -158,9 +174,10 @@ class DiscProblem {
   void take(const DiscCase& c, Eigen::Vector3d p) {
     if (!p.allFinite()) return;
     Eigen::Vector3d y = a_ * p + b_;
-    const double most = std::max(p.cwiseAbs().maxCoeff(), set_.least_normal);
-    const double rates = kDiscRoundOff * (rate_ + most * largest_), impulses = kDiscRoundOff * most;
-    if (c.at_least ? y.x() < -rates : p.x() < set_.least_normal || std::abs(y.x()) > rates) return;
+    const Eigen::Vector3d terms = b_.cwiseAbs() + a_.cwiseAbs() * p.cwiseAbs();
+    const double gap = kDiscRoundOff * terms.x(), rates = kDiscRoundOff * terms.tail<2>().maxCoeff();
+    const double impulses = kDiscRoundOff * set_.friction * std::max(p.x(), set_.least_normal);
+    if (c.at_least ? y.x() < -gap : p.x() < set_.least_normal || std::abs(y.x()) > gap) return;
     const Eigen::Vector2d l_t = p.tail<2>(), y_t = y.tail<2>();
     if (l_t.norm() > set_.friction * p.x() + impulses) return;
     if (l_t.dot(set_.side) < set_.floor - impulses) return;
@@ -168,7 +185,9 @@ class DiscProblem {
     y.x() = c.at_least ? std::max(0.0, y.x()) : 0.0;  // not round-off
     if (c.friction == DiscFriction::kStick) y.tail<2>().setZero();
     if (best_.solutions > 0) {
-      if ((y - best_.y).cwiseAbs().maxCoeff() > kOneMotion * (rate_ + most * largest_)) ++best_.solutions;
+      const Eigen::Vector3d apart = (y - best_.y).cwiseAbs();
+      const double same = kOneMotion * terms.tail<2>().maxCoeff();
+      if (apart.x() > kOneMotion * terms.x() || apart.tail<2>().maxCoeff() > same) ++best_.solutions;
       return;
     }
     best_ = {1, c, p, y};
@@ -200,7 +219,6 @@ class DiscProblem {
   Eigen::Matrix3d a_;
   Eigen::Vector3d b_;
   const DiscSet& set_;
-  double rate_, largest_ = 0.0;  // m/s, of what is there to be changed; 1/kg
   SingleDisc best_;
 };
 

@@ -189,6 +189,32 @@ TEST(DiscLaw, NoImpactGainsEnergy) {
   }
 }
 
+// Directions that move unlike, rates far apart, friction far above 1 with a normal that is coupled to it: hard as
+// the friction nearly jams. There is a solution, and no energy gained.
+TEST(DiscLaw, BadlyScaledContactsAreSolved) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int k = 0; k < 30000; ++k) {
+    Eigen::MatrixXd w(3 + k % 3, 3);
+    for (double& x : w.reshaped()) x = normal(random);
+    for (int j = 0; j < 3; ++j) w.col(j) *= std::pow(10.0, 4.0 * (unit(random) - 0.5));
+    const ContactMatrix a = std::pow(10.0, 12.0 * unit(random) - 6.0) * w.transpose() * w;
+    ContactVector b(3);
+    for (double& x : b) x = normal(random) * std::pow(10.0, 7.0 * unit(random) - 6.0);
+    if (k % 5 != 0) b[0] = -std::abs(b[0]);
+    const std::vector<ImpactLaw> laws(1, ImpactLaw{(k % 2 == 0 ? 1.0 : 10.0) * unit(random), unit(random), unit(random)});
+    const CoupledSolution c = solve_compression(a, b, laws);
+    ASSERT_GE(c.solutions, 1) << k;
+    if (c.solutions > 1) continue;
+    const CoupledSolution e = solve_expansion(a, c.y, laws, c.p);
+    ASSERT_GE(e.solutions, 1) << k;
+    if (e.solutions > 1) continue;
+    const ContactVector p = c.p + e.p;
+    EXPECT_LE(p.dot(b + e.y), 1e-10 * p.cwiseAbs().dot(b.cwiseAbs() + e.y.cwiseAbs())) << k;
+  }
+}
+
 TEST(DiscLaw, SeveralContactsMeetTheLaws) {
   std::mt19937 random(6);
   int solved = 0;
