@@ -1,5 +1,6 @@
 #include "plugin/contact/forces.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plugin/contact/annular.h"
@@ -25,11 +26,11 @@ ContactForces rigid_forces(const mjtNum* entry) {
 }
 
 // Within the surface of the cone, where MuJoCo's regularisation lets nothing stick in full: of its pyramid
-// both edges of the tangent then carry, of its ellipse |T| < mu N.
-bool within_cone(const mjModel* m, const mjData* d, const mjContact& contact, const ContactForces& f) {
+// all edges of the two tangents then carry, of its ellipse |T| < mu N. force: along the contact's frame.
+bool within_cone(const mjModel* m, const mjData* d, const mjContact& contact, const mjtNum* force) {
   const mjtNum* edges = d->efc_force + contact.efc_address;
-  if (mj_isPyramidal(m)) return edges[0] > 0.0 && edges[1] > 0.0;
-  return std::abs(f.friction) < (1.0 - 1e-6) * contact.friction[0] * f.normal;
+  if (mj_isPyramidal(m)) return *std::min_element(edges, edges + 4) > 0.0;
+  return std::hypot(force[1], force[2]) < (1.0 - 1e-6) * contact.friction[0] * force[0];
 }
 
 // Of a soft contact. Where `told`, it is known before MuJoCo's solver, which then finds the same.
@@ -49,7 +50,7 @@ ContactForces soft_forces(const mjModel* m, scene::ContactModel law, const mjCon
   }
   // A force on geom 2 along the frame. Turning the frame turns e_t and the body that it acts on.
   out.friction = -force[1];
-  out.mode = contact->dim >= 3 && within_cone(m, d, *contact, out) ? Mode::kStick : Mode::kSlide;
+  out.mode = contact->dim >= 3 && within_cone(m, d, *contact, force) ? Mode::kStick : Mode::kSlide;
   return out;
 }
 
