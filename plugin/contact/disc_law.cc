@@ -8,9 +8,9 @@ namespace rotorub::plugin {
 namespace {
 
 constexpr int kDiscSweeps = 4000;
-constexpr int kPolished = 8;           // sweeps between two trials of the linear system
-constexpr int kTurns = 20;             // of the slips' directions in it
-constexpr double kSettled = 1e-13;     // of the rates in question: what a sweep may change at the end
+constexpr int kPolished = 8;        // sweeps between two trials of the linear system
+constexpr int kTurns = 20;          // of the slips' directions in it
+constexpr double kSettled = 1e-13;  // of the rates in question: what a sweep may change at the end
 using DiscCases = std::array<DiscCase, kMaxPairs>;
 
 class DiscSystem {
@@ -46,14 +46,16 @@ class DiscSystem {
            std::max(p.cwiseAbs().maxCoeff(), impulse_) * a_.cwiseAbs().maxCoeff();
   }
 
-  // Each contact by itself with the impulses of the others. The largest change of a rate; < 0: one has no solution.
+  // Each contact by itself with the impulses of the others. The largest change of a rate; < 0: one
+  // has no solution.
   double sweep(ContactVector& p, DiscCases& cases) const {
     double change = 0.0;
     for (Eigen::Index i = 0; i < n_; ++i) {
       const auto at = static_cast<std::size_t>(i);
       const Eigen::Matrix3d own = a_.block<3, 3>(3 * i, 3 * i);
       const Eigen::Vector3d before = p.segment<3>(3 * i);
-      const Eigen::Vector3d rest = b_.segment<3>(3 * i) + a_.middleRows<3>(3 * i) * p - own * before;
+      const Eigen::Vector3d rest =
+          b_.segment<3>(3 * i) + a_.middleRows<3>(3 * i) * p - own * before;
       const SingleDisc s = solve_disc(own, rest, sets_[at]);
       if (s.solutions == 0) return -1.0;
       p.segment<3>(3 * i) = s.p;
@@ -76,8 +78,8 @@ class DiscSystem {
     return cases;
   }
 
-  // The impulses of these cases, p = given + columns z with `rows` . y = 0; the directions of what slides follow
-  // its slip. False: not of cases that are linear.
+  // The impulses of these cases, p = given + columns z with `rows` . y = 0; the directions of what
+  // slides follow its slip. False: not of cases that are linear.
   bool polish(DiscCases& cases, ContactVector& p) const {
     for (int k = 0; k < kTurns; ++k) {
       ContactMatrix columns = ContactMatrix::Zero(3 * n_, 3 * n_), rows = columns;
@@ -101,13 +103,16 @@ class DiscSystem {
     return true;
   }
 
-  static bool add_case(const DiscCase& c, const DiscSet& set, Eigen::Index row, ContactVector& given,
-                       ContactMatrix& columns, ContactMatrix& rows, Eigen::Index& count) {
+  static bool add_case(const DiscCase& c, const DiscSet& set, Eigen::Index row,
+                       ContactVector& given, ContactMatrix& columns, ContactMatrix& rows,
+                       Eigen::Index& count) {
     if (c.friction == DiscFriction::kCorner) return false;
     const bool rim = c.friction == DiscFriction::kRim;
-    const Eigen::Vector2d by_normal = rim ? Eigen::Vector2d(-set.friction * c.direction) : Eigen::Vector2d(0.0, 0.0);
-    given.segment<2>(row + 1) = c.friction == DiscFriction::kChord ? Eigen::Vector2d(set.floor * set.side)
-                                                                   : Eigen::Vector2d(0.0, 0.0);
+    const Eigen::Vector2d by_normal =
+        rim ? Eigen::Vector2d(-set.friction * c.direction) : Eigen::Vector2d(0.0, 0.0);
+    given.segment<2>(row + 1) = c.friction == DiscFriction::kChord
+                                    ? Eigen::Vector2d(set.floor * set.side)
+                                    : Eigen::Vector2d(0.0, 0.0);
     if (c.at_least) {
       given[row] = set.least_normal;
       given.segment<2>(row + 1) += set.least_normal * by_normal;
@@ -176,7 +181,8 @@ DiscSet expansion_disc(const ImpactLaw& law, double normal, const Eigen::Vector2
   return set;
 }
 
-CoupledSolution solve_discs(const ContactMatrix& a, const ContactVector& b, std::span<const DiscSet> sets) {
+CoupledSolution solve_discs(const ContactMatrix& a, const ContactVector& b,
+                            std::span<const DiscSet> sets) {
   assert(a.rows() == b.size() && b.size() == 3 * static_cast<Eigen::Index>(sets.size()));
   if (sets.size() > 1) return DiscSystem(a, b, sets).solve();
   const SingleDisc s = solve_disc(a, b, sets[0]);

@@ -28,7 +28,8 @@ double value(const double* c, int degree, double t) {
   return sum;
 }
 
-// The root between low and high, where the signs differ: Newton's steps, halving where they leave the bracket.
+// The root between low and high, where the signs differ: Newton's steps, halving where they leave
+// the bracket.
 double bracketed(const double* c, const double* slope, int degree, double low, double high) {
   const bool rises = value(c, degree, low) < 0.0;
   double t = 0.5 * (low + high);
@@ -55,7 +56,8 @@ Roots roots(const double* c, int degree) {
   for (std::size_t i = 0; i <= turns.count; ++i) {
     const double high = i < turns.count ? turns.at[i] : 1.0;
     const double f_high = value(c, degree, high);
-    const bool zero = f_low == 0.0, crosses = (f_low < 0.0 && f_high > 0.0) || (f_low > 0.0 && f_high < 0.0);
+    const bool zero = f_low == 0.0,
+               crosses = (f_low < 0.0 && f_high > 0.0) || (f_low > 0.0 && f_high < 0.0);
     if ((zero || crosses) && all.count < all.at.size()) {
       all.at[all.count++] = zero ? low : bracketed(c, slope, degree, low, high);
     }
@@ -65,8 +67,8 @@ Roots roots(const double* c, int degree) {
   return all;
 }
 
-// Calls action(d) for each d of length 1 with d x (v + K d) = 0: t = tan(angle / 2) of the half circle about v,
-// then of that about -v.
+// Calls action(d) for each d of length 1 with d x (v + K d) = 0: t = tan(angle / 2) of the half
+// circle about v, then of that about -v.
 template <typename Action>
 void for_each_parallel(const Eigen::Vector2d& v, const Eigen::Matrix2d& k, Action action) {
   const double size = v.norm();
@@ -121,7 +123,8 @@ class DiscProblem {
 
   void try_line(const Line& line) {
     const double mu = set_.friction;
-    const auto put = [&](DiscFriction friction, const Eigen::Vector2d& l_t, const Eigen::Vector2d& d) {
+    const auto put = [&](DiscFriction friction, const Eigen::Vector2d& l_t,
+                         const Eigen::Vector2d& d) {
       const double normal = line.alpha + line.beta.dot(l_t);
       take({line.at_least, friction, d}, {normal, l_t.x(), l_t.y()});
     };
@@ -146,12 +149,13 @@ class DiscProblem {
     }
   }
 
-  // A step of Newton's for y_N = 0 (or L_N as it is), L_T x y_T = 0, |L_T| = mu L_N: an angle alone is not enough
-  // where 1 + mu beta . d is small, or one direction far stiffer than the other.
+  // A step of Newton's for y_N = 0 (or L_N as it is), L_T x y_T = 0, |L_T| = mu L_N: an angle alone
+  // is not enough where 1 + mu beta . d is small, or one direction far stiffer than the other.
   Eigen::Vector3d polished(const Eigen::Vector3d& p, bool at_least) const {
     const Eigen::Vector3d y = a_ * p + b_;
     const double mu2 = set_.friction * set_.friction;
-    const Eigen::Vector3d left(at_least ? 0.0 : y.x(), p.y() * y.z() - p.z() * y.y(), p.tail<2>().squaredNorm() - mu2 * p.x() * p.x());
+    const Eigen::Vector3d left(at_least ? 0.0 : y.x(), p.y() * y.z() - p.z() * y.y(),
+                               p.tail<2>().squaredNorm() - mu2 * p.x() * p.x());
     Eigen::Matrix3d slope;
     slope.row(0) = at_least ? Eigen::RowVector3d(1.0, 0.0, 0.0) : Eigen::RowVector3d(a_.row(0));
     slope.row(1) = p.y() * a_.row(2) - p.z() * a_.row(1) + Eigen::RowVector3d(0.0, y.z(), -y.y());
@@ -165,7 +169,8 @@ class DiscProblem {
   static Eigen::Vector2d stuck(const Eigen::Matrix2d& s, const Eigen::Vector2d& c) {
     const double det = s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0);
     if (det > kDiscTrace * s(0, 0) * s(1, 1)) {
-      return Eigen::Vector2d(s(1, 1) * c.x() - s(0, 1) * c.y(), s(0, 0) * c.y() - s(1, 0) * c.x()) / det;
+      return Eigen::Vector2d(s(1, 1) * c.x() - s(0, 1) * c.y(), s(0, 0) * c.y() - s(1, 0) * c.x()) /
+             det;
     }
     return s * c / (s.trace() * s.trace());
   }
@@ -175,7 +180,8 @@ class DiscProblem {
     if (!p.allFinite()) return;
     Eigen::Vector3d y = a_ * p + b_;
     const Eigen::Vector3d terms = b_.cwiseAbs() + a_.cwiseAbs() * p.cwiseAbs();
-    const double gap = kDiscRoundOff * terms.x(), rates = kDiscRoundOff * terms.tail<2>().maxCoeff();
+    const double gap = kDiscRoundOff * terms.x(),
+                 rates = kDiscRoundOff * terms.tail<2>().maxCoeff();
     const double impulses = kDiscRoundOff * set_.friction * std::max(p.x(), set_.least_normal);
     if (c.at_least ? y.x() < -gap : p.x() < set_.least_normal || std::abs(y.x()) > gap) return;
     const Eigen::Vector2d l_t = p.tail<2>(), y_t = y.tail<2>();
@@ -187,21 +193,24 @@ class DiscProblem {
     if (best_.solutions > 0) {
       const Eigen::Vector3d apart = (y - best_.y).cwiseAbs();
       const double same = kOneMotion * terms.tail<2>().maxCoeff();
-      if (apart.x() > kOneMotion * terms.x() || apart.tail<2>().maxCoeff() > same) ++best_.solutions;
+      if (apart.x() > kOneMotion * terms.x() || apart.tail<2>().maxCoeff() > same)
+        ++best_.solutions;
       return;
     }
     best_ = {1, c, p, y};
   }
 
   // -y_T in the normal cone of the set at L_T.
-  bool opposes(const DiscCase& c, const Eigen::Vector2d& l_t, const Eigen::Vector2d& y_t, double rates) const {
+  bool opposes(const DiscCase& c, const Eigen::Vector2d& l_t, const Eigen::Vector2d& y_t,
+               double rates) const {
     switch (c.friction) {
       case DiscFriction::kStick:
         return y_t.norm() <= rates;
       case DiscFriction::kRim:
         return set_.friction * set_.least_normal == 0.0 && l_t.isZero(0.0)
                    ? true
-                   : y_t.dot(c.direction) >= -rates && std::abs(y_t.dot(turned(c.direction))) <= rates;
+                   : y_t.dot(c.direction) >= -rates &&
+                         std::abs(y_t.dot(turned(c.direction))) <= rates;
       case DiscFriction::kChord:
         return std::abs(y_t.dot(turned(set_.side))) <= rates && y_t.dot(set_.side) >= -rates;
       case DiscFriction::kCorner: {
@@ -210,7 +219,8 @@ class DiscProblem {
         const double z = l_t.dot(along);
         if (std::abs(z) <= kDiscRoundOff * l_t.norm()) return false;
         const double outward = -y_t.dot(along) / z;
-        return outward * l_t.norm() >= -rates && y_t.dot(set_.side) + outward * l_t.dot(set_.side) >= -rates;
+        return outward * l_t.norm() >= -rates &&
+               y_t.dot(set_.side) + outward * l_t.dot(set_.side) >= -rates;
       }
     }
     return false;

@@ -1,7 +1,7 @@
 // One contact of disc_law.h, by cases. With L_N given or from y_N = 0 both are affine in L_T,
 //   L_N = alpha + beta . L_T,   y_T = c + S L_T,
-// and L_T is where nothing slides (S L_T = -c), on the rim of the disc, on the chord side . L_T = floor, or in a
-// corner of the two. On the rim L_T = -mu L_N d, and y_T is parallel to d where
+// and L_T is where nothing slides (S L_T = -c), on the rim of the disc, on the chord side . L_T =
+// floor, or in a corner of the two. On the rim L_T = -mu L_N d, and y_T is parallel to d where
 //   d x (c + K d) = 0,   K = mu (c beta^T - alpha S).
 #pragma once
 
@@ -29,7 +29,8 @@ struct SingleDisc {
   Eigen::Vector3d p{0.0, 0.0, 0.0}, y{0.0, 0.0, 0.0};
 };
 
-// a: symmetric, positive semidefinite. A tangential direction in which nothing moves is taken to move by a trace.
+// a: symmetric, positive semidefinite. A tangential direction in which nothing moves is taken to
+// move by a trace.
 SingleDisc solve_disc(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const DiscSet& set);
 
 }  // namespace rotorub::plugin

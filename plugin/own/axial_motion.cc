@@ -39,7 +39,8 @@ bool carries(const mjModel* m, int ancestor, int body) {
 }
 
 // Whether the joint moves the point along the axis.
-bool moves_along(const mjModel* m, int joint, const mjtNum* point, const mjtNum* along, double lever) {
+bool moves_along(const mjModel* m, int joint, const mjtNum* point, const mjtNum* along,
+                 double lever) {
   const int type = m->jnt_type[joint];
   if (type == mjJNT_FREE) return true;
   const Frame body = frame_of(m, m->jnt_bodyid[joint]);
@@ -66,7 +67,8 @@ bool slides_along_axis(const mjModel* m, const OwnPair& pair) {
   for (int i = 0; i < 2; ++i) {
     const mjtNum* point = i == 0 ? rotor.position : beside;
     for (int body = bodies[i]; body > 0; body = m->body_parentid[body]) {
-      if (carries(m, body, bodies[1 - i])) break;  // what carries both moves neither against the other
+      if (carries(m, body, bodies[1 - i]))
+        break;  // what carries both moves neither against the other
       for (int k = 0; k < m->body_jntnum[body]; ++k) {
         const int joint = m->body_jntadr[body] + k;
         if (moves_along(m, joint, point, along, pair.contact.clearance)) return true;

@@ -19,10 +19,11 @@ TouchingPair touching_pair(const OwnPair& pair, const ContactPlace& place, const
   const Eigen::Vector2d turning = own_turning(pair, place, m, d);
   const double whirling = whirl * whirl / p.delta;
   s.curvature = whirling + p.e_r.dot(turning);
-  // MuJoCo's a_ref with the gap rate of the state's own time: that of a semi-implicit step is of half a
-  // step ago.
+  // MuJoCo's a_ref with the gap rate of the state's own time: that of a semi-implicit step is of
+  // half a step ago.
   const mjtNum* kbip = d->efc_KBIP + 4 * row;
-  const double reference = -kbip[1] * (p.gap_rate + 0.5 * h * s.curvature) - kbip[0] * kbip[2] * p.gap;
+  const double reference =
+      -kbip[1] * (p.gap_rate + 0.5 * h * s.curvature) - kbip[0] * kbip[2] * p.gap;
   s.base = {-s.curvature - reference,
             p.slip / h + whirl / p.delta * p.gap_rate + p.e_t().dot(turning),
             axial ? s.column().dot(axial->rates(d->qvel)) / h : 0.0};

@@ -18,7 +18,7 @@ struct TouchingPair {
   const OwnSpace* axial = nullptr;  // of one that moves along its ring's axis (axial_motion.h)
   int row = 0;                      // of MuJoCo's solver
   ContactPoint point;
-  Eigen::Vector3d base;  // m/s^2, of y what is not the acceleration of a coordinate
+  Eigen::Vector3d base;    // m/s^2, of y what is not the acceleration of a coordinate
   double curvature = 0.0;  // m/s^2, towards the ring, with that of centres that go in circles
   bool touches = false;
   Eigen::Vector3d force{0.0, 0.0, 0.0};  // N, (normal, friction, friction along the axis)
@@ -39,7 +39,8 @@ struct TouchingPair {
   template <typename Of>
   Eigen::Vector3d along(Of of) const {
     const Eigen::Vector3d a = of(*space);
-    return {-point.e_r.dot(a.head<2>()), point.e_t().dot(a.head<2>()) + pair->contact.radius * a.z(),
+    return {-point.e_r.dot(a.head<2>()),
+            point.e_t().dot(a.head<2>()) + pair->contact.radius * a.z(),
             axial ? column().dot(of(*axial)) : 0.0};
   }
 };

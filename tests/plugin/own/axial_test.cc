@@ -17,9 +17,11 @@
 namespace rotorub::test {
 namespace {
 
-constexpr double kLiftMass = 2.0, kLiftRadius = 0.05, kPlay = 5e-4, kWeight = 19.62, kLiftStep = 1e-5;
+constexpr double kLiftMass = 2.0, kLiftRadius = 0.05, kPlay = 5e-4, kWeight = 19.62,
+                 kLiftStep = 1e-5;
 
-// A rotor of 2 kg in a fixed ring, on slides across and along the axis and a hinge, unless `joints` says otherwise.
+// A rotor of 2 kg in a fixed ring, on slides across and along the axis and a hinge, unless `joints`
+// says otherwise.
 struct Lift {
   std::string across = R"(<joint type="slide" axis="0 1 0"/>)";
   std::string joints = "";
@@ -37,30 +39,40 @@ std::string document(const Lift& x) {
   const std::string pair = x.contact == "rigid"  ? R"(condim="1" margin="5e-6" gap="1")"
                            : x.contact == "cone" ? "condim=\"3\" friction=\"" + both + "\"" + soft
                                                  : "condim=\"1\"" + soft;
-  const std::string joints = !x.joints.empty() ? x.joints
-                                               : R"(<joint name="press" type="slide" axis="1 0 0"/>)" + x.across +
-                                                     R"(<joint name="lift" type="slide" axis="0 0 1"/>
-      <joint name="spin" type="hinge" axis="0 0 1" armature=")" + number(x.armature) + "\"/>";
+  const std::string joints = !x.joints.empty()
+                                 ? x.joints
+                                 : R"(<joint name="press" type="slide" axis="1 0 0"/>)" + x.across +
+                                       R"(<joint name="lift" type="slide" axis="0 0 1"/>
+      <joint name="spin" type="hinge" axis="0 0 1" armature=")" +
+                                       number(x.armature) + "\"/>";
   const bool free = joints == "<freejoint/>";
   const std::string frame = "<body name=\"frame\" quat=\"" + x.turn + "\">";
   const auto sensor = [](const std::string& name) {
-    return "<user name=\"" + name + R"(" objtype="geom" objname="disc" datatype="real" needstage="acc" dim="1"/>)";
+    return "<user name=\"" + name +
+           R"(" objtype="geom" objname="disc" datatype="real" needstage="acc" dim="1"/>)";
   };
   const auto numeric = [](const std::string& name, double value) {
     return "<numeric name=\"rotorub_" + name + "\" data=\"" + number(value) + "\"/>";
   };
   return "<mujoco><option timestep=\"" + number(x.step) +
-         "\" gravity=\"0 0 0\" collision=\"predefined\" cone=\"elliptic\" tolerance=\"1e-14\"/><size nuserdata=\"40\"/>"
-         "<worldbody>" + (free ? "" : frame) + R"(<body name="rotor">)" + joints +
-         "<inertial pos=\"0 0 0\" mass=\"2\" diaginertia=\"" + number(x.inertia) + " " + number(x.inertia) + " " +
-         number(x.inertia) + R"("/><geom name="disc" type="sphere" size="0.05"/></body>)" + (free ? frame : "") + x.bodies +
+         "\" gravity=\"0 0 0\" collision=\"predefined\" cone=\"elliptic\" "
+         "tolerance=\"1e-14\"/><size nuserdata=\"40\"/>"
+         "<worldbody>" +
+         (free ? "" : frame) + R"(<body name="rotor">)" + joints +
+         "<inertial pos=\"0 0 0\" mass=\"2\" diaginertia=\"" + number(x.inertia) + " " +
+         number(x.inertia) + " " + number(x.inertia) +
+         R"("/><geom name="disc" type="sphere" size="0.05"/></body>)" + (free ? frame : "") +
+         x.bodies +
          R"(<geom name="bore" type="sphere" size="0.0505"/></body></worldbody>
-    <contact><pair geom1="disc" geom2="bore" )" + pair + "/></contact>" + x.more + "<sensor>" + sensor("normal_force") +
+    <contact><pair geom1="disc" geom2="bore" )" +
+         pair + "/></contact>" + x.more + "<sensor>" + sensor("normal_force") +
          sensor("friction_force") + sensor("slip") + sensor("rotorub_active") +
          R"(</sensor><custom><text name="rotorub_rotor_geom" data="disc"/><text name="rotorub_ring_geom" data="bore"/>
-    <text name="rotorub_contact" data=")" + x.contact + "\"/>" + numeric("clearance", kPlay) +
-         numeric("friction", x.friction) + (x.contact == "rigid" ? numeric("restitution", x.restitution) : "") +
-         (x.tangential > 0.0 ? numeric("tangential_restitution", x.tangential) : "") + "</custom></mujoco>";
+    <text name="rotorub_contact" data=")" +
+         x.contact + "\"/>" + numeric("clearance", kPlay) + numeric("friction", x.friction) +
+         (x.contact == "rigid" ? numeric("restitution", x.restitution) : "") +
+         (x.tangential > 0.0 ? numeric("tangential_restitution", x.tangential) : "") +
+         "</custom></mujoco>";
 }
 
 // A rotor that is turned by nothing but friction: across the press it is held.
@@ -132,8 +144,8 @@ TEST_F(Axial, CoulombHasBothDirectionsToo) {
   EXPECT_NEAR(sensor(m.get(), d.get(), "friction_force"), -30.0, 1e-2);
 }
 
-// MuJoCo's own cone has both directions in the frame of its contact. Its friction reference lets a contact that
-// slides hop; on the mean it brakes as it should.
+// MuJoCo's own cone has both directions in the frame of its contact. Its friction reference lets a
+// contact that slides hop; on the mean it brakes as it should.
 TEST_F(Axial, AsMujocosCone) {
   for (const double mu : {0.1, 0.5}) {
     Lift x;
@@ -144,7 +156,8 @@ TEST_F(Axial, AsMujocosCone) {
     int sliding = 0, closed = 0;
     for (int i = 0; i < 10000; ++i) {
       mj_step(m.get(), d.get());
-      const Mode mode = plugin::contact_forces(*plugin::find_config(m.get(), d.get()), m.get(), d.get()).mode;
+      const Mode mode =
+          plugin::contact_forces(*plugin::find_config(m.get(), d.get()), m.get(), d.get()).mode;
       closed += mode == Mode::kFree ? 0 : 1;
       sliding += mode == Mode::kSlide ? 1 : 0;
     }
@@ -169,7 +182,8 @@ TEST_F(Axial, TheConesTwoFrictionsAreHeldAgainstTheText) {
   x.contact = "cone";
   std::string error;
   EXPECT_FALSE(try_load(replaced(document(x), "friction=\"0.5 0.5\"", "friction=\"0.5\""), error));
-  EXPECT_NE(error.find("friction along the axis, the second value, is 1"), std::string::npos) << error;
+  EXPECT_NE(error.find("friction along the axis, the second value, is 1"), std::string::npos)
+      << error;
 }
 
 // mu N = 50 N is beyond the weight: it brakes with the difference, and then stands, not creeping.
@@ -188,7 +202,8 @@ TEST_F(Axial, StopsAndSticksUnderItsWeight) {
   EXPECT_LT(std::abs(height - where), 1e-14);
 }
 
-// As heavy round its axis as along it, J = m r^2: the slip keeps its direction and falls by mu N / m.
+// As heavy round its axis as along it, J = m r^2: the slip keeps its direction and falls by mu N /
+// m.
 TEST_F(Axial, FrictionIsSharedAsTheSlipIs) {
   const ModelPointer m = load(document(held_across()));
   const DataPointer d = pressed(m.get(), 4.0, 3.0 / kLiftRadius);
@@ -202,16 +217,20 @@ TEST_F(Axial, FrictionIsSharedAsTheSlipIs) {
 }
 
 // A rotor that spins fast sinks slowly, as friction has little left for the axis:
-//   m v' = -m g - mu N v / sqrt(v^2 + (r Omega)^2),   at the end v = -r Omega s / sqrt(1 - s^2), s = m g / (mu N)
+//   m v' = -m g - mu N v / sqrt(v^2 + (r Omega)^2),   at the end v = -r Omega s / sqrt(1 - s^2), s
+//   = m g / (mu N)
 TEST_F(Axial, AFastRotorCreepsAlongItsAxis) {
   const double around = 0.5, share = kWeight / 50.0;
   const auto exact = [&](double time) {
     double v = 0.0;
     constexpr int kSteps = 2000;
     const double h = time / kSteps;
-    const auto slope = [&](double u) { return -(kWeight + 50.0 * u / std::hypot(u, around)) / kLiftMass; };
+    const auto slope = [&](double u) {
+      return -(kWeight + 50.0 * u / std::hypot(u, around)) / kLiftMass;
+    };
     for (int i = 0; i < kSteps; ++i) {
-      const double a = slope(v), b = slope(v + 0.5 * h * a), c = slope(v + 0.5 * h * b), e = slope(v + h * c);
+      const double a = slope(v), b = slope(v + 0.5 * h * a), c = slope(v + 0.5 * h * b),
+                   e = slope(v + h * c);
       v += h / 6.0 * (a + 2.0 * b + 2.0 * c + e);
     }
     return v;
@@ -226,14 +245,15 @@ TEST_F(Axial, AFastRotorCreepsAlongItsAxis) {
     run(m.get(), d.get(), 0.02);
     errors[k] = std::abs(of(m.get(), d->qvel, "lift") - exact(0.02));
     run(m.get(), d.get(), 1.0);
-    EXPECT_NEAR(of(m.get(), d->qvel, "lift"), -around * share / std::sqrt(1.0 - share * share), 1e-8);
+    EXPECT_NEAR(of(m.get(), d->qvel, "lift"), -around * share / std::sqrt(1.0 - share * share),
+                1e-8);
   }
   EXPECT_LT(errors[1], kLiftStep * kWeight / kLiftMass);  // what a step changes
-  EXPECT_NEAR(errors[0] / errors[1], 2.0, 0.1);  // first order in the step
+  EXPECT_NEAR(errors[0] / errors[1], 2.0, 0.1);           // first order in the step
 }
 
-// A ball on a free joint strikes obliquely: sliding and, with more friction, sticking; closed form of a mobility
-// 1/m + r^2/J in both directions.
+// A ball on a free joint strikes obliquely: sliding and, with more friction, sticking; closed form
+// of a mobility 1/m + r^2/J in both directions.
 TEST_F(Axial, AnObliqueBlowOfABall) {
   for (const double mu : {0.1, 2.0}) {
     Lift x;
@@ -248,7 +268,8 @@ TEST_F(Axial, AnObliqueBlowOfABall) {
     std::copy(v.begin(), v.end(), d->qvel);
     mj_step(m.get(), d.get());
     const double r = kLiftRadius, normal = 1.5 * kLiftMass;
-    const double around = v[1] + r * v[5], along = v[2] - r * v[4], slip = std::hypot(around, along);
+    const double around = v[1] + r * v[5], along = v[2] - r * v[4],
+                 slip = std::hypot(around, along);
     const double friction = std::min(mu * normal, slip / (1.0 / kLiftMass + r * r / x.inertia));
     const double t = -friction * around / slip, z = -friction * along / slip;
     EXPECT_NEAR(d->qvel[0], -0.5, 1e-12);
@@ -296,7 +317,8 @@ TEST_F(Axial, NoEnergyIsGained) {
       for (int i = 3; i < 6; ++i) d->qvel[i] = 30.0 * normal(random);
       const auto energy = [&] {
         double sum = 0.0;
-        for (int i = 0; i < 6; ++i) sum += 0.5 * (i < 3 ? kLiftMass : x.inertia) * d->qvel[i] * d->qvel[i];
+        for (int i = 0; i < 6; ++i)
+          sum += 0.5 * (i < 3 ? kLiftMass : x.inertia) * d->qvel[i] * d->qvel[i];
         return sum;
       };
       double before = energy();
@@ -311,14 +333,17 @@ TEST_F(Axial, NoEnergyIsGained) {
   }
 }
 
-// A shaft on a free joint in two rings 2 a apart, pressed in the middle: it slides down with m g - mu N, and the
-// rings bear unlike shares, as friction acts beside the middle: N = N_0 / 2 (1 +- mu r / a).
+// A shaft on a free joint in two rings 2 a apart, pressed in the middle: it slides down with m g -
+// mu N, and the rings bear unlike shares, as friction acts beside the middle: N = N_0 / 2 (1 +- mu
+// r / a).
 TEST_F(Axial, AShaftInTwoRings) {
   TwoRings x;
   x.friction = 0.15;
   std::string text = document(x);
-  for (const char* axis : {"1 0 0", "0 1 0"}) text = replaced(text, std::string("<joint type=\"hinge\" axis=\"") + axis + "\"/>", "");
-  text = replaced(text, R"(<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/>)", "");
+  for (const char* axis : {"1 0 0", "0 1 0"})
+    text = replaced(text, std::string("<joint type=\"hinge\" axis=\"") + axis + "\"/>", "");
+  text =
+      replaced(text, R"(<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/>)", "");
   text = replaced(text, R"(<joint type="hinge" axis="0 0 1"/>)", "<freejoint/>");
   const ModelPointer m = load(text);
   const DataPointer d = start(m.get());
@@ -327,21 +352,23 @@ TEST_F(Axial, AShaftInTwoRings) {
   d->qfrc_applied[2] = -kWeight;
   run(m.get(), d.get(), 1e-3);
   EXPECT_NEAR(d->qvel[2], -1e-3 * (kWeight - 15.0) / kLiftMass, 1e-9);
-  const double one = sensor(m.get(), d.get(), "normal_force"), two = sensor(m.get(), d.get(), "normal_force_2");
+  const double one = sensor(m.get(), d.get(), "normal_force"),
+               two = sensor(m.get(), d.get(), "normal_force_2");
   EXPECT_NEAR(one + two, 100.0, 1e-6);
   EXPECT_NEAR(std::abs(one - two), 100.0 * 0.15 * 0.5, 1e-4);
 }
 
-// The ring moves instead, on a damper: what friction takes from the rotor it gives to the ring. At the end the ring
-// falls no faster than its damper lets it, c v = mu N.
+// The ring moves instead, on a damper: what friction takes from the rotor it gives to the ring. At
+// the end the ring falls no faster than its damper lets it, c v = mu N.
 TEST_F(Axial, ARingThatIsDraggedAlong) {
   Lift x;
   x.friction = 0.1;
-  x.joints = R"(<joint name="press" type="slide" axis="1 0 0"/><joint name="spin" type="hinge" axis="0 0 1"/>
+  x.joints =
+      R"(<joint name="press" type="slide" axis="1 0 0"/><joint name="spin" type="hinge" axis="0 0 1"/>
       <joint name="lift" type="slide" axis="0 0 1"/>)";
-  const std::string text = replaced(
-      document(x), R"(<geom name="bore")",
-      R"(<body name="holder"><joint name="ring" type="slide" axis="0 0 1" damping="20"/>
+  const std::string text =
+      replaced(document(x), R"(<geom name="bore")",
+               R"(<body name="holder"><joint name="ring" type="slide" axis="0 0 1" damping="20"/>
       <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/><geom name="bore")");
   const ModelPointer m = load(replaced(text, "size=\"0.0505\"/>", "size=\"0.0505\"/></body>"));
   const DataPointer d = pressed(m.get(), -1.0);
@@ -355,8 +382,9 @@ TEST_F(Axial, ARingThatIsDraggedAlong) {
 
 // What is told apart is the machine, not its names: the same document with another axis.
 TEST_F(Axial, ModelsThatDifferInAnAxisAlone) {
-  const std::string lifts = document(Lift{}), stays = replaced(lifts, "name=\"lift\" type=\"slide\" axis=\"0 0 1\"",
-                                                               "name=\"lift\" type=\"slide\" axis=\"0 1 0\"");
+  const std::string lifts = document(Lift{}),
+                    stays = replaced(lifts, "name=\"lift\" type=\"slide\" axis=\"0 0 1\"",
+                                     "name=\"lift\" type=\"slide\" axis=\"0 1 0\"");
   for (const std::string* text : {&stays, &lifts, &stays}) {
     const ModelPointer m = load(*text);
     const DataPointer d = pressed(m.get(), -1.0);
@@ -373,16 +401,16 @@ TEST_F(Axial, ModelsThatDifferInAnAxisAlone) {
 // Tied along its axis to 3 kg: friction brakes both.
 TEST_F(Axial, BesideAConstraint) {
   for (const char* contact : {"rigid", "coulomb"}) {
-  Lift x;
-  x.friction = 0.1;
-  x.contact = contact;
-  x.bodies = R"(<body name="weight" pos="1 0 0"><joint name="weight" type="slide" axis="0 0 1"/>
+    Lift x;
+    x.friction = 0.1;
+    x.contact = contact;
+    x.bodies = R"(<body name="weight" pos="1 0 0"><joint name="weight" type="slide" axis="0 0 1"/>
       <inertial pos="0 0 0" mass="3" diaginertia="1 1 1"/></body>)";
-  x.more = equality("<joint joint1=\"lift\" joint2=\"weight\"" + kHard + "/>");
-  const ModelPointer m = load(document(x));
-  const DataPointer d = pressed(m.get());
-  run(m.get(), d.get(), 0.1);
-  EXPECT_NEAR(of(m.get(), d->qvel, "lift"), -0.1 * (kWeight - 10.0) / 5.0, 1e-3) << contact;
+    x.more = equality("<joint joint1=\"lift\" joint2=\"weight\"" + kHard + "/>");
+    const ModelPointer m = load(document(x));
+    const DataPointer d = pressed(m.get());
+    run(m.get(), d.get(), 0.1);
+    EXPECT_NEAR(of(m.get(), d->qvel, "lift"), -0.1 * (kWeight - 10.0) / 5.0, 1e-3) << contact;
   }
 }
 

@@ -1,5 +1,5 @@
-// Friction in both directions of the tangent plane: against closed forms, the planar law, and residuals that share
-// no code with the solver.
+// Friction in both directions of the tangent plane: against closed forms, the planar law, and
+// residuals that share no code with the solver.
 #include "plugin/contact/disc_law.h"
 
 #include <gtest/gtest.h>
@@ -37,14 +37,17 @@ ContactVector random_motion(std::mt19937& random, int contacts) {
   return b;
 }
 
-// How far (L, y) of one contact is from the laws, as a rate: complementarity; out of the set; and what another
-// friction of the set, of 720 on its border, would dissipate more, per impulse of the rim.
-double off_the_laws(const DiscSet& set, const Eigen::Vector3d& p, const Eigen::Vector3d& y, double mobility) {
+// How far (L, y) of one contact is from the laws, as a rate: complementarity; out of the set; and
+// what another friction of the set, of 720 on its border, would dissipate more, per impulse of the
+// rim.
+double off_the_laws(const DiscSet& set, const Eigen::Vector3d& p, const Eigen::Vector3d& y,
+                    double mobility) {
   const double normal = p.x(), rim = set.friction * normal;
   const Eigen::Vector2d l_t = p.tail<2>(), y_t = y.tail<2>();
-  double worst = std::max({-y.x(), (set.least_normal - normal) * mobility, (l_t.norm() - rim) * mobility,
-                           (set.floor - l_t.dot(set.side)) * mobility,
-                           std::min(std::abs(y.x()), std::abs(normal - set.least_normal) * mobility)});
+  double worst =
+      std::max({-y.x(), (set.least_normal - normal) * mobility, (l_t.norm() - rim) * mobility,
+                (set.floor - l_t.dot(set.side)) * mobility,
+                std::min(std::abs(y.x()), std::abs(normal - set.least_normal) * mobility)});
   if (!(rim > 0.0)) return worst;
   for (int k = 0; k < 720; ++k) {
     const double angle = k * std::numbers::pi / 360.0;
@@ -55,8 +58,8 @@ double off_the_laws(const DiscSet& set, const Eigen::Vector3d& p, const Eigen::V
   return worst;
 }
 
-double off_the_laws(const ContactMatrix& a, const ContactVector& b, const std::vector<DiscSet>& sets,
-                    const ContactVector& p) {
+double off_the_laws(const ContactMatrix& a, const ContactVector& b,
+                    const std::vector<DiscSet>& sets, const ContactVector& p) {
   const ContactVector y = a * p + b;
   double worst = 0.0;
   for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -124,7 +127,8 @@ TEST(DiscLaw, OneSolutionWhereFrictionIsModerate) {
   }
 }
 
-// What does not move along the axis has the impulses of the planar law, expansion and tangential restitution too.
+// What does not move along the axis has the impulses of the planar law, expansion and tangential
+// restitution too.
 TEST(DiscLaw, WithoutAnAxisItIsThePlanarLaw) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -135,7 +139,8 @@ TEST(DiscLaw, WithoutAnAxisItIsThePlanarLaw) {
     a.row(2).setZero();
     a.col(2).setZero();
     b[2] = 0.0;
-    const std::vector<ImpactLaw> laws(1, ImpactLaw{unit(random), unit(random), k % 2 == 0 ? unit(random) : 0.0});
+    const std::vector<ImpactLaw> laws(
+        1, ImpactLaw{unit(random), unit(random), k % 2 == 0 ? unit(random) : 0.0});
     const ImpactResult r = solve_impact({a(0, 0), a(0, 1), a(1, 0), a(1, 1)}, b[0], b[1], laws[0]);
     const CoupledSolution s = solve_coupled_impact(a, b, laws);
     if (r.status != ImpactStatus::kOk) continue;
@@ -167,8 +172,8 @@ TEST(DiscLaw, ExpansionMeetsItsSet) {
   EXPECT_GT(held, 1000);  // on the chord
 }
 
-// Impulses on the rotor give work p . (y_before + y_after) / 2. One contact and several, with tangential
-// restitution and without.
+// Impulses on the rotor give work p . (y_before + y_after) / 2. One contact and several, with
+// tangential restitution and without.
 TEST(DiscLaw, NoImpactGainsEnergy) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -179,18 +184,20 @@ TEST(DiscLaw, NoImpactGainsEnergy) {
       const ContactMatrix a = random_bodies(random, contacts, 3 + 2 * contacts);
       const ContactVector b = random_motion(random, contacts);
       std::vector<ImpactLaw> laws(static_cast<std::size_t>(contacts));
-      for (ImpactLaw& law : laws) law = {(contacts == 1 ? 1.0 : 0.3) * unit(random), unit(random), unit(random)};
+      for (ImpactLaw& law : laws)
+        law = {(contacts == 1 ? 1.0 : 0.3) * unit(random), unit(random), unit(random)};
       const CoupledSolution s = solve_coupled_impact(a, b, laws);
       if (s.solutions != 1) continue;
       ++solved;
-      EXPECT_LT(0.5 * s.p.dot(b + s.y), 1e-10 * (s.p.norm() * b.norm() + 1e-12)) << contacts << " " << k;
+      EXPECT_LT(0.5 * s.p.dot(b + s.y), 1e-10 * (s.p.norm() * b.norm() + 1e-12))
+          << contacts << " " << k;
     }
     EXPECT_GT(solved, 9 * runs / 10) << contacts;
   }
 }
 
-// Directions that move unlike, rates far apart, friction far above 1 with a normal that is coupled to it: hard as
-// the friction nearly jams. There is a solution, and no energy gained.
+// Directions that move unlike, rates far apart, friction far above 1 with a normal that is coupled
+// to it: hard as the friction nearly jams. There is a solution, and no energy gained.
 TEST(DiscLaw, BadlyScaledContactsAreSolved) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
@@ -203,7 +210,8 @@ TEST(DiscLaw, BadlyScaledContactsAreSolved) {
     ContactVector b(3);
     for (double& x : b) x = normal(random) * std::pow(10.0, 7.0 * unit(random) - 6.0);
     if (k % 5 != 0) b[0] = -std::abs(b[0]);
-    const std::vector<ImpactLaw> laws(1, ImpactLaw{(k % 2 == 0 ? 1.0 : 10.0) * unit(random), unit(random), unit(random)});
+    const std::vector<ImpactLaw> laws(
+        1, ImpactLaw{(k % 2 == 0 ? 1.0 : 10.0) * unit(random), unit(random), unit(random)});
     const CoupledSolution c = solve_compression(a, b, laws);
     ASSERT_GE(c.solutions, 1) << k;
     if (c.solutions > 1) continue;
@@ -233,7 +241,8 @@ TEST(DiscLaw, SeveralContactsMeetTheLaws) {
   EXPECT_GT(solved, 890);
 }
 
-// Two rings of a shaft side by side: one contact's rows, and the same less what the distance between makes of them.
+// Two rings of a shaft side by side: one contact's rows, and the same less what the distance
+// between makes of them.
 TEST(DiscLaw, TwoContactsThatAreNearlyOne) {
   std::mt19937 random(8);
   std::normal_distribution<double> normal;
