@@ -85,7 +85,8 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
   Answer guess = law(line.expected, y - line.expected * p);
   if (!guess.solved) guess.p = p;
   const ContactVector none = ContactVector::Zero(p.size());
-  double size = std::max(normal_beyond(guess.p, p, rows), kLocal * normal_beyond(guess.p, none, rows));
+  double size =
+      std::max(normal_beyond(guess.p, p, rows), kLocal * normal_beyond(guess.p, none, rows));
   if (!(size > 0.0)) {
     size = std::max(y.cwiseAbs().maxCoeff(), 1e-12) / line.expected.diagonal().maxCoeff();
   }

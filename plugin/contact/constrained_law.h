@@ -33,8 +33,9 @@ struct ConstrainedContact {
   std::array<bool, kMaxPairs> sticks{};
 };
 
-// Normal law with y_N >= 0 and Coulomb's, (12)-(13), one mu each. `free` is y(0), of two or three numbers each
-// (coupled_law.h); `expected` the matrix without the constraints, for the size of the first trial.
+// Normal law with y_N >= 0 and Coulomb's, (12)-(13), one mu each. `free` is y(0), of two or three
+// numbers each (coupled_law.h); `expected` the matrix without the constraints, for the size of the
+// first trial.
 ConstrainedContact solve_constrained(ContactResponse& response, const ContactVector& free,
                                      const ContactMatrix& expected,
                                      std::span<const double> frictions);

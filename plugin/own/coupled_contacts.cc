@@ -66,7 +66,8 @@ void CoupledContacts::add_forces(mjtNum* to) const {
   }
 }
 
-Eigen::Vector3d CoupledContacts::end_of(const ContactSpace& at, const Eigen::Vector3d& start) const {
+Eigen::Vector3d CoupledContacts::end_of(const ContactSpace& at,
+                                        const Eigen::Vector3d& start) const {
   if (probe_) return start + h_ * probe_->acceleration(at);
   Eigen::Vector3d end = start + h_ * at.response(d_->qfrc_smooth);
   for (std::size_t j = 0; j < size(); ++j) {
@@ -112,11 +113,17 @@ ContactMatrix CoupledContacts::matrix(const ContactSubset& s) const {
     for (std::size_t j = 0; j < s.count; ++j) {
       const Closing &one = contacts_[s.index[i]], &two = contacts_[s.index[j]];
       const CoupledMember &at = *members_[s.index[i]], &from = *members_[s.index[j]];
-      const Eigen::Index row = rows_ * static_cast<Eigen::Index>(i), column = rows_ * static_cast<Eigen::Index>(j);
+      const Eigen::Index row = rows_ * static_cast<Eigen::Index>(i),
+                         column = rows_ * static_cast<Eigen::Index>(j);
       a.block<2, 2>(row, column) = one.w.transpose() * g(*at.space, *from.space) * two.w;
-      if (from.axial) a.block<2, 1>(row, column + 2) = one.w.transpose() * g(*at.space, *from.axial) * two.w_axial;
-      if (at.axial) a.block<1, 2>(row + 2, column) = one.w_axial.transpose() * g(*at.axial, *from.space) * two.w;
-      if (at.axial && from.axial) a(row + 2, column + 2) = one.w_axial.dot(g(*at.axial, *from.axial) * two.w_axial);
+      if (from.axial)
+        a.block<2, 1>(row, column + 2) =
+            one.w.transpose() * g(*at.space, *from.axial) * two.w_axial;
+      if (at.axial)
+        a.block<1, 2>(row + 2, column) =
+            one.w_axial.transpose() * g(*at.axial, *from.space) * two.w;
+      if (at.axial && from.axial)
+        a(row + 2, column + 2) = one.w_axial.dot(g(*at.axial, *from.axial) * two.w_axial);
     }
   }
   return 0.5 * (a + a.transpose());
@@ -126,7 +133,8 @@ void CoupledContacts::put(const ContactSubset& s, const ContactVector& p) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const Eigen::Index row = rows_ * static_cast<Eigen::Index>(k);
     Closing& c = contacts_[s.index[k]];
-    (s.impact ? c.sudden : c.lasting) = {p[row], p[row + 1], members_[s.index[k]]->axial ? p[row + 2] : 0.0};
+    (s.impact ? c.sudden : c.lasting) = {p[row], p[row + 1],
+                                         members_[s.index[k]]->axial ? p[row + 2] : 0.0};
   }
 }
 

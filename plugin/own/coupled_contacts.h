@@ -1,11 +1,13 @@
-// The contacts of a coupled step (coupled_step.h) as one problem in their impulses: what impulses of some of them do
-// to the rates of all, and the impulses that meet the laws.
+// The contacts of a coupled step (coupled_step.h) as one problem in their impulses: what impulses
+// of some of them do to the rates of all, and the impulses that meet the laws.
 //
-//   end_i = start_i + h a_i + sum_j G_ij w_j p_j,     w = (W_N, W_T), p = (normal, friction) impulses
+//   end_i = start_i + h a_i + sum_j G_ij w_j p_j,     w = (W_N, W_T), p = (normal, friction)
+//   impulses
 //
-// and where one of them moves along its ring's axis (axial_motion.h) with W_Z and the friction along the axis for
-// a third. G is the flexibility of the step's matrix for what acts all through it, the admittance of the mass for a
-// blow; where MuJoCo's constraints hold a body, its solver is asked instead (contact/constraint_probe.h).
+// and where one of them moves along its ring's axis (axial_motion.h) with W_Z and the friction
+// along the axis for a third. G is the flexibility of the step's matrix for what acts all through
+// it, the admittance of the mass for a blow; where MuJoCo's constraints hold a body, its solver is
+// asked instead (contact/constraint_probe.h).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -32,8 +34,9 @@ struct Closing {
   ContactColumns w;
   Eigen::Vector3d w_axial;
   Eigen::Vector2d e_r;
-  Eigen::Vector3d lasting, sudden;  // N s, (normal, friction, friction along the axis) of the two parts
-  Eigen::Vector3d end, axial_end;   // rates at the end of the step with all impulses so far
+  Eigen::Vector3d lasting,
+      sudden;  // N s, (normal, friction, friction along the axis) of the two parts
+  Eigen::Vector3d end, axial_end;  // rates at the end of the step with all impulses so far
   RigidResult result;
 };
 

@@ -5,8 +5,8 @@
 
 #include "mjcf/names.h"
 #include "plugin/contact/coupled_law.h"
-#include "plugin/mujoco_versions.h"
 #include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/own/axial_motion.h"
 #include "plugin/own/own_names.h"
 #include "plugin/own/pair_rules.h"
@@ -137,9 +137,9 @@ std::array<mjtNum, 8> own_numbers(const mjModel* m, const OwnPair& pair) {
 }
 
 bool same_motion(const Config& config, const mjModel* m) {
-  return !config.own || std::all_of(config.pairs.begin(), config.pairs.end(), [m](const OwnPair& p) {
-    return p.axial == slides_along_axis(m, p);
-  });
+  return !config.own ||
+         std::all_of(config.pairs.begin(), config.pairs.end(),
+                     [m](const OwnPair& p) { return p.axial == slides_along_axis(m, p); });
 }
 
 void map_own_contacts(const mjModel* m, Config& config) {

@@ -15,7 +15,8 @@
 namespace rotorub::plugin {
 namespace {
 
-// y without any force, free(space) the accelerations. A rebound that the loads undo within the step is no flight.
+// y without any force, free(space) the accelerations. A rebound that the loads undo within the step
+// is no flight.
 template <typename Free>
 Eigen::Vector3d look(TouchingPair& s, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
@@ -63,8 +64,11 @@ ContactMatrix matrix(const Touching& t) {
     for (Eigen::Index k = 0; k < t.rows; ++k) {
       if (k == 2 && !t.at[j]->axial) continue;
       const OwnSpace& from = k == 2 ? *t.at[j]->axial : *t.at[j]->space;
-      const Eigen::Vector3d load = k == 2 ? t.at[j]->column() : t.at[j]->load(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0);
-      const auto answer = [&](const OwnSpace& at) -> Eigen::Vector3d { return at.flexibility(from) * load; };
+      const Eigen::Vector3d load =
+          k == 2 ? t.at[j]->column() : t.at[j]->load(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0);
+      const auto answer = [&](const OwnSpace& at) -> Eigen::Vector3d {
+        return at.flexibility(from) * load;
+      };
       for (std::size_t i = 0; i < t.count; ++i) {
         a.col(t.row(j) + k).segment(t.row(i), t.rows) = t.at[i]->along(answer).head(t.rows);
       }
@@ -88,8 +92,9 @@ class ForceResponse final : public ContactResponse {
     probe_.solve([&](mjtNum* force) {
       for (std::size_t k = 0; k < t_.count; ++k) {
         const Eigen::Index row = t_.row(k);
-        t_.at[k]->for_each_load({p[row], p[row + 1], t_.rows == 3 ? p[row + 2] : 0.0},
-                                [&](const OwnSpace& at, const Eigen::Vector3d& load) { at.add_load(load, force); });
+        t_.at[k]->for_each_load(
+            {p[row], p[row + 1], t_.rows == 3 ? p[row + 2] : 0.0},
+            [&](const OwnSpace& at, const Eigen::Vector3d& load) { at.add_load(load, force); });
       }
     });
     ContactVector y(t_.row(t_.count));
@@ -224,13 +229,15 @@ void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData*
     if (pair.axial) along = &axial[contacts.count].emplace(pair, place, m, d, OwnRows::kAxis);
     if (along) along->solve();
     contacts.rows[contacts.count] = contact->efc_address;
-    contacts.all[contacts.count++] = touching_pair(pair, place, space, along, m, d, contact->efc_address);
+    contacts.all[contacts.count++] =
+        touching_pair(pair, place, space, along, m, d, contact->efc_address);
   }
   if (contacts.count == 0) return;
   bool beside = false;
   for (const TouchingPair& s : contacts.span()) {
     const std::span<const int> own = std::span(contacts.rows).first(contacts.count);
-    beside = beside || constraints_couple(m, d, *s.space, own) || (s.axial && constraints_couple(m, d, *s.axial, own));
+    beside = beside || constraints_couple(m, d, *s.space, own) ||
+             (s.axial && constraints_couple(m, d, *s.axial, own));
   }
   if (beside) {
     solve_beside_constraints(contacts, m, d);
@@ -240,9 +247,10 @@ void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData*
   }
   for (const TouchingPair& s : contacts.span()) {
     note(s, d);
-    s.for_each_load({0.0, s.force.y(), s.force.z()}, [d](const OwnSpace& at, const Eigen::Vector3d& load) {
-      at.add_load(load, d->qfrc_passive);
-    });
+    s.for_each_load({0.0, s.force.y(), s.force.z()},
+                    [d](const OwnSpace& at, const Eigen::Vector3d& load) {
+                      at.add_load(load, d->qfrc_passive);
+                    });
   }
   for (std::size_t i = contacts.count; i-- > 0;) {
     axial[i].reset();

@@ -51,9 +51,11 @@ void check_cone(const mjModel* m, const PairName& name, const OwnPair& p) {
   }
   const double along = m->pair_friction[5 * p.pair + 1];
   if (p.axial && std::abs(along - mu) > 1e-9 + mjMINMU) {
-    refuse(pair_element(m, p), message("friction along the axis, the second value, is {}, {} is {}; accepted: one value "
-                                       "in all three",
-                                       along, name.of(names::kOwnFriction), mu));
+    refuse(
+        pair_element(m, p),
+        message("friction along the axis, the second value, is {}, {} is {}; accepted: one value "
+                "in all three",
+                along, name.of(names::kOwnFriction), mu));
   }
 }
 
