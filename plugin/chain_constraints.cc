@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "plugin/mujoco_derivatives.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
@@ -10,14 +11,12 @@ namespace {
 
 class Chain {
  public:
-  Chain(const mjModel* m, const Config& config) : m_(m) {
-    for (const int dof : config.dof_address) {
-      if (dof >= 0) roots_.push_back(m->body_rootid[m->dof_bodyid[dof]]);
-    }
-  }
+  Chain(const mjModel* m, const Config& config) : m_(m), dofs_(config.dof_address) {}
 
   bool has_body(int body) const {
-    return std::find(roots_.begin(), roots_.end(), m_->body_rootid[body]) != roots_.end();
+    return std::any_of(dofs_.begin(), dofs_.end(), [&](int dof) {
+      return dof >= 0 && m_->body_rootid[m_->dof_bodyid[dof]] == m_->body_rootid[body];
+    });
   }
   bool has_joint(int joint) const { return joint >= 0 && has_body(m_->jnt_bodyid[joint]); }
   bool has_geom(int geom) const { return has_body(m_->geom_bodyid[geom]); }
@@ -32,6 +31,21 @@ class Chain {
       if (geom && has_geom(id[i])) return true;
     }
     return false;
+  }
+  bool has_transmission(int actuator) const {
+    const int id = m_->actuator_trnid[2 * actuator];
+    switch (m_->actuator_trntype[actuator]) {
+      case mjTRN_JOINT:
+      case mjTRN_JOINTINPARENT:
+        return has_joint(id);
+      case mjTRN_TENDON:
+        return has_tendon(id);
+      case mjTRN_SITE:
+      case mjTRN_SLIDERCRANK:
+        return has_body(m_->site_bodyid[id]);
+      default:
+        return true;
+    }
   }
   bool has_equality(int equality) const {
     const int a = m_->eq_obj1id[equality], b = m_->eq_obj2id[equality];
@@ -58,7 +72,7 @@ class Chain {
 
  private:
   const mjModel* m_;
-  std::vector<int> roots_;
+  const std::vector<int>& dofs_;
 };
 
 std::string element(const mjModel* m, const char* tag, int type, int id, const char* what) {
@@ -97,15 +111,43 @@ std::string added_constraint(const mjModel* m, const Config& config) {
   return {};
 }
 
+// MuJoCo takes the rate of its force into an implicit step.
+bool force_has_rate(const mjModel* m, int actuator) {
+  const int gain = m->actuator_gaintype[actuator], bias = m->actuator_biastype[actuator];
+  if (gain == mjGAIN_AFFINE && m->actuator_gainprm[mjNGAIN * actuator + 2] != 0.0) return true;
+  if (bias == mjBIAS_AFFINE && m->actuator_biasprm[mjNBIAS * actuator + 2] != 0.0) return true;
+  const bool known_gain = gain == mjGAIN_FIXED || gain == mjGAIN_AFFINE || gain == mjGAIN_USER;
+  const bool known_bias = bias == mjBIAS_NONE || bias == mjBIAS_AFFINE || bias == mjBIAS_USER;
+  return !known_gain || !known_bias;
+}
+
 }  // namespace
+
+bool damping_is_added(const mjModel* m, const Config& config) {
+  if (!config.model.contact || config.segments || config.contact == scene::ContactModel::kCone) return false;
+  const Chain chain(m, config);
+  for (int i = 0; i < m->nv && damped_step(m) > 0.0; ++i) {
+    if (joint_damping_varies(m, i) && chain.has_joint(m->dof_jntid[i])) return true;
+  }
+  if (!steps_implicitly(m)) return false;
+  for (int i = 0; i < actuator_count(m); ++i) {
+    if (force_has_rate(m, i) && chain.has_transmission(i)) return true;
+  }
+  for (int i = 0; i < m->ntendon; ++i) {
+    if (tendon_damps(m, i) && chain.has_tendon(i)) return true;
+  }
+  return m->opt.density > 0.0 || m->opt.viscosity > 0.0;
+}
 
 void choose_path(const mjModel* m, Config& config) {
   if (config.contact == scene::ContactModel::kCone) return;
-  const std::string added = added_constraint(m, config);
-  if (added.empty()) return;
+  config.damping_added = damping_is_added(m, config);
+  const std::string constraint = added_constraint(m, config);
+  if (constraint.empty() && !config.damping_added) return;
   config.general = true;
   config.verlet_data = -1;
   if (!config.model.coupled_mass()) return;
+  const std::string added = constraint.empty() ? "what MuJoCo steps implicitly" : constraint;
   const std::string text = "rotorub: " + added +
                            " acts on a generated rotor with unbalance and a drive: the contact is "
                            "solved beside it without their coupling of spin and bending";

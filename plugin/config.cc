@@ -254,7 +254,7 @@ Config make_config(const mjModel* m) {
 }
 
 Config with_parameters(const Config& config, const mjModel* m) {
-  if (config.own) return make_config(m);
+  if (config.own || damping_is_added(m, config) != config.damping_added) return make_config(m);
   Config other = config;
   take_parameters(m, other);
   if (other.shadow) other.shadow->mark = mark_of(other.shadow->model);

@@ -81,6 +81,7 @@ struct Config {
   // A generated model whose rotor or ring the user's constraints hold as well
   // (chain_constraints.h): its contact is solved as that of a user's own model.
   bool general = false;
+  bool damping_added = false;  // chain_constraints.h
 
   // In mjData.userdata: what Model::loop remembers, after the pass done last (with native steps in the
   // slot that the step to come begins with).

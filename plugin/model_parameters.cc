@@ -1,4 +1,5 @@
 #include "plugin/model_parameters.h"
+#include "plugin/chain_constraints.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
 
@@ -200,7 +201,8 @@ void take(const mjModel* m, Model& model, const Config& config) {
 bool has_parameters(const Config& config, const mjModel* m) {
   if (config.own) return has_own_numbers(config, m);
   const Model& model = config.model;
-  bool same = gravity_of(m) == config.gravity && rotor_is_massless(config, m);
+  bool same = gravity_of(m) == config.gravity && rotor_is_massless(config, m) &&
+              damping_is_added(m, config) == config.damping_added;
   for_each_joint(config, [&](int i, int dof) {
     same = same && mass_of(config, m, i, dof) == model.mass[i] &&
            stiffness_of(m, dof) == model.stiffness[i] && m->dof_damping[dof] == model.damping[i];

@@ -247,11 +247,14 @@ inline bool sleep_enabled(const mjModel*) { return false; }
 inline bool tree_may_sleep(const mjModel*, int) { return false; }
 #endif
 
-// The h of M + h D in MuJoCo's step: 0 where dampers are taken explicitly, s.
+// The h of M + h D in MuJoCo's step: 0 where dampers are taken explicitly, s. (Before 3.3.6 Euler's step has
+// them in its matrix even where mjDSBL_PASSIVE takes their forces away.)
 inline double damped_step(const mjModel* m) {
   if (m->opt.integrator == mjINT_RK4) return 0.0;
 #if mjVERSION_HEADER >= 336
   if (m->opt.disableflags & mjDSBL_DAMPER) return 0.0;
+#else
+  if (m->opt.integrator != mjINT_EULER && passive_disabled(m)) return 0.0;
 #endif
 #if mjVERSION_HEADER >= 300
   if (m->opt.integrator == mjINT_EULER && (m->opt.disableflags & mjDSBL_EULERDAMP)) return 0.0;

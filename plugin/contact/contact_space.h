@@ -1,11 +1,16 @@
 // One contact in MuJoCo's coordinates: (relative x, relative y, spin) = J qvel, with MuJoCo's mass
-// matrix M and the matrix H = M + h D of its Euler step. J is the caller's own (own/own_space.h,
+// matrix M and the matrix H of its step (step_matrix.h). J is the caller's own (own/own_space.h,
 // contact/segment_space.h); the rows live on the stack of mjData.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Core>
+
+#include <algorithm>
+
+#include "plugin/contact/step_matrix.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 
@@ -34,10 +39,19 @@ class ContactSpace {
     impact ? add_impact(load, to) : add_load(load, to);
   }
   // to += H M^-1 J^T load: a load over the step that no damper takes from.
-  virtual void add_impact(const Eigen::Vector3d& load, mjtNum* to) const = 0;
+  void add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
+    add_load(load, to);
+    StackFrame room(d_);
+    mjtNum* change = room.numbers(nv_);
+    std::fill_n(change, nv_, 0.0);
+    add_acceleration(load, change);
+    for (const DofRange& tree : trees_) matrix_.add_excess(tree, change, to);
+  }
 
  protected:
-  explicit ContactSpace(int nv) : nv_(nv) {}
+  // `matrix` must outlive the space.
+  ContactSpace(const mjModel* m, mjData* d, const StepMatrix& matrix)
+      : d_(d), matrix_(matrix), nv_(count(m->nv)) {}
   ~ContactSpace() = default;
 
   // Fills plain_ when it is first asked for: a lasting contact never does.
@@ -48,6 +62,9 @@ class ContactSpace {
     return plain_;
   }
 
+  mjData* d_;
+  const StepMatrix& matrix_;
+  DofRange trees_[2];  // of rotor and ring; the second empty where they share one
   int nv_;
   mutable bool plain_known_ = false;
   mjtNum *jacobian_ = nullptr, *plain_ = nullptr, *damped_ = nullptr;  // 3 x nv
@@ -59,6 +76,7 @@ class ContactSpace {
   Eigen::Matrix3d gram(const mjtNum* rows) const {
     Eigen::Matrix3d g;
     for (int j = 0; j < 3; ++j) g.col(j) = product(rows, jacobian_ + j * nv_);
+    // What an implicit step's matrix has unsymmetric moves nothing along the load itself.
     return 0.5 * (g + g.transpose());
   }
   Eigen::Matrix3d gram(const mjtNum* rows, const ContactSpace& other) const {

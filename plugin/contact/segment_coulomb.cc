@@ -65,7 +65,8 @@ void apply_segment_coulomb(const Config& config, const mjModel* m, mjData* d,
   const int row = contact.efc_address;
   mj_fwdActuation(m, d);
   mj_fwdAcceleration(m, d);
-  const SegmentSpace space(config, m, d);
+  const StepMatrix matrix(m, d);
+  const SegmentSpace space(config, m, d, matrix);
   // Once, not every step.
   if (d->userdata[kContactStatus] == 0.0 && constraints_couple(m, d, space, {&row, 1})) {
     warn_unknown(m, d, space);

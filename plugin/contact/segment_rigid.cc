@@ -11,7 +11,8 @@ void apply_segment_rigid(const Config& config, const mjModel* m, mjData* d,
   const Model& model = config.model;
   if (m->nu > 0) mj_fwdActuation(m, d);
   mj_fwdAcceleration(m, d);
-  const SegmentSpace space(config, m, d);
+  const StepMatrix matrix(m, d);
+  const SegmentSpace space(config, m, d, matrix);
   RigidStep step;
   step.h = m->opt.timestep;
   step.d = separation(model, state.q());

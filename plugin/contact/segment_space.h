@@ -13,16 +13,9 @@ namespace rotorub::plugin {
 // Lives on the stack of mjData for as long as the object does. After mj_factorM of the step.
 class SegmentSpace final : public ContactSpace {
  public:
-  SegmentSpace(const Config& config, const mjModel* m, mjData* d);
-
-  void add_impact(const Eigen::Vector3d& load, mjtNum* to) const override;
+  SegmentSpace(const Config& config, const mjModel* m, mjData* d, const StepMatrix& matrix);
 
  private:
-  int ring_dof(int i) const;  // of coordinate i of the native layout
-  double damping_factor(int dof) const;
-
-  const mjModel* m_;
-  const Config& config_;
   StackFrame room_;
 };
 

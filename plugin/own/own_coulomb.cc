@@ -208,6 +208,7 @@ void note(const TouchingPair& s, mjData* d) {
 }  // namespace
 
 void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData* d) {
+  std::optional<StepMatrix> matrix;
   // On the stack of mjData: the last made goes first.
   std::array<std::optional<OwnSpace>, kMaxPairs> spaces, axial;
   TouchingPairs contacts;
@@ -221,12 +222,13 @@ void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData*
     if (contacts.count == 0) {
       mj_fwdActuation(m, d);
       mj_fwdAcceleration(m, d);
+      matrix.emplace(m, d);
     }
     const ContactPlace place = contact_place(pair, d);
-    OwnSpace& space = spaces[contacts.count].emplace(pair, place, m, d);
+    OwnSpace& space = spaces[contacts.count].emplace(pair, place, m, d, *matrix);
     space.solve();
     OwnSpace* along = nullptr;
-    if (pair.axial) along = &axial[contacts.count].emplace(pair, place, m, d, OwnRows::kAxis);
+    if (pair.axial) along = &axial[contacts.count].emplace(pair, place, m, d, *matrix, OwnRows::kAxis);
     if (along) along->solve();
     contacts.rows[contacts.count] = contact->efc_address;
     contacts.all[contacts.count++] =

@@ -29,7 +29,8 @@ RigidStep begin_step(const OwnPair& pair, const ContactPlace& place, const OwnSp
 
 void apply_one(const OwnPair& pair, const mjModel* m, mjData* d) {
   const ContactPlace place = contact_place(pair, d);
-  OwnSpace space(pair, place, m, d);
+  const StepMatrix matrix(m, d);
+  OwnSpace space(pair, place, m, d, matrix);
   space.solve();
   RigidStep step = begin_step(pair, place, space, m, d);
   apply_rigid_step(m, d, space, step, pair.contact, pair.data);
@@ -57,12 +58,13 @@ std::size_t take_group(std::span<CoupledMember> all, std::array<bool, kMaxPairs>
 }
 
 void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjData* d) {
+  const StepMatrix matrix(m, d);
   // On the stack of mjData: the last made goes first.
   std::array<std::optional<OwnSpace>, kMaxPairs> spaces, axial;
   std::array<CoupledMember, kMaxPairs> members;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const ContactPlace place = contact_place(*pairs[i], d);
-    OwnSpace& space = spaces[i].emplace(*pairs[i], place, m, d);
+    OwnSpace& space = spaces[i].emplace(*pairs[i], place, m, d, matrix);
     space.solve();
     CoupledMember& member = members[i];
     member.space = &space;
@@ -71,7 +73,7 @@ void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjDa
     member.step = begin_step(*pairs[i], place, space, m, d);
     member.held = contact_enabled(m) && constraints_couple(m, d, space);
     if (!pairs[i]->axial) continue;
-    OwnSpace& along = axial[i].emplace(*pairs[i], place, m, d, OwnRows::kAxis);
+    OwnSpace& along = axial[i].emplace(*pairs[i], place, m, d, matrix, OwnRows::kAxis);
     along.solve();
     member.axial = &along;
     member.axial_start = along.rates(d->qvel);

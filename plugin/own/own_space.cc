@@ -6,12 +6,6 @@
 namespace rotorub::plugin {
 namespace {
 
-double step_of_dampers(const mjModel* m) {
-  const mjtNum* damping = m->dof_damping;
-  const bool any = std::any_of(damping, damping + m->nv, [](mjtNum x) { return x != 0.0; });
-  return any ? damped_step(m) : 0.0;
-}
-
 // Of the degrees of freedom that move the body the last, or -1.
 int last_dof(const mjModel* m, int body) {
   while (body > 0 && m->body_dofnum[body] == 0) body = m->body_parentid[body];
@@ -93,8 +87,8 @@ Eigen::Vector2d own_turning(const OwnPair& pair, const ContactPlace& place, cons
 }
 
 OwnSpace::OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
-                   OwnRows rows)
-    : ContactSpace(count(m->nv)), m_(m), d_(d), rows_(rows), room_(d), damped_step_(step_of_dampers(m)) {
+                   const StepMatrix& matrix, OwnRows rows)
+    : ContactSpace(m, d, matrix), m_(m), rows_(rows), room_(d) {
   jacobian_ = room_.numbers(3 * nv_);
   std::fill_n(jacobian_, 3 * nv_, 0.0);
   const int rotor = m->geom_bodyid[pair.rotor_geom], ring = m->geom_bodyid[pair.ring_geom];
@@ -127,36 +121,21 @@ void OwnSpace::add_body(const mjtNum* axes, const mjtNum* point, int body, doubl
 
 void OwnSpace::solve() {
   damped_ = plain_ = room_.numbers(3 * nv_);
-  if (damped_step_ == 0.0) {
+  if (!matrix_.differs(trees_[0]) && !matrix_.differs(trees_[1])) {
     plain();
     return;
   }
   damped_ = room_.numbers(3 * nv_);
-  StackFrame room(d_);
-  mjtNum* factor = room.numbers(mass_size(m_));
-  mjtNum* inverse = room.numbers(nv_);
-  for (const DofRange& tree : trees_) {
-    factor_tree(m_, mass_entries(d_), damped_step_, tree, factor, inverse);
-  }
-  solve_rows(factor, inverse, damped_);
+  std::copy_n(jacobian_, 3 * nv_, damped_);
+  for (const DofRange& tree : trees_) matrix_.solve(tree, damped_, 3);
 }
 
-void OwnSpace::solve_rows(const mjtNum* factor, const mjtNum* inverse, mjtNum* rows) const {
-  std::copy_n(jacobian_, 3 * nv_, rows);
+void OwnSpace::solve_plain() const {
+  std::copy_n(jacobian_, 3 * nv_, plain_);
   for (int k = 0; k < 3; ++k) {
-    for (const DofRange& tree : trees_) solve_tree(m_, factor, inverse, tree, rows + k * nv_);
-  }
-}
-
-void OwnSpace::solve_plain() const { solve_rows(d_->qLD, d_->qLDiagInv, plain_); }
-
-void OwnSpace::add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
-  add_load(load, to);
-  const mjtNum* rows = plain();
-  for (int i = 0; i < nv_; ++i) {
-    const double change =
-        rows[i] * load.x() + rows[nv_ + i] * load.y() + rows[2 * nv_ + i] * load.z();
-    to[i] += damped_step_ * m_->dof_damping[i] * change;
+    for (const DofRange& tree : trees_) {
+      solve_tree(m_, d_->qLD, d_->qLDiagInv, tree, plain_ + k * nv_);
+    }
   }
 }
 

@@ -15,7 +15,6 @@
 #include "plugin/config.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/mujoco_versions.h"
-#include "plugin/own/tree_factor.h"
 
 namespace rotorub::plugin {
 
@@ -47,25 +46,18 @@ enum class OwnRows { kPlane, kAxis };
 class OwnSpace final : public ContactSpace {
  public:
   OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
-           OwnRows rows = OwnRows::kPlane);
+           const StepMatrix& matrix, OwnRows rows = OwnRows::kPlane);
 
-  // Solves with M and H; needed once, before all but `rates` and `add_load`. H = M + h D is the
-  // matrix of the Euler step, near that of `implicit`; M alone for RK4.
+  // Solves with M and H; needed once, before all but `rates` and `add_load`.
   void solve();
-
-  void add_impact(const Eigen::Vector3d& load, mjtNum* to) const override;
 
  private:
   void add_body(const mjtNum* axes, const mjtNum* point, int body, double sign, double spin);
   void solve_plain() const override;
-  void solve_rows(const mjtNum* factor, const mjtNum* inverse, mjtNum* rows) const;
 
   const mjModel* m_;
-  mjData* d_;
   OwnRows rows_;
   StackFrame room_;
-  double damped_step_;  // s, h of H; 0: H is M
-  DofRange trees_[2];   // of rotor and ring; the second empty where they share one
 };
 
 }  // namespace rotorub::plugin

@@ -119,4 +119,49 @@ vector = [0.0, -100.0]
 y = [-0.5e-3]
 )";
 
+// A short shaft of segments that is thrown against its ring.
+inline const std::string kSegmentRub = R"(
+[run]
+end = 0.02
+step = 1e-6
+[rotor]
+speed = 100.0
+length = 1.0
+E = "210 GPa"
+nu = 0.3
+rho = 7850.0
+modes = 2
+[[rotor.section]]
+from = 0.0
+to = 1.0
+diameter = "50 mm"
+[[rotor.disc]]
+z = 0.5
+mass = 4.0
+Jt = 0.01
+Jp = 0.018
+[[rotor.bearing]]
+z = 0.0
+stiffness = 2e7
+[[rotor.bearing]]
+z = 1.0
+stiffness = 2e7
+[contact]
+station = 0.5
+radius = 0.05
+clearance = "0.2 mm"
+friction = 0.2
+restitution = 0.5
+[stator]
+mass = 0.5
+damping = 200.0
+stiffness = 1e5
+[mujoco]
+rotor = "segments"
+segments = 4
+[initial]
+x = [1.9e-4, 0.0]
+vx = [0.5, 0.0]
+)";
+
 }  // namespace rotorub::test

@@ -1,0 +1,120 @@
+#include "plugin/contact/step_matrix.h"
+
+#include <Eigen/Core>
+
+#include "plugin/mujoco_derivatives.h"
+#include "plugin/mujoco_versions.h"
+
+namespace rotorub::plugin {
+namespace {
+
+using Block = Eigen::Map<Eigen::Matrix<mjtNum, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+using Part = Eigen::Map<Eigen::Matrix<mjtNum, Eigen::Dynamic, 1>>;
+
+int size_of(DofRange tree) { return tree.last - tree.first; }
+
+// to += sign M of the tree.
+void add_mass(const mjModel* m, const mjData* d, DofRange tree, double sign, Block& to) {
+  const mjtNum* mass = mass_entries(d);
+  for (int i = tree.first; i < tree.last; ++i) {
+    const MassRow row = mass_row(m, i);
+    const int at = i - tree.first;
+    to(at, at) += sign * mass[row.diagonal];
+    int j = m->dof_parentid[i];
+    for (int k = 1; k <= row.ancestors; ++k, j = m->dof_parentid[j]) {
+      const mjtNum entry = sign * mass[row.diagonal + k * row.step];
+      to(at, j - tree.first) += entry;
+      to(j - tree.first, at) += entry;
+    }
+  }
+}
+
+// a -> L U, L of unit diagonal. M alone is positive definite: nothing has to change places.
+void factor_block(Block& a) {
+  const Eigen::Index n = a.rows();
+  for (Eigen::Index k = 0; k < n; ++k) {
+    for (Eigen::Index i = k + 1; i < n; ++i) {
+      if (a(i, k) == 0.0) continue;
+      a(i, k) /= a(k, k);
+      a.row(i).tail(n - k - 1) -= a(i, k) * a.row(k).tail(n - k - 1);
+    }
+  }
+}
+
+}  // namespace
+
+StepMatrix::StepMatrix(const mjModel* m, mjData* d)
+    : m_(m), d_(d), implicit_(steps_implicitly(m)), damped_step_(damped_step(m)) {
+  if (implicit_) find_derivative(m, d);
+}
+
+bool StepMatrix::differs(DofRange tree) const {
+  if (implicit_) return true;
+  if (damped_step_ == 0.0) return false;
+  for (int i = tree.first; i < tree.last; ++i) {
+    if (joint_damping(m_, d_, i) != 0.0) return true;
+  }
+  return false;
+}
+
+// H - M of the implicit integrators.
+void StepMatrix::fill_excess(DofRange tree, mjtNum* block) const {
+  const int n = size_of(tree);
+  Block excess(block, n, n);
+  excess.setZero();
+  if (free_body_matrix(m_, d_, m_->dof_jntid[tree.first], block)) {
+    add_mass(m_, d_, tree, -1.0, excess);
+    return;
+  }
+  for (int i = tree.first; i < tree.last; ++i) {
+    for_each_derivative(m_, d_, i, [&](int j, mjtNum value) {
+      excess(i - tree.first, j - tree.first) = -m_->opt.timestep * value;
+    });
+  }
+  if (!implicit_fast(m_)) return;
+  for (int i = 0; i < n; ++i) {
+    for (int j = i + 1; j < n; ++j) excess(i, j) = excess(j, i);
+  }
+}
+
+void StepMatrix::solve(DofRange tree, mjtNum* row, int rows) const {
+  const int nv = count(m_->nv), n = size_of(tree);
+  if (n == 0) return;
+  StackFrame room(d_);
+  if (!implicit_) {
+    mjtNum* factor = room.numbers(mass_size(m_));
+    mjtNum* inverse = room.numbers(nv);
+    const auto added = [this](int dof) { return damped_step_ * joint_damping(m_, d_, dof); };
+    factor_tree(m_, mass_entries(d_), added, tree, factor, inverse);
+    for (int k = 0; k < rows; ++k) solve_tree(m_, factor, inverse, tree, row + k * nv);
+    return;
+  }
+  mjtNum* entries = room.numbers(n * n);
+  fill_excess(tree, entries);
+  Block h(entries, n, n);
+  add_mass(m_, d_, tree, 1.0, h);
+  factor_block(h);
+  // x H = row: U^T y = row, L^T x = y.
+  for (int k = 0; k < rows; ++k) {
+    Part x(row + k * nv + tree.first, n);
+    h.triangularView<Eigen::Upper>().transpose().solveInPlace(x);
+    h.triangularView<Eigen::UnitLower>().transpose().solveInPlace(x);
+  }
+}
+
+void StepMatrix::add_excess(DofRange tree, const mjtNum* x, mjtNum* to) const {
+  const int n = size_of(tree);
+  if (n == 0) return;
+  if (!implicit_) {
+    for (int i = tree.first; i < tree.last && damped_step_ > 0.0; ++i) {
+      to[i] += damped_step_ * joint_damping(m_, d_, i) * x[i];
+    }
+    return;
+  }
+  StackFrame room(d_);
+  mjtNum* block = room.numbers(n * n);
+  fill_excess(tree, block);
+  for (int i = 0; i < n; ++i) to[tree.first + i] += mju_dot(block + i * n, x + tree.first, n);
+}
+
+}  // namespace rotorub::plugin
