@@ -12,6 +12,7 @@
 #include "plugin/chain_constraints.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/fingerprint.h"
+#include "plugin/load_cells.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/message.h"
 #include "plugin/model_parameters.h"
@@ -117,7 +118,13 @@ void map_actuators(const mjModel* m, Config& config) {
   }
 }
 
-// The contact of a generated model, for own/: its sensors are the config's.
+double next_id() {
+  static std::atomic<int> count{0};
+  return 1.0 + count.fetch_add(1);
+}
+
+}  // namespace
+
 OwnPair generated_pair(const Config& config) {
   OwnPair p;
   p.law = config.contact;
@@ -129,13 +136,6 @@ OwnPair generated_pair(const Config& config) {
   p.held_spin = config.model.layout.spin ? 0.0 : config.model.speed;
   return p;
 }
-
-double next_id() {
-  static std::atomic<int> count{0};
-  return 1.0 + count.fetch_add(1);
-}
-
-}  // namespace
 
 const char* custom_text(const mjModel* m, std::string_view name) {
   for (int i = 0; i < m->ntext; ++i) {
@@ -184,6 +184,7 @@ Config make_config(const mjModel* m) {
   Config config;
   if (!scene_text(m)) {
     map_own_contacts(m, config);
+    map_load_cells(m, config);
     config.fingerprint = fingerprint(m);
     config.id = next_id();
     return config;
@@ -244,6 +245,7 @@ Config make_config(const mjModel* m) {
   map_structure(m, config);
   take_parameters(m, config);
   if (config.general) config.pairs = {generated_pair(config)};
+  map_load_cells(m, config);
   if (config.shadow) {
     map_shadow(m, *config.shadow);
     config.shadow->mark = mark_of(config.shadow->model);

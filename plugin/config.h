@@ -83,6 +83,9 @@ struct Config {
   bool general = false;
   bool damping_added = false;  // chain_constraints.h
 
+  // MuJoCo's own sensors that feel the contact (load_cells.h), and whether mjcb_sensor is called after them.
+  bool cells = false, cells_in_callback = false;
+
   // In mjData.userdata: what Model::loop remembers, after the pass done last (with native steps in the
   // slot that the step to come begins with).
   int loop_data = 0;
@@ -132,6 +135,9 @@ bool is_ours(const mjModel* m);
 Config make_config(const mjModel* m);
 // The same with m's numbers of now, m a model of its fingerprint. Throws ConfigError.
 Config with_parameters(const Config& config, const mjModel* m);
+
+// The contact of a generated model, for own/: its sensors are the config's.
+OwnPair generated_pair(const Config& config);
 
 // Parts of make_config that own/ uses too.
 const char* custom_text(const mjModel* m, std::string_view name);  // null: none of that name

@@ -35,6 +35,7 @@ bool for_each_part(const mjModel* m, Action action) {
          part(m->body_parentid, m->nbody) && part(m->body_mocapid, m->nbody) &&
          part(m->sensor_type, m->nsensor) && part(m->sensor_dim, m->nsensor) &&
          part(m->sensor_adr, m->nsensor) && part(m->sensor_needstage, m->nsensor) &&
+         part(m->sensor_objid, m->nsensor) &&
          part(m->actuator_gaintype, actuator_count(m)) &&
          part(m->actuator_biastype, actuator_count(m)) &&
          part(m->actuator_dyntype, actuator_count(m)) &&

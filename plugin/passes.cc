@@ -14,6 +14,7 @@
 #include "plugin/contact/verlet.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
+#include "plugin/load_cells.h"
 #include "plugin/magnets.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/own/own_contact.h"
@@ -189,6 +190,7 @@ void sensor_pass(const mjModel* m, mjData* d, int stage) {
   if (!config) return;
   if (stage == mjSTAGE_POS) keep_callbacks();
   fill_sensors(*config, m, d, stage);
+  if (stage == mjSTAGE_ACC && config->cells_in_callback) fill_load_cells(*config, m, d);
 }
 
 namespace {

@@ -1,8 +1,8 @@
 // Loaded with LD_PRELOAD, the library installs its callbacks before the program starts:
 //   LD_PRELOAD=librotorub_mujoco.so mujoco-testspeed bench_ring.xml
 // It stands before MuJoCo's own functions too, which call one another through the same names. So it
-// sees each pass begin, even where all callbacks have been taken from it, and mj_inverse and
-// mjd_transitionFD as such.
+// sees each pass begin, even where all callbacks have been taken from it, its sensors filled, and mj_inverse,
+// mjd_transitionFD and mj_contactForce as such.
 #include <dlfcn.h>
 #include <link.h>
 #include <mujoco/mujoco.h>
@@ -17,6 +17,7 @@
 #include "plugin/config_cache.h"
 #include "plugin/differences.h"
 #include "plugin/inverse.h"
+#include "plugin/load_cells.h"
 #include "plugin/mujoco_versions.h"
 
 #define ROTORUB_EXPORT extern "C" __attribute__((visibility("default")))
@@ -53,6 +54,17 @@ int count_mujoco(dl_phdr_info* info, std::size_t, void* count) {
   return 0;
 }
 
+// Loaded later than MuJoCo (mj_loadPluginLibrary) nothing here stands before its functions.
+bool stands_before_mujoco() {
+  Dl_info ours, found;
+  const void* first = dlsym(RTLD_DEFAULT, "mj_sensorAcc");
+  return dladdr(&rotorub_mujoco_preloaded, &ours) && first && dladdr(first, &found) &&
+         ours.dli_fbase == found.dli_fbase;
+}
+
+// MuJoCo's own sensors of this thread are being filled: they have the plugin's forces from load_cells.h.
+thread_local bool in_sensors = false;
+
 __attribute__((constructor)) void install() {
   int mujocos = 0;
   dl_iterate_phdr(count_mujoco, &mujocos);
@@ -66,6 +78,7 @@ __attribute__((constructor)) void install() {
     std::_Exit(1);
   }
   rotorub::plugin::install_callbacks();
+  if (stands_before_mujoco()) rotorub::plugin::stand_behind_sensors();
 }
 
 }  // namespace
@@ -81,6 +94,25 @@ ROTORUB_EXPORT void mj_forwardSkip(const mjModel* m, mjData* d, int skipstage, i
   static const auto forward = original<SkippingPass>("mj_forwardSkip");
   keep(m, d);
   forward(m, d, skipstage, skipsensor);
+}
+
+ROTORUB_EXPORT void mj_sensorAcc(const mjModel* m, mjData* d) {
+  static const auto sensors = original<Pass>("mj_sensorAcc");
+  in_sensors = true;
+  sensors(m, d);
+  in_sensors = false;
+  if (!rotorub::plugin::callbacks_active() || (m->opt.disableflags & mjDSBL_SENSOR)) return;
+  const rotorub::plugin::Config* config = rotorub::plugin::find_config(m, d);
+  if (config && !config->cells_in_callback) rotorub::plugin::fill_load_cells(*config, m, d);
+}
+
+ROTORUB_EXPORT void mj_contactForce(const mjModel* m, const mjData* d, int id, mjtNum result[6]) {
+  static const auto force = original<decltype(&mj_contactForce)>("mj_contactForce");
+  if (in_sensors) {
+    force(m, d, id, result);
+  } else {
+    rotorub::plugin::contact_force(m, d, id, result, force);
+  }
 }
 
 ROTORUB_EXPORT void mj_inverseSkip(const mjModel* m, mjData* d, int skipstage, int skipsensor) {

@@ -56,6 +56,16 @@ std::shared_ptr<void> say_contact(mjModel* m, const char* word) {
   return texts;
 }
 
+// The sensors of the rub's forces at MuJoCo's last stage: `cone` finds them after the velocity stage, in which
+// other models' may be filled.
+void ask_late(mjModel* m) {
+  for (const char* name : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
+                           names::kFrictionForceScaled}) {
+    const int sensor = mj_name2id(m, mjOBJ_SENSOR, name);
+    if (sensor >= 0 && m->sensor_type[sensor] == mjSENS_USER) m->sensor_needstage[sensor] = mjSTAGE_ACC;
+  }
+}
+
 // The pair as a generated file has it.
 void set_pair(mjModel* m, const plugin::Config& config, scene::ContactModel contact) {
   const ContactParameters& c = *config.model.contact;
@@ -72,13 +82,17 @@ void set_pair(mjModel* m, const plugin::Config& config, scene::ContactModel cont
   solimp[0] = solimp[1] = pair.soft.impedance;
   m->pair_margin[at] = pair.margin;
   m->pair_gap[at] = pair.gap;
-  if (contact != scene::ContactModel::kCone) return;
-  // Its force is found after the velocity stage, in which other models' sensors may be filled.
-  for (const char* name : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
-                           names::kFrictionForceScaled}) {
-    const int sensor = mj_name2id(m, mjOBJ_SENSOR, name);
-    if (sensor >= 0 && m->sensor_type[sensor] == mjSENS_USER) m->sensor_needstage[sensor] = mjSTAGE_ACC;
-  }
+  if (contact == scene::ContactModel::kCone) ask_late(m);
+}
+
+// As the file has it, its load cells told where a linked program can (plugin/load_cells.h).
+MujocoModel load_machine(const std::filesystem::path& file) {
+  MujocoModel m = load_mjcf_file(file);
+  const bool cells = std::any_of(m->sensor_type, m->sensor_type + m->nsensor, [](int type) {
+    return type == mjSENS_FORCE || type == mjSENS_TORQUE || type == mjSENS_TOUCH;
+  });
+  if (cells) ask_late(m.get());
+  return m;
 }
 
 class OwnEngine final : public Engine {
@@ -107,7 +121,7 @@ class OwnEngine final : public Engine {
 
 OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : file_(file) {
   const MujocoMessages messages;
-  const MujocoModel m = load_mjcf_file(file);
+  const MujocoModel m = load_machine(file);
   if (run.step) m->opt.timestep = *run.step;
   if (plugin::scene_text(m.get())) {
     throw std::runtime_error("is a generated file; compare the scene that it was made of");
@@ -130,7 +144,7 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
 MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step) const {
   const MujocoMessages messages;
   MujocoSetup setup;
-  setup.m = load_mjcf_file(file_);
+  setup.m = load_machine(file_);
   mjModel* m = setup.m.get();
   m->opt.timestep = step;
   if (contact != contact_) {

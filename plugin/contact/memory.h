@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include "plugin/contact/rigid_law.h"
+#include "plugin/load_cells.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"
 
@@ -13,7 +14,7 @@ class ContactMemory {
  public:
   // Of the forward pass at d->time. A pass at a later time turns "now" into "before"; further
   // passes at the same time (mj_forward before mj_step) find the same "before".
-  ContactMemory(mjData* d, int data) : entry_(d->userdata + data) {
+  ContactMemory(mjData* d, int data) : d_(d), data_(data), entry_(d->userdata + data) {
     if (entry_[kContactTime] == d->time) return;
     entry_[kContactTime] = d->time;
     entry_[kContactBefore] = entry_[kContactNow];
@@ -37,6 +38,7 @@ class ContactMemory {
     entry_[kContactStatus] = static_cast<double>(r.status);
     entry_[kImpact] = r.impact ? 1.0 : 0.0;
     if (!r.impact) return;
+    note_normal(d_, data_, r.e_r);
     entry_[kGapRateBefore] = r.gap_rate_before;
     entry_[kGapRateAfter] = r.gap_rate_after;
     entry_[kSlipBefore] = r.slip_before;
@@ -44,6 +46,8 @@ class ContactMemory {
   }
 
  private:
+  const mjData* d_;
+  int data_;
   mjtNum* entry_;
 };
 

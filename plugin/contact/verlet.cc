@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "native_model/bearing/actuator_axes.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "plugin/control.h"
 #include "plugin/differences.h"
+#include "plugin/load_cells.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/passes.h"
 #include "plugin/passive.h"
@@ -229,6 +231,15 @@ void note(mjData* d, const FixedStep& r, double kick) {
   entry[kSlipAfter] = last.slip_after;
 }
 
+// The normal of a blow within the step: there the rotor has gone on with the velocities `v` of now.
+void note_impact_place(const Config& config, const mjData* d, const Coordinates& state, const double* v) {
+  const double until = d->userdata[kImpactTime] - d->time;
+  double q[kMaxCoordinates];
+  for (int i = 0; i < config.model.nq(); ++i) q[i] = state.q()[i] + until * v[i];
+  const Eigen::Vector2d there = separation(config.model, q);
+  if (there.norm() > kNoNormal) note_normal(d, 0, there.normalized());
+}
+
 }  // namespace
 
 int verlet_data_size(const Model& model) {
@@ -288,6 +299,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   note(d, r, kick);
   if (r.status != Status::kOk) return;
   worker.stepper.last_velocity(entry + kVerletSingle);
+  if (!r.impacts.empty()) note_impact_place(config, d, state, entry + kVerletSingle);
   ++worker.next;
   worker.save(entry + kVerletSingle + n + worker.slot());
 

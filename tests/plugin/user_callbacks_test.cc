@@ -93,6 +93,12 @@ std::string bench(const std::string& contact = "rigid", const std::string& more 
 // A coil that has neither, so that the actuators' callbacks carry the force.
 std::string magnets() { return mjcf(shipped("paper_magnetic", {"contact.clearance=\"0.1 mm\""})); }
 
+std::string with_cell(std::string text) {
+  const std::string ring = "<body name=\"ring\">", sensors = "<sensor>";
+  text.insert(text.find(ring) + ring.size(), "<site name=\"cell\"/>");
+  return text.insert(text.find(sensors) + sensors.size(), "<force name=\"cell\" site=\"cell\"/>");
+}
+
 TEST_P(UserCallbacks, AreCalledAndTheContactStays) {
   for (const char* contact : {"rigid", "coulomb", "cone"}) {
     const std::string document = bench(contact);
@@ -234,6 +240,28 @@ TEST_F(PreloadedProgram, DifferencesKeepTimeAndMemory) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, UserCallbacks, ::testing::Bool(),
                          [](const auto& of) { return of.param ? "Linked" : "Preloaded"; });
+
+// A load cell of the user's below the ring. Of `rigid` the model has no sensor of the acceleration stage: preloaded
+// it has the rub's forces, and mj_contactForce too; linked it is refused.
+TEST_P(UserCallbacks, ALoadCellHasTheForces) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    const std::string document = with_cell(bench(contact));
+    const std::string text = said(document, "forces", 30000);
+    if (linked_ && contact == std::string("rigid")) {
+      EXPECT_NE(text.find("<sensor name=\"cell\">"), std::string::npos) << text;
+      EXPECT_NE(text.find("needstage=\"acc\""), std::string::npos) << text;
+      continue;
+    }
+    double x = 0, y = 0, normal = 0, tangent = 0, told_normal = 0, told_friction = 0;
+    std::stringstream(text) >> x >> y >> normal >> tangent >> told_normal >> told_friction;
+    EXPECT_NEAR(told_normal, 121.7, 5.0) << text;
+    // Within MuJoCo's regularisation.
+    EXPECT_NEAR(normal, told_normal, 1e-3 * told_normal) << contact;
+    const double linked_friction = contact == std::string("coulomb") && linked_ ? 0.0 : told_friction;
+    EXPECT_NEAR(std::abs(tangent), std::abs(linked_friction), 1e-6) << contact;
+    EXPECT_NEAR(std::hypot(x, y), std::hypot(told_normal, told_friction), 1e-3 * told_normal) << contact;
+  }
+}
 
 }  // namespace
 }  // namespace rotorub::test

@@ -1,0 +1,239 @@
+#include "plugin/load_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <type_traits>
+
+#include "native_model/contact/kinematics.h"
+#include "plugin/callbacks.h"
+#include "plugin/config_cache.h"
+#include "plugin/contact/coupled_law.h"
+#include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
+#include "plugin/own/own_space.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+namespace {
+
+bool behind_sensors = false;
+
+struct NotedNormal {
+  const mjData* d = nullptr;
+  double time = 0.0;
+  int data = -1;
+  Eigen::Vector2d e_r;
+};
+// Of the pass that this thread did last.
+NotedNormal& noted(int data) {
+  static thread_local std::array<NotedNormal, kMaxPairs> all;
+  return all[static_cast<std::size_t>(data / kPairEntries) % all.size()];
+}
+
+template <typename Action>
+void for_each_contact(const Config& config, Action action) {
+  if (config.pairs.empty()) {
+    if (config.model.contact) action(generated_pair(config));
+    return;
+  }
+  for (const OwnPair& pair : config.pairs) action(pair);
+}
+
+bool carries(const mjModel* m, int body, int geom) {
+  int b = m->geom_bodyid[geom];
+  while (b > body) b = m->body_parentid[b];
+  return b == body;
+}
+
+bool is_force(int type) { return type == mjSENS_FORCE || type == mjSENS_TORQUE; }
+
+bool feels(const mjModel* m, int sensor, const OwnPair& pair) {
+  if (pair.law == scene::ContactModel::kCone) return false;
+  const int type = m->sensor_type[sensor];
+  if (!is_force(type) && type != mjSENS_TOUCH) return false;
+  const int body = m->site_bodyid[m->sensor_objid[sensor]];
+  if (is_force(type)) return carries(m, body, pair.rotor_geom) || carries(m, body, pair.ring_geom);
+  return pair.law == scene::ContactModel::kRigid &&
+         (body == m->geom_bodyid[pair.rotor_geom] || body == m->geom_bodyid[pair.ring_geom]);
+}
+
+// MuJoCo's contact sensors ask for the forces of its own solver.
+#if mjVERSION_HEADER >= 335
+bool may_be(const mjModel* m, const OwnPair& pair, int type, int id) {
+  const auto is = [&](int geom) {
+    if (type == mjOBJ_GEOM) return id == geom;
+    if (type == mjOBJ_BODY) return id == m->geom_bodyid[geom];
+    return type != mjOBJ_XBODY || carries(m, id, geom);
+  };
+  return is(pair.rotor_geom) || is(pair.ring_geom);
+}
+bool asks_for_force(const mjModel* m, int sensor, const OwnPair& pair) {
+  constexpr int kForces = (1 << mjCONDATA_FORCE) | (1 << mjCONDATA_TORQUE);
+  return pair.law != scene::ContactModel::kCone && m->sensor_type[sensor] == mjSENS_CONTACT &&
+         (m->sensor_intprm[mjNSENS * sensor] & kForces) &&
+         may_be(m, pair, m->sensor_objtype[sensor], m->sensor_objid[sensor]) &&
+         may_be(m, pair, m->sensor_reftype[sensor], m->sensor_refid[sensor]);
+}
+#else
+bool asks_for_force(const mjModel*, int, const OwnPair&) { return false; }
+#endif
+
+template <typename Model>
+bool has_history(const Model* m, int sensor) {
+  if constexpr (requires { m->sensor_history; }) return m->sensor_history[2 * sensor] > 0;
+  return false;
+}
+
+// < 0: the ray from `from` does not meet the site's zone.
+template <typename Ray = decltype(&mju_rayGeom)>
+double ray_to_site(const mjModel* m, const mjData* d, int site, const mjtNum* from, const mjtNum* along,
+                   Ray ray = mju_rayGeom) {
+  const mjtNum* place = d->site_xpos + 3 * site;
+  const mjtNum* axes = d->site_xmat + 9 * site;
+  const mjtNum* size = m->site_size + 3 * site;
+  if constexpr (std::is_invocable_v<Ray, const mjtNum*, const mjtNum*, const mjtNum*, const mjtNum*,
+                                    const mjtNum*, int, mjtNum*>) {
+    return ray(place, axes, size, from, along, m->site_type[site], nullptr);
+  } else {
+    return ray(place, axes, size, from, along, m->site_type[site]);
+  }
+}
+
+// What the plugin has put on rotor and ring of one contact in this pass.
+struct ContactForce {
+  ContactPlace place;
+  Eigen::Vector2d e_r{0.0, 0.0};
+  double normal = 0.0, friction = 0.0;  // N
+};
+
+ContactForce force_of(const OwnPair& pair, const mjData* d) {
+  ContactForce f;
+  const mjtNum* entry = d->userdata + pair.data;
+  f.place = contact_place(pair, d);
+  if (pair.law == scene::ContactModel::kCone || !(f.place.d.norm() > kNoNormal)) return f;
+  f.friction = entry[kFrictionForce];
+  f.e_r = f.place.d.normalized();
+  if (pair.law != scene::ContactModel::kRigid) return f;
+  f.normal = entry[kNormalForce];
+  const NotedNormal& n = noted(pair.data);
+  if (n.d == d && n.time == d->time && n.data == pair.data) f.e_r = n.e_r;
+  return f;
+}
+
+// A force and a torque about the contact's axis on a body, at a point.
+void add_wrench(const mjModel* m, mjData* d, int body, const mjtNum* point, const mjtNum* axes,
+                const Eigen::Vector3d& load, double torque) {
+  mjtNum wrench[6], arm[3];  // torque about the tree's centre of mass, force
+  for (int i = 0; i < 3; ++i) wrench[3 + i] = axes[3 * i] * load.x() + axes[3 * i + 1] * load.y();
+  mju_sub3(arm, point, d->subtree_com + 3 * m->body_rootid[body]);
+  mju_cross(wrench, arm, wrench + 3);
+  for (int i = 0; i < 3; ++i) wrench[i] += axes[3 * i + 2] * torque;
+  mju_addTo(d->cfrc_ext + 6 * body, wrench, 6);
+  for (int b = body; b > 0; b = m->body_parentid[b]) mju_subFrom(d->cfrc_int + 6 * b, wrench, 6);
+}
+
+double clipped(const mjModel* m, int sensor, double value, double low) {
+  const double cutoff = m->sensor_cutoff[sensor];
+  return cutoff > 0.0 ? std::clamp(value, low * cutoff, cutoff) : value;
+}
+
+void fill_force(const mjModel* m, mjData* d, int sensor) {
+  const int site = m->sensor_objid[sensor], body = m->site_bodyid[site];
+  mjtNum local[6];
+  mju_transformSpatial(local, d->cfrc_int + 6 * body, 1, d->site_xpos + 3 * site,
+                       d->subtree_com + 3 * m->body_rootid[body], d->site_xmat + 9 * site);
+  const mjtNum* from = m->sensor_type[sensor] == mjSENS_FORCE ? local + 3 : local;
+  for (int i = 0; i < 3; ++i) {
+    d->sensordata[m->sensor_adr[sensor] + i] = clipped(m, sensor, from[i], -1.0);
+  }
+}
+
+void add_touch(const OwnPair& pair, const ContactForce& f, const mjModel* m, mjData* d, int sensor) {
+  const int site = m->sensor_objid[sensor];
+  const bool on_rotor = m->site_bodyid[site] == m->geom_bodyid[pair.rotor_geom];
+  mjtNum from[3], along[3];
+  for (int i = 0; i < 3; ++i) {
+    const double out = f.place.axes[3 * i] * f.e_r.x() + f.place.axes[3 * i + 1] * f.e_r.y();
+    from[i] = d->geom_xpos[3 * pair.rotor_geom + i] + pair.contact.radius * out;
+    along[i] = on_rotor ? out : -out;
+  }
+  if (ray_to_site(m, d, site, from, along) < 0.0) return;
+  mjtNum& value = d->sensordata[m->sensor_adr[sensor]];
+  value = clipped(m, sensor, value + f.normal, 0.0);
+}
+
+}  // namespace
+
+void map_load_cells(const mjModel* m, Config& config) {
+  bool later = behind_sensors;  // something of ours is called after MuJoCo's sensors
+  for (int i = 0; i < m->nsensor; ++i) {
+    const bool called = m->sensor_type[i] == mjSENS_USER && m->sensor_needstage[i] == mjSTAGE_ACC;
+    config.cells_in_callback = config.cells_in_callback || called;
+  }
+  later = later || config.cells_in_callback;
+  for (int i = 0; i < m->nsensor; ++i) {
+    for_each_contact(config, [&](const OwnPair& pair) {
+      const std::string element = message("<sensor name=\"{}\">", m->names + m->name_sensoradr[i]);
+      const std::string unseen =
+          message("MuJoCo does not see the force of contact model {} in it",
+                  pair.law == scene::ContactModel::kRigid ? "rigid" : "coulomb (its friction)");
+      if (asks_for_force(m, i, pair)) {
+        refuse(element, unseen + "; accepted: the user sensors normal_force and friction_force, or other geoms");
+      }
+      if (!feels(m, i, pair)) return;
+      config.cells = true;
+      if (has_history(m, i)) refuse(element, unseen + " where it has a history; accepted: nsample=\"0\"");
+      if (later) return;
+      refuse(element, unseen + ", and calls the plugin after it only for a user sensor of the acceleration "
+                               "stage; accepted: <user name=\"normal_force\" dim=\"1\" needstage=\"acc\"/> in "
+                               "<sensor>, or the plugin preloaded");
+    });
+  }
+}
+
+void fill_load_cells(const Config& config, const mjModel* m, mjData* d) {
+  if (!config.cells) return;
+  bool any = false;
+  for_each_contact(config, [&](const OwnPair& pair) {
+    const ContactForce f = force_of(pair, d);
+    if (f.normal == 0.0 && f.friction == 0.0) return;
+    any = true;
+    const Eigen::Vector3d load = contact_load(f.e_r, pair.contact.radius, f.normal, f.friction);
+    add_wrench(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, f.place.axes, load,
+               load.z());
+    add_wrench(m, d, m->geom_bodyid[pair.ring_geom], f.place.ring_point, f.place.axes, -load,
+               -f.place.ring_spin * load.z());
+    for (int i = 0; i < m->nsensor; ++i) {
+      if (m->sensor_type[i] == mjSENS_TOUCH && feels(m, i, pair)) add_touch(pair, f, m, d, i);
+    }
+  });
+  for (int i = 0; any && i < m->nsensor; ++i) {
+    if (is_force(m->sensor_type[i]) && !has_history(m, i)) fill_force(m, d, i);
+  }
+}
+
+void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
+                   void (*plain)(const mjModel*, const mjData*, int, mjtNum*)) {
+  plain(m, d, id, result);
+  const Config* config = callbacks_active() && id >= 0 && id < d->ncon ? find_config(m, d) : nullptr;
+  if (!config) return;
+  const mjContact& c = d->contact[id];
+  for_each_contact(*config, [&](const OwnPair& pair) {
+    const bool regular = c.geom1 == pair.rotor_geom && c.geom2 == pair.ring_geom;
+    const bool reverse = c.geom2 == pair.rotor_geom && c.geom1 == pair.ring_geom;
+    if (!regular && !reverse) return;
+    const ContactForce f = force_of(pair, d);
+    // Turning the frame turns e_t and the body that the force acts on.
+    if (pair.law == scene::ContactModel::kRigid) result[0] = f.normal;
+    if (pair.law != scene::ContactModel::kCone) result[1] = -f.friction;
+  });
+}
+
+void note_normal(const mjData* d, int data, const Eigen::Vector2d& e_r) {
+  noted(data) = {d, d->time, data, e_r};
+}
+
+void stand_behind_sensors() { behind_sensors = true; }
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,216 @@
+// MuJoCo's force, torque and touch sensors beside a contact whose force is the plugin's: Newton's law of the rotor
+// says what they must read.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "plugin/hooks.h"
+#include "plugin/load_cells.h"
+#include "tests/plugin/own/machine.h"
+#include "tests/plugin/own/two_rings.h"
+#include "tests/plugin/scenes.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+constexpr double kDiscMass = 2.0, kSpinInertia = 1e-3, kRingMass = 1.0;
+
+const std::string kCells = R"(<sensor>
+    <force name="cell" site="cell"/><torque name="moment" site="cell"/><force name="held" site="held"/>
+    <touch name="pad" site="pad"/>)";
+const std::string kSites = R"(<site name="cell"/><site name="pad" type="box" size="1 1 1"/>)";
+
+class LoadCells : public MujocoTest {
+ protected:
+  // The machine of machine.h with cells below ring and rotor.
+  static std::string with_cells(Machine x) {
+    x.ring_geoms += kSites;
+    return replaced(replaced(document(x), "<sensor>", kCells), "<body name=\"shaft\">",
+                    "<body name=\"shaft\"><site name=\"held\"/>");
+  }
+  static const mjtNum* data(const mjModel* m, const mjData* d, const char* name) {
+    return d->sensordata + m->sensor_adr[mj_name2id(m, mjOBJ_SENSOR, name)];
+  }
+  // Pressed and whirling, 0.02 s: blows, then a rub.
+  template <typename Check>
+  static void run(const mjModel* m, Check check) {
+    const DataPointer d = start(m);
+    d->qvel[0] = 0.2;
+    d->qvel[1] = 0.3;
+    d->qvel[2] = 300.0;
+    int touched = 0;
+    for (int k = 0; k < 2000; ++k) {
+      d->qfrc_applied[0] = 200.0;
+      d->qfrc_applied[1] = -50.0;
+      mj_step(m, d.get());
+      touched += sensor(m, d.get(), "normal_force") > 0.0;
+      check(d.get());
+    }
+    EXPECT_GT(touched, 100);
+  }
+
+  plugin::Hooks hooks_;
+};
+
+// On a ring that stands: m a = applied + F, and the cell holds what the ring is pressed with, F.
+TEST_F(LoadCells, BelowARingThatStands) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    Machine x;
+    x.contact = contact;
+    x.friction = 0.2;
+    x.ring_moves = false;
+    const ModelPointer m = load(with_cells(x));
+    run(m.get(), [&](const mjData* d) {
+      const double fx = kDiscMass * d->qacc[0] - d->qfrc_applied[0];
+      const double fy = kDiscMass * d->qacc[1] - d->qfrc_applied[1];
+      const double size = 1e-9 * (200.0 + std::hypot(fx, fy));
+      const mjtNum* cell = data(m.get(), d, "cell");
+      EXPECT_NEAR(cell[0], fx, size) << contact << " " << d->time;
+      EXPECT_NEAR(cell[1], fy, size) << contact << " " << d->time;
+      EXPECT_NEAR(cell[2], 0.0, size);
+      // What acts on the joints alone is no force between bodies.
+      const mjtNum* held = data(m.get(), d, "held");
+      EXPECT_NEAR(held[0], d->qfrc_applied[0], size);
+      EXPECT_NEAR(held[1], d->qfrc_applied[1], size);
+      // mj_contactForce and the touch sensor, where MuJoCo has the contact in its list.
+      if (d->ncon == 0) return;
+      const double normal = sensor(m.get(), d, "normal_force");
+      mjtNum force[6];
+      plugin::contact_force(m.get(), d, 0, force);
+      EXPECT_NEAR(force[0], normal, 1e-3 * normal);
+      EXPECT_NEAR(std::abs(force[1]), std::abs(sensor(m.get(), d, "friction_force")), 1e-9 * (1.0 + normal));
+      EXPECT_NEAR(data(m.get(), d, "pad")[0], normal, 1e-3 * normal) << contact;
+    });
+  }
+}
+
+// About the ring's axis it takes what the rotor loses: J spin' + (x, y) x F.
+TEST_F(LoadCells, TheMomentIsThatOfTheRub) {
+  Machine x;
+  x.friction = 0.2;
+  x.ring_moves = false;
+  const ModelPointer m = load(with_cells(x));
+  const DataPointer d = start(m.get());
+  d->qpos[0] = 5e-4;
+  d->qvel[2] = 300.0;
+  for (int k = 0; k < 200; ++k) {
+    d->qfrc_applied[0] = 200.0;
+    d->qfrc_applied[1] = 40.0;  // as friction pulls, so that it stays
+    mj_step(m.get(), d.get());
+  }
+  mj_forward(m.get(), d.get());
+  const double fx = kDiscMass * d->qacc[0] - 200.0, fy = kDiscMass * d->qacc[1] - 40.0;
+  const double moment = kSpinInertia * d->qacc[2] + d->qpos[0] * fy - d->qpos[1] * fx;
+  EXPECT_LT(moment, -1.9);
+  EXPECT_NEAR(data(m.get(), d.get(), "moment")[2], moment, 1e-9);
+}
+
+// A ring that floats hands nothing on.
+TEST_F(LoadCells, BelowARingThatFloats) {
+  Machine x;
+  x.friction = 0.2;
+  const ModelPointer m = load(with_cells(x));
+  run(m.get(), [&](const mjData* d) {
+    const mjtNum* cell = data(m.get(), d, "cell");
+    const double size = 1e-9 * (1.0 + kRingMass * std::hypot(d->qacc[3], d->qacc[4]));
+    EXPECT_NEAR(cell[0], 0.0, size) << d->time;
+    EXPECT_NEAR(cell[1], 0.0, size) << d->time;
+  });
+}
+
+// Two rings in one holder.
+TEST_F(LoadCells, OfSeveralContactsHaveTheSum) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    TwoRings x;
+    x.contact = contact;
+    x.friction = 0.2;
+    x.sensors = R"(<force name="cell" site="cell"/><force name="other" site="other"/>
+      <user name="later" objtype="body" objname="shaft" datatype="real" needstage="acc" dim="1"/>)";
+    std::string text = document(x);
+    for (const auto& [ring, site] : {std::pair{"ring", "cell"}, std::pair{"holder", "other"}}) {
+      const std::string body = "<geom name=\"" + std::string(ring) + "\"";
+      text = replaced(text, body, "<site name=\"" + std::string(site) + "\"/>" + body);
+    }
+    const ModelPointer m = load(text);
+    const DataPointer d = start(m.get());
+    d->qvel[0] = 0.2;
+    d->qvel[4] = 300.0;
+    int touched = 0;
+    for (int k = 0; k < 2000; ++k) {
+      d->qfrc_applied[0] = 200.0;
+      d->qfrc_applied[1] = -50.0;
+      mj_step(m.get(), d.get());
+      touched += sensor(m.get(), d.get(), "normal_force") > 0.0;
+      const double size = 1e-9 * (200.0 + 2.0 * std::hypot(d->qacc[0], d->qacc[1]));
+      const mjtNum *one = data(m.get(), d.get(), "cell"), *two = data(m.get(), d.get(), "other");
+      EXPECT_NEAR(one[0] + two[0], 2.0 * d->qacc[0] - 200.0, size) << contact << " " << d->time;
+      EXPECT_NEAR(one[1] + two[1], 2.0 * d->qacc[1] + 50.0, size) << contact << " " << d->time;
+    }
+    EXPECT_GT(touched, 50) << contact;
+  }
+}
+
+// In generated models: the force between ring and rotor, on the modal chain and on segments.
+TEST_F(LoadCells, OfAGeneratedRingHaveTheRub) {
+  for (const char* rotor : {"modal", "segments"}) {
+    for (const char* contact : {"rigid", "coulomb"}) {
+      const std::vector<std::string> overrides{"mujoco.contact=\"" + std::string(contact) + "\""};
+      const bool modal = rotor == std::string("modal");
+      std::string text = mjcf(modal ? shipped("bench_ring", overrides) : parsed(kSegmentRub, overrides));
+      text = replaced(text, "<body name=\"ring\">", "<body name=\"ring\"><site name=\"cell\"/>");
+      text = replaced(text, "<sensor>",
+                      "<sensor><force name=\"cell\" site=\"cell\"/><user name=\"later\" objtype=\"body\" "
+                      "objname=\"ring\" datatype=\"real\" needstage=\"acc\" dim=\"1\"/>");
+      const ModelPointer m = load(text);
+      const DataPointer d = start(m.get());
+      int touched = 0;
+      for (int k = 0; k < 4000; ++k) {
+        mj_step(m.get(), d.get());
+        const double normal = sensor(m.get(), d.get(), mjcf_names::kNormalForce);
+        const double friction = sensor(m.get(), d.get(), mjcf_names::kFrictionForce);
+        if (!(normal > 0.0)) continue;
+        ++touched;
+        const mjtNum* cell = data(m.get(), d.get(), "cell");
+        const double whole = std::hypot(normal, friction);
+        ASSERT_NEAR(std::hypot(cell[0], cell[1]), whole, 1e-3 * whole) << rotor << " " << contact << " " << k;
+      }
+      EXPECT_GT(touched, 1) << rotor << " " << contact;
+    }
+  }
+}
+
+TEST_F(LoadCells, AreRefusedWhereNothingIsCalledAfterThem) {
+  Machine x;
+  x.ring_geoms = kSites;
+  std::string text = replaced(document(x), "<sensor>", "<sensor><force name=\"cell\" site=\"cell\"/>");
+  for (int i = 0; i < 2; ++i) text = replaced(text, "needstage=\"acc\"", "needstage=\"vel\"");
+  std::string error;
+  EXPECT_FALSE(try_load(text, error));
+  EXPECT_NE(error.find("<sensor name=\"cell\">"), std::string::npos) << error;
+  EXPECT_NE(error.find("accepted"), std::string::npos) << error;
+  // One that carries neither rotor nor ring is MuJoCo's own matter.
+  x.ring_geoms = "";
+  x.bodies = R"(<body name="aside"><site name="cell"/><geom size="0.01"/></body>)";
+  text = replaced(document(x), "<sensor>", "<sensor><force name=\"cell\" site=\"cell\"/>");
+  for (int i = 0; i < 2; ++i) text = replaced(text, "needstage=\"acc\"", "needstage=\"vel\"");
+  EXPECT_TRUE(try_load(text, error)) << error;
+}
+
+#if mjVERSION_HEADER >= 335
+TEST_F(LoadCells, ContactSensorsAreRefused) {
+  Machine x;
+  const auto with = [&](const std::string& sensor) { return replaced(document(x), "<sensor>", "<sensor>" + sensor); };
+  std::string error;
+  EXPECT_FALSE(try_load(with("<contact name=\"pad\" geom1=\"disc\" data=\"found force\"/>"), error));
+  EXPECT_NE(error.find("<sensor name=\"pad\">"), std::string::npos) << error;
+  EXPECT_TRUE(try_load(with("<contact name=\"pad\" geom1=\"disc\" data=\"found dist\"/>"), error)) << error;
+}
+#endif
+
+}  // namespace
+}  // namespace rotorub::test
