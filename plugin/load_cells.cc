@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <type_traits>
 
@@ -11,6 +12,7 @@
 #include "plugin/contact/coupled_law.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
+#include "plugin/own/axial_motion.h"
 #include "plugin/own/own_space.h"
 #include "plugin/user_data.h"
 
@@ -19,15 +21,16 @@ namespace {
 
 bool behind_sensors = false;
 
-struct NotedNormal {
+struct NotedContact {
   const mjData* d = nullptr;
   double time = 0.0;
   int data = -1;
   Eigen::Vector2d e_r;
+  double axial = 0.0;  // N
 };
 // Of the pass that this thread did last.
-NotedNormal& noted(int data) {
-  static thread_local std::array<NotedNormal, kMaxPairs> all;
+NotedContact& noted(int data) {
+  static thread_local std::array<NotedContact, kMaxPairs> all;
   return all[static_cast<std::size_t>(data / kPairEntries) % all.size()];
 }
 
@@ -104,31 +107,37 @@ double ray_to_site(const mjModel* m, const mjData* d, int site, const mjtNum* fr
 struct ContactForce {
   ContactPlace place;
   Eigen::Vector2d e_r{0.0, 0.0};
-  double normal = 0.0, friction = 0.0;  // N
+  double normal = 0.0, friction = 0.0, axial = 0.0;  // N, on the rotor along -e_r, e_t and the axis
 };
 
-ContactForce force_of(const OwnPair& pair, const mjData* d) {
+// since: s, that may have passed since its pass.
+ContactForce force_of(const OwnPair& pair, const mjData* d, double since) {
   ContactForce f;
   const mjtNum* entry = d->userdata + pair.data;
   f.place = contact_place(pair, d);
   if (pair.law == scene::ContactModel::kCone || !(f.place.d.norm() > kNoNormal)) return f;
   f.friction = entry[kFrictionForce];
   f.e_r = f.place.d.normalized();
-  if (pair.law != scene::ContactModel::kRigid) return f;
-  f.normal = entry[kNormalForce];
-  const NotedNormal& n = noted(pair.data);
-  if (n.d == d && n.time == d->time && n.data == pair.data) f.e_r = n.e_r;
+  if (pair.law == scene::ContactModel::kRigid) f.normal = entry[kNormalForce];
+  // Those that tell of each pass with a force.
+  if (pair.law != scene::ContactModel::kRigid && !pair.axial) return f;
+  const NotedContact& n = noted(pair.data);
+  const double passed = d->time - n.time;
+  if (n.d != d || n.data != pair.data || (passed != 0.0 && std::abs(passed - since) > 1e-6 * since)) return f;
+  f.e_r = n.e_r;
+  f.axial = n.axial;
   return f;
 }
 
-// A force and a torque about the contact's axis on a body, at a point.
+// A force and a torque, in the contact's axes, on a body at a point.
 void add_wrench(const mjModel* m, mjData* d, int body, const mjtNum* point, const mjtNum* axes,
-                const Eigen::Vector3d& load, double torque) {
-  mjtNum wrench[6], arm[3];  // torque about the tree's centre of mass, force
-  for (int i = 0; i < 3; ++i) wrench[3 + i] = axes[3 * i] * load.x() + axes[3 * i + 1] * load.y();
+                const Eigen::Vector3d& force, const Eigen::Vector3d& torque) {
+  mjtNum wrench[6], turn[3], arm[3];  // torque about the tree's centre of mass, force
+  mju_mulMatVec(wrench + 3, axes, force.data(), 3, 3);
+  mju_mulMatVec(turn, axes, torque.data(), 3, 3);
   mju_sub3(arm, point, d->subtree_com + 3 * m->body_rootid[body]);
   mju_cross(wrench, arm, wrench + 3);
-  for (int i = 0; i < 3; ++i) wrench[i] += axes[3 * i + 2] * torque;
+  mju_addTo3(wrench, turn);
   mju_addTo(d->cfrc_ext + 6 * body, wrench, 6);
   for (int b = body; b > 0; b = m->body_parentid[b]) mju_subFrom(d->cfrc_int + 6 * b, wrench, 6);
 }
@@ -196,14 +205,17 @@ void fill_load_cells(const Config& config, const mjModel* m, mjData* d) {
   if (!config.cells) return;
   bool any = false;
   for_each_contact(config, [&](const OwnPair& pair) {
-    const ContactForce f = force_of(pair, d);
-    if (f.normal == 0.0 && f.friction == 0.0) return;
+    const ContactForce f = force_of(pair, d, 0.0);
+    if (f.normal == 0.0 && f.friction == 0.0 && f.axial == 0.0) return;
     any = true;
+    // As J^T has it (own/own_space.h): on the rotor at its centre, on the ring at the point of its axis beside it.
     const Eigen::Vector3d load = contact_load(f.e_r, pair.contact.radius, f.normal, f.friction);
-    add_wrench(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, f.place.axes, load,
-               load.z());
-    add_wrench(m, d, m->geom_bodyid[pair.ring_geom], f.place.ring_point, f.place.axes, -load,
-               -f.place.ring_spin * load.z());
+    const Eigen::Vector3d along = f.axial * axial_column(f.e_r, pair.contact.radius);
+    const Eigen::Vector3d force(load.x(), load.y(), along.x()), torque(along.y(), along.z(), load.z());
+    add_wrench(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, f.place.axes, force,
+               torque);
+    add_wrench(m, d, m->geom_bodyid[pair.ring_geom], f.place.ring_point, f.place.axes, -force,
+               -f.place.ring_spin * torque);
     for (int i = 0; i < m->nsensor; ++i) {
       if (m->sensor_type[i] == mjSENS_TOUCH && feels(m, i, pair)) add_touch(pair, f, m, d, i);
     }
@@ -223,15 +235,17 @@ void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
     const bool regular = c.geom1 == pair.rotor_geom && c.geom2 == pair.ring_geom;
     const bool reverse = c.geom2 == pair.rotor_geom && c.geom1 == pair.ring_geom;
     if (!regular && !reverse) return;
-    const ContactForce f = force_of(pair, d);
+    const ContactForce f = force_of(pair, d, m->opt.timestep);  // that of mj_step may be taken
     // Turning the frame turns e_t and the body that the force acts on.
     if (pair.law == scene::ContactModel::kRigid) result[0] = f.normal;
-    if (pair.law != scene::ContactModel::kCone) result[1] = -f.friction;
+    if (pair.law == scene::ContactModel::kCone) return;
+    result[1] = -f.friction;
+    if (result[0] > 0.0) result[2] = regular ? -f.axial : f.axial;
   });
 }
 
-void note_normal(const mjData* d, int data, const Eigen::Vector2d& e_r) {
-  noted(data) = {d, d->time, data, e_r};
+void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial) {
+  noted(data) = {d, d->time, data, e_r, axial};
 }
 
 void stand_behind_sensors() { behind_sensors = true; }

@@ -27,9 +27,9 @@ void fill_load_cells(const Config& config, const mjModel* m, mjData* d);
 void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
                    void (*plain)(const mjModel*, const mjData*, int, mjtNum*) = mj_contactForce);
 
-// The normal of the contact whose memory is at `data`, in its axes, where a blow of the pass finds it: elsewhere
-// it is that of the state.
-void note_normal(const mjData* d, int data, const Eigen::Vector2d& e_r);
+// Of the contact whose memory is at `data`, in its axes: the normal of its force in this pass, which of a blow is not
+// that of the state, and the friction on the rotor along the ring's axis, N. Of `rigid`, and where that is.
+void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial = 0.0);
 
 // The preloaded library stands behind mj_sensorAcc.
 void stand_behind_sensors();

@@ -37,8 +37,8 @@ class ContactMemory {
     }
     entry_[kContactStatus] = static_cast<double>(r.status);
     entry_[kImpact] = r.impact ? 1.0 : 0.0;
+    if (r.normal > 0.0) note_contact(d_, data_, r.e_r);
     if (!r.impact) return;
-    note_normal(d_, data_, r.e_r);
     entry_[kGapRateBefore] = r.gap_rate_before;
     entry_[kGapRateAfter] = r.gap_rate_after;
     entry_[kSlipBefore] = r.slip_before;

@@ -231,13 +231,13 @@ void note(mjData* d, const FixedStep& r, double kick) {
   entry[kSlipAfter] = last.slip_after;
 }
 
-// The normal of a blow within the step: there the rotor has gone on with the velocities `v` of now.
-void note_impact_place(const Config& config, const mjData* d, const Coordinates& state, const double* v) {
-  const double until = d->userdata[kImpactTime] - d->time;
+// The normal of the forces. To a blow within the step the rotor has gone on with the velocities `v` of now.
+void note_place(const Config& config, const mjData* d, const Coordinates& state, const double* v) {
+  const double until = d->userdata[kImpact] != 0.0 ? d->userdata[kImpactTime] - d->time : 0.0;
   double q[kMaxCoordinates];
   for (int i = 0; i < config.model.nq(); ++i) q[i] = state.q()[i] + until * v[i];
   const Eigen::Vector2d there = separation(config.model, q);
-  if (there.norm() > kNoNormal) note_normal(d, 0, there.normalized());
+  if (there.norm() > kNoNormal) note_contact(d, 0, there.normalized());
 }
 
 }  // namespace
@@ -299,7 +299,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   note(d, r, kick);
   if (r.status != Status::kOk) return;
   worker.stepper.last_velocity(entry + kVerletSingle);
-  if (!r.impacts.empty()) note_impact_place(config, d, state, entry + kVerletSingle);
+  if (d->userdata[kNormalForce] > 0.0) note_place(config, d, state, entry + kVerletSingle);
   ++worker.next;
   worker.save(entry + kVerletSingle + n + worker.slot());
 

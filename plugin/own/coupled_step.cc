@@ -6,6 +6,7 @@
 
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/memory.h"
+#include "plugin/load_cells.h"
 #include "plugin/own/axial_motion.h"
 #include "plugin/own/coupled_contacts.h"
 #include "plugin/passes.h"
@@ -39,6 +40,8 @@ class CoupledStep {
 
   bool converged() const { return contacts_.converged(); }
   const RigidResult& result(std::size_t i) const { return contacts_[i].result; }
+  // Friction along the axis, N s.
+  double axial(std::size_t i) const { return contacts_[i].lasting.z() + contacts_[i].sudden.z(); }
 
   // The step with all impulses is what the pass will find.
   void keep() {
@@ -179,6 +182,7 @@ void note_results(const CoupledStep& step, const mjModel* m, mjData* d,
     warned = warned || memory.warned();
     if (members[i]->held) held = members[i];
     memory.note(step.result(i), m->opt.timestep);
+    if (members[i]->axial) note_contact(d, members[i]->data, step.result(i).e_r, step.axial(i) / m->opt.timestep);
   }
   if (!step.converged() && held && !warned) warn_unsolved(m, d, *held->space);
 }

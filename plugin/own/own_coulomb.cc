@@ -9,6 +9,7 @@
 #include "plugin/contact/annular.h"
 #include "plugin/contact/constrained_law.h"
 #include "plugin/contact/constraint_probe.h"
+#include "plugin/load_cells.h"
 #include "plugin/own/touching_pair.h"
 #include "plugin/user_data.h"
 
@@ -203,6 +204,7 @@ void note(const TouchingPair& s, mjData* d) {
   entry[kNormalForce] = s.force.x();
   entry[kFrictionForce] = s.force.y();
   entry[kMode] = static_cast<double>(mode);
+  if (s.axial) note_contact(d, s.pair->data, s.point.e_r, s.force.z());
 }
 
 }  // namespace

@@ -89,6 +89,38 @@ TEST_F(LoadCells, BelowARingThatStands) {
   }
 }
 
+// Friction along the axis is in them too.
+TEST_F(LoadCells, BelowARingThatARotorSlidesThrough) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    Machine x;
+    x.contact = contact;
+    x.friction = 0.2;
+    x.ring_moves = false;
+    const std::string y = "<joint name=\"rotor_y\" type=\"slide\" axis=\"0 1 0\"/>";
+    const ModelPointer m =
+        load(replaced(with_cells(x), y, y + "<joint name=\"lift\" type=\"slide\" axis=\"0 0 1\"/>"));
+    const DataPointer d = start(m.get());
+    d->qpos[0] = 5e-4;
+    d->qvel[2] = 0.1;
+    d->qvel[3] = 10.0;
+    double along = 0.0;
+    for (int k = 0; k < 500; ++k) {
+      d->qfrc_applied[0] = 100.0;
+      mj_step(m.get(), d.get());
+      const mjtNum* cell = data(m.get(), d.get(), "cell");
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(cell[i], kDiscMass * d->qacc[i] - d->qfrc_applied[i], 1e-7) << contact << " " << k << " " << i;
+      }
+      along = std::min(along, cell[2]);
+      mjtNum force[6];
+      if (d->ncon == 0) continue;
+      plugin::contact_force(m.get(), d.get(), 0, force);
+      EXPECT_NEAR(std::abs(force[2]), std::abs(cell[2]), 1e-7);
+    }
+    EXPECT_LT(along, -2.0) << contact;
+  }
+}
+
 // About the ring's axis it takes what the rotor loses: J spin' + (x, y) x F.
 TEST_F(LoadCells, TheMomentIsThatOfTheRub) {
   Machine x;
