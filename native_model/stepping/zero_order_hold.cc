@@ -76,7 +76,8 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
     from = to;
   };
   if (m.sample_time > 0.0) {
-    for (double instant = next_sample(); instant <= end; instant = next_sample()) {
+    // One at the very end holds from the next begin on.
+    for (double instant = next_sample(); instant < end; instant = next_sample()) {
       until(instant);
       take(instant);
       last_sample_ = sample_index(instant, m.sample_time);
