@@ -50,7 +50,7 @@ class VerletJumps : public VerletImpacts<M> {
     if (!lanes::any(this->in_contact > T{})) return false;
     for (int lane = 0; lane < kLanes; ++lane) {
       const double share = share_before(lane, begin, end);
-      if (share > 0.0 && share < 1.0) return true;
+      if (share > kLeastPart && share < 1.0 - kLeastPart) return true;
     }
     return false;
   }
@@ -78,7 +78,8 @@ class VerletJumps : public VerletImpacts<M> {
     for (int lane = 0; lane < kLanes; ++lane) {
       lanes::set(share, lane, share_before(lane, begin, end));
     }
-    const Mask on = (share > zero) & (share < one) & (was.in_contact > zero);
+    const Mask on = (share > lanes::all<T>(kLeastPart)) &
+                    (share < lanes::all<T>(1.0 - kLeastPart)) & (was.in_contact > zero);
     if (!lanes::any(on)) return;
     share = lanes::select(on, share, half);
     const T middle = lanes::all<T>(begin) + share * lanes::all<T>(end - begin);
@@ -117,6 +118,9 @@ class VerletJumps : public VerletImpacts<M> {
   }
 
  private:
+  // Of a step: below, round-off alone keeps the jump apart from the step's ends.
+  static constexpr double kLeastPart = 1e-9;
+
   struct Contact {
     T normal{}, friction{}, in_contact{}, slip_sign{};
   };

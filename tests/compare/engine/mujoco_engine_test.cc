@@ -202,5 +202,23 @@ TEST(MujocoEngine, TheBalanceOfRigidIsThatOfVerlet) {
   }
 }
 
+// A load and a command that jump within a step and open a lasting contact.
+TEST(MujocoEngine, RigidIsVerletWhereLoadsAndCommandsJumpInContact) {
+  for (const char* jump : {"force[0].off=20.0075e-3",
+                           "controller={kind=\"passive\",stiffness=2e6,damping=10.0,on=20.003e-3}"}) {
+    const scene::Scene scene = shipped(
+        "bench_ring", {"drive=none", "rotor.speed=300.0", "initial.x=[0.5e-3]", "stator.mass=20.0",
+                       "force[0]={kind=\"constant\",vector=[100.0,0.0]}", "rotor.modal.stiffness=[2e4]",
+                       "run.end=30ms", jump});
+    NativeOptions verlet;
+    verlet.integrator = scene::Integrator::kVerlet;
+    const Trajectory native = run_native(scene, verlet), t = run_mujoco(scene);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    ASSERT_LT(t.statistics.contact_time, 0.0299) << "it opens";
+    EXPECT_NEAR(t.column("rotor_x").back(), native.column("rotor_x").back(), 1e-12);
+    EXPECT_NEAR(t.column("rotor_y").back(), native.column("rotor_y").back(), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace rotorub::test

@@ -3,6 +3,7 @@
 // along a ladder of steps, and away from its middle.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -107,6 +108,23 @@ TEST(VerletJump, AControllerSwitchedOnOpensTheContact) {
       {kRing, "contact.restitution=0.0"}, kWithImpacts);
   expect_order_two("controller={kind='passive',stiffness=2e6,damping=10.0,on=AT}", {kRing});
   expect_order_two("controller={kind='passive',stiffness=1e5,sample_time=4e-3,on=AT}", {kRing});
+}
+
+// Where round-off alone decides in which step it is: at both neighbours of a step's begin and end.
+TEST(VerletJump, AtTheEdgeOfAStep) {
+  const double step = 1e-5;
+  for (const int k : {1999, 2000, 2001, 2003}) {
+    const double edge = (k + 0.5) * step;
+    for (const double at : {std::nextafter(edge, 0.0), edge, std::nextafter(edge, 1.0),
+                            k * step + 0.5 * step}) {
+      scene::Scene scene = pressed({kRing});
+      scene.forces[0].off = at;
+      const Trajectory exact = test::run_event(scene);
+      const Trajectory t = test::run_with(scene, scene::Integrator::kVerlet, step);
+      ASSERT_EQ(t.status, Status::kOk) << t.message;
+      EXPECT_LT(test::trajectory_error(t, exact), 1e-9) << k << " " << at;
+    }
+  }
 }
 
 // In the lanes of an ensemble each has its own instant, and the bits of its run alone.
