@@ -30,14 +30,21 @@ struct Search {
   const SampledRun& run;
   const std::vector<Channel>& channels;
 
-  Alignment with(std::optional<double> shift, std::optional<double> angle, double& own_effect) const {
-    Alignment a;
+  struct Found {
+    Alignment alignment;
+    double own_effect = 0.0;  // of the shift, that no turn explains, as a share
+    std::size_t values = 0;   // real numbers fitted
+  };
+
+  Found with(std::optional<double> shift, std::optional<double> angle) const {
+    Found found;
+    Alignment& a = found.alignment;
     double room = 0.0;
     if (!shift) {
       const auto scores = lag_scores(record, run, channels, angle);
       if (scores.empty()) throw MeasuredError("record and run have too few samples in common, whatever the shift");
-      const BestLags found = best_lags(scores);
-      const LagScore& best = scores[found.best];
+      const BestLags lags = best_lags(scores);
+      const LagScore& best = scores[lags.best];
       if (best.correlation < kLeastCorrelation) {
         throw MeasuredError(
             fmt::format("no shift makes the record like the native run: the best, {:+.6g} s, has a correlation of "
@@ -46,7 +53,7 @@ struct Search {
                         "in where it is told",
                         best.shift, best.correlation, channels_text(names()), kLeastCorrelation));
       }
-      if (found.next) a.next = Alignment::Other{scores[*found.next].shift, scores[*found.next].correlation};
+      if (lags.next) a.next = Alignment::Other{scores[*lags.next].shift, scores[*lags.next].correlation};
       const double h = scores.size() > 1 ? scores[1].shift - scores[0].shift : record.interval;
       room = std::max(h, record.interval);
       const Fitting wide(record, run, channels, best.shift, room, angle);
@@ -62,11 +69,12 @@ struct Search {
     a.residual = fit.run > 0.0 ? std::optional(std::sqrt(fit.left / fit.run)) : std::nullopt;
     const auto each = fitting.effects(fit, a.shift, 0.01 * record.interval);
     const Effects g = total(each);
-    own_effect = g.dd > 0.0 ? g.own() / g.dd : 0.0;
-    if (!shift && !angle && own_effect < kNearCircle) a.turn_for_shift = -g.across();
+    found.own_effect = g.dd > 0.0 ? g.own() / g.dd : 0.0;
+    found.values = fitting.values();
+    if (!shift && !angle && found.own_effect < kNearCircle) a.turn_for_shift = -g.across();
     if (!shift) a.shift_error = estimate_error(each, fit.noise, true, g.across());
     if (!angle) a.angle_error = estimate_error(each, fit.noise, false, shift || !(g.dd > 0.0) ? 0.0 : g.de / g.dd);
-    return a;
+    return found;
   }
 
   std::vector<std::string> names() const {
@@ -86,6 +94,16 @@ void check_overlap(const MeasuredRecord& record, const SampledRun& run, double s
       "with the shift of {:+.6g} s the record spans {}, the run {}: {} samples in common, {} or more are accepted",
       shift, span_text(record.t.front() + shift, record.t.back() + shift), span_text(run.start(), run.end()), on,
       kLeastSamples));
+}
+
+// The free angle leaves no less than an angle of 0 does, but for what it takes up of noise: of white noise one more
+// unknown takes chi^2 of one degree of freedom; and next to nothing is nothing.
+bool no_better(const Search::Found& free, const Alignment& held) {
+  constexpr double kSure = 25.0;    // of chi^2: five standard deviations
+  constexpr double kNothing = 1e-6;  // of the run's rms
+  if (!free.alignment.residual || !held.residual || *held.residual < kNothing) return true;
+  const double least = *free.alignment.residual * *free.alignment.residual, with_0 = *held.residual * *held.residual;
+  return with_0 - least <= kSure * least / static_cast<double>(std::max<std::size_t>(free.values, 1));
 }
 
 double left_by(double correlation) { return std::sqrt(std::max(0.0, 1.0 - correlation * correlation)); }
@@ -121,14 +139,17 @@ Alignment align(const MeasuredRecord& record, const SampledRun& run, const Align
     return told;
   }
   const Search search{record, run, channels};
-  double own_effect = 0.0;
   const bool finds_angle = pair && !options.angle;
-  Alignment found =
-      search.with(options.shift, finds_angle ? std::nullopt : std::optional(options.angle.value_or(0.0)), own_effect);
+  const Search::Found free =
+      search.with(options.shift, finds_angle ? std::nullopt : std::optional(options.angle.value_or(0.0)));
+  Alignment found = free.alignment;
   found.angle_from = options.angle ? AngleFrom::kGiven : pair ? AngleFrom::kFound : AngleFrom::kNoPair;
-  if (finds_angle && !options.shift && own_effect < kLeastOwnEffect) {
-    found = search.with(options.shift, 0.0, own_effect);
-    found.angle_from = AngleFrom::kCircle;
+  if (finds_angle && !options.shift && free.own_effect < kLeastOwnEffect) {
+    Alignment held = search.with(options.shift, 0.0).alignment;
+    if (no_better(free, held)) {
+      found = std::move(held);
+      found.angle_from = AngleFrom::kCircle;
+    }
   }
   found.by = search.names();
   check_overlap(record, run, found.shift);

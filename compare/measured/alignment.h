@@ -20,7 +20,7 @@ enum class AngleFrom {
   kGiven,
   kFound,
   kNoPair,  // 0: no x and y of anything is measured
-  kCircle   // 0: the motion is a circle, a turn of the frame looks like a shift
+  kCircle   // 0: the motion is a circle, a turn of the frame looks like a shift and leaves as much
 };
 
 struct Alignment {
@@ -47,7 +47,8 @@ struct Alignment {
 
 inline constexpr double kTwice = 2.0, kNextToNothing = 0.05;
 inline constexpr double kLeastCorrelation = 0.5;
-// Below it a turn of the frame does what a shift does: share of the shift's own effect that no turn explains.
+// Below it a turn of the frame may do what a shift does: share of the shift's own effect that no turn explains. It does
+// where a free angle leaves no less than an angle of 0, but for what noise allows.
 inline constexpr double kLeastOwnEffect = 0.01, kNearCircle = 0.1;
 
 // By least squares: of all shifts the one of the highest correlation (lag_search.h), then between the grid's instants

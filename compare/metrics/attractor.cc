@@ -36,7 +36,7 @@ Attractor permanent(const Settled& s, double slip, double span) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   if (std::abs(s.whirl_frequency) * span < kRestingTurn * kTurn) return Attractor::kResting;
   if (slip < kRollingTolerance) return Attractor::kRolling;
-  if (s.whirl_frequency < 0.0) return Attractor::kBackwardWhip;
+  if (s.whirl_frequency * (s.spin_speed < 0.0 ? -1.0 : 1.0) < 0.0) return Attractor::kBackwardWhip;
   const bool synchronous =
       std::abs(s.whirl_frequency - s.spin_speed) <= kSynchronousTolerance * std::abs(s.spin_speed);
   return synchronous ? Attractor::kSynchronousRub : Attractor::kForwardRub;

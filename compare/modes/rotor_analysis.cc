@@ -20,8 +20,9 @@ std::vector<double> speeds_of(const scene::Scene& scene, const std::vector<doubl
 RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& speeds) {
   RotorAnalysis analysis;
   analysis.system = whirl_system(scene);
-  analysis.critical_speeds = critical_speeds(analysis.system);
-  analysis.stability_threshold = stability_threshold(analysis.system);
+  const double sense = scene.rotor.speed < 0.0 ? -1.0 : 1.0;
+  analysis.critical_speeds = critical_speeds(analysis.system, sense);
+  analysis.stability_threshold = stability_threshold(analysis.system, sense);
   analysis.stability_bound = stability_bound(analysis.system);
   analysis.shapes = mode_shapes(scene);
   if (analysis.shapes) {
@@ -58,9 +59,9 @@ RotorAnalysis analyse_free_rotor(const scene::Scene& scene, const std::vector<do
   return with_place(scene, [&] { return analysis_of(scene, speeds_of(scene, speeds)); });
 }
 
-const char* sense_of(const WhirlMode& mode) {
+const char* sense_of(const WhirlMode& mode, double speed) {
   if (mode.frequency == 0.0) return mode.damping_ratio == 0.0 ? "rigid" : "overdamped";
-  return mode.frequency > 0.0 ? "forward" : "backward";
+  return (mode.frequency > 0.0) == (speed >= 0.0) ? "forward" : "backward";
 }
 
 std::string stability_text(const RotorAnalysis& analysis) {

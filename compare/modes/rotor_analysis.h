@@ -19,8 +19,8 @@ namespace rotorub {
 struct RotorAnalysis {
   WhirlSystem system;
   std::vector<WhirlSpectrum> spectra;         // at the speeds asked for
-  std::vector<double> critical_speeds;        // rad/s, ascending
-  std::optional<double> stability_threshold;  // rad/s
+  std::vector<double> critical_speeds;        // rad/s, ascending; sizes, of a spin of the scene's sense
+  std::optional<double> stability_threshold;  // rad/s, likewise
   double stability_bound = 0.0;               // rad/s, may be infinite (campbell.h)
   std::optional<ModeShapes> shapes;           // geometry form only
   std::vector<WhirlShape> whirl_shapes;       // at the scene's own speed; geometry form only
@@ -37,8 +37,8 @@ RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>
 // The same of the free rotor alone, without its rubs.
 RotorAnalysis analyse_free_rotor(const scene::Scene& scene, const std::vector<double>& speeds);
 
-// "forward", "backward", "overdamped", or "rigid" for s = 0.
-const char* sense_of(const WhirlMode& mode);
+// "forward", "backward", "overdamped", or "rigid" for s = 0: forward with the spin, and at rest from x to y.
+const char* sense_of(const WhirlMode& mode, double speed);
 // One sentence without a full stop: "unstable above ...", "no whirl grows up to ...", or at any
 // speed.
 std::string stability_text(const RotorAnalysis& analysis);

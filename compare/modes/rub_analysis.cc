@@ -47,12 +47,12 @@ json whirls_json(const std::vector<WhirlMode>& modes) {
   return all;
 }
 
-std::string whirls_table(const char* title, const std::vector<WhirlMode>& modes) {
+std::string whirls_table(const char* title, const std::vector<WhirlMode>& modes, double speed) {
   std::string text = fmt::format("  {}\n", title);
   if (modes.empty()) text += "    nothing is left that can move\n";
   for (const WhirlMode& mode : modes) {
     const double size = std::abs(mode.frequency);
-    text += fmt::format("    {:<12}{:>12.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode), size, size * kHz,
+    text += fmt::format("    {:<12}{:>12.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode, speed), size, size * kHz,
                         mode.damping_ratio);
   }
   return text;
@@ -65,12 +65,15 @@ std::optional<rub::DriveTrain> train_of(const scene::Scene& scene) {
   return rub::drive_train(scene);
 }
 
-// rad/s up to which the motor is asked what rolling it keeps.
-double top_speed(const scene::Scene& scene) {
-  double top = std::abs(scene.rotor.speed);
-  if (!scene.drive) return top;
-  for (const double speed : scene.drive->table_speed) top = std::max(top, speed);
-  return std::max({top, scene.drive->speed, scene.drive->synchronous_speed});
+// rad/s up to which the motor is asked what rolling it keeps: 0 or less, and 0 or more.
+std::pair<double, double> outermost_speeds(const scene::Scene& scene) {
+  std::vector<double> speeds{0.0, scene.rotor.speed};
+  if (scene.drive) {
+    speeds.insert(speeds.end(), scene.drive->table_speed.begin(), scene.drive->table_speed.end());
+    speeds.insert(speeds.end(), {scene.drive->speed, scene.drive->synchronous_speed});
+  }
+  const auto [low, high] = std::minmax_element(speeds.begin(), speeds.end());
+  return {*low, *high};
 }
 
 // Rolling without anything that can move does not grow: no number in JSON.
@@ -133,8 +136,13 @@ RubAnalyses analyse_rubs(const scene::Scene& scene, const std::vector<double>& s
     with_place(scene, [&] {
       const rub::RubSystem system = rub::rub_system(scene);
       const auto train = train_of(scene);
-      const auto rolling = train ? rub::driven_rolling(system, *train, top_speed(scene))
-                                 : std::vector<rub::DrivenRolling>{};
+      std::vector<rub::DrivenRolling> rolling;
+      if (train) {
+        const auto [low, high] = outermost_speeds(scene);
+        rolling = rub::driven_rolling(system, *train, low);
+        std::reverse(rolling.begin(), rolling.end());
+        for (auto& forward : rub::driven_rolling(system, *train, high)) rolling.push_back(std::move(forward));
+      }
       for (const double speed : speeds) {
         const rub::RubSystem turning = rub::at_speed(system, speed);
         rub::RubPoint point = rub::RubStudy(turning).at(system.friction);
@@ -217,8 +225,8 @@ std::string rub_table(const RubAnalysis& analysis) {
   const RubPoint& point = analysis.point;
   std::string text = fmt::format("rotor and ring at {:.6g} rad/s ({:.6g} rpm), of the modes kept\n",
                                  point.speed, point.speed * kRpm);
-  if (!analysis.ring.empty()) text += whirls_table("ring alone", analysis.ring);
-  text += whirls_table("joined, the rotor's centre held to the ring's", analysis.joined);
+  if (!analysis.ring.empty()) text += whirls_table("ring alone", analysis.ring, point.speed);
+  text += whirls_table("joined, the rotor's centre held to the ring's", analysis.joined, point.speed);
   text += fmt::format("\nlasting rubs at {:.6g} rad/s with a friction of {:g}\n", point.speed,
                       point.friction);
   text += fmt::format("  {:<10}{:>14}{:>14}{:>12}{:>14}{:>14}\n", "rub", "whirl rad/s", "force / N",

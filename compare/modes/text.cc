@@ -20,7 +20,7 @@ std::string spectrum_table(const WhirlSpectrum& spectrum) {
   text += fmt::format("  {:<12}{:>14}{:>14}{:>16}\n", "whirl", "rad/s", "Hz", "damping ratio");
   for (const WhirlMode& mode : spectrum.modes) {
     const double size = std::abs(mode.frequency);
-    text += fmt::format("  {:<12}{:>14.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode), size, size * kHz,
+    text += fmt::format("  {:<12}{:>14.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode, spectrum.speed), size, size * kHz,
                         mode.damping_ratio);
   }
   return text;

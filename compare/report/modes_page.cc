@@ -29,7 +29,7 @@ json spectrum_values(const WhirlSpectrum& spectrum) {
   for (const WhirlMode& mode : spectrum.modes) {
     const double size = std::abs(mode.frequency);
     const bool grows = mode.damping_ratio < -1e-9;
-    rows.push_back({{"sense", sense_of(mode)},
+    rows.push_back({{"sense", sense_of(mode, spectrum.speed)},
                     {"hertz", fmt::format("{:.6g}", size * kHz)},
                     {"radians", fmt::format("{:.6g}", size)},
                     {"damping", damping_text(mode.damping_ratio)},
@@ -110,7 +110,7 @@ json running_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
   return {{"title", "The scene's speed"},
           {"tone", unstable ? "bad" : ""},
           {"headline", rpm_text(speed) + (unstable ? ", unstable" : "")},
-          {"text", nearest_text(analysis.critical_speeds, speed)}};
+          {"text", nearest_text(analysis.critical_speeds, std::abs(speed))}};
 }
 
 json shape_rows(const ModeShapes& shapes, const PlaneShapes& plane) {

@@ -33,7 +33,7 @@ void add_pieces(const WhirlBranch& branch, json& pieces) {
     piece["damping"].push_back(rounded(100.0 * ratio, kPlotDigits));
   };
   for (std::size_t k = 0; k < branch.modes.size(); ++k) {
-    const std::string sense = sense_of(branch.modes[k]);
+    const std::string sense = sense_of(branch.modes[k], branch.speed[k]);
     if (k == 0 || piece["sense"] != sense) {
       if (k > 0) pieces.push_back(piece);
       piece = {{"sense", sense},
@@ -51,7 +51,7 @@ void add_pieces(const WhirlBranch& branch, json& pieces) {
 json operating(const WhirlSpectrum& spectrum) {
   json modes = json::array();
   for (const WhirlMode& mode : spectrum.modes) {
-    modes.push_back({{"sense", sense_of(mode)},
+    modes.push_back({{"sense", sense_of(mode, spectrum.speed)},
                      {"frequency", rounded(std::abs(mode.frequency) * kHz, kPlotDigits)},
                      {"damping", rounded(100.0 * mode.damping_ratio, kPlotDigits)}});
   }
@@ -102,14 +102,14 @@ json disc_radius(const scene::Disc& disc) {
 }
 
 // A mode has its number among those of its sense.
-json whirl(const std::vector<WhirlShape>& shapes) {
+json whirl(const std::vector<WhirlShape>& shapes, double speed) {
   constexpr int kShapeDigits = 4;  // of a curve 1 high
   json all = json::array();
   std::map<std::string, int> count;
   for (const WhirlShape& whirl : shapes) {
     json line = json::array();
     for (const double value : whirl.shape) line.push_back(std::round(value * 1e4) / 1e4);
-    const std::string sense = sense_of(whirl.mode);
+    const std::string sense = sense_of(whirl.mode, speed);
     all.push_back({{"sense", sense},
                    {"number", ++count[sense]},
                    {"frequency", rounded(std::abs(whirl.mode.frequency) * kHz, kPlotDigits)},
@@ -148,7 +148,7 @@ json shapes(const scene::Scene& scene, const RotorAnalysis& analysis) {
           {"sections", sections},
           {"discs", discs},
           {"same_planes", analysis.shapes->same_planes},
-          {"whirl", whirl(analysis.whirl_shapes)},
+          {"whirl", whirl(analysis.whirl_shapes, scene.rotor.speed)},
           {"modes", modes}};
 }
 

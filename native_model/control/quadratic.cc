@@ -21,7 +21,7 @@ namespace {
 
 QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& plant) {
   const scene::Controller& c = *scene.controller;
-  QuadraticDesign d{sampled(plant, c.sample_time), {}, {}};
+  QuadraticDesign d{sampled(plant, c.sample_time), {}, {}, scene.contact->offset};
   const Eigen::MatrixXd &a = d.plant.a, &b = d.plant.b, &y = d.plant.c;
   const Eigen::MatrixXd apart = (y.topRows(2) - y.bottomRows(2)) / c.allowed_error;
   const Eigen::MatrixXd travel = y.bottomRows(2) / c.allowed_travel;
@@ -30,6 +30,11 @@ QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& p
   const auto cost = solve_riccati(a, b, q, r);
   if (!cost) refuse(scene, "no feedback of the ring stabilises rotor and ring: a mode that grows is out of its reach");
   d.gain = riccati_gain(a, b, r, *cost);
+  // The ring off its middle, the rotor at rest: what its springs ask for, by its own two rows.
+  const Eigen::Index half = plant.a.rows() / 2;
+  Eigen::VectorXd stand = Eigen::VectorXd::Zero(plant.a.rows());
+  stand.segment(half - 2, 2) = -d.offset;
+  d.level = d.gain * stand - (plant.a * stand).tail(2).cwiseQuotient(plant.b.bottomRows(2).diagonal());
   if (c.kind == scene::ControllerKind::kLqr) return d;
 
   const Eigen::MatrixXd w = d.plant.d * c.disturbance;
@@ -45,7 +50,7 @@ Eigen::Vector2d StateFeedback::command(const Measurement& now, const SwitchOn&, 
   assert(now.q != nullptr);
   const std::vector<int>& at = design_.plant.coordinates;
   const auto half = static_cast<Eigen::Index>(at.size());
-  Eigen::Vector2d u{0.0, 0.0};
+  Eigen::Vector2d u = design_.level;
   for (Eigen::Index i = 0; i < half; ++i) {
     const int k = at[static_cast<std::size_t>(i)];
     u -= design_.gain.col(i) * now.q[k] + design_.gain.col(half + i) * now.v[k];
@@ -56,9 +61,9 @@ Eigen::Vector2d StateFeedback::command(const Measurement& now, const SwitchOn&, 
 Eigen::Vector2d OutputFeedback::command(const Measurement& now, const SwitchOn&, double* state) const {
   Eigen::Map<Eigen::VectorXd> x(state, design_.plant.a.rows());
   Eigen::Vector4d y;
-  y << now.rotor, now.stator;
+  y << now.rotor + design_.offset, now.stator;
   x += design_.filter * (y - design_.plant.c * x);
-  const Eigen::Vector2d asked = -design_.gain * x;
+  const Eigen::Vector2d asked = design_.level - design_.gain * x;
   const Eigen::Vector2d u = from_axes(to_axes(asked).cwiseMin(force_limit_).cwiseMax(-force_limit_));
   x = (design_.plant.a * x + design_.plant.b * u).eval();
   return u;

@@ -5,7 +5,10 @@
 //
 // e_0, s_0, u_0: what is allowed of the rotor's distance from the ring's centre, of the ring's travel and of
 // the force (Bryson's rule). It keeps the ring about the rotor, so that they do not touch. K by the discrete
-// Riccati equation (numerics/riccati.h).
+// Riccati equation (numerics/riccati.h);
+//
+// all counted from where the ring stands about the rotor at rest: off its own middle by -o, o = contact.offset, held
+// there by u_s = -K_f o against its springs. So u = u_s - K (x - x_s).
 //
 // LQR knows the whole state, which no sensor shows: the best that a linear law can do. LQG estimates it from
 // the measured positions of rotor and ring by a stationary Kalman filter,
@@ -25,6 +28,8 @@ struct QuadraticDesign {
   LinearPlant plant;       // sampled
   Eigen::MatrixXd gain;    // K, 2 x n
   Eigen::MatrixXd filter;  // L, n x 4; empty: LQR
+  Eigen::Vector2d offset{0.0, 0.0};  // m, o, which the measured positions of the rotor count from
+  Eigen::Vector2d level{0.0, 0.0};   // N, u_s + K x_s: u = level - K x
 };
 QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& plant);
 

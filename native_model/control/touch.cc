@@ -17,7 +17,9 @@ bool touched(const Measurement& now, double clearance, double* state) {
   const bool due = state[kDue] > 0.0 && now.t >= state[kDue] && seen.rate > state[kRate];
   state[kDue] = seen.rate < 0.0 ? now.t - seen.gap / seen.rate : 0.0;
   state[kRate] = seen.rate;
-  return seen.gap <= 0.0 || due;
+  // While contact lasts the gap is 0 but for what an engine's arithmetic leaves, of either sign.
+  constexpr double kClosed = 1e-5;  // of the clearance
+  return seen.gap <= kClosed * clearance || due;
 }
 
 }  // namespace rotorub

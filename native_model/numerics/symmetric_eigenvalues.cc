@@ -5,7 +5,6 @@
 namespace rotorub {
 namespace {
 
-using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -36,9 +35,6 @@ std::optional<SymmetricModes> symmetric_modes(const MatrixXd& A, const MatrixXd&
 }
 std::optional<VectorXd> symmetric_eigenvalues(const MatrixXd& A, const MatrixXd& B) {
   return values(Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(A, B, Eigen::EigenvaluesOnly));
-}
-std::optional<VectorXd> symmetric_eigenvalues(const MatrixXcd& A, const MatrixXcd& B) {
-  return values(Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXcd>(A, B, Eigen::EigenvaluesOnly));
 }
 
 }  // namespace rotorub

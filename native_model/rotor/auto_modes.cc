@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,11 +13,18 @@
 namespace rotorub {
 namespace {
 
-// Something that the kept modes must know: a sum over modes that rises to its value of all modes.
+// Something that the kept modes must know: of a sum over modes that rises to its value of all modes the sum, or its
+// inverse, which falls.
 struct Quantity {
   std::string name;
   Eigen::VectorXd sums;  // over the first k modes, k = 1 to N
-  double left_out(int kept) const { return 1.0 - sums[kept - 1] / sums[sums.size() - 1]; }
+  bool inverse = false;
+  // How far it is off with k modes, of its value with all.
+  double left_out(int kept) const {
+    const double of_all = sums[kept - 1] / sums[sums.size() - 1];
+    if (!inverse) return 1.0 - of_all;
+    return of_all > 0.0 ? 1.0 / of_all - 1.0 : std::numeric_limits<double>::infinity();
+  }
 };
 
 struct Place {
@@ -46,7 +54,7 @@ std::vector<Quantity> quantities(const scene::Scene& scene, const RotorModes& mo
     for (const PlanarModes* plane : {&modes.x, &modes.y}) {
       ModalSums sums = modal_sums(*plane, u);
       if (scene.contact && place.z == scene.contact->station) {
-        all.push_back({"the effective mass at " + place.name, std::move(sums.mobility)});
+        all.push_back({"the effective mass at " + place.name, std::move(sums.mobility), true});
       }
       all.push_back({"the static flexibility at " + place.name, std::move(sums.flexibility)});
       if (modes.ritz.isotropic) break;
@@ -92,7 +100,9 @@ std::string digits(double value) {
         "The effective mass of a station without a mass of its own falls without end, the more "
         "modes: a sleeve ([[rotor.disc]] at contact.station) gives it a limit. ";
   }
-  reason += "Accepted: a modes_tolerance well above " + digits(left) + ", or a number of modes";
+  reason += "Accepted: ";
+  if (left < 1.0) reason += "a modes_tolerance well above " + digits(left) + ", or ";
+  reason += "a number of modes";
   throw scene::SceneError({{"", 0, "rotor.modes", reason}});
 }
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "native_model/numerics/complex_eigenvalues.h"
+#include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/numerics/root.h"
 #include "native_model/numerics/symmetric_eigenvalues.h"
 #include "native_model/rotor/campbell.h"
@@ -18,8 +18,6 @@
 namespace rotorub {
 namespace {
 
-using Complex = std::complex<double>;
-
 // What an iteration found; refuses the rotor where it found nothing.
 template <typename Values>
 Values found(std::optional<Values> values) {
@@ -27,19 +25,16 @@ Values found(std::optional<Values> values) {
   return *std::move(values);
 }
 
-// Positive Omega of K u = Omega^2 A u for Hermitian K and A, A not necessarily definite.
-template <typename Matrix>
-std::vector<double> synchronous_speeds(const Matrix& K, const Matrix& A) {
+// Positive Omega of K u = Omega^2 A u for symmetric K and A, A not necessarily definite.
+std::vector<double> synchronous_speeds(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A) {
   std::vector<double> inverse_squares;
-  if (Eigen::LLT<Matrix>(K).info() == Eigen::Success) {
+  if (Eigen::LLT<Eigen::MatrixXd>(K).info() == Eigen::Success) {
     const Eigen::VectorXd values = found(symmetric_eigenvalues(A, K));
     inverse_squares.assign(values.begin(), values.end());
   } else {
     // A magnetic bearing stronger than the shaft: K^-1 A, whose real eigenvalues count.
     constexpr double kReal = 1e-9;
-    const Eigen::MatrixXcd product =
-        K.template cast<Complex>().fullPivLu().solve(A.template cast<Complex>());
-    for (const Complex& mu : found(complex_eigenvalues(product))) {
+    for (const std::complex<double>& mu : found(real_eigenvalues(K.fullPivLu().solve(A)))) {
       if (std::abs(mu.imag()) <= kReal * std::abs(mu)) inverse_squares.push_back(mu.real());
     }
   }
@@ -73,13 +68,12 @@ std::vector<double> of_constant_springs(const WhirlSystem& system) {
     const Eigen::MatrixXd inertia = Eigen::MatrixXd::Identity(n, n) - system.gyroscopic;
     speeds = synchronous_speeds(system.stiffness_x, inertia);
   } else {
-    // (x, y) ~ e^{i Omega t}: 1 - i [0 G; -G^T 0], Hermitian.
-    Eigen::MatrixXcd K = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
-    K.topLeftCorner(n, n) = system.stiffness_x.cast<Complex>();
-    K.bottomRightCorner(n, n) = system.stiffness_y.cast<Complex>();
-    Eigen::MatrixXcd A = Eigen::MatrixXcd::Identity(2 * n, 2 * n);
-    A.topRightCorner(n, n) = Complex(0.0, -1.0) * system.gyroscopic;
-    A.bottomLeftCorner(n, n) = Complex(0.0, 1.0) * system.gyroscopic.transpose();
+    // (x, -i y) ~ e^{i Omega t}: 1 + [0 G; G^T 0].
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * n, 2 * n), A = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+    K.topLeftCorner(n, n) = system.stiffness_x;
+    K.bottomRightCorner(n, n) = system.stiffness_y;
+    A.topRightCorner(n, n) = system.gyroscopic;
+    A.bottomLeftCorner(n, n) = system.gyroscopic.transpose();
     speeds = synchronous_speeds(K, A);
     most *= 2;
   }
@@ -87,13 +81,15 @@ std::vector<double> of_constant_springs(const WhirlSystem& system) {
   return speeds;
 }
 
-// Speeds at which the tables have a point: between two of them the springs change evenly.
-std::vector<double> table_speeds(const WhirlSystem& system) {
+}  // namespace
+
+// Between two points of a table the springs change evenly.
+std::vector<double> table_speeds(const WhirlSystem& system, double sense) {
   std::vector<double> speeds{0.0};
   for (const WhirlFilm& film : system.films) {
     if (!film.law.follows()) continue;
     for (const double speed : film.law.tables.front()->speeds()) {
-      if (speed > 0.0) speeds.push_back(speed);
+      if (sense * speed > 0.0) speeds.push_back(sense * speed);
     }
   }
   std::sort(speeds.begin(), speeds.end());
@@ -101,18 +97,16 @@ std::vector<double> table_speeds(const WhirlSystem& system) {
   return speeds;
 }
 
-}  // namespace
-
-std::vector<double> critical_speeds(const WhirlSystem& system) {
+std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
   const bool follows = std::any_of(system.films.begin(), system.films.end(),
                                    [](const WhirlFilm& film) { return film.law.follows(); });
   if (!follows) return of_constant_springs(with_springs_at(system, 0.0));
   // Each speed is critical with the springs that it has itself: the k-th critical speed of springs at a speed, less
   // that speed, is 0. Beyond the tables the springs stay.
-  const auto at = [&](double speed) { return of_constant_springs(with_springs_at(system, speed)); };
+  const auto at = [&](double speed) { return of_constant_springs(with_springs_at(system, sense * speed)); };
   constexpr int kParts = 8;  // of the way between two points of a table
   constexpr double kAccuracy = 1e-14;
-  const std::vector<double> points = table_speeds(system);
+  const std::vector<double> points = table_speeds(system, sense);
   std::vector<double> all_found;
   std::vector<double> low = at(points.front());
   double begin = points.front();

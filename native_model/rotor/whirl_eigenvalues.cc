@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <optional>
+#include <utility>
 
 #include "native_model/numerics/complex_eigenvalues.h"
 #include "native_model/numerics/lowest_modes.h"
@@ -34,8 +34,6 @@ Matrix state_matrix(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W) 
   return A;
 }
 
-[[noreturn]] void fail() { throw RotorNotSolvable("no eigenvalues can be found"); }
-
 // Sense of the orbit x = Re(x^ e^{st}), y = Re(y^ e^{st}), Im s > 0: the sign of its angular
 // momentum, sum Im(x^ conj(y^)) in coordinates of unit mass; planar to round-off: forward.
 bool forward(const Eigen::VectorXcd& x, const Eigen::VectorXcd& y) {
@@ -44,101 +42,109 @@ bool forward(const Eigen::VectorXcd& x, const Eigen::VectorXcd& y) {
   return momentum > -kPlanar * (x.squaredNorm() + y.squaredNorm());
 }
 
-void sort_by_frequency(std::vector<Complex>& s) {
-  std::sort(s.begin(), s.end(), [](const Complex& a, const Complex& b) {
-    return std::abs(a.imag()) < std::abs(b.imag());
+void sort_by_frequency(std::vector<Whirl>& all) {
+  std::sort(all.begin(), all.end(), [](const Whirl& a, const Whirl& b) {
+    return std::abs(a.s.imag()) < std::abs(b.s.imag());
   });
   // Whirl at rest comes in pairs that differ by round-off alone: backward first, as it is at speed.
   constexpr double kEqual = 1e-9;
-  for (std::size_t i = 0; i + 1 < s.size(); ++i) {
-    const double difference = std::abs(s[i + 1].imag()) - std::abs(s[i].imag());
-    const bool equal = difference <= kEqual * std::abs(s[i].imag());
-    if (equal && s[i].imag() > 0.0 && s[i + 1].imag() < 0.0) std::swap(s[i], s[i + 1]);
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    const double first = all[i].s.imag(), second = all[i + 1].s.imag();
+    const bool equal = std::abs(second) - std::abs(first) <= kEqual * std::abs(first);
+    if (equal && first > 0.0 && second < 0.0) std::swap(all[i], all[i + 1]);
   }
 }
 
 // Well below the lowest mode, and off a rigid one.
 double shift_of(const Eigen::VectorXd& W) { return 0.05 * W.minCoeff(); }
 
-// The lowest by |s|, which overdamping does not make small. Isotropic planes: as many of each
-// sense, since the spin lowers backward whirl and lifts the other.
-std::vector<Complex> lowest(std::vector<Complex> s, const WhirlSystem& system) {
+std::vector<Whirl> with_rates(const LowestModes& modes) {
+  std::vector<Whirl> all;
+  for (Eigen::Index j = 0; j < modes.values.size(); ++j) all.push_back({modes.values[j], modes.rates.col(j)});
+  return all;
+}
+// Of all of them: of a first-order form whose state ends with q'.
+LowestModes all_of(std::optional<EigenModes> modes) {
+  if (!modes) throw RotorNotSolvable("no eigenvalues can be found");
+  return {std::move(modes->values), modes->vectors.bottomRows(modes->vectors.rows() / 2)};
+}
+
+void sort_by_size(std::vector<Whirl>& all) {
+  std::stable_sort(all.begin(), all.end(), [](const Whirl& a, const Whirl& b) { return std::abs(a.s) < std::abs(b.s); });
+}
+
+// The lowest by |s|, which overdamping does not make small: as many of each sense, since the spin lowers backward
+// whirl and lifts the other. Each eigenvalue is one whirl.
+std::vector<Whirl> lowest_of_each_sense(std::vector<Whirl> all, std::size_t kept) {
   constexpr double kReal = 1e-9;  // |Im s| / |s| of an overdamped mode, which has no sense
-  const std::size_t kept = static_cast<std::size_t>(system.kept);
-  std::stable_sort(s.begin(), s.end(),
-                   [](const Complex& a, const Complex& b) { return std::abs(a) < std::abs(b); });
-  if (!system.isotropic) {
-    s.resize(std::min(s.size(), 2 * kept));
-    return s;
-  }
-  std::vector<Complex> chosen;
+  sort_by_size(all);
+  std::vector<Whirl> chosen;
   std::size_t forward_count = 0, backward_count = 0;
-  for (const Complex& value : s) {
-    const bool real = std::abs(value.imag()) <= kReal * std::abs(value);
-    const bool is_forward = real ? forward_count <= backward_count : value.imag() > 0.0;
+  for (Whirl& whirl : all) {
+    const bool real = std::abs(whirl.s.imag()) <= kReal * std::abs(whirl.s);
+    const bool is_forward = real ? forward_count <= backward_count : whirl.s.imag() > 0.0;
     std::size_t& count = is_forward ? forward_count : backward_count;
     if (count == kept) continue;
     ++count;
-    chosen.push_back(value);
+    chosen.push_back(std::move(whirl));
   }
   return chosen;
 }
 
-// Each eigenvalue is one whirl.
-std::vector<Complex> isotropic_eigenvalues(const WhirlSystem& system, double speed) {
+std::vector<Whirl> isotropic_whirls(const WhirlSystem& system, double speed) {
   const auto [B, C] = isotropic_matrices(system, speed);
   const Eigen::VectorXd W = state_scale(system.stiffness_x);
-  const auto kept = [&](const Eigen::VectorXcd& values) {
-    return lowest({values.begin(), values.end()}, system);
+  const auto kept = static_cast<std::size_t>(system.kept);
+  const auto enough = [&](const Eigen::VectorXcd& values) {
+    std::vector<Whirl> all;
+    for (const Complex& s : values) all.push_back({s, {}});
+    return lowest_of_each_sense(std::move(all), kept).size() == 2 * kept;
   };
-  const std::size_t wanted = 2 * static_cast<std::size_t>(system.kept);
-  const auto enough = [&](const Eigen::VectorXcd& values) { return kept(values).size() == wanted; };
-  if (const auto part = lowest_modes(B, C, W, shift_of(W), 2 * system.kept, enough)) return kept(part->values);
-  auto values = complex_eigenvalues(state_matrix(B, C, W));
-  if (!values) fail();
-  return lowest(*std::move(values), system);
+  auto part = lowest_modes(B, C, W, shift_of(W), 2 * system.kept, enough);
+  if (!part) part = all_of(complex_modes(state_matrix(B, C, W)));
+  return lowest_of_each_sense(with_rates(*part), kept);
 }
 
 // Both planes as real equations. Of each complex pair one eigenvalue stands for the whirl, and of
-// the real ones, which also come in twos, every other. rates: q' of each.
-std::vector<Complex> whirls_of(const Eigen::VectorXcd& values, const Eigen::MatrixXcd& rates) {
-  const Eigen::Index n = rates.rows() / 2;
-  std::vector<Complex> whirls;
-  std::vector<double> real;
-  for (Eigen::Index j = 0; j < values.size(); ++j) {
-    const Complex s = values[j];
-    if (s.imag() == 0.0) real.push_back(s.real());
-    if (!(s.imag() > 0.0)) continue;
-    const bool sense = forward(rates.col(j).head(n), rates.col(j).tail(n));
-    whirls.push_back(sense ? s : std::conj(s));
-  }
-  std::sort(real.begin(), real.end(), std::greater<>());
-  for (std::size_t i = 0; i < real.size(); i += 2) whirls.emplace_back(real[i], 0.0);
-  return whirls;
-}
-
-std::vector<Complex> anisotropic_eigenvalues(const WhirlSystem& system, double speed) {
+// the real ones, which also come in twos, every other, the greatest first.
+std::vector<Whirl> anisotropic_whirls(const WhirlSystem& system, double speed) {
+  const Eigen::Index n = system.size();
   const auto [B, C] = planes_matrices(system, speed);
-  Eigen::VectorXd W(2 * system.size());
+  Eigen::VectorXd W(2 * n);
   W << state_scale(system.stiffness_x), state_scale(system.stiffness_y);
   const auto enough = [&](const Eigen::VectorXcd& values) {
     const auto real = (values.imag().array() == 0.0).count();
     return (values.imag().array() > 0.0).count() + real / 2 >= 2 * system.kept;
   };
-  if (const auto part = lowest_modes(B, C, W, shift_of(W), 4 * system.kept, enough)) {
-    return lowest(whirls_of(part->values, part->rates), system);
+  auto part = lowest_modes(B, C, W, shift_of(W), 4 * system.kept, enough);
+  if (!part) part = all_of(real_modes(state_matrix(B, C, W)));
+
+  std::vector<Whirl> all, real;
+  for (Whirl& whirl : with_rates(*part)) {
+    const Complex s = whirl.s;
+    if (s.imag() < 0.0) continue;
+    if (s.imag() > 0.0 && !forward(whirl.rates.head(n), whirl.rates.tail(n))) whirl.s = std::conj(s);
+    (s.imag() > 0.0 ? all : real).push_back(std::move(whirl));
   }
-  const std::optional<EigenModes> modes = real_modes(state_matrix(B, C, W));
-  if (!modes) fail();
-  return lowest(whirls_of(modes->values, modes->vectors.bottomRows(W.size())), system);
+  std::sort(real.begin(), real.end(), [](const Whirl& a, const Whirl& b) { return a.s.real() > b.s.real(); });
+  for (std::size_t i = 0; i < real.size(); i += 2) all.push_back(std::move(real[i]));
+  sort_by_size(all);
+  const auto most = 2 * static_cast<std::size_t>(system.kept);
+  if (all.size() > most) all.erase(all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
+  return all;
 }
 
 }  // namespace
 
+std::vector<Whirl> whirls(const WhirlSystem& system, double speed) {
+  std::vector<Whirl> all = system.isotropic ? isotropic_whirls(system, speed) : anisotropic_whirls(system, speed);
+  sort_by_frequency(all);
+  return all;
+}
+
 std::vector<Complex> whirl_eigenvalues(const WhirlSystem& system, double speed) {
-  std::vector<Complex> s =
-      system.isotropic ? isotropic_eigenvalues(system, speed) : anisotropic_eigenvalues(system, speed);
-  sort_by_frequency(s);
+  std::vector<Complex> s;
+  for (const Whirl& whirl : whirls(system, speed)) s.push_back(whirl.s);
   return s;
 }
 

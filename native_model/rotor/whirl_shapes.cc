@@ -1,11 +1,9 @@
 #include "native_model/rotor/whirl_shapes.h"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 
-#include "native_model/rotor/refusal.h"
 #include "native_model/rotor/rotor_modes.h"
 #include "native_model/rotor/whirl_eigenvalues.h"
 
@@ -14,50 +12,19 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// r_+ and r_- of a whirl, in the system's coordinates: its own turn first.
+// r_+' and r_-' of a whirl, which have its shape, in the system's coordinates: its own turn first.
 struct Turns {
   Eigen::VectorXcd own, other;
 };
 
-// The v with P v = 0, by inverse iteration beside the eigenvalue. A coordinate counts by its frequency, so that
-// stiff ones cost no digits.
-Eigen::VectorXcd null_vector(const Eigen::MatrixXcd& P, const Eigen::VectorXd& stiffness) {
-  constexpr int kIterations = 3;
-  const Eigen::VectorXd w =
-      stiffness.unaryExpr([](double k) { return k > 0.0 ? 1.0 / std::sqrt(k) : 1.0; });
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(w.cast<Complex>().asDiagonal() * P *
-                                                 w.cast<Complex>().asDiagonal());
-  // No mode is orthogonal to it by symmetry.
-  Eigen::VectorXcd v = Eigen::VectorXd::LinSpaced(w.size(), 1.0, 1.7).cast<Complex>();
-  for (int k = 0; k < kIterations; ++k) v = lu.solve(v).normalized();
-  if (!v.allFinite()) throw RotorNotSolvable("no whirl shape can be found");
-  return w.cast<Complex>().asDiagonal() * v;
-}
-
-// Off the eigenvalue by less than shows, and by enough that P can be solved.
-Complex beside(Complex s) { return s * (1.0 + 1e-10); }
-
-Turns turns_of(const WhirlSystem& system, double speed, Complex s) {
+Turns turns_of(const WhirlSystem& system, const Whirl& whirl) {
   const Eigen::Index n = system.size();
-  if (system.isotropic) {
-    const Complex at = beside(s);
-    const WhirlMatrices m = isotropic_matrices(system, speed);
-    Eigen::MatrixXcd P = at * m.damping + m.stiffness;
-    P.diagonal().array() += at * at;
-    return {null_vector(P, system.stiffness_x.diagonal()), Eigen::VectorXcd::Zero(n)};
-  }
-  // Of the complex pair the one with Im s > 0: x = Re(x^ e^{st}), y alike.
-  const Complex at = beside(s.imag() > 0.0 ? s : std::conj(s));
-  const PlanesMatrices m = planes_matrices(system, speed);
-  Eigen::MatrixXcd P = at * m.damping + m.stiffness;
-  P.diagonal().array() += at * at;
-  Eigen::VectorXd stiffness(2 * n);
-  stiffness << system.stiffness_x.diagonal(), system.stiffness_y.diagonal();
-  const Eigen::VectorXcd v = null_vector(P, stiffness);
+  if (system.isotropic) return {whirl.rates, Eigen::VectorXcd::Zero(n)};
+  // Of the complex pair the one with Im s > 0: x' = Re(x^ e^{st}), y' alike.
   const Complex i(0.0, 1.0);
-  const Eigen::VectorXcd plus = 0.5 * (v.head(n) + i * v.tail(n));
-  const Eigen::VectorXcd minus = 0.5 * (v.head(n) - i * v.tail(n));
-  return s.imag() > 0.0 ? Turns{plus, minus} : Turns{minus, plus};
+  const Eigen::VectorXcd plus = 0.5 * (whirl.rates.head(n) + i * whirl.rates.tail(n));
+  const Eigen::VectorXcd minus = 0.5 * (whirl.rates.head(n) - i * whirl.rates.tail(n));
+  return whirl.s.imag() > 0.0 ? Turns{plus, minus} : Turns{minus, plus};
 }
 
 // Larger half-axes, with the sign of the own turn's part in phase with `phase`.
@@ -89,12 +56,12 @@ std::vector<WhirlShape> whirl_shapes(const scene::Scene& scene, const WhirlSyste
   const Eigen::MatrixXd lines = deflections(modes.ritz.basis, along.z, modes.mean.shape);
   const Eigen::MatrixXd values = deflections(modes.ritz.basis, stations, modes.mean.shape);
 
-  const std::vector<Complex> s = whirl_eigenvalues(system, speed);
+  const std::vector<Whirl> all = whirls(system, speed);
   const WhirlSpectrum spectrum = whirl_spectrum(system, speed);
   std::vector<WhirlShape> shapes;
-  for (std::size_t j = 0; j < s.size(); ++j) {
+  for (std::size_t j = 0; j < all.size(); ++j) {
     if (spectrum.modes[j].frequency == 0.0) continue;
-    const Turns turns = turns_of(system, speed, s[j]);
+    const Turns turns = turns_of(system, all[j]);
     const Eigen::VectorXcd own = lines * turns.own, other = lines * turns.other;
     Eigen::Index peak = 0;
     const double largest = (own.cwiseAbs() + other.cwiseAbs()).maxCoeff(&peak);

@@ -165,24 +165,27 @@ double torque_taken(const RubSystem& s, const SteadyRub& rub) {
 
 std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTrain& train, double top) {
   std::vector<DrivenRolling> all;
-  if (!train.motor || !(top > 0.0)) return all;
-  const double ratio = system.radius / system.clearance;
+  if (!train.motor || top == 0.0) return all;
+  const double ratio = system.radius / system.clearance, sense = std::copysign(1.0, top);
   const auto whirl = [&](double speed) { return -ratio * speed; };
   const auto h = [&](double speed) { return compliance(at_speed(system, speed), whirl(speed)); };
   // r tau lambda = r delta_0 Im H / |H|^2
-  const auto balance = [&](double speed) {
+  const auto balance = [&](double size) {
+    const double speed = sense * size;
     const Complex at = h(speed);
     return train.motor->torque(speed) - system.radius * system.clearance * at.imag() / std::norm(at);
   };
-  std::vector<double> speeds;
+  std::vector<double> sizes;
   std::vector<Complex> poles = joined_eigenvalues(system);
   for (const Complex& pole : free_eigenvalues(system)) poles.push_back(pole);
-  for (const double nu : resonance_points(poles, 1e-3 * ratio * top, ratio * top)) speeds.push_back(nu / ratio);
-  for (std::size_t k = 0; k + 1 < speeds.size(); ++k) {
-    const double left = balance(speeds[k]), right = balance(speeds[k + 1]);
+  for (const double nu : resonance_points(poles, 1e-3 * ratio * sense * top, ratio * sense * top)) {
+    sizes.push_back(nu / ratio);
+  }
+  for (std::size_t k = 0; k + 1 < sizes.size(); ++k) {
+    const double left = balance(sizes[k]), right = balance(sizes[k + 1]);
     if (!(left * right <= 0.0) || left == 0.0) continue;
-    const auto [lo, hi] = root(balance, speeds[k], speeds[k + 1], left, right);
-    const double speed = 0.5 * (lo + hi);
+    const auto [lo, hi] = root(balance, sizes[k], sizes[k + 1], left, right);
+    const double speed = sense * 0.5 * (lo + hi);
     if (!can_roll(h(speed), system.friction)) continue;
     const RubSystem turning = at_speed(system, speed);
     const auto rub = BackwardCompliance(turning).rolling(system.friction);

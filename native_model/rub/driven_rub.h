@@ -54,13 +54,13 @@ double torque_taken(const RubSystem& system, const SteadyRub& rub);
 // Backward rolling at a speed that the motor keeps, T(Omega) = r tau lambda(Omega): to the motor the rub is a load
 // with a peak at each backward resonance of rotor and ring joined, and the spin hangs before one of them.
 struct DrivenRolling {
-  double speed = 0.0;  // rad/s, Omega > 0
+  double speed = 0.0;  // rad/s, Omega
   SteadyRub rub;
   double torque = 0.0;  // N m
   Stability stability;  // with the spin free
 };
 
-// 0 < Omega <= top, rad/s, by rising speed; none without a motor. Throws RotorNotSolvable.
+// 0 < |Omega| <= |top|, rad/s, of the sense of top, by rising size; none without a motor. Throws RotorNotSolvable.
 std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTrain& train, double top);
 
 }  // namespace rotorub::rub

@@ -1,8 +1,10 @@
 #include "native_model/system/steady_orbit.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/scene/diagnostic.h"
@@ -93,6 +95,38 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
                            scene::number_text(clearance) + " m, or false and a start of your own");
 }
 
+namespace {
+
+// When another set of loads has come to act in full, s; 0 first.
+std::vector<double> changes(const Model& m) {
+  std::vector<double> all{0.0};
+  const auto add = [&](double t) {
+    if (t > 0.0 && t < scene::kNever) all.push_back(t);
+  };
+  for (const AppliedForce& f : m.forces) {
+    if (f.kind == scene::ForceKind::kPulse) continue;
+    add(f.on + f.ramp);
+    add(f.off);
+  }
+  for (const DiscUnbalance& u : m.unbalances) add(u.on);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+// With the loads of t as those of 0: those that rise then have risen, and pulses pass.
+Model with_loads_of(Model m, double t) {
+  for (AppliedForce& f : m.forces) {
+    f.on -= t;
+    f.off = f.kind == scene::ForceKind::kPulse ? 0.0 : f.off - t;
+    f.ramp = 0.0;
+  }
+  for (DiscUnbalance& u : m.unbalances) u.on -= t;
+  return m;
+}
+
+}  // namespace
+
 FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
   m.speed = speed;
   // The model's forces are the scene's but for unbalances (model.cc); what turns with a spin that is held rotates there.
@@ -103,10 +137,14 @@ FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
     ++force;
   }
   try {
-    OrbitSize orbit = free_motion(scene, m).orbit;
-    if (m.layout.stator) orbit.centre = -ring_at_rest(scene, m);
-    orbit.centre -= m.ring_offset;
-    return {orbit.largest(), {}};
+    const Eigen::Vector2d ring = m.layout.stator ? ring_at_rest(scene, m) : Eigen::Vector2d(0.0, 0.0);
+    FreeOrbit free{0.0, {}};
+    for (const double t : changes(m)) {
+      OrbitSize orbit = free_motion(scene, with_loads_of(m, t)).orbit;
+      orbit.centre = -ring - m.ring_offset;
+      free.largest = std::max(*free.largest, orbit.largest());
+    }
+    return free;
   } catch (const scene::SceneError& error) {
     const std::string& why = error.diagnostics().front().reason;
     return {std::nullopt, why.substr(0, why.find("; accepted"))};

@@ -31,7 +31,8 @@ namespace rotorub {
 void add_steady_orbit(const scene::Scene& scene, Model& model);
 
 // How far the rotor's centre goes from the ring's at the contact on that orbit, at another spin speed (rad/s,
-// either sign): the response to unbalance and all else that acts at t = 0, whether it would touch or not.
+// either sign), whether it would touch or not: the response to unbalance and all else that acts, of all sets of loads
+// that come to act together in full the one that takes it furthest. A pulse passes and counts for nothing.
 struct FreeOrbit {
   std::optional<double> largest;  // m; empty: there is no such orbit
   std::string refused;            // why, without a full stop

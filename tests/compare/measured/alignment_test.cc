@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <map>
 #include <numbers>
+#include <random>
 
 #include "compare/measured/clipping.h"
 #include "tests/compare/hand_made.h"
@@ -218,6 +220,41 @@ TEST(Alignment, SaysWhatACircleDoesNotTell) {
   EXPECT_NEAR(std::remainder(a.next->shift - a.shift, 0.02), 0.0, 1.0 / 20e3) << "another whole turn";
   EXPECT_NE(alignment_text(a).find("ambiguous"), std::string::npos);
   EXPECT_NE(alignment_text(a).find("circle"), std::string::npos);
+}
+
+// So near to a circle that a turn makes up for a shift but for a percent of its effect; what is left tells them apart
+// all the same. With noise within its own error.
+TEST(Alignment, TellsShiftAndTurnApartNearACircle) {
+  const auto whirl = [](double t) {
+    return 1e-4 * (std::polar(1.0, kWhirl * t) + 0.02 * std::polar(1.0, -0.37 * kWhirl * t));
+  };
+  const Trajectory run = hand_made(20001, 1e-5, [&](double t) {
+    constexpr double kStep = 1e-7;
+    const std::complex<double> z = whirl(t), rate = (whirl(t + kStep) - whirl(t - kStep)) / (2.0 * kStep);
+    Row row;
+    row.x = z.real();
+    row.y = z.imag();
+    row.vx = rate.real();
+    row.vy = rate.imag();
+    return row;
+  });
+  std::mt19937 bits(11);
+  for (const double noise : {0.0, 2e-7}) {
+    std::normal_distribution<double> error(0.0, noise > 0.0 ? noise : 1.0);
+    std::string text = "t [s],rotor_x [m],rotor_y [m]\n";
+    for (int k = 0; k < 2400; ++k) {
+      const double t = 0.031 + k / 20e3;
+      const std::complex<double> z = whirl(t) * std::polar(1.0, -25.0 * kDegree);
+      const double ex = noise > 0.0 ? error(bits) : 0.0, ey = noise > 0.0 ? error(bits) : 0.0;
+      text += fmt::format("{:.17g},{:.17g},{:.17g}\n", t - 12.3456e-3, z.real() + ex, z.imag() + ey);
+    }
+    const Alignment a = align(parse_measured(text, "near.csv"), SampledRun(run), {});
+    EXPECT_EQ(a.angle_from, AngleFrom::kFound) << noise;
+    const double shift_room = noise > 0.0 ? 5.0 * a.shift_error.value() : 1e-8;
+    EXPECT_NEAR(a.shift, 12.3456e-3, shift_room) << noise;
+    EXPECT_NEAR(a.angle, 25.0 * kDegree, noise > 0.0 ? 5.0 * a.angle_error.value() : 1e-5) << noise;
+    EXPECT_TRUE(a.turn_for_shift) << "and says how near to a circle it is";
+  }
 }
 
 TEST(Alignment, RefusesWhatIsNoRecordOfTheRun) {

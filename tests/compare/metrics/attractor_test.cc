@@ -32,6 +32,18 @@ TEST(Attractor, ForwardButNotSynchronous) {
   EXPECT_EQ(of(w).attractor, Attractor::kForwardRub);
 }
 
+// Forward is with the spin, whichever way that turns.
+TEST(Attractor, OfTheMirrorImageIsTheSame) {
+  for (const double frequency : {300.0, 200.0, -1000.0}) {
+    Whirl w;
+    w.frequency = frequency;
+    const Attractor here = of(w).attractor;
+    w.frequency = -frequency;
+    w.spin_speed = -w.spin_speed;
+    EXPECT_EQ(of(w).attractor, here) << frequency;
+  }
+}
+
 TEST(Attractor, BackwardWhip) {
   Whirl w;
   w.frequency = -1000.0;

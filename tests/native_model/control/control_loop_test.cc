@@ -103,6 +103,25 @@ TEST(ControlLoop, TriggersByTouchAlsoBetweenTwoSamples) {
   EXPECT_FALSE(run.loop.sample(back, run.memory.data()).isZero(0.0));
 }
 
+// Contact that lasts leaves the gap at round-off of either sign; armed in it, the trigger is let in at once.
+TEST(ControlLoop, TriggersAtOnceInLastingContact) {
+  scene::Trigger trigger;
+  trigger.touch = true;
+  for (const double gap : {0.0, 2e-19, -2e-19, 3e-11, -3e-11, 1e-9}) {
+    Measurement m;
+    m.t = 40 * kLoopSample;
+    m.sample = 40;
+    m.rotor = {kLoopClearance - gap, 0.0};
+    m.rotor_velocity = {1e-12, 0.3};
+    Trial run(trigger);
+    EXPECT_FALSE(run.loop.sample(m, run.memory.data()).isZero(0.0)) << gap;
+  }
+  Measurement near;
+  near.rotor = {kLoopClearance - 1e-7, 0.0};
+  Trial run(trigger);
+  EXPECT_TRUE(run.loop.sample(near, run.memory.data()).isZero(0.0)) << "0.1 um off the ring";
+}
+
 TEST(ControlLoop, ARotorThatTurnsBackBeforeTheRingIsNoTouch) {
   scene::Trigger trigger;
   trigger.touch = true;

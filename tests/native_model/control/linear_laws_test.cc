@@ -191,6 +191,20 @@ TEST(Lqg, ARunIsItsClosedLoopAndTheEstimateComesToTheState) {
   EXPECT_LT((x - guess).norm(), 0.05 * furthest);
 }
 
+// A ring whose middle is off the rotor's line goes to the rotor and stays about it, held against its springs.
+TEST(LqrLqg, StandAboutTheRotorWhereTheRingIsOffset) {
+  for (const scene::ControllerKind kind : {scene::ControllerKind::kLqr, scene::ControllerKind::kLqg}) {
+    scene::Scene s = quadratic_scene(kind);
+    s.contact->offset = {2e-4, -1e-4};
+    s.run.end = 1.0;
+    const Trajectory t = run_native(s);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    EXPECT_NEAR(t.column("gap").back(), s.contact->clearance, 1e-9);
+    EXPECT_NEAR(t.column("control_x").back(), -2e5 * 2e-4, 1e-3);
+    EXPECT_NEAR(t.column("control_y").back(), 2e5 * 1e-4, 1e-3);
+  }
+}
+
 TEST(Lqr, KeepsTheRingAboutTheRotor) {
   scene::Scene s = quadratic_scene(scene::ControllerKind::kLqr);
   s.run.end = 0.5;

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -110,6 +112,84 @@ TEST(StabilityThreshold, NoneWithoutInternalDamping) {
   s.rotor.geometry->damping_ratio = 0.01;
   EXPECT_FALSE(stability_threshold(whirl_system(s)));
   EXPECT_FALSE(stability_threshold(whirl_system(jeffcott(2.0, 0.0, 0.0)))) << "free body";
+}
+
+// The reference rig with cross-coupling about one speed of a bearing's table.
+scene::Scene with_window(double at, double width, double cross) {
+  scene::Scene s = test::reference_rig();
+  s.rotor.geometry->damping_ratio = 1e-4;
+  scene::ShaftBearing& bearing = s.rotor.geometry->bearings[0];
+  bearing.table_speed = {0.0, at - width, at, at + width, at + 3000.0};
+  bearing.table_kxx = bearing.table_kyy = {2e7, 2e7, 2e7, 2e7, 2e7};
+  bearing.table_kxy = {0.0, 0.0, cross, 0.0, 0.0};
+  bearing.table_kyx = {0.0, 0.0, -cross, 0.0, 0.0};
+  bearing.stiffness = {2e7, 2e7};
+  return s;
+}
+
+// A window of instability narrower than any even step is found where it begins.
+TEST(StabilityThreshold, FindsTheWindowsOfATable) {
+  for (const double at : {137.0, 420.0, 811.0, 1723.0, 2950.0}) {
+    const double width = 0.02 * at;
+    const WhirlSystem system = whirl_system(with_window(at, width, 5e6));
+    const auto grows = [&](double speed) {
+      double least = 1.0;
+      for (const WhirlMode& mode : whirl_spectrum(system, speed).modes) least = std::min(least, mode.damping_ratio);
+      return least < 0.0;
+    };
+    ASSERT_TRUE(grows(at)) << at;
+    ASSERT_FALSE(grows(at - width));
+    const std::optional<double> threshold = stability_threshold(system);
+    ASSERT_TRUE(threshold) << at;
+    EXPECT_GT(*threshold, at - width);
+    EXPECT_LT(*threshold, at);
+    EXPECT_TRUE(grows(*threshold * (1.0 + 1e-7)));
+    EXPECT_FALSE(grows(*threshold * (1.0 - 1e-7)));
+  }
+  EXPECT_FALSE(stability_threshold(whirl_system(with_window(420.0, 8.0, 1e3)))) << "too weak a cross-coupling";
+}
+
+// Of unit mass, stable while c omega > k: between two points of the table k is ahead of c, at each of them it is not.
+TEST(StabilityThreshold, FindsAWindowBetweenTwoPointsOfATable) {
+  WhirlSystem system = whirl_system(jeffcott(1.0, 1e5, 2.0));
+  const std::vector<double> speed{0.0, 300.0, 330.0, 360.0, 2000.0};
+  std::array<std::vector<double>, 8> values;
+  values[4] = values[7] = {0.0, 0.0, 60.0, 120.0, 120.0};
+  values[1] = {0.0, 0.0, 19000.0, 19000.0, 19000.0};
+  values[2] = {0.0, 0.0, -19000.0, -19000.0, -19000.0};
+  WhirlFilm film;
+  film.station = Eigen::VectorXd::Ones(1);
+  film.law.tables.push_back(std::make_shared<CoefficientTable>(speed, values));
+  system.films.push_back(film);
+  const auto least = [&](double at) {
+    double damping = 1.0;
+    for (const WhirlMode& mode : whirl_spectrum(system, at).modes) damping = std::min(damping, mode.damping_ratio);
+    return damping;
+  };
+  for (const double at : speed) ASSERT_GT(least(at), 0.0) << at;
+  std::optional<double> by_hand;
+  for (double at = 300.0; at < 330.0 && !by_hand; at += 0.01) {
+    if (least(at) < 0.0) by_hand = at;
+  }
+  const std::optional<double> found = stability_threshold(system);
+  ASSERT_TRUE(found && by_hand);
+  EXPECT_NEAR(*found, *by_hand, 0.01);
+}
+
+// In the spin's own sense: a machine and its mirror image, which turns the other way, have one threshold.
+TEST(StabilityThreshold, OfTheMirrorImageIsTheSame) {
+  scene::Scene s = test::anisotropic_rotor();
+  s.rotor.geometry->damping_ratio = 0.005;
+  s.rotor.geometry->internal_damping_ratio = 0.002;
+  scene::ShaftBearing& bearing = s.rotor.geometry->bearings[0];
+  bearing.cross_stiffness = {2e4, -1e4};
+  const std::optional<double> here = stability_threshold(whirl_system(s));
+  bearing.cross_stiffness = {-2e4, 1e4};
+  const WhirlSystem mirrored = whirl_system(s);
+  const std::optional<double> there = stability_threshold(mirrored, -1.0);
+  ASSERT_TRUE(here && there);
+  EXPECT_NEAR(*there / *here, 1.0, kTight);
+  EXPECT_NE(stability_threshold(mirrored), here);
 }
 
 // External damping so large that the threshold lies beyond the search: stated by its bound.

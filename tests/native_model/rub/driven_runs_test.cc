@@ -160,6 +160,24 @@ scene::Scene rolling_rig() {
   return s;
 }
 
+// A machine and its mirror image, which turns the other way, keep the same rolling.
+TEST(DrivenRuns, TheMirroredMotorKeepsTheMirroredRolling) {
+  scene::Scene s = rolling_rig();
+  const std::vector<DrivenRolling> here = kept_by_the_motor(s);
+  s.rotor.speed = -s.rotor.speed;
+  s.drive->speed = -s.drive->speed;
+  const auto there = driven_rolling(rub_system(s), drive_train(s), s.rotor.speed);
+  ASSERT_FALSE(here.empty());
+  ASSERT_EQ(there.size(), here.size());
+  for (std::size_t k = 0; k < here.size(); ++k) {
+    EXPECT_NEAR(there[k].speed, -here[k].speed, 1e-9 * std::abs(here[k].speed));
+    EXPECT_NEAR(there[k].rub.whirl, -here[k].rub.whirl, 1e-9 * std::abs(here[k].rub.whirl));
+    EXPECT_NEAR(there[k].torque, -here[k].torque, 1e-7 * std::abs(here[k].torque));
+    EXPECT_EQ(there[k].stability.stable, here[k].stability.stable);
+    EXPECT_NEAR(there[k].stability.growth, here[k].stability.growth, 1e-6 * std::abs(here[k].stability.growth) + 1e-6);
+  }
+}
+
 // Started on it, with `off` rad of twist more in the first mode.
 scene::Scene started_rolling(scene::Scene s, const DrivenRolling& kept, double off) {
   s.rotor.speed = kept.speed;

@@ -76,6 +76,28 @@ TEST(SteadyOrbit, TheLeastGapIsThatOfTheRun) {
   }
 }
 
+// A force that comes on later counts once it acts in full, and two that follow on each other never act together.
+TEST(SteadyOrbit, TheResponseKnowsWhatComesOnLater) {
+  scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = 250.0});
+  s.initial = {};
+  scene::Force turning;
+  turning.kind = scene::ForceKind::kRotating;
+  turning.frequency = 200.0;
+  turning.amplitude = 30.0;
+  turning.on = 0.1;
+  turning.ramp = 0.02;
+  turning.off = 0.3;
+  scene::Force after = turning;
+  after.amplitude = 20.0;
+  after.on = 0.3;
+  after.off = scene::kNever;
+  s.forces = {turning, after};
+  const double exact = 30.0 / std::abs(Complex(2e5 - 2.0 * 200.0 * 200.0, 40.0 * 200.0));
+  const FreeOrbit orbit = free_orbit(s, make_model(s), 250.0);
+  ASSERT_TRUE(orbit.largest) << orbit.refused;
+  EXPECT_NEAR(*orbit.largest, exact, 1e-9 * exact);
+}
+
 // The response at other speeds, to round-off; the ring hangs beside the middle under its weight.
 TEST(SteadyOrbit, AtAnotherSpeed) {
   scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = 100.0});

@@ -1,0 +1,212 @@
+// From which spin speed on a whirl grows.
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "native_model/numerics/symmetric_eigenvalues.h"
+#include "native_model/rotor/campbell.h"
+#include "native_model/rotor/refusal.h"
+#include "native_model/rotor/whirl_eigenvalues.h"
+
+namespace rotorub {
+namespace {
+
+using Complex = std::complex<double>;
+
+// |s| below this share of the highest is a rigid mode: what it has is round-off.
+constexpr double kRigid = 1e-7;
+constexpr double kGrows = 1e-9;  // of |s|: beyond the round-off of an undamped mode
+
+double highest(const std::vector<Complex>& values) {
+  double size = 0.0;
+  for (const Complex& s : values) size = std::max(size, std::abs(s));
+  return size;
+}
+
+double growth_of(const Complex& s) { return s.real() / std::abs(s); }
+
+// Nothing can grow: no rotating damping, no oil film, and no negative stiffness left in either plane.
+bool passive(const WhirlSystem& system) {
+  const auto holds = [](const Eigen::MatrixXd& K) {
+    constexpr double kRoundOff = 1e-14;
+    const std::optional<Eigen::VectorXd> values = symmetric_eigenvalues(K);
+    if (!values) throw RotorNotSolvable("no eigenvalues can be found");
+    return values->minCoeff() >= -kRoundOff * values->maxCoeff();
+  };
+  return system.films.empty() && system.internal_xy.isZero(0.0) && holds(system.stiffness_x) && holds(system.stiffness_y);
+}
+
+// The kept modes at a speed, rigid ones left out.
+struct Sample {
+  double speed = 0.0;     // rad/s, its size
+  std::vector<Complex> s; // of planes that differ Im s >= 0: a mode may change its sense on the way
+  double growth = -1.0;   // largest Re s / |s|: > 0 where one grows
+  bool grows() const { return growth > kGrows; }
+};
+
+class StabilitySearch {
+ public:
+  StabilitySearch(const WhirlSystem& system, double sense) : system_(system), sense_(sense) {}
+
+  Sample at(double speed) const {
+    const std::vector<Complex> values = whirl_eigenvalues(system_, sense_ * speed);
+    const double size = highest(values);
+    Sample sample{speed, {}};
+    for (const Complex& s : values) {
+      if (std::abs(s) <= kRigid * size) continue;
+      sample.s.emplace_back(s.real(), system_.isotropic ? s.imag() : std::abs(s.imag()));
+      sample.growth = std::max(sample.growth, growth_of(s));
+    }
+    return sample;
+  }
+
+  // The first speed in (a, b] at which one grows; none does at a.
+  std::optional<double> first_growth(const Sample& a, const Sample& b, int depth = 0) const {
+    constexpr int kDeepest = 20;  // a window of 1e-6 of the interval
+    const std::vector<Pair> pairs = matched(a, b);
+    const std::vector<double> crossed = crossings(pairs);
+    // Where two whirls cross they may drive each other.
+    const double share = crossed.empty() ? 0.5 : crossed.front();
+    const Sample m = at(a.speed + share * (b.speed - a.speed));
+    if (m.grows()) return depth < kDeepest ? first_growth(a, m, depth + 1) : crossing(a, m);
+    const bool deeper = depth < kDeepest;
+    if (deeper && may_grow(pairs, a, m, b, true)) {
+      if (const auto found = first_growth(a, m, depth + 1)) return found;
+    }
+    if (deeper && (crossed.size() > 1 || may_grow(pairs, a, m, b, false))) return first_growth(m, b, depth + 1);
+    return b.grows() ? std::optional(crossing(m, b)) : std::nullopt;
+  }
+
+ private:
+  using Pair = std::pair<Complex, Complex>;  // a mode at both ends of an interval
+
+  // Each mode of a with the nearest one of b that no other is nearer to.
+  static std::vector<Pair> matched(const Sample& a, const Sample& b) {
+    struct Candidate {
+      double distance;
+      std::size_t i, j;
+    };
+    std::vector<Candidate> all;
+    for (std::size_t i = 0; i < a.s.size(); ++i) {
+      for (std::size_t j = 0; j < b.s.size(); ++j) all.push_back({std::abs(a.s[i] - b.s[j]), i, j});
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Candidate& x, const Candidate& y) { return x.distance < y.distance; });
+    std::vector<bool> left(a.s.size()), right(b.s.size());
+    std::vector<Pair> pairs;
+    for (const Candidate& c : all) {
+      if (left[c.i] || right[c.j]) continue;
+      left[c.i] = right[c.j] = true;
+      pairs.emplace_back(a.s[c.i], b.s[c.j]);
+    }
+    return pairs;
+  }
+
+  // Shares of the interval at which two modes have the same frequency, ascending; those at its ends are known.
+  static std::vector<double> crossings(const std::vector<Pair>& pairs) {
+    constexpr double kEnd = 0.02;
+    std::vector<double> shares;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const double before = pairs[i].first.imag() - pairs[j].first.imag();
+        const double after = pairs[i].second.imag() - pairs[j].second.imag();
+        if (!(before * after < 0.0)) continue;
+        const double at = before / (before - after);
+        if (at > kEnd && at < 1.0 - kEnd) shares.push_back(at);
+      }
+    }
+    std::sort(shares.begin(), shares.end());
+    return shares;
+  }
+
+  // A mode's damping may come to 0 between two neighbours of a, m, b, the left or the right ones: its growth at m
+  // stands off the straight line from a to b by e, and their parabola goes no higher than e above the higher end.
+  // Where one grows at b: before it does.
+  static bool may_grow(const std::vector<Pair>& pairs, const Sample& a, const Sample& m, const Sample& b, bool left) {
+    const double share = (m.speed - a.speed) / (b.speed - a.speed);
+    return std::any_of(pairs.begin(), pairs.end(), [&](const Pair& pair) {
+      const Complex guess = (1.0 - share) * pair.first + share * pair.second;
+      const auto middle = std::min_element(m.s.begin(), m.s.end(), [&](const Complex& x, const Complex& y) {
+        return std::abs(x - guess) < std::abs(y - guess);
+      });
+      if (middle == m.s.end()) return false;
+      const double from = growth_of(pair.first), at_m = growth_of(*middle), to = growth_of(pair.second);
+      const double off = std::abs(at_m - ((1.0 - share) * from + share * to));
+      const double higher = left ? std::max(from, at_m) : b.grows() ? at_m : std::max(at_m, to);
+      return higher + off > kGrows;
+    });
+  }
+
+  // Zero of growth between a stable and an unstable speed: Ridders' method, which keeps the bracket.
+  double crossing(const Sample& before, const Sample& after) const {
+    constexpr double kAccuracy = 1e-10;
+    constexpr int kSteps = 60;
+    // Beside a mode without damping: where one leaves round-off.
+    const double none = before.growth > -kGrows ? kGrows : 0.0;
+    double stable = before.speed, unstable = after.speed, last = unstable;
+    double low = before.growth - none, high = after.growth - none;
+    const auto narrow = [&](double speed, double value) {
+      (value > 0.0 ? unstable : stable) = speed;
+      (value > 0.0 ? high : low) = value;
+    };
+    for (int step = 0; step < kSteps && unstable - stable > kAccuracy * unstable; ++step) {
+      const double half = 0.5 * (unstable - stable);
+      const double middle = stable + half;
+      const double value = at(middle).growth - none;
+      const double root = std::sqrt(value * value - low * high);
+      const bool usable = low < 0.0 && high > 0.0 && root > 0.0;
+      const double better = middle - half * value / root;  // low < 0: towards the stable side if > 0
+      narrow(middle, value);
+      if (!usable || !(better > stable && better < unstable)) continue;
+      const double best = at(better).growth - none;
+      narrow(better, best);
+      if (best == 0.0 || std::abs(better - last) <= kAccuracy * better) return better;
+      last = better;
+    }
+    return unstable;
+  }
+
+  const WhirlSystem& system_;
+  double sense_;
+};
+
+}  // namespace
+
+double stability_bound(const WhirlSystem& system) {
+  if (passive(system)) return std::numeric_limits<double>::infinity();
+  constexpr double kBound = 20.0;
+  double bound = kBound * highest(whirl_eigenvalues(system, 0.0));
+  for (const double sense : {1.0, -1.0}) bound = std::max(bound, table_speeds(system, sense).back());
+  return bound;
+}
+
+std::optional<double> stability_threshold(const WhirlSystem& system, double sense) {
+  const double bound = stability_bound(system);
+  if (std::isinf(bound)) return std::nullopt;
+  constexpr double kStep = 1.25;
+  constexpr double kFirst = 0.1;  // of the lowest frequency
+  const StabilitySearch search(system, sense);
+  Sample before = search.at(0.0);
+  if (before.grows()) return 0.0;
+
+  double lowest = bound;
+  for (const Complex& s : before.s) lowest = std::min(lowest, std::abs(s));
+  std::vector<double> speeds = table_speeds(system, sense);
+  for (double speed = kFirst * lowest; speed < bound; speed *= kStep) speeds.push_back(speed);
+  speeds.push_back(bound);
+  std::sort(speeds.begin(), speeds.end());
+  for (const double speed : speeds) {
+    if (speed <= before.speed) continue;
+    Sample next = search.at(speed);
+    if (const auto found = search.first_growth(before, next)) return found;
+    before = std::move(next);
+  }
+  return std::nullopt;
+}
+
+}  // namespace rotorub
