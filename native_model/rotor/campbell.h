@@ -41,7 +41,7 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense = 1.
 
 // The lowest size of the spin speed (rad/s, >= 0) above which a kept mode grows, right to 1e-9 relative; 0 where one
 // grows at rest; sense: of the spin, +1 or -1. Empty where none grows up to stability_bound. Windows of instability
-// are looked for at every speed of the bearings' tables, where two whirls cross, and between: an interval is halved
+// are looked for at every speed of the bearings' tables, where whirls cross, and between: an interval is halved
 // until no mode's damping can come to 0 inside, as its course there tells. (stability.cc)
 std::optional<double> stability_threshold(const WhirlSystem& system, double sense = 1.0);
 

@@ -70,16 +70,13 @@ class StabilitySearch {
   std::optional<double> first_growth(const Sample& a, const Sample& b, int depth = 0) const {
     constexpr int kDeepest = 20;  // a window of 1e-6 of the interval
     const std::vector<Pair> pairs = matched(a, b);
-    const std::vector<double> crossed = crossings(pairs);
-    // Where two whirls cross they may drive each other.
-    const double share = crossed.empty() ? 0.5 : crossed.front();
-    const Sample m = at(a.speed + share * (b.speed - a.speed));
+    const Sample m = at(a.speed + dividing(pairs) * (b.speed - a.speed));
     if (m.grows()) return depth < kDeepest ? first_growth(a, m, depth + 1) : crossing(a, m);
     const bool deeper = depth < kDeepest;
     if (deeper && may_grow(pairs, a, m, b, true)) {
       if (const auto found = first_growth(a, m, depth + 1)) return found;
     }
-    if (deeper && (crossed.size() > 1 || may_grow(pairs, a, m, b, false))) return first_growth(m, b, depth + 1);
+    if (deeper && may_grow(pairs, a, m, b, false)) return first_growth(m, b, depth + 1);
     return b.grows() ? std::optional(crossing(m, b)) : std::nullopt;
   }
 
@@ -107,21 +104,21 @@ class StabilitySearch {
     return pairs;
   }
 
-  // Shares of the interval at which two modes have the same frequency, ascending; those at its ends are known.
-  static std::vector<double> crossings(const std::vector<Pair>& pairs) {
+  // The share of the interval to divide it at: where first two whirls have the same frequency, as there they may drive
+  // each other, but not at its ends, which are known; else the middle.
+  static double dividing(const std::vector<Pair>& pairs) {
     constexpr double kEnd = 0.02;
-    std::vector<double> shares;
+    double share = 1.0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         const double before = pairs[i].first.imag() - pairs[j].first.imag();
         const double after = pairs[i].second.imag() - pairs[j].second.imag();
         if (!(before * after < 0.0)) continue;
         const double at = before / (before - after);
-        if (at > kEnd && at < 1.0 - kEnd) shares.push_back(at);
+        if (at > kEnd && at < 1.0 - kEnd) share = std::min(share, at);
       }
     }
-    std::sort(shares.begin(), shares.end());
-    return shares;
+    return share < 1.0 ? share : 0.5;
   }
 
   // A mode's damping may come to 0 between two neighbours of a, m, b, the left or the right ones: its growth at m
@@ -188,7 +185,7 @@ double stability_bound(const WhirlSystem& system) {
 std::optional<double> stability_threshold(const WhirlSystem& system, double sense) {
   const double bound = stability_bound(system);
   if (std::isinf(bound)) return std::nullopt;
-  constexpr double kStep = 1.25;
+  constexpr double kStep = 1.5;
   constexpr double kFirst = 0.1;  // of the lowest frequency
   const StabilitySearch search(system, sense);
   Sample before = search.at(0.0);

@@ -223,10 +223,10 @@ TEST(Alignment, SaysWhatACircleDoesNotTell) {
 }
 
 // So near to a circle that a turn makes up for a shift but for a percent of its effect; what is left tells them apart
-// all the same. With noise within its own error.
+// all the same. With noise within its own error. What dies away makes every instant its own.
 TEST(Alignment, TellsShiftAndTurnApartNearACircle) {
   const auto whirl = [](double t) {
-    return 1e-4 * (std::polar(1.0, kWhirl * t) + 0.02 * std::polar(1.0, -0.37 * kWhirl * t));
+    return 1e-4 * (std::polar(1.0, kWhirl * t) + std::polar(0.03 * std::exp(-10.0 * t), -0.37 * kWhirl * t));
   };
   const Trajectory run = hand_made(20001, 1e-5, [&](double t) {
     constexpr double kStep = 1e-7;

@@ -43,10 +43,10 @@ TEST(LowestModes, OfCoordinatesByThemselvesTwiceEach) {
 }
 
 TEST(LowestModes, AreTheLowestOfAllOfThem) {
-  constexpr Eigen::Index kSize = 120;
+  constexpr Eigen::Index kSize = 80;
   std::srand(5);
   Eigen::VectorXd w(kSize);
-  for (Eigen::Index k = 0; k < kSize; ++k) w[k] = 50.0 * std::pow(1.1, static_cast<double>(k));
+  for (Eigen::Index k = 0; k < kSize; ++k) w[k] = 50.0 * std::pow(1.22, static_cast<double>(k));
   const Eigen::MatrixXd random = Eigen::MatrixXd::Random(kSize, kSize);
   const Eigen::MatrixXd B = 3.0 * (random - random.transpose());
   Eigen::MatrixXd C = w.cwiseAbs2().asDiagonal();
@@ -54,8 +54,8 @@ TEST(LowestModes, AreTheLowestOfAllOfThem) {
   const auto found = lowest_modes(B, C, w, 2.0, 12, at_least(12));
   ASSERT_TRUE(found);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * kSize, 2 * kSize);
-  A.topRightCorner(kSize, kSize).setIdentity();
-  A.bottomLeftCorner(kSize, kSize) = -C;
+  A.topRightCorner(kSize, kSize).diagonal() = w;
+  A.bottomLeftCorner(kSize, kSize) = -C * w.cwiseInverse().asDiagonal();
   A.bottomRightCorner(kSize, kSize) = -B;
   std::vector<Complex> all = real_eigenvalues(A).value();
   std::sort(all.begin(), all.end(), [](Complex a, Complex b) { return std::abs(a) < std::abs(b); });
