@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 
+#include "plugin/actuators.h"
 #include "plugin/links.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/passes.h"
@@ -22,6 +23,7 @@ void passive(const mjModel* m, mjData* d) {
   if (callbacks_active()) passive_pass(m, d);
 }
 void control(const mjModel* m, mjData* d) {
+  begin_actuators(d);
   if (callbacks_active()) control_pass(m, d);
 }
 void sensor(const mjModel* m, mjData* d, int stage) {
@@ -44,9 +46,9 @@ void for_each_callback(Action action) {
   action(passive_place, Links<passive_place, passive>::kTable);
   action(control_place, Links<control_place, control>::kTable);
   action(sensor_place, Links<sensor_place, sensor>::kTable);
-  action(gain_place, Givers<gain_place, gain, 1>::kTable);
-  action(bias_place, Givers<bias_place, bias, 0>::kTable);
-  action(rate_place, Givers<rate_place, rate, 0>::kTable);
+  action(gain_place, Givers<gain_place, gain, 1, 0>::kTable);
+  action(bias_place, Givers<bias_place, bias, 0, 1>::kTable);
+  action(rate_place, Givers<rate_place, rate, 0, 2>::kTable);
 }
 
 // MuJoCo's table is of ordered types. Those of a scene are a sphere and a capsule, those of a

@@ -1,8 +1,11 @@
 #include "plugin/fingerprint.h"
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <iterator>
+#include <string_view>
 
 #include "plugin/mujoco_versions.h"
 
@@ -63,6 +66,22 @@ bool same_bytes(const char* a, const char* b, std::size_t count) {
   return true;
 }
 
+class Hash {
+ public:
+  template <typename T>
+  void add(const T* data, int n) {
+    add_bytes(reinterpret_cast<const char*>(data), sizeof *data * static_cast<std::size_t>(n));
+  }
+  void add_bytes(const char* data, std::size_t count) {
+    sum_ = std::rotl(sum_, 7) * 0x9e3779b97f4a7c15u ^
+           std::hash<std::string_view>{}(std::string_view(data, count));
+  }
+  std::uint64_t sum() const { return sum_; }
+
+ private:
+  std::uint64_t sum_ = 0;
+};
+
 }  // namespace
 
 std::string fingerprint(const mjModel* m) {
@@ -84,6 +103,25 @@ bool has_fingerprint(const mjModel* m, const std::string& kept) {
     return true;
   });
   return same && at == end;
+}
+
+ModelHash model_hash(const mjModel* m) {
+  Hash kind, numbers;
+  for_each_part(m, [&kind](const char* part, std::size_t count) {
+    kind.add_bytes(part, count);
+    return true;
+  });
+  numbers.add(m->opt.gravity, 3);
+  numbers.add(&m->opt.disableflags, 1);
+  numbers.add(m->dof_armature, count(m->nv));
+  numbers.add(m->dof_M0, count(m->nv));
+  numbers.add(m->dof_damping, count(m->nv));
+  numbers.add(m->jnt_stiffness, count(m->njnt));
+  numbers.add(m->body_mass, count(m->nbody));
+  numbers.add(m->geom_size, 3 * count(m->ngeom));
+  numbers.add(m->pair_friction, 5 * count(m->npair));
+  numbers.add(m->actuator_ctrlrange, 2 * count(m->nu));
+  return {kind.sum(), std::rotl(kind.sum(), 7) ^ numbers.sum()};
 }
 
 }  // namespace rotorub::plugin

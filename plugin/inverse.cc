@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plugin/actuators.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
 #include "plugin/mujoco_versions.h"
@@ -25,7 +26,10 @@ void inverse_with_contact(const mjModel* m, mjData* d, int skipstage, int skipse
   inverse(m, d, skipstage, skipsensor);
   std::copy_n(d->userdata, m->nuserdata, memory);
   std::copy_n(d->ctrl, m->nu, ctrl);
-  control_pass(m, d);
+  {
+    const ActuatorsAside aside(m, d);
+    control_pass(m, d);
+  }
   // Once more from the velocities on, with the forces and references that it has set.
   inverse(m, d, mjSTAGE_VEL, skipsensor);
   std::copy_n(memory, m->nuserdata, d->userdata);

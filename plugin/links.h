@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "plugin/actuators.h"
 #include "plugin/places.h"
 
 namespace rotorub::plugin {
@@ -54,7 +55,8 @@ using Links = LinksOf<typename std::remove_reference_t<decltype(kPlace)>::Type, 
 
 // kWork(m, d, id, value) says true where the value is ours; else what was there gives it, or it is
 // kDefault.
-template <auto& kPlace, auto kWork, int kDefault>
+// kKind: of actuators.h. Ours stays in front, so that what it calls is asked once a pass.
+template <auto& kPlace, auto kWork, int kDefault, int kKind>
 struct Givers {
   static inline thread_local constinit LinkCall call;
 
@@ -63,11 +65,15 @@ struct Givers {
     mjtNum value = kDefault;
     if (kWork(m, d, id, value)) return value;
     const mjfAct previous = kPlace.previous(K);
-    if (!previous) return value;
-    if (!kPlace.layered()) return previous(m, d, id);
-    LinkScope scope(call, d, K);
-    if (scope.again()) return value;
-    if (scope.reaches([&] { value = previous(m, d, id); })) kPlace.let_in_front(K);
+    if (!previous || answer_given(kKind, m, d, id, value)) return value;
+    if (!kPlace.layered()) {
+      value = previous(m, d, id);
+    } else {
+      LinkScope scope(call, d, K);
+      if (scope.again()) return value;
+      scope.reaches([&] { value = previous(m, d, id); });
+    }
+    keep_answer(kKind, d, id, value);
     return value;
   }
   static constexpr LinkTable<mjfAct> kTable = make_links<Givers, mjfAct>();

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -204,6 +205,13 @@ inline double seen_below(const mjModel* m, int pair) {
   return kGapKeepsOut || margin >= 0.0 ? margin : margin + m->pair_gap[pair];
 }
 
+// Distance below which MuJoCo's solver takes the contact, m.
+inline double solved_below(const mjModel* m, int pair) {
+  const bool overridden = m->opt.enableflags & mjENBL_OVERRIDE;
+  const double margin = overridden ? m->opt.o_margin : m->pair_margin[pair];
+  return kGapKeepsOut ? margin - m->pair_gap[pair] : margin;
+}
+
 // Whether MuJoCo looks for contacts beside the <pair>s, and whether at these (option collision,
 // gone in 3.0: then geoms' contype and conaffinity alone decide).
 template <typename Model>
@@ -290,6 +298,30 @@ int activation_address(const Model* m, int actuator) {
     return m->actuator_actadr[actuator];
   } else {
     return actuator - (count(m->nu) - count(m->na));
+  }
+}
+
+// Those of engine plugins, and what such plugins remember.
+template <typename Model>
+bool is_engine_actuator(const Model* m, int actuator) {
+  if constexpr (requires { m->actuator_plugin; }) return m->actuator_plugin[actuator] >= 0;
+  return false;
+}
+template <typename Model>
+bool has_engine_actuators(const Model* m) {
+  if constexpr (requires { m->actuator_plugin; }) {
+    for (int i = 0; m->nplugin > 0 && i < actuator_count(m); ++i) {
+      if (is_engine_actuator(m, i)) return true;
+    }
+  }
+  return false;
+}
+template <typename Model, typename Data>
+std::span<mjtNum> plugin_state(const Model* m, Data* d) {
+  if constexpr (requires { m->npluginstate; }) {
+    return {d->plugin_state, static_cast<std::size_t>(m->npluginstate)};
+  } else {
+    return {};
   }
 }
 

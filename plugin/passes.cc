@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugin/actuators.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
 #include "plugin/contact/annular.h"
@@ -52,7 +53,7 @@ mjtNum& fresh_entry(const Config& config, mjData* d) {
 // A pass at another time had no mjcb_control after its mjcb_passive.
 void notice_missed_control(const Config& config, mjData* d) {
   const double mark = fresh_entry(config, d);
-  if (mark == 0.0 || mark == fresh_mark(d) || !distrust_control()) return;
+  if (mark <= 0.0 || mark == fresh_mark(d) || !distrust_control()) return;
   warn(
       "rotorub: mjcb_control called the plugin's before, and in the last step did not: that step "
       "had no contact; the plugin's comes first from now on");
@@ -134,6 +135,7 @@ void act(const Config& config, const mjModel* m, mjData* d) {
 
 void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
   if (config.has_rigid() && m->opt.integrator == mjINT_RK4) {
+    mark_active(config, d, false);
     refuse_runge_kutta();
     return;
   }
@@ -145,11 +147,11 @@ void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
 // Where MuJoCo leaves out mjcb_control, mjcb_passive is the last that is called: with what the
 // velocity stage computes after it, done before.
 void act_without_control(const Config& config, const mjModel* m, mjData* d) {
+  begin_actuators(d);
   mj_rne(m, d, 0, d->qfrc_bias);
   KeptReferences references(m, d);
   act_or_refuse(config, m, d);
   references.keep();
-  fresh_entry(config, d) = 0.0;
 }
 
 }  // namespace
@@ -160,10 +162,15 @@ void passive_pass(const mjModel* m, mjData* d) {
   compared = nullptr;
   if (!config) return;
   keep_places(*config, m, d);
-  mark_active(*config, d, false);
+  compare_actuators(m, d);
   notice_missed_control(*config, d);
+  mark_active(*config, d, false);
   if (may_fall_asleep(*config, m)) {
     refuse_sleep();
+    return;
+  }
+  if (is_overridden(*config, m)) {
+    refuse_override();
     return;
   }
   fresh_entry(*config, d) = fresh_mark(d);
@@ -174,8 +181,8 @@ void passive_pass(const mjModel* m, mjData* d) {
 
 void control_pass(const mjModel* m, mjData* d) {
   const Config* config = find_config(m, d);
-  if (!config || control_skipped(m) || may_fall_asleep(*config, m)) return;
-  if (config->model.magnets) keep_callbacks();
+  if (!config || control_skipped(m) || may_fall_asleep(*config, m) || is_overridden(*config, m)) return;
+  keep_callbacks();
   if (!block_is_ours(*config, d)) {
     refuse_clash(*config, m);
     return;
@@ -191,6 +198,9 @@ void sensor_pass(const mjModel* m, mjData* d, int stage) {
   if (stage == mjSTAGE_POS) keep_callbacks();
   fill_sensors(*config, m, d, stage);
   if (stage == mjSTAGE_ACC && config->cells_in_callback) fill_load_cells(*config, m, d);
+  if (stage == mjSTAGE_ACC) compare_actuators(m, d);
+  const mjtStage told = control_skipped(m) ? mjSTAGE_VEL : mjSTAGE_ACC;
+  if (stage >= told) fill_late_sensors(*config, m, d);
 }
 
 namespace {
@@ -217,8 +227,8 @@ bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int 
   compared = d;
   const auto noticed = [m](int pair, scene::ContactModel contact, CollisionContact* of, int found) {
     // `rigid` keeps it from MuJoCo's solver where the pair's gap does not.
-    const bool kept_out = !kGapKeepsOut && contact == scene::ContactModel::kRigid;
-    if (kept_out && found > 0 && pair >= 0) of->dist = std::max<mjtNum>(of->dist, m->pair_margin[pair]);
+    const bool rigid = contact == scene::ContactModel::kRigid;
+    if (rigid && found > 0 && pair >= 0) of->dist = std::max<mjtNum>(of->dist, solved_below(m, pair));
     return found;
   };
   if (!config->own) {

@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include "plugin/actuators.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
 #include "plugin/differences.h"
@@ -77,8 +78,10 @@ __attribute__((constructor)) void install() {
                  built.c_str());
     std::_Exit(1);
   }
+  const bool before = stands_before_mujoco();
+  if (before) rotorub::plugin::expect_to_stand_before();
   rotorub::plugin::install_callbacks();
-  if (stands_before_mujoco()) rotorub::plugin::stand_behind_sensors();
+  if (before) rotorub::plugin::stand_behind_sensors();
 }
 
 }  // namespace
@@ -113,6 +116,16 @@ ROTORUB_EXPORT void mj_contactForce(const mjModel* m, const mjData* d, int id, m
   } else {
     rotorub::plugin::contact_force(m, d, id, result, force);
   }
+}
+
+// The plugin calls this one too, preloaded or not: MuJoCo's own is where mj_forward is.
+ROTORUB_EXPORT void mj_fwdActuation(const mjModel* m, mjData* d) {
+  static const auto actuation = [] {
+    Dl_info mujoco;
+    dladdr(reinterpret_cast<void*>(&mj_forward), &mujoco);
+    return reinterpret_cast<Pass>(dlsym(dlopen(mujoco.dli_fname, RTLD_LAZY | RTLD_NOLOAD), "mj_fwdActuation"));
+  }();
+  if (!rotorub::plugin::actuators_computed(m, d)) actuation(m, d);
 }
 
 ROTORUB_EXPORT void mj_inverseSkip(const mjModel* m, mjData* d, int skipstage, int skipsensor) {

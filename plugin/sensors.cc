@@ -44,6 +44,12 @@ void put_rates(mjData* d, const SensorAddresses& s, const ContactPoint& point) {
   put(d, s.slip, point.slip);
 }
 
+void put_active(const Config& config, mjData* d) {
+  const double value = d->userdata[config.memory + kPassiveFresh] == kActed ? 1.0 : 0.0;
+  put(d, config.sensors.active, value);
+  for (const OwnPair& pair : config.pairs) put(d, pair.sensors.active, value);
+}
+
 bool has_gap(const SensorAddresses& s) { return s.gap >= 0 || s.gap_scaled >= 0; }
 bool has_rates(const SensorAddresses& s) { return s.gap_rate >= 0 || s.slip >= 0; }
 
@@ -93,8 +99,8 @@ void fill_shadow_sensors(const Config& config, mjData* d) {
 }  // namespace
 
 void mark_active(const Config& config, mjData* d, bool acts) {
-  put(d, config.sensors.active, acts ? 1.0 : 0.0);
-  for (const OwnPair& pair : config.pairs) put(d, pair.sensors.active, acts ? 1.0 : 0.0);
+  d->userdata[config.memory + kPassiveFresh] = acts ? kActed : kNotActed;
+  put_active(config, d);
 }
 
 void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d) {
@@ -124,6 +130,18 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
     put_gap(d, s, gap_of(config, d), config.model.contact->clearance);
   }
   if (stage == mjSTAGE_VEL && has_rates(s)) put_rates(d, s, point_of(config, d));
+}
+
+void fill_late_sensors(const Config& config, const mjModel* m, mjData* d) {
+  put_active(config, d);
+  if (config.own) {
+    fill_sensors_in_control(config, m, d);
+    return;
+  }
+  const bool cleared = mjVERSION_HEADER >= 300;
+  if (config.sensors.gap_in_control) fill_sensors(config, m, d, mjSTAGE_POS);
+  if (config.sensors.rates_in_control || (cleared && config.shadow)) fill_sensors(config, m, d, mjSTAGE_VEL);
+  if (!config.has_soft()) fill_sensors(config, m, d, mjSTAGE_ACC);
 }
 
 }  // namespace rotorub::plugin

@@ -23,9 +23,8 @@ namespace {
 // goes back there.
 struct Worker {
   Worker(const Config& config, double h)
-      : id(config.id), step(h), model(config.shadow->model), stepper(model, h), command(model) {}
+      : model(config.shadow->model), stepper(model, h), command(model) {}
 
-  double id, step;
   const Model model;
   PaperStepper stepper;
   ZeroOrderHold command;

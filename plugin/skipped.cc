@@ -53,6 +53,17 @@ void refuse_sleep() {
       "accepted: sleep=\"never\" on the bodies that carry them, or \"disable\"");
 }
 
+bool is_overridden(const Config& config, const mjModel* m) {
+  return (m->opt.enableflags & mjENBL_OVERRIDE) && config.has_soft();
+}
+
+void refuse_override() {
+  raise_error(
+      "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then takes o_margin, o_solref and o_solimp of <option> "
+      "for those of the rotor's <pair>, by which contact models coulomb and cone are set; accepted: \"disable\", "
+      "or contact model rigid");
+}
+
 void refuse_silence() {
   raise_error(
       "rotorub: <flag spring=\"disable\" damper=\"disable\" actuation=\"disable\"/>: MuJoCo then "

@@ -27,7 +27,11 @@ class KeptReferences {
 // the plugin's loads.
 bool may_fall_asleep(const Config& config, const mjModel* m);
 
-void refuse_sleep();    // mju_error
-void refuse_silence();  // mju_error: neither mjcb_passive nor mjcb_control is called
+// True where MuJoCo's solver takes <option>'s numbers for those of a contact that it solves for us.
+bool is_overridden(const Config& config, const mjModel* m);
+
+void refuse_sleep();     // mju_error
+void refuse_override();  // mju_error
+void refuse_silence();   // mju_error: neither mjcb_passive nor mjcb_control is called
 
 }  // namespace rotorub::plugin

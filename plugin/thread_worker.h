@@ -3,27 +3,22 @@
 // the thread is.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <memory>
+#include <utility>
 
 #include "plugin/config.h"
+#include "plugin/in_turns.h"
 
 namespace rotorub::plugin {
 
-// This thread's Worker for the model and the step h (s), made where it is none of those used last.
-// Worker(const Config&, double h) has members id and step.
+// This thread's Worker for the model and the step h (s), made where it is new or was long not used.
+// Worker(const Config&, double h).
 template <class Worker>
 Worker& thread_worker(const Config& config, double h) {
-  thread_local std::array<std::unique_ptr<Worker>, 4> known;
-  thread_local std::size_t next = 0;
-  for (const auto& worker : known) {
-    if (worker && worker->id == config.id && worker->step == h) return *worker;
-  }
-  std::unique_ptr<Worker>& made = known[next];
-  next = (next + 1) % known.size();
-  made = std::make_unique<Worker>(config, h);
-  return *made;
+  thread_local InTurns<std::pair<double, double>, std::unique_ptr<Worker>> known;
+  const std::pair key{config.id, h};
+  if (const auto* worker = known.find(key)) return **worker;
+  return *known.add(key, std::make_unique<Worker>(config, h));
 }
 
 }  // namespace rotorub::plugin

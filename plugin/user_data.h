@@ -14,7 +14,7 @@ enum UserDataEntry : int {
   kHeldX,     // command held: N, fixed frame, or the currents of the two axes, A; of native steps
               // the mean about the instant
   kHeldY,
-  kPassiveFresh,   // between mjcb_passive and mjcb_control 1 + |time|, else 0
+  kPassiveFresh,   // between mjcb_passive and mjcb_control 1 + |time|, then kActed or kNotActed
   kHistoryLength,  // times in the history: 0, 1, 2; 3: two, with an impact between them
   kEarlierTime,    // s, of the one before
   kLatestTime,     // s, of the latest
@@ -36,6 +36,9 @@ enum UserDataEntry : int {
   kUserDataSingle
 };
 static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
+
+// Whether loads and contact were in the pass.
+inline constexpr double kActed = 0.0, kNotActed = -1.0;
 
 // A user's own model has its block at Config::memory, with a check in the place of kSample
 // (own/user_block.h). A further pair has kPairEntries more behind it: entry e of pair i stands at

@@ -6,6 +6,7 @@
 #include "native_model/contact/coulomb.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/trajectory/trajectory.h"
+#include "plugin/actuators.h"
 #include "plugin/contact/annular.h"
 #include "plugin/passive.h"
 #include "plugin/user_data.h"
@@ -20,7 +21,7 @@ Eigen::Vector3d contact_rates(const Model& model, const double* v) {
 
 // qacc_smooth and qfrc_smooth with the command just written.
 void update_smooth_force(const mjModel* m, mjData* d) {
-  mj_fwdActuation(m, d);
+  compute_actuators(m, d);
   mj_fwdAcceleration(m, d);
 }
 

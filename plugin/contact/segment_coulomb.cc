@@ -6,6 +6,7 @@
 #include "native_model/contact/coulomb.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/trajectory/trajectory.h"
+#include "plugin/actuators.h"
 #include "plugin/contact/annular.h"
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/segment_space.h"
@@ -63,7 +64,7 @@ void apply_segment_coulomb(const Config& config, const mjModel* m, mjData* d,
                            const mjContact& contact, const Coordinates& state) {
   const double h = m->opt.timestep, radius = config.model.contact->radius;
   const int row = contact.efc_address;
-  mj_fwdActuation(m, d);
+  compute_actuators(m, d);
   mj_fwdAcceleration(m, d);
   const StepMatrix matrix(m, d);
   const SegmentSpace space(config, m, d, matrix);

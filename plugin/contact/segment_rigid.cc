@@ -1,6 +1,7 @@
 #include "plugin/contact/segment_rigid.h"
 
 #include "native_model/dynamics/dynamics.h"
+#include "plugin/actuators.h"
 #include "plugin/contact/rigid_step.h"
 #include "plugin/contact/segment_space.h"
 
@@ -9,7 +10,7 @@ namespace rotorub::plugin {
 void apply_segment_rigid(const Config& config, const mjModel* m, mjData* d,
                          const Coordinates& state) {
   const Model& model = config.model;
-  if (m->nu > 0) mj_fwdActuation(m, d);
+  compute_actuators(m, d);
   mj_fwdAcceleration(m, d);
   const StepMatrix matrix(m, d);
   const SegmentSpace space(config, m, d, matrix);

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "plugin/actuators.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 
 void update_smooth_force(const mjModel* m, mjData* d) {
-  if (actuator_count(m) > 0) mj_fwdActuation(m, d);
+  compute_actuators(m, d);
   const mjtNum* applied = d->xfrc_applied;
   if (std::any_of(applied, applied + 6 * m->nbody, [](mjtNum f) { return f != 0.0; })) {
     mj_fwdAcceleration(m, d);

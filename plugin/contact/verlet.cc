@@ -10,6 +10,7 @@
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
+#include "plugin/actuators.h"
 #include "plugin/control.h"
 #include "plugin/differences.h"
 #include "plugin/load_cells.h"
@@ -50,9 +51,7 @@ bool actuation_enabled(const mjModel* m) { return !(m->opt.disableflags & mjDSBL
 // What takes the steps. Holds nothing between two calls but room.
 struct Worker {
   Worker(const Config& config, double h, Model moved)
-      : id(config.id),
-        step(h),
-        model(config.model),
+      : model(config.model),
         plant(std::move(moved)),
         stepper(plant, h),
         hold(model),
@@ -76,7 +75,6 @@ struct Worker {
     next = 0;
   }
 
-  double id, step;
   const Model model, plant;
   VerletStepper stepper;
   ZeroOrderHold hold;
@@ -150,13 +148,13 @@ void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coor
   const mjtNum* bodies = d->xfrc_applied;
   const bool pulled = std::any_of(bodies, bodies + 6 * m->nbody, [](mjtNum x) { return x != 0.0; });
   if (pulled) {
-    if (actuator_count(m) > 0) mj_fwdActuation(m, d);
+    std::fill_n(d->qfrc_actuator, m->nv, 0.0);
     mj_fwdAcceleration(m, d);
   }
   for (int i = 0; i < model.nq(); ++i) {
     const int dof = config.dof_address[static_cast<std::size_t>(i)];
     const double own = model.stiffness[i] * state.q()[i] + model.damping[i] * state.v()[i];
-    f[i] = pulled ? d->qfrc_smooth[dof] - d->qfrc_actuator[dof]
+    f[i] = pulled ? d->qfrc_smooth[dof]
                   : d->qfrc_passive[dof] - d->qfrc_bias[dof] + d->qfrc_applied[dof];
     f[i] += own;
   }
@@ -167,7 +165,7 @@ void add_other_actuators(const Config& config, const mjModel* m, mjData* d, doub
   const Model& model = config.model;
   const bool bearing = config.actuator[0] >= 0 && config.actuator[1] >= 0;
   if (actuator_count(m) <= (bearing ? 2 : 0)) return;
-  mj_fwdActuation(m, d);
+  compute_actuators(m, d);
   const Eigen::Vector2d ours = actuator_state(config, m, d).force;
   for (int i = 0; i < model.nq(); ++i) {
     f[i] += d->qfrc_actuator[config.dof_address[static_cast<std::size_t>(i)]];
@@ -204,7 +202,7 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
   }
   d->userdata[kHeldX] = mean.x();
   d->userdata[kHeldY] = mean.y();
-  if (actuator_count(m) > 0) mj_fwdActuation(m, d);
+  compute_actuators(m, d);
   if (model.controller && asks) return mean;
   const ActuatorState now = actuator_state(config, m, d);
   return model.magnets && asks ? now.current : now.force;

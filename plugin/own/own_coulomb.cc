@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "native_model/trajectory/trajectory.h"
+#include "plugin/actuators.h"
 #include "plugin/contact/annular.h"
 #include "plugin/contact/constrained_law.h"
 #include "plugin/contact/constraint_probe.h"
@@ -222,7 +223,7 @@ void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData*
     if (!contact) entry[kMode] = 0.0;
     if (!contact || pair.law != scene::ContactModel::kCoulomb) continue;
     if (contacts.count == 0) {
-      mj_fwdActuation(m, d);
+      compute_actuators(m, d);
       mj_fwdAcceleration(m, d);
       matrix.emplace(m, d);
     }

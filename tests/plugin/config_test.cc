@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "plugin/fingerprint.h"
 #include "plugin/hooks.h"
+#include "plugin/user_data.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -149,6 +151,48 @@ TEST_F(ConfigTest, ModelChangedInPlaceIsNoticed) {
   mj_resetDataKeyframe(m.get(), d.get(), 0);
   for (int k = 0; k < 500; ++k) mj_step(m.get(), d.get());
   EXPECT_EQ(state_of(m.get(), d.get()), state_after(other.get(), 500));
+}
+
+// Vectorised randomisation: every model is read once, however many are stepped in turns.
+TEST_F(ConfigTest, ModelsInTurnsAreReadOnce) {
+  constexpr int kModels = 150;
+  const ModelPointer first = load(mjcf(shipped("bench_ring")));
+  std::vector<ModelPointer> models;
+  std::vector<DataPointer> data;
+  for (int i = 0; i < kModels; ++i) {
+    models.emplace_back(mj_copyModel(nullptr, first.get()));
+    models.back()->dof_damping[0] *= 1.0 + 1e-3 * i;
+    data.push_back(start(models.back().get()));
+  }
+  std::vector<double> marks;
+  for (int round = 0; round < 3; ++round) {
+    std::vector<double> now;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      mj_step(models[i].get(), data[i].get());
+      now.push_back(data[i]->userdata[plugin::kConfigId]);
+    }
+    if (round > 0) {
+      EXPECT_EQ(now, marks);
+    }
+    marks = now;
+  }
+  EXPECT_EQ(std::set<double>(marks.begin(), marks.end()).size(), models.size());
+}
+
+// A model that was none of ours is, once its names say so.
+TEST_F(ConfigTest, NamesChangedInPlaceAreNoticed) {
+  const ModelPointer ours = load(mjcf(shipped("bench_ring")));
+  const std::vector<double> wanted = state_after(ours.get(), 500);
+  const ModelPointer m(mj_copyModel(nullptr, ours.get()));
+  std::vector<char*> marks;
+  for (int i = 0; i < m->ntext; ++i) marks.push_back(m->names + m->name_textadr[i]);
+  for (char* name : marks) *name = 'x';
+  const std::vector<double> foreign = state_after(m.get(), 500);
+  EXPECT_NE(foreign, wanted);
+  for (char* name : marks) *name = 'r';
+  EXPECT_EQ(state_after(m.get(), 500), wanted);
+  for (char* name : marks) *name = 'x';
+  EXPECT_EQ(state_after(m.get(), 500), foreign);
 }
 
 }  // namespace

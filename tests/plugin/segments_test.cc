@@ -240,6 +240,25 @@ TEST_F(SegmentsTest, ModalChainOfManyModesLoads) {
   EXPECT_TRUE(config.same_order);
 }
 
+// MuJoCo of today takes a centre of mass less than 1 um off its frame for the frame's origin.
+TEST_F(SegmentsTest, HaveTheSmallestEccentricity) {
+  constexpr double kPhase = 0.3;
+  for (const double e : {1e-9, 0.5e-6, 1e-6, 5e-6}) {
+    const ModelPointer m = load(mjcf(rotor(
+        10, {"rotor.disc[0].eccentricity=" + std::to_string(e * 1e9) + "e-9", "rotor.disc[0].phase=0.3"})));
+    const DataPointer d = start(m.get());
+    mj_forward(m.get(), d.get());
+    double largest = 0.0;
+    for (int b = 1; b < m->nbody; ++b) {
+      const double x = d->xipos[3 * b] - d->xpos[3 * b], y = d->xipos[3 * b + 1] - d->xpos[3 * b + 1];
+      if (std::hypot(x, y) <= largest) continue;
+      largest = std::hypot(x, y);
+      EXPECT_NEAR(std::atan2(y, x), kPhase, 1e-6) << e;
+    }
+    EXPECT_NEAR(largest, e, 1e-6 * e);
+  }
+}
+
 TEST_F(SegmentsTest, RefusesWhatItCannotCarry) {
   EXPECT_THROW(rotor(1), std::exception);
   try {

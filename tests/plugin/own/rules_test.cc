@@ -86,6 +86,54 @@ TEST_F(OwnRules, ForcesAreToldAtTheStageThatIsAsked) {
   expect_refused(replaced(document(cone), "needstage=\"acc\"", "needstage=\"vel\""), "normal_force");
 }
 
+// MuJoCo of today clears the user sensors of a stage before it calls mjcb_sensor.
+TEST_F(OwnRules, SensorsOfEveryStageAreTold) {
+  const auto told = [](const char* stage) {
+    std::string text = document(Machine{});
+    const std::string sensors = text.substr(text.find("<sensor>"), text.find("</sensor>") - text.find("<sensor>"));
+    std::string all = "<sensor>";
+    for (const char* name : {names::kGap, names::kGapRate, names::kSlip, names::kNormalForce,
+                             names::kFrictionForce, names::kActive}) {
+      all += std::string("<user name=\"") + name + "\" objtype=\"geom\" objname=\"disc\" datatype=\"real\" "
+             "needstage=\"" + stage + "\" dim=\"1\"/>";
+    }
+    const ModelPointer m = load(replaced(text, sensors, all));
+    const DataPointer d = start(m.get());
+    d->qpos[0] = 5e-4 + 1e-8;
+    d->qvel[1] = 0.1;
+    d->qfrc_applied[0] = 30.0;
+    for (int k = 0; k < 3; ++k) mj_step(m.get(), d.get());
+    return std::vector<double>(d->sensordata, d->sensordata + m->nsensordata);
+  };
+  const std::vector<double> wanted = told("pos");
+  EXPECT_EQ(wanted.back(), 1.0);
+  EXPECT_GT(wanted[3], 1.0);
+  for (const double value : {wanted[0], wanted[1], wanted[2]}) EXPECT_NE(value, 0.0);
+  EXPECT_EQ(told("vel"), wanted);
+  EXPECT_EQ(told("acc"), wanted);
+}
+
+// What <option> says for all contacts keeps out of `rigid`, and is refused where MuJoCo solves ours by it.
+TEST_F(OwnRules, AnOverrideOfAllContactsIsNotTakenForThePair) {
+  Machine x;
+  const auto run = [](const ModelPointer& m) {
+    const DataPointer d = start(m.get());
+    d->qvel[0] = 1.0;
+    for (int k = 0; k < 120; ++k) mj_step(m.get(), d.get());
+    EXPECT_EQ(d->nefc, 0);
+    return state_of(m.get(), d.get());
+  };
+  const std::vector<double> wanted = run(load(document(x)));
+  for (const char* margin : {"0", "1e-3", "2"}) {
+    x.option = std::string("o_margin=\"") + margin + "\"><flag override=\"enable\"/></option><option ";
+    EXPECT_EQ(run(load(document(x))), wanted) << margin;
+  }
+  for (const char* contact : {"coulomb", "cone"}) {
+    x.contact = contact;
+    expect_refused(document(x), "<flag override=\"enable\"/>");
+  }
+}
+
 // Radius and lengths that a model takes from its geoms are its own, not those of one seen before.
 TEST_F(OwnRules, ModelsOfOtherSizesAreToldApart) {
   const auto slip = [](const std::string& text) {
