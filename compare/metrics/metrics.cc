@@ -52,7 +52,8 @@ void gather_impacts(const Trajectory& trajectory, Metrics& m) {
 
 std::optional<ContactFacts> contact_facts(const scene::Scene& scene) {
   if (!scene.contact) return std::nullopt;
-  return ContactFacts{scene.contact->clearance, scene.contact->radius, scene.contact->friction};
+  return ContactFacts{scene.contact->clearance, scene.contact->radius, scene.contact->friction,
+                      scene.contact->compression_time + scene.contact->expansion_time};
 }
 
 Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>& facts) {

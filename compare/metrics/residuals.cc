@@ -39,6 +39,12 @@ Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& fa
   const double F = r.force_scale;
   const double v = std::max(largest_magnitude(slip), 1e-300);
 
+  auto impact = trajectory.impacts.begin();
+  const auto within_impact = [&](double t) {
+    const double duration = facts.impact_time * (1.0 + 1e-9);
+    while (impact != trajectory.impacts.end() && impact->t + duration < t) ++impact;
+    return facts.impact_time > 0.0 && impact != trajectory.impacts.end() && impact->t <= t;
+  };
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double gap = facts.clearance - points[i].delta;
     const double pressed = std::max(0.0, normal[i]);
@@ -47,10 +53,11 @@ Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& fa
     // Normal law (13): g_N >= 0, lambda_N >= 0, g_N lambda_N = 0.
     raise(r.penetration, -gap / facts.clearance);
     raise(r.adhesion, -normal[i] / F);
-    raise(r.complementarity, std::max(0.0, gap) * pressed / (facts.clearance * F));
 
     // Coulomb: |lambda_T| <= mu lambda_N; sliding: lambda_T = -mu lambda_N sign(gdot_T).
     raise(r.cone, (std::abs(friction[i]) - facts.friction * pressed) / F);
+    if (within_impact(points[i].t)) continue;
+    raise(r.complementarity, std::max(0.0, gap) * pressed / (facts.clearance * F));
     raise(r.power, friction[i] * slip[i] / (F * v));
     if (pressed > 0.0 && std::abs(slip[i]) > kSlipThreshold * v) {
       const double due = -facts.friction * pressed * (slip[i] > 0.0 ? 1.0 : -1.0);

@@ -1,6 +1,8 @@
 #include "native_model/contact/impact_phase.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 
 namespace rotorub {
@@ -23,6 +25,16 @@ void add_load_work(double tau, std::span<const double> force, const double* from
 ImpulseWork impulse_work(double normal, double friction, const Eigen::Vector2d& before,
                          const Eigen::Vector2d& after) {
   return {0.5 * normal * (before.x() + after.x()), 0.5 * friction * (before.y() + after.y())};
+}
+
+double restitution_beside_loads(double restitution, double approach, double load, double compression_time,
+                                double expansion_time) {
+  const double compressed = load * compression_time, expanded = load * expansion_time;
+  if (!(compressed > 0.0)) return restitution;
+  const double back = std::max(0.0, restitution * (approach + compressed) - expanded);
+  const double again = std::sqrt(back * (back + 2.0 * expanded));
+  if (again <= 0.5 * (1.0 + restitution) * approach) return restitution;
+  return restitution * approach / (approach + compressed);
 }
 
 }  // namespace rotorub

@@ -31,4 +31,12 @@ struct ImpulseWork {
 ImpulseWork impulse_work(double normal, double friction, const Eigen::Vector2d& before,
                          const Eigen::Vector2d& after);
 
+// eps_N of an impact at the speed v (m/s) of approach beside loads that press with a (m/s^2). Poisson's law
+// returns a share of what the loads compress too: v' = eps_N (v + a tau_C) - a tau_E, after the flight
+// v'' = sqrt(v'^2 + 2 a tau_E v'), which above some eps_N has a fixed point: impacts without end. So where
+// the loads give back more than half of what restitution takes, v'' > (1 + eps_N) v / 2, the approach's
+// share alone is returned, eps_N v / (v + a tau_C): the impacts fall off with eps_N, and contact comes to rest.
+double restitution_beside_loads(double restitution, double approach, double load, double compression_time,
+                                double expansion_time);
+
 }  // namespace rotorub

@@ -64,7 +64,10 @@ ImpactStatus FiniteImpact::begin(double t, const double* q, const double* v,
   in.acceleration = contact_acceleration(m, acceleration_.data());
   in.compression_time = c.compression_time;
   in.expansion_time = c.expansion_time;
-  const ImpactResult r = solve_impact(in, {c.friction, c.restitution, c.tangential_restitution});
+  const double restitution =
+      restitution_beside_loads(c.restitution, -touch.gap_rate, touch.e_r.dot(in.acceleration.head<2>()),
+                               c.compression_time, c.expansion_time);
+  const ImpactResult r = solve_impact(in, {c.friction, restitution, c.tangential_restitution});
   if (r.status != ImpactStatus::kOk) return r.status;
 
   record_ = {};

@@ -40,6 +40,25 @@ TEST(ContactResiduals, ALawfulSeriesHasNone) {
   }
 }
 
+// A force beside an open gap is an impact's own where the impact takes time, and nobody's after it.
+TEST(ContactResiduals, AnImpactThatTakesTimeHasItsOwnLaw) {
+  Trajectory t = hand_made(100, 1e-4, [](double time) {
+    Row row = sliding(kRub, time);
+    if (time < 19.5e-4 || time > 21.5e-4) return row;
+    row.x *= 0.9;
+    row.y *= 0.9;
+    row.gap = 0.1 * kRub.clearance;
+    return row;
+  });
+  t.impacts.push_back({.t = 19.5e-4});
+  ContactFacts facts = kRubFacts;
+  EXPECT_NEAR(contact_residuals(t, facts).complementarity, 0.1, 1e-3);
+  facts.impact_time = 2e-4;
+  EXPECT_LE(contact_residuals(t, facts).complementarity, kResidual);
+  facts.impact_time = 1e-4;
+  EXPECT_NEAR(contact_residuals(t, facts).complementarity, 0.1, 1e-3);
+}
+
 TEST(ContactResiduals, SeesPenetration) {
   const Residuals r = with([](Row& row) {
     row.x *= 1.1;

@@ -139,5 +139,29 @@ TEST(FiniteImpact, SpreadsItsForceOverTheBins) {
   EXPECT_NEAR(t.statistics.peak_force, mass * v / 1e-3, 1e-6);
 }
 
+// 400 N for good: Poisson's law would return a share of what the loads compress, and above some restitution
+// bounce without end. Contact comes to rest, with the impacts of a series that falls off with eps_N.
+TEST(FiniteImpact, ALoadedContactComesToRest) {
+  constexpr double kForce = 400.0;
+  for (const double eps : {0.3, 0.49, 0.51, 0.8, 0.95}) {
+    for (const double tau_e : {0.0, 2e-5}) {
+      SCOPED_TRACE(std::to_string(eps) + " " + std::to_string(tau_e));
+      scene::Scene scene = with_times(make_scene({.mass = 1.0, .restitution = eps}), 2e-5, tau_e);
+      test::add_constant_force(scene, {kForce, 0.0});
+      scene.run.end = 0.3;
+      for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
+        const Trajectory t = test::run_with(scene, integrator, 5e-6);
+        ASSERT_EQ(t.status, Status::kOk) << t.message;
+        EXPECT_NEAR(t.column("normal_force").back(), kForce, 1e-6 * kForce);
+        // From v = 0.63 m/s down to a duration's flight.
+        EXPECT_LT(static_cast<double>(t.impacts.size()), 12.0 + 6.0 / -std::log(eps));
+        for (const Impact& i : t.impacts) EXPECT_LE(i.energy_change, 0.0);
+        const bool exact = integrator == scene::Integrator::kEvent;
+        EXPECT_LT(t.statistics.energy_residual(), exact ? kLoadedBalance : 1e-2);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rotorub
