@@ -116,7 +116,8 @@ void compute_actuators(const mjModel* m, mjData* d) {
 }
 
 bool actuators_computed(const mjModel* m, mjData* d) {
-  if (!stands_before || pass.data != d || pass.asking || !pass.computed || !has_engine_actuators(m)) return false;
+  if (!stands_before || pass.data != d || pass.asking || !pass.computed || !has_engine_actuators(m))
+    return false;
   pass.computed = false;
   if (has_inputs(m, d)) return true;
   restore_plugin_state(m, d);
@@ -127,15 +128,18 @@ void expect_to_stand_before() { stands_before = true; }
 
 void compare_actuators(const mjModel* m, const mjData* d) {
   static std::atomic<bool> warned = false;
-  if (pass.data != d || !pass.computed || !has_engine_actuators(m) || warned || !has_inputs(m, d)) return;
+  if (pass.data != d || !pass.computed || !has_engine_actuators(m) || warned || !has_inputs(m, d))
+    return;
   for (int i = 0; i < actuator_count(m); ++i) {
     const double force = pass.forces[static_cast<std::size_t>(i)];
     if (!is_engine_actuator(m, i) || d->actuator_force[force_address(m, i)] == force) continue;
     if (warned.exchange(true)) return;
     const char* name = m->names + m->name_actuatoradr[i];
     const std::string text = message(
-        "rotorub: <plugin name=\"{}\"> of <actuator> gives another force when it is computed again within a step, "
-        "and the contact needs it before MuJoCo does; accepted: its state in mjData.plugin_state or act, or "
+        "rotorub: <plugin name=\"{}\"> of <actuator> gives another force when it is computed again "
+        "within a step, "
+        "and the contact needs it before MuJoCo does; accepted: its state in mjData.plugin_state "
+        "or act, or "
         "the plugin preloaded (LD_PRELOAD)",
         name);
     warn(text.c_str());
@@ -145,7 +149,8 @@ void compare_actuators(const mjModel* m, const mjData* d) {
 
 bool answer_given(int kind, const mjModel* m, const mjData* d, int id, mjtNum& value) {
   const std::size_t at = static_cast<std::size_t>(kKinds * id + kind);
-  if (pass.data != d || at >= pass.answers.size() || pass.answers[at] == Answer::kNone) return false;
+  if (pass.data != d || at >= pass.answers.size() || pass.answers[at] == Answer::kNone)
+    return false;
   if (!pass.asking) {
     // MuJoCo's question.
     if (pass.answers[at] == Answer::kUsed || !has_inputs(m, d)) return false;

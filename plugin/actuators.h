@@ -1,9 +1,10 @@
-// The forces of the actuators, once in a pass. The contact needs them in mjcb_control, and MuJoCo computes
-// them behind it, again: whoever counts or filters in mjcb_act_dyn, _gain, _bias or in an engine plugin
-// would be asked twice. So an answer that a callback gave to us is what MuJoCo gets, as long as time,
-// state and controls are those of then (they are not where ctrl is set between mj_step1 and mj_step2). An
-// engine plugin finds mjData.plugin_state as it left it; preloaded, its second computation is left out
-// (register.cc), linked, one that is seen to depend on how often it is asked is warned of.
+// The forces of the actuators, once in a pass. The contact needs them in mjcb_control, and MuJoCo
+// computes them behind it, again: whoever counts or filters in mjcb_act_dyn, _gain, _bias or in an
+// engine plugin would be asked twice. So an answer that a callback gave to us is what MuJoCo gets,
+// as long as time, state and controls are those of then (they are not where ctrl is set between
+// mj_step1 and mj_step2). An engine plugin finds mjData.plugin_state as it left it; preloaded, its
+// second computation is left out (register.cc), linked, one that is seen to depend on how often it
+// is asked is warned of.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -29,7 +30,8 @@ class ActuatorsAside {
 // In the place of mj_fwdActuation, for the passes of ours.
 void compute_actuators(const mjModel* m, mjData* d);
 
-// For MuJoCo's mj_fwdActuation, where one can stand before it: true where compute_actuators has done its work.
+// For MuJoCo's mj_fwdActuation, where one can stand before it: true where compute_actuators has
+// done its work.
 bool actuators_computed(const mjModel* m, mjData* d);
 void expect_to_stand_before();
 

@@ -1,5 +1,6 @@
-// What a thread remembers, by key, however many it takes in turns. What nobody asked for in the last kAsked
-// questions goes when their number has doubled: a model that is gone is not kept for ever.
+// What a thread remembers, by key, however many it takes in turns. What nobody asked for in the
+// last kAsked questions goes when their number has doubled: a model that is gone is not kept for
+// ever.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Actuators of others beside the contact: each callback is asked as often as in MuJoCo alone, so that one
-// that counts or filters is the same with the plugin, to the bit.
+// Actuators of others beside the contact: each callback is asked as often as in MuJoCo alone, so
+// that one that counts or filters is the same with the plugin, to the bit.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -20,13 +20,16 @@ int gains = 0, biases = 0, rates = 0;
 // Each hangs on how often it was asked.
 mjtNum counting_gain(const mjModel*, const mjData*, int) { return 1.0 + 1e-3 * ++gains; }
 mjtNum counting_bias(const mjModel*, const mjData* d, int) { return 1e-3 * ++biases - d->qvel[0]; }
-mjtNum counting_rate(const mjModel*, const mjData* d, int id) { return 1e-2 * ++rates + d->ctrl[id]; }
+mjtNum counting_rate(const mjModel*, const mjData* d, int id) {
+  return 1e-2 * ++rates + d->ctrl[id];
+}
 
 Machine with_actuator(const std::string& contact) {
   Machine x;
   x.contact = contact;
   x.constraints =
-      "<actuator><general name=\"pull\" joint=\"rotor_x\" dyntype=\"user\" gaintype=\"user\" biastype=\"user\"/>"
+      "<actuator><general name=\"pull\" joint=\"rotor_x\" dyntype=\"user\" gaintype=\"user\" "
+      "biastype=\"user\"/>"
       "</actuator>";
   return x;
 }
@@ -59,7 +62,8 @@ constexpr int kActuatorSteps = 50;
 TEST_F(OwnActuators, AreAskedOnceAPassAndMoveAsWithoutThePlugin) {
   // In flight; alone MuJoCo would collide a soft pair's drawn shapes.
   install();
-  const std::vector<double> plain = run(load(document(with_actuator("rigid"))).get(), kActuatorSteps, 0.0);
+  const std::vector<double> plain =
+      run(load(document(with_actuator("rigid"))).get(), kActuatorSteps, 0.0);
   EXPECT_EQ(gains, kActuatorSteps);
   remove();
   for (const char* contact : {"rigid", "coulomb"}) {
@@ -71,7 +75,8 @@ TEST_F(OwnActuators, AreAskedOnceAPassAndMoveAsWithoutThePlugin) {
       EXPECT_EQ(run(m.get(), kActuatorSteps, 0.0), plain) << contact << before;
       // In the contact, where the force is needed before.
       run(m.get(), kActuatorSteps, 5e-4 + 1e-8);
-      EXPECT_EQ((std::array{gains, biases, rates}), (std::array{kActuatorSteps, kActuatorSteps, kActuatorSteps}))
+      EXPECT_EQ((std::array{gains, biases, rates}),
+                (std::array{kActuatorSteps, kActuatorSteps, kActuatorSteps}))
           << contact << before;
       remove();
     }
@@ -110,7 +115,8 @@ TEST_F(OwnActuators, OfAGeneratedModelAreAskedOnceAPass) {
   const plugin::Hooks hooks;
   const std::string text = mjcf(shipped("paper_sliding"));
   const ModelPointer m = load(replaced(
-      text, "</actuator>", "<general name=\"pull\" joint=\"spin\" biastype=\"user\" gainprm=\"0\"/></actuator>"));
+      text, "</actuator>",
+      "<general name=\"pull\" joint=\"spin\" biastype=\"user\" gainprm=\"0\"/></actuator>"));
   const DataPointer d = start(m.get());
   forget();
   for (const double pull : {0.0, 1.0}) {
