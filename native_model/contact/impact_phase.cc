@@ -27,6 +27,11 @@ ImpulseWork impulse_work(double normal, double friction, const Eigen::Vector2d& 
   return {0.5 * normal * (before.x() + after.x()), 0.5 * friction * (before.y() + after.y())};
 }
 
+double pressing(const ContactPoint& touch, const Eigen::Vector3d& acceleration) {
+  const double whirl = touch.whirl_speed();
+  return touch.e_r.dot(acceleration.head<2>()) + whirl * whirl / touch.delta;
+}
+
 double restitution_beside_loads(double restitution, double approach, double load, double compression_time,
                                 double expansion_time) {
   const double compressed = load * compression_time, expanded = load * expansion_time;

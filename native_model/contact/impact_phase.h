@@ -11,6 +11,8 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "native_model/contact/kinematics.h"
+
 namespace rotorub {
 
 // (gdot_N, gdot_T), m/s, of (ddot, contact spin) along the normal e_r of the touch, which the impulses have.
@@ -30,6 +32,9 @@ struct ImpulseWork {
 };
 ImpulseWork impulse_work(double normal, double friction, const Eigen::Vector2d& before,
                          const Eigen::Vector2d& after);
+
+// m/s^2, -gddot_N: the loads along the normal, and the turning of the normal (What_N in (17) and (18)).
+double pressing(const ContactPoint& touch, const Eigen::Vector3d& acceleration);
 
 // eps_N of an impact at the speed v (m/s) of approach beside loads that press with a (m/s^2). Poisson's law
 // returns a share of what the loads compress too: v' = eps_N (v + a tau_C) - a tau_E, after the flight

@@ -92,8 +92,9 @@ EventImpact::Outcome EventImpact::over_time(Motion& motion, const ContactPoint& 
   in.compression_time = c.compression_time;
   in.expansion_time = c.expansion_time;
   ImpactLaw own = law;
-  own.restitution = restitution_beside_loads(law.restitution, -touch.gap_rate, touch.e_r.dot(in.acceleration.head<2>()),
-                                             c.compression_time, c.expansion_time);
+  own.restitution = restitution_beside_loads(law.restitution, -touch.gap_rate,
+                                             pressing(touch, in.acceleration), c.compression_time,
+                                             c.expansion_time);
   const ImpactResult r = solve_impact(in, own);
   if (r.status != ImpactStatus::kOk) return {r.status};
   phase_of(motion, touch.e_r, c.compression_time, r.normal_compression, r.friction_compression,

@@ -65,7 +65,7 @@ ImpactStatus FiniteImpact::begin(double t, const double* q, const double* v,
   in.compression_time = c.compression_time;
   in.expansion_time = c.expansion_time;
   const double restitution =
-      restitution_beside_loads(c.restitution, -touch.gap_rate, touch.e_r.dot(in.acceleration.head<2>()),
+      restitution_beside_loads(c.restitution, -touch.gap_rate, pressing(touch, in.acceleration),
                                c.compression_time, c.expansion_time);
   const ImpactResult r = solve_impact(in, {c.friction, restitution, c.tangential_restitution});
   if (r.status != ImpactStatus::kOk) return r.status;
