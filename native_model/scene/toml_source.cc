@@ -7,6 +7,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "native_model/scene/key_depth.h"
 #include "native_model/scene/printable.h"
 
 // toml++ 3.3.0 asserts on bad input, [[[a]]] for one, and would end the program: off, here only.
@@ -27,8 +28,6 @@
 namespace rotorub::scene {
 namespace {
 
-constexpr std::ptrdiff_t kDeepestKey =
-    1000;  // dots in a line of keys: deeper trees exhaust the stack
 // Stands for a value that could not be read, while the rest is.
 constexpr std::string_view kFaultyMark = "\x01 faulty";
 constexpr std::string_view kFaultyText = "\"\\u0001 faulty\"";
@@ -209,15 +208,14 @@ std::string_view kind_name(TomlNode::Kind kind) {
 std::optional<TomlNode> parse_toml(std::string_view text, const std::string& file,
                                    std::vector<Diagnostic>& diagnostics) {
   std::vector<std::string> lines = lines_of(text);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (std::count(lines[i].begin(), lines[i].end(), '.') > kDeepestKey) {
-      diagnostics.push_back({file, static_cast<int>(i) + 1, {}, "more than 1000 dots in one line"});
-      return std::nullopt;
-    }
-  }
   for (int attempt = 0; attempt < kMostSyntaxErrors; ++attempt) {
     std::string remaining;
     for (const std::string& line : lines) remaining += line;
+    if (const int line = line_of_too_deep_key(remaining); line > 0) {
+      const std::string most = std::to_string(kDeepestKey);
+      diagnostics.push_back({file, line, {}, "a key of more than " + most + " dots; accepted: up to " + most});
+      return std::nullopt;
+    }
     const toml::parse_result parsed = toml::parse(remaining, file);
     if (parsed) {
       TomlNode root = converted(parsed.table(), file, attempt > 0);
