@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "native_model/control/library.h"
+#include "native_model/scene/printable.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/units.h"
 
@@ -127,6 +128,12 @@ scene::ContactModel contact_model_of(const std::string& name) {
   if (name == "rigid") return scene::ContactModel::kRigid;
   assert(name == "coulomb" || name == "cone");
   return name == "cone" ? scene::ContactModel::kCone : scene::ContactModel::kCoulomb;
+}
+
+void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory) {
+  if (trajectory.status == Status::kOk) return;
+  fmt::print(stderr, "rotorub: {}: {}{} at t = {:.9g} s: {}\n", scene::printable(scene.name), what,
+             to_string(trajectory.status), trajectory.end, trajectory.message);
 }
 
 int exit_code_of(Status status) {

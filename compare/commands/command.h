@@ -89,5 +89,7 @@ Command add_manual_command(CLI::App& program);
 
 // The exit code for the status of a run.
 int exit_code_of(Status status);
+// On standard error why a run did not come to its end; `what`: which run of the scene, "shadow: ".
+void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory);
 
 }  // namespace rotorub

@@ -161,7 +161,10 @@ int exit_code(const std::vector<SceneComparison>& comparisons) {
   int code = kDone;
   for (const SceneComparison& c : comparisons) {
     const int run = exit_code_of(c.status());
-    if (run != kDone) return run;
+    if (run != kDone) {
+      for (const Side& side : c.sides) say_failure(c.scene, side.label + ": ", side.trajectory);
+      return run;
+    }
     if (!c.within()) code = kOutside;
   }
   return code;

@@ -78,12 +78,6 @@ std::string whirl_note(const scene::Scene& scene, const Trajectory& trajectory) 
       short_number(kHz * above->fastest));
 }
 
-void say_failure(const scene::Scene& scene, const char* what, const Trajectory& trajectory) {
-  if (trajectory.status == Status::kOk) return;
-  fmt::print(stderr, "rotorub: {}: {}{} at t = {} s: {}\n", scene::printable(scene.name), what,
-             to_string(trajectory.status), trajectory.end, trajectory.message);
-}
-
 // The native model that ran alongside in the plugin: nobody but a controller of the scene commands
 // the actuator in such a run, so that a run of its own at the same step comes to the same bits
 // (tests/plugin/shadow_test.cc). (Magnets that no controller commands are the exception: in the

@@ -27,6 +27,7 @@ std::string_view trimmed(std::string_view text) {
 struct NameAndUnit {
   std::string_view name, unit;
   bool has_unit = false;
+  bool closed = true;  // the bracket, and nothing stands behind it
 };
 
 NameAndUnit parted(std::string_view field) {
@@ -34,8 +35,9 @@ NameAndUnit parted(std::string_view field) {
   if (open == std::string_view::npos) return {field, {}, false};
   const char close = field[open] == '[' ? ']' : ')';
   std::string_view unit = field.substr(open + 1);
-  if (!unit.empty() && unit.back() == close) unit.remove_suffix(1);
-  return {trimmed(field.substr(0, open)), trimmed(unit), true};
+  const bool closed = !unit.empty() && unit.find(close) == unit.size() - 1;
+  if (closed) unit.remove_suffix(1);
+  return {trimmed(field.substr(0, open)), trimmed(unit), true, closed};
 }
 
 const Measurable* measurable(std::string_view name) {
@@ -77,6 +79,7 @@ std::string unknown_reason(std::string_view name) {
 // What one unit of the column is in SI, or why there is none.
 std::string read_unit(const NameAndUnit& part, const scene::Quantity& quantity, double& factor) {
   if (!part.has_unit) return {};
+  if (!part.closed) return "its bracket is not closed behind the unit; accepted is a header as rotor_x [um]";
   if (part.unit.empty()) return fmt::format("its brackets hold no unit; accepted are {}", quantity.examples);
   const scene::ParsedQuantity one = scene::parse_quantity(fmt::format("1 {}", part.unit), quantity);
   if (!one.error.empty()) return one.error;

@@ -34,6 +34,7 @@ class LayingIn {
       throw MeasuredError("the native run has no two rows to lay the record beside");
     }
     keep_comparable(sampled);
+    refuse_other_units(*runs.front().trajectory);
     out_.alignment = align(record_, sampled.front(), options);
     keep_samples(sampled.front());
     for (const MeasuredColumn& c : record_.columns) hold(c, sampled);
@@ -66,6 +67,26 @@ class LayingIn {
       out_.remarks.push_back("not compared: " + names);
     }
     if (!record_.has_units) out_.remarks.push_back("the header has no unit: all is taken in SI");
+  }
+
+  // A unit that is wrong by a prefix: an orbit a thousand times that of the run, or a thousandth. A model that is right
+  // to a factor of 30 is still one to be compared.
+  void refuse_other_units(const Trajectory& native) const {
+    constexpr double kFar = 100.0;
+    for (const MeasuredColumn& c : record_.columns) {
+      if (!c.what->name.starts_with("rotor_") || !native.has(std::string(c.what->series))) continue;
+      double measured = 0.0, run = 0.0;
+      for (std::size_t i = 0; i < c.value.size(); ++i) {
+        if (c.sample[i] != Sample::kMissing) measured = std::max(measured, std::abs(c.value[i]));
+      }
+      for (const double x : native.column(std::string(c.what->series))) run = std::max(run, std::abs(x));
+      if (measured == 0.0 || run == 0.0) continue;
+      if (measured < kFar * run && run < kFar * measured) continue;
+      throw MeasuredError(fmt::format(
+          "{}: reaches {:.3g} m, and the native run {:.3g} m, {:.2g} times as far: is its unit right? Accepted is the unit "
+          "in the header that the numbers are in, as rotor_x [um]",
+          c.header, measured, run, run / measured));
+    }
   }
 
   // Those on the native run.

@@ -39,6 +39,14 @@ if(ROTORUB_NAN_INIT)
   add_compile_definitions(EIGEN_INITIALIZE_MATRICES_BY_NAN)
 endif()
 
+# Whoever reads files of others: addresses of functions are bound and locked before main, a stack that was written
+# over is noticed, and so are copies that are too long. (tests/package/hardened_test.py)
+if(NOT ROTORUB_SANITIZE)
+  add_link_options(-Wl,-z,relro -Wl,-z,now)
+  add_compile_options(-fstack-protector-strong)
+  add_compile_definitions(_FORTIFY_SOURCE=2)
+endif()
+
 # A program that preloads an instrumented library must have the sanitizer's run-time library before it.
 set(ROTORUB_SANITIZER_RUNTIME "")
 if(ROTORUB_SANITIZE)

@@ -36,6 +36,11 @@ TRIED = [
     f"run {DROP} --engine native --integrator verlet --step 20us --end 12ms --output r1 --json",
     f"run {DROP} --engine mujoco --contact cone --end 12ms -o r2 --quiet --format hdf5",
     f"run {PAPER} --controller {OWN} {SAMPLED} --end 2ms -q -o r3",
+    f"run {DROP} --allow-library --end 2ms -q -o r5", f"check {DROP} --set run.end=11ms -q --allow-library -o k3",
+    f"compare {DROP} --allow-library --twins 0 --no-modes-ladder --no-video --step 20us --end 1ms -o c6 -q",
+    f"bench {DROP} --allow-library --engines native-verlet --steps 100us --repeats 1 --end 1ms -q -o b3",
+    "sweep study.toml -o s6 --jobs 1 -q --allow-library",
+    f"tune {DROP} --allow-library --steps 20us --twins 0 --end 12ms -q -o tuned3.toml",
     f"compare {DROP} --mode lockstep --tolerance 1% --contact rigid --twins 2 --no-modes-ladder --no-video --step 20us "
     "--end 12ms --output c1 --json --format hdf5",
     f"compare {PAPER} --modes-ladder --twins 0 --no-video --end 200us -o c2 -q --controller {OWN} {SAMPLED}",

@@ -35,6 +35,29 @@ const ColumnFit& column_of(const MeasuredRun& run, const std::string& name) {
   throw std::out_of_range(name);
 }
 
+// A unit that is wrong by a prefix is asked for, not compared.
+TEST(MeasuredRun, AThousandTimesTheOrbitIsAnotherUnit) {
+  const scene::Scene scene = short_rig();
+  const Trajectory run = run_event(scene);
+  for (const double factor : {1e3, 1e-3}) {
+    Trajectory other = run;
+    for (Column& c : other.series) {
+      if (!c.name.starts_with("rotor_x") && !c.name.starts_with("rotor_y")) continue;
+      for (double& x : c.values) x *= factor;
+    }
+    const auto file = std::filesystem::temp_directory_path() / fmt::format("rotorub-other-unit-{}.csv", getpid());
+    write_series(other, file);
+    const MeasuredRecord record = read_measured(file);
+    std::filesystem::remove(file);
+    try {
+      lay_in(record, {}, scene, {{"native", &run}});
+      ADD_FAILURE() << factor;
+    } catch (const MeasuredError& error) {
+      EXPECT_NE(std::string(error.what()).find("is its unit right?"), std::string::npos) << error.what();
+    }
+  }
+}
+
 // The run's own series.csv as the measurement: the file's numbers read back to the same bits, so that what is left is
 // round-off of the fit.
 TEST(MeasuredRun, ARunsOwnSeriesLeavesNothing) {

@@ -81,6 +81,8 @@ TEST(MeasuredReader, RefusesWithLineColumnReasonAndWhatIsAccepted) {
       {"no name", with_lines("t [s],[um]", "0,1"), 1, "column 2", "has no name", "accepted are t"},
       {"unit of another quantity", with_lines("t [s],gap [N]", "0,1"), 1, "gap", "length", "mm"},
       {"no such unit", with_lines("t [s],gap [furlong]", "0,1"), 1, "gap", "furlong", "mm"},
+      {"a bracket that is open", with_lines("t [s],gap [mm", "0,1"), 1, "gap", "not closed", "rotor_x [um]"},
+      {"words behind the unit", with_lines("t [s],gap [mm] p-p", "0,1"), 1, "gap", "not closed", "rotor_x [um]"},
       {"empty unit", with_lines("t [s],gap []", "0,1"), 1, "gap", "no unit", "m, mm, um"},
       {"one without a unit", with_lines("t [s],gap", "0,1"), 1, "gap", "has no unit, which other columns have",
        "gap [m]"},

@@ -1,0 +1,29 @@
+"""Programs and libraries that read files of others: bound and locked before main, stacks and copies watched."""
+
+import subprocess
+import unittest
+
+from product import BUILD
+
+FILES = [BUILD / "bin" / "rotorub", BUILD / "lib" / "librotorub_mujoco.so"]
+
+
+def readelf(option, file):
+    return subprocess.run(["readelf", "-W", option, file], text=True, capture_output=True, check=True).stdout
+
+
+class Hardened(unittest.TestCase):
+    def test_addresses_are_bound_and_locked(self):
+        for file in FILES:
+            self.assertIn("GNU_RELRO", readelf("-l", file), file)
+            self.assertRegex(readelf("-d", file), r"BIND_NOW|FLAGS_1.*NOW", file)
+
+    def test_stacks_and_copies_are_watched(self):
+        for file in FILES:
+            symbols = readelf("--dyn-syms", file)
+            self.assertIn("__stack_chk_fail", symbols, file)
+            self.assertRegex(symbols, r"__\w+_chk\b", file)
+
+
+if __name__ == "__main__":
+    unittest.main()
