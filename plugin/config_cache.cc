@@ -127,7 +127,7 @@ thread_local char raised_text[1000];
 const Config* look_up(const mjModel* m) {
   try {
     const Known* known = recent.find(m);
-    if (known && known->config && fits(*known->config, m)) return known->config.get();
+    if (known && known->config && fits(*known->config, m) && same_motion(*known->config, m)) return known->config.get();
     return recent.add(m, {registry().find_or_make(m), {}}).config.get();
   } catch (const std::exception& error) {
     std::snprintf(raised_text, sizeof raised_text, "%s", error.what());
