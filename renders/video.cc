@@ -217,10 +217,16 @@ VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
   for (std::string& argument : output) arguments.push_back(std::move(argument));
   // `file:` keeps ffmpeg from reading a protocol into the name.
   arguments.push_back("file:" + part_.string());
-  const Process process = start(std::move(arguments), file);
-  encoder_ = process.child;
-  pipe_ = process.pipe;
-  log_ = process.log;
+  try {
+    const Process process = start(std::move(arguments), file);
+    encoder_ = process.child;
+    pipe_ = process.pipe;
+    log_ = process.log;
+  } catch (...) {
+    std::error_code none;
+    std::filesystem::remove(part_, none);
+    throw;
+  }
 }
 
 VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,

@@ -18,6 +18,7 @@
 #include "compare/commands/terminal.h"
 #include "compare/report/beside.h"
 #include "compare/study/json.h"
+#include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
@@ -79,6 +80,8 @@ std::vector<CheckedScene> checked_scenes(const CheckArguments& options) {
   for (const std::string& file : scene_files(options.places)) {
     try {
       CheckedScene one{read_scene(file, options), {}, ""};
+      const auto& controller = one.scene.controller;
+      if (controller && controller->kind == scene::ControllerKind::kLibrary) controller_library(one.scene);
       one.rules = check::rules_of(one.scene);
       all.push_back(std::move(one));
     } catch (const scene::SceneError& error) {

@@ -79,7 +79,7 @@ TEST(CliPlot, RefusesASeriesThatIsNone) {
 
 TEST(CliPlot, NamesAColumnOfTheModesThatIsMissing) {
   const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"}).code, 0);
+  ASSERT_EQ(folder.run({"run", shipped("paper_passive"), "--set", "rotor.modes=2", "--end", "0.001", "-o", "out"}).code, 0);
   std::string text = folder.text("out/series.csv");
   text.replace(text.find(",vx_1"), 5, ",vx_7");
   std::ofstream(folder.path() / "out/series.csv") << text;

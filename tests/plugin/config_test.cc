@@ -127,7 +127,7 @@ TEST_F(ConfigTest, ReusedAddressIsNotTheOldModel) {
   const std::vector<double> wanted = state_after(m.get(), 500);
   const mjModel* address = m.get();
   int reused = 0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 200 && reused < 10; ++i) {
     m.reset();
     m = load(first);
     state_after(m.get(), 500);
