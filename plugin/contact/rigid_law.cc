@@ -16,7 +16,7 @@ double slip(const Eigen::Vector2d& e_r, double radius, const Eigen::Vector3d& ve
   return tangent(e_r).dot(velocity.head<2>()) + radius * velocity.z();
 }
 
-// The point where the path d + s v leaves the ring, from inside it.
+// The point where the straight path d + s v, from inside the ring, leaves it.
 Eigen::Vector2d exit_point(const Eigen::Vector2d& d, const Eigen::Vector2d& v, double radius) {
   const double a = v.squaredNorm(), b = d.dot(v), c = d.squaredNorm() - radius * radius;
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
@@ -153,10 +153,10 @@ bool reaches_ring(const RigidStep& step, double clearance) {
 
 Eigen::Vector2d contact_normal(const RigidStep& step, double clearance) {
   const double delta = step.d.norm();
-  const Eigen::Vector2d free = step.free.head<2>();
-  const bool closes = delta > kNoNormal && step.d.dot(free) > 0.0;
+  const Eigen::Vector2d path = end_of(step) - step.d;  // its bend may close what its rate opens
+  const bool closes = delta > kNoNormal && step.d.dot(path) > 0.0;
   if (closes || delta >= clearance) return step.d / delta;
-  return exit_point(step.d, free, clearance).normalized();
+  return exit_point(step.d, path, clearance).normalized();
 }
 
 bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactParameters& c) {
