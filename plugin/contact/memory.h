@@ -1,6 +1,9 @@
 // What `rigid` keeps in mjData.userdata: whether contact lasts, and what the step's impulses were.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include <mujoco/mujoco.h>
 
 #include "plugin/contact/rigid_law.h"
@@ -12,12 +15,16 @@ namespace rotorub::plugin {
 
 class ContactMemory {
  public:
-  // Of the forward pass at d->time. A pass at a later time turns "now" into "before"; further
-  // passes at the same time (mj_forward before mj_step) find the same "before".
-  ContactMemory(mjData* d, int data) : d_(d), data_(data), entry_(d->userdata + data) {
+  // Of the forward pass at d->time. A pass one step (h, s) later turns "now" into "before"; further
+  // passes at the same time (mj_forward before mj_step) find the same "before". Any other time was
+  // written: no contact lasts into it.
+  ContactMemory(mjData* d, int data, double h) : d_(d), data_(data), entry_(d->userdata + data) {
     if (entry_[kContactTime] == d->time) return;
+    const double passed = d->time - entry_[kContactTime];
+    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(d->time);
+    const bool next = std::abs(passed - h) <= 1e-6 * h + rounding;
     entry_[kContactTime] = d->time;
-    entry_[kContactBefore] = entry_[kContactNow];
+    entry_[kContactBefore] = next ? entry_[kContactNow] : 0.0;
   }
 
   bool was_in_contact() const { return entry_[kContactBefore] != 0.0; }

@@ -66,7 +66,7 @@ RigidResult solve_held(const mjModel* m, mjData* d, const ContactSpace& space, R
 
 void apply_rigid_step(const mjModel* m, mjData* d, const ContactSpace& space, RigidStep& step,
                       const ContactParameters& contact, int data) {
-  ContactMemory memory(d, data);
+  ContactMemory memory(d, data, step.h);
   step.free = step.start + step.h * space.response(d->qfrc_smooth);
   RigidResult r;
   if (!contact_enabled(m)) {

@@ -178,7 +178,7 @@ void note_results(const CoupledStep& step, const mjModel* m, mjData* d,
   const CoupledMember* held = nullptr;
   bool warned = false;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    ContactMemory memory(d, members[i]->data);
+    ContactMemory memory(d, members[i]->data, m->opt.timestep);
     warned = warned || memory.warned();
     if (members[i]->held) held = members[i];
     memory.note(step.result(i), m->opt.timestep);
@@ -199,9 +199,11 @@ bool moves_with(const CoupledMember& a, const CoupledMember& b) {
 }
 
 void apply_coupled_step(const mjModel* m, mjData* d, std::span<CoupledMember* const> members) {
-  for (CoupledMember* at : members) at->step.was_in_contact = ContactMemory(d, at->data).was_in_contact();
+  for (CoupledMember* at : members) {
+    at->step.was_in_contact = ContactMemory(d, at->data, at->step.h).was_in_contact();
+  }
   if (!contact_enabled(m)) {
-    for (const CoupledMember* at : members) ContactMemory(d, at->data).note({}, m->opt.timestep);
+    for (const CoupledMember* at : members) ContactMemory(d, at->data, at->step.h).note({}, at->step.h);
     return;
   }
   const bool held = std::any_of(members.begin(), members.end(),

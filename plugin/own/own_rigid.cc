@@ -107,7 +107,7 @@ void apply_own_rigid(std::span<const OwnPair> pairs, const mjModel* m, mjData* d
   bool near = false;
   for (const OwnPair& pair : pairs) {
     if (pair.law != scene::ContactModel::kRigid) continue;
-    ContactMemory memory(d, pair.data);
+    ContactMemory memory(d, pair.data, m->opt.timestep);
     if (!face_each_other(pair, d)) {
       memory.note({}, m->opt.timestep);
       continue;
@@ -117,7 +117,7 @@ void apply_own_rigid(std::span<const OwnPair> pairs, const mjModel* m, mjData* d
   }
   if (!near) {
     for (std::size_t i = 0; i < count; ++i) {
-      ContactMemory(d, facing[i]->data).note({}, m->opt.timestep);
+      ContactMemory(d, facing[i]->data, m->opt.timestep).note({}, m->opt.timestep);
     }
   } else if (count == 1 && !facing[0]->axial) {
     apply_one(*facing[0], m, d);

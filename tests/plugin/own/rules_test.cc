@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/own/machine.h"
+#include "tests/plugin/own/two_rings.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -67,6 +69,41 @@ TEST_F(OwnRules, ThePairSaysWhatTheTextSays) {
   const std::string three = replaced(document(cone), "condim=\"1\"", "condim=\"3\"");
   expect_refused(three, "friction is 1,");
   load(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.15 0.15 0 0 0\""));
+}
+
+// Contact that lasted does not last into a state that was written at another time.
+TEST_F(OwnRules, AWrittenStateReboundsAsAFreshOne) {
+  Machine one;
+  one.friction = 0.15;
+  TwoRings two;
+  two.friction = 0.15;
+  for (const std::string& text : {document(one), document(two)}) {
+    const ModelPointer m = load(text);
+    const DataPointer used = start(m.get());
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    for (int k = 0; k < 300; ++k) {
+      mj_resetData(m.get(), used.get());
+      used->qpos[0] = 5e-4 + 1e-8;
+      used->qfrc_applied[0] = 30.0;
+      for (int i = 0; i < 20; ++i) mj_step(m.get(), used.get());
+      used->qfrc_applied[0] = 0.0;
+      const DataPointer fresh = start(m.get());
+      const double turn = 3.141592653589793 * unit(random), speed = 0.6 + 0.4 * unit(random);
+      for (mjData* d : {fresh.get(), used.get()}) {
+        d->time = 0.0;
+        mju_copy(d->qpos, m->qpos0, m->nq);
+        mju_zero(d->qvel, m->nv);
+        d->qpos[0] = (5e-4 - 1e-7) * std::cos(turn);
+        d->qpos[1] = (5e-4 - 1e-7) * std::sin(turn);
+        d->qvel[0] = speed * std::cos(turn);
+        d->qvel[1] = speed * std::sin(turn);
+        for (int i = 0; i < 3; ++i) mj_step(m.get(), d);
+      }
+      EXPECT_LT(fresh->qvel[0] * std::cos(turn) + fresh->qvel[1] * std::sin(turn), 0.9 * speed);
+      for (int i = 0; i < m->nv; ++i) EXPECT_EQ(used->qvel[i], fresh->qvel[i]) << k;
+    }
+  }
 }
 
 // The force is there at the stage that the sensor asks for, or the sensor is refused.
