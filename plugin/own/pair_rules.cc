@@ -59,6 +59,16 @@ void check_cone(const mjModel* m, const PairName& name, const OwnPair& p) {
   }
 }
 
+// A mocap body moves by its place alone: no velocity tells an impact of it.
+void refuse_mocap(const mjModel* m, int geom) {
+  const int root = m->body_rootid[m->geom_bodyid[geom]];
+  if (m->body_mocapid[root] < 0) return;
+  refuse(message("<body name=\"{}\" mocap=\"true\">", m->names + m->name_bodyadr[root]),
+         message("moves geom \"{}\" of a contact without a velocity; contact model rigid accepts: a body "
+                 "with joints, driven by actuators or by a weld to the mocap body",
+                 m->names + m->name_geomadr[geom]));
+}
+
 }  // namespace
 
 std::string pair_element(const mjModel* m, const OwnPair& pair) {
@@ -73,6 +83,8 @@ void check_pair(const mjModel* m, const PairName& name, const OwnPair& p) {
   if (p.pair < 0) refuse(element, "missing");
   const double kept_out = m->pair_gap[p.pair] - m->pair_margin[p.pair];
   if (p.law == scene::ContactModel::kRigid) {
+    refuse_mocap(m, p.rotor_geom);
+    refuse_mocap(m, p.ring_geom);
     if (kept_out >= 10.0 * p.contact.clearance) return;
     refuse(element,
            "contact model rigid keeps the contact from MuJoCo's solver: accepted: gap above margin by "

@@ -71,6 +71,23 @@ TEST_F(OwnRules, ThePairSaysWhatTheTextSays) {
   load(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.15 0.15 0 0 0\""));
 }
 
+// Its motion is in no velocity: the contact would not see it.
+TEST_F(OwnRules, RigidRefusesGeomsOfMocapBodies) {
+  Machine x;
+  x.ring_moves = false;
+  const std::string mocap =
+      replaced(document(x), "<body name=\"ring\">", "<body name=\"ring\" mocap=\"true\">");
+  expect_refused(mocap, "<body name=\"ring\" mocap=\"true\">");
+  const std::string child = replaced(replaced(document(Machine{}), "<body name=\"ring\">",
+                                              "<body name=\"base\" mocap=\"true\"><body name=\"ring\">"),
+                                     "size=\"0.06 0.01\"/>", "size=\"0.06 0.01\"/></body>");
+  expect_refused(child, "<body name=\"base\" mocap=\"true\">");
+  x = Machine{};
+  x.bodies = "<body name=\"hand\" mocap=\"true\"/>";
+  x.constraints = equality("<weld body1=\"ring\" body2=\"hand\"/>");
+  load(document(x));
+}
+
 // Contact that lasted does not last into a state that was written at another time.
 TEST_F(OwnRules, AWrittenStateReboundsAsAFreshOne) {
   Machine one;
