@@ -69,6 +69,16 @@ void refuse_mocap(const mjModel* m, int geom) {
                  m->names + m->name_geomadr[geom]));
 }
 
+// `rigid` has its friction from <custom> alone. What a pair says of none is one of its geoms'.
+void refuse_other_friction(const mjModel* m, const PairName& name, const OwnPair& p) {
+  const double mu = p.contact.friction, given = m->pair_friction[5 * p.pair];
+  const auto from = [&](int geom) { return given == m->geom_friction[3 * geom]; };
+  if (m->pair_dim[p.pair] < 3 || from(p.rotor_geom) || from(p.ring_geom)) return;
+  if (std::abs(given - mu) <= 1e-9 + mjMINMU) return;
+  refuse(pair_element(m, p), message("friction is {}, {} is {}; accepted: one value in both, or none here",
+                                     given, name.of(names::kOwnFriction), mu));
+}
+
 }  // namespace
 
 std::string pair_element(const mjModel* m, const OwnPair& pair) {
@@ -85,6 +95,7 @@ void check_pair(const mjModel* m, const PairName& name, const OwnPair& p) {
   if (p.law == scene::ContactModel::kRigid) {
     refuse_mocap(m, p.rotor_geom);
     refuse_mocap(m, p.ring_geom);
+    refuse_other_friction(m, name, p);
     if (kept_out >= 10.0 * p.contact.clearance) return;
     refuse(element,
            "contact model rigid keeps the contact from MuJoCo's solver: accepted: gap above margin by "

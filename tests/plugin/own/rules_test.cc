@@ -71,6 +71,16 @@ TEST_F(OwnRules, ThePairSaysWhatTheTextSays) {
   load(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.15 0.15 0 0 0\""));
 }
 
+TEST_F(OwnRules, RigidRefusesAnotherFrictionInThePair) {
+  Machine x;
+  x.friction = 0.15;
+  const std::string three = replaced(document(x), "condim=\"1\"", "condim=\"3\"");
+  load(three);  // MuJoCo's own, that nobody wrote
+  expect_refused(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.4 0.4 0 0 0\""),
+                 "friction is 0.4, rotorub_friction is 0.15");
+  load(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.15 0.15 0 0 0\""));
+}
+
 // Its motion is in no velocity: the contact would not see it.
 TEST_F(OwnRules, RigidRefusesGeomsOfMocapBodies) {
   Machine x;
