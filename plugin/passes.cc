@@ -9,6 +9,7 @@
 #include "plugin/contact/annular.h"
 #include "plugin/contact/cone.h"
 #include "plugin/contact/coulomb.h"
+#include "plugin/contact/escape_guard.h"
 #include "plugin/contact/runge_kutta.h"
 #include "plugin/contact/segment_coulomb.h"
 #include "plugin/contact/segment_rigid.h"
@@ -133,6 +134,13 @@ void act(const Config& config, const mjModel* m, mjData* d) {
   if (!config.own && !config.has_soft()) fill_sensors(config, m, d, mjSTAGE_ACC);
 }
 
+bool has_escaped(const Config& config, mjData* d) {
+  if (!config.has_rigid()) return false;
+  if (config.pairs.empty()) return EscapeGuard(d->userdata).is_outside();
+  return std::any_of(config.pairs.begin(), config.pairs.end(),
+                     [d](const OwnPair& pair) { return EscapeGuard(d->userdata + pair.data).is_outside(); });
+}
+
 void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
   if (config.has_rigid() && m->opt.integrator == mjINT_RK4) {
     mark_active(config, d, false);
@@ -141,7 +149,7 @@ void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
   }
   act(config, m, d);
   seal_block(config, d);
-  mark_active(config, d, !config.has_contact() || contact_enabled(m));
+  mark_active(config, d, (!config.has_contact() || contact_enabled(m)) && !has_escaped(config, d));
 }
 
 // Where MuJoCo leaves out mjcb_control, mjcb_passive is the last that is called: with what the

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plugin/contact/annular.h"
+#include "plugin/contact/escape_guard.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -14,7 +15,7 @@ ContactForces rigid_forces(const mjtNum* entry) {
   out.normal = entry[kNormalForce];
   out.friction = entry[kFrictionForce];
   out.mode = static_cast<Mode>(static_cast<int>(entry[kMode]));
-  out.status = static_cast<Status>(static_cast<int>(entry[kContactStatus]));
+  out.status = EscapeGuard::status_in(entry[kContactStatus]);
   out.impact = entry[kImpact] != 0.0;
   if (!out.impact) return out;
   out.impact_time = entry[kImpactTime];

@@ -6,6 +6,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "plugin/contact/escape_guard.h"
 #include "plugin/contact/rigid_law.h"
 #include "plugin/load_cells.h"
 #include "plugin/mujoco_versions.h"
@@ -25,12 +26,26 @@ class ContactMemory {
     const bool next = std::abs(passed - h) <= 1e-6 * h + rounding;
     entry_[kContactTime] = d->time;
     entry_[kContactBefore] = next ? entry_[kContactNow] : 0.0;
+    if (!next) EscapeGuard(entry_).begin();
   }
 
+  // Whether contact lasted over the step before. It ends on the circle: a centre `delta` from the ring's that is inside
+  // it was written since.
+  bool was_in_contact(double delta, double clearance) const {
+    constexpr double kOnCircle = 0.01;  // of the clearance, that a step may leave open
+    return was_in_contact() && delta > (1.0 - kOnCircle) * clearance;
+  }
   bool was_in_contact() const { return entry_[kContactBefore] != 0.0; }
 
+  // Of this pass; delta: m, between the centres.
+  void watch(double delta, const ContactParameters& c) {
+    const bool gives = c.compression_time + c.expansion_time > 0.0;  // an impact that takes time goes deep
+    if (!gives) EscapeGuard(entry_).watch(c.clearance - delta, c.clearance, d_->time);
+  }
+  void begin_anew() { EscapeGuard(entry_).begin(); }
+
   // The step before had no solution, and that was said.
-  bool warned() const { return entry_[kContactStatus] != 0.0; }
+  bool warned() const { return EscapeGuard(entry_).status() != Status::kOk; }
 
   // Forces are means over the step of length h (s).
   void note(const RigidResult& r, double h) {
@@ -42,7 +57,7 @@ class ContactMemory {
     if (r.status != Status::kOk && r.converged && !warned()) {
       warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
     }
-    entry_[kContactStatus] = static_cast<double>(r.status);
+    EscapeGuard(entry_).set_status(r.status);
     entry_[kImpact] = r.impact ? 1.0 : 0.0;
     if (r.normal > 0.0) note_contact(d_, data_, r.e_r);
     if (!r.impact) return;

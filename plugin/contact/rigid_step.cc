@@ -36,7 +36,7 @@ bool can_open(const RigidStep& step, double clearance) {
 RigidResult solve(RigidStep& step, const ContactParameters& contact, const ContactSpace& space,
                   ContactMemory& memory, StepResponse* held) {
   if (!reaches_ring(step, contact.clearance)) return {};
-  step.was_in_contact = memory.was_in_contact();
+  step.was_in_contact = memory.was_in_contact(step.d.norm(), contact.clearance);
   step.lasting_admittance = with_spin(space.flexibility(), contact.radius);
   // Only what was open has an impact.
   if (!step.was_in_contact) step.impact_admittance = with_spin(space.admittance(), contact.radius);
@@ -73,6 +73,7 @@ void apply_rigid_step(const mjModel* m, mjData* d, const ContactSpace& space, Ri
     memory.note(r, step.h);
     return;
   }
+  memory.watch(step.d.norm(), contact);
   if (!constraints_couple(m, d, space)) {
     r = solve(step, contact, space, memory, nullptr);
   } else {

@@ -8,9 +8,11 @@
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "plugin/actuators.h"
+#include "plugin/contact/escape_guard.h"
 #include "plugin/control.h"
 #include "plugin/differences.h"
 #include "plugin/load_cells.h"
@@ -140,6 +142,15 @@ double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, do
   return before;
 }
 
+void watch_the_ring(const Model& model, const mjModel* m, mjData* d, const Coordinates& state, bool anew) {
+  EscapeGuard guard(d->userdata);
+  if (anew) guard.begin();
+  // An impact that takes time goes deep.
+  if (!contact_enabled(m) || model.contact->compression_time + model.contact->expansion_time > 0.0) return;
+  const double clearance = model.contact->clearance;
+  guard.watch(clearance - separation(model, state.q()).norm(), clearance, d->time);
+}
+
 // What is on the chain beside the native loads and the actuators: f of MuJoCo and of others. It
 // must not hang on what ctrl was before the command, not even in its last bit.
 void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
@@ -214,10 +225,11 @@ void note(mjData* d, const FixedStep& r, double kick) {
   entry[kNormalForce] = r.normal_impulse / kick + r.impact_force.x();
   entry[kFrictionForce] = r.friction_impulse / kick + r.impact_force.y();
   // Once, not every step: MuJoCo writes its warnings to a file.
-  if (r.status != Status::kOk && entry[kContactStatus] == 0.0) {
+  EscapeGuard guard(entry);
+  if (r.status != Status::kOk && guard.status() == Status::kOk) {
     warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
   }
-  entry[kContactStatus] = static_cast<double>(r.status);
+  guard.set_status(r.status);
   entry[kImpact] = !r.impacts.empty() ? 1.0 : 0.0;
   if (r.impacts.empty()) return;
   const Impact& first = r.impacts.front();
@@ -284,6 +296,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   Worker& worker = worker_of(config, m);
   worker.load(slot_of_pass(config, m, d, entry, worker, state));
   worker.stepper.adopt(state.q(), state.v());
+  watch_the_ring(model, m, d, state, worker.next == 0);
 
   double foreign[kMaxCoordinates], loads[kMaxCoordinates];
   foreign_force(config, m, d, state, foreign);

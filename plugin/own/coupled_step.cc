@@ -200,7 +200,9 @@ bool moves_with(const CoupledMember& a, const CoupledMember& b) {
 
 void apply_coupled_step(const mjModel* m, mjData* d, std::span<CoupledMember* const> members) {
   for (CoupledMember* at : members) {
-    at->step.was_in_contact = ContactMemory(d, at->data, at->step.h).was_in_contact();
+    ContactMemory memory(d, at->data, at->step.h);
+    if (contact_enabled(m)) memory.watch(at->step.d.norm(), *at->contact);
+    at->step.was_in_contact = memory.was_in_contact(at->step.d.norm(), at->contact->clearance);
   }
   if (!contact_enabled(m)) {
     for (const CoupledMember* at : members) ContactMemory(d, at->data, at->step.h).note({}, at->step.h);

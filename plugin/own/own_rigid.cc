@@ -109,6 +109,7 @@ void apply_own_rigid(std::span<const OwnPair> pairs, const mjModel* m, mjData* d
     if (pair.law != scene::ContactModel::kRigid) continue;
     ContactMemory memory(d, pair.data, m->opt.timestep);
     if (!face_each_other(pair, d)) {
+      memory.begin_anew();
       memory.note({}, m->opt.timestep);
       continue;
     }
@@ -117,7 +118,9 @@ void apply_own_rigid(std::span<const OwnPair> pairs, const mjModel* m, mjData* d
   }
   if (!near) {
     for (std::size_t i = 0; i < count; ++i) {
-      ContactMemory(d, facing[i]->data, m->opt.timestep).note({}, m->opt.timestep);
+      ContactMemory memory(d, facing[i]->data, m->opt.timestep);
+      memory.watch(0.0, facing[i]->contact);  // within its ring, as far as that matters
+      memory.note({}, m->opt.timestep);
     }
   } else if (count == 1 && !facing[0]->axial) {
     apply_one(*facing[0], m, d);

@@ -1,0 +1,84 @@
+// What is deeper in its ring than a start put it is told once, and the contact no longer calls itself active.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mjcf/writer.h"
+#include "plugin/contact/escape_guard.h"
+#include "plugin/hooks.h"
+#include "tests/plugin/own/machine.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+int escapes = 0;
+std::string last_escape;
+void count_escape(const char* text) {
+  ++escapes;
+  last_escape = text;
+}
+
+class Escape : public MujocoTest {
+ protected:
+  Escape() {
+    mju_user_warning = count_escape;
+    escapes = 0;
+  }
+  plugin::Hooks hooks_;
+};
+
+TEST(EscapeGuard, TellsOnceAndKnowsStarts) {
+  mjtNum entry[plugin::kUserDataSingle] = {};
+  plugin::EscapeGuard guard(entry);
+  void (*const before)(const char*) = mju_user_warning;
+  mju_user_warning = count_escape;
+  escapes = 0;
+  guard.watch(-1e-4, 5e-4, 0.0);  // a start in the wall
+  EXPECT_FALSE(guard.is_outside());
+  guard.watch(1e-6, 5e-4, 0.1);
+  guard.set_status(Status::kAmbiguous);
+  for (int k = 0; k < 3; ++k) {
+    guard.watch(-6e-6, 5e-4, 0.2);
+    EXPECT_TRUE(guard.is_outside());
+  }
+  EXPECT_EQ(guard.status(), Status::kAmbiguous);
+  EXPECT_EQ(escapes, 1);
+  guard.watch(-4e-6, 5e-4, 0.3);  // 1 % is a step's matter
+  EXPECT_FALSE(guard.is_outside());
+  guard.begin();
+  guard.watch(-1e-3, 5e-4, 0.4);
+  EXPECT_FALSE(guard.is_outside());
+  mju_user_warning = before;
+}
+
+// A rotor that is set aside in mid-run, as no force does it.
+TEST_F(Escape, OfAModelOfOnesOwn) {
+  const ModelPointer m = load(replaced(document(Machine{}), "<sensor>", R"(<sensor>
+    <user name="rotorub_active" objtype="geom" objname="disc" datatype="real" needstage="pos" dim="1"/>)"));
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 5; ++k) mj_step(m.get(), d.get());
+  EXPECT_EQ(sensor(m.get(), d.get(), "rotorub_active"), 1.0);
+  d->qpos[0] = 8e-4;
+  mj_forward(m.get(), d.get());
+  EXPECT_EQ(sensor(m.get(), d.get(), "rotorub_active"), 0.0);
+  EXPECT_EQ(escapes, 1) << last_escape;
+  EXPECT_NE(last_escape.find("deep in its ring"), std::string::npos) << last_escape;
+}
+
+// No shipped scene, at its own step and at ten times that.
+TEST_F(Escape, IsNoMatterOfARub) {
+  for (const char* name : {"bench_ring", "bench_whip", "bench_billiard", "touchdown_ball_bearing", "blade_loss"}) {
+    for (const char* step : {"run.step=1e-5", "run.step=1e-4"}) {
+      const ModelPointer m = load(mjcf(shipped(name, {step})));
+      const DataPointer d = start(m.get());
+      for (int k = 0; k < 3000; ++k) mj_step(m.get(), d.get());
+      EXPECT_EQ(escapes, 0) << name << " " << step << ": " << last_escape;
+      EXPECT_EQ(sensor(m.get(), d.get(), "rotorub_active"), 1.0) << name << " " << step;
+      escapes = 0;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotorub::test
