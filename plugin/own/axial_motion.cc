@@ -55,6 +55,16 @@ bool moves_along(const mjModel* m, int joint, const mjtNum* point, const mjtNum*
 
 }  // namespace
 
+bool lies_across(const mjModel* m, const OwnPair& pair) {
+  const int shape = m->geom_type[pair.rotor_geom];
+  if (shape != mjGEOM_CYLINDER && shape != mjGEOM_CAPSULE) return false;
+  const mjtNum z[3] = {0, 0, 1};
+  mjtNum ring[3], rotor[3];
+  geom_frame(m, pair.ring_geom).along(z, ring);
+  geom_frame(m, pair.rotor_geom).along(z, rotor);
+  return std::abs(mju_dot3(ring, rotor)) < 0.5;
+}
+
 bool slides_along_axis(const mjModel* m, const OwnPair& pair) {
   if (!(pair.contact.friction > 0.0)) return false;
   const mjtNum z[3] = {0, 0, 1};

@@ -139,7 +139,7 @@ std::array<mjtNum, 8> own_numbers(const mjModel* m, const OwnPair& pair) {
 bool same_motion(const Config& config, const mjModel* m) {
   return !config.own ||
          std::all_of(config.pairs.begin(), config.pairs.end(),
-                     [m](const OwnPair& p) { return p.axial == slides_along_axis(m, p); });
+                     [m](const OwnPair& p) { return p.axial == slides_along_axis(m, p) && !lies_across(m, p); });
 }
 
 void map_own_contacts(const mjModel* m, Config& config) {

@@ -5,9 +5,11 @@
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
 #include "plugin/message.h"
+#include "plugin/own/axial_motion.h"
 
 namespace rotorub::plugin {
 namespace {
+
 
 namespace names = mjcf_names;
 
@@ -89,6 +91,12 @@ std::string pair_element(const mjModel* m, const OwnPair& pair) {
 
 // MuJoCo must not solve beside `rigid`, nor add friction beside `coulomb`.
 void check_pair(const mjModel* m, const PairName& name, const OwnPair& p) {
+  if (lies_across(m, p)) {
+    refuse(message("<geom name=\"{}\">", m->names + m->name_geomadr[p.rotor_geom]),
+           message("its axis stands across that of its ring, geom \"{}\", in qpos0; accepted: tilted by less than 60 "
+                   "degrees",
+                   m->names + m->name_geomadr[p.ring_geom]));
+  }
   const std::string element = pair_element(m, p);
   if (p.pair < 0) refuse(element, "missing");
   const double kept_out = m->pair_gap[p.pair] - m->pair_margin[p.pair];

@@ -81,6 +81,13 @@ TEST_F(OwnRules, RigidRefusesAnotherFrictionInThePair) {
   load(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.15 0.15 0 0 0\""));
 }
 
+// A rotor that lies across its ring is no disc in it.
+TEST_F(OwnRules, RefuseARotorAcrossItsRing) {
+  const std::string upright = document(Machine{});
+  load(replaced(upright, "<geom name=\"disc\"", "<geom euler=\"30 0 0\" name=\"disc\""));
+  expect_refused(replaced(upright, "<geom name=\"disc\"", "<geom euler=\"90 0 0\" name=\"disc\""), "across that of its ring");
+}
+
 // Its motion is in no velocity: the contact would not see it.
 TEST_F(OwnRules, RigidRefusesGeomsOfMocapBodies) {
   Machine x;
