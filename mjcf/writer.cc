@@ -13,6 +13,7 @@
 #include "mjcf/segment_bodies.h"
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
+#include "native_model/scene/contact_models.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/rotor/refusal.h"
@@ -22,18 +23,6 @@ namespace rotorub {
 namespace {
 
 namespace names = mjcf_names;
-
-const char* contact_name(scene::ContactModel contact) {
-  switch (contact) {
-    case scene::ContactModel::kRigid:
-      return "rigid";
-    case scene::ContactModel::kCoulomb:
-      return "coulomb";
-    case scene::ContactModel::kCone:
-      return "cone";
-  }
-  return "";
-}
 
 void refuse_unsupported(const scene::Scene& scene) {
   const scene::Mujoco& mujoco = scene.mujoco;
@@ -254,7 +243,7 @@ class Document {
         fmt::format(R"(<text name="{}" data="{}"/>)", names::kSceneText, xml_escape(scene_.text)));
     if (scene_.contact) {
       xml_.line(fmt::format(R"(<text name="{}" data="{}"/>)", names::kContactText,
-                            contact_name(scene_.mujoco.contact)));
+                            scene::to_string(scene_.mujoco.contact)));
     }
     xml_.close("custom");
   }

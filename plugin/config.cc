@@ -7,6 +7,8 @@
 #include "mjcf/names.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
+#include "native_model/scene/contact_models.h"
+#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model_checks.h"
 #include "plugin/chain_constraints.h"
@@ -148,12 +150,10 @@ scene::ContactModel contact_model(const mjModel* m, const std::string& text_name
                                   scene::ContactModel otherwise) {
   const char* text = custom_text(m, text_name);
   if (!text) return otherwise;
-  const std::string_view name = text;
-  if (name == "rigid") return scene::ContactModel::kRigid;
-  if (name == "coulomb") return scene::ContactModel::kCoulomb;
-  if (name == "cone") return scene::ContactModel::kCone;
+  if (const auto model = scene::contact_model(text)) return *model;
   refuse(text_element(text_name.c_str()),
-         message("\"{}\"; accepted: rigid, coulomb, cone", name));
+         message("\"{}\"; accepted: {}", text,
+                 scene::join(scene::contact_words<std::vector<std::string_view>>())));
 }
 
 int find_pair(const mjModel* m, int geom_a, int geom_b) {

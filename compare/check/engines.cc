@@ -14,7 +14,7 @@ CheckEngine native(scene::Integrator integrator, RuleEngine word) {
 
 CheckEngine mujoco(scene::ContactModel contact, RuleEngine word) {
   std::shared_ptr<const Engine> engine = mujoco_engine(contact);
-  return {engine->name(), rotorub::to_string(contact), word, false, false, engine};
+  return {engine->name(), scene::to_string(contact), word, false, false, engine};
 }
 
 }  // namespace

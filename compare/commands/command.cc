@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "native_model/control/library.h"
+#include "native_model/scene/contact_models.h"
 #include "native_model/scene/printable.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/units.h"
@@ -125,9 +126,9 @@ void check_twins(int twins) {
 }
 
 scene::ContactModel contact_model_of(const std::string& name) {
-  if (name == "rigid") return scene::ContactModel::kRigid;
-  assert(name == "coulomb" || name == "cone");
-  return name == "cone" ? scene::ContactModel::kCone : scene::ContactModel::kCoulomb;
+  const auto model = scene::contact_model(name);
+  assert(model);
+  return *model;
 }
 
 void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory) {

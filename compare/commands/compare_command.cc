@@ -20,6 +20,7 @@
 #include "compare/own/own_machine.h"
 #include "compare/study/json.h"
 #include "compare/study/table.h"
+#include "native_model/scene/contact_models.h"
 #include "native_model/scene/printable.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/units.h"
@@ -268,8 +269,8 @@ Command add_compare_command(CLI::App& program) {
       ->type_name("SHARE")
       ->capture_default_str();
   app->add_option("--contact", options->contact,
-                  "Whose verdict is the exit code: rigid, coulomb or cone; all three are shown")
-      ->check(CLI::IsMember({"rigid", "coulomb", "cone"}))
+                  "Whose verdict is the exit code; all are shown")
+      ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()))
       ->capture_default_str();
   app->add_option("--twins", options->twins,
                   "Native runs a few units in the last place apart, whose spread tells what can be "

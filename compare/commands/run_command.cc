@@ -22,6 +22,7 @@
 #include "compare/study/run_directory.h"
 #include "compare/study/table.h"
 #include "native_model/rotor/contact_mass.h"
+#include "native_model/scene/contact_models.h"
 #include "native_model/scene/printable.h"
 #include "native_model/trajectory/part_file.h"
 
@@ -138,8 +139,8 @@ Command add_run_command(CLI::App& program) {
   app->add_option("--integrator", options->integrator,
                   "Of the native engine: event, verlet, paper or literal")
       ->check(CLI::IsMember({"event", "verlet", "paper", "literal"}));
-  app->add_option("--contact", options->contact, "In MuJoCo: rigid, coulomb or cone")
-      ->check(CLI::IsMember({"rigid", "coulomb", "cone"}));
+  app->add_option("--contact", options->contact, "Of MuJoCo: how it solves the contact")
+      ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()));
   add_run_options(*app, *options);
   app->add_option("-o,--output", options->folder,
                   "Folder of the results (default: runs/<scene>-<engine>)")

@@ -82,18 +82,6 @@ const char* to_string(scene::Integrator integrator) {
   return "";
 }
 
-const char* to_string(scene::ContactModel contact) {
-  switch (contact) {
-    case scene::ContactModel::kRigid:
-      return "rigid";
-    case scene::ContactModel::kCoulomb:
-      return "coulomb";
-    case scene::ContactModel::kCone:
-      return "cone";
-  }
-  return "";
-}
-
 scene::Scene perturbed(const scene::Scene& scene, int ulps) {
   if (ulps == 0) return scene;
   scene::Scene moved = scene;

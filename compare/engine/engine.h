@@ -11,6 +11,7 @@
 
 #include "compare/engine/step_watch.h"
 #include "native_model/control/command_record.h"
+#include "native_model/scene/contact_models.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -53,7 +54,6 @@ std::unique_ptr<Engine> native_engine(scene::Integrator integrator);
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);
 
 const char* to_string(scene::Integrator integrator);
-const char* to_string(scene::ContactModel contact);
 
 // The scene with its initial state moved (see RunRequest::perturbation_ulps).
 scene::Scene perturbed(const scene::Scene& scene, int ulps);

@@ -40,10 +40,8 @@ std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOpti
   std::vector<Contestant> all;
   all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
   all.push_back({to_string(decides), mujoco(decides), kMujocoWork});
-  for (const auto contact :
-       {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb, scene::ContactModel::kCone}) {
-    if (contact == decides) continue;
-    all.push_back({to_string(contact), mujoco(contact), kMujocoWork});
+  for (const auto& [contact, word] : scene::kContactModels) {
+    if (contact != decides) all.push_back({word, mujoco(contact), kMujocoWork});
   }
   return all;
 }

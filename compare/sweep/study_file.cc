@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "compare/sweep/study_reader.h"
+#include "native_model/scene/contact_models.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/printable.h"
 #include "native_model/scene/reader.h"
@@ -223,7 +224,7 @@ void read_run(const TomlNode& node, Study& study, Diagnostics& diagnostics) {
                          diagnostics);
   constexpr std::array<std::string_view, 2> kEngines{"native", "mujoco"};
   constexpr std::array<std::string_view, 4> kIntegrators{"event", "paper", "verlet", "literal"};
-  constexpr std::array<std::string_view, 3> kContacts{"rigid", "coulomb", "cone"};
+  static const auto kContacts = scene::contact_words<std::vector<std::string_view>>();
   if (table.word("engine", kEngines) == "mujoco") study.engine = EngineKind::kMujoco;
   const auto place = [](const auto& words, const std::string& word) {
     return std::find(words.begin(), words.end(), word) - words.begin();

@@ -24,7 +24,7 @@ json setting_json(const JudgedSetting& judged, int modes) {
     if (f.verdict == FigureVerdict::kUndecidable) undecided.push_back(f.figure->key);
   }
   const bool soft = s.contact != scene::ContactModel::kRigid;
-  return {{"contact", rotorub::to_string(s.contact)},
+  return {{"contact", scene::to_string(s.contact)},
           {"integrator", to_string(s.integrator)},
           {"step", s.step},
           {"modes", modes},

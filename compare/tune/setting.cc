@@ -44,7 +44,7 @@ const char* to_string(MujocoSolver solver) {
 
 std::string text(const Setting& s) {
   const Setting plain;
-  std::string text = rotorub::to_string(s.contact);
+  std::string text = scene::to_string(s.contact);
   if (s.integrator != plain.integrator) text += fmt::format(", {}", to_string(s.integrator));
   if (s.solver != plain.solver) text += fmt::format(", {}", to_string(s.solver));
   if (s.stiffness > 0.0) text += fmt::format(", K {:g}", s.stiffness);
@@ -57,7 +57,7 @@ std::vector<KeyValue> key_values(const Setting& s) {
   const auto word = [](const char* name) { return fmt::format("\"{}\"", name); };
   std::vector<KeyValue> all{
       {"run", "step", fmt::format("{}", s.step)},
-      {"mujoco", "contact", word(rotorub::to_string(s.contact))},
+      {"mujoco", "contact", word(scene::to_string(s.contact))},
       {"mujoco", "integrator", word(to_string(s.integrator)), s.integrator == plain.integrator}};
   if (!is_soft(s)) return all;
   all.push_back({"mujoco", "solver", word(to_string(s.solver)), s.solver == plain.solver});

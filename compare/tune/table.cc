@@ -76,7 +76,7 @@ std::string tune_table(const TuneResult& r, const Palette& palette) {
   lines += setting_lines("next cheaper", all[*r.choice.next_cheaper], r.tolerance);
   for (const std::size_t k : r.choice.cheaper_by_contact) {
     if (k == *r.choice.next_cheaper) continue;
-    const std::string label = fmt::format("cheaper {}", rotorub::to_string(all[k].setting.contact));
+    const std::string label = fmt::format("cheaper {}", scene::to_string(all[k].setting.contact));
     lines += setting_lines(label.c_str(), all[k], r.tolerance);
   }
   return lines + error_lines(r);

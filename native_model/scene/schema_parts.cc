@@ -1,5 +1,6 @@
 // The rows of everything around the rotor but its auxiliary bearing: drive, forces, start, MuJoCo.
 
+#include "native_model/scene/contact_models.h"
 #include "native_model/scene/schema.h"
 
 namespace rotorub::scene {
@@ -209,7 +210,7 @@ Table mujoco() {
                                   "pieces that the segment rotor's shaft is cut into")
                .between(2, 200)
                .optional(),
-           word<&Mujoco::contact>("contact", {"rigid", "coulomb", "cone"},
+           word<&Mujoco::contact>("contact", contact_words<std::vector<std::string_view>>(),
                                   "rigid impulses by the plugin; MuJoCo's soft normal contact with "
                                   "Coulomb friction by the plugin; MuJoCo's own friction cone")
                .optional(),
