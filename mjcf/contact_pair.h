@@ -3,7 +3,7 @@
 
 #include "mjcf/mujoco_version.h"
 #include "mjcf/soft_contact.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/contact_models.h"
 
 namespace rotorub {
 

@@ -10,12 +10,13 @@ namespace rotorub::mjcf_names {
 
 // <custom><text>
 inline constexpr const char* kSceneText = "rotorub_scene";      // the scene's TOML
-inline constexpr const char* kContactText = "rotorub_contact";  // "coulomb" | "cone" | "rigid"
+inline constexpr const char* kContactText = "rotorub_contact";  // scene/contact_models.h
 
 // <custom> of a user's own model (plugin/own/own_config.h): texts, then numerics
 inline constexpr const char* kOwnMark = "rotorub_";  // in every name of ours in <custom>
 inline constexpr const char* kOwnRotorGeom = "rotorub_rotor_geom";
 inline constexpr const char* kOwnRingGeom = "rotorub_ring_geom";
+inline constexpr const char* kOwnConeCoulombPair = "rotorub_cone_coulomb_pair";
 inline constexpr const char* kOwnClearance = "rotorub_clearance";
 inline constexpr const char* kOwnRadius = "rotorub_radius";
 inline constexpr const char* kOwnFriction = "rotorub_friction";

@@ -5,7 +5,22 @@
 #include <cmath>
 #include <numbers>
 
+#include "native_model/scene/contact_models.h"
+
 namespace rotorub {
+namespace {
+
+// m/s, the size of the speeds at which the scene's rotor meets its ring.
+double impact_speed(const scene::Scene& scene) {
+  const double clearance = scene.contact->clearance;
+  const auto first = [](const std::vector<double>& values) { return values.empty() ? 0.0 : values.front(); };
+  const Eigen::Vector2d start(first(scene.initial.vx), first(scene.initial.vy));
+  const double gravity = scene.gravity ? scene.gravity->acceleration.norm() : 0.0;
+  return std::max({std::abs(scene.rotor.speed) * clearance, std::sqrt(2.0 * gravity * clearance),
+                   (start - scene.initial.stator_velocity).norm()});
+}
+
+}  // namespace
 
 double soft_restitution(double zeta) {
   assert(zeta >= 0.0);
@@ -34,8 +49,8 @@ double soft_damping_ratio(double restitution) {
   return 0.5 * (low + high);
 }
 
-SoftContact soft_contact(double restitution, double step, double stiffness) {
-  assert(step > 0.0 && stiffness >= 0.0);
+SoftContact soft_contact(double restitution, double step, double stiffness, double damping) {
+  assert(step > 0.0 && stiffness >= 0.0 && damping >= 0.0);
   const double zeta = soft_damping_ratio(restitution);
   double root = std::sqrt(stiffness);  // 1/s
   if (stiffness == 0.0) {
@@ -43,7 +58,20 @@ SoftContact soft_contact(double restitution, double step, double stiffness) {
     const double fraction = std::min(kContactStepFraction, 0.5 / std::max(zeta, 1e-300));
     root = fraction / step;
   }
-  return {root * root, 2.0 * zeta * root, 0.9999};  // 0.9999: the largest MuJoCo takes
+  if (damping == 0.0) damping = 2.0 * zeta * root;
+  return {root * root, damping, 0.9999};  // 0.9999: the largest MuJoCo takes
+}
+
+SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step) {
+  const scene::Contact& c = *scene.contact;
+  const scene::Mujoco& mujoco = scene.mujoco;
+  const auto of = [&](double stiffness) {
+    return soft_contact(c.restitution, step, stiffness, mujoco.solref_damping);
+  };
+  const SoftContact chosen = of(mujoco.solref_stiffness);
+  if (!scene::is_cone(model) || mujoco.solref_stiffness > 0.0) return chosen;
+  const double rate = impact_speed(scene) / (kConeDepth * c.clearance);
+  return rate > 0.0 && rate * rate < chosen.stiffness ? of(rate * rate) : chosen;
 }
 
 }  // namespace rotorub

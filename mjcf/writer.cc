@@ -81,12 +81,14 @@ class Document {
     // the pair: looking for others would take a third of the step. (From 3.0 on that no geom has a
     // contype says it.)
     const bool has_option = target_ < MujocoVersion{3, 0, 0};
+    // `cone-coulomb` starts the solver from the solution; round-off of its references, B times the slip, is above 1e-12.
+    const bool corrected = scene_.mujoco.contact == scene::ContactModel::kConeCoulomb;
     xml_.line(
         fmt::format(R"(<option timestep="{}" gravity="{} {} 0" integrator="{}" cone="elliptic" )"
                     R"({}jacobian="dense" solver="Newton" iterations="50" )"
-                    R"(tolerance="1e-12"/>)",
+                    R"(tolerance="{}"/>)",
                     scene_.run.step, gravity.x(), gravity.y(), implicit ? "implicit" : "Euler",
-                    has_option ? R"(collision="predefined" )" : ""));
+                    has_option ? R"(collision="predefined" )" : "", corrected ? "1e-8" : "1e-12"));
     const std::size_t loop = model_.loop ? model_.loop->memory_size() : 0;
     int user_data = names::user_data_size(model_.nq(), model_.controller != nullptr, loop);
     if (scene_.contact && !segments_) {
@@ -124,17 +126,24 @@ class Document {
                           names::kSideCamera, -5 * r));
   }
 
+  // MuJoCo divides it by the impedance.
+  std::string friction_reference(const ContactPair& pair) const {
+    const double reference = scene_.mujoco.friction_reference;
+    const bool own = reference > 0.0 && scene_.mujoco.contact == scene::ContactModel::kCone;
+    if (!own || target_ < MujocoVersion{2, 3, 7}) return {};
+    return fmt::format(R"(solreffriction="0 {}" )", -reference * pair.soft.impedance);
+  }
+
   void contact() {
     const scene::Contact& c = *scene_.contact;
-    const SoftContact soft =
-        soft_contact(c.restitution, scene_.run.step, scene_.mujoco.solref_stiffness);
+    const SoftContact soft = soft_contact(scene_, scene_.mujoco.contact, scene_.run.step);
     const ContactPair pair = contact_pair(scene_.mujoco.contact, c.clearance, c.friction, soft, target_);
     xml_.open("<contact>");
     xml_.line(
         fmt::format(R"(<pair name="rub" geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0" )"
-                    R"(solref="{} {}" solimp="{} {} 0.001" margin="{}" gap="{}"/>)",
+                    R"(solref="{} {}" {}solimp="{} {} 0.001" margin="{}" gap="{}"/>)",
                     names::kRotorContact, names::kRingContact, pair.condim, pair.friction, pair.friction,
-                    -pair.soft.stiffness, -pair.soft.damping, pair.soft.impedance, pair.soft.impedance,
+                    -pair.soft.stiffness, -pair.soft.damping, friction_reference(pair), pair.soft.impedance, pair.soft.impedance,
                     pair.margin, pair.gap));
     xml_.close("contact");
   }

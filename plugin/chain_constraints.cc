@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "native_model/scene/contact_models.h"
 #include "plugin/mujoco_derivatives.h"
 #include "plugin/mujoco_versions.h"
 
@@ -124,7 +125,7 @@ bool force_has_rate(const mjModel* m, int actuator) {
 }  // namespace
 
 bool damping_is_added(const mjModel* m, const Config& config) {
-  if (!config.model.contact || config.segments || config.contact == scene::ContactModel::kCone) return false;
+  if (!config.model.contact || config.segments || scene::is_cone(config.contact)) return false;
   const Chain chain(m, config);
   for (int i = 0; i < m->nv && damped_step(m) > 0.0; ++i) {
     if (joint_damping_varies(m, i) && chain.has_joint(m->dof_jntid[i])) return true;
@@ -140,7 +141,7 @@ bool damping_is_added(const mjModel* m, const Config& config) {
 }
 
 void choose_path(const mjModel* m, Config& config) {
-  if (config.contact == scene::ContactModel::kCone) return;
+  if (scene::is_cone(config.contact)) return;
   config.damping_added = damping_is_added(m, config);
   const std::string constraint = added_constraint(m, config);
   if (constraint.empty() && !config.damping_added) return;

@@ -227,6 +227,7 @@ Config make_config(const mjModel* m) {
   }
   if (scene.contact) {
     config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
+    config.friction_reference = scene.mujoco.friction_reference;
     map_contact(m, config);
     if (!config.segments) choose_path(m, config);
     if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);

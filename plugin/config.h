@@ -76,6 +76,8 @@ struct Config {
   // first pair `contact`, model.contact and geoms.
   bool own = false;
   std::vector<OwnPair> pairs;  // where own or general
+  // Further <pair>s of a user's own model, of any geoms, that are corrected for sliding (contact/cone_correction.h).
+  std::vector<int> corrected_pairs;
   int memory = 0, memory_size = 0;  // in mjData.userdata, of all that the plugin remembers
 
   // A generated model whose rotor or ring the user's constraints hold as well
@@ -111,6 +113,7 @@ struct Config {
   int rotor_shape = -1, ring_shape = -1;
   std::optional<ContactParameters> scene_contact;
   double scene_current_limit = 0.0;    // A, of magnets
+  double friction_reference = 0.0;     // 1/s, B_t of contact model cone; 0: MuJoCo's
   Eigen::Vector2d gravity{0.0, 0.0};   // m/s^2
   std::vector<int> rotor_bodies;       // of the modal chain, that carry no mass
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <type_traits>
 
+#include "native_model/scene/contact_models.h"
 #include "native_model/contact/kinematics.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
@@ -52,7 +53,7 @@ bool carries(const mjModel* m, int body, int geom) {
 bool is_force(int type) { return type == mjSENS_FORCE || type == mjSENS_TORQUE; }
 
 bool feels(const mjModel* m, int sensor, const OwnPair& pair) {
-  if (pair.law == scene::ContactModel::kCone) return false;
+  if (scene::is_cone(pair.law)) return false;
   const int type = m->sensor_type[sensor];
   if (!is_force(type) && type != mjSENS_TOUCH) return false;
   const int body = m->site_bodyid[m->sensor_objid[sensor]];
@@ -73,7 +74,7 @@ bool may_be(const mjModel* m, const OwnPair& pair, int type, int id) {
 }
 bool asks_for_force(const mjModel* m, int sensor, const OwnPair& pair) {
   constexpr int kForces = (1 << mjCONDATA_FORCE) | (1 << mjCONDATA_TORQUE);
-  return pair.law != scene::ContactModel::kCone && m->sensor_type[sensor] == mjSENS_CONTACT &&
+  return !scene::is_cone(pair.law) && m->sensor_type[sensor] == mjSENS_CONTACT &&
          (m->sensor_intprm[mjNSENS * sensor] & kForces) &&
          may_be(m, pair, m->sensor_objtype[sensor], m->sensor_objid[sensor]) &&
          may_be(m, pair, m->sensor_reftype[sensor], m->sensor_refid[sensor]);
@@ -115,7 +116,7 @@ ContactForce force_of(const OwnPair& pair, const mjData* d, double since) {
   ContactForce f;
   const mjtNum* entry = d->userdata + pair.data;
   f.place = contact_place(pair, d);
-  if (pair.law == scene::ContactModel::kCone || !(f.place.d.norm() > kNoNormal)) return f;
+  if (scene::is_cone(pair.law) || !(f.place.d.norm() > kNoNormal)) return f;
   f.friction = entry[kFrictionForce];
   f.e_r = f.place.d.normalized();
   if (pair.law == scene::ContactModel::kRigid) f.normal = entry[kNormalForce];
@@ -238,7 +239,7 @@ void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
     const ContactForce f = force_of(pair, d, m->opt.timestep);  // that of mj_step may be taken
     // Turning the frame turns e_t and the body that the force acts on.
     if (pair.law == scene::ContactModel::kRigid) result[0] = f.normal;
-    if (pair.law == scene::ContactModel::kCone) return;
+    if (scene::is_cone(pair.law)) return;
     result[1] = -f.friction;
     if (result[0] > 0.0) result[2] = regular ? -f.axial : f.axial;
   });

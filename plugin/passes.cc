@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "native_model/scene/contact_models.h"
 #include "plugin/actuators.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
@@ -97,15 +98,12 @@ void apply_soft_contact(const Config& config, const mjModel* m, mjData* d,
     d->userdata[kMode] = 0.0;
     return;
   }
-  if (config.segments) {
-    // `cone` needs nothing: the segments spin.
-    if (config.contact == scene::ContactModel::kCoulomb) {
-      apply_segment_coulomb(config, m, d, *contact, state);
-    }
-  } else if (config.contact == scene::ContactModel::kCoulomb) {
-    apply_coulomb(config, m, d, *contact, state);
+  if (scene::is_cone(config.contact)) {
+    apply_cone(config, m, d, *contact, state);
+  } else if (config.segments) {
+    apply_segment_coulomb(config, m, d, *contact, state);
   } else {
-    apply_cone(config, m, d, *contact);
+    apply_coulomb(config, m, d, *contact, state);
   }
 }
 

@@ -19,7 +19,8 @@ struct Contact {
 };
 constexpr Contact kContacts[] = {{scene::ContactModel::kRigid, "mujoco-rigid"},
                                  {scene::ContactModel::kCoulomb, "mujoco-coulomb"},
-                                 {scene::ContactModel::kCone, "mujoco-cone"}};
+                                 {scene::ContactModel::kCone, "mujoco-cone"},
+                                 {scene::ContactModel::kConeCoulomb, "mujoco-cone-coulomb"}};
 
 Judgement judged_run(const Engine& engine, const scene::Scene& scene, double step,
                      const Settled& goal, const std::atomic<bool>* interrupt) {
@@ -49,7 +50,7 @@ StabilityMap stability_map(const SceneReader& reader, const scene::Scene& scene,
 
   const auto soft = map.stiffnesses.size();
   const double whole =
-      static_cast<double>(map.frictions.size() * map.steps.size() * (1 + 2 * soft));
+      static_cast<double>(map.frictions.size() * map.steps.size() * (1 + 3 * soft));
   for (const double friction : map.frictions) {
     const std::string with_friction = fmt::format("contact.friction={:.17g}", friction);
     RunRequest request;

@@ -26,7 +26,8 @@ const std::vector<CheckEngine>& check_engines() {
       native(scene::Integrator::kVerlet, RuleEngine::kNativeVerlet),
       mujoco(scene::ContactModel::kRigid, RuleEngine::kMujocoRigid),
       mujoco(scene::ContactModel::kCoulomb, RuleEngine::kMujocoCoulomb),
-      mujoco(scene::ContactModel::kCone, RuleEngine::kMujocoCone)};
+      mujoco(scene::ContactModel::kCone, RuleEngine::kMujocoCone),
+      mujoco(scene::ContactModel::kConeCoulomb, RuleEngine::kMujocoConeCoulomb)};
   return all;
 }
 

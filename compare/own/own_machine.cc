@@ -82,7 +82,7 @@ void set_pair(mjModel* m, const plugin::Config& config, scene::ContactModel cont
   solimp[0] = solimp[1] = pair.soft.impedance;
   m->pair_margin[at] = pair.margin;
   m->pair_gap[at] = pair.gap;
-  if (contact == scene::ContactModel::kCone) ask_late(m);
+  if (scene::is_cone(contact)) ask_late(m);
 }
 
 // As the file has it, its load cells told where a linked program can (plugin/load_cells.h).
@@ -132,6 +132,7 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
         "mjcf/examples/own_model.xml (plugin/README.md)");
   }
   const plugin::Config config = plugin::make_config(m.get());
+  if (config.pairs.empty()) throw std::runtime_error("names pairs to be corrected for sliding, but no rub, which has a twin");
   contact_ = config.contact;
   plugin::NativeTwin twin = plugin::make_native_twin(m.get(), config, make_start(m.get()).get());
   scene_ = std::move(twin.scene);

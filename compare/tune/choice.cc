@@ -3,29 +3,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "native_model/scene/contact_models.h"
+
 namespace rotorub::tune {
 namespace {
 
 using Settings = std::vector<JudgedSetting>;
 
-std::optional<std::size_t> cheapest_trusted(const Settings& all) {
+using Of = std::optional<scene::ContactModel>;  // none: of any
+bool is_of(const JudgedSetting& setting, Of contact) { return !contact || setting.setting.contact == *contact; }
+
+std::optional<std::size_t> cheapest_trusted(const Settings& all, Of contact = {}) {
   std::optional<std::size_t> best;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (!all[k].is_trusted() || !all[k].cost()) continue;
+    if (!is_of(all[k], contact) || !all[k].is_trusted() || !all[k].cost()) continue;
     if (!best || *all[k].cost() < *all[*best].cost()) best = k;
   }
   return best;
 }
 
-// Those that cost less than `limit` and ran to their end, the dearest first.
-std::vector<std::size_t> below(const Settings& all, double limit) {
-  std::vector<std::size_t> found;
+// The dearest of those that cost less than `limit` and ran to their end.
+std::optional<std::size_t> below(const Settings& all, double limit) {
+  std::optional<std::size_t> found;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const auto cost = all[k].cost();
-    if (cost && *cost < limit && all[k].failure.empty()) found.push_back(k);
+    if (!cost || *cost >= limit || !all[k].failure.empty()) continue;
+    if (!found || *cost > *all[*found].cost()) found = k;
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [&](std::size_t a, std::size_t b) { return *all[a].cost() > *all[b].cost(); });
   return found;
 }
 
@@ -34,14 +38,14 @@ double worst(const JudgedSetting& setting) {
   return far.empty() ? 0.0 : std::abs(far.front().deviation);
 }
 
-std::optional<std::size_t> nearest(const Settings& all) {
+std::optional<std::size_t> nearest(const Settings& all, Of contact = {}) {
   std::optional<std::size_t> best;
   const auto nearer = [](const JudgedSetting& a, const JudgedSetting& b) {
     const std::size_t m = a.wrong().size(), n = b.wrong().size();
     return m != n ? m < n : worst(a) < worst(b);
   };
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (!all[k].failure.empty()) continue;
+    if (!is_of(all[k], contact) || !all[k].failure.empty()) continue;
     if (!best || nearer(all[k], all[*best])) best = k;
   }
   return best;
@@ -65,18 +69,16 @@ std::vector<std::string> JudgedSetting::wrong() const {
 Choice choose(const Settings& all) {
   Choice choice;
   choice.trusted = cheapest_trusted(all);
+  for (const auto& [contact, word] : scene::kContactModels) {
+    std::optional<std::size_t> best = cheapest_trusted(all, contact);
+    if (!best) best = nearest(all, contact);
+    if (best) choice.best_by_contact.push_back(*best);
+  }
   if (!choice.trusted) {
     choice.nearest = nearest(all);
     return choice;
   }
-  std::vector<scene::ContactModel> met;
-  for (const std::size_t k : below(all, *all[*choice.trusted].cost())) {
-    if (!choice.next_cheaper) choice.next_cheaper = k;
-    const auto contact = all[k].setting.contact;
-    if (std::find(met.begin(), met.end(), contact) != met.end()) continue;
-    met.push_back(contact);
-    choice.cheaper_by_contact.push_back(k);
-  }
+  choice.next_cheaper = below(all, *all[*choice.trusted].cost());
   return choice;
 }
 

@@ -32,8 +32,8 @@ struct JudgedSetting {
 struct Choice {
   std::optional<std::size_t> trusted;       // the cheapest of those to be trusted
   std::optional<std::size_t> next_cheaper;  // the dearest of those below it
-  // The same of each contact model that has one below it, by falling cost.
-  std::vector<std::size_t> cheaper_by_contact;
+  // Of each contact model its best, in their order: the cheapest that is trusted, or the nearest.
+  std::vector<std::size_t> best_by_contact;
   // Where none can be trusted: the one with the fewest wrong figures, of these the one whose worst
   // figure is nearest.
   std::optional<std::size_t> nearest;

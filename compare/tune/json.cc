@@ -24,12 +24,15 @@ json setting_json(const JudgedSetting& judged, int modes) {
     if (f.verdict == FigureVerdict::kUndecidable) undecided.push_back(f.figure->key);
   }
   const bool soft = s.contact != scene::ContactModel::kRigid;
+  const auto given = [](bool has, double value) { return has && value > 0.0 ? json(value) : json(nullptr); };
   return {{"contact", scene::to_string(s.contact)},
           {"integrator", to_string(s.integrator)},
           {"step", s.step},
           {"modes", modes},
           // null: chosen from the step, or a contact that has none.
-          {"solref_stiffness", soft && s.stiffness > 0.0 ? json(s.stiffness) : json(nullptr)},
+          {"solref_stiffness", given(soft, s.stiffness)},
+          {"solref_damping", given(soft, s.damping)},
+          {"friction_reference", given(s.contact == scene::ContactModel::kCone, s.friction_reference)},
           {"solver", to_string(s.solver)},
           {"us_per_step", judged.us_per_step > 0.0 ? json(judged.us_per_step) : json(nullptr)},
           {"seconds_per_second", judged.cost() ? json(*judged.cost()) : json(nullptr)},
@@ -56,8 +59,8 @@ json tune_json(const TuneResult& r) {
   const auto one = [&](const std::optional<std::size_t>& k) {
     return k ? setting_json(r.settings[*k], r.modes) : json(nullptr);
   };
-  json cheaper = json::array(), all = json::array();
-  for (const std::size_t k : r.choice.cheaper_by_contact) cheaper.push_back(one(k));
+  json best = json::array(), all = json::array();
+  for (const std::size_t k : r.choice.best_by_contact) best.push_back(one(k));
   for (const JudgedSetting& s : r.settings) all.push_back(setting_json(s, r.modes));
   return {{"program", "rotorub"},
           {"version", program_version()},
@@ -67,7 +70,7 @@ json tune_json(const TuneResult& r) {
           {"tolerance", r.tolerance},
           {"trusted", one(r.choice.trusted)},
           {"next_cheaper", one(r.choice.next_cheaper)},
-          {"cheaper_by_contact", cheaper},
+          {"best_by_contact", best},
           {"nearest", one(r.choice.nearest)},
           {"model_error", model_error_json(r.model_error)},
           {"contact_error", part_json(r.errors.contact)},

@@ -48,6 +48,8 @@ std::string text(const Setting& s) {
   if (s.integrator != plain.integrator) text += fmt::format(", {}", to_string(s.integrator));
   if (s.solver != plain.solver) text += fmt::format(", {}", to_string(s.solver));
   if (s.stiffness > 0.0) text += fmt::format(", K {:g}", s.stiffness);
+  if (s.damping > 0.0) text += fmt::format(", B {:g}", s.damping);
+  if (s.friction_reference > 0.0) text += fmt::format(", B_t {:g}", s.friction_reference);
   if (s.step > 0.0) text += ", " + time_text(s.step);
   return text;
 }
@@ -61,9 +63,12 @@ std::vector<KeyValue> key_values(const Setting& s) {
       {"mujoco", "integrator", word(to_string(s.integrator)), s.integrator == plain.integrator}};
   if (!is_soft(s)) return all;
   all.push_back({"mujoco", "solver", word(to_string(s.solver)), s.solver == plain.solver});
-  all.push_back({"mujoco", "solref_stiffness",
-                 s.stiffness > 0.0 ? fmt::format("{:.17g}", s.stiffness) : std::string(),
-                 s.stiffness == 0.0});
+  const auto number = [&](const char* key, double value) {
+    all.push_back({"mujoco", key, value > 0.0 ? fmt::format("{:.17g}", value) : std::string(), value == 0.0});
+  };
+  number("solref_stiffness", s.stiffness);
+  number("solref_damping", s.damping);
+  if (s.contact == ContactModel::kCone) number("friction_reference", s.friction_reference);
   return all;
 }
 
@@ -84,7 +89,8 @@ std::vector<Setting> variants(const scene::Mujoco& own) {
   };
   add({ContactModel::kRigid});
   add({ContactModel::kRigid, MujocoIntegrator::kImplicit});
-  for (const auto contact : {ContactModel::kCoulomb, ContactModel::kCone}) {
+  for (const auto& [contact, word] : scene::kContactModels) {
+    if (!is_soft({contact})) continue;
     add({contact});
     add({contact, MujocoIntegrator::kImplicit});
     add({contact, MujocoIntegrator::kEuler, MujocoSolver::kCg});
@@ -92,8 +98,15 @@ std::vector<Setting> variants(const scene::Mujoco& own) {
     for (const double stiffness : kStiffnesses) {
       add({contact, MujocoIntegrator::kEuler, MujocoSolver::kNewton, stiffness});
     }
+    for (const double damping : kDampings) {
+      add({.contact = contact, .stiffness = kDampedStiffness, .damping = damping});
+    }
   }
-  Setting scenes{own.contact, own.integrator, own.solver, own.solref_stiffness};
+  for (const double reference : kFrictionReferences) {
+    add({.contact = ContactModel::kCone, .friction_reference = reference});
+  }
+  Setting scenes{own.contact, own.integrator, own.solver, own.solref_stiffness, 0.0, own.solref_damping};
+  if (own.contact == ContactModel::kCone) scenes.friction_reference = own.friction_reference;
   if (!is_soft(scenes)) scenes = {own.contact, own.integrator};
   add(scenes);
   return all;

@@ -13,15 +13,17 @@ struct Setting {
   scene::ContactModel contact = scene::ContactModel::kRigid;
   scene::MujocoIntegrator integrator = scene::MujocoIntegrator::kEuler;
   scene::MujocoSolver solver = scene::MujocoSolver::kNewton;
-  double stiffness = 0.0;  // 1/s^2, solref_stiffness; 0: chosen from the step
-  double step = 0.0;       // s, > 0
+  double stiffness = 0.0;           // 1/s^2, solref_stiffness; 0: chosen from the step
+  double step = 0.0;                // s, > 0
+  double damping = 0.0;             // 1/s, solref_damping; 0: that of the restitution
+  double friction_reference = 0.0;  // 1/s, of `cone` alone; 0: MuJoCo's
   bool operator==(const Setting&) const = default;
 };
 
 const char* to_string(scene::MujocoIntegrator integrator);
 const char* to_string(scene::MujocoSolver solver);
 
-// "coulomb, implicit, K 1e+08, 50 µs": what is not the default beside contact and step.
+// "cone, implicit, K 1e+08, B_t 10, 50 µs": what is not the default beside contact and step.
 std::string text(const Setting& setting);
 
 // A value of a scene; empty: the key is to go.
@@ -34,11 +36,16 @@ std::vector<KeyValue> key_values(const Setting& setting);
 // The same as overrides of a scene, without its step.
 std::vector<std::string> overrides(const Setting& setting);
 
-// All that are tried at each step (their `step` is 0): contact x integrator, and of the soft
-// contacts solvers and stiffnesses; and what the scene itself says.
+// All that are tried at each step (their `step` is 0): contact x integrator, of the soft contacts solvers, stiffnesses
+// and dampings, of `cone` friction references; and what the scene itself says.
 std::vector<Setting> variants(const scene::Mujoco& own);
 
 // 1/s^2. What a step of 200 us and of 20 us gives itself.
 inline constexpr double kStiffnesses[] = {1e6, 1e8};
+// 1/s. With K = 1e8 a damping ratio of 0.1 and 1, whatever the scene's restitution.
+inline constexpr double kDampings[] = {2e3, 2e4};
+inline constexpr double kDampedStiffness = 1e8;
+// 1/s. Below the first border of theory.md (the curvature of the ring closes the contact), and on both sides.
+inline constexpr double kFrictionReferences[] = {1.0, 10.0, 100.0};
 
 }  // namespace rotorub::tune

@@ -27,6 +27,18 @@ std::string setting_lines(const char* label, const JudgedSetting& s, double tole
                      wrapped(margin, wrong_text(s, tolerance)));
 }
 
+// Each contact model at its best, where that is not shown already.
+std::string best_lines(const TuneResult& r) {
+  std::string lines;
+  for (const std::size_t k : r.choice.best_by_contact) {
+    if (k == r.choice.trusted || k == r.choice.next_cheaper || k == r.choice.nearest) continue;
+    const JudgedSetting& s = r.settings[k];
+    const std::string label = scene::to_string(s.setting.contact);
+    lines += setting_lines((s.is_trusted() ? label : "no: " + label).c_str(), s, r.tolerance);
+  }
+  return lines;
+}
+
 std::string part_text(const ErrorPart& part, std::size_t k) {
   if (k >= part.figures.size()) return "-";
   const auto& [figure, share] = part.figures[k];
@@ -66,20 +78,15 @@ std::string tune_table(const TuneResult& r, const Palette& palette) {
   if (!r.choice.trusted) {
     lines += "  " + palette.paint(Tone::kBad, "none can be trusted") + "\n";
     if (r.choice.nearest) lines += setting_lines("nearest", all[*r.choice.nearest], r.tolerance);
-    return lines;
+    return lines + best_lines(r);
   }
   lines += palette.paint_first(
       Tone::kGood, setting_lines("trusted", all[*r.choice.trusted], r.tolerance), "trusted");
   if (!r.choice.next_cheaper) {
-    return lines + "  next cheaper    none: it is the cheapest of all\n" + error_lines(r);
+    return lines + "  next cheaper    none: it is the cheapest of all\n" + best_lines(r) + error_lines(r);
   }
   lines += setting_lines("next cheaper", all[*r.choice.next_cheaper], r.tolerance);
-  for (const std::size_t k : r.choice.cheaper_by_contact) {
-    if (k == *r.choice.next_cheaper) continue;
-    const std::string label = fmt::format("cheaper {}", scene::to_string(all[k].setting.contact));
-    lines += setting_lines(label.c_str(), all[k], r.tolerance);
-  }
-  return lines + error_lines(r);
+  return lines + best_lines(r) + error_lines(r);
 }
 
 }  // namespace rotorub::tune

@@ -18,7 +18,8 @@ struct ContactWord {
 // In the order of the enum, which is that of every table.
 inline constexpr std::array kContactModels{ContactWord{ContactModel::kRigid, "rigid"},
                                            ContactWord{ContactModel::kCoulomb, "coulomb"},
-                                           ContactWord{ContactModel::kCone, "cone"}};
+                                           ContactWord{ContactModel::kCone, "cone"},
+                                           ContactWord{ContactModel::kConeCoulomb, "cone-coulomb"}};
 
 constexpr const char* to_string(ContactModel model) {
   return kContactModels[static_cast<std::size_t>(model)].word;
@@ -30,6 +31,11 @@ constexpr std::optional<ContactModel> contact_model(std::string_view word) {
     if (word == w.word) return w.model;
   }
   return std::nullopt;
+}
+
+// Normal force and friction are both found by MuJoCo's solver, in its friction cone.
+constexpr bool is_cone(ContactModel model) {
+  return model == ContactModel::kCone || model == ContactModel::kConeCoulomb;
 }
 
 // Container of words, as schemas and options take them.

@@ -21,7 +21,8 @@ enum class RuleEngine {
   kMujoco,
   kMujocoRigid,
   kMujocoCoulomb,
-  kMujocoCone
+  kMujocoCone,
+  kMujocoConeCoulomb
 };
 
 // kPass: the run comes to its end. kRefused: it is not begun, or ended with a status that says why.

@@ -284,7 +284,7 @@ struct Initial {
 };
 
 enum class MujocoRotor { kModal, kSegments };
-enum class ContactModel { kRigid, kCoulomb, kCone };
+enum class ContactModel { kRigid, kCoulomb, kCone, kConeCoulomb };
 enum class MujocoIntegrator { kEuler, kImplicit, kRk4 };
 enum class MujocoSolver { kNewton, kCg, kPgs };
 
@@ -294,7 +294,9 @@ struct Mujoco {
   ContactModel contact = ContactModel::kRigid;
   MujocoIntegrator integrator = MujocoIntegrator::kEuler;
   MujocoSolver solver = MujocoSolver::kNewton;
-  double solref_stiffness = 0.0;  // 1/s^2, > 0: direct solref K (0: chosen from the step)
+  double solref_stiffness = 0.0;     // 1/s^2, > 0: direct solref K (0: mjcf/soft_contact.h)
+  double solref_damping = 0.0;       // 1/s, > 0: direct solref B (0: that of contact.restitution)
+  double friction_reference = 0.0;   // 1/s, > 0: B_t of the cone's friction rows (0: MuJoCo's, B)
   bool shadow = false;            // the native model runs alongside, in user sensors
 };
 

@@ -212,7 +212,8 @@ Table mujoco() {
                .optional(),
            word<&Mujoco::contact>("contact", contact_words<std::vector<std::string_view>>(),
                                   "rigid impulses by the plugin; MuJoCo's soft normal contact with "
-                                  "Coulomb friction by the plugin; MuJoCo's own friction cone")
+                                  "Coulomb friction by the plugin; MuJoCo's own friction cone; the same with its "
+                                  "normal reference corrected for sliding, so that it obeys Coulomb's law")
                .optional(),
            word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, "of MuJoCo")
                .optional(),
@@ -221,7 +222,16 @@ Table mujoco() {
            key<&Mujoco::solref_stiffness>("solref_stiffness", kRateSquared,
                                           "K of the soft contact (direct solref)")
                .above(0)
-               .otherwise("chosen from the step"),
+               .otherwise("chosen from the step, and for the cones from the scene's speeds"),
+           key<&Mujoco::solref_damping>("solref_damping", kRate, "B of the soft contact (direct solref)")
+               .above(0)
+               .otherwise("that which bounces with contact.restitution"),
+           key<&Mujoco::friction_reference>(
+               "friction_reference", kRate,
+               "B_t, with which the friction rows of contact model cone brake the slip (solreffriction of MuJoCo 2.3.7 "
+               "and later)")
+               .above(0)
+               .otherwise("that of the normal row, as MuJoCo has it"),
            key<&Mujoco::shadow>("shadow", kPure,
                                 "the native model runs alongside, step by step: its gap, forces "
                                 "and position are user sensors, and a ghost shows it "

@@ -23,7 +23,7 @@ Table rule_table() {
            .otherwise("none"),
        word<&Rule::engine>("engine",
                            {"native", "native-event", "native-paper", "native-verlet", "mujoco",
-                            "mujoco-rigid", "mujoco-coulomb", "mujoco-cone"},
+                            "mujoco-rigid", "mujoco-coulomb", "mujoco-cone", "mujoco-cone-coulomb"},
                            "whose runs; `native` and `mujoco`: every one of them")
            .optional(),
        min, max,

@@ -1,15 +1,19 @@
-// Contact model `cone`: MuJoCo's own soft contact with its friction cone, elliptic or a pyramid, as it is. Only
-// where the spin is held constant and so is no degree of freedom, the slip that it does not see,
-// r Omega, is put into the reference of the tangential rows.
+// Contact models `cone` and `cone-coulomb` of a scene: MuJoCo's own soft contact with its friction cone, elliptic or a
+// pyramid. Where the spin is held constant and so is no degree of freedom, the slip that MuJoCo does not see, r Omega,
+// is put into the reference of the tangential rows. `cone` may have a friction reference of its own,
+// a_ref,T = -B_t v_slip, which MuJoCo has since 2.3.7 (solreffriction); `cone-coulomb` is corrected for sliding
+// (cone_correction.h).
 #pragma once
 
 #include <mujoco/mujoco.h>
 
 #include "plugin/config.h"
+#include "plugin/coordinates.h"
 
 namespace rotorub::plugin {
 
 // Called in mjcb_control.
-void apply_cone(const Config& config, const mjModel* m, mjData* d, const mjContact& contact);
+void apply_cone(const Config& config, const mjModel* m, mjData* d, const mjContact& contact,
+                const Coordinates& state);
 
 }  // namespace rotorub::plugin

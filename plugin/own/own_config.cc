@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mjcf/names.h"
+#include "native_model/scene/contact_models.h"
 #include "plugin/contact/coupled_law.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
@@ -117,7 +118,7 @@ void check_beside(const mjModel* m, const OwnPair& a, const OwnPair& b, const Pa
     refuse(text_element(name.of(names::kOwnRotorGeom).c_str()),
            message("{} has a contact already; accepted: one for two geoms", pair_element(m, b)));
   }
-  const auto solved_here = [](const OwnPair& p) { return p.law != scene::ContactModel::kCone; };
+  const auto solved_here = [](const OwnPair& p) { return !scene::is_cone(p.law); };
   if (a.law != b.law && solved_here(a) && solved_here(b) && share_tree(m, a, b)) {
     refuse(text_element(name.of(names::kContactText).c_str()),
            message("is another than that of {}, which moves with it: the two are one problem; "
@@ -151,18 +152,21 @@ void map_own_contacts(const mjModel* m, Config& config) {
     p.data = config.memory + kPairEntries * static_cast<int>(config.pairs.size());
     config.pairs.push_back(p);
   }
-  // The first is the contact of a twin (plugin/twin), which has one.
-  const OwnPair& first = config.pairs.front();
-  config.model.contact = first.contact;
-  config.contact = first.law;
-  config.rotor_geom = first.rotor_geom;
-  config.ring_geom = first.ring_geom;
-  config.pair = first.pair;
+  config.corrected_pairs = corrected_pairs(m);
+  if (!config.pairs.empty()) {
+    // The first is the contact of a twin (plugin/twin), which has one.
+    const OwnPair& first = config.pairs.front();
+    config.model.contact = first.contact;
+    config.contact = first.law;
+    config.rotor_geom = first.rotor_geom;
+    config.ring_geom = first.ring_geom;
+    config.pair = first.pair;
+  }
   if (config.pairs.size() > kMaxPairs) {
     refuse("<custom>", message("{} contacts; accepted: up to {} in a model",
                                static_cast<int>(config.pairs.size()), kMaxPairs));
   }
-  config.memory_size = kUserDataSingle + kPairEntries * (static_cast<int>(config.pairs.size()) - 1);
+  config.memory_size = kUserDataSingle + kPairEntries * std::max(static_cast<int>(config.pairs.size()) - 1, 0);
   const int needed = config.memory + config.memory_size;
   if (m->nuserdata < needed) {
     refuse(message("<size nuserdata=\"{}\">", count(m->nuserdata)),

@@ -1,17 +1,45 @@
 #include "plugin/own/own_contact.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "native_model/contact/kinematics.h"
+#include "plugin/contact/cone_correction.h"
 #include "plugin/own/own_coulomb.h"
 #include "plugin/own/own_rigid.h"
 #include "plugin/own/own_space.h"
+#include "plugin/own/reach.h"
 
 namespace rotorub::plugin {
+namespace {
+
+void correct_own_cones(const Config& config, const mjModel* m, mjData* d) {
+  std::vector<SlidingContact> found;
+  const auto find = [&](int geom1, int geom2, std::optional<double> curvature) {
+    for (int i = 0; i < d->ncon; ++i) {
+      const mjContact& c = d->contact[i];
+      const bool is = (c.geom1 == geom1 && c.geom2 == geom2) || (c.geom1 == geom2 && c.geom2 == geom1);
+      if (is && c.efc_address >= 0) found.push_back({&c, curvature});
+    }
+  };
+  for (const int pair : config.corrected_pairs) find(m->pair_geom1[pair], m->pair_geom2[pair], {});
+  for (const OwnPair& pair : config.pairs) {
+    if (pair.law != scene::ContactModel::kConeCoulomb) continue;
+    const ContactPoint point = own_contact_point(pair, m, d);
+    const double whirl = point.whirl_speed();
+    find(pair.rotor_geom, pair.ring_geom, point.delta > kNoNormal ? whirl * whirl / point.delta : 0.0);
+  }
+  if (!found.empty()) correct_cones(m, d, found);
+}
+
+}  // namespace
 
 void apply_own_contacts(const Config& config, const mjModel* m, mjData* d) {
   // Soft ones first: `rigid` asks MuJoCo's solver for them as for any other contact.
   if (config.has_soft()) apply_own_coulomb(config.pairs, m, d);
+  correct_own_cones(config, m, d);
   if (config.has_rigid()) apply_own_rigid(config.pairs, m, d);
 }
 

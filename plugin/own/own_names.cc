@@ -80,6 +80,7 @@ void check_names(const mjModel* m, const std::vector<PairName>& pairs) {
              "a scene stands alone, with its own names; accepted in an attached model: geoms and "
              "numbers (plugin/README.md, a model of your own)");
     }
+    if (is_key(name, names::kOwnConeCoulombPair, of)) return;  // of any ending
     check(name, kTexts, "text", pairs);
   });
   for_each_number(m, [&](const std::string& name, mjtNum) { check(name, kNumbers, "numeric", pairs); });
@@ -108,7 +109,7 @@ std::vector<PairName> own_pair_names(const mjModel* m) {
     }
   });
   check_names(m, pairs.empty() ? std::vector<PairName>{{}} : pairs);
-  if (pairs.empty()) pairs.emplace_back();  // other names of ours: its geoms are missing
+  if (pairs.empty() && corrected_pairs(m).empty()) pairs.emplace_back();  // other names of ours: its geoms are missing
   return pairs;
 }
 
@@ -123,6 +124,23 @@ void refuse_own_names(const mjModel* m) {
     refuse(message("<custom><numeric name=\"{}\">", name),
            "the scene's text has its own; accepted: the value in the scene");
   });
+}
+
+std::vector<int> corrected_pairs(const mjModel* m) {
+  std::vector<int> pairs;
+  for_each_text(m, [&](const std::string& name) {
+    PairName of;
+    if (!is_key(name, names::kOwnConeCoulombPair, of)) return;
+    const char* said = custom_text(m, name);
+    int pair = mj_name2id(m, mjOBJ_PAIR, (of.prefix + said).c_str());
+    if (pair < 0) pair = mj_name2id(m, mjOBJ_PAIR, said);
+    if (pair < 0) refuse(text_element(name.c_str()), message("no <pair> is called \"{}\"", said));
+    if (m->pair_dim[pair] < 3) {
+      refuse(text_element(name.c_str()), message("<pair name=\"{}\"> has no friction to correct; accepted: condim=\"3\" or more", said));
+    }
+    pairs.push_back(pair);
+  });
+  return pairs;
 }
 
 const mjtNum* own_number(const mjModel* m, const std::string& name) {

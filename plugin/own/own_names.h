@@ -30,6 +30,9 @@ std::vector<PairName> own_pair_names(const mjModel* m);
 // Of a model with a scene's text: those that it may not have beside it. Throws ConfigError.
 void refuse_own_names(const mjModel* m);
 
+// The <pair>s that are named to be corrected for sliding, in the order of the file. Throws ConfigError.
+std::vector<int> corrected_pairs(const mjModel* m);
+
 // The number of that name, or null.
 const mjtNum* own_number(const mjModel* m, const std::string& name);
 

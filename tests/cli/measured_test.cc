@@ -56,7 +56,7 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
   EXPECT_NEAR(alignment.at("shift").get<double>(), -0.25, 1e-6);
   EXPECT_NEAR(alignment.at("angle").get<double>(), 1.5707963, 1e-4);
   EXPECT_EQ(alignment.at("by"), json::array({"rotor"}));
-  for (const char* run : {"native", "rigid", "coulomb", "cone"}) {
+  for (const char* run : {"native", "rigid", "coulomb", "cone", "cone-coulomb"}) {
     EXPECT_TRUE(all.at("columns").at("rotor_x").at("runs").contains(run)) << run;
     EXPECT_TRUE(all.at("figures").at("rotor_rms").at("runs").contains(run)) << run;
   }

@@ -92,7 +92,7 @@ TEST_P(Between, CallsChangeNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Models, Between,
                          ::testing::Combine(::testing::Values("modal", "segments"),
-                                            ::testing::Values("rigid", "coulomb", "cone")));
+                                            ::testing::Values("rigid", "coulomb", "cone", "cone-coulomb")));
 
 // Without a solver there is no warm start either.
 TEST_F(Interface, ForwardBeforeEachStepChangesNothingOfRigid) {
@@ -130,7 +130,7 @@ Left left_by(const mjModel* m, Look inverse) {
 }
 
 TEST_F(Interface, InverseLeavesNothing) {
-  for (const char* contact : {"rigid", "coulomb", "cone"}) {
+  for (const char* contact : {"rigid", "coulomb", "cone", "cone-coulomb"}) {
     const ModelPointer m =
         load(mjcf(shipped("bench_ring", {std::string("mujoco.contact=\"") + contact + "\""})));
     const Left ours = left_by(m.get(), own_inverse);

@@ -100,7 +100,7 @@ std::string with_cell(std::string text) {
 }
 
 TEST_P(UserCallbacks, AreCalledAndTheContactStays) {
-  for (const char* contact : {"rigid", "coulomb", "cone"}) {
+  for (const char* contact : {"rigid", "coulomb", "cone", "cone-coulomb"}) {
     const std::string document = bench(contact);
     const Line plain = run(document, "none");
     EXPECT_EQ(plain.active, 1.0);
@@ -165,7 +165,7 @@ TEST_P(UserCallbacks, MayBeTakenOffAgain) {
 }
 
 TEST_P(UserCallbacks, ResetTakesNothingOfOurs) {
-  for (const char* contact : {"rigid", "coulomb", "cone"}) {
+  for (const char* contact : {"rigid", "coulomb", "cone", "cone-coulomb"}) {
     const std::string document = bench(contact);
     const Line plain = run(document, "none");
     for (const std::string what : {"reset", "reset_always", "null", "sensor", "collision"}) {

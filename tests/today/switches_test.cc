@@ -40,7 +40,7 @@ class Switches : public MujocoTest {
 
 // mj_forward calls no mjcb_control then; there is nothing to actuate here, so nothing may change.
 TEST_F(Switches, DisabledActuationChangesNothing) {
-  for (const char* contact : {"rigid", "coulomb", "cone"}) {
+  for (const char* contact : {"rigid", "coulomb", "cone", "cone-coulomb"}) {
     const ModelPointer m = load(bench(contact));
     const std::vector<double> wanted = state_after(m.get(), kSteps);
     m->opt.disableflags |= mjDSBL_ACTUATION;

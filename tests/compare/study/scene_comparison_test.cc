@@ -115,7 +115,7 @@ TEST(SceneComparison, SplitsAddUp) {
 TEST(SceneComparison, JsonHasWhatTheContractNames) {
   const nlohmann::json j = comparison_json(short_comparison());
   EXPECT_EQ(j.at("scene"), "bench_ring");
-  for (const char* side : {"native", "rigid", "coulomb", "cone"}) {
+  for (const char* side : {"native", "rigid", "coulomb", "cone", "cone-coulomb"}) {
     const auto& summary = j.at("runs").at(side).at("summary");
     for (const char* key :
          {"program", "version", "mujoco_version", "scene", "scene_hash", "engine", "integrator",
@@ -161,7 +161,7 @@ TEST(SceneComparison, BeginsWithOneRowAContactModel) {
   const std::string text = json_text(comparisons_json({c}));
   EXPECT_EQ(text.find("\"answer\""), text.find('"')) << text.substr(0, 100);
   const std::string page = report_page({{&c, {}, "none in this test."}});
-  for (const char* contact : {"rigid", "coulomb", "cone"}) {
+  for (const char* contact : {"rigid", "coulomb", "cone", "cone-coulomb"}) {
     EXPECT_LT(page.find(std::string("class=\"side-") + contact + "\">"),
               page.find("class=\"lead\""));
   }

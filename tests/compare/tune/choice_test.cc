@@ -33,7 +33,7 @@ TEST(Choice, TakesTheCheapestOfSimulatedTimeNotOfAStep) {
                                 made(ContactModel::kCone, 1e-4, 4.0, 0.3, 9.0)});
   EXPECT_EQ(choice.trusted, 1U);
   EXPECT_EQ(choice.next_cheaper, 3U);
-  EXPECT_EQ(choice.cheaper_by_contact, (std::vector<std::size_t>{3, 2}));
+  EXPECT_EQ(choice.best_by_contact, (std::vector<std::size_t>{1, 2, 3}));
   EXPECT_FALSE(choice.nearest);
 }
 
