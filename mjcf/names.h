@@ -22,6 +22,7 @@ inline constexpr const char* kOwnRadius = "rotorub_radius";
 inline constexpr const char* kOwnFriction = "rotorub_friction";
 inline constexpr const char* kOwnRestitution = "rotorub_restitution";
 inline constexpr const char* kOwnTangential = "rotorub_tangential_restitution";
+inline constexpr const char* kOwnFrictionReference = "rotorub_friction_reference";  // of generated files too
 inline constexpr const char* kOwnWidth = "rotorub_width";
 inline constexpr const char* kOwnUserData = "rotorub_userdata";  // of the whole model
 

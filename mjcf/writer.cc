@@ -128,10 +128,11 @@ class Document {
 
   // MuJoCo divides it by the impedance.
   std::string friction_reference(const ContactPair& pair) const {
-    const double reference = scene_.mujoco.friction_reference;
-    const bool own = reference > 0.0 && scene_.mujoco.contact == scene::ContactModel::kCone;
-    if (!own || target_ < MujocoVersion{2, 3, 7}) return {};
-    return fmt::format(R"(solreffriction="0 {}" )", -reference * pair.soft.impedance);
+    if (!has_friction_reference() || target_ < MujocoVersion{2, 3, 7}) return {};
+    return fmt::format(R"(solreffriction="0 {}" )", -scene_.mujoco.friction_reference * pair.soft.impedance);
+  }
+  bool has_friction_reference() const {
+    return scene_.mujoco.friction_reference > 0.0 && scene_.mujoco.contact == scene::ContactModel::kCone;
   }
 
   void contact() {
@@ -253,6 +254,10 @@ class Document {
     if (scene_.contact) {
       xml_.line(fmt::format(R"(<text name="{}" data="{}"/>)", names::kContactText,
                             scene::to_string(scene_.mujoco.contact)));
+      if (has_friction_reference()) {
+        xml_.line(fmt::format(R"(<numeric name="{}" data="{}"/>)", names::kOwnFrictionReference,
+                              scene_.mujoco.friction_reference));
+      }
     }
     xml_.close("custom");
   }

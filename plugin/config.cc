@@ -227,7 +227,7 @@ Config make_config(const mjModel* m) {
   }
   if (scene.contact) {
     config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
-    config.friction_reference = scene.mujoco.friction_reference;
+    if (const mjtNum* given = own_number(m, names::kOwnFrictionReference)) config.friction_reference = *given;
     map_contact(m, config);
     if (!config.segments) choose_path(m, config);
     if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);

@@ -46,6 +46,7 @@ struct OwnPair {
   bool axial = false;      // with friction, and one moves along the other's axis (own/axial_motion.h)
   bool in_world = false;   // the contact plane is the world's x and y, not that of the ring's geom
   double held_spin = 0.0;  // rad/s, of a rotor whose spin is no degree of freedom
+  double friction_reference = 0.0;  // 1/s, B_t of contact model cone; 0: MuJoCo's
 };
 
 // The native model that runs alongside (shadow.h). -1: no such sensor or ghost.

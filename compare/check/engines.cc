@@ -14,7 +14,8 @@ CheckEngine native(scene::Integrator integrator, RuleEngine word) {
 
 CheckEngine mujoco(scene::ContactModel contact, RuleEngine word) {
   std::shared_ptr<const Engine> engine = mujoco_engine(contact);
-  return {engine->name(), scene::to_string(contact), word, false, false, engine};
+  const char* column = contact == scene::ContactModel::kConeCoulomb ? "cone-c" : scene::to_string(contact);
+  return {engine->name(), column, word, false, false, engine};
 }
 
 }  // namespace

@@ -15,16 +15,19 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kIndent = 6;              // of a reason's further lines
-constexpr std::size_t kName = 26, kColumn = 9;  // 26 + 6 engines of 9
+constexpr std::size_t kName = 24, kColumn = 8;  // 24 + 7 engines of 8
 constexpr std::size_t kMostReason = 400;        // bytes of one reason
 
 std::string cut(const std::string& name) { return scene::printable(name, kName - 4); }
+
+// In a column.
+const char* word(Outcome outcome) { return outcome == Outcome::kViolates ? "fails" : to_string(outcome); }
 
 std::string head() {
   std::string line(kName, ' ');
   for (const CheckEngine& e : check_engines()) line += fmt::format("{:>{}}", e.column, kColumn);
   std::string groups(kName, ' ');
-  groups += fmt::format("{:>{}}{:>{}}", "native", 3 * kColumn, "MuJoCo", 3 * kColumn);
+  groups += fmt::format("{:>{}}{:>{}}", "native", 3 * kColumn, "MuJoCo", 4 * kColumn);
   return groups + "\n" + line + "\n";
 }
 
@@ -34,7 +37,7 @@ std::string notes(const std::vector<Case>& cases, Outcome outcome) {
   for (const bool native : {true, false}) {
     for (const Case& c : cases) {
       if (c.outcome() != outcome || c.native != native) continue;
-      if (text.empty()) text = fmt::format("\n{}:\n", to_string(outcome));
+      if (text.empty()) text = fmt::format("\n{}:\n", word(outcome));
       text += wrapped(fmt::format("  {}, {}: ", cut(c.scene), c.engine),
                       scene::printable(c.deciding.reason, kMostReason), kIndent);
     }
@@ -65,8 +68,7 @@ std::string table(const std::vector<Case>& cases, const Palette& palette) {
       const Outcome outcome = cases[i].outcome();
       const Tone tone = outcome == Outcome::kPass ? Tone::kGood
                         : outcome == Outcome::kViolates ? Tone::kBad : Tone::kPart;
-      text += palette.paint_first(tone, fmt::format("{:>{}}", to_string(outcome), kColumn),
-                                  to_string(outcome));
+      text += palette.paint_first(tone, fmt::format("{:>{}}", word(outcome), kColumn), word(outcome));
     }
     text += '\n';
   }

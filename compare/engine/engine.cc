@@ -41,6 +41,19 @@ class MujocoEngine final : public Engine {
   scene::ContactModel contact_;
 };
 
+class DefaultConeEngine final : public Engine {
+ public:
+  std::string name() const override { return "mujoco-cone-default"; }
+  Trajectory run(const scene::Scene& given, const RunRequest& request) const override {
+    constexpr double kTimeConstant = 0.02;  // s
+    scene::Scene scene = given;
+    scene.mujoco.friction_reference = 0.0;
+    scene.mujoco.solref_stiffness = 1.0 / (kTimeConstant * kTimeConstant);
+    scene.mujoco.solref_damping = 2.0 / kTimeConstant;
+    return MujocoEngine(scene::ContactModel::kCone).run(scene, request);
+  }
+};
+
 }  // namespace
 
 Trajectory finite(Trajectory trajectory) {
@@ -71,6 +84,8 @@ std::unique_ptr<Engine> native_engine(scene::Integrator integrator) {
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact) {
   return std::make_unique<MujocoEngine>(contact);
 }
+
+std::unique_ptr<Engine> default_cone_engine() { return std::make_unique<DefaultConeEngine>(); }
 
 const char* to_string(scene::Integrator integrator) {
   switch (integrator) {

@@ -43,6 +43,7 @@ std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOpti
   for (const auto& [contact, word] : scene::kContactModels) {
     if (contact != decides) all.push_back({word, mujoco(contact), kMujocoWork});
   }
+  if (!options.own) all.push_back({"cone-default", default_cone_engine(), kMujocoWork, false});
   return all;
 }
 

@@ -167,6 +167,12 @@ class Comparison {
       const auto tape = [&](std::size_t rung, RunRequest& request) {
         if (replays()) request.watch = tapes_[k][rung].watch();
       };
+      if (!all_[k].climbs) {
+        const std::string reason = "it is shown at the scene's step alone";
+        leave_limits(reason, result_.sides[k]);
+        if (replays()) leave_limits(reason, k == 1 ? result_.sides[0] : result_.natives[k - 2]);
+        continue;
+      }
       climb_down(runner_, all_[k], times_, tape, result_.sides[k]);
       if (replays()) climb_native(k, k == 1 ? result_.sides[0] : result_.natives[k - 2]);
     }

@@ -24,7 +24,9 @@ void add_held_slip(const Model& model, const mjModel* m, mjData* d, const mjCont
   add(first + 1, -contact.friction[0] * slip);
 }
 
-// aref = -B_t v of the friction rows; of the edges of a pyramid in the tangential part of v.
+}  // namespace
+
+// Of the edges of a pyramid in the tangential part of v.
 void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contact, double reference) {
   const int first = contact.efc_address;
   if (!mj_isPyramidal(m)) {
@@ -38,8 +40,6 @@ void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contac
     d->efc_aref[edge + 1] -= change;
   }
 }
-
-}  // namespace
 
 void apply_cone(const Config& config, const mjModel* m, mjData* d, const mjContact& contact,
                 const Coordinates& state) {

@@ -16,4 +16,7 @@ namespace rotorub::plugin {
 void apply_cone(const Config& config, const mjModel* m, mjData* d, const mjContact& contact,
                 const Coordinates& state);
 
+// aref = -B_t v of the friction rows, B_t in 1/s.
+void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contact, double reference);
+
 }  // namespace rotorub::plugin

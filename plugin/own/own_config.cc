@@ -90,6 +90,11 @@ OwnPair make_pair(const mjModel* m, const PairName& name) {
   c.friction = number(names::kOwnFriction, 0.0, kCoefficient);
   c.restitution = number(names::kOwnRestitution, 0.0, kShare);
   c.tangential_restitution = number(names::kOwnTangential, 0.0, kShare);
+  p.friction_reference = number(names::kOwnFrictionReference, 0.0, kCoefficient);
+  if (p.friction_reference > 0.0 && p.law != scene::ContactModel::kCone) {
+    refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnFrictionReference)),
+           message("contact model {} has none; accepted: contact model cone", scene::to_string(p.law)));
+  }
   p.pair = find_pair(m, p.rotor_geom, p.ring_geom);
   p.reach = half_length(m, p.rotor_geom, 0.0) +
             (own_number(m, name.of(names::kOwnWidth))

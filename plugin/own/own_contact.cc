@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
+#include "plugin/contact/cone.h"
 #include "plugin/contact/cone_correction.h"
 #include "plugin/own/own_coulomb.h"
 #include "plugin/own/own_rigid.h"
@@ -15,23 +15,33 @@
 namespace rotorub::plugin {
 namespace {
 
-void correct_own_cones(const Config& config, const mjModel* m, mjData* d) {
-  std::vector<SlidingContact> found;
-  const auto find = [&](int geom1, int geom2, std::optional<double> curvature) {
-    for (int i = 0; i < d->ncon; ++i) {
-      const mjContact& c = d->contact[i];
-      const bool is = (c.geom1 == geom1 && c.geom2 == geom2) || (c.geom1 == geom2 && c.geom2 == geom1);
-      if (is && c.efc_address >= 0) found.push_back({&c, curvature});
-    }
-  };
-  for (const int pair : config.corrected_pairs) find(m->pair_geom1[pair], m->pair_geom2[pair], {});
-  for (const OwnPair& pair : config.pairs) {
-    if (pair.law != scene::ContactModel::kConeCoulomb) continue;
-    const ContactPoint point = own_contact_point(pair, m, d);
-    const double whirl = point.whirl_speed();
-    find(pair.rotor_geom, pair.ring_geom, point.delta > kNoNormal ? whirl * whirl / point.delta : 0.0);
+// Calls action(contact) for each contact of two geoms that MuJoCo solves.
+template <typename Action>
+void for_each_solved(const mjData* d, int geom1, int geom2, Action action) {
+  for (int i = 0; i < d->ncon; ++i) {
+    const mjContact& c = d->contact[i];
+    const bool is = (c.geom1 == geom1 && c.geom2 == geom2) || (c.geom1 == geom2 && c.geom2 == geom1);
+    if (is && c.efc_address >= 0) action(c);
   }
-  if (!found.empty()) correct_cones(m, d, found);
+}
+
+void apply_own_cones(const Config& config, const mjModel* m, mjData* d) {
+  std::vector<SlidingContact> corrected;
+  for (const int pair : config.corrected_pairs) {
+    for_each_solved(d, m->pair_geom1[pair], m->pair_geom2[pair],
+                    [&](const mjContact& c) { corrected.push_back({&c, {}}); });
+  }
+  for (const OwnPair& pair : config.pairs) {
+    for_each_solved(d, pair.rotor_geom, pair.ring_geom, [&](const mjContact& c) {
+      if (pair.law == scene::ContactModel::kConeCoulomb) {
+        const ContactPoint point = own_contact_point(pair, m, d);
+        corrected.push_back({&c, point.whirl_speed() * point.whirl_speed() / point.delta});
+      } else if (pair.friction_reference > 0.0 && c.dim >= 3) {
+        set_friction_reference(m, d, c, pair.friction_reference);
+      }
+    });
+  }
+  correct_cones(m, d, corrected);
 }
 
 }  // namespace
@@ -39,7 +49,7 @@ void correct_own_cones(const Config& config, const mjModel* m, mjData* d) {
 void apply_own_contacts(const Config& config, const mjModel* m, mjData* d) {
   // Soft ones first: `rigid` asks MuJoCo's solver for them as for any other contact.
   if (config.has_soft()) apply_own_coulomb(config.pairs, m, d);
-  correct_own_cones(config, m, d);
+  apply_own_cones(config, m, d);
   if (config.has_rigid()) apply_own_rigid(config.pairs, m, d);
 }
 

@@ -17,7 +17,7 @@ namespace names = mjcf_names;
 constexpr const char* kTexts[] = {names::kContactText, names::kOwnRotorGeom, names::kOwnRingGeom};
 constexpr const char* kNumbers[] = {names::kOwnClearance,   names::kOwnRadius,
                                     names::kOwnFriction,    names::kOwnRestitution,
-                                    names::kOwnTangential,  names::kOwnWidth,
+                                    names::kOwnTangential,  names::kOwnFrictionReference, names::kOwnWidth,
                                     names::kOwnUserData};
 
 bool is_ours(std::string_view name) { return name.find(names::kOwnMark) != name.npos; }
@@ -120,6 +120,7 @@ void refuse_own_names(const mjModel* m) {
     refuse(text_element(name.c_str()), "beside a scene's text; accepted: one");
   });
   for_each_number(m, [](const std::string& name, mjtNum) {
+    if (name == names::kOwnFrictionReference) return;
     check(name, kNumbers, "numeric", {{}});
     refuse(message("<custom><numeric name=\"{}\">", name),
            "the scene's text has its own; accepted: the value in the scene");

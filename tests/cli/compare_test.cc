@@ -98,7 +98,7 @@ TEST(CliCompare, TheConeDecidesWhereAsked) {
       << differ.out;
   const json all = json::parse(folder.text("out/compare.json"));
   EXPECT_EQ(all.at("contact"), "cone");
-  ASSERT_EQ(all.at("answer").size(), 3U);
+  ASSERT_EQ(all.at("answer").size(), 5U);
   EXPECT_EQ(all["answer"][0].at("contact"), "cone");
   EXPECT_EQ(all["answer"][0].at("trusted"), "no");
   EXPECT_TRUE(all["answer"][0].at("decides_exit_code").get<bool>());

@@ -36,8 +36,10 @@ const page = (() => {
   const scaleOfColours = (palette) => palette.map((color, k) => [k / (palette.length - 1), color]);
 
   // How a run is told from the others: its colour, and as a second cue dash, width and mark. Native is in front.
-  const dashes = {native: 'solid', rigid: 'dash', coulomb: 'dashdot', cone: 'dot', shadow: 'dash', measured: 'longdash'};
-  const symbols = {native: 'circle', rigid: 'circle-open', coulomb: 'square-open', cone: 'triangle-up-open', shadow: 'diamond-open', measured: 'x-open'};
+  const dashes = {native: 'solid', rigid: 'dash', coulomb: 'dashdot', cone: 'dot', 'cone-coulomb': 'longdashdot', 'cone-default': 'dot',
+    shadow: 'dash', measured: 'longdash'};
+  const symbols = {native: 'circle', rigid: 'circle-open', coulomb: 'square-open', cone: 'triangle-up-open', 'cone-coulomb': 'triangle-down-open',
+    'cone-default': 'star-open', shadow: 'diamond-open', measured: 'x-open'};
   const isFront = (label) => label === 'native';
   const line = (label, front = isFront(label)) => ({color: css('--' + label), width: front ? 2.4 : 1.4, dash: dashes[label] || 'dot', simplify: false});
   const symbol = (label) => symbols[label] || 'cross-open';

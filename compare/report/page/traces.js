@@ -50,7 +50,7 @@ page.traces = (() => {
     return behindFirst(runs).filter((run) => has(run, key)).map((run) => {
       const {t, y} = sampled(run, key, range);
       return {x: t, y, name: run.label, meta: run.label, type: 'scatter', mode: 'lines',
-        opacity: run.label === 'cone' ? 0.6 : 1,
+        opacity: ['cone', 'cone-default'].includes(run.label) ? 0.6 : 1,
         line: {...line(run.label), ...(t.length > kDashed ? {dash: 'solid'} : {})},
         hovertemplate: '%{y:.5g}<extra>' + run.label + '</extra>'};
     });

@@ -96,7 +96,7 @@ TEST(OwnMachine, IsComparedLikeAScene) {
   const SceneComparison c = compare_scene(options.own->scene(), options);
   EXPECT_EQ(c.status(), Status::kOk);
   EXPECT_TRUE(c.own);
-  ASSERT_EQ(c.sides.size(), 4U);
+  ASSERT_EQ(c.sides.size(), 5U);
   EXPECT_EQ(c.sides[1].engine, "mujoco-rigid");
   ASSERT_TRUE(c.sides[0].metrics.first_touch && c.sides[1].metrics.first_touch);
   EXPECT_NEAR(*c.sides[1].metrics.first_touch, *c.sides[0].metrics.first_touch, 2e-5);

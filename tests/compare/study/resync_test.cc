@@ -157,7 +157,7 @@ const SceneComparison& ring() {
 // From the same state the same law gives the same impact; a soft contact spreads it.
 TEST(Resync, RigidIsRightContactByContactAndSoftIsNot) {
   const SceneComparison& c = ring();
-  ASSERT_EQ(c.differences.size(), 3U);
+  ASSERT_EQ(c.differences.size(), 5U);
   const Resync& rigid = *c.differences[0].resync;
   ASSERT_GE(rigid.onsets.size(), 4U);
   EXPECT_LT(row(rigid, "impulse").worst, 1e-3);

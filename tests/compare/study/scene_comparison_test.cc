@@ -150,7 +150,7 @@ TEST(SceneComparison, CoulombIsGoodForAveragesOnly) {
 TEST(SceneComparison, BeginsWithOneRowAContactModel) {
   const SceneComparison& c = short_comparison();
   const auto rows = answer(c);
-  ASSERT_EQ(rows.size(), 3U);
+  ASSERT_EQ(rows.size(), 5U);
   for (const AnswerRow& row : rows) {
     EXPECT_EQ(row.decides, row.contact == "rigid");
     EXPECT_GT(row.us_per_step, 0.0);
@@ -174,7 +174,7 @@ TEST(SceneComparison, AnyContactMayDecide) {
   options.contact = scene::ContactModel::kCone;
   options.twins = 2;
   const SceneComparison c = compare_scene(bench_ring({"run.end=0.02"}), options);
-  ASSERT_EQ(c.sides.size(), 4U);
+  ASSERT_EQ(c.sides.size(), 6U);
   EXPECT_EQ(c.sides[1].label, "cone");
   EXPECT_TRUE(c.differences[0].decides);
   EXPECT_FALSE(c.within());

@@ -83,11 +83,11 @@ TEST(TunedText, WritesAnewWhatHasNoHeaders) {
 
 TEST(Variants, HoldTheScenesOwnOnce) {
   scene::Mujoco own;
-  EXPECT_EQ(variants(own).size(), 14U);
+  EXPECT_EQ(variants(own).size(), 29U);
   own.contact = ContactModel::kCone;
   own.integrator = MujocoIntegrator::kRk4;
   own.solver = MujocoSolver::kPgs;
-  EXPECT_EQ(variants(own).size(), 15U);
+  EXPECT_EQ(variants(own).size(), 30U);
   EXPECT_EQ(variants(own).back().integrator, MujocoIntegrator::kRk4);
 }
 
