@@ -264,8 +264,9 @@ Command add_compare_command(CLI::App& program) {
       ->capture_default_str();
   app->add_option(
          "--tolerance", options->tolerance,
-         "On the judged figures, as 1% or 0.01: mean normal force, contact, total impulse; "
-         "peak force, rms gap rate, hard impacts")
+         "On the judged figures, as 1% or 0.01: averages (mean normal force, lasting contact, total impulse, friction work, "
+         "whirl, spin, control force; least gap where nothing touches) and single moments (largest impulse, hard impacts, rms "
+         "gap rate)")
       ->type_name("SHARE")
       ->capture_default_str();
   app->add_option("--contact", options->contact,
@@ -273,8 +274,8 @@ Command add_compare_command(CLI::App& program) {
       ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()))
       ->capture_default_str();
   app->add_option("--twins", options->twins,
-                  "Native runs a few units in the last place apart, whose spread tells what can be "
-                  "decided")
+                  "Runs a few units in the last place apart, of native and, where these scatter, of the contact model that decides: "
+                  "how well a difference is known")
       ->type_name("N")
       ->capture_default_str();
   app->add_flag("--modes-ladder,!--no-modes-ladder", options->modes_ladder,

@@ -12,6 +12,7 @@ void ContactEpisodes::step(const SoftStep& s) {
     const double fall = last_gap_ - s.before.gap;
     const double share = fall > 0.0 && s.t > 0.0 ? std::clamp(-s.before.gap / fall, 0.0, 1.0) : 0.0;
     impact_ = Impact{};
+    lasted_ = 0.0;
     impact_.t = s.t - share * s.h;
     impact_.gap_rate_before = s.before.gap_rate;
     impact_.slip_before = s.before.slip;
@@ -24,6 +25,7 @@ void ContactEpisodes::step(const SoftStep& s) {
     mode_ = s.mode;
   }
   if (pressed) {
+    lasted_ += s.h;
     impact_.normal_impulse += s.h * s.normal;
     impact_.friction_impulse += s.h * s.friction;
     impact_.energy_change += 0.5 * s.h *
@@ -38,7 +40,10 @@ void ContactEpisodes::step(const SoftStep& s) {
 }
 
 void ContactEpisodes::finish() {
-  if (open_) recorder_->add(impact_);
+  if (open_) {
+    recorder_->add(impact_);
+    if (lasted_ <= recorder_->window()) recorder_->statistics().impact_time += lasted_;
+  }
   open_ = false;
 }
 

@@ -1,5 +1,6 @@
 // Impacts and changes of mode of a soft contact: an impact is an episode of contact, from the
-// instant the gap closes to the first step without a force, the impulses integrated over it.
+// instant the gap closes to the first step without a force, the impulses integrated over it. One that is
+// shorter than the window of impulses (native_model/trajectory/impulse_window.h) is no lasting contact.
 #pragma once
 
 #include "native_model/contact/kinematics.h"
@@ -28,6 +29,7 @@ class ContactEpisodes {
   Impact impact_;
   Mode mode_ = Mode::kFree;
   double last_gap_ = 0.0;  // m, one step earlier
+  double lasted_ = 0.0;    // s, of the episode
 };
 
 }  // namespace rotorub

@@ -7,6 +7,7 @@
 #include "compare/engine/mujoco_engine.h"
 #include "compare/engine/request_options.h"
 #include "native_model/run/run_native.h"
+#include "native_model/trajectory/impulse_window.h"
 
 namespace rotorub {
 namespace {
@@ -34,6 +35,7 @@ class MujocoEngine final : public Engine {
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
     MujocoOptions options = mujoco_options(request);
     options.contact = contact_;
+    options.window = kWindowSteps * scene.run.step;
     return finite(run_mujoco(perturbed(scene, request.perturbation_ulps), options));
   }
 

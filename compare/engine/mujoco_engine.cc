@@ -83,7 +83,8 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
   WatchFeed feed(model, step, options.watch);
   feed.begin(run.start_q(), run.start_v());
   MujocoRecord record(model, config.contact == scene::ContactModel::kRigid, step,
-                      options.output_times.value_or(output_times(scene.run)));
+                      options.output_times.value_or(output_times(scene.run)),
+                      options.window > 0.0 ? options.window : kWindowSteps * step);
   record.begin(run.start_q(), run.start_v());
 
   const auto steps = static_cast<std::int64_t>(std::ceil(scene.run.end / step - 1e-9));

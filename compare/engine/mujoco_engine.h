@@ -17,6 +17,7 @@ struct MujocoOptions {
   std::optional<scene::ContactModel> contact;       // default: the scene's
   std::optional<double> step;                       // s, > 0, default: the scene's
   std::optional<std::vector<double>> output_times;  // s, ascending, default: the scene's
+  double window = 0.0;                              // s, of impulses (impulse_window.h); 0: of the step
   std::function<void(double)> progress;             // fraction done, called now and then
   const std::atomic<bool>* interrupt = nullptr;     // set to true: stop, keep what there is
   StepWatch watch;                                  // called after every step, if any

@@ -25,11 +25,11 @@ Impact impact_of(const plugin::ContactForces& f, double t, double h) {
 
 }  // namespace
 
-MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times)
+MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times, double window)
     : model_(model),
       rigid_(rigid),
       step_(step),
-      recorder_(model, std::move(times)),
+      recorder_(model, std::move(times), window),
       episodes_(recorder_),
       middle_(static_cast<std::size_t>(model.nq())),
       half_(middle_) {}
@@ -164,6 +164,7 @@ void MujocoRecord::count_impact() {
   StepFigures figures;
   const double lasted = model_.contact->compression_time + model_.contact->expansion_time;
   figures.h = lasted > 0.0 ? lasted : step_;
+  figures.impact = true;
   figures.normal_impulse = impact_.normal_impulse;
   figures.friction_impulse = impact_.friction_impulse;
   figures.friction_work =

@@ -15,7 +15,7 @@ namespace rotorub {
 class MujocoRecord {
  public:
   // The model must outlive it. `rigid`: the contact model; `times`: the rows wanted, ascending.
-  MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times);
+  MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times, double window);
 
   // The state of t = 0.
   void begin(const double* q, const double* v);

@@ -35,6 +35,30 @@ void gather_forces(const Trajectory& trajectory, Metrics& m) {
   m.rms_penetration = std::sqrt(s.penetration_square / span);
 }
 
+// Mean of a column over the last part of the run, where it is not held.
+std::optional<double> mean_of_free(const Trajectory& trajectory, const char* name, double from) {
+  if (!trajectory.has(name)) return std::nullopt;
+  const auto &times = trajectory.column("t"), &values = trajectory.column(name);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  if (values.empty() || *least == *most) return std::nullopt;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (times[i] < from) continue;
+    sum += values[i];
+    ++count;
+  }
+  return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
+}
+
+std::optional<double> rms_command(const Trajectory& trajectory) {
+  if (!trajectory.has("control_x") || trajectory.rows() == 0) return std::nullopt;
+  const auto &x = trajectory.column("control_x"), &y = trajectory.column("control_y");
+  double square = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) square += x[i] * x[i] + y[i] * y[i];
+  return std::sqrt(square / static_cast<double>(x.size()));
+}
+
 void gather_impacts(const Trajectory& trajectory, Metrics& m) {
   double fastest = 0.0;
   for (const Impact& impact : trajectory.impacts) {
@@ -63,6 +87,12 @@ Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>&
   gather_impacts(trajectory, m);
   m.peak_force = s.peak_force;
   m.contact_fraction = trajectory.contact_fraction();
+  if (s.contact_time > 0.0) {
+    constexpr double kUnseen = 1e-9;  // round-off of the sums of two times
+    const double lasting = 1.0 - s.impact_time / s.contact_time;
+    m.lasting_fraction = lasting > kUnseen ? lasting * m.contact_fraction : 0.0;
+  }
+  m.window_impulse = s.window_impulse;
   m.impulse_total = s.impulse_total;
   m.friction_impulse = s.friction_impulse;
   m.friction_work = s.friction_work;
@@ -70,6 +100,9 @@ Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>&
   m.energy_residual = s.energy_residual();
   if (std::isfinite(s.least_gap)) m.least_gap = s.first_touch >= 0.0 ? std::min(0.0, s.least_gap) : s.least_gap;
   m.settled = settled(trajectory);
+  m.spin_speed = mean_of_free(trajectory, "spin_speed", m.settled.from);
+  m.ring_speed = mean_of_free(trajectory, "ring_speed", m.settled.from);
+  m.control_force = rms_command(trajectory);
   if (facts) {
     m.whirl_penetration = whirl_penetration(trajectory, facts->clearance);
     m.residuals = contact_residuals(trajectory, *facts);

@@ -86,6 +86,8 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
     if (!f.is_judged()) continue;
     std::vector<double> values;
     for (const Metrics& m : found) values.push_back(f.value(m));
+    // No run has it, or it is 0 in all.
+    if (std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v) || v == 0.0; })) continue;
     const double spread = i < parameters.spread.size() ? parameters.spread[i] : 0.0;
     error.figures.push_back(figure_limit(f, error.modes, values, parameters.tolerance, spread));
   }

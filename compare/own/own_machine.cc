@@ -15,6 +15,7 @@
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model.h"
 #include "native_model/system/run_size.h"
+#include "native_model/trajectory/impulse_window.h"
 #include "plugin/twin/native_twin.h"
 
 namespace rotorub {
@@ -108,8 +109,9 @@ class OwnEngine final : public Engine {
     scene::Scene scene = given;
     scene.run.step = request.step.value_or(given.run.step);
     check_steps(scene, scene.run.step);
-    return finite(
-        run_mujoco(scene, machine_->setup(contact_, scene.run.step), mujoco_options(request)));
+    MujocoOptions options = mujoco_options(request);
+    options.window = kWindowSteps * given.run.step;
+    return finite(run_mujoco(scene, machine_->setup(contact_, scene.run.step), options));
   }
 
  private:

@@ -38,7 +38,7 @@ json cells_of(const SceneComparison& c, std::size_t figure) {
                  {"other", !column.figures.empty()}};
     if (!column.figures.empty()) {
       const JudgedFigure& d = column.figures[figure];
-      cell["deviation"] = deviation_text(f, d.deviation);
+      cell["deviation"] = difference_text(d);
       cell["tone"] = column.judged ? tone(d.verdict) : "";
       cell["verdict"] = column.judged ? to_string(d.verdict) : "the step's";
     }
@@ -105,7 +105,7 @@ json split_rows(const SceneComparison& c) {
            {"model_gap", figure_value(f, d.split.model_gap)},
            {"step_error", figure_value(f, d.split.step_error)},
            {"native_step_error", figure_value(f, d.split.native_step_error)},
-           {"floor", size_text(f, d.spread)},
+           {"floor", size_text(f, d.interval)},
            {"tone", d.split.valid ? "" : "unsure"},
            {"note", d.split.valid ? fmt::format("valid, ± {}", figure_value(f, d.split.uncertainty))
                                   : "not valid: " + d.split.reason}});

@@ -74,7 +74,7 @@ Side Runner::shown(const Contestant& who, RunRequest request) {
   return side;
 }
 
-Twins Runner::twins(const Engine& native, const Trajectory& original, double threshold,
+Twins Runner::twins(const Contestant& who, const Trajectory& original, double threshold,
                     const std::vector<double>& times, std::shared_ptr<const CommandRecord> commands,
                     int count) {
   TwinParameters parameters;
@@ -82,9 +82,10 @@ Twins Runner::twins(const Engine& native, const Trajectory& original, double thr
   parameters.output_times = times;
   parameters.commands = std::move(commands);
   parameters.interrupt = options_.interrupt;
-  const double work = count * kNativeWork;
-  parameters.progress = part(work, "native twins");
-  Twins found = run_twins(native, scene_, original, threshold, parameters);
+  const double work = count * who.work;
+  parameters.progress = part(work, who.label + " twins");
+  parameters.threads = who.label == "native";
+  Twins found = run_twins(*who.engine, scene_, original, threshold, parameters);
   done_ += work;
   return found;
 }
@@ -92,7 +93,7 @@ Twins Runner::twins(const Engine& native, const Trajectory& original, double thr
 ModelError Runner::model_error(const Repeatability& repeats) {
   ModelErrorParameters parameters;
   parameters.tolerance = options_.tolerance;
-  parameters.spread = repeats.spread;
+  parameters.spread = single_run_intervals(repeats.samples);
   parameters.interrupt = options_.interrupt;
   parameters.progress = part(kLadderWork, "more modes");
   ModelError found = rotorub::model_error(scene_, parameters);

@@ -37,7 +37,7 @@ class Runner {
   // A run with the rows that plots and residuals need, and its figures.
   Side shown(const Contestant& who, RunRequest request);
   // `commands`: null, or what the native runs are driven by.
-  Twins twins(const Engine& native, const Trajectory& original, double threshold,
+  Twins twins(const Contestant& who, const Trajectory& original, double threshold,
               const std::vector<double>& times, std::shared_ptr<const CommandRecord> commands,
               int count);
   // What the modes kept leave out; the twins' spread is what no more modes can tell.

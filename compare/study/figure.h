@@ -32,8 +32,9 @@ struct Figure {
   bool split;           // converges with the step: split into model gap and step error
   bool comparable;      // means the same for a soft and for a rigid contact: has a difference
   const char* meaning;  // one sentence
-  double (*value)(const Metrics&);
-  // SI, kRelative: a difference is relative to the native value, or to this where that is smaller.
+  double (*value)(const Metrics&);  // not a number: the run has no such figure
+  // SI, kRelative: a difference is relative to the native value, or to this where that is smaller. Of a count: one more or
+  // less among up to so many is 1 / resolution.
   double resolution = 0.0;
 
   bool is_judged() const { return judged != Judged::kNo; }
@@ -47,5 +48,7 @@ const Figure& figure(const std::string& key);
 // positive where the magnitude grows, 0 for two zeros, infinite where the native value alone is 0
 // and the figure has no resolution.
 double deviation(const Figure& figure, double native, double other);
+// A size in SI on the same scale, beside a native value; >= 0.
+double share_of(const Figure& figure, double native, double size);
 
 }  // namespace rotorub

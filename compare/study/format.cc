@@ -10,7 +10,7 @@ namespace rotorub {
 std::string short_number(double value) {
   if (value == 0.0) return "0";
   const double size = std::abs(value);
-  if (!std::isfinite(value)) return value > 0.0 ? "∞" : value < 0.0 ? "-∞" : "not a number";
+  if (!std::isfinite(value)) return value > 0.0 ? "∞" : value < 0.0 ? "-∞" : "–";
   if (size >= 1e6 || size < 1e-3) return fmt::format("{:.2e}", value);
   if (value == std::round(value)) return fmt::format("{:.0f}", value);
   // Four significant digits, without an exponent.

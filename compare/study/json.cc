@@ -108,7 +108,8 @@ json difference_json(const SceneComparison& comparison, const Side& side,
                   {"difference", f.other - f.native},
                   {"deviation", f.deviation},
                   {"twin_deviation", f.floor},
-                  {"twin_spread", f.spread},
+                  {"interval", f.interval},
+                  {"least_told", f.least_told},
                   {"replay_floor", f.replay_floor},
                   {"judged", f.figure->is_judged()}};
     if (f.figure->is_judged()) {

@@ -69,7 +69,7 @@ class Comparison {
     show();
     if (!runner_.interrupted()) look_closer();
     if (options_.modes_ladder && !resyncs() && !runner_.interrupted()) {
-      result_.model_error = runner_.model_error(repeats());
+      result_.model_error = runner_.model_error(repeats(result_.sides[0]));
     }
     if (runner_.interrupted()) {
       result_.interrupted = true;
@@ -154,9 +154,14 @@ class Comparison {
       climb();
     }
     result_.twin.threshold = divergence_threshold(result_.scene, result_.sides[0].trajectory);
-    twins_ = runner_.twins(*all_[0].engine, result_.sides[0].trajectory, result_.twin.threshold,
+    twins_ = runner_.twins(all_[0], result_.sides[0].trajectory, result_.twin.threshold,
                            times_, replayed_commands(1), result_.twins);
     result_.twin = first_to_part(twins_, result_.twin);
+    if (!runner_.interrupted() && decider_may_have_twins()) {
+      result_.decider_twins = result_.twins;
+      decider_twins_ = runner_.twins(all_[1], result_.sides[1].trajectory, result_.twin.threshold, times_, {},
+                                     result_.twins);
+    }
     if (replays() && !runner_.interrupted()) replay_floor_ = replay_floor(runner_, result_.scene);
     time_runs(runner_, all_, options_.timing_repeats, replayed_commands(1), result_.sides);
   }
@@ -200,21 +205,31 @@ class Comparison {
     }
   }
 
-  Repeatability repeats() const {
-    Repeatability found = repeatability(result_.sides[0], twins_);
-    for (std::size_t k = 0; k < replay_floor_.size(); ++k) {
-      found.replay_floor[k] = replay_floor_[k];
-      found.spread[k] = std::max(found.spread[k], replay_floor_[k]);
-    }
+  Repeatability repeats(const Side& native) const {
+    Repeatability found = repeatability(native.metrics, twins_);
+    for (std::size_t k = 0; k < replay_floor_.size(); ++k) found.replay_floor[k] = replay_floor_[k];
     return found;
+  }
+
+  // Where the native figures scatter by a tenth of the tolerance, those of the run that decides have to be known as well.
+  bool decider_may_have_twins() const {
+    constexpr double kMatters = 0.1;
+    if (resyncs() || replays() || result_.own) return false;
+    const Repeatability native = repeats(result_.sides[0]);
+    for (std::size_t k = 0; k < figures().size(); ++k) {
+      const FigureSample& s = native.samples[k];
+      if (!figures()[k].is_judged() || std::isnan(s.mean)) continue;
+      if (share_of(figures()[k], s.mean, s.deviation) > kMatters * options_.tolerance) return true;
+    }
+    return false;
   }
 
   // The differences, and why.
   void judge() {
-    const Repeatability floor = repeats();
     for (std::size_t k = 1; k < result_.sides.size(); ++k) {
-      SideDifference d = side_difference(result_.reference(k), result_.sides[k], floor, options_,
-                                         result_.twin.threshold);
+      const Side &native = result_.reference(k), &other = result_.sides[k];
+      const Repeatability others = repeatability(other.metrics, k == 1 ? decider_twins_ : Twins{});
+      SideDifference d = side_difference(native, other, repeats(native), others, options_, result_.twin.threshold);
       if (resyncs()) {
         d.resync = std::move(resyncs_[k - 1]);
         if (result_.sides[k].trajectory.status == Status::kOk) d.trust = d.resync->trust;
@@ -233,7 +248,7 @@ class Comparison {
   std::vector<std::array<CommandTape, kRungs>> tapes_;  // of all_, at each rung
   std::vector<OnsetWatch> onsets_;                      // of all_
   std::vector<Resync> resyncs_;                         // of sides[1], sides[2], ...
-  Twins twins_;
+  Twins twins_, decider_twins_;  // of sides[0] and sides[1]
   std::vector<double> replay_floor_;  // empty but in replay
 };
 

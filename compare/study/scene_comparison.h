@@ -68,7 +68,7 @@ struct Side {
 // One figure of one MuJoCo side against the native one.
 struct FigureDifference : JudgedFigure {
   double floor = 0.0;         // |deviation| of the native twins, largest
-  double replay_floor = 0.0;  // see replay_floor(); the spread is no less
+  double replay_floor = 0.0;  // see replay_floor(); the interval is no less
   Split split;
 };
 
@@ -99,7 +99,8 @@ struct SceneComparison {
   CompareMode mode = CompareMode::kLockstep;
   bool commands = false;  // a controller commands the actuator: else replay equals lockstep
   double tolerance = 0.0;
-  int twins = 0;            // that spreads are of
+  int twins = 0;            // of the native run
+  int decider_twins = 0;    // of the MuJoCo run that decides: none where the motion repeats itself
   std::vector<Side> sides;  // native first
   // Replay with commands: sides[0] is driven by those of sides[1], and these by those of sides[2],
   // sides[3], ...: what each of them is compared with. Else empty.

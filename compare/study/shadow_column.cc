@@ -20,9 +20,14 @@ ShadowColumn shadow_column(Runner& runner, const Side& native,
     }
   }
   if (!column.side) return column;
+  if (column.side->trajectory.status != Status::kOk) {
+    column.absent = std::string("it ended early (") + to_string(column.side->trajectory.status) + "): " + column.side->trajectory.message;
+    column.side.reset();
+    return column;
+  }
   for (const Figure& f : figures()) {
     column.figures.push_back(
-        judged(f, f.value(native.metrics), f.value(column.side->metrics), 0.0, options.tolerance));
+        judged(f, f.value(native.metrics), f.value(column.side->metrics), options.tolerance));
   }
   return column;
 }

@@ -5,18 +5,16 @@
 
 namespace rotorub {
 
-Repeatability repeatability(const Side& native, const Twins& twins) {
+Repeatability repeatability(const Metrics& run, const Twins& twins) {
   Repeatability r;
   for (const Figure& f : figures()) {
-    std::vector<double> values{f.value(native.metrics)};
     double floor = 0.0;
     for (const Metrics& m : twins.metrics) {
-      values.push_back(f.value(m));
-      const double apart = std::abs(deviation(f, values.front(), values.back()));
+      const double apart = std::abs(deviation(f, f.value(run), f.value(m)));
       if (std::isfinite(apart)) floor = std::max(floor, apart);
     }
     r.floor.push_back(floor);
-    r.spread.push_back(spread(f, values));
+    r.samples.push_back(figure_sample(f, run, twins.metrics));
     r.replay_floor.push_back(0.0);
   }
   return r;
@@ -31,16 +29,14 @@ Divergence first_to_part(const Twins& twins, Divergence none) {
   return first;
 }
 
-SideDifference side_difference(const Side& native, const Side& other, const Repeatability& twins,
-                               const CompareOptions& options, double threshold) {
+SideDifference side_difference(const Side& native, const Side& other, const Repeatability& natives,
+                               const Repeatability& others, const CompareOptions& options, double threshold) {
   SideDifference d;
   d.decides = other.label == to_string(options.contact);
   for (std::size_t k = 0; k < figures().size(); ++k) {
     const Figure& f = figures()[k];
-    d.figures.push_back({judged(f, f.value(native.metrics), f.value(other.metrics), twins.spread[k],
-                                options.tolerance),
-                         twins.floor[k], twins.replay_floor[k],
-                         split(native.limits[k], other.limits[k])});
+    d.figures.push_back({judged(f, natives.samples[k], others.samples[k], options.tolerance, natives.replay_floor[k]),
+                         natives.floor[k], natives.replay_floor[k], split(native.limits[k], other.limits[k])});
   }
   const bool ended_well =
       native.trajectory.status == Status::kOk && other.trajectory.status == Status::kOk;

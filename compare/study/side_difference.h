@@ -8,19 +8,20 @@
 
 namespace rotorub {
 
-// Of each figure among the native run and its twins.
+// Of each figure among a run and its twins.
 struct Repeatability {
-  std::vector<double> floor, spread;  // largest |deviation|; greatest less least
+  std::vector<FigureSample> samples;        // as figures()
+  std::vector<double> floor;          // largest |deviation| of a twin
   std::vector<double> replay_floor;   // see replay_floor(); 0 but in replay
 };
-Repeatability repeatability(const Side& native, const Twins& twins);
+Repeatability repeatability(const Metrics& run, const Twins& twins);
 
 // That of the twin that parts first; of those that never part the one that comes furthest. `none`:
 // without twins.
 Divergence first_to_part(const Twins& twins, Divergence none);
 
 // All but the reasons. `threshold`: m, beyond which two runs have parted.
-SideDifference side_difference(const Side& native, const Side& other, const Repeatability& twins,
-                               const CompareOptions& options, double threshold);
+SideDifference side_difference(const Side& native, const Side& other, const Repeatability& natives,
+                               const Repeatability& others, const CompareOptions& options, double threshold);
 
 }  // namespace rotorub

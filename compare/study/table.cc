@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "compare/measured/table.h"
 #include "compare/study/answer.h"
 #include "compare/study/format.h"
@@ -12,11 +15,25 @@
 namespace rotorub {
 namespace {
 
-constexpr int kLabel = 28;
-constexpr int kValue = 10;
+constexpr int kLabel = 24;
+constexpr int kValue = 9;  // native, shadow and four contact models: 80 columns
 
 std::string label_of(const Figure& f) {
   return *f.unit ? fmt::format("{}, {}", f.label, f.unit) : std::string(f.label);
+}
+
+// MuJoCo's defaults have their row in the answer, and their column in the report.
+bool has_column(const Side& side) { return side.label != "cone-default"; }
+const char* heading(const Side& side) { return side.label == "cone-coulomb" ? "cone-c" : side.label.c_str(); }
+
+// "-0.24 pts" is as wide as a column.
+std::string in_column(std::string text) {
+  if (text.ends_with(" pts")) text.pop_back();
+  return text;
+}
+
+bool is_absent(const Figure& f, const SceneComparison& c) {
+  return std::all_of(c.sides.begin(), c.sides.end(), [&f](const Side& s) { return std::isnan(f.value(s.metrics)); });
 }
 
 // A line of texts below the columns: native, its shadow, MuJoCo's.
@@ -25,7 +42,7 @@ std::string line(const SceneComparison& c, const std::string& label, Text text,
                  OfShadow of_shadow) {
   std::string all = fmt::format("{:<{}}", label, kLabel + 2);
   for (std::size_t k = 0; k < c.sides.size(); ++k) {
-    all += fmt::format("{:>{}}", text(k), kValue);
+    if (has_column(c.sides[k])) all += fmt::format("{:>{}}", text(k), kValue);
     if (k == 0 && c.shadow.side) all += fmt::format("{:>{}}", of_shadow(), kValue);
   }
   while (all.back() == ' ') all.pop_back();
@@ -38,8 +55,9 @@ std::string marked(const Figure& f, const std::string& label) {
 
 std::string value_lines(const SceneComparison& c) {
   std::string text = line(
-      c, "", [&](std::size_t k) { return c.sides[k].label; }, [] { return "shadow"; });
+      c, "", [&](std::size_t k) { return heading(c.sides[k]); }, [] { return "shadow"; });
   for (const Figure& f : figures()) {
+    if (is_absent(f, c)) continue;
     text += line(
         c, marked(f, label_of(f)),
         [&](std::size_t k) { return figure_value(f, f.value(c.sides[k].metrics)); },
@@ -54,20 +72,44 @@ std::string value_lines(const SceneComparison& c) {
 std::string difference_lines(const SceneComparison& c) {
   std::string text = line(
       c, "  difference from native",
-      [&](std::size_t k) { return k == 0 ? "" : c.sides[k].label.c_str(); },
+      [&](std::size_t k) { return k == 0 ? "" : heading(c.sides[k]); },
       [] { return "shadow"; });
   for (std::size_t i = 0; i < figures().size(); ++i) {
     const Figure& f = figures()[i];
-    if (!f.comparable) continue;
+    if (!f.comparable || is_absent(f, c)) continue;
     text += line(
         c, marked(f, f.label),
         [&](std::size_t k) {
           return k == 0 ? std::string()
-                        : deviation_text(f, c.differences[k - 1].figures[i].deviation);
+                        : in_column(deviation_text(f, c.differences[k - 1].figures[i].deviation));
         },
-        [&] { return deviation_text(f, c.shadow.figures[i].deviation); });
+        [&] { return in_column(deviation_text(f, c.shadow.figures[i].deviation)); });
   }
   return text;
+}
+
+// Where twins scatter: half of the confidence interval of each difference, and what that many twins would tell.
+std::string interval_lines(const SceneComparison& c) {
+  constexpr double kShown = 5e-5;
+  std::string text;
+  for (std::size_t i = 0; i < figures().size(); ++i) {
+    const Figure& f = figures()[i];
+    const auto of = [&](std::size_t k) -> const FigureDifference& { return c.differences[k - 1].figures[i]; };
+    bool scatters = false;
+    for (std::size_t k = 1; k < c.sides.size(); ++k) scatters = scatters || of(k).interval >= kShown;
+    if (!f.is_judged() || !scatters) continue;
+    text += line(
+        c, fmt::format("  ± {}", f.label),
+        [&](std::size_t k) { return k == 0 ? std::string() : size_text(f, of(k).interval); }, [] { return ""; });
+    text += line(
+        c, "    would be told",
+        [&](std::size_t k) { return k == 0 ? std::string() : size_text(f, of(k).least_told); }, [] { return ""; });
+  }
+  if (text.empty()) return text;
+  const auto runs = [](int twins) { return fmt::format("{} run{}", twins + 1, twins == 0 ? "" : "s"); };
+  return text + wrapped("  ± ", fmt::format("95 % of the difference of means: {} of native, {} of {}, one of the others; a "
+                                            "difference as large as said below would be told in 4 of 5 comparisons",
+                                            runs(c.twins), runs(c.decider_twins), c.sides[1].label));
 }
 
 // Replay: what the differences of each contact model are from.
@@ -75,7 +117,7 @@ std::string reference_lines(const SceneComparison& c) {
   if (c.natives.empty()) return "";
   std::string text = line(
       c, "  native, by the commands of",
-      [&](std::size_t k) { return k == 0 ? "" : c.sides[k].label.c_str(); }, [] { return ""; });
+      [&](std::size_t k) { return k == 0 ? "" : heading(c.sides[k]); }, [] { return ""; });
   for (const Figure& f : figures()) {
     if (!f.is_judged()) continue;
     text += line(
@@ -117,23 +159,24 @@ std::string split_lines(const SceneComparison& c) {
                   kLabel + 9, "difference", "contact", "step", "native");
   bool unsure = false;
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    if (!has_column(c.sides[k + 1])) continue;
     for (const FigureDifference& d : c.differences[k].figures) {
-      if (!d.figure->is_judged() || !d.figure->split) continue;
+      if (!d.figure->is_judged() || !d.figure->split || is_absent(*d.figure, c)) continue;
       const auto value = [&](double v) { return figure_value(*d.figure, v); };
       unsure = unsure || !d.split.valid;
       text += fmt::format("{} {:<9}{:<{}}{:>11}{:>10}{:>10}{:>10}\n", d.split.valid ? " " : "?",
-                          c.sides[k + 1].label, label_of(*d.figure), kLabel,
+                          heading(c.sides[k + 1]), label_of(*d.figure), kLabel,
                           value(d.split.difference), value(d.split.model_gap),
                           value(d.split.step_error), value(d.split.native_step_error));
     }
   }
-  if (unsure) text += "  ? does not converge as the step shrinks: these parts say nothing\n";
+  if (unsure) text += "  ? does not converge as the step shrinks: whose part it is cannot be told\n";
   return text;
 }
 
 // What was asked, answered: before any figure.
 std::string answer_lines(const SceneComparison& c, const Palette& palette) {
-  constexpr int kContact = 10, kTrust = 15, kCost = 9;
+  constexpr int kContact = 14, kTrust = 15, kCost = 9;
   std::string text = fmt::format("  {:<{}}{:<{}}{:<{}}{}\n", "contact", kContact, "trusted", kTrust,
                                  "us a step", kCost + 2, "why");
   for (const AnswerRow& row : answer(c)) {
@@ -178,10 +221,10 @@ std::string comparison_table(const SceneComparison& c, const Palette& palette) {
   } else {
     text += value_lines(c) + "\n" + reference_lines(c) + difference_lines(c);
     text +=
-        wrapped("  * ", fmt::format("judged: {}, or what {} twins spread by{} where that is more; "
-                                    "rms gap rate relative to 1 mm/s at least",
-                                    percent_text(c.tolerance), c.twins,
-                                    c.natives.empty() ? "" : " or the open loop drifts by"));
+        wrapped("  * ", fmt::format("judged at {}; decided where the difference is within it, or beyond it, with its ±{}",
+                                    percent_text(c.tolerance),
+                                    c.natives.empty() ? "" : ", no less than the open loop drifts by"));
+    text += interval_lines(c);
     text += wrapped("  ", shadow_note(c));
     text += wrapped("  settles to: ", settled_line(c)) + "\n";
     text += split_lines(c);
@@ -214,6 +257,7 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
     text += fmt::format("  {:<{}}{:>{}}\n", "least gap, µm", kLabel, short_number(1e6 * *m.least_gap), kValue);
   }
   for (const Figure& f : figures()) {
+    if (std::isnan(f.value(m))) continue;
     text +=
         fmt::format("  {:<{}}{:>{}}\n", label_of(f), kLabel, figure_value(f, f.value(m)), kValue);
   }

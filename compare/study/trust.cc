@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "compare/study/format.h"
 
@@ -21,8 +22,7 @@ std::vector<JudgedFigure> those(const std::vector<JudgedFigure>& figures, Figure
 std::string with_deviations(const std::vector<JudgedFigure>& figures) {
   std::string text;
   for (const JudgedFigure& f : figures) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", f.figure->label,
-                        deviation_text(*f.figure, f.deviation));
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", f.figure->label, difference_text(f));
   }
   return text;
 }
@@ -35,12 +35,12 @@ std::string labels(const std::vector<JudgedFigure>& figures) {
   return text;
 }
 
-// "; undecidable at 1 %: hard impacts (repeats to 6.8 %)".
+// "; undecidable at 1 %: hard impacts -0.7 ± 1.1 % (1.6 % would be told)".
 std::string undecidable_text(const std::vector<JudgedFigure>& figures, double tolerance) {
   std::string text;
   for (const JudgedFigure& f : undecidable(figures)) {
-    text += fmt::format("{}{} (repeats to {})", text.empty() ? "" : ", ", f.figure->label,
-                        size_text(*f.figure, f.spread));
+    text += fmt::format("{}{} {} ({} would be told)", text.empty() ? "" : ", ", f.figure->label, difference_text(f),
+                        size_text(*f.figure, f.least_told));
   }
   return text.empty() ? text : "undecidable at " + percent_text(tolerance) + ": " + text;
 }
@@ -75,27 +75,35 @@ const char* to_string(Trust trust) {
   return "";
 }
 
-JudgedFigure judged(const Figure& figure, double native, double other, double spread,
-                    double tolerance) {
-  JudgedFigure f{&figure, native, other, deviation(figure, native, other), spread};
-  if (!figure.is_judged()) return f;
-  // Not <=: what is no number is outside.
-  const bool near = std::abs(f.deviation) <= std::max(tolerance, spread);
-  f.verdict = !near                ? FigureVerdict::kOutside
-              : spread > tolerance ? FigureVerdict::kUndecidable
-                                   : FigureVerdict::kWithin;
+JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other, double tolerance, double floor) {
+  JudgedFigure f{&figure, native.value, other.value, deviation(figure, native.mean, other.mean)};
+  // What one run alone has (a least gap, where the other touches) is as far as can be.
+  const bool neither = std::isnan(native.value) && std::isnan(other.value);
+  if (std::isnan(f.deviation)) f.deviation = neither ? 0.0 : std::numeric_limits<double>::infinity();
+  const Interval c = interval(native, other);
+  f.interval = std::max(floor, share_of(figure, native.mean, c.half));
+  f.least_told = share_of(figure, native.mean, c.least_told);
+  const bool absent = neither || (native.mean == 0.0 && other.mean == 0.0);
+  if (!figure.is_judged() || absent) return f;
+  const double d = std::abs(f.deviation);
+  // Not >: what is no number is outside.
+  f.verdict = d + f.interval <= tolerance       ? FigureVerdict::kWithin
+              : !(d - f.interval <= tolerance) ? FigureVerdict::kOutside
+                                               : FigureVerdict::kUndecidable;
   return f;
 }
 
-double spread(const Figure& figure, const std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  double least = 0.0, greatest = 0.0;
-  for (const double value : values) {
-    const double apart = deviation(figure, values.front(), value);
-    least = std::min(least, apart);
-    greatest = std::max(greatest, apart);
+JudgedFigure judged(const Figure& figure, double native, double other, double tolerance) {
+  return judged(figure, FigureSample{native, native}, FigureSample{other, other}, tolerance);
+}
+
+std::string difference_text(const JudgedFigure& f) {
+  if (std::abs(f.native) < f.figure->resolution && f.native != f.other) {
+    const std::string unit = *f.figure->unit ? std::string(" ") + f.figure->unit : std::string();
+    return fmt::format("{}{} for {}", figure_value(*f.figure, f.other), unit, figure_value(*f.figure, f.native));
   }
-  return greatest - least;
+  const std::string text = deviation_text(*f.figure, f.deviation);
+  return f.interval >= 5e-5 ? text + " ± " + size_text(*f.figure, f.interval) : text;
 }
 
 Trust trust(const std::vector<JudgedFigure>& figures) {

@@ -1,17 +1,19 @@
-// From figures to a verdict: pure functions of values, tolerance and the spread of twins.
+// From figures to a verdict: pure functions of values, tolerance and what twins say.
 //
-// Twins are native runs whose starts are a few units in the last place apart. With d the deviation
-// of a figure, s the spread of the twins' and e the tolerance, all on the figure's own scale:
-//   |d| > max(e, s)   outside: no start that near explains it
-//   else s > e        undecidable at e: the motion does not repeat itself that well
-//   else              within
-// What is undecidable does not decide.
+// Twins are runs whose starts are a few units in the last place apart, on both sides. With d the difference of the means
+// of a figure, c half of its confidence interval (figure_sample.h) and e the tolerance, all on the figure's own scale:
+//   |d| + c <= e   within
+//   |d| - c > e    outside
+//   else           undecidable at e: the motion does not repeat itself that well
+// What is undecidable does not decide. Without scatter c is 0. A figure that neither run has, or that is 0 in both, is not
+// judged.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "compare/study/figure.h"
+#include "compare/study/figure_sample.h"
 
 namespace rotorub {
 
@@ -21,17 +23,20 @@ const char* to_string(FigureVerdict verdict);
 // One figure of one run against the native one.
 struct JudgedFigure {
   const Figure* figure = nullptr;
-  double native = 0.0, other = 0.0;  // SI
-  double deviation = 0.0;            // see deviation()
-  double spread = 0.0;               // of the twins, on the same scale; >= 0
+  double native = 0.0, other = 0.0;  // SI, of the runs that are shown
+  double deviation = 0.0;            // of the means, see deviation()
+  double interval = 0.0;             // c, on the same scale; >= 0
+  double least_told = 0.0;           // the least deviation that so many twins tell (figure_sample.h)
   FigureVerdict verdict = FigureVerdict::kNotJudged;
 };
 
-JudgedFigure judged(const Figure& figure, double native, double other, double spread,
-                    double tolerance);
+// floor: of c, on the figure's scale.
+JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other, double tolerance, double floor = 0.0);
+JudgedFigure judged(const Figure& figure, double native, double other, double tolerance);  // without twins
 
-// Greatest less least of a figure's values, values[0] that of the run that the others are twins of.
-double spread(const Figure& figure, const std::vector<double>& values);
+// The deviation, with half of its interval where there is one, "-0.70 % ± 1.10 %"; the values themselves where the native
+// one is below what a share is told of: "0.157 mm/s for 0.196".
+std::string difference_text(const JudgedFigure& figure);
 
 // What a contact model may be used for.
 enum class Trust {

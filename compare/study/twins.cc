@@ -25,7 +25,14 @@ Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajector
     twins.divergences[k] = divergence(original, t, threshold);
   };
 
-  in_parallel(count, parameters.interrupt, parameters.progress, run);
+  if (parameters.threads) {
+    in_parallel(count, parameters.interrupt, parameters.progress, run);
+  } else {
+    for (std::size_t k = 0; k < count && !stopped(); ++k) {
+      run(k);
+      if (parameters.progress) parameters.progress(static_cast<double>(k + 1) / static_cast<double>(count));
+    }
+  }
   if (stopped()) return {};
   return twins;
 }

@@ -1,5 +1,5 @@
-// Native runs whose starts are a few units in the last place apart: how well the motion repeats
-// itself, which no comparison can be better than.
+// Runs whose starts are a few units in the last place apart: how well the motion repeats itself, which no comparison can be
+// better than.
 #pragma once
 
 #include <atomic>
@@ -18,6 +18,7 @@ struct TwinParameters {
   std::optional<double> step;        // s; none: the scene's
   std::vector<double> output_times;  // s, rows: of `divergence`, and of what figures need rows
   std::shared_ptr<const CommandRecord> commands;  // that drive them all; null: none
+  bool threads = true;  // false: one after the other, as MuJoCo's runs must be
   std::function<void(double)> progress;
   const std::atomic<bool>* interrupt = nullptr;
 };
@@ -31,7 +32,7 @@ struct Twins {
 // +1, -1, +2, -2, ...
 int twin_ulps(int index);
 
-// They run on all processors; the result does not depend on how many there are. An interrupt leaves
+// They run on all processors, where they may; the result does not depend on how many there are. An interrupt leaves
 // both lists empty. `threshold`: m, beyond which two runs have parted.
 Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajectory& original,
                 double threshold, const TwinParameters& parameters);

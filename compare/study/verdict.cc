@@ -14,7 +14,6 @@ namespace {
 constexpr double kOftenEnough = 0.02;      // a lack of contact that is worth a sentence: 2 points
 constexpr double kDeepPenetration = 0.05;  // of the clearance
 constexpr double kDominates = 2.0;         // one part of a split over the other
-constexpr double kStandsOut = 1.5;         // a peak or a scatter over the native one
 
 double percent(double share) { return 100.0 * share; }
 
@@ -65,43 +64,29 @@ std::string attractor_sentence(const Side& native, const Side& other) {
 }
 
 std::string contact_sentence(const Side& native, const Side& other) {
-  const double a = native.metrics.contact_fraction;
-  const double b = other.metrics.contact_fraction;
+  const double a = native.metrics.lasting_fraction;
+  const double b = other.metrics.lasting_fraction;
   if (b < a - kOftenEnough) {
     return fmt::format(
-        "{} chatters: in contact {} of the time instead of {}, with a force scatter of {:.0f} % of "
+        "{} chatters: in lasting contact {} of the time instead of {}, with a force scatter of {:.0f} % of "
         "the mean (rigid law: {:.0f} %)",
         other.label, time_share(b), time_share(a), percent(scatter(other.metrics)),
         percent(scatter(native.metrics)));
   }
   if (b > a + kOftenEnough) {
     return fmt::format(
-        "{} stays in contact longer: {} of the time instead of {}, because a soft contact spreads "
-        "each impact over several steps and damps small bounces",
+        "{} stays in contact longer: {} of the time instead of {}, because a soft contact damps small bounces",
         other.label, time_share(b), time_share(a));
   }
   return {};
 }
 
-std::string scatter_sentence(const Side& native, const Side& other, const SideDifference& d) {
-  const double a = native.metrics.peak_force;
-  const double b = other.metrics.peak_force;
-  const double mean = std::abs(of(d, "mean_force").deviation);
-  if (a <= 0.0 || !std::isfinite(mean) || mean > 0.1) return {};
-  if (b < kStandsOut * a && a < kStandsOut * b) return {};
-  const std::string mean_text =
-      deviation_text(*of(d, "mean_force").figure, of(d, "mean_force").deviation);
-  if (b < a) {
-    return fmt::format(
-        "the mean force is about right ({}), single impacts are softened: no force above {} N, "
-        "where "
-        "the rigid law's impacts give up to {} N over one step",
-        mean_text, short_number(b), short_number(a));
-  }
-  return fmt::format(
-      "the mean force is about right ({}), single values are not: the largest force of a step is "
-      "{:.2g} times the rigid law's",
-      mean_text, b / a);
+// What a soft contact makes of impacts.
+std::string impact_sentence(const SideDifference& d) {
+  const FigureDifference &mean = of(d, "mean_force"), &blow = of(d, "window_impulse");
+  if (mean.verdict == FigureVerdict::kOutside || blow.verdict != FigureVerdict::kOutside) return {};
+  return fmt::format("the mean force is right ({}), single impacts are not: the largest gives {} N s where the rigid law gives {}",
+                     difference_text(mean), short_number(blow.other), short_number(blow.native));
 }
 
 // Whose fault the worst judged figure is.
@@ -109,7 +94,7 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
   const Split& s = f.split;
   if (s.difference == 0.0) return {};
   const std::string what =
-      fmt::format("{} ({})", f.figure->label, deviation_text(*f.figure, f.deviation));
+      fmt::format("{} ({})", f.figure->label, difference_text(f));
   if (!s.valid) {
     if (std::abs(f.deviation) <= tolerance) return {};
     return fmt::format("how much of the difference in {} is the step's cannot be told: {}", what,
@@ -135,32 +120,33 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
       what, s.model_gap * per_unit, unit, (s.step_error - s.native_step_error) * per_unit, unit);
 }
 
-// Figures whose spread hides the tolerance: "6.8 % in hard impacts".
-template <class Spread>
-std::string spreads(const SceneComparison& c, const SideDifference& d, Spread spread) {
+// Figures that scatter by more than the tolerance: "6.8 % in hard impacts".
+template <class Scatter>
+std::string scattered(const SceneComparison& c, const SideDifference& d, Scatter scatter) {
   std::string apart;
   for (const FigureDifference& f : d.figures) {
-    if (!f.figure->is_judged() || spread(f) <= c.tolerance) continue;
-    apart += fmt::format("{}{} in {}", apart.empty() ? "" : ", ", size_text(*f.figure, spread(f)),
+    if (!f.figure->is_judged() || scatter(f) <= c.tolerance) continue;
+    apart += fmt::format("{}{} in {}", apart.empty() ? "" : ", ", size_text(*f.figure, scatter(f)),
                          f.figure->label);
   }
   return apart;
 }
 
 std::string twins_sentence(const SceneComparison& c, const SideDifference& d) {
-  const std::string apart = spreads(
-      c, d, [](const FigureDifference& f) { return f.spread > f.replay_floor ? f.spread : 0.0; });
+  const std::string apart = scattered(
+      c, d, [](const FigureDifference& f) { return f.floor > f.replay_floor ? f.floor : 0.0; });
   if (apart.empty()) return {};
+  const int others = d.decides ? c.decider_twins + 1 : 1;
   return fmt::format(
       "the motion is chaotic: {} native runs that start a few units in the last place apart differ "
-      "among themselves by up to {}{}; within that, {:.2g} % cannot be decided",
+      "by up to {}{}; {} native and {} MuJoCo run{} tell a difference to what stands behind its ±",
       c.twins + 1, apart,
       c.twin.time ? fmt::format(" and part at t = {:.4g} s", *c.twin.time) : std::string(),
-      percent(c.tolerance));
+      c.twins + 1, others, others == 1 ? "" : "s");
 }
 
 std::string open_loop_sentence(const SceneComparison& c, const SideDifference& d) {
-  const std::string apart = spreads(c, d, [](const FigureDifference& f) { return f.replay_floor; });
+  const std::string apart = scattered(c, d, [](const FigureDifference& f) { return f.replay_floor; });
   if (apart.empty()) return {};
   return fmt::format(
       "the open loop does not hold the motion: commands of the native model's own loop, replayed "
@@ -206,7 +192,7 @@ std::vector<std::string> reasons(const SceneComparison& comparison, const Side& 
   const FigureDifference& off = worst(difference);
   add(contact_sentence(native, other));
   add(attractor_sentence(native, other));
-  add(scatter_sentence(native, other, difference));
+  add(impact_sentence(difference));
   add(penetration_sentence(comparison, other));
   add(twins_sentence(comparison, difference));
   add(open_loop_sentence(comparison, difference));
@@ -246,12 +232,12 @@ std::string headline(const SceneComparison& comparison, const Side& other,
       return fmt::format(
           "MuJoCo's {} contact: its averages can be trusted within {:.3g} %, its single impacts "
           "cannot: {} {}.",
-          other.label, tolerance, off.figure->label, deviation_text(*off.figure, off.deviation));
+          other.label, tolerance, off.figure->label, difference_text(off));
     case Trust::kNo:
       break;
   }
   return fmt::format("MuJoCo's {} contact is outside {:.3g} %: {} {}.", other.label, tolerance,
-                     off.figure->label, deviation_text(*off.figure, off.deviation));
+                     off.figure->label, difference_text(off));
 }
 
 }  // namespace rotorub

@@ -17,10 +17,10 @@ json number(double value) { return std::isfinite(value) ? json(value) : json(nul
 
 json setting_json(const JudgedSetting& judged, int modes) {
   const Setting& s = judged.setting;
-  json errors = json::object(), spreads = json::object(), undecided = json::array();
+  json errors = json::object(), intervals = json::object(), undecided = json::array();
   for (const JudgedFigure& f : judged.figures) {
     errors[f.figure->key] = number(f.deviation);
-    spreads[f.figure->key] = number(f.spread);
+    intervals[f.figure->key] = number(f.interval);
     if (f.verdict == FigureVerdict::kUndecidable) undecided.push_back(f.figure->key);
   }
   const bool soft = s.contact != scene::ContactModel::kRigid;
@@ -38,7 +38,7 @@ json setting_json(const JudgedSetting& judged, int modes) {
           {"seconds_per_second", judged.cost() ? json(*judged.cost()) : json(nullptr)},
           {"trusted", rotorub::to_string(judged.trust)},
           {"errors", errors},
-          {"twin_spread", spreads},
+          {"interval", intervals},
           {"undecidable", undecided},
           {"wrong", judged.wrong()},
           {"reason", !judged.failure.empty() ? judged.failure : judged.luck}};

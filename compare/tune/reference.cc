@@ -32,11 +32,7 @@ const Reference& References::at(double step) {
   parameters.interrupt = interrupt_;
   const double threshold = kDivergenceShare * scene_.contact->clearance;
   const Twins twins = run_twins(*engine, scene_, original, threshold, parameters);
-  for (const Figure& f : figures()) {
-    std::vector<double> values{f.value(reference.metrics)};
-    for (const Metrics& m : twins.metrics) values.push_back(f.value(m));
-    reference.spread.push_back(spread(f, values));
-  }
+  for (const Figure& f : figures()) reference.samples.push_back(figure_sample(f, reference.metrics, twins.metrics));
   return known_.emplace(step, std::move(reference)).first->second;
 }
 

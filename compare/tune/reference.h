@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "compare/metrics/metrics.h"
-#include "compare/study/figure.h"
+#include "compare/study/figure_sample.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub::tune {
 
 struct Reference {
   Metrics metrics;
-  std::vector<double> spread;  // of the twins, as figures()
+  std::vector<FigureSample> samples;  // of it and its twins, as figures()
 };
 
 // Runs what is asked for once. Throws std::runtime_error where `event` cannot run the scene to its

@@ -111,7 +111,7 @@ Judge judge_by(References& references, double tolerance) {
     for (std::size_t k = 0; k < figures().size(); ++k) {
       const Figure& f = figures()[k];
       if (!f.is_judged()) continue;
-      all.push_back(judged(f, f.value(native.metrics), f.value(m), native.spread[k], tolerance));
+      all.push_back(judged(f, native.samples[k], figure_sample(f, m, {}), tolerance));
     }
     return all;
   };

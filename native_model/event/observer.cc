@@ -54,6 +54,7 @@ void Observer::bins_until(double now, bool flies, F&& impulse_at) {
     const double total = impact_impulse_ + impulse_at(edge), force = (total - bin_start_) / width;
     s.peak_force = std::max(s.peak_force, force);
     s.force_square += force * force * width;
+    if (total != bin_start_) recorder_->watch_impulse(edge - 0.5 * width, total - bin_start_);
     bin_start_ = total;
     ++bin_;
     if (flies && force == 0.0) bin_ = std::max(bin_, std::floor(now / width) - 1.0);

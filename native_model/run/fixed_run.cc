@@ -63,7 +63,7 @@ class FixedRun {
         options_(options),
         step_(step),
         end_(run.end),
-        recorder_(model, options.output_times.value_or(output_times(run))),
+        recorder_(model, options.output_times.value_or(output_times(run)), kWindowSteps * run.step),
         message_(step_refusal(model, step)) {
     if (!message_.empty()) status_ = Status::kStepTooLarge;
   }
@@ -87,6 +87,7 @@ class FixedRun {
   void count(const FixedStep& done, double begin, const Reached& state, double share) {
     StepFigures f;
     f.h = done.impact_time > 0.0 ? done.impact_time : share * step_;
+    f.impact = !done.impacts.empty();
     f.normal_impulse = share * done.normal_impulse;
     f.friction_impulse = share * done.friction_impulse;
     f.contact_work = share * done.contact_work;

@@ -13,7 +13,8 @@ namespace rotorub {
 namespace {
 
 Trajectory run_event(const Model& model, const scene::Run& run, const NativeOptions& options) {
-  Recorder recorder(model, options.output_times.value_or(output_times(run)));
+  Recorder recorder(model, options.output_times.value_or(output_times(run)),
+                    kWindowSteps * run.step);
   EventParameters settings;
   if (options.event) {
     settings = *options.event;

@@ -87,8 +87,8 @@ std::vector<double> output_times(const scene::Run& run) {
   return times;
 }
 
-Recorder::Recorder(const Model& model, std::vector<double> times)
-    : model_(&model), times_(std::move(times)), columns_(make_columns(model)) {
+Recorder::Recorder(const Model& model, std::vector<double> times, double window)
+    : model_(&model), times_(std::move(times)), columns_(make_columns(model)), window_(window) {
   assert(std::is_sorted(times_.begin(), times_.end()));
   for (Column& column : columns_) column.values.reserve(times_.size());
   const auto n = static_cast<std::size_t>(model.nq());
@@ -130,12 +130,14 @@ void Recorder::begin(const Snapshot& start) {
   while (next_time() <= start.t) row(start);
 }
 
-void Recorder::count_contact(double normal_impulse, double friction_impulse, double h,
-                             double begin) {
+void Recorder::count_contact(double normal_impulse, double friction_impulse, double h, double begin,
+                             bool impact) {
   Statistics& s = statistics_;
   if (s.first_touch < 0.0) s.first_touch = begin;
   const double force = normal_impulse / h;
   s.contact_time += h;
+  if (impact) s.impact_time += h;
+  window_.add(begin, normal_impulse);
   s.impulse_total += normal_impulse;
   s.friction_impulse += friction_impulse;
   s.force_square += force * force * h;
@@ -154,7 +156,7 @@ void Recorder::count_gap(const ContactPoint& point, double h) {
 }
 
 void Recorder::count(const StepFigures& f, double begin) {
-  if (f.normal_impulse > 0.0) count_contact(f.normal_impulse, f.friction_impulse, f.h, begin);
+  if (f.normal_impulse > 0.0) count_contact(f.normal_impulse, f.friction_impulse, f.h, begin, f.impact);
   statistics_.friction_work += f.friction_work;
   statistics_.contact_work += f.contact_work;
   statistics_.external_work += f.external_work;
@@ -179,7 +181,7 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
 
   Statistics& s = statistics_;
   if (normal_impulse > 0.0) {
-    count_contact(normal_impulse, friction_impulse, h, last_.t);
+    count_contact(normal_impulse, friction_impulse, h, last_.t, impact);
     const double slips =
         detail ? detail->slip_before + detail->slip_after : last_whole_slip_ + point.slip;
     s.friction_work += 0.5 * friction_impulse * slips;
@@ -297,6 +299,7 @@ void Recorder::row(const Snapshot& now) {
 Trajectory Recorder::finish(double end) {
   if (steps_ > 0) look_at_energy();
   statistics_.energy_scale = std::max(statistics_.energy_scale, resting_);
+  statistics_.window_impulse = window_.largest();
   Trajectory t;
   t.end = end;
   t.series = std::move(columns_);

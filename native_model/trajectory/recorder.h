@@ -8,6 +8,7 @@
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/system/actuation.h"
+#include "native_model/trajectory/impulse_window.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
@@ -35,6 +36,7 @@ struct StepFigures {
   double friction_work = 0.0;    // J, of friction between the surfaces
   double contact_work = 0.0;     // J, on the coordinates
   double external_work = 0.0;    // J, of all forces but springs and contact
+  bool impact = false;           // the impulses are those of an impact
 };
 
 // The balance of the energy of an engine that knows it better than from the states at the ends of
@@ -47,8 +49,8 @@ struct StepBalance {
 
 class Recorder {
  public:
-  // `times`: the rows wanted, ascending.
-  Recorder(const Model& model, std::vector<double> times);
+  // `times`: the rows wanted, ascending. `window`: s, see impulse_window.h.
+  Recorder(const Model& model, std::vector<double> times, double window = 0.0);
 
   void begin(const Snapshot& start);
   // One fixed step from the last snapshot to `now`; impulses over the step, N s, all of them,
@@ -72,6 +74,9 @@ class Recorder {
   double next_time() const;
   void row(const Snapshot& exact);
   Statistics& statistics() { return statistics_; }
+  // Of an engine that counts the contact itself: its impulse about the time t.
+  void watch_impulse(double t, double impulse) { window_.add(t, impulse); }
+  double window() const { return window_.width(); }
 
   // Ends the recording at time `end`; the recorder is empty afterwards.
   Trajectory finish(double end);
@@ -80,7 +85,7 @@ class Recorder {
   void keep(const Snapshot& now);
   void look_at_energy();
   void meet_energy(double now);
-  void count_contact(double normal_impulse, double friction_impulse, double h, double begin);
+  void count_contact(double normal_impulse, double friction_impulse, double h, double begin, bool impact);
   void book_ends(const Snapshot& now, const ContactPoint& point, double normal_impulse,
                  double friction_impulse, const Impact* detail);
   void count_gap(const ContactPoint& point, double h);
@@ -101,6 +106,7 @@ class Recorder {
   std::vector<Impact> impacts_;
   std::vector<Event> events_;
   Statistics statistics_;
+  ImpulseWindow window_;
 };
 
 }  // namespace rotorub

@@ -59,6 +59,7 @@ const char* to_string(Status status);
 struct Statistics {
   double first_touch = -1.0;        // s; -1: never touched
   double contact_time = 0.0;        // s with normal force > 0; an impact of a fixed step: one step
+  double impact_time = 0.0;         // s of it that are impacts: their steps, or soft contacts shorter than the window
   double impulse_total = 0.0;       // N s, normal
   double friction_impulse = 0.0;    // N s, signed
   double friction_work = 0.0;       // J, <= 0
@@ -67,6 +68,7 @@ struct Statistics {
   double penetration_square = 0.0;  // m^2 s, integral of penetration^2
   double force_square = 0.0;        // N^2 s, integral of (impulse of the step / step)^2 in contact
   double peak_force = 0.0;          // N, largest impulse of a step / step
+  double window_impulse = 0.0;      // N s, largest normal impulse within the window (impulse_window.h)
   double gap_rate_square = 0.0;     // m^2/s, integral of gap_rate^2 from first touch
   double energy_start = 0.0;        // J
   double energy_end = 0.0;          // J

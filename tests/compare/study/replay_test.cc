@@ -121,11 +121,11 @@ TEST(Replay, EveryContactModelHasANativeRunOfItsOwn) {
   EXPECT_EQ(c.differences[0].trust, Trust::kYes) << answer(c)[0].why;
 }
 
-// A ring on springs holds itself: opening its loop costs no more than the step does. The spread is
+// A ring on springs holds itself: opening its loop costs no more than the step does. The interval is
 // never less.
 TEST(Replay, ItsFloorIsLowWhereTheOpenLoopIsStable) {
   for (const FigureDifference& f : replayed_ring().differences[0].figures) {
-    EXPECT_GE(f.spread, f.replay_floor) << f.figure->key;
+    EXPECT_GE(f.interval, f.replay_floor) << f.figure->key;
     if (std::string(f.figure->key) != "mean_force") continue;
     EXPECT_GT(f.replay_floor, 0.0);
     EXPECT_LT(f.replay_floor, 1e-4);

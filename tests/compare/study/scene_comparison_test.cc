@@ -132,7 +132,7 @@ TEST(SceneComparison, JsonHasWhatTheContractNames) {
 TEST(SceneComparison, TableNamesEverySideFigureAndVerdict) {
   const std::string table = comparison_table(short_comparison());
   for (const char* text : {"bench_ring", "native", "rigid", "coulomb", "cone",
-                           "mean normal force, N", "contact, %", "total impulse, N s", "OUTSIDE",
+                           "mean normal force, N", "lasting contact, %", "total impulse, N s", "OUTSIDE",
                            "cone chatters", "trusted", "us a step", "why", "Exit code: by rigid"}) {
     EXPECT_NE(table.find(text), std::string::npos) << text;
   }
@@ -144,7 +144,7 @@ TEST(SceneComparison, CoulombIsGoodForAveragesOnly) {
   EXPECT_EQ(difference("coulomb").trust, Trust::kAveragesOnly);
   const auto far = outside(difference("coulomb").judged());
   ASSERT_FALSE(far.empty());
-  EXPECT_STREQ(far.front().figure->key, "peak_force");
+  EXPECT_STREQ(far.front().figure->key, "gap_rate_rms");
 }
 
 TEST(SceneComparison, BeginsWithOneRowAContactModel) {

@@ -5,36 +5,40 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace rotorub {
 namespace {
 
 constexpr double kPercent = 0.01;
 
-JudgedFigure made(const char* key, double deviation, double spread = 0.0) {
-  return judged(figure(key), 100.0, 100.0 * (1.0 + deviation), spread, kPercent);
+// Of two groups of 17 runs whose difference has a confidence interval of +-interval.
+JudgedFigure made(const char* key, double deviation, double interval = 0.0) {
+  const auto group = [&](double mean) { return FigureSample{mean, mean, 100.0 * interval / 0.698649, 17}; };
+  return judged(figure(key), group(100.0), group(100.0 * (1.0 + deviation)), kPercent);
 }
 
-TEST(FigureVerdict, ToleranceAndSpreadDecide) {
+TEST(FigureVerdict, ToleranceAndIntervalDecide) {
   struct Case {
-    double deviation, spread;
+    double deviation, interval;
     FigureVerdict expected;
     const char* what;
   };
   for (const Case& c : {Case{0.005, 0.0, FigureVerdict::kWithin, "near, and repeatable"},
                         Case{-0.02, 0.0, FigureVerdict::kOutside, "far, and repeatable"},
-                        Case{0.02, 0.005, FigureVerdict::kOutside, "far beyond the twins"},
-                        Case{0.02, 0.03, FigureVerdict::kUndecidable, "as far as twins are"},
+                        Case{-0.0173, 0.0054, FigureVerdict::kOutside, "the whole interval is beyond"},
+                        Case{0.003, 0.005, FigureVerdict::kWithin, "the whole interval is within"},
+                        Case{0.012, 0.005, FigureVerdict::kUndecidable, "the border is in the interval"},
                         Case{0.001, 0.03, FigureVerdict::kUndecidable, "near by luck"},
                         Case{3.0, 0.03, FigureVerdict::kOutside, "no twin is that far"}}) {
-    EXPECT_EQ(made("mean_force", c.deviation, c.spread).verdict, c.expected) << c.what;
+    EXPECT_EQ(made("mean_force", c.deviation, c.interval).verdict, c.expected) << c.what;
   }
 }
 
 TEST(FigureVerdict, WhatIsNoNumberIsOutside) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(judged(figure("mean_force"), 1.0, nan, 0.0, kPercent).verdict, FigureVerdict::kOutside);
-  EXPECT_EQ(judged(figure("peak_force"), 0.0, 1.0, 0.0, kPercent).verdict, FigureVerdict::kOutside);
+  EXPECT_EQ(judged(figure("mean_force"), 1.0, nan, kPercent).verdict, FigureVerdict::kOutside);
+  EXPECT_EQ(judged(figure("window_impulse"), 0.0, 1.0, kPercent).verdict, FigureVerdict::kOutside);
 }
 
 TEST(FigureVerdict, OthersAreNotJudged) {
@@ -44,22 +48,68 @@ TEST(FigureVerdict, OthersAreNotJudged) {
 // A gap that all but rests has a rate that no ratio is worth looking at.
 TEST(FigureVerdict, ASmallGapRateIsJudgedByItsResolution) {
   const Figure& rate = figure("gap_rate_rms");
-  EXPECT_EQ(judged(rate, 0.0, 1e-8, 0.0, kPercent).verdict, FigureVerdict::kWithin);
+  EXPECT_EQ(judged(rate, 0.0, 1e-8, kPercent).verdict, FigureVerdict::kWithin);
   EXPECT_DOUBLE_EQ(deviation(rate, 0.0, 1e-5), 0.01);
   EXPECT_DOUBLE_EQ(deviation(rate, 1e-3, 2e-3), 1.0);
 }
 
-TEST(Spread, IsGreatestLessLeast) {
-  EXPECT_DOUBLE_EQ(spread(figure("mean_force"), {100.0, 103.0, 98.0}), 0.05);
-  EXPECT_NEAR(spread(figure("contact_fraction"), {0.5, 0.52, 0.51}), 0.02, 1e-15);
-  EXPECT_EQ(spread(figure("mean_force"), {7.0}), 0.0);
-  EXPECT_EQ(spread(figure("mean_force"), {}), 0.0);
+// What a share of next to nothing would hide.
+TEST(FigureVerdict, ASmallGapRateIsWrittenAsItIs) {
+  const JudgedFigure f = judged(figure("gap_rate_rms"), 0.196e-3, 0.157e-3, kPercent);
+  EXPECT_EQ(f.verdict, FigureVerdict::kOutside);
+  EXPECT_EQ(difference_text(f), "0.1570 mm/s for 0.1960");
+}
+
+TEST(FigureVerdict, SmallCountsAreJudgedAbsolutely) {
+  const Figure& hard = figure("hard_impacts");
+  EXPECT_EQ(judged(hard, 0.0, 1.0, kPercent).verdict, FigureVerdict::kWithin) << "a soft start counts one";
+  EXPECT_EQ(judged(hard, 6.0, 7.0, kPercent).verdict, FigureVerdict::kWithin);
+  EXPECT_EQ(judged(hard, 6.0, 3.0, kPercent).verdict, FigureVerdict::kOutside);
+  EXPECT_EQ(judged(hard, 600.0, 605.0, kPercent).verdict, FigureVerdict::kWithin);
+  EXPECT_EQ(judged(hard, 600.0, 610.0, kPercent).verdict, FigureVerdict::kOutside);
+}
+
+TEST(FigureVerdict, ANearMissIsJudged) {
+  const Figure& gap = figure("least_gap");
+  EXPECT_EQ(judged(gap, 8e-6, 8.05e-6, kPercent).verdict, FigureVerdict::kWithin);
+  EXPECT_EQ(judged(gap, 8e-6, 24e-6, kPercent).verdict, FigureVerdict::kOutside);
+  EXPECT_EQ(judged(gap, 8e-6, 2.5e-6, kPercent).verdict, FigureVerdict::kOutside);
+  const double touches = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(judged(gap, 8e-6, touches, kPercent).verdict, FigureVerdict::kOutside);
+  EXPECT_EQ(judged(gap, touches, touches, kPercent).verdict, FigureVerdict::kNotJudged);
+}
+
+TEST(FigureVerdict, TheSenseOfTheWhirlCounts) {
+  EXPECT_EQ(judged(figure("whirl_frequency"), -501.9, 501.9, kPercent).verdict, FigureVerdict::kOutside);
+}
+
+TEST(FigureVerdict, WhatNeitherHasDoesNotDecide) {
+  EXPECT_EQ(judged(figure("friction_work"), 0.0, 0.0, kPercent).verdict, FigureVerdict::kNotJudged);
+}
+
+// Student's t from tables: 2.0369 of 32 degrees of freedom, 2.3060 of 8, 2.0860 of 20.
+TEST(FigureSample, TheIntervalIsWelchs) {
+  const auto of = [](int n) { return FigureSample{0.0, 0.0, 1.0, n}; };
+  EXPECT_NEAR(interval(of(17), of(17)).half, 2.0369 * std::sqrt(2.0 / 17.0), 1e-4);
+  EXPECT_NEAR(interval(of(5), of(5)).half, 2.3060 * std::sqrt(2.0 / 5.0), 1e-3);
+  EXPECT_NEAR(interval(of(21), FigureSample{}).half, 2.0860 * std::sqrt(1.0 / 21.0 + 1.0), 1e-3);
+  EXPECT_EQ(interval(FigureSample{}, FigureSample{}).half, 0.0);
+  // t of 0.8 and 32 degrees of freedom: 0.853.
+  EXPECT_NEAR(interval(of(17), of(17)).least_told, (2.0369 + 0.8530) * std::sqrt(2.0 / 17.0), 1e-3);
+}
+
+TEST(FigureSample, OfEqualRunsIsTheRun) {
+  Metrics m;
+  m.mean_force = 0.1 + 0.2;
+  const FigureSample s = figure_sample(figure("mean_force"), m, std::vector(20, m));
+  EXPECT_EQ(s.mean, m.mean_force);
+  EXPECT_EQ(s.deviation, 0.0);
 }
 
 TEST(Trust, PeaksAloneLeaveTheAverages) {
-  const auto all = [](double mean, double peak, double impacts, double spread) {
-    return std::vector{made("mean_force", mean), made("peak_force", peak),
-                       made("hard_impacts", impacts, spread)};
+  const auto all = [](double mean, double peak, double impacts, double interval) {
+    return std::vector{made("mean_force", mean), made("window_impulse", peak),
+                       made("hard_impacts", impacts, interval)};
   };
   EXPECT_EQ(trust(all(0.0, 0.0, 0.0, 0.0)), Trust::kYes);
   EXPECT_EQ(trust(all(0.001, -0.89, 0.0, 0.0)), Trust::kAveragesOnly);
@@ -71,11 +121,11 @@ TEST(Trust, PeaksAloneLeaveTheAverages) {
 
 TEST(Why, NamesTheFurthestFirstAndWhatWasNotDecided) {
   const std::string text = why({made("mean_force", 0.001), made("hard_impacts", 0.2),
-                                made("peak_force", -0.89), made("gap_rate_rms", 0.03, 0.07)},
+                                made("window_impulse", -0.89), made("gap_rate_rms", 0.03, 0.07)},
                                kPercent);
   EXPECT_EQ(text,
-            "peak force -89 %, hard impacts +20 %; within 1 %: mean normal force; undecidable at 1 "
-            "%: rms gap rate (repeats to 7.00 %)");
+            "largest impulse -89 %, hard impacts +20 %; within 1 %: mean normal force; undecidable at 1 "
+            "%: rms gap rate +3.00 % ± 7.00 % (9.93 % would be told)");
 }
 
 }  // namespace

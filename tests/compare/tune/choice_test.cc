@@ -19,8 +19,8 @@ JudgedSetting made(ContactModel contact, double step, double us, double mean, do
   s.setting.contact = contact;
   s.setting.step = step;
   s.us_per_step = us;
-  s.figures = {judged(figure("mean_force"), 100.0, 100.0 * (1.0 + mean), 0.0, kPercent),
-               judged(figure("peak_force"), 100.0, 100.0 * (1.0 + peak), 0.0, kPercent)};
+  s.figures = {judged(figure("mean_force"), 100.0, 100.0 * (1.0 + mean), kPercent),
+               judged(figure("window_impulse"), 100.0, 100.0 * (1.0 + peak), kPercent)};
   s.trust = trust(s.figures);
   return s;
 }
@@ -40,7 +40,7 @@ TEST(Choice, TakesTheCheapestOfSimulatedTimeNotOfAStep) {
 TEST(Choice, APeakThatIsOffIsNotTrustedHoweverGoodTheMean) {
   const auto off = made(ContactModel::kCoulomb, 1e-4, 1.0, 0.0, -0.89);
   EXPECT_FALSE(off.is_trusted());
-  EXPECT_EQ(off.wrong(), std::vector<std::string>{"peak_force"});
+  EXPECT_EQ(off.wrong(), std::vector<std::string>{"window_impulse"});
   const Choice choice = choose({off, made(ContactModel::kCone, 1e-4, 1.0, 0.5, 3.0)});
   EXPECT_FALSE(choice.trusted);
   EXPECT_FALSE(choice.next_cheaper);
@@ -82,7 +82,7 @@ TEST(Search, StopsWhereASmallerStepCannotBeCheaper) {
   parameters.steps = {2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
   parameters.variants = {{ContactModel::kRigid}, {ContactModel::kCone}};
   const Judge judge = [](const Metrics& m, double) {
-    return std::vector{judged(figure("mean_force"), 100.0, m.mean_force, 0.0, 0.006)};
+    return std::vector{judged(figure("mean_force"), 100.0, m.mean_force, 0.006)};
   };
   const auto all = search(parameters, made_run, judge, 0.006);
   const Choice choice = choose(all);

@@ -1,0 +1,94 @@
+// Scenes in which verdicts once turned on bookkeeping: on the step into which a force falls, on how impacts are counted.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "compare/study/answer.h"
+#include "compare/study/scene_comparison.h"
+#include "tests/support/mujoco_fixture.h"
+
+namespace rotorub::test {
+namespace {
+
+CompareOptions quick(int twins) {
+  CompareOptions options;
+  options.timing_repeats = 1;
+  options.twins = twins;
+  options.modes_ladder = false;
+  return options;
+}
+
+const FigureDifference& of(const SideDifference& d, const std::string& key) {
+  for (const FigureDifference& f : d.figures) {
+    if (f.figure->key == key) return f;
+  }
+  throw std::out_of_range(key);
+}
+
+// 2 kg that land once, to stay, in a ring on springs and a damper.
+constexpr const char* kLanding = R"(
+[run]
+end = 0.2
+step = 2e-5
+[rotor]
+speed = 0.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [0.0]
+damping = [0.0]
+[contact]
+radius = 0.05
+clearance = "0.5 mm"
+friction = 0.0
+restitution = 0.0
+[stator]
+mass = 1.0
+damping = 400.0
+stiffness = 1e5
+[gravity]
+acceleration = [0.0, -9.81]
+)";
+
+TEST(VerdictCases, ALandingIsTheSameAtEveryStep) {
+  for (const char* step : {"2e-4", "2e-5", "5e-6"}) {
+    const SceneComparison c = compare_scene(parsed(kLanding, {std::string("run.step=") + step}), quick(2));
+    ASSERT_EQ(c.sides[1].label, "rigid");
+    EXPECT_EQ(c.differences[0].trust, Trust::kYes) << step << ": " << answer(c)[0].why;
+    EXPECT_LT(std::abs(of(c.differences[0], "window_impulse").deviation), 1e-3) << step;
+    EXPECT_LT(std::abs(of(c.differences[0], "impulse_total").deviation), 1e-5) << step;
+  }
+}
+
+// Hundreds of impacts: each counts as a step of contact, of which the lasting contact knows nothing.
+TEST(VerdictCases, ImpactsStepsAreNoLastingContact) {
+  const SceneComparison c = compare_scene(shipped("bench_billiard", {"run.step=5e-5", "run.end=0.5"}), quick(0));
+  const SideDifference& rigid = c.differences[0];
+  ASSERT_GT(c.sides[0].metrics.impacts, 100u);
+  EXPECT_GT(of(rigid, "contact_fraction").deviation, 0.005);
+  EXPECT_EQ(c.sides[1].metrics.lasting_fraction, 0.0);
+  EXPECT_EQ(c.sides[0].metrics.lasting_fraction, 0.0);
+  EXPECT_NE(of(rigid, "lasting_fraction").verdict, FigureVerdict::kOutside);
+}
+
+// A shadow whose step is too long for it has no figures.
+TEST(VerdictCases, AShadowThatStoppedIsNotShown) {
+  const SceneComparison c = compare_scene(shipped("bench_ring", {"run.step=0.02", "run.end=0.1"}), quick(0));
+  EXPECT_FALSE(c.shadow.side);
+  EXPECT_NE(c.shadow.absent.find("step"), std::string::npos) << c.shadow.absent;
+}
+
+// Chaos: runs on both sides tell what one of them could not.
+TEST(VerdictCases, TwinsOnBothSidesTellTheDifference) {
+  const SceneComparison c =
+      compare_scene(shipped("paper_passive", {"run.step=2e-5", "run.end=0.16"}), quick(6));
+  EXPECT_EQ(c.decider_twins, 6);
+  double widest = 0.0;
+  for (const FigureDifference& f : c.differences[0].figures) {
+    EXPECT_GE(f.least_told, f.interval);
+    if (f.figure->is_judged()) widest = std::max(widest, f.interval);
+  }
+  EXPECT_GT(widest, 0.001);
+}
+
+}  // namespace
+}  // namespace rotorub::test
