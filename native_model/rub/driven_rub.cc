@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "native_model/numerics/extremes.h"
 #include "native_model/numerics/root.h"
 #include "native_model/rub/perturbation.h"
 #include "native_model/scene/diagnostic.h"
@@ -181,8 +182,10 @@ std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTr
   for (const double nu : resonance_points(poles, 1e-3 * ratio * sense * top, ratio * sense * top)) {
     sizes.push_back(nu / ratio);
   }
+  std::vector<double> left_over;
+  sample_with_extremes(balance, sizes, left_over);
   for (std::size_t k = 0; k + 1 < sizes.size(); ++k) {
-    const double left = balance(sizes[k]), right = balance(sizes[k + 1]);
+    const double left = left_over[k], right = left_over[k + 1];
     if (!(left * right <= 0.0) || left == 0.0) continue;
     const auto [lo, hi] = root(balance, sizes[k], sizes[k + 1], left, right);
     const double speed = sense * 0.5 * (lo + hi);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "native_model/numerics/extremes.h"
 #include "native_model/numerics/root.h"
 #include "native_model/rub/rub_stability.h"
 
@@ -113,7 +114,7 @@ BackwardCompliance::BackwardCompliance(const RubSystem& system)
   if (!(highest > 0.0)) highest = lowest = std::abs(system_.speed);
   const double rolling = system_.radius * std::abs(system_.speed) / system_.clearance;
   nu_ = resonance_points(poles, kBelow * lowest, std::max(rolling, kBeyond * highest));
-  for (const double nu : nu_) h_.push_back(at(nu));
+  sample_with_extremes([this](double nu) { return asked(nu); }, nu_, asked_);
 }
 
 Complex BackwardCompliance::at(double nu) const {
@@ -121,14 +122,22 @@ Complex BackwardCompliance::at(double nu) const {
   return sense_ > 0.0 ? h : std::conj(h);
 }
 
+double BackwardCompliance::asked(double nu) const {
+  const Complex h = at(nu);
+  return std::atan2(h.imag(), -h.real());
+}
+
 std::vector<double> BackwardCompliance::edges(double mu) const {
-  const auto asked = [mu](const Complex& h) { return h.imag() + mu * h.real(); };
+  constexpr double kRoundOff = 1e-13;  // a fold closer to mu is the double root that it is there
+  const double given = std::atan(mu);
+  const auto excess = [given](double angle) {
+    return std::abs(angle - given) <= kRoundOff * given ? 0.0 : angle - given;
+  };
   std::vector<double> roots;
   for (std::size_t k = 0; k + 1 < nu_.size(); ++k) {
-    if (!finite(h_[k]) || !finite(h_[k + 1])) continue;
-    const double left = asked(h_[k]), right = asked(h_[k + 1]);
-    if (left * right > 0.0 || (left == 0.0 && k > 0) || (left == 0.0 && right == 0.0)) continue;
-    const auto [lo, hi] = root([&](double nu) { return asked(at(nu)); }, nu_[k], nu_[k + 1], left, right);
+    const double left = excess(asked_[k]), right = excess(asked_[k + 1]);
+    if (!(left * right <= 0.0) || (left == 0.0 && k > 0) || (left == 0.0 && right == 0.0)) continue;
+    const auto [lo, hi] = root([&](double nu) { return asked(nu) - given; }, nu_[k], nu_[k + 1], left, right);
     const double nu = 0.5 * (lo + hi);
     if (at(nu).real() < 0.0) roots.push_back(nu);
   }

@@ -45,8 +45,8 @@ double free_orbit(const RubSystem& system, const RotatingLoad& load);
 // steps that double from a quarter of its half width.
 std::vector<double> resonance_points(const std::vector<Complex>& poles, double low, double top);
 
-// H(nu) against the spin over all nu > 0 that matter, on points that stand close about each resonance,
-// so that no zero between two of them is missed. Shared by all frictions.
+// H(nu) against the spin over all nu > 0 that matter, on points that stand close about each resonance, and at each
+// extreme of the friction asked for, so that no two zeros between two of them are missed. Shared by all frictions.
 class BackwardCompliance {
  public:
   // Points up to 20 times the highest frequency of rotor and ring, or the speed of rolling. Holds the system
@@ -54,7 +54,8 @@ class BackwardCompliance {
   explicit BackwardCompliance(const RubSystem& system);
 
   // nu > 0 of Im H + tau Re H = 0 with Re H < 0 (|tau| = mu, the sign of a spin faster than rolling),
-  // ascending: where friction mu is just enough for rolling contact. Empty without spin.
+  // ascending: where friction mu is just enough for rolling contact. Empty without spin. A fold, where two roots
+  // are born, is one root.
   std::vector<double> edges(double mu) const;
   // nu in [first, second] where a whirl against the spin can roll: Re H < 0 and |tau| <= mu; the last may
   // reach to infinity.
@@ -65,14 +66,15 @@ class BackwardCompliance {
   std::optional<SteadyRub> rolling(double mu) const;
 
  private:
-  Complex at(double nu) const;  // H, conjugate where the spin is negative
+  Complex at(double nu) const;    // H, conjugate where the spin is negative
+  double asked(double nu) const;  // rad, atan tau where Re H < 0; beyond +-pi/2 no pressing contact
   bool rolls(double nu, double mu) const;
   SteadyRub standing(RubKind kind, double nu) const;
 
   RubSystem system_;
   double sense_;  // +1: the spin is positive and backward is negative; 0: no spin
   std::vector<double> nu_;
-  std::vector<Complex> h_;
+  std::vector<double> asked_;
 };
 
 }  // namespace rotorub::rub

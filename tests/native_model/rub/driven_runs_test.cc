@@ -178,6 +178,26 @@ TEST(DrivenRuns, TheMirroredMotorKeepsTheMirroredRolling) {
   }
 }
 
+// Under a motor that asks for less and less speed two of the three rollings meet and are gone: until then both are told,
+// however close together.
+TEST(DrivenRuns, TwoRollingsAreToldUntilTheyMeet) {
+  scene::Scene s = rolling_rig();
+  const auto all_at = [&s](double speed) {
+    s.drive->speed = speed;
+    return driven_rolling(rub_system(s), drive_train(s), 400.0);
+  };
+  double three = 157.0, fewer = 100.0;
+  ASSERT_EQ(all_at(three).size(), 3U);
+  ASSERT_LT(all_at(fewer).size(), 3U);
+  while (three - fewer > 1e-6) {
+    const double middle = 0.5 * (three + fewer);
+    (all_at(middle).size() == 3 ? three : fewer) = middle;
+  }
+  EXPECT_EQ(all_at(fewer).size(), 1U);
+  const auto last = all_at(three);
+  EXPECT_LT(std::min(last[1].speed - last[0].speed, last[2].speed - last[1].speed), 0.01);
+}
+
 // Started on it, with `off` rad of twist more in the first mode.
 scene::Scene started_rolling(scene::Scene s, const DrivenRolling& kept, double off) {
   s.rotor.speed = kept.speed;

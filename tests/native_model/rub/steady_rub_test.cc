@@ -119,6 +119,73 @@ TEST(SteadyRub, EdgesAreThoseOfTheClosedForm) {
   EXPECT_GT(several, 20U);
 }
 
+// ---------------------------------------------------------------- the fold, where a pair of whips is born
+// Least friction of bench_whip's backward contact, and where: the digits are those of the polynomial's double root.
+constexpr double kFold = 0.15510962126429, kFoldWhirl = 437.194917;
+
+TEST(SteadyRub, APairOfWhipsCloseTogetherIsFound) {
+  for (const double turn : {1.0, -1.0}) {
+    scene::Scene scene = test::shipped("bench_whip");
+    scene.rotor.speed *= turn;
+    const BackwardCompliance backward(rub_system(scene));
+    const std::vector<SteadyRub> whips = backward.whips(0.1552);
+    ASSERT_EQ(whips.size(), 3U) << turn;
+    EXPECT_NEAR(turn * whips[0].whirl, -434.245, 5e-4);
+    EXPECT_NEAR(turn * whips[1].whirl, -440.16338, 5e-6);
+    EXPECT_NEAR(whips[1].normal_force, 120.2154, 5e-5);
+    EXPECT_EQ(backward.rolling_ranges(0.1552).size(), 2U);
+  }
+}
+
+// A hair above the fold both, below none, at the fold itself one.
+TEST(SteadyRub, TheFoldIsWhereThePairIsBorn) {
+  const BackwardCompliance backward(rub_system(test::shipped("bench_whip")));
+  for (const double hair : {1e-3, 1e-6, 1e-9, 1e-11}) {
+    const auto above = backward.whips(kFold * (1.0 + hair));
+    ASSERT_EQ(above.size(), 3U) << hair;
+    EXPECT_LT(-above[0].whirl, kFoldWhirl);
+    EXPECT_GT(-above[1].whirl, kFoldWhirl);
+    EXPECT_NEAR(-0.5 * (above[0].whirl + above[1].whirl), kFoldWhirl, 1e-5 + 20.0 * hair) << "their mean moves with the excess";
+    EXPECT_EQ(backward.whips(kFold * (1.0 - hair)).size(), 1U) << hair;
+    EXPECT_EQ(backward.rolling_ranges(kFold * (1.0 - hair)).size(), 1U) << hair;
+  }
+  const auto fold = backward.whips(kFold);
+  ASSERT_EQ(fold.size(), 2U);
+  EXPECT_NEAR(-fold[0].whirl, kFoldWhirl, 1e-5) << "where a minimum is flat: to the root of round-off";
+}
+
+// Folds of any rotor on any ring, damped lightly or not: found by the closed form's own least friction.
+TEST(SteadyRub, NoFoldIsMissed) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  int folds = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double light = std::pow(10.0, -3.0 * unit(random));
+    scene::Scene s = test::make_scene({1.0 + unit(random), 100.0 * light, 1e5 + 1e6 * unit(random),
+                                       0.5e-3, 0.05, 0.1, 0.0, kSpeed});
+    test::add_ring(s, 0.5 + unit(random), 300.0 * light * unit(random), 1e5 + 3e6 * unit(random));
+    const oracle::ElasticWhip whip = test::whip_of(s);
+    const BackwardCompliance backward(rub_system(s));
+    const auto asked = [&](double nu) { return whip.friction_asked(nu); };
+    for (double nu = 100.0; nu < 5000.0; nu *= 1.0005) {
+      double low = nu / 1.0005, high = nu * 1.0005;
+      if (!(asked(nu) < asked(low) && asked(nu) < asked(high))) continue;
+      for (int cut = 0; cut < 60; ++cut) {  // thirds
+        const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+        (asked(a) < asked(b) ? high : low) = asked(a) < asked(b) ? b : a;
+      }
+      const double fold = asked(0.5 * (low + high));
+      ++folds;
+      for (const double hair : {1e-4, 1e-8}) {
+        const auto above = backward.edges(fold * (1.0 + hair)), below = backward.edges(fold * (1.0 - hair));
+        EXPECT_EQ(above.size(), below.size() + 2) << k << ' ' << nu << ' ' << hair;
+        EXPECT_EQ(above.size(), whip.slipping_whips(fold * (1.0 + 1e-4)).size()) << k << ' ' << nu;
+      }
+    }
+  }
+  EXPECT_GT(folds, 50);
+}
+
 // ---------------------------------------------------------------- several modes
 // M q'' = f + J^T (contact) with q'' = -nu^2 q, at t = 0; and the gap is closed.
 void expect_motion(const scene::Scene& scene, const SteadyRub& rub) {
