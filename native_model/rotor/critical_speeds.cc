@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/extremes.h"
 #include "native_model/numerics/root.h"
 #include "native_model/numerics/symmetric_eigenvalues.h"
 #include "native_model/rotor/campbell.h"
@@ -113,14 +114,20 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
   const auto between = [&](double end) {
     const std::vector<double> high = at(end);
     for (std::size_t k = 0; k < std::min(low.size(), high.size()); ++k) {
-      const double f_begin = low[k] - begin, f_end = high[k] - end;
-      if (f_end == 0.0) all_found.push_back(end);
-      if (!(f_begin * f_end < 0.0)) continue;
       const auto miss = [&](double speed) {
         const std::vector<double> all = at(speed);
         return k < all.size() ? all[k] - speed : -speed;
       };
-      all_found.push_back(root(miss, begin, end, f_begin, f_end, kAccuracy * end).first);
+      std::vector<double> at_speed{begin}, missed{low[k] - begin};
+      find_extremes(miss, begin, missed.front(), end, high[k] - end, at_speed, missed);
+      at_speed.push_back(end);
+      missed.push_back(high[k] - end);
+      if (missed.back() == 0.0) all_found.push_back(end);
+      for (std::size_t i = 0; i + 1 < missed.size(); ++i) {
+        if (!(missed[i] * missed[i + 1] < 0.0)) continue;
+        const double accuracy = kAccuracy * end;
+        all_found.push_back(root(miss, at_speed[i], at_speed[i + 1], missed[i], missed[i + 1], accuracy).first);
+      }
     }
     low = high;
     begin = end;

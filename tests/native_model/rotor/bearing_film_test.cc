@@ -181,6 +181,24 @@ TEST(BearingFilm, CriticalSpeedsAreTheirOwnSpringsOnes) {
   for (const double speed : none) EXPECT_GT(speed, 160.0);
 }
 
+// Springs that rise with the speed, k = m (2 c Omega - c^2 + e^2) of both bearings together, make c - e and c + e critical.
+TEST(BearingFilm, TwoCriticalSpeedsCloseTogetherAreFound) {
+  constexpr double kMiddle = 122.0;
+  for (const double e : {20.0, 2.0}) {
+    const auto stiffness = [e](double speed) {
+      return std::to_string(0.5 * kRigidMass * (2.0 * kMiddle * speed - kMiddle * kMiddle + e * e));
+    };
+    const std::string table = "table_speed=[70.0,190.0],table_kxx=[" + stiffness(70.0) + "," + stiffness(190.0) + "]}";
+    const std::vector<double> found = critical_speeds(
+        whirl_system(rigid({"rotor.bearing[0]={z=0.0," + table, "rotor.bearing[1]={z=0.4," + table})));
+    for (const double exact : {kMiddle - e, kMiddle + e}) {
+      double least = 1e300;
+      for (const double speed : found) least = std::min(least, std::abs(speed - exact));
+      EXPECT_LT(least, 0.01) << exact;
+    }
+  }
+}
+
 // Both bearings off by the same: the rotor rests there. One: its middle half of it, beside what weight bends.
 TEST(BearingFilm, BearingsOffTheLineCarryTheRotorThere) {
   for (const bool film : {false, true}) {
