@@ -86,7 +86,8 @@ json answer_values(const SceneComparison& c) {
                     {"why", row.why},
                     {"cost", row.us_per_step > 0.0 ? fmt::format("{:.3g} µs", row.us_per_step)
                                                    : std::string("–")},
-                    {"decides", row.decides}});
+                    {"decides", row.decides},
+                    {"evidence", row.evidence}});
   }
   return rows;
 }

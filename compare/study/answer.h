@@ -15,6 +15,7 @@ struct AnswerRow {
   std::string why;           // half a sentence
   double us_per_step = 0.0;  // median; 0: not timed
   bool decides = false;      // the exit code
+  std::string evidence;      // a sentence: what agreement says, where the two share more than the scene; else empty
 };
 
 // In the order of the sides.

@@ -94,7 +94,8 @@ json answer_json(const SceneComparison& comparison) {
                     {"trusted", to_string(row.trust)},
                     {"why", row.why},
                     {"us_per_step", row.us_per_step > 0.0 ? json(row.us_per_step) : json(nullptr)},
-                    {"decides_exit_code", row.decides}});
+                    {"decides_exit_code", row.decides},
+                    {"evidence", row.evidence.empty() ? json(nullptr) : json(row.evidence)}});
   }
   return rows;
 }

@@ -188,6 +188,9 @@ std::string answer_lines(const SceneComparison& c, const Palette& palette) {
     text += palette.paint_first(tone_of(row.trust), lines, to_string(row.trust));
   }
   text += wrapped("  > ", whose_verdict(c));
+  for (const AnswerRow& row : answer(c)) {
+    if (!row.evidence.empty()) text += wrapped("    ", row.evidence);
+  }
   if (const std::string note = mode_note(c); !note.empty()) text += wrapped("    ", note);
   const std::vector<std::string> notes = own_notes(c);
   for (std::size_t k = 0; k < notes.size(); ++k) text += wrapped(k == 0 ? "    " : "    - ", notes[k]);

@@ -155,12 +155,18 @@ TEST(SceneComparison, BeginsWithOneRowAContactModel) {
     EXPECT_EQ(row.decides, row.contact == "rigid");
     EXPECT_GT(row.us_per_step, 0.0);
     EXPECT_FALSE(row.why.empty());
+    EXPECT_EQ(row.evidence.empty(), row.contact != "rigid") << "it alone shares the native step";
   }
+  const auto json_rows = comparison_json(c).at("answer");
+  EXPECT_EQ(json_rows.at(0).at("evidence"), rows.at(0).evidence);
+  EXPECT_TRUE(json_rows.at(1).at("evidence").is_null());
   const std::string table = comparison_table(c);
   EXPECT_LT(table.find("averages only"), table.find("mean normal force, N"));
   const std::string text = json_text(comparisons_json({c}));
   EXPECT_EQ(text.find("\"answer\""), text.find('"')) << text.substr(0, 100);
   const std::string page = report_page({{&c, {}, "none in this test."}});
+EXPECT_NE(table.find("rigid shares law and step with native verlet"), std::string::npos);
+  EXPECT_NE(page.find("rigid shares law and step with native verlet"), std::string::npos);
   for (const char* contact : {"rigid", "coulomb", "cone", "cone-coulomb"}) {
     EXPECT_LT(page.find(std::string("class=\"side-") + contact + "\">"),
               page.find("class=\"lead\""));
