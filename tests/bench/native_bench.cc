@@ -80,7 +80,7 @@ void register_all() {
        {"bench_ring", "bench_billiard", "bench_drop", "paper_passive", "paper_sliding"}) {
     // The controller is the caller's: not in the step.
     scene::Scene scene = bench::shipped(name);
-    if (name.starts_with("paper")) scene.forces[0].on = 0.0;  // contact within 0.1 s
+    if (name.starts_with("paper")) scene.forces[0].on = 0.0, scene.initial.steady = false;  // contact within 0.1 s
     const Model model = make_model(scene);
     add("paper/" + name, [=](benchmark::State& s) { fixed_steps<PaperStepper>(s, model); });
     add("verlet/" + name, [=](benchmark::State& s) { fixed_steps<VerletStepper>(s, model); });

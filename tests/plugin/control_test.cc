@@ -50,7 +50,7 @@ TEST_F(ControlTest, NothingBeforeItIsOn) {
 TEST_F(ControlTest, HeldBetweenSamples) {
   const double sample = 2e-4;
   const ModelPointer m = load(mjcf(shipped(
-      "paper_sliding", {"controller.on=0.0", "controller.sample_time=2e-4", "force[0].on=0.0",
+      "paper_sliding", {"controller.on=0.0", "controller.sample_time=2e-4", "force[0].on=0.0", "initial.steady=false",
                         "rotor.modes=2"})));
   const DataPointer d = start(m.get());
   int changes = 0;

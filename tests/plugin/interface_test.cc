@@ -20,7 +20,7 @@ scene::Scene controlled(const std::string& rotor, const std::string& contact,
                         const std::string& on = "0.0") {
   return shipped("paper_sliding",
                  {"mujoco={rotor=\"" + rotor + "\", segments=6, contact=\"" + contact + "\"}",
-                  "controller.on=" + on, "force[0].on=0.0", "contact.clearance=\"0.1 mm\""});
+                  "controller.on=" + on, "force[0].on=0.0", "initial.steady=false", "contact.clearance=\"0.1 mm\""});
 }
 
 using Look = void (*)(const mjModel*, mjData*);

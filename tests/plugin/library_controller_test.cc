@@ -34,7 +34,7 @@ class LibraryControllerTest : public MujocoTest {
                                        "controller.library=" + library,
                                        "controller.on=0",
                                        "controller.sample_time=1e-4",
-                                       "force[0].on=0",
+                                       "force[0].on=0", "initial.steady=false",
                                        "actuator.force_limit=none"};
     overrides.insert(overrides.end(), more.begin(), more.end());
     scene::Scene s = shipped("paper_sliding", overrides);

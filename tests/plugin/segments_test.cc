@@ -199,7 +199,7 @@ TEST_F(SegmentsTest, FollowsTheNativeOrbit) {
     const scene::Scene scene =
         shipped("paper_passive",
                 {"mujoco={rotor=\"segments\", segments=" + std::to_string(segments) + "}",
-                 "run.step=2e-6", "run.end=0.05", "contact.clearance=\"5 mm\"", "force[0].on=0.0",
+                 "run.step=2e-6", "run.end=0.05", "contact.clearance=\"5 mm\"", "force[0].on=0.0", "initial.steady=false",
                  "force[0].amplitude=20.0", "rotor.speed=\"49 Hz\"", "rotor.modes=4",
                  "rotor.disc[0].eccentricity=\"200 um\"", "gravity={acceleration=[0.0, -9.81]}"});
     const ModelPointer m = load(mjcf(scene));

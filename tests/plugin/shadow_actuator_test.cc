@@ -16,7 +16,7 @@ namespace names = mjcf_names;
 
 // Without a controller in the scene the user's commands drive both.
 TEST_F(Shadow, PassiveBearingFollowsTheUsersCommands) {
-  const scene::Scene scene = shadowed("paper_passive", {"force[0].on=0.0", "rotor.modes=2"});
+  const scene::Scene scene = shadowed("paper_passive", {"force[0].on=0.0", "initial.steady=false", "rotor.modes=2"});
   const ModelPointer m = load(mjcf(scene));
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
@@ -41,7 +41,7 @@ TEST_F(Shadow, PassiveBearingFollowsTheUsersCommands) {
 TEST_F(Shadow, CarriesTheCoils) {
   const scene::Scene scene =
       shadowed("paper_magnetic", {"actuator.coil_lag=1e-4", "actuator.current_rate_limit=5000",
-                                  "force[0].on=0.0", "controller.on=0.002", "rotor.modes=2"});
+                                  "force[0].on=0.0", "initial.steady=false", "controller.on=0.002", "rotor.modes=2"});
   constexpr int kSteps = 2000;
   const Trajectory native = every_step(scene, kSteps);
   ASSERT_EQ(native.status, Status::kOk);

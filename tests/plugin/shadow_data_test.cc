@@ -24,7 +24,7 @@ class ShadowData : public MujocoTest {
   ShadowData()
       : model_(
             load(mjcf(shadowed("paper_sliding", {"controller.on=0.0", "controller.sample_time=1e-4",
-                                                 "force[0].on=0.0", "contact.clearance=0.1 mm",
+                                                 "force[0].on=0.0", "initial.steady=false", "contact.clearance=0.1 mm",
                                                  "rotor.modes=2"})))),
         config_(plugin::make_config(model_.get())) {}
   void steps(mjData* d, int count) const {

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ShadowBits,
                          [](const auto& which) { return std::string(which.param.name); });
 
 TEST_F(Shadow, LeavesMujocosMotionToTheBit) {
-  const std::vector<std::string> early = {"force[0].on=0.0", "contact.clearance=0.1 mm",
+  const std::vector<std::string> early = {"force[0].on=0.0", "initial.steady=false", "contact.clearance=0.1 mm",
                                           "rotor.modes=2"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.end(), early.begin(), early.end());
@@ -169,7 +169,7 @@ TEST_F(Shadow, AgreesWithRigidToFirstOrder) {
 // The segment rotor is another model: its shadow starts where its modes are and stays near.
 TEST_F(Shadow, RunsBesideSegments) {
   const scene::Scene scene =
-      shadowed("paper_passive", {"mujoco.rotor=segments", "mujoco.segments=12", "force[0].on=0.0",
+      shadowed("paper_passive", {"mujoco.rotor=segments", "mujoco.segments=12", "force[0].on=0.0", "initial.steady=false",
                                  "rotor.modes=2"});
   const ModelPointer m = load(mjcf(scene));
   const plugin::Config config = plugin::make_config(m.get());

@@ -42,13 +42,13 @@ const std::array<std::string, kScenes>& documents() {
       mjcf(shipped("bench_ring", {"mujoco.contact=\"cone\"", "contact.friction=0.3"})),
       mjcf(shipped("bench_billiard", {"mujoco.contact=\"rigid\""})),
       mjcf(shipped("paper_sliding",
-                   {"controller.on=0.0", "controller.sample_time=1e-4", "force[0].on=0.0",
+                   {"controller.on=0.0", "controller.sample_time=1e-4", "force[0].on=0.0", "initial.steady=false",
                     "contact.clearance=\"0.1 mm\"", "rotor.modes=2", "mujoco.contact=\"rigid\""})),
       mjcf(
           shipped("paper_passive", {"mujoco={rotor=\"segments\", segments=10, contact=\"coulomb\"}",
-                                    "force[0].on=0.0", "contact.clearance=\"0.1 mm\"", "rotor.modes=2"})),
+                                    "force[0].on=0.0", "initial.steady=false", "contact.clearance=\"0.1 mm\"", "rotor.modes=2"})),
       mjcf(shadowed("paper_sliding", {"controller.on=0.0", "controller.sample_time=1e-4",
-                                      "force[0].on=0.0", "contact.clearance=\"0.1 mm\"", "rotor.modes=2"})),
+                                      "force[0].on=0.0", "initial.steady=false", "contact.clearance=\"0.1 mm\"", "rotor.modes=2"})),
       mjcf(shadowed("bench_ring", {"mujoco.contact=\"coulomb\""})),
       R"(<mujoco><size nuserdata="30"/><worldbody><geom type="plane" size="1 1 1"/>
            <body pos="0 0 1"><freejoint/><geom type="capsule" size="0.1 0.2"/></body>

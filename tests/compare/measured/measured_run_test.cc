@@ -20,7 +20,10 @@
 namespace rotorub::test {
 namespace {
 
-scene::Scene short_rig() { return shipped("paper_passive", {"run.end=0.1", "run.step=1e-5", "run.output_step=1e-4"}); }
+// From rest: a steady circle has no instant of its own.
+scene::Scene short_rig() {
+  return shipped("paper_passive", {"run.end=0.1", "run.step=1e-5", "run.output_step=1e-4", "initial.steady=false"});
+}
 
 const MeasuredFigure& figure_of(const MeasuredRun& run, const std::string& key) {
   for (const MeasuredFigure& f : run.figures) {

@@ -26,7 +26,7 @@ TEST(ModeLadder, RisesToTwiceTheModes) {
 // A soft rub of the rig with two modes, under control.
 const ModelError& rub() {
   static const ModelError error =
-      model_error(shipped("paper_sliding", {"rotor.modes=2", "run.end=0.12", "initial.x=[1e-6,0]"}), {});
+      model_error(shipped("paper_sliding", {"rotor.modes=2", "run.end=0.12", "initial.steady=false", "initial.x=[1e-6,0]"}), {});
   return error;
 }
 

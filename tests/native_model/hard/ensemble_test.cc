@@ -137,6 +137,7 @@ TEST(HardEnsemble, TheShippedRigs) {
         [&](int) {
           scene::Scene scene = test::shipped_rig(name);
           scene.forces[0].on = 0.0;  // contact within the few steps of a test
+          scene.initial.steady = false;
           if (scene.controller) scene.controller->on = 0.001;
           return make_model(scene);
         },
@@ -148,6 +149,7 @@ TEST(HardEnsemble, SampledControllers) {
   expect_same_bits([](int i) {
     scene::Scene scene = test::shipped_rig("paper_sliding");
     scene.forces[0].on = 0.0;
+    scene.initial.steady = false;
     scene.controller->on = 0.0013;
     scene.controller->sample_time = 1e-4 * (1 + i % 3);
     return make_model(scene);
@@ -158,6 +160,7 @@ TEST(HardEnsemble, CoilsThatLag) {
   expect_same_bits([](int i) {
     scene::Scene scene = test::shipped_rig("paper_magnetic");
     scene.forces[0].on = 0.0;
+    scene.initial.steady = false;
     scene.controller->on = 0.0013;
     scene.actuator->coil_lag = 1e-4 * (1 + i % 3);
     scene.actuator->current_rate_limit = 2000.0;

@@ -24,7 +24,6 @@ struct Figures {
 
 Figures figures(const std::string& name, std::vector<std::string> overrides = {}) {
   overrides.push_back("run.step=5us");
-  overrides.push_back("initial.steady=true");
   const scene::Scene s =
       scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
   NativeOptions options;
@@ -163,7 +162,7 @@ TEST(LongPromises, MagnetsAsAPassiveBearingAreOne) {
   const auto run = [](const std::string& name) {
     const scene::Scene s = scene::read_scene(
         std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml",
-        std::vector<std::string>{"run.end=0.12", "run.step=1e-5", "rotor.modes=2", "initial.steady=true"});
+        std::vector<std::string>{"run.end=0.12", "run.step=1e-5", "rotor.modes=2"});
     return run_native(s);
   };
   const Trajectory magnets = run("paper_emulated"), springs = run("paper_passive");

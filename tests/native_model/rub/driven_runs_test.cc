@@ -101,7 +101,7 @@ Trajectory run_short(scene::Scene s) {
 // Growing at 14 1/s and swinging: the friction turns the shaft this way and that, and bending is none the wiser. In
 // rolling contact the arc of a twist, r theta, is bending's too.
 TEST(DrivenRuns, SlidingIsBlindToTorsionRollingIsNot) {
-  scene::Scene rigid = test::shipped("paper_passive", {"drive=none", "rotor.torsion=none", "force[0].on=0"});
+  scene::Scene rigid = test::shipped("paper_passive", {"drive=none", "rotor.torsion=none", "force[0].on=0", "initial.steady=false"});
   const RubSystem system = rub_system(rigid);
   RotatingLoad load = rotating_loads(system).front();
   load.load *= 1.001;
@@ -127,7 +127,7 @@ TEST(DrivenRuns, SlidingIsBlindToTorsionRollingIsNot) {
 TEST(DrivenRuns, AMotorThatGivesWayHardlyMovesTheBorderOfSliding) {
   const auto growths = [](const std::string& friction) {
     const scene::Scene s = test::shipped(
-        "paper_passive", {"contact.friction=" + friction, "drive.gain=0.001", "drive.inertia=0",
+        "paper_passive", {"contact.friction=" + friction, "drive.gain=0.001", "drive.inertia=0", "initial.steady=false",
                           "force[0]={kind=\"unbalance\",static_moment=1.52e-3,station=0.42}"});
     const RubSystem system = rub_system(s);
     const SteadyRub rub = forced_rubs(system, rotating_loads(system).front()).at(0);

@@ -65,6 +65,7 @@ scene::Scene held_rig(double mu) {
   s.drive.reset();
   s.rotor.torsion.reset();
   s.forces[0].on = 0.0;
+  s.initial.steady = false;
   s.contact->friction = mu;
   return s;
 }

@@ -39,6 +39,7 @@ scene::Scene soon_active(const std::string& name) {
       scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
   if (name.starts_with("paper")) {
     scene.forces[0].on = 0.0;
+    scene.initial.steady = false;
     scene.rotor.geometry->modes = 2;
     if (scene.controller) scene.controller->on = 0.002;
   }

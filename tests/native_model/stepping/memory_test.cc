@@ -45,9 +45,9 @@ struct Case {
 // their exact sines, a sampled controller, several impacts, lasting contact.
 std::vector<Case> cases() {
   return {{"bench_ring", {}},
-          {"paper_passive", {"force[0].on=0.0", "rotor.modes=2"}},
+          {"paper_passive", {"force[0].on=0.0", "initial.steady=false", "rotor.modes=2"}},
           {"paper_sliding",
-           {"force[0].on=0.0", "controller.on=0.0", "controller.sample_time=1e-4",
+           {"force[0].on=0.0", "initial.steady=false", "controller.on=0.0", "controller.sample_time=1e-4",
             "contact.clearance=0.1 mm", "rotor.modes=2"}}};
 }
 

@@ -1,0 +1,106 @@
+"""Figures that the READMEs quote, computed anew: each must stand there as the command prints it."""
+
+import csv
+import json
+import math
+import re
+
+import unittest
+from product import SOURCE, InAFolder
+
+SCENES = SOURCE / "mjcf"
+README = (SOURCE / "mjcf" / "README.md").read_text()
+
+
+class Figures(InAFolder):
+    def run_of(self, scene, *overrides, options=()):
+        """The summary, with `largest` (N s), `hits` and `pushed` (N, largest command on an axis in the last fifth)."""
+        words = [word for override in overrides for word in ("--set", override)]
+        summary = json.loads(self.rotorub("run", SCENES / f"{scene}.toml", *words, *options, "-o", "run", "--json"))
+        with open(self.folder / "run" / "impacts.csv") as file:
+            impacts = list(csv.DictReader(file))
+        with open(self.folder / "run" / "series.csv") as file:
+            rows = list(csv.DictReader(file))
+        summary["largest"] = max((float(row["normal_impulse"]) for row in impacts), default=0.0)
+        summary["hits"] = sum(float(row["gap_rate_before"]) < -1e-4 for row in impacts)
+        last = rows[len(rows) * 4 // 5:]
+        summary["pushed"] = max(abs(float(row.get(f"control_{axis}", 0.0))) for row in last for axis in "xy")
+        return summary
+
+    def quoted(self, text):
+        self.assertIn(text, README)
+
+    def row(self, name, summary):
+        self.quoted(f"| {name} | {summary['mean_force']:.1f} | {summary['largest']:.4f} |"
+                    f" {100.0 * summary['contact_fraction']:.1f} |")
+
+    # ------------------------------------------------------------ what control asks for
+    def test_what_control_carries(self):
+        self.row("passive", self.run_of("paper_passive"))
+        for preload in (10, 20):
+            summary = self.run_of("paper_sliding", f"controller.preload={preload}")
+            self.row(f"`sliding`, preload {preload} N", summary)
+            self.assertAlmostEqual(summary["mean_force"], preload, delta=0.01 * preload)
+        self.row("`two_phase`", self.run_of("paper_two_phase"))
+        stiff = self.run_of("paper_sliding", "stator.stiffness=1e6")
+        self.row("`sliding`, preload 10 N, ring of 1e6 N/m", stiff)
+        self.assertGreater(stiff["pushed"], 600.0)  # the actuator's limit
+        self.row("passive, ring of 1e6 N/m", self.run_of("paper_passive", "stator.stiffness=1e6"))
+
+    def test_the_ring_lies_on_the_critical_speed(self):
+        critical = json.loads(self.rotorub("modes", SCENES / "paper_passive.toml", "--json"))["critical_speeds"][0]
+        self.quoted(f"{math.sqrt(2e5 / 1.5):.0f} rad/s, on the rotor's critical speed, {critical:.0f} rad/s")
+
+    def test_lead_times(self):
+        told = re.search(r"switched on at\n?\s*([\d, ]+) ms it is ([\d., ]+) mN s", README)
+        times, impulses = (text.split(", ") for text in told.groups())
+        for time, impulse in zip(times, impulses, strict=True):
+            summary = self.run_of("paper_sliding", f'controller.on="{time} ms"',
+                                  options=("--integrator", "verlet", "--step", "5us", "--end", "0.2s"))
+            self.assertEqual(f"{1e3 * summary['largest']:.2g}", impulse, time)
+
+    def test_the_table_of_the_laws(self):
+        for name, words in {"`sliding`, continuous, preload 10 N": ("paper_sliding",),
+                            "`sliding`, sampled at 100 us": ("paper_sliding", "controller.preload=30",
+                                                             'controller.sample_time="100 us"'),
+                            "`two_phase`, 20 us": ("paper_two_phase",),
+                            "`cross_coupled` alone, 20 us": ("paper_cross_coupled",)}.items():
+            summary = self.run_of(*words, options=("--integrator", "verlet", "--step", "5us"))
+            line = next(line for line in README.splitlines() if line.startswith(f"| {name}"))
+            _, _, hits, largest, _, force, contact, _ = (cell.strip() for cell in line.split("|"))
+            self.assertEqual(int(hits), summary["hits"], name)
+            self.assertAlmostEqual(float(largest), summary["largest"], delta=0.5 * 10.0 ** -len(largest.split(".")[1]))
+            self.assertEqual(force, f"{summary['mean_force']:.0f}", name)
+            self.assertAlmostEqual(float(contact), 100.0 * summary["contact_fraction"], delta=0.1)
+
+    # ------------------------------------------------------------ the map over speed and friction, coarse
+    def test_the_speed_map(self):
+        study = (SCENES / "studies" / "speed_friction.toml").read_text()
+        coarse = study.replace("count = 61", "count = 13").replace("count = 31", "count = 7")
+        self.assertNotEqual(coarse, study)
+        coarse = coarse.replace('"../paper_passive.toml"', f'"{SCENES / "paper_passive.toml"}"')
+        (self.folder / "study.toml").write_text(coarse)
+        bounces, rubs = self.growths("study.toml", "20Hz:80Hz:13", "0:0.6:7")
+        self.assertGreater(len(bounces), 20)
+        self.assertGreater(min(bounces), 0.0, "what bounces on has no stable synchronous rub")
+        self.assertGreater(sum(growth < 0.0 for growth in rubs), 0.75 * len(rubs))
+        self.assertLess(max(rubs), 8.0, "the others grow too slowly for the run")
+
+    def growths(self, study, speeds, frictions):
+        """1/s, of the points that bounce to the end and of those that rub synchronously: of the slowest synchronous rub."""
+        self.rotorub("sweep", study, "-o", "map")
+        rubs = json.loads(self.rotorub("modes", SCENES / "paper_passive.toml", "--rub-map", "--speeds", speeds,
+                                       "--frictions", frictions, "--json"))["rub_map"]["points"]
+        slowest = {(round(point["speed"], 6), round(point["friction"], 6)):
+                   min((rub["growth_rate"] for rub in point["rubs"] if rub["kind"] == "forced"), default=math.inf)
+                   for point in rubs}
+        found = {"chattering": [], "synchronous rub": []}
+        with open(self.folder / "map" / "results.csv") as file:
+            for point in csv.DictReader(file):
+                place = round(float(point["rotor.speed"]), 6), round(float(point["contact.friction"]), 6)
+                found.get(point["attractor"], []).append(slowest[place])
+        return found.values()
+
+
+if __name__ == "__main__":
+    unittest.main()
