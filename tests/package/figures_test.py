@@ -73,6 +73,27 @@ class Figures(InAFolder):
             self.assertEqual(force, f"{summary['mean_force']:.0f}", name)
             self.assertAlmostEqual(float(contact), 100.0 * summary["contact_fraction"], delta=0.1)
 
+    # ------------------------------------------------------------ compare/README.md: a run as a measurement
+    def test_another_integrators_run_as_a_record(self):
+        scene = SCENES / "paper_passive.toml"
+        self.rotorub("run", scene, "--integrator", "verlet", "--step", "10us", "--end", "0.15", "--set",
+                     "run.output_step=50us", "-o", "rig")
+        self.rotorub("compare", scene, "--end", "0.15", "--measured", "rig/series.csv", "--no-video", "--twins", "0",
+                     "--no-modes-ladder", "-o", "out", code=(0, 1))
+        measured = json.loads((self.folder / "out" / "compare.json").read_text())["scenes"][0]["measured"]
+        told = {line.split("|")[1].strip(): [cell.strip() for cell in line.split("|")[2:-1]]
+                for line in (SOURCE / "compare" / "README.md").read_text().splitlines() if line.count("|") == 7}
+        sides = "native", "rigid", "coulomb", "cone"
+        for name, key, unit, scale in (("mean gap", "mean_gap", "um", 1e6), ("samples in contact", "contact_fraction", "%", 1e2),
+                                       ("rotor's whirl, largest", "rotor_largest", "um", 1e6)):
+            figure = measured["figures"][key]
+            self.assertEqual(told[name], [f"{scale * value:#.4g}".rstrip(".") + f" {unit}"
+                                          for value in (figure["measured"], *(figure["runs"][side] for side in sides))])
+        left = measured["columns"]["gap"]["runs"]
+        self.assertEqual(told["gap, rms of record less run"],
+                         ["", *(f"{1e9 * left[side]['rms']:.0f} nm" for side in sides[:3]), f"{1e6 * left['cone']['rms']:.1f} um"])
+        self.assertEqual(told["shift"][0], f"{1e9 * measured['alignment']['shift']:.0f} ns")
+
     # ------------------------------------------------------------ the map over speed and friction, coarse
     def test_the_speed_map(self):
         study = (SCENES / "studies" / "speed_friction.toml").read_text()
