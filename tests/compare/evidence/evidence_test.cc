@@ -110,12 +110,12 @@ const Pair kPairs[] = {
     {"`rigid` and `verlet`", "model, law and step: says that it was put in right", "`bench_ring`", rigid_and_verlet, {1e-13, 1e-13}},
     {"`verlet` and `event`", "model and law; not the integration, nor how an impact is found", "`bench_ring`",
      [] { return on_the_ring(run_with(ring(), scene::Integrator::kVerlet, kStep)); }, {3e-5, 2e-6}},
-    {"`rigid` on segments and `event`", "the law; rotor dynamics are those of MuJoCo's rigid bodies", "the rig at a friction of 0.1", segments_and_event, {0.02, 0.016}},
-    {"closed form and `event`", "nothing but the scene", "`bench_whip`, its end", event_and_whip, {1e-8, 1e-8}},
-    {"Siconos and `event`", "nothing but the scene", "`bench_ring`", [] { return peer_on_the_ring("siconos"); }, {5e-3, 2e-4}},
-    {"ODE and `event`", "nothing but the scene", "`bench_ring`", [] { return peer_on_the_ring("ode"); }, {1.3e-2, 3e-4}},
-    {"`coulomb` and `event`", "how friction goes by slip; the normal force is MuJoCo's", "`bench_ring`", mujoco_on_the_ring(scene::ContactModel::kCoulomb), {4e-2, 3e-4}},
-    {"`cone` and `event`", "nothing of the contact", "`bench_ring`", mujoco_on_the_ring(scene::ContactModel::kCone), {1.4, 0.05}},
+    {"`rigid` on segments and `event`", "law and step; the rotor is MuJoCo's rigid bodies", "the rig at a friction of 0.1", segments_and_event, {0.02, 0.016}},
+    {"closed form and `event`", "the scene; no code", "`bench_whip`, its end", event_and_whip, {1e-8, 1e-8}},
+    {"Siconos and `event`", "equations of the free rotor, gap and normal; nothing of the law or its solution", "`bench_ring`", [] { return peer_on_the_ring("siconos"); }, {5e-3, 2e-4}},
+    {"ODE and `event`", "equations of the free rotor, gap and normal; nothing of the law or its solution", "`bench_ring`", [] { return peer_on_the_ring("ode"); }, {1.3e-2, 3e-4}},
+    {"`coulomb` and `event`", "modes, gap and normal, friction by slip; the normal force is MuJoCo's", "`bench_ring`", mujoco_on_the_ring(scene::ContactModel::kCoulomb), {4e-2, 3e-4}},
+    {"`cone` and `event`", "modes, gap and normal; nothing of the law", "`bench_ring`", mujoco_on_the_ring(scene::ContactModel::kCone), {1.4, 0.05}},
 };
 
 class Evidence : public MujocoTest, public testing::WithParamInterface<Pair> {};
