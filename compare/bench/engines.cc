@@ -88,7 +88,9 @@ BenchEngine peer(const peers::Peer& peer) {
   return {peer.name, Family::kPeer, peer.what, peer.missing,
           [=](const SceneReader& reader, const Ladder& ladder) {
             Settings all;
-            add_steps(all, peer.name, "", peer.engine, reader, {}, ladder.steps);
+            for (const peers::PeerVariant& v : peer.variants) {
+              add_steps(all, peer.name, v.setting, v.engine, reader, {}, ladder.steps);
+            }
             return all;
           }};
 }

@@ -55,9 +55,12 @@ std::optional<bool> rigid_is_fastest_mujoco(const Level& level) {
   return {};
 }
 
+bool in_headline(const Level& level) { return level.share > 0.5 * kHeadlineShare; }
+
 std::string verdict_text(const std::vector<Level>& levels) {
   std::string native, rigid;
   for (const Level& level : levels) {
+    if (!in_headline(level)) continue;
     const auto note = [&](std::optional<bool> verdict, std::string& text) {
       if (verdict && !*verdict) text += fmt::format(" {:.0e}", level.share);
     };

@@ -31,7 +31,12 @@ struct Level {
 std::optional<bool> native_is_fastest(const Level& level);
 std::optional<bool> rigid_is_fastest_mujoco(const Level& level);
 
-// A sentence on both, with the levels where it is not so.
+// Levels down to 1e-5 of the clearance are engineering; finer ones, which stand in the JSON and on
+// the page, are no part of a headline.
+inline constexpr double kHeadlineShare = 1e-5;
+bool in_headline(const Level& level);
+
+// A sentence on both, with the levels of the headline where it is not so.
 std::string verdict_text(const std::vector<Level>& levels);
 
 // Shares 1e-2, 1e-3, ..., 1e-8. Points that were not timed are left out.

@@ -50,7 +50,9 @@ std::vector<Contender> contenders() {
       {"mujoco-coulomb", "stiff as the step", coulomb},
       {"mujoco-coulomb", "default solref", coulomb, kDefaultStiffness, false}};
   for (const peers::Peer& peer : peers::all_peers()) {
-    if (peer.engine && peer.name != "penalty-per-axis") all.push_back({peer.name, "", peer.engine});
+    if (peer.variants.empty() || peer.name == "penalty-per-axis") continue;
+    // The first is the softest: the most steps a bounce.
+    all.push_back({peer.name, peer.variants[0].setting, peer.variants[0].engine});
   }
   return all;
 }

@@ -49,7 +49,9 @@ std::string bench_table(const SceneBench& bench) {
       "mm\n\n  {:<7}{:<17} {:<24}{:>13}   {}\n",
       bench.scene.name, bench.scene.run.end, bench.reference.source, bench.reference.error,
       1e3 * clearance, "level", "fastest", "setting", "median", "others");
-  for (const Level& level : bench.levels) text += level_line(level, bench.points);
+  for (const Level& level : bench.levels) {
+    if (in_headline(level)) text += level_line(level, bench.points);
+  }
   return text + "\n  " + verdict_text(bench.levels) + "\n" + series_lines(bench);
 }
 

@@ -36,7 +36,7 @@ const ModuleInterface* load(const std::string& name, const std::string& package,
 }  // namespace
 
 Peer module_peer(const std::string& name, const std::string& what, const std::string& package) {
-  Peer peer{name, what, "", nullptr};
+  Peer peer{name, what, "", {}};
   const ModuleInterface* module = load(name, package, peer.missing);
   if (!module) return peer;
   peer.what = fmt::format("{} ({})", what, module->version);
@@ -47,7 +47,7 @@ Peer module_peer(const std::string& name, const std::string& what, const std::st
     }
     return stepper;
   };
-  peer.engine = peer_engine(name, PeerContact::kImpulsive, make);
+  peer.variants = {{"", peer_engine(name, PeerContact::kImpulsive, make)}};
   return peer;
 }
 

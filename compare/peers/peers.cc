@@ -1,5 +1,7 @@
 #include "compare/peers/peers.h"
 
+#include <fmt/format.h>
+
 #include "compare/peers/module.h"
 #include "compare/peers/peer_engine.h"
 #include "compare/peers/penalty.h"
@@ -7,13 +9,33 @@
 namespace rotorub::peers {
 namespace {
 
-Peer penalty(const std::string& name, PenaltyFriction friction, const std::string& what) {
-  PenaltyParameters parameters;
-  parameters.friction = friction;
+// sqrt(k/m) h that are tried. The stiffer law has the smaller penetration and the fewer steps a
+// bounce: which of them is best depends on the scene.
+constexpr double kExplicitFractions[] = {0.1, 0.5, 1.0, 1.5};
+constexpr double kImplicitFractions[] = {1.5, 5.0};
+
+PeerVariant variant(const std::string& name, const std::string& setting,
+                    const PenaltyParameters& parameters) {
   const MakeStepper make = [parameters](const PlanarSystem& system, double step) {
     return penalty_stepper(system, step, parameters);
   };
-  return {name, what, "", peer_engine(name, PeerContact::kSoft, make)};
+  return {setting, peer_engine(name, PeerContact::kSoft, make)};
+}
+
+Peer penalty(const std::string& name, PenaltyFriction friction, const std::string& what) {
+  Peer peer{name, what, "", {}};
+  PenaltyParameters parameters;
+  parameters.friction = friction;
+  const auto add = [&](const char* scheme, double fraction) {
+    parameters.step_fraction = fraction;
+    peer.variants.push_back(
+        variant(name, fmt::format("{}, sqrt(k/m)h {:g}", scheme, fraction), parameters));
+  };
+  for (const double fraction : kExplicitFractions) add("RK4", fraction);
+  if (friction == PenaltyFriction::kPerAxis) return peer;
+  parameters.scheme = PenaltyScheme::kImplicitMidpoint;
+  for (const double fraction : kImplicitFractions) add("implicit", fraction);
+  return peer;
 }
 
 }  // namespace
@@ -27,9 +49,9 @@ const std::vector<Peer>& all_peers() {
       module_peer("ode", "dWorldStep with one contact joint a step; its place and normal are ours",
                   "libode-dev"),
       penalty("penalty", PenaltyFriction::kTangential,
-              "spring, damper and smoothed friction, as stiff as the step carries; RK4"),
+              "spring, damper and smoothed friction, k by the step; RK4, or implicit midpoint rule"),
       penalty("penalty-per-axis", PenaltyFriction::kPerAxis,
-              "the same with friction per axis, as ROSS's rubbing has it")};
+              "the same with friction per axis, as ROSS's rubbing has it; RK4")};
   return all;
 }
 

@@ -12,11 +12,16 @@
 
 namespace rotorub::peers {
 
+struct PeerVariant {
+  std::string setting;  // what tells it from the peer's others; empty: there is one
+  std::shared_ptr<const Engine> engine;
+};
+
 struct Peer {
-  std::string name;                      // "siconos"
-  std::string what;                      // whose solver, how used
-  std::string missing;                   // why it is not here; empty: it is
-  std::shared_ptr<const Engine> engine;  // null where it is missing
+  std::string name;                   // "siconos"
+  std::string what;                   // whose solver, how used
+  std::string missing;                // why it is not here; empty: it is
+  std::vector<PeerVariant> variants;  // none where it is missing
 };
 
 const std::vector<Peer>& all_peers();

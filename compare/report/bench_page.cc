@@ -122,7 +122,7 @@ json scene_values(const SceneBench& bench, std::size_t index) {
   bool native = true, limits = false;
   for (const Level& level : bench.levels) {
     levels.push_back(level_row(level, bench.points));
-    native = native && native_is_fastest(level).value_or(true);
+    if (in_headline(level)) native = native && native_is_fastest(level).value_or(true);
   }
   for (const Series& s : series_of(bench.points, bench.telling_errors())) {
     series.push_back(series_row(s, bench.points));

@@ -66,6 +66,7 @@ TEST(BenchEngines, GiveASettingForEachStepOrTolerance) {
   EXPECT_FALSE(event[0].step);
   EXPECT_EQ(event[1].setting, "tolerance 1e-09");
   EXPECT_EQ(settings("native-verlet").size(), 2u);
+  EXPECT_EQ(settings("penalty").size(), 12u) << "four stiffnesses explicit, two implicit";
   const auto coulomb = settings("mujoco-coulomb");
   ASSERT_EQ(coulomb.size(), 6u) << "Euler, implicit, and a stiffness of its own";
   for (const Setting& s : coulomb) {

@@ -50,6 +50,19 @@ TEST(Levels, TakeTheFastestPointWithinTheLevel) {
   EXPECT_NE(verdict.find("settings but not at 1e-02"), std::string::npos) << verdict;
 }
 
+// What is finer than 1e-5 of the clearance is listed, and is no headline.
+TEST(Levels, TheHeadlineStopsAtEngineering) {
+  const std::vector<Point> points{made_point("native-verlet", 1e-6, 9e-12, 5e-2),
+                                  made_point("ode", 1e-5, 9e-10, 2e-3),
+                                  made_point("native-verlet", 1e-4, 9e-9, 1e-3)};
+  const auto all = levels(points, engines(), kClearance, 0.0);
+  EXPECT_TRUE(in_headline(all[3])) << "1e-5";
+  EXPECT_FALSE(in_headline(all[4])) << "1e-6";
+  EXPECT_FALSE(*native_is_fastest(all[4]));
+  const std::string verdict = verdict_text(all);
+  EXPECT_NE(verdict.find("fastest at every level reached"), std::string::npos) << verdict;
+}
+
 TEST(Levels, FailuresAndUntimedPointsDoNotCount) {
   Point untimed = made_point("ode", 1e-5, 1e-9, 1e-3);
   untimed.wall = {};

@@ -34,16 +34,17 @@ class EveryPeer : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
     const Peer& p = peer(GetParam());
-    if (p.engine) return;
+    if (!p.variants.empty()) return;
     ASSERT_FALSE(required()) << GetParam() << ": " << p.missing;
     GTEST_SKIP() << GetParam() << " is not here: " << p.missing;
   }
+  const Engine& engine() const { return *peer(GetParam()).variants.front().engine; }
   double error(const scene::Scene& scene, double step) const {
     RunRequest request;
     request.output_times = bench::common_times(scene.run, {1e-4, 1e-5});
     const bench::Reference r = bench::make_reference(scene, request);
     request.step = step;
-    const Trajectory t = peer(GetParam()).engine->run(scene, request);
+    const Trajectory t = engine().run(scene, request);
     EXPECT_EQ(t.status, Status::kOk) << t.message;
     return bench::position_distance(t, r.trajectory);
   }
@@ -68,7 +69,7 @@ TEST_P(EveryPeer, PressesAsTheReferenceDoes) {
   const scene::Scene scene = shipped("bench_annular_rigid", {"run.end=0.05"});
   RunRequest request;
   request.step = 1e-5;
-  const Trajectory t = peer(GetParam()).engine->run(scene, request);
+  const Trajectory t = engine().run(scene, request);
   // The start of a soft contact rings.
   EXPECT_NEAR(t.column("normal_force").back(), 146.0239, 0.01 * 146.0);
   EXPECT_NEAR(t.column("friction_force").back(), -0.15 * 146.0239, 0.01 * 22.0);
@@ -80,7 +81,7 @@ TEST_P(EveryPeer, BouncesWithTheRestitution) {
   const scene::Scene scene = shipped("bench_drop", {"run.end=0.025"});
   RunRequest request;
   request.step = 1e-5;
-  const Trajectory t = peer(GetParam()).engine->run(scene, request);
+  const Trajectory t = engine().run(scene, request);
   ASSERT_GE(t.impacts.size(), 2u);
   EXPECT_NEAR(t.impacts[0].t, 10.0964e-3, 3e-5);
   EXPECT_NEAR(t.impacts[1].t, 20.1928e-3, 1e-3) << "a soft bounce lasts";
@@ -100,7 +101,7 @@ TEST_P(EveryPeer, RefusesWhatItCannotHold) {
                         Case{"bench_ring", "stator.spin.inertia=1e-4", "turns"},
                         Case{"bench_ring", "gravity.acceleration=[0.0,-9.81]", "gravity"}}) {
     try {
-      peer(GetParam()).engine->run(shipped(c.scene, {c.override}), {});
+      engine().run(shipped(c.scene, {c.override}), {});
       ADD_FAILURE() << c.part << " was taken";
     } catch (const std::runtime_error& error) {
       EXPECT_NE(std::string(error.what()).find(c.part), std::string::npos) << error.what();
@@ -114,8 +115,73 @@ INSTANTIATE_TEST_SUITE_P(Peers, EveryPeer, testing::Values("siconos", "ode", "pe
 // A peer that is not here says what to install, and is no engine.
 TEST(ModulePeer, SaysWhatIsMissing) {
   const Peer none = module_peer("nothing", "made up", "libnothing-dev");
-  EXPECT_FALSE(none.engine);
+  EXPECT_TRUE(none.variants.empty());
   EXPECT_NE(none.missing.find("libnothing-dev"), std::string::npos) << none.missing;
+}
+
+// ---------------------------------------------------------------- the penalty law's settings
+double variant_error(const PeerVariant& variant, const scene::Scene& scene, double step) {
+  RunRequest request;
+  request.output_times = bench::common_times(scene.run, {1e-4, 1e-5});
+  const bench::Reference r = bench::make_reference(scene, request);
+  request.step = step;
+  const Trajectory t = variant.engine->run(scene, request);
+  EXPECT_EQ(t.status, Status::kOk) << variant.setting << ": " << t.message;
+  return bench::position_distance(t, r.trajectory);
+}
+
+// Every one of them, up to two steps a bounce and the implicit ones, goes to the rigid contact.
+TEST(PenaltyVariants, AllConverge) {
+  const scene::Scene scene = shipped("bench_annular_rigid", {"run.end=0.05"});
+  ASSERT_EQ(peer("penalty").variants.size(), 6u);
+  for (const PeerVariant& v : peer("penalty").variants) {
+    const double coarse = variant_error(v, scene, 1e-4), fine = variant_error(v, scene, 1e-5);
+    EXPECT_LT(fine, 0.3 * coarse) << v.setting;
+  }
+}
+
+// At one step the stiffer law is the nearer to the rigid one in a rub that lasts.
+TEST(PenaltyVariants, AStifferLawIsTheBetterOneInALastingRub) {
+  const scene::Scene scene = shipped("bench_annular_rigid", {"run.end=0.05"});
+  const auto& all = peer("penalty").variants;
+  const double soft = variant_error(all[0], scene, 2e-5), stiff = variant_error(all[3], scene, 2e-5);
+  EXPECT_LT(stiff, 0.1 * soft);
+}
+
+// One contact from its begin to its end, at one step a thousandth of it: both schemes are the same law.
+TEST(PenaltyVariants, SchemesAgreeWhereTheStepIsFine) {
+  PlanarSystem s;
+  s.rotor = {{2.0, 2.0}, {40.0, 40.0}, {2e5, 2e5}};
+  s.ring_moves = true;
+  s.ring = {{1.0, 1.0}, {200.0, 200.0}, {1e5, 1e5}};
+  s.spin_is_free = true;
+  s.inertia = 1e-3;
+  s.drive_gain = 0.5;
+  s.speed = s.drive_speed = 314.0;
+  s.radius = 0.05;
+  s.clearance = 5e-4;
+  s.friction = 0.15;
+  s.restitution = 0.5;
+  s.position = {4.9e-4, 0.0};
+  s.velocity = {0.3, 0.05};
+  PenaltyParameters explicit_scheme, implicit_scheme;
+  explicit_scheme.step_fraction = implicit_scheme.step_fraction = 3e-3;
+  implicit_scheme.scheme = PenaltyScheme::kImplicitMidpoint;
+  std::vector<StepRecord> a(2000), b(2000);
+  penalty_stepper(s, 1e-6, explicit_scheme)->advance(2000, a.data());
+  penalty_stepper(s, 1e-6, implicit_scheme)->advance(2000, b.data());
+  const auto pressed = [](const std::vector<StepRecord>& all) {
+    double sum = 0.0;
+    for (const StepRecord& r : all) sum += r.normal;
+    return sum;
+  };
+  EXPECT_GT(pressed(a), 0.1);
+  EXPECT_NEAR(pressed(b), pressed(a), 1e-3 * pressed(a));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(b.back().velocity[i], a.back().velocity[i], 1e-3);
+    EXPECT_NEAR(b.back().ring_velocity[i], a.back().ring_velocity[i], 1e-3);
+  }
+  EXPECT_NEAR(b.back().speed, a.back().speed, 1e-2);
 }
 
 // ---------------------------------------------------------------- the penalty law, by hand
