@@ -48,8 +48,9 @@ const std::vector<Peer>& all_peers() {
                   "libsiconos-kernel-dev"),
       module_peer("ode", "dWorldStep with one contact joint a step; its place and normal are ours",
                   "libode-dev"),
-      penalty("penalty", PenaltyFriction::kTangential,
-              "spring, damper and smoothed friction, k by the step; RK4, or implicit midpoint rule"),
+      penalty(
+          "penalty", PenaltyFriction::kTangential,
+          "spring, damper and smoothed friction, k by the step; RK4, or implicit midpoint rule"),
       penalty("penalty-per-axis", PenaltyFriction::kPerAxis,
               "the same with friction per axis, as ROSS's rubbing has it; RK4")};
   return all;

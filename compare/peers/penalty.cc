@@ -154,8 +154,8 @@ class ImplicitMidpoint final : public PenaltyStepper {
       }
       const double answer = (stiffness_ * half + damping_) * rate;
       const double before = normal;
-      normal = std::max(0.0, (-stiffness_ * g.gap - damping_ * g.gap_rate + answer * before) /
-                                 (1.0 + answer));
+      normal = std::max(
+          0.0, (-stiffness_ * g.gap - damping_ * g.gap_rate + answer * before) / (1.0 + answer));
       middle = at_middle(load, normal, u, ratio);
       g = gap_of(middle);
       if (std::abs(normal - before) <= kTolerance * normal) break;

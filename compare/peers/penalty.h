@@ -3,9 +3,9 @@
 //
 //   depth p = |d| - delta_0 > 0:   N = max(0, k p + c p'),   T = -mu N tanh(slip / v_0)
 //
-// A law with one k has a limit of its own that is not the rigid contact. Here k follows the step, by
-// sqrt(k/m) h: 0.1 is about 30 steps a bounce, 1.5 is 2, near what RK4 carries; the implicit rule
-// carries any. c gives the restitution, by the formula of mjcf/soft_contact.h.
+// A law with one k has a limit of its own that is not the rigid contact. Here k follows the step,
+// by sqrt(k/m) h: 0.1 is about 30 steps a bounce, 1.5 is 2, near what RK4 carries; the implicit
+// rule carries any. c gives the restitution, by the formula of mjcf/soft_contact.h.
 //
 // kPerAxis: friction as ross/faults/rubbing.py of ROSS has it. Damping is on the whole velocity;
 // the friction of each axis is mu |F| of that axis, negative on x and positive on y for a positive

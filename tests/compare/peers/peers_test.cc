@@ -144,11 +144,13 @@ TEST(PenaltyVariants, AllConverge) {
 TEST(PenaltyVariants, AStifferLawIsTheBetterOneInALastingRub) {
   const scene::Scene scene = shipped("bench_annular_rigid", {"run.end=0.05"});
   const auto& all = peer("penalty").variants;
-  const double soft = variant_error(all[0], scene, 2e-5), stiff = variant_error(all[3], scene, 2e-5);
+  const double soft = variant_error(all[0], scene, 2e-5),
+               stiff = variant_error(all[3], scene, 2e-5);
   EXPECT_LT(stiff, 0.1 * soft);
 }
 
-// One contact from its begin to its end, at one step a thousandth of it: both schemes are the same law.
+// One contact from its begin to its end, at one step a thousandth of it: both schemes are the same
+// law.
 TEST(PenaltyVariants, SchemesAgreeWhereTheStepIsFine) {
   PlanarSystem s;
   s.rotor = {{2.0, 2.0}, {40.0, 40.0}, {2e5, 2e5}};
