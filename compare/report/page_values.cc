@@ -80,6 +80,7 @@ json answer_values(const SceneComparison& c) {
     rows.push_back({{"errors", {error_values(errors.contact), error_values(errors.step),
                                 error_values(errors.modes.value_or(LargestError()))}},
                     {"contact", row.contact},
+                    {"question", row.question},
                     {"tone", tone(row.trust)},
                     {"mark", mark(row.trust)},
                     {"trusted", to_string(row.trust)},

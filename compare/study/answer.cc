@@ -16,8 +16,23 @@ std::string reason(const SceneComparison& c, const Side& other, const SideDiffer
                        to_string(side->trajectory.status), side->trajectory.message);
   }
   if (d.resync) return why(*d.resync, c.tolerance);
-  if (!native.metrics.first_touch && !other.metrics.first_touch) return "nothing touches";
-  return why(d.judged(), c.tolerance);
+  const bool untouched = !native.metrics.first_touch && !other.metrics.first_touch;
+  return (untouched ? "nothing touches; " : "") + why(d.judged(), c.tolerance);
+}
+
+std::string question_of(const std::string& label) {
+  if (label == "cone-default") return "MuJoCo alone, by its default solref";
+  switch (scene::contact_model(label).value()) {
+    case scene::ContactModel::kRigid:
+      return "with the rigid law";
+    case scene::ContactModel::kCoulomb:
+      return "with Coulomb's friction beside it";
+    case scene::ContactModel::kCone:
+      return "MuJoCo alone";
+    case scene::ContactModel::kConeCoulomb:
+      return "with the corrected cone";
+  }
+  return "";
 }
 
 // `rigid` is the native law in MuJoCo's step, `verlet`'s on the native coordinates.
@@ -51,7 +66,7 @@ std::vector<AnswerRow> answer(const SceneComparison& c) {
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const Side& side = c.sides[k + 1];
     const SideDifference& d = c.differences[k];
-    rows.push_back({side.label, d.trust, reason(c, side, d), side.timing.median, d.decides,
+    rows.push_back({side.label, question_of(side.label), d.trust, reason(c, side, d), side.timing.median, d.decides,
                     evidence_of(c, side)});
   }
   return rows;

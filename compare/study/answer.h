@@ -10,7 +10,8 @@
 namespace rotorub {
 
 struct AnswerRow {
-  std::string contact;  // "rigid"
+  std::string contact;   // "rigid"
+  std::string question;  // what that is, to somebody new: "with the rigid law"
   Trust trust = Trust::kNo;
   std::string why;           // half a sentence
   double us_per_step = 0.0;  // median; 0: not timed

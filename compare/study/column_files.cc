@@ -23,7 +23,7 @@ const ColumnMeaning kSummary[] = {
     {"scene_hash", "", "16 hexadecimal digits of the scene's text, overrides included", ""},
     {"engine", "", "native or mujoco", ""},
     {"integrator", "", "of the engine", ""},
-    {"contact_model", "", "rigid, coulomb or cone", ""},
+    {"contact_model", "", "rigid, coulomb, cone or cone-coulomb", ""},
     {"step", "s", "fixed step; 0 for event", ""},
     {"steps", "", "number of steps taken", ""},
     {"end", "s", "time reached", ""},

@@ -46,7 +46,7 @@ const Figure kFigures[] = {
     {"control_force", "control force, rms", "N", 1.0, kRel, kAverage, true, true,
      "What the controller asks of the actuator, over the whole run.",
      [](const Metrics& m) { return or_none(m.control_force); }, 0.1},
-    {"least_gap", "least gap", "µm", 1e6, kRel, kAverage, true, true,
+    {"near_miss", "least gap", "µm", 1e6, kRel, kAverage, true, true,
      "How near a rotor came that never touches. Differences are relative to 10 µm where it is less.",
      [](const Metrics& m) { return m.first_touch ? kNone : or_none(m.least_gap); }, 1e-5},
     {"window_impulse", "largest impulse", "N s", 1.0, kRel, kPeak, true, true,

@@ -116,7 +116,7 @@ std::string interval_lines(const SceneComparison& c) {
 std::string reference_lines(const SceneComparison& c) {
   if (c.natives.empty()) return "";
   std::string text = line(
-      c, "  native, by the commands of",
+      c, "  native by commands of",
       [&](std::size_t k) { return k == 0 ? "" : heading(c.sides[k]); }, [] { return ""; });
   for (const Figure& f : figures()) {
     if (!f.is_judged()) continue;
@@ -176,16 +176,14 @@ std::string split_lines(const SceneComparison& c) {
 
 // What was asked, answered: before any figure.
 std::string answer_lines(const SceneComparison& c, const Palette& palette) {
-  constexpr int kContact = 14, kTrust = 15, kCost = 9;
-  std::string text = fmt::format("  {:<{}}{:<{}}{:<{}}{}\n", "contact", kContact, "trusted", kTrust,
-                                 "us a step", kCost + 2, "why");
+  constexpr int kQuestion = 53, kTrust = 15;
+  std::string text = fmt::format("  {:<{}}{:<{}}{}\n", "Can MuJoCo's contact forces be trusted?", kQuestion, "trusted", kTrust,
+                                 "us a step");
   for (const AnswerRow& row : answer(c)) {
     const std::string cost = row.us_per_step > 0.0 ? short_number(row.us_per_step) : "-";
-    const std::string lines =
-        wrapped(fmt::format("{} {:<{}}{:<{}}{:>{}}  ", row.decides ? ">" : " ", row.contact, kContact,
-                            to_string(row.trust), kTrust, cost, kCost),
-                row.why);
-    text += palette.paint_first(tone_of(row.trust), lines, to_string(row.trust));
+    const std::string line = fmt::format("{} {:<{}}{:<{}}{}\n", row.decides ? ">" : " ",
+                                         row.question + "? (" + row.contact + ")", kQuestion, to_string(row.trust), kTrust, cost);
+    text += palette.paint_first(tone_of(row.trust), line, to_string(row.trust)) + wrapped("      ", row.why);
   }
   text += wrapped("  > ", whose_verdict(c));
   for (const AnswerRow& row : answer(c)) {

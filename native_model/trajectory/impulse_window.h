@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 namespace rotorub {
 
@@ -15,35 +17,40 @@ inline constexpr double kWindowSteps = 20.0;
 class ImpulseWindow {
  public:
   // width: s; 0: nothing is watched.
-  explicit ImpulseWindow(double width = 0.0) : bin_(width / kParts) {}
-  double width() const { return kParts * bin_; }
+  explicit ImpulseWindow(double width = 0.0) : bin_(width / static_cast<double>(kParts)) {}
+  double width() const { return static_cast<double>(kParts) * bin_; }
 
   // t: s, ascending; impulse: N s.
   void add(double t, double impulse) {
     if (bin_ <= 0.0) return;
     const double bin = std::floor(t / bin_);
     if (bin != now_) move_to(bin);
-    bins_[0] += impulse;
-    double sum = 0.0;
-    for (const double part : bins_) sum += part;
-    largest_ = std::max(largest_, sum);
+    bins_[newest_] += impulse;
+    sum_ += impulse;
+    largest_ = std::max(largest_, sum_);
   }
   double largest() const { return largest_; }  // N s
 
  private:
-  static constexpr int kParts = 4;  // of a window: it is told to a quarter of its width, all of a blow is in it
+  static constexpr std::size_t kParts = 20;  // of a window, and one more: all of a blow is in it
 
   void move_to(double bin) {
     const double moved = bin - now_;
     now_ = bin;
-    if (!(moved >= 0.0 && moved <= kParts)) return bins_.fill(0.0);
-    for (int k = 0; k < static_cast<int>(moved); ++k) {
-      std::move_backward(bins_.begin(), bins_.end() - 1, bins_.end());
-      bins_[0] = 0.0;
+    if (!(moved >= 0.0 && moved <= static_cast<double>(kParts))) {
+      bins_.fill(0.0);
+      sum_ = 0.0;
+      return;
     }
+    for (int k = 0; k < static_cast<int>(moved); ++k) {
+      newest_ = newest_ == kParts ? 0 : newest_ + 1;
+      bins_[newest_] = 0.0;
+    }
+    sum_ = std::accumulate(bins_.begin(), bins_.end(), 0.0);
   }
 
-  double bin_, now_ = 0.0, largest_ = 0.0;
+  double bin_, now_ = 0.0, sum_ = 0.0, largest_ = 0.0;
+  std::size_t newest_ = 0;
   std::array<double, kParts + 1> bins_{};
 };
 

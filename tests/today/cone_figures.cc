@@ -1,6 +1,6 @@
-// How wrong is MuJoCo's own cone in a rub: `cone_figures SCENE.toml [diagexact]` runs the scene with contact
-// model `cone` and prints one line, against the native `event`. Built for MuJoCo 2.2.2 and for today's: the table
-// in plugin/README.md.
+// What MuJoCo's contact models make of a rub: `cone_figures SCENE.toml [CONTACT] [KEY=VALUE...] [diagexact]` runs the scene
+// with contact model `cone`, or CONTACT, and prints one line, against the native `event`. Built for MuJoCo 2.2.2 and for
+// today's: a table of the README.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -79,8 +79,9 @@ Figures step_through(const mjModel* m, double end, const std::vector<double>& ti
   return out;
 }
 
-int figures(const std::string& file, bool exact, const std::string& contact) {
-  const scene::Scene scene = scene::read_scene(file, std::vector<std::string>{"mujoco.contact=" + contact});
+int figures(const std::string& file, bool exact, const std::string& contact, std::vector<std::string> overrides) {
+  overrides.push_back("mujoco.contact=" + contact);
+  const scene::Scene scene = scene::read_scene(file, overrides);
   std::vector<double> times;
   const auto steps = std::llround(scene.run.end / scene.run.step);
   for (int i = 1; i <= 400; ++i) {
@@ -109,17 +110,20 @@ int figures(const std::string& file, bool exact, const std::string& contact) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc < 2) throw std::invalid_argument("cone_figures SCENE.toml [diagexact] [CONTACT]");
+    if (argc < 2) throw std::invalid_argument("cone_figures SCENE.toml [CONTACT] [KEY=VALUE...] [diagexact]");
     bool exact = false;
     std::string contact = "cone";
+    std::vector<std::string> overrides;
     for (int i = 2; i < argc; ++i) {
       if (std::strcmp(argv[i], "diagexact") == 0) {
         exact = true;
+      } else if (std::strchr(argv[i], '=')) {
+        overrides.push_back(argv[i]);
       } else {
         contact = argv[i];
       }
     }
-    return figures(argv[1], exact, contact);
+    return figures(argv[1], exact, contact, overrides);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "cone_figures: %s\n", e.what());
     return 2;

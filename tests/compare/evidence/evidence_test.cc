@@ -64,10 +64,10 @@ std::optional<Apart> on_the_ring(const Trajectory& t) { return between(t, ring_b
 
 std::optional<Apart> peer_on_the_ring(const std::string& name) {
   for (const peers::Peer& peer : peers::all_peers()) {
-    if (peer.name != name || !peer.engine) continue;
+    if (peer.name != name || peer.variants.empty()) continue;
     RunRequest request;
     request.step = kStep;
-    return on_the_ring(peer.engine->run(ring(), request));
+    return on_the_ring(peer.variants.front().engine->run(ring(), request));
   }
   return {};
 }
@@ -115,6 +115,7 @@ const Pair kPairs[] = {
     {"Siconos and `event`", "equations of the free rotor, gap and normal; nothing of the law or its solution", "`bench_ring`", [] { return peer_on_the_ring("siconos"); }, {5e-3, 2e-4}},
     {"ODE and `event`", "equations of the free rotor, gap and normal; nothing of the law or its solution", "`bench_ring`", [] { return peer_on_the_ring("ode"); }, {1.3e-2, 3e-4}},
     {"`coulomb` and `event`", "modes, gap and normal, friction by slip; the normal force is MuJoCo's", "`bench_ring`", mujoco_on_the_ring(scene::ContactModel::kCoulomb), {4e-2, 3e-4}},
+    {"`cone-coulomb` and `event`", "modes, gap and normal; the law is MuJoCo's solver's, its references by the plugin", "`bench_ring`", mujoco_on_the_ring(scene::ContactModel::kConeCoulomb), {8e-2, 6e-4}},
     {"`cone` and `event`", "modes, gap and normal; nothing of the law", "`bench_ring`", mujoco_on_the_ring(scene::ContactModel::kCone), {1.4, 0.05}},
 };
 

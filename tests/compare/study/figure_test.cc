@@ -19,7 +19,7 @@ TEST(Figures, AveragesAndSingleMomentsAreJudged) {
     EXPECT_EQ(f.is_judged(), f.judged != Judged::kNo) << f.key;
   }
   EXPECT_EQ(averages, (std::set<std::string>{"mean_force", "lasting_fraction", "impulse_total", "friction_work", "whirl_frequency",
-                                             "spin_speed", "ring_speed", "control_force", "least_gap"}));
+                                             "spin_speed", "ring_speed", "control_force", "near_miss"}));
   EXPECT_EQ(peaks, (std::set<std::string>{"window_impulse", "gap_rate_rms", "hard_impacts"}));
 }
 
@@ -37,7 +37,7 @@ TEST(Figures, AreWrittenInTheirUnits) {
   EXPECT_EQ(figure_value(figure("contact_fraction"), 0.9995), "99.95");
   EXPECT_EQ(figure_value(figure("max_penetration"), 12.5e-6), "12.50");
   EXPECT_EQ(figure_value(figure("impacts"), 665.0), "665");
-  EXPECT_EQ(figure_value(figure("least_gap"), std::numeric_limits<double>::quiet_NaN()), "–");
+  EXPECT_EQ(figure_value(figure("near_miss"), std::numeric_limits<double>::quiet_NaN()), "–");
 }
 
 TEST(Figures, DeviationsAreWrittenWithTheirScale) {

@@ -105,13 +105,14 @@ const SceneComparison& replayed_ring() {
 TEST(Replay, EveryContactModelHasANativeRunOfItsOwn) {
   const SceneComparison& c = replayed_ring();
   EXPECT_TRUE(c.commands);
-  ASSERT_EQ(c.natives.size(), 2U);
-  ASSERT_EQ(c.differences.size(), 3U);
+  ASSERT_EQ(c.natives.size(), 4U);
+  ASSERT_EQ(c.differences.size(), 5U);
   for (std::size_t k = 1; k < c.sides.size(); ++k) {
     const Side& native = c.reference(k);
     EXPECT_EQ(native.engine, "native-event");
     EXPECT_EQ(native.limits.size(), figures().size());
     for (const FigureDifference& f : c.differences[k - 1].figures) {
+if (std::isnan(f.native)) continue;  // a figure that the scene has not
       EXPECT_EQ(f.native, f.figure->value(native.metrics)) << f.figure->key;
       EXPECT_EQ(f.other, f.figure->value(c.sides[k].metrics)) << f.figure->key;
     }
@@ -151,6 +152,7 @@ TEST(Replay, WithoutAControllerItIsLockstepAndSaysSo) {
   EXPECT_TRUE(replay.natives.empty());
   for (std::size_t k = 0; k < replay.differences.size(); ++k) {
     for (std::size_t i = 0; i < figures().size(); ++i) {
+      if (std::isnan(lockstep.differences[k].figures[i].native)) continue;  // a figure that the scene has not
       EXPECT_EQ(replay.differences[k].figures[i].native, lockstep.differences[k].figures[i].native);
       EXPECT_EQ(replay.differences[k].figures[i].other, lockstep.differences[k].figures[i].other);
     }

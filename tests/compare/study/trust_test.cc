@@ -70,7 +70,7 @@ TEST(FigureVerdict, SmallCountsAreJudgedAbsolutely) {
 }
 
 TEST(FigureVerdict, ANearMissIsJudged) {
-  const Figure& gap = figure("least_gap");
+  const Figure& gap = figure("near_miss");
   EXPECT_EQ(judged(gap, 8e-6, 8.05e-6, kPercent).verdict, FigureVerdict::kWithin);
   EXPECT_EQ(judged(gap, 8e-6, 24e-6, kPercent).verdict, FigureVerdict::kOutside);
   EXPECT_EQ(judged(gap, 8e-6, 2.5e-6, kPercent).verdict, FigureVerdict::kOutside);
