@@ -30,6 +30,8 @@ namespace {
 
 constexpr const char* kEncoder = "ffmpeg";
 
+constexpr int kOut = 3;  // ffmpeg's descriptor of the file
+
 constexpr int kPoll_ms = 100;
 
 // Seconds of the processor that a process has used; constant while it hangs. 0: unknown.
@@ -37,7 +39,8 @@ double processor_seconds(pid_t process) {
   std::ifstream in(fmt::format("/proc/{}/stat", process));
   std::string line;
   std::getline(in, line);
-  std::istringstream fields(line.substr(std::min(line.rfind(')'), line.size())));  // the name may hold anything
+  std::istringstream fields(
+      line.substr(std::min(line.rfind(')'), line.size())));  // the name may hold anything
   std::string skipped;
   for (int k = 0; k < 12; ++k) fields >> skipped;
   double user = 0.0, system = 0.0;
@@ -111,9 +114,10 @@ std::vector<std::string> gif_arguments() {
           "gif"};
 }
 
-// Starts ffmpeg with `in` as standard input and `log` as standard error, in a process group of its
-// own: an interrupt from the keyboard is the caller's to handle. Returns the error number.
-int spawn(std::vector<std::string> arguments, int in, int log, pid_t& child) {
+// Starts ffmpeg with `in` as standard input, `log` as standard error and `out` as kOut, in a
+// process group of its own: an interrupt from the keyboard is the caller's to handle. Returns the
+// error number.
+int spawn(std::vector<std::string> arguments, int in, int log, int out, pid_t& child) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
@@ -123,6 +127,7 @@ int spawn(std::vector<std::string> arguments, int in, int log, pid_t& child) {
   posix_spawn_file_actions_adddup2(&files, in, STDIN_FILENO);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&files, log, STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&files, out, kOut);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
@@ -153,7 +158,8 @@ struct Process {
   int log = -1;
 };
 
-Process start(std::vector<std::string> arguments, const std::filesystem::path& file) {
+Process start(std::vector<std::string> arguments, const std::filesystem::path& file,
+              const std::filesystem::path& part) {
   Process process;
   int ends[2] = {-1, -1};
   // A socket rather than a pipe: a reader that has gone is an error of send(), not a signal.
@@ -161,8 +167,11 @@ Process start(std::vector<std::string> arguments, const std::filesystem::path& f
     throw std::runtime_error(fmt::format("{}: {}", file.string(), std::strerror(errno)));
   }
   process.log = memfd_create("encoder-log", MFD_CLOEXEC);
-  const int error =
-      process.log < 0 ? errno : spawn(std::move(arguments), ends[0], process.log, process.child);
+  const int out = open(part.c_str(), O_RDWR | O_CLOEXEC);
+  const int error = process.log < 0 || out < 0
+                        ? errno
+                        : spawn(std::move(arguments), ends[0], process.log, out, process.child);
+  if (out >= 0) close(out);
   close(ends[0]);
   process.pipe = ends[1];
   if (error == 0) return process;
@@ -191,7 +200,8 @@ class VideoFile::Patience {
     if (processor_seconds(video_->encoder_) > used_ || written() != written_) return renew();
     const double waited = std::chrono::duration<double>(Clock::now() - since_).count();
     if (waited < video_->patience_) return;
-    video_->fail(fmt::format("ffmpeg hangs: it has done nothing for {:.0f} s, and was ended", waited));
+    video_->fail(
+        fmt::format("ffmpeg hangs: it has done nothing for {:.0f} s, and was ended", waited));
   }
 
  private:
@@ -215,10 +225,11 @@ VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
     : file_(file), part_(part_of(file)), width_(width), height_(height) {
   auto arguments = input_arguments(width, height, frames_per_second);
   for (std::string& argument : output) arguments.push_back(std::move(argument));
-  // `file:` keeps ffmpeg from reading a protocol into the name.
-  arguments.push_back("file:" + part_.string());
+  // Not by its name: an encoder that outlives us would write the file anew after the next run
+  // removed it.
+  arguments.push_back(fmt::format("file:/dev/fd/{}", kOut));
   try {
-    const Process process = start(std::move(arguments), file);
+    const Process process = start(std::move(arguments), file, part_);
     encoder_ = process.child;
     pipe_ = process.pipe;
     log_ = process.log;

@@ -92,13 +92,18 @@ Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>&
     const double lasting = 1.0 - s.impact_time / s.contact_time;
     m.lasting_fraction = lasting > kUnseen ? lasting * m.contact_fraction : 0.0;
   }
-  m.window_impulse = s.window_impulse;
+  // Rigid laws are held against each other by their impacts, a soft contact against native by the
+  // window.
+  if (trajectory.contact_model == "rigid") m.impact_impulse = m.peak_impulse;
+  if (trajectory.contact_model != "rigid" || trajectory.engine == "native")
+    m.window_impulse = s.window_impulse;
   m.impulse_total = s.impulse_total;
   m.friction_impulse = s.friction_impulse;
   m.friction_work = s.friction_work;
   m.max_penetration = s.max_penetration;
   m.energy_residual = s.energy_residual();
-  if (std::isfinite(s.least_gap)) m.least_gap = s.first_touch >= 0.0 ? std::min(0.0, s.least_gap) : s.least_gap;
+  if (std::isfinite(s.least_gap))
+    m.least_gap = s.first_touch >= 0.0 ? std::min(0.0, s.least_gap) : s.least_gap;
   m.settled = settled(trajectory);
   m.spin_speed = mean_of_free(trajectory, "spin_speed", m.settled.from);
   m.ring_speed = mean_of_free(trajectory, "ring_speed", m.settled.from);

@@ -15,25 +15,29 @@ namespace rotorub {
 // whole impulse: peak and scatter of a run with impacts therefore grow as the step shrinks.
 struct Metrics {
   std::optional<double> first_touch;  // s
-  std::optional<double> least_gap;    // m, how near the rotor came: 0 where it touched within a step, < 0 penetration
-  double mean_force = 0.0;            // N, normal impulse / time from first touch
-  double force_deviation = 0.0;       // N, standard deviation over the time from first touch
-  double peak_force = 0.0;            // N
-  double contact_fraction = 0.0;      // [0, 1], of the time from first touch
-  double lasting_fraction = 0.0;      // [0, 1], of it without impacts (Statistics::impact_time)
-  double impulse_total = 0.0;         // N s, normal
-  double friction_impulse = 0.0;      // N s, signed along e_t
-  double friction_work = 0.0;         // J, <= 0
-  std::size_t impacts = 0;            // counted ones (closing faster than 1e-4 m/s)
-  std::size_t hard_impacts = 0;       // of these, faster than kHardShare of the fastest
-  double peak_impulse = 0.0;          // N s, largest of one impact
-  double window_impulse = 0.0;        // N s, largest within the window (impulse_window.h)
-  double gap_rate_rms = 0.0;          // m/s, from first touch
-  double max_penetration = 0.0;       // m
-  double rms_penetration = 0.0;       // m, over the time from first touch
-  double whirl_penetration = 0.0;     // m, (v_t dt)^2 / (2 delta_0), v_t the rms speed of the
-                                      // relative centre along e_t over the rows in contact
-  double energy_residual = 0.0;       // 1, |E_end - E_start - work| / largest energy
+  std::optional<double>
+      least_gap;  // m, how near the rotor came: 0 where it touched within a step, < 0 penetration
+  double mean_force = 0.0;               // N, normal impulse / time from first touch
+  double force_deviation = 0.0;          // N, standard deviation over the time from first touch
+  double peak_force = 0.0;               // N
+  double contact_fraction = 0.0;         // [0, 1], of the time from first touch
+  double lasting_fraction = 0.0;         // [0, 1], of it without impacts (Statistics::impact_time)
+  double impulse_total = 0.0;            // N s, normal
+  double friction_impulse = 0.0;         // N s, signed along e_t
+  double friction_work = 0.0;            // J, <= 0
+  std::size_t impacts = 0;               // counted ones (closing faster than 1e-4 m/s)
+  std::size_t hard_impacts = 0;          // of these, faster than kHardShare of the fastest
+  double peak_impulse = 0.0;             // N s, largest of one impact
+  std::optional<double> impact_impulse;  // N s, the same under a rigid law; none: a soft contact
+                                         // has episodes, and no impacts
+  std::optional<double> window_impulse;  // N s, largest within the window (impulse_window.h); none:
+                                         // MuJoCo under a rigid law
+  double gap_rate_rms = 0.0;             // m/s, from first touch
+  double max_penetration = 0.0;          // m
+  double rms_penetration = 0.0;          // m, over the time from first touch
+  double whirl_penetration = 0.0;        // m, (v_t dt)^2 / (2 delta_0), v_t the rms speed of the
+                                         // relative centre along e_t over the rows in contact
+  double energy_residual = 0.0;          // 1, |E_end - E_start - work| / largest energy
   Settled settled;
   // Where they are free: over the last fifth of the run, rad/s.
   std::optional<double> spin_speed, ring_speed;

@@ -34,10 +34,10 @@ json cells_of(const SceneComparison& c, std::size_t figure) {
   json cells = json::array();
   const Figure& f = figures()[figure];
   for (const PageColumn& column : page_columns(c)) {
-    json cell = {{"value", figure_value(f, f.value(column.side->metrics))},
-                 {"other", !column.figures.empty()}};
-    if (!column.figures.empty()) {
-      const JudgedFigure& d = column.figures[figure];
+    json cell = {{"value", figure_value(f, f.value(column.side->metrics))}, {"deviation", ""}};
+    const JudgedFigure* compared = column.figures.empty() ? nullptr : &column.figures[figure];
+    if (compared && !compared->is_absent()) {
+      const JudgedFigure& d = *compared;
       cell["deviation"] = difference_text(d);
       cell["tone"] = column.judged ? tone(d.verdict) : "";
       cell["verdict"] = column.judged ? to_string(d.verdict) : "the step's";
@@ -73,7 +73,6 @@ json column_values(const SceneComparison& c) {
   json all = json::array();
   for (const PageColumn& column : page_columns(c)) {
     all.push_back({{"label", column.side->label},
-                   {"other", !column.figures.empty()},
                    {"settled", to_string(column.side->metrics.settled.attractor)}});
   }
   return all;
@@ -84,6 +83,7 @@ json figure_rows(const SceneComparison& c, bool judged_only) {
   for (std::size_t k = 0; k < figures().size(); ++k) {
     const Figure& f = figures()[k];
     if (judged_only && !f.is_judged()) continue;
+    if (is_absent(c, f)) continue;
     rows.push_back(
         {{"label", f.label}, {"unit", f.unit}, {"meaning", f.meaning}, {"cells", cells_of(c, k)}});
   }
@@ -132,8 +132,8 @@ json cost_rows(const SceneComparison& c) {
     const Side& side = *column.side;
     const Timing& t = side.timing;
     const bool timed = !t.us_per_step.empty();
-    speed.push_back(timed ? fmt::format("{:.3g} µs", t.median) : std::string("–"));
-    spread.push_back(timed ? fmt::format("{:.3g} – {:.3g} µs", t.lowest, t.highest)
+    speed.push_back(timed ? fmt::format("{:.3g}", t.median) : std::string("–"));
+    spread.push_back(timed ? fmt::format("{:.2g} – {:.2g}", t.lowest, t.highest)
                            : std::string("–"));
     steps.push_back(fmt::format("{}", side.trajectory.steps));
     const double wall = 1e-6 * t.median * static_cast<double>(side.trajectory.steps);
@@ -142,11 +142,19 @@ json cost_rows(const SceneComparison& c) {
   }
   return json::array({
       {{"label", "time of a step"},
+       {"unit", "µs"},
        {"cells", speed},
        {"meaning", "Median of repeated runs that record nothing, engines taken in turn."}},
-      {{"label", "its spread"}, {"cells", spread}, {"meaning", "Fastest and slowest of them."}},
-      {{"label", "steps"}, {"cells", steps}, {"meaning", "Of the run that is shown."}},
+      {{"label", "its spread"},
+       {"unit", "µs"},
+       {"cells", spread},
+       {"meaning", "Fastest and slowest of them."}},
+      {{"label", "steps"},
+       {"unit", ""},
+       {"cells", steps},
+       {"meaning", "Of the run that is shown."}},
       {{"label", "real-time factor"},
+       {"unit", ""},
        {"cells", factor},
        {"meaning", "Simulated time over computing time; above 1: faster than the machine."}},
   });

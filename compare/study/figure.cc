@@ -26,34 +26,46 @@ const Figure kFigures[] = {
      "Normal impulse over the time from first touch, divided by that time.",
      [](const Metrics& m) { return m.mean_force; }},
     {"lasting_fraction", "lasting contact", "%", 100.0, kPts, kAverage, true, true,
-     "Share of the time from first touch in lasting contact: without the steps of impacts, and without what of a soft "
+     "Share of the time from first touch in lasting contact: without the steps of impacts, and "
+     "without what of a soft "
      "contact is shorter than 20 of the scene's steps.",
      [](const Metrics& m) { return m.lasting_fraction; }},
     {"impulse_total", "total impulse", "N s", 1.0, kRel, kAverage, true, true,
      "All the normal momentum that the ring gave to the rotor.",
      [](const Metrics& m) { return m.impulse_total; }},
     {"friction_work", "friction work", "J", 1.0, kRel, kAverage, true, true,
-     "Energy that friction took; never positive. Differences are relative to 1 mJ where it is less.",
+     "Energy that friction took; never positive. Differences are relative to 1 mJ where it is "
+     "less.",
      [](const Metrics& m) { return m.friction_work; }, 1e-3},
     {"whirl_frequency", "whirl", "Hz", kHertz, kRel, kAverage, true, true,
-     "Mean turns per second of the rotor about the ring's centre, over the last fifth of the run; negative: backward. Differences are relative to 1 Hz where it "
+     "Mean turns per second of the rotor about the ring's centre, over the last fifth of the run; "
+     "negative: backward. Differences are relative to 1 Hz where it "
      "is less.",
      [](const Metrics& m) { return m.settled.whirl_frequency; }, 1.0 / kHertz},
     {"spin_speed", "spin", "rad/s", 1.0, kRel, kAverage, true, true,
-     "Mean speed of a spin that is free, over the last fifth of the run.", [](const Metrics& m) { return or_none(m.spin_speed); }, 1.0},
+     "Mean speed of a spin that is free, over the last fifth of the run.",
+     [](const Metrics& m) { return or_none(m.spin_speed); }, 1.0},
     {"ring_speed", "ring speed", "rad/s", 1.0, kRel, kAverage, true, true,
-     "Mean speed of a ring that turns, over the last fifth of the run.", [](const Metrics& m) { return or_none(m.ring_speed); }, 1.0},
+     "Mean speed of a ring that turns, over the last fifth of the run.",
+     [](const Metrics& m) { return or_none(m.ring_speed); }, 1.0},
     {"control_force", "control force, rms", "N", 1.0, kRel, kAverage, true, true,
      "What the controller asks of the actuator, over the whole run.",
      [](const Metrics& m) { return or_none(m.control_force); }, 0.1},
     {"near_miss", "least gap", "µm", 1e6, kRel, kAverage, true, true,
-     "How near a rotor came that never touches. Differences are relative to 10 µm where it is less.",
+     "How near a rotor came that never touches. Differences are relative to 10 µm where it is "
+     "less.",
      [](const Metrics& m) { return m.first_touch ? kNone : or_none(m.least_gap); }, 1e-5},
+    {"impact_impulse", "largest impact", "N s", 1.0, kRel, kPeak, true, true,
+     "Largest normal impulse of one impact of a rigid law.",
+     [](const Metrics& m) { return or_none(m.impact_impulse); }},
     {"window_impulse", "largest impulse", "N s", 1.0, kRel, kPeak, true, true,
-     "Largest normal impulse within 20 of the scene's steps: an impact's, however many steps a soft contact spreads it over.",
-     [](const Metrics& m) { return m.window_impulse; }},
+     "Largest normal impulse within 20 of the scene's steps, of which a soft contact makes an "
+     "impact; what a rigid law has within "
+     "them.",
+     [](const Metrics& m) { return or_none(m.window_impulse); }},
     {"hard_impacts", "hard impacts", "", 1.0, kRel, kPeak, false, true,
-     "Impacts (soft contact: contact episodes) faster than 1 % of the fastest: of an accumulation those that every useful step "
+     "Impacts (soft contact: contact episodes) faster than 1 % of the fastest: of an accumulation "
+     "those that every useful step "
      "tells apart. Of less than 100, one more or less is 1 %.",
      [](const Metrics& m) { return static_cast<double>(m.hard_impacts); }, 100.0},
     {"gap_rate_rms", "rms gap rate", "mm/s", 1e3, kRel, kPeak, true, true,
@@ -69,13 +81,10 @@ const Figure kFigures[] = {
      "as the step shrinks.",
      [](const Metrics& m) { return m.force_deviation; }},
     {"peak_force", "impulse / step, max", "N", 1.0, kRel, kNo, true, true,
-     "Largest impulse of one step, divided by the step: no force of a rigid law, whose impact has an impulse and no force; it grows "
+     "Largest impulse of one step, divided by the step: no force of a rigid law, whose impact has "
+     "an impulse and no force; it grows "
      "as the step shrinks.",
      [](const Metrics& m) { return m.peak_force; }},
-    {"peak_impulse", "largest impact", "N s", 1.0, kRel, kNo, true, false,
-     "Largest normal impulse of one impact (soft contact: of one contact episode, lasting contact "
-     "included).",
-     [](const Metrics& m) { return m.peak_impulse; }},
     {"impacts", "impacts", "", 1.0, kRel, kNo, true, true,
      "Impacts that close faster than 0.1 mm/s (soft contact: contact episodes).",
      [](const Metrics& m) { return static_cast<double>(m.impacts); }},
@@ -89,7 +98,8 @@ const Figure kFigures[] = {
      "(v_t dt)^2 / (2 delta_0): what one step along the tangent costs a whirling rotor.",
      [](const Metrics& m) { return m.whirl_penetration; }},
     {"energy_residual", "energy balance", "ppm", 1e6, kRel, kNo, false, false,
-     "|change of energy - work of all loads| over the largest energy met (of a contact at the end: its force over the clearance); 0 for exact integration.",
+     "|change of energy - work of all loads| over the largest energy met (of a contact at the end: "
+     "its force over the clearance); 0 for exact integration.",
      [](const Metrics& m) { return m.energy_residual; }},
 };
 

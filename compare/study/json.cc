@@ -108,7 +108,7 @@ json difference_json(const SceneComparison& comparison, const Side& side,
     json entry = {{"native", f.native},
                   {"other", f.other},
                   {"difference", f.other - f.native},
-                  {"deviation", f.deviation},
+                  {"deviation", f.is_absent() ? json() : json(f.deviation)},
                   {"twin_deviation", f.floor},
                   {"interval", f.interval},
                   {"least_told", f.least_told},
@@ -143,29 +143,30 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
   const Statistics& s = trajectory.statistics;
   const double us =
       trajectory.steps > 0 ? 1e6 * trajectory.wall_s / static_cast<double>(trajectory.steps) : 0.0;
-  json all = {{"program", "rotorub"},
-              {"version", program_version()},
-              {"mujoco_version", mujoco_version()},
-              {"scene", scene.name},
-              {"scene_hash", scene::scene_hash(scene)},
-              {"engine", trajectory.engine},
-              {"integrator", trajectory.integrator},
-              {"contact_model", trajectory.contact_model},
-              {"step", trajectory.step},
-              {"steps", trajectory.steps},
-              {"end", trajectory.end},
-              {"wall_s", trajectory.wall_s},
-              {"us_per_step", us},
-              {"max_penetration", s.max_penetration},
-              {"contact_fraction", trajectory.contact_fraction()},
-              {"mean_force", trajectory.mean_force()},
-              {"impulse_total", s.impulse_total},
-              {"impacts", std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), counts)},
-              {"energy_residual", s.energy_residual()},
-              {"contact_mass", contact_mass_json(contact_mass(scene))},
-              {"above_modes", above_modes_json(above_modes(scene, trajectory))},
-              {"status", to_string(trajectory.status)},
-              {"message", trajectory.message}};
+  json all = {
+      {"program", "rotorub"},
+      {"version", program_version()},
+      {"mujoco_version", mujoco_version()},
+      {"scene", scene.name},
+      {"scene_hash", scene::scene_hash(scene)},
+      {"engine", trajectory.engine},
+      {"integrator", trajectory.integrator},
+      {"contact_model", trajectory.contact_model},
+      {"step", trajectory.step},
+      {"steps", trajectory.steps},
+      {"end", trajectory.end},
+      {"wall_s", trajectory.wall_s},
+      {"us_per_step", us},
+      {"max_penetration", s.max_penetration},
+      {"contact_fraction", trajectory.contact_fraction()},
+      {"mean_force", trajectory.mean_force()},
+      {"impulse_total", s.impulse_total},
+      {"impacts", std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), counts)},
+      {"energy_residual", s.energy_residual()},
+      {"contact_mass", contact_mass_json(contact_mass(scene))},
+      {"above_modes", above_modes_json(above_modes(scene, trajectory))},
+      {"status", to_string(trajectory.status)},
+      {"message", trajectory.message}};
   // rad/s, at the end, of a ring that turns.
   if (trajectory.has("ring_speed") && trajectory.rows() > 0) {
     all["ring_speed"] = trajectory.column("ring_speed").back();
@@ -210,24 +211,25 @@ json comparison_json(const SceneComparison& comparison) {
     const Side& side = comparison.sides[k + 1];
     differences[side.label] = difference_json(comparison, side, comparison.differences[k]);
   }
-  return {{"answer", answer_json(comparison)},
-          {"mode", to_string(comparison.mode)},
-          {"mode_note", mode_note(comparison)},
-          {"twins", comparison.twins},
-          {"shadow", shadow_json(comparison)},
-          {"own_model", comparison.own ? json{{"left_out", comparison.twin_limits}} : json(nullptr)},
-          {"scene", comparison.scene.name},
-          {"scene_hash", scene::scene_hash(comparison.scene)},
-          {"step", comparison.scene.run.step},
-          {"end", comparison.scene.run.end},
-          {"status", to_string(comparison.status())},
-          {"within", comparison.within()},
-          {"model_error", comparison.model_error ? model_error_json(*comparison.model_error)
-                                                 : json(nullptr)},
-          {"measured", comparison.measured ? measured_json(*comparison.measured) : json(nullptr)},
-          {"runs", sides},
-          {"differences", differences},
-          {"twin", divergence_json(comparison.twin)}};
+  return {
+      {"answer", answer_json(comparison)},
+      {"mode", to_string(comparison.mode)},
+      {"mode_note", mode_note(comparison)},
+      {"twins", comparison.twins},
+      {"shadow", shadow_json(comparison)},
+      {"own_model", comparison.own ? json{{"left_out", comparison.twin_limits}} : json(nullptr)},
+      {"scene", comparison.scene.name},
+      {"scene_hash", scene::scene_hash(comparison.scene)},
+      {"step", comparison.scene.run.step},
+      {"end", comparison.scene.run.end},
+      {"status", to_string(comparison.status())},
+      {"within", comparison.within()},
+      {"model_error",
+       comparison.model_error ? model_error_json(*comparison.model_error) : json(nullptr)},
+      {"measured", comparison.measured ? measured_json(*comparison.measured) : json(nullptr)},
+      {"runs", sides},
+      {"differences", differences},
+      {"twin", divergence_json(comparison.twin)}};
 }
 
 json comparisons_json(const std::vector<SceneComparison>& comparisons) {

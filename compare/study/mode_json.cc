@@ -24,7 +24,7 @@ json shadow_json(const SceneComparison& c) {
     by_figure[f.figure->key] = {{"native", f.native},
                                 {"shadow", f.other},
                                 {"difference", f.other - f.native},
-                                {"deviation", f.deviation}};
+                                {"deviation", f.is_absent() ? json() : json(f.deviation)}};
   }
   const Side& side = *c.shadow.side;
   return {{"engine", side.engine},

@@ -130,7 +130,8 @@ class Comparison {
     request.output_times = times_;
     try {
       request.interrupt = options_.interrupt;
-      Trajectory t = native_engine(scene::Integrator::kVerlet)->run(without_control(result_.scene), request);
+      Trajectory t =
+          native_engine(scene::Integrator::kVerlet)->run(without_control(result_.scene), request);
       if (t.status == Status::kOk) result_.uncontrolled = std::move(t);
     } catch (const scene::SceneError&) {  // what `verlet` does not take has no such curve
     }
@@ -154,13 +155,13 @@ class Comparison {
       climb();
     }
     result_.twin.threshold = divergence_threshold(result_.scene, result_.sides[0].trajectory);
-    twins_ = runner_.twins(all_[0], result_.sides[0].trajectory, result_.twin.threshold,
-                           times_, replayed_commands(1), result_.twins);
+    twins_ = runner_.twins(all_[0], result_.sides[0].trajectory, result_.twin.threshold, times_,
+                           replayed_commands(1), result_.twins);
     result_.twin = first_to_part(twins_, result_.twin);
     if (!runner_.interrupted() && decider_may_have_twins()) {
       result_.decider_twins = result_.twins;
-      decider_twins_ = runner_.twins(all_[1], result_.sides[1].trajectory, result_.twin.threshold, times_, {},
-                                     result_.twins);
+      decider_twins_ = runner_.twins(all_[1], result_.sides[1].trajectory, result_.twin.threshold,
+                                     times_, {}, result_.twins);
     }
     if (replays() && !runner_.interrupted()) replay_floor_ = replay_floor(runner_, result_.scene);
     time_runs(runner_, all_, options_.timing_repeats, replayed_commands(1), result_.sides);
@@ -211,7 +212,8 @@ class Comparison {
     return found;
   }
 
-  // Where the native figures scatter by a tenth of the tolerance, those of the run that decides have to be known as well.
+  // Where the native figures scatter by a tenth of the tolerance, those of the run that decides
+  // have to be known as well.
   bool decider_may_have_twins() const {
     constexpr double kMatters = 0.1;
     if (resyncs() || replays() || result_.own) return false;
@@ -229,7 +231,8 @@ class Comparison {
     for (std::size_t k = 1; k < result_.sides.size(); ++k) {
       const Side &native = result_.reference(k), &other = result_.sides[k];
       const Repeatability others = repeatability(other.metrics, k == 1 ? decider_twins_ : Twins{});
-      SideDifference d = side_difference(native, other, repeats(native), others, options_, result_.twin.threshold);
+      SideDifference d =
+          side_difference(native, other, repeats(native), others, options_, result_.twin.threshold);
       if (resyncs()) {
         d.resync = std::move(resyncs_[k - 1]);
         if (result_.sides[k].trajectory.status == Status::kOk) d.trust = d.resync->trust;
@@ -248,8 +251,8 @@ class Comparison {
   std::vector<std::array<CommandTape, kRungs>> tapes_;  // of all_, at each rung
   std::vector<OnsetWatch> onsets_;                      // of all_
   std::vector<Resync> resyncs_;                         // of sides[1], sides[2], ...
-  Twins twins_, decider_twins_;  // of sides[0] and sides[1]
-  std::vector<double> replay_floor_;  // empty but in replay
+  Twins twins_, decider_twins_;                         // of sides[0] and sides[1]
+  std::vector<double> replay_floor_;                    // empty but in replay
 };
 
 }  // namespace
@@ -296,6 +299,11 @@ Trajectory rows_at(const Trajectory& trajectory, const std::vector<double>& time
     for (const std::size_t i : wanted) out.series[c].values.push_back(values[i]);
   }
   return out;
+}
+
+bool is_absent(const SceneComparison& comparison, const Figure& figure) {
+  return std::all_of(comparison.sides.begin(), comparison.sides.end(),
+                     [&figure](const Side& s) { return std::isnan(figure.value(s.metrics)); });
 }
 
 }  // namespace rotorub

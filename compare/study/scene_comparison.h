@@ -109,7 +109,8 @@ struct SceneComparison {
     return side < 2 || natives.empty() ? sides.front() : natives[side - 2];
   }
   ShadowColumn shadow;
-  // The native run of a passive bearing, where the scene's controller commands: none where that one fails.
+  // The native run of a passive bearing, where the scene's controller commands: none where that one
+  // fails.
   std::optional<Trajectory> uncontrolled;
   std::vector<SideDifference> differences;  // of sides[1], sides[2], ...
   Divergence twin;                          // native against the twin that parts first
@@ -121,7 +122,11 @@ struct SceneComparison {
   bool within() const;
 };
 
-// Throws what the engines throw, and MeasuredError where the record cannot be laid beside them. An interrupt ends it early with what there is.
+// None of the runs has this figure.
+bool is_absent(const SceneComparison& comparison, const Figure& figure);
+
+// Throws what the engines throw, and MeasuredError where the record cannot be laid beside them. An
+// interrupt ends it early with what there is.
 SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& options);
 
 // Times of rows: every step, or every so many so that there are at most `rows`, and the scene's

@@ -24,16 +24,15 @@ std::string label_of(const Figure& f) {
 
 // MuJoCo's defaults have their row in the answer, and their column in the report.
 bool has_column(const Side& side) { return side.label != "cone-default"; }
-const char* heading(const Side& side) { return side.label == "cone-coulomb" ? "cone-c" : side.label.c_str(); }
-
-// "-0.24 pts" is as wide as a column.
-std::string in_column(std::string text) {
-  if (text.ends_with(" pts")) text.pop_back();
-  return text;
+const char* heading(const Side& side) {
+  return side.label == "cone-coulomb" ? "cone-c" : side.label.c_str();
 }
 
-bool is_absent(const Figure& f, const SceneComparison& c) {
-  return std::all_of(c.sides.begin(), c.sides.end(), [&f](const Side& s) { return std::isnan(f.value(s.metrics)); });
+// "-0.24 pts" is as wide as a column.
+std::string in_column(const JudgedFigure& f) {
+  std::string text = f.is_absent() ? "–" : deviation_text(*f.figure, f.deviation);
+  if (text.ends_with(" pts")) text.pop_back();
+  return text;
 }
 
 // A line of texts below the columns: native, its shadow, MuJoCo's.
@@ -57,7 +56,7 @@ std::string value_lines(const SceneComparison& c) {
   std::string text = line(
       c, "", [&](std::size_t k) { return heading(c.sides[k]); }, [] { return "shadow"; });
   for (const Figure& f : figures()) {
-    if (is_absent(f, c)) continue;
+    if (is_absent(c, f)) continue;
     text += line(
         c, marked(f, label_of(f)),
         [&](std::size_t k) { return figure_value(f, f.value(c.sides[k].metrics)); },
@@ -72,44 +71,54 @@ std::string value_lines(const SceneComparison& c) {
 std::string difference_lines(const SceneComparison& c) {
   std::string text = line(
       c, "  difference from native",
-      [&](std::size_t k) { return k == 0 ? "" : heading(c.sides[k]); },
-      [] { return "shadow"; });
+      [&](std::size_t k) { return k == 0 ? "" : heading(c.sides[k]); }, [] { return "shadow"; });
   for (std::size_t i = 0; i < figures().size(); ++i) {
     const Figure& f = figures()[i];
-    if (!f.comparable || is_absent(f, c)) continue;
+    if (!f.comparable || is_absent(c, f)) continue;
     text += line(
         c, marked(f, f.label),
         [&](std::size_t k) {
-          return k == 0 ? std::string()
-                        : in_column(deviation_text(f, c.differences[k - 1].figures[i].deviation));
+          return k == 0 ? std::string() : in_column(c.differences[k - 1].figures[i]);
         },
-        [&] { return in_column(deviation_text(f, c.shadow.figures[i].deviation)); });
+        [&] { return in_column(c.shadow.figures[i]); });
   }
   return text;
 }
 
-// Where twins scatter: half of the confidence interval of each difference, and what that many twins would tell.
+// Where twins scatter: half of the confidence interval of each difference, and what that many twins
+// would tell.
 std::string interval_lines(const SceneComparison& c) {
   constexpr double kShown = 5e-5;
   std::string text;
   for (std::size_t i = 0; i < figures().size(); ++i) {
     const Figure& f = figures()[i];
-    const auto of = [&](std::size_t k) -> const FigureDifference& { return c.differences[k - 1].figures[i]; };
+    const auto of = [&](std::size_t k) -> const FigureDifference& {
+      return c.differences[k - 1].figures[i];
+    };
     bool scatters = false;
-    for (std::size_t k = 1; k < c.sides.size(); ++k) scatters = scatters || of(k).interval >= kShown;
+    for (std::size_t k = 1; k < c.sides.size(); ++k)
+      scatters = scatters || of(k).interval >= kShown;
     if (!f.is_judged() || !scatters) continue;
     text += line(
         c, fmt::format("  ± {}", f.label),
-        [&](std::size_t k) { return k == 0 ? std::string() : size_text(f, of(k).interval); }, [] { return ""; });
+        [&](std::size_t k) { return k == 0 ? std::string() : size_text(f, of(k).interval); },
+        [] { return ""; });
     text += line(
         c, "    would be told",
-        [&](std::size_t k) { return k == 0 ? std::string() : size_text(f, of(k).least_told); }, [] { return ""; });
+        [&](std::size_t k) { return k == 0 ? std::string() : size_text(f, of(k).least_told); },
+        [] { return ""; });
   }
   if (text.empty()) return text;
-  const auto runs = [](int twins) { return fmt::format("{} run{}", twins + 1, twins == 0 ? "" : "s"); };
-  return text + wrapped("  ± ", fmt::format("95 % of the difference of means: {} of native, {} of {}, one of the others; a "
-                                            "difference as large as said below would be told in 4 of 5 comparisons",
-                                            runs(c.twins), runs(c.decider_twins), c.sides[1].label));
+  const auto runs = [](int twins) {
+    return fmt::format("{} run{}", twins + 1, twins == 0 ? "" : "s");
+  };
+  return text +
+         wrapped(
+             "  ± ",
+             fmt::format(
+                 "95 % of the difference of means: {} of native, {} of {}, one of the others; a "
+                 "difference as large as said below would be told in 4 of 5 comparisons",
+                 runs(c.twins), runs(c.decider_twins), c.sides[1].label));
 }
 
 // Replay: what the differences of each contact model are from.
@@ -161,7 +170,7 @@ std::string split_lines(const SceneComparison& c) {
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     if (!has_column(c.sides[k + 1])) continue;
     for (const FigureDifference& d : c.differences[k].figures) {
-      if (!d.figure->is_judged() || !d.figure->split || is_absent(*d.figure, c)) continue;
+      if (!d.figure->is_judged() || !d.figure->split || is_absent(c, *d.figure)) continue;
       const auto value = [&](double v) { return figure_value(*d.figure, v); };
       unsure = unsure || !d.split.valid;
       text += fmt::format("{} {:<9}{:<{}}{:>11}{:>10}{:>10}{:>10}\n", d.split.valid ? " " : "?",
@@ -170,20 +179,23 @@ std::string split_lines(const SceneComparison& c) {
                           value(d.split.step_error), value(d.split.native_step_error));
     }
   }
-  if (unsure) text += "  ? does not converge as the step shrinks: whose part it is cannot be told\n";
+  if (unsure)
+    text += "  ? does not converge as the step shrinks: whose part it is cannot be told\n";
   return text;
 }
 
 // What was asked, answered: before any figure.
 std::string answer_lines(const SceneComparison& c, const Palette& palette) {
   constexpr int kQuestion = 53, kTrust = 15;
-  std::string text = fmt::format("  {:<{}}{:<{}}{}\n", "Can MuJoCo's contact forces be trusted?", kQuestion, "trusted", kTrust,
-                                 "us a step");
+  std::string text = fmt::format("  {:<{}}{:<{}}{}\n", "Can MuJoCo's contact forces be trusted?",
+                                 kQuestion, "trusted", kTrust, "us a step");
   for (const AnswerRow& row : answer(c)) {
     const std::string cost = row.us_per_step > 0.0 ? short_number(row.us_per_step) : "-";
     const std::string line = fmt::format("{} {:<{}}{:<{}}{}\n", row.decides ? ">" : " ",
-                                         row.question + "? (" + row.contact + ")", kQuestion, to_string(row.trust), kTrust, cost);
-    text += palette.paint_first(tone_of(row.trust), line, to_string(row.trust)) + wrapped("      ", row.why);
+                                         row.question + "? (" + row.contact + ")", kQuestion,
+                                         to_string(row.trust), kTrust, cost);
+    text += palette.paint_first(tone_of(row.trust), line, to_string(row.trust)) +
+            wrapped("      ", row.why);
   }
   text += wrapped("  > ", whose_verdict(c));
   for (const AnswerRow& row : answer(c)) {
@@ -191,7 +203,8 @@ std::string answer_lines(const SceneComparison& c, const Palette& palette) {
   }
   if (const std::string note = mode_note(c); !note.empty()) text += wrapped("    ", note);
   const std::vector<std::string> notes = own_notes(c);
-  for (std::size_t k = 0; k < notes.size(); ++k) text += wrapped(k == 0 ? "    " : "    - ", notes[k]);
+  for (std::size_t k = 0; k < notes.size(); ++k)
+    text += wrapped(k == 0 ? "    " : "    - ", notes[k]);
   return text;
 }
 
@@ -221,10 +234,12 @@ std::string comparison_table(const SceneComparison& c, const Palette& palette) {
     text += resync_table(c);
   } else {
     text += value_lines(c) + "\n" + reference_lines(c) + difference_lines(c);
-    text +=
-        wrapped("  * ", fmt::format("judged at {}; decided where the difference is within it, or beyond it, with its ±{}",
-                                    percent_text(c.tolerance),
-                                    c.natives.empty() ? "" : ", no less than the open loop drifts by"));
+    text += wrapped(
+        "  * ",
+        fmt::format(
+            "judged at {}; decided where the difference is within it, or beyond it, with its ±{}",
+            percent_text(c.tolerance),
+            c.natives.empty() ? "" : ", no less than the open loop drifts by"));
     text += interval_lines(c);
     text += wrapped("  ", shadow_note(c));
     text += wrapped("  settles to: ", settled_line(c)) + "\n";
@@ -235,8 +250,8 @@ std::string comparison_table(const SceneComparison& c, const Palette& palette) {
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const SideDifference& d = c.differences[k];
     text += "\n" + palette.paint_first(tone_of(d.trust),
-                                      wrapped(lead(d.trust), headline(c, c.sides[k + 1], d)),
-                                      lead(d.trust));
+                                       wrapped(lead(d.trust), headline(c, c.sides[k + 1], d)),
+                                       lead(d.trust));
     for (const std::string& reason : d.reasons) text += wrapped("               - ", reason);
   }
   return text;
@@ -247,15 +262,16 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
   const std::string step = t.step > 0.0 ? "step " + time_text(t.step) : "steps of its own";
   std::string text = fmt::format(
       "{}: {}\n  {} {}, contact {}, {}, {} of {} simulated\n", scene.name,
-      palette.paint(t.status == Status::kOk ? Tone::kGood : Tone::kBad, to_string(t.status)), t.engine,
-      t.integrator, t.contact_model, step, time_text(t.end), time_text(scene.run.end));
+      palette.paint(t.status == Status::kOk ? Tone::kGood : Tone::kBad, to_string(t.status)),
+      t.engine, t.integrator, t.contact_model, step, time_text(t.end), time_text(scene.run.end));
   if (!t.message.empty()) text += wrapped("  ", t.message);
   if (m.first_touch) {
     text += fmt::format("  {:<{}}{:>{}}\n", "first touch, ms", kLabel,
                         short_number(1e3 * *m.first_touch), kValue);
   }
   if (m.least_gap && *m.least_gap > 0.0) {
-    text += fmt::format("  {:<{}}{:>{}}\n", "least gap, µm", kLabel, short_number(1e6 * *m.least_gap), kValue);
+    text += fmt::format("  {:<{}}{:>{}}\n", "least gap, µm", kLabel,
+                        short_number(1e6 * *m.least_gap), kValue);
   }
   for (const Figure& f : figures()) {
     if (std::isnan(f.value(m))) continue;

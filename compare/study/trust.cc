@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "compare/study/format.h"
 
@@ -39,8 +38,8 @@ std::string labels(const std::vector<JudgedFigure>& figures) {
 std::string undecidable_text(const std::vector<JudgedFigure>& figures, double tolerance) {
   std::string text;
   for (const JudgedFigure& f : undecidable(figures)) {
-    text += fmt::format("{}{} {} ({} would be told)", text.empty() ? "" : ", ", f.figure->label, difference_text(f),
-                        size_text(*f.figure, f.least_told));
+    text += fmt::format("{}{} {} ({} would be told)", text.empty() ? "" : ", ", f.figure->label,
+                        difference_text(f), size_text(*f.figure, f.least_told));
   }
   return text.empty() ? text : "undecidable at " + percent_text(tolerance) + ": " + text;
 }
@@ -75,19 +74,18 @@ const char* to_string(Trust trust) {
   return "";
 }
 
-JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other, double tolerance, double floor) {
+JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other,
+                    double tolerance, double floor) {
   JudgedFigure f{&figure, native.value, other.value, deviation(figure, native.mean, other.mean)};
-  // What one run alone has (a least gap, where the other touches) is as far as can be.
-  const bool neither = std::isnan(native.value) && std::isnan(other.value);
-  if (std::isnan(f.deviation)) f.deviation = neither ? 0.0 : std::numeric_limits<double>::infinity();
+  if (f.is_absent()) f.deviation = 0.0;
   const Interval c = interval(native, other);
   f.interval = std::max(floor, share_of(figure, native.mean, c.half));
   f.least_told = share_of(figure, native.mean, c.least_told);
-  const bool absent = neither || (native.mean == 0.0 && other.mean == 0.0);
-  if (!figure.is_judged() || absent) return f;
+  const bool nothing = native.mean == 0.0 && other.mean == 0.0;
+  if (!figure.is_judged() || f.is_absent() || nothing) return f;
   const double d = std::abs(f.deviation);
   // Not >: what is no number is outside.
-  f.verdict = d + f.interval <= tolerance       ? FigureVerdict::kWithin
+  f.verdict = d + f.interval <= tolerance      ? FigureVerdict::kWithin
               : !(d - f.interval <= tolerance) ? FigureVerdict::kOutside
                                                : FigureVerdict::kUndecidable;
   return f;
@@ -97,10 +95,14 @@ JudgedFigure judged(const Figure& figure, double native, double other, double to
   return judged(figure, FigureSample{native, native}, FigureSample{other, other}, tolerance);
 }
 
+bool JudgedFigure::is_absent() const { return std::isnan(native) || std::isnan(other); }
+
 std::string difference_text(const JudgedFigure& f) {
+  if (f.is_absent()) return "–";
   if (std::abs(f.native) < f.figure->resolution && f.native != f.other) {
     const std::string unit = *f.figure->unit ? std::string(" ") + f.figure->unit : std::string();
-    return fmt::format("{}{} for {}", figure_value(*f.figure, f.other), unit, figure_value(*f.figure, f.native));
+    return fmt::format("{}{} for {}", figure_value(*f.figure, f.other), unit,
+                       figure_value(*f.figure, f.native));
   }
   const std::string text = deviation_text(*f.figure, f.deviation);
   return f.interval >= 5e-5 ? text + " ± " + size_text(*f.figure, f.interval) : text;

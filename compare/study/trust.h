@@ -1,12 +1,13 @@
 // From figures to a verdict: pure functions of values, tolerance and what twins say.
 //
-// Twins are runs whose starts are a few units in the last place apart, on both sides. With d the difference of the means
-// of a figure, c half of its confidence interval (figure_sample.h) and e the tolerance, all on the figure's own scale:
+// Twins are runs whose starts are a few units in the last place apart, on both sides. With d the
+// difference of the means of a figure, c half of its confidence interval (figure_sample.h) and e
+// the tolerance, all on the figure's own scale:
 //   |d| + c <= e   within
 //   |d| - c > e    outside
 //   else           undecidable at e: the motion does not repeat itself that well
-// What is undecidable does not decide. Without scatter c is 0. A figure that neither run has, or that is 0 in both, is not
-// judged.
+// What is undecidable does not decide. Without scatter c is 0. A figure that one of the runs has
+// not, or that is 0 in both, is not judged.
 #pragma once
 
 #include <string>
@@ -24,18 +25,22 @@ const char* to_string(FigureVerdict verdict);
 struct JudgedFigure {
   const Figure* figure = nullptr;
   double native = 0.0, other = 0.0;  // SI, of the runs that are shown
-  double deviation = 0.0;            // of the means, see deviation()
+  double deviation = 0.0;            // of the means, see deviation(); 0 where one is absent
   double interval = 0.0;             // c, on the same scale; >= 0
-  double least_told = 0.0;           // the least deviation that so many twins tell (figure_sample.h)
+  double least_told = 0.0;  // the least deviation that so many twins tell (figure_sample.h)
   FigureVerdict verdict = FigureVerdict::kNotJudged;
+
+  bool is_absent() const;  // from one of the runs, or both
 };
 
 // floor: of c, on the figure's scale.
-JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other, double tolerance, double floor = 0.0);
-JudgedFigure judged(const Figure& figure, double native, double other, double tolerance);  // without twins
+JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other,
+                    double tolerance, double floor = 0.0);
+JudgedFigure judged(const Figure& figure, double native, double other,
+                    double tolerance);  // without twins
 
-// The deviation, with half of its interval where there is one, "-0.70 % ± 1.10 %"; the values themselves where the native
-// one is below what a share is told of: "0.157 mm/s for 0.196".
+// The deviation, with half of its interval where there is one, "-0.70 % ± 1.10 %"; the values
+// themselves where the native one is below what a share is told of: "0.157 mm/s for 0.196".
 std::string difference_text(const JudgedFigure& figure);
 
 // What a contact model may be used for.

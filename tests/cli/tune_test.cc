@@ -27,7 +27,7 @@ TEST(CliTune, FindsASettingWhoseOwnComparisonPasses) {
     EXPECT_TRUE(trusted.contains(key)) << key;
   }
   EXPECT_EQ(trusted["contact"], "rigid");
-  EXPECT_EQ(trusted["errors"].size(), 6U);
+  EXPECT_EQ(trusted["errors"].size(), 13U);
   for (const json& s : all["settings"]) {
     if (s["contact"] != "cone") continue;
     EXPECT_NE(s["trusted"], "yes") << s.dump();

@@ -82,8 +82,8 @@ class Figures(InAFolder):
                      "--no-modes-ladder", "-o", "out", code=(0, 1))
         measured = json.loads((self.folder / "out" / "compare.json").read_text())["scenes"][0]["measured"]
         told = {line.split("|")[1].strip(): [cell.strip() for cell in line.split("|")[2:-1]]
-                for line in (SOURCE / "compare" / "README.md").read_text().splitlines() if line.count("|") == 7}
-        sides = "native", "rigid", "coulomb", "cone"
+                for line in (SOURCE / "compare" / "README.md").read_text().splitlines() if line.count("|") == 8}
+        sides = "native", "rigid", "coulomb", "cone-coulomb", "cone"
         for name, key, unit, scale in (("mean gap", "mean_gap", "um", 1e6), ("samples in contact", "contact_fraction", "%", 1e2),
                                        ("rotor's whirl, largest", "rotor_largest", "um", 1e6)):
             figure = measured["figures"][key]
@@ -91,7 +91,7 @@ class Figures(InAFolder):
                                           for value in (figure["measured"], *(figure["runs"][side] for side in sides))])
         left = measured["columns"]["gap"]["runs"]
         self.assertEqual(told["gap, rms of record less run"],
-                         ["", *(f"{1e9 * left[side]['rms']:.0f} nm" for side in sides[:3]), f"{1e6 * left['cone']['rms']:.1f} um"])
+                         ["", *(f"{1e9 * left[side]['rms']:.0f} nm" for side in sides[:4]), f"{1e6 * left['cone']['rms']:.1f} um"])
         self.assertEqual(told["shift"][0], f"{1e9 * measured['alignment']['shift']:.0f} ns")
 
     # ------------------------------------------------------------ the map over speed and friction, coarse

@@ -57,7 +57,8 @@ test('has figures and residuals of every run, and a place in the contents', asyn
   const heads = await section.locator('.measured-figures th').allTextContents();
   for (const label of ['measured', 'native', 'rigid', 'coulomb', 'cone']) assert.ok(heads.includes(label), label);
   const rotorX = section.locator('.measured-columns tr', {hasText: 'rotor_x'});
-  assert.equal(await rotorX.locator('td').count(), 4 + 4);
+  const runs = 6;
+  assert.equal(await rotorX.locator('td').count(), 4 + runs);
   assert.equal(await page.locator('a[href="#scene-1-measured"]').count(), 1);
 });
 

@@ -117,8 +117,11 @@ test('shows what the series say', async () => {
       const rows = series(`${name}/${label}/series.csv`);
       const poses = await page.evaluate(([i, p, times]) => times.map((t) => page.players[i].shown[p].pose(t)),
         [k, place, rows.map((row) => Number(row.t))]);
-      const forces = rows.map((row) => Math.abs(row.normal_force)).filter((f) => f > 0);
-      const mean = forces.reduce((sum, f) => sum + f, 0) / Math.max(1, forces.length);
+      const control = (row) => Math.hypot(row.control_x, row.control_y);
+      const [mean, meanControl] = [(row) => Math.abs(row.normal_force), control].map((of) => {
+        const forces = rows.map(of).filter((f) => f > 0);
+        return forces.reduce((sum, f) => sum + f, 0) / Math.max(1, forces.length);
+      });
       rows.forEach((row, i) => {
         const pose = poses[i], gap = Number(row.gap), gapOff = Math.max(31e-9, 0.0101 * Math.abs(gap));
         near(pose.gap, gap, gapOff, label + ' gap at ' + row.t);
@@ -131,7 +134,7 @@ test('shows what the series say', async () => {
         near(pose.spin, row.spin_angle, 2.001e-3, 'spin');
         // 1 % of the mean of the dense rows, which these few tell no better than to a factor.
         near(pose.normal, row.normal_force, 0.0101 * Math.max(row.normal_force, 3 * mean), 'force at ' + row.t);
-        if (pose.control) near(pose.control[0], row.control_x, 0.0101 * 600, 'control');
+        if (pose.control) near(pose.control[0], row.control_x, 0.0101 * Math.max(control(row), 3 * meanControl), 'control at ' + row.t);
       });
       await seek(page, rows[500].t, k);
       near((await state(page, k)).poses[place].gap, poses[500].gap, 0, 'what is shown');
@@ -223,18 +226,18 @@ test('the waterfall is of the first run shown, and the spectrum has every run', 
   const of = () => scene.locator('[data-plot="waterfall"]').evaluate((p) => ({name: p.layout.annotations[0].text, picture: p.layout.images[0].source}));
   const first = await of();
   assert.equal(first.name, 'native');
-  const others = ['rigid', 'coulomb'].map((side) => scene.locator(`.legend-item[data-side="${side}"]`));
+  const others = ['rigid', 'coulomb', 'cone'].map((side) => scene.locator(`.legend-item[data-side="${side}"]`));
   await native.click();
   assert.equal((await of()).name, 'rigid');
   for (const button of others) await button.click();
   const last = await of();
-  assert.equal(last.name, 'cone');
+  assert.equal(last.name, 'cone-coulomb');
   assert.notEqual(last.picture, first.picture);
   for (const button of [native, ...others]) await button.click();
   assert.deepEqual(await of(), first);
   await bring(page, '[data-plot="spectrum"]');
   const peaks = await scene.locator('[data-plot="spectrum"]').evaluate((p) => p.data.map((d) => [d.name, d.x[d.y.indexOf(Math.max(...d.y))]]));
-  assert.deepEqual(peaks.map(([name]) => name).sort(), ['cone', 'coulomb', 'native', 'rigid']);
+  assert.deepEqual(peaks.map(([name]) => name).sort(), ['cone', 'cone-coulomb', 'cone-default', 'coulomb', 'native', 'rigid']);
   const spin = await page.evaluate(() => page.data.scenes[0].spin);
   for (const [name, at] of peaks) assert.ok(Math.abs(at - spin) < 0.3 * spin, `${name} whirls forward at ${at} Hz, the spin is ${spin} Hz`);
 });

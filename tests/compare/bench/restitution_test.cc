@@ -47,7 +47,7 @@ TEST(StabilityMapLong, HasACellForEveryStepStiffnessAndFriction) {
   };
   const StabilityMap map = stability_map(reader, reader({}), kQuiet, nullptr);
   ASSERT_EQ(map.frictions.size(), 3u);
-  EXPECT_EQ(map.cells.size(), 3u * map.steps.size() * (1 + 2 * map.stiffnesses.size()));
+  EXPECT_EQ(map.cells.size(), 3u * map.steps.size() * (1 + 3 * map.stiffnesses.size()));
   int cone_fine = 0;
   for (const StabilityCell& c : map.cells) {
     EXPECT_EQ(c.judgement.outcome == Outcome::kOk, c.judgement.reason.empty());

@@ -18,9 +18,11 @@ TEST(Figures, AveragesAndSingleMomentsAreJudged) {
     if (f.judged == Judged::kPeak) peaks.insert(f.key);
     EXPECT_EQ(f.is_judged(), f.judged != Judged::kNo) << f.key;
   }
-  EXPECT_EQ(averages, (std::set<std::string>{"mean_force", "lasting_fraction", "impulse_total", "friction_work", "whirl_frequency",
-                                             "spin_speed", "ring_speed", "control_force", "near_miss"}));
-  EXPECT_EQ(peaks, (std::set<std::string>{"window_impulse", "gap_rate_rms", "hard_impacts"}));
+  EXPECT_EQ(averages, (std::set<std::string>{"mean_force", "lasting_fraction", "impulse_total",
+                                             "friction_work", "whirl_frequency", "spin_speed",
+                                             "ring_speed", "control_force", "near_miss"}));
+  EXPECT_EQ(peaks, (std::set<std::string>{"impact_impulse", "window_impulse", "gap_rate_rms",
+                                          "hard_impacts"}));
 }
 
 TEST(Figures, DeviationIsRelativeOrInPoints) {
@@ -47,7 +49,7 @@ TEST(Figures, DeviationsAreWrittenWithTheirScale) {
   EXPECT_EQ(deviation_text(force, 187.0), "×188");
   EXPECT_EQ(deviation_text(force, 1e-6), "0.00 %");
   EXPECT_EQ(deviation_text(figure("contact_fraction"), -0.77), "-77 pts");
-  EXPECT_EQ(deviation_text(figure("peak_impulse"), 3.0), "–");
+  EXPECT_EQ(deviation_text(figure("max_penetration"), 3.0), "–");
   EXPECT_EQ(deviation_text(force, std::numeric_limits<double>::infinity()), "+∞");
 }
 
@@ -62,7 +64,8 @@ TEST(Format, SizesHaveNoSign) {
 TEST(Format, WordsAreWrapped) {
   const std::string word(30, 'w');
   EXPECT_EQ(wrapped("- ", "one two"), "- one two\n");
-  EXPECT_EQ(wrapped("  - ", word + " " + word + "\n" + word), "  - " + word + " " + word + "\n    " + word + "\n");
+  EXPECT_EQ(wrapped("  - ", word + " " + word + "\n" + word),
+            "  - " + word + " " + word + "\n    " + word + "\n");
   // Indented less than the lead is long: the first word too goes where there is room for it.
   const std::string lead = std::string(60, 'l') + ": ";
   EXPECT_EQ(wrapped(lead, word + " end", 6), std::string(60, 'l') + ":\n      " + word + " end\n");

@@ -37,7 +37,7 @@ TEST(ThreeErrors, AreThoseOfTheFigureThatIsFurthestOff) {
   EXPECT_DOUBLE_EQ(errors.contact.share, 0.2);
   EXPECT_NEAR(errors.step.share, 0.02, 1e-15) << "MuJoCo's less the native one's";
   EXPECT_FALSE(errors.modes.has_value());
-  EXPECT_STREQ(errors.contact.figure->label, "contact");
+  EXPECT_STREQ(errors.contact.figure->label, "lasting contact");
 }
 
 TEST(ThreeErrors, SayWhatCannotBeTold) {
@@ -53,7 +53,8 @@ TEST(ThreeErrors, SayWhatCannotBeTold) {
 TEST(ThreeErrors, HaveTheModesOfTheLadder) {
   SceneComparison c = made_by_hand();
   c.model_error.emplace();
-  EXPECT_FALSE(three_errors(c, 1).modes.has_value()) << "it has no figures: there is a reason why not";
+  EXPECT_FALSE(three_errors(c, 1).modes.has_value())
+      << "it has no figures: there is a reason why not";
   FigureLimit seen, unseen;
   seen.figure = unseen.figure = c.differences[0].figures[0].figure;
   seen.error = -0.12;
