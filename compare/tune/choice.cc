@@ -33,17 +33,27 @@ std::optional<std::size_t> below(const Settings& all, double limit) {
   return found;
 }
 
-double worst(const JudgedSetting& setting) {
-  const auto far = outside(setting.figures);
-  return far.empty() ? 0.0 : std::abs(far.front().deviation);
+// How many figures of a kind are outside, and how far the furthest of them is off.
+std::pair<std::size_t, double> wrong_by(const JudgedSetting& setting, Judged kind) {
+  std::pair<std::size_t, double> wrong{0, 0.0};
+  for (const JudgedFigure& f : outside(setting.figures)) {
+    if (f.figure->judged != kind) continue;
+    ++wrong.first;
+    wrong.second = std::max(wrong.second, std::abs(f.deviation));
+  }
+  return wrong;
+}
+
+// Averages first: a single moment may be off by any factor.
+bool nearer(const JudgedSetting& a, const JudgedSetting& b) {
+  const auto key = [](const JudgedSetting& s) {
+    return std::pair(wrong_by(s, Judged::kAverage), wrong_by(s, Judged::kPeak));
+  };
+  return key(a) < key(b);
 }
 
 std::optional<std::size_t> nearest(const Settings& all, Of contact = {}) {
   std::optional<std::size_t> best;
-  const auto nearer = [](const JudgedSetting& a, const JudgedSetting& b) {
-    const std::size_t m = a.wrong().size(), n = b.wrong().size();
-    return m != n ? m < n : worst(a) < worst(b);
-  };
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (!is_of(all[k], contact) || !all[k].failure.empty()) continue;
     if (!best || nearer(all[k], all[*best])) best = k;

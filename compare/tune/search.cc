@@ -111,7 +111,8 @@ Judge judge_by(References& references, double tolerance) {
     for (std::size_t k = 0; k < figures().size(); ++k) {
       const Figure& f = figures()[k];
       if (!f.is_judged()) continue;
-      all.push_back(judged(f, native.samples[k], figure_sample(f, m, {}), tolerance));
+      const JudgedFigure one = judged(f, native.samples[k], figure_sample(f, m, {}), tolerance);
+      if (!one.is_absent()) all.push_back(one);
     }
     return all;
   };

@@ -22,8 +22,8 @@ std::string wrong_text(const JudgedSetting& s, double tolerance) {
 }
 
 std::string setting_lines(const char* label, const JudgedSetting& s, double tolerance) {
-  const std::string margin = fmt::format("  {:<16}", "");
-  return fmt::format("  {:<16}{}\n{}{}\n{}", label, text(s.setting), margin, cost_text(s),
+  const std::string margin = fmt::format("  {:<18}", "");
+  return fmt::format("  {:<18}{}\n{}{}\n{}", label, text(s.setting), margin, cost_text(s),
                      wrapped(margin, wrong_text(s, tolerance)));
 }
 
@@ -39,16 +39,19 @@ std::string best_lines(const TuneResult& r) {
   return lines;
 }
 
-std::string part_text(const ErrorPart& part, std::size_t k) {
-  if (k >= part.figures.size()) return "-";
-  const auto& [figure, share] = part.figures[k];
-  return share ? deviation_text(*figure, *share) : "not told";
+// Each cause has the figures that it has something to say of.
+std::string part_text(const ErrorPart& part, const Figure& figure) {
+  for (const auto& [of, share] : part.figures) {
+    if (of == &figure) return share ? deviation_text(figure, *share) : "not told";
+  }
+  return "-";
 }
 
-std::string mode_text(const ModelError& error, std::size_t k) {
-  if (k >= error.figures.size()) return "-";
-  const FigureLimit& f = error.figures[k];
-  return f.error ? deviation_text(*f.figure, *f.error) : "no limit seen";
+std::string mode_text(const ModelError& error, const Figure& figure) {
+  for (const FigureLimit& f : error.figures) {
+    if (f.figure == &figure) return f.error ? deviation_text(figure, *f.error) : "no limit seen";
+  }
+  return "-";
 }
 
 // The trusted setting's deviation and its causes, figure by figure.
@@ -58,12 +61,11 @@ std::string error_lines(const TuneResult& r) {
       fmt::format("\n  {:<{}}{:>{}}{:>{}}{:>{}}{:>{}}\n", "errors", kLabel, "this setting", kValue,
                   "contact model", kValue, "step", kValue, "modes kept", kValue);
   const ModelError& modes = r.model_error;
-  for (std::size_t k = 0; k < s.figures.size(); ++k) {
-    const JudgedFigure& f = s.figures[k];
+  for (const JudgedFigure& f : s.figures) {
     lines += fmt::format("  {:<{}}{:>{}}{:>{}}{:>{}}{:>{}}\n", f.figure->label, kLabel,
                          deviation_text(*f.figure, f.deviation), kValue,
-                         part_text(r.errors.contact, k), kValue, part_text(r.errors.step, k),
-                         kValue, mode_text(modes, k), kValue);
+                         part_text(r.errors.contact, *f.figure), kValue, part_text(r.errors.step, *f.figure),
+                         kValue, mode_text(modes, *f.figure), kValue);
   }
   if (!r.errors.contact.reason.empty()) lines += wrapped("  not told: ", r.errors.contact.reason);
   return lines + "\n" + model_error_table(modes, "  ");
@@ -83,7 +85,7 @@ std::string tune_table(const TuneResult& r, const Palette& palette) {
   lines += palette.paint_first(
       Tone::kGood, setting_lines("trusted", all[*r.choice.trusted], r.tolerance), "trusted");
   if (!r.choice.next_cheaper) {
-    return lines + "  next cheaper    none: it is the cheapest of all\n" + best_lines(r) + error_lines(r);
+    return lines + "  next cheaper      none: it is the cheapest of all\n" + best_lines(r) + error_lines(r);
   }
   lines += setting_lines("next cheaper", all[*r.choice.next_cheaper], r.tolerance);
   return lines + best_lines(r) + error_lines(r);

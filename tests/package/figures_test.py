@@ -94,6 +94,18 @@ class Figures(InAFolder):
                          ["", *(f"{1e9 * left[side]['rms']:.0f} nm" for side in sides[:4]), f"{1e6 * left['cone']['rms']:.1f} um"])
         self.assertEqual(told["shift"][0], f"{1e9 * measured['alignment']['shift']:.0f} ns")
 
+    # ------------------------------------------------------------ README.md: modes kept
+    def test_the_modes_kept(self):
+        text = " ".join((SOURCE / "README.md").read_text().split())
+        rig = (SCENES / "paper_passive.toml").read_text()
+        bare = rig[:rig.index("# The sleeve at")] + rig[rig.index("[[rotor.bearing]]"):]
+        (self.folder / "bare.toml").write_text(bare)
+        for scene, words in ((self.folder / "bare", "comes to {} N s at most with 2, 8, 20 modes"),
+                             ("paper_passive", "sleeve of 0.2 kg: {} N s with 2, 8, 12, 20, 30 modes")):
+            numbers = words[words.index("with "):].removeprefix("with ").removesuffix(" modes").split(", ")
+            largest = [self.run_of(scene, f"rotor.modes={n}", options=("--integrator", "event"))["largest"] for n in numbers]
+            self.assertIn(words.format(", ".join(f"{value:.3f}" for value in largest)), text)
+
     # ------------------------------------------------------------ the map over speed and friction, coarse
     def test_the_speed_map(self):
         study = (SCENES / "studies" / "speed_friction.toml").read_text()
