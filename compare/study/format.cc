@@ -57,7 +57,9 @@ std::string wrapped(const std::string& lead, const std::string& sentence,
   std::size_t column = lead.size();
   bool after_word = false;
   for (std::size_t at = 0; at < sentence.size();) {
-    const std::size_t end = std::min(sentence.find_first_of(" \n", at), sentence.size());
+    std::size_t end = std::min(sentence.find_first_of(" \n", at), sentence.size());
+    if (sentence.compare(end, 2, " %") == 0)
+      end += std::min(sentence.find_first_of(" \n", end + 1), sentence.size()) - end;
     const std::size_t word = end - at;
     if (word > 0) {
       if (column > margin && column + (after_word ? 1 : 0) + word > kTerminalWidth) {

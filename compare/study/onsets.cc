@@ -40,6 +40,7 @@ void OnsetWatch::meet(const WatchedStep& s) {
   onsets_.push_back(std::move(onset));
   open_ = true;
   rebounded_ = false;
+  window_ = ImpulseWindow(kWindowSteps * s.h);
 }
 
 void OnsetWatch::add(const WatchedStep& s) {
@@ -47,7 +48,8 @@ void OnsetWatch::add(const WatchedStep& s) {
   ContactResult& c = o.mujoco;
   if (s.impact && c.impulse == 0.0) o.touch = s.impact_time;
   c.impulse += s.normal_impulse;
-  c.peak = std::max(c.peak, s.normal_impulse / s.h);
+  window_.add(s.impact ? s.impact_time : s.t, s.normal_impulse);
+  c.window_impulse = window_.largest();
   // Force that is no impact's acts about the step's instant.
   last_force_ = s.impact ? s.impact_time : s.t + 0.5 * s.h;
   c.duration = std::max(0.0, last_force_ - o.touch);

@@ -11,6 +11,7 @@
 
 #include "compare/engine/step_watch.h"
 #include "native_model/system/model.h"
+#include "native_model/trajectory/impulse_window.h"
 
 namespace rotorub {
 
@@ -18,11 +19,11 @@ inline constexpr int kShortestFlight = 10;  // steps without an impulse
 
 // One contact, from its onset on.
 struct ContactResult {
-  double impulse = 0.0;   // N s, normal, of all of it, >= 0
-  double peak = 0.0;      // N, largest impulse of a step / step
-  double duration = 0.0;  // s, from the touch to the last force; 0 for a single rigid impact
-  double rebound = 0.0;   // m/s, gap rate after the first impact; of a soft contact where its force
-                          // first ends; 0 where it does not
+  double impulse = 0.0;         // N s, normal, of all of it, >= 0
+  double window_impulse = 0.0;  // N s, largest within 20 steps (impulse_window.h)
+  double duration = 0.0;        // s, from the touch to the last force; 0 for a single rigid impact
+  double rebound = 0.0;  // m/s, gap rate after the first impact; of a soft contact where its force
+                         // first ends; 0 where it does not
 };
 
 struct Onset {
@@ -55,6 +56,7 @@ class OnsetWatch {
   const Model* model_;
   std::vector<Onset> onsets_;
   State before_;             // of the step before
+  ImpulseWindow window_;     // over the last onset's contact
   bool open_ = false;        // the last onset's contact is under way
   bool rebounded_ = false;   // its rebound is known
   double last_force_ = 0.0;  // s

@@ -16,8 +16,10 @@ namespace {
 const ResyncFigure kResyncFigures[] = {
     {"impulse", "impulse", "mN s", 1e3, "Normal impulse of the contact, its small bounces with it.",
      "the contact's own, or the largest impact where that is more", &ContactResult::impulse},
-    {"peak", "peak force", "N", 1.0, "Largest normal force of the contact, averaged over one step.",
-     "the largest of all contacts", &ContactResult::peak},
+    {"window_impulse", "largest impulse", "mN s", 1e3,
+     "Largest normal impulse within 20 steps: an impact's, however many of them a soft contact "
+     "spreads it over.",
+     "the largest of all contacts", &ContactResult::window_impulse},
     {"duration", "duration", "µs", 1e6, "From the touch to the last force.",
      "the time until half-way through the next flight", &ContactResult::duration},
     {"rebound", "rebound", "mm/s", 1e3,
@@ -34,7 +36,8 @@ double scale(const ResyncFigure& figure, const PredictedOnset& o, const Resync& 
   if (key == "duration") return o.end - o.touch;
   double largest = 0.0;
   for (const PredictedOnset& other : all.onsets) {
-    largest = std::max(largest, key == "peak" ? other.native.peak : other.closing);
+    largest =
+        std::max(largest, key == "window_impulse" ? other.native.window_impulse : other.closing);
   }
   return largest;
 }
@@ -95,7 +98,7 @@ Trust trust_of(const Resync& r, double tolerance) {
 void read(const Trajectory& t, PredictedOnset& o) {
   const Statistics& s = t.statistics;
   o.native.impulse = s.impulse_total;
-  o.native.peak = s.peak_force;
+  o.native.window_impulse = s.window_impulse;
   bool lasts = false;
   double last = s.first_touch;
   for (const Event& e : t.events) {
@@ -127,7 +130,7 @@ std::vector<PredictedOnset> predict(const scene::Scene& scene, const std::vector
   for (const Onset& onset : onsets) {
     if (interrupt && interrupt->load(std::memory_order_relaxed)) break;
     PredictedOnset o{onset, {}, 0.0, Status::kOk, {}};
-    Recorder recorder(model, {});
+    Recorder recorder(model, {}, kWindowSteps * step);
     const EventIntegrator::Result result =
         integrator.run(onset.before, onset.end, recorder, {}, interrupt);
     o.status = result.status;

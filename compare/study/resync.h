@@ -61,8 +61,8 @@ struct Resync {
   Trust trust = Trust::kUndecidable;
 };
 
-// Predicts each of `onsets` in place of its MuJoCo run. `step`: s, of that run: peaks are averages
-// over it. `commands`: null without a controller.
+// Predicts each of `onsets` in place of its MuJoCo run. `step`: s, of that run: 20 of them are the
+// window of the largest impulse. `commands`: null without a controller.
 std::vector<PredictedOnset> predict(const scene::Scene& scene, const std::vector<Onset>& onsets,
                                     std::shared_ptr<const CommandRecord> commands, double step,
                                     const std::function<void(double)>& progress = {},
