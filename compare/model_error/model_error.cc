@@ -10,6 +10,7 @@
 #include "compare/metrics/metrics.h"
 #include "compare/study/format.h"
 #include "compare/study/in_parallel.h"
+#include "compare/study/rows.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
@@ -33,7 +34,7 @@ Metrics run_with(const scene::Scene& scene, int modes, const ModelErrorParameter
   const scene::Scene rung = with_modes(scene, modes);
   RunRequest request;
   if (parameters.step > 0.0) request.step = parameters.step;
-  request.output_times = std::vector<double>{rung.run.end};
+  request.output_times = dense_times(rung.run, kRows);
   request.interrupt = parameters.interrupt;
   const Trajectory t = native_engine(scene::Integrator::kEvent)->run(rung, request);
   if (t.status != Status::kOk) {
@@ -87,7 +88,9 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
     std::vector<double> values;
     for (const Metrics& m : found) values.push_back(f.value(m));
     // No run has it, or it is 0 in all.
-    if (std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v) || v == 0.0; })) continue;
+    if (std::all_of(values.begin(), values.end(),
+                    [](double v) { return std::isnan(v) || v == 0.0; }))
+      continue;
     const double spread = i < parameters.spread.size() ? parameters.spread[i] : 0.0;
     error.figures.push_back(figure_limit(f, error.modes, values, parameters.tolerance, spread));
   }
@@ -102,7 +105,8 @@ std::string model_error_table(const ModelError& error, const std::string& lead) 
   text += fmt::format("  over the modes; off by\n");
   for (const FigureLimit& f : error.figures) {
     text += fmt::format("{}{:<{}}", lead, f.figure->label, kLabel);
-    for (const double v : f.values) text += fmt::format("{:>{}}", figure_value(*f.figure, v), kValue);
+    for (const double v : f.values)
+      text += fmt::format("{:>{}}", figure_value(*f.figure, v), kValue);
     text += fmt::format("  {}", to_string(f.convergence));
     if (f.error) text += ", " + deviation_text(*f.figure, *f.error);
     text += "\n";

@@ -18,6 +18,7 @@
 #include "compare/study/figure.h"
 #include "compare/study/mode.h"
 #include "compare/study/resync.h"
+#include "compare/study/rows.h"
 #include "compare/study/split.h"
 #include "compare/study/trust.h"
 
@@ -39,7 +40,7 @@ struct CompareOptions {
   std::size_t impacts = 8;   // first impacts listed
   // The scene is the twin of a machine of the user's own: MuJoCo runs that one.
   std::shared_ptr<const OwnMachine> own;
-  std::size_t rows = 50000;  // recorded at most: every step, or every so many of them
+  std::size_t rows = kRows;  // recorded at most: every step, or every so many of them
   // A record to lay beside the runs; null: none.
   std::shared_ptr<const MeasuredRecord> measured;
   AlignmentOptions alignment{};  // of it
@@ -128,12 +129,5 @@ bool is_absent(const SceneComparison& comparison, const Figure& figure);
 // Throws what the engines throw, and MeasuredError where the record cannot be laid beside them. An
 // interrupt ends it early with what there is.
 SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& options);
-
-// Times of rows: every step, or every so many so that there are at most `rows`, and the scene's
-// requested times.
-std::vector<double> dense_times(const scene::Run& run, std::size_t rows);
-
-// The rows of a trajectory at the given times (those that it has), everything else as it is.
-Trajectory rows_at(const Trajectory& trajectory, const std::vector<double>& times);
 
 }  // namespace rotorub

@@ -11,7 +11,9 @@ namespace {
 using Settings = std::vector<JudgedSetting>;
 
 using Of = std::optional<scene::ContactModel>;  // none: of any
-bool is_of(const JudgedSetting& setting, Of contact) { return !contact || setting.setting.contact == *contact; }
+bool is_of(const JudgedSetting& setting, Of contact) {
+  return !contact || setting.setting.contact == *contact;
+}
 
 std::optional<std::size_t> cheapest_trusted(const Settings& all, Of contact = {}) {
   std::optional<std::size_t> best;

@@ -34,8 +34,8 @@ struct Choice {
   std::optional<std::size_t> next_cheaper;  // the dearest of those below it
   // Of each contact model its best, in their order: the cheapest that is trusted, or the nearest.
   std::vector<std::size_t> best_by_contact;
-  // Where none can be trusted: the one with the fewest wrong averages, of these the one whose worst average is nearest; then
-  // the same of single moments.
+  // Where none can be trusted: the one with the fewest wrong averages, of these the one whose worst
+  // average is nearest; then the same of single moments.
   std::optional<std::size_t> nearest;
 };
 

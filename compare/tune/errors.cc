@@ -25,14 +25,14 @@ void split_errors(const Setting& setting, const Runner& run, References& referen
   for (std::size_t k = 0; k < own.size(); ++k) {
     Setting finer = setting;
     finer.step /= std::pow(2.0, static_cast<double>(k));
-    const Outcome outcome = run(finer);
+    const Outcome outcome = run(finer, setting.step);
     if (!outcome.failure.empty()) {
       parts.contact.reason = parts.step.reason =
           fmt::format("{} did not end well: {}", text(finer), outcome.failure);
       return;
     }
     own[k] = outcome.metrics;
-    native[k] = references.at(finer.step).metrics;
+    native[k] = references.at(finer.step, setting.step).metrics;
   }
   for (const Figure& f : figures()) {
     if (!f.is_judged()) continue;

@@ -24,24 +24,27 @@ json setting_json(const JudgedSetting& judged, int modes) {
     if (f.verdict == FigureVerdict::kUndecidable) undecided.push_back(f.figure->key);
   }
   const bool soft = s.contact != scene::ContactModel::kRigid;
-  const auto given = [](bool has, double value) { return has && value > 0.0 ? json(value) : json(nullptr); };
-  return {{"contact", scene::to_string(s.contact)},
-          {"integrator", to_string(s.integrator)},
-          {"step", s.step},
-          {"modes", modes},
-          // null: chosen from the step, or a contact that has none.
-          {"solref_stiffness", given(soft, s.stiffness)},
-          {"solref_damping", given(soft, s.damping)},
-          {"friction_reference", given(s.contact == scene::ContactModel::kCone, s.friction_reference)},
-          {"solver", to_string(s.solver)},
-          {"us_per_step", judged.us_per_step > 0.0 ? json(judged.us_per_step) : json(nullptr)},
-          {"seconds_per_second", judged.cost() ? json(*judged.cost()) : json(nullptr)},
-          {"trusted", rotorub::to_string(judged.trust)},
-          {"errors", errors},
-          {"interval", intervals},
-          {"undecidable", undecided},
-          {"wrong", judged.wrong()},
-          {"reason", !judged.failure.empty() ? judged.failure : judged.luck}};
+  const auto given = [](bool has, double value) {
+    return has && value > 0.0 ? json(value) : json(nullptr);
+  };
+  return {
+      {"contact", scene::to_string(s.contact)},
+      {"integrator", to_string(s.integrator)},
+      {"step", s.step},
+      {"modes", modes},
+      // null: chosen from the step, or a contact that has none.
+      {"solref_stiffness", given(soft, s.stiffness)},
+      {"solref_damping", given(soft, s.damping)},
+      {"friction_reference", given(s.contact == scene::ContactModel::kCone, s.friction_reference)},
+      {"solver", to_string(s.solver)},
+      {"us_per_step", judged.us_per_step > 0.0 ? json(judged.us_per_step) : json(nullptr)},
+      {"seconds_per_second", judged.cost() ? json(*judged.cost()) : json(nullptr)},
+      {"trusted", rotorub::to_string(judged.trust)},
+      {"errors", errors},
+      {"interval", intervals},
+      {"undecidable", undecided},
+      {"wrong", judged.wrong()},
+      {"reason", !judged.failure.empty() ? judged.failure : judged.luck}};
 }
 
 json part_json(const ErrorPart& part) {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "compare/metrics/metrics.h"
@@ -23,14 +24,14 @@ class References {
  public:
   References(const scene::Scene& scene, int twins, const std::atomic<bool>* interrupt)
       : scene_(scene), twins_(twins), interrupt_(interrupt) {}
-  // Of an interrupted run: what there is.
-  const Reference& at(double step);
+  // window_step: see Runner. Of an interrupted run: what there is.
+  const Reference& at(double step, double window_step);
 
  private:
   const scene::Scene& scene_;
   int twins_;
   const std::atomic<bool>* interrupt_;
-  std::map<double, Reference> known_;
+  std::map<std::pair<double, double>, Reference> known_;  // by step and window_step
 };
 
 }  // namespace rotorub::tune

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "compare/engine/engine.h"
+#include "compare/study/rows.h"
 
 namespace rotorub::tune {
 namespace {
@@ -21,7 +22,7 @@ bool stopped(const std::atomic<bool>* interrupt) {
 JudgedSetting judged_run(const Setting& setting, const Runner& run, const Judge& judge) {
   JudgedSetting judged;
   judged.setting = setting;
-  const Outcome outcome = run(setting);
+  const Outcome outcome = run(setting, setting.step);
   judged.us_per_step = outcome.metrics.us_per_step;
   judged.failure = outcome.failure;
   if (!judged.failure.empty()) return judged;
@@ -80,7 +81,7 @@ Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* 
     std::unique_ptr<Engine> engine;
   };
   auto known = std::make_shared<std::map<std::vector<std::string>, std::shared_ptr<Variant>>>();
-  return [=](const Setting& setting) {
+  return [=](const Setting& setting, double window_step) {
     Outcome outcome;
     try {
       auto& variant = (*known)[overrides(setting)];
@@ -88,9 +89,10 @@ Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* 
         variant = std::make_shared<Variant>(
             Variant{reader(overrides(setting)), mujoco_engine(setting.contact)});
       }
+      variant->scene.run.step = window_step;
       RunRequest request;
       request.step = setting.step;
-      request.output_times = std::vector<double>{variant->scene.run.end};
+      request.output_times = dense_times(variant->scene.run, kRows);
       request.interrupt = interrupt;
       const Trajectory t = variant->engine->run(variant->scene, request);
       outcome.metrics = metrics(t, std::nullopt);
@@ -106,7 +108,7 @@ Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* 
 
 Judge judge_by(References& references, double tolerance) {
   return [&references, tolerance](const Metrics& m, double step) {
-    const Reference& native = references.at(step);
+    const Reference& native = references.at(step, step);
     std::vector<JudgedFigure> all;
     for (std::size_t k = 0; k < figures().size(); ++k) {
       const Figure& f = figures()[k];
@@ -127,7 +129,8 @@ void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
   for (JudgedSetting& s : settings) {
     const auto cost = s.cost();
     if (!cost || !s.failure.empty() || *cost > kNear * best || *cost < best / kNear) continue;
-    jobs.push_back([&run, setting = s.setting] { return run(setting).metrics.us_per_step; });
+    jobs.push_back(
+        [&run, setting = s.setting] { return run(setting, setting.step).metrics.us_per_step; });
     estimates.push_back(*cost);
     timed.push_back(&s);
   }

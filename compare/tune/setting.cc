@@ -64,7 +64,8 @@ std::vector<KeyValue> key_values(const Setting& s) {
   if (!is_soft(s)) return all;
   all.push_back({"mujoco", "solver", word(to_string(s.solver)), s.solver == plain.solver});
   const auto number = [&](const char* key, double value) {
-    all.push_back({"mujoco", key, value > 0.0 ? fmt::format("{:.17g}", value) : std::string(), value == 0.0});
+    all.push_back(
+        {"mujoco", key, value > 0.0 ? fmt::format("{:.17g}", value) : std::string(), value == 0.0});
   };
   number("solref_stiffness", s.stiffness);
   number("solref_damping", s.damping);
@@ -105,7 +106,8 @@ std::vector<Setting> variants(const scene::Mujoco& own) {
   for (const double reference : kFrictionReferences) {
     add({.contact = ContactModel::kCone, .friction_reference = reference});
   }
-  Setting scenes{own.contact, own.integrator, own.solver, own.solref_stiffness, 0.0, own.solref_damping};
+  Setting scenes{own.contact, own.integrator,    own.solver, own.solref_stiffness,
+                 0.0,         own.solref_damping};
   if (own.contact == ContactModel::kCone) scenes.friction_reference = own.friction_reference;
   if (!is_soft(scenes)) scenes = {own.contact, own.integrator};
   add(scenes);

@@ -62,10 +62,10 @@ std::string error_lines(const TuneResult& r) {
                   "contact model", kValue, "step", kValue, "modes kept", kValue);
   const ModelError& modes = r.model_error;
   for (const JudgedFigure& f : s.figures) {
-    lines += fmt::format("  {:<{}}{:>{}}{:>{}}{:>{}}{:>{}}\n", f.figure->label, kLabel,
-                         deviation_text(*f.figure, f.deviation), kValue,
-                         part_text(r.errors.contact, *f.figure), kValue, part_text(r.errors.step, *f.figure),
-                         kValue, mode_text(modes, *f.figure), kValue);
+    lines += fmt::format(
+        "  {:<{}}{:>{}}{:>{}}{:>{}}{:>{}}\n", f.figure->label, kLabel,
+        deviation_text(*f.figure, f.deviation), kValue, part_text(r.errors.contact, *f.figure),
+        kValue, part_text(r.errors.step, *f.figure), kValue, mode_text(modes, *f.figure), kValue);
   }
   if (!r.errors.contact.reason.empty()) lines += wrapped("  not told: ", r.errors.contact.reason);
   return lines + "\n" + model_error_table(modes, "  ");
@@ -85,7 +85,8 @@ std::string tune_table(const TuneResult& r, const Palette& palette) {
   lines += palette.paint_first(
       Tone::kGood, setting_lines("trusted", all[*r.choice.trusted], r.tolerance), "trusted");
   if (!r.choice.next_cheaper) {
-    return lines + "  next cheaper      none: it is the cheapest of all\n" + best_lines(r) + error_lines(r);
+    return lines + "  next cheaper      none: it is the cheapest of all\n" + best_lines(r) +
+           error_lines(r);
   }
   lines += setting_lines("next cheaper", all[*r.choice.next_cheaper], r.tolerance);
   return lines + best_lines(r) + error_lines(r);

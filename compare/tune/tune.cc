@@ -54,7 +54,8 @@ TuneResult tune_scene(const bench::SceneReader& reader, const TuneParameters& pa
   ladder.step = result.choice.trusted ? result.settings[*result.choice.trusted].setting.step
                                       : result.scene.run.step;
   ladder.interrupt = parameters.interrupt;
-  if (result.scene.rotor.geometry) ladder.spread = single_run_intervals(references.at(ladder.step).samples);
+  if (result.scene.rotor.geometry)
+    ladder.spread = single_run_intervals(references.at(ladder.step, ladder.step).samples);
   if (stopped()) return result;
   result.model_error = model_error(result.scene, ladder);
   stopped();

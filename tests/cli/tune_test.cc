@@ -41,6 +41,30 @@ TEST(CliTune, FindsASettingWhoseOwnComparisonPasses) {
   EXPECT_EQ(judged.code, 0) << judged.err;
 }
 
+// What tune says of a setting, compare says of the scene that has it.
+TEST(CliTune, JudgesAsCompareDoes) {
+  const Folder folder;
+  const std::vector<std::string> shared{shipped("bench_ring"), "--end", "50ms", "--twins", "0"};
+  std::vector<std::string> words{"tune", "--steps", "50us", "--tolerance", "100%", "--json"};
+  words.insert(words.end(), shared.begin(), shared.end());
+  const json all = json::parse(folder.run(words).out);
+  words = {"compare", "--step", "50us", "--no-video", "--quiet", "-o", "out"};
+  words.insert(words.end(), shared.begin(), shared.end());
+  folder.run(words);
+  const json sides = json::parse(folder.text("out/compare.json"))["scenes"][0]["differences"];
+  int seen = 0;
+  for (const json& s : all["settings"]) {
+    const bool as_it_comes = s["solref_stiffness"].is_null() && s["solref_damping"].is_null() && s["friction_reference"].is_null();
+    if (!as_it_comes || s["integrator"] != "euler" || s["solver"] != "newton") continue;
+    const json& figures = sides.at(s["contact"].get<std::string>()).at("figures");
+    for (const auto& [key, error] : s["errors"].items()) {
+      EXPECT_NEAR(error.get<double>(), figures.at(key).at("deviation").get<double>(), 1e-9) << s["contact"] << " " << key;
+      ++seen;
+    }
+  }
+  EXPECT_GE(seen, 4 * 7);
+}
+
 TEST(CliTune, SaysWhatCannotBeTrusted) {
   const Folder folder;
   const Outcome none = folder.run({"tune", shipped("bench_ring"), "--end", "20ms", "--steps",

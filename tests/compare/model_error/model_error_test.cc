@@ -9,7 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "compare/engine/engine.h"
+#include "compare/metrics/metrics.h"
 #include "compare/model_error/json.h"
+#include "compare/study/rows.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub {
@@ -24,9 +27,13 @@ TEST(ModeLadder, RisesToTwiceTheModes) {
 }
 
 // A soft rub of the rig with two modes, under control.
+scene::Scene rub_scene() {
+  return shipped("paper_sliding",
+                 {"rotor.modes=2", "run.end=0.12", "initial.steady=false", "initial.x=[1e-6,0]"});
+}
+
 const ModelError& rub() {
-  static const ModelError error =
-      model_error(shipped("paper_sliding", {"rotor.modes=2", "run.end=0.12", "initial.steady=false", "initial.x=[1e-6,0]"}), {});
+  static const ModelError error = model_error(rub_scene(), {});
   return error;
 }
 
@@ -43,8 +50,18 @@ TEST(ModelError, TellsEveryJudgedFigure) {
   std::size_t judged = 0;
   for (const Figure& f : figures()) judged += f.is_judged() ? 1 : 0;
   EXPECT_LE(rub().figures.size(), judged);
-  EXPECT_GE(rub().figures.size(), 7u) << "all but what the scene has not: a ring that turns, a controller, a near miss";
+  EXPECT_GE(rub().figures.size(), 7u)
+      << "all but what the scene has not: a ring that turns, a controller, a near miss";
   for (const FigureLimit& f : rub().figures) EXPECT_EQ(f.values.size(), 4U);
+}
+
+TEST(ModelError, TheFirstRungIsTheNativeRunOfACompare) {
+  RunRequest request;
+  request.output_times = dense_times(rub_scene().run, kRows);
+  const Metrics m =
+      metrics(native_engine(scene::Integrator::kEvent)->run(rub_scene(), request), std::nullopt);
+  for (const FigureLimit& f : rub().figures)
+    EXPECT_EQ(f.values[0], f.figure->value(m)) << f.figure->key;
 }
 
 // The rotor is lighter at the contact with every mode: so are its impacts.

@@ -75,7 +75,7 @@ TEST(Choice, OfNothingIsNothing) {
 
 // The mean force is off by step / 10 ms for `rigid`, by a tenth whatever the step for others; the
 // cone happens to be right at 50 us.
-Outcome made_run(const Setting& s) {
+Outcome made_run(const Setting& s, double) {
   Outcome outcome;
   outcome.metrics.us_per_step = 1.0;
   double off = s.contact == ContactModel::kRigid ? s.step / 1e-2 : 0.1;
