@@ -31,7 +31,8 @@ namespace {
 
 struct CompareArguments : CommonOptions {
   std::vector<std::string> scenes, with;
-  std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare", format = "csv";
+  std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare",
+              format = "csv";
   std::string measured, measured_shift, measured_angle;  // empty: none, found
   int twins = kDefaultTwins;
   bool no_video = false, modes_ladder = true, tune = false;
@@ -49,7 +50,8 @@ struct Subject {
 };
 
 Subject read_subject(const std::string& file, const CompareArguments& options) {
-  if (std::filesystem::path(file).extension() != ".xml") return {read_scene(file, options), nullptr};
+  if (std::filesystem::path(file).extension() != ".xml")
+    return {read_scene(file, options), nullptr};
   const OwnRun run = own_run(options);
   try {
     const auto own = std::make_shared<const OwnMachine>(file, run);
@@ -94,7 +96,8 @@ struct MeasuredInput {
   AlignmentOptions alignment;
 };
 
-std::optional<double> quantity_of(const char* option, const std::string& text, const scene::Quantity& quantity) {
+std::optional<double> quantity_of(const char* option, const std::string& text,
+                                  const scene::Quantity& quantity) {
   if (text.empty()) return std::nullopt;
   const scene::ParsedQuantity parsed = scene::parse_quantity(text, quantity);
   if (!parsed.error.empty()) throw UsageError(fmt::format("{}: {}", option, parsed.error));
@@ -105,10 +108,12 @@ MeasuredInput measured_of(const CompareArguments& options) {
   MeasuredInput input;
   if (options.measured.empty()) {
     if (options.measured_shift.empty() && options.measured_angle.empty()) return input;
-    throw UsageError("--measured-shift and --measured-angle: of what --measured names, and it names nothing");
+    throw UsageError(
+        "--measured-shift and --measured-angle: of what --measured names, and it names nothing");
   }
   if (options.scenes.size() > 1) {
-    throw UsageError(fmt::format("--measured: one scene is accepted with it, {} are given", options.scenes.size()));
+    throw UsageError(fmt::format("--measured: one scene is accepted with it, {} are given",
+                                 options.scenes.size()));
   }
   input.alignment.shift = quantity_of("--measured-shift", options.measured_shift, scene::kTime);
   input.alignment.angle = quantity_of("--measured-angle", options.measured_angle, scene::kAngle);
@@ -137,19 +142,23 @@ std::vector<PageScene> pages_of(const CompareArguments& options,
 }
 
 // What a user is to set, beside the verdicts.
-void find_settings(const CompareArguments& options, double tolerance, const std::vector<Subject>& subjects,
-                   ProgressBar& bar, std::vector<PageScene>& pages) {
+void find_settings(const CompareArguments& options, double tolerance,
+                   const std::vector<Subject>& subjects, ProgressBar& bar,
+                   std::vector<PageScene>& pages) {
   for (std::size_t k = 0; k < pages.size() && !interrupted(); ++k) {
     const Subject& subject = subjects[k];
     if (subject.own || !subject.scene.contact) continue;
     if (!options.tune) {
-      pages[k].setting = fmt::format("the fastest that can be trusted is found by rotorub tune {} --tolerance {}",
-                                     options.scenes[k], options.tolerance);
+      pages[k].setting =
+          fmt::format("the fastest that can be trusted is found by rotorub tune {} --tolerance {}",
+                      options.scenes[k], options.tolerance);
       continue;
     }
-    pages[k].setting = setting_sentence(
-        tuned(options.scenes[k], subject.scene, options, tolerance, options.twins, "",
-              [&](double share, const std::string& what) { bar.show(share, subject.scene.name + ": " + what); }));
+    pages[k].setting =
+        setting_sentence(tuned(options.scenes[k], subject.scene, options, tolerance, options.twins,
+                               "", [&](double share, const std::string& what) {
+                                 bar.show(share, subject.scene.name + ": " + what);
+                               }));
     bar.clear();
     if (!options.json && !options.quiet) {
       fmt::print("\n{}: setting to use: {}\n", subject.scene.name, pages[k].setting);
@@ -182,8 +191,9 @@ SceneComparison compared(const scene::Scene& scene, const CompareOptions& how) {
 // Runs and compares the scenes one by one, writes and prints each. An interrupted one is kept on
 // disk, but is no comparison.
 std::vector<SceneComparison> compare_all(const CompareArguments& options, double tolerance,
-                                         const std::vector<Subject>& subjects, const MeasuredInput& measured,
-                                         hdf5::ImageOf hdf5, ProgressBar& bar) {
+                                         const std::vector<Subject>& subjects,
+                                         const MeasuredInput& measured, hdf5::ImageOf hdf5,
+                                         ProgressBar& bar) {
   std::vector<SceneComparison> comparisons;
   const double work = options.no_video ? 1.0 : 1.0 - kFilmShare;
   for (std::size_t k = 0; k < subjects.size() && !interrupted(); ++k) {
@@ -256,25 +266,31 @@ Command add_compare_command(CLI::App& program) {
   auto options = std::make_shared<CompareArguments>();
   CLI::App* app = program.add_subcommand(
       "compare", "Run scenes in MuJoCo and in the native model and say how far apart they are");
-  app->add_option("SCENE", options->scenes, "Scene files (.toml), or machines of your own (.xml): MJCF that names its rub (plugin/README.md)")->required();
-  app->add_option("--mode", options->mode, "How the two sides are coupled: lockstep (each closes its own loop), replay (native under "
-                  "the commands that MuJoCo used), resync (native restarts from MuJoCo's state at "
-                  "every onset of contact and predicts it)")
+  app->add_option("SCENE", options->scenes,
+                  "Scene files (.toml), or machines of your own (.xml): MJCF that names its rub "
+                  "(plugin/README.md)")
+      ->required();
+  app->add_option(
+         "--mode", options->mode,
+         "How the two sides are coupled: lockstep (each closes its own loop), replay (native under "
+         "the commands that MuJoCo used), resync (native restarts from MuJoCo's state at "
+         "every onset of contact and predicts it)")
       ->check(CLI::IsMember({"lockstep", "replay", "resync"}))
       ->capture_default_str();
-  app->add_option(
-         "--tolerance", options->tolerance,
-         "On the judged figures, as 1% or 0.01: averages (mean normal force, lasting contact, total impulse, friction work, "
-         "whirl, spin, control force; least gap where nothing touches) and single moments (largest impulse, hard impacts, rms "
-         "gap rate)")
+  app->add_option("--tolerance", options->tolerance,
+                  "On the judged figures, as 1% or 0.01: averages (mean normal force, lasting "
+                  "contact, total impulse, friction work, "
+                  "whirl, spin, ring speed, control force; least gap where nothing touches) and "
+                  "single moments (largest impact or impulse, hard impacts, rms "
+                  "gap rate)")
       ->type_name("SHARE")
       ->capture_default_str();
-  app->add_option("--contact", options->contact,
-                  "Whose verdict is the exit code; all are shown")
+  app->add_option("--contact", options->contact, "Whose verdict is the exit code; all are shown")
       ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()))
       ->capture_default_str();
   app->add_option("--twins", options->twins,
-                  "Runs a few units in the last place apart, of native and, where these scatter, of the contact model that decides: "
+                  "Runs a few units in the last place apart, of native and, where these scatter, "
+                  "of the contact model that decides: "
                   "how well a difference is known")
       ->type_name("N")
       ->capture_default_str();
@@ -285,26 +301,31 @@ Command add_compare_command(CLI::App& program) {
       ->type_name("DIR")
       ->capture_default_str();
   app->add_option("--with", options->with,
-                  "Folder of results that the report shows too: of bench, check or sweep with -o, or a folder of such "
+                  "Folder of results that the report shows too: of bench, check or sweep with -o, "
+                  "or a folder of such "
                   "folders; may be repeated")
       ->type_name("DIR")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  app->add_option("--measured", options->measured,
-                  "A measured run of the one scene, laid beside its runs: a table with a header, t and any of rotor, ring, "
-                  "gap, force, current, each with its unit, as `t [ms], rotor_x [um]` (compare/README.md)")
+  app->add_option(
+         "--measured", options->measured,
+         "A measured run of the one scene, laid beside its runs: a table with a header, t and any "
+         "of rotor, ring, "
+         "gap, force, current, each with its unit, as `t [ms], rotor_x [um]` (compare/README.md)")
       ->type_name("CSV");
   app->add_option("--measured-shift", options->measured_shift,
                   "Time added to the record's, as 12.5ms (default: found by least squares)")
       ->type_name("TIME");
   app->add_option("--measured-angle", options->measured_angle,
-                  "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: found where x and y are "
+                  "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: "
+                  "found where x and y are "
                   "measured)")
       ->type_name("ANGLE");
   add_format_option(*app, options->format);
   app->add_flag("--tune", options->tune,
-                "Finds the fastest setting that can be trusted for each scene (rotorub tune), and shows it beside the "
+                "Finds the fastest setting that can be trusted for each scene (rotorub tune), and "
+                "shows it beside the "
                 "verdicts");
   app->add_flag("--no-video", options->no_video, "Leave the films out");
   add_run_options(*app, *options);
