@@ -10,7 +10,7 @@
 #include "native_model/contact/kinematics.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
-#include "plugin/contact/coupled_law.h"
+#include "native_model/contact/coupled_law.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/own/axial_motion.h"
@@ -31,7 +31,7 @@ struct NotedContact {
 };
 // Of the pass that this thread did last.
 NotedContact& noted(int data) {
-  static thread_local std::array<NotedContact, kMaxPairs> all;
+  static thread_local std::array<NotedContact, kMaxContacts> all;
   return all[static_cast<std::size_t>(data / kPairEntries) % all.size()];
 }
 

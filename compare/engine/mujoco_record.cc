@@ -162,7 +162,7 @@ double MujocoRecord::held() const {
 
 void MujocoRecord::count_impact() {
   StepFigures figures;
-  const double lasted = model_.contact->compression_time + model_.contact->expansion_time;
+  const double lasted = model_.contact->impact_time();
   figures.h = lasted > 0.0 ? lasted : step_;
   figures.impact = true;
   figures.normal_impulse = impact_.normal_impulse;

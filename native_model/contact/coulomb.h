@@ -8,9 +8,13 @@
 // compression phase, or accelerations. Friction is dissipative: L_T y_T <= 0.
 #pragma once
 
+#include <cstdint>
+
 #include "native_model/contact/kinematics.h"
 
 namespace rotorub {
+
+enum class Mode : std::uint8_t { kFree = 0, kSlide = 1, kStick = 2 };  // of a contact
 
 enum class ContactCase { kOpen, kStick, kSlidePositive, kSlideNegative };  // sign of the slip y_T
 
@@ -22,6 +26,13 @@ struct CoulombSolution {
   // given. Both arise only where mu |a_nt| > a_nn, or with an unsymmetric matrix.
   int solutions = 1;
 };
+
+inline Mode mode_of(double normal, bool sticks) {
+  return normal <= 0.0 ? Mode::kFree : sticks ? Mode::kStick : Mode::kSlide;
+}
+inline Mode mode_of(const CoulombSolution& s) {
+  return mode_of(s.normal, s.contact_case == ContactCase::kStick);
+}
 
 CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double mu);
 

@@ -59,8 +59,7 @@ struct Expansion {
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   ImpactResult r;
   const CoulombSolution c = solve_coulomb(phase.matrix, phase.gap_rate, phase.slip, law.friction);
-  if (c.solutions == 0) r.status = ImpactStatus::kNoSolution;
-  if (c.solutions > 1) r.status = ImpactStatus::kSeveralSolutions;
+  r.status = status_of(c.solutions);
   r.normal_compression = c.normal;
   r.friction_compression = c.friction;
   const PlanarImpulse<double> l{c.normal, c.friction};
@@ -75,7 +74,7 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
 }
 
 void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
-  if (r.status == ImpactStatus::kNoSolution) return;
+  if (r.status == Status::kNoSolution) return;
   const double s = r.friction_compression < 0.0 ? -1.0 : 1.0;
   Expansion e{phase.matrix, phase.gap_rate, s * phase.slip, law.friction, 0.0, 0.0, false};
   e.a.nt *= s;
@@ -93,9 +92,9 @@ void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
     if (e.closed(q, count)) {
       p = q;
       closed = true;
-      if (count > 1) r.status = ImpactStatus::kSeveralSolutions;
+      if (count > 1) r.status = Status::kAmbiguous;
     } else {
-      r.status = ImpactStatus::kNoSolution;
+      r.status = Status::kNoSolution;
       return;
     }
   }

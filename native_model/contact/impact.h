@@ -10,6 +10,7 @@
 #pragma once
 
 #include "native_model/contact/coulomb.h"
+#include "native_model/numerics/status.h"
 
 namespace rotorub {
 
@@ -27,10 +28,8 @@ struct ImpactPhase {
   double slip = 0.0;      // m/s, gdot_T at its end without impulse
 };
 
-enum class ImpactStatus { kOk, kNoSolution, kSeveralSolutions };
-
 struct ImpactResult {
-  ImpactStatus status = ImpactStatus::kOk;
+  Status status = Status::kOk;
   double normal_compression = 0.0, friction_compression = 0.0;  // N s, L_NC, L_TC
   double normal_expansion = 0.0, friction_expansion = 0.0;      // N s, L_NE, L_TE
   double gap_rate_compression = 0.0, slip_compression = 0.0;    // m/s, gdot_NC, gdot_TC

@@ -61,7 +61,7 @@ StepImpacts locate_impacts(const FlightStep& s, const ImpactLaw& law) {
                            hit.slip_before, own);
     ++out.count;
     out.status = hit.law.status;
-    if (out.status != ImpactStatus::kOk) return out;
+    if (out.status != Status::kOk) return out;
     velocity +=
         s.admittance * contact_load(hit.e_r, s.radius, hit.law.normal(), hit.law.friction());
     if (stays) {

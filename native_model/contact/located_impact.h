@@ -32,7 +32,7 @@ struct LocatedImpact {
 
 struct StepImpacts {
   static constexpr int kMost = 8;  // of one step; the last has restitution 0
-  ImpactStatus status = ImpactStatus::kOk;
+  Status status = Status::kOk;
   int count = 0;
   std::array<LocatedImpact, kMost> impacts;
   bool closes = false;  // contact lasts at the end of the step

@@ -183,10 +183,10 @@ void EventIntegrator::impact() {
     return decide(false, Departure::kParting);
   }
   const EventImpact::Outcome outcome = impact_.run(motion_, touch, end_);
-  if (outcome.status == ImpactStatus::kNoSolution) {
+  if (outcome.status == Status::kNoSolution) {
     return fail(Status::kNoSolution, "the impact laws have no solution");
   }
-  if (outcome.status == ImpactStatus::kSeveralSolutions) {
+  if (outcome.status == Status::kAmbiguous) {
     return fail(Status::kAmbiguous, "the impact laws have several solutions");
   }
   switch (outcome.after) {

@@ -30,7 +30,7 @@ Eigen::Vector3d EventImpact::contact_velocity(const Motion& motion) const {
 // impact itself lasts as long there is no flight.
 bool EventImpact::impact_longer_than_flight(const Motion& motion, const ContactPoint& touch) {
   const ContactParameters& c = *model_->contact;
-  const double duration = c.compression_time + c.expansion_time;
+  const double duration = c.impact_time();
   if (duration == 0.0) return false;
   const double pressed = -phase_->contact(motion.t, motion.y.data()).b.normal;
   return -2.0 * c.restitution * touch.gap_rate < pressed * duration;
@@ -49,12 +49,12 @@ EventImpact::Outcome EventImpact::run(Motion& motion, const ContactPoint& touch,
   in.delta = c.clearance;
   in.velocity = contact_velocity(motion);
   in.acceleration.setZero();
-  const ImpactLaw law{c.friction, c.restitution, c.tangential_restitution};
+  const ImpactLaw law = c.law();
   if (-touch.gap_rate < parameters_->zeno_velocity_threshold ||
       impact_longer_than_flight(motion, touch)) {
     return at_once(motion, touch, {c.friction, 0.0, 0.0}, in, record);
   }
-  if (c.compression_time + c.expansion_time == 0.0) return at_once(motion, touch, law, in, record);
+  if (c.impact_time() == 0.0) return at_once(motion, touch, law, in, record);
   return over_time(motion, touch, law, in, record, end);
 }
 
@@ -62,7 +62,7 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, const ContactPoint& to
                                           const ImpactLaw& law, const ImpactInput& in,
                                           Impact& record) {
   const ImpactResult r = solve_impact(in, law);
-  if (r.status != ImpactStatus::kOk) return {r.status};
+  if (r.status != Status::kOk) return {r.status};
   constraint_->apply(motion, touch.e_r, r.normal(), r.friction());
   record.gap_rate_after = r.gap_rate;
   record.slip_after = r.slip;
@@ -96,7 +96,7 @@ EventImpact::Outcome EventImpact::over_time(Motion& motion, const ContactPoint& 
                                              pressing(touch, in.acceleration), c.compression_time,
                                              c.expansion_time);
   const ImpactResult r = solve_impact(in, own);
-  if (r.status != ImpactStatus::kOk) return {r.status};
+  if (r.status != Status::kOk) return {r.status};
   phase_of(motion, touch.e_r, c.compression_time, r.normal_compression, r.friction_compression,
            record, end);
   phase_of(motion, touch.e_r, c.expansion_time, r.normal_expansion, r.friction_expansion, record,

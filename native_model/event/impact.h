@@ -15,7 +15,7 @@ class EventImpact {
               Constraint& constraint, Observer& observer);
 
   struct Outcome {
-    ImpactStatus status = ImpactStatus::kOk;
+    Status status = Status::kOk;
     enum { kParts, kRests, kInside } after = kRests;  // on the circle; kInside: not on it
     bool stuck = false;                               // gdot_T = 0 exactly
   };

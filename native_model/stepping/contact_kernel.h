@@ -289,7 +289,7 @@ class ContactKernel : public LoadKernel<M> {
     s.radius = c.radius;
     s.friction = c.friction;
     const LastingResult r = solve_lasting_contact(s);
-    if (r.solutions != 1) fail(lane, r.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous);
+    if (r.solutions != 1) fail(lane, status_of(r.solutions));
     lanes::set(normal_impulse, lane, r.normal);
     lanes::set(friction_impulse, lane, r.friction);
     lanes::set(slip_sign, lane,

@@ -251,7 +251,7 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
     const auto& c = models_[i].contact;
     const bool sampled = models_[i].controller && models_[i].sample_time > 0.0;
     if ((integrator == scene::Integrator::kPaper || sampled) && c &&
-        c->compression_time + c->expansion_time > 0.0) {
+        c->impact_time() > 0.0) {
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has impacts that take time, which need the "
                                   "integrator event, or verlet without a sampled controller");

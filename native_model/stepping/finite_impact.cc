@@ -44,7 +44,7 @@ void FiniteImpact::add_phase(double t, const double* q, double tau, double norma
   record_.energy_change += impulse_work(normal, friction, before, after).total();
 }
 
-ImpactStatus FiniteImpact::begin(double t, const double* q, const double* v,
+Status FiniteImpact::begin(double t, const double* q, const double* v,
                                  const Eigen::Vector2d& command, bool follows) {
   const Model& m = *model_;
   const ContactParameters& c = *m.contact;
@@ -68,7 +68,7 @@ ImpactStatus FiniteImpact::begin(double t, const double* q, const double* v,
       restitution_beside_loads(c.restitution, -touch.gap_rate, pressing(touch, in.acceleration),
                                c.compression_time, c.expansion_time);
   const ImpactResult r = solve_impact(in, {c.friction, restitution, c.tangential_restitution});
-  if (r.status != ImpactStatus::kOk) return r.status;
+  if (r.status != Status::kOk) return r.status;
 
   record_ = {};
   record_.t = t;

@@ -21,7 +21,7 @@ class FiniteImpact {
 
   // From the touch at t (s), under the command that holds there; `follows`: a continuous controller
   // has another one at the end. With a status there is none.
-  ImpactStatus begin(double t, const double* q, const double* v, const Eigen::Vector2d& command,
+  Status begin(double t, const double* q, const double* v, const Eigen::Vector2d& command,
                      bool follows);
   void cancel() { active_ = end_ = 0.0; }
   bool active() const { return active_ > 0.0; }  // begun, and not finished

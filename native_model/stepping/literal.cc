@@ -98,26 +98,22 @@ void LiteralStepper::touch(double t, FixedStep& out) {
   const Delassus g = delassus(contact_admittance(m, t, q()), e_r, c.radius);
   if (!lasted && c.restitution * closing > undone) {
     const ImpactResult r = solve_impact(g, -closing, rates_along(e_r, c.radius, free).y(),
-                                        {c.friction, c.restitution, c.tangential_restitution});
-    if (r.status != ImpactStatus::kOk) {
-      out.status = r.status == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous;
-      return;
-    }
+                                        c.law());
+    out.status = r.status;
+    if (r.status != Status::kOk) return;
     out.normal_impulse = r.normal();
     out.friction_impulse = r.friction();
     push(t, e_r, r.normal(), r.friction());
     return record(t, e_r, out);
   }
   const CoulombSolution s = solve_coulomb(g, gap / h_, rates_along(e_r, c.radius, free).y(), c.friction);
-  if (s.solutions != 1) {
-    out.status = s.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous;
-    return;
-  }
+  out.status = status_of(s.solutions);
+  if (out.status != Status::kOk) return;
   out.normal_impulse = s.normal;
   out.friction_impulse = s.friction;
   push(t, e_r, s.normal, s.friction);
   in_contact_ = true;
-  out.mode = s.contact_case == ContactCase::kStick ? Mode::kStick : Mode::kSlide;
+  out.mode = mode_of(s);
   // Closed without a rebound: the impact is in the step's impulse.
   if (!lasted) record(t, e_r, out);
 }

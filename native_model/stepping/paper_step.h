@@ -126,13 +126,10 @@ class PaperKernel : public ContactKernel<M> {
       lanes::set(this->in_contact, lane, 1.0);
     }
     const double slip = e_r.x() * free.y() - e_r.y() * free.x() + c.radius * free.z();
-    ImpactLaw law{c.friction, c.restitution, c.tangential_restitution};
+    ImpactLaw law = c.law();
     if (stays) law.restitution = law.tangential_restitution = 0.0;
     const ImpactResult r = solve_impact(g, -closing, slip, law);
-    if (r.status != ImpactStatus::kOk) {
-      return this->fail(
-          lane, r.status == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous);
-    }
+    if (r.status != Status::kOk) return this->fail(lane, r.status);
     std::fill_n(change, m.nq(), 0.0);
     add_contact_load(m, contact_load(e_r, c.radius, r.normal(), r.friction()), change);
     solve_mass(m, t, q, change, change);

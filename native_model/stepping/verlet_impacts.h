@@ -26,10 +26,7 @@ class VerletImpacts : public ContactKernel<M> {
   VerletImpacts(const M& m, const std::vector<const Model*>& models, double h)
       : Base(m, models, h) {
     if (!this->contact_) return;
-    for (const Model* model : models) {
-      const ContactParameters& c = *model->contact;
-      takes_time_ = takes_time_ || c.compression_time + c.expansion_time > 0.0;
-    }
+    for (const Model* model : models) takes_time_ = takes_time_ || model->contact->impact_time() > 0.0;
     for (const Model* model : models) {
       if (takes_time_) lasting_.emplace_back(*model);
     }
@@ -72,13 +69,9 @@ class VerletImpacts : public ContactKernel<M> {
       for (int i = 0; i < nq; ++i) q[i] += std::min(1.0, share) * h * v[i];
     }
     s.admittance = contact_admittance(m, t, q);
-    s.duration = c.compression_time + c.expansion_time;
-    const StepImpacts hits =
-        locate_impacts(s, {c.friction, c.restitution, c.tangential_restitution});
-    if (hits.status != ImpactStatus::kOk) {
-      return this->fail(lane, hits.status == ImpactStatus::kNoSolution ? Status::kNoSolution
-                                                                       : Status::kAmbiguous);
-    }
+    s.duration = c.impact_time();
+    const StepImpacts hits = locate_impacts(s, c.law());
+    if (hits.status != Status::kOk) return this->fail(lane, hits.status);
     for (int i = 0; i < nq; ++i) start[i] = (v[i] - start[i]) / kick;  // acceleration, from here on
     const Eigen::Vector2d u{lanes::get(this->command_x, lane), lanes::get(this->command_y, lane)};
     for (int n = 0; n < hits.count; ++n) {
@@ -173,12 +166,9 @@ class VerletImpacts : public ContactKernel<M> {
     const Eigen::Vector2d held{lanes::get(this->command_x, lane),
                                lanes::get(this->command_y, lane)};
     FiniteImpact& impact = lasting_[static_cast<std::size_t>(lane)];
-    const ImpactStatus found =
+    const Status found =
         impact.begin(t, at, rates, follows ? control_command(m, t, at, rates) : held, follows);
-    if (found != ImpactStatus::kOk) {
-      return this->fail(
-          lane, found == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous);
-    }
+    if (found != Status::kOk) return this->fail(lane, found);
     // The kick went on to the middle of the step.
     late_work += late * impact.power_at_touch() + impact.external_work();
     impact_time[lane] = impact.end() - t;

@@ -19,6 +19,7 @@
 #include "native_model/bearing/drive.h"
 #include "native_model/bearing/force_law.h"
 #include "native_model/bearing/magnetic_feedback.h"
+#include "native_model/contact/contact_parameters.h"
 #include "native_model/control/command_record.h"
 #include "native_model/control/control_loop.h"
 #include "native_model/control/controller.h"
@@ -88,19 +89,6 @@ struct StationSpring {
 struct StationFeedback {
   ModeShape shape;
   MagneticFeedback<double> law;
-};
-
-struct ContactParameters {
-  double radius, clearance;              // m
-  double friction;                       // mu
-  double restitution;                    // eps_N
-  double tangential_restitution;         // eps_T
-  double compression_time, expansion_time;  // s
-  // R / r. The surfaces meet at r e_r from the rotor's centre, which is at R e_r from the ring's,
-  // R = r + delta_0: so fast a ring that turns passes there, and with this lever friction turns it.
-  // With r in its place angular momentum would be lost: the force's moments about one point,
-  // delta_0 + r on the rotor and -R on the ring, add up to 0.
-  double surface_ratio() const { return (radius + clearance) / radius; }
 };
 
 // Magnets on the two axes of the actuator; they act with or without a controller.

@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "native_model/contact/coulomb.h"
+#include "native_model/numerics/status.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
 
-enum class Mode : std::uint8_t { kFree = 0, kSlide = 1, kStick = 2 };
 const char* to_string(Mode mode);
 
 // One column of the series. `mode` holds the number of the Mode.
@@ -41,18 +42,6 @@ struct Event {
   EventKind kind = EventKind::kImpact;
 };
 
-// kOutOfRange: rotor or ring beyond what holds it. kControllerFailed: the user's law reported a
-// failure, threw, or told what is no number.
-enum class Status {
-  kOk,
-  kDiverged,
-  kNoSolution,
-  kAmbiguous,
-  kStepTooLarge,
-  kOutOfRange,
-  kInterrupted,
-  kControllerFailed
-};
 const char* to_string(Status status);
 
 // Figures gathered over every step, whatever the spacing of the series.

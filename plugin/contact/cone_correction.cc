@@ -6,7 +6,7 @@
 
 #include "plugin/actuators.h"
 #include "plugin/contact/constraint_probe.h"
-#include "plugin/contact/disc_law.h"
+#include "native_model/contact/disc_law.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
@@ -110,7 +110,7 @@ class OwnCones {
       b[i] = mju_dot(columns_ + i * nv_, d_->qacc_smooth, nv_) - along(m_, of(i), d_->efc_aref, direction(i));
       a(i, i) += softness(i);
     }
-    std::array<DiscSet, kMaxPairs> sets{};
+    std::array<DiscSet, kMaxContacts> sets{};
     for (DiscSet& set : sets) set.friction = 1.0;
     const CoupledSolution s = solve_discs(a, b, std::span(sets).first(contacts_.size()));
     if (s.solutions == 0) return false;
@@ -231,9 +231,9 @@ void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> 
     if (c.contact->dim >= 3) cones.push_back(rows);
   }
   if (cones.empty()) return;
-  bool exact = cones.size() <= kMaxPairs && !mj_isPyramidal(m) &&
+  bool exact = cones.size() <= kMaxContacts && !mj_isPyramidal(m) &&
                std::all_of(cones.begin(), cones.end(), [](const ConeRows& c) { return c.slides_only(); });
-  if (cones.size() <= kMaxPairs) {
+  if (cones.size() <= kMaxContacts) {
     OwnCones own(m, d, cones);
     exact = own.solve() && exact && !own.is_coupled();
   }

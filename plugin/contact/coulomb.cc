@@ -99,11 +99,6 @@ double solver_reference(const Config& config, const mjData* d, int row, const Pr
   return smooth + (g.nn + d->efc_R[row]) * normal;
 }
 
-Mode mode_of(const CoulombSolution& solution) {
-  if (solution.normal <= 0.0) return Mode::kFree;
-  return solution.contact_case == ContactCase::kStick ? Mode::kStick : Mode::kSlide;
-}
-
 }  // namespace
 
 void apply_coulomb(const Config& config, const mjModel* m, mjData* d, const mjContact& contact,

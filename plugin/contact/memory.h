@@ -7,7 +7,7 @@
 #include <mujoco/mujoco.h>
 
 #include "plugin/contact/escape_guard.h"
-#include "plugin/contact/rigid_law.h"
+#include "native_model/contact/rigid_law.h"
 #include "plugin/load_cells.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"
@@ -39,7 +39,7 @@ class ContactMemory {
 
   // Of this pass; delta: m, between the centres.
   void watch(double delta, const ContactParameters& c) {
-    const bool gives = c.compression_time + c.expansion_time > 0.0;  // an impact that takes time goes deep
+    const bool gives = c.impact_time() > 0.0;  // an impact that takes time goes deep
     if (!gives) EscapeGuard(entry_).watch(c.clearance - delta, c.clearance, d_->time);
   }
   void begin_anew() { EscapeGuard(entry_).begin(); }

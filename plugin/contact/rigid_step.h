@@ -4,7 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include "plugin/contact/contact_space.h"
-#include "plugin/contact/rigid_law.h"
+#include "native_model/contact/rigid_law.h"
 
 namespace rotorub::plugin {
 

@@ -84,10 +84,8 @@ void apply_segment_coulomb(const Config& config, const mjModel* m, mjData* d,
                              free.gap - reference(d, row, point, h), point.slip / h + free.slip,
                              friction_of(contact));
   }
-  const bool sticks = solution.contact_case == ContactCase::kStick;
-  const Mode mode = solution.normal <= 0.0 ? Mode::kFree : (sticks ? Mode::kStick : Mode::kSlide);
   d->userdata[kFrictionForce] = solution.friction;
-  d->userdata[kMode] = static_cast<double>(mode);
+  d->userdata[kMode] = static_cast<double>(mode_of(solution));
 
   const Eigen::Vector3d friction = contact_load(point.e_r, radius, 0.0, solution.friction);
   d->efc_aref[row] = solver_reference(m, d, row, space, friction, point, solution.normal);

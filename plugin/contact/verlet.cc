@@ -146,7 +146,7 @@ void watch_the_ring(const Model& model, const mjModel* m, mjData* d, const Coord
   EscapeGuard guard(d->userdata);
   if (anew) guard.begin();
   // An impact that takes time goes deep.
-  if (!contact_enabled(m) || model.contact->compression_time + model.contact->expansion_time > 0.0) return;
+  if (!contact_enabled(m) || model.contact->impact_time() > 0.0) return;
   const double clearance = model.contact->clearance;
   guard.watch(clearance - separation(model, state.q()).norm(), clearance, d->time);
 }

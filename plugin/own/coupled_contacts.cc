@@ -142,20 +142,19 @@ void CoupledContacts::set_status(const ContactSubset& s, Status status) {
   for (std::size_t k = 0; k < s.count; ++k) contacts_[s.index[k]].result.status = status;
 }
 
-bool CoupledContacts::solve(const ContactSubset& s, std::array<bool, kMaxPairs>& sticks) {
+bool CoupledContacts::solve(const ContactSubset& s, std::array<bool, kMaxContacts>& sticks) {
   const ContactMatrix a = matrix(s);
   const ContactVector free = rates(s);
   if (probe_) return solve_held(s, a, free, sticks);
-  std::array<ImpactLaw, kMaxPairs> all{};
+  std::array<ImpactLaw, kMaxContacts> all{};
   for (std::size_t k = 0; k < s.count; ++k) {
-    const ContactParameters& c = *members_[s.index[k]]->contact;
-    all[k] = {c.friction, c.restitution, c.tangential_restitution};
+    all[k] = members_[s.index[k]]->contact->law();
   }
   const std::span<const ImpactLaw> laws(all.data(), s.count);
   const CoupledSolution found =
       s.impact ? solve_coupled_impact(a, free, laws) : solve_compression(a, free, laws);
   if (found.solutions != 1) {
-    set_status(s, found.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous);
+    set_status(s, status_of(found.solutions));
     return false;
   }
   sticks = found.sticks;
@@ -164,13 +163,12 @@ bool CoupledContacts::solve(const ContactSubset& s, std::array<bool, kMaxPairs>&
 }
 
 bool CoupledContacts::solve_held(const ContactSubset& s, const ContactMatrix& a, const ContactVector& free,
-                                 std::array<bool, kMaxPairs>& sticks) {
-  std::array<double, kMaxPairs> frictions{};
-  std::array<ImpactLaw, kMaxPairs> laws{};
+                                 std::array<bool, kMaxContacts>& sticks) {
+  std::array<double, kMaxContacts> frictions{};
+  std::array<ImpactLaw, kMaxContacts> laws{};
   for (std::size_t k = 0; k < s.count; ++k) {
-    const ContactParameters& c = *members_[s.index[k]]->contact;
-    frictions[k] = c.friction;
-    laws[k] = {c.friction, c.restitution, c.tangential_restitution};
+    laws[k] = members_[s.index[k]]->contact->law();
+    frictions[k] = laws[k].friction;
   }
   Response response(*this, s);
   const ConstrainedContact found =

@@ -17,7 +17,7 @@
 #include <cstddef>
 #include <span>
 
-#include "plugin/contact/constrained_law.h"
+#include "native_model/contact/constrained_law.h"
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/own/coupled_step.h"
 
@@ -42,10 +42,10 @@ struct Closing {
 
 // Those of the contacts that one part of the step is solved for, in the order of its vectors.
 struct ContactSubset {
-  std::array<std::size_t, kMaxPairs> index{};
+  std::array<std::size_t, kMaxContacts> index{};
   std::size_t count = 0;
   bool impact = false;
-  std::array<double, kMaxPairs> offset{};  // m/s, of the normal law
+  std::array<double, kMaxContacts> offset{};  // m/s, of the normal law
 };
 
 class CoupledContacts {
@@ -68,7 +68,7 @@ class CoupledContacts {
   ContactVector rates(const ContactSubset& s) const;
   // Puts the impulses of the subset; which of them stick. False: no solution, or several, which is then the
   // status of their results.
-  bool solve(const ContactSubset& s, std::array<bool, kMaxPairs>& sticks);
+  bool solve(const ContactSubset& s, std::array<bool, kMaxContacts>& sticks);
   // What was found of a step without a solution is its status.
   void give_none();
 
@@ -83,7 +83,7 @@ class CoupledContacts {
   // Rates at the end of the step in one space, `start` those at its beginning.
   Eigen::Vector3d end_of(const ContactSpace& at, const Eigen::Vector3d& start) const;
   bool solve_held(const ContactSubset& s, const ContactMatrix& a, const ContactVector& free,
-                  std::array<bool, kMaxPairs>& sticks);
+                  std::array<bool, kMaxContacts>& sticks);
   void set_status(const ContactSubset& s, Status status);
 
   mjData* d_;
@@ -92,7 +92,7 @@ class CoupledContacts {
   double h_;
   Eigen::Index rows_ = 2;
   bool converged_ = true;
-  std::array<Closing, kMaxPairs> contacts_;
+  std::array<Closing, kMaxContacts> contacts_;
 };
 
 }  // namespace rotorub::plugin

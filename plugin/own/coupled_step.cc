@@ -92,12 +92,12 @@ class CoupledStep {
       lasting.index[lasting.count++] = i;
     }
     if (lasting.count == 0) return true;
-    std::array<bool, kMaxPairs> sticks{};
+    std::array<bool, kMaxContacts> sticks{};
     if (!contacts_.solve(lasting, sticks)) return false;
     contacts_.find_ends();
     for (std::size_t k = 0; k < lasting.count; ++k) {
       Closing& c = contacts_[lasting.index[k]];
-      if (c.lasting.x() > 0.0) c.result.mode = sticks[k] ? Mode::kStick : Mode::kSlide;
+      c.result.mode = mode_of(c.lasting.x(), sticks[k]);
     }
     return true;
   }
@@ -120,7 +120,7 @@ class CoupledStep {
 
   bool solve_impacts(const ContactSubset& s) {
     const ContactVector before = contacts_.rates(s);
-    std::array<bool, kMaxPairs> sticks{};
+    std::array<bool, kMaxContacts> sticks{};
     if (!contacts_.solve(s, sticks)) return false;
     contacts_.find_ends();
     const ContactVector after = contacts_.rates(s);
@@ -131,7 +131,7 @@ class CoupledStep {
       // A lasting contact that the blow has not opened lasts.
       const double changed = std::abs(after[row]) + before.cwiseAbs().maxCoeff();
       if (!c.impact && after[row] <= 1e-9 * changed) {
-        c.result.mode = sticks[k] ? Mode::kStick : Mode::kSlide;
+        c.result.mode = mode_of(c.sudden.x(), sticks[k]);
         continue;
       }
       c.result.mode = Mode::kFree;

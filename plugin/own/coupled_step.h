@@ -12,7 +12,7 @@
 #include <span>
 
 #include "plugin/contact/contact_space.h"
-#include "plugin/contact/rigid_law.h"
+#include "native_model/contact/rigid_law.h"
 
 namespace rotorub::plugin {
 

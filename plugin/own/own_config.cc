@@ -5,7 +5,7 @@
 
 #include "mjcf/names.h"
 #include "native_model/scene/contact_models.h"
-#include "plugin/contact/coupled_law.h"
+#include "native_model/contact/coupled_law.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/own/axial_motion.h"
@@ -167,9 +167,9 @@ void map_own_contacts(const mjModel* m, Config& config) {
     config.ring_geom = first.ring_geom;
     config.pair = first.pair;
   }
-  if (config.pairs.size() > kMaxPairs) {
+  if (config.pairs.size() > kMaxContacts) {
     refuse("<custom>", message("{} contacts; accepted: up to {} in a model",
-                               static_cast<int>(config.pairs.size()), kMaxPairs));
+                               static_cast<int>(config.pairs.size()), kMaxContacts));
   }
   config.memory_size = kUserDataSingle + kPairEntries * std::max(static_cast<int>(config.pairs.size()) - 1, 0);
   const int needed = config.memory + config.memory_size;

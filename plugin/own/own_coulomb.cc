@@ -8,7 +8,7 @@
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/actuators.h"
 #include "plugin/contact/annular.h"
-#include "plugin/contact/constrained_law.h"
+#include "native_model/contact/constrained_law.h"
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/load_cells.h"
 #include "plugin/own/touching_pair.h"
@@ -33,16 +33,16 @@ double open_reference(double acceleration) { return acceleration - (1.0 + std::a
 
 // The contacts of a pass.
 struct TouchingPairs {
-  std::array<TouchingPair, kMaxPairs> all;
-  std::array<int, kMaxPairs> rows{};
+  std::array<TouchingPair, kMaxContacts> all;
+  std::array<int, kMaxContacts> rows{};
   std::size_t count = 0;
   std::span<TouchingPair> span() { return {all.data(), count}; }
 };
 
 // Those that touch, in the order of a vector of forces.
 struct Touching {
-  std::array<TouchingPair*, kMaxPairs> at{};
-  std::array<double, kMaxPairs> frictions{};
+  std::array<TouchingPair*, kMaxContacts> at{};
+  std::array<double, kMaxContacts> frictions{};
   std::size_t count = 0;
   Eigen::Index rows = 2;  // 3 where one moves along its axis
   Eigen::Index row(std::size_t k) const { return rows * static_cast<Eigen::Index>(k); }
@@ -79,7 +79,7 @@ ContactMatrix matrix(const Touching& t) {
   return 0.5 * (a + a.transpose());
 }
 
-void put(Touching& t, const ContactVector& forces, const std::array<bool, kMaxPairs>& sticks) {
+void put(Touching& t, const ContactVector& forces, const std::array<bool, kMaxContacts>& sticks) {
   for (std::size_t k = 0; k < t.count; ++k) {
     t.at[k]->force.head(t.rows) = forces.segment(t.row(k), t.rows);
     t.at[k]->sticks = sticks[k];
@@ -126,7 +126,7 @@ void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d)
 }
 
 void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
-  std::array<Eigen::Vector3d, kMaxPairs> free;
+  std::array<Eigen::Vector3d, kMaxContacts> free;
   const auto response = [d](const OwnSpace& at) { return at.response(d->qfrc_smooth); };
   std::size_t count = 0;
   for (TouchingPair& s : contacts.span()) {
@@ -136,7 +136,7 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   Touching t = touching(contacts);
   if (t.count == 0) return;
   ContactVector b(t.row(t.count));
-  std::array<ImpactLaw, kMaxPairs> laws{};
+  std::array<ImpactLaw, kMaxContacts> laws{};
   for (std::size_t k = 0; k < t.count; ++k) {
     b.segment(t.row(k), t.rows) = free[k].head(t.rows);
     laws[k].friction = t.frictions[k];
@@ -200,11 +200,9 @@ void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData*
 
 void note(const TouchingPair& s, mjData* d) {
   mjtNum* entry = s.entry(d);
-  const bool closed = s.force.x() > 0.0;
-  const Mode mode = !closed ? Mode::kFree : s.sticks ? Mode::kStick : Mode::kSlide;
   entry[kNormalForce] = s.force.x();
   entry[kFrictionForce] = s.force.y();
-  entry[kMode] = static_cast<double>(mode);
+  entry[kMode] = static_cast<double>(mode_of(s.force.x(), s.sticks));
   if (s.axial) note_contact(d, s.pair->data, s.point.e_r, s.force.z());
 }
 
@@ -213,7 +211,7 @@ void note(const TouchingPair& s, mjData* d) {
 void apply_own_coulomb(std::span<const OwnPair> pairs, const mjModel* m, mjData* d) {
   std::optional<StepMatrix> matrix;
   // On the stack of mjData: the last made goes first.
-  std::array<std::optional<OwnSpace>, kMaxPairs> spaces, axial;
+  std::array<std::optional<OwnSpace>, kMaxContacts> spaces, axial;
   TouchingPairs contacts;
   for (const OwnPair& pair : pairs) {
     if (pair.law == scene::ContactModel::kRigid) continue;

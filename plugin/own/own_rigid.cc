@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "plugin/contact/constraint_probe.h"
-#include "plugin/contact/coupled_law.h"
+#include "native_model/contact/coupled_law.h"
 #include "plugin/contact/memory.h"
 #include "plugin/contact/rigid_step.h"
 #include "plugin/contact/smooth_force.h"
@@ -36,11 +36,11 @@ void apply_one(const OwnPair& pair, const mjModel* m, mjData* d) {
   apply_rigid_step(m, d, space, step, pair.contact, pair.data);
 }
 
-using Group = std::array<CoupledMember*, kMaxPairs>;
+using Group = std::array<CoupledMember*, kMaxContacts>;
 
 // Those of `all` that the first one left moves with, by way of others too; taken off `left`. Bodies of
 // one tree, or held by constraints.
-std::size_t take_group(std::span<CoupledMember> all, std::array<bool, kMaxPairs>& left, Group& group) {
+std::size_t take_group(std::span<CoupledMember> all, std::array<bool, kMaxContacts>& left, Group& group) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < all.size() && count == 0; ++i) {
     if (!left[i]) continue;
@@ -60,8 +60,8 @@ std::size_t take_group(std::span<CoupledMember> all, std::array<bool, kMaxPairs>
 void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjData* d) {
   const StepMatrix matrix(m, d);
   // On the stack of mjData: the last made goes first.
-  std::array<std::optional<OwnSpace>, kMaxPairs> spaces, axial;
-  std::array<CoupledMember, kMaxPairs> members;
+  std::array<std::optional<OwnSpace>, kMaxContacts> spaces, axial;
+  std::array<CoupledMember, kMaxContacts> members;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const ContactPlace place = contact_place(*pairs[i], d);
     OwnSpace& space = spaces[i].emplace(*pairs[i], place, m, d, matrix);
@@ -80,7 +80,7 @@ void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjDa
     member.held = member.held || (contact_enabled(m) && constraints_couple(m, d, along));
   }
   const std::span<CoupledMember> all(members.data(), pairs.size());
-  std::array<bool, kMaxPairs> left{};
+  std::array<bool, kMaxContacts> left{};
   left.fill(true);
   Group group{};
   while (const std::size_t count = take_group(all, left, group)) {
@@ -102,7 +102,7 @@ void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjDa
 void apply_own_rigid(std::span<const OwnPair> pairs, const mjModel* m, mjData* d) {
   update_smooth_force(m, d);
   Reach reach(m, d);
-  std::array<const OwnPair*, kMaxPairs> facing{};
+  std::array<const OwnPair*, kMaxContacts> facing{};
   std::size_t count = 0;
   bool near = false;
   for (const OwnPair& pair : pairs) {

@@ -39,7 +39,7 @@ TEST(Impact, PlanarOracleSweep) {
           if (!exact.sticks(-0.8, slip) && eps_t != 0.0) continue;
           const ImpactResult r =
               solve_impact({0.5, 0.0, 0.0, 3.0}, -0.8, slip, {mu, eps_n, eps_t});
-          ASSERT_EQ(r.status, ImpactStatus::kOk);
+          ASSERT_EQ(r.status, Status::kOk);
           EXPECT_NEAR(r.gap_rate, exact.normal_after(-0.8), kClosedForm);
           EXPECT_NEAR(r.slip, exact.slip_after(-0.8, slip), kClosedForm * 40.0)
               << "mu " << mu << " eps_N " << eps_n << " eps_T " << eps_t << " slip " << slip;
@@ -62,7 +62,7 @@ TEST(Impact, RandomImpactsSatisfyTheLawsAndDissipate) {
     const double gap_rate = symmetric(), slip = 3.0 * symmetric() * std::sqrt(tt / nn);
     const Delassus g{nn, nt, nt, tt};
     const ImpactResult r = solve_impact(g, gap_rate, slip, law);
-    if (r.status != ImpactStatus::kOk) {
+    if (r.status != Status::kOk) {
       // Only a coupling beyond the friction cone can do without a single solution.
       ASSERT_GE(law.friction * std::abs(nt), nn) << k;
       continue;

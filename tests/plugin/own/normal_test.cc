@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "plugin/contact/rigid_law.h"
+#include "native_model/contact/rigid_law.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -10,9 +10,9 @@
 #include <array>
 #include <span>
 
-#include "plugin/contact/coupled_law.h"
+#include "native_model/contact/coupled_law.h"
 
-namespace rotorub::plugin {
+namespace rotorub {
 
 class ContactResponse {
  public:
@@ -30,7 +30,7 @@ struct ConstrainedContact {
   ContactVector p;        // N s (or N): normal >= 0, friction on the rotor along e_t
   ContactVector y;        // y(p)
   ContactVector error;    // y(p) less that of the law, in the unit of y
-  std::array<bool, kMaxPairs> sticks{};
+  std::array<bool, kMaxContacts> sticks{};
 };
 
 // Normal law with y_N >= 0 and Coulomb's, (12)-(13), one mu each. `free` is y(0), of two or three
@@ -45,4 +45,4 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
                                             const ContactMatrix& expected,
                                             std::span<const ImpactLaw> laws);
 
-}  // namespace rotorub::plugin
+}  // namespace rotorub

@@ -1,17 +1,17 @@
-#include "plugin/contact/disc_law.h"
+#include "native_model/contact/disc_law.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-namespace rotorub::plugin {
+namespace rotorub {
 namespace {
 
 constexpr int kDiscSweeps = 4000;
 constexpr int kPolished = 8;        // sweeps between two trials of the linear system
 constexpr int kTurns = 20;          // of the slips' directions in it
 constexpr double kSettled = 1e-13;  // of the rates in question: what a sweep may change at the end
-using DiscCases = std::array<DiscCase, kMaxPairs>;
+using DiscCases = std::array<DiscCase, kMaxContacts>;
 
 class DiscSystem {
  public:
@@ -194,4 +194,4 @@ CoupledSolution solve_discs(const ContactMatrix& a, const ContactVector& b,
   return out;
 }
 
-}  // namespace rotorub::plugin
+}  // namespace rotorub

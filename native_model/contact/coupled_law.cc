@@ -1,4 +1,4 @@
-#include "plugin/contact/coupled_law.h"
+#include "native_model/contact/coupled_law.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -7,15 +7,15 @@
 #include <cassert>
 #include <cmath>
 
-#include "plugin/contact/disc_law.h"
+#include "native_model/contact/disc_law.h"
 
-namespace rotorub::plugin {
+namespace rotorub {
 namespace {
 
 constexpr int kMostTried = 3;        // contacts whose cases are all tried: it tells how many motions
 constexpr int kMostTriedBlind = 5;   // where no better guess leads to a solution
 constexpr int kSweeps = 2000;
-constexpr double kRoundOff = 1e-11;  // of the rates and impulses in question
+constexpr double kCaseRoundOff = 1e-11;  // of the rates and impulses in question
 constexpr double kSingular = 1e-12;  // pivots below this share of the largest are none
 constexpr double kSameMotion = 1e-8;
 
@@ -24,7 +24,7 @@ struct Case {
   bool at_least = true;  // L_N = n; else y_N = 0
   Friction friction = Friction::kLow;
 };
-using Cases = std::array<Case, kMaxPairs>;
+using Cases = std::array<Case, kMaxContacts>;
 
 // Which cases differ at all: without friction there is no sticking, and what is open has none.
 bool distinct(const Case& c, const ContactSet& set) {
@@ -52,8 +52,8 @@ class CoupledProblem {
     if (!out.p.allFinite()) return false;
     out.y = a_ * out.p + b_;
     const double largest = std::max(out.p.cwiseAbs().maxCoeff(), impulse_);
-    const double rates = kRoundOff * (rate_ + largest * a_.cwiseAbs().maxCoeff());
-    const double impulses = kRoundOff * largest;
+    const double rates = kCaseRoundOff * (rate_ + largest * a_.cwiseAbs().maxCoeff());
+    const double impulses = kCaseRoundOff * largest;
     for (int i = 0; i < n_; ++i) {
       if (!in_set(cases[static_cast<std::size_t>(i)], set(i), i, out, rates, impulses)) return false;
     }
@@ -65,7 +65,7 @@ class CoupledProblem {
   void impulses(const Cases& cases, ContactVector& p) const {
     ContactMatrix columns = ContactMatrix::Zero(2 * n_, 2 * n_);
     ContactVector given = ContactVector::Zero(2 * n_);
-    std::array<int, 2 * kMaxPairs> rows{};
+    std::array<int, 2 * kMaxContacts> rows{};
     int count = 0;
     for (int i = 0; i < n_; ++i) {
       const Case& c = cases[static_cast<std::size_t>(i)];
@@ -271,8 +271,8 @@ CoupledSolution solve_compression(const ContactMatrix& a, const ContactVector& b
 
 CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
                                 std::span<const ImpactLaw> laws, const ContactVector& compressed) {
-  std::array<ContactSet, kMaxPairs> sets{};
-  std::array<DiscSet, kMaxPairs> discs{};
+  std::array<ContactSet, kMaxContacts> sets{};
+  std::array<DiscSet, kMaxContacts> discs{};
   const auto rows = b.size() / static_cast<Eigen::Index>(laws.size());
   for (std::size_t i = 0; i < laws.size(); ++i) {
     const auto at = rows * static_cast<Eigen::Index>(i);
@@ -295,4 +295,4 @@ CoupledSolution solve_coupled_impact(const ContactMatrix& a, const ContactVector
   return e;
 }
 
-}  // namespace rotorub::plugin
+}  // namespace rotorub

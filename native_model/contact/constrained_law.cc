@@ -1,9 +1,9 @@
-#include "plugin/contact/constrained_law.h"
+#include "native_model/contact/constrained_law.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace rotorub::plugin {
+namespace rotorub {
 namespace {
 
 constexpr int kIterations = 40;
@@ -16,7 +16,7 @@ constexpr double kFarOff = 1e-2;    // above this error, relative, new slopes ar
 struct Answer {
   ContactVector p;
   bool solved = true;
-  std::array<bool, kMaxPairs> sticks{};
+  std::array<bool, kMaxContacts> sticks{};
 };
 
 // Numbers of each contact in a vector.
@@ -34,7 +34,7 @@ class Slopes {
   void find(ContactResponse& response, const ContactVector& p, const ContactVector& y, double size) {
     const Eigen::Index n = p.size(), rows = rows_of(p, laws_);
     a = expected;
-    std::array<bool, 3 * kMaxPairs> tried{};
+    std::array<bool, 3 * kMaxContacts> tried{};
     for (Eigen::Index k = 0; k < n; ++k) {
       const bool friction = k % rows != 0;
       if (friction && laws_[static_cast<std::size_t>(k / rows)].friction == 0.0) continue;
@@ -141,7 +141,7 @@ ConstrainedContact closed(ContactResponse& response, const ContactVector& free,
 ConstrainedContact solve_constrained(ContactResponse& response, const ContactVector& free,
                                      const ContactMatrix& expected,
                                      std::span<const double> frictions) {
-  std::array<ImpactLaw, kMaxPairs> all{};
+  std::array<ImpactLaw, kMaxContacts> all{};
   for (std::size_t i = 0; i < frictions.size(); ++i) all[i].friction = frictions[i];
   const std::span<const ImpactLaw> laws(all.data(), frictions.size());
   Slopes line(expected, laws);
@@ -163,4 +163,4 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
   return e;
 }
 
-}  // namespace rotorub::plugin
+}  // namespace rotorub

@@ -1,6 +1,6 @@
 // Friction in both directions of the tangent plane: against closed forms, the planar law, and
 // residuals that share no code with the solver.
-#include "plugin/contact/disc_law.h"
+#include "native_model/contact/disc_law.h"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +13,6 @@
 namespace rotorub::test {
 namespace {
 
-using plugin::ContactMatrix;
-using plugin::ContactVector;
-using plugin::CoupledSolution;
-using plugin::DiscSet;
-using plugin::solve_compression;
-using plugin::solve_coupled_impact;
-using plugin::solve_discs;
-using plugin::solve_expansion;
 
 ContactMatrix random_bodies(std::mt19937& random, int contacts, int freedoms) {
   std::normal_distribution<double> normal;
@@ -143,7 +135,7 @@ TEST(DiscLaw, WithoutAnAxisItIsThePlanarLaw) {
         1, ImpactLaw{unit(random), unit(random), k % 2 == 0 ? unit(random) : 0.0});
     const ImpactResult r = solve_impact({a(0, 0), a(0, 1), a(1, 0), a(1, 1)}, b[0], b[1], laws[0]);
     const CoupledSolution s = solve_coupled_impact(a, b, laws);
-    if (r.status != ImpactStatus::kOk) continue;
+    if (r.status != Status::kOk) continue;
     ASSERT_EQ(s.solutions, 1) << k;
     ++compared;
     const double size = 1.0 + r.normal();
@@ -165,7 +157,7 @@ TEST(DiscLaw, ExpansionMeetsItsSet) {
     if (c.solutions != 1 || c.p[0] == 0.0) continue;
     const CoupledSolution e = solve_expansion(a, c.y, laws, c.p);
     ASSERT_GE(e.solutions, 1) << k;
-    const DiscSet set = plugin::expansion_disc(laws[0], c.p[0], c.p.segment<2>(1));
+    const DiscSet set = expansion_disc(laws[0], c.p[0], c.p.segment<2>(1));
     EXPECT_LT(off_the_laws(a, c.y, {set}, e.p), 1e-10) << k;
     held += e.p.segment<2>(1).dot(set.side) < set.floor + 1e-9 ? 1 : 0;
   }

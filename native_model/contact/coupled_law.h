@@ -22,15 +22,15 @@
 
 #include "native_model/contact/impact.h"
 
-namespace rotorub::plugin {
+namespace rotorub {
 
-inline constexpr int kMaxPairs = 8;
+inline constexpr int kMaxContacts = 8;
 
 // (normal, friction) of each contact in turn; with disc_law.h (normal, friction, friction along the axis).
 // No memory but their own.
-using ContactVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3 * kMaxPairs, 1>;
+using ContactVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3 * kMaxContacts, 1>;
 using ContactMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
-                                    3 * kMaxPairs, 3 * kMaxPairs>;
+                                    3 * kMaxContacts, 3 * kMaxContacts>;
 
 // The set of one contact.
 struct ContactSet {
@@ -50,13 +50,13 @@ struct CoupledSolution {
   // the first.
   int solutions = 0;
   ContactVector p, y;                     // L, and a L + b
-  std::array<bool, kMaxPairs> sticks{};  // y_T = 0 within the set
+  std::array<bool, kMaxContacts> sticks{};  // y_T = 0 within the set
 };
 
 // matrix x = right; the least squares where the matrix is singular.
 ContactVector shared_solution(const ContactMatrix& matrix, const ContactVector& right);
 
-// a: symmetric, positive semidefinite, of 2 x sets.size() rows; at most kMaxPairs sets.
+// a: symmetric, positive semidefinite, of 2 x sets.size() rows; at most kMaxContacts sets.
 CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
                               std::span<const ContactSet> sets);
 
@@ -71,4 +71,4 @@ CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
 CoupledSolution solve_coupled_impact(const ContactMatrix& a, const ContactVector& b,
                                      std::span<const ImpactLaw> laws);
 
-}  // namespace rotorub::plugin
+}  // namespace rotorub

@@ -1,5 +1,5 @@
 // Newton's iteration on a response that is known by trial alone, against closed forms.
-#include "plugin/contact/constrained_law.h"
+#include "native_model/contact/constrained_law.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,8 @@
 namespace rotorub::test {
 namespace {
 
-using plugin::ConstrainedContact;
-using plugin::ContactMatrix;
-using plugin::ContactVector;
 
-class Given final : public plugin::ContactResponse {
+class Given final : public ContactResponse {
  public:
   explicit Given(std::function<Eigen::Vector2d(const Eigen::Vector2d&)> y) : y_(std::move(y)) {}
   ContactVector at(const ContactVector& p) override { return y_(Eigen::Vector2d(p)); }

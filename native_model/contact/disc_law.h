@@ -22,18 +22,18 @@
 
 #include <span>
 
-#include "plugin/contact/coupled_law.h"
-#include "plugin/contact/single_disc.h"
+#include "native_model/contact/coupled_law.h"
+#include "native_model/contact/single_disc.h"
 
-namespace rotorub::plugin {
+namespace rotorub {
 
 // Of the expansion that follows a compression of L_NC, L_TC.
 DiscSet expansion_disc(const ImpactLaw& law, double normal, const Eigen::Vector2d& friction);
 
-// a: symmetric, positive semidefinite, of 3 x sets.size() rows; at most kMaxPairs sets. A
+// a: symmetric, positive semidefinite, of 3 x sets.size() rows; at most kMaxContacts sets. A
 // tangential direction in which nothing moves has rows of 0. The number of distinct solutions is
 // told of one contact alone; of several 0: none was found to round-off.
 CoupledSolution solve_discs(const ContactMatrix& a, const ContactVector& b,
                             std::span<const DiscSet> sets);
 
-}  // namespace rotorub::plugin
+}  // namespace rotorub

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-namespace rotorub::plugin {
+namespace rotorub {
 
 struct DiscSet {
   double friction = 0.0;           // mu >= 0
@@ -33,4 +33,4 @@ struct SingleDisc {
 // move by a trace.
 SingleDisc solve_disc(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const DiscSet& set);
 
-}  // namespace rotorub::plugin
+}  // namespace rotorub

@@ -16,10 +16,9 @@
 
 #include <Eigen/Core>
 
-#include "native_model/system/model.h"
-#include "native_model/trajectory/trajectory.h"
+#include "native_model/contact/contact_parameters.h"
 
-namespace rotorub::plugin {
+namespace rotorub {
 
 inline constexpr double kRecovery = 0.2;        // share of a depth undone in a step, in (0, 1]
 inline constexpr double kRecoveryRate = 2.0;    // 1/s, in clearances
@@ -80,4 +79,4 @@ double gap_over_step(const RigidStep& step, const ContactParameters& contact);
 RigidResult solve_rigid_step(const RigidStep& step, const ContactParameters& contact,
                              StepResponse* held = nullptr);
 
-}  // namespace rotorub::plugin
+}  // namespace rotorub

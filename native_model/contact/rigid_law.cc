@@ -1,13 +1,13 @@
-#include "plugin/contact/rigid_law.h"
+#include "native_model/contact/rigid_law.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "native_model/contact/coulomb.h"
 #include "native_model/contact/impact_map.h"
-#include "plugin/contact/constrained_law.h"
+#include "native_model/contact/constrained_law.h"
 
-namespace rotorub::plugin {
+namespace rotorub {
 namespace {
 
 Eigen::Vector2d tangent(const Eigen::Vector2d& e_r) { return {-e_r.y(), e_r.x()}; }
@@ -31,10 +31,6 @@ bool rebound_lasts(const RigidStep& step, const Eigen::Vector2d& e_r, const Cont
       e_r.dot((step.free - step.start).head<2>() + 2.0 / step.h * step.bend) +
       step.h * whirl * whirl / c.clearance;
   return closing > 0.0 && c.restitution * closing > undone;
-}
-
-Status status_of(ImpactStatus status) {
-  return status == ImpactStatus::kNoSolution ? Status::kNoSolution : Status::kAmbiguous;
 }
 
 // The response along normal and tangent.
@@ -80,7 +76,7 @@ void held_impact(const RigidStep& step, const ContactParameters& c, StepResponse
                  RigidResult& out) {
   PlanarResponse response(held, out.e_r, c.radius, true, 0.0);
   const ContactVector before = response.rates(step.free);
-  const ImpactLaw law{c.friction, c.restitution, c.tangential_restitution};
+  const ImpactLaw law = c.law();
   const ConstrainedContact s = solve_constrained_impact(
       response, before, matrix_of(delassus(step.impact_admittance, out.e_r, c.radius)), {&law, 1});
   if (!take(s, out)) return;
@@ -101,10 +97,10 @@ void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out)
   in.compression_time = c.compression_time;
   in.expansion_time = c.expansion_time;
   // The loads of the whole step are in `free`: what acts during the impact is taken back.
-  in.velocity = step.free - in.acceleration * (c.compression_time + c.expansion_time);
-  const ImpactResult r = solve_impact(in, {c.friction, c.restitution, c.tangential_restitution});
-  if (r.status != ImpactStatus::kOk) {
-    out.status = status_of(r.status);
+  in.velocity = step.free - in.acceleration * c.impact_time();
+  const ImpactResult r = solve_impact(in, c.law());
+  if (r.status != Status::kOk) {
+    out.status = r.status;
     return;
   }
   out.impact = true;
@@ -126,7 +122,7 @@ void held_lasting(const RigidStep& step, const ContactParameters& c, StepRespons
   const ConstrainedContact s =
       solve_constrained(response, free, matrix_of(delassus(step.lasting_admittance, out.e_r, c.radius)),
                         {&c.friction, 1});
-  if (take(s, out) && out.normal > 0.0) out.mode = s.sticks[0] ? Mode::kStick : Mode::kSlide;
+  if (take(s, out)) out.mode = mode_of(out.normal, s.sticks[0]);
 }
 
 // (12), (13): y_N = gap / h at the end of the step, y_T = slip there.
@@ -134,15 +130,11 @@ void lasting(const RigidStep& step, const ContactParameters& c, RigidResult& out
   const CoulombSolution s =
       solve_coulomb(delassus(step.lasting_admittance, out.e_r, c.radius), gap_over_step(step, c),
                     slip(out.e_r, c.radius, step.free), c.friction);
-  if (s.solutions != 1) {
-    out.status = s.solutions == 0 ? Status::kNoSolution : Status::kAmbiguous;
-    return;
-  }
+  out.status = status_of(s.solutions);
+  if (out.status != Status::kOk) return;
   out.normal = s.normal;
   out.friction = s.friction;
-  if (s.normal > 0.0) {
-    out.mode = s.contact_case == ContactCase::kStick ? Mode::kStick : Mode::kSlide;
-  }
+  out.mode = mode_of(s);
 }
 
 }  // namespace
@@ -185,4 +177,4 @@ RigidResult solve_rigid_step(const RigidStep& step, const ContactParameters& con
   return out;
 }
 
-}  // namespace rotorub::plugin
+}  // namespace rotorub

@@ -1,6 +1,6 @@
 // Several contacts that act on the same bodies: against closed forms, an enumeration that knows nothing
 // of the solver's cases, and a residual that shares no code with it.
-#include "plugin/contact/coupled_law.h"
+#include "native_model/contact/coupled_law.h"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +14,6 @@
 namespace rotorub::test {
 namespace {
 
-using plugin::ContactMatrix;
-using plugin::ContactSet;
-using plugin::ContactVector;
-using plugin::CoupledSolution;
-using plugin::solve_coupled_impact;
 
 // Bodies at random, seen by n contacts: G = W^T M^-1 W, positive semidefinite of the given rank.
 ContactMatrix random_system(std::mt19937& random, int contacts, int freedoms) {
@@ -157,7 +152,7 @@ TEST(CoupledLaw, AMatrixInBlocksIsOneContactAfterTheOther) {
       const ContactMatrix g = a.block(2 * i, 2 * i, 2, 2);
       const ImpactResult r = solve_impact({g(0, 0), g(0, 1), g(1, 0), g(1, 1)}, b[2 * i],
                                           b[2 * i + 1], laws[static_cast<std::size_t>(i)]);
-      ASSERT_EQ(r.status, ImpactStatus::kOk);
+      ASSERT_EQ(r.status, Status::kOk);
       EXPECT_NEAR(s.p[2 * i], r.normal(), 1e-11) << k;
       EXPECT_NEAR(s.p[2 * i + 1], r.friction(), 1e-11) << k;
       EXPECT_NEAR(s.y[2 * i], r.gap_rate, 1e-11) << k;

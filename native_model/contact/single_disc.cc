@@ -1,4 +1,4 @@
-#include "plugin/contact/single_disc.h"
+#include "native_model/contact/single_disc.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include <Eigen/LU>
 
-namespace rotorub::plugin {
+namespace rotorub {
 namespace {
 
 constexpr double kDiscRoundOff = 1e-11;  // of what a rate or an impulse is the sum of
@@ -238,4 +238,4 @@ SingleDisc solve_disc(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const 
   return DiscProblem(a, b, set).solve();
 }
 
-}  // namespace rotorub::plugin
+}  // namespace rotorub
