@@ -2,15 +2,10 @@
 
 #include <cmath>
 
+#include "native_model/contact/circle.h"
+
 namespace rotorub {
 namespace {
-
-// The smaller N > 0 of |p + N g| = clearance, from outside; negative: g does not lead there.
-double reach_circle(const Eigen::Vector2d& p, const Eigen::Vector2d& g, double clearance) {
-  const double a = g.squaredNorm(), b = p.dot(g), c = p.squaredNorm() - clearance * clearance;
-  const double square = b * b - a * c;
-  return b < 0.0 && square > 0.0 ? c / (std::sqrt(square) - b) : -1.0;
-}
 
 class Solver {
  public:
@@ -53,8 +48,8 @@ class Solver {
       if (r.solutions == 1) return r;
     }
     const Delassus g{nn, nt, slip(along_normal_), slip(along_friction_)};
-    const CoulombSolution r = solve_coulomb(g, (s_.clearance - end_.norm()) / s_.h, slip(s_.free),
-                                            s_.friction);
+    const CoulombSolution r =
+        solve_coulomb(g, (s_.clearance - end_.norm()) / s_.h, slip(s_.free), s_.friction);
     return {r.normal, r.friction, r.contact_case, r.solutions};
   }
 

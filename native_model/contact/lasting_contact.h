@@ -17,11 +17,11 @@
 namespace rotorub {
 
 struct LastingStep {
-  double h = 0.0;                      // s
-  Eigen::Vector2d d{0.0, 0.0};         // m, ring's to rotor's centre at the begin
-  Eigen::Vector2d e_r{1.0, 0.0};       // outward normal: that of d, if the path leads out along it
-  Eigen::Vector3d start, free;         // (m/s, m/s, rad/s): before the step, and without contact
-  Eigen::Matrix3d admittance;          // A = J (M + h D/2)^-1 J^T
+  double h = 0.0;                 // s
+  Eigen::Vector2d d{0.0, 0.0};    // m, ring's to rotor's centre at the begin
+  Eigen::Vector2d e_r{1.0, 0.0};  // outward normal: that of d, if the path leads out along it
+  Eigen::Vector3d start, free;    // (m/s, m/s, rad/s): before the step, and without contact
+  Eigen::Matrix3d admittance;     // A = J (M + h D/2)^-1 J^T
   double clearance = 0.0, radius = 0.0, friction = 0.0;  // m, m, mu
 };
 
@@ -29,7 +29,7 @@ struct LastingResult {
   double normal = 0.0;    // N s, >= 0
   double friction = 0.0;  // N s, on the rotor along e_t
   ContactCase contact_case = ContactCase::kOpen;
-  int solutions = 1;      // 0: none (frictional jamming, Painleve); above 1: the first is given
+  int solutions = 1;  // 0: none (frictional jamming, Painleve); above 1: the first is given
 };
 
 // For a path that ends outside the circle.

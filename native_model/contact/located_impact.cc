@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rotorub {
+#include "native_model/contact/circle.h"
+#include "native_model/contact/rebound.h"
 
-double circle_exit(const Eigen::Vector2d& d, const Eigen::Vector2d& path, double clearance) {
-  const double a = path.squaredNorm(), b = d.dot(path);
-  const double c = d.squaredNorm() - clearance * clearance;
-  if (c >= 0.0 && b > 0.0) return 0.0;
-  const double square = b * b - a * c;
-  if (a == 0.0 || square < 0.0) return 2.0;
-  const double root = std::sqrt(square);
-  // The greater root, without cancellation.
-  return b > 0.0 ? -c / (b + root) : (root - b) / a;
-}
+namespace rotorub {
 
 StepImpacts locate_impacts(const FlightStep& s, const ImpactLaw& law) {
   StepImpacts out;
@@ -43,13 +35,10 @@ StepImpacts locate_impacts(const FlightStep& s, const ImpactLaw& law) {
       out.closes = true;
       break;
     }
-    // -gddot_N; the flight after the impact takes 2 eps |gdot_N| / that.
-    const double whirl = e_t.dot(v.head<2>());
-    const double pressed =
-        hit.e_r.dot(s.acceleration.head<2>()) + whirl * whirl / s.clearance;
     const bool last = out.count + 1 == StepImpacts::kMost;
-    const bool stays =
-        2.0 * law.restitution * -hit.gap_rate_before <= pressed * std::max(s.h, s.duration) || last;
+    const double pressed = pressing(hit.e_r, v, s.acceleration, s.clearance);
+    const bool stays = last || !flight_outlives(std::max(kLeastFlight * s.h, s.duration),
+                                                -law.restitution * hit.gap_rate_before, pressed);
     if (s.duration > 0.0 && !stays) {
       ++out.count;
       out.takes_time = true;

@@ -1,9 +1,8 @@
 // Impacts of a fixed step, located in it: the straight path d + s w meets the circle at the share
-// theta of the step, and Poisson's law (15)-(19) is solved there, with the normal and the velocity of
-// that instant, v + (theta - 1/2) h a. What is left of the step flies with the velocities after it;
-// more than one impact may follow. A rebound that the loads and the ring's curvature undo within a
-// step, or that would end before the impact does, has restitution 0: lasting contact follows. An
-// impact that takes time is located here and no more (stepping/finite_impact.h).
+// theta of the step, and Poisson's law (15)-(19) is solved there, with the normal and the velocity
+// of that instant, v + (theta - 1/2) h a. What is left of the step flies with the velocities after
+// it; more than one impact may follow, or lasting contact (rebound.h). An impact that takes time is
+// located here and no more (system/finite_impact.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -20,12 +19,12 @@ struct FlightStep {
   Eigen::Vector3d acceleration;  // of the same, without contact
   Eigen::Matrix3d admittance;    // J M^-1 J^T
   double clearance = 0.0, radius = 0.0;  // m
-  double duration = 0.0;         // s, of an impact: compression and expansion
+  double duration = 0.0;                 // s, of an impact: compression and expansion
 };
 
 struct LocatedImpact {
-  double theta = 0.0;               // share of the step, in [0, 1]
-  Eigen::Vector2d e_r{1.0, 0.0};    // outward normal
+  double theta = 0.0;             // share of the step, in [0, 1]
+  Eigen::Vector2d e_r{1.0, 0.0};  // outward normal
   ImpactResult law;
   double gap_rate_before = 0.0, slip_before = 0.0;  // m/s
 };
@@ -35,14 +34,9 @@ struct StepImpacts {
   Status status = Status::kOk;
   int count = 0;
   std::array<LocatedImpact, kMost> impacts;
-  bool closes = false;  // contact lasts at the end of the step
+  bool closes = false;      // contact lasts at the end of the step
   bool takes_time = false;  // the last of them has begun only, and has no law
 };
-
-// Share of the step at which the path d + theta h v leaves the circle: 0 where it is outside already
-// and leads further out; where it is outside and leads in, the place where it comes out again. Above 1
-// where it does not leave, or never comes inside.
-double circle_exit(const Eigen::Vector2d& d, const Eigen::Vector2d& path, double clearance);
 
 StepImpacts locate_impacts(const FlightStep& step, const ImpactLaw& law);
 

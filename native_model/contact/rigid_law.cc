@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "native_model/contact/circle.h"
+#include "native_model/contact/constrained_law.h"
 #include "native_model/contact/coulomb.h"
 #include "native_model/contact/impact_map.h"
-#include "native_model/contact/constrained_law.h"
+#include "native_model/contact/rebound.h"
 
 namespace rotorub {
 namespace {
@@ -14,23 +16,6 @@ Eigen::Vector2d tangent(const Eigen::Vector2d& e_r) { return {-e_r.y(), e_r.x()}
 
 double slip(const Eigen::Vector2d& e_r, double radius, const Eigen::Vector3d& velocity) {
   return tangent(e_r).dot(velocity.head<2>()) + radius * velocity.z();
-}
-
-// The point where the straight path d + s v, from inside the ring, leaves it.
-Eigen::Vector2d exit_point(const Eigen::Vector2d& d, const Eigen::Vector2d& v, double radius) {
-  const double a = v.squaredNorm(), b = d.dot(v), c = d.squaredNorm() - radius * radius;
-  const double root = std::sqrt(std::max(0.0, b * b - a * c));
-  return d + (b > 0.0 ? -c / (b + root) : (root - b) / a) * v;
-}
-
-// -gddot_N h of the loads and of the ring's curvature: a slower rebound closes within the step.
-bool rebound_lasts(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactParameters& c) {
-  const double closing = e_r.dot(step.free.head<2>());
-  const double whirl = tangent(e_r).dot(step.free.head<2>());
-  const double undone =
-      e_r.dot((step.free - step.start).head<2>() + 2.0 / step.h * step.bend) +
-      step.h * whirl * whirl / c.clearance;
-  return closing > 0.0 && c.restitution * closing > undone;
 }
 
 // The response along normal and tangent.
@@ -119,9 +104,9 @@ void held_lasting(const RigidStep& step, const ContactParameters& c, StepRespons
   const double offset = gap_over_step(step, c) + out.e_r.dot(step.free.head<2>());
   PlanarResponse response(held, out.e_r, c.radius, false, offset);
   const ContactVector free = response.rates(step.free);
-  const ConstrainedContact s =
-      solve_constrained(response, free, matrix_of(delassus(step.lasting_admittance, out.e_r, c.radius)),
-                        {&c.friction, 1});
+  const ConstrainedContact s = solve_constrained(
+      response, free, matrix_of(delassus(step.lasting_admittance, out.e_r, c.radius)),
+      {&c.friction, 1});
   if (take(s, out)) out.mode = mode_of(out.normal, s.sticks[0]);
 }
 
@@ -144,23 +129,24 @@ bool reaches_ring(const RigidStep& step, double clearance) {
 }
 
 Eigen::Vector2d contact_normal(const RigidStep& step, double clearance) {
-  const double delta = step.d.norm();
-  const Eigen::Vector2d path = end_of(step) - step.d;  // its bend may close what its rate opens
-  const bool closes = delta > kNoNormal && step.d.dot(path) > 0.0;
-  if (closes || delta >= clearance) return step.d / delta;
-  return exit_point(step.d, path, clearance).normalized();
+  return normal_of_path(step.d, end_of(step) - step.d,
+                        clearance);  // its bend may close what its rate opens
 }
 
 bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactParameters& c) {
-  return !step.was_in_contact && rebound_lasts(step, e_r, c);
+  const double closing = e_r.dot(step.free.head<2>());
+  if (step.was_in_contact || closing <= 0.0) return false;
+  Eigen::Vector3d acceleration = (step.free - step.start) / step.h;
+  acceleration.head<2>() += 2.0 / (step.h * step.h) * step.bend;
+  const double pressed = pressing(e_r, step.free, acceleration, c.clearance);
+  return flight_outlives(least_flight_unlocated(c.restitution) * step.h, c.restitution * closing, pressed);
 }
 
 double gap_over_step(const RigidStep& step, const ContactParameters& c) {
   const double gap = c.clearance - end_of(step).norm();
   const double depth = std::max(0.0, step.d.norm() - c.clearance);
   const double recovery = kRecovery * depth / step.h;
-  const double fastest =
-      kRecoveryRate * c.clearance + kRecoveryShare * step.free.head<2>().norm();
+  const double fastest = kRecoveryRate * c.clearance + kRecoveryShare * step.free.head<2>().norm();
   if (recovery > fastest) return (gap + depth) / step.h - fastest;
   return (gap + (1.0 - kRecovery) * depth) / step.h;
 }

@@ -65,8 +65,7 @@ inline Eigen::Vector2d end_of(const RigidStep& step) {
 bool reaches_ring(const RigidStep& step, double clearance);
 
 // Parts of solve_rigid_step, for contacts that are solved together (own/coupled_step.h).
-// The normal at q_k. Where the step is so long that the path does not close along that one, the normal
-// where it meets the ring.
+// circle.h
 Eigen::Vector2d contact_normal(const RigidStep& step, double clearance);
 // An impact: the contact was open, and its rebound outlives the step.
 bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactParameters& contact);

@@ -3,8 +3,9 @@
 
 namespace rotorub {
 
-// kNoSolution, kAmbiguous: the contact laws have none or several (Painleve). kOutOfRange: rotor or ring beyond
-// what holds it. kControllerFailed: the user's law reported a failure, threw, or told what is no number.
+// kNoSolution, kAmbiguous: the contact laws have none or several (Painleve). kOutOfRange: rotor or
+// ring beyond what holds it. kControllerFailed: the user's law reported a failure, threw, or told
+// what is no number.
 enum class Status {
   kOk,
   kDiverged,

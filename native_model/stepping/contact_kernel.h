@@ -4,6 +4,7 @@
 // anything else lane by lane. Impacts are the schemes' own (paper_step.h, verlet_step.h).
 #pragma once
 
+#include "native_model/contact/circle.h"
 #include "native_model/contact/lasting_contact.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kernel.h"

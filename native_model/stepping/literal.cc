@@ -4,6 +4,7 @@
 
 #include "native_model/contact/impact.h"
 #include "native_model/contact/impact_phase.h"
+#include "native_model/contact/rebound.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 
@@ -92,11 +93,10 @@ void LiteralStepper::touch(double t, FixedStep& out) {
   // (12): the gap of the step's end, linearised about q.
   const double gap = c.clearance - delta - h_ * e_r.dot(free.head<2>());
   if (gap >= 0.0) return;
-  const double whirl = e_r.x() * free.y() - e_r.y() * free.x();
   const double closing = e_r.dot(free.head<2>());
-  const double undone = h_ * (e_r.dot(acceleration.head<2>()) + whirl * whirl / c.clearance);
+  const double pressed = pressing(e_r, free, acceleration, c.clearance);
   const Delassus g = delassus(contact_admittance(m, t, q()), e_r, c.radius);
-  if (!lasted && c.restitution * closing > undone) {
+  if (!lasted && flight_outlives(least_flight_unlocated(c.restitution) * h_, c.restitution * closing, pressed)) {
     const ImpactResult r = solve_impact(g, -closing, rates_along(e_r, c.radius, free).y(),
                                         c.law());
     out.status = r.status;

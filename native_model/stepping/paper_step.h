@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-#include "native_model/contact/located_impact.h"
+#include "native_model/contact/circle.h"
+#include "native_model/contact/rebound.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/contact_kernel.h"
 
@@ -87,19 +88,8 @@ class PaperKernel : public ContactKernel<M> {
     this->push(middle_.data(), middle_.data(), ex, ey, (delta - c) / nn, T{}, outside);
   }
 
-  // The normal at the middle; where the step is so long that it does not close along that one, the
-  // normal where the path meets the circle.
-  Eigen::Vector2d normal(const Eigen::Vector2d& d, const Eigen::Vector2d& w,
-                         double clearance) const {
-    if (d.norm() > kNoNormal && (d.dot(w) > 0.0 || d.norm() >= clearance)) return d.normalized();
-    const Eigen::Vector2d path = this->h_ * w;
-    return (d + std::min(1.0, circle_exit(d, path, clearance)) * path).normalized();
-  }
-
-  // Poisson's law in one lane where the contact closes. A rebound that loads and the ring's
-  // curvature undo within the step, -gddot_N h = e_r . (ddot+ - ddot) + h v_t^2 / delta, has
-  // restitution 0: the middle closes the gap, by the least change in the norm of M, and contact
-  // lasts.
+  // Poisson's law in one lane where the contact closes. Without a flight after it (contact/rebound.h)
+  // the middle closes the gap, by the least change in the norm of M, and contact lasts.
   ROTORUB_SLOW void collide(int lane, std::int64_t k) {
     const Model& m = lane_model(*this->m_, lane);
     const ContactParameters& c = *m.contact;
@@ -108,11 +98,10 @@ class PaperKernel : public ContactKernel<M> {
     const Eigen::Vector2d d = separation(m, q);
     const Eigen::Vector3d free = this->lane_rates(this->free_.data(), lane);
     const Eigen::Vector3d start = this->lane_rates(this->start_.data(), lane);
-    const Eigen::Vector2d e_r = normal(d, free.head<2>(), c.clearance);
-    const double turn = e_r.x() * free.y() - e_r.y() * free.x();
-    const double gained = e_r.dot((free - start).head<2>()) + this->h_ * turn * turn / c.clearance;
-    const bool stays = c.restitution * e_r.dot(free.head<2>()) <= gained;
+    const Eigen::Vector2d e_r = normal_of_path(d, this->h_ * free.head<2>(), c.clearance);
+    const double pressed = pressing(e_r, free, (free - start) / this->h_, c.clearance);
     const double closing = e_r.dot(free.head<2>());
+    const bool stays = !flight_outlives(least_flight_unlocated(c.restitution) * this->h_, c.restitution * closing, pressed);
     if (!(closing > 0.0)) return;
     const double t = this->origin + (static_cast<double>(k) + 0.5) * this->h_;
     const Delassus g = delassus(contact_admittance(m, t, q), e_r, c.radius);

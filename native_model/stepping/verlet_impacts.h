@@ -11,7 +11,7 @@
 #include "native_model/contact/located_impact.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/contact_kernel.h"
-#include "native_model/stepping/finite_impact.h"
+#include "native_model/system/finite_impact.h"
 
 namespace rotorub {
 

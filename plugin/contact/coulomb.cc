@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "native_model/contact/coulomb.h"
+#include "native_model/contact/rebound.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/actuators.h"
@@ -62,7 +63,8 @@ void state_problem(const Config& config, const mjModel* m, const mjData* d, int 
 // would lose its force each time the gap is a nanometre above 0.
 bool in_contact(const mjData* d, const Problem& p, double h) {
   if (p.point.gap < 0.0) return true;
-  return d->userdata[kMode] != 0.0 && p.point.gap_rate <= -p.gap_acceleration * h;
+  return d->userdata[kMode] != 0.0 &&
+         !flight_outlives(least_flight_unlocated(0.0) * h, p.point.gap_rate, -p.gap_acceleration);
 }
 
 // Friction's load, and where unbalance couples spin and bending, what the integrator's diagonal

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "native_model/contact/coulomb.h"
+#include "native_model/contact/rebound.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/actuators.h"
@@ -77,7 +78,8 @@ void apply_segment_coulomb(const Config& config, const mjModel* m, mjData* d,
   const Rates free = free_rates(point, radius, space.response(d->qfrc_smooth));
 
   // As on the modal chain: a rebound that the loads undo within the step is no flight.
-  const bool lasts = d->userdata[kMode] != 0.0 && point.gap_rate <= -free.gap * h;
+  const bool lasts =
+      d->userdata[kMode] != 0.0 && !flight_outlives(least_flight_unlocated(0.0) * h, point.gap_rate, -free.gap);
   CoulombSolution solution;
   if (point.gap < 0.0 || lasts) {
     solution = solve_coulomb(delassus(space.flexibility(), point.e_r, radius),

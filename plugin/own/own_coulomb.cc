@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "native_model/contact/rebound.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/actuators.h"
 #include "plugin/contact/annular.h"
@@ -23,7 +24,8 @@ template <typename Free>
 Eigen::Vector3d look(TouchingPair& s, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
   const bool before = s.entry(d)[kMode] != 0.0;
-  const bool lasts = before && s.point.gap_rate <= -(a.x() - s.curvature) * m->opt.timestep;
+  const bool lasts = before && !flight_outlives(least_flight_unlocated(0.0) * m->opt.timestep, s.point.gap_rate,
+                                                s.curvature - a.x());
   s.touches = s.point.gap < 0.0 || lasts;
   return s.base + a;
 }

@@ -9,23 +9,6 @@ namespace {
 
 constexpr double kCircle = 0.5e-3;  // m
 
-TEST(CircleExit, FromInsideIsWhereThePathCrosses) {
-  EXPECT_DOUBLE_EQ(circle_exit({0.0, 0.0}, {2.0 * kCircle, 0.0}, kCircle), 0.5);
-  EXPECT_DOUBLE_EQ(circle_exit({0.5 * kCircle, 0.0}, {-3.0 * kCircle, 0.0}, kCircle), 0.5);
-  EXPECT_GT(circle_exit({0.0, 0.0}, {0.5 * kCircle, 0.0}, kCircle), 1.0);
-}
-
-TEST(CircleExit, FromOutsideIsAtOnceOrWhereItComesOutAgain) {
-  EXPECT_EQ(circle_exit({1.01 * kCircle, 0.0}, {1e-4, 0.0}, kCircle), 0.0);
-  // Through the middle: in at 0.01, out at 2.01 radii of 4.
-  EXPECT_NEAR(circle_exit({1.01 * kCircle, 0.0}, {-4.0 * kCircle, 0.0}, kCircle), 2.01 / 4.0, 1e-12);
-  // A chord from the circle itself: 2 cos 45 deg of its radius.
-  const double chord = std::sqrt(2.0) * kCircle;
-  EXPECT_NEAR(circle_exit({kCircle, 0.0}, {-2.0 * kCircle, 2.0 * kCircle}, kCircle),
-              chord / (std::sqrt(8.0) * kCircle), 1e-12);
-  EXPECT_GT(circle_exit({1.5 * kCircle, 0.0}, {-1e-6, 1e-3}, kCircle), 1.0) << "passes by";
-}
-
 // A whirl whose bounces have become so low that the step's chord begins a trifle outside: it leads in, and
 // comes out within the step. It was taken for a flight, and the rotor went on outside, with an impact
 // every few steps for ever instead of lasting contact.

@@ -1,0 +1,49 @@
+// What follows an impact: flight, or lasting contact. Decided once, for every engine.
+//
+// Loads and the circle's curvature press with a = -gddot_N, so that the flight after a rebound of the speed v
+// lasts 2 v / a. One that is over too soon is none: the impact has restitution 0, and contact lasts. An
+// accumulation of impacts ends so. Too soon is
+// - before the impact itself is, of one that takes time;
+// - within a fixed step, of an impact that is located in its step;
+// - within two, where it is not: the step's end then tells its speed with up to the fall of a whole step, a h. Then
+//   bounces of v = eps_N v + a h keep themselves going for ever, with flights of 2 eps_N / (1 - eps_N) steps: so
+//   long ones are none either (up to kMostSteps, as an impact without loss has no accumulation).
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+
+namespace rotorub {
+
+// m/s^2, a, of the relative velocity (ddot, contact spin) and the loads' acceleration of the same,
+// along the outward normal e_r of a circle of radius delta (m): what turning of the normal adds is
+// (e_t . ddot)^2 / delta.
+inline double pressing(const Eigen::Vector2d& e_r, const Eigen::Vector3d& velocity,
+                       const Eigen::Vector3d& acceleration, double delta) {
+  const double whirl = e_r.x() * velocity.y() - e_r.y() * velocity.x();
+  return e_r.dot(acceleration.head<2>()) + whirl * whirl / delta;
+}
+
+// Steps that a flight has to outlive.
+inline constexpr double kLeastFlight = 1.0;
+inline double least_flight_unlocated(double restitution) {
+  constexpr double kMostSteps = 40.0;
+  return std::clamp(2.0 * restitution / (1.0 - restitution), 2.0, kMostSteps);
+}
+
+// Whether a flight that begins with `speed` (m/s, of the gap) under `pressed` (m/s^2, a) outlives
+// `time` (s).
+inline bool flight_outlives(double time, double speed, double pressed) {
+  return 2.0 * speed > pressed * time;
+}
+
+// eps_N of an impact that takes time, at the speed `approach` (m/s) beside loads that press with
+// `load` (m/s^2). Poisson's law returns a share of what the loads compress too: v' = eps_N (v + a
+// tau_C) - a tau_E, after the flight v'' = sqrt(v'^2 + 2 a tau_E v'), which above some eps_N has a
+// fixed point: impacts without end. So where the loads give back more than half of what restitution
+// takes, v'' > (1 + eps_N) v / 2, the approach's share alone is returned, eps_N v / (v + a tau_C):
+// the impacts fall off with eps_N, and contact comes to rest.
+double restitution_beside_loads(double restitution, double approach, double load,
+                                double compression_time, double expansion_time);
+
+}  // namespace rotorub
