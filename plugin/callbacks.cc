@@ -143,8 +143,7 @@ bool collision_was_lost(const Config& config, const mjModel* m) {
     Place<mjfCollision>& place = collision_place(m, rotor_geom, ring_geom);
     if (!place.held() && place.take()) ++collisions_taken;
   };
-  if (config.rotor_geom >= 0) keep(config.rotor_geom, config.ring_geom);
-  for (const OwnPair& pair : config.pairs) keep(pair.rotor_geom, pair.ring_geom);
+  for (const ContactPair& pair : config.pairs) keep(pair.rotor_geom, pair.ring_geom);
   const int taken = collisions_taken.load(std::memory_order_acquire);
   if (taken == 0) return false;
   static thread_local constinit int known = 0;

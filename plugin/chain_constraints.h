@@ -1,7 +1,7 @@
 // What a user has put on the rotor or the ring of a generated model beside what the writer wrote:
 // equalities, limits, friction loss, tendons with either, contacts, and what MuJoCo steps implicitly beyond
 // the dampers of the joints. The native step of `rigid` (contact/verlet.h) and the diagonal mass of `coulomb`
-// know none of it; such a model takes the general path (own/own_contact.h), of first order.
+// know none of it; such a model takes the general path (contact/pairs.h), of first order.
 #pragma once
 
 #include <mujoco/mujoco.h>

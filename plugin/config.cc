@@ -125,19 +125,23 @@ double next_id() {
   return 1.0 + count.fetch_add(1);
 }
 
-}  // namespace
-
-OwnPair generated_pair(const Config& config) {
-  OwnPair p;
+// The contact of a generated model; its sensors are the config's.
+std::vector<ContactPair> generated_pairs(const Config& config) {
+  if (!config.model.contact) return {};
+  ContactPair p;
   p.law = config.contact;
   p.contact = *config.model.contact;
   p.rotor_geom = config.rotor_geom;
   p.ring_geom = config.ring_geom;
   p.pair = config.pair;
   p.in_world = true;
-  p.held_spin = config.model.layout.spin ? 0.0 : config.model.speed;
-  return p;
+  p.on_chain = !config.segments && !config.general;
+  p.friction_reference = config.friction_reference;
+  p.held_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
+  return {p};
 }
+
+}  // namespace
 
 const char* custom_text(const mjModel* m, std::string_view name) {
   for (int i = 0; i < m->ntext; ++i) {
@@ -165,15 +169,13 @@ int find_pair(const mjModel* m, int geom_a, int geom_b) {
 }
 
 bool Config::has_rigid() const {
-  const auto rigid = [](const OwnPair& p) { return p.law == scene::ContactModel::kRigid; };
-  return std::any_of(pairs.begin(), pairs.end(), rigid) ||
-         (model.contact && contact == scene::ContactModel::kRigid);
+  const auto rigid = [](const ContactPair& p) { return p.law == scene::ContactModel::kRigid; };
+  return std::any_of(pairs.begin(), pairs.end(), rigid);
 }
 
 bool Config::has_soft() const {
-  const auto soft = [](const OwnPair& p) { return p.law != scene::ContactModel::kRigid; };
-  return std::any_of(pairs.begin(), pairs.end(), soft) ||
-         (model.contact && contact != scene::ContactModel::kRigid);
+  const auto soft = [](const ContactPair& p) { return p.law != scene::ContactModel::kRigid; };
+  return std::any_of(pairs.begin(), pairs.end(), soft);
 }
 
 bool is_ours(const mjModel* m) { return scene_text(m) || has_own_names(m); }
@@ -245,7 +247,7 @@ Config make_config(const mjModel* m) {
   config.sensors = scene_sensors(m);
   map_structure(m, config);
   take_parameters(m, config);
-  if (config.general) config.pairs = {generated_pair(config)};
+  config.pairs = generated_pairs(config);
   map_load_cells(m, config);
   if (config.shadow) {
     map_shadow(m, *config.shadow);
@@ -261,7 +263,7 @@ Config with_parameters(const Config& config, const mjModel* m) {
   Config other = config;
   take_parameters(m, other);
   if (other.shadow) other.shadow->mark = mark_of(other.shadow->model);
-  if (other.general) other.pairs = {generated_pair(other)};
+  other.pairs = generated_pairs(other);
   other.id = next_id();
   return other;
 }

@@ -32,9 +32,8 @@ struct SensorAddresses {
   bool gap_in_control = false, rates_in_control = false;
 };
 
-// A rotor in its ring whose contact is solved in MuJoCo's coordinates (own/own_contact.h): one of a
-// user's own model, or that of a generated model with constraints of the user's.
-struct OwnPair {
+// A rotor in its ring: of a generated model, or one of a user's own.
+struct ContactPair {
   scene::ContactModel law = scene::ContactModel::kRigid;
   ContactParameters contact{};
   int rotor_geom = -1, ring_geom = -1;
@@ -43,8 +42,9 @@ struct OwnPair {
   std::array<mjtNum, 8> given{};  // sizes of the two geoms, m, and the pair's frictions, as they were read
   int data = 0;                   // in mjData.userdata (user_data.h)
   SensorAddresses sensors;
-  bool axial = false;      // with friction, and one moves along the other's axis (own/axial_motion.h)
+  bool axial = false;      // with friction, and one moves along the other's axis (contact/axial_motion.h)
   bool in_world = false;   // the contact plane is the world's x and y, not that of the ring's geom
+  bool on_chain = false;   // solved in the coordinates of the modal chain (contact/chain_space.h), not of bodies
   double held_spin = 0.0;  // rad/s, of a rotor whose spin is no degree of freedom
   double friction_reference = 0.0;  // 1/s, B_t of contact model cone; 0: MuJoCo's
 };
@@ -76,13 +76,13 @@ struct Config {
   // A user's own model with our contacts (own/own_config.h): filled are `pairs`, `memory`, and with the
   // first pair `contact`, model.contact and geoms.
   bool own = false;
-  std::vector<OwnPair> pairs;  // where own or general
+  std::vector<ContactPair> pairs;
   // Further <pair>s of a user's own model, of any geoms, that are corrected for sliding (contact/cone_correction.h).
   std::vector<int> corrected_pairs;
   int memory = 0, memory_size = 0;  // in mjData.userdata, of all that the plugin remembers
 
-  // A generated model whose rotor or ring the user's constraints hold as well
-  // (chain_constraints.h): its contact is solved as that of a user's own model.
+  // A modal chain whose rotor or ring the user's constraints hold as well (chain_constraints.h): its contact is
+  // solved in the coordinates of bodies.
   bool general = false;
   bool damping_added = false;  // chain_constraints.h
 
@@ -99,7 +99,7 @@ struct Config {
   SensorAddresses sensors;
   std::optional<ShadowConfig> shadow;
 
-  bool has_contact() const { return model.contact || !pairs.empty(); }
+  bool has_contact() const { return !pairs.empty(); }
   // Any contact with a law of this kind.
   bool has_rigid() const;
   bool has_soft() const;
@@ -139,9 +139,6 @@ bool is_ours(const mjModel* m);
 Config make_config(const mjModel* m);
 // The same with m's numbers of now, m a model of its fingerprint. Throws ConfigError.
 Config with_parameters(const Config& config, const mjModel* m);
-
-// The contact of a generated model, for own/: its sensors are the config's.
-OwnPair generated_pair(const Config& config);
 
 // Parts of make_config that own/ uses too.
 const char* custom_text(const mjModel* m, std::string_view name);  // null: none of that name

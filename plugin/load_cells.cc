@@ -6,15 +6,15 @@
 #include <string>
 #include <type_traits>
 
-#include "native_model/scene/contact_models.h"
+#include "native_model/contact/coupled_law.h"
 #include "native_model/contact/kinematics.h"
+#include "native_model/scene/contact_models.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
-#include "native_model/contact/coupled_law.h"
+#include "plugin/contact/axial_motion.h"
+#include "plugin/contact/body_space.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
-#include "plugin/own/axial_motion.h"
-#include "plugin/own/own_space.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -35,15 +35,6 @@ NotedContact& noted(int data) {
   return all[static_cast<std::size_t>(data / kPairEntries) % all.size()];
 }
 
-template <typename Action>
-void for_each_contact(const Config& config, Action action) {
-  if (config.pairs.empty()) {
-    if (config.model.contact) action(generated_pair(config));
-    return;
-  }
-  for (const OwnPair& pair : config.pairs) action(pair);
-}
-
 bool carries(const mjModel* m, int body, int geom) {
   int b = m->geom_bodyid[geom];
   while (b > body) b = m->body_parentid[b];
@@ -52,7 +43,7 @@ bool carries(const mjModel* m, int body, int geom) {
 
 bool is_force(int type) { return type == mjSENS_FORCE || type == mjSENS_TORQUE; }
 
-bool feels(const mjModel* m, int sensor, const OwnPair& pair) {
+bool feels(const mjModel* m, int sensor, const ContactPair& pair) {
   if (scene::is_cone(pair.law)) return false;
   const int type = m->sensor_type[sensor];
   if (!is_force(type) && type != mjSENS_TOUCH) return false;
@@ -64,7 +55,7 @@ bool feels(const mjModel* m, int sensor, const OwnPair& pair) {
 
 // MuJoCo's contact sensors ask for the forces of its own solver.
 #if mjVERSION_HEADER >= 335
-bool may_be(const mjModel* m, const OwnPair& pair, int type, int id) {
+bool may_be(const mjModel* m, const ContactPair& pair, int type, int id) {
   const auto is = [&](int geom) {
     if (type == mjOBJ_GEOM) return id == geom;
     if (type == mjOBJ_BODY) return id == m->geom_bodyid[geom];
@@ -72,7 +63,7 @@ bool may_be(const mjModel* m, const OwnPair& pair, int type, int id) {
   };
   return is(pair.rotor_geom) || is(pair.ring_geom);
 }
-bool asks_for_force(const mjModel* m, int sensor, const OwnPair& pair) {
+bool asks_for_force(const mjModel* m, int sensor, const ContactPair& pair) {
   constexpr int kForces = (1 << mjCONDATA_FORCE) | (1 << mjCONDATA_TORQUE);
   return !scene::is_cone(pair.law) && m->sensor_type[sensor] == mjSENS_CONTACT &&
          (m->sensor_intprm[mjNSENS * sensor] & kForces) &&
@@ -80,7 +71,7 @@ bool asks_for_force(const mjModel* m, int sensor, const OwnPair& pair) {
          may_be(m, pair, m->sensor_reftype[sensor], m->sensor_refid[sensor]);
 }
 #else
-bool asks_for_force(const mjModel*, int, const OwnPair&) { return false; }
+bool asks_for_force(const mjModel*, int, const ContactPair&) { return false; }
 #endif
 
 template <typename Model>
@@ -91,8 +82,8 @@ bool has_history(const Model* m, int sensor) {
 
 // < 0: the ray from `from` does not meet the site's zone.
 template <typename Ray = decltype(&mju_rayGeom)>
-double ray_to_site(const mjModel* m, const mjData* d, int site, const mjtNum* from, const mjtNum* along,
-                   Ray ray = mju_rayGeom) {
+double ray_to_site(const mjModel* m, const mjData* d, int site, const mjtNum* from,
+                   const mjtNum* along, Ray ray = mju_rayGeom) {
   const mjtNum* place = d->site_xpos + 3 * site;
   const mjtNum* axes = d->site_xmat + 9 * site;
   const mjtNum* size = m->site_size + 3 * site;
@@ -112,7 +103,7 @@ struct ContactForce {
 };
 
 // since: s, that may have passed since its pass.
-ContactForce force_of(const OwnPair& pair, const mjData* d, double since) {
+ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   ContactForce f;
   const mjtNum* entry = d->userdata + pair.data;
   f.place = contact_place(pair, d);
@@ -124,7 +115,8 @@ ContactForce force_of(const OwnPair& pair, const mjData* d, double since) {
   if (pair.law != scene::ContactModel::kRigid && !pair.axial) return f;
   const NotedContact& n = noted(pair.data);
   const double passed = d->time - n.time;
-  if (n.d != d || n.data != pair.data || (passed != 0.0 && std::abs(passed - since) > 1e-6 * since)) return f;
+  if (n.d != d || n.data != pair.data || (passed != 0.0 && std::abs(passed - since) > 1e-6 * since))
+    return f;
   f.e_r = n.e_r;
   f.axial = n.axial;
   return f;
@@ -159,7 +151,8 @@ void fill_force(const mjModel* m, mjData* d, int sensor) {
   }
 }
 
-void add_touch(const OwnPair& pair, const ContactForce& f, const mjModel* m, mjData* d, int sensor) {
+void add_touch(const ContactPair& pair, const ContactForce& f, const mjModel* m, mjData* d,
+               int sensor) {
   const int site = m->sensor_objid[sensor];
   const bool on_rotor = m->site_bodyid[site] == m->geom_bodyid[pair.rotor_geom];
   mjtNum from[3], along[3];
@@ -183,44 +176,51 @@ void map_load_cells(const mjModel* m, Config& config) {
   }
   later = later || config.cells_in_callback;
   for (int i = 0; i < m->nsensor; ++i) {
-    for_each_contact(config, [&](const OwnPair& pair) {
+    for (const ContactPair& pair : config.pairs) {
       const std::string element = message("<sensor name=\"{}\">", m->names + m->name_sensoradr[i]);
       const std::string unseen =
           message("MuJoCo does not see the force of contact model {} in it",
                   pair.law == scene::ContactModel::kRigid ? "rigid" : "coulomb (its friction)");
       if (asks_for_force(m, i, pair)) {
-        refuse(element, unseen + "; accepted: the user sensors normal_force and friction_force, or other geoms");
+        refuse(element,
+               unseen +
+                   "; accepted: the user sensors normal_force and friction_force, or other geoms");
       }
-      if (!feels(m, i, pair)) return;
+      if (!feels(m, i, pair)) continue;
       config.cells = true;
-      if (has_history(m, i)) refuse(element, unseen + " where it has a history; accepted: nsample=\"0\"");
-      if (later) return;
-      refuse(element, unseen + ", and calls the plugin after it only for a user sensor of the acceleration "
-                               "stage; accepted: <user name=\"normal_force\" dim=\"1\" needstage=\"acc\"/> in "
-                               "<sensor>, or the plugin preloaded");
-    });
+      if (has_history(m, i))
+        refuse(element, unseen + " where it has a history; accepted: nsample=\"0\"");
+      if (later) continue;
+      refuse(element,
+             unseen +
+                 ", and calls the plugin after it only for a user sensor of the acceleration "
+                 "stage; accepted: <user name=\"normal_force\" dim=\"1\" needstage=\"acc\"/> in "
+                 "<sensor>, or the plugin preloaded");
+    }
   }
 }
 
 void fill_load_cells(const Config& config, const mjModel* m, mjData* d) {
   if (!config.cells) return;
   bool any = false;
-  for_each_contact(config, [&](const OwnPair& pair) {
+  for (const ContactPair& pair : config.pairs) {
     const ContactForce f = force_of(pair, d, 0.0);
-    if (f.normal == 0.0 && f.friction == 0.0 && f.axial == 0.0) return;
+    if (f.normal == 0.0 && f.friction == 0.0 && f.axial == 0.0) continue;
     any = true;
-    // As J^T has it (own/own_space.h): on the rotor at its centre, on the ring at the point of its axis beside it.
+    // As J^T has it (contact/body_space.h): on the rotor at its centre, on the ring at the point of
+    // its axis beside it.
     const Eigen::Vector3d load = contact_load(f.e_r, pair.contact.radius, f.normal, f.friction);
     const Eigen::Vector3d along = f.axial * axial_column(f.e_r, pair.contact.radius);
-    const Eigen::Vector3d force(load.x(), load.y(), along.x()), torque(along.y(), along.z(), load.z());
-    add_wrench(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, f.place.axes, force,
-               torque);
+    const Eigen::Vector3d force(load.x(), load.y(), along.x()),
+        torque(along.y(), along.z(), load.z());
+    add_wrench(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom,
+               f.place.axes, force, torque);
     add_wrench(m, d, m->geom_bodyid[pair.ring_geom], f.place.ring_point, f.place.axes, -force,
                -f.place.ring_spin * torque);
     for (int i = 0; i < m->nsensor; ++i) {
       if (m->sensor_type[i] == mjSENS_TOUCH && feels(m, i, pair)) add_touch(pair, f, m, d, i);
     }
-  });
+  }
   for (int i = 0; any && i < m->nsensor; ++i) {
     if (is_force(m->sensor_type[i]) && !has_history(m, i)) fill_force(m, d, i);
   }
@@ -229,20 +229,21 @@ void fill_load_cells(const Config& config, const mjModel* m, mjData* d) {
 void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
                    void (*plain)(const mjModel*, const mjData*, int, mjtNum*)) {
   plain(m, d, id, result);
-  const Config* config = callbacks_active() && id >= 0 && id < d->ncon ? find_config(m, d) : nullptr;
+  const Config* config =
+      callbacks_active() && id >= 0 && id < d->ncon ? find_config(m, d) : nullptr;
   if (!config) return;
   const mjContact& c = d->contact[id];
-  for_each_contact(*config, [&](const OwnPair& pair) {
+  for (const ContactPair& pair : config->pairs) {
     const bool regular = c.geom1 == pair.rotor_geom && c.geom2 == pair.ring_geom;
     const bool reverse = c.geom2 == pair.rotor_geom && c.geom1 == pair.ring_geom;
-    if (!regular && !reverse) return;
+    if (!regular && !reverse) continue;
     const ContactForce f = force_of(pair, d, m->opt.timestep);  // that of mj_step may be taken
     // Turning the frame turns e_t and the body that the force acts on.
     if (pair.law == scene::ContactModel::kRigid) result[0] = f.normal;
-    if (scene::is_cone(pair.law)) return;
+    if (scene::is_cone(pair.law)) continue;
     result[1] = -f.friction;
     if (result[0] > 0.0) result[2] = regular ? -f.axial : f.axial;
-  });
+  }
 }
 
 void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial) {

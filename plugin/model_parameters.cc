@@ -97,7 +97,7 @@ Circle circle_of(const Config& config, const mjModel* m) {
 // What a user's own model takes from its geoms (own/own_config.h).
 bool has_own_numbers(const Config& config, const mjModel* m) {
   return std::all_of(config.pairs.begin(), config.pairs.end(),
-                     [m](const OwnPair& p) { return p.given == own_numbers(m, p); });
+                     [m](const ContactPair& p) { return p.given == own_numbers(m, p); });
 }
 
 bool rotor_is_massless(const Config& config, const mjModel* m) {

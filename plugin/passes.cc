@@ -7,26 +7,21 @@
 #include "plugin/actuators.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
-#include "plugin/contact/annular.h"
-#include "plugin/contact/cone.h"
-#include "plugin/contact/coulomb.h"
 #include "plugin/contact/escape_guard.h"
+#include "plugin/contact/pairs.h"
 #include "plugin/contact/runge_kutta.h"
-#include "plugin/contact/segment_coulomb.h"
-#include "plugin/contact/segment_rigid.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/load_cells.h"
 #include "plugin/magnets.h"
 #include "plugin/mujoco_versions.h"
-#include "plugin/own/own_contact.h"
 #include "plugin/own/user_block.h"
 #include "plugin/passive.h"
 #include "plugin/segment_loads.h"
 #include "plugin/sensors.h"
-#include "plugin/skipped.h"
 #include "plugin/shadow.h"
+#include "plugin/skipped.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -89,28 +84,10 @@ void refresh_velocity_stage(const Config& config, const mjModel* m, mjData* d) {
   fresh = 0.0;
 }
 
-// Coulomb's law beside MuJoCo's soft contact, where there is one in this pass.
-void apply_soft_contact(const Config& config, const mjModel* m, mjData* d,
-                        const Coordinates& state) {
-  d->userdata[kFrictionForce] = 0.0;
-  const mjContact* contact = find_contact(config.rotor_geom, config.ring_geom, d);
-  if (!contact) {
-    d->userdata[kMode] = 0.0;
-    return;
-  }
-  if (scene::is_cone(config.contact)) {
-    apply_cone(config, m, d, *contact, state);
-  } else if (config.segments) {
-    apply_segment_coulomb(config, m, d, *contact, state);
-  } else {
-    apply_coulomb(config, m, d, *contact, state);
-  }
-}
-
 // Loads, command and contact of this pass.
 void act(const Config& config, const mjModel* m, mjData* d) {
   if (config.own) {
-    apply_own_contacts(config, m, d);
+    apply_contacts(config, m, d);
     fill_sensors_in_control(config, m, d);
   } else {
     const Coordinates state(config, d);
@@ -119,14 +96,8 @@ void act(const Config& config, const mjModel* m, mjData* d) {
       fill_sensors(config, m, d, mjSTAGE_VEL);
     } else {
       write_command(config, m, d, state);
-      if (!config.model.contact) return;
-      if (config.general) {
-        apply_own_contacts(config, m, d);
-      } else if (config.has_soft()) {
-        apply_soft_contact(config, m, d, state);
-      } else {
-        apply_segment_rigid(config, m, d, state);
-      }
+      if (!config.has_contact()) return;
+      apply_contacts(config, m, d);
     }
   }
   if (!config.own && !config.has_soft()) fill_sensors(config, m, d, mjSTAGE_ACC);
@@ -134,9 +105,9 @@ void act(const Config& config, const mjModel* m, mjData* d) {
 
 bool has_escaped(const Config& config, mjData* d) {
   if (!config.has_rigid()) return false;
-  if (config.pairs.empty()) return EscapeGuard(d->userdata).is_outside();
-  return std::any_of(config.pairs.begin(), config.pairs.end(),
-                     [d](const OwnPair& pair) { return EscapeGuard(d->userdata + pair.data).is_outside(); });
+  return std::any_of(config.pairs.begin(), config.pairs.end(), [d](const ContactPair& pair) {
+    return EscapeGuard(d->userdata + pair.data).is_outside();
+  });
 }
 
 void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
@@ -187,7 +158,8 @@ void passive_pass(const mjModel* m, mjData* d) {
 
 void control_pass(const mjModel* m, mjData* d) {
   const Config* config = find_config(m, d);
-  if (!config || control_skipped(m) || may_fall_asleep(*config, m) || is_overridden(*config, m)) return;
+  if (!config || control_skipped(m) || may_fall_asleep(*config, m) || is_overridden(*config, m))
+    return;
   keep_callbacks();
   if (!block_is_ours(*config, d)) {
     refuse_clash(*config, m);
@@ -234,20 +206,15 @@ bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int 
   const auto noticed = [m](int pair, scene::ContactModel contact, CollisionContact* of, int found) {
     // `rigid` keeps it from MuJoCo's solver where the pair's gap does not.
     const bool rigid = contact == scene::ContactModel::kRigid;
-    if (rigid && found > 0 && pair >= 0) of->dist = std::max<mjtNum>(of->dist, solved_below(m, pair));
+    if (rigid && found > 0 && pair >= 0)
+      of->dist = std::max<mjtNum>(of->dist, solved_below(m, pair));
     return found;
   };
-  if (!config->own) {
-    if (!are(g1, g2, config->rotor_geom, config->ring_geom)) return false;
-    before_collision(m);
-    count = noticed(config->pair, config->contact, con,
-                    collide_annular(*config, d, con, g1, margin_of(m, config->pair)));
-    return true;
-  }
-  for (const OwnPair& pair : config->pairs) {
+  for (const ContactPair& pair : config->pairs) {
     if (!are(g1, g2, pair.rotor_geom, pair.ring_geom)) continue;
     before_collision(m);
-    count = noticed(pair.pair, pair.law, con, collide_own(pair, d, con, g1, margin_of(m, pair.pair)));
+    count = noticed(pair.pair, pair.law, con,
+                    collide_exactly(pair, d, con, g1, margin_of(m, pair.pair)));
     return true;
   }
   return false;

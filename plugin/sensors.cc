@@ -5,8 +5,8 @@
 #include "plugin/contact/verlet.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
-#include "plugin/own/own_space.h"
-#include "plugin/own/reach.h"
+#include "plugin/contact/body_space.h"
+#include "plugin/contact/reach.h"
 #include "plugin/shadow.h"
 #include "plugin/user_data.h"
 
@@ -47,22 +47,22 @@ void put_rates(mjData* d, const SensorAddresses& s, const ContactPoint& point) {
 void put_active(const Config& config, mjData* d) {
   const double value = d->userdata[config.memory + kPassiveFresh] == kActed ? 1.0 : 0.0;
   put(d, config.sensors.active, value);
-  for (const OwnPair& pair : config.pairs) put(d, pair.sensors.active, value);
+  for (const ContactPair& pair : config.pairs) put(d, pair.sensors.active, value);
 }
 
 bool has_gap(const SensorAddresses& s) { return s.gap >= 0 || s.gap_scaled >= 0; }
 bool has_rates(const SensorAddresses& s) { return s.gap_rate >= 0 || s.slip >= 0; }
 
-void put_gap(const OwnPair& pair, mjData* d) {
+void put_gap(const ContactPair& pair, mjData* d) {
   const double clearance = pair.contact.clearance;
-  put_gap(d, pair.sensors, clearance - own_position(pair, d).norm(), clearance);
+  put_gap(d, pair.sensors, clearance - position_of(pair, d).norm(), clearance);
 }
 
 // Of a user's own model.
-void fill_pair_sensors(const OwnPair& pair, const mjModel* m, mjData* d, int stage) {
+void fill_pair_sensors(const ContactPair& pair, const mjModel* m, mjData* d, int stage) {
   const SensorAddresses& s = pair.sensors;
   if (stage == mjSTAGE_POS && has_gap(s)) put_gap(pair, d);
-  if (stage == mjSTAGE_VEL && has_rates(s)) put_rates(d, s, own_contact_point(pair, m, d));
+  if (stage == mjSTAGE_VEL && has_rates(s)) put_rates(d, s, contact_point_of(pair, m, d));
   if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(pair, m, d));
 }
 
@@ -104,17 +104,17 @@ void mark_active(const Config& config, mjData* d, bool acts) {
 }
 
 void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d) {
-  for (const OwnPair& pair : config.pairs) {
+  for (const ContactPair& pair : config.pairs) {
     const SensorAddresses& s = pair.sensors;
     if (s.gap_in_control) put_gap(pair, d);
-    if (s.rates_in_control) put_rates(d, s, own_contact_point(pair, m, d));
+    if (s.rates_in_control) put_rates(d, s, contact_point_of(pair, m, d));
     put_forces(m, d, s, contact_forces(pair, m, d));
   }
 }
 
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) {
   if (config.own) {
-    for (const OwnPair& pair : config.pairs) fill_pair_sensors(pair, m, d, stage);
+    for (const ContactPair& pair : config.pairs) fill_pair_sensors(pair, m, d, stage);
     return;
   }
   const SensorAddresses& s = config.sensors;

@@ -33,15 +33,12 @@ void KeptReferences::keep() {
 
 bool may_fall_asleep(const Config& config, const mjModel* m) {
   if (!sleep_enabled(m)) return false;
-  const auto geoms_may = [m](int rotor, int ring) {
-    return tree_may_sleep(m, m->geom_bodyid[rotor]) || tree_may_sleep(m, m->geom_bodyid[ring]);
-  };
-  if (config.own) {
-    return std::any_of(config.pairs.begin(), config.pairs.end(), [&](const OwnPair& pair) {
-      return geoms_may(pair.rotor_geom, pair.ring_geom);
+  if (config.own || config.has_contact()) {
+    return std::any_of(config.pairs.begin(), config.pairs.end(), [m](const ContactPair& pair) {
+      return tree_may_sleep(m, m->geom_bodyid[pair.rotor_geom]) ||
+             tree_may_sleep(m, m->geom_bodyid[pair.ring_geom]);
     });
   }
-  if (config.rotor_geom >= 0) return geoms_may(config.rotor_geom, config.ring_geom);
   return std::any_of(config.dof_address.begin(), config.dof_address.end(), [m](int dof) {
     return dof >= 0 && tree_may_sleep(m, m->dof_bodyid[dof]);
   });

@@ -42,7 +42,7 @@ inline constexpr double kActed = 0.0, kNotActed = -1.0;
 
 // A user's own model has its block at Config::memory, with a check in the place of kSample
 // (own/user_block.h). A further pair has kPairEntries more behind it: entry e of pair i stands at
-// OwnPair::data + e = memory + i kPairEntries + e, e from kFrictionForce on.
+// ContactPair::data + e = memory + i kPairEntries + e, e from kFrictionForce on.
 inline constexpr int kBlockCheck = kSample;
 inline constexpr int kPairEntries = kUserDataSingle - kFrictionForce;
 

@@ -114,7 +114,7 @@ void read_impacts(const path& file, Trajectory& trajectory) {
   });
 }
 
-Status status_of(const std::string& name) {
+Status stored_status(const std::string& name) {
   for (const Status status : {Status::kOk, Status::kDiverged, Status::kNoSolution,
                               Status::kAmbiguous, Status::kStepTooLarge, Status::kOutOfRange,
                               Status::kInterrupted, Status::kControllerFailed}) {
@@ -191,7 +191,7 @@ StoredRun read_run(const path& folder) {
     t.step = summary.at("step");
     t.steps = summary.at("steps");
     t.end = summary.at("end");
-    t.status = status_of(summary.at("status"));
+    t.status = stored_status(summary.at("status"));
     t.message = summary.at("message");
   } catch (const nlohmann::json::exception& error) {
     throw BrokenRun(fmt::format("{}: is no summary of a run: {}", (folder / kSummary).string(), json_reason(error)));

@@ -64,7 +64,7 @@ inline Eigen::Vector2d end_of(const RigidStep& step) {
 // closed. Needs h, d and free alone.
 bool reaches_ring(const RigidStep& step, double clearance);
 
-// Parts of solve_rigid_step, for contacts that are solved together (own/coupled_step.h).
+// Parts of solve_rigid_step, for contacts that are solved together (contact/coupled_step.h).
 // circle.h
 Eigen::Vector2d contact_normal(const RigidStep& step, double clearance);
 // An impact: the contact was open, and its rebound outlives the step.

@@ -1,15 +1,10 @@
 #include "plugin/contact/cone.h"
 
-#include "native_model/dynamics/dynamics.h"
-#include "plugin/contact/cone_correction.h"
-
 namespace rotorub::plugin {
-namespace {
-
-// aref = -B v for a friction row; v is that of geom 2 against geom 1 along the frame's second axis: minus the slip of
-// the rotor's surface where the rotor is geom 1 (and e_t turned where it is not).
-void add_held_slip(const Model& model, const mjModel* m, mjData* d, const mjContact& contact) {
-  const double slip = -model.contact->radius * model.speed;
+// aref = -B v for a friction row; v is that of geom 2 against geom 1 along the frame's second axis:
+// minus the slip of the rotor's surface where the rotor is geom 1 (and e_t turned where it is not).
+void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjContact& contact) {
+  const double slip = -surface_speed;
   const auto add = [d](int row, double rate) {
     d->efc_vel[row] += rate;
     d->efc_aref[row] -= d->efc_KBIP[4 * row + 1] * rate;
@@ -24,13 +19,13 @@ void add_held_slip(const Model& model, const mjModel* m, mjData* d, const mjCont
   add(first + 1, -contact.friction[0] * slip);
 }
 
-}  // namespace
-
 // Of the edges of a pyramid in the tangential part of v.
-void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contact, double reference) {
+void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contact,
+                            double reference) {
   const int first = contact.efc_address;
   if (!mj_isPyramidal(m)) {
-    for (int row = first + 1; row < first + contact.dim; ++row) d->efc_aref[row] = -reference * d->efc_vel[row];
+    for (int row = first + 1; row < first + contact.dim; ++row)
+      d->efc_aref[row] = -reference * d->efc_vel[row];
     return;
   }
   for (int edge = first; edge < first + 2 * (contact.dim - 1); edge += 2) {
@@ -38,19 +33,6 @@ void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contac
     const double change = (d->efc_KBIP[4 * edge + 1] - reference) * tangential;
     d->efc_aref[edge] += change;
     d->efc_aref[edge + 1] -= change;
-  }
-}
-
-void apply_cone(const Config& config, const mjModel* m, mjData* d, const mjContact& contact,
-                const Coordinates& state) {
-  const bool held = !config.segments && !config.model.layout.spin;
-  if (held && contact.dim >= 3) add_held_slip(config.model, m, d, contact);
-  if (config.contact == scene::ContactModel::kConeCoulomb) {
-    const ContactPoint point = contact_point(config.model, state.q(), state.v());
-    const SlidingContact sliding{&contact, point.whirl_speed() * point.whirl_speed() / point.delta};
-    correct_cones(m, d, {&sliding, 1});
-  } else if (contact.dim >= 3 && config.friction_reference > 0.0) {
-    set_friction_reference(m, d, contact, config.friction_reference);
   }
 }
 

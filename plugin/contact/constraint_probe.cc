@@ -55,18 +55,6 @@ std::string row_name(const mjModel* m, const mjData* d, int row) {
   }
 }
 
-void warn_of_contact(const mjModel* m, mjData* d, const ContactSpace& space, const char* what) {
-  std::string all, last;
-  for_each_coupled(m, d, space, [&](int row) {
-    const std::string name = row_name(m, d, row);
-    if (name != last) all += (all.empty() ? "" : ", ") + name;
-    last = name;
-    return all.size() < 400;
-  });
-  const std::string text = "rotorub: contact beside " + all + ": " + what;
-  plugin::warn(text.c_str());
-}
-
 }  // namespace
 
 bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
@@ -81,12 +69,16 @@ bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
 }
 
 void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space) {
-  warn_of_contact(m, d, space, "no impulse meets the contact laws; that of the least error is taken");
-}
-
-void warn_unknown(const mjModel* m, mjData* d, const ContactSpace& space) {
-  warn_of_contact(m, d, space,
-       "contact model coulomb on segments does not know it; accepted: contact model rigid or cone");
+  std::string all, last;
+  for_each_coupled(m, d, space, [&](int row) {
+    const std::string name = row_name(m, d, row);
+    if (name != last) all += (all.empty() ? "" : ", ") + name;
+    last = name;
+    return all.size() < 400;
+  });
+  const std::string text = "rotorub: contact beside " + all +
+                           ": no impulse meets the contact laws; that of the least error is taken";
+  plugin::warn(text.c_str());
 }
 
 ConstraintProbe::ConstraintProbe(const mjModel* m, mjData* d)

@@ -11,8 +11,8 @@
 
 #include <span>
 
-#include "plugin/contact/contact_space.h"
 #include "native_model/contact/rigid_law.h"
+#include "plugin/contact/contact_space.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
@@ -24,8 +24,6 @@ bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
 
 // mju_warning that no impulse was found beside them, with the names of those rows.
 void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space);
-// The same, that the contact is solved without them.
-void warn_unknown(const mjModel* m, mjData* d, const ContactSpace& space);
 
 // After mj_fwdActuation and mj_fwdAcceleration. Lives on the stack of mjData.
 class ConstraintProbe {
@@ -35,7 +33,8 @@ class ConstraintProbe {
   ConstraintProbe(const ConstraintProbe&) = delete;
   ConstraintProbe& operator=(const ConstraintProbe&) = delete;
 
-  // Tries the loads that add(force) adds to the generalised force; d->qacc is then that of the solver.
+  // Tries the loads that add(force) adds to the generalised force; d->qacc is then that of the
+  // solver.
   template <typename Add>
   void solve(Add add) {
     reset();
@@ -65,7 +64,8 @@ class ConstraintProbe {
 // The response of rigid_law.h: impulses over the step as forces.
 class ProbedStep final : public StepResponse {
  public:
-  ProbedStep(ConstraintProbe& probe, const ContactSpace& space, const Eigen::Vector3d& start, double h)
+  ProbedStep(ConstraintProbe& probe, const ContactSpace& space, const Eigen::Vector3d& start,
+             double h)
       : probe_(probe), space_(space), start_(start), h_(h) {}
   Eigen::Vector3d end(const Eigen::Vector3d& load, bool impact) override {
     probe_.solve([&](mjtNum* force) { space_.add(load / h_, impact, force); });

@@ -1,6 +1,6 @@
 // One contact in MuJoCo's coordinates: (relative x, relative y, spin) = J qvel, with MuJoCo's mass
-// matrix M and the matrix H of its step (step_matrix.h). J is the caller's own (own/own_space.h,
-// contact/segment_space.h); the rows live on the stack of mjData.
+// matrix M and the matrix H of its step (step_matrix.h). J is of bodies (body_space.h) or of the modal chain
+// (chain_space.h); the rows live on the stack of mjData.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -32,6 +32,15 @@ class ContactSpace {
 
   // to += J^T load, load: (x, y, torque) on the rotor.
   void add_load(const Eigen::Vector3d& load, mjtNum* to) const { add_rows(jacobian_, load, to); }
+  // What MuJoCo is given beside the normal force that its solver finds, for the contact's load normal + friction:
+  // to += J^T friction, and the acceleration by it.
+  virtual void add_side(const Eigen::Vector3d& /*normal*/, const Eigen::Vector3d& friction, mjtNum* to) const {
+    add_load(friction, to);
+  }
+  virtual void add_side_acceleration(const Eigen::Vector3d& /*normal*/, const Eigen::Vector3d& friction,
+                                     mjtNum* to) const {
+    add_acceleration(friction, to);
+  }
   // to += M^-1 J^T load.
   void add_acceleration(const Eigen::Vector3d& load, mjtNum* to) const { add_rows(plain(), load, to); }
   // One of the two that follow.
@@ -52,7 +61,7 @@ class ContactSpace {
   // `matrix` must outlive the space.
   ContactSpace(const mjModel* m, mjData* d, const StepMatrix& matrix)
       : d_(d), matrix_(matrix), nv_(count(m->nv)) {}
-  ~ContactSpace() = default;
+  virtual ~ContactSpace() = default;
 
   // Fills plain_ when it is first asked for: a lasting contact never does.
   virtual void solve_plain() const {}

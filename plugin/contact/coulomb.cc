@@ -1,131 +1,275 @@
 #include "plugin/contact/coulomb.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <variant>
 
-#include "native_model/contact/coulomb.h"
+#include "native_model/contact/constrained_law.h"
 #include "native_model/contact/rebound.h"
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/actuators.h"
-#include "plugin/contact/annular.h"
-#include "plugin/passive.h"
+#include "plugin/contact/chain_space.h"
+#include "plugin/contact/constraint_probe.h"
+#include "plugin/contact/find_contact.h"
+#include "plugin/contact/touching_pair.h"
+#include "plugin/load_cells.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
 
-// Contact-space components (relative x, relative y, spin) of a vector of coordinate rates.
-Eigen::Vector3d contact_rates(const Model& model, const double* v) {
-  return contact_acceleration(model, v);
+// y without any force, free(space) the accelerations. A rebound that the loads undo within the step
+// is no flight.
+template <typename Free>
+Eigen::Vector3d look(TouchingPair& s, Free free, const mjModel* m, mjData* d) {
+  const Eigen::Vector3d a = s.along(free);
+  const bool before = s.entry(d)[kMode] != 0.0;
+  const bool lasts = before && !flight_outlives(least_flight_unlocated(0.0) * m->opt.timestep,
+                                                s.point.gap_rate, s.curvature - a.x());
+  s.touches = s.point.gap < 0.0 || lasts;
+  return s.base + a;
 }
 
-// qacc_smooth and qfrc_smooth with the command just written.
-void update_smooth_force(const mjModel* m, mjData* d) {
-  compute_actuators(m, d);
-  mj_fwdAcceleration(m, d);
-}
+// Open: well below, so that not even round-off leaves a force.
+double open_reference(double acceleration) { return acceleration - (1.0 + std::abs(acceleration)); }
 
-// One contact in the acceleration space of this step, seen from its free motion.
-struct Problem {
-  ContactPoint point;
-  double gap_acceleration;       // m/s^2, gddot_N without contact force
-  double slip_acceleration;      // m/s^2, of gdot_T likewise
-  double reference;              // m/s^2, a_ref
-  double mass[kMaxCoordinates];  // diagonal of M + h D
+// The contacts of a pass.
+struct TouchingPairs {
+  std::array<TouchingPair, kMaxContacts> all;
+  std::array<int, kMaxContacts> rows{};
+  std::size_t count = 0;
+  std::span<TouchingPair> span() { return {all.data(), count}; }
 };
 
-void state_problem(const Config& config, const mjModel* m, const mjData* d, int row,
-                   const Coordinates& state, Problem& p) {
-  const Model& model = config.model;
-  const double h = m->opt.timestep, radius = model.contact->radius;
-  p.point = contact_point(model, state.q(), state.v());
-  step_mass(config, m, p.mass);
-  double a[kMaxCoordinates];
-  for (int i = 0; i < model.nq(); ++i) {
-    a[i] = d->qfrc_smooth[config.dof_address[static_cast<std::size_t>(i)]] / p.mass[i];
+// Those that touch, in the order of a vector of forces.
+struct Touching {
+  std::array<TouchingPair*, kMaxContacts> at{};
+  std::array<double, kMaxContacts> frictions{};
+  std::size_t count = 0;
+  Eigen::Index rows = 2;  // 3 where one moves along its axis
+  Eigen::Index row(std::size_t k) const { return rows * static_cast<Eigen::Index>(k); }
+};
+
+Touching touching(TouchingPairs& contacts) {
+  Touching t;
+  for (TouchingPair& s : contacts.span()) {
+    if (!s.touches) continue;
+    t.frictions[t.count] = s.pair->contact.friction;
+    t.at[t.count++] = &s;
+    if (s.axial) t.rows = 3;
   }
-  const Eigen::Vector3d free = contact_rates(model, a);
-  const double whirl = p.point.whirl_speed();
-  const double curvature = whirl * whirl / p.point.delta;  // m/s^2
-  p.gap_acceleration = -p.point.e_r.dot(free.head<2>()) - curvature;
-  p.slip_acceleration = p.point.e_t().dot(free.head<2>()) + radius * free.z() +
-                        whirl / p.point.delta * p.point.gap_rate;
-  // The velocity of a semi-implicit step is that of half a step ago: on a circle it points outward
-  // by h/2 v_t^2 / delta, which is no closing of the gap.
-  const double gap_rate = p.point.gap_rate + 0.5 * h * curvature;
-  const mjtNum* kbip = d->efc_KBIP + 4 * row;  // stiffness, damping, impedance
-  p.reference = -kbip[1] * gap_rate - kbip[0] * kbip[2] * p.point.gap;
+  return t;
 }
 
-// A gap that is open, though by less than the margin, is contact only where contact lasts: a
-// rebound that the loads would undo within the step is no flight. Without this a permanent rub
-// would lose its force each time the gap is a nanometre above 0.
-bool in_contact(const mjData* d, const Problem& p, double h) {
-  if (p.point.gap < 0.0) return true;
-  return d->userdata[kMode] != 0.0 &&
-         !flight_outlives(least_flight_unlocated(0.0) * h, p.point.gap_rate, -p.gap_acceleration);
-}
-
-// Friction's load, and where unbalance couples spin and bending, what the integrator's diagonal
-// matrix H0 does not pass on of the whole contact load p: H0 H(phi)^-1 p - p.
-void side_load(const Config& config, const mjData* d, const Coordinates& state, const Problem& p,
-               const CoulombSolution& solution, double* load) {
-  const Model& model = config.model;
-  const int n = model.nq();
-  const double radius = model.contact->radius;
-  std::fill_n(load, n, 0.0);
-  add_contact_load(model, contact_load(p.point.e_r, radius, 0.0, solution.friction), load);
-  if (!model.coupled_mass()) return;
-  double whole[kMaxCoordinates], a[kMaxCoordinates];
-  std::fill_n(whole, n, 0.0);
-  add_contact_load(model, contact_load(p.point.e_r, radius, solution.normal, solution.friction),
-                   whole);
-  solve_mass(model, p.mass, d->time, state.q(), whole, a);
-  for (int i = 0; i < n; ++i) load[i] += p.mass[i] * a[i] - whole[i];
-}
-
-// MuJoCo's solver finds l = (aref - J M^-1 f_smooth) / (J M^-1 J^T + R): the aref for l = normal.
-double solver_reference(const Config& config, const mjData* d, int row, const Problem& p,
-                        const double* load, double normal) {
-  const Model& model = config.model;
-  double a[kMaxCoordinates];
-  for (int i = 0; i < model.nq(); ++i) {
-    const int dof = config.dof_address[static_cast<std::size_t>(i)];
-    a[i] = (d->qfrc_smooth[dof] + load[i]) / model.mass[i];
+ContactMatrix matrix(const Touching& t) {
+  const Eigen::Index n = t.row(t.count);
+  ContactMatrix a = ContactMatrix::Zero(n, n);
+  for (std::size_t j = 0; j < t.count; ++j) {
+    for (Eigen::Index k = 0; k < t.rows; ++k) {
+      if (k == 2 && !t.at[j]->axial) continue;
+      const ContactSpace& from = k == 2 ? *t.at[j]->axial : *t.at[j]->space;
+      const Eigen::Vector3d load =
+          k == 2 ? t.at[j]->column() : t.at[j]->load(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0);
+      const auto answer = [&](const ContactSpace& at) -> Eigen::Vector3d {
+        return at.flexibility(from) * load;
+      };
+      for (std::size_t i = 0; i < t.count; ++i) {
+        a.col(t.row(j) + k).segment(t.row(i), t.rows) = t.at[i]->along(answer).head(t.rows);
+      }
+    }
   }
-  const double smooth = -p.point.e_r.dot(contact_rates(model, a).head<2>());
-  // Open: well below, so that not even round-off leaves a force.
-  if (normal <= 0.0) return smooth - (1.0 + std::abs(smooth));
-  const Delassus g = delassus(model.admittance, p.point.e_r, model.contact->radius);
-  return smooth + (g.nn + d->efc_R[row]) * normal;
+  return 0.5 * (a + a.transpose());
+}
+
+void put(Touching& t, const ContactVector& forces, const std::array<bool, kMaxContacts>& sticks) {
+  for (std::size_t k = 0; k < t.count; ++k) {
+    t.at[k]->force.head(t.rows) = forces.segment(t.row(k), t.rows);
+    t.at[k]->sticks = sticks[k];
+  }
+}
+
+// Accelerations of the contacts under their forces, beside constraints.
+class ForceResponse final : public ContactResponse {
+ public:
+  ForceResponse(ConstraintProbe& probe, const Touching& t) : probe_(probe), t_(t) {}
+  ContactVector at(const ContactVector& p) override {
+    probe_.solve([&](mjtNum* force) {
+      for (std::size_t k = 0; k < t_.count; ++k) {
+        const Eigen::Index row = t_.row(k);
+        t_.at[k]->for_each_load(
+            {p[row], p[row + 1], t_.rows == 3 ? p[row + 2] : 0.0},
+            [&](const ContactSpace& at, const Eigen::Vector3d& load) { at.add_load(load, force); });
+      }
+    });
+    ContactVector y(t_.row(t_.count));
+    const auto found = [this](const ContactSpace& at) { return probe_.acceleration(at); };
+    for (std::size_t k = 0; k < t_.count; ++k) {
+      const TouchingPair& s = *t_.at[k];
+      y.segment(t_.row(k), t_.rows) = (s.base + s.along(found)).head(t_.rows);
+    }
+    return y;
+  }
+  double accuracy() const override { return probe_.accuracy(); }
+
+ private:
+  ConstraintProbe& probe_;
+  const Touching& t_;
+};
+
+// Once, not every step.
+void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d) {
+  const auto warned = [d](const TouchingPair* s) { return s->entry(d)[kContactStatus] != 0.0; };
+  const bool known =
+      std::any_of(t.at.begin(), t.at.begin() + static_cast<std::ptrdiff_t>(t.count), warned);
+  if (!converged && !known) warn_unsolved(m, d, *t.at[0]->space);
+  for (std::size_t k = 0; k < t.count; ++k) {
+    t.at[k]->entry(d)[kContactStatus] = converged ? 0.0 : static_cast<double>(Status::kNoSolution);
+  }
+}
+
+void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
+  std::array<Eigen::Vector3d, kMaxContacts> free;
+  const auto response = [d](const ContactSpace& at) { return at.response(d->qfrc_smooth); };
+  std::size_t count = 0;
+  for (TouchingPair& s : contacts.span()) {
+    const Eigen::Vector3d y = look(s, response, m, d);
+    if (s.touches) free[count++] = y;
+  }
+  Touching t = touching(contacts);
+  if (t.count == 0) return;
+  ContactVector b(t.row(t.count));
+  std::array<ImpactLaw, kMaxContacts> laws{};
+  for (std::size_t k = 0; k < t.count; ++k) {
+    b.segment(t.row(k), t.rows) = free[k].head(t.rows);
+    laws[k].friction = t.frictions[k];
+  }
+  const CoupledSolution s = solve_compression(matrix(t), b, std::span(laws).first(t.count));
+  if (s.solutions > 0) put(t, s.p, s.sticks);
+}
+
+// MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R): the aref for the normal forces.
+void set_references(TouchingPairs& contacts, const mjModel* m, mjData* d) {
+  StackFrame room(d);
+  mjtNum* acceleration = room.numbers(count(m->nv));
+  mju_copy(acceleration, d->qacc_smooth, count(m->nv));
+  for (const TouchingPair& s : contacts.span()) {
+    if (s.force.x() > 0.0) s.add_acceleration(acceleration);
+  }
+  const auto rates = [acceleration](const ContactSpace& at) { return at.rates(acceleration); };
+  for (const TouchingPair& s : contacts.span()) {
+    const double found = s.along(rates).x();
+    d->efc_aref[s.row] =
+        s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
+  }
+}
+
+// The same beside constraints: the contacts' own rows rest while the others are tried. What the
+// solver finds then is J a = aref - R l.
+void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData* d) {
+  constexpr double kResting = -1e12;  // m/s^2
+  for (const TouchingPair& s : contacts.span()) d->efc_aref[s.row] = kResting;
+  ConstraintProbe probe(m, d);
+  probe.solve([](mjtNum*) {});
+  const auto free = [&probe](const ContactSpace& at) { return probe.acceleration(at); };
+  for (TouchingPair& s : contacts.span()) look(s, free, m, d);
+  Touching t = touching(contacts);
+  if (t.count > 0) {
+    ForceResponse response(probe, t);
+    const ContactVector none = ContactVector::Zero(t.row(t.count));
+    const ConstrainedContact found = solve_constrained(response, response.at(none), matrix(t),
+                                                       std::span(t.frictions).first(t.count));
+    if (found.solved) put(t, found.p, found.sticks);
+    note_status(t, found.converged, m, d);
+    ContactVector forces = none;
+    for (std::size_t k = 0; k < t.count; ++k) {
+      forces.segment(t.row(k), t.rows) = t.at[k]->force.head(t.rows);
+    }
+    response.at(forces);
+  }
+  bool any = false;
+  const auto rates = [d](const ContactSpace& at) { return at.rates(d->qacc); };
+  for (const TouchingPair& s : contacts.span()) {
+    const double found = s.along(rates).x();
+    any = any || s.force.x() > 0.0;
+    d->efc_aref[s.row] =
+        s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
+  }
+  if (any) probe.keep();
+}
+
+void note(const TouchingPair& s, mjData* d) {
+  mjtNum* entry = s.entry(d);
+  entry[kNormalForce] = s.force.x();
+  entry[kFrictionForce] = s.force.y();
+  entry[kMode] = static_cast<double>(mode_of(s.force.x(), s.sticks));
+  if (s.axial) note_contact(d, s.pair->data, s.point.e_r, s.force.z());
+}
+
+using AnySpace = std::variant<std::monostate, BodySpace, ChainSpace>;
+
+const ContactSpace& space_of(const Config& config, const ContactPair& pair,
+                             const ContactPlace& place, const mjModel* m, mjData* d,
+                             const StepMatrix& matrix, AnySpace& room) {
+  if (pair.on_chain) return room.emplace<ChainSpace>(config, m, d, matrix);
+  BodySpace& space = room.emplace<BodySpace>(pair, place, m, d, matrix);
+  space.solve();
+  return space;
 }
 
 }  // namespace
 
-void apply_coulomb(const Config& config, const mjModel* m, mjData* d, const mjContact& contact,
-                   const Coordinates& state) {
-  const Model& model = config.model;
-  const double h = m->opt.timestep;
-  const int row = contact.efc_address;
-  update_smooth_force(m, d);
-  Problem p;
-  state_problem(config, m, d, row, state, p);
-
-  CoulombSolution solution;
-  if (in_contact(d, p, h)) {
-    const Eigen::Matrix3d admittance = contact_admittance(model, p.mass, d->time, state.q());
-    solution = solve_coulomb(delassus(admittance, p.point.e_r, model.contact->radius),
-                             p.gap_acceleration - p.reference,
-                             p.point.slip / h + p.slip_acceleration, friction_of(contact));
+void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
+  std::optional<StepMatrix> matrix;
+  // On the stack of mjData: the last made goes first.
+  std::array<AnySpace, kMaxContacts> spaces;
+  std::array<std::optional<BodySpace>, kMaxContacts> axial;
+  TouchingPairs contacts;
+  for (const ContactPair& pair : config.pairs) {
+    if (pair.law == scene::ContactModel::kRigid) continue;
+    mjtNum* entry = d->userdata + pair.data;
+    entry[kNormalForce] = entry[kFrictionForce] = 0.0;
+    const mjContact* contact = find_contact(pair.rotor_geom, pair.ring_geom, d);
+    if (!contact) entry[kMode] = 0.0;
+    if (!contact || pair.law != scene::ContactModel::kCoulomb) continue;
+    if (contacts.count == 0) {
+      compute_actuators(m, d);
+      mj_fwdAcceleration(m, d);
+      matrix.emplace(m, d);
+    }
+    const ContactPlace place = contact_place(pair, d);
+    const ContactSpace& space =
+        space_of(config, pair, place, m, d, *matrix, spaces[contacts.count]);
+    BodySpace* along = nullptr;
+    if (pair.axial)
+      along = &axial[contacts.count].emplace(pair, place, m, d, *matrix, BodyRows::kAxis);
+    if (along) along->solve();
+    contacts.rows[contacts.count] = contact->efc_address;
+    contacts.all[contacts.count++] =
+        touching_pair(pair, place, space, along, m, d, contact->efc_address);
   }
-  d->userdata[kFrictionForce] = solution.friction;
-  d->userdata[kMode] = static_cast<double>(mode_of(solution));
-
-  double load[kMaxCoordinates];
-  side_load(config, d, state, p, solution, load);
-  add_to_dofs(config, load, d->qfrc_passive);
-  d->efc_aref[row] = solver_reference(config, d, row, p, load, solution.normal);
+  if (contacts.count == 0) return;
+  bool beside = false;
+  for (const TouchingPair& s : contacts.span()) {
+    const std::span<const int> own = std::span(contacts.rows).first(contacts.count);
+    beside = beside || constraints_couple(m, d, *s.space, own) ||
+             (s.axial && constraints_couple(m, d, *s.axial, own));
+  }
+  if (beside) {
+    solve_beside_constraints(contacts, m, d);
+  } else {
+    solve_free(contacts, m, d);
+    set_references(contacts, m, d);
+  }
+  for (const TouchingPair& s : contacts.span()) {
+    note(s, d);
+    if (s.force.x() > 0.0) s.add_side(d->qfrc_passive);
+  }
+  for (std::size_t i = contacts.count; i-- > 0;) {
+    axial[i].reset();
+    spaces[i].emplace<std::monostate>();
+  }
 }
 
 }  // namespace rotorub::plugin

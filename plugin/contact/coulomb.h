@@ -1,4 +1,5 @@
-// Contact model `coulomb`: MuJoCo's frictionless soft contact, with Coulomb friction beside it.
+// Contact model `coulomb`: MuJoCo's frictionless soft contact, with Coulomb friction beside it. The
+// contacts of one pass, together.
 //
 // Before MuJoCo solves its constraint, the normal force of this very step is solved together with
 // friction, as one Coulomb problem in accelerations (no force of the step before is used):
@@ -15,13 +16,12 @@
 #include <mujoco/mujoco.h>
 
 #include "plugin/config.h"
-#include "plugin/coordinates.h"
 
 namespace rotorub::plugin {
 
-// Adds friction to d->qfrc_passive, sets d->efc_aref of the contact's row and the userdata entries
-// of force and mode. Called in mjcb_control, after the command has been written.
-void apply_coulomb(const Config& config, const mjModel* m, mjData* d, const mjContact& contact,
-                   const Coordinates& state);
+// Of the pairs that are coulomb: their friction is added to d->qfrc_passive, and the references of
+// their rows are set. Of those that are cone, the memory. In mjcb_control, after the command has
+// been written.
+void apply_coulomb(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugin/contact/annular.h"
+#include "plugin/contact/find_contact.h"
 #include "plugin/contact/escape_guard.h"
 #include "plugin/user_data.h"
 
@@ -58,14 +58,10 @@ ContactForces soft_forces(const mjModel* m, scene::ContactModel law, const mjCon
 }  // namespace
 
 ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d) {
-  if (!config.pairs.empty()) return contact_forces(config.pairs.front(), m, d);
-  if (!config.model.contact) return {};
-  if (config.contact == scene::ContactModel::kRigid) return rigid_forces(d->userdata);
-  const mjContact* contact = find_contact(config.rotor_geom, config.ring_geom, d);
-  return soft_forces(m, config.contact, contact, d->userdata, false, d);
+  return config.pairs.empty() ? ContactForces{} : contact_forces(config.pairs.front(), m, d);
 }
 
-ContactForces contact_forces(const OwnPair& pair, const mjModel* m, const mjData* d) {
+ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d) {
   const mjtNum* entry = d->userdata + pair.data;
   if (pair.law == scene::ContactModel::kRigid) return rigid_forces(entry);
   const mjContact* contact = find_contact(pair.rotor_geom, pair.ring_geom, d);

@@ -23,6 +23,6 @@ struct ContactForces {
 // Of several contacts the first.
 ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d);
 // Of one contact of a user's own model.
-ContactForces contact_forces(const OwnPair& pair, const mjModel* m, const mjData* d);
+ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d);
 
 }  // namespace rotorub::plugin

@@ -8,7 +8,7 @@
 #include "native_model/contact/coupled_law.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
-#include "plugin/own/axial_motion.h"
+#include "plugin/contact/axial_motion.h"
 #include "plugin/own/own_names.h"
 #include "plugin/own/pair_rules.h"
 #include "plugin/user_data.h"
@@ -69,8 +69,8 @@ void check_series(const mjModel* m, const PairName& name) {
   }
 }
 
-OwnPair make_pair(const mjModel* m, const PairName& name) {
-  OwnPair p;
+ContactPair make_pair(const mjModel* m, const PairName& name) {
+  ContactPair p;
   p.law = contact_model(m, name.of(names::kContactText), scene::ContactModel::kRigid);
   p.rotor_geom = own_geom(m, name, names::kOwnRotorGeom);
   p.ring_geom = own_geom(m, name, names::kOwnRingGeom);
@@ -107,7 +107,7 @@ OwnPair make_pair(const mjModel* m, const PairName& name) {
   return p;
 }
 
-bool share_tree(const mjModel* m, const OwnPair& a, const OwnPair& b) {
+bool share_tree(const mjModel* m, const ContactPair& a, const ContactPair& b) {
   for (const int i : {a.rotor_geom, a.ring_geom}) {
     for (const int j : {b.rotor_geom, b.ring_geom}) {
       const int root = m->body_rootid[m->geom_bodyid[i]];
@@ -118,12 +118,12 @@ bool share_tree(const mjModel* m, const OwnPair& a, const OwnPair& b) {
 }
 
 // Two contacts on one machine.
-void check_beside(const mjModel* m, const OwnPair& a, const OwnPair& b, const PairName& name) {
+void check_beside(const mjModel* m, const ContactPair& a, const ContactPair& b, const PairName& name) {
   if (a.pair == b.pair) {
     refuse(text_element(name.of(names::kOwnRotorGeom).c_str()),
            message("{} has a contact already; accepted: one for two geoms", pair_element(m, b)));
   }
-  const auto solved_here = [](const OwnPair& p) { return !scene::is_cone(p.law); };
+  const auto solved_here = [](const ContactPair& p) { return !scene::is_cone(p.law); };
   if (a.law != b.law && solved_here(a) && solved_here(b) && share_tree(m, a, b)) {
     refuse(text_element(name.of(names::kContactText).c_str()),
            message("is another than that of {}, which moves with it: the two are one problem; "
@@ -134,7 +134,7 @@ void check_beside(const mjModel* m, const OwnPair& a, const OwnPair& b, const Pa
 
 }  // namespace
 
-std::array<mjtNum, 8> own_numbers(const mjModel* m, const OwnPair& pair) {
+std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair) {
   std::array<mjtNum, 8> numbers{};
   std::copy_n(m->geom_size + 3 * pair.rotor_geom, 3, numbers.begin());
   std::copy_n(m->geom_size + 3 * pair.ring_geom, 3, numbers.begin() + 3);
@@ -145,22 +145,22 @@ std::array<mjtNum, 8> own_numbers(const mjModel* m, const OwnPair& pair) {
 bool same_motion(const Config& config, const mjModel* m) {
   return !config.own ||
          std::all_of(config.pairs.begin(), config.pairs.end(),
-                     [m](const OwnPair& p) { return p.axial == slides_along_axis(m, p) && !lies_across(m, p); });
+                     [m](const ContactPair& p) { return p.axial == slides_along_axis(m, p) && !lies_across(m, p); });
 }
 
 void map_own_contacts(const mjModel* m, Config& config) {
   config.own = true;
   config.memory = own_memory(m);
   for (const PairName& name : own_pair_names(m)) {
-    OwnPair p = make_pair(m, name);
-    for (const OwnPair& other : config.pairs) check_beside(m, other, p, name);
+    ContactPair p = make_pair(m, name);
+    for (const ContactPair& other : config.pairs) check_beside(m, other, p, name);
     p.data = config.memory + kPairEntries * static_cast<int>(config.pairs.size());
     config.pairs.push_back(p);
   }
   config.corrected_pairs = corrected_pairs(m);
   if (!config.pairs.empty()) {
     // The first is the contact of a twin (plugin/twin), which has one.
-    const OwnPair& first = config.pairs.front();
+    const ContactPair& first = config.pairs.front();
     config.model.contact = first.contact;
     config.contact = first.law;
     config.rotor_geom = first.rotor_geom;

@@ -28,8 +28,8 @@ namespace rotorub::plugin {
 // ConfigError.
 void map_own_contacts(const mjModel* m, Config& config);
 
-// OwnPair::given of now: what a contact takes from them, or was held against, changes with them.
-std::array<mjtNum, 8> own_numbers(const mjModel* m, const OwnPair& pair);
+// ContactPair::given of now: what a contact takes from them, or was held against, changes with them.
+std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair);
 // Whether rotors and rings of m, of the config's fingerprint, move along their axes as in the config.
 bool same_motion(const Config& config, const mjModel* m);
 

@@ -5,7 +5,7 @@
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
 #include "plugin/message.h"
-#include "plugin/own/axial_motion.h"
+#include "plugin/contact/axial_motion.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 namespace names = mjcf_names;
 
 // MuJoCo's solver bounces by solref; what <custom> says must be that.
-void check_bounce(const mjModel* m, const PairName& name, const OwnPair& p) {
+void check_bounce(const mjModel* m, const PairName& name, const ContactPair& p) {
   constexpr double kScatter = 0.03;  // what MuJoCo's steps make of it is not finer
   if (p.contact.tangential_restitution > 0.0) {
     refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnTangential)),
@@ -34,7 +34,7 @@ void check_bounce(const mjModel* m, const PairName& name, const OwnPair& p) {
                  met, name.of(names::kOwnRestitution), wanted, -soft.stiffness, -soft.damping));
 }
 
-void check_cone(const mjModel* m, const PairName& name, const OwnPair& p) {
+void check_cone(const mjModel* m, const PairName& name, const ContactPair& p) {
   for (const char* force : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
                             names::kFrictionForceScaled}) {
     const std::string sensor = name.of(force);
@@ -72,7 +72,7 @@ void refuse_mocap(const mjModel* m, int geom) {
 }
 
 // `rigid` has its friction from <custom> alone. What a pair says of none is one of its geoms'.
-void refuse_other_friction(const mjModel* m, const PairName& name, const OwnPair& p) {
+void refuse_other_friction(const mjModel* m, const PairName& name, const ContactPair& p) {
   const double mu = p.contact.friction, given = m->pair_friction[5 * p.pair];
   const auto from = [&](int geom) { return given == m->geom_friction[3 * geom]; };
   if (m->pair_dim[p.pair] < 3 || from(p.rotor_geom) || from(p.ring_geom)) return;
@@ -83,14 +83,14 @@ void refuse_other_friction(const mjModel* m, const PairName& name, const OwnPair
 
 }  // namespace
 
-std::string pair_element(const mjModel* m, const OwnPair& pair) {
+std::string pair_element(const mjModel* m, const ContactPair& pair) {
   return message("<contact><pair geom1=\"{}\" geom2=\"{}\">",
                  m->names + m->name_geomadr[pair.rotor_geom],
                  m->names + m->name_geomadr[pair.ring_geom]);
 }
 
 // MuJoCo must not solve beside `rigid`, nor add friction beside `coulomb`.
-void check_pair(const mjModel* m, const PairName& name, const OwnPair& p) {
+void check_pair(const mjModel* m, const PairName& name, const ContactPair& p) {
   if (lies_across(m, p)) {
     refuse(message("<geom name=\"{}\">", m->names + m->name_geomadr[p.rotor_geom]),
            message("its axis stands across that of its ring, geom \"{}\", in qpos0; accepted: tilted by less than 60 "

@@ -12,9 +12,9 @@
 namespace rotorub::plugin {
 
 // "<contact><pair geom1=... geom2=...>"
-std::string pair_element(const mjModel* m, const OwnPair& pair);
+std::string pair_element(const mjModel* m, const ContactPair& pair);
 
 // Throws ConfigError.
-void check_pair(const mjModel* m, const PairName& name, const OwnPair& pair);
+void check_pair(const mjModel* m, const PairName& name, const ContactPair& pair);
 
 }  // namespace rotorub::plugin

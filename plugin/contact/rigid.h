@@ -10,6 +10,6 @@
 namespace rotorub::plugin {
 
 // Those of the pairs that are rigid. In mjcb_control; adds to d->qfrc_passive.
-void apply_own_rigid(std::span<const OwnPair> pairs, const mjModel* m, mjData* d);
+void apply_rigid(std::span<const ContactPair> pairs, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

@@ -1,4 +1,4 @@
-#include "plugin/own/coupled_contacts.h"
+#include "plugin/contact/coupled_contacts.h"
 
 #include <algorithm>
 

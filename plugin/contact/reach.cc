@@ -1,10 +1,10 @@
-#include "plugin/own/reach.h"
+#include "plugin/contact/reach.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "plugin/mujoco_versions.h"
-#include "plugin/own/own_space.h"
+#include "plugin/contact/body_space.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -46,7 +46,7 @@ double change(const mjModel* m, mjData* d) {
 
 }  // namespace
 
-Eigen::Vector3d own_rates(const OwnPair& pair, const ContactPlace& place, const mjModel* m,
+Eigen::Vector3d rates_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
                           const mjData* d) {
   Eigen::Vector3d rates(0.0, 0.0, 0.0);
   const auto add = [&](int body, const mjtNum* point, double sign, double spin) {
@@ -67,18 +67,18 @@ Eigen::Vector3d own_rates(const OwnPair& pair, const ContactPlace& place, const 
   return rates;
 }
 
-ContactPoint own_contact_point(const OwnPair& pair, const mjModel* m, const mjData* d) {
+ContactPoint contact_point_of(const ContactPair& pair, const mjModel* m, const mjData* d) {
   const ContactPlace place = contact_place(pair, d);
-  const Eigen::Vector3d rates = own_rates(pair, place, m, d);
+  const Eigen::Vector3d rates = rates_of(pair, place, m, d);
   return contact_kinematics(place.d, rates.head<2>(), rates.z(), pair.contact.radius,
                             pair.contact.clearance);
 }
 
-bool Reach::may_reach(const OwnPair& pair) {
+bool Reach::may_reach(const ContactPair& pair) {
   const double h = m_->opt.timestep;
   const ContactPlace place = contact_place(pair, d_);
   const double gap = pair.contact.clearance - place.d.norm();
-  const double speed = own_rates(pair, place, m_, d_).head<2>().norm();
+  const double speed = rates_of(pair, place, m_, d_).head<2>().norm();
   if (!(gap > h * speed)) return true;
   if (change_ < 0.0) change_ = change(m_, d_);
   const double mobile =

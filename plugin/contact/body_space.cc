@@ -1,4 +1,4 @@
-#include "plugin/own/own_space.h"
+#include "plugin/contact/body_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ int last_dof(const mjModel* m, int body) {
   return body == 0 ? -1 : m->body_dofadr[body] + m->body_dofnum[body] - 1;
 }
 
-double along_axis(const OwnPair& pair, const mjData* d) {
+double along_axis(const ContactPair& pair, const mjData* d) {
   const mjtNum* ring = d->geom_xpos + 3 * pair.ring_geom;
   const mjtNum* rotor = d->geom_xpos + 3 * pair.rotor_geom;
   const mjtNum* axes = contact_axes(pair, d);
@@ -40,12 +40,12 @@ void point_turning(const mjModel* m, const mjData* d, int body, const mjtNum* po
 
 }  // namespace
 
-const mjtNum* contact_axes(const OwnPair& pair, const mjData* d) {
+const mjtNum* contact_axes(const ContactPair& pair, const mjData* d) {
   static constexpr mjtNum kWorld[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   return pair.in_world ? kWorld : d->geom_xmat + 9 * pair.ring_geom;
 }
 
-Eigen::Vector2d own_position(const OwnPair& pair, const mjData* d) {
+Eigen::Vector2d position_of(const ContactPair& pair, const mjData* d) {
   const mjtNum* ring = d->geom_xpos + 3 * pair.ring_geom;
   const mjtNum* axes = contact_axes(pair, d);
   const mjtNum* rotor = d->geom_xpos + 3 * pair.rotor_geom;
@@ -57,15 +57,15 @@ Eigen::Vector2d own_position(const OwnPair& pair, const mjData* d) {
   return p;
 }
 
-bool face_each_other(const OwnPair& pair, const mjData* d) {
+bool face_each_other(const ContactPair& pair, const mjData* d) {
   if (pair.in_world) return true;
   return std::abs(along_axis(pair, d)) <= pair.reach;
 }
 
-ContactPlace contact_place(const OwnPair& pair, const mjData* d) {
+ContactPlace contact_place(const ContactPair& pair, const mjData* d) {
   ContactPlace place;
   place.axes = contact_axes(pair, d);
-  place.d = own_position(pair, d);
+  place.d = position_of(pair, d);
   place.ring_spin = 1.0 + place.d.norm() / pair.contact.radius;
   const double along = along_axis(pair, d);
   const mjtNum* ring = d->geom_xpos + 3 * pair.ring_geom;
@@ -73,7 +73,7 @@ ContactPlace contact_place(const OwnPair& pair, const mjData* d) {
   return place;
 }
 
-Eigen::Vector2d own_turning(const OwnPair& pair, const ContactPlace& place, const mjModel* m,
+Eigen::Vector2d turning_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
                             const mjData* d) {
   mjtNum rotor[3], ring[3];
   point_turning(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, rotor);
@@ -86,8 +86,8 @@ Eigen::Vector2d own_turning(const OwnPair& pair, const ContactPlace& place, cons
   return a;
 }
 
-OwnSpace::OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
-                   const StepMatrix& matrix, OwnRows rows)
+BodySpace::BodySpace(const ContactPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
+                   const StepMatrix& matrix, BodyRows rows)
     : ContactSpace(m, d, matrix), m_(m), rows_(rows), room_(d) {
   jacobian_ = room_.numbers(3 * nv_);
   std::fill_n(jacobian_, 3 * nv_, 0.0);
@@ -99,14 +99,14 @@ OwnSpace::OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel
 }
 
 // As mj_jac, of the degrees of freedom that move the body alone.
-void OwnSpace::add_body(const mjtNum* axes, const mjtNum* point, int body, double sign, double spin) {
+void BodySpace::add_body(const mjtNum* axes, const mjtNum* point, int body, double sign, double spin) {
   mjtNum arm[3], turn[3];
   mju_sub3(arm, point, d_->subtree_com + 3 * m_->body_rootid[body]);
   for (int i = last_dof(m_, body); i >= 0; i = m_->dof_parentid[i]) {
     const mjtNum* axis = d_->cdof + 6 * i;  // rotation, then translation at the tree's centre
     mju_cross(turn, axis, arm);
     for (int k = 0; k < 3; ++k) {
-      if (rows_ == OwnRows::kAxis) {
+      if (rows_ == BodyRows::kAxis) {
         jacobian_[i] += sign * axes[3 * k + 2] * (axis[3 + k] + turn[k]);
         jacobian_[nv_ + i] += sign * spin * axes[3 * k] * axis[k];
         jacobian_[2 * nv_ + i] += sign * spin * axes[3 * k + 1] * axis[k];
@@ -119,7 +119,7 @@ void OwnSpace::add_body(const mjtNum* axes, const mjtNum* point, int body, doubl
   }
 }
 
-void OwnSpace::solve() {
+void BodySpace::solve() {
   damped_ = plain_ = room_.numbers(3 * nv_);
   if (!matrix_.differs(trees_[0]) && !matrix_.differs(trees_[1])) {
     plain();
@@ -130,7 +130,7 @@ void OwnSpace::solve() {
   for (const DofRange& tree : trees_) matrix_.solve(tree, damped_, 3);
 }
 
-void OwnSpace::solve_plain() const {
+void BodySpace::solve_plain() const {
   std::copy_n(jacobian_, 3 * nv_, plain_);
   for (int k = 0; k < 3; ++k) {
     for (const DofRange& tree : trees_) {

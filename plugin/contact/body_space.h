@@ -19,34 +19,34 @@
 namespace rotorub::plugin {
 
 // The frame of the contact, columns x, y, z, row by row.
-const mjtNum* contact_axes(const OwnPair& pair, const mjData* d);
+const mjtNum* contact_axes(const ContactPair& pair, const mjData* d);
 // Where the rotor's centre is in the ring, m.
-Eigen::Vector2d own_position(const OwnPair& pair, const mjData* d);
+Eigen::Vector2d position_of(const ContactPair& pair, const mjData* d);
 // Whether rotor and ring overlap along the ring's axis.
-bool face_each_other(const OwnPair& pair, const mjData* d);
+bool face_each_other(const ContactPair& pair, const mjData* d);
 
 // Where a contact is looked at.
 struct ContactPlace {
   const mjtNum* axes;
   mjtNum ring_point[3];  // m, of the ring's axis, beside the rotor's centre
-  Eigen::Vector2d d;     // m, own_position
+  Eigen::Vector2d d;     // m, position_of
   double ring_spin;      // 1 + delta / r
 };
-ContactPlace contact_place(const OwnPair& pair, const mjData* d);
+ContactPlace contact_place(const ContactPair& pair, const mjData* d);
 // The part of d^2/dt^2 of `d` that is there without any acceleration of a coordinate, J' qvel, m/s^2: of
 // centres that go in circles. After MuJoCo's velocity stage.
-Eigen::Vector2d own_turning(const OwnPair& pair, const ContactPlace& place, const mjModel* m,
+Eigen::Vector2d turning_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
                             const mjData* d);
 
 // kAxis: (velocity along the ring's axis, tilt rates about x and y) instead, the ring's tilt weighed as its spin is:
 // the contact's slip along the axis is z' + r (e_r,y omega_x - e_r,x omega_y) (axial_motion.h).
-enum class OwnRows { kPlane, kAxis };
+enum class BodyRows { kPlane, kAxis };
 
 // Lives on the stack of mjData for as long as the object does; the last made goes first.
-class OwnSpace final : public ContactSpace {
+class BodySpace final : public ContactSpace {
  public:
-  OwnSpace(const OwnPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
-           const StepMatrix& matrix, OwnRows rows = OwnRows::kPlane);
+  BodySpace(const ContactPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
+           const StepMatrix& matrix, BodyRows rows = BodyRows::kPlane);
 
   // Solves with M and H; needed once, before all but `rates` and `add_load`.
   void solve();
@@ -56,7 +56,7 @@ class OwnSpace final : public ContactSpace {
   void solve_plain() const override;
 
   const mjModel* m_;
-  OwnRows rows_;
+  BodyRows rows_;
   StackFrame room_;
 };
 

@@ -19,7 +19,7 @@
 
 #include "native_model/contact/constrained_law.h"
 #include "plugin/contact/constraint_probe.h"
-#include "plugin/own/coupled_step.h"
+#include "plugin/contact/coupled_step.h"
 
 namespace rotorub::plugin {
 

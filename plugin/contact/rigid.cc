@@ -1,4 +1,4 @@
-#include "plugin/own/own_rigid.h"
+#include "plugin/contact/rigid.h"
 
 #include <array>
 #include <optional>
@@ -8,29 +8,29 @@
 #include "plugin/contact/memory.h"
 #include "plugin/contact/rigid_step.h"
 #include "plugin/contact/smooth_force.h"
-#include "plugin/own/coupled_step.h"
-#include "plugin/own/own_space.h"
-#include "plugin/own/reach.h"
+#include "plugin/contact/coupled_step.h"
+#include "plugin/contact/body_space.h"
+#include "plugin/contact/reach.h"
 #include "plugin/passes.h"
 
 namespace rotorub::plugin {
 namespace {
 
-RigidStep begin_step(const OwnPair& pair, const ContactPlace& place, const OwnSpace& space,
+RigidStep begin_step(const ContactPair& pair, const ContactPlace& place, const BodySpace& space,
                      const mjModel* m, const mjData* d) {
   RigidStep step;
   step.h = m->opt.timestep;
   step.d = place.d;
-  step.bend = 0.5 * step.h * step.h * own_turning(pair, place, m, d);
+  step.bend = 0.5 * step.h * step.h * turning_of(pair, place, m, d);
   step.start = space.rates(d->qvel);
   step.start.z() += pair.held_spin;
   return step;
 }
 
-void apply_one(const OwnPair& pair, const mjModel* m, mjData* d) {
+void apply_one(const ContactPair& pair, const mjModel* m, mjData* d) {
   const ContactPlace place = contact_place(pair, d);
   const StepMatrix matrix(m, d);
-  OwnSpace space(pair, place, m, d, matrix);
+  BodySpace space(pair, place, m, d, matrix);
   space.solve();
   RigidStep step = begin_step(pair, place, space, m, d);
   apply_rigid_step(m, d, space, step, pair.contact, pair.data);
@@ -57,14 +57,14 @@ std::size_t take_group(std::span<CoupledMember> all, std::array<bool, kMaxContac
   return count;
 }
 
-void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjData* d) {
+void apply_several(std::span<const ContactPair* const> pairs, const mjModel* m, mjData* d) {
   const StepMatrix matrix(m, d);
   // On the stack of mjData: the last made goes first.
-  std::array<std::optional<OwnSpace>, kMaxContacts> spaces, axial;
+  std::array<std::optional<BodySpace>, kMaxContacts> spaces, axial;
   std::array<CoupledMember, kMaxContacts> members;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const ContactPlace place = contact_place(*pairs[i], d);
-    OwnSpace& space = spaces[i].emplace(*pairs[i], place, m, d, matrix);
+    BodySpace& space = spaces[i].emplace(*pairs[i], place, m, d, matrix);
     space.solve();
     CoupledMember& member = members[i];
     member.space = &space;
@@ -73,7 +73,7 @@ void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjDa
     member.step = begin_step(*pairs[i], place, space, m, d);
     member.held = contact_enabled(m) && constraints_couple(m, d, space);
     if (!pairs[i]->axial) continue;
-    OwnSpace& along = axial[i].emplace(*pairs[i], place, m, d, matrix, OwnRows::kAxis);
+    BodySpace& along = axial[i].emplace(*pairs[i], place, m, d, matrix, BodyRows::kAxis);
     along.solve();
     member.axial = &along;
     member.axial_start = along.rates(d->qvel);
@@ -99,13 +99,13 @@ void apply_several(std::span<const OwnPair* const> pairs, const mjModel* m, mjDa
 
 }  // namespace
 
-void apply_own_rigid(std::span<const OwnPair> pairs, const mjModel* m, mjData* d) {
+void apply_rigid(std::span<const ContactPair> pairs, const mjModel* m, mjData* d) {
   update_smooth_force(m, d);
   Reach reach(m, d);
-  std::array<const OwnPair*, kMaxContacts> facing{};
+  std::array<const ContactPair*, kMaxContacts> facing{};
   std::size_t count = 0;
   bool near = false;
-  for (const OwnPair& pair : pairs) {
+  for (const ContactPair& pair : pairs) {
     if (pair.law != scene::ContactModel::kRigid) continue;
     ContactMemory memory(d, pair.data, m->opt.timestep);
     if (!face_each_other(pair, d)) {

@@ -1,4 +1,4 @@
-#include "plugin/own/axial_motion.h"
+#include "plugin/contact/axial_motion.h"
 
 #include <cmath>
 
@@ -55,7 +55,7 @@ bool moves_along(const mjModel* m, int joint, const mjtNum* point, const mjtNum*
 
 }  // namespace
 
-bool lies_across(const mjModel* m, const OwnPair& pair) {
+bool lies_across(const mjModel* m, const ContactPair& pair) {
   const int shape = m->geom_type[pair.rotor_geom];
   if (shape != mjGEOM_CYLINDER && shape != mjGEOM_CAPSULE) return false;
   const mjtNum z[3] = {0, 0, 1};
@@ -65,7 +65,7 @@ bool lies_across(const mjModel* m, const OwnPair& pair) {
   return std::abs(mju_dot3(ring, rotor)) < 0.5;
 }
 
-bool slides_along_axis(const mjModel* m, const OwnPair& pair) {
+bool slides_along_axis(const mjModel* m, const ContactPair& pair) {
   if (!(pair.contact.friction > 0.0)) return false;
   const mjtNum z[3] = {0, 0, 1};
   const Frame ring = geom_frame(m, pair.ring_geom), rotor = geom_frame(m, pair.rotor_geom);

@@ -1,9 +1,10 @@
-#include "plugin/own/touching_pair.h"
+#include "plugin/contact/touching_pair.h"
 
 namespace rotorub::plugin {
 
-TouchingPair touching_pair(const OwnPair& pair, const ContactPlace& place, const OwnSpace& space,
-                           const OwnSpace* axial, const mjModel* m, const mjData* d, int row) {
+TouchingPair touching_pair(const ContactPair& pair, const ContactPlace& place,
+                           const ContactSpace& space, const ContactSpace* axial, const mjModel* m,
+                           const mjData* d, int row) {
   const double h = m->opt.timestep;
   TouchingPair s;
   s.pair = &pair;
@@ -16,7 +17,8 @@ TouchingPair touching_pair(const OwnPair& pair, const ContactPlace& place, const
                                pair.contact.clearance);
   const ContactPoint& p = s.point;
   const double whirl = p.whirl_speed();
-  const Eigen::Vector2d turning = own_turning(pair, place, m, d);
+  const Eigen::Vector2d turning =
+      pair.on_chain ? Eigen::Vector2d(0.0, 0.0) : turning_of(pair, place, m, d);
   const double whirling = whirl * whirl / p.delta;
   s.curvature = whirling + p.e_r.dot(turning);
   // MuJoCo's a_ref with the gap rate of the state's own time: that of a semi-implicit step is of

@@ -1,16 +1,17 @@
-#include "plugin/own/own_contact.h"
+#include "plugin/contact/pairs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
+#include "native_model/scene/contact_models.h"
+#include "plugin/contact/body_space.h"
 #include "plugin/contact/cone.h"
 #include "plugin/contact/cone_correction.h"
-#include "plugin/own/own_coulomb.h"
-#include "plugin/own/own_rigid.h"
-#include "plugin/own/own_space.h"
-#include "plugin/own/reach.h"
+#include "plugin/contact/coulomb.h"
+#include "plugin/contact/reach.h"
+#include "plugin/contact/rigid.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -20,21 +21,26 @@ template <typename Action>
 void for_each_solved(const mjData* d, int geom1, int geom2, Action action) {
   for (int i = 0; i < d->ncon; ++i) {
     const mjContact& c = d->contact[i];
-    const bool is = (c.geom1 == geom1 && c.geom2 == geom2) || (c.geom1 == geom2 && c.geom2 == geom1);
+    const bool is =
+        (c.geom1 == geom1 && c.geom2 == geom2) || (c.geom1 == geom2 && c.geom2 == geom1);
     if (is && c.efc_address >= 0) action(c);
   }
 }
 
-void apply_own_cones(const Config& config, const mjModel* m, mjData* d) {
+void apply_cones(const Config& config, const mjModel* m, mjData* d) {
   std::vector<SlidingContact> corrected;
   for (const int pair : config.corrected_pairs) {
-    for_each_solved(d, m->pair_geom1[pair], m->pair_geom2[pair],
-                    [&](const mjContact& c) { corrected.push_back({&c, {}}); });
+    for_each_solved(d, m->pair_geom1[pair], m->pair_geom2[pair], [&](const mjContact& c) {
+      corrected.push_back({&c, {}});
+    });
   }
-  for (const OwnPair& pair : config.pairs) {
+  for (const ContactPair& pair : config.pairs) {
+    if (!scene::is_cone(pair.law)) continue;
     for_each_solved(d, pair.rotor_geom, pair.ring_geom, [&](const mjContact& c) {
+      if (pair.held_spin != 0.0 && c.dim >= 3)
+        add_held_slip(pair.contact.radius * pair.held_spin, m, d, c);
       if (pair.law == scene::ContactModel::kConeCoulomb) {
-        const ContactPoint point = own_contact_point(pair, m, d);
+        const ContactPoint point = contact_point_of(pair, m, d);
         corrected.push_back({&c, point.whirl_speed() * point.whirl_speed() / point.delta});
       } else if (pair.friction_reference > 0.0 && c.dim >= 3) {
         set_friction_reference(m, d, c, pair.friction_reference);
@@ -46,21 +52,22 @@ void apply_own_cones(const Config& config, const mjModel* m, mjData* d) {
 
 }  // namespace
 
-void apply_own_contacts(const Config& config, const mjModel* m, mjData* d) {
+void apply_contacts(const Config& config, const mjModel* m, mjData* d) {
   // Soft ones first: `rigid` asks MuJoCo's solver for them as for any other contact.
-  if (config.has_soft()) apply_own_coulomb(config.pairs, m, d);
-  apply_own_cones(config, m, d);
-  if (config.has_rigid()) apply_own_rigid(config.pairs, m, d);
+  if (config.has_soft()) apply_coulomb(config, m, d);
+  apply_cones(config, m, d);
+  if (config.has_rigid()) apply_rigid(config.pairs, m, d);
 }
 
-int collide_own(const OwnPair& pair, const mjData* d, CollisionContact* con, int g1, double margin) {
+int collide_exactly(const ContactPair& pair, const mjData* d, CollisionContact* con, int g1,
+                    double margin) {
   const ContactParameters& c = pair.contact;
-  const Eigen::Vector2d p = own_position(pair, d);
+  const Eigen::Vector2d p = position_of(pair, d);
   const double delta = p.norm();
   if (!(c.clearance - delta < margin) || delta <= kNoNormal) return 0;
   if (!face_each_other(pair, d)) return 0;
   const Eigen::Vector2d e = p / delta;
-  const mjtNum* axes = d->geom_xmat + 9 * pair.ring_geom;
+  const mjtNum* axes = contact_axes(pair, d);
   const mjtNum* rotor = d->geom_xpos + 3 * pair.rotor_geom;
   const double side = g1 == pair.rotor_geom ? 1.0 : -1.0;
   con->dist = c.clearance - delta;

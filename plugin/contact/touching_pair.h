@@ -1,4 +1,4 @@
-// One contact of `coulomb` in accelerations (contact/coulomb.h), of one or two spaces.
+// One contact of `coulomb` in accelerations (coulomb.h), of one or two spaces.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -7,16 +7,16 @@
 
 #include "native_model/contact/kinematics.h"
 #include "plugin/config.h"
-#include "plugin/own/axial_motion.h"
-#include "plugin/own/own_space.h"
+#include "plugin/contact/axial_motion.h"
+#include "plugin/contact/body_space.h"
 
 namespace rotorub::plugin {
 
 struct TouchingPair {
-  const OwnPair* pair = nullptr;
-  const OwnSpace* space = nullptr;
-  const OwnSpace* axial = nullptr;  // of one that moves along its ring's axis (axial_motion.h)
-  int row = 0;                      // of MuJoCo's solver
+  const ContactPair* pair = nullptr;
+  const ContactSpace* space = nullptr;
+  const ContactSpace* axial = nullptr;  // of one that moves along its ring's axis (axial_motion.h)
+  int row = 0;                          // of MuJoCo's solver
   ContactPoint point;
   Eigen::Vector3d base;    // m/s^2, of y what is not the acceleration of a coordinate
   double curvature = 0.0;  // m/s^2, towards the ring, with that of centres that go in circles
@@ -35,6 +35,18 @@ struct TouchingPair {
     action(*space, load(f.x(), f.y()));
     if (axial && f.z() != 0.0) action(*axial, f.z() * column());
   }
+  // Of the force, what MuJoCo is given beside what its solver finds.
+  void add_side(mjtNum* to) const {
+    space->add_side(load(force.x(), 0.0), load(0.0, force.y()), to);
+    if (axial && force.z() != 0.0) axial->add_load(force.z() * column(), to);
+  }
+  // The accelerations by all of it.
+  void add_acceleration(mjtNum* to) const {
+    const Eigen::Vector3d normal = load(force.x(), 0.0);
+    space->add_acceleration(normal, to);
+    space->add_side_acceleration(normal, load(0.0, force.y()), to);
+    if (axial && force.z() != 0.0) axial->add_acceleration(force.z() * column(), to);
+  }
   // y = base + this of the coordinates' accelerations, of(space).
   template <typename Of>
   Eigen::Vector3d along(Of of) const {
@@ -46,7 +58,8 @@ struct TouchingPair {
 };
 
 // row: of MuJoCo's solver; axial: null where it does not move along its axis.
-TouchingPair touching_pair(const OwnPair& pair, const ContactPlace& place, const OwnSpace& space,
-                           const OwnSpace* axial, const mjModel* m, const mjData* d, int row);
+TouchingPair touching_pair(const ContactPair& pair, const ContactPlace& place,
+                           const ContactSpace& space, const ContactSpace* axial, const mjModel* m,
+                           const mjData* d, int row);
 
 }  // namespace rotorub::plugin

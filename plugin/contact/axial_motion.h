@@ -20,9 +20,9 @@ namespace rotorub::plugin {
 
 // With friction, and a joint that moves the rotor's centre, or the ring, along the axis, by a lever
 // of more than a clearance where it is a hinge. Looked at in qpos0.
-bool slides_along_axis(const mjModel* m, const OwnPair& pair);
+bool slides_along_axis(const mjModel* m, const ContactPair& pair);
 
-// W_Z in the space of OwnRows::kAxis: gdot_Z of its rates, and the load of a friction of 1 along
+// W_Z in the space of BodyRows::kAxis: gdot_Z of its rates, and the load of a friction of 1 along
 // the axis.
 inline Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius) {
   return {1.0, radius * e_r.y(), -radius * e_r.x()};
@@ -30,6 +30,6 @@ inline Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius) {
 
 // The axis of a round rotor (cylinder, capsule; other shapes have none) is tilted from its ring's by 60 degrees or more
 // in qpos0: it lies in it as no disc does.
-bool lies_across(const mjModel* m, const OwnPair& pair);
+bool lies_across(const mjModel* m, const ContactPair& pair);
 
 }  // namespace rotorub::plugin

@@ -1,4 +1,4 @@
-#include "plugin/own/coupled_step.h"
+#include "plugin/contact/coupled_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/memory.h"
 #include "plugin/load_cells.h"
-#include "plugin/own/axial_motion.h"
-#include "plugin/own/coupled_contacts.h"
+#include "plugin/contact/axial_motion.h"
+#include "plugin/contact/coupled_contacts.h"
 #include "plugin/passes.h"
 
 namespace rotorub::plugin {
