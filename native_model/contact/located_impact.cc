@@ -37,7 +37,7 @@ StepImpacts locate_impacts(const FlightStep& s, const ImpactLaw& law) {
     }
     const bool last = out.count + 1 == StepImpacts::kMost;
     const double pressed = pressing(hit.e_r, v, s.acceleration, s.clearance);
-    const bool stays = last || !flight_outlives(std::max(kLeastFlight * s.h, s.duration),
+    const bool stays = last || !flight_outlives(std::max(s.h, s.duration),
                                                 -law.restitution * hit.gap_rate_before, pressed);
     if (s.duration > 0.0 && !stays) {
       ++out.count;

@@ -1,17 +1,18 @@
 // What follows an impact: flight, or lasting contact. Decided once, for every engine.
 //
-// Loads and the circle's curvature press with a = -gddot_N, so that the flight after a rebound of the speed v
-// lasts 2 v / a. One that is over too soon is none: the impact has restitution 0, and contact lasts. An
-// accumulation of impacts ends so. Too soon is
+// Loads and the circle's curvature press with a = -gddot_N, so that the flight after a rebound of
+// the speed v lasts 2 v / a. One that is over too soon is none: the impact has restitution 0, and
+// contact lasts. An accumulation of impacts ends so. Too soon is
 // - before the impact itself is, of one that takes time;
 // - within a fixed step, of an impact that is located in its step;
-// - within two, where it is not: the step's end then tells its speed with up to the fall of a whole step, a h. Then
-//   bounces of v = eps_N v + a h keep themselves going for ever, with flights of 2 eps_N / (1 - eps_N) steps: so
-//   long ones are none either (up to kMostSteps, as an impact without loss has no accumulation).
+// - within two, where it is not: the step's end then tells its speed with up to the fall of a whole
+// step, a_load h.
+//   Then bounces of v = eps_N v + a_load h keep themselves going for ever: an impact that takes no
+//   more than that from its speed is none either (but for long flights, and without any loss there
+//   is no accumulation).
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 
 namespace rotorub {
 
@@ -24,17 +25,21 @@ inline double pressing(const Eigen::Vector2d& e_r, const Eigen::Vector3d& veloci
   return e_r.dot(acceleration.head<2>()) + whirl * whirl / delta;
 }
 
-// Steps that a flight has to outlive.
-inline constexpr double kLeastFlight = 1.0;
-inline double least_flight_unlocated(double restitution) {
-  constexpr double kMostSteps = 40.0;
-  return std::clamp(2.0 * restitution / (1.0 - restitution), 2.0, kMostSteps);
-}
-
 // Whether a flight that begins with `speed` (m/s, of the gap) under `pressed` (m/s^2, a) outlives
 // `time` (s).
 inline bool flight_outlives(double time, double speed, double pressed) {
   return 2.0 * speed > pressed * time;
+}
+
+// Of an impact that is not located in its step, h (s): of the speed `approach` (m/s); load: m/s^2,
+// the part of `pressed` that is not curvature.
+inline bool rebound_outlives_steps(double h, double restitution, double approach, double load,
+                                   double pressed) {
+  constexpr double kLeastSteps = 2.0, kMostSteps = 40.0;
+  const double rebound = restitution * approach;
+  if (!flight_outlives(kLeastSteps * h, rebound, pressed)) return false;
+  const bool feeds_itself = restitution < 1.0 && (1.0 - restitution) * approach <= load * h;
+  return !feeds_itself || flight_outlives(kMostSteps * h, rebound, pressed);
 }
 
 // eps_N of an impact that takes time, at the speed `approach` (m/s) beside loads that press with

@@ -99,9 +99,10 @@ class PaperKernel : public ContactKernel<M> {
     const Eigen::Vector3d free = this->lane_rates(this->free_.data(), lane);
     const Eigen::Vector3d start = this->lane_rates(this->start_.data(), lane);
     const Eigen::Vector2d e_r = normal_of_path(d, this->h_ * free.head<2>(), c.clearance);
-    const double pressed = pressing(e_r, free, (free - start) / this->h_, c.clearance);
+    const Eigen::Vector3d acceleration = (free - start) / this->h_;
+    const double pressed = pressing(e_r, free, acceleration, c.clearance);
     const double closing = e_r.dot(free.head<2>());
-    const bool stays = !flight_outlives(least_flight_unlocated(c.restitution) * this->h_, c.restitution * closing, pressed);
+    const bool stays = !rebound_outlives_steps(this->h_, c.restitution, closing, e_r.dot(acceleration.head<2>()), pressed);
     if (!(closing > 0.0)) return;
     const double t = this->origin + (static_cast<double>(k) + 0.5) * this->h_;
     const Delassus g = delassus(contact_admittance(m, t, q), e_r, c.radius);

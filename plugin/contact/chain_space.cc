@@ -33,6 +33,15 @@ ChainSpace::ChainSpace(const Config& config, const mjModel* m, mjData* d, const 
   plain_known_ = true;
 }
 
+Eigen::Vector3d ChainSpace::response(const mjtNum* f) const {
+  Eigen::Vector3d a(0.0, 0.0, 0.0);
+  for (int i = 0; i < config_.model.nq(); ++i) {
+    const int dof = config_.dof_address[static_cast<std::size_t>(i)];
+    for (int k = 0; k < 3; ++k) a[k] += jacobian_[k * nv_ + dof] * f[dof] / step_mass_[i];
+  }
+  return a;
+}
+
 void ChainSpace::add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
                           mjtNum* to) const {
   if (!config_.model.coupled_mass()) return add_load(friction, to);

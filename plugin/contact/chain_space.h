@@ -16,6 +16,10 @@ class ChainSpace final : public ContactSpace {
  public:
   ChainSpace(const Config& config, const mjModel* m, mjData* d, const StepMatrix& matrix);
 
+  // Of MuJoCo's forces, which have been through H0 (M(phi) + h D)^-1 already (passive.h).
+  Eigen::Vector3d response(const mjtNum* f) const override;
+  // With the masses of the native model: MuJoCo's links weigh a little.
+  Eigen::Vector3d smooth() const override { return product(plain_, d_->qfrc_smooth); }
   void add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
                 mjtNum* to) const override;
   void add_side_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,

@@ -1,6 +1,6 @@
 // One contact in MuJoCo's coordinates: (relative x, relative y, spin) = J qvel, with MuJoCo's mass
-// matrix M and the matrix H of its step (step_matrix.h). J is of bodies (body_space.h) or of the modal chain
-// (chain_space.h); the rows live on the stack of mjData.
+// matrix M and the matrix H of its step (step_matrix.h). J is of bodies (body_space.h) or of the
+// modal chain (chain_space.h); the rows live on the stack of mjData.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -19,11 +19,13 @@ class ContactSpace {
   ContactSpace(const ContactSpace&) = delete;
   ContactSpace& operator=(const ContactSpace&) = delete;
 
-  Eigen::Vector3d rates(const mjtNum* v) const { return product(jacobian_, v); }     // J v
-  Eigen::Vector3d response(const mjtNum* f) const { return product(damped_, f); }    // J H^-1 f
-  Eigen::Matrix3d flexibility() const { return gram(damped_); }                      // J H^-1 J^T
-  Eigen::Matrix3d admittance() const { return gram(plain()); }                       // J M^-1 J^T
-  bool damped() const { return damped_ != plain_; }                                  // H is not M
+  Eigen::Vector3d rates(const mjtNum* v) const { return product(jacobian_, v); }  // J v
+  virtual Eigen::Vector3d response(const mjtNum* f) const {
+    return product(damped_, f);
+  }                                                                          // J H^-1 f
+  Eigen::Matrix3d flexibility() const { return gram(damped_); }              // J H^-1 J^T
+  Eigen::Matrix3d admittance() const { return gram(plain()); }               // J M^-1 J^T
+  bool damped() const { return damped_ != plain_; }                          // H is not M
   const mjtNum* acceleration_row(int k) const { return plain() + k * nv_; }  // row k of J M^-1
 
   // J H^-1 J_other^T and J M^-1 J_other^T: what a load of another contact does here.
@@ -32,17 +34,22 @@ class ContactSpace {
 
   // to += J^T load, load: (x, y, torque) on the rotor.
   void add_load(const Eigen::Vector3d& load, mjtNum* to) const { add_rows(jacobian_, load, to); }
-  // What MuJoCo is given beside the normal force that its solver finds, for the contact's load normal + friction:
-  // to += J^T friction, and the acceleration by it.
-  virtual void add_side(const Eigen::Vector3d& /*normal*/, const Eigen::Vector3d& friction, mjtNum* to) const {
+  // The accelerations without the contact, J M^-1 f of qfrc_smooth.
+  virtual Eigen::Vector3d smooth() const { return rates(d_->qacc_smooth); }
+  // What MuJoCo is given beside the normal force that its solver finds, for the contact's load
+  // normal + friction: to += J^T friction, and the acceleration by it.
+  virtual void add_side(const Eigen::Vector3d& /*normal*/, const Eigen::Vector3d& friction,
+                        mjtNum* to) const {
     add_load(friction, to);
   }
-  virtual void add_side_acceleration(const Eigen::Vector3d& /*normal*/, const Eigen::Vector3d& friction,
-                                     mjtNum* to) const {
+  virtual void add_side_acceleration(const Eigen::Vector3d& /*normal*/,
+                                     const Eigen::Vector3d& friction, mjtNum* to) const {
     add_acceleration(friction, to);
   }
   // to += M^-1 J^T load.
-  void add_acceleration(const Eigen::Vector3d& load, mjtNum* to) const { add_rows(plain(), load, to); }
+  void add_acceleration(const Eigen::Vector3d& load, mjtNum* to) const {
+    add_rows(plain(), load, to);
+  }
   // One of the two that follow.
   void add(const Eigen::Vector3d& load, bool impact, mjtNum* to) const {
     impact ? add_impact(load, to) : add_load(load, to);
@@ -63,6 +70,10 @@ class ContactSpace {
       : d_(d), matrix_(matrix), nv_(count(m->nv)) {}
   virtual ~ContactSpace() = default;
 
+  Eigen::Vector3d product(const mjtNum* rows, const mjtNum* v) const {
+    return {mju_dot(rows, v, nv_), mju_dot(rows + nv_, v, nv_), mju_dot(rows + 2 * nv_, v, nv_)};
+  }
+
   // Fills plain_ when it is first asked for: a lasting contact never does.
   virtual void solve_plain() const {}
   const mjtNum* plain() const {
@@ -79,9 +90,6 @@ class ContactSpace {
   mjtNum *jacobian_ = nullptr, *plain_ = nullptr, *damped_ = nullptr;  // 3 x nv
 
  private:
-  Eigen::Vector3d product(const mjtNum* rows, const mjtNum* v) const {
-    return {mju_dot(rows, v, nv_), mju_dot(rows + nv_, v, nv_), mju_dot(rows + 2 * nv_, v, nv_)};
-  }
   Eigen::Matrix3d gram(const mjtNum* rows) const {
     Eigen::Matrix3d g;
     for (int j = 0; j < 3; ++j) g.col(j) = product(rows, jacobian_ + j * nv_);

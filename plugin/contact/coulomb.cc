@@ -26,7 +26,7 @@ template <typename Free>
 Eigen::Vector3d look(TouchingPair& s, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
   const bool before = s.entry(d)[kMode] != 0.0;
-  const bool lasts = before && !flight_outlives(least_flight_unlocated(0.0) * m->opt.timestep,
+  const bool lasts = before && !flight_outlives(2.0 * m->opt.timestep,
                                                 s.point.gap_rate, s.curvature - a.x());
   s.touches = s.point.gap < 0.0 || lasts;
   return s.base + a;
@@ -153,11 +153,13 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
 void set_references(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   StackFrame room(d);
   mjtNum* acceleration = room.numbers(count(m->nv));
-  mju_copy(acceleration, d->qacc_smooth, count(m->nv));
+  mju_zero(acceleration, count(m->nv));
   for (const TouchingPair& s : contacts.span()) {
     if (s.force.x() > 0.0) s.add_acceleration(acceleration);
   }
-  const auto rates = [acceleration](const ContactSpace& at) { return at.rates(acceleration); };
+  const auto rates = [acceleration](const ContactSpace& at) -> Eigen::Vector3d {
+    return at.smooth() + at.rates(acceleration);
+  };
   for (const TouchingPair& s : contacts.span()) {
     const double found = s.along(rates).x();
     d->efc_aref[s.row] =
