@@ -1,195 +1,98 @@
 #include "compare/report/template.h"
 
+#include <boost/algorithm/string/replace.hpp>
+#include <deque>
+#include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
 namespace rotorub {
 namespace {
 
+namespace mustache = kainjow::mustache;
 using nlohmann::json;
-using Context = std::vector<const json*>;  // innermost last
-
-struct Tag {
-  char kind = ' ';  // # ^ / > { or a space for a plain value
-  std::string_view name;
-  std::size_t begin = 0;  // of the braces
-  std::size_t end = 0;    // after them
-};
-
-[[noreturn]] void fail(const std::string& what, std::string_view name) {
-  throw std::logic_error("template: " + what + " {{" + std::string(name) + "}}");
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
-// The next tag at or after `from`; begin is npos where there is none.
-Tag next_tag(std::string_view text, std::size_t from) {
-  Tag tag;
-  tag.begin = text.find("{{", from);
-  if (tag.begin == std::string_view::npos) return tag;
-  const bool raw = text.substr(tag.begin, 3) == "{{{";
-  const std::string_view close = raw ? "}}}" : "}}";
-  const std::size_t end = text.find(close, tag.begin);
-  if (end == std::string_view::npos) fail("not closed:", text.substr(tag.begin, 30));
-  std::string_view body = text.substr(tag.begin + close.size(), end - tag.begin - close.size());
-  tag.end = end + close.size();
-  if (raw) {
-    tag.kind = '{';
-  } else if (!body.empty() &&
-             std::string_view("#^/>").find(body.front()) != std::string_view::npos) {
-    tag.kind = body.front();
-    body.remove_prefix(1);
-  }
-  tag.name = trimmed(body);
-  return tag;
-}
-
-// The tag that closes the section `open`.
-Tag closing_tag(std::string_view text, const Tag& open) {
-  int depth = 1;
-  std::size_t at = open.end;
-  while (true) {
-    const Tag tag = next_tag(text, at);
-    if (tag.begin == std::string_view::npos) fail("section not closed:", open.name);
-    at = tag.end;
-    if (tag.name != open.name) continue;
-    if (tag.kind == '#' || tag.kind == '^') ++depth;
-    if (tag.kind == '/' && --depth == 0) return tag;
-  }
-}
-
-const json* member(const json& value, std::string_view name) {
-  if (!value.is_object()) return nullptr;
-  const auto found = value.find(std::string(name));
-  return found == value.end() ? nullptr : &*found;
-}
-
-const json& look_up(const Context& context, std::string_view name) {
-  if (name == ".") return *context.back();
-  const std::size_t dot = name.find('.');
-  const std::string_view head = name.substr(0, dot);
-  for (auto level = context.rbegin(); level != context.rend(); ++level) {
-    const json* value = member(**level, head);
-    if (!value) continue;
-    if (dot == std::string_view::npos) return *value;
-    return look_up({value}, name.substr(dot + 1));
-  }
-  fail("no value for", name);
-}
 
 bool shows(const json& value) {
-  if (value.is_null()) return false;
   if (value.is_boolean()) return value.get<bool>();
   if (value.is_string()) return !value.get_ref<const std::string&>().empty();
-  if (value.is_array()) return !value.empty();
-  return true;
+  return !value.empty();  // null, [] and {} are empty
 }
 
-std::string text_of(const json& value, std::string_view name) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number()) return value.dump();
-  fail("neither text nor number:", name);
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-class Filler {
+// What the library asks for by name, from the values as they are. Left alone it would pass over a
+// name that it does not find.
+class StrictContext : public mustache::basic_context<std::string> {
  public:
-  Filler(const json& values, const Partials& partials) : partials_(partials), context_{&values} {}
+  StrictContext(const json& values, const Partials& partials)
+      : partials_(partials), levels_{&values} {}
 
-  void fill(std::string_view text, std::string& out);
+  void push(const mustache::data*) override { levels_.push_back(asked_); }
+  void pop() override { levels_.pop_back(); }
+
+  const mustache::data* get(const std::string& name) const override {
+    asked_ = &look_up(name);
+    return &given_.emplace_back(data_of(*asked_));
+  }
+
+  const mustache::data* get_partial(const std::string& name) const override {
+    const auto found = partials_.find(name);
+    if (found == partials_.end()) throw std::logic_error("template: no partial {{" + name + "}}");
+    return &given_.emplace_back(std::string(found->second));
+  }
 
  private:
-  void fill_section(std::string_view body, const json& value, std::string& out);
-  std::string_view partial(std::string_view name) const;
+  const json& look_up(const std::string& name) const {
+    if (name == ".") return *levels_.back();
+    const json::json_pointer path("/" + boost::replace_all_copy(name, ".", "/"));
+    for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) {
+      if ((*level)->contains(path)) return (*level)->at(path);
+    }
+    throw std::logic_error("template: no value for {{" + name + "}}");
+  }
+
+  // A list, an object or `true` is the function that fills a section: in the place of text the
+  // library refuses it.
+  mustache::data data_of(const json& value) const {
+    if (value.is_number()) return value.dump();
+    if (!shows(value)) return false;
+    if (value.is_string()) return value.get_ref<const std::string&>();
+    return mustache::lambda2(
+        [this, &value](const std::string& text, const mustache::renderer& render) {
+          std::string out;
+          const auto fill = [&](const json& element) {
+            levels_.push_back(&element);
+            out += render(text, false);
+            levels_.pop_back();
+          };
+          if (value.is_array()) {
+            for (const json& element : value) fill(element);
+          } else {
+            fill(value);
+          }
+          return out;
+        });
+  }
 
   const Partials& partials_;
-  Context context_;
+  mutable std::vector<const json*> levels_;  // innermost last
+  mutable const json* asked_ = nullptr;      // the value last given
+  mutable std::deque<mustache::data> given_;
 };
-
-std::string_view Filler::partial(std::string_view name) const {
-  const auto found = partials_.find(name);
-  if (found == partials_.end()) fail("no partial", name);
-  return found->second;
-}
-
-void Filler::fill_section(std::string_view body, const json& value, std::string& out) {
-  if (!value.is_array()) {
-    context_.push_back(&value);
-    fill(body, out);
-    context_.pop_back();
-    return;
-  }
-  for (const json& element : value) {
-    context_.push_back(&element);
-    fill(body, out);
-    context_.pop_back();
-  }
-}
-
-void Filler::fill(std::string_view text, std::string& out) {
-  std::size_t at = 0;
-  while (true) {
-    const Tag tag = next_tag(text, at);
-    out += text.substr(at, std::min(tag.begin, text.size()) - at);
-    if (tag.begin == std::string_view::npos) return;
-    at = tag.end;
-    if (tag.kind == '/') fail("section closed but not opened:", tag.name);
-    if (tag.kind == '>') {
-      fill(partial(tag.name), out);
-      continue;
-    }
-    const json& value = look_up(context_, tag.name);
-    if (tag.kind == '{') {
-      out += text_of(value, tag.name);
-    } else if (tag.kind == ' ') {
-      out += escaped(text_of(value, tag.name));
-    } else {
-      const Tag close = closing_tag(text, tag);
-      const std::string_view body = text.substr(tag.end, close.begin - tag.end);
-      if (tag.kind == '#' && shows(value)) fill_section(body, value, out);
-      if (tag.kind == '^' && !shows(value)) fill(body, out);
-      at = close.end;
-    }
-  }
-}
 
 }  // namespace
 
 std::string fill_template(std::string_view text, const json& values, const Partials& partials) {
-  std::string out;
-  out.reserve(2 * text.size());
-  Filler(values, partials).fill(text, out);
-  return out;
+  mustache::mustache page{std::string(text)};
+  page.set_custom_escape([](const std::string& plain) {
+    // HTML 4 knows no &apos;
+    return boost::replace_all_copy(mustache::html_escape(plain), "&apos;", "&#39;");
+  });
+  StrictContext context(values, partials);
+  std::ostringstream out;
+  if (page.is_valid()) page.render(context, out);
+  if (!page.is_valid()) throw std::logic_error("template: " + page.error_message());
+  return out.str();
 }
 
 }  // namespace rotorub
