@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/measured/lag_search.h"
 #include "compare/measured/record.h"
 #include "compare/measured/sampled_run.h"
 
@@ -12,8 +13,8 @@ namespace rotorub {
 
 struct AlignmentOptions {
   std::optional<double> shift;  // s, added to the record's times; none: found
-  std::optional<double>
-      angle;  // rad, of the sensors' x axis in the scene, from x to y; none: found where a pair x, y is
+  std::optional<double> angle;  // rad, of the sensors' x axis in the scene, from x to y; none:
+                                // found where a pair x, y is
 };
 
 enum class AngleFrom {
@@ -28,34 +29,37 @@ struct Alignment {
   double angle = 0.0;  // rad, in (-pi, pi]
   bool shift_found = true;
   AngleFrom angle_from = AngleFrom::kFound;
-  std::vector<std::string> by;        // "rotor", "gap": what it was found by; empty: both are given and nothing moves
+  std::vector<std::string>
+      by;  // "rotor", "gap": what it was found by; empty: both are given and nothing moves
   std::optional<double> correlation;  // [-1, 1], see lag_search.h; none where `by` is empty
-  std::optional<double> residual;     // share: rms of what is left over the run's deviation, means taken off
-  // Standard deviation if what is left is white noise (the least that any estimate has, Cramer and Rao). The angle's
-  // is none where it was not found.
+  std::optional<double>
+      residual;  // share: rms of what is left over the run's deviation, means taken off
+  // Standard deviation if what is left is white noise (the least that any estimate has, Cramer and
+  // Rao). The angle's is none where it was not found.
   std::optional<double> shift_error, angle_error;  // s, rad
-  struct Other {
-    double shift = 0.0, correlation = 0.0;
-  };
-  std::optional<Other> next;  // the next best shift beyond a valley
-  // It leaves less than kTwice what the best leaves, or next to nothing as well: left = sqrt(1 - correlation^2).
+  std::optional<LagScore> next;                    // the next best shift beyond a valley
+  // It leaves less than kTwice what the best leaves, or next to nothing as well: left = sqrt(1 -
+  // correlation^2).
   bool ambiguous() const;
-  // rad/s: what a shift is made up by of a turn of the frame, in a motion so near to a circle that no more than
-  // kNearCircle of the shift's own effect is left by it; none elsewhere, and where one of the two is given.
+  // rad/s: what a shift is made up by of a turn of the frame, in a motion so near to a circle that
+  // no more than kNearCircle of the shift's own effect is left by it; none elsewhere, and where one
+  // of the two is given.
   std::optional<double> turn_for_shift;
 };
 
 inline constexpr double kTwice = 2.0, kNextToNothing = 0.05;
 inline constexpr double kLeastCorrelation = 0.5;
-// Below it a turn of the frame may do what a shift does: share of the shift's own effect that no turn explains. It does
-// where a free angle leaves no less than an angle of 0, but for what noise allows.
+// Below it a turn of the frame may do what a shift does: share of the shift's own effect that no
+// turn explains. It does where a free angle leaves no less than an angle of 0, but for what noise
+// allows.
 inline constexpr double kLeastOwnEffect = 0.01, kNearCircle = 0.1;
 
-// By least squares: of all shifts the one of the highest correlation (lag_search.h), then between the grid's instants
-// the least sum of squares of what is left, each channel by its scale, means taken off (a sensor's zero is not known);
-// the angle follows in closed form. Throws MeasuredError where record and run do not overlap, or no shift makes them
-// alike.
-Alignment align(const MeasuredRecord& record, const SampledRun& run, const AlignmentOptions& options);
+// By least squares: of all shifts the one of the highest correlation (lag_search.h), then between
+// the grid's instants the least sum of squares of what is left, each channel by its scale, means
+// taken off (a sensor's zero is not known); the angle follows in closed form. Throws MeasuredError
+// where record and run do not overlap, or no shift makes them alike.
+Alignment align(const MeasuredRecord& record, const SampledRun& run,
+                const AlignmentOptions& options);
 
 // The sentence on it, for people: "shift +1.234567 ms, angle 12.3 deg, by rotor ...".
 std::string alignment_text(const Alignment& alignment);

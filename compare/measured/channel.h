@@ -1,7 +1,7 @@
 // The signals that a record is aligned by.
 #pragma once
 
-#include <complex>
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -10,25 +10,25 @@
 
 namespace rotorub {
 
-// A column, or a pair x + i y that turns with the frame of the sensors.
+// A column, or a pair x + i y that turns with the frame of the sensors. Values are shares of the
+// run's standard deviation.
 struct Channel {
-  const MeasuredColumn* x = nullptr;
-  const MeasuredColumn* y = nullptr;  // null: x alone, real
-  double frame = 0.0;                 // rad: of x alone, the angle of the sensors' frame where it is given
-  double scale = 0.0;                 // SI: standard deviation of the run's, > 0
-  bool is_pair() const { return y != nullptr; }
+  const Measurable* what = nullptr;  // x, where it is a pair
+  bool pair = false;
+  double frame = 0.0;             // rad: of a column alone, that of the sensors where it is given
+  double scale = 1.0;             // SI: the run's standard deviation, > 0
+  std::vector<std::size_t> good;  // samples of the record that have a value
+  Eigen::VectorXcd value;         // the record's, of these
+
   std::string name() const;  // "rotor", "gap"
+  // Of the run; a pair in the scene's frame, x or y alone in that of the sensors.
+  Eigen::VectorXcd of(const SampledRun& run, const SampleTimes& times) const;
 };
 
-// The first of these groups that record and run both move in: places (rotor, ring, gap); the contact's force; forces
-// of lasting contact; control and currents; speed of spin. Empty where there is none. angle: of the sensors' frame,
-// rad, 0 where it is not given.
+// Those of the first group (Measurable::group) that record and run both move in; empty where there
+// is none. angle: of the sensors' frame, rad, 0 where it is not given.
 std::vector<Channel> channels_of(const MeasuredRecord& record, const SampledRun& run, double angle);
 
-// Of the record, SI, and where it has a value.
-std::complex<double> record_value(const Channel& channel, std::size_t sample);
-bool is_good(const Channel& channel, std::size_t sample);
-// Of the run, at those times; a pair in the scene's frame, x or y alone in that of the sensors.
-std::vector<std::complex<double>> run_values(const Channel& channel, const SampledRun& run, const SampleTimes& times);
+Eigen::VectorXcd without_mean(const Eigen::VectorXcd& z);
 
 }  // namespace rotorub

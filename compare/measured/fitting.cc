@@ -1,162 +1,143 @@
 #include "compare/measured/fitting.h"
 
-#include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <unsupported/Eigen/LevenbergMarquardt>
 
 namespace rotorub {
 namespace {
 
-using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
 
 constexpr std::size_t kMostFitted = 200000;  // samples of a channel: more tell no more
 
-std::vector<Complex> without_mean(std::vector<Complex> z) {
-  Complex mean = 0.0;
-  for (const Complex& value : z) mean += value;
-  mean /= static_cast<double>(std::max<std::size_t>(z.size(), 1));
-  for (Complex& value : z) value -= mean;
-  return z;
-}
+// What is left at a shift, for the library: x[0] intervals of the record after `shift`.
+struct LeftAt : Eigen::DenseFunctor<double> {
+  const Fitting& fitting;
+  double shift, interval;
+
+  LeftAt(const Fitting& f, double from, double h)
+      : DenseFunctor(1, 2 * static_cast<int>(f.at(from).run.size())),
+        fitting(f),
+        shift(from),
+        interval(h) {}
+
+  VectorXd at(double x) const {
+    const VectorXcd left = fitting.at(shift + x * interval).left();
+    return (VectorXd(2 * left.size()) << left.real(), left.imag()).finished();
+  }
+  int operator()(const VectorXd& x, VectorXd& left) const {
+    left = at(x[0]);
+    return 0;
+  }
+  int df(const VectorXd& x, Eigen::MatrixXd& slope) const {
+    constexpr double kApart = 0.01;
+    slope = (at(x[0] + kApart) - at(x[0] - kApart)) / (2.0 * kApart);
+    return 0;
+  }
+};
 
 }  // namespace
 
-double Fit::correlation() const { return run > 0.0 && record > 0.0 ? both / std::sqrt(run * record) : 0.0; }
+double Fit::correlation() const {
+  const double size = record.norm() * run.norm();
+  return size > 0.0 ? record.dot(run).real() / size : 0.0;
+}
 
-Fitting::Fitting(const MeasuredRecord& record, const SampledRun& run, const std::vector<Channel>& channels,
-                 double shift, double room, std::optional<double> angle)
+Fitting::Fitting(const MeasuredRecord& record, const SampledRun& run,
+                 const std::vector<Channel>& channels, double shift, double room,
+                 std::optional<double> angle)
     : run_(run), angle_(angle) {
   const SampleTimes all = sample_times(record.t, record.interval);
-  const double slack = 1e-6 * record.interval;
-  for (const Channel& channel : channels) {
-    std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < record.t.size(); ++i) {
-      const bool averaged = channel.x->what->series.empty();
-      const double from = (averaged ? all.from[i] : all.t[i]) + shift, to = (averaged ? all.to[i] : all.t[i]) + shift;
-      if (is_good(channel, i) && from >= run.start() + room - slack && to <= run.end() - room + slack)
-        kept.push_back(i);
+  const double inside = room - 1e-6 * record.interval;
+  const double from = run.start() + inside - shift, to = run.end() - inside - shift;
+  for (const bool pairs : {true, false}) {
+    for (const Channel& channel : channels) {
+      if (channel.pair == pairs) add(channel, all, from, to);
     }
-    const std::size_t every = kept.size() / kMostFitted + 1;
-    FittedChannel fitted{channel, {}, {}};
-    for (std::size_t k = 0; k < kept.size(); k += every) {
-      fitted.times.t.push_back(all.t[kept[k]]);
-      fitted.times.from.push_back(all.from[kept[k]]);
-      fitted.times.to.push_back(all.to[kept[k]]);
-      fitted.m.push_back(record_value(channel, kept[k]));
-    }
-    fitted.m = without_mean(std::move(fitted.m));
-    values_ += fitted.m.size() * (channel.is_pair() ? 2 : 1);
-    channels_.push_back(std::move(fitted));
+    if (pairs) pairs_ = record_.size();
   }
 }
 
-Complex Fitting::turn(const FittedChannel& c, double angle) {
-  return c.channel.is_pair() ? std::polar(1.0, angle) : Complex(1.0);
-}
-
-std::vector<Complex> Fitting::run_at(const FittedChannel& c, double shift) const {
-  return without_mean(run_values(c.channel, run_, shifted(c.times, shift)));
-}
-
-Fit Fitting::at(double shift) const {
-  Fit fit;
-  std::vector<std::vector<Complex>> s;
-  Complex pairs = 0.0;
-  for (const FittedChannel& c : channels_) {
-    s.push_back(run_at(c, shift));
-    if (!c.channel.is_pair()) continue;
-    for (std::size_t i = 0; i < c.m.size(); ++i) pairs += weight(c) * std::conj(c.m[i]) * s.back()[i];
+void Fitting::add(const Channel& channel, const SampleTimes& all, double from, double to) {
+  const bool averaged = channel.what->series.empty();
+  std::vector<Index> kept;  // of the channel's values
+  for (Index k = 0; k < channel.value.size(); ++k) {
+    const std::size_t i = channel.good[static_cast<std::size_t>(k)];
+    const double begin = averaged ? all.from[i] : all.t[i], end = averaged ? all.to[i] : all.t[i];
+    if (begin >= from && end <= to) kept.push_back(k);
   }
-  fit.angle = angle_.value_or(std::arg(pairs));
-  for (std::size_t k = 0; k < channels_.size(); ++k) {
-    const FittedChannel& c = channels_[k];
-    const double before = fit.left;
-    for (std::size_t i = 0; i < c.m.size(); ++i) {
-      const Complex m = turn(c, fit.angle) * c.m[i];
-      fit.left += weight(c) * std::norm(s[k][i] - m);
-      fit.run += weight(c) * std::norm(s[k][i]);
-      fit.record += weight(c) * std::norm(m);
-      fit.both += weight(c) * (std::conj(m) * s[k][i]).real();
-    }
-    const std::size_t numbers = c.m.size() * (c.channel.is_pair() ? 2 : 1);
-    fit.noise.push_back((fit.left - before) / static_cast<double>(std::max<std::size_t>(numbers, 1)));
+  Part part{&channel, {}, record_.size(), 0};
+  VectorXcd m(static_cast<Index>(kept.size()));
+  for (std::size_t k = 0; k < kept.size(); k += kept.size() / kMostFitted + 1) {
+    const std::size_t i = channel.good[static_cast<std::size_t>(kept[k])];
+    part.times.t.push_back(all.t[i]);
+    part.times.from.push_back(all.from[i]);
+    part.times.to.push_back(all.to[i]);
+    m[part.count++] = channel.value[kept[k]];
   }
-  return fit;
+  record_.conservativeResize(part.first + part.count);
+  record_.tail(part.count) = without_mean(m.head(part.count));
+  parts_.push_back(std::move(part));
 }
 
-std::vector<Effects> Fitting::effects(const Fit& fit, double shift, double h) const {
-  std::vector<Effects> all;
-  for (const FittedChannel& c : channels_) {
-    Effects g;
-    const auto s = run_at(c, shift), ahead = run_at(c, shift + h), behind = run_at(c, shift - h);
-    for (std::size_t i = 0; i < c.m.size(); ++i) {
-      const Complex m = turn(c, fit.angle) * c.m[i], left = m - s[i];
-      const Complex d = (ahead[i] - behind[i]) / (2.0 * h);
-      // A turn of the frame by a moves m by i a m: what is left grows as if the run went back by that.
-      const Complex e = c.channel.is_pair() && !angle_ ? Complex(0.0, -1.0) * m : 0.0;
-      g.dd += weight(c) * std::norm(d);
-      g.ee += weight(c) * std::norm(e);
-      g.de += weight(c) * (std::conj(d) * e).real();
-      g.dr += weight(c) * (std::conj(d) * left).real();
-      g.er += weight(c) * (std::conj(e) * left).real();
-    }
-    all.push_back(g);
+std::size_t Fitting::values() const { return static_cast<std::size_t>(record_.size() + pairs_); }
+
+VectorXcd Fitting::run_at(double shift) const {
+  VectorXcd all(record_.size());
+  for (const Part& p : parts_) {
+    all.segment(p.first, p.count) = without_mean(p.channel->of(run_, shifted(p.times, shift)));
   }
   return all;
 }
 
-Effects total(const std::vector<Effects>& all) {
-  Effects sum;
-  for (const auto& g : all) {
-    sum.dd += g.dd;
-    sum.de += g.de;
-    sum.ee += g.ee;
-    sum.dr += g.dr;
-    sum.er += g.er;
-  }
-  return sum;
+Fit Fitting::at(double shift) const {
+  Fit fit{0.0, run_at(shift), record_};
+  fit.angle = angle_.value_or(std::arg(record_.head(pairs_).dot(fit.run.head(pairs_))));
+  fit.record.head(pairs_) *= std::polar(1.0, fit.angle);
+  return fit;
 }
 
-std::optional<double> estimate_error(const std::vector<Effects>& all, const std::vector<double>& noise, bool shift,
-                                     double across) {
-  double own = 0.0, scatter = 0.0;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const auto& g = all[k];
-    const double ff = shift ? g.dd - 2.0 * across * g.de + across * across * g.ee
-                            : g.ee - 2.0 * across * g.de + across * across * g.dd;
-    own += ff;
-    scatter += noise[k] * ff;
+Fitting::Effects Fitting::effects(const Fit& fit, double shift, double h) const {
+  Effects g;
+  g.d = (run_at(shift + h) - run_at(shift - h)) / (2.0 * h);
+  g.e = VectorXcd::Zero(g.d.size());
+  if (!angle_) g.e.head(pairs_) = std::complex<double>(0.0, -1.0) * fit.record.head(pairs_);
+  g.dd = g.d.squaredNorm();
+  g.de = g.d.dot(g.e).real();
+  g.ee = g.e.squaredNorm();
+  return g;
+}
+
+std::optional<double> Fitting::error(const VectorXcd& f, const Fit& fit) const {
+  const VectorXcd left = fit.left();
+  double scatter = 0.0;
+  for (const Part& p : parts_) {
+    const auto numbers =
+        static_cast<double>(std::max<Index>(p.count * (p.channel->pair ? 2 : 1), 1));
+    const double noise = left.segment(p.first, p.count).squaredNorm() / numbers;
+    scatter += noise * f.segment(p.first, p.count).squaredNorm();
   }
-  if (!(own > 0.0)) return std::nullopt;
-  return std::sqrt(std::max(scatter, 0.0)) / own;
+  if (!(f.squaredNorm() > 0.0)) return std::nullopt;
+  return std::sqrt(scatter) / f.squaredNorm();
 }
 
 double refined(const Fitting& fitting, double shift, double h, double interval) {
-  double width = h;
-  if (h > 1.5 * interval) {
-    double least = fitting.at(shift).left;
-    const double middle = shift;
-    for (double by = -h; by <= h; by += 0.5 * interval) {
-      const double left = fitting.at(middle + by).left;
-      if (left < least) {
-        least = left;
-        shift = middle + by;
-      }
-    }
-    width = interval;
+  const auto left = [&](double at) { return fitting.at(at).left().squaredNorm(); };
+  const double middle = shift;
+  for (double by = -h; h > 1.5 * interval && by <= h; by += 0.5 * interval) {
+    if (left(middle + by) < left(shift)) shift = middle + by;
   }
-  const auto left = [&](double share) { return fitting.at(shift + share * width).left; };
-  std::uintmax_t evaluations = 60;
-  shift += width * boost::math::tools::brent_find_minima(left, -1.0, 1.0, 26, evaluations).first;
-  for (int pass = 0; pass < 3; ++pass) {
-    const Fit fit = fitting.at(shift);
-    const auto g = total(fitting.effects(fit, shift, 0.01 * interval));
-    if (!(g.own() > 0.0)) break;
-    const double step = (g.dr - g.across() * g.er) / g.own();
-    if (!(std::abs(step) < 0.1 * interval) || !(fitting.at(shift + step).left < fit.left)) break;
-    shift += step;
-  }
-  return shift;
+  LeftAt functor(fitting, shift, interval);
+  Eigen::LevenbergMarquardt<LeftAt> search(functor);
+  search.setFactor(1.0);  // the first step is an interval at most
+  search.setFtol(1e-15);
+  search.setXtol(1e-13);
+  VectorXd x = VectorXd::Zero(1);
+  search.minimize(x);
+  const double found = shift + x[0] * interval;
+  return std::abs(x[0]) <= 1.0 && left(found) < left(shift) ? found : shift;
 }
 
 }  // namespace rotorub

@@ -1,182 +1,148 @@
 #include "compare/measured/lag_search.h"
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+
+#include "compare/metrics/fourier.h"
+#include "compare/metrics/interpolation.h"
 
 namespace rotorub {
 namespace {
 
-using Complex = std::complex<double>;
-using Signal = std::vector<Complex>;
+using Eigen::ArrayXcd;
+using Eigen::ArrayXd;
+using Eigen::Index;
 
-constexpr std::size_t kMostGrid = std::size_t{1} << 19;  // instants of record and run together
-
-// Transforms of one length. FFTW_ESTIMATE: the plan does not hang on what a measurement gave.
-class FourierPair {
- public:
-  explicit FourierPair(std::size_t size)
-      : size_(size),
-        values_(fftw_alloc_complex(size)),
-        forward_(fftw_plan_dft_1d(static_cast<int>(size), values_, values_, FFTW_FORWARD, FFTW_ESTIMATE)),
-        back_(fftw_plan_dft_1d(static_cast<int>(size), values_, values_, FFTW_BACKWARD, FFTW_ESTIMATE)) {}
-  ~FourierPair() {
-    fftw_destroy_plan(forward_);
-    fftw_destroy_plan(back_);
-    fftw_free(values_);
-  }
-  FourierPair(const FourierPair&) = delete;
-  FourierPair& operator=(const FourierPair&) = delete;
-
-  Signal spectrum(const Signal& z) { return through(z, forward_, 1.0); }
-  // sum_j conj(a_j) b_{j + l} at l, negative l from the end; of spectra.
-  Signal correlation(const Signal& a, const Signal& b) {
-    Signal product(size_);
-    for (std::size_t k = 0; k < size_; ++k) product[k] = std::conj(a[k]) * b[k];
-    return through(product, back_, 1.0 / static_cast<double>(size_));
-  }
-
- private:
-  // Padded with zeros to the length.
-  Signal through(const Signal& z, fftw_plan plan, double factor) {
-    for (std::size_t k = 0; k < size_; ++k) {
-      const Complex value = k < z.size() ? z[k] : 0.0;
-      values_[k][0] = value.real();
-      values_[k][1] = value.imag();
-    }
-    fftw_execute(plan);
-    Signal out(size_);
-    for (std::size_t k = 0; k < size_; ++k) out[k] = factor * Complex(values_[k][0], values_[k][1]);
-    return out;
-  }
-
-  std::size_t size_;
-  fftw_complex* values_;
-  fftw_plan forward_, back_;
-};
+constexpr double kMostGrid = 1 << 19;  // instants of record and run together
 
 struct Grid {
-  double h;                       // s
-  std::size_t record, run, size;  // instants; size: of the transforms
+  double h;                 // s
+  Index record, run, size;  // instants; size: of the transforms
 };
 
 Grid grid_of(const MeasuredRecord& record, const SampledRun& run) {
   const double length = run.end() - run.start();
-  const double h = std::max(record.interval, (record.duration() + length) / static_cast<double>(kMostGrid - 2));
-  Grid grid{h, static_cast<std::size_t>(record.duration() / h + 1e-6) + 1,
-            static_cast<std::size_t>(length / h + 1e-6) + 1, 1};
+  const double h = std::max(record.interval, (record.duration() + length) / (kMostGrid - 2.0));
+  const auto instants = [&](double time) { return static_cast<Index>(time / h + 1e-6) + 1; };
+  Grid grid{h, instants(record.duration()), instants(length), 1};
   while (grid.size < grid.record + grid.run) grid.size *= 2;
   return grid;
 }
 
-// On the grid, linear between neighbours; weight 0 in a hole: where they are no good, or far apart.
-void lay_on_grid(const MeasuredRecord& record, const Channel& channel, const Grid& grid, Signal& value,
-                 Signal& weight) {
-  value.assign(grid.record, 0.0);
-  weight.assign(grid.record, 0.0);
-  std::vector<std::size_t> good;
-  for (std::size_t i = 0; i < record.t.size(); ++i) {
-    if (is_good(channel, i)) good.push_back(i);
+// The record on the grid, linear between neighbours, and whether it is there: 1, or 0 in a hole,
+// where neighbours are far apart.
+void lay_on_grid(const MeasuredRecord& record, const Channel& channel, const Grid& grid,
+                 ArrayXcd& value, ArrayXcd& there) {
+  value = there = ArrayXcd::Zero(grid.size);
+  if (channel.good.size() < 2) return;
+  std::vector<double> t, x, y;
+  for (std::size_t k = 0; k < channel.good.size(); ++k) {
+    t.push_back((record.t[channel.good[k]] - record.t.front()) / grid.h);
+    x.push_back(channel.value[static_cast<Index>(k)].real());
+    y.push_back(channel.value[static_cast<Index>(k)].imag());
   }
-  const double far = 2.5 * std::max(record.interval, grid.h);
-  std::size_t k = 0;
-  for (std::size_t j = 0; j < grid.record && good.size() > 1; ++j) {
-    const double at = record.t.front() + static_cast<double>(j) * grid.h;
-    while (k + 2 < good.size() && record.t[good[k + 1]] <= at) ++k;
-    const double a = record.t[good[k]], b = record.t[good[k + 1]], share = (at - a) / (b - a);
-    if (share < -1e-6 || share > 1.0 + 1e-6 || b - a > far) continue;
-    const Complex from = record_value(channel, good[k]), to = record_value(channel, good[k + 1]);
-    value[j] = from + share * (to - from);
-    weight[j] = 1.0;
+  const auto last = static_cast<double>(grid.record - 1);
+  const auto at = even_times(0.0, last, static_cast<std::size_t>(grid.record));
+  const auto real = linear(t, x, at), imag = linear(t, y, at);
+  const double far = 2.5 * std::max(record.interval / grid.h, 1.0);
+  for (std::size_t k = 0; k + 1 < t.size(); ++k) {
+    if (t[k + 1] - t[k] > far) continue;
+    for (double j = std::ceil(t[k] - 1e-6); j <= std::min(t[k + 1] + 1e-6, last); j += 1.0) {
+      const auto i = static_cast<std::size_t>(j);
+      value[static_cast<Index>(i)] = {real[i], imag[i]};
+      there[static_cast<Index>(i)] = 1.0;
+    }
   }
-}
-
-Signal squares(const Signal& z) {
-  Signal out;
-  for (const Complex& value : z) out.emplace_back(std::norm(value));
-  return out;
 }
 
 // Sums over the samples in common at each lag, of one channel or of several.
 struct LagSums {
-  std::vector<double> record, run, both_real, overlap;
-  Signal both;  // of pairs
+  ArrayXd record, run, both, overlap;
+  ArrayXcd turned;  // of pairs whose angle is free
+  explicit LagSums(Index size)
+      : record(ArrayXd::Zero(size)), run(record), both(record), overlap(record), turned(record) {}
 };
 
-void add_channel(const MeasuredRecord& record, const SampledRun& run, const Channel& channel, const Grid& grid,
-                 std::optional<double> angle, FourierPair& fourier, LagSums& sums) {
-  Signal m, w;
+void add_channel(const MeasuredRecord& record, const SampledRun& run, const Channel& channel,
+                 const Grid& grid, std::optional<double> angle, LagSums& sums) {
+  Eigen::FFT<double> fourier;
+  const auto spectrum = [&](const ArrayXcd& z) {
+    const Eigen::VectorXcd in = z.matrix();
+    Eigen::VectorXcd out;
+    fourier.fwd(out, in);
+    return out;
+  };
+  // sum_j conj(a_j) b_{j + l} at l, negative l from the end; of spectra.
+  const auto correlated = [&](const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
+    const Eigen::VectorXcd product = a.conjugate().cwiseProduct(b);
+    Eigen::VectorXcd out;
+    fourier.inv(out, product);
+    return ArrayXcd(out);
+  };
+
+  ArrayXcd m, w, s = ArrayXcd::Zero(grid.size), v = s;
   lay_on_grid(record, channel, grid, m, w);
-  std::vector<double> t;
-  for (std::size_t k = 0; k < grid.run; ++k) t.push_back(run.start() + static_cast<double>(k) * grid.h);
-  const Signal s = run_values(channel, run, sample_times(t, grid.h));
-  const auto w_ = fourier.spectrum(w), m_ = fourier.spectrum(m), mm_ = fourier.spectrum(squares(m));
-  const auto v_ = fourier.spectrum(Signal(grid.run, 1.0)), s_ = fourier.spectrum(s), ss_ = fourier.spectrum(squares(s));
-  const auto count = fourier.correlation(w_, v_), sum_m = fourier.correlation(m_, v_),
-             sum_s = fourier.correlation(w_, s_);
-  const auto sum_mm = fourier.correlation(mm_, v_), sum_ss = fourier.correlation(w_, ss_),
-             sum_ms = fourier.correlation(m_, s_);
-  const double weight = 1.0 / (channel.scale * channel.scale);
-  const Complex turn = std::polar(1.0, -angle.value_or(0.0));
-  for (std::size_t l = 0; l < grid.size; ++l) {
-    const double n = std::max(count[l].real(), 1.0);
-    sums.overlap[l] = std::max(sums.overlap[l], count[l].real());
-    sums.record[l] += weight * std::max(0.0, sum_mm[l].real() - std::norm(sum_m[l]) / n);
-    sums.run[l] += weight * std::max(0.0, sum_ss[l].real() - std::norm(sum_s[l]) / n);
-    // sum_m holds the conjugate of the record's sum.
-    const Complex both = weight * (sum_ms[l] - sum_m[l] * sum_s[l] / n);
-    if (channel.is_pair() && !angle) {
-      sums.both[l] += both;
-    } else {
-      sums.both_real[l] += (channel.is_pair() ? turn * both : both).real();
-    }
+  const double end = run.start() + static_cast<double>(grid.run - 1) * grid.h;
+  const auto t = even_times(run.start(), end, static_cast<std::size_t>(grid.run));
+  s.head(grid.run) = channel.of(run, sample_times(t, grid.h)).array();
+  v.head(grid.run) = 1.0;
+
+  const auto M = spectrum(m), W = spectrum(w), S = spectrum(s), V = spectrum(v);
+  const ArrayXd count = correlated(W, V).real(), n = count.max(1.0);
+  const ArrayXcd sum_m = correlated(M, V), sum_s = correlated(W, S);  // sum_m: of conjugates
+  sums.overlap = sums.overlap.max(count);
+  sums.record += (correlated(spectrum(m.abs2()), V).real() - sum_m.abs2() / n).max(0.0);
+  sums.run += (correlated(W, spectrum(s.abs2())).real() - sum_s.abs2() / n).max(0.0);
+  const ArrayXcd both = correlated(M, S) - sum_m * sum_s / n;
+  if (channel.pair && !angle) {
+    sums.turned += both;
+  } else {
+    sums.both += (both * std::polar(1.0, channel.pair ? -*angle : 0.0)).real();
   }
 }
 
 }  // namespace
 
-std::vector<LagScore> lag_scores(const MeasuredRecord& record, const SampledRun& run, std::span<const Channel> channels,
-                                 std::optional<double> angle) {
+std::vector<LagScore> lag_scores(const MeasuredRecord& record, const SampledRun& run,
+                                 std::span<const Channel> channels, std::optional<double> angle) {
   const Grid grid = grid_of(record, run);
-  FourierPair fourier(grid.size);
-  LagSums sums;
-  for (auto* all : {&sums.record, &sums.run, &sums.both_real, &sums.overlap}) all->assign(grid.size, 0.0);
-  sums.both.assign(grid.size, 0.0);
-  for (const Channel& channel : channels) add_channel(record, run, channel, grid, angle, fourier, sums);
-
-  const double most = *std::max_element(sums.overlap.begin(), sums.overlap.end());
+  LagSums sums(grid.size);
+  for (const Channel& channel : channels) add_channel(record, run, channel, grid, angle, sums);
+  const double least =
+      std::max(kLeastOverlap * sums.overlap.maxCoeff(), static_cast<double>(kLeastSamples));
   std::vector<LagScore> scores;
-  const auto first = -static_cast<std::ptrdiff_t>(grid.record) + 1;
-  for (std::ptrdiff_t lag = first; lag < static_cast<std::ptrdiff_t>(grid.run); ++lag) {
-    const auto l = static_cast<std::size_t>(lag < 0 ? lag + static_cast<std::ptrdiff_t>(grid.size) : lag);
+  for (Index lag = 1 - grid.record; lag < grid.run; ++lag) {
+    const Index l = lag < 0 ? lag + grid.size : lag;
     const double size = std::sqrt(sums.record[l] * sums.run[l]);
-    if (sums.overlap[l] < std::max(kLeastOverlap * most, static_cast<double>(kLeastSamples)) || !(size > 0.0)) continue;
-    const double correlation = (std::abs(sums.both[l]) + sums.both_real[l]) / size;
-    scores.push_back(
-        {run.start() - record.t.front() + static_cast<double>(lag) * grid.h, std::clamp(correlation, -1.0, 1.0)});
+    if (sums.overlap[l] < least || !(size > 0.0)) continue;
+    const double correlation = (std::abs(sums.turned[l]) + sums.both[l]) / size;
+    scores.push_back({run.start() - record.t.front() + static_cast<double>(lag) * grid.h,
+                      std::clamp(correlation, -1.0, 1.0)});
   }
   return scores;
 }
 
 BestLags best_lags(std::span<const LagScore> scores) {
-  const auto less = [](const LagScore& a, const LagScore& b) { return a.correlation < b.correlation; };
+  const auto less = [](const LagScore& a, const LagScore& b) {
+    return a.correlation < b.correlation;
+  };
   const auto best = std::max_element(scores.begin(), scores.end(), less);
-  const auto in_valley = [&](const LagScore& s) { return s.correlation < kValley * best->correlation; };
+  const auto in_valley = [&](const LagScore& s) {
+    return s.correlation < kValley * best->correlation;
+  };
   const auto after = std::find_if(best, scores.end(), in_valley);
-  const auto before = std::find_if(std::make_reverse_iterator(best), scores.rend(), in_valley).base();
-  BestLags found{static_cast<std::size_t>(best - scores.begin()), {}};
+  const auto before =
+      std::find_if(std::make_reverse_iterator(best), scores.rend(), in_valley).base();
   // A slope up to the valley's edge is no peak.
   const auto is_peak = [&](auto at) {
-    return (at == scores.begin() || !less(*at, *(at - 1))) && (at + 1 == scores.end() || !less(*at, *(at + 1)));
+    return (at == scores.begin() || !less(*at, *(at - 1))) &&
+           (at + 1 == scores.end() || !less(*at, *(at + 1)));
   };
-  for (const auto& [from, to] : {std::pair{scores.begin(), before}, std::pair{after, scores.end()}}) {
-    for (auto at = from; at != to; ++at) {
-      if (!is_peak(at)) continue;
-      const auto next = static_cast<std::size_t>(at - scores.begin());
-      if (!found.next || less(scores[*found.next], scores[next])) found.next = next;
-    }
+  BestLags found{*best, {}};
+  for (auto at = scores.begin(); at != scores.end(); ++at) {
+    if (at == before) at = after;
+    if (at == scores.end()) break;
+    if (is_peak(at) && (!found.next || less(*found.next, *at))) found.next = *at;
   }
   return found;
 }

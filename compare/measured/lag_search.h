@@ -1,5 +1,6 @@
-// Every shift that lays a record on a run, on an even grid: correlation by Fourier transforms (FFTW), of values with
-// holes (D. Padfield, "Masked object registration in the Fourier domain", IEEE Trans. Image Process. 21, 2012).
+// Every shift that lays a record on a run, on an even grid: correlation by Fourier transforms, of
+// values with holes (D. Padfield, "Masked object registration in the Fourier domain", IEEE Trans.
+// Image Process. 21, 2012).
 #pragma once
 
 #include <optional>
@@ -10,27 +11,30 @@
 
 namespace rotorub {
 
-// What is known of a shift. With m the record's values, s the run's at the same instants, each less its mean over
-// the samples that both have, sigma the scale of a channel and sums over samples and channels,
+// What is known of a shift. With m the record's values, s the run's at the same instants, each less
+// its mean over the samples that both have and over the scale of its channel, and sums over samples
+// and channels,
 //
-//   correlation = Re sum conj(e^{i A} m) s / sigma^2  /  sqrt(sum |m|^2 / sigma^2  sum |s|^2 / sigma^2),
+//   correlation = Re sum conj(e^{i A} m) s  /  sqrt(sum |m|^2  sum |s|^2),
 //
-// A = arg sum conj(m) s / sigma^2 over the pairs, or as given.
+// A = arg sum conj(m) s over the pairs, or as given.
 struct LagScore {
   double shift = 0.0;        // s, added to the record's times
   double correlation = 0.0;  // [-1, 1]
 };
 
-// Ascending in shift, a grid interval apart: those at which record and run have at least kLeastOverlap of the shorter
-// one's samples in common, whatever the clock's zero. The interval is the record's, more where that would be too many.
+// Ascending in shift, a grid interval apart: those at which record and run have at least
+// kLeastOverlap of the shorter one's samples in common, whatever the clock's zero. The interval is
+// the record's, more where that would be too many.
 inline constexpr double kLeastOverlap = 0.5;
-std::vector<LagScore> lag_scores(const MeasuredRecord& record, const SampledRun& run, std::span<const Channel> channels,
-                                 std::optional<double> angle);
+std::vector<LagScore> lag_scores(const MeasuredRecord& record, const SampledRun& run,
+                                 std::span<const Channel> channels, std::optional<double> angle);
 
-// The best, and the best other peak that a valley parts from it (correlations below kValley of the best).
+// The best, and the best other peak that a valley parts from it (correlations below kValley of the
+// best).
 struct BestLags {
-  std::size_t best = 0;
-  std::optional<std::size_t> next;
+  LagScore best;
+  std::optional<LagScore> next;
 };
 inline constexpr double kValley = 0.9;
 BestLags best_lags(std::span<const LagScore> scores);  // scores: one or more

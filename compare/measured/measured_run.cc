@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -13,10 +14,13 @@
 namespace rotorub {
 namespace {
 
+using Eigen::ArrayXd;
+
 // A record being laid beside its runs.
 class LayingIn {
  public:
-  LayingIn(MeasuredRecord record, const scene::Scene& scene) : record_(std::move(record)), scene_(scene) {
+  LayingIn(MeasuredRecord record, const scene::Scene& scene)
+      : record_(std::move(record)), scene_(scene) {
     out_.file = record_.file;
     out_.interval = record_.interval;
     out_.samples = record_.t.size();
@@ -44,93 +48,92 @@ class LayingIn {
   }
 
  private:
-  // Drops columns that no run has, and says so.
-  void keep_comparable(const std::vector<SampledRun>& runs) {
-    std::vector<MeasuredColumn> kept;
-    for (MeasuredColumn& c : record_.columns) {
-      const bool contact = c.what->name != "gap" && c.what->name != kContactForce && c.what->name != "normal_force" &&
-                                   c.what->name != "friction_force"
-                               ? true
-                               : scene_.contact.has_value();
-      const bool have = contact && std::all_of(runs.begin(), runs.end(), [&](const auto& r) { return r.has(*c.what); });
-      if (have) {
-        kept.push_back(std::move(c));
-      } else {
-        out_.remarks.push_back(fmt::format("{} is left out: the scene's runs have no such quantity", c.what->name));
-      }
-    }
-    record_.columns = std::move(kept);
-    if (record_.columns.empty()) throw MeasuredError("no column of the record is a quantity of the scene's runs");
-    if (!record_.left_out.empty()) {
-      std::string names;
-      for (const std::string& name : record_.left_out) names += (names.empty() ? "" : ", ") + name;
-      out_.remarks.push_back("not compared: " + names);
-    }
-    if (!record_.has_units) out_.remarks.push_back("the header has no unit: all is taken in SI");
+  template <class... Words>
+  void remark(fmt::format_string<Words...> text, Words&&... words) {
+    out_.remarks.push_back(fmt::format(text, std::forward<Words>(words)...));
   }
 
-  // A unit that is wrong by a prefix: an orbit a thousand times that of the run, or a thousandth. A model that is right
-  // to a factor of 30 is still one to be compared.
+  // Drops columns that no run has, and says so.
+  void keep_comparable(const std::vector<SampledRun>& runs) {
+    std::erase_if(record_.columns, [&](const MeasuredColumn& c) {
+      const auto lacks = [&](const SampledRun& run) { return !run.has(*c.what); };
+      const bool of_contact = c.what->name == "gap" || c.what->name.ends_with("force");
+      const bool none =
+          (of_contact && !scene_.contact) || std::any_of(runs.begin(), runs.end(), lacks);
+      if (none) remark("{} is left out: the scene's runs have no such quantity", c.what->name);
+      return none;
+    });
+    if (record_.columns.empty()) {
+      throw MeasuredError("no column of the record is a quantity of the scene's runs");
+    }
+    if (!record_.left_out.empty()) remark("not compared: {}", fmt::join(record_.left_out, ", "));
+    if (!record_.has_units) remark("the header has no unit: all is taken in SI");
+  }
+
+  // A unit that is wrong by a prefix: an orbit a thousand times that of the run, or a thousandth. A
+  // model that is right to a factor of 30 is still one to be compared.
   void refuse_other_units(const Trajectory& native) const {
     constexpr double kFar = 100.0;
     for (const MeasuredColumn& c : record_.columns) {
-      if (!c.what->name.starts_with("rotor_") || !native.has(std::string(c.what->series))) continue;
-      double measured = 0.0, run = 0.0;
-      for (std::size_t i = 0; i < c.value.size(); ++i) {
-        if (c.sample[i] != Sample::kMissing) measured = std::max(measured, std::abs(c.value[i]));
-      }
-      for (const double x : native.column(std::string(c.what->series))) run = std::max(run, std::abs(x));
+      if (!c.what->name.starts_with("rotor_")) continue;
+      const auto largest = [](const std::vector<double>& y) {
+        return Eigen::Map<const ArrayXd>(y.data(), static_cast<Eigen::Index>(y.size()))
+            .abs()
+            .maxCoeff();
+      };
+      const double measured = largest(c.value);  // what is missing is 0
+      const double run = largest(native.column(std::string(c.what->series)));
       if (measured == 0.0 || run == 0.0) continue;
       if (measured < kFar * run && run < kFar * measured) continue;
       throw MeasuredError(fmt::format(
-          "{}: reaches {:.3g} m, and the native run {:.3g} m, {:.2g} times as far: is its unit right? Accepted is the unit "
-          "in the header that the numbers are in, as rotor_x [um]",
+          "{}: reaches {:.3g} m, and the native run {:.3g} m, {:.2g} times as far: is its unit "
+          "right? Accepted is the unit in the header that the numbers are in, as rotor_x [um]",
           c.header, measured, run, run / measured));
     }
   }
 
-  // Those on the native run.
+  // Those on the native run. A sample that reaches beyond its ends is averaged over what no run
+  // has.
   void keep_samples(const SampledRun& native) {
-    const double shift = out_.alignment.shift, slack = 1e-6 * record_.interval;
-    for (std::size_t i = 0; i < record_.t.size(); ++i) {
-      const double t = record_.t[i] + shift;
-      if (t >= native.start() - slack && t <= native.end() + slack) on_.push_back(i);
-    }
-    const SampleTimes all = shifted(sample_times(record_.t, record_.interval), shift);
-    for (const std::size_t i : on_) {
+    const double slack = 1e-6 * record_.interval;
+    const double start = native.start() - slack, end = native.end() + slack;
+    const SampleTimes all =
+        shifted(sample_times(record_.t, record_.interval), out_.alignment.shift);
+    for (std::size_t i = 0; i < all.t.size(); ++i) {
+      if (all.t[i] < start || all.t[i] > end) continue;
+      on_.push_back(i);
       times_.t.push_back(std::clamp(all.t[i], native.start(), native.end()));
       times_.from.push_back(all.from[i]);
       times_.to.push_back(all.to[i]);
+      whole_.push_back(all.from[i] >= start && all.to[i] <= end);
     }
-    // A sample that reaches beyond the run's ends is averaged over what no run has.
-    for (std::size_t k = 0; k < on_.size(); ++k) {
-      whole_.push_back(times_.from[k] >= native.start() - slack && times_.to[k] <= native.end() + slack);
-    }
-    if (on_.size() < record_.t.size()) {
-      out_.remarks.push_back(fmt::format("{} of {} samples lie on the run", on_.size(), record_.t.size()));
+    if (on_.size() < all.t.size()) {
+      remark("{} of {} samples lie on the run", on_.size(), all.t.size());
     }
   }
 
   void hold(const MeasuredColumn& c, const std::vector<SampledRun>& runs) {
     HeldColumn held{c.what, {}, {}, {}};
     for (std::size_t k = 0; k < on_.size(); ++k) {
+      const bool unknown = c.what->series.empty() && !whole_[k];
       held.measured.push_back(c.value[on_[k]]);
-      held.sample.push_back(c.what->series.empty() && !whole_[k] ? Sample::kMissing : c.sample[on_[k]]);
+      held.sample.push_back(unknown ? Sample::kMissing : c.sample[on_[k]]);
     }
-    for (const SampledRun& run : runs) held.runs.push_back(values_in_frame(run, *c.what, times_, out_.alignment.angle));
-    ColumnFit fit{c.what};
-    for (const Sample s : held.sample) {
-      fit.good += s == Sample::kGood ? 1 : 0;
-      fit.missing += s == Sample::kMissing ? 1 : 0;
-      fit.clipped += s == Sample::kClipped ? 1 : 0;
+    for (const SampledRun& run : runs) {
+      held.runs.push_back(run.values(*c.what, times_, out_.alignment.angle));
     }
+    const auto count = [&](Sample kind) {
+      return static_cast<std::size_t>(std::count(held.sample.begin(), held.sample.end(), kind));
+    };
+    ColumnFit fit{c.what, count(Sample::kGood), count(Sample::kMissing), count(Sample::kClipped)};
     if (fit.clipped > 0) {
-      out_.remarks.push_back(
-          fmt::format("{}: {} samples at the sensor's limit are left out of residuals, and make extremes bounds",
-                      c.what->name, fit.clipped));
+      remark(
+          "{}: {} samples at the sensor's limit are left out of residuals, and make extremes "
+          "bounds",
+          c.what->name, fit.clipped);
     }
     if (fit.good == 0) {
-      out_.remarks.push_back(fmt::format("{} is left out: no good sample on the run", c.what->name));
+      remark("{} is left out: no good sample on the run", c.what->name);
       return;
     }
     for (const auto& values : held.runs) fit.runs.push_back(residual_of(held, values, fit.good));
@@ -138,21 +141,17 @@ class LayingIn {
     held_.push_back(std::move(held));
   }
 
-  static ColumnResidual residual_of(const HeldColumn& c, const std::vector<double>& run, std::size_t good) {
-    const auto n = static_cast<double>(good);
-    double square = 0.0, sum = 0.0, mean = 0.0, spread = 0.0;
-    for (std::size_t i = 0; i < run.size(); ++i) {
+  static ColumnResidual residual_of(const HeldColumn& c, const std::vector<double>& values,
+                                    std::size_t good) {
+    ArrayXd left(static_cast<Eigen::Index>(good)), run(left.size());
+    Eigen::Index k = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
       if (c.sample[i] != Sample::kGood) continue;
-      const double left = c.measured[i] - run[i];
-      square += left * left;
-      sum += left;
-      mean += run[i] / n;
+      run[k] = values[i];
+      left[k++] = c.measured[i] - values[i];
     }
-    for (std::size_t i = 0; i < run.size(); ++i) {
-      if (c.sample[i] == Sample::kGood) spread += (run[i] - mean) * (run[i] - mean);
-    }
-    ColumnResidual r{std::sqrt(square / n), sum / n, {}};
-    const double deviation = std::sqrt(spread / n);
+    ColumnResidual r{std::sqrt(left.square().mean()), left.mean(), {}};
+    const double deviation = std::sqrt((run - run.mean()).square().mean());
     if (deviation > 0.0) r.share = r.rms / deviation;
     return r;
   }
@@ -162,15 +161,25 @@ class LayingIn {
     if (scene_.contact) facts.clearance = scene_.contact->clearance;
     // From the run's own rows, as fine as they are.
     constexpr std::size_t kMost = 1 << 14;
-    const double from = times_.t.front(), to = times_.t.back();
+    const double from = times_.t.front(), to = times_.t.back(), rate = 1.0 / record_.interval;
     const std::size_t count = std::clamp<std::size_t>(native.rows(), 8, kMost);
-    double frequency = 0.0;
+    std::optional<DominantWhirl> whirl;
     if (to > from && native.has("rotor_vx")) {
-      const auto whirl =
-          dominant_whirl(even_orbit(native, from, to, count), (to - from) / static_cast<double>(count - 1));
-      if (whirl) frequency = whirl->frequency;
+      const double h = (to - from) / static_cast<double>(count - 1);
+      whirl = dominant_whirl(even_orbit(native, from, to, count), h);
     }
-    out_.figures = figures_of(held_, facts, frequency, out_.remarks);
+    facts.rate_tells = !whirl || std::abs(whirl->frequency) < kMostOfRate * rate;
+    const auto is_held = [&](std::string_view name) {
+      return std::any_of(held_.begin(), held_.end(),
+                         [&](const HeldColumn& c) { return c.what->name == name; });
+    };
+    if (!facts.rate_tells && is_held("rotor_x") && is_held("rotor_y")) {
+      remark(
+          "no frequency: the native rotor's {:.4g} Hz is beyond {:.0f} % of the sample rate, "
+          "{:.4g} Hz",
+          whirl->frequency, 100.0 * kMostOfRate, rate);
+    }
+    out_.figures = figures_of(held_, facts);
   }
 
   void lay_into_the_scene(const std::vector<SampledRun>& runs) {
@@ -179,20 +188,21 @@ class LayingIn {
     laid.interval = record_.interval;
     laid.t = times_.t;
     const std::complex<double> turn = std::polar(1.0, out_.alignment.angle);
-    for (std::size_t k = 0; k < held_.size(); ++k) {
-      const HeldColumn& x = held_[k];
-      MeasuredColumn own{x.what, std::string(x.what->name), x.measured, x.sample};
-      if (x.what->axis == Axis::kNone || out_.alignment.angle == 0.0) {
-        laid.columns.push_back(std::move(own));
+    for (auto x = held_.begin(); x != held_.end(); ++x) {
+      const auto column = [](const HeldColumn& c) {
+        return MeasuredColumn{c.what, std::string(c.what->name), c.measured, c.sample};
+      };
+      if (x->what->axis == Axis::kNone || out_.alignment.angle == 0.0) {
+        laid.columns.push_back(column(*x));
         continue;
       }
-      if (x.what->axis != Axis::kX) continue;
-      const Measurable* across = x.what + 1;
-      const auto y = std::find_if(held_.begin(), held_.end(), [&](const auto& c) { return c.what == across; });
-      if (y == held_.end()) continue;
-      MeasuredColumn other{across, std::string(across->name), y->measured, y->sample};
+      // A pair is turned; an axis alone cannot be.
+      const auto y = std::find_if(held_.begin(), held_.end(),
+                                  [&](const HeldColumn& c) { return c.what == x->what + 1; });
+      if (x->what->axis != Axis::kX || y == held_.end()) continue;
+      MeasuredColumn own = column(*x), other = column(*y);
       for (std::size_t i = 0; i < own.value.size(); ++i) {
-        const std::complex<double> z = turn * std::complex<double>(own.value[i], other.value[i]);
+        const auto z = turn * std::complex<double>(own.value[i], other.value[i]);
         own.value[i] = z.real();
         other.value[i] = z.imag();
         const auto is = [&](Sample s) { return own.sample[i] == s || other.sample[i] == s; };
@@ -219,8 +229,8 @@ class LayingIn {
 
 }  // namespace
 
-MeasuredRun lay_in(MeasuredRecord record, const AlignmentOptions& options, const scene::Scene& scene,
-                   const std::vector<RunToHold>& runs) {
+MeasuredRun lay_in(MeasuredRecord record, const AlignmentOptions& options,
+                   const scene::Scene& scene, const std::vector<RunToHold>& runs) {
   return LayingIn(std::move(record), scene).beside(runs, options);
 }
 

@@ -1,6 +1,6 @@
-// A measured run laid beside simulated ones: aligned in time and frame with the first, and held against each of them
-// sample by sample. Like is compared with like: the runs are taken at the record's samples, and averaged over one where
-// the sensor is.
+// A measured run laid beside simulated ones: aligned in time and frame with the first, and held
+// against each of them sample by sample. Like is compared with like: the runs are taken at the
+// record's samples, and averaged over one where the sensor is.
 #pragma once
 
 #include <optional>
@@ -32,9 +32,10 @@ struct MeasuredFigure {
 
 // What is left of a column against one run, over its good samples. SI, in the frame of the sensors.
 struct ColumnResidual {
-  double rms = 0.0;             // of record - run
-  double offset = 0.0;          // mean of record - run: a sensor's zero, or a bias of the model
-  std::optional<double> share;  // rms over the run's deviation from its mean; none where the run does not move
+  double rms = 0.0;     // of record - run
+  double offset = 0.0;  // mean of record - run: a sensor's zero, or a bias of the model
+  std::optional<double>
+      share;  // rms over the run's deviation from its mean; none where the run does not move
 };
 struct ColumnFit {
   const Measurable* what = nullptr;
@@ -51,10 +52,11 @@ struct MeasuredRun {
   std::vector<ColumnFit> columns;
   std::vector<MeasuredFigure> figures;
   std::vector<std::string> remarks;  // sentences: what was left out, and why
-  // For plots and player: the samples on the run, by the scene's clock, x and y of a pair turned into its frame; a
-  // column along x or y alone only where the frames are the same.
+  // For plots and player: the samples on the run, by the scene's clock, x and y of a pair turned
+  // into its frame; a column along x or y alone only where the frames are the same.
   MeasuredRecord laid;
-  std::vector<std::vector<double>> forces;  // N, of each run averaged over each of laid.t; empty: not measured
+  std::vector<std::vector<double>>
+      forces;  // N, of each run averaged over each of laid.t; empty: not measured
 };
 
 // Which figures there can be, for documents: their values are 0.
@@ -65,9 +67,9 @@ struct RunToHold {
   const Trajectory* trajectory = nullptr;
 };
 
-// runs: native first; only those with two rows or more are held against it. The record is as it was read.
-// Throws MeasuredError, as align().
-MeasuredRun lay_in(MeasuredRecord record, const AlignmentOptions& options, const scene::Scene& scene,
-                   const std::vector<RunToHold>& runs);
+// runs: native first; only those with two rows or more are held against it. The record is as it was
+// read. Throws MeasuredError, as align().
+MeasuredRun lay_in(MeasuredRecord record, const AlignmentOptions& options,
+                   const scene::Scene& scene, const std::vector<RunToHold>& runs);
 
 }  // namespace rotorub

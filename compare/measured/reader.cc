@@ -3,25 +3,110 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
+#include <boost/tokenizer.hpp>
 #include <charconv>
 #include <cmath>
 
-#include "compare/measured/header.h"
+#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/printable.h"
 #include "native_model/scene/regular_file.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 namespace {
 
-using scene::Diagnostic;
 using scene::printable;
+using Fields = std::vector<std::string>;
 
 constexpr double kLargestValue = 1e60;  // SI; sums of squares stay finite
+constexpr std::string_view kTime = "t";
+
+// Without blanks and double quotes around them. A separator in quotes is none.
+Fields fields_of(std::string_view line, char separator) {
+  using Separator = boost::escaped_list_separator<char>;
+  const std::string text(line);
+  const Separator parts("", std::string(1, separator), "\"");
+  Fields fields;
+  for (const std::string& field : boost::tokenizer<Separator>(text, parts)) {
+    fields.push_back(boost::trim_copy(field));
+  }
+  return fields;
+}
+
+char separator_of(std::string_view header) {
+  for (const char separator : {'\t', ';'}) {
+    if (fields_of(header, separator).size() > 1) return separator;
+  }
+  return ',';
+}
+
+const Measurable* measurable(std::string_view name) {
+  for (const Measurable& m : measurables()) {
+    if (name == m.name || (!m.other.empty() && name == m.other)) return &m;
+  }
+  return nullptr;
+}
+
+// Of the product's own series: by its name, or numbered from 1 ("x_2"). What a law shows of itself
+// ("control_<name>") counts too.
+bool is_own_column(std::string_view name) {
+  for (const ColumnMeaning& c : series_columns()) {
+    const std::string_view own = c.name;
+    if (name == own) return true;
+    const std::size_t variable = own.find('<');
+    if (variable == std::string_view::npos || !name.starts_with(own.substr(0, variable))) continue;
+    const std::string_view rest = name.substr(variable);
+    const bool number = rest.find_first_not_of("0123456789") == std::string_view::npos;
+    if (!rest.empty() && (number || own.substr(variable) != "<n>")) return true;
+  }
+  return false;
+}
+
+std::string accepted_names() {
+  std::string all(kTime);
+  for (const Measurable& m : measurables()) all += fmt::format(", {}", m.name);
+  return all;
+}
+
+std::string unknown_reason(std::string_view name) {
+  std::vector<std::string_view> names{kTime};
+  for (const Measurable& m : measurables()) names.push_back(m.name);
+  const std::string_view near = scene::nearest(name, names);
+  return fmt::format("no such column{}; accepted are {}, each with its unit in [ ]",
+                     near.empty() ? "" : fmt::format(", did you mean {}?", near), accepted_names());
+}
+
+// A column by its header: "rotor_x [um]" is a name and a unit; without brackets a name alone.
+struct Head {
+  std::string text, name, unit;
+  bool has_unit = false;
+  bool closed = true;                // the bracket, and nothing stands behind it
+  const Measurable* what = nullptr;  // null: the time, or a column that is left out
+  double factor = 1.0;               // SI = value * factor
+  bool is_time() const { return name == kTime; }
+  bool read() const { return is_time() || what; }
+  const scene::Quantity& quantity() const { return is_time() ? scene::kTime : what->quantity; }
+
+  explicit Head(const std::string& field) : text(field), name(field) {
+    if (const std::size_t open = field.find_first_of("[("); open != std::string::npos) {
+      has_unit = true;
+      name = boost::trim_copy(field.substr(0, open));
+      unit = field.substr(open + 1);
+      closed = !unit.empty() && unit.find(field[open] == '[' ? ']' : ')') == unit.size() - 1;
+      if (closed) unit.pop_back();
+      boost::trim(unit);
+    }
+    what = measurable(name);
+  }
+};
 
 // One file in the reading.
 class MeasuredFile {
  public:
-  MeasuredFile(std::string_view text, const std::string& file) : text_(text) { record_.file = file; }
+  MeasuredFile(std::string_view text, const std::string& file) : text_(text) {
+    record_.file = file;
+  }
 
   MeasuredRecord read() {
     check_encoding();
@@ -31,15 +116,25 @@ class MeasuredFile {
       take_line(text_.substr(at, end - at), ++line);
       at = end + 1;
     }
-    if (header_.columns.empty() && wrong_.empty()) refuse(0, "", "is empty; accepted is a header and a line a sample");
+    if (heads_.empty()) refuse(0, "", "is empty; accepted is a header and a line a sample");
     if (wrong_.empty() && record_.t.size() < kLeastSamples) {
       refuse(0, "",
-             fmt::format("{} samples, too few to tell anything by; accepted are {} or more", record_.t.size(),
-                         kLeastSamples));
+             fmt::format("{} samples, too few to tell anything by; accepted are {} or more",
+                         record_.t.size(), kLeastSamples));
     }
-    if (wrong_.empty()) check_columns();
+    for (const MeasuredColumn& c : record_.columns) {
+      if (!wrong_.empty() || c.count(Sample::kGood) > 0) continue;
+      refuse(0, printable(c.header),
+             "has no value in any line; accepted is a column less, or one with values");
+    }
     if (!wrong_.empty()) throw scene::SceneError(std::move(wrong_));
-    finish();
+    std::vector<double> apart;
+    for (std::size_t i = 1; i < record_.t.size(); ++i) {
+      apart.push_back(record_.t[i] - record_.t[i - 1]);
+    }
+    const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
+    std::nth_element(apart.begin(), middle, apart.end());
+    record_.interval = *middle;
     return std::move(record_);
   }
 
@@ -52,50 +147,86 @@ class MeasuredFile {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
     const bool wide = text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF");
     if (!wide && text_.find('\0') == std::string_view::npos) return;
-    refuse(0, "", wide ? "is UTF-16; accepted is text in UTF-8" : "is no text; accepted is text in UTF-8");
+    refuse(0, "", fmt::format("is {}; accepted is text in UTF-8", wide ? "UTF-16" : "no text"));
     throw scene::SceneError(std::move(wrong_));
   }
 
   void take_line(std::string_view line, int number) {
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (line.find_first_not_of(" \t") == std::string_view::npos || line[line.find_first_not_of(" \t")] == '#') return;
-    if (header_.columns.empty()) {
-      separator_ = separator_of(line);
-      header_ = read_header(csv_fields(line, separator_), record_.file, number, wrong_);
-      if (!wrong_.empty()) throw scene::SceneError(std::move(wrong_));  // what its fields are is not known
-      start_columns();
-      return;
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string_view::npos || line[begin] == '#') return;
+    if (heads_.empty()) separator_ = separator_of(line);
+    const Fields fields = fields_of(line, separator_);
+    if (heads_.empty()) {
+      take_header(fields, number);
+    } else if (fields.size() != heads_.size()) {
+      refuse(number, "",
+             fmt::format("{} fields where the header has {}", fields.size(), heads_.size()));
+    } else {
+      take_sample(fields, number);
     }
-    const auto fields = csv_fields(line, separator_);
-    if (fields.size() != header_.columns.size()) {
-      refuse(number, "", fmt::format("{} fields where the header has {}", fields.size(), header_.columns.size()));
-      return;
-    }
-    take_sample(fields, number);
   }
 
-  void start_columns() {
-    for (const HeaderColumn& c : header_.columns) {
-      if (c.what) record_.columns.push_back({c.what, c.text, {}, {}});
-      if (!c.read()) record_.left_out.push_back(c.text);
+  void take_header(const Fields& fields, int line) {
+    for (const std::string& field : fields) heads_.emplace_back(field);
+    const auto any = [&](auto is) { return std::any_of(heads_.begin(), heads_.end(), is); };
+    record_.has_units = any([](const Head& h) { return h.has_unit; });
+    for (std::size_t k = 0; k < heads_.size(); ++k) {
+      const Head& head = heads_[k];
+      const std::string reason = fault_of(k);
+      const std::string key = head.name.empty() ? fmt::format("column {}", k + 1) : head.name;
+      if (!reason.empty()) refuse(line, printable(key), reason);
+      if (head.what) record_.columns.push_back({head.what, head.text, {}, {}});
+      if (!head.read()) record_.left_out.push_back(head.text);
     }
-    record_.has_units = header_.has_units;
+    if (!any([](const Head& h) { return h.is_time(); })) {
+      refuse(line, "t", "no such column in the header: a record needs its times, as t [ms]");
+    }
+    if (record_.columns.empty() && wrong_.empty()) {
+      refuse(line, "", "nothing measured beside t; accepted are " + accepted_names());
+    }
+    if (!wrong_.empty())
+      throw scene::SceneError(std::move(wrong_));  // what fields are is not known
   }
 
-  void take_sample(const std::vector<std::string>& fields, int number) {
+  // What is wrong with a column, or nothing; then its factor is known.
+  std::string fault_of(std::size_t k) {
+    Head& head = heads_[k];
+    if (head.name.empty()) return "has no name; accepted are " + accepted_names();
+    if (!head.read()) return is_own_column(head.name) ? "" : unknown_reason(head.name);
+    for (std::size_t before = 0; before < k; ++before) {
+      if (heads_[before].read() && heads_[before].what == head.what) {
+        return "stands twice in the header; accepted is once";
+      }
+    }
+    const scene::Quantity& quantity = head.quantity();
+    if (!head.has_unit && record_.has_units) {
+      return fmt::format(
+          "has no unit, which other columns have; accepted is {} [{}] with any of {}", head.name,
+          quantity.unit, quantity.examples);
+    }
+    if (!head.has_unit) return {};
+    if (!head.closed) {
+      return "its bracket is not closed behind the unit; accepted is a header as rotor_x [um]";
+    }
+    if (head.unit.empty()) {
+      return fmt::format("its brackets hold no unit; accepted are {}", quantity.examples);
+    }
+    const auto one = scene::parse_quantity(fmt::format("1 {}", head.unit), quantity);
+    if (!one.error.empty()) return one.error;
+    head.factor = one.value;
+    const bool is_unit = head.factor > 0.0 && std::isfinite(head.factor);
+    return is_unit ? "" : "its unit is none to measure in";
+  }
+
+  void take_sample(const Fields& fields, int line) {
     std::size_t column = 0;
     for (std::size_t k = 0; k < fields.size(); ++k) {
-      const HeaderColumn& head = header_.columns[k];
-      if (!head.read()) continue;
-      double value = 0.0;
+      const Head& head = heads_[k];
       const bool missing = fields[k].empty();
-      if (missing && head.is_time) {
-        refuse(number, "t", "is empty; accepted is a time in every line");
-      } else if (!missing) {
-        value = number_of(fields[k], head, number);
-      }
-      if (head.is_time) {
-        take_time(value, fields[k], number);
+      if (!head.read()) continue;
+      const double value = missing ? 0.0 : number_of(fields[k], head, line);
+      if (head.is_time()) {
+        take_time(value, fields[k], line);
       } else {
         record_.columns[column].value.push_back(value);
         record_.columns[column].sample.push_back(missing ? Sample::kMissing : Sample::kGood);
@@ -104,70 +235,57 @@ class MeasuredFile {
     }
   }
 
-  void take_time(double t, const std::string& field, int number) {
-    if (!record_.t.empty() && wrong_.empty() && !(t > record_.t.back())) {
-      refuse(
-          number, "t",
-          fmt::format("{} is not after the time of the line before; accepted are times that ascend", printable(field)));
+  void take_time(double t, const std::string& field, int line) {
+    if (field.empty()) {
+      refuse(line, "t", "is empty; accepted is a time in every line");
+    } else if (!record_.t.empty() && wrong_.empty() && !(t > record_.t.back())) {
+      refuse(line, "t",
+             fmt::format("{} is not after the time of the line before; accepted are times that "
+                         "ascend",
+                         printable(field)));
     }
     record_.t.push_back(t);
   }
 
   // SI.
-  double number_of(const std::string& field, const HeaderColumn& head, int line) {
+  double number_of(const std::string& field, const Head& head, int line) {
     const auto fail = [&](const std::string& reason) {
       refuse(line, printable(head.text), fmt::format("`{}` {}", printable(field), reason));
       return 0.0;
     };
-    std::string text = field;
-    if (text.starts_with('+')) text.erase(0, 1);
-    const char mark = text.find(',') != std::string::npos ? ',' : text.find('.') != std::string::npos ? '.' : '\0';
-    if (mark == ',' && separator_ != ',') {
-      text[text.find(',')] = '.';
-      if (text.find(',') != std::string::npos) return fail("is not a number");
+    std::string text = field.starts_with('+') ? field.substr(1) : field;
+    const std::size_t at = text.find_first_of(separator_ == ',' ? "." : ".,");
+    if (at != std::string::npos) {
+      if (decimal_ != '\0' && text[at] != decimal_) {
+        return fail(fmt::format(
+            "has a decimal {}, lines before it have the other mark; accepted is one of the two",
+            text[at] == ',' ? "comma" : "point"));
+      }
+      decimal_ = text[at];
+      text[at] = '.';
     }
-    if (mark != '\0' && decimal_ != '\0' && mark != decimal_) {
-      return fail(fmt::format("has a decimal {}, lines before it have the other mark; accepted is one of the two",
-                              mark == ',' ? "comma" : "point"));
-    }
-    if (mark != '\0') decimal_ = mark;
     double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = end == text.data() + text.size();
-    const std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
-    if (error == std::errc::invalid_argument || !whole || (error == std::errc() && !std::isfinite(value))) {
-      const bool has_digits = error == std::errc() && !rest.empty() && std::isfinite(value);
-      return fail(has_digits ? "is not a number alone; units stand in the header"
-                             : "is not a number; an empty field is a gap in the record");
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const bool whole = stop == end;
+    if (error == std::errc::invalid_argument || !whole || !std::isfinite(value)) {
+      const bool is_number = error == std::errc() && !whole && std::isfinite(value);
+      return fail(is_number ? "is not a number alone; units stand in the header"
+                            : "is not a number; an empty field is a gap in the record");
     }
     value *= head.factor;
-    if (error != std::errc() || std::abs(value) > kLargestValue)
+    if (error != std::errc() || std::abs(value) > kLargestValue) {
       return fail("is too large or too small to be measured");
-    return value;
-  }
-
-  void check_columns() {
-    for (const MeasuredColumn& c : record_.columns) {
-      if (c.count(Sample::kGood) == 0) {
-        refuse(0, printable(c.header), "has no value in any line; accepted is a column less, or one with values");
-      }
     }
-  }
-
-  void finish() {
-    std::vector<double> apart;
-    for (std::size_t i = 1; i < record_.t.size(); ++i) apart.push_back(record_.t[i] - record_.t[i - 1]);
-    const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
-    std::nth_element(apart.begin(), middle, apart.end());
-    record_.interval = *middle;
+    return value;
   }
 
   std::string_view text_;
   MeasuredRecord record_;
-  MeasuredHeader header_;
+  std::vector<Head> heads_;
   char separator_ = ',';
   char decimal_ = '\0';  // mark of the file's numbers, once one has it
-  std::vector<Diagnostic> wrong_;
+  std::vector<scene::Diagnostic> wrong_;
 };
 
 }  // namespace
@@ -181,8 +299,9 @@ MeasuredRecord read_measured(const std::filesystem::path& file) {
   try {
     text = scene::regular_file_text(file);
   } catch (const std::runtime_error& error) {
+    const std::string reason = error.what();
     throw scene::SceneError(
-        {{file.string(), 0, "", std::string(error.what()) + "; accepted is a text file with a header"}});
+        {{file.string(), 0, "", reason + "; accepted is a text file with a header"}});
   }
   return parse_measured(text, file.string());
 }

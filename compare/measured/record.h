@@ -1,4 +1,5 @@
-// A measured run as its file gives it, in SI: times of the record's own clock, and what was measured at them.
+// A measured run as its file gives it, in SI: times of the record's own clock, and what was
+// measured at them.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +25,7 @@ struct Measurable {
   std::string_view rate;    // column of its rate, for values between rows; "": linear between them
   scene::Quantity quantity;
   Axis axis = Axis::kNone;
+  int group = 0;       // of those that a record is aligned by: the first of which something moves
   bool clips = false;  // a sensor with a limit: samples that stay at it are no values (clipping.h)
   std::string_view meaning;
   std::string_view unit() const { return quantity.unit; }
@@ -31,7 +33,9 @@ struct Measurable {
 
 // All of them; x stands before its y.
 std::span<const Measurable> measurables();
-inline constexpr std::string_view kContactForce = "force";  // the one that is averaged over a sample
+inline constexpr int kChannelGroups = 5;
+inline constexpr std::string_view kContactForce =
+    "force";  // the one that is averaged over a sample
 
 enum class Sample : std::uint8_t { kGood, kMissing, kClipped };
 

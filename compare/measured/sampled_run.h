@@ -9,8 +9,9 @@
 
 namespace rotorub {
 
-// When a record has its samples, and what a value that is averaged over a sample is the mean over: half-way to the
-// neighbours, and half an interval where a neighbour is two intervals away or more, or there is none.
+// When a record has its samples, and what a value that is averaged over a sample is the mean over:
+// half-way to the neighbours, and half an interval where a neighbour is two intervals away or more,
+// or there is none.
 struct SampleTimes {
   std::vector<double> t, from, to;  // s, ascending
 };
@@ -28,22 +29,21 @@ class SampledRun {
 
   // SI, at times that ascend; before the start and after the end the values there.
   //   places: cubic between rows, by their rates; other columns: linear
-  //   the contact's force: the momentum it gave from `from` to `to` over that time, that of an impact (rigid law)
-  //   whole at its instant
+  //   the contact's force: the momentum it gave from `from` to `to` over that time, that of an
+  //   impact (rigid law) whole at its instant
   std::vector<double> values(const Measurable& what, const SampleTimes& times) const;
 
+  // The same as sensors see it whose x axis stands at `angle` (rad, from x to y) in the scene: a
+  // column along x or y is turned into their frame.
+  std::vector<double> values(const Measurable& what, const SampleTimes& times, double angle) const;
+
  private:
-  std::vector<double> mean_force(const SampleTimes& times) const;
+  std::vector<double> momentum_at(std::span<const double> t) const;
 
   const Trajectory* run_;
   const std::vector<double>* t_;
-  // Of the normal force up to each of momentum_t_, N s; two entries at an impact.
-  std::vector<double> momentum_t_, momentum_;
+  // N s that the normal force has given: up to each row, and by impacts, in all after each of them.
+  std::vector<double> momentum_, impact_t_, impact_momentum_;
 };
-
-// The same as sensors see it whose x axis stands at `angle` (rad, from x to y) in the scene: a column along x or y is
-// turned into their frame. The run has what it needs.
-std::vector<double> values_in_frame(const SampledRun& run, const Measurable& what, const SampleTimes& times,
-                                    double angle);
 
 }  // namespace rotorub

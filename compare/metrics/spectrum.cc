@@ -1,69 +1,50 @@
 #include "compare/metrics/spectrum.h"
 
-#include <fftw3.h>
-
-#include <algorithm>
+#include <Eigen/Core>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "compare/metrics/fourier.h"
+#include "compare/metrics/interpolation.h"
 
 namespace rotorub {
 namespace {
 
 using Complex = std::complex<double>;
 
-// The transform of one length. FFTW_ESTIMATE: the plan does not hang on what a measurement gave.
+// The transform of one length, under a Hann window.
 class Transform {
  public:
   explicit Transform(std::size_t size)
-      : size_(size),
-        values_(fftw_alloc_complex(size)),
-        plan_(fftw_plan_dft_1d(static_cast<int>(size), values_, values_, FFTW_FORWARD, FFTW_ESTIMATE)) {
-    for (std::size_t n = 0; n < size; ++n) {
-      const double turn = static_cast<double>(n) / static_cast<double>(size);
-      window_.push_back(0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * turn));
-      weight_ += window_.back();
-    }
-  }
-  ~Transform() {
-    fftw_destroy_plan(plan_);
-    fftw_free(values_);
-  }
-  Transform(const Transform&) = delete;
-  Transform& operator=(const Transform&) = delete;
+      : size_(static_cast<Eigen::Index>(size)),
+        window_(0.5 - 0.5 * (2.0 * std::numbers::pi / static_cast<double>(size) *
+                             Eigen::ArrayXd::LinSpaced(size_, 0.0, static_cast<double>(size_ - 1)))
+                                .cos()) {}
 
   // Hz, of every size in order of amplitudes().
   std::vector<double> frequencies(double h) const {
     std::vector<double> all;
-    const auto whole = static_cast<double>(size_);
-    for (std::size_t k = 0; k < size_; ++k) {
-      all.push_back((static_cast<double>(k) - static_cast<double>(size_ / 2)) / (whole * h));
+    for (Eigen::Index k = 0; k < size_; ++k) {
+      all.push_back(static_cast<double>(k - size_ / 2) / (static_cast<double>(size_) * h));
     }
     return all;
   }
   void append(std::span<const Complex> z, std::vector<double>& amplitude) {
-    assert(z.size() == size_);
-    Complex mean = 0.0;
-    for (const Complex& value : z) mean += value;
-    mean /= static_cast<double>(size_);
-    for (std::size_t n = 0; n < size_; ++n) {
-      const Complex value = window_[n] * (z[n] - mean);
-      values_[n][0] = value.real();
-      values_[n][1] = value.imag();
-    }
-    fftw_execute(plan_);
-    for (std::size_t k = 0; k < size_; ++k) {
-      const std::size_t at = (k + size_ - size_ / 2) % size_;  // the negative ones first
-      amplitude.push_back(std::hypot(values_[at][0], values_[at][1]) / weight_);
-    }
+    const Eigen::Map<const Eigen::ArrayXcd> all(z.data(), size_);
+    const Eigen::VectorXcd windowed = window_ * (all - all.mean());
+    fourier_.fwd(spectrum_, windowed);
+    const Eigen::ArrayXd size = spectrum_.array().abs() / window_.sum();
+    const auto first = size.begin() + (size_ - size_ / 2);  // the negative ones first
+    amplitude.insert(amplitude.end(), first, size.end());
+    amplitude.insert(amplitude.end(), size.begin(), first);
   }
 
  private:
-  std::size_t size_;
-  fftw_complex* values_;
-  fftw_plan plan_;
-  std::vector<double> window_;
-  double weight_ = 0.0;
+  Eigen::Index size_;
+  Eigen::ArrayXd window_;
+  Eigen::FFT<double> fourier_;
+  Eigen::VectorXcd spectrum_;
 };
 
 }  // namespace
@@ -89,21 +70,13 @@ Waterfall waterfall(std::span<const Complex> z, double h, std::size_t stretch) {
 
 std::vector<Complex> even_orbit(const Trajectory& run, double from, double to, std::size_t count) {
   assert(count >= 2 && run.rows() >= 2);
-  const std::vector<double>& t = run.column("t");
-  const auto value = [&](const char* x, const char* y, std::size_t row) {
-    return Complex(run.column(x)[row], run.column(y)[row]);
+  const std::vector<double> at = even_times(from, to, count);
+  const auto along = [&](const char* place, const char* rate) {
+    return cubic(run.column("t"), run.column(place), run.column(rate), at);
   };
+  const std::vector<double> x = along("rotor_x", "rotor_vx"), y = along("rotor_y", "rotor_vy");
   std::vector<Complex> z;
-  std::size_t row = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double at = from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1);
-    while (row + 2 < t.size() && t[row + 1] <= at) ++row;
-    const double h = t[row + 1] - t[row], s = std::clamp((at - t[row]) / h, 0.0, 1.0);
-    const Complex a = value("rotor_x", "rotor_y", row), b = value("rotor_x", "rotor_y", row + 1);
-    const Complex va = value("rotor_vx", "rotor_vy", row), vb = value("rotor_vx", "rotor_vy", row + 1);
-    z.push_back(a + s * s * (3.0 - 2.0 * s) * (b - a) +
-                h * s * (1.0 - s) * ((1.0 - s) * va - s * vb));
-  }
+  for (std::size_t k = 0; k < count; ++k) z.emplace_back(x[k], y[k]);
   return z;
 }
 

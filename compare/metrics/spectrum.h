@@ -1,5 +1,6 @@
-// Whirl over frequency, forward and backward apart: what rotor dynamics calls the full spectrum (D. E. Bently,
-// C. T. Hatch, "Fundamentals of Rotating Machinery Diagnostics", 2002, chapter 8). By FFTW.
+// Whirl over frequency, forward and backward apart: what rotor dynamics calls the full spectrum (D.
+// E. Bently, C. T. Hatch, "Fundamentals of Rotating Machinery Diagnostics", 2002, chapter 8). By
+// FFTW.
 #pragma once
 
 #include <complex>
@@ -12,10 +13,11 @@ namespace rotorub {
 
 // Of z = x + i y, taken every h seconds, its mean removed, under a Hann window w,
 //
-//   a(f) = |sum_n w_n z_n exp(-2 pi i f n h)| / sum_n w_n,     f = k / (N h), -1/(2 h) <= f < 1/(2 h).
+//   a(f) = |sum_n w_n z_n exp(-2 pi i f n h)| / sum_n w_n,     f = k / (N h), -1/(2 h) <= f < 1/(2
+//   h).
 //
-// A circular orbit of radius R gives R at the frequency that it whirls with, backward ones below 0; between two
-// frequencies of the grid no less than 0.84 R.
+// A circular orbit of radius R gives R at the frequency that it whirls with, backward ones below 0;
+// between two frequencies of the grid no less than 0.84 R.
 struct FullSpectrum {
   std::vector<double> frequency;  // Hz, ascending, both signs
   std::vector<double> amplitude;  // as z: m
@@ -32,8 +34,8 @@ struct Waterfall {
 // stretch: of how many values, 4 <= stretch <= the number of values.
 Waterfall waterfall(std::span<const std::complex<double>> z, double h, std::size_t stretch);
 
-// The rotor at the contact, x + i y in m, at `count` even times from `from` to `to` (both included) within the run:
-// cubic between rows, by its velocities. count >= 2.
+// The rotor at the contact, x + i y in m, at `count` even times from `from` to `to` (both included)
+// within the run: cubic between rows, by its velocities. count >= 2.
 std::vector<std::complex<double>> even_orbit(const Trajectory& run, double from, double to,
                                              std::size_t count);
 

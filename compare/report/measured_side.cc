@@ -9,6 +9,7 @@
 
 #include "compare/measured/sampled_run.h"
 #include "compare/measured/table.h"
+#include "compare/metrics/interpolation.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/plots.h"
 #include "compare/report/rounded.h"
@@ -148,14 +149,11 @@ class SideMaker {
         static_cast<std::size_t>(std::count_if(rotor->t.begin(), rotor->t.end(), [&](double t) { return t >= from; }));
     if (2 * count >= kLeastSpectrumRows) {
       const double h = (to - from) / static_cast<double>(count - 1);
+      const Numbers at = even_times(from, to, count);
+      const Numbers x = linear(rotor->t, rotor->value[0], at);
+      const Numbers y = linear(rotor->t, rotor->value[1], at);
       std::vector<std::complex<double>> z;
-      for (std::size_t k = 0, row = 0; k < count; ++k) {
-        const double at = from + static_cast<double>(k) * h;
-        while (row + 2 < rotor->t.size() && rotor->t[row + 1] <= at) ++row;
-        const double share = std::clamp((at - rotor->t[row]) / (rotor->t[row + 1] - rotor->t[row]), 0.0, 1.0);
-        const auto between = [&](const Numbers& y) { return y[row] + share * (y[row + 1] - y[row]); };
-        z.emplace_back(between(rotor->value[0]), between(rotor->value[1]));
-      }
+      for (std::size_t k = 0; k < count; ++k) z.emplace_back(x[k], y[k]);
       all["spectrum"] = spectrum_data(z, h, limit);
     }
     const SampledRun first(*shown_.runs.front().trajectory);

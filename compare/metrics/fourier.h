@@ -1,0 +1,5 @@
+// Eigen's Fourier transforms, by FFTW; its plans do not hang on what a measurement gave.
+#pragma once
+
+#define EIGEN_FFTW_DEFAULT
+#include <unsupported/Eigen/FFT>
