@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
-#include <cstring>
 #include <stdexcept>
 #include <vector>
 
@@ -38,18 +36,6 @@ void check_view(const scene::Scene& scene, const RenderOptions& options) {
                   to_string(options.view), scene.name));
 }
 
-// Rows of one picture into another, at its place.
-void copy_into(Image& picture, const Image& part, const Area& area) {
-  assert(part.width == area.width && part.height == area.height);
-  for (int row = 0; row < part.height; ++row) {
-    std::uint8_t* to = picture.rgb.data() +
-                       3 * (static_cast<std::size_t>(area.top + row) *
-                                static_cast<std::size_t>(picture.width) +
-                            static_cast<std::size_t>(area.left));
-    std::memcpy(to, part.pixel(0, row), 3 * static_cast<std::size_t>(part.width));
-  }
-}
-
 }  // namespace
 
 struct FramePainter::Parts {
@@ -68,7 +54,6 @@ struct FramePainter::Parts {
   std::optional<MachineView> machine_view;
   std::optional<Stage> stage;  // none where no panel shows the machine
   std::optional<SceneBuffer> machine_scene;
-  Font font;
 
   Parts(const scene::Scene& scene, const Trajectory& trajectory, const RenderOptions& options);
   void take_runs(const Trajectory& trajectory, const RenderOptions& options);
@@ -179,9 +164,9 @@ void FramePainter::Parts::write_header(Sheet sheet, double t) const {
   // Right-aligned columns of their own, so that digits stay where they are.
   const double column = sheet.text_width("slow motion 1:10000, impact", size);
   const double right = sheet.area().width - size;
-  sheet.text(right - column, y, text, size,
-             stretched ? palette::kNormal : palette::kFaintInk);
-  sheet.text_to(right - column - 1.5 * size, y, fmt::format("t = {:.6f} s", t), size, palette::kInk);
+  sheet.text(right - column, y, text, size, stretched ? palette::kNormal : palette::kFaintInk);
+  sheet.text_to(right - column - 1.5 * size, y, fmt::format("t = {:.6f} s", t), size,
+                palette::kInk);
 }
 
 FramePainter::FramePainter(const scene::Scene& scene, const Trajectory& trajectory,
@@ -194,9 +179,8 @@ const Framing& FramePainter::framing() const { return parts_->framing; }
 
 Image FramePainter::paint(double t) {
   Parts& p = *parts_;
-  Image picture{p.width, p.height, {}};
-  picture.rgb.resize(3 * static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height));
-  Sheet sheet(picture, p.font, {0, 0, p.width, p.height});
+  Picture picture(p.width, p.height);
+  Sheet sheet(picture, {0, 0, p.width, p.height});
   sheet.fill(0.0, 0.0, p.width, p.height, palette::kBackground);
 
   p.instant.spark_time = kSparkFilmTime / p.framing.clock.slow(t);
@@ -209,12 +193,12 @@ Image FramePainter::paint(double t) {
       const MujocoErrors errors;
       p.stage->begin_picture();
       p.machine_view->draw(*p.stage, **p.machine_scene, instant, other);
-      copy_into(picture, p.stage->render(**p.machine_scene), p.panels[k].machine_area());
+      picture.put(p.stage->render(**p.machine_scene), p.panels[k].machine_area());
     }
     p.panels[k].draw(sheet, instant, other, p.instant.trail_time);
   }
   p.write_header(sheet.part(p.layout.header), t);
-  return picture;
+  return picture.image();
 }
 
 }  // namespace rotorub::renders

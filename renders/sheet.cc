@@ -1,113 +1,111 @@
 #include "renders/sheet.h"
 
-#include <Eigen/Geometry>
+#include <cairo.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
+#include <stdexcept>
+#include <string>
 
 namespace rotorub::renders {
 
 namespace {
 
-// A pixel's share of what has a straight edge at this distance from its middle, inside positive.
-double inside(double distance) { return std::clamp(distance + 0.5, 0.0, 1.0); }
+constexpr int kFadeSteps = 24;  // of a trail
 
-// Length that [a, a + 1) and [from, to) share.
-double overlap(double a, double from, double to) {
-  return std::max(0.0, std::min(a + 1.0, to) - std::max(a, from));
+// The row of the area in the surface: pixels of 32 bits, 0x00RRGGBB.
+std::uint32_t* pixels(cairo_surface_t* surface, const Area& area, int row) {
+  unsigned char* line =
+      cairo_image_surface_get_data(surface) +
+      static_cast<std::ptrdiff_t>(area.top + row) * cairo_image_surface_get_stride(surface);
+  return reinterpret_cast<std::uint32_t*>(line) + area.left;
 }
 
-// A line with round ends: its cover of the pixel around a point, and the box it lies in.
-struct Stroke {
-  Sheet::Point from, along;
-  double square, half;
-  double left, top, right, bottom;
-
-  Stroke(const Sheet::Point& a, const Sheet::Point& b, double width)
-      : from(a), along(b - a), square(std::max(along.squaredNorm(), 1e-12)), half(0.5 * width),
-        left(std::min(a[0], b[0]) - half - 1.0), top(std::min(a[1], b[1]) - half - 1.0),
-        right(std::max(a[0], b[0]) + half + 1.0), bottom(std::max(a[1], b[1]) + half + 1.0) {}
-
-  double operator()(double x, double y) const {
-    const double dx = x - from[0], dy = y - from[1];
-    const double s = std::clamp((dx * along[0] + dy * along[1]) / square, 0.0, 1.0);
-    const double ex = dx - s * along[0], ey = dy - s * along[1];
-    return inside(half - std::sqrt(ex * ex + ey * ey));
-  }
-};
-
-void blend(std::uint8_t* pixel, const float (&color)[3], double share) {
-  for (int k = 0; k < 3; ++k) {
-    const double value = pixel[k] + share * (static_cast<double>(color[k]) - pixel[k]);
-    pixel[k] = static_cast<std::uint8_t>(value + 0.5);
+void move_along(cairo_t* pen, std::span<const Sheet::Point> points, double longest = 1e300) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool joined = i > 0 && (points[i] - points[i - 1]).norm() <= longest;
+    (joined ? cairo_line_to : cairo_move_to)(pen, points[i][0], points[i][1]);
   }
 }
 
 }  // namespace
 
-Sheet::Sheet(Image& picture, Font& font, const Area& area)
-    : picture_(&picture), font_(&font), area_(area) {}
+Picture::Picture(int width, int height)
+    : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
+               cairo_surface_destroy) {
+  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> pen(cairo_create(surface()),
+                                                               cairo_destroy);
+  cairo_set_source_rgb(pen.get(), 1.0, 1.0, 1.0);
+  cairo_paint(pen.get());
+}
 
-template <class Coverage>
-void Sheet::shade(double left, double top, double right, double bottom, const Color& color,
-                  const Coverage& coverage) {
-  const auto column = [&](double x) {
-    return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(area_.width)));
-  };
-  const auto row = [&](double y) {
-    return static_cast<int>(std::clamp(y, 0.0, static_cast<double>(area_.height)));
-  };
-  const int first = column(std::floor(left)), last = column(std::ceil(right));
-  const int end = row(std::ceil(bottom));
-  const float rgb[3] = {255.0F * color.red, 255.0F * color.green, 255.0F * color.blue};
-  const double alpha = static_cast<double>(color.alpha);
-  for (int y = row(std::floor(top)); y < end; ++y) {
-    std::uint8_t* pixel =
-        picture_->rgb.data() + 3 * (static_cast<std::size_t>(area_.top + y) *
-                                        static_cast<std::size_t>(picture_->width) +
-                                    static_cast<std::size_t>(area_.left + first));
-    for (int x = first; x < last; ++x, pixel += 3) {
-      const double share = alpha * coverage(x + 0.5, y + 0.5);
-      if (share > 0.0) blend(pixel, rgb, share);
+Image Picture::image() const {
+  const cairo_status_t status = cairo_surface_status(surface());
+  if (status != CAIRO_STATUS_SUCCESS) {
+    throw std::runtime_error(std::string("the picture: ") + cairo_status_to_string(status));
+  }
+  cairo_surface_flush(surface());
+  Image picture{
+      cairo_image_surface_get_width(surface()), cairo_image_surface_get_height(surface()), {}};
+  picture.rgb.resize(3 * static_cast<std::size_t>(picture.width * picture.height));
+  std::uint8_t* to = picture.rgb.data();
+  for (int row = 0; row < picture.height; ++row) {
+    const std::uint32_t* from = pixels(surface(), {}, row);
+    for (int column = 0; column < picture.width; ++column) {
+      for (const int shift : {16, 8, 0}) *to++ = static_cast<std::uint8_t>(from[column] >> shift);
     }
   }
+  return picture;
+}
+
+void Picture::put(const Image& picture, const Area& area) {
+  cairo_surface_flush(surface());
+  for (int row = 0; row < area.height; ++row) {
+    std::uint32_t* to = pixels(surface(), area, row);
+    const std::uint8_t* from = picture.pixel(0, row);
+    for (int column = 0; column < area.width; ++column, from += 3) {
+      to[column] = static_cast<std::uint32_t>(from[0] << 16 | from[1] << 8 | from[2]);
+    }
+  }
+  cairo_surface_mark_dirty(surface());
+}
+
+Sheet::Sheet(const Picture& picture, const Area& area)
+    : picture_(&picture), area_(area), pen_(cairo_create(picture.surface()), cairo_destroy) {
+  cairo_translate(pen_.get(), area.left, area.top);
+  cairo_rectangle(pen_.get(), 0.0, 0.0, area.width, area.height);
+  cairo_clip(pen_.get());
+  cairo_set_line_join(pen_.get(), CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_cap(pen_.get(), CAIRO_LINE_CAP_ROUND);
+}
+
+void Sheet::fill(const Color& color) {
+  cairo_set_source_rgba(pen_.get(), color.red, color.green, color.blue, color.alpha);
+  cairo_fill(pen_.get());
+}
+
+void Sheet::stroke(double width, const Color& color) {
+  cairo_set_source_rgba(pen_.get(), color.red, color.green, color.blue, color.alpha);
+  cairo_set_line_width(pen_.get(), width);
+  cairo_stroke(pen_.get());
+}
+
+// y counts down.
+void Sheet::arc(const Point& center, double radius, double from, double to) {
+  const auto draw = from < to ? cairo_arc_negative : cairo_arc;
+  draw(pen_.get(), center[0], center[1], std::max(radius, 0.0), -from, -to);
 }
 
 void Sheet::fill(double x, double y, double width, double height, const Color& color) {
-  const auto cover = [&](double column, double row) {
-    return overlap(column - 0.5, x, x + width) * overlap(row - 0.5, y, y + height);
-  };
-  const double right = x + width, bottom = y + height;
-  const double first = std::ceil(std::max(0.0, x));
-  const double last = std::floor(std::min(right, static_cast<double>(area_.width)));
-  if (color.alpha < 1.0F || !(last > first)) return shade(x, y, right, bottom, color, cover);
-  // Whole pixels of whole rows are set; the edges are shaded.
-  const double top = std::ceil(std::max(0.0, y));
-  const double end = std::floor(std::min(bottom, static_cast<double>(area_.height)));
-  shade(x, y, right, std::min(top, bottom), color, cover);
-  for (double row = top; row < end; ++row) set(static_cast<int>(row), static_cast<int>(first), static_cast<int>(last), color);
-  shade(x, top, first, end, color, cover);
-  shade(last, top, right, end, color, cover);
-  shade(x, std::max(top, end), right, bottom, color, cover);
-}
-
-void Sheet::set(int row, int first, int last, const Color& color) {
-  const auto value = [](float part) { return static_cast<std::uint8_t>(255.0F * part + 0.5F); };
-  const std::uint8_t rgb[3] = {value(color.red), value(color.green), value(color.blue)};
-  std::uint8_t* pixel = picture_->rgb.data() +
-                        3 * (static_cast<std::size_t>(area_.top + row) *
-                                 static_cast<std::size_t>(picture_->width) +
-                             static_cast<std::size_t>(area_.left + first));
-  std::uint8_t* const end = pixel + 3 * (last - first);
-  for (; pixel != end; pixel += 3) std::copy(rgb, rgb + 3, pixel);
+  if (!(width > 0.0) || !(height > 0.0)) return;
+  cairo_rectangle(pen_.get(), x, y, width, height);
+  fill(color);
 }
 
 void Sheet::line(const Point& from, const Point& to, double width, const Color& color) {
-  const Stroke stroke(from, to, width);
-  shade(stroke.left, stroke.top, stroke.right, stroke.bottom, color, stroke);
+  polyline(std::array{from, to}, width, color);
 }
 
 void Sheet::bar(const Point& from, const Point& to, double width, const Color& color) {
@@ -117,110 +115,64 @@ void Sheet::bar(const Point& from, const Point& to, double width, const Color& c
   convex(corners, color);
 }
 
-// The strokes' strongest cover counts once, so that joints are no beads.
-void Sheet::trail(std::span<const Point> points, double width, const Color& color,
-                  double longest) {
-  if (points.size() < 2) return;
-  Eigen::AlignedBox2d box;
-  for (const Point& point : points) box.extend(point);
-  const double reach = width + 2.0;
-  const auto clamped = [&](double x, int most) {
-    return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(most)));
-  };
-  const int left = clamped(std::floor(box.min()[0] - reach), area_.width);
-  const int right = clamped(std::ceil(box.max()[0] + reach), area_.width);
-  const int top = clamped(std::floor(box.min()[1] - reach), area_.height);
-  const int bottom = clamped(std::ceil(box.max()[1] + reach), area_.height);
-  if (left >= right || top >= bottom) return;
-  const auto wide = static_cast<std::size_t>(right - left);
-  std::vector<float> cover(wide * static_cast<std::size_t>(bottom - top), 0.0F);
-  const auto at = [&](int x, int y) -> float& {
-    return cover[static_cast<std::size_t>(y - top) * wide + static_cast<std::size_t>(x - left)];
-  };
-  const auto last = static_cast<double>(points.size() - 1);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    if ((points[i + 1] - points[i]).norm() > longest) continue;
-    const double strength = 0.1 + 0.9 * static_cast<double>(i + 1) / last;
-    const Stroke stroke(points[i], points[i + 1], width);
-    for (int y = std::max(top, static_cast<int>(stroke.top)); y < std::min<double>(bottom, stroke.bottom); ++y) {
-      for (int x = std::max(left, static_cast<int>(stroke.left)); x < std::min<double>(right, stroke.right); ++x) {
-        float& most = at(x, y);
-        most = std::max(most, static_cast<float>(strength * stroke(x + 0.5, y + 0.5)));
-      }
-    }
-  }
-  shade(left, top, right, bottom, color, [&](double x, double y) {
-    return static_cast<double>(at(static_cast<int>(x), static_cast<int>(y)));
-  });
+void Sheet::polyline(std::span<const Point> points, double width, const Color& color) {
+  move_along(pen_.get(), points);
+  stroke(width, color);
 }
 
-void Sheet::polyline(std::span<const Point> points, double width, const Color& color) {
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) line(points[i], points[i + 1], width, color);
+// Ever shorter ends of the path, one upon the other: each is one stroke, so that joints are no
+// beads.
+void Sheet::trail(std::span<const Point> points, double width, const Color& color, double longest) {
+  if (points.size() < 2) return;
+  const auto last = static_cast<double>(points.size() - 1);
+  const std::size_t step = (points.size() - 2) / kFadeSteps + 1;
+  cairo_push_group_with_content(pen_.get(), CAIRO_CONTENT_ALPHA);
+  cairo_set_operator(pen_.get(), CAIRO_OPERATOR_ADD);
+  double strength = 0.0;
+  for (std::size_t first = 0; first + 1 < points.size(); first += step) {
+    const double reached = 0.1 + 0.9 * std::min(static_cast<double>(first + step) / last, 1.0);
+    move_along(pen_.get(), points.subspan(first), longest);
+    stroke(width, Color{}.with_alpha(reached - strength));
+    strength = reached;
+  }
+  cairo_pattern_t* const cover = cairo_pop_group(pen_.get());
+  cairo_set_source_rgba(pen_.get(), color.red, color.green, color.blue, color.alpha);
+  cairo_mask(pen_.get(), cover);
+  cairo_pattern_destroy(cover);
 }
 
 void Sheet::disc(const Point& center, double radius, const Color& color) {
-  ring(center, -1.0, radius, color);
+  arc(center, radius, 0.0, 2.0 * std::numbers::pi);
+  fill(color);
 }
 
 void Sheet::ring(const Point& center, double inner, double outer, const Color& color) {
-  const double reach = outer + 1.0;
-  shade(center[0] - reach, center[1] - reach, center[0] + reach, center[1] + reach, color,
-        [&](double x, double y) {
-          const double dx = x - center[0], dy = y - center[1];
-          const double r = std::sqrt(dx * dx + dy * dy);
-          return inside(std::min(outer - r, r - inner));
-        });
+  arc(center, outer, 0.0, 2.0 * std::numbers::pi);
+  cairo_close_path(pen_.get());
+  cairo_new_sub_path(pen_.get());
+  arc(center, inner, 2.0 * std::numbers::pi, 0.0);
+  fill(color);
 }
 
 void Sheet::sector(const Point& center, double inner, double outer, double from, double span,
                    const Color& color) {
-  // Left of the edge where it begins, right of the one where it ends; y counts down.
-  const Point begin(std::cos(from), -std::sin(from));
-  const Point end(std::cos(from + span), -std::sin(from + span));
-  const double reach = outer + 1.0;
-  shade(center[0] - reach, center[1] - reach, center[0] + reach, center[1] + reach, color,
-        [&](double x, double y) {
-          const double dx = x - center[0], dy = y - center[1];
-          const double r = std::sqrt(dx * dx + dy * dy);
-          const double after = begin[1] * dx - begin[0] * dy;
-          const double before = end[0] * dy - end[1] * dx;
-          return inside(std::min({outer - r, r - inner, after, before}));
-        });
+  arc(center, outer, from, from + span);
+  arc(center, inner, from + span, from);
+  fill(color);
 }
 
 void Sheet::dashed_circle(const Point& center, double radius, double width, const Color& color) {
-  const int dashes = std::max(8, static_cast<int>(radius));
-  const auto at = [&](int half) {
-    const double angle = std::numbers::pi * half / dashes;
-    return Point(center[0] + radius * std::cos(angle), center[1] - radius * std::sin(angle));
-  };
-  for (int k = 0; k < dashes; ++k) line(at(2 * k), at(2 * k + 1), width, color);
+  const double dash = std::numbers::pi * radius / std::max(8, static_cast<int>(radius));
+  cairo_set_dash(pen_.get(), &dash, 1, 0.0);
+  cairo_new_path(pen_.get());
+  arc(center, radius, 0.0, 2.0 * std::numbers::pi);
+  stroke(width, color);
+  cairo_set_dash(pen_.get(), nullptr, 0, 0.0);
 }
 
 void Sheet::convex(std::span<const Point> corners, const Color& color) {
-  Eigen::AlignedBox2d box;
-  Point middle = Point::Zero();
-  for (const Point& corner : corners) {
-    box.extend(corner);
-    middle += corner / static_cast<double>(corners.size());
-  }
-  // Unit normals inwards.
-  std::array<Point, 8> normals;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Point edge = corners[(i + 1) % corners.size()] - corners[i];
-    Point normal(-edge[1], edge[0]);
-    normal /= std::max(normal.norm(), 1e-12);
-    normals[i] = normal.dot(middle - corners[i]) < 0.0 ? Point(-normal) : normal;
-  }
-  shade(box.min()[0] - 1.0, box.min()[1] - 1.0, box.max()[0] + 1.0, box.max()[1] + 1.0, color,
-        [&](double x, double y) {
-          double least = 1e300;
-          for (std::size_t i = 0; i < corners.size(); ++i) {
-            least = std::min(least, normals[i][0] * (x - corners[i][0]) +
-                                        normals[i][1] * (y - corners[i][1]));
-          }
-          return inside(least);
-        });
+  move_along(pen_.get(), corners);
+  fill(color);
 }
 
 void Sheet::arrow(const Point& from, const Point& to, double width, const Color& color) {
@@ -239,22 +191,12 @@ void Sheet::arrow(const Point& from, const Point& to, double width, const Color&
 
 double Sheet::text(double x, double y, std::string_view words, int size, const Color& color,
                    Weight weight) {
-  const double baseline = std::round(y + 0.78 * size);
-  for (const char32_t code : characters(words)) {
-    const Glyph& glyph = font_->glyph(code, size, weight);
-    const int left = static_cast<int>(std::lround(x)) + glyph.left;
-    const int top = static_cast<int>(baseline) - glyph.top;
-    shade(left, top, left + glyph.width, top + glyph.height, color, [&](double column, double row) {
-      const int index = (static_cast<int>(row) - top) * glyph.width + static_cast<int>(column) - left;
-      return glyph.coverage[static_cast<std::size_t>(index)] / 255.0;
-    });
-    x += glyph.advance;
-  }
-  return x;
+  cairo_set_source_rgba(pen_.get(), color.red, color.green, color.blue, color.alpha);
+  return write_text(pen_.get(), words, x, std::round(y + 0.78 * size), size, weight);
 }
 
 double Sheet::text_width(std::string_view words, int size, Weight weight) const {
-  return font_->width(words, size, weight);
+  return renders::text_width(words, size, weight);
 }
 
 void Sheet::text_to(double x, double y, std::string_view words, int size, const Color& color,

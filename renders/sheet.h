@@ -1,13 +1,16 @@
-// Flat drawing into a picture, with smooth edges: what stands over and beside MuJoCo's rendering.
+// Flat drawing by Cairo: what stands over and beside MuJoCo's rendering.
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <string_view>
 
 #include "renders/canvas.h"
 #include "renders/font.h"
 #include "renders/image.h"
+
+struct _cairo_surface;  // Cairo's cairo_surface_t
 
 namespace rotorub::renders {
 
@@ -19,16 +22,29 @@ struct Area {
   double aspect() const { return static_cast<double>(width) / height; }
 };
 
+// A picture in the drawing, white at first.
+class Picture {
+ public:
+  Picture(int width, int height);
+  // Throws std::runtime_error with Cairo's reason where something could not be drawn.
+  Image image() const;
+  void put(const Image& picture, const Area& area);  // of the area's size
+  _cairo_surface* surface() const { return surface_.get(); }
+
+ private:
+  std::shared_ptr<_cairo_surface> surface_;
+};
+
 // Coordinates are pixels of the area, x to the right, y down, (0, 0) its upper left corner; pixel i
 // covers [i, i + 1). Nothing is drawn outside of the area. Angles: rad, counter-clockwise as seen.
 class Sheet {
  public:
   using Point = Eigen::Vector2d;
 
-  // Both must outlive it.
-  Sheet(Image& picture, Font& font, const Area& area);
+  // It must outlive the sheet.
+  Sheet(const Picture& picture, const Area& area);
   const Area& area() const { return area_; }
-  Sheet part(const Area& area) const { return {*picture_, *font_, area}; }  // of the picture
+  Sheet part(const Area& area) const { return {*picture_, area}; }  // of the picture
 
   void fill(double x, double y, double width, double height, const Color& color);
   void line(const Point& from, const Point& to, double width, const Color& color);  // round ends
@@ -57,18 +73,14 @@ class Sheet {
                Weight weight = Weight::kRegular);
 
  private:
-  // Blends the colour into every pixel between the corners by coverage(x, y) in [0, 1] of its
-  // middle.
-  template <class Coverage>
-  void shade(double left, double top, double right, double bottom, const Color& color,
-             const Coverage& coverage);
+  // Of all that the path holds by now.
+  void fill(const Color& color);
+  void stroke(double width, const Color& color);
+  void arc(const Point& center, double radius, double from, double to);
 
-  // Pixels of a row, first to last - 1.
-  void set(int row, int first, int last, const Color& color);
-
-  Image* picture_;
-  Font* font_;
+  const Picture* picture_;
   Area area_;
+  std::shared_ptr<_cairo> pen_;
 };
 
 }  // namespace rotorub::renders

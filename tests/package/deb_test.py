@@ -52,8 +52,8 @@ class DebianPackage(InAFolder):
         self.assertIn(f"rotorub {version} (", self.rotorub("--version"))
         # What the program needs of Debian, found by what it is linked with; and no development package.
         depends = self.tool("dpkg-deb", "-f", package, "Depends")
-        for library in ("libmujoco2.2.2", "libc6", "libstdc++6", "libsqlite3-0", "libosmesa6", "libfreetype6",
-                        "libfftw3-double3"):
+        for library in ("libmujoco2.2.2", "libc6", "libstdc++6", "libsqlite3-0", "libosmesa6", "libcairo2",
+                        "libfreetype6", "libfftw3-double3"):
             self.assertIn(library, depends)
         for other in ("-dev", "siconos", "libode"):  # what is for building, and the peers of `rotorub bench`
             self.assertNotIn(other, depends)

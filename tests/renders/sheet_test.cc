@@ -16,19 +16,16 @@ const Color kBlack{0.0F, 0.0F, 0.0F};
 
 // What is drawn in black on white: the area that it covers, in pixels.
 struct Drawing {
-  Image picture;
-  Font font;
+  Picture picture{kSide, kSide};
   Sheet sheet;
-  Drawing() : sheet(picture, font, {0, 0, kSide, kSide}) {
-    picture.width = picture.height = kSide;
-    picture.rgb.assign(3 * kSide * kSide, 255);
-  }
+  Drawing() : sheet(picture, {0, 0, kSide, kSide}) {}
 
   double ink(int left = 0, int top = 0, int right = kSide, int bottom = kSide) const {
+    const Image image = picture.image();
     double ink = 0.0;
     for (int row = top; row < bottom; ++row) {
       for (int column = left; column < right; ++column) {
-        ink += 1.0 - picture.pixel(column, row)[0] / 255.0;
+        ink += 1.0 - image.pixel(column, row)[0] / 255.0;
       }
     }
     return ink;
@@ -92,15 +89,19 @@ TEST(Sheet, NothingLeavesItsArea) {
 }
 
 TEST(Font, HasTheLettersOfUnits) {
-  Font font;
-  const Glyph& box = font.glyph(0xFFFFF, 20, Weight::kRegular);
-  for (const char32_t code : {U'µ', U'×', U'°', U'▲', U'Ω', U'm'}) {
-    const Glyph& glyph = font.glyph(code, 20, Weight::kRegular);
-    EXPECT_GT(glyph.width, 0) << static_cast<unsigned>(code);
-    EXPECT_NE(glyph.coverage, box.coverage) << static_cast<unsigned>(code);
+  const auto drawn = [](const char* letter) {
+    Drawing drawing;
+    drawing.sheet.text(40.0, 40.0, letter, 20, kBlack);
+    return drawing.picture.image().rgb;
+  };
+  const auto nothing = drawn(""), box = drawn("\U000FFFFF");
+  EXPECT_NE(box, nothing);
+  for (const char* letter : {"µ", "×", "°", "▲", "Ω", "m"}) {
+    EXPECT_NE(drawn(letter), nothing) << letter;
+    EXPECT_NE(drawn(letter), box) << letter;
   }
   // Digits are of one width, so that readings stand still.
-  EXPECT_EQ(font.width("1111", 17, Weight::kRegular), font.width("8888", 17, Weight::kRegular));
+  EXPECT_EQ(text_width("1111", 17, Weight::kRegular), text_width("8888", 17, Weight::kRegular));
 }
 
 TEST(Font, ReadsUtf8) {
