@@ -24,7 +24,6 @@ struct Finish {
 inline constexpr Finish kMetal{0.0F, 0.45F, 0.5F};
 inline constexpr Finish kMatt{0.15F, 0.05F, 0.1F};
 inline constexpr Finish kFlat{0.55F, 0.0F, 0.0F};  // diagrams
-inline constexpr Finish kSheet{1.0F, 0.0F, 0.0F};  // white at the least light
 
 // Appends shapes to a scene, all in drawing units, axes X along the shaft, Z up. Shapes beyond the
 // room of the scene are a programmer's mistake.

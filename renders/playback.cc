@@ -164,10 +164,6 @@ double Playback::largest(const Track& x, const Track& y, double from, double to)
   return result;
 }
 
-double Playback::largest_rotor(double from, double to) const {
-  return largest(rotor_x_, rotor_y_, from, to);
-}
-
 double Playback::largest_stator(double from, double to) const {
   return largest(stator_x_, stator_y_, from, to);
 }

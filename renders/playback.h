@@ -53,9 +53,8 @@ class Playback {
   double first_touch() const;
   int modes() const { return static_cast<int>(x_.size()); }
   const std::vector<Strike>& strikes() const { return strikes_; }
-  // Largest |rotor|, |stator| over the rows from `from` to `to`, m, and quantile of the normal
+  // Largest |stator| over the rows from `from` to `to`, m, and quantile of the normal
   // force over the rows in contact there, N (0: no contact).
-  double largest_rotor(double from, double to) const;
   double largest_stator(double from, double to) const;
   double force_quantile(double quantile, double from, double to) const;
   // The same of the gap over all rows there, m, and the largest control force, N (0: none).

@@ -15,6 +15,11 @@ namespace {
 
 constexpr int kFadeSteps = 24;  // of a trail
 
+void check(cairo_status_t status) {
+  if (status == CAIRO_STATUS_SUCCESS) return;
+  throw std::runtime_error(std::string("the picture: ") + cairo_status_to_string(status));
+}
+
 // The row of the area in the surface: pixels of 32 bits, 0x00RRGGBB.
 std::uint32_t* pixels(cairo_surface_t* surface, const Area& area, int row) {
   unsigned char* line =
@@ -42,10 +47,7 @@ Picture::Picture(int width, int height)
 }
 
 Image Picture::image() const {
-  const cairo_status_t status = cairo_surface_status(surface());
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error(std::string("the picture: ") + cairo_status_to_string(status));
-  }
+  check(cairo_surface_status(surface()));
   cairo_surface_flush(surface());
   Image picture{
       cairo_image_surface_get_width(surface()), cairo_image_surface_get_height(surface()), {}};
@@ -58,6 +60,10 @@ Image Picture::image() const {
     }
   }
   return picture;
+}
+
+void Picture::write(const std::filesystem::path& file) const {
+  check(cairo_surface_write_to_png(surface(), file.c_str()));
 }
 
 void Picture::put(const Image& picture, const Area& area) {

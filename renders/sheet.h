@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -26,9 +27,10 @@ struct Area {
 class Picture {
  public:
   Picture(int width, int height);
-  // Throws std::runtime_error with Cairo's reason where something could not be drawn.
+  // Both throw std::runtime_error with Cairo's reason.
   Image image() const;
-  void put(const Image& picture, const Area& area);  // of the area's size
+  void write(const std::filesystem::path& file) const;  // PNG
+  void put(const Image& picture, const Area& area);     // of the area's size
   _cairo_surface* surface() const { return surface_.get(); }
 
  private:

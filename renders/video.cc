@@ -16,11 +16,13 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
 #include "native_model/trajectory/part_file.h"
+#include "renders/sheet.h"
 
 extern char** environ;
 
@@ -48,70 +50,27 @@ double processor_seconds(pid_t process) {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-// ffmpeg's arguments: raw frames on standard input, nothing but errors on standard error.
-std::vector<std::string> input_arguments(int width, int height, double frames_per_second) {
-  return {kEncoder,
-          "-nostdin",
-          "-hide_banner",
-          "-loglevel",
-          "error",
-          "-y",
-          "-f",
-          "rawvideo",
-          "-pixel_format",
-          "rgb24",
-          "-video_size",
-          fmt::format("{}x{}", width, height),
-          "-framerate",
-          fmt::format("{}", frames_per_second),
-          "-i",
-          "pipe:0"};
-}
-
 // H.264 that every browser plays, index first so that it plays from a data URL; a fixed number of
 // threads and no version stamps, so that equal frames give equal bytes.
-std::vector<std::string> film_arguments(const Encoding& encoding) {
-  return {"-vf",
-          "scale=out_color_matrix=bt709:out_range=tv",
-          "-c:v",
-          "libx264",
-          "-preset",
-          "veryfast",
-          "-tune",
-          "animation",
-          "-crf",
-          std::to_string(encoding.quality),
-          "-pix_fmt",
-          "yuv420p",
-          "-colorspace",
-          "bt709",
-          "-color_primaries",
-          "bt709",
-          "-color_trc",
-          "bt709",
-          "-threads",
-          "2",
-          "-fflags",
-          "+bitexact",
-          "-flags:v",
-          "+bitexact",
-          "-movflags",
-          "+faststart",
-          "-f",
-          "mp4"};
-}
+constexpr const char* kFilm =
+    "-vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -preset veryfast -tune animation "
+    "-pix_fmt yuv420p -colorspace bt709 -color_primaries bt709 -color_trc bt709 -threads 2 "
+    "-fflags +bitexact -flags:v +bitexact -movflags +faststart -f mp4";
 
 // One palette for all frames: ffmpeg keeps them until the last one has come.
-std::vector<std::string> gif_arguments() {
-  return {"-filter_complex",
-          "split[frames][counted];[counted]palettegen=stats_mode=full[palette];"
-          "[frames][palette]paletteuse=dither=none:diff_mode=rectangle",
-          "-loop",
-          "0",
-          "-fflags",
-          "+bitexact",
-          "-f",
-          "gif"};
+constexpr const char* kGif =
+    "-filter_complex split[frames][counted];[counted]palettegen=stats_mode=full[palette];"
+    "[frames][palette]paletteuse=dither=none:diff_mode=rectangle -loop 0 -fflags +bitexact -f gif";
+
+// Raw frames on standard input, nothing but errors on standard error. Not by the file's name: an
+// encoder that outlives us would write the file anew after the next run removed it.
+std::vector<std::string> arguments_of(int width, int height, const Encoding& encoding) {
+  std::istringstream words(
+      fmt::format("{} -nostdin -hide_banner -loglevel error -y -f rawvideo -pixel_format rgb24 "
+                  "-video_size {}x{} -framerate {} -i pipe:0 {} file:/dev/fd/{}",
+                  kEncoder, width, height, encoding.frames_per_second,
+                  encoding.gif ? kGif : fmt::format("{} -crf {}", kFilm, encoding.quality), kOut));
+  return {std::istream_iterator<std::string>(words), {}};
 }
 
 // Starts ffmpeg with `in` as standard input, `log` as standard error and `out` as kOut, in a
@@ -221,15 +180,15 @@ class VideoFile::Patience {
 };
 
 VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
-                     double frames_per_second, std::vector<std::string> output)
-    : file_(file), part_(part_of(file)), width_(width), height_(height) {
-  auto arguments = input_arguments(width, height, frames_per_second);
-  for (std::string& argument : output) arguments.push_back(std::move(argument));
-  // Not by its name: an encoder that outlives us would write the file anew after the next run
-  // removed it.
-  arguments.push_back(fmt::format("file:/dev/fd/{}", kOut));
+                     const Encoding& encoding)
+    : file_(file),
+      part_(part_of(file)),
+      width_(width),
+      height_(height),
+      patience_(encoding.patience) {
+  assert(width > 0 && height > 0 && (encoding.gif || (width % 2 == 0 && height % 2 == 0)));
   try {
-    const Process process = start(std::move(arguments), file, part_);
+    const Process process = start(arguments_of(width, height, encoding), file, part_);
     encoder_ = process.child;
     pipe_ = process.pipe;
     log_ = process.log;
@@ -238,14 +197,6 @@ VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
     std::filesystem::remove(part_, none);
     throw;
   }
-}
-
-VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
-                     const Encoding& encoding)
-    : VideoFile(file, width, height, encoding.frames_per_second,
-                encoding.gif ? gif_arguments() : film_arguments(encoding)) {
-  patience_ = encoding.patience;
-  assert(width > 0 && height > 0 && (encoding.gif || (width % 2 == 0 && height % 2 == 0)));
 }
 
 VideoFile::~VideoFile() {
@@ -324,11 +275,17 @@ void VideoFile::fail(const std::string& reason) {
 }
 
 void write_picture(const Image& picture, const std::filesystem::path& file) {
-  VideoFile still(
-      file, picture.width, picture.height, 1.0,
-      {"-frames:v", "1", "-c:v", "png", "-fflags", "+bitexact", "-f", "image2", "-update", "1"});
-  still.add(picture);
-  still.finish();
+  const std::filesystem::path part = part_of(file);
+  std::error_code error;
+  try {
+    Picture drawn(picture.width, picture.height);
+    drawn.put(picture, {0, 0, picture.width, picture.height});
+    drawn.write(part);
+    std::filesystem::rename(part, file);
+  } catch (const std::runtime_error& problem) {
+    std::filesystem::remove(part, error);
+    throw std::runtime_error(fmt::format("{}: {}", file.string(), problem.what()));
+  }
 }
 
 }  // namespace rotorub::renders

@@ -1,4 +1,4 @@
-// Pictures to a file, by the program `ffmpeg`: H.264 film (mp4), animated GIF or a still.
+// Pictures to a file: H.264 film (mp4) or animated GIF by the program `ffmpeg`, or a still.
 #pragma once
 
 #include <sys/types.h>
@@ -14,15 +14,16 @@ namespace rotorub::renders {
 inline constexpr double kPatience = 20.0;  // s
 
 struct Encoding {
-  bool gif = false;  // or H.264
+  bool gif = false;                 // or H.264
   double frames_per_second = 25.0;  // > 0
   int quality = 25;                 // x264's constant rate factor, 0 (lossless) to 51
   double patience = kPatience;      // s that ffmpeg may do nothing at all, until it is ended
 };
 
 // A film in the making. The file appears whole when finish() returns, or not at all: frames go to
-// a part beside it (part_file.h), which is renamed at the end and removed on every other way out. An
-// ffmpeg that does nothing for too long is ended. All errors are std::runtime_error and carry what ffmpeg said.
+// a part beside it (part_file.h), which is renamed at the end and removed on every other way out.
+// An ffmpeg that does nothing for too long is ended. All errors are std::runtime_error and carry
+// what ffmpeg said.
 class VideoFile {
  public:
   // Starts ffmpeg. For H.264 width and height must be even (yuv420p).
@@ -37,11 +38,6 @@ class VideoFile {
   void finish();
 
  private:
-  friend void write_picture(const Image& picture, const std::filesystem::path& file);
-  // `output`: ffmpeg's arguments between its input and the name of the file.
-  VideoFile(const std::filesystem::path& file, int width, int height, double frames_per_second,
-            std::vector<std::string> output);
-
   class Patience;
 
   void close_pipe();
@@ -58,7 +54,7 @@ class VideoFile {
   int log_ = -1;   // what ffmpeg says on standard error, in memory
 };
 
-// One picture as PNG. Whole or not at all.
+// One picture as PNG, by Cairo. Whole or not at all. Throws std::runtime_error.
 void write_picture(const Image& picture, const std::filesystem::path& file);
 
 }  // namespace rotorub::renders
