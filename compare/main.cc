@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
+#include "compare/base/version.h"
 #include "compare/commands/command.h"
 #include "compare/commands/command_line.h"
 #include "compare/commands/help_format.h"
 #include "compare/commands/interrupt.h"
 #include "compare/engine/engine.h"
 #include "compare/study/run_directory.h"
-#include "compare/version.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/printable.h"
 #include "native_model/trajectory/output.h"

@@ -1,10 +1,10 @@
 #include "compare/bench/json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/json.h"
+#include "compare/base/units.h"
 #include "compare/bench/series.h"
-#include "compare/modes/units.h"
 #include "compare/study/json.h"
 #include "native_model/scene/reader.h"
 
@@ -12,9 +12,6 @@ namespace rotorub::bench {
 namespace {
 
 using nlohmann::json;
-
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
-json number(const std::optional<double>& value) { return value ? number(*value) : json(nullptr); }
 
 json wall_json(const WallTime& wall) {
   if (wall.repeats == 0) return nullptr;
@@ -26,8 +23,8 @@ json wall_json(const WallTime& wall) {
 
 json settled_json(const Settled& s) {
   return {{"attractor", rotorub::to_string(s.attractor)},
-          {"contact_share", number(s.contact_share)},
-          {"whirl_frequency", number(s.whirl_frequency)}};
+          {"contact_share", number_or_null(s.contact_share)},
+          {"whirl_frequency", number_or_null(s.whirl_frequency)}};
 }
 
 json reference_json(const Reference& r) {
@@ -36,7 +33,7 @@ json reference_json(const Reference& r) {
           {"event_distance", r.event_distance},
           {"rows", r.times.size()},
           {"settled", settled_json(settled(r.trajectory))},
-          {"impulse_total", number(r.trajectory.statistics.impulse_total)}};
+          {"impulse_total", number_or_null(r.trajectory.statistics.impulse_total)}};
 }
 
 json level_json(const Level& level, const std::vector<Point>& points) {
@@ -45,8 +42,8 @@ json level_json(const Level& level, const std::vector<Point>& points) {
     const Point& p = points[best.point];
     engines.push_back({{"engine", best.engine},
                        {"setting", p.setting.setting},
-                       {"step", number(p.setting.step)},
-                       {"position_error", number(p.errors->position)},
+                       {"step", number_or_null(p.setting.step)},
+                       {"position_error", number_or_null(p.errors->position)},
                        {"wall_ms", 1e3 * best.seconds},
                        {"ratio", best.seconds / level.engines.front().seconds}});
   }
@@ -62,7 +59,7 @@ json level_json(const Level& level, const std::vector<Point>& points) {
 json series_json(const SceneBench& bench) {
   json all = json::array();
   for (const Series& s : series_of(bench.points, bench.telling_errors())) {
-    all.push_back({{"engine", s.engine}, {"setting", s.setting}, {"order", number(s.order)}});
+    all.push_back({{"engine", s.engine}, {"setting", s.setting}, {"order", number_or_null(s.order)}});
   }
   return all;
 }
@@ -90,7 +87,7 @@ json restitution_json(const std::vector<RestitutionRow>& rows) {
     all.push_back({{"asked", r.asked},
                    {"engine", r.engine},
                    {"setting", r.setting},
-                   {"got", r.failure.empty() ? number(r.got) : json(nullptr)},
+                   {"got", r.failure.empty() ? number_or_null(r.got) : json(nullptr)},
                    {"reason", r.failure}});
   }
   return all;
@@ -126,13 +123,13 @@ json scene_json(const SceneBench& bench) {
 nlohmann::json point_json(const Point& p) {
   json j = {{"engine", p.setting.engine},
             {"setting", p.setting.setting},
-            {"step", number(p.setting.step)},
+            {"step", number_or_null(p.setting.step)},
             {"outcome", to_string(p.judgement.outcome)},
             {"reason", p.judgement.reason},
             {"position_error", nullptr},
             {"force_error", nullptr},
             {"impulse_error", nullptr},
-            {"limit_error", number(p.limit_error)},
+            {"limit_error", number_or_null(p.limit_error)},
             {"penetration", nullptr},
             {"predicted_penetration", nullptr},
             {"energy_residual", nullptr},
@@ -143,21 +140,21 @@ nlohmann::json point_json(const Point& p) {
             {"real_time_factor", nullptr},
             {"wall_ms", wall_json(p.wall)}};
   if (p.errors) {
-    j["position_error"] = number(p.errors->position);
-    j["force_error"] = number(p.errors->force);
-    j["impulse_error"] = number(p.errors->impulse);
+    j["position_error"] = number_or_null(p.errors->position);
+    j["force_error"] = number_or_null(p.errors->force);
+    j["impulse_error"] = number_or_null(p.errors->impulse);
   }
   if (p.metrics) {
     const json figures = metrics_json(*p.metrics);
-    j["penetration"] = number(p.metrics->max_penetration);
-    j["predicted_penetration"] = number(p.metrics->whirl_penetration);
-    j["energy_residual"] = number(p.metrics->energy_residual);
+    j["penetration"] = number_or_null(p.metrics->max_penetration);
+    j["predicted_penetration"] = number_or_null(p.metrics->whirl_penetration);
+    j["energy_residual"] = number_or_null(p.metrics->energy_residual);
     j["residuals"] = figures.contains("residuals") ? figures["residuals"] : json(nullptr);
     j["settled"] = settled_json(p.metrics->settled);
   }
   if (p.wall.repeats > 0) {
-    j["us_per_step"] = number(p.us_per_step());
-    j["real_time_factor"] = number(p.real_time_factor());
+    j["us_per_step"] = number_or_null(p.us_per_step());
+    j["real_time_factor"] = number_or_null(p.real_time_factor());
   }
   return j;
 }

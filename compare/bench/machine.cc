@@ -3,7 +3,7 @@
 #include <fstream>
 #include <thread>
 
-#include "compare/version.h"
+#include "compare/base/version.h"
 
 namespace rotorub::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
 
 namespace rotorub::bench {
 namespace {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
+#include "compare/base/json.h"
 #include "native_model/scene/printable.h"
 
 namespace rotorub::check {
@@ -45,15 +45,11 @@ std::string notes(const std::vector<Case>& cases, Outcome outcome) {
   return text;
 }
 
-json number(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? json(*value) : json(nullptr);
-}
-
 json verdict_json(const Verdict& v) {
   return {{"outcome", to_string(v.outcome)},
           {"rule", v.rule},
-          {"value", number(v.value)},
-          {"limit", number(v.limit)},
+          {"value", number_or_null(v.value)},
+          {"limit", number_or_null(v.limit)},
           {"reason", v.reason}};
 }
 

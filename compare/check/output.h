@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "compare/base/palette.h"
 #include "compare/check/case.h"
-#include "compare/study/palette.h"
 
 namespace rotorub::check {
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/json.h"
 #include "compare/bench/json.h"
 #include "compare/bench/restitution.h"
 #include "compare/bench/scene_bench.h"
@@ -18,7 +19,6 @@
 #include "compare/commands/progress.h"
 #include "compare/report/bench_page.h"
 #include "compare/report/beside.h"
-#include "compare/study/json.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 #include "native_model/trajectory/part_file.h"

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compare/base/json.h"
 #include "compare/check/output.h"
 #include "compare/check/scene_check.h"
 #include "compare/commands/command.h"
@@ -17,7 +18,6 @@
 #include "compare/commands/progress.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/beside.h"
-#include "compare/study/json.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"

@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/compare_output.h"
 #include "compare/commands/films.h"

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/base/columns.h"
+#include "compare/base/json.h"
 #include "compare/study/column_files.h"
 #include "compare/study/json.h"
 #include "compare/study/run_directory.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
 
 namespace rotorub {
 namespace {

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/starter/starter.h"
-#include "compare/study/json.h"
 #include "native_model/scene/printable.h"
 #include "native_model/scene/units.h"
 #include "native_model/trajectory/output.h"

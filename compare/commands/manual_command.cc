@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "compare/base/version.h"
 #include "compare/commands/command.h"
 #include "compare/manual/program_text.h"
-#include "compare/version.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/json.h"
 #include "compare/commands/command.h"
-#include "compare/study/json.h"
 #include "mjcf/writer.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"

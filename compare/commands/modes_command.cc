@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
@@ -21,7 +22,6 @@
 #include "compare/report/feedback_map_page.h"
 #include "compare/report/modes_page.h"
 #include "compare/report/rub_map_page.h"
-#include "compare/study/json.h"
 #include "native_model/control/library.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rub/feedback_map.h"

@@ -8,10 +8,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/stored_run.h"
 #include "compare/report/run_page.h"
-#include "compare/study/json.h"
 #include "compare/study/run_directory.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/printable.h"

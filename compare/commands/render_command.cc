@@ -9,13 +9,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/film_options.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/commands/stored_run.h"
 #include "compare/engine/engine.h"
-#include "compare/study/json.h"
 #include "compare/study/run_directory.h"
 #include "compare/study/scene_comparison.h"
 #include "native_model/control/library.h"

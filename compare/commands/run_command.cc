@@ -11,13 +11,14 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "compare/base/format.h"
+#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/commands/terminal.h"
 #include "compare/engine/engine.h"
 #include "compare/metrics/above_modes.h"
-#include "compare/study/format.h"
 #include "compare/study/json.h"
 #include "compare/study/run_directory.h"
 #include "compare/study/table.h"

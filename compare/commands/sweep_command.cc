@@ -11,12 +11,12 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "compare/base/columns.h"
+#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/interrupt.h"
 #include "compare/commands/progress.h"
 #include "compare/report/sweep_page.h"
-#include "compare/study/column_files.h"
-#include "compare/study/json.h"
 #include "compare/sweep/columns.h"
 #include "compare/sweep/csv.h"
 #include "compare/sweep/folder.h"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
 
 namespace rotorub {
 namespace {

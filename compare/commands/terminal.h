@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "compare/study/palette.h"
+#include "compare/base/palette.h"
 
 namespace rotorub {
 

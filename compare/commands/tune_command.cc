@@ -9,11 +9,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/progress.h"
 #include "compare/commands/terminal.h"
 #include "compare/commands/tuning.h"
-#include "compare/study/json.h"
 #include "compare/study/scene_comparison.h"
 #include "compare/tune/json.h"
 #include "compare/tune/scene_text.h"

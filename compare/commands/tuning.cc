@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "compare/base/format.h"
 #include "compare/bench/ladder.h"
 #include "compare/commands/interrupt.h"
-#include "compare/study/format.h"
 
 namespace rotorub {
 namespace {

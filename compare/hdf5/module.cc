@@ -3,7 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include "compare/modules/module_file.h"
+#include "compare/base/module_file.h"
 
 namespace rotorub::hdf5 {
 

@@ -9,7 +9,6 @@
 #include "compare/measured/channel.h"
 #include "compare/measured/fitting.h"
 #include "compare/measured/lag_search.h"
-#include "compare/study/format.h"
 
 namespace rotorub {
 namespace {

@@ -5,12 +5,12 @@
 #include <deque>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/json.h"
+
 namespace rotorub {
 namespace {
 
 using nlohmann::json;
-
-json number_or_null(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
 
 const char* word_of(AngleFrom from) {
   switch (from) {

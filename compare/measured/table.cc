@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
 
 namespace rotorub {
 namespace {

@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "compare/base/format.h"
+#include "compare/base/in_parallel.h"
 #include "compare/engine/engine.h"
 #include "compare/metrics/metrics.h"
-#include "compare/study/format.h"
-#include "compare/study/in_parallel.h"
+#include "compare/study/figure_text.h"
 #include "compare/study/rows.h"
 #include "native_model/system/model.h"
 

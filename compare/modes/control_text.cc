@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "compare/modes/units.h"
-#include "compare/study/format.h"
+#include "compare/base/format.h"
+#include "compare/base/units.h"
 #include "native_model/scene/printable.h"
 
 namespace rotorub {

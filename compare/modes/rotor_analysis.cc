@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compare/modes/units.h"
+#include "compare/base/units.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/refusal.h"
 

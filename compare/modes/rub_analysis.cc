@@ -8,8 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "compare/base/json.h"
+#include "compare/base/units.h"
 #include "compare/modes/rotor_analysis.h"
-#include "compare/modes/units.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub {
@@ -75,9 +76,6 @@ std::pair<double, double> outermost_speeds(const scene::Scene& scene) {
   const auto [low, high] = std::minmax_element(speeds.begin(), speeds.end());
   return {*low, *high};
 }
-
-// Rolling without anything that can move does not grow: no number in JSON.
-json growth_json(double growth) { return std::isfinite(growth) ? json(growth) : json(nullptr); }
 
 std::string growth_text(double growth) {
   return std::isfinite(growth) ? fmt::format("{:.4g}", growth) : "-";
@@ -182,20 +180,17 @@ json rub_point_json(const RubPoint& point) {
                     {"friction", r.rub.friction},
                     {"slip", r.rub.slip},
                     {"stable", r.stability.stable},
-                    {"growth_rate", growth_json(r.stability.growth)},
+                    {"growth_rate", number_or_null(r.stability.growth)},
                     {"frequency", r.stability.frequency}});
   }
-  for (const auto& [from, to] : point.rolling_ranges) {
-    ranges.push_back({from, std::isfinite(to) ? json(to) : json(nullptr)});
-  }
+  for (const auto& [from, to] : point.rolling_ranges) ranges.push_back({from, number_or_null(to)});
   for (const unsigned bit : {rub::kFreeOrbit, rub::kForcedRub, rub::kBackwardWhip, rub::kRollingRub}) {
     if (point.attractors() & bit) attractors.push_back(attractors_text(bit));
   }
-  const bool orbit = point.orbit && std::isfinite(*point.orbit);
   return {{"speed", point.speed},
           {"friction", point.friction},
-          {"free_orbit", orbit ? json(*point.orbit) : json(nullptr)},
-          {"free_growth_rate", growth_json(point.free.growth)},
+          {"free_orbit", number_or_null(point.orbit)},
+          {"free_growth_rate", number_or_null(point.free.growth)},
           {"attractors", attractors},
           {"rubs", rubs},
           {"rolling_ranges", ranges}};
@@ -207,7 +202,7 @@ json rub_json(const RubAnalysis& analysis) {
   result["joined"] = whirls_json(analysis.joined);
   if (analysis.driven.empty() && analysis.rolling.empty()) return result;
   const auto stability = [](const rub::Stability& s) {
-    return json{{"growth_rate", growth_json(s.growth)}, {"frequency", s.frequency}, {"stable", s.stable}};
+    return json{{"growth_rate", number_or_null(s.growth)}, {"frequency", s.frequency}, {"stable", s.stable}};
   };
   json& driven = result["driven"] = json::array();
   for (const rub::Stability& s : analysis.driven) driven.push_back(stability(s));

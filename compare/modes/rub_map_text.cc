@@ -6,8 +6,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/units.h"
 #include "compare/modes/rub_analysis.h"
-#include "compare/modes/units.h"
 
 namespace rotorub {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/modes/units.h"
-#include "compare/study/json.h"
+#include "compare/base/json.h"
+#include "compare/base/units.h"
 
 namespace rotorub {
 namespace {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "compare/modules/module_file.h"
+#include "compare/base/module_file.h"
 #include "compare/peers/peer_engine.h"
 
 namespace rotorub::peers {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/format.h"
+#include "compare/base/units.h"
 #include "compare/bench/json.h"
 #include "compare/bench/series.h"
-#include "compare/modes/units.h"
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/precision_plots.h"
-#include "compare/study/format.h"
 
 namespace rotorub {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "compare/modes/units.h"
+#include "compare/base/units.h"
 #include "compare/report/rounded.h"
 #include "native_model/bearing/drive.h"
 #include "native_model/system/model.h"

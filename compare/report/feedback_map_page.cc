@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/base/format.h"
+#include "compare/base/units.h"
 #include "compare/modes/control_text.h"
-#include "compare/modes/units.h"
 #include "compare/report/map_page.h"
-#include "compare/study/format.h"
 
 namespace rotorub {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "compare/report/mode_values.h"
-#include "compare/study/format.h"
+#include "compare/study/figure_text.h"
 #include "compare/study/verdict.h"
 
 namespace rotorub {

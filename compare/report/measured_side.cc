@@ -7,6 +7,7 @@
 #include <complex>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/format.h"
 #include "compare/measured/sampled_run.h"
 #include "compare/measured/table.h"
 #include "compare/metrics/interpolation.h"
@@ -15,7 +16,6 @@
 #include "compare/report/rounded.h"
 #include "compare/report/thin.h"
 #include "compare/report/whirl_plots.h"
-#include "compare/study/format.h"
 
 namespace rotorub {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
 #include "compare/study/resync_text.h"
 
 namespace rotorub {

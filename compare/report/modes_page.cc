@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "compare/modes/units.h"
+#include "compare/base/units.h"
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
 #include "native_model/scene/reader.h"

@@ -3,8 +3,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/units.h"
 #include "compare/modes/text.h"
-#include "compare/modes/units.h"
 #include "compare/report/modes_page.h"
 #include "compare/report/rounded.h"
 

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/base/format.h"
+#include "compare/base/version.h"
 #include "compare/report/assets.h"
 #include "compare/report/contents.h"
 #include "compare/report/page_frame.h"
@@ -12,8 +14,6 @@
 #include "compare/report/rotor_section.h"
 #include "compare/report/shown_runs.h"
 #include "compare/report/trade.h"
-#include "compare/study/format.h"
-#include "compare/version.h"
 
 namespace rotorub {
 namespace {

@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
+#include "compare/base/version.h"
 #include "compare/report/assets.h"
 #include "compare/report/template.h"
 #include "compare/report/web/scripts.h"
-#include "compare/version.h"
 
 namespace rotorub {
 namespace {

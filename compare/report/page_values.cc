@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "compare/base/format.h"
+#include "compare/base/palette.h"
+#include "compare/base/version.h"
 #include "compare/report/figure_values.h"
 #include "compare/report/measured_side.h"
 #include "compare/report/mode_values.h"
 #include "compare/study/answer.h"
-#include "compare/study/format.h"
-#include "compare/study/palette.h"
+#include "compare/study/figure_text.h"
 #include "compare/study/three_errors.h"
 #include "compare/study/verdict.h"
-#include "compare/version.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compare/modes/units.h"
+#include "compare/base/units.h"
 #include "compare/report/modes_page.h"
 #include "native_model/scene/diagnostic.h"
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/units.h"
 #include "compare/modes/rub_analysis.h"
-#include "compare/modes/units.h"
 #include "compare/report/map_page.h"
 
 namespace rotorub {

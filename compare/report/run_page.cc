@@ -4,13 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/base/format.h"
+#include "compare/base/version.h"
 #include "compare/report/assets.h"
 #include "compare/report/contents.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plots.h"
 #include "compare/report/rotor_section.h"
-#include "compare/study/format.h"
-#include "compare/version.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {

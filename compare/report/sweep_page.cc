@@ -11,7 +11,6 @@
 #include "compare/report/page_frame.h"
 #include "compare/report/rounded.h"
 #include "compare/report/rub_figures.h"
-#include "compare/study/json.h"
 #include "compare/sweep/linear_map.h"
 
 namespace rotorub {
@@ -22,7 +21,6 @@ using sweep::ResultColumn;
 using sweep::SampleKind;
 using sweep::Statement;
 using sweep::Vary;
-
 
 // A unit as the page writes it.
 struct Unit {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "compare/base/format.h"
 #include "compare/engine/engine.h"
-#include "compare/study/format.h"
 
 namespace rotorub {
 namespace {

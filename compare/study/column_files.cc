@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compare/base/columns.h"
 #include "compare/measured/json.h"
 #include "compare/study/figure.h"
 
@@ -88,18 +89,6 @@ std::vector<ColumnMeaning> make_metric_keys() {
   return keys;
 }
 
-ordered_json columns_json(std::span<const ColumnMeaning> columns) {
-  ordered_json all = ordered_json::array();
-  for (const ColumnMeaning& c : columns) all.push_back(column_json(c.name, c.unit, c.meaning));
-  return all;
-}
-
-std::string row(std::string_view name, std::string_view unit, std::string_view meaning, std::string_view present) {
-  std::string text(meaning);
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
-  return fmt::format("| `{}` | {} | {}{} |\n", name, unit, text, present.empty() ? "" : fmt::format(" ({})", present));
-}
-
 std::string section(std::string_view file, std::span<const ColumnMeaning> columns) {
   return fmt::format("### `{}`\n\n{}\n", file, columns_table(columns));
 }
@@ -111,10 +100,6 @@ std::span<const ColumnMeaning> summary_keys() { return kSummary; }
 std::span<const ColumnMeaning> metric_keys() {
   static const std::vector<ColumnMeaning> keys = make_metric_keys();
   return keys;
-}
-
-ordered_json column_json(std::string_view name, std::string_view unit, std::string_view meaning) {
-  return {{"name", name}, {"unit", unit}, {"meaning", meaning}};
 }
 
 ordered_json run_columns_json(const Trajectory& trajectory) {
@@ -132,25 +117,6 @@ ordered_json compare_columns_json() {
   return {{"compare.json runs.*.metrics", columns_json(metric_keys())},
           {"compare.json runs.*.summary", columns_json(summary_keys())},
           {"compare.json measured", columns_json(measured_keys())}};
-}
-
-std::string columns_text(const ordered_json& columns) {
-  // A column a line.
-  std::string text = "{";
-  for (auto file = columns.begin(); file != columns.end(); ++file) {
-    text += fmt::format("{}\n  {}: [", file == columns.begin() ? "" : ",", ordered_json(file.key()).dump());
-    for (std::size_t k = 0; k < file->size(); ++k) {
-      text += (k == 0 ? "\n    " : ",\n    ") + (*file)[k].dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-    }
-    text += "\n  ]";
-  }
-  return text + "\n}\n";
-}
-
-std::string columns_table(std::span<const ColumnMeaning> columns) {
-  std::string text = "| name | unit | meaning |\n| --- | --- | --- |\n";
-  for (const ColumnMeaning& c : columns) text += row(c.name, c.unit, c.meaning, c.present);
-  return text;
 }
 
 std::string columns_markdown() {

@@ -11,8 +11,6 @@
 
 namespace rotorub {
 
-inline constexpr const char* kColumnsFile = "columns.json";
-
 // Keys of summary.json; "above_modes.contact_share": within another.
 std::span<const ColumnMeaning> summary_keys();
 // Keys of a run's `metrics` in compare.json, SI: the figures, and what stands beside them.
@@ -22,13 +20,8 @@ std::span<const ColumnMeaning> metric_keys();
 // its name and with its unit.
 nlohmann::ordered_json run_columns_json(const Trajectory& trajectory);
 nlohmann::ordered_json compare_columns_json();
-nlohmann::ordered_json column_json(std::string_view name, std::string_view unit, std::string_view meaning);
 
-// As text with its line break.
-std::string columns_text(const nlohmann::ordered_json& columns);
-
-// Markdown: a table; and a section a file, with its table.
-std::string columns_table(std::span<const ColumnMeaning> columns);
+// Markdown: a section a file, with its table.
 std::string columns_markdown();
 inline constexpr const char* kColumnsBegin = "<!-- columns: begin (from the program) -->\n";
 inline constexpr const char* kColumnsEnd = "<!-- columns: end -->\n";

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/json.h"
+#include "compare/base/version.h"
 #include "compare/measured/json.h"
 #include "compare/metrics/above_modes.h"
 #include "compare/model_error/json.h"
 #include "compare/study/answer.h"
 #include "compare/study/mode_json.h"
 #include "compare/study/verdict.h"
-#include "compare/version.h"
 #include "native_model/rotor/contact_mass.h"
 #include "native_model/scene/reader.h"
 
@@ -17,8 +18,6 @@ namespace rotorub {
 namespace {
 
 using nlohmann::json;
-
-json or_null(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
 
 json residuals_json(const Residuals& r) {
   return {{"force_scale", r.force_scale},
@@ -33,7 +32,7 @@ json residuals_json(const Residuals& r) {
 
 json divergence_json(const Divergence& d) {
   return {{"threshold", d.threshold},
-          {"time", or_null(d.time)},
+          {"time", number_or_null(d.time)},
           {"max_distance", d.max_distance},
           {"rms_distance", d.rms_distance}};
 }
@@ -174,23 +173,11 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
   return all;
 }
 
-std::string json_text(const json& value) {
-  return value.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-}
-
-json contact_mass_json(const std::optional<ContactMass>& mass) {
-  if (!mass) return nullptr;
-  return {{"kept", mass->kept},
-          {"mesh", mass->mesh},
-          {"kept_modes", mass->kept_modes},
-          {"mesh_modes", mass->mesh_modes}};
-}
-
 json metrics_json(const Metrics& m) {
   json all = json::object();
   for (const Figure& f : figures()) all[f.key] = f.value(m);
-  all["first_touch"] = or_null(m.first_touch);
-  all["least_gap"] = or_null(m.least_gap);
+  all["first_touch"] = number_or_null(m.first_touch);
+  all["least_gap"] = number_or_null(m.least_gap);
   all["friction_impulse"] = m.friction_impulse;
   all["real_time_factor"] = m.real_time_factor;
   all["settled"] = {

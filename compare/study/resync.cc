@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
 #include "compare/study/resync_text.h"
 #include "native_model/event/driver.h"
 #include "native_model/trajectory/recorder.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
 
 namespace rotorub {
 namespace {

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "compare/base/columns.h"
+#include "compare/base/json.h"
 #include "compare/hdf5/run_file.h"
 #include "compare/study/column_files.h"
 #include "compare/study/json.h"

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
+#include "compare/study/figure_text.h"
 
 namespace rotorub {
 namespace {
@@ -72,6 +73,19 @@ const char* to_string(Trust trust) {
       return "undecidable";
   }
   return "";
+}
+
+Tone tone_of(Trust trust) {
+  switch (trust) {
+    case Trust::kYes:
+      return Tone::kGood;
+    case Trust::kAveragesOnly:
+    case Trust::kUndecidable:
+      return Tone::kPart;
+    case Trust::kNo:
+      break;
+  }
+  return Tone::kBad;
 }
 
 JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other,

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/base/palette.h"
 #include "compare/study/figure.h"
 #include "compare/study/figure_sample.h"
 
@@ -51,6 +52,7 @@ enum class Trust {
   kUndecidable    // nothing is outside, and nothing could be decided
 };
 const char* to_string(Trust trust);  // "yes", "averages only", "no", "undecidable"
+Tone tone_of(Trust trust);
 
 Trust trust(const std::vector<JudgedFigure>& figures);
 

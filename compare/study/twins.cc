@@ -1,6 +1,6 @@
 #include "compare/study/twins.h"
 
-#include "compare/study/in_parallel.h"
+#include "compare/base/in_parallel.h"
 
 namespace rotorub {
 

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
+#include "compare/study/figure_text.h"
 #include "compare/study/resync_text.h"
 
 namespace rotorub {

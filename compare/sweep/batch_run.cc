@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "compare/study/in_parallel.h"
+#include "compare/base/in_parallel.h"
 #include "compare/sweep/ensemble_points.h"
 #include "compare/sweep/point_scene.h"
 #include "compare/sweep/single_point.h"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "compare/study/column_files.h"
+#include "compare/base/columns.h"
 #include "compare/sweep/point_result.h"
 
 namespace rotorub::sweep {

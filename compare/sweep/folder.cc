@@ -1,6 +1,5 @@
 #include "compare/sweep/folder.h"
 
-#include "compare/study/column_files.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 

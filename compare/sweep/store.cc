@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "compare/version.h"
+#include "compare/base/version.h"
 
 namespace rotorub::sweep {
 namespace {

@@ -1,11 +1,11 @@
 #include "compare/tune/json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/json.h"
+#include "compare/base/version.h"
 #include "compare/engine/engine.h"
 #include "compare/model_error/json.h"
-#include "compare/version.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub::tune {
@@ -13,14 +13,12 @@ namespace {
 
 using nlohmann::json;
 
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
-
 json setting_json(const JudgedSetting& judged, int modes) {
   const Setting& s = judged.setting;
   json errors = json::object(), intervals = json::object(), undecided = json::array();
   for (const JudgedFigure& f : judged.figures) {
-    errors[f.figure->key] = number(f.deviation);
-    intervals[f.figure->key] = number(f.interval);
+    errors[f.figure->key] = number_or_null(f.deviation);
+    intervals[f.figure->key] = number_or_null(f.interval);
     if (f.verdict == FigureVerdict::kUndecidable) undecided.push_back(f.figure->key);
   }
   const bool soft = s.contact != scene::ContactModel::kRigid;
@@ -38,7 +36,7 @@ json setting_json(const JudgedSetting& judged, int modes) {
       {"friction_reference", given(s.contact == scene::ContactModel::kCone, s.friction_reference)},
       {"solver", to_string(s.solver)},
       {"us_per_step", judged.us_per_step > 0.0 ? json(judged.us_per_step) : json(nullptr)},
-      {"seconds_per_second", judged.cost() ? json(*judged.cost()) : json(nullptr)},
+      {"seconds_per_second", number_or_null(judged.cost())},
       {"trusted", rotorub::to_string(judged.trust)},
       {"errors", errors},
       {"interval", intervals},
@@ -50,7 +48,7 @@ json setting_json(const JudgedSetting& judged, int modes) {
 json part_json(const ErrorPart& part) {
   json all = json::object();
   for (const auto& [figure, share] : part.figures) {
-    all[figure->key] = share ? json(*share) : json(nullptr);
+    all[figure->key] = number_or_null(share);
   }
   if (!part.reason.empty()) all["reason"] = part.reason;
   return all;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "compare/base/format.h"
 #include "compare/engine/engine.h"
-#include "compare/study/format.h"
 
 namespace rotorub::tune {
 namespace {

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "compare/base/format.h"
 #include "compare/engine/engine.h"
-#include "compare/study/format.h"
+#include "compare/study/figure_text.h"
 
 namespace rotorub::tune {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compare/study/palette.h"
+#include "compare/base/palette.h"
 #include "compare/tune/tune.h"
 
 namespace rotorub::tune {

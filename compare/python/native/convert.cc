@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compare/base/json.h"
 #include "compare/study/column_files.h"
 #include "compare/study/json.h"
 #include "native_model/scene/reader.h"

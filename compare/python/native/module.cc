@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "compare/base/version.h"
 #include "compare/engine/engine.h"
-#include "compare/sweep/batch_run.h"
-#include "compare/sweep/point_scene.h"
-#include "compare/version.h"
 #include "compare/python/native/background.h"
 #include "compare/python/native/convert.h"
+#include "compare/sweep/batch_run.h"
+#include "compare/sweep/point_scene.h"
 #include "native_model/control/library.h"
 
 namespace py = pybind11;

@@ -1,9 +1,9 @@
 // What a terminal is told: progress that fits it, colours that only colour, commands that are nearly right.
 #include <gtest/gtest.h>
 
+#include "compare/base/palette.h"
 #include "compare/commands/command_line.h"
 #include "compare/commands/progress.h"
-#include "compare/study/palette.h"
 
 namespace rotorub {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/modes/units.h"
+#include "compare/base/units.h"
 #include "compare/report/web/scripts.h"
 #include "native_model/oracles/friswell_rotor.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compare/modes/units.h"
+#include "compare/base/units.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/scene/reader.h"
 

@@ -1,11 +1,12 @@
 #include "compare/study/figure.h"
+#include "compare/study/figure_text.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "compare/study/format.h"
+#include "compare/base/format.h"
 
 namespace rotorub {
 namespace {

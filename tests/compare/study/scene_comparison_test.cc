@@ -1,3 +1,4 @@
+#include "compare/base/json.h"
 #include "compare/study/scene_comparison.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "compare/version.h"
+#include "compare/base/version.h"
 
 #include <mujoco/mujoco.h>
 

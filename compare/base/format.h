@@ -5,19 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "compare/study/figure.h"
-
 namespace rotorub {
 
 // Four significant digits, no exponent between 1e-3 and 1e6: "21.86", "0.0112", "1.2e-07", "0".
 std::string short_number(double value);
-// A value of a figure, in the unit that the figure is written in.
-std::string figure_value(const Figure& figure, double value);
-// "+0.52 %", "-77 pts", "×188" on the figure's scale; "∞" where the native value is 0; "–" for a
-// figure that is not comparable.
-std::string deviation_text(const Figure& figure, double deviation);
-// The same of a size: without a plus.
-std::string size_text(const Figure& figure, double size);
 // A share as a percentage: "1 %".
 std::string percent_text(double share);
 // A time with a fitting unit: "10 µs", "0.5 s".

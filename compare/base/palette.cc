@@ -1,4 +1,4 @@
-#include "compare/study/palette.h"
+#include "compare/base/palette.h"
 
 #include <fmt/format.h>
 
@@ -22,19 +22,6 @@ const char* start(Tone tone) {
 }
 
 }  // namespace
-
-Tone tone_of(Trust trust) {
-  switch (trust) {
-    case Trust::kYes:
-      return Tone::kGood;
-    case Trust::kAveragesOnly:
-    case Trust::kUndecidable:
-      return Tone::kPart;
-    case Trust::kNo:
-      break;
-  }
-  return Tone::kBad;
-}
 
 std::string Palette::paint(Tone tone, std::string_view text) const {
   if (!colours_ || tone == Tone::kPlain) return std::string(text);

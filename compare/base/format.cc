@@ -1,4 +1,4 @@
-#include "compare/study/format.h"
+#include "compare/base/format.h"
 
 #include <fmt/format.h>
 
@@ -16,29 +16,6 @@ std::string short_number(double value) {
   // Four significant digits, without an exponent.
   const int decimals = std::max(0, 3 - static_cast<int>(std::floor(std::log10(size))));
   return fmt::format("{:.{}f}", value, decimals);
-}
-
-std::string figure_value(const Figure& figure, double value) {
-  return short_number(value * figure.per_unit);
-}
-
-std::string deviation_text(const Figure& figure, double deviation) {
-  if (!figure.comparable) return "–";
-  const char* unit = figure.scale == Scale::kPoints ? "pts" : "%";
-  if (!std::isfinite(deviation)) return deviation > 0.0 ? "+∞" : "-∞";
-  const double percent = 100.0 * deviation;
-  const double size = std::abs(percent);
-  if (size < 0.005) return fmt::format("0.00 {}", unit);
-  if (size < 10.0) return fmt::format("{:+.2f} {}", percent, unit);
-  if (figure.scale == Scale::kPoints || percent < 1000.0) {
-    return fmt::format("{:+.0f} {}", percent, unit);
-  }
-  return "×" + short_number(std::round(1.0 + deviation));
-}
-
-std::string size_text(const Figure& figure, double size) {
-  const std::string text = deviation_text(figure, size);
-  return text.starts_with('+') ? text.substr(1) : text;
 }
 
 std::string percent_text(double share) { return fmt::format("{:.6g} %", 100.0 * share); }

@@ -1,4 +1,4 @@
-#include "compare/modules/module_file.h"
+#include "compare/base/module_file.h"
 
 namespace rotorub {
 

@@ -4,12 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "compare/study/trust.h"
-
 namespace rotorub {
 
 enum class Tone { kPlain, kGood, kPart, kBad };
-Tone tone_of(Trust trust);
 
 class Palette {
  public:

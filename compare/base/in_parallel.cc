@@ -1,4 +1,4 @@
-#include "compare/study/in_parallel.h"
+#include "compare/base/in_parallel.h"
 
 #include <algorithm>
 #include <exception>

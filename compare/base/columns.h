@@ -1,0 +1,26 @@
+// Columns of files that a command writes, for their readers: as JSON for columns.json beside the
+// data, and as a table.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "native_model/trajectory/columns.h"
+
+namespace rotorub {
+
+inline constexpr const char* kColumnsFile = "columns.json";
+
+// {"name", "unit", "meaning"}; and a list of them.
+nlohmann::ordered_json column_json(std::string_view name, std::string_view unit,
+                                   std::string_view meaning);
+nlohmann::ordered_json columns_json(std::span<const ColumnMeaning> columns);
+
+// {"<file>": [column, ...], ...} as text, a column a line, with its line break.
+std::string columns_text(const nlohmann::ordered_json& columns);
+
+// Markdown.
+std::string columns_table(std::span<const ColumnMeaning> columns);
+
+}  // namespace rotorub
