@@ -17,7 +17,7 @@
 #include "compare/commands/help_format.h"
 #include "compare/commands/interrupt.h"
 #include "compare/engine/engine.h"
-#include "compare/study/run_directory.h"
+#include "compare/run_files/run_directory.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/printable.h"
 #include "native_model/trajectory/output.h"

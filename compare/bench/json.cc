@@ -5,7 +5,7 @@
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/bench/series.h"
-#include "compare/study/json.h"
+#include "compare/figures/json.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub::bench {

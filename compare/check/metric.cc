@@ -8,8 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compare/figures/json.h"
 #include "compare/metrics/metrics.h"
-#include "compare/study/json.h"
+#include "compare/run_files/summary.h"
 
 namespace rotorub::check {
 namespace {

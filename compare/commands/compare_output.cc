@@ -4,9 +4,9 @@
 
 #include "compare/base/columns.h"
 #include "compare/base/json.h"
+#include "compare/run_files/run_directory.h"
 #include "compare/study/column_files.h"
 #include "compare/study/json.h"
-#include "compare/study/run_directory.h"
 #include "native_model/trajectory/output.h"
 #include "native_model/trajectory/recorder.h"
 

@@ -12,7 +12,7 @@
 #include "compare/commands/command.h"
 #include "compare/commands/stored_run.h"
 #include "compare/report/run_page.h"
-#include "compare/study/run_directory.h"
+#include "compare/run_files/run_directory.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/printable.h"
 #include "native_model/trajectory/output.h"

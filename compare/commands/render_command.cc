@@ -16,7 +16,7 @@
 #include "compare/commands/progress.h"
 #include "compare/commands/stored_run.h"
 #include "compare/engine/engine.h"
-#include "compare/study/run_directory.h"
+#include "compare/run_files/run_directory.h"
 #include "compare/study/scene_comparison.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/printable.h"

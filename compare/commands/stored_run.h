@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compare/study/run_directory.h"
+#include "compare/run_files/run_directory.h"
 
 namespace rotorub {
 

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "compare/study/figure.h"
+#include "compare/figures/figure.h"
 
 namespace rotorub {
 

@@ -9,9 +9,9 @@
 #include "compare/base/format.h"
 #include "compare/base/in_parallel.h"
 #include "compare/engine/engine.h"
+#include "compare/figures/figure_text.h"
 #include "compare/metrics/metrics.h"
-#include "compare/study/figure_text.h"
-#include "compare/study/rows.h"
+#include "compare/metrics/rows.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/figures/figure_text.h"
 #include "compare/report/mode_values.h"
-#include "compare/study/figure_text.h"
 #include "compare/study/verdict.h"
 
 namespace rotorub {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "compare/study/run_directory.h"
+#include "compare/run_files/run_directory.h"
 
 namespace rotorub {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/measured/measured_run.h"
-#include "compare/study/run_directory.h"
+#include "compare/run_files/run_directory.h"
 #include "compare/study/scene_comparison.h"
 
 namespace rotorub {

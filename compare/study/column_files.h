@@ -11,14 +11,6 @@
 
 namespace rotorub {
 
-// Keys of summary.json; "above_modes.contact_share": within another.
-std::span<const ColumnMeaning> summary_keys();
-// Keys of a run's `metrics` in compare.json, SI: the figures, and what stands beside them.
-std::span<const ColumnMeaning> metric_keys();
-
-// {"<file>": [{"name", "unit", "meaning"}, ...], ...} in the order of the columns. Of a run: its own columns, each by
-// its name and with its unit.
-nlohmann::ordered_json run_columns_json(const Trajectory& trajectory);
 nlohmann::ordered_json compare_columns_json();
 
 // Markdown: a section a file, with its table.

@@ -1,34 +1,22 @@
 #include "compare/study/json.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "compare/base/json.h"
 #include "compare/base/version.h"
+#include "compare/figures/json.h"
 #include "compare/measured/json.h"
-#include "compare/metrics/above_modes.h"
 #include "compare/model_error/json.h"
+#include "compare/run_files/summary.h"
 #include "compare/study/answer.h"
 #include "compare/study/mode_json.h"
 #include "compare/study/verdict.h"
-#include "native_model/rotor/contact_mass.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
 namespace {
 
 using nlohmann::json;
-
-json residuals_json(const Residuals& r) {
-  return {{"force_scale", r.force_scale},
-          {"penetration", r.penetration},
-          {"adhesion", r.adhesion},
-          {"complementarity", r.complementarity},
-          {"cone", r.cone},
-          {"sliding", r.sliding},
-          {"power", r.power},
-          {"gap_error", r.gap_error}};
-}
 
 json divergence_json(const Divergence& d) {
   return {{"threshold", d.threshold},
@@ -49,16 +37,6 @@ json split_json(const Split& s) {
           {"uncertainty", s.uncertainty},
           {"valid", s.valid},
           {"reason", s.reason}};
-}
-
-// Null: modal form, or no contact.
-json above_modes_json(const std::optional<AboveModes>& above) {
-  if (!above) return nullptr;
-  return {{"highest_forward", above->band.forward},
-          {"highest_backward", above->band.backward},
-          {"contact_share", above->contact_share},
-          {"friction_share", above->friction_share},
-          {"fastest_whirl", above->fastest}};
 }
 
 json impact_json(const std::optional<Impact>& impact) {
@@ -137,56 +115,6 @@ json difference_json(const SceneComparison& comparison, const Side& side,
 }
 
 }  // namespace
-
-json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
-  const Statistics& s = trajectory.statistics;
-  const double us =
-      trajectory.steps > 0 ? 1e6 * trajectory.wall_s / static_cast<double>(trajectory.steps) : 0.0;
-  json all = {
-      {"program", "rotorub"},
-      {"version", program_version()},
-      {"mujoco_version", mujoco_version()},
-      {"scene", scene.name},
-      {"scene_hash", scene::scene_hash(scene)},
-      {"engine", trajectory.engine},
-      {"integrator", trajectory.integrator},
-      {"contact_model", trajectory.contact_model},
-      {"step", trajectory.step},
-      {"steps", trajectory.steps},
-      {"end", trajectory.end},
-      {"wall_s", trajectory.wall_s},
-      {"us_per_step", us},
-      {"max_penetration", s.max_penetration},
-      {"contact_fraction", trajectory.contact_fraction()},
-      {"mean_force", trajectory.mean_force()},
-      {"impulse_total", s.impulse_total},
-      {"impacts", std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), counts)},
-      {"energy_residual", s.energy_residual()},
-      {"contact_mass", contact_mass_json(contact_mass(scene))},
-      {"above_modes", above_modes_json(above_modes(scene, trajectory))},
-      {"status", to_string(trajectory.status)},
-      {"message", trajectory.message}};
-  // rad/s, at the end, of a ring that turns.
-  if (trajectory.has("ring_speed") && trajectory.rows() > 0) {
-    all["ring_speed"] = trajectory.column("ring_speed").back();
-  }
-  return all;
-}
-
-json metrics_json(const Metrics& m) {
-  json all = json::object();
-  for (const Figure& f : figures()) all[f.key] = f.value(m);
-  all["first_touch"] = number_or_null(m.first_touch);
-  all["least_gap"] = number_or_null(m.least_gap);
-  all["friction_impulse"] = m.friction_impulse;
-  all["real_time_factor"] = m.real_time_factor;
-  all["settled"] = {
-      {"attractor", to_string(m.settled.attractor)}, {"from", m.settled.from},
-      {"contact_share", m.settled.contact_share},    {"whirl_frequency", m.settled.whirl_frequency},
-      {"spin_speed", m.settled.spin_speed},          {"impacts", m.settled.impacts}};
-  all["residuals"] = residuals_json(m.residuals);
-  return all;
-}
 
 json comparison_json(const SceneComparison& comparison) {
   json sides = json::object();

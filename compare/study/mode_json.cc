@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/study/json.h"
+#include "compare/run_files/summary.h"
 
 namespace rotorub {
 namespace {

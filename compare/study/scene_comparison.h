@@ -12,14 +12,14 @@
 #include "compare/align/divergence.h"
 #include "compare/align/impacts.h"
 #include "compare/engine/engine.h"
+#include "compare/figures/figure.h"
 #include "compare/measured/measured_run.h"
 #include "compare/metrics/metrics.h"
+#include "compare/metrics/rows.h"
+#include "compare/metrics/split.h"
 #include "compare/model_error/model_error.h"
-#include "compare/study/figure.h"
 #include "compare/study/mode.h"
 #include "compare/study/resync.h"
-#include "compare/study/rows.h"
-#include "compare/study/split.h"
 #include "compare/study/trust.h"
 
 namespace rotorub {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "compare/base/format.h"
+#include "compare/figures/figure_text.h"
 #include "compare/measured/table.h"
 #include "compare/study/answer.h"
-#include "compare/study/figure_text.h"
 #include "compare/study/resync_text.h"
 #include "compare/study/verdict.h"
 #include "native_model/scene/reader.h"

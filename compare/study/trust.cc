@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "compare/base/format.h"
-#include "compare/study/figure_text.h"
+#include "compare/figures/figure_text.h"
 
 namespace rotorub {
 namespace {

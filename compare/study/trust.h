@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "compare/base/palette.h"
-#include "compare/study/figure.h"
-#include "compare/study/figure_sample.h"
+#include "compare/figures/figure.h"
+#include "compare/figures/figure_sample.h"
 
 namespace rotorub {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compare/base/format.h"
-#include "compare/study/figure_text.h"
+#include "compare/figures/figure_text.h"
 #include "compare/study/resync_text.h"
 
 namespace rotorub {

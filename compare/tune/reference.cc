@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "compare/engine/engine.h"
-#include "compare/study/rows.h"
+#include "compare/metrics/rows.h"
 #include "compare/study/trust.h"
 #include "compare/study/twins.h"
 

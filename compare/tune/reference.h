@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "compare/figures/figure_sample.h"
 #include "compare/metrics/metrics.h"
-#include "compare/study/figure_sample.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub::tune {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "compare/engine/engine.h"
-#include "compare/study/rows.h"
+#include "compare/metrics/rows.h"
 
 namespace rotorub::tune {
 namespace {

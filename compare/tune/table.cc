@@ -4,7 +4,7 @@
 
 #include "compare/base/format.h"
 #include "compare/engine/engine.h"
-#include "compare/study/figure_text.h"
+#include "compare/figures/figure_text.h"
 
 namespace rotorub::tune {
 namespace {

@@ -11,8 +11,7 @@
 #include <optional>
 
 #include "compare/base/json.h"
-#include "compare/study/column_files.h"
-#include "compare/study/json.h"
+#include "compare/run_files/summary.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/variants.h"
 

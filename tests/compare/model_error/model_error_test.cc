@@ -11,8 +11,8 @@
 
 #include "compare/engine/engine.h"
 #include "compare/metrics/metrics.h"
+#include "compare/metrics/rows.h"
 #include "compare/model_error/json.h"
-#include "compare/study/rows.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub {

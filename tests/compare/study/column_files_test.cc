@@ -1,3 +1,5 @@
+#include "compare/figures/json.h"
+#include "compare/run_files/summary.h"
 #include "compare/study/column_files.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +11,6 @@
 #include <sstream>
 
 #include "compare/engine/engine.h"
-#include "compare/study/json.h"
 #include "compare/sweep/columns.h"
 #include "native_model/scene/reader.h"
 

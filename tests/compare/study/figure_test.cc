@@ -1,5 +1,5 @@
-#include "compare/study/figure.h"
-#include "compare/study/figure_text.h"
+#include "compare/figures/figure.h"
+#include "compare/figures/figure_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "compare/study/run_directory.h"
+#include "compare/run_files/run_directory.h"
 
 #include <gtest/gtest.h>
 

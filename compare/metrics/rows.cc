@@ -1,4 +1,4 @@
-#include "compare/study/rows.h"
+#include "compare/metrics/rows.h"
 
 #include <algorithm>
 #include <cmath>

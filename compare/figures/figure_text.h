@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compare/study/figure.h"
+#include "compare/figures/figure.h"
 
 namespace rotorub {
 

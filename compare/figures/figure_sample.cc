@@ -1,4 +1,4 @@
-#include "compare/study/figure_sample.h"
+#include "compare/figures/figure_sample.h"
 
 #include <algorithm>
 #include <cmath>

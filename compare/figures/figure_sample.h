@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "compare/study/figure.h"
+#include "compare/figures/figure.h"
 
 namespace rotorub {
 

@@ -1,9 +1,9 @@
-#include "compare/hdf5/run_file.h"
+#include "compare/run_files/hdf5_file.h"
 
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "compare/study/json.h"
+#include "compare/run_files/summary.h"
 #include "native_model/trajectory/columns.h"
 
 namespace rotorub::hdf5 {

@@ -1,4 +1,4 @@
-#include "compare/study/split.h"
+#include "compare/metrics/split.h"
 
 namespace rotorub {
 

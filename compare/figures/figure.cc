@@ -1,4 +1,4 @@
-#include "compare/study/figure.h"
+#include "compare/figures/figure.h"
 
 #include <cassert>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "compare/study/run_directory.h"
+#include "compare/run_files/run_directory.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,8 @@
 
 #include "compare/base/columns.h"
 #include "compare/base/json.h"
-#include "compare/hdf5/run_file.h"
-#include "compare/study/column_files.h"
-#include "compare/study/json.h"
+#include "compare/run_files/hdf5_file.h"
+#include "compare/run_files/summary.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/regular_file.h"

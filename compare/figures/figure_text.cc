@@ -1,4 +1,4 @@
-#include "compare/study/figure_text.h"
+#include "compare/figures/figure_text.h"
 
 #include <fmt/format.h>
 

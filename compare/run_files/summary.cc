@@ -1,0 +1,122 @@
+#include "compare/run_files/summary.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "compare/base/columns.h"
+#include "compare/base/json.h"
+#include "compare/base/version.h"
+#include "compare/metrics/above_modes.h"
+#include "native_model/rotor/contact_mass.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr std::string_view kGeometry = "geometry form with a contact, else null";
+
+const ColumnMeaning kSummaryKeys[] = {
+    {"program", "", "rotorub", ""},
+    {"version", "", "of the program", ""},
+    {"mujoco_version", "", "of the MuJoCo that it runs with", ""},
+    {"scene", "", "name of the scene", ""},
+    {"scene_hash", "", "16 hexadecimal digits of the scene's text, overrides included", ""},
+    {"engine", "", "native or mujoco", ""},
+    {"integrator", "", "of the engine", ""},
+    {"contact_model", "", "rigid, coulomb, cone or cone-coulomb", ""},
+    {"step", "s", "fixed step; 0 for event", ""},
+    {"steps", "", "number of steps taken", ""},
+    {"end", "s", "time reached", ""},
+    {"wall_s", "s", "time of the integration; no result", ""},
+    {"us_per_step", "us", "the same for a step; no result", ""},
+    {"max_penetration", "m", "deepest penetration, never negative", ""},
+    {"contact_fraction", "", "share of the time from first touch with a normal force; an impact of a fixed step counts "
+     "as one step", ""},
+    {"mean_force", "N", "normal impulse over the time from first touch", ""},
+    {"impulse_total", "N s", "all normal impulse on the rotor, never negative", ""},
+    {"impacts", "", "number of impacts with a gap rate below -1e-4 m/s", ""},
+    {"energy_residual", "", "imbalance of the energy over the largest energy met", ""},
+    {"contact_mass.kept", "kg", "mass that an impact meets, of the modes kept", kGeometry},
+    {"contact_mass.mesh", "kg", "the same of all modes of the mesh", kGeometry},
+    {"contact_mass.kept_modes", "", "number of modes kept", kGeometry},
+    {"contact_mass.mesh_modes", "", "number of modes of the mesh", kGeometry},
+    {"above_modes.highest_forward", "rad/s", "fastest forward whirl of the modes kept, positive", kGeometry},
+    {"above_modes.highest_backward", "rad/s", "fastest backward whirl of the modes kept, positive", kGeometry},
+    {"above_modes.contact_share", "", "share of the time in contact whose whirl is faster than these", kGeometry},
+    {"above_modes.friction_share", "", "share of the friction work there", kGeometry},
+    {"above_modes.fastest_whirl", "rad/s", "fastest whirl in contact, forward positive", kGeometry},
+    {"ring_speed", "rad/s", "speed of the ring's own spin at the end, positive as the rotor's", "a ring that turns"},
+    {"status", "", "ok, diverged, no_solution, ambiguous, step_too_large, out_of_range, controller_failed or "
+     "interrupted", ""},
+    {"message", "", "why it is not ok", ""},
+};
+
+// Null: modal form, or no contact.
+json above_modes_json(const std::optional<AboveModes>& above) {
+  if (!above) return nullptr;
+  return {{"highest_forward", above->band.forward},
+          {"highest_backward", above->band.backward},
+          {"contact_share", above->contact_share},
+          {"friction_share", above->friction_share},
+          {"fastest_whirl", above->fastest}};
+}
+
+}  // namespace
+
+json run_numbers_json(const Trajectory& trajectory) {
+  const Statistics& s = trajectory.statistics;
+  const double us =
+      trajectory.steps > 0 ? 1e6 * trajectory.wall_s / static_cast<double>(trajectory.steps) : 0.0;
+  json all = {
+      {"step", trajectory.step},
+      {"steps", trajectory.steps},
+      {"end", trajectory.end},
+      {"wall_s", trajectory.wall_s},
+      {"us_per_step", us},
+      {"max_penetration", s.max_penetration},
+      {"contact_fraction", trajectory.contact_fraction()},
+      {"mean_force", trajectory.mean_force()},
+      {"impulse_total", s.impulse_total},
+      {"impacts", std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), counts)},
+      {"energy_residual", s.energy_residual()}};
+  // rad/s, at the end, of a ring that turns.
+  if (trajectory.has("ring_speed") && trajectory.rows() > 0) {
+    all["ring_speed"] = trajectory.column("ring_speed").back();
+  }
+  return all;
+}
+
+json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
+  json all = run_numbers_json(trajectory);
+  all.update({{"program", "rotorub"},
+              {"version", program_version()},
+              {"mujoco_version", mujoco_version()},
+              {"scene", scene.name},
+              {"scene_hash", scene::scene_hash(scene)},
+              {"engine", trajectory.engine},
+              {"integrator", trajectory.integrator},
+              {"contact_model", trajectory.contact_model},
+              {"contact_mass", contact_mass_json(contact_mass(scene))},
+              {"above_modes", above_modes_json(above_modes(scene, trajectory))},
+              {"status", to_string(trajectory.status)},
+              {"message", trajectory.message}});
+  return all;
+}
+
+std::span<const ColumnMeaning> summary_keys() { return kSummaryKeys; }
+
+ordered_json run_columns_json(const Trajectory& trajectory) {
+  ordered_json series = ordered_json::array();
+  for (const Column& c : trajectory.series) {
+    series.push_back(column_json(c.name, c.unit, series_column(c.name).meaning));
+  }
+  return {{"series.csv", series},
+          {"impacts.csv", columns_json(impact_columns())},
+          {"events.csv", columns_json(event_columns())},
+          {"summary.json", columns_json(summary_keys())}};
+}
+
+}  // namespace rotorub
