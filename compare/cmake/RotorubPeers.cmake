@@ -18,7 +18,7 @@ function(rotorub_peer name package)
   target_include_directories(rotorub_peer_${name} SYSTEM PRIVATE ${folders})
   target_link_libraries(rotorub_peer_${name} PRIVATE ${libraries} rotorub_warnings)
   set_target_properties(rotorub_peer_${name} PROPERTIES CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON)
-  add_dependencies(rotorub_compare rotorub_peer_${name})
+  add_dependencies(rotorub_compare_peers rotorub_peer_${name})
   # A component of its own, which the Debian package leaves out: Siconos alone brings forty libraries.
   install(TARGETS rotorub_peer_${name} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT peers)
 endfunction()

@@ -1,14 +1,18 @@
-# rotorub_library(<name> [EXCLUDE <regex>] [PUBLIC <target>...] [PRIVATE <target>...])
+# rotorub_library(<name> [FOLDER <folder>] [EXCLUDE <regex>] [PUBLIC <target>...] [PRIVATE <target>...])
 #
-# The static library of the current folder: every .cc below it but main.cc and what EXCLUDE matches (a regular
-# expression on the path from the folder). PUBLIC and PRIVATE are what it links. Includes are written from the
+# The static library of the current folder, or of FOLDER in it: every .cc below it but main.cc and what EXCLUDE matches
+# (a regular expression on the path from the current folder). PUBLIC and PRIVATE are what it links. Includes are written from the
 # root of the repository. Compiled folder by folder (RotorubUnity).
 function(rotorub_library name)
-  cmake_parse_arguments(ARG "" "EXCLUDE" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "FOLDER;EXCLUDE" "PUBLIC;PRIVATE" ${ARGN})
+  set(folder ".")
+  if(ARG_FOLDER)
+    set(folder "${ARG_FOLDER}")
+  endif()
   file(
     GLOB_RECURSE sources CONFIGURE_DEPENDS
     RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}"
-    "*.cc" "*.h")
+    "${folder}/*.cc" "${folder}/*.h")
   list(FILTER sources EXCLUDE REGEX "(^|/)main\\.cc$")
   if(ARG_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX "${ARG_EXCLUDE}")

@@ -5,7 +5,7 @@
 # parties; it belongs to the first target of them, and the others reuse it:
 #   rotorub_native_model   also mjcf, plugin
 #   rotorub_renders        with fmt
-#   rotorub_compare        with fmt and nlohmann_json
+#   rotorub_compare_base   with fmt and nlohmann_json; also the other rooms of compare
 #   rotorub_test_support   with googletest; also the test programs and the benchmarks
 # It is a matter of speed alone: every file includes what it uses, which the preset nan-init checks by building
 # without any (CMAKE_DISABLE_PRECOMPILE_HEADERS). A unit with flags of its own, such as -mavx2, sets the property
