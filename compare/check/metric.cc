@@ -27,7 +27,8 @@ std::optional<std::string> after(const std::string& metric, const std::string& p
 }
 
 json residuals(const scene::Scene& scene, const Trajectory& trajectory) {
-  return metrics_json(metrics(trajectory, contact_facts(scene))).at("residuals");
+  const auto facts = contact_facts(scene);
+  return residuals_json(facts ? contact_residuals(trajectory, *facts) : Residuals());
 }
 
 std::string numbers_of(const json& object) {
@@ -97,13 +98,12 @@ void check_name(const std::string& metric) {
   if (const auto name = after(metric, "count.")) {
     count_of(metric, *name, {});
   } else if (const auto residual = after(metric, "residual.")) {
-    number_of(metrics_json(Metrics{}).at("residuals"), *residual, metric);
+    number_of(residuals_json({}), *residual, metric);
   } else {
-    const json summary = summary_json({}, {});
-    const auto found = summary.find(metric);
-    if (found != summary.end() && found->is_number()) return;
+    const json numbers = run_numbers_json({});
+    if (numbers.contains(metric)) return;
     refuse(metric,
-           numbers_of(summary) +
+           numbers_of(numbers) +
                ", error.<column>, end.<column>, largest.<column>, residual.<name>, count.<event>");
   }
 }
@@ -131,7 +131,7 @@ double measure(const std::string& metric, const scene::Scene& scene, const Traje
   if (const auto name = after(metric, "residual.")) {
     return number_of(residuals(scene, trajectory), *name, metric);
   }
-  return number_of(summary_json(scene, trajectory), metric, metric);
+  return number_of(run_numbers_json(trajectory), metric, metric);
 }
 
 }  // namespace rotorub::check
