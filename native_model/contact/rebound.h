@@ -6,8 +6,8 @@
 // - before the impact itself is, of one that takes time;
 // - within a fixed step, of an impact that is located in its step;
 // - within two, where it is not: the step's end then tells its speed with up to the fall of a whole
-// step, a_load h.
-//   Then bounces of v = eps_N v + a_load h keep themselves going for ever: an impact that takes no
+// step, a h.
+//   Then bounces of v = eps_N v + a h keep themselves going for ever: an impact that takes no
 //   more than that from its speed is none either (but for long flights, and without any loss there
 //   is no accumulation).
 #pragma once
@@ -31,14 +31,12 @@ inline bool flight_outlives(double time, double speed, double pressed) {
   return 2.0 * speed > pressed * time;
 }
 
-// Of an impact that is not located in its step, h (s): of the speed `approach` (m/s); load: m/s^2,
-// the part of `pressed` that is not curvature.
-inline bool rebound_outlives_steps(double h, double restitution, double approach, double load,
-                                   double pressed) {
+// Of an impact that is not located in its step, h (s), with the speed `approach` (m/s).
+inline bool rebound_outlives_steps(double h, double restitution, double approach, double pressed) {
   constexpr double kLeastSteps = 2.0, kMostSteps = 40.0;
   const double rebound = restitution * approach;
   if (!flight_outlives(kLeastSteps * h, rebound, pressed)) return false;
-  const bool feeds_itself = restitution < 1.0 && (1.0 - restitution) * approach <= load * h;
+  const bool feeds_itself = restitution < 1.0 && (1.0 - restitution) * approach <= pressed * h;
   return !feeds_itself || flight_outlives(kMostSteps * h, rebound, pressed);
 }
 

@@ -139,8 +139,7 @@ bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactP
   Eigen::Vector3d acceleration = (step.free - step.start) / step.h;
   acceleration.head<2>() += 2.0 / (step.h * step.h) * step.bend;
   const double pressed = pressing(e_r, step.free, acceleration, c.clearance);
-  return rebound_outlives_steps(step.h, c.restitution, closing, e_r.dot(acceleration.head<2>()),
-                                pressed);
+  return rebound_outlives_steps(step.h, c.restitution, closing, pressed);
 }
 
 double gap_over_step(const RigidStep& step, const ContactParameters& c) {

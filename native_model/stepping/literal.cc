@@ -96,7 +96,7 @@ void LiteralStepper::touch(double t, FixedStep& out) {
   const double closing = e_r.dot(free.head<2>());
   const double pressed = pressing(e_r, free, acceleration, c.clearance);
   const Delassus g = delassus(contact_admittance(m, t, q()), e_r, c.radius);
-  if (!lasted && rebound_outlives_steps(h_, c.restitution, closing, e_r.dot(acceleration.head<2>()), pressed)) {
+  if (!lasted && rebound_outlives_steps(h_, c.restitution, closing, pressed)) {
     const ImpactResult r = solve_impact(g, -closing, rates_along(e_r, c.radius, free).y(),
                                         c.law());
     out.status = r.status;

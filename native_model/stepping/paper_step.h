@@ -102,7 +102,7 @@ class PaperKernel : public ContactKernel<M> {
     const Eigen::Vector3d acceleration = (free - start) / this->h_;
     const double pressed = pressing(e_r, free, acceleration, c.clearance);
     const double closing = e_r.dot(free.head<2>());
-    const bool stays = !rebound_outlives_steps(this->h_, c.restitution, closing, e_r.dot(acceleration.head<2>()), pressed);
+    const bool stays = !rebound_outlives_steps(this->h_, c.restitution, closing, pressed);
     if (!(closing > 0.0)) return;
     const double t = this->origin + (static_cast<double>(k) + 0.5) * this->h_;
     const Delassus g = delassus(contact_admittance(m, t, q), e_r, c.radius);
