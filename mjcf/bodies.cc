@@ -79,7 +79,7 @@ class Bodies {
   void bending_joints(double contact_shape) {
     const Layout& l = model_.layout;
     for (const bool y : {false, true}) {
-      const Eigen::VectorXd& shape = y ? model_.contact_shape.y : model_.contact_shape.x;
+      const Eigen::VectorXd& shape = y ? model_.first().shape.y : model_.first().shape.x;
       for (int k = 0; k < l.modes; ++k) {
         if (shape[k] != contact_shape) continue;
         joint(names::bending_joint(y ? 'y' : 'x', k + 1), "slide", y ? "0 1 0" : "1 0 0",
@@ -90,7 +90,7 @@ class Bodies {
   void torsion_joints(double contact_shape) {
     const Layout& l = model_.layout;
     for (int k = 0; k < l.torsion; ++k) {
-      if (model_.torsion_contact[k] != contact_shape) continue;
+      if (model_.first().torsion_shape[k] != contact_shape) continue;
       joint(names::torsion_joint(k + 1), "hinge", "0 0 1", l.theta() + k);
     }
   }
@@ -109,7 +109,7 @@ class Bodies {
                           R"(mass="0" contype="0" conaffinity="0" group="1" )"
                           R"(rgba="0.85 0.3 0.1 1"/>)",
                           0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half));
-    if (scene_.contact) {
+    if (scene_.first().contact) {
       // Stands for the disc in the pair; its size is of no meaning.
       xml_.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
                             R"(conaffinity="0" group="4"/>)",
@@ -122,8 +122,8 @@ class Bodies {
     const auto any = [](const Eigen::VectorXd& shape) {
       return std::any_of(shape.begin(), shape.end(), [](double value) { return value == 0.0; });
     };
-    return any(model_.contact_shape.x) || any(model_.contact_shape.y) ||
-           any(model_.torsion_contact);
+    return any(model_.first().shape.x) || any(model_.first().shape.y) ||
+           any(model_.first().torsion_shape);
   }
 
   void rotor_nodes() {
@@ -135,7 +135,7 @@ class Bodies {
   }
 
   void ring() {
-    if (!scene_.contact && !scene_.stator) return;
+    if (!scene_.first().contact && !scene_.first().stator) return;
     const double half = kThickness * radius_;
     if (model_.layout.stator) {
       joint(names::kRingX, "slide", "1 0 0", model_.layout.ring());
@@ -145,16 +145,16 @@ class Bodies {
     if (model_.layout.ring_spin) {
       joint(names::kRingSpin, "hinge", "0 0 1", model_.layout.ring_angle());
     }
-    const Eigen::Vector2d& offset = model_.ring_offset;
+    const Eigen::Vector2d& offset = model_.first().ring_offset;
     const std::string place =
         offset.isZero(0.0) ? std::string() : fmt::format(R"( pos="{} {} 0")", offset.x(), offset.y());
     open_moving_body(names::kRing, place);  // massless where fixed too: MuJoCo weighs it with the world
-    const double clearance = scene_.contact ? scene_.contact->clearance : 0.0;
+    const double clearance = scene_.first().contact ? scene_.first().contact->clearance : 0.0;
     xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
                           R"(conaffinity="0" group="1" rgba="0.2 0.45 0.7 0.25"/>)",
                           names::kRing, radius_ + clearance, 0.9 * half));
     if (model_.layout.ring_spin) ring_mark(radius_ + clearance, half);
-    if (scene_.contact) {
+    if (scene_.first().contact) {
       // A rod half a length above the plane: far from the rotor's sphere, with a bounding sphere
       // that holds it wherever the two go.
       const double length = 1.0 + 1000.0 * (radius_ + clearance);
@@ -210,14 +210,14 @@ std::vector<int> joint_order(const Model& model) {
   std::vector<int> order;
   for (const double on : {1.0, 0.0}) {
     for (int k = 0; k < l.modes; ++k) {
-      if (model.contact_shape.x[k] == on) order.push_back(l.x() + k);
+      if (model.first().shape.x[k] == on) order.push_back(l.x() + k);
     }
     for (int k = 0; k < l.modes; ++k) {
-      if (model.contact_shape.y[k] == on) order.push_back(l.y() + k);
+      if (model.first().shape.y[k] == on) order.push_back(l.y() + k);
     }
     if (on == 1.0 && l.spin) order.push_back(l.phi());
     for (int k = 0; k < l.torsion; ++k) {
-      if (model.torsion_contact[k] == on) order.push_back(l.theta() + k);
+      if (model.first().torsion_shape[k] == on) order.push_back(l.theta() + k);
     }
   }
   for (int i = l.ring(); i < l.coil(); ++i) order.push_back(i);
@@ -225,7 +225,7 @@ std::vector<int> joint_order(const Model& model) {
 }
 
 double drawn_radius(const scene::Scene& scene) {
-  return scene.contact ? scene.contact->radius : kRadiusWithoutContact;
+  return scene.first().contact ? scene.first().contact->radius : kRadiusWithoutContact;
 }
 
 }  // namespace rotorub

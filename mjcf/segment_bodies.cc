@@ -73,7 +73,7 @@ void SegmentRotor::write_carrier(XmlWriter& xml, std::size_t k) const {
   const auto origin = [&](std::size_t i) {
     return i == 0 ? chain_.segments[0].node : chain_.joint[i - 1];
   };
-  const double contact = scene_.contact ? scene_.contact->station : 0.0;
+  const double contact = scene_.first().contact ? scene_.first().contact->station : 0.0;
   xml.open(fmt::format(R"(<body name="{}" pos="0 0 {}">)", names::segment(k),
                        origin(k) - (k == 0 ? contact : origin(k - 1))));
   xml.line(inertial(0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
@@ -97,7 +97,7 @@ void SegmentRotor::write_spinning(XmlWriter& xml, std::size_t k) const {
   const Segment& s = chain_.segments[k];
   const double origin = k == 0 ? s.node : chain_.joint[k - 1];
   const auto here = [&](double z) { return chain_.node_at(z) == static_cast<int>(k); };
-  const bool at_contact = scene_.contact && here(scene_.contact->station);
+  const bool at_contact = scene_.first().contact && here(scene_.first().contact->station);
 
   xml.open(fmt::format(R"(<body name="{}" pos="0 0 {}">)", names::spinning(k), s.node - origin));
   xml.line(inertial(0.0, 0.0, s.centre - s.node, s.mass, s.Jt, s.Jp));

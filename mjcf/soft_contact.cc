@@ -12,12 +12,14 @@ namespace {
 
 // m/s, the size of the speeds at which the scene's rotor meets its ring.
 double impact_speed(const scene::Scene& scene) {
-  const double clearance = scene.contact->clearance;
+  const double clearance = scene.first().contact->clearance;
   const auto first = [](const std::vector<double>& values) { return values.empty() ? 0.0 : values.front(); };
   const Eigen::Vector2d start(first(scene.initial.vx), first(scene.initial.vy));
   const double gravity = scene.gravity ? scene.gravity->acceleration.norm() : 0.0;
+  const std::optional<scene::Stator>& ring = scene.first().stator;
+  const Eigen::Vector2d ring_velocity = ring ? ring->velocity : Eigen::Vector2d(0.0, 0.0);
   return std::max({std::abs(scene.rotor.speed) * clearance, std::sqrt(2.0 * gravity * clearance),
-                   (start - scene.initial.stator_velocity).norm()});
+                   (start - ring_velocity).norm()});
 }
 
 }  // namespace
@@ -63,7 +65,7 @@ SoftContact soft_contact(double restitution, double step, double stiffness, doub
 }
 
 SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step) {
-  const scene::Contact& c = *scene.contact;
+  const scene::Contact& c = *scene.first().contact;
   const scene::Mujoco& mujoco = scene.mujoco;
   const auto of = [&](double stiffness) {
     return soft_contact(c.restitution, step, stiffness, mujoco.solref_damping);

@@ -30,6 +30,7 @@ void refuse_unsupported(const scene::Scene& scene) {
     refuse(scene, {{"", 0, "mujoco.rotor",
                     "\"segments\" needs the rotor's geometry; accepted: \"modal\""}});
   }
+  refuse_several_contacts(scene, "the MuJoCo model");
   if (mujoco.integrator == scene::MujocoIntegrator::kRk4) {
     refuse(scene, {{"", 0, "mujoco.integrator", "accepted: \"euler\", \"implicit\""}});
   }
@@ -59,7 +60,7 @@ class Document {
     }
     if (scene_.mujoco.shadow) write_ghosts(xml_, scene_, model_);
     xml_.close("worldbody");
-    if (scene_.contact) contact();
+    if (scene_.first().contact) contact();
     if (segments_ || actuated()) tendons();
     if (actuated()) actuators();
     sensors();
@@ -70,7 +71,7 @@ class Document {
   }
 
  private:
-  bool actuated() const { return scene_.stator && (scene_.actuator || scene_.controller); }
+  bool actuated() const { return scene_.first().stator && (scene_.first().actuator || scene_.first().controller); }
 
   void options() {
     const bool implicit = scene_.mujoco.integrator == scene::MujocoIntegrator::kImplicit;
@@ -89,9 +90,9 @@ class Document {
                     R"(tolerance="{}"/>)",
                     scene_.run.step, gravity.x(), gravity.y(), implicit ? "implicit" : "Euler",
                     has_option ? R"(collision="predefined" )" : "", corrected ? "1e-8" : "1e-12"));
-    const std::size_t loop = model_.loop ? model_.loop->memory_size() : 0;
-    int user_data = names::user_data_size(model_.nq(), model_.controller != nullptr, loop);
-    if (scene_.contact && !segments_) {
+    const std::size_t loop = model_.first().loop ? model_.first().loop->memory_size() : 0;
+    int user_data = names::user_data_size(model_.nq(), model_.first().controller != nullptr, loop);
+    if (scene_.first().contact && !segments_) {
       const std::size_t slot = VerletStepper::memory_size(model_) + ZeroOrderHold::memory_size(model_) + 1;
       user_data += names::verlet_data_size(model_.nq(), slot);
     }
@@ -136,7 +137,7 @@ class Document {
   }
 
   void contact() {
-    const scene::Contact& c = *scene_.contact;
+    const scene::Contact& c = *scene_.first().contact;
     const SoftContact soft = soft_contact(scene_, scene_.mujoco.contact, scene_.run.step);
     const ContactPair pair = contact_pair(scene_.mujoco.contact, c.clearance, c.friction, soft, target_);
     xml_.open("<contact>");
@@ -169,13 +170,13 @@ class Document {
   // ctrl: the force on the ring, N, or the current asked for, A, whose force the plugin's gain and
   // bias give.
   void actuators() {
-    const double limit = model_.magnets ? model_.magnets->current_limit : model_.force_limit;
+    const double limit = model_.first().magnets ? model_.first().magnets->current_limit : model_.first().force_limit;
     const std::string range =
         limit < 1e300 ? fmt::format(R"(ctrllimited="true" ctrlrange="{} {}")", -limit, limit)
                       : std::string(R"(ctrllimited="false")");
-    const bool lags = model_.magnets && model_.magnets->coil_lag > 0.0;
-    const std::string_view kind = model_.magnets ? "general" : "motor";
-    const std::string_view law = !model_.magnets ? ""
+    const bool lags = model_.first().magnets && model_.first().magnets->coil_lag > 0.0;
+    const std::string_view kind = model_.first().magnets ? "general" : "motor";
+    const std::string_view law = !model_.first().magnets ? ""
                                  : lags ? R"(dyntype="user" gaintype="user" biastype="user" )"
                                         : R"(dyntype="none" gaintype="user" biastype="user" )";
     xml_.open("<actuator>");
@@ -194,10 +195,10 @@ class Document {
   void sensors() {
     xml_.open("<sensor>");
     // `rigid` knows the forces before MuJoCo's last stage (plugin/sensors.h).
-    const bool is_rigid = scene_.contact && scene_.mujoco.contact == scene::ContactModel::kRigid;
+    const bool is_rigid = scene_.first().contact && scene_.mujoco.contact == scene::ContactModel::kRigid;
     const char* force_stage = is_rigid ? "pos" : "acc";
     sensor(names::kActive, "pos");
-    if (scene_.contact) {
+    if (scene_.first().contact) {
       sensor(names::kGap, "pos");
       sensor(names::kGapRate, "pos");
       sensor(names::kSlip, "pos");
@@ -205,7 +206,7 @@ class Document {
       sensor(names::kFrictionForce, force_stage);
     }
     if (actuated()) sensor(names::kControlForce, force_stage, 2);
-    if (model_.magnets) sensor(names::kCurrent, force_stage, 2);
+    if (model_.first().magnets) sensor(names::kCurrent, force_stage, 2);
     if (scene_.mujoco.shadow) shadow_sensors();
     xml_.close("sensor");
   }
@@ -214,7 +215,7 @@ class Document {
     sensor(names::kRotorPosition, "pos", 2);
     sensor(names::kShadowRotor, "pos", 2);
     if (model_.layout.stator) sensor(names::kShadowStator, "pos", 2);
-    if (!scene_.contact) return;
+    if (!scene_.first().contact) return;
     sensor(names::kShadowGap, "pos");
     sensor(names::kShadowNormalForce, "pos");
     sensor(names::kShadowFrictionForce, "pos");
@@ -251,7 +252,7 @@ class Document {
     xml_.open("<custom>");
     xml_.line(
         fmt::format(R"(<text name="{}" data="{}"/>)", names::kSceneText, xml_escape(scene_.text)));
-    if (scene_.contact) {
+    if (scene_.first().contact) {
       xml_.line(fmt::format(R"(<text name="{}" data="{}"/>)", names::kContactText,
                             scene::to_string(scene_.mujoco.contact)));
       if (has_friction_reference()) {

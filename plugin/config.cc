@@ -102,7 +102,7 @@ void map_contact(const mjModel* m, Config& config) {
 void check_magnet(const mjModel* m, const Config& config, int actuator) {
   const bool force = m->actuator_gaintype[actuator] == mjGAIN_USER &&
                      m->actuator_biastype[actuator] == mjBIAS_USER;
-  const bool lags = config.model.magnets->coil_lag > 0.0;
+  const bool lags = config.model.first().magnets->coil_lag > 0.0;
   const bool current = m->actuator_dyntype[actuator] == (lags ? mjDYN_USER : mjDYN_NONE);
   if (force && current) return;
   refuse(message("<general name=\"{}\">", m->names + m->name_actuatoradr[actuator]),
@@ -113,10 +113,10 @@ void check_magnet(const mjModel* m, const Config& config, int actuator) {
 void map_actuators(const mjModel* m, Config& config) {
   for (int k = 0; k < 2; ++k) {
     // A controller and magnets cannot do without; else they are for the user's own commands.
-    config.actuator[k] = config.model.controller || config.model.magnets
+    config.actuator[k] = config.model.first().controller || config.model.first().magnets
                              ? required(m, mjOBJ_ACTUATOR, "actuator", names::kActuator[k])
                              : mj_name2id(m, mjOBJ_ACTUATOR, names::kActuator[k]);
-    if (config.model.magnets) check_magnet(m, config, config.actuator[k]);
+    if (config.model.first().magnets) check_magnet(m, config, config.actuator[k]);
   }
 }
 
@@ -127,10 +127,10 @@ double next_id() {
 
 // The contact of a generated model; its sensors are the config's.
 std::vector<ContactPair> generated_pairs(const Config& config) {
-  if (!config.model.contact) return {};
+  if (!config.model.first().contact) return {};
   ContactPair p;
   p.law = config.contact;
-  p.contact = *config.model.contact;
+  p.contact = *config.model.first().contact;
   p.rotor_geom = config.rotor_geom;
   p.ring_geom = config.ring_geom;
   p.pair = config.pair;
@@ -195,18 +195,19 @@ Config make_config(const mjModel* m) {
   scene::Scene scene;
   try {
     scene = scene::parse_scene(scene_text(m), names::kSceneText);
+    refuse_several_contacts(scene, "the MuJoCo model");
     const Model whole = make_model(scene);
     config.model = without_coils(whole);
     if (scene.mujoco.shadow) {
-      config.shadow.emplace().model = whole.controller ? whole : with_ideal_actuator(whole);
+      config.shadow.emplace().model = whole.first().controller ? whole : with_ideal_actuator(whole);
     }
   } catch (const std::exception& error) {
     refuse(text_element(names::kSceneText), error.what());
   }
-  const std::size_t loop = config.model.loop ? config.model.loop->memory_size() : 0;
-  int needed = names::user_data_size(config.model.nq(), config.model.controller != nullptr, loop);
+  const std::size_t loop = config.model.first().loop ? config.model.first().loop->memory_size() : 0;
+  int needed = names::user_data_size(config.model.nq(), config.model.first().controller != nullptr, loop);
   config.loop_data = needed - static_cast<int>(loop);
-  if (scene.contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
+  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
     config.verlet_data = needed;
     needed += verlet_data_size(config.model);
   }
@@ -227,7 +228,7 @@ Config make_config(const mjModel* m) {
   } else {
     map_joints(m, config);
   }
-  if (scene.contact) {
+  if (scene.first().contact) {
     config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
     if (const mjtNum* given = own_number(m, names::kOwnFrictionReference)) config.friction_reference = *given;
     map_contact(m, config);
@@ -235,7 +236,7 @@ Config make_config(const mjModel* m) {
     if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);
     try {
       if (config.contact == scene::ContactModel::kRigid) {
-        const bool lags = config.model.magnets && config.model.magnets->coil_lag > 0.0;
+        const bool lags = config.model.first().magnets && config.model.first().magnets->coil_lag > 0.0;
         const bool native = config.takes_native_steps() && !config.shadow && !lags;
         refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
       }

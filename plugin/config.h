@@ -74,7 +74,7 @@ struct Config {
   std::optional<Segments> segments;  // the segment rotor
 
   // A user's own model with our contacts (own/own_config.h): filled are `pairs`, `memory`, and with the
-  // first pair `contact`, model.contact and geoms.
+  // first pair `contact`, model.first().contact and geoms.
   bool own = false;
   std::vector<ContactPair> pairs;
   // Further <pair>s of a user's own model, of any geoms, that are corrected for sliding (contact/cone_correction.h).

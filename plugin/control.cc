@@ -18,9 +18,9 @@ namespace {
 Eigen::Vector2d command_of(const Config& config, const mjModel* m, mjData* d, const double* q,
                            const double* v) {
   const Model& model = config.model;
-  if (!model.loop) return control_command(model, d->time, q, v);
+  if (!model.first().loop) return control_command(model, d->time, q, v);
   const Eigen::Vector2d current =
-      model.magnets ? actuator_state(config, m, d).current : Eigen::Vector2d(0.0, 0.0);
+      model.first().magnets ? actuator_state(config, m, d).current : Eigen::Vector2d(0.0, 0.0);
   try {
     return control_sample(model, d->time, q, v, current, d->userdata + config.loop_data);
   } catch (const ControllerError& error) {
@@ -38,14 +38,14 @@ void controller_failed(mjData* d, const std::string& why) {
 
 void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
   const Model& model = config.model;
-  if (!model.controller) return;
+  if (!model.first().controller) return;
   double v[kMaxCoordinates];
   velocity_at_time(config, m, d, state, v);
   // Before it is on: 0, the value of mj_resetData.
   Eigen::Vector2d u{d->userdata[kHeldX], d->userdata[kHeldY]};
-  if (d->time >= model.control_on) {
+  if (d->time >= model.first().control_on) {
     const double sample =
-        model.sample_time > 0.0 ? 1.0 + sample_index(d->time, model.sample_time) : 0.0;
+        model.first().sample_time > 0.0 ? 1.0 + sample_index(d->time, model.first().sample_time) : 0.0;
     if (sample == 0.0 || sample != d->userdata[kSample]) {
       u = command_of(config, m, d, state.q(), v);
       d->userdata[kHeldX] = u.x();
@@ -53,7 +53,7 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
       d->userdata[kSample] = sample;
     }
   }
-  const Eigen::Vector2d told = model.magnets ? u : to_axes(u);
+  const Eigen::Vector2d told = model.first().magnets ? u : to_axes(u);
   for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
 }
 
@@ -62,10 +62,10 @@ ActuatorState actuator_state(const Config& config, const mjModel* m, const mjDat
   Eigen::Vector2d force, current{0.0, 0.0};
   for (int k = 0; k < 2; ++k) {
     force[k] = d->actuator_force[force_address(m, config.actuator[k])];
-    if (config.model.magnets) current[k] = coil_current(m, d, config.actuator[k]);
+    if (config.model.first().magnets) current[k] = coil_current(m, d, config.actuator[k]);
   }
   ActuatorState now{from_axes(force), current, {}};
-  if (config.model.loop) {
+  if (config.model.first().loop) {
     const double* outputs = ControlLoop::outputs(d->userdata + config.loop_data);
     std::copy_n(outputs, now.outputs.size(), now.outputs.begin());
   }
@@ -75,11 +75,11 @@ ActuatorState actuator_state(const Config& config, const mjModel* m, const mjDat
 Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mjData* d) {
   const Model& model = config.model;
   if (config.actuator[0] < 0 || config.actuator[1] < 0) return {0.0, 0.0};
-  const bool lags = model.magnets && model.magnets->coil_lag > 0.0;
-  if (config.takes_native_steps() && model.controller && !lags) {
+  const bool lags = model.first().magnets && model.first().magnets->coil_lag > 0.0;
+  if (config.takes_native_steps() && model.first().controller && !lags) {
     return {d->userdata[kHeldX], d->userdata[kHeldY]};
   }
-  if (!model.magnets) return actuator_state(config, m, d).force;
+  if (!model.first().magnets) return actuator_state(config, m, d).force;
   return {asked_current(m, d, config.actuator[0]), asked_current(m, d, config.actuator[1])};
 }
 

@@ -25,7 +25,7 @@ double asked_current(const mjModel* m, const mjData* d, int actuator) {
 }
 
 bool is_magnet(const Config& config, int actuator) {
-  return config.model.magnets && (actuator == config.actuator[0] || actuator == config.actuator[1]);
+  return config.model.first().magnets && (actuator == config.actuator[0] || actuator == config.actuator[1]);
 }
 
 double coil_current(const mjModel* m, const mjData* d, int actuator) {
@@ -34,16 +34,16 @@ double coil_current(const mjModel* m, const mjData* d, int actuator) {
 }
 
 double magnet_gain(const Config& config, const mjModel* m, const mjData* d, int actuator) {
-  return config.model.magnets->law->gain(d->actuator_length[force_address(m, actuator)],
+  return config.model.first().magnets->law->gain(d->actuator_length[force_address(m, actuator)],
                                          coil_current(m, d, actuator));
 }
 
 double magnet_bias(const Config& config, const mjModel* m, const mjData* d, int actuator) {
-  return config.model.magnets->law->force(d->actuator_length[force_address(m, actuator)], 0.0);
+  return config.model.first().magnets->law->force(d->actuator_length[force_address(m, actuator)], 0.0);
 }
 
 double coil_rate(const Config& config, const mjModel* m, const mjData* d, int actuator) {
-  const MagneticActuator& magnets = *config.model.magnets;
+  const MagneticActuator& magnets = *config.model.first().magnets;
   const double current = coil_current(m, d, actuator);
   return (coil_load(magnets, asked_current(m, d, actuator), current) - current) / magnets.coil_lag;
 }

@@ -70,10 +70,10 @@ double limit_of(const Config& config, const mjModel* m, double otherwise) {
   return clamps ? m->actuator_ctrlrange[2 * a + 1] : otherwise;
 }
 double limit_in(const Model& model) {
-  return model.magnets ? model.magnets->current_limit : model.force_limit;
+  return model.first().magnets ? model.first().magnets->current_limit : model.first().force_limit;
 }
 double scene_limit(const Config& config) {
-  return config.model.magnets ? config.scene_current_limit
+  return config.model.first().magnets ? config.scene_current_limit
                               : std::numeric_limits<double>::infinity();
 }
 
@@ -164,10 +164,10 @@ void take_contact(const mjModel* m, Model& model, const Config& config) {
   if (!(friction >= 0.0) || !std::isfinite(friction)) {
     refuse("<contact><pair>", message("friction[0] = {}; accepted: >= 0", friction));
   }
-  model.contact->radius = circle.radius;
-  model.contact->clearance = circle.clearance;
-  model.contact->friction = friction;
-  model.ring_ratio = model.contact->surface_ratio();
+  model.first().contact->radius = circle.radius;
+  model.first().contact->clearance = circle.clearance;
+  model.first().contact->friction = friction;
+  model.first().ring_ratio = model.first().contact->surface_ratio();
 }
 
 void take_limit(const mjModel* m, Model& model, const Config& config) {
@@ -184,16 +184,19 @@ void take_limit(const mjModel* m, Model& model, const Config& config) {
                        "controller: -c c, c > 0, the same for both",
                        first[0], first[1], names::kActuator[1], second[0], second[1]));
   }
-  (model.magnets ? model.magnets->current_limit : model.force_limit) = limit;
+  (model.first().magnets ? model.first().magnets->current_limit : model.first().force_limit) = limit;
 }
 
 void take(const mjModel* m, Model& model, const Config& config) {
   take_joints(m, model, config);
-  if (model.contact) take_contact(m, model, config);
-  if (model.controller) take_limit(m, model, config);
+  if (model.first().contact) take_contact(m, model, config);
+  if (model.first().controller) take_limit(m, model, config);
   const Eigen::Vector2d g = gravity_of(m);
   if (model.weight.size() > 0 || !g.isZero(0.0)) set_gravity(model, g);
-  model.admittance = contact_admittance(model, model.mass.data(), 0.0, model.q0.data());
+  for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
+    model.auxiliary[k].admittance =
+        contact_admittance(model, model.mass.data(), 0.0, model.q0.data(), k, k);
+  }
 }
 
 }  // namespace
@@ -207,12 +210,12 @@ bool has_parameters(const Config& config, const mjModel* m) {
     same = same && mass_of(config, m, i, dof) == model.mass[i] &&
            stiffness_of(m, dof) == model.stiffness[i] && m->dof_damping[dof] == model.damping[i];
   });
-  if (model.contact) {
-    const Circle circle{model.contact->radius, model.contact->clearance};
+  if (model.first().contact) {
+    const Circle circle{model.first().contact->radius, model.first().contact->clearance};
     same = same && circle_of(config, m) == circle &&
-           friction_of(config, m) == model.contact->friction;
+           friction_of(config, m) == model.first().contact->friction;
   }
-  if (model.controller) {
+  if (model.first().controller) {
     same = same && limit_of(config, m, scene_limit(config)) == limit_in(model);
   }
   return same;

@@ -77,14 +77,14 @@ void check_chain(const mjModel* m, Config& config) {
     }
     if (i < l.y()) {
       check_joint(m, joint, 0, "1 0 0");
-      check_mode(m, joint, rotor, config.model.contact_shape.x[i]);
+      check_mode(m, joint, rotor, config.model.first().shape.x[i]);
     } else if (i < l.phi()) {
       check_joint(m, joint, 1, "0 1 0");
-      check_mode(m, joint, rotor, config.model.contact_shape.y[i - l.y()]);
+      check_mode(m, joint, rotor, config.model.first().shape.y[i - l.y()]);
     } else {
       check_joint(m, joint, 2, "0 0 1");
       const double shape =
-          i < l.theta() ? 1.0 : config.model.torsion_contact[i - l.theta()];
+          i < l.theta() ? 1.0 : config.model.first().torsion_shape[i - l.theta()];
       check_mode(m, joint, rotor, shape);
     }
   }
@@ -92,7 +92,7 @@ void check_chain(const mjModel* m, Config& config) {
 
 void check_ring(const mjModel* m, const Config& config) {
   const Layout& l = config.model.layout;
-  check_poses(m, m->geom_bodyid[config.ring_geom], config.model.ring_offset);
+  check_poses(m, m->geom_bodyid[config.ring_geom], config.model.first().ring_offset);
   for (int k = 0; k < l.stator; ++k) {
     const int dof = config.dof_address[static_cast<std::size_t>(l.ring() + k)];
     check_joint(m, m->dof_jntid[dof], k, k == 0 ? "1 0 0" : "0 1 0");
@@ -141,15 +141,15 @@ int shape(const mjModel* m, const char* name) {
 
 void map_structure(const mjModel* m, Config& config) {
   const Model& model = config.model;
-  config.scene_contact = model.contact;
-  if (model.magnets) config.scene_current_limit = model.magnets->current_limit;
-  if (model.contact) {
+  config.scene_contact = model.first().contact;
+  if (model.first().magnets) config.scene_current_limit = model.first().magnets->current_limit;
+  if (model.first().contact) {
     config.rotor_shape = shape(m, names::kRotor);
     config.ring_shape = shape(m, names::kRing);
     check_ring(m, config);
     if (!config.segments) check_chain(m, config);
   }
-  if (model.controller || model.magnets) {
+  if (model.first().controller || model.first().magnets) {
     for (int k = 0; k < 2; ++k) check_actuator(m, k, config.actuator[k]);
   }
 }

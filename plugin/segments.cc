@@ -49,8 +49,8 @@ void to_native(const Segments& s, const Model& model, const mjtNum* from, Addres
     if (s.contact_row.size() == 0) return;
     complete(contact_shape, s.contact_row.dot(u) - contact_shape.dot(modes), to + at);
   };
-  plane(s.x, s.project_x, model.contact_shape.x, l.x());
-  plane(s.y, s.project_y, model.contact_shape.y, l.y());
+  plane(s.x, s.project_x, model.first().shape.x, l.x());
+  plane(s.y, s.project_y, model.first().shape.y, l.y());
 
   const Eigen::VectorXd spin = gather(s.spin, part, from);
   Vector torsion(to + l.theta(), l.torsion);
@@ -60,9 +60,9 @@ void to_native(const Segments& s, const Model& model, const mjtNum* from, Addres
   if (!l.spin) torsion -= s.project_torsion * Eigen::VectorXd::Constant(spin.size(), rigid);
   if (l.spin) to[l.phi()] = rigid;
   if (s.contact_node < 0) return;
-  const double missing = spin[s.contact_node] - rigid - model.torsion_contact.dot(torsion);
+  const double missing = spin[s.contact_node] - rigid - model.first().torsion_shape.dot(torsion);
   if (l.torsion) {
-    complete(model.torsion_contact, missing, to + l.theta());
+    complete(model.first().torsion_shape, missing, to + l.theta());
   } else if (l.spin) {
     to[l.phi()] += missing;
   }
@@ -102,9 +102,9 @@ Segments make_segments(const scene::Scene& scene, const Model& model,
   s.project_x = projection(m.shape_x, m.mass);
   s.project_y = projection(m.shape_y, m.mass);
   s.project_torsion = projection(m.shape_torsion, m.spin_inertia.asDiagonal());
-  if (scene.contact) {
-    s.contact_row = s.chain.deflection(scene.contact->station);
-    s.contact_node = s.chain.node_at(scene.contact->station);
+  if (scene.first().contact) {
+    s.contact_row = s.chain.deflection(scene.first().contact->station);
+    s.contact_node = s.chain.node_at(scene.first().contact->station);
   }
   s.highest = m.highest;
   return s;

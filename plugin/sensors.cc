@@ -73,7 +73,7 @@ ContactPoint point_of(const Config& config, const mjData* d) {
 }
 
 double gap_of(const Config& config, const mjData* d) {
-  const double clearance = config.model.contact->clearance;
+  const double clearance = config.model.first().contact->clearance;
   const Coordinates state(config, d);
   return clearance - separation(config.model, state.q()).norm();
 }
@@ -90,7 +90,7 @@ void fill_shadow_sensors(const Config& config, mjData* d) {
   const double* q = shadow_state(config, d);
   put(d, s.rotor, rotor_point(model, q));
   put(d, s.stator, ring_centre(model, q));
-  if (!model.contact) return;
+  if (!model.first().contact) return;
   put(d, s.gap, contact_point(model, q, q + model.nq()).gap);
   put(d, s.normal_force, entry[kShadowNormal]);
   put(d, s.friction_force, entry[kShadowFriction]);
@@ -124,10 +124,10 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
     put(d, s.current, actuator.current);
   }
   if (stage == mjSTAGE_VEL && config.shadow) fill_shadow_sensors(config, d);
-  if (!config.model.contact) return;
+  if (!config.model.first().contact) return;
   if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(config, m, d));
   if (stage == mjSTAGE_POS && has_gap(s)) {
-    put_gap(d, s, gap_of(config, d), config.model.contact->clearance);
+    put_gap(d, s, gap_of(config, d), config.model.first().contact->clearance);
   }
   if (stage == mjSTAGE_VEL && has_rates(s)) put_rates(d, s, point_of(config, d));
 }

@@ -103,7 +103,7 @@ void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
   const double t = entry[kShadowOrigin] + entry[kShadowSteps] * h;
 
   Eigen::Vector2d u = actuator_state(config, m, d).force;
-  if (worker.model.controller) {
+  if (worker.model.first().controller) {
     worker.command.restore(hold_memory(entry));
     u = worker.command.at(t, worker.stepper.q(), worker.stepper.v());
     worker.command.save(hold_memory(entry));

@@ -46,10 +46,10 @@ double mark_of(const Model& model) {
   for (const auto* list : {&model.mass, &model.stiffness, &model.damping, &model.weight}) {
     add(list->data(), static_cast<std::size_t>(list->size()));
   }
-  if (model.contact) add(&model.contact->radius, 1);
-  if (model.contact) add(&model.contact->clearance, 1);
-  if (model.contact) add(&model.contact->friction, 1);
-  add(&model.force_limit, 1);
+  if (model.first().contact) add(&model.first().contact->radius, 1);
+  if (model.first().contact) add(&model.first().contact->clearance, 1);
+  if (model.first().contact) add(&model.first().contact->friction, 1);
+  add(&model.first().force_limit, 1);
   return 1.0 + static_cast<double>(hash >> 12);
 }
 

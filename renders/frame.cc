@@ -30,7 +30,7 @@ ShownRun shown(const Trajectory& trajectory, const std::string& label) {
 }
 
 void check_view(const scene::Scene& scene, const RenderOptions& options) {
-  if (scene.contact || options.view == FilmView::kRig) return;
+  if (scene.first().contact || options.view == FilmView::kRig) return;
   throw std::invalid_argument(
       fmt::format("render: view = {}: rig is accepted, as {} has no [contact]",
                   to_string(options.view), scene.name));
@@ -122,7 +122,7 @@ void FramePainter::Parts::make_panels(const scene::Scene& scene, const Trajector
   film.from = framing.from;
   film.to = framing.to;
   film.scales = make_scales(playbacks(true), framing.from, framing.to, film.clearance);
-  if (scene.contact) {
+  if (scene.first().contact) {
     double penetration = 0.0;
     for (const Playback* run : playbacks(false)) {
       penetration = std::max(penetration, -run->gap_quantile(0.0, framing.from, framing.to));
@@ -130,7 +130,7 @@ void FramePainter::Parts::make_panels(const scene::Scene& scene, const Trajector
     film.unrolled_view.emplace(film.clearance, penetration);
   }
   layout = make_layout(width, height, options.view, static_cast<int>(shown_runs), film.charts(),
-                       scene.contact.has_value());
+                       scene.first().contact.has_value());
   film.text_size = layout.text_size;
   const Trajectory* const trajectories[] = {&trajectory, options.beside};
   for (std::size_t k = 0; k < shown_runs; ++k) {

@@ -93,7 +93,7 @@ void draw_geometry(Machine& machine, const scene::Scene& scene, const ModeLines&
 // where a spring holds it and straight where none does.
 void draw_modal(Machine& machine, const scene::Scene& scene) {
   machine.schematic = true;
-  const double radius = scene.contact ? scene.contact->radius : 0.05;
+  const double radius = scene.first().contact ? scene.first().contact->radius : 0.05;
   machine.unit = 1.0 / (14.0 * radius);
   machine.z = Eigen::VectorXd::LinSpaced(kSpans + 1, 0.0, 1.0);
   machine.span_radius.assign(kSpans, 0.35 / 14.0);
@@ -126,9 +126,9 @@ double largest_motion(const Machine& machine, std::span<const Playback* const> r
 
 double machine_magnification(const scene::Scene& scene, double unit, double motion) {
   double most = motion > 0.0 ? kMotionShare / motion : 1e300;
-  if (scene.contact) {
-    const double clearance = scene.contact->clearance * unit;
-    const double least = kLeastShare * scene.contact->radius * unit / clearance;
+  if (scene.first().contact) {
+    const double clearance = scene.first().contact->clearance * unit;
+    const double least = kLeastShare * scene.first().contact->radius * unit / clearance;
     most = std::clamp(most, least, std::max(least, kWidestClearance / clearance));
   }
   if (most > 1e200) return 1.0;
@@ -151,14 +151,14 @@ double motion_at(const Machine& machine, std::span<const Playback* const> runs, 
 
 DrawnSupport drawn_support(const scene::Scene& scene) {
   DrawnSupport support;
-  if (!scene.stator) return support;
+  if (!scene.first().stator) return support;
   support.fixed = false;
-  support.spring_x = scene.stator->stiffness[0] > 0.0;
-  support.spring_y = scene.stator->stiffness[1] > 0.0;
+  support.spring_x = scene.first().stator->stiffness[0] > 0.0;
+  support.spring_y = scene.first().stator->stiffness[1] > 0.0;
   const bool commanded =
-      scene.controller && scene.controller->kind != scene::ControllerKind::kPassive;
-  support.actuators = scene.actuator.has_value() || commanded;
-  support.magnets = scene.actuator && scene.actuator->kind == scene::ActuatorKind::kElectromagnet;
+      scene.first().controller && scene.first().controller->kind != scene::ControllerKind::kPassive;
+  support.actuators = scene.first().actuator.has_value() || commanded;
+  support.magnets = scene.first().actuator && scene.first().actuator->kind == scene::ActuatorKind::kElectromagnet;
   return support;
 }
 
@@ -177,13 +177,13 @@ void draw_loads(Machine& machine, const scene::Scene& scene) {
 }
 
 void draw_contact(Machine& machine, const scene::Scene& scene) {
-  const scene::Contact& contact = *scene.contact;
+  const scene::Contact& contact = *scene.first().contact;
   const double z = scene.rotor.geometry ? contact.station * machine.unit : 0.5;
   const double radius = contact.radius * machine.unit;
   const double clearance = machine.displaced(contact.clearance);
   machine.clearance = contact.clearance;
   machine.support = drawn_support(scene);
-  machine.ring_turns = scene.stator && scene.stator->spin;
+  machine.ring_turns = scene.first().stator && scene.first().stator->spin;
   machine.contact = {z, radius, clearance, radius + clearance + 0.45 * radius, 0.4 * radius};
   // The rotor's body there stands for a disc within the ring, its sleeve.
   std::erase_if(machine.discs, [&](const DrawnDisc& disc) {
@@ -194,11 +194,11 @@ void draw_contact(Machine& machine, const scene::Scene& scene) {
 }  // namespace
 
 double section_magnification(const scene::Scene& scene, double motion) {
-  if (!scene.contact) return 1.0;
-  const double ratio = scene.contact->radius / scene.contact->clearance;
+  if (!scene.first().contact) return 1.0;
+  const double ratio = scene.first().contact->radius / scene.first().contact->clearance;
   double most = kClearanceShare * ratio;
   if (motion > 0.0) {
-    most = std::clamp(kRingMotionShare * scene.contact->radius / motion, kLeastShare * ratio, most);
+    most = std::clamp(kRingMotionShare * scene.first().contact->radius / motion, kLeastShare * ratio, most);
   }
   return std::max(1.0, plain_number_below(most));
 }
@@ -256,7 +256,7 @@ Machine make_machine(const scene::Scene& scene, const std::optional<ModeLines>& 
   const double motion = largest_motion(machine, runs, from, to);
   machine.magnification =
       magnification.value_or(machine_magnification(scene, machine.unit, motion));
-  if (scene.contact) draw_contact(machine, scene);
+  if (scene.first().contact) draw_contact(machine, scene);
   draw_loads(machine, scene);
   if (scene.magnetic_bearing && scene.rotor.geometry) {
     const double station = scene.magnetic_bearing->station;

@@ -32,29 +32,29 @@ Place of(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 
 // One isotropic mode, a contact, and none of the parts that the closed forms know nothing of.
 bool is_plain(const scene::Scene& s) {
-  if (!s.rotor.modal || !s.contact) return false;
+  if (!s.rotor.modal || !s.first().contact) return false;
   const scene::RotorModal& m = *s.rotor.modal;
   const bool one_mode = m.mass.size() == 1 && m.mass == m.mass_y && m.stiffness == m.stiffness_y &&
                         m.damping == m.damping_y && first(m.internal_damping) == 0.0 &&
                         first(m.gyroscopic) == 0.0;
-  const bool turning_ring = s.stator && s.stator->spin;
-  return one_mode && !turning_ring && s.contact->offset.isZero(0.0) && !s.rotor.torsion && !s.drive && !s.magnetic_bearing && !s.actuator &&
-         !s.controller && !s.gravity && s.contact->compression_time == 0.0 &&
-         s.contact->expansion_time == 0.0 && s.contact->tangential_restitution == 0.0;
+  const bool turning_ring = s.first().stator && s.first().stator->spin;
+  return one_mode && !turning_ring && s.first().contact->offset.isZero(0.0) && !s.rotor.torsion && !s.drive && !s.magnetic_bearing && !s.first().actuator &&
+         !s.first().controller && !s.gravity && s.first().contact->compression_time == 0.0 &&
+         s.first().contact->expansion_time == 0.0 && s.first().contact->tangential_restitution == 0.0;
 }
 
 bool is_free_mass(const scene::Scene& s) {
   const scene::RotorModal& m = *s.rotor.modal;
-  return first(m.stiffness) == 0.0 && first(m.damping) == 0.0 && !s.stator &&
-         s.contact->friction == 0.0;
+  return first(m.stiffness) == 0.0 && first(m.damping) == 0.0 && !s.first().stator &&
+         s.first().contact->friction == 0.0;
 }
 
 std::optional<Form> billiard(const scene::Scene& s) {
   const Place v = start_velocity(s.initial);
-  if (!is_free_mass(s) || !s.forces.empty() || s.contact->restitution != 1.0 || v == Place())
+  if (!is_free_mass(s) || !s.forces.empty() || s.first().contact->restitution != 1.0 || v == Place())
     return {};
   const Place x = start(s.initial);
-  const oracle::Billiard exact(s.contact->clearance, {x.real(), x.imag()}, {v.real(), v.imag()});
+  const oracle::Billiard exact(s.first().contact->clearance, {x.real(), x.imag()}, {v.real(), v.imag()});
   return Form{"elastic billiard in a circle", [exact](double t) {
                 return Exact{of(exact.position(t)), {}, 0.0};
               }};
@@ -62,7 +62,7 @@ std::optional<Form> billiard(const scene::Scene& s) {
 
 // From rest at the centre along a constant force: straight down, wherever that is.
 std::optional<Form> drop(const scene::Scene& s) {
-  if (!is_free_mass(s) || s.forces.size() != 1 || s.contact->restitution >= 1.0) return {};
+  if (!is_free_mass(s) || s.forces.size() != 1 || s.first().contact->restitution >= 1.0) return {};
   const scene::Force& f = s.forces.front();
   const bool always = f.on <= 0.0 && f.off >= s.run.end && f.ramp == 0.0 &&
                       (f.shape.empty() || f.shape.front() == 1.0);
@@ -70,8 +70,8 @@ std::optional<Form> drop(const scene::Scene& s) {
   if (start(s.initial) != Place() || start_velocity(s.initial) != Place()) return {};
   const double load = f.vector.norm();
   const Place down = of(f.vector) / load;
-  const oracle::Drop exact{s.contact->clearance, load / first(s.rotor.modal->mass),
-                           s.contact->restitution};
+  const oracle::Drop exact{s.first().contact->clearance, load / first(s.rotor.modal->mass),
+                           s.first().contact->restitution};
   return Form{"drop with restitution, to rest", [=](double t) {
                 const double rest = t >= exact.rest_time() ? 1.0 : 0.0;
                 return Exact{(exact.height - exact.height_at(t)) * down, {}, rest * load};
@@ -89,12 +89,13 @@ std::optional<Form> annular(const scene::Scene& s) {
   if (f.kind != scene::ForceKind::kRotating || !always || f.amplitude <= 0.0) return {};
   const scene::RotorModal& m = *s.rotor.modal;
   const oracle::Support rotor{first(m.mass), first(m.damping), first(m.stiffness)};
-  const scene::Contact& c = *s.contact;
+  const scene::Contact& c = *s.first().contact;
   std::optional<oracle::AnnularRub> rub;
-  if (!s.stator) {
+  const scene::Stator ring = s.first().stator.value_or(scene::Stator{});
+  if (!s.first().stator) {
     rub = oracle::annular_rub(rotor, c.clearance, c.friction, f.amplitude, f.frequency);
   } else {
-    const scene::Stator& r = *s.stator;
+    const scene::Stator& r = *s.first().stator;
     if (r.mass.x() != r.mass.y() || r.damping.x() != r.damping.y() ||
         r.stiffness.x() != r.stiffness.y()) {
       return {};
@@ -107,8 +108,8 @@ std::optional<Form> annular(const scene::Scene& s) {
   const Place turn{0.0, rate};
   const bool starts_on = same(start(s.initial), rub->rotor, size) &&
                          same(start_velocity(s.initial), turn * rub->rotor, rate * size) &&
-                         same(of(s.initial.stator), rub->stator, size) &&
-                         same(of(s.initial.stator_velocity), turn * rub->stator, rate * size);
+                         same(of(ring.position), rub->stator, size) &&
+                         same(of(ring.velocity), turn * rub->stator, rate * size);
   if (!starts_on) return {};
   return Form{"synchronous full annular rub", [rub = *rub, rate](double t) {
                 const Place phase = std::polar(1.0, rate * t);

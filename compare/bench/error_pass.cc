@@ -62,7 +62,7 @@ Point examine(const Setting& setting, const RunRequest& request, const Reference
     point.errors = point_errors(trajectory, reference);
   }
   point.judgement = judge(trajectory, whole ? point.metrics->settled : Settled{}, goal,
-                          setting.scene->contact->clearance);
+                          setting.scene->first().contact->clearance);
   point.steps = trajectory.steps;
   point.end = trajectory.end;
   point.recorded_wall = trajectory.wall_s;

@@ -106,7 +106,7 @@ json scene_json(const SceneBench& bench) {
   }
   json all = {{"scene", bench.scene.name},
               {"scene_hash", scene::scene_hash(bench.scene)},
-              {"clearance", bench.scene.contact->clearance},
+              {"clearance", bench.scene.first().contact->clearance},
               {"reference", reference_json(bench.reference)},
               {"engines", engines},
               {"missing_engines", missing},

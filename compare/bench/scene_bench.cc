@@ -14,7 +14,7 @@ SceneBench bench_scene(const SceneReader& reader, const BenchParameters& paramet
   SceneBench bench;
   bench.scene = reader({});
   bench.engines = parameters.engines;
-  if (!bench.scene.contact) {
+  if (!bench.scene.first().contact) {
     throw std::invalid_argument(fmt::format(
         "{}: the errors of a bench are shares of contact.clearance, and there is no [contact]",
         bench.scene.name));
@@ -37,7 +37,7 @@ SceneBench bench_scene(const SceneReader& reader, const BenchParameters& paramet
   bench.points = error_pass(settings, bench.reference, part(0.0, 0.1), interrupt);
   timing_pass(bench.points, parameters.timing, part(0.1, 0.9), interrupt);
   bench.levels =
-      levels(bench.points, bench.engines, bench.scene.contact->clearance, bench.reference.error);
+      levels(bench.points, bench.engines, bench.scene.first().contact->clearance, bench.reference.error);
   if (parameters.stability_map && !stopped()) {
     bench.stability = stability_map(reader, bench.scene, part(0.9, 1.0), interrupt);
   }

@@ -30,7 +30,7 @@ struct SceneBench {
   bool interrupted = false;
   // What the reference cannot tell, and errors of the size of the clearance.
   ErrorRange telling_errors() const {
-    return {kReferenceMargin * reference.error, scene.contact->clearance};
+    return {kReferenceMargin * reference.error, scene.first().contact->clearance};
   }
 };
 

@@ -42,7 +42,7 @@ std::string series_lines(const SceneBench& bench) {
 }  // namespace
 
 std::string bench_table(const SceneBench& bench) {
-  const double clearance = bench.scene.contact->clearance;
+  const double clearance = bench.scene.first().contact->clearance;
   std::string text = fmt::format(
       "{}: {:.4g} s; errors against {} (its own: {:.1e} m), levels as shares of the clearance "
       "{:.3g} "

@@ -61,7 +61,7 @@ void check_scenes(const BenchArguments& options) {
   for (const std::string& file : options.scenes) {
     try {
       const scene::Scene scene = read_scene(file, options);
-      if (!scene.contact) {
+      if (!scene.first().contact) {
         throw UsageError(
             fmt::format("{}: levels of error are shares of contact.clearance; accepted is a scene "
                         "with [contact]",

@@ -80,7 +80,7 @@ std::vector<CheckedScene> checked_scenes(const CheckArguments& options) {
   for (const std::string& file : scene_files(options.places)) {
     try {
       CheckedScene one{read_scene(file, options), {}, ""};
-      const auto& controller = one.scene.controller;
+      const auto& controller = one.scene.first().controller;
       if (controller && controller->kind == scene::ControllerKind::kLibrary) controller_library(one.scene);
       one.rules = check::rules_of(one.scene);
       all.push_back(std::move(one));

@@ -148,7 +148,7 @@ void find_settings(const CompareArguments& options, double tolerance,
                    std::vector<PageScene>& pages) {
   for (std::size_t k = 0; k < pages.size() && !interrupted(); ++k) {
     const Subject& subject = subjects[k];
-    if (subject.own || !subject.scene.contact) continue;
+    if (subject.own || !subject.scene.first().contact) continue;
     if (!options.tune) {
       pages[k].setting =
           fmt::format("the fastest that can be trusted is found by rotorub tune {} --tolerance {}",

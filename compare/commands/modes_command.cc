@@ -159,10 +159,10 @@ int show_feedback(const ModesArguments& options) {
 int show_state_space(const ModesArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const Model model = make_model(scene);
-  if (!scene.stator || !scene.contact) {
+  if (!scene.first().stator || !scene.first().contact) {
     throw UsageError("--state-space: needs [stator] and [contact]: the force on the ring is the input");
   }
-  std::cout << json_text(state_space_json(scene, plant_of(model, scene.rotor.speed)));
+  std::cout << json_text(state_space_json(scene, plant_of(model, 0, scene.rotor.speed)));
   return kDone;
 }
 

@@ -49,7 +49,7 @@ int run_tune(const TuneArguments& options) {
   const double tolerance = tolerance_of(options.tolerance);
   check_twins(options.twins);
   const scene::Scene scene = read_scene(options.scene, options);
-  if (!scene.contact) {
+  if (!scene.first().contact) {
     throw UsageError(fmt::format(
         "{}: without a contact there is nothing to tune; accepted is a scene with [contact]",
         options.scene));

@@ -63,7 +63,7 @@ bool ChunkedRun::step() {
   } catch (const MujocoError& error) {
     error_ = error.what();
     const auto controller = static_cast<double>(Status::kControllerFailed);
-    if (config_.model.loop && data_->userdata[plugin::kContactStatus] == controller) {
+    if (config_.model.first().loop && data_->userdata[plugin::kContactStatus] == controller) {
       contact_status_ = Status::kControllerFailed;
     }
     return false;

@@ -104,7 +104,7 @@ scene::Scene perturbed(const scene::Scene& scene, int ulps) {
   scene::Scene moved = scene;
   // A unit in the last place of a coordinate that is 0 would vanish in the first sum: take the
   // clearance's, which is the size that the coordinates reach.
-  const double size = scene.contact ? scene.contact->clearance : 1e-3;
+  const double size = scene.first().contact ? scene.first().contact->clearance : 1e-3;
   const double unit = std::nextafter(size, 2.0 * size) - size;
   if (moved.initial.x.empty()) {
     moved.initial.x.assign(static_cast<std::size_t>(make_model(scene).layout.modes), 0.0);

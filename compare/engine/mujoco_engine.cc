@@ -43,7 +43,7 @@ const char* contact_reason(Status status) {
 
 Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const scene::Scene scene = with_options(given, options);
-  const bool lags = scene.actuator && scene.actuator->coil_lag > 0.0;
+  const bool lags = scene.first().actuator && scene.first().actuator->coil_lag > 0.0;
   const bool native =
       scene.mujoco.rotor == scene::MujocoRotor::kModal && !scene.mujoco.shadow && !lags;
   if (scene.mujoco.contact == scene::ContactModel::kRigid) {

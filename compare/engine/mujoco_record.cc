@@ -36,12 +36,12 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
 
 void MujocoRecord::begin(const double* q, const double* v) {
   // A coil that lags has no current yet, whatever it is told.
-  const bool lags = model_.magnets && model_.magnets->coil_lag > 0.0;
+  const bool lags = model_.first().magnets && model_.first().magnets->coil_lag > 0.0;
   ZeroOrderHold hold(model_);
   const Eigen::Vector2d told = hold.at(0.0, q, v);
   ActuatorState acts = actuator_state(model_, q, v, lags ? Eigen::Vector2d(0.0, 0.0) : told);
   acts.outputs = hold.outputs();
-  recorder_.begin({0.0, q, v, 0.0, 0.0, Mode::kFree, acts});
+  recorder_.begin({{0.0, 0.0, Mode::kFree, acts}, 0.0, q, v});
   point_ = contact_point(model_, q, v);
   last_q_.assign(q, q + model_.nq());
   last_v_.assign(v, v + model_.nq());
@@ -66,7 +66,7 @@ StepBalance MujocoRecord::balance_of_step(std::int64_t k, const double* q, const
   }
   done.external_work +=
       step_ * external_power(model_, t, last_q_.data(), middle_.data(), r.actuator.force);
-  if (model_.contact) {
+  if (model_.first().contact) {
     const ContactPoint p = contact_point(model_, last_q_.data(), middle_.data());
     done.contact_work =
         step_ * (r.forces.normal * p.gap_rate + r.forces.friction * (p.slip - held()));
@@ -96,14 +96,14 @@ void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const 
   const double next = static_cast<double>(k + 1) * step_;
   const plugin::ContactForces& f = r.forces;
   const Impact impact = f.impact ? impact_of(f, impact_time(t, f), step_) : Impact{};
-  if (model_.contact && rigid_) note_rigid(next, f, impact);
-  if (model_.contact && !rigid_) {
+  if (model_.first().contact && rigid_) note_rigid(next, f, impact);
+  if (model_.first().contact && !rigid_) {
     episodes_.step({t, step_, point_, after, f.normal, f.friction, f.mode});
   }
   const StepBalance balance = balance_of_step(k, q, v, r);
   // An impact's impulse is no force of lasting contact.
   const double lasting = f.impact ? 0.0 : 1.0;
-  recorder_.step({next, q, v, lasting * f.normal, lasting * f.friction, f.mode, r.actuator},
+  recorder_.step({{lasting * f.normal, lasting * f.friction, f.mode, r.actuator}, next, q, v},
                  step_ * f.normal, step_ * f.friction, f.impact, f.impact ? &impact : nullptr,
                  &balance);
   point_ = after;
@@ -119,7 +119,7 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
   if (k > 0) {
     if (impact_.normal_impulse > 0.0) count_impact();
     recorder_.advance(
-        {t, q, v, lasting ? f.normal : 0.0, lasting ? f.friction : 0.0, f.mode, r.actuator}, p,
+        {{lasting ? f.normal : 0.0, lasting ? f.friction : 0.0, f.mode, r.actuator}, t, q, v}, p,
         impact_.normal_impulse > 0.0);
   }
   StepFigures figures;
@@ -143,10 +143,10 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
 }
 
 std::optional<std::string> MujocoRecord::lost(const double* q) const {
-  if (recorder_.penetration() == 0.0 && !model_.magnets) return {};
-  if (rigid_ || !model_.contact) return out_of_range(model_, q);
+  if (recorder_.penetration() == 0.0 && !model_.first().magnets) return {};
+  if (rigid_ || !model_.first().contact) return out_of_range(model_, q);
   // A soft ring holds as deep as it is thick, which no one says; no ring holds what is through it.
-  return out_of_range(model_, q, std::max(model_.contact->clearance, model_.contact->radius));
+  return out_of_range(model_, q, std::max(model_.first().contact->clearance, model_.first().contact->radius));
 }
 
 Trajectory MujocoRecord::finish(double end) {
@@ -157,12 +157,12 @@ Trajectory MujocoRecord::finish(double end) {
 // m/s: slip of a prescribed spin, at which the machine that holds it works, and not the
 // coordinates.
 double MujocoRecord::held() const {
-  return model_.layout.spin ? 0.0 : model_.contact->radius * model_.speed;
+  return model_.layout.spin ? 0.0 : model_.first().contact->radius * model_.speed;
 }
 
 void MujocoRecord::count_impact() {
   StepFigures figures;
-  const double lasted = model_.contact->impact_time();
+  const double lasted = model_.first().contact->impact_time();
   figures.h = lasted > 0.0 ? lasted : step_;
   figures.impact = true;
   figures.normal_impulse = impact_.normal_impulse;

@@ -10,7 +10,7 @@ WatchFeed::WatchFeed(const Model& model, double step, StepWatch watch)
     : model_(model),
       h_(step),
       watch_(std::move(watch)),
-      lags_(model.magnets && model.magnets->coil_lag > 0.0) {}
+      lags_(model.first().magnets && model.first().magnets->coil_lag > 0.0) {}
 
 void WatchFeed::begin(const double* q, const double* v) {
   if (!watch_) return;

@@ -159,9 +159,17 @@ std::string scene_schema() {
     json schema = table_schema(table);
     if (table.path == "rotor") schema["allOf"].push_back(form_rule(table));
     if (table.list) schema = {{"type", "array"}, {"items", std::move(schema)}};
+    if (table.or_list) {
+      // The parts of each auxiliary bearing are added below, as they are read.
+      schema = {{"anyOf", {schema, {{"type", "array"}, {"items", schema}, {"maxItems", kMaxContacts}}}}};
+    }
     schema["description"] = std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".";
     (*parent)["properties"][std::string(name)] = std::move(schema);
   }
+  // Below each [[contact]].
+  json& listed = root["properties"]["contact"]["anyOf"][1]["items"]["properties"];
+  for (const char* part : {"stator", "actuator", "controller"}) listed[part] = root["properties"][part];
+  for (const char* key : {"position", "velocity"}) root["properties"]["stator"]["properties"].erase(key);
   return root.dump(1) + "\n";
 }
 

@@ -38,7 +38,7 @@ struct Share {
 }  // namespace
 
 std::optional<ModeBand> mode_band(const scene::Scene& scene) {
-  if (!scene.contact || !scene.rotor.geometry) return {};
+  if (!scene.first().contact || !scene.rotor.geometry) return {};
   const WhirlSpectrum spectrum = whirl_spectrum(whirl_system(scene), scene.rotor.speed);
   ModeBand band;
   for (const WhirlMode& mode : spectrum.modes) {

@@ -75,9 +75,9 @@ void gather_impacts(const Trajectory& trajectory, Metrics& m) {
 }  // namespace
 
 std::optional<ContactFacts> contact_facts(const scene::Scene& scene) {
-  if (!scene.contact) return std::nullopt;
-  return ContactFacts{scene.contact->clearance, scene.contact->radius, scene.contact->friction,
-                      scene.contact->compression_time + scene.contact->expansion_time};
+  if (!scene.first().contact) return std::nullopt;
+  return ContactFacts{scene.first().contact->clearance, scene.first().contact->radius, scene.first().contact->friction,
+                      scene.first().contact->compression_time + scene.first().contact->expansion_time};
 }
 
 Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>& facts) {

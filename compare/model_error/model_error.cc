@@ -59,7 +59,7 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
                        : "modal form: the scene gives its modes, and no others are known";
     return error;
   }
-  if (!scene.contact) {
+  if (!scene.first().contact) {
     error.reason = "no contact: nothing is judged";
     return error;
   }

@@ -35,8 +35,8 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
 }
 
 void add_response(const scene::Scene& scene, const std::vector<double>& speeds, RotorAnalysis& analysis) {
-  if (!scene.contact) return;
-  analysis.clearance = scene.contact->clearance;
+  if (!scene.first().contact) return;
+  analysis.clearance = scene.first().contact->clearance;
   scene::Scene free = scene;
   free.initial = {};
   const Model model = make_model(free);

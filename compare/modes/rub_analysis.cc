@@ -129,7 +129,7 @@ std::string driven_text(const RubAnalysis& analysis) {
 
 RubAnalyses analyse_rubs(const scene::Scene& scene, const std::vector<double>& speeds) {
   RubAnalyses all;
-  if (!scene.contact) return all;
+  if (!scene.first().contact) return all;
   try {
     with_place(scene, [&] {
       const rub::RubSystem system = rub::rub_system(scene);

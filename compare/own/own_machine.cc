@@ -69,7 +69,7 @@ void ask_late(mjModel* m) {
 
 // The pair as a generated file has it.
 void set_pair(mjModel* m, const plugin::Config& config, scene::ContactModel contact) {
-  const ContactParameters& c = *config.model.contact;
+  const ContactParameters& c = *config.model.first().contact;
   const ContactPair pair = contact_pair(contact, c.clearance, c.friction,
                                         soft_contact(c.restitution, m->opt.timestep), built_for());
   const int at = config.pair;

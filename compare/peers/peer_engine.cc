@@ -38,7 +38,7 @@ class PeerRecord {
     const auto n = static_cast<std::size_t>(model.nq());
     q_.assign(model.q0.data(), model.q0.data() + n);
     v_.assign(model.v0.data(), model.v0.data() + n);
-    recorder_.begin({0.0, q_.data(), v_.data(), 0.0, 0.0, Mode::kFree, {}});
+    recorder_.begin({{}, 0.0, q_.data(), v_.data()});
     point_ = contact_point(model_, q_.data(), v_.data());
   }
 
@@ -68,7 +68,7 @@ class PeerRecord {
       note(t, mode);
     }
     const double scale = hits ? 0.0 : 1.0 / step_;
-    recorder_.step({t, q_.data(), v_.data(), scale * r.normal, scale * r.friction, mode, {}},
+    recorder_.step({{scale * r.normal, scale * r.friction, mode, {}}, t, q_.data(), v_.data()},
                    r.normal, r.friction, hits, hits ? &impact : nullptr);
     touched_ = touches;
     point_ = now;

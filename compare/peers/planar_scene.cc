@@ -12,9 +12,9 @@ namespace {
 // The first part that a planar system of one mode has no place for; empty: none.
 std::string beyond(const scene::Scene& s, const Model& m) {
   if (m.layout.modes != 1) return fmt::format("{} bending modes in a plane", m.layout.modes);
-  if (!s.contact) return "a scene without [contact]";
+  if (!s.first().contact) return "a scene without [contact]";
   if (s.gravity) return "[gravity]";
-  if (!m.ring_offset.isZero(0.0)) return "contact.offset";
+  if (!m.first().ring_offset.isZero(0.0)) return "contact.offset";
   if (m.layout.torsion > 0) return "elastic torsion";
   if (m.layout.ring_spin > 0) return "a ring that turns ([stator.spin])";
   if (!m.gyroscopic.absent()) return "gyroscopic terms";
@@ -28,13 +28,13 @@ std::string beyond(const scene::Scene& s, const Model& m) {
       return "a [[force]] that is neither rotating nor constant";
     }
   }
-  if (m.controller || m.magnets || s.actuator) return "[controller] or [actuator]";
+  if (m.first().controller || m.first().magnets || s.first().actuator) return "[controller] or [actuator]";
   if (s.drive && s.drive->kind != scene::DriveKind::kLinear &&
       s.drive->kind != scene::DriveKind::kFree) {
     return "a [drive] that is not linear";
   }
-  if (s.contact->tangential_restitution != 0.0) return "contact.tangential_restitution";
-  if (s.contact->compression_time != 0.0 || s.contact->expansion_time != 0.0) {
+  if (s.first().contact->tangential_restitution != 0.0) return "contact.tangential_restitution";
+  if (s.first().contact->compression_time != 0.0 || s.first().contact->expansion_time != 0.0) {
     return "contact.compression_time or contact.expansion_time";
   }
   return "";
@@ -91,10 +91,10 @@ PlanarSystem planar_system(const scene::Scene& scene) {
     s.drive_speed = scene.drive->speed;
   }
   for (const AppliedForce& f : m.forces) s.loads.push_back(planar(f));
-  s.radius = m.contact->radius;
-  s.clearance = m.contact->clearance;
-  s.friction = m.contact->friction;
-  s.restitution = m.contact->restitution;
+  s.radius = m.first().contact->radius;
+  s.clearance = m.first().contact->clearance;
+  s.friction = m.first().contact->friction;
+  s.restitution = m.first().contact->restitution;
   return s;
 }
 

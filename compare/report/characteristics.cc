@@ -28,9 +28,9 @@ double shown_travel(const scene::Actuator& a) {
 json actuator_curves(const scene::Scene& scene) {
   json curves = json::array();
   const Model model = make_model(scene);
-  if (!model.magnets) return curves;
-  const MagneticActuator& magnets = *model.magnets;
-  const double travel = shown_travel(*scene.actuator);
+  if (!model.first().magnets) return curves;
+  const MagneticActuator& magnets = *model.first().magnets;
+  const double travel = shown_travel(*scene.first().actuator);
   for (const double part : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
     json x = json::array(), y = json::array();
     for (int k = 0; k < kPoints; ++k) {

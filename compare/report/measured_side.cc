@@ -63,8 +63,8 @@ class SideMaker {
     add_even("rotor", {"rotor_x", "rotor_y"}, place_tolerance(scene));
     add_even("ring", {"ring_x", "ring_y"}, place_tolerance(scene));
     if (!tracks_.contains("ring")) add_fixed_ring(scene);
-    if (scene.contact) {
-      const double least = gap_tolerance(scene.contact->clearance);
+    if (scene.first().contact) {
+      const double least = gap_tolerance(scene.first().contact->clearance);
       add("gap", {"gap"}, [&](const std::vector<Numbers>& value) {
         Numbers tolerance;
         for (const double gap : value.front()) tolerance.push_back(std::max(least, kShare * std::abs(gap)));
@@ -114,10 +114,10 @@ class SideMaker {
 
   // A ring that cannot move is where the scene has it, measured or not.
   void add_fixed_ring(const scene::Scene& scene) {
-    if (scene.stator || !scene.contact || scene.contact->offset.isZero(0.0)) return;
+    if (scene.first().stator || !scene.first().contact || scene.first().contact->offset.isZero(0.0)) return;
     const auto still = [](double place) { return Numbers{place, place}; };
     Samples samples{{laid_.t.front(), laid_.t.back()},
-                    {still(scene.contact->offset.x()), still(scene.contact->offset.y())},
+                    {still(scene.first().contact->offset.x()), still(scene.first().contact->offset.y())},
                     {},
                     Numbers(2, place_tolerance(scene))};
     tracks_["ring"] = track_json(pack(TrackKind::kLinear, samples));
@@ -130,8 +130,8 @@ class SideMaker {
     const auto lacks = [&](const char* name, const char* words) {
       if (!tracks_.contains(name)) missing += (missing.empty() ? "" : ", ") + std::string(words);
     };
-    if (shown_.scene->stator) lacks("ring", "ring");
-    if (shown_.scene->contact) lacks("gap", "gap");
+    if (shown_.scene->first().stator) lacks("ring", "ring");
+    if (shown_.scene->first().contact) lacks("gap", "gap");
     lacks("spin_speed", "speed");
     return fmt::format(
         "Of the measured run the player shows what its record has; not measured, and not drawn: the shaft's shape, "

@@ -21,8 +21,8 @@ using Values = std::vector<double>;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-bool touches(const ShownRuns& s, const Trajectory&) { return s.scene->contact.has_value(); }
-bool rubs(const ShownRuns& s, const Trajectory&) { return s.scene->contact && s.scene->contact->friction > 0.0; }
+bool touches(const ShownRuns& s, const Trajectory&) { return s.scene->first().contact.has_value(); }
+bool rubs(const ShownRuns& s, const Trajectory&) { return s.scene->first().contact && s.scene->first().contact->friction > 0.0; }
 bool has_currents(const ShownRuns&, const Trajectory& t) { return t.has("current_1"); }
 bool has_control(const ShownRuns&, const Trajectory& t) { return t.has("control_x"); }
 bool has_torsion(const ShownRuns&, const Trajectory& t) { return t.has("torsion_1"); }
@@ -151,7 +151,7 @@ std::vector<PlotKind> plot_kinds(const ShownRuns& shown) {
 
 json plot_data(const ShownRuns& shown) {
   const scene::Scene& scene = *shown.scene;
-  const auto& contact = scene.contact;
+  const auto& contact = scene.first().contact;
   const std::optional<renders::Machine> machine = drawn_machine(shown);
   json sides = json::array();
   const double limit = shown_frequency(shown);

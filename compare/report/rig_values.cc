@@ -69,8 +69,8 @@ json rig_values(const scene::Scene& scene, const renders::Machine& machine) {
           {"section_magnification", renders::section_magnification(scene, 0.0)},
           {"clearance", machine.clearance},
           {"gap_tolerance", gap_tolerance(machine.clearance)},
-          {"radius", scene.contact ? scene.contact->radius : 0.0},
-          {"friction", scene.contact ? scene.contact->friction : 0.0},
+          {"radius", scene.first().contact ? scene.first().contact->radius : 0.0},
+          {"friction", scene.first().contact ? scene.first().contact->friction : 0.0},
           {"has_shape", scene.rotor.geometry.has_value()},
           {"z", numbers(machine.z)},
           {"span_radius", numbers(machine.span_radius)},
@@ -84,7 +84,7 @@ json rig_values(const scene::Scene& scene, const renders::Machine& machine) {
           {"motor", scene.drive && scene.rotor.geometry && machine.motor ? json(*machine.motor) : json()},
           {"ring_moves", !machine.support.fixed},
           {"ring_turns", machine.ring_turns},
-          {"actuators", scene.stator.has_value() && scene.actuator.has_value()}};
+          {"actuators", scene.first().stator.has_value() && scene.first().actuator.has_value()}};
 }
 
 }  // namespace rotorub

@@ -17,7 +17,7 @@ Table series_of(const Trajectory& t) {
   Table table{"series", {}};
   for (const rotorub::Column& c : t.series) {
     Column column{c.name, c.unit, std::string(series_column(c.name).meaning), c.values};
-    if (c.name == "mode") {
+    if (contact_of_column(c.name).second == "mode") {
       for (const Mode mode : {Mode::kFree, Mode::kSlide, Mode::kStick}) column.words.emplace_back(to_string(mode));
       column.which.assign(c.values.begin(), c.values.end());
     }
@@ -26,22 +26,23 @@ Table series_of(const Trajectory& t) {
   return table;
 }
 
-// values: one list a column.
-Table impacts_of(const Trajectory& t, std::array<std::vector<double>, 8>& values) {
+// values: one list a column; the last is there where there are several contacts.
+Table impacts_of(const Trajectory& t, std::array<std::vector<double>, 9>& values) {
   for (const Impact& i : t.impacts) {
     const double row[] = {i.t, i.normal_impulse, i.friction_impulse, i.gap_rate_before,
-                          i.gap_rate_after, i.slip_before, i.slip_after, i.energy_change};
+                          i.gap_rate_after, i.slip_before, i.slip_after, i.energy_change, i.contact + 1.0};
     for (std::size_t k = 0; k < values.size(); ++k) values[k].push_back(row[k]);
   }
   Table table{"impacts", {}};
-  for (const ColumnMeaning& c : impact_columns()) table.columns.push_back(column_of(c, values[table.columns.size()]));
+  for (const ColumnMeaning& c : impact_columns(t.contacts > 1)) table.columns.push_back(column_of(c, values[table.columns.size()]));
   return table;
 }
 
-Table events_of(const Trajectory& t, std::vector<double>& times) {
+Table events_of(const Trajectory& t, std::vector<double>& times, std::vector<double>& contacts) {
   std::vector<int> which;
   for (const Event& event : t.events) {
     times.push_back(event.t);
+    contacts.push_back(event.contact + 1.0);
     which.push_back(static_cast<int>(event.kind));
   }
   Table table{"events", {column_of(event_columns()[0], times), column_of(event_columns()[1], {})}};
@@ -50,6 +51,7 @@ Table events_of(const Trajectory& t, std::vector<double>& times) {
     table.columns[1].words.emplace_back(to_string(kind));
   }
   table.columns[1].which = std::move(which);
+  if (t.contacts > 1) table.columns.push_back(column_of(event_columns()[2], contacts));
   return table;
 }
 
@@ -75,9 +77,9 @@ std::string run_file(ImageOf image_of, const scene::Scene& scene, const std::str
   Content content;
   add_attributes(summary_json(scene, t), "", content.attributes);
   content.attributes.push_back({"scene_text", scene_text});
-  std::array<std::vector<double>, 8> impacts;
-  std::vector<double> times;
-  content.tables = {series_of(t), impacts_of(t, impacts), events_of(t, times)};
+  std::array<std::vector<double>, 9> impacts;
+  std::vector<double> times, contacts;
+  content.tables = {series_of(t), impacts_of(t, impacts), events_of(t, times, contacts)};
   return image_of(content);
 }
 

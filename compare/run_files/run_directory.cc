@@ -141,7 +141,7 @@ nlohmann::json summary_of(const path& file) {
 
 // A library stands beside the scene, not beside its results.
 std::string text_to_keep(const scene::Scene& scene) {
-  if (!scene.controller || scene.controller->kind != scene::ControllerKind::kLibrary) {
+  if (!scene.first().controller || scene.first().controller->kind != scene::ControllerKind::kLibrary) {
     return scene.text;
   }
   const std::string library = "controller.library=" + controller_library(scene).string();

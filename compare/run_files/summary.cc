@@ -114,8 +114,8 @@ ordered_json run_columns_json(const Trajectory& trajectory) {
     series.push_back(column_json(c.name, c.unit, series_column(c.name).meaning));
   }
   return {{"series.csv", series},
-          {"impacts.csv", columns_json(impact_columns())},
-          {"events.csv", columns_json(event_columns())},
+          {"impacts.csv", columns_json(impact_columns(trajectory.contacts > 1))},
+          {"events.csv", columns_json(event_columns(trajectory.contacts > 1))},
           {"summary.json", columns_json(summary_keys())}};
 }
 

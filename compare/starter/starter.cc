@@ -85,8 +85,8 @@ double orbit(const Starter& starter, StarterSizes sizes) {
   sizes.on = 0.0;  // all of the load acts from the beginning
   const Model model = make_model(read_back(starter, sizes));
   const int n = model.layout.modes;
-  return std::hypot(model.contact_shape.x.dot(model.q0.segment(model.layout.x(), n)),
-                    model.contact_shape.y.dot(model.q0.segment(model.layout.y(), n)));
+  return std::hypot(model.first().shape.x.dot(model.q0.segment(model.layout.x(), n)),
+                    model.first().shape.y.dot(model.q0.segment(model.layout.y(), n)));
 }
 
 // rad/s

@@ -24,12 +24,12 @@ std::shared_ptr<const CommandRecord> commands_of(const Trajectory& t, double ste
 }  // namespace
 
 bool has_commands(const scene::Scene& scene) {
-  return scene.controller && make_model(scene).controller != nullptr;
+  return scene.first().controller && make_model(scene).first().controller != nullptr;
 }
 
 std::vector<double> replay_floor(Runner& runner, const scene::Scene& scene) {
   std::vector<double> floor(figures().size(), 0.0);
-  if (scene.actuator && scene.actuator->coil_lag > 0.0) return floor;
+  if (scene.first().actuator && scene.first().actuator->coil_lag > 0.0) return floor;
   const auto event = native_engine(scene::Integrator::kEvent);
   const auto run = [&](const Engine& engine, RunRequest request) {
     return runner.run(engine, std::move(request), kNativeWork, "replay of the native model");

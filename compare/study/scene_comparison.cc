@@ -17,7 +17,7 @@ namespace {
 
 // Where the scene has no contact: a share of the rotor's largest deflection.
 double divergence_threshold(const scene::Scene& scene, const Trajectory& native) {
-  if (scene.contact) return kDivergenceShare * scene.contact->clearance;
+  if (scene.first().contact) return kDivergenceShare * scene.first().contact->clearance;
   double largest = 0.0;
   const auto &x = native.column("rotor_x"), &y = native.column("rotor_y");
   for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::hypot(x[i], y[i]));
@@ -26,9 +26,9 @@ double divergence_threshold(const scene::Scene& scene, const Trajectory& native)
 
 // Magnets balance their own pull, as a mechanical bearing has none.
 scene::Scene without_control(scene::Scene scene) {
-  const double on = scene.controller->on;
-  scene.controller = scene::Controller{};
-  scene.controller->on = on;
+  const double on = scene.first().controller->on;
+  scene.first().controller = scene::Controller{};
+  scene.first().controller->on = on;
   return scene;
 }
 

@@ -156,8 +156,8 @@ std::string open_loop_sentence(const SceneComparison& c, const SideDifference& d
 }
 
 std::string penetration_sentence(const SceneComparison& c, const Side& other) {
-  if (!c.scene.contact) return {};
-  const double share = other.metrics.max_penetration / c.scene.contact->clearance;
+  if (!c.scene.first().contact) return {};
+  const double share = other.metrics.max_penetration / c.scene.first().contact->clearance;
   if (share < kDeepPenetration) return {};
   return fmt::format("the rotor sinks {:.0f} µm into the ring, {:.0f} % of the clearance",
                      1e6 * other.metrics.max_penetration, percent(share));

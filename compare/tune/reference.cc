@@ -34,7 +34,7 @@ const Reference& References::at(double step, double window_step) {
   parameters.step = step;
   parameters.output_times = *request.output_times;
   parameters.interrupt = interrupt_;
-  const double threshold = kDivergenceShare * scene_.contact->clearance;
+  const double threshold = kDivergenceShare * scene_.first().contact->clearance;
   const Twins twins = run_twins(*engine, scene, original, threshold, parameters);
   for (const Figure& f : figures())
     reference.samples.push_back(figure_sample(f, reference.metrics, twins.metrics));

@@ -29,7 +29,7 @@ using Cases = std::array<Case, kMaxContacts>;
 // Which cases differ at all: without friction there is no sticking, and what is open has none.
 bool distinct(const Case& c, const ContactSet& set) {
   if (c.friction == Friction::kLow) return true;
-  const bool one_bound = set.friction == 0.0 && set.floor == 0.0;
+  const bool one_bound = set.slides != 0.0 || (set.friction == 0.0 && set.floor == 0.0);
   return !one_bound && !(c.at_least && set.least_normal == 0.0);
 }
 
@@ -215,7 +215,7 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
 
 // One contact with Coulomb's set that can move both ways: coulomb.h has it in closed form.
 bool is_plain(const ContactMatrix& a, std::span<const ContactSet> sets) {
-  return sets.size() == 1 && sets[0].least_normal == 0.0 && sets[0].side == 0.0 &&
+  return sets.size() == 1 && sets[0].least_normal == 0.0 && sets[0].side == 0.0 && sets[0].slides == 0.0 &&
          a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0) > kSingular * a(0, 0) * a(1, 1);
 }
 

@@ -21,10 +21,9 @@
 #include <span>
 
 #include "native_model/contact/impact.h"
+#include "native_model/contact/most_contacts.h"
 
 namespace rotorub {
-
-inline constexpr int kMaxContacts = 8;
 
 // (normal, friction) of each contact in turn; with disc_law.h (normal, friction, friction along the axis).
 // No memory but their own.
@@ -38,9 +37,16 @@ struct ContactSet {
   double least_normal = 0.0;  // n, N s
   double side = 0.0;          // +1, -1: the friction begun in compression goes on to this side; 0: none
   double floor = 0.0;         // with a side: least friction to it, N s, >= 0
+  double slides = 0.0;        // +1, -1: it slides so, whatever y_T is (an acceleration); 0: y_T decides
 
-  double low(double normal) const { return side > 0.0 ? floor : -friction * normal; }
-  double high(double normal) const { return side < 0.0 ? -floor : friction * normal; }
+  double low(double normal) const {
+    if (slides != 0.0) return -slides * friction * normal;
+    return side > 0.0 ? floor : -friction * normal;
+  }
+  double high(double normal) const {
+    if (slides != 0.0) return -slides * friction * normal;
+    return side < 0.0 ? -floor : friction * normal;
+  }
 };
 // Of the expansion that follows a compression of L_NC, L_TC (impact.h).
 ContactSet expansion_set(const ImpactLaw& law, double normal, double friction);

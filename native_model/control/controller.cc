@@ -14,7 +14,7 @@ namespace {
 
 template <typename Law>
 std::shared_ptr<const Controller> tracking(const scene::Scene& scene, const Plant& plant) {
-  auto law = std::make_shared<Law>(*scene.controller, plant, scene.rotor.speed);
+  auto law = std::make_shared<Law>(*scene.first().controller, plant, scene.rotor.speed);
   refuse_lateness(scene, plant, *law);
   return law;
 }
@@ -22,8 +22,8 @@ std::shared_ptr<const Controller> tracking(const scene::Scene& scene, const Plan
 }  // namespace
 
 std::shared_ptr<const Controller> make_controller(const scene::Scene& scene, const Plant& plant) {
-  if (!scene.controller) return nullptr;
-  const scene::Controller& c = *scene.controller;
+  if (!scene.first().controller) return nullptr;
+  const scene::Controller& c = *scene.first().controller;
   switch (c.kind) {
     case scene::ControllerKind::kPassive:
       // Magnets pull by their bias: without a command that balances it they are no passive bearing.

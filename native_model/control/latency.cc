@@ -19,7 +19,7 @@ double largest_lead(const Controller::Gains& gains, double ring_mass) {
 
 void refuse_lateness(const scene::Scene& scene, const Plant& plant, const Controller& law) {
   using scene::number_text;
-  const scene::Controller& c = *scene.controller;
+  const scene::Controller& c = *scene.first().controller;
   if (c.sample_time <= 0.0) return;
   const double lead = command_lead(c, plant);
   const double most = largest_lead(law.ring_gains(), plant.stator_mass.maxCoeff());

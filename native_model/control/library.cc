@@ -157,7 +157,7 @@ void look_for_controllers_in(const fs::path& folder) {
 
 fs::path controller_library(const scene::Scene& scene) {
   const std::lock_guard<std::mutex> lock(mutex);
-  const fs::path name = scene.controller->library;
+  const fs::path name = scene.first().controller->library;
   const char* path = std::getenv(kPath);
   const std::vector<fs::path> open_folders = folders_of(path == nullptr ? "" : path);
   std::vector<fs::path> folders = scene.folder ? std::vector<fs::path>{*scene.folder} : scene_folders;
@@ -194,7 +194,7 @@ LibraryController::LibraryController(const scene::Scene& scene, const fs::path& 
 }
 
 void LibraryController::create(const scene::Scene& scene, const Plant& plant) {
-  const scene::Controller& c = *scene.controller;
+  const scene::Controller& c = *scene.first().controller;
   std::vector<rotorub_entry> entries;
   for (const scene::ConfigEntry& e : c.config) {
     entries.push_back({e.key.c_str(), e.text ? e.text->c_str() : nullptr, e.number});

@@ -20,8 +20,8 @@ namespace {
 }  // namespace
 
 QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& plant) {
-  const scene::Controller& c = *scene.controller;
-  QuadraticDesign d{sampled(plant, c.sample_time), {}, {}, scene.contact->offset};
+  const scene::Controller& c = *scene.first().controller;
+  QuadraticDesign d{sampled(plant, c.sample_time), {}, {}, scene.first().contact->offset};
   const Eigen::MatrixXd &a = d.plant.a, &b = d.plant.b, &y = d.plant.c;
   const Eigen::MatrixXd apart = (y.topRows(2) - y.bottomRows(2)) / c.allowed_error;
   const Eigen::MatrixXd travel = y.bottomRows(2) / c.allowed_travel;

@@ -1,44 +1,122 @@
 #include "native_model/dynamics/constraint.h"
 
+#include <array>
+
 #include "native_model/contact/kinematics.h"
+#include "native_model/dynamics/closed_contacts.h"
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
+namespace {
+
+using ClosedPoints = std::array<ClosedContact, kMaxContacts>;
+
+ClosedPoints points(const Model& m, const double* q, const double* v,
+                    std::span<const Constraint::Closed> closed) {
+  ClosedPoints found;
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    found[i] = {closed[i].contact, contact_point(m, q, v, closed[i].contact)};
+  }
+  return found;
+}
+
+}  // namespace
 
 Constraint::Constraint(const Model& model)
     : model_(&model), change_(static_cast<std::size_t>(model.nq())) {}
 
 // change = M^-1 J^T load.
-void Constraint::solve(double t, const double* q, const Eigen::Vector3d& load) {
+void Constraint::solve(double t, const double* q, const Eigen::Vector3d& load, std::size_t contact) {
   std::fill(change_.begin(), change_.end(), 0.0);
-  add_contact_load(*model_, load, change_.data());
+  add_contact_load(*model_, load, change_.data(), contact);
   solve_mass(*model_, t, q, change_.data(), change_.data());
 }
 
 void Constraint::apply(double t, const double* q, double* v, const Eigen::Vector2d& e_r,
-                       double normal, double friction) {
-  solve(t, q, contact_load(e_r, model_->contact->radius, normal, friction));
+                       double normal, double friction, std::size_t contact) {
+  const double radius = model_->auxiliary[contact].contact->radius;
+  solve(t, q, contact_load(e_r, radius, normal, friction), contact);
   for (std::size_t i = 0; i < change_.size(); ++i) v[i] += change_[i];
 }
 
-void Constraint::to_circle(double t, double* q, const double* v) {
+void Constraint::one_to_circle(double t, double* q, const double* v, std::size_t contact) {
+  const double radius = model_->auxiliary[contact].contact->radius;
   for (int k = 0; k < 2; ++k) {  // one Newton step and what round-off leaves
-    const ContactPoint p = contact_point(*model_, q, v);
-    const Delassus g = delassus(contact_admittance(*model_, t, q), p.e_r, model_->contact->radius);
-    solve(t, q, contact_load(p.e_r, 0.0, -p.gap / g.nn, 0.0));
+    const ContactPoint p = contact_point(*model_, q, v, contact);
+    const Delassus g = delassus(contact_admittance(*model_, t, q, contact), p.e_r, radius);
+    solve(t, q, contact_load(p.e_r, 0.0, -p.gap / g.nn, 0.0), contact);
     for (std::size_t i = 0; i < change_.size(); ++i) q[i] += change_[i];
   }
 }
 
-void Constraint::project(double t, double* q, double* v, Velocity velocity) {
-  to_circle(t, q, v);
-  if (velocity == Velocity::kKept) return;
-  const ContactPoint p = contact_point(*model_, q, v);
-  const Delassus g = delassus(contact_admittance(*model_, t, q), p.e_r, model_->contact->radius);
-  const PlanarImpulse<double> l = velocity == Velocity::kStuck
+void Constraint::to_circles(double t, double* q, const double* v, std::span<const Closed> closed) {
+  if (closed.size() == 1) return one_to_circle(t, q, v, closed.front().contact);
+  const auto n = static_cast<Eigen::Index>(closed.size());
+  for (int k = 0; k < 2 && n > 0; ++k) {
+    const ClosedPoints at = points(*model_, q, v, closed);
+    const ContactMatrix g = delassus(*model_, t, q, std::span(at).first(closed.size()));
+    ContactMatrix normal(n, n);
+    ContactVector gap(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      gap[i] = -at[static_cast<std::size_t>(i)].point.gap;
+      for (Eigen::Index j = 0; j < n; ++j) normal(i, j) = g(2 * i, 2 * j);
+    }
+    const ContactVector p = shared_solution(normal, gap);
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      solve(t, q, contact_load(at[i].point.e_r, 0.0, p[static_cast<Eigen::Index>(i)], 0.0), at[i].index);
+      for (std::size_t j = 0; j < change_.size(); ++j) q[j] += change_[j];
+    }
+  }
+}
+
+void Constraint::project(double t, double* q, double* v, std::span<const Closed> closed) {
+  to_circles(t, q, v, closed);
+  if (closed.size() == 1) return project_one(t, q, v, closed.front());
+  project_several(t, q, v, closed);
+}
+
+void Constraint::project_one(double t, double* q, double* v, const Closed& closed) {
+  if (closed.velocity == Velocity::kKept) return;
+  const std::size_t k = closed.contact;
+  const ContactPoint p = contact_point(*model_, q, v, k);
+  const Delassus g = delassus(contact_admittance(*model_, t, q, k), p.e_r,
+                              model_->auxiliary[k].contact->radius);
+  const PlanarImpulse<double> l = closed.velocity == Velocity::kStuck
                                       ? stick(g, p.gap_rate, p.slip)
                                       : PlanarImpulse<double>{-p.gap_rate / g.nn, 0.0};
-  apply(t, q, v, p.e_r, l.normal, l.friction);
+  apply(t, q, v, p.e_r, l.normal, l.friction, k);
+}
+
+void Constraint::project_several(double t, double* q, double* v, std::span<const Closed> closed) {
+  const ClosedPoints at = points(*model_, q, v, closed);
+  const ContactMatrix g = delassus(*model_, t, q, std::span(at).first(closed.size()));
+  // The rates that are to be 0, of g's rows.
+  std::array<Eigen::Index, 2 * kMaxContacts> rows{};
+  ContactVector rates(g.rows());
+  Eigen::Index count = 0;
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(2 * i);
+    const auto add = [&](Eigen::Index which, double rate) {
+      rows[static_cast<std::size_t>(count)] = which;
+      rates[count++] = -rate;
+    };
+    if (closed[i].velocity != Velocity::kKept) add(row, at[i].point.gap_rate);
+    if (closed[i].velocity == Velocity::kStuck) add(row + 1, at[i].point.slip);
+  }
+  if (count == 0) return;
+  ContactMatrix matrix(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < count; ++j) {
+      matrix(i, j) = g(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
+    }
+  }
+  const ContactVector solved = shared_solution(matrix, rates.head(count));
+  ContactVector p = ContactVector::Zero(g.rows());
+  for (Eigen::Index i = 0; i < count; ++i) p[rows[static_cast<std::size_t>(i)]] = solved[i];
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(2 * i);
+    apply(t, q, v, at[i].point.e_r, p[row], p[row + 1], at[i].index);
+  }
 }
 
 }  // namespace rotorub

@@ -54,7 +54,9 @@ void add_loads(const Model& m, double t, const double* q, const double* v, doubl
 
 double spin_angle(const Model& m, double t, const double* q) { return eq::spin_angle(m, t, q); }
 double spin_speed(const Model& m, const double* v) { return eq::spin_speed(m, v); }
-double contact_spin(const Model& m, const double* v) { return eq::contact_spin(m, v); }
+double contact_spin(const Model& m, const double* v, std::size_t k) {
+  return eq::contact_spin(m, m.auxiliary[k], v);
+}
 double motor_torque(const Model& m, double t, const double* q, const double* v) {
   return m.drive ? eq::motor_torque(m, t, q, v) : 0.0;
 }
@@ -102,53 +104,65 @@ void solve_mass(const Model& m, const double* mass, double t, const double* q, c
   for (int i = 0; i < m.nq(); ++i) a[i] = f[i] / mass[i];
 }
 
-Eigen::Vector2d rotor_point(const Model& m, const double* q) {
-  return at_station(m.layout, m.contact_shape, q);
+Eigen::Vector2d rotor_point(const Model& m, const double* q, std::size_t k) {
+  return at_station(m.layout, m.auxiliary[k].shape, q);
 }
 
-Eigen::Vector2d stator_point(const Model& m, const double* q) {
-  if (!m.layout.stator) return {0.0, 0.0};
-  return {q[m.layout.ring()], q[m.layout.ring() + 1]};
+Eigen::Vector2d stator_point(const Model& m, const double* q, std::size_t k) {
+  const int ring = m.auxiliary[k].ring;
+  if (ring == kAbsent) return {0.0, 0.0};
+  return {q[ring], q[ring + 1]};
 }
 
-Eigen::Vector2d ring_centre(const Model& m, const double* q) { return m.ring_offset + stator_point(m, q); }
-
-Eigen::Vector2d separation(const Model& m, const double* q) { return vector(eq::separation(m, q)); }
-
-ContactPoint contact_point(const Model& m, const double* q, const double* v) {
-  const double radius = m.contact ? m.contact->radius : 0.0;
-  const double clearance = m.contact ? m.contact->clearance : 0.0;
-  const eq::Pair<double> d = eq::separation(m, q), rate = eq::relative(m, v);
-  return contact_kinematics({d.x, d.y}, {rate.x, rate.y}, eq::contact_spin(m, v), radius, clearance);
+Eigen::Vector2d ring_centre(const Model& m, const double* q, std::size_t k) {
+  return m.auxiliary[k].ring_offset + stator_point(m, q, k);
 }
 
-Eigen::Vector3d contact_acceleration(const Model& m, const double* a) {
-  const Eigen::Vector2d d = rotor_point(m, a) - stator_point(m, a);
+Eigen::Vector2d separation(const Model& m, const double* q, std::size_t k) {
+  return vector(eq::separation(m, m.auxiliary[k], q));
+}
+
+ContactPoint contact_point(const Model& m, const double* q, const double* v, std::size_t k) {
+  const AuxiliaryBearing& at = m.auxiliary[k];
+  const double radius = at.contact ? at.contact->radius : 0.0;
+  const double clearance = at.contact ? at.contact->clearance : 0.0;
+  const eq::Pair<double> d = eq::separation(m, at, q), rate = eq::relative(m, at, v);
+  return contact_kinematics({d.x, d.y}, {rate.x, rate.y}, eq::contact_spin(m, at, v), radius, clearance);
+}
+
+Eigen::Vector3d contact_acceleration(const Model& m, const double* a, std::size_t k) {
+  const Eigen::Vector2d d = rotor_point(m, a, k) - stator_point(m, a, k);
   double spin = m.layout.spin ? a[m.layout.phi()] : 0.0;  // a speed that is held stays
-  if (eq::turns_at_contact(m)) spin += eq::turning_at_contact(m, a);
+  if (eq::turns_at_contact(m)) spin += eq::turning_at_contact(m, m.auxiliary[k], a);
   return {d.x(), d.y(), spin};
 }
 
-Eigen::Matrix3d contact_admittance(const Model& m, double t, const double* q) {
-  if (!m.coupled_mass()) return m.admittance;
-  return contact_admittance(m, m.mass.data(), t, q);
+Eigen::Matrix3d contact_admittance(const Model& m, double t, const double* q, std::size_t k) {
+  if (!m.coupled_mass()) return m.auxiliary[k].admittance;
+  return contact_admittance(m, m.mass.data(), t, q, k, k);
 }
 
 Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t, const double* q) {
+  return contact_admittance(m, mass, t, q, 0, 0);
+}
+
+Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t, const double* q,
+                                   std::size_t i, std::size_t j) {
   const Layout& l = m.layout;
+  const AuxiliaryBearing &one = m.auxiliary[i], &other = m.auxiliary[j];
   Eigen::Vector3d a{0.0, 0.0, 0.0};
   for (int k = 0; k < l.modes; ++k) {
-    a.x() += m.contact_shape.x[k] * m.contact_shape.x[k] / mass[l.x() + k];
-    a.y() += m.contact_shape.y[k] * m.contact_shape.y[k] / mass[l.y() + k];
+    a.x() += one.shape.x[k] * other.shape.x[k] / mass[l.x() + k];
+    a.y() += one.shape.y[k] * other.shape.y[k] / mass[l.y() + k];
   }
   for (int k = 0; k < l.torsion; ++k) {
-    a.z() += m.torsion_contact[k] * m.torsion_contact[k] / mass[l.theta() + k];
+    a.z() += one.torsion_shape[k] * other.torsion_shape[k] / mass[l.theta() + k];
   }
-  if (l.stator) {
-    a.x() += 1.0 / mass[l.ring()];
-    a.y() += 1.0 / mass[l.ring() + 1];
+  if (i == j && one.moves()) {
+    a.x() += 1.0 / mass[one.ring];
+    a.y() += 1.0 / mass[one.ring + 1];
   }
-  if (l.ring_spin) a.z() += m.ring_ratio * m.ring_ratio / mass[l.ring_angle()];
+  if (i == j && one.turns()) a.z() += one.ring_ratio * one.ring_ratio / mass[one.ring_angle];
   if (!m.coupled_mass()) {
     if (l.spin) a.z() += 1.0 / mass[l.phi()];
     return a.asDiagonal();
@@ -156,20 +170,22 @@ Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t,
   // M^-1 = D0^-1 + w w^T / s, w = (-D^-1 b, 1), s = J - b^T D^-1 b; D0^-1 is 0 at the spin.
   const Coupling b(m, t, q);
   double s = mass[l.phi()];
-  Eigen::Vector3d jw{0.0, 0.0, 1.0};
+  Eigen::Vector3d of_one{0.0, 0.0, 1.0}, of_other{0.0, 0.0, 1.0};
   for (int k = 0; k < l.modes; ++k) {
     const double wx = -b.x[k] / mass[l.x() + k], wy = -b.y[k] / mass[l.y() + k];
     s += b.x[k] * wx + b.y[k] * wy;
-    jw.x() += m.contact_shape.x[k] * wx;
-    jw.y() += m.contact_shape.y[k] * wy;
+    of_one.x() += one.shape.x[k] * wx;
+    of_one.y() += one.shape.y[k] * wy;
+    of_other.x() += other.shape.x[k] * wx;
+    of_other.y() += other.shape.y[k] * wy;
   }
   Eigen::Matrix3d full = a.asDiagonal();
-  full.noalias() += jw * jw.transpose() / s;
+  full.noalias() += of_one * of_other.transpose() / s;
   return full;
 }
 
-void add_contact_load(const Model& m, const Eigen::Vector3d& p, double* f) {
-  eq::add_contact_load(m, p.x(), p.y(), p.z(), f);
+void add_contact_load(const Model& m, const Eigen::Vector3d& p, double* f, std::size_t k) {
+  eq::add_contact_load(m, m.auxiliary[k], p.x(), p.y(), p.z(), f);
 }
 
 double energy(const Model& m, double t, const double* q, const double* v) {
@@ -206,13 +222,18 @@ double switching_work(const Model& m, double from, double to, const double* q, c
 }
 
 double external_power(const Model& m, double t, const double* q, const double* v,
-                      const Eigen::Vector2d& ring_force) {
+                      std::span<const Eigen::Vector2d> ring_forces) {
   const Layout& l = m.layout;
   constexpr int kStack = kMaxCoordinates;
   assert(l.nq() <= kStack);
   double f[kStack];
   unactuated_force(m, t, q, v, f);
-  for (int k = 0; k < l.stator; ++k) f[l.ring() + k] += ring_force[k];
+  for (std::size_t k = 0; k < ring_forces.size(); ++k) {
+    const int ring = m.auxiliary[k].ring;
+    if (ring == kAbsent) continue;
+    f[ring] += ring_forces[k].x();
+    f[ring + 1] += ring_forces[k].y();
+  }
   double power = 0.0;
   for (int i = 0; i < l.mechanical(); ++i) power += (f[i] + m.stiffness[i] * q[i]) * v[i];
   return power + extra_power(m, t, q, v);

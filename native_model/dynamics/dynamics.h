@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/system/model.h"
@@ -11,8 +12,9 @@ namespace rotorub {
 
 double spin_angle(const Model& model, double t, const double* q);   // rad, phi, without torsion
 double spin_speed(const Model& model, const double* v);             // rad/s, Omega, without torsion
-// rad/s, Omega_c - (R/r) Omega_r, with torsion; Omega_r of a ring that turns
-double contact_spin(const Model& model, const double* v);
+// rad/s, Omega_c - (R/r) Omega_r, with torsion; Omega_r of a ring that turns. `contact`: the number of the
+// auxiliary bearing, here and below.
+double contact_spin(const Model& model, const double* v, std::size_t contact = 0);
 
 // N m, of the drive on the rotor; 0 without one.
 double motor_torque(const Model& model, double t, const double* q, const double* v);
@@ -37,31 +39,41 @@ void solve_mass(const Model& model, const double* diagonal, double t, const doub
                 const double* f, double* a);
 
 // In the contact plane, m: the rotor's centre; how far the ring is from where it is at rest; both of velocities too.
-Eigen::Vector2d rotor_point(const Model& model, const double* q);
-Eigen::Vector2d stator_point(const Model& model, const double* q);
+Eigen::Vector2d rotor_point(const Model& model, const double* q, std::size_t contact = 0);
+Eigen::Vector2d stator_point(const Model& model, const double* q, std::size_t contact = 0);
 // m: the ring's centre, and the rotor's from it.
-Eigen::Vector2d ring_centre(const Model& model, const double* q);
-Eigen::Vector2d separation(const Model& model, const double* q);
-ContactPoint contact_point(const Model& model, const double* q, const double* v);
+Eigen::Vector2d ring_centre(const Model& model, const double* q, std::size_t contact = 0);
+Eigen::Vector2d separation(const Model& model, const double* q, std::size_t contact = 0);
+ContactPoint contact_point(const Model& model, const double* q, const double* v,
+                           std::size_t contact = 0);
 
 // (ddot', contact_spin') of the generalized accelerations a.
-Eigen::Vector3d contact_acceleration(const Model& model, const double* a);
+Eigen::Vector3d contact_acceleration(const Model& model, const double* a, std::size_t contact = 0);
 
-// Contact-space admittance A = J M^-1 J^T (1/kg ...), 3 x 3, J: (relative x, relative y,
+// Contact-space admittance A = J M^-1 J^T (1/kg ...) of a contact, 3 x 3, J: (relative x, relative y,
 // contact_spin) = J qdot.
-Eigen::Matrix3d contact_admittance(const Model& model, double t, const double* q);
-// The same with another diagonal in the place of the masses.
+Eigen::Matrix3d contact_admittance(const Model& model, double t, const double* q,
+                                   std::size_t contact = 0);
+// Of the first with another diagonal in the place of the masses.
 Eigen::Matrix3d contact_admittance(const Model& model, const double* diagonal, double t,
                                    const double* q);
+// J_i M^-1 J_j^T of two contacts; i = j: as above.
+Eigen::Matrix3d contact_admittance(const Model& model, const double* diagonal, double t,
+                                   const double* q, std::size_t i, std::size_t j);
 // f += J^T p, p: impulse or force on the rotor (x, y) and torque on it about z; the ring has -x, -y and
 // where it turns -R/r of the torque.
-void add_contact_load(const Model& model, const Eigen::Vector3d& p, double* f);
+void add_contact_load(const Model& model, const Eigen::Vector3d& p, double* f,
+                      std::size_t contact = 0);
 
 // Kinetic and elastic energy, J, and the power of all forces that are not the contact's nor the
-// diagonal or station springs', W; of integrators and coils neither. ring_force: the actuator's, N.
+// diagonal or station springs', W; of integrators and coils neither. ring_forces: of the actuators, N.
 double energy(const Model& model, double t, const double* q, const double* v);
 double external_power(const Model& model, double t, const double* q, const double* v,
-                      const Eigen::Vector2d& ring_force);
+                      std::span<const Eigen::Vector2d> ring_forces);
+inline double external_power(const Model& model, double t, const double* q, const double* v,
+                             const Eigen::Vector2d& first_ring) {
+  return external_power(model, t, q, v, std::span(&first_ring, 1));
+}
 // J: what the energy gains at (q, v) by the blades lost in (from, to], where the spin is free: no velocity
 // jumps, and with a blade goes its part of the energy. Work of the outside in the balance.
 double switching_work(const Model& model, double from, double to, const double* q, const double* v);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <type_traits>
 
 #include "native_model/numerics/lanes.h"
 #include "native_model/system/model.h"
@@ -37,22 +38,53 @@ ROTORUB_INLINE Pair<T> at_station(int n, const Shape& shape, const T* q) {
   return sum;
 }
 
+template <class M>
+inline constexpr bool has_run_time_layout = std::is_same_v<std::remove_cvref_t<decltype(M::layout)>, Layout>;
+
+// Where the coordinates of an auxiliary bearing's ring begin, kAbsent: nowhere. Of a layout that the
+// compiler knows so is this.
+template <class M, class B>
+ROTORUB_INLINE int ring_of([[maybe_unused]] const M& m, [[maybe_unused]] const B& at) {
+  if constexpr (has_run_time_layout<M>) {
+    return at.ring;
+  } else {
+    return m.layout.stator ? m.layout.ring() : kAbsent;
+  }
+}
+template <class M, class B>
+ROTORUB_INLINE int ring_angle_of(const M&, [[maybe_unused]] const B& at) {
+  if constexpr (has_run_time_layout<M>) {
+    return at.ring_angle;
+  } else {
+    return kAbsent;  // no known layout has one
+  }
+}
+
 // Of the centres in the contact plane, ring to rotor: the relative velocity, or displacement from rest.
-template <class M, class T = typename M::Scalar>
-ROTORUB_INLINE Pair<T> relative(const M& m, const T* q) {
-  Pair<T> d = at_station(m.layout.modes, m.contact_shape, q);
-  if (m.layout.stator) {
-    d.x -= q[m.layout.ring()];
-    d.y -= q[m.layout.ring() + 1];
+// `at`: the auxiliary bearing, here and below; without it the first.
+template <class M, class B, class T = typename M::Scalar>
+ROTORUB_INLINE Pair<T> relative(const M& m, const B& at, const T* q) {
+  Pair<T> d = at_station(m.layout.modes, at.shape, q);
+  if (const int ring = ring_of(m, at); ring != kAbsent) {
+    d.x -= q[ring];
+    d.y -= q[ring + 1];
   }
   return d;
 }
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE Pair<T> relative(const M& m, const T* q) {
+  return relative(m, m.first(), q);
+}
 
 // The relative position: with where the ring is at rest.
+template <class M, class B, class T = typename M::Scalar>
+ROTORUB_INLINE Pair<T> separation(const M& m, const B& at, const T* q) {
+  const Pair<T> d = relative(m, at, q);
+  return {d.x - at.ring_offset.x(), d.y - at.ring_offset.y()};
+}
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE Pair<T> separation(const M& m, const T* q) {
-  const Pair<T> d = relative(m, q);
-  return {d.x - m.ring_offset.x(), d.y - m.ring_offset.y()};
+  return separation(m, m.first(), q);
 }
 
 // Omega, without torsion.
@@ -61,27 +93,31 @@ ROTORUB_INLINE T spin_speed(const M& m, const T* v) {
   return m.layout.spin ? v[m.layout.phi()] : m.speed;
 }
 
-// Whether anything but the rigid spin turns at the contact.
+// Whether anything but the rigid spin turns at a contact.
 template <class M>
 ROTORUB_INLINE bool turns_at_contact(const M& m) {
   return m.layout.torsion || m.layout.ring_spin;
 }
 
 // Of contact_spin what is not the rigid spin: torsion, less the ring's turning; of accelerations too.
-template <class M, class T = typename M::Scalar>
-ROTORUB_INLINE T turning_at_contact(const M& m, const T* v) {
+template <class M, class B, class T = typename M::Scalar>
+ROTORUB_INLINE T turning_at_contact(const M& m, const B& at, const T* v) {
   T sum{};
-  const T* shape = m.torsion_contact.data();
+  const T* shape = at.torsion_shape.data();
   for (int k = 0; k < m.layout.torsion; ++k) sum += shape[k] * v[m.layout.theta() + k];
-  if (m.layout.ring_spin) sum -= m.ring_ratio * v[m.layout.ring_angle()];
+  if (const int angle = ring_angle_of(m, at); angle != kAbsent) sum -= at.ring_ratio * v[angle];
   return sum;
 }
 
 // Omega_c - (R/r) Omega_r, Omega_c with torsion: r times it is what turning has of the slip.
+template <class M, class B, class T = typename M::Scalar>
+ROTORUB_INLINE T contact_spin(const M& m, const B& at, const T* v) {
+  const T omega = spin_speed(m, v);
+  return turns_at_contact(m) ? omega + turning_at_contact(m, at, v) : omega;
+}
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE T contact_spin(const M& m, const T* v) {
-  const T omega = spin_speed(m, v);
-  return turns_at_contact(m) ? omega + turning_at_contact(m, v) : omega;
+  return contact_spin(m, m.first(), v);
 }
 
 // phi, without torsion.
@@ -279,19 +315,24 @@ ROTORUB_INLINE void add_drive(const M& m, double t, const T* q, const T* v, T* f
   for (int k = 0; k < l.torsion; ++k) f[l.theta() + k] += shape[k] * torque;
 }
 
-// f += J^T p of a load on the rotor (x, y, torque about z) at the contact.
+// f += J^T p of a load on the rotor (x, y, torque about z) at a contact.
+template <class M, class B, class T = typename M::Scalar>
+ROTORUB_INLINE void add_contact_load(const M& m, const B& at, const T& px, const T& py, const T& pz,
+                                     T* f) {
+  const auto& l = m.layout;
+  add_station_force<T>(l.modes, at.shape, px, py, f);
+  if (l.spin) f[l.phi()] += pz;
+  const T* shape = at.torsion_shape.data();
+  for (int k = 0; k < l.torsion; ++k) f[l.theta() + k] += shape[k] * pz;
+  if (const int ring = ring_of(m, at); ring != kAbsent) {
+    f[ring] -= px;
+    f[ring + 1] -= py;
+  }
+  if (const int angle = ring_angle_of(m, at); angle != kAbsent) f[angle] -= at.ring_ratio * pz;
+}
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE void add_contact_load(const M& m, const T& px, const T& py, const T& pz, T* f) {
-  const auto& l = m.layout;
-  add_station_force<T>(l.modes, m.contact_shape, px, py, f);
-  if (l.spin) f[l.phi()] += pz;
-  const T* shape = m.torsion_contact.data();
-  for (int k = 0; k < l.torsion; ++k) f[l.theta() + k] += shape[k] * pz;
-  if (l.stator) {
-    f[l.ring()] -= px;
-    f[l.ring() + 1] -= py;
-  }
-  if (l.ring_spin) f[l.ring_angle()] -= m.ring_ratio * pz;
+  add_contact_load(m, m.first(), px, py, pz, f);
 }
 
 }  // namespace rotorub::equations

@@ -47,6 +47,44 @@ ContactDecision select_contact_mode(const ContactAccelerations& b, double slip, 
   return {Status::kOk, free};
 }
 
+ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
+                                      const ContactVector& scale, std::span<const double> slips,
+                                      std::span<const double> friction, double no_force,
+                                      Departure parting) {
+  const std::size_t n = slips.size();
+  ContactVector pressed = b;
+  std::array<ContactSet, kMaxContacts> sets{};
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const double none = no_force * scale[at];
+    if (std::abs(b[2 * at]) < none) pressed[2 * at] = -none;
+    sets[i].friction = friction[i];
+    sets[i].slides = slips[i] > 0.0 ? 1.0 : slips[i] < 0.0 ? -1.0 : 0.0;
+  }
+  ContactDecisions decisions{};
+  const CoupledSolution s = solve_coupled(g, pressed, std::span(sets).first(n));
+  if (s.solutions != 1) {
+    decisions[0] = {status_of(s.solutions), {},
+                    s.solutions == 0 ? "the contact forces have no solution (Painleve)"
+                                     : "the contact forces have several solutions (Painleve)"};
+    return decisions;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto at = static_cast<Eigen::Index>(2 * i);
+    ContactState& next = decisions[i].next;
+    if (!(s.p[at] > 0.0)) {
+      next = {Mode::kFree, 1.0, parting};
+    } else if (sets[i].slides != 0.0) {
+      next = {Mode::kSlide, sets[i].slides};
+    } else if (s.sticks[i]) {
+      next = {Mode::kStick, 0.0};
+    } else {
+      next = {Mode::kSlide, s.y[at + 1] > 0.0 ? 1.0 : -1.0};
+    }
+  }
+  return decisions;
+}
+
 PhaseEnd end_of_phase(Mode mode, const Margins& margins, const MarginScales& scales) {
   if (margins.force / scales.force <= margins.cone / scales.cone(mode)) return PhaseEnd::kOpens;
   return mode == Mode::kSlide ? PhaseEnd::kSlipStops : PhaseEnd::kSlipBegins;

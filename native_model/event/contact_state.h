@@ -2,9 +2,11 @@
 // shaft with two auxiliary bearings has two of them.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 
-#include "native_model/contact/planar_contact.h"
+#include "native_model/contact/coupled_law.h"
 #include "native_model/event/first_contact.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -35,6 +37,14 @@ struct ContactDecision {
 // no_force: see EventParameters.
 ContactDecision select_contact_mode(const ContactAccelerations& b, double slip, double mu,
                                     double no_force, Departure parting);
+
+// Several contacts on their circles with gap rate 0, solved together: b and scale as Phase::Accelerations, slips as
+// above. The decisions of all, in the order of b; a status that is not ok is in the first.
+using ContactDecisions = std::array<ContactDecision, kMaxContacts>;
+ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
+                                      const ContactVector& scale, std::span<const double> slips,
+                                      std::span<const double> friction, double no_force,
+                                      Departure parting);
 
 // Margins of lasting contact, positive while it lasts.
 struct Margins {

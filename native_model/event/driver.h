@@ -4,13 +4,18 @@
 //
 //   smooth_step    moves between events                 contact_state  decides what contact does
 //   location       finds where they are                 observer       sees rows, energy, figures
-//   impact         what happens at a closing contact
+//   impact         what happens at a closing contact   coupled_impact  with others that are closed too
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "native_model/event/coupled_impact.h"
 #include "native_model/event/impact.h"
 #include "native_model/event/schedule.h"
 #include "native_model/event/stiffness.h"
@@ -39,19 +44,38 @@ class EventIntegrator {
 
  private:
   void begin(const State& start, Recorder& recorder);
-  void begin_on_circle(const ContactPoint& point);
+  void begin_on_circles();
   void advance(double limit);
   void arrive_at_break();
   void book_switches();
-  void sample_controller();
+  void sample_controllers();
+  void move_to(double now, std::optional<double> theta);
+  void lose(double theta);
+  bool fails(Status impact);
 
   // Contact.
-  void impact();
-  void margin_reached();
-  void decide(bool slip_is_zero, Departure parting);
-  void change_to(const ContactState& next);
-  void first_touch();
-  MarginScales margin_scales() const;
+  struct Found {
+    double theta;  // within the step
+    std::size_t contact;
+  };
+  std::optional<Found> find_event();
+  // Of all contacts on their circles at this instant, with their points: those in contact, those that touch.
+  std::span<ClosedContact> closed_now();
+  std::span<const Constraint::Closed> constrained();
+  void impact(std::size_t contact);
+  void impact_of_one(const ClosedContact& touch);
+  void impact_of_several(std::span<const ClosedContact> closed);
+  void margin_reached(std::size_t contact);
+  // On their circles with gap rate 0, each with what is known of its slip.
+  struct Resting {
+    std::size_t contact;
+    bool slip_is_zero;
+  };
+  void decide(std::span<const Resting> resting, Departure parting);
+  void decide_one(const Resting& resting, Departure parting);
+  void change_to(std::size_t contact, const ContactState& next);
+  void first_touch(std::size_t contact);
+  MarginScales margin_scales(std::size_t contact) const;
 
   void count_event();
   void fail_step();
@@ -69,9 +93,11 @@ class EventIntegrator {
   EventImpact impact_;
 
   Result result_;
-  SampledCommand sampled_;
+  std::vector<SampledCommand> sampled_;  // of each auxiliary bearing
   double end_ = 0.0;          // s
-  double force_scale_ = 0.0;  // N, largest force met at the contact, carried or balanced
+  std::vector<double> force_scale_;  // N, largest force met at each contact, carried or balanced
+  std::array<ClosedContact, kMaxContacts> closed_{};
+  std::array<Constraint::Closed, kMaxContacts> constrained_{};
   int stalled_ = 0;           // events since the clock went on
   double last_event_ = 0.0;   // s
   double booked_ = 0.0;       // s, up to here the work of what is switched has been counted

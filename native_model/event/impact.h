@@ -17,15 +17,18 @@ class EventImpact {
     enum { kParts, kRests, kInside } after = kRests;  // on the circle; kInside: not on it
     bool stuck = false;                               // gdot_T = 0 exactly
   };
-  // At a contact that closes. Moves the motion on, at most to `end` (s); tells the observer.
-  Outcome run(Motion& motion, const ContactPoint& touch, double end);
+  // At a contact that closes alone. Moves the motion on, at most to `end` (s); tells the observer.
+  Outcome run(std::size_t contact, Motion& motion, const ContactPoint& touch, double end);
 
  private:
   Outcome at_once(Motion& motion, const ContactPoint& touch, const ImpactLaw& law);
   Outcome over_time(Motion& motion, const ContactPoint& touch, double end);
   bool rebound_lasts(const Motion& motion, const ContactPoint& touch) const;
 
+  const ContactParameters& parameters_of_contact() const { return *model_->auxiliary[contact_].contact; }
+
   const Model* model_;
+  std::size_t contact_ = 0;
   const EventParameters* parameters_;
   Phase* phase_;
   Constraint* constraint_;

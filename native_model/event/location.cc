@@ -13,35 +13,36 @@
 
 namespace rotorub {
 
-std::optional<double> locate_contact(const Model& m, SmoothStep& step, const Motion& start,
-                                     Departure departure) {
+std::optional<double> locate_contact(const Model& m, std::size_t contact, SmoothStep& step,
+                                     const Motion& start, Departure departure) {
+  const double clearance = m.auxiliary[contact].contact->clearance;
   // Of velocities, and of what the step adds to coordinates.
-  const auto centre = [&m](const double* at) -> Eigen::Vector2d {
-    return rotor_point(m, at) - stator_point(m, at);
+  const auto centre = [&m, contact](const double* at) -> Eigen::Vector2d {
+    return rotor_point(m, at, contact) - stator_point(m, at, contact);
   };
-  const Eigen::Vector2d d0 = separation(m, start.q()), d1 = separation(m, step.end());
+  const Eigen::Vector2d d0 = separation(m, start.q(), contact), d1 = separation(m, step.end(), contact);
   // Out of reach: no further than the larger end plus what the speeds, twice over, could add.
   const double speed = std::max(centre(start.v()).norm(), centre(step.end() + m.nq()).norm());
   const double reach = std::max(d0.norm(), d1.norm()) + 2.0 * speed * step.length();
-  if (reach < m.contact->clearance) return {};
+  if (reach < clearance) return {};
 
   std::array<Eigen::Vector2d, kPathDegree> nested;
   for (int k = 0; k < kPathDegree; ++k) nested[static_cast<std::size_t>(k)] = centre(step.term(k));
-  return first_contact(path_from_nested(nested), d0, m.contact->clearance, departure);
+  return first_contact(path_from_nested(nested), d0, clearance, departure);
 }
 
-std::optional<double> locate_margin(SmoothStep& step, Mode mode, const MarginScales& scales,
+std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode, const MarginScales& scales,
                                     const EventParameters& parameters) {
   // The stages of the step tell whether a margin was crossed; the dense output says when. Round-off
   // below zero is no crossing: a phase may begin on its margin.
-  const Margins& lowest = step.lowest();
+  const Margins& lowest = step.lowest(contact);
   const double none = -parameters.margin_round_off;
   if (lowest.force > -parameters.no_force * scales.force &&
       lowest.cone > none * scales.cone(mode)) {
     return {};
   }
   const auto margin = [&](double theta) {
-    const Margins& m = step.margins(theta);
+    const Margins& m = step.margins(contact, theta);
     return std::min(m.force / scales.force, m.cone / scales.cone(mode));
   };
   constexpr int kSamples = 16;

@@ -7,12 +7,12 @@
 
 namespace rotorub {
 
-// Free flight from `start`: the first contact.
-std::optional<double> locate_contact(const Model& model, SmoothStep& step, const Motion& start,
-                                     Departure departure);
+// Free flight of one contact from `start`: where it closes.
+std::optional<double> locate_contact(const Model& model, std::size_t contact, SmoothStep& step,
+                                     const Motion& start, Departure departure);
 
-// Lasting contact: the first margin that is crossed.
-std::optional<double> locate_margin(SmoothStep& step, Mode mode, const MarginScales& scales,
+// Lasting contact: the first of its margins that is crossed.
+std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode, const MarginScales& scales,
                                     const EventParameters& parameters);
 
 // The step is out of range (trajectory/range_check.h) at `last`: where it has just left.

@@ -8,7 +8,7 @@
 
 namespace rotorub {
 
-// Carried along with the state, for statistics and the energy balance.
+// Carried along with the state, for statistics and the energy balance; the first kOfContact for each contact.
 enum Integral {
   kNormalImpulse,
   kFrictionImpulse,
@@ -18,10 +18,19 @@ enum Integral {
   kGapRateSquare,
   kIntegrals
 };
+inline constexpr int kOfContact = 3;
+inline int integral_count(const Model& model) {
+  return kIntegrals + kOfContact * static_cast<int>(model.auxiliary.size() - 1);
+}
+
+// Among the integrals.
+inline int integral_index(Integral k, std::size_t contact) {
+  return contact == 0 ? k : kIntegrals + kOfContact * static_cast<int>(contact - 1) + k;
+}
 
 struct Motion {
   explicit Motion(const Model& model)
-      : nq(model.nq()), y(static_cast<std::size_t>(2 * nq + kIntegrals)) {}
+      : nq(model.nq()), y(static_cast<std::size_t>(2 * nq + integral_count(model))) {}
   // From `start` on, with all integrals 0.
   void begin(const State& start) {
     t = start.t;
@@ -33,9 +42,11 @@ struct Motion {
   double* v() { return y.data() + nq; }
   const double* q() const { return y.data(); }
   const double* v() const { return y.data() + nq; }
-  int index(Integral k) const { return 2 * nq + k; }
+  int index(Integral k, std::size_t contact = 0) const { return 2 * nq + integral_index(k, contact); }
   double& integral(Integral k) { return y[static_cast<std::size_t>(index(k))]; }
-  double integral(Integral k) const { return y[static_cast<std::size_t>(index(k))]; }
+  double integral(Integral k, std::size_t contact = 0) const {
+    return y[static_cast<std::size_t>(index(k, contact))];
+  }
 
   double t = 0.0;  // s
   int nq;

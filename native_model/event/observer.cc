@@ -1,6 +1,7 @@
 #include "native_model/event/observer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "native_model/contact/impact_phase.h"
@@ -13,11 +14,14 @@ Observer::Observer(const Model& model, const EventParameters& parameters, Phase&
     : model_(&model),
       parameters_(&parameters),
       phase_(&phase),
-      row_(static_cast<std::size_t>(2 * model.nq() + kIntegrals)),
-      slope_(row_) {}
+      row_(static_cast<std::size_t>(2 * model.nq() + integral_count(model))),
+      slope_(row_),
+      of_contacts_(model.auxiliary.size()),
+      others_(model.auxiliary.size() - 1) {}
 
 void Observer::begin(const Motion& start, Recorder& recorder) {
   recorder_ = &recorder;
+  std::fill(of_contacts_.begin(), of_contacts_.end(), ContactStatistics{});
   contact_time_ = impact_work_ = impact_impulse_ = bin_start_ = 0.0;
   bin_ = parameters_->force_bin > 0.0 ? std::floor(start.t / parameters_->force_bin) : 0.0;
   energy_start_ = energy(*model_, start.t, start.q(), start.v());
@@ -29,18 +33,26 @@ void Observer::started(const Motion& motion) {
   recorder_->statistics().energy_start = energy_start_;
 }
 
+ContactSnapshot Observer::snapshot_of(std::size_t k, double t, const double* y) const {
+  ContactSnapshot s;
+  s.normal_force = std::max(0.0, phase_->multipliers(k).normal);
+  s.friction_force = phase_->multipliers(k).friction;
+  s.mode = phase_->state(k).mode;
+  s.actuator = actuator_state(*model_, y, y + model_->nq(), phase_->command(k, t, y), k);
+  s.actuator.outputs = phase_->outputs(k);
+  return s;
+}
+
 Snapshot Observer::snapshot(double t, const double* y) {
   phase_->derivative(t, y, slope_.data());
-  Snapshot s;
-  s.t = t;
-  s.q = y;
-  s.v = y + model_->nq();
-  s.normal_force = std::max(0.0, phase_->multipliers().normal);
-  s.friction_force = phase_->multipliers().friction;
-  s.mode = phase_->state().mode;
-  s.actuator = actuator_state(*model_, s.q, s.v, phase_->command(t, y));
-  s.actuator.outputs = phase_->outputs();
-  return s;
+  for (std::size_t k = 0; k < others_.size(); ++k) others_[k] = snapshot_of(k + 1, t, y);
+  return {snapshot_of(0, t, y), t, y, y + model_->nq(), others_};
+}
+
+double Observer::normal_impulse(const Motion& motion) const {
+  double sum = motion.integral(kNormalImpulse);
+  for (std::size_t k = 1; k < of_contacts_.size(); ++k) sum += motion.integral(kNormalImpulse, k);
+  return sum;
 }
 
 // Normal force averaged over bins of fixed width, as a fixed-step engine has it: peak and mean
@@ -62,16 +74,26 @@ void Observer::bins_until(double now, bool flies, F&& impulse_at) {
 }
 
 void Observer::watch(const Motion& from, SmoothStep& step, Constraint* constraint, double now) {
-  const bool contact = phase_->in_contact();
+  std::array<Constraint::Closed, kMaxContacts> closed;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < phase_->contacts(); ++k) {
+    if (!phase_->in_contact(k)) continue;
+    closed[count++] = {k, Constraint::Velocity::kKept};
+    of_contacts_[k].contact_time += now - from.t;
+  }
+  const bool contact = count > 0;
   const auto theta = [&](double t) { return (t - from.t) / step.length(); };
   for (double t = recorder_->next_time(); t < now; t = recorder_->next_time()) {
     step.dense(theta(t), row_.data());
-    if (contact) constraint->to_circle(t, row_.data(), from.v());
+    if (contact) constraint->to_circles(t, row_.data(), from.v(), std::span(closed).first(count));
     recorder_->row(snapshot(t, row_.data()));
   }
-  const int impulse = from.index(kNormalImpulse);
   bins_until(now, !contact, [&](double t) {
-    return from.integral(kNormalImpulse) + (contact ? step.increment(impulse, theta(t)) : 0.0);
+    double impulse = normal_impulse(from);
+    for (std::size_t i = 0; i < count; ++i) {
+      impulse += step.increment(from.index(kNormalImpulse, closed[i].contact), theta(t));
+    }
+    return impulse;
   });
   if (contact) contact_time_ += now - from.t;
 }
@@ -118,27 +140,47 @@ void Observer::account(Impact& record, double normal, double friction,
 
 void Observer::record_impact(const Impact& impact) {
   // What the machine that holds a prescribed speed does is no work on the coordinates.
-  const double held = model_->layout.spin ? 0.0 : model_->contact->radius * model_->speed;
+  const auto contact = static_cast<std::size_t>(impact.contact);
+  const double held =
+      model_->layout.spin ? 0.0 : model_->auxiliary[contact].contact->radius * model_->speed;
   impact_work_ += impact.energy_change - impact.friction_impulse * held;
   Statistics& s = recorder_->statistics();
   s.impulse_total += impact.normal_impulse;
   s.friction_impulse += impact.friction_impulse;
+  ContactStatistics& own = of_contacts_[contact];
+  own.impulse_total += impact.normal_impulse;
+  own.friction_impulse += impact.friction_impulse;
+  own.friction_work += impulse_work(0.0, impact.friction_impulse, {0.0, impact.slip_before},
+                                    {0.0, impact.slip_after})
+                           .friction;
   recorder_->add(impact);
-  record(impact.t, EventKind::kImpact);
+  record(impact.t, EventKind::kImpact, contact);
 }
 
 void Observer::finish(const Motion& end) {
   Statistics& s = recorder_->statistics();
-  if (std::isfinite(phase_->first_touch())) s.first_touch = phase_->first_touch();
+  for (std::size_t k = 0; k < of_contacts_.size(); ++k) {
+    ContactStatistics& own = of_contacts_[k];
+    if (std::isfinite(phase_->first_touch(k))) own.first_touch = phase_->first_touch(k);
+    if (own.first_touch >= 0.0 && (s.first_touch < 0.0 || own.first_touch < s.first_touch)) {
+      s.first_touch = own.first_touch;
+    }
+    const double normal = end.integral(kNormalImpulse, k), friction = end.integral(kFrictionImpulse, k);
+    const double work = end.integral(kFrictionWork, k);
+    own.impulse_total += normal;
+    own.friction_impulse += friction;
+    own.friction_work += work;
+    s.impulse_total += normal;
+    s.friction_impulse += friction;
+    s.friction_work += work;
+  }
   s.contact_time = contact_time_;
-  s.impulse_total += end.integral(kNormalImpulse);
-  s.friction_impulse += end.integral(kFrictionImpulse);
-  s.friction_work += end.integral(kFrictionWork);
   s.gap_rate_square = end.integral(kGapRateSquare);
   s.contact_work = end.integral(kContactWork) + impact_work_;
   s.external_work = end.integral(kExternalWork);
   s.energy_end = energy(*model_, end.t, end.q(), end.v());
   s.energy_scale = std::max(energy_scale_, std::abs(s.energy_end));
+  if (of_contacts_.size() > 1) s.contacts = of_contacts_;
 }
 
 }  // namespace rotorub

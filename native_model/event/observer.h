@@ -2,6 +2,7 @@
 // the normal force, the energy balance and the other figures. It moves nothing.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,13 +39,17 @@ class Observer {
   void account(Impact& record, double normal, double friction, const Eigen::Vector2d& before,
                const Eigen::Vector2d& after);
   void record_impact(const Impact& record);
-  void record(double t, EventKind kind) { recorder_->add(Event{t, kind}); }
+  void record(double t, EventKind kind, std::size_t contact) {
+    recorder_->add(Event{t, kind, static_cast<int>(contact)});
+  }
 
   // All figures of the run. Asked once, at its end.
   void finish(const Motion& end);
 
  private:
   Snapshot snapshot(double t, const double* y);
+  ContactSnapshot snapshot_of(std::size_t contact, double t, const double* y) const;
+  double normal_impulse(const Motion& motion) const;  // N s, of lasting contact, of all
   template <class F>
   void bins_until(double now, bool flies, F&& impulse_at);
 
@@ -53,6 +58,9 @@ class Observer {
   Phase* phase_;
   Recorder* recorder_ = nullptr;
   std::vector<double> row_, slope_;
+  // Of each contact, beside what the integrals know: of impacts; and the time that all were closed, s.
+  std::vector<ContactStatistics> of_contacts_;
+  std::vector<ContactSnapshot> others_;
   double contact_time_ = 0.0;                       // s
   double impact_work_ = 0.0;                        // J, on the coordinates
   double impact_impulse_ = 0.0;                     // N s, normal, of all impacts so far

@@ -21,37 +21,46 @@ void Schedule::begin(double start, double end) {
   for (const DiscUnbalance& u : m.unbalances) add(u.on);
   if (m.feedback) add(m.feedback->law.fails_at);
   if (m.drive_follows()) add(m.drive->ramp_end());
-  if (m.controller) {
-    add(m.control_on);
-    for (double t : m.controller->breaks(m.control_on)) add(t);
-  }
-  if (m.recorded) {
+  for (const AuxiliaryBearing& at : m.auxiliary) {
+    if (at.controller) {
+      add(at.control_on);
+      for (double t : at.controller->breaks(at.control_on)) add(t);
+    }
+    if (!at.recorded) continue;
     // Of a run from one contact to the next there are few.
-    const std::vector<double>& jumps = m.recorded->jumps();
+    const std::vector<double>& jumps = at.recorded->jumps();
     const auto first = std::upper_bound(jumps.begin(), jumps.end(), start);
     breaks_.insert(breaks_.end(), first, std::lower_bound(first, jumps.end(), end));
   }
   std::sort(breaks_.begin(), breaks_.end());
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
-  next_sample_ = m.sample_time > 0.0 ? std::ceil(start / m.sample_time - 1e-9) : 0.0;
+  next_sample_.clear();
+  for (const AuxiliaryBearing& at : m.auxiliary) {
+    next_sample_.push_back(at.sample_time > 0.0 ? std::ceil(start / at.sample_time - 1e-9) : 0.0);
+  }
 }
 
 double Schedule::next(double t) const {
   const auto after = std::upper_bound(breaks_.begin(), breaks_.end(), t);
-  const double limit = after == breaks_.end() ? breaks_.back() : *after;
-  if (!model_->controller || model_->sample_time <= 0.0) return limit;
-  const double sample = next_sample_ * model_->sample_time;
-  return sample > t ? std::min(limit, sample) : limit;
+  double limit = after == breaks_.end() ? breaks_.back() : *after;
+  for (std::size_t k = 0; k < next_sample_.size(); ++k) {
+    const AuxiliaryBearing& at = model_->auxiliary[k];
+    if (!at.controller || at.sample_time <= 0.0) continue;
+    const double sample = next_sample_[k] * at.sample_time;
+    if (sample > t) limit = std::min(limit, sample);
+  }
+  return limit;
 }
 
-bool Schedule::sample_due(double t) {
-  const Model& m = *model_;
-  if (m.recorded) return true;  // a break may be a jump; the record tells it at no cost
-  if (!m.controller || m.sample_time <= 0.0) return false;
-  const bool starts = t == m.control_on;  // the first command is taken at switch-on
-  if (!starts && t < next_sample_ * m.sample_time) return false;
-  next_sample_ = sample_index(t, m.sample_time) + 1.0;
-  return t >= m.control_on;
+bool Schedule::sample_due(std::size_t bearing, double t) {
+  const AuxiliaryBearing& at = model_->auxiliary[bearing];
+  if (at.recorded) return true;  // a break may be a jump; the record tells it at no cost
+  if (!at.controller || at.sample_time <= 0.0) return false;
+  const bool starts = t == at.control_on;  // the first command is taken at switch-on
+  double& next = next_sample_[bearing];
+  if (!starts && t < next * at.sample_time) return false;
+  next = sample_index(t, at.sample_time) + 1.0;
+  return t >= at.control_on;
 }
 
 }  // namespace rotorub

@@ -16,13 +16,13 @@ class Schedule {
   void begin(double start, double end);  // s
   // The first instant after t.
   double next(double t) const;
-  // Once at each t reached: is the controller to be sampled now?
-  bool sample_due(double t);
+  // Once at each t reached: is the controller of this auxiliary bearing to be sampled now?
+  bool sample_due(std::size_t bearing, double t);
 
  private:
   const Model* model_;
   std::vector<double> breaks_;  // s, ascending; the last is the end
-  double next_sample_ = 0.0;    // index
+  std::vector<double> next_sample_;  // index, of each bearing
 };
 
 }  // namespace rotorub

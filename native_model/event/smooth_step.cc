@@ -17,15 +17,22 @@ SmoothStep::SmoothStep(const Model& model, const EventParameters& parameters, Ph
     : model_(&model),
       parameters_(&parameters),
       phase_(&phase),
-      step_(2 * model.nq() + kIntegrals),
+      step_(2 * model.nq() + integral_count(model)),
       tolerance_(static_cast<std::size_t>(step_.size())),
       y_(tolerance_),
-      slope_(tolerance_) {}
+      slope_(tolerance_),
+      lowest_(model.auxiliary.size()) {}
 
 void SmoothStep::begin(const Motion& start, double first) {
   next_ = first;
   rejected_ = 0;
-  displacement_ = model_->contact ? model_->contact->clearance : kLeastDisplacement;
+  displacement_ = kLeastDisplacement;
+  // The widest of the clearances: of one it is that one.
+  for (const AuxiliaryBearing& bearing : model_->auxiliary) {
+    if (!bearing.contact) continue;
+    const double clearance = bearing.contact->clearance;
+    displacement_ = &bearing == &model_->first() ? clearance : std::max(displacement_, clearance);
+  }
   speed_ = kLeastSpeed;
   turn_ = spin_ = 0.0;
   meet(start);
@@ -42,6 +49,10 @@ void SmoothStep::meet(const Motion& motion) {
     rate = std::max(rate, std::abs(motion.v()[i]));
   }
   const double tolerance = parameters_->tolerance;
+  const auto coil_limit = [&](int i) {
+    const auto has = [i](const AuxiliaryBearing& at) { return i == at.coil || i == at.coil + 1; };
+    return std::find_if(model_->auxiliary.begin(), model_->auxiliary.end(), has)->magnets->current_limit;
+  };
   double *of_q = tolerance_.data(), *of_v = of_q + n;
   for (int i = 0; i < l.mechanical(); ++i) {
     of_q[i] = tolerance * (angle(i) ? 1.0 : displacement_);
@@ -51,13 +62,13 @@ void SmoothStep::meet(const Motion& motion) {
   for (int i = l.integral(); i < n; ++i) {
     of_q[i] = kInfinity;
     of_v[i] = tolerance * (i < l.coil() ? model_->feedback->law.proportional * displacement_
-                                        : model_->magnets->current_limit);
+                                        : coil_limit(i));
   }
   std::fill(tolerance_.begin() + 2 * n, tolerance_.end(), kInfinity);
 }
 
-double SmoothStep::largest_contact_speed() const {
-  return std::max(speed_, model_->contact->radius * spin_);
+double SmoothStep::largest_contact_speed(std::size_t contact) const {
+  return std::max(speed_, model_->auxiliary[contact].contact->radius * spin_);
 }
 
 void SmoothStep::restart(const Motion& motion) {
@@ -70,12 +81,14 @@ bool SmoothStep::advance(const Motion& from, double limit) {
   dense_ready_ = false;
   const auto f = [this](double t, const double* y, double* dy) {
     phase_->derivative(before_break(t), y, dy);
-    const Margins& m = phase_->margins();
-    lowest_ = {std::min(lowest_.force, m.force), std::min(lowest_.cone, m.cone)};
+    for (std::size_t k = 0; k < lowest_.size(); ++k) {
+      const Margins& m = phase_->margins(k);
+      lowest_[k] = {std::min(lowest_[k].force, m.force), std::min(lowest_[k].cone, m.cone)};
+    }
   };
   while (next_ > 1e-15 * std::max(1e-3, std::abs(start_))) {
     const double h = std::min(next_, limit - start_);
-    lowest_ = {kInfinity, kInfinity};
+    std::fill(lowest_.begin(), lowest_.end(), Margins{kInfinity, kInfinity});
     const double error = step_.trial(f, start_, from.y.data(), h, tolerance_.data());
     const double factor =
         error == 0.0 ? 6.0 : std::clamp(0.9 * inverse_eighth_root(error), 0.2, 6.0);
@@ -135,10 +148,10 @@ void SmoothStep::evaluate(const Motion& motion) {
   phase_->derivative(before_break(motion.t), motion.y.data(), slope_.data());
 }
 
-const Margins& SmoothStep::margins(double theta) {
+const Margins& SmoothStep::margins(std::size_t contact, double theta) {
   dense(theta, y_.data());
   phase_->derivative(before_break(time(theta)), y_.data(), slope_.data());
-  return phase_->margins();
+  return phase_->margins(contact);
 }
 
 }  // namespace rotorub

@@ -21,7 +21,7 @@ class SmoothStep {
   // Tolerances are relative to the largest of each kind met so far: displacements, speeds, angles,
   // spin; of currents to their limit.
   void meet(const Motion& motion);
-  double largest_contact_speed() const;  // m/s
+  double largest_contact_speed(std::size_t contact) const;  // m/s
   // After a jump of the state or of the loads.
   void restart(const Motion& motion);
 
@@ -41,7 +41,7 @@ class SmoothStep {
   double length() const { return step_.step(); }
   double end_time() const { return end_time_; }  // s; a step up to the limit ends there to the bit
   const double* end() const { return step_.end(); }
-  const Margins& lowest() const { return lowest_; }  // over the stages of the step
+  const Margins& lowest(std::size_t contact) const { return lowest_[contact]; }  // over the stages of the step
   std::int64_t rejected() const { return rejected_; }
 
   // The solution within the step, theta in [0, 1].
@@ -52,8 +52,8 @@ class SmoothStep {
   double time(double theta) const { return start_ + theta * step_.step(); }
   // The phase's multipliers and margins at a state within the step.
   void evaluate(const Motion& motion);
-  // The margins at theta.
-  const Margins& margins(double theta);
+  // The margins of a contact at theta.
+  const Margins& margins(std::size_t contact, double theta);
 
  private:
   double before_break(double t) const { return t < smooth_end_ ? t : smooth_end_; }
@@ -68,7 +68,7 @@ class SmoothStep {
   double end_time_ = 0.0;
   double smooth_end_ = 0.0;  // s, the last instant before the next break
   bool dense_ready_ = false;
-  Margins lowest_{};
+  std::vector<Margins> lowest_;  // of each contact
   std::int64_t rejected_ = 0;
   double displacement_ = 0.0, speed_ = 0.0, turn_ = 0.0, spin_ = 0.0;  // largest met
 };

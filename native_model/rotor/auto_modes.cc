@@ -37,7 +37,7 @@ std::vector<Place> places(const scene::Scene& scene) {
   const auto add = [&](const char* what, std::size_t index, double z) {
     all.push_back({what + (" " + std::to_string(index + 1)), z});
   };
-  if (scene.contact) all.push_back({"the contact", scene.contact->station});
+  if (scene.first().contact) all.push_back({"the contact", scene.first().contact->station});
   const auto& bearings = scene.rotor.geometry->bearings;
   for (std::size_t i = 0; i < bearings.size(); ++i) add("bearing", i, bearings[i].z);
   for (std::size_t i = 0; i < scene.forces.size(); ++i) add("force", i, scene.forces[i].station);
@@ -53,7 +53,7 @@ std::vector<Quantity> quantities(const scene::Scene& scene, const RotorModes& mo
     const Eigen::RowVectorXd u = modes.ritz.basis.deflection(place.z);
     for (const PlanarModes* plane : {&modes.x, &modes.y}) {
       ModalSums sums = modal_sums(*plane, u);
-      if (scene.contact && place.z == scene.contact->station) {
+      if (scene.first().contact && place.z == scene.first().contact->station) {
         all.push_back({"the effective mass at " + place.name, std::move(sums.mobility), true});
       }
       all.push_back({"the static flexibility at " + place.name, std::move(sums.flexibility)});

@@ -8,9 +8,9 @@
 namespace rotorub {
 
 std::optional<ContactMass> contact_mass(const scene::Scene& scene) {
-  if (!scene.contact || !scene.rotor.geometry) return {};
+  if (!scene.first().contact || !scene.rotor.geometry) return {};
   const RotorModes modes = rotor_modes(scene);
-  const Eigen::RowVectorXd u = modes.ritz.basis.deflection(scene.contact->station);
+  const Eigen::RowVectorXd u = modes.ritz.basis.deflection(scene.first().contact->station);
   const auto of_kept = [&](const PlanarModes& plane) {
     return 1.0 / modal_sums(plane, u).mobility[modes.kept - 1];
   };

@@ -120,7 +120,7 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   const RitzBending& ritz = modes.ritz;
   const std::optional<double> contact =
-      scene.contact ? std::optional<double>(scene.contact->station) : std::nullopt;
+      scene.first().contact ? std::optional<double>(scene.first().contact->station) : std::nullopt;
 
   // Both planes from one computation where they are the same: the same bits.
   const ScaledModes x = scaled(ritz.basis, modes.x, modes.kept, contact);
@@ -129,7 +129,6 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
   ModalRotor rotor;
   rotor.x = plane(ritz.mass, modes.x, x, geometry.damping_ratio);
   rotor.y = ritz.isotropic ? rotor.x : plane(ritz.mass, modes.y, y, geometry.damping_ratio);
-  rotor.contact_shape = {x.contact, y.contact};
 
   rotor.gyroscopic = x.shape.transpose() * ritz.gyroscopic * y.shape;
   if (ritz.isotropic) {
@@ -155,6 +154,10 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
     const Eigen::RowVectorXd u = ritz.basis.deflection(z);
     return ModeShape{x.shape.transpose() * u.transpose(), y.shape.transpose() * u.transpose()};
   };
+  rotor.contacts = {{x.contact, y.contact}};
+  for (std::size_t k = 1; k < scene.auxiliary.size(); ++k) {
+    rotor.contacts.push_back(shape_at(scene.auxiliary[k].contact->station));
+  }
   for (const scene::ShaftBearing& bearing : geometry.bearings) {
     if (bearing.damping.isZero(0.0)) continue;
     rotor.bearing_dampers.push_back({shape_at(bearing.z), bearing.damping});

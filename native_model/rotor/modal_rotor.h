@@ -57,8 +57,12 @@ struct TorsionModes {
   Eigen::VectorXd stiffness;      // N m/rad, > 0
   Eigen::VectorXd damping;        // N m s/rad, >= 0
   Eigen::VectorXd drive_shape;    // 1, at the motor
-  Eigen::VectorXd contact_shape;  // 1, at the contact: 1, or 0 for a node there
+  std::vector<Eigen::VectorXd> contacts;  // 1, at each contact; at the first 1, or 0 for a node there
 };
+// Of a rotor without elastic torsion.
+inline TorsionModes no_torsion(std::size_t contacts) {
+  return {{}, {}, {}, {}, std::vector<Eigen::VectorXd>(contacts)};
+}
 
 // The deflection lines, for pictures: station z (k), mode values (k x n) of each plane.
 struct ModeLines {
@@ -68,7 +72,7 @@ struct ModeLines {
 
 struct ModalRotor {
   PlaneModes x, y;
-  ModeShape contact_shape;     // 1 or 0 for each mode
+  std::vector<ModeShape> contacts;  // of each auxiliary bearing; of the first 1 or 0 for each mode
   Eigen::MatrixXd gyroscopic;  // kg, n x n, g: rows x modes, columns y modes
   Eigen::MatrixXd internal_xx, internal_xy, internal_yy;  // N s/m, n x n, rotating damping D_i
   std::vector<StationDamper> bearing_dampers;

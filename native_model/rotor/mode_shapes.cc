@@ -24,8 +24,8 @@ std::vector<Station> stations_of(const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   add_all(StationKind::kBearing, "bearing", geometry.bearings, &scene::ShaftBearing::z);
   add_all(StationKind::kDisc, "disc", geometry.discs, &scene::Disc::z);
-  if (scene.contact) {
-    stations.push_back({StationKind::kContact, "contact", scene.contact->station});
+  if (scene.first().contact) {
+    stations.push_back({StationKind::kContact, "contact", scene.first().contact->station});
   }
   if (scene.drive) stations.push_back({StationKind::kDrive, "drive", scene.drive->station});
   if (scene.magnetic_bearing) {

@@ -21,7 +21,7 @@ std::vector<double> loaded_stations(const scene::Scene& scene) {
   std::vector<double> stations;
   for (const scene::Force& force : scene.forces) stations.push_back(force.station);
   if (scene.magnetic_bearing) stations.push_back(scene.magnetic_bearing->station);
-  if (scene.contact) stations.push_back(scene.contact->station);
+  if (scene.first().contact) stations.push_back(scene.first().contact->station);
   return stations;
 }
 

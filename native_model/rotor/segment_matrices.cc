@@ -46,8 +46,8 @@ std::vector<double> node_stations(const SegmentChain& chain) {
 }
 
 std::optional<double> contact_station(const scene::Scene& scene) {
-  if (!scene.contact) return std::nullopt;
-  return scene.contact->station;
+  if (!scene.first().contact) return std::nullopt;
+  return scene.first().contact->station;
 }
 
 // The first `kept` modes, scaled as the native ones are.

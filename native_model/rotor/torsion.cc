@@ -96,7 +96,7 @@ double spin_inertia(const scene::Scene& scene) {
 }
 
 TorsionModes torsion_modes(const scene::Scene& scene) {
-  if (!scene.rotor.torsion) return {};
+  if (!scene.rotor.torsion) return no_torsion(scene.auxiliary.size());
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   const int wanted = scene.rotor.torsion->modes;
   assert(wanted >= 1);
@@ -106,11 +106,11 @@ TorsionModes torsion_modes(const scene::Scene& scene) {
       solve_refined(uniform, [&](double omega) { return solve_torsion(scene, omega); });
 
   const std::optional<double> contact =
-      scene.contact ? std::optional<double>(scene.contact->station) : std::nullopt;
+      scene.first().contact ? std::optional<double>(scene.first().contact->station) : std::nullopt;
   const std::vector<double> stations = line_stations(solution.basis.mesh());
   const Eigen::Index n = wanted;
   TorsionModes result{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n),
-                      Eigen::VectorXd(n), Eigen::VectorXd(n)};
+                      Eigen::VectorXd(n), std::vector<Eigen::VectorXd>(scene.auxiliary.size(), Eigen::VectorXd(n))};
   for (Eigen::Index j = 0; j < n; ++j) {
     const Eigen::VectorXd mode = solution.modes.shape.col(j);  // of unit inertia
     const auto angle = [&](double z) { return solution.basis.angle(z).dot(mode); };
@@ -121,7 +121,10 @@ TorsionModes torsion_modes(const scene::Scene& scene) {
     result.damping[j] = 2.0 * scene.rotor.torsion->damping_ratio * result.inertia[j] * omega;
     // Held at the motor's station there is no motion of the motor.
     result.drive_shape[j] = scene.drive ? scale.factor * angle(scene.drive->station) : 0.0;
-    result.contact_shape[j] = scale.contact;
+    result.contacts.front()[j] = scale.contact;
+    for (std::size_t k = 1; k < scene.auxiliary.size(); ++k) {
+      result.contacts[k][j] = scale.factor * angle(scene.auxiliary[k].contact->station);
+    }
   }
   return result;
 }

@@ -132,7 +132,7 @@ DriveTrain drive_train(const scene::Scene& scene) {
   const auto torsion = [&](const Eigen::VectorXd& all) { return all.segment(m.layout.theta(), m.layout.torsion); };
   DriveTrain train{m.drive, m.layout.spin ? m.mass[m.layout.phi()] : 0.0,
                    torsion(m.mass), torsion(m.damping), torsion(m.stiffness),
-                   m.torsion_contact.head(m.layout.torsion),
+                   m.first().torsion_shape.head(m.layout.torsion),
                    Eigen::VectorXd::Zero(m.layout.torsion), Eigen::VectorXcd::Zero(m.layout.modes), false};
   if (m.drive) train.at_motor = m.drive_shape.head(m.layout.torsion);
   for (const AppliedForce& force : m.forces) {

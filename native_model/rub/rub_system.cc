@@ -12,6 +12,7 @@
 #include "native_model/scene/text.h"
 #include "native_model/scene/record.h"
 #include "native_model/system/model.h"
+#include "native_model/system/model_checks.h"
 
 namespace rotorub::rub {
 namespace {
@@ -49,17 +50,18 @@ void check_feedback(const scene::Scene& scene, const scene::BearingControl& cont
 
 // What the scene itself shows.
 void check(const scene::Scene& scene) {
-  if (!scene.contact) refuse(scene, "contact", "the scene has no [contact]");
+  if (!scene.first().contact) refuse(scene, "contact", "the scene has no [contact]");
+  refuse_several_contacts(scene, "a steady rub");
   const char* planes = "both planes must be alike, give one number for x and y";
-  if (scene.stator) {
-    if (scene.stator->spin) {
+  if (scene.first().stator) {
+    if (scene.first().stator->spin) {
       refuse(scene, "stator.spin",
              "its speed would have to be found with the rub, sliding or rolling; accepted is a ring that "
              "does not turn");
     }
-    if (differ(scene.stator->mass)) refuse(scene, "stator.mass", planes);
-    if (differ(scene.stator->damping)) refuse(scene, "stator.damping", planes);
-    if (differ(scene.stator->stiffness)) refuse(scene, "stator.stiffness", planes);
+    if (differ(scene.first().stator->mass)) refuse(scene, "stator.mass", planes);
+    if (differ(scene.first().stator->damping)) refuse(scene, "stator.damping", planes);
+    if (differ(scene.first().stator->stiffness)) refuse(scene, "stator.stiffness", planes);
   }
   for (std::size_t k = 0; k < scene.forces.size(); ++k) {
     const scene::Force& force = scene.forces[k];
@@ -86,17 +88,17 @@ void check(const scene::Scene& scene) {
              "the analysis has springs and dashpots alone; accepted are bearings without tables and crosses");
     }
   }
-  if (!scene.contact->offset.isZero(0.0)) {
+  if (!scene.first().contact->offset.isZero(0.0)) {
     refuse(scene, "contact.offset", "the ring is out of the middle of the whirl, and none is steady; accepted is 0");
   }
   if (scene.magnetic_bearing && scene.magnetic_bearing->control) {
     check_feedback(scene, *scene.magnetic_bearing->control);
   }
-  if (scene.controller && scene.controller->kind != scene::ControllerKind::kPassive &&
-      !crosses(*scene.controller)) {
+  if (scene.first().controller && scene.first().controller->kind != scene::ControllerKind::kPassive &&
+      !crosses(*scene.first().controller)) {
     refuse(scene, "controller.kind", "accepted are passive, cross_coupled and two_phase");
   }
-  if (scene.actuator && scene.actuator->kind != scene::ActuatorKind::kIdeal) {
+  if (scene.first().actuator && scene.first().actuator->kind != scene::ActuatorKind::kIdeal) {
     refuse(scene, "actuator.kind", "the magnets' forces are not linear; accepted is an ideal actuator");
   }
 }
@@ -107,7 +109,7 @@ bool same_planes(const Model& m) {
   const int n = m.layout.modes;
   const auto halves = [n](const Eigen::VectorXd& v) { return v.head(n) == v.segment(n, n); };
   const Eigen::MatrixXd g = m.gyroscopic.dense(n), xx = m.internal_xx.dense(n);
-  bool all = halves(m.mass) && halves(m.stiffness) && halves(m.damping) && same(m.contact_shape) &&
+  bool all = halves(m.mass) && halves(m.stiffness) && halves(m.damping) && same(m.first().shape) &&
              g == g.transpose() && xx == m.internal_xy.dense(n) && xx == m.internal_yy.dense(n);
   for (const StationDamper& d : m.dampers) all = all && same(d.shape) && !differ(d.damping);
   for (const StationSpring& s : m.springs) all = all && same(s.shape) && !differ(s.stiffness);
@@ -160,20 +162,20 @@ RubSystem rub_system(const scene::Scene& scene) {
     system.stiffness += (support.stiffness - model.feedback->law.held) * u * u.transpose();
     system.damping += support.damping * u * u.transpose();
   }
-  system.contact = model.contact_shape.x;
-  system.clearance = model.contact->clearance;
-  system.radius = model.contact->radius;
-  system.friction = model.contact->friction;
+  system.contact = model.first().shape.x;
+  system.clearance = model.first().contact->clearance;
+  system.radius = model.first().contact->radius;
+  system.friction = model.first().contact->friction;
   if (model.layout.stator) {
     const int k = model.layout.ring();
     system.ring = Ring{model.mass[k], model.damping[k], model.stiffness[k], 0.0};
-    if (scene.controller && crosses(*scene.controller)) {
-      const double gain = CrossCoupled(*scene.controller).gain(system.speed);
+    if (scene.first().controller && crosses(*scene.first().controller)) {
+      const double gain = CrossCoupled(*scene.first().controller).gain(system.speed);
       system.ring->coupling = std::copysign(gain, system.speed);
-      system.ring->damping += scene.controller->damping;
-    } else if (scene.controller) {
-      system.ring->stiffness += scene.controller->stiffness;
-      system.ring->damping += scene.controller->damping;
+      system.ring->damping += scene.first().controller->damping;
+    } else if (scene.first().controller) {
+      system.ring->stiffness += scene.first().controller->stiffness;
+      system.ring->damping += scene.first().controller->damping;
     }
   }
   system.unbalance = Eigen::VectorXcd::Zero(n);

@@ -48,7 +48,7 @@ const char* reason(Status status) {
 struct Reached {
   Reached(const Model& model, double time, const double* at, const double* rates)
       : t(time), q(at), v(rates) {
-    if (model.contact) point = contact_point(model, q, v);
+    if (model.first().contact) point = contact_point(model, q, v);
   }
   double t;  // s
   const double *q, *v;
@@ -107,7 +107,7 @@ class FixedRun {
       s.actuator.outputs = hold.outputs();
     }
     recorder_.advance(s, state.point, impact);
-    if (recorder_.penetration() == 0.0 && !model_.magnets) return;
+    if (recorder_.penetration() == 0.0 && !model_.first().magnets) return;
     if (const auto why = out_of_range(model_, state.q)) fail(Status::kOutOfRange, state.t, *why);
   }
 
@@ -156,13 +156,11 @@ class FixedRun {
   static Snapshot snapshot(double t, const double* q, const double* v, const FixedStep& done,
                            double kick) {
     const double scale = done.impacts.empty() ? 1.0 / kick : 0.0;
-    return {t,
+    return {{scale * done.normal_impulse + done.impact_force.x(),
+             scale * done.friction_impulse + done.impact_force.y(), done.mode, {}},
+            t,
             q,
-            v,
-            scale * done.normal_impulse + done.impact_force.x(),
-            scale * done.friction_impulse + done.impact_force.y(),
-            done.mode,
-            {}};
+            v};
   }
 
   static double friction_work(const FixedStep& done, const Reached& state) {
@@ -208,7 +206,7 @@ Trajectory run_steps(const char* name, const Model& model, const scene::Run& sce
   FixedRun run(model, scene_run, step, options);
   Stepper stepper(model, step);
   ZeroOrderHold hold(model);
-  const CommandRecord* recorded = model.recorded.get();
+  const CommandRecord* recorded = model.first().recorded.get();
   const auto command = [&](std::int64_t k) -> Eigen::Vector2d {
     const double t = run.time(k);
     if (recorded) return recorded->mean(t, run.time(k + 1));
@@ -262,9 +260,9 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
   const auto command = [&](std::int64_t k) -> Eigen::Vector2d {
     const double t = run.time(k), end = t + 0.5 * step;
     const double begin = k == 0 ? t : t - 0.5 * step;
-    if (model.recorded) {
-      stepper.jump(jump_of(*model.recorded, begin, end));
-      return model.recorded->mean(begin, end);
+    if (model.first().recorded) {
+      stepper.jump(jump_of(*model.first().recorded, begin, end));
+      return model.first().recorded->mean(begin, end);
     }
     if (!hold.listens(end)) return hold.held();
     stepper.velocity_now(k, hold.held(), v.data());
@@ -280,7 +278,7 @@ Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double st
   std::int64_t k = 0;
   for (; k <= steps && run.good(); ++k) {
     const double t = run.time(k);
-    const Eigen::Vector2d u = command(k), held = model.recorded ? u : hold.held();
+    const Eigen::Vector2d u = command(k), held = model.first().recorded ? u : hold.held();
     run.listen(hold);
     if (!run.good()) {
       if (k == 0) run.begin(held, hold);

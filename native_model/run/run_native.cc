@@ -52,6 +52,7 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
     return run_event(model, scene.run, options);
   }
   check_run_size(scene, model, step, times);
+  refuse_several_contacts(scene, "a fixed step");
   refuse_finite_impacts(scene, integrator == scene::Integrator::kVerlet ? FiniteImpacts::kUnsampled
                                                                         : FiniteImpacts::kNone);
   switch (integrator) {

@@ -31,8 +31,8 @@ bool needs_contact(ControllerKind kind) {
 }
 
 void check_feedback(const Checker& check, const Controller& c) {
-  if (!check.record.sound({"controller.feedback", "controller.feedback_speed"})) return;
-  if (!check.record.given("controller.feedback_speed")) {
+  if (!check.sound({"controller.feedback", "controller.feedback_speed"})) return;
+  if (!check.given("controller.feedback_speed")) {
     if (c.feedback.size() > 1) {
       check.fail("controller.feedback", "several values need controller.feedback_speed");
     }
@@ -64,7 +64,7 @@ void check_measured(const Checker& check, const Controller& c) {
 
 void check_sensors(const Checker& check, const Controller& c) {
   if (c.sample_time <= 0.0) {
-    if (check.record.given("controller.sensors")) {
+    if (check.given("controller.sensors")) {
       check.fail("controller.sensors", std::string(kSampledOnly) + "a continuous law is shown the truth");
     }
     return;
@@ -81,7 +81,7 @@ void check_trigger(const Checker& check, const Controller& c) {
   const auto refuse = [&](const char* key, const std::string& reason) { check.fail(key, reason); };
   const char* const key = "controller.trigger";
   if (c.sample_time <= 0.0) refuse(key, std::string(kSampledOnly) + "it is looked for at the samples");
-  if (!check.record.given("contact")) refuse(key, "needs [contact]: there is no gap");
+  if (!check.given("contact")) refuse(key, "needs [contact]: there is no gap");
   if (!c.sensors.rotor || !c.sensors.stator) {
     refuse(key, "needs controller.sensors.rotor and .stator: it looks at the gap");
   }
@@ -97,17 +97,17 @@ void check_trigger(const Checker& check, const Controller& c) {
 }  // namespace
 
 void check_control(const Checker& check) {
-  if (!check.record.given("controller")) return;
-  const Controller& c = *check.scene.controller;
-  if (!check.record.given("stator")) {
+  if (!check.given("controller")) return;
+  const Controller& c = *check.bearing().controller;
+  if (!check.given("stator")) {
     check.fail("controller", "needs [stator]: the ring is fixed, and there is nothing to move");
   }
-  if (needs_contact(c.kind) && !check.record.given("contact")) {
+  if (needs_contact(c.kind) && !check.given("contact")) {
     check.fail("controller", "needs [contact]: it acts on the gap between rotor and ring");
   }
   check_feedback(check, c);
   check_measured(check, c);
-  if (!check.record.sound({"controller.sample_time"})) return;
+  if (!check.sound({"controller.sample_time"})) return;
   if (remembers(c) && c.sample_time <= 0.0) {
     check.fail("controller.sample_time", "this law is sampled: expected a time in s, > 0");
   }

@@ -53,7 +53,7 @@ void check_magnetic_bearing(const Checker& check) {
     check.list_length("magnetic_bearing.shape", magnetic->shape, *modes, "bending mode");
   }
   if (!magnetic->control ||
-      !check.record.sound({"magnetic_bearing.negative_stiffness",
+      !check.sound({"magnetic_bearing.negative_stiffness",
                            "magnetic_bearing.control.force_per_current",
                            "magnetic_bearing.control.proportional"})) {
     return;

@@ -20,41 +20,41 @@ std::string metres(double z) { return std::to_string(z) + " m"; }
 
 // Sections in the order of the file cover 0 to length.
 void check_sections(const Checker& check, const RotorGeometry& shaft) {
-  if (!check.record.sound({"rotor.section"})) return;
+  if (!check.sound({"rotor.section"})) return;
   if (shaft.sections.empty()) {
     check.fail("rotor.section", "missing: [[rotor.section]] from 0 to rotor.length");
     return;
   }
-  bool sound = check.record.sound({"rotor.length"});
+  bool sound = check.sound({"rotor.length"});
   for (std::size_t i = 0; i < shaft.sections.size(); ++i) {
     const std::string path = list_element("rotor.section", i);
     const ShaftSection& section = shaft.sections[i];
-    if (check.record.sound({path + ".diameter", path + ".inner_diameter"}) &&
+    if (check.sound({path + ".diameter", path + ".inner_diameter"}) &&
         section.inner_diameter >= section.diameter) {
       check.fail(path + ".inner_diameter",
                  "must be below the outer diameter, " + metres(section.diameter));
     }
     const double end = section.end_diameter.value_or(section.diameter);
     if (section.tapered() &&
-        check.record.sound({path + ".diameter", path + ".inner_diameter", path + ".end_diameter",
+        check.sound({path + ".diameter", path + ".inner_diameter", path + ".end_diameter",
                             path + ".end_inner_diameter"}) &&
         section.end_inner_diameter.value_or(section.inner_diameter) >= end) {
       check.fail(path + (section.end_inner_diameter ? ".end_inner_diameter" : ".end_diameter"),
                  "the bore at `to` must be below the outer diameter there, " + metres(end));
     }
-    if (check.record.sound({path + ".end_diameter", "rotor.length"}) && end < kThinnest * shaft.length &&
+    if (check.sound({path + ".end_diameter", "rotor.length"}) && end < kThinnest * shaft.length &&
         section.diameter >= kThinnest * shaft.length) {
       check.fail(path + ".end_diameter",
                  "too thin for a shaft: expected at least a millionth of rotor.length = " + metres(shaft.length));
     }
-    if (check.record.sound({path + ".diameter", "rotor.length"}) &&
+    if (check.sound({path + ".diameter", "rotor.length"}) &&
         section.diameter < kThinnest * shaft.length) {
       check.fail(path + ".diameter",
                  "too thin for a shaft: expected at least a millionth of "
                  "rotor.length = " +
                      metres(shaft.length));
     }
-    if (!check.record.sound({path + ".from", path + ".to"})) {
+    if (!check.sound({path + ".from", path + ".to"})) {
       sound = false;
     } else if (section.to <= section.from) {
       check.fail(path + ".to", "must be beyond `from`, " + metres(section.from));
@@ -119,7 +119,7 @@ void check_modal(const Checker& check, const RotorModal& modal) {
     same("internal_damping", modal.internal_damping);
     same("gyroscopic", modal.gyroscopic);
   }
-  if (check.scene.drive && check.record.sound({"rotor.modal.inertia"}) && modal.inertia <= 0.0) {
+  if (check.scene.drive && check.sound({"rotor.modal.inertia"}) && modal.inertia <= 0.0) {
     check.fail("rotor.modal.inertia",
                "with [drive] the spin is free and needs an inertia in kg m^2, > 0");
   }

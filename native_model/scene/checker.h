@@ -1,8 +1,11 @@
 // Shared by the cross-checks: where a fault is reported, and checks that several parts need.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,9 +18,19 @@ struct Checker {
   const Scene& scene;
   const Record& record;
   std::vector<Diagnostic>& diagnostics;
+  // The auxiliary bearing whose keys "contact", "stator.mass", "controller.kind" mean below.
+  std::size_t index = 0;
 
-  void fail(const std::string& path, std::string reason) const {
-    diagnostics.push_back(record.diagnostic(path, std::move(reason)));
+  const AuxiliaryBearing& bearing() const { return scene.auxiliary[index]; }
+  // Where such a key stands: "contact[1].stator.mass" below [[contact]].
+  std::string place(std::string_view key) const { return record.place(key, index); }
+  bool given(std::string_view key) const { return record.given(place(key)); }
+  bool sound(std::initializer_list<std::string> keys) const {
+    return std::all_of(keys.begin(), keys.end(),
+                       [this](const std::string& key) { return record.sound({place(key)}); });
+  }
+  void fail(const std::string& key, std::string reason) const {
+    diagnostics.push_back(record.diagnostic(place(key), std::move(reason)));
   }
   // "out of the shaft" for a station beyond the length.
   void station(const std::string& path, double z) const;
@@ -30,7 +43,8 @@ struct Checker {
 };
 
 void check_rotor(const Checker& check);    // [rotor] and its tables
-void check_control(const Checker& check);  // [controller] and its tables
+void check_bearing(const Checker& check);  // [contact], [stator], [actuator] of one auxiliary bearing
+void check_control(const Checker& check);  // its [controller] and the tables below
 void check_magnetic_bearing(const Checker& check);  // [magnetic_bearing] and its control
 void check_parts(const Checker& check);             // everything else
 

@@ -62,7 +62,7 @@ void check_size(const Checker& check, const std::string& path, const Disc& disc)
 }
 
 void check_unbalance(const Checker& check, const std::string& path, const Disc& disc, const Disc& whole) {
-  const auto given = [&](const char* key) { return check.record.given(path + key); };
+  const auto given = [&](const char* key) { return check.given(path + key); };
   const char* first = nullptr;
   for (const char* key : {".eccentricity", ".unbalance", ".balance_grade"}) {
     if (!given(key)) continue;
@@ -71,7 +71,7 @@ void check_unbalance(const Checker& check, const std::string& path, const Disc& 
     }
     first = first == nullptr ? key : first;
   }
-  if (disc.unbalance && *disc.unbalance > 0.0 && whole.mass == 0.0 && check.record.sound({path + ".mass"})) {
+  if (disc.unbalance && *disc.unbalance > 0.0 && whole.mass == 0.0 && check.sound({path + ".mass"})) {
     check.fail(path + ".unbalance", "needs a mass > 0, of which it is the eccentricity's moment");
   }
   if (given(".balance_speed") && !given(".balance_grade")) {
@@ -81,20 +81,20 @@ void check_unbalance(const Checker& check, const std::string& path, const Disc& 
   if (!balance_quality(disc.balance_grade)) {
     check.fail(path + ".balance_grade", "expected a grade of ISO 21940-11 in mm/s, as \"G 2.5\", got '" +
                                             printable(disc.balance_grade) + "'");
-  } else if (!disc.balance_speed && check.scene.rotor.speed == 0.0 && check.record.sound({"rotor.speed"})) {
+  } else if (!disc.balance_speed && check.scene.rotor.speed == 0.0 && check.sound({"rotor.speed"})) {
     check.fail(path + ".balance_grade", "is an eccentricity times a speed, and rotor.speed is 0; give `balance_speed`");
   }
 }
 
 void check_inertia(const Checker& check, const std::string& path, const Disc& disc) {
-  if (check.record.sound({path + ".Jt", path + ".Jp"}) &&
+  if (check.sound({path + ".Jt", path + ".Jp"}) &&
       disc.Jp > 2.0 * disc.Jt * (1.0 + kInertiaTolerance)) {
     check.fail(path + ".Jp", "no rigid body has Jp > 2 Jt; a thin disc has Jp = 2 Jt");
   }
   // Where the spin is free, less makes the mass matrix indefinite: energy out of nothing.
   const double least = disc.mass * disc.eccentricity * disc.eccentricity;
   if (check.scene.drive &&
-      check.record.sound({path + ".mass", path + ".Jp", path + ".eccentricity"}) &&
+      check.sound({path + ".mass", path + ".Jp", path + ".eccentricity"}) &&
       disc.Jp < least * (1.0 - kPointMassTolerance)) {
     check.fail(path + ".Jp",
                "with [drive] the spin is free, and a disc whose mass is out of "

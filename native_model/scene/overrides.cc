@@ -220,6 +220,19 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
   return {};
 }
 
+// contact.friction of several contacts is that of all of them.
+std::string apply_to_each(TomlNode& root, std::vector<Step> steps, std::string_view text) {
+  TomlNode* list = steps.front().key == "contact" && steps.size() > 1 && !steps[1].is_index ? root.find("contact") : nullptr;
+  if (list == nullptr || list->kind != Kind::kArray || list->items.empty()) return apply(root, steps, text);
+  steps.insert(steps.begin() + 1, Step{{}, 0, true});
+  std::string reason;
+  for (std::size_t i = 0; i < list->items.size() && reason.empty(); ++i) {
+    steps[1].index = i;
+    reason = apply(root, steps, text);
+  }
+  return reason;
+}
+
 }  // namespace
 
 void apply_overrides(TomlNode& root, std::span<const std::string> overrides,
@@ -240,7 +253,7 @@ void apply_overrides(TomlNode& root, std::span<const std::string> overrides,
                                  printable(override_text) + "'"});
       continue;
     }
-    const std::string reason = apply(root, *steps, value);
+    const std::string reason = apply_to_each(root, *steps, value);
     if (!reason.empty()) diagnostics.push_back({kOverrideFile, 0, std::string(path), reason});
   }
 }

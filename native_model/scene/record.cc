@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "native_model/scene/text.h"
+
 namespace rotorub::scene {
 
 void Record::note(const std::string& path, const TomlNode& node, bool sound, const std::string& written) {
@@ -12,6 +14,15 @@ void Record::note(const std::string& path, const TomlNode& node, bool sound, con
 bool Record::given(std::string_view path) const {
   const auto found = marks_.find(path);
   return found != marks_.end() && found->second.given;
+}
+
+std::string Record::place(std::string_view key, std::size_t bearing) const {
+  const std::string_view root = key.substr(0, key.find('.'));
+  const bool is_contact = root == "contact";
+  if (!is_contact && root != "stator" && root != "actuator" && root != "controller") return std::string(key);
+  const std::string element = list_element("contact", bearing);
+  if (!given(element)) return std::string(key);
+  return is_contact ? element + std::string(key.substr(root.size())) : element + "." + std::string(key);
 }
 
 bool Record::sound(std::initializer_list<std::string> paths) const {
@@ -39,7 +50,7 @@ std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagn
   for (Diagnostic& d : diagnostics) {
     if (!d.file.empty()) continue;
     if (scene.record) {
-      d = scene.record->diagnostic(d.key, std::move(d.reason));
+      d = scene.record->diagnostic(scene.record->place(d.key, scene.first_index), std::move(d.reason));
     } else if (!scene.name.empty()) {
       d.file = scene.name + ".toml";
     }

@@ -22,6 +22,9 @@ class Record {
   void note_missing(const std::string& path) { marks_[path] = {{}, 0, false, false}; }
 
   bool given(std::string_view path) const;
+  // Where a key of an auxiliary bearing stands: "stator.mass" of the second [[contact]] is
+  // "contact[1].stator.mass"; as it is where the scene has no list of them, and for other keys.
+  std::string place(std::string_view key, std::size_t bearing) const;
   // Every path is given and sound, or optional and absent.
   bool sound(std::initializer_list<std::string> paths) const;
   // A diagnostic at `path`, or at the nearest part above it that has a place in the file.

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "native_model/contact/most_contacts.h"
 #include "native_model/scene/controller.h"
 
 namespace rotorub {
@@ -217,6 +218,8 @@ struct Contact {
   double station = 0.0;                 // m, geometry form
   // m: of the ring's middle at rest from the line of x = y = 0, off which deflections are counted.
   Eigen::Vector2d offset{0.0, 0.0};
+  // Modal form: value of each mode at the station; empty: all 1, as those of the first contact are.
+  std::vector<double> shape{}, torsion_shape{};
 };
 
 // ---------------------------------------------------------------- [stator], [actuator]
@@ -235,6 +238,8 @@ struct Stator {
   PlanePair damping{0.0, 0.0};    // N s/m, >= 0
   PlanePair stiffness{0.0, 0.0};  // N/m, >= 0, mechanical spring to the base, always acting
   std::optional<RingSpin> spin{};  // absent: the ring does not turn
+  Eigen::Vector2d position{0.0, 0.0};  // m, at t = 0, from where it is at rest
+  Eigen::Vector2d velocity{0.0, 0.0};  // m/s, at t = 0
 };
 
 enum class ActuatorKind { kIdeal, kElectromagnet, kTable };
@@ -264,6 +269,16 @@ struct Actuator {
   double resistance = 0.0;                                         // Ohm, >= 0, R of an axis
 };
 
+// ---------------------------------------------------------------- [[contact]]
+// One auxiliary bearing: where the rotor may touch, the ring there and what moves it.
+struct AuxiliaryBearing {
+  std::string name{};  // unique; empty: its number, from 1
+  std::optional<Contact> contact;
+  std::optional<Stator> stator;
+  std::optional<Actuator> actuator;
+  std::optional<Controller> controller;
+};
+
 // ---------------------------------------------------------------- [gravity], [initial], [mujoco]
 // Acceleration in the plane of the bending modes. Modal form: `participation` is the load of each
 // mode per unit acceleration (kg), default the modal mass.
@@ -279,8 +294,6 @@ struct Initial {
   std::vector<double> x, y, vx, vy;            // m, m/s
   double spin_angle = 0.0;                     // rad
   std::vector<double> torsion, torsion_speed;  // rad, rad/s
-  Eigen::Vector2d stator{0.0, 0.0};            // m
-  Eigen::Vector2d stator_velocity{0.0, 0.0};   // m/s
 };
 
 enum class MujocoRotor { kModal, kSegments };
@@ -310,10 +323,18 @@ struct Scene {
   std::optional<Drive> drive;
   std::vector<Force> forces;
   std::optional<MagneticBearing> magnetic_bearing;
-  std::optional<Contact> contact;
-  std::optional<Stator> stator;
-  std::optional<Actuator> actuator;
-  std::optional<Controller> controller;
+  // One at least: [contact], [stator], [actuator] and [controller] at the top of a file, which may all
+  // be absent, or those of its [[contact]] in their order; at most kMaxContacts.
+  std::vector<AuxiliaryBearing> auxiliary = std::vector<AuxiliaryBearing>(1);
+  AuxiliaryBearing& first() { return auxiliary.front(); }
+  const AuxiliaryBearing& first() const { return auxiliary.front(); }
+  // Of a bearing that is not named its number, from 1.
+  std::string name_of(std::size_t bearing) const {
+    const std::string& own = auxiliary[bearing].name;
+    return own.empty() ? std::to_string(bearing + 1) : own;
+  }
+  // Which one of the file's list the first is: 0 but for with_bearing_alone.
+  std::size_t first_index = 0;
   std::optional<Gravity> gravity;
   Initial initial;
   Mujoco mujoco;
@@ -322,5 +343,8 @@ struct Scene {
   // Where its keys stand in the file (record.h), for what is found wrong later; null: made by hand.
   std::shared_ptr<const Record> record;
 };
+
+// The scene with one of its auxiliary bearings; messages name that one's keys.
+Scene with_bearing_alone(const Scene& scene, std::size_t bearing);
 
 }  // namespace rotorub::scene

@@ -57,6 +57,11 @@ Key& Key::of(std::vector<std::string_view> of_kinds) {
   return *this;
 }
 
+Key& Key::below_list() {
+  listed_only = true;
+  return *this;
+}
+
 Key& Key::otherwise(std::string_view text) {
   fallback = text;
   return *this;
@@ -122,10 +127,19 @@ std::span<const Table> tables() {
   return all;
 }
 
+bool is_part_of_contact(const Table& table) {
+  const std::string_view root = table.path.substr(0, table.path.find('.'));
+  return root == "stator" || root == "actuator" || root == "controller";
+}
+
 const Table* find_table(std::string_view path) {
+  constexpr std::string_view kList = "contact.";
+  const bool below = path.starts_with(kList);
+  if (below) path.remove_prefix(kList.size());
   const std::span<const Table> all = tables();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Table& table) { return table.path == path; });
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Table& table) {
+    return table.path == path && (!below || is_part_of_contact(table));
+  });
   return found == all.end() ? nullptr : &*found;
 }
 

@@ -67,6 +67,7 @@ struct Key {
   std::vector<std::string_view> kinds;  // values of the table's `kind` that take it; empty: all
   std::string standard;                 // the member's value in a new object, where it has a text
   std::string fallback;                 // the default, in words; empty: the key is required
+  bool listed_only = false;             // stands below [[contact]] alone
 
   Key& above(double low);                 // > low
   Key& at_least(double low);              // >= low
@@ -74,6 +75,7 @@ struct Key {
   Key& between(double low, double high);  // [low, high]
   Key& or_called(std::string_view other_name);
   Key& in(Form of_form);
+  Key& below_list();  // listed_only
   Key& of(std::vector<std::string_view> of_kinds);
   Key& otherwise(std::string_view text);  // optional, with this default
   Key& optional();                        // optional; the default is the member's own
@@ -100,6 +102,7 @@ struct Table {
   std::vector<std::string_view> kinds{};
   // Of a table that takes any key: keeps a number or a text. Null: it takes `keys` alone.
   void (*store_any)(void* object, ConfigEntry entry) = nullptr;
+  bool or_list = false;  // [path], or [[path]] with the parts of an auxiliary bearing below each
 
   const Key* find(std::string_view name) const;  // by either of its names
   bool is_for(std::string_view kind) const;
@@ -107,7 +110,10 @@ struct Table {
 
 // All tables, parents before children.
 std::span<const Table> tables();
+// "contact.stator" is [stator] below a [[contact]].
 const Table* find_table(std::string_view path);
+// Of the parts of an auxiliary bearing that stand below each [[contact]]: [stator], [controller.sensors].
+bool is_part_of_contact(const Table& table);
 
 // The rows.
 std::vector<Table> rotor_tables();
@@ -139,8 +145,12 @@ auto& resolve(Object& object) {
   if constexpr (sizeof...(Rest) == 0) {
     return member;
   } else {
-    if (!member) member.emplace();
-    return resolve<Rest...>(*member);
+    if constexpr (IsOptional<std::remove_reference_t<decltype(member)>>::value) {
+      if (!member) member.emplace();
+      return resolve<Rest...>(*member);
+    } else {
+      return resolve<Rest...>(member);
+    }
   }
 }
 

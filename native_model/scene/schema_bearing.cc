@@ -10,23 +10,39 @@ Table contact() {
       "contact",
       false,
       Form::kEither,
-      "The rotor in the ring of the auxiliary bearing.",
+      "The rotor in the ring of the auxiliary bearing. Of several bearings each is a `[[contact]]`, with its ring, "
+      "actuator and controller below it: `[contact.stator]`, `[contact.actuator]`, `[contact.controller]` take the "
+      "keys of `[stator]`, `[actuator]`, `[controller]`, which then do not stand by themselves.",
       "no contact",
-      [](Scene& scene) -> void* { return &scene.contact.emplace(); },
-      {key<&Contact::radius>("radius", kLength, "of the rotor at the contact").above(0),
-       key<&Contact::clearance>("clearance", kLength, "delta_0, radial").above(0),
-       key<&Contact::friction>("friction", kPure, "mu").at_least(0),
-       key<&Contact::restitution>("restitution", kPure, "eps_N, normal").between(0, 1),
-       key<&Contact::tangential_restitution>("tangential_restitution", kPure, "eps_T")
+      [](Scene& scene) -> void* {
+        scene.auxiliary.back().contact.emplace();
+        return &scene.auxiliary.back();
+      },
+      {key<&AuxiliaryBearing::contact, &Contact::radius>("radius", kLength, "of the rotor at the contact").above(0),
+       key<&AuxiliaryBearing::contact, &Contact::clearance>("clearance", kLength, "delta_0, radial").above(0),
+       key<&AuxiliaryBearing::contact, &Contact::friction>("friction", kPure, "mu").at_least(0),
+       key<&AuxiliaryBearing::contact, &Contact::restitution>("restitution", kPure, "eps_N, normal").between(0, 1),
+       key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>("tangential_restitution", kPure, "eps_T")
            .between(0, 1)
            .optional(),
-       key<&Contact::compression_time>("compression_time", kTime, "tau_C").at_least(0).optional(),
-       key<&Contact::expansion_time>("expansion_time", kTime, "tau_E").at_least(0).optional(),
-       key<&Contact::station>("station", kLength, "along the shaft").or_called("z")
+       key<&AuxiliaryBearing::contact, &Contact::compression_time>("compression_time", kTime, "tau_C").at_least(0).optional(),
+       key<&AuxiliaryBearing::contact, &Contact::expansion_time>("expansion_time", kTime, "tau_E").at_least(0).optional(),
+       key<&AuxiliaryBearing::contact, &Contact::station>("station", kLength, "along the shaft").or_called("z")
            .at_least(0)
            .in(Form::kGeometry),
-       key<&Contact::offset>("offset", kLength, "of the ring's middle at rest from the line of the shaft at rest")
-           .optional()}};
+       key<&AuxiliaryBearing::contact, &Contact::offset>("offset", kLength, "of the ring's middle at rest from the line of the shaft at rest")
+           .optional(),
+       key<&AuxiliaryBearing::name>("name", kPure, "of this bearing, unique; in messages and pictures")
+           .otherwise("its number, from 1"),
+       key<&AuxiliaryBearing::contact, &Contact::shape>("shape", kPure,
+                                                        "value of each bending mode at the station; 1 of the first "
+                                                        "contact, where the modes are scaled")
+           .in(Form::kModal)
+           .otherwise("all 1"),
+       key<&AuxiliaryBearing::contact, &Contact::torsion_shape>("torsion_shape", kPure,
+                                                                "the same of each torsion mode")
+           .in(Form::kModal)
+           .otherwise("all 1")}};
 }
 
 Table stator() {
@@ -35,12 +51,18 @@ Table stator() {
           Form::kEither,
           "The movable ring of the auxiliary bearing.",
           "the ring is fixed to the base",
-          [](Scene& scene) -> void* { return &scene.stator.emplace(); },
+          [](Scene& scene) -> void* { return &scene.auxiliary.back().stator.emplace(); },
           {planes<&Stator::mass>("mass", kMass, "").above(0),
            planes<&Stator::damping>("damping", kDamping, "to the base").at_least(0).optional(),
            planes<&Stator::stiffness>("stiffness", kStiffness,
                                       "mechanical spring to the base, always acting")
-               .at_least(0)}};
+               .at_least(0),
+           key<&Stator::position>("position", kLength, "at t = 0, from where it is at rest")
+               .below_list()
+               .otherwise("[0, 0]; of `[stator]` `initial.stator`"),
+           key<&Stator::velocity>("velocity", kVelocity, "at t = 0")
+               .below_list()
+               .otherwise("[0, 0]; of `[stator]` `initial.stator_velocity`")}};
 }
 
 Table ring_spin() {
@@ -51,8 +73,8 @@ Table ring_spin() {
           "Needs [contact].",
           "the ring does not turn",
           [](Scene& scene) -> void* {
-            if (!scene.stator) scene.stator.emplace();
-            return &scene.stator->spin.emplace();
+            if (!scene.auxiliary.back().stator) scene.auxiliary.back().stator.emplace();
+            return &scene.auxiliary.back().stator->spin.emplace();
           },
           {key<&RingSpin::inertia>("inertia", kInertia, "polar, of all that turns with the ring")
                .above(0),
@@ -69,7 +91,7 @@ Table actuator() {
           "The two axes that move the ring, at 45 degrees: (1, 1)/sqrt 2 and (-1, 1)/sqrt 2. Needs "
           "[stator].",
           "an ideal, unlimited force",
-          [](Scene& scene) -> void* { return &scene.actuator.emplace(); },
+          [](Scene& scene) -> void* { return &scene.auxiliary.back().actuator.emplace(); },
           {word<&Actuator::kind>(
                "kind", {"ideal", "electromagnet", "table"},
                "the force that is asked for; F(s, i) = `force_constant` [((`bias_current` + "
@@ -138,6 +160,10 @@ Table actuator() {
 
 }  // namespace
 
-std::vector<Table> bearing_tables() { return {contact(), stator(), ring_spin(), actuator()}; }
+std::vector<Table> bearing_tables() {
+  std::vector<Table> all{contact(), stator(), ring_spin(), actuator()};
+  all.front().or_list = true;
+  return all;
+}
 
 }  // namespace rotorub::scene

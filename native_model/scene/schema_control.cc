@@ -14,7 +14,7 @@ Table controller() {
       Form::kEither,
       "What commands the ring. Needs [stator]; all but `passive` and `library` need [contact].",
       "no command",
-      [](Scene& scene) -> void* { return &scene.controller.emplace(); },
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().controller.emplace(); },
       {word<&Controller::kind>(
            "kind", {"passive", "sliding", "cross_coupled", "two_phase", "pd", "lqr", "lqg", "library"},
            "an extra spring and damper emulated by the actuator; sliding mode with a boundary layer, "
@@ -119,7 +119,7 @@ Table controller() {
 }
 
 Controller& controller_of(Scene& scene) {
-  return scene.controller ? *scene.controller : scene.controller.emplace();
+  return scene.auxiliary.back().controller ? *scene.auxiliary.back().controller : scene.auxiliary.back().controller.emplace();
 }
 
 Table sensors() {

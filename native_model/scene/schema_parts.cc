@@ -169,6 +169,16 @@ Table gravity() {
                .otherwise("the modal mass")}};
 }
 
+// A key of [initial] that is kept with the first ring, where there is one.
+template <auto Member>
+Key start_of_ring(std::string_view name, const Quantity& quantity, std::string_view meaning) {
+  Key result = key<Member>(name, quantity, meaning).optional();
+  result.store = [](void* object, const Value& value) {
+    if (auto& ring = static_cast<Scene*>(object)->first().stator) (*ring).*Member = value.pair;
+  };
+  return result;
+}
+
 Table initial() {
   const std::string_view modal = "bending modes, one value a mode";
   return {
@@ -177,21 +187,20 @@ Table initial() {
       Form::kEither,
       "State at t = 0. The spin speed is `rotor.speed`.",
       "all 0",
-      [](Scene& scene) -> void* { return &scene.initial; },
-      {key<&Initial::steady>("steady", kPure,
+      [](Scene& scene) -> void* { return &scene; },
+      {key<&Scene::initial, &Initial::steady>("steady", kPure,
                              "on the steady free orbit; not beside x, y, vx, vy, stator and "
                              "stator_velocity (A steady start)")
            .optional(),
-       key<&Initial::x>("x", kLength, modal).otherwise("0"),
-       key<&Initial::y>("y", kLength, modal).otherwise("0"),
-       key<&Initial::vx>("vx", kVelocity, modal).otherwise("0"),
-       key<&Initial::vy>("vy", kVelocity, modal).otherwise("0"),
-       key<&Initial::spin_angle>("spin_angle", kAngle, "of the rotor's own x axis").optional(),
-       key<&Initial::torsion>("torsion", kAngle, "torsion modes").otherwise("0"),
-       key<&Initial::torsion_speed>("torsion_speed", kSpin, "torsion modes").otherwise("0"),
-       key<&Initial::stator>("stator", kLength, "position of the ring; needs [stator]").optional(),
-       key<&Initial::stator_velocity>("stator_velocity", kVelocity, "of the ring; needs [stator]")
-           .optional()}};
+       key<&Scene::initial, &Initial::x>("x", kLength, modal).otherwise("0"),
+       key<&Scene::initial, &Initial::y>("y", kLength, modal).otherwise("0"),
+       key<&Scene::initial, &Initial::vx>("vx", kVelocity, modal).otherwise("0"),
+       key<&Scene::initial, &Initial::vy>("vy", kVelocity, modal).otherwise("0"),
+       key<&Scene::initial, &Initial::spin_angle>("spin_angle", kAngle, "of the rotor's own x axis").optional(),
+       key<&Scene::initial, &Initial::torsion>("torsion", kAngle, "torsion modes").otherwise("0"),
+       key<&Scene::initial, &Initial::torsion_speed>("torsion_speed", kSpin, "torsion modes").otherwise("0"),
+       start_of_ring<&Stator::position>("stator", kLength, "position of the ring; needs [stator]"),
+       start_of_ring<&Stator::velocity>("stator_velocity", kVelocity, "of the ring; needs [stator]")}};
 }
 
 Table mujoco() {

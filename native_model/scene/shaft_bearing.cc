@@ -21,14 +21,14 @@ constexpr TableKey kTableKeys[] = {
     {".table_cyx", &ShaftBearing::table_cyx}, {".table_cyy", &ShaftBearing::table_cyy}};
 
 void check_table(const Checker& check, const std::string& path, const ShaftBearing& bearing) {
-  const auto given = [&](const std::string& key) { return check.record.given(path + key); };
+  const auto given = [&](const std::string& key) { return check.given(path + key); };
   for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
     if (given(key)) check.fail(path + key, "not beside `table_speed`, whose tables give it; accepted: one of the two");
   }
   if (!given(".table_kxx")) {
     check.fail(path + ".table_kxx", "missing: expected a list of stiffnesses in N/m, one for each speed");
   }
-  if (!check.record.sound({path + ".table_speed"})) return;
+  if (!check.sound({path + ".table_speed"})) return;
   const std::vector<double>& speed = bearing.table_speed;
   if (speed.size() < 2) check.fail(path + ".table_speed", "expected two speeds or more");
   if (std::adjacent_find(speed.begin(), speed.end(), std::greater_equal<>()) != speed.end()) {
@@ -65,14 +65,14 @@ void check_bearings(const Checker& check, const RotorGeometry& shaft) {
     const std::string path = list_element("rotor.bearing", i);
     const ShaftBearing& bearing = shaft.bearings[i];
     check.station(path + ".z", bearing.z);
-    if (check.record.given(path + ".table_speed")) {
+    if (check.given(path + ".table_speed")) {
       check_table(check, path, bearing);
       continue;
     }
     for (const TableKey& key : kTableKeys) {
-      if (check.record.given(path + key.name)) check.fail(path + key.name, "needs `table_speed`, which it is over");
+      if (check.given(path + key.name)) check.fail(path + key.name, "needs `table_speed`, which it is over");
     }
-    if (!check.record.given(path + ".stiffness")) {
+    if (!check.given(path + ".stiffness")) {
       const Key& key = *find_table("rotor.bearing")->find("stiffness");
       check.fail(path + ".stiffness", "missing: expected " + key.expected() + ", or tables over `table_speed`");
     }

@@ -26,6 +26,16 @@ std::string child_path(const std::string& path, std::string_view key) {
   return path.empty() ? std::string(key) : path + "." + std::string(key);
 }
 
+constexpr std::string_view kBelowContact = "contact.";
+
+// "contact[1].stator": of one of several auxiliary bearings.
+bool is_listed(std::string_view path) { return path.starts_with("contact["); }
+
+bool lists_contacts(const TomlNode& root) {
+  const TomlNode* contact = find_path(root, "contact");
+  return contact != nullptr && contact->kind == Kind::kArray;
+}
+
 // Where a key of this name may stand: "[rotor], [rotor.torsion]".
 std::string homes_of(std::string_view name) {
   std::string text;
@@ -57,7 +67,15 @@ void TableReader::read(const TomlNode& root) {
   record_.note({}, root, true);
   refuse_unknown(root, {}, {});
   find_form(root);
-  for (const Table& table : tables()) read_table(table, root);
+  const bool listed = lists_contacts(root);
+  for (const Table& table : tables()) {
+    if (!listed || !is_part_of_contact(table)) {
+      read_table(table, root);
+    } else if (const TomlNode* node = find_path(root, table.path)) {
+      fail(*node, std::string(table.path), "stands beside [[contact]]; accepted: below each, as [contact." +
+                                               std::string(table.path) + "]");
+    }
+  }
 }
 
 // Modal if there is a [rotor.modal], geometry if there is anything of a geometry.
@@ -87,14 +105,39 @@ void TableReader::find_form(const TomlNode& root) {
   }
 }
 
-void TableReader::read_table(const Table& table, const TomlNode& root) {
-  const std::string path(table.path);
+// Each [[contact]] with the parts of its bearing.
+void TableReader::read_contacts(const Table& table, const TomlNode& list) {
+  if (list.items.size() > kMaxContacts) {
+    fail(list, "contact", "has " + std::to_string(list.items.size()) + " contacts; accepted: at most " +
+                              std::to_string(kMaxContacts));
+  }
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    const std::string element = list_element("contact", i);
+    const TomlNode& node = list.items[i];
+    if (i > 0) scene_.auxiliary.emplace_back();
+    if (node.kind != Kind::kTable) {
+      fail(node, element, "expected a table [[contact]]");
+      continue;
+    }
+    read_object(table, node, element);
+    for (const Table& part : tables()) {
+      if (is_part_of_contact(part)) read_table(part, node, element + ".");
+    }
+  }
+}
+
+void TableReader::read_table(const Table& table, const TomlNode& root, const std::string& above) {
+  const std::string path = above + std::string(table.path);
   const TomlNode* node = find_path(root, table.path);
   if (node == nullptr) {
     if (path == "rotor") fail(root, path, "missing: every scene has a [rotor]");
     return;
   }
   if (!kind_takes(table, root, *node)) return record_.note(path, *node, false);
+  if (table.or_list && node->kind == Kind::kArray) {
+    record_.note(path, *node, true);
+    return read_contacts(table, *node);
+  }
   const std::string header = (table.list ? "[[" : "[") + path + (table.list ? "]]" : "]");
   if (table.list && node->kind == Kind::kArray) {
     record_.note(path, *node, true);
@@ -129,7 +172,8 @@ bool TableReader::kind_takes(const Table& table, const TomlNode& root, const Tom
 void TableReader::read_object(const Table& table, const TomlNode& node, const std::string& path) {
   record_.note(path, node, true);
   if (table.store_any != nullptr) return read_any(table, node, path);
-  refuse_unknown(node, table.path, path);
+  const bool below = is_listed(path) && is_part_of_contact(table);
+  refuse_unknown(node, (below ? std::string(kBelowContact) : std::string()) + std::string(table.path), path);
   const std::string_view kind = kind_of(table, node);
 
   void* object = table.object != nullptr ? table.object(scene_) : &rules_.emplace_back();
@@ -186,6 +230,12 @@ bool TableReader::read_key(const Key& key, std::string_view kind, const TomlNode
              ", and the rotor is in " + (form_ == Form::kModal ? kModalForm : kGeometryForm));
     return false;
   }
+  if (key.listed_only && !is_listed(path)) {
+    fail(node, path,
+         "stands in [contact.stator] below a [[contact]] alone; of [stator] it is `initial.stator`, "
+         "`initial.stator_velocity`");
+    return false;
+  }
   if (!kind.empty() && !key.is_for(kind)) {
     fail(node, path,
          "belongs to kind = \"" + join(key.kinds) + "\" and has no effect with \"" +
@@ -203,8 +253,11 @@ void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_pa
   // What may stand here: the keys of the table and the tables below it.
   const Table* own = find_table(table_path);
   const std::string prefix = table_path.empty() ? "" : std::string(table_path) + ".";
+  const bool in_list = is_listed(path);
+  const std::string_view inner = std::string_view(prefix).substr(in_list ? kBelowContact.size() : 0);
   const auto is_known = [&](const std::string& name) {
     if (own != nullptr && own->find(name) != nullptr) return true;
+    if (table_path == "contact" && !in_list) return false;  // [stator] stands beside [contact]
     return name.find('.') == std::string::npos && find_table(prefix + name) != nullptr;
   };
   if (std::all_of(node.entries.begin(), node.entries.end(),
@@ -219,9 +272,11 @@ void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_pa
     }
   }
   for (const Table& table : tables()) {
-    const std::string_view below = table.path.substr(std::min(prefix.size(), table.path.size()));
-    const bool is_below = table.path.starts_with(prefix) && !below.empty();
-    if (is_below && below.find('.') == std::string_view::npos) known.push_back(below);
+    // Below [[contact]] a [stator] is one of "contact.stator".
+    const std::string_view inside = in_list && is_part_of_contact(table) ? inner : std::string_view(prefix);
+    if (!table.path.starts_with(inside)) continue;
+    const std::string_view below = table.path.substr(inside.size());
+    if (!below.empty() && below.find('.') == std::string_view::npos) known.push_back(below);
   }
   for (const auto& [name, value] : node.entries) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;

@@ -18,7 +18,7 @@ void fill(std::vector<double>& list, const std::vector<double>& standard) {
 }  // namespace
 
 void Checker::station(const std::string& path, double z) const {
-  if (!scene.rotor.geometry || !record.sound({path, "rotor.length"})) return;
+  if (!scene.rotor.geometry || !sound({path, "rotor.length"})) return;
   const double length = scene.rotor.geometry->length;
   if (z > length) {
     fail(path, "out of the shaft: must be in [0, rotor.length = " + std::to_string(length) +
@@ -28,16 +28,16 @@ void Checker::station(const std::string& path, double z) const {
 
 void Checker::list_length(const std::string& path, const std::vector<double>& list,
                           std::size_t length, const std::string& of) const {
-  if (!record.given(path) || !record.sound({path}) || list.size() == length) return;
+  if (!given(path) || !sound({path}) || list.size() == length) return;
   fail(path, "expected " + std::to_string(length) + " value(s), one for each " + of + ", got " +
                  std::to_string(list.size()));
 }
 
 std::optional<std::size_t> Checker::bending_modes() const {
-  if (scene.rotor.modal && record.given("rotor.modal.mass") && record.sound({"rotor.modal.mass"})) {
+  if (scene.rotor.modal && given("rotor.modal.mass") && sound({"rotor.modal.mass"})) {
     return scene.rotor.modal->mass.size();
   }
-  if (scene.rotor.geometry && scene.rotor.geometry->modes && record.sound({"rotor.modes"})) {
+  if (scene.rotor.geometry && scene.rotor.geometry->modes && sound({"rotor.modes"})) {
     return static_cast<std::size_t>(*scene.rotor.geometry->modes);
   }
   return std::nullopt;
@@ -46,7 +46,7 @@ std::optional<std::size_t> Checker::bending_modes() const {
 std::optional<std::size_t> Checker::torsion_modes() const {
   if (!scene.rotor.torsion) return std::nullopt;
   const Torsion& torsion = *scene.rotor.torsion;
-  if (record.given("rotor.torsion.inertia") && record.sound({"rotor.torsion.inertia"})) {
+  if (given("rotor.torsion.inertia") && sound({"rotor.torsion.inertia"})) {
     return torsion.inertia.size();
   }
   if (torsion.modes > 0) return static_cast<std::size_t>(torsion.modes);
@@ -57,7 +57,19 @@ void validate(const Scene& scene, const Record& record, std::vector<Diagnostic>&
   const Checker check{scene, record, diagnostics};
   check_rotor(check);
   check_parts(check);
-  check_control(check);
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const Checker of_bearing{scene, record, diagnostics, k};
+    check_bearing(of_bearing);
+    check_control(of_bearing);
+  }
+}
+
+Scene with_bearing_alone(const Scene& scene, std::size_t bearing) {
+  Scene alone = scene;
+  alone.auxiliary = {scene.auxiliary[bearing]};
+  alone.first().name = scene.name_of(bearing);
+  alone.first_index = bearing;
+  return alone;
 }
 
 void complete(Scene& scene, const Record& record) {

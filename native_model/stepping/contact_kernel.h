@@ -30,10 +30,10 @@ class ContactKernel : public LoadKernel<M> {
 
   ContactKernel(const M& m, const std::vector<const Model*>& models, double h)
       : Base(m, models, h) {
-    contact_ = models.front()->contact.has_value();
+    contact_ = models.front()->first().contact.has_value();
     if (!contact_) return;
     for (int lane = 0; lane < kLanes; ++lane) {
-      const ContactParameters& c = *models[static_cast<std::size_t>(lane)]->contact;
+      const ContactParameters& c = *models[static_cast<std::size_t>(lane)]->first().contact;
       lanes::set(contact.clearance, lane, c.clearance);
       lanes::set(contact.radius, lane, c.radius);
       lanes::set(contact.friction, lane, c.friction);
@@ -143,7 +143,7 @@ class ContactKernel : public LoadKernel<M> {
       admittance_.a[1][j] = d.y;
       // A prescribed spin speed does not change.
       admittance_.a[2][j] = equations::turns_at_contact(*m_)
-                                ? equations::turning_at_contact(*m_, column)
+                                ? equations::turning_at_contact(*m_, m_->first(), column)
                                 : zero;
       if (layout().spin) admittance_.a[2][j] += column[layout().phi()];
     }
@@ -201,7 +201,7 @@ class ContactKernel : public LoadKernel<M> {
   // The same of impacts, which know their energy.
   double impact_work(const ImpactList& list) const {
     const Model& m = lane_model(*m_, 0);
-    const double held = layout().spin ? 0.0 : m.contact->radius * m.speed;
+    const double held = layout().spin ? 0.0 : m.first().contact->radius * m.speed;
     double work = 0.0;
     for (int i = 0; i < list.count; ++i) {
       const Impact& hit = list.impact[static_cast<std::size_t>(i)];
@@ -277,7 +277,7 @@ class ContactKernel : public LoadKernel<M> {
     LastingStep s;
     s.h = h_;
     s.d = {lanes::get(d.x, lane), lanes::get(d.y, lane)};
-    const ContactParameters& c = *lane_model(*m_, lane).contact;
+    const ContactParameters& c = *lane_model(*m_, lane).first().contact;
     turn_normal(lane, s.d, h_ * Eigen::Vector2d(lanes::get(w.x, lane), lanes::get(w.y, lane)),
                 c.clearance);
     s.e_r = {lanes::get(normal_x_, lane), lanes::get(normal_y_, lane)};

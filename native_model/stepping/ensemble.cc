@@ -81,7 +81,7 @@ struct LaneGroup {
         v(static_cast<std::size_t>(model.layout.nq()), T{}) {
     work.kernel.load_initial_states();
     if constexpr (kVerlet) work.kernel.restart();
-    if (models.front()->controller) commands.emplace(models, step);
+    if (models.front()->first().controller) commands.emplace(models, step);
   }
 
   void advance_to(std::int64_t from, std::int64_t to, const EnsembleWatch& watch) {
@@ -135,8 +135,8 @@ struct LaneGroup {
       r.peak_impulse = work.totals.peak_impulse[l];
       r.peak_impact = work.totals.peak_impact[l];
       r.friction_work = work.totals.friction_work[l];
-      if (models[lane]->contact) {
-        const double depth = std::sqrt(work.totals.farthest[l]) - models[lane]->contact->clearance;
+      if (models[lane]->first().contact) {
+        const double depth = std::sqrt(work.totals.farthest[l]) - models[lane]->first().contact->clearance;
         r.max_penetration = std::max(0.0, depth);
       }
       for (std::size_t i = 0; i < v.size(); ++i) {
@@ -248,8 +248,8 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has other parts than run 0");
     }
-    const auto& c = models_[i].contact;
-    const bool sampled = models_[i].controller && models_[i].sample_time > 0.0;
+    const auto& c = models_[i].first().contact;
+    const bool sampled = models_[i].first().controller && models_[i].first().sample_time > 0.0;
     if ((integrator == scene::Integrator::kPaper || sampled) && c &&
         c->impact_time() > 0.0) {
       throw std::invalid_argument("run " + std::to_string(i) +

@@ -68,12 +68,15 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
   damping = vector(&Model::damping);
   weight = vector(&Model::weight);
   drive_shape = vector(&Model::drive_shape);
-  torsion_contact = vector(&Model::torsion_contact);
   gyroscopic = matrix<T>(all, [](const Model& m) { return m.gyroscopic; });
   internal_xx = matrix<T>(all, [](const Model& m) { return m.internal_xx; });
   internal_xy = matrix<T>(all, [](const Model& m) { return m.internal_xy; });
   internal_yy = matrix<T>(all, [](const Model& m) { return m.internal_yy; });
-  contact_shape = shape<T>(all, [](const Model& m) -> const ModeShape& { return m.contact_shape; });
+  bearing = {shape<T>(all, [](const Model& m) -> const ModeShape& { return m.first().shape; }),
+             side_by_side<T>(all, [](const Model& m) -> const Eigen::VectorXd& { return m.first().torsion_shape; }),
+             plane<T>(all, [](const Model& m) -> const Eigen::Vector2d& { return m.first().ring_offset; }),
+             number<T>(all, [](const Model& m) { return m.first().ring_ratio; }), first.first().ring,
+             first.first().ring_angle};
   for (std::size_t i = 0; i < first.dampers.size(); ++i) {
     const auto of = [i](const Model& m) -> const StationDamper& { return m.dampers[i]; };
     dampers.push_back(
@@ -120,8 +123,6 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
   }
   speed = number<T>(all, [](const Model& m) { return m.speed; });
   spin_angle = number<T>(all, [](const Model& m) { return m.spin_angle; });
-  ring_offset = plane<T>(all, [](const Model& m) -> const Eigen::Vector2d& { return m.ring_offset; });
-  ring_ratio = number<T>(all, [](const Model& m) { return m.ring_ratio; });
   linear_drive = first.drive && first.drive->kind() == scene::DriveKind::kLinear;
   following_drive = first.drive_follows();
   drive_angle = number<T>(all, [](const Model& m) { return m.drive_angle; });
@@ -140,9 +141,9 @@ bool same_structure(const Model& a, const Model& b) {
     const Layout& l = m.layout;
     return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils, forces, films, m.springs.size(),
                       m.feedback.has_value(), m.dampers.size(), m.unbalances.size(), m.weight.size(),
-                      m.drive ? static_cast<int>(m.drive->kind()) : -1, m.contact.has_value(),
-                      m.magnets.has_value(), m.gyroscopic.absent(), m.internal_xx.absent(),
-                      m.internal_yy.absent(), m.commanded());
+                      m.drive ? static_cast<int>(m.drive->kind()) : -1, m.auxiliary.size(), m.first().contact.has_value(),
+                      m.first().magnets.has_value(), m.gyroscopic.absent(), m.internal_xx.absent(),
+                      m.internal_yy.absent(), m.first().commanded());
   };
   return structure(a) == structure(b);
 }

@@ -38,6 +38,13 @@ struct LaneModel {
     Shape shape;
     MagneticFeedback<T> law;
   };
+  struct Bearing {  // as AuxiliaryBearing
+    Shape shape;
+    lanes::Array<T> torsion_shape;
+    Plane ring_offset{};
+    T ring_ratio{};
+    int ring, ring_angle;
+  };
   struct Unbalance {
     Shape shape;
     T static_moment{}, phase{}, on{};
@@ -55,10 +62,10 @@ struct LaneModel {
   std::vector<Spring> springs;
   std::optional<Feedback> feedback;
   std::vector<Unbalance> unbalances;
-  T speed{}, spin_angle{}, ring_ratio{};
-  Plane ring_offset{};
-  lanes::Array<T> drive_shape, torsion_contact;
-  Shape contact_shape;
+  T speed{}, spin_angle{};
+  lanes::Array<T> drive_shape;
+  Bearing bearing;
+  const Bearing& first() const { return bearing; }
   T drive_gain{}, drive_speed{};  // of a linear drive
   T drive_angle{};
   bool linear_drive = false, following_drive = false;

@@ -27,7 +27,7 @@ FixedStep LiteralStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool wo
   solve_mass(m, t, q(), f_.data(), f_.data());
   free_ = start.v + h_ * f_;
   state_.v = free_;
-  if (m.contact) touch(t, out);
+  if (m.first().contact) touch(t, out);
   if (out.status == Status::kOk && !state_.v.allFinite()) out.status = Status::kDiverged;
   if (out.status != Status::kOk) {
     state_ = start;
@@ -42,7 +42,7 @@ FixedStep LiteralStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool wo
     end.q += h_ * end.v;
     out.external_work = 0.5 * h_ * (power(start, t) + power(end, t + h_));
     for (const Impact& hit : out.impacts) {
-      const double held = m.layout.spin ? 0.0 : m.contact->radius * m.speed;
+      const double held = m.layout.spin ? 0.0 : m.first().contact->radius * m.speed;
       out.contact_work += hit.energy_change - hit.friction_impulse * held;
     }
     if (out.impacts.empty() && out.normal_impulse > 0.0) {
@@ -51,7 +51,7 @@ FixedStep LiteralStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool wo
       Eigen::Vector3d of_coordinates = mean;
       if (!m.layout.spin) of_coordinates.z() -= m.speed;
       out.contact_work =
-          contact_load(e_r, m.contact->radius, out.normal_impulse, out.friction_impulse)
+          contact_load(e_r, m.first().contact->radius, out.normal_impulse, out.friction_impulse)
               .dot(of_coordinates);
     }
   }
@@ -63,14 +63,14 @@ FixedStep LiteralStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool wo
 void LiteralStepper::push(double t, const Eigen::Vector2d& e_r, double normal, double friction) {
   const Model& m = *model_;
   f_.setZero();
-  add_contact_load(m, contact_load(e_r, m.contact->radius, normal, friction), f_.data());
+  add_contact_load(m, contact_load(e_r, m.first().contact->radius, normal, friction), f_.data());
   solve_mass(m, t, q(), f_.data(), f_.data());
   state_.v += f_;
 }
 
 // One row of an impact; its impulses are those of the step.
 void LiteralStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out) {
-  const double radius = model_->contact->radius;
+  const double radius = model_->first().contact->radius;
   const Eigen::Vector2d before = rates_along(e_r, radius, rates(*model_, free_));
   const Eigen::Vector2d after = rates_along(e_r, radius, rates(*model_, state_.v));
   const ImpulseWork work = impulse_work(out.normal_impulse, out.friction_impulse, before, after);
@@ -82,7 +82,7 @@ void LiteralStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out
 
 void LiteralStepper::touch(double t, FixedStep& out) {
   const Model& m = *model_;
-  const ContactParameters& c = *m.contact;
+  const ContactParameters& c = *m.first().contact;
   const Eigen::Vector2d d = separation(m, q());
   const bool lasted = in_contact_;
   in_contact_ = false;

@@ -38,7 +38,7 @@ class LoadKernel {
       : m_(&m), h_(h), matrix_(models, h), loads_(models, h) {
     const Model& first = *models.front();
     coupled_ = first.coupled_mass();
-    commanded = layout().stator && first.commanded();
+    commanded = layout().stator && first.first().commanded();
     const bool turns =
         layout().spin && (!first.gyroscopic.absent() || !first.internal_xx.absent() ||
                           !first.internal_yy.absent() || coupled_);
@@ -48,7 +48,7 @@ class LoadKernel {
     bool follows = false;  // bearings the spin, where that is free
     for (const auto& film : first.films) follows = follows || (layout().spin && film.law.follows());
     iterates_ = turns || curve || follows || switches_ || layout().integrals > 0 || layout().coils > 0;
-    magnetic_ = first.magnets.has_value();
+    magnetic_ = first.first().magnets.has_value();
     for (int i = 0; iterates_ && i < layout().nq(); ++i) {
       const auto c = static_cast<std::size_t>(i);
       const T sprung = lanes::all<T>(1e-15 * h) * m.stiffness[c];
@@ -324,7 +324,7 @@ class LoadKernel {
   ROTORUB_SLOW void magnet_force(const T* q, const T* v, T* f) const {
     const int ring = layout().ring(), coil = layout().coil();
     for (int lane = 0; lane < kLanes; ++lane) {
-      const MagneticActuator& magnets = *lane_model(*m_, lane).magnets;
+      const MagneticActuator& magnets = *lane_model(*m_, lane).first().magnets;
       const auto of = [lane](const T& x) { return lanes::get(x, lane); };
       const Eigen::Vector2d asked{of(command_x), of(command_y)};
       Eigen::Vector2d current = asked;

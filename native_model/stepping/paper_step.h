@@ -92,7 +92,7 @@ class PaperKernel : public ContactKernel<M> {
   // the middle closes the gap, by the least change in the norm of M, and contact lasts.
   ROTORUB_SLOW void collide(int lane, std::int64_t k) {
     const Model& m = lane_model(*this->m_, lane);
-    const ContactParameters& c = *m.contact;
+    const ContactParameters& c = *m.first().contact;
     double q[kMaxCoordinates], change[kMaxCoordinates];
     this->read_lane(middle_.data(), lane, q);
     const Eigen::Vector2d d = separation(m, q);
@@ -135,7 +135,7 @@ class PaperKernel : public ContactKernel<M> {
 
   void note(int lane, std::int64_t k, const Eigen::Vector2d& d, const Eigen::Vector3d& free,
             Impact impact) {
-    const double clearance = lane_model(*this->m_, lane).contact->clearance;
+    const double clearance = lane_model(*this->m_, lane).first().contact->clearance;
     const double share = std::min(0.5, circle_exit(d, this->h_ * free.head<2>(), clearance));
     impact.t = this->origin + (static_cast<double>(k) + 0.5 + share) * this->h_;
     impact.energy_change =

@@ -85,8 +85,8 @@ StepLimit step_limit(const Model& m) {
   for (int k = 0; k < l.stator; ++k) {
     const int i = l.ring() + k;
     take(m.stiffness[i] / m.mass[i], 0.0, "the ring on its spring");
-    if (!m.controller || m.sample_time > 0.0) continue;
-    const Controller::Gains gains = m.controller->ring_gains();
+    if (!m.first().controller || m.first().sample_time > 0.0) continue;
+    const Controller::Gains gains = m.first().controller->ring_gains();
     take((m.stiffness[i] + gains.stiffness) / m.mass[i], gains.damping / m.mass[i],
          "the controller's gains on the ring");
   }

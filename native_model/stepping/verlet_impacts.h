@@ -26,7 +26,7 @@ class VerletImpacts : public ContactKernel<M> {
   VerletImpacts(const M& m, const std::vector<const Model*>& models, double h)
       : Base(m, models, h) {
     if (!this->contact_) return;
-    for (const Model* model : models) takes_time_ = takes_time_ || model->contact->impact_time() > 0.0;
+    for (const Model* model : models) takes_time_ = takes_time_ || model->first().contact->impact_time() > 0.0;
     for (const Model* model : models) {
       if (takes_time_) lasting_.emplace_back(*model);
     }
@@ -48,7 +48,7 @@ class VerletImpacts : public ContactKernel<M> {
   // The impacts of one lane.
   ROTORUB_SLOW void collide(int lane, std::int64_t k) {
     const Model& m = lane_model(*this->m_, lane);
-    const ContactParameters& c = *m.contact;
+    const ContactParameters& c = *m.first().contact;
     const int nq = m.nq();
     const double h = this->h_, kick = was_first_ ? 0.5 * h : h;
     const double t = this->origin + static_cast<double>(k) * h;
@@ -93,12 +93,12 @@ class VerletImpacts : public ContactKernel<M> {
     double jump[kMaxCoordinates], at[kMaxCoordinates], before[kMaxCoordinates],
         missed[kMaxCoordinates];
     std::fill_n(jump, nq, 0.0);
-    add_contact_load(m, contact_load(hit.e_r, m.contact->radius, normal, friction), jump);
+    add_contact_load(m, contact_load(hit.e_r, m.first().contact->radius, normal, friction), jump);
     solve_mass(m, t, q, jump, jump);
     // The loads by the velocities just before and just after.
     for (int i = 0; i < nq; ++i) at[i] = v[i] + late * a[i];
     // A continuous controller sees the jump too.
-    const bool follows = m.controller && m.sample_time == 0.0 && t >= m.control_on;
+    const bool follows = m.first().controller && m.first().sample_time == 0.0 && t >= m.first().control_on;
     const auto command = [&] { return follows ? control_command(m, t, q, at) : u; };
     Eigen::Vector2d told = command();
     smooth_force(m, t, q, at, told, before);
@@ -162,7 +162,7 @@ class VerletImpacts : public ContactKernel<M> {
       at[i] = lanes::get(this->q_[static_cast<std::size_t>(i)], lane) + theta * h * v[i];
       rates[i] = v[i] + late * a[i];
     }
-    const bool follows = m.controller && m.sample_time == 0.0 && t >= m.control_on;
+    const bool follows = m.first().controller && m.first().sample_time == 0.0 && t >= m.first().control_on;
     const Eigen::Vector2d held{lanes::get(this->command_x, lane),
                                lanes::get(this->command_y, lane)};
     FiniteImpact& impact = lasting_[static_cast<std::size_t>(lane)];

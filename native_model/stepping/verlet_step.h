@@ -43,7 +43,7 @@ class VerletKernel : public VerletJumps<M> {
       this->read_lane(this->q_.data(), lane, q);
       this->read_lane(this->v_.data(), lane, v);
       const ContactPoint p = contact_point(m, q, v);
-      const double clearance = m.contact->clearance;
+      const double clearance = m.first().contact->clearance;
       if (p.gap > 1e-12 * clearance || p.gap_rate < -1e-9) continue;
       lanes::set(this->in_contact, lane, p.gap_rate > 1e-9 ? 0.0 : 1.0);
     }

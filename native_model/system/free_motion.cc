@@ -250,8 +250,8 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
     motion.stored += found.stored.real();
     if (m.feedback) motion.current += current_amplitude(m, load.frequency, found);
     const Eigen::VectorXd re = q.real(), im = q.imag();
-    const auto c = equations::at_station(l.modes, m.contact_shape, re.data());
-    const auto s = equations::at_station(l.modes, m.contact_shape, im.data());
+    const auto c = equations::at_station(l.modes, m.first().shape, re.data());
+    const auto s = equations::at_station(l.modes, m.first().shape, im.data());
     motion.orbit.parts.push_back({load.frequency, {Phasor(c.x, s.x), Phasor(c.y, s.y)}});
   }
   return motion;

@@ -28,14 +28,44 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
   layout.modes = rotor.modes();
   layout.spin = scene.drive ? 1 : 0;
   layout.torsion = static_cast<int>(rotor.torsion.inertia.size());
-  layout.stator = scene.stator ? 2 : 0;
-  layout.ring_spin = scene.stator && scene.stator->spin ? 1 : 0;
+  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+    if (!bearing.stator) continue;
+    layout.stator += 2;
+    layout.ring_spin += bearing.stator->spin ? 1 : 0;
+    layout.coils += bearing.actuator && bearing.actuator->coil_lag > 0.0 ? 2 : 0;
+  }
   layout.integrals = scene.magnetic_bearing && scene.magnetic_bearing->control &&
                              scene.magnetic_bearing->control->integral > 0.0
                          ? 2
                          : 0;
-  layout.coils = scene.actuator && scene.actuator->coil_lag > 0.0 ? layout.stator : 0;
   return layout;
+}
+
+// Each bearing's contact and its coordinates, one ring after the other.
+void fill_auxiliary(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
+  const Layout& l = model.layout;
+  int ring = l.ring(), angle = l.ring_angle(), coil = l.coil();
+  model.auxiliary.resize(scene.auxiliary.size());
+  assert(rotor.contacts.size() == scene.auxiliary.size());
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const scene::AuxiliaryBearing& from = scene.auxiliary[k];
+    AuxiliaryBearing& to = model.auxiliary[k];
+    to.name = scene.name_of(k);
+    to.shape = rotor.contacts[k];
+    to.torsion_shape = rotor.torsion.contacts[k];
+    if (from.stator) {
+      to.ring = std::exchange(ring, ring + 2);
+      if (from.stator->spin) to.ring_angle = angle++;
+      if (from.actuator && from.actuator->coil_lag > 0.0) to.coil = std::exchange(coil, coil + 2);
+    }
+    if (!from.contact) continue;
+    const scene::Contact& c = *from.contact;
+    to.contact = ContactParameters{
+        c.radius,           c.clearance,     c.friction, c.restitution, c.tangential_restitution,
+        c.compression_time, c.expansion_time};
+    to.ring_ratio = to.contact->surface_ratio();
+    to.ring_offset = c.offset;
+  }
 }
 
 // The diagonals of mass, stiffness and damping in the order of the layout.
@@ -54,14 +84,18 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   put(l.y(), rotor.y.mass, rotor.y.stiffness, rotor.y.damping);
   if (l.spin) model.mass[l.phi()] = rotor.spin_inertia;
   put(l.theta(), rotor.torsion.inertia, rotor.torsion.stiffness, rotor.torsion.damping);
-  if (l.stator) put(l.ring(), scene.stator->mass, scene.stator->stiffness, scene.stator->damping);
-  if (l.ring_spin) {
-    model.mass[l.ring_angle()] = scene.stator->spin->inertia;
-    model.damping[l.ring_angle()] = scene.stator->spin->drag;
-  }
   model.mass.segment(l.integral(), l.integrals).setConstant(kIntegratorMass);
-  // lag dq''/dt + dq/dt = the current asked for, q the charge.
-  model.mass.tail(l.coils).setConstant(l.coils ? scene.actuator->coil_lag : 0.0);
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const scene::AuxiliaryBearing& from = scene.auxiliary[k];
+    const AuxiliaryBearing& at = model.auxiliary[k];
+    if (at.moves()) put(at.ring, from.stator->mass, from.stator->stiffness, from.stator->damping);
+    if (at.turns()) {
+      model.mass[at.ring_angle] = from.stator->spin->inertia;
+      model.damping[at.ring_angle] = from.stator->spin->drag;
+    }
+    // lag dq''/dt + dq/dt = the current asked for, q the charge.
+    if (at.coil != kAbsent) model.mass.segment<2>(at.coil).setConstant(from.actuator->coil_lag);
+  }
   model.damping.tail(l.coils).setOnes();
   assert(l.modes > 0);
 }
@@ -101,7 +135,10 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
   model.gravity_mass = Eigen::VectorXd::Zero(l.nq());
   model.gravity_mass.segment(l.x(), l.modes) = rotor.gravity_x;
   model.gravity_mass.segment(l.y(), l.modes) = rotor.gravity_y;
-  if (l.stator) model.gravity_mass.segment<2>(l.ring()) = scene.stator->mass;
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const AuxiliaryBearing& at = model.auxiliary[k];
+    if (at.moves()) model.gravity_mass.segment<2>(at.ring) = scene.auxiliary[k].stator->mass;
+  }
   if (rotor.pull_x.size() > 0) {
     model.pull = Eigen::VectorXd::Zero(l.nq());
     model.pull.segment(l.x(), l.modes) = rotor.pull_x;
@@ -124,11 +161,11 @@ void fill_unbalances(const scene::Scene& scene, const ModalRotor& rotor, Model& 
   }
 }
 
-void fill_actuator(const scene::Scene& scene, Model& model) {
-  const scene::Actuator a = scene.actuator.value_or(scene::Actuator{});
-  model.force_limit = a.force_limit;
-  if (a.kind == scene::ActuatorKind::kIdeal || !scene.stator) return;
-  MagneticActuator& magnets = model.magnets.emplace();
+void fill_actuator(const scene::Scene& scene, std::size_t k, Model& model) {
+  const scene::Actuator a = scene.auxiliary[k].actuator.value_or(scene::Actuator{});
+  model.auxiliary[k].force_limit = a.force_limit;
+  if (a.kind == scene::ActuatorKind::kIdeal || !model.auxiliary[k].moves()) return;
+  MagneticActuator& magnets = model.auxiliary[k].magnets.emplace();
   double most = a.bias_current;
   if (a.kind == scene::ActuatorKind::kElectromagnet) {
     magnets.law = std::make_shared<Electromagnet>(
@@ -137,7 +174,7 @@ void fill_actuator(const scene::Scene& scene, Model& model) {
     const auto table =
         std::make_shared<ForceTable>(ForceGrid{a.table_position, a.table_current, a.table_force});
     const std::string reason = table->refusal();
-    if (!reason.empty()) refuse(scene, {{"", 0, "actuator.table_force", reason}});
+    if (!reason.empty()) refuse(with_bearing_alone(scene, k), {{"", 0, "actuator.table_force", reason}});
     magnets.law = table;
     most = std::min(-a.table_current.front(), a.table_current.back());
   }
@@ -149,38 +186,40 @@ void fill_actuator(const scene::Scene& scene, Model& model) {
   magnets.resistance = a.resistance;
 }
 
-void fill_control(const scene::Scene& scene, Model& model) {
-  if (!scene.controller || !scene.stator) return;
+void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
+  const scene::AuxiliaryBearing& from = scene.auxiliary[k];
+  AuxiliaryBearing& to = model.auxiliary[k];
+  if (!from.controller || !from.stator) return;
   // Only a law that tracks the rotor needs a contact (scene validation).
-  assert(scene.contact || scene.controller->kind == scene::ControllerKind::kPassive ||
-         scene.controller->kind == scene::ControllerKind::kLibrary);
-  const double clearance = scene.contact ? scene.contact->clearance : 0.0;
+  assert(from.contact || from.controller->kind == scene::ControllerKind::kPassive ||
+         from.controller->kind == scene::ControllerKind::kLibrary);
+  const double clearance = from.contact ? from.contact->clearance : 0.0;
   const int n = model.layout.modes;
   const auto mobility = [&](const Eigen::VectorXd& shape, int at) {
     return shape.cwiseAbs2().dot(model.mass.segment(at, n).cwiseInverse());
   };
   Plant plant;
   plant.clearance = clearance;
-  plant.stator_mass = (1.0 + scene.controller->mass_error) * scene.stator->mass;
-  plant.stator_damping = scene.stator->damping;
-  plant.stator_stiffness = scene.stator->stiffness;
-  plant.rotor_mobility = {mobility(model.contact_shape.x, model.layout.x()),
-                          mobility(model.contact_shape.y, model.layout.y())};
-  if (model.magnets) {
-    plant.current_limit = model.magnets->current_limit;
-    plant.coil_lag = model.magnets->coil_lag;
+  plant.stator_mass = (1.0 + from.controller->mass_error) * from.stator->mass;
+  plant.stator_damping = from.stator->damping;
+  plant.stator_stiffness = from.stator->stiffness;
+  plant.rotor_mobility = {mobility(to.shape.x, model.layout.x()),
+                          mobility(to.shape.y, model.layout.y())};
+  if (to.magnets) {
+    plant.current_limit = to.magnets->current_limit;
+    plant.coil_lag = to.magnets->coil_lag;
   } else {
-    plant.force_limit = model.force_limit;
+    plant.force_limit = to.force_limit;
   }
-  const scene::Controller& c = *scene.controller;
+  const scene::Controller& c = *from.controller;
   if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
-    plant.linear = std::make_shared<LinearPlant>(plant_of(model, scene.rotor.speed));
+    plant.linear = std::make_shared<LinearPlant>(plant_of(model, k, scene.rotor.speed));
   }
-  model.controller = make_controller(scene, plant);
-  model.control_on = c.on;
-  model.sample_time = c.sample_time;
-  if (!model.controller || c.sample_time <= 0.0) return;
-  model.loop = std::make_shared<ControlLoop>(model.controller, c.sensors, c.trigger, c.sample_time,
+  to.controller = make_controller(k == 0 ? scene : with_bearing_alone(scene, k), plant);
+  to.control_on = c.on;
+  to.sample_time = c.sample_time;
+  if (!to.controller || c.sample_time <= 0.0) return;
+  to.loop = std::make_shared<ControlLoop>(to.controller, c.sensors, c.trigger, c.sample_time,
                                              clearance);
 }
 
@@ -201,11 +240,14 @@ void fill_initial(const scene::Scene& scene, Model& model) {
     model.q0[l.phi()] = initial.spin_angle;
     model.v0[l.phi()] = scene.rotor.speed;
   }
-  if (l.stator) {
-    model.q0.segment<2>(l.ring()) = initial.stator;
-    model.v0.segment<2>(l.ring()) = initial.stator_velocity;
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const std::optional<scene::Stator>& ring = scene.auxiliary[k].stator;
+    const AuxiliaryBearing& at = model.auxiliary[k];
+    if (!at.moves()) continue;
+    model.q0.segment<2>(at.ring) = ring->position;
+    model.v0.segment<2>(at.ring) = ring->velocity;
+    if (at.turns()) model.v0[at.ring_angle] = ring->spin->speed;
   }
-  if (l.ring_spin) model.v0[l.ring_angle()] = scene.stator->spin->speed;
   model.speed = scene.rotor.speed;
   model.spin_angle = initial.spin_angle;
 }
@@ -241,6 +283,7 @@ Model make_model(const scene::Scene& scene) {
   model.layout = make_layout(scene, rotor);
   check_size(scene, model.nq());
   check_initial_lists(scene, model.layout);
+  fill_auxiliary(scene, rotor, model);
   fill_diagonals(scene, rotor, model);
   fill_loads(scene, rotor, model);
   model.gyroscopic = ModeMatrix(rotor.gyroscopic);
@@ -256,25 +299,18 @@ Model make_model(const scene::Scene& scene) {
   check_spin_inertia(scene, model);
   if (scene.drive) model.drive.emplace(*scene.drive, scene.rotor.speed);
   model.drive_shape = rotor.torsion.drive_shape;
-  model.torsion_contact = rotor.torsion.contact_shape;
-  model.contact_shape = rotor.contact_shape;
   model.lines = std::move(rotor.lines);
-  if (scene.contact) {
-    const scene::Contact& c = *scene.contact;
-    model.contact = ContactParameters{
-        c.radius,           c.clearance,     c.friction, c.restitution, c.tangential_restitution,
-        c.compression_time, c.expansion_time};
-    model.ring_ratio = model.contact->surface_ratio();
-    model.ring_offset = c.offset;
-  }
-  fill_actuator(scene, model);
-  check_initial_ring(scene);
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) fill_actuator(scene, k, model);
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) check_initial_ring(scene, k);
   fill_initial(scene, model);
   if (scene.initial.steady) add_steady_orbit(scene, model);
-  check_initial_gap(scene, model);
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) check_initial_gap(scene, model, k);
   if (model.drive) model.drive_angle = equations::at_motor(model, model.q0.data());
-  fill_control(scene, model);
-  model.admittance = contact_admittance(model, model.mass.data(), 0.0, model.q0.data());
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) fill_control(scene, k, model);
+  for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
+    model.auxiliary[k].admittance =
+        contact_admittance(model, model.mass.data(), 0.0, model.q0.data(), k, k);
+  }
   return model;
 }
 
@@ -286,7 +322,7 @@ void set_gravity(Model& model, const Eigen::Vector2d& acceleration) {
   };
   along(l.x(), l.modes, acceleration.x());
   along(l.y(), l.modes, acceleration.y());
-  for (int k = 0; k < l.stator; ++k) along(l.ring() + k, 1, acceleration[k]);
+  for (int k = 0; k < l.stator; ++k) along(l.ring() + k, 1, acceleration[k % 2]);
   if (model.pull.size() > 0) model.weight += model.pull;
 }
 

@@ -1,10 +1,10 @@
 // The constant part of a system: everything that a scene states, assembled once. A Model is
 // immutable and may be shared between threads; what changes is a State.
 //
-// Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k | ring x, y |
-//                       angle of the ring (where it turns) |
+// Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k |
+//                       x, y of each ring that moves | angle of each ring that turns |
 //                       two of a magnetic bearing's integrator (their rates are the currents that it holds) |
-//                       charges of the two coils (with a coil lag; their rates are the currents)
+//                       charges of two coils of each ring with a coil lag (their rates are the currents)
 // Equations:            M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T          (9), (20)
 // M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
 #pragma once
@@ -39,10 +39,10 @@ struct Layout {
   int modes = 0;    // n, bending modes in each plane
   int spin = 0;     // 1 with a drive, else 0
   int torsion = 0;  // elastic torsion modes
-  int stator = 0;   // 2 with a moving ring, else 0
-  int ring_spin = 0;  // 1 with a ring that turns, else 0
+  int stator = 0;   // 2 for each ring that moves
+  int ring_spin = 0;  // 1 for each ring that turns
   int integrals = 0;  // 2 with a magnetic bearing's integrator, else 0
-  int coils = 0;    // 2 with currents that lag, else 0
+  int coils = 0;    // 2 for each ring whose currents lag
   int x() const { return 0; }
   int y() const { return modes; }
   int phi() const { return 2 * modes; }
@@ -101,6 +101,37 @@ struct MagneticActuator {
   double voltage_limit = std::numeric_limits<double>::infinity(), inductance = 1.0, resistance = 0.0;
 };
 
+inline constexpr int kAbsent = -1;
+
+// One auxiliary bearing: the contact at a station, the ring there, and what moves the ring.
+struct AuxiliaryBearing {
+  std::string name;                           // in messages
+  ModeShape shape;                            // n each; 1 or 0 of the first contact
+  Eigen::VectorXd torsion_shape;              // torsion, mode values at the station
+  std::optional<ContactParameters> contact;   // absent: rotor and ring do not meet
+  Eigen::Vector2d ring_offset{0.0, 0.0};      // m, of the ring's middle at rest
+  double ring_ratio = 1.0;                    // the contact's surface_ratio(); used where the ring turns
+  // Where its parts begin in q; kAbsent of a ring that is fixed, does not turn, has no coils that lag.
+  int ring = kAbsent, ring_angle = kAbsent, coil = kAbsent;
+
+  std::shared_ptr<const Controller> controller;  // null: passive
+  std::shared_ptr<const ControlLoop> loop;       // of a sampled controller
+  double control_on = 0.0;                       // s
+  double sample_time = 0.0;                      // s, 0: continuous
+  // Commands of another run in the controller's place: then there is none (see replayed).
+  std::shared_ptr<const CommandRecord> recorded;
+  bool commanded() const { return controller || recorded; }
+  double force_limit = 0.0;                      // N, on each axis of an ideal actuator
+  std::optional<MagneticActuator> magnets;       // absent: ideal actuator
+
+  // Contact-space admittance J M^-1 J^T of (relative x, relative y, spin), 1/kg, 1/kg, 1/(kg m^2), spin that of
+  // contact_spin (dynamics/dynamics.h); constant unless coupled_mass().
+  Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();
+
+  bool moves() const { return ring != kAbsent; }
+  bool turns() const { return ring_angle != kAbsent; }
+};
+
 struct Model {
   using Scalar = double;  // of the equations (dynamics/equations.h)
 
@@ -128,30 +159,15 @@ struct Model {
   std::optional<Drive> drive;
   Eigen::VectorXd drive_shape;         // torsion, mode values at the motor
   double drive_angle = 0.0;            // rad, of the motor at t = 0
-  Eigen::VectorXd torsion_contact;     // torsion, mode values at the contact
 
-  ModeShape contact_shape;             // n each, 1 or 0
-  std::optional<ContactParameters> contact;
-  Eigen::Vector2d ring_offset{0.0, 0.0};  // m, of the ring's middle at rest
-  double ring_ratio = 1.0;             // the contact's surface_ratio(); used where the ring turns
-
-  std::shared_ptr<const Controller> controller;  // null: passive
-  std::shared_ptr<const ControlLoop> loop;       // of a sampled controller
-  double control_on = 0.0;                       // s
-  double sample_time = 0.0;                      // s, 0: continuous
-  // Commands of another run in the controller's place: then there is none (see replayed).
-  std::shared_ptr<const CommandRecord> recorded;
-  bool commanded() const { return controller || recorded; }
-  double force_limit = 0.0;                      // N, on each axis of an ideal actuator
-  std::optional<MagneticActuator> magnets;       // absent: ideal actuator
+  // In the order of the scene; one at least, whose contact may be absent.
+  std::vector<AuxiliaryBearing> auxiliary = std::vector<AuxiliaryBearing>(1);
+  AuxiliaryBearing& first() { return auxiliary.front(); }
+  const AuxiliaryBearing& first() const { return auxiliary.front(); }
 
   Eigen::VectorXd q0, v0;                        // initial state
   std::optional<ModeLines> lines;                // deflection lines for pictures
 
-  // Contact-space admittance J M^-1 J^T of (relative x, relative y, spin), 1/kg, 1/kg, 1/(kg m^2), spin
-  // that of contact_spin (dynamics/dynamics.h);
-  // constant unless coupled_mass().
-  Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();
   // Unbalance couples spin and bending where the spin is free.
   bool coupled_mass() const { return layout.spin == 1 && !unbalances.empty(); }
   // With a drive only: N m, at an angle (rad, turned since t = 0) and a speed of the motor.

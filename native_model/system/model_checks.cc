@@ -107,39 +107,46 @@ void check_initial_lists(const scene::Scene& scene, const Layout& l) {
   if (!wrong.empty()) refuse(scene, std::move(wrong));
 }
 
-void check_initial_gap(const scene::Scene& scene, const Model& model) {
-  if (!model.contact) return;
+void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_t k) {
+  const AuxiliaryBearing& at = model.auxiliary[k];
+  if (!at.contact) return;
   const double* q = model.q0.data();
-  const double delta = (separation(model, q)).norm();
-  const double clearance = model.contact->clearance;
+  const double delta = (separation(model, q, k)).norm();
+  const double clearance = at.contact->clearance;
   // On the ring is meant.
   constexpr double kTolerance = 1e-9;  // of the clearance
   if (delta <= clearance * (1.0 + kTolerance)) return;
   const Layout& l = model.layout;
   const char* key = !model.q0.segment(l.x(), l.modes).isZero(0.0)   ? "initial.x"
                     : !model.q0.segment(l.y(), l.modes).isZero(0.0) ? "initial.y"
-                    : model.layout.stator && !model.q0.segment(l.ring(), 2).isZero(0.0)
-                        ? "initial.stator"
+                    : at.moves() && !model.q0.segment<2>(at.ring).isZero(0.0)
+                        ? (scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator")
                         : "contact.offset";
-  refuse(scene, {{"", 0, key,
+  refuse(with_bearing_alone(scene, k), {{"", 0, key,
                   "the rotor starts outside the ring, " + scene::number_text(delta) +
                       " m from its centre; accepted: at most contact.clearance = " +
                       scene::number_text(clearance) + " m"}});
 }
 
-void check_initial_ring(const scene::Scene& scene) {
-  if (!scene.actuator || scene.actuator->kind != scene::ActuatorKind::kElectromagnet) return;
-  const double start = to_axes(scene.initial.stator).cwiseAbs().maxCoeff();
-  if (start < scene.actuator->air_gap) return;
-  refuse(scene, {{"", 0, "initial.stator",
+void check_initial_ring(const scene::Scene& scene, std::size_t k) {
+  const scene::AuxiliaryBearing& at = scene.auxiliary[k];
+  if (!at.stator || !at.actuator || at.actuator->kind != scene::ActuatorKind::kElectromagnet) return;
+  const double start = to_axes(at.stator->position).cwiseAbs().maxCoeff();
+  if (start < at.actuator->air_gap) return;
+  refuse(with_bearing_alone(scene, k), {{"", 0, scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator",
                   "is " + scene::number_text(start) +
                       " m along an axis of the actuator; accepted: less than actuator.air_gap = " +
-                      scene::number_text(scene.actuator->air_gap) + " m"}});
+                      scene::number_text(at.actuator->air_gap) + " m"}});
+}
+
+void refuse_several_contacts(const scene::Scene& scene, const std::string& who) {
+  if (scene.auxiliary.size() < 2) return;
+  refuse(scene, {{"", 0, "contact[1]", who + " knows one contact; accepted with several: the native integrator event"}});
 }
 
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {
-  if (!scene.contact) return;
-  const bool sampled = scene.controller && scene.controller->sample_time > 0.0;
+  if (!scene.first().contact) return;
+  const bool sampled = scene.first().controller && scene.first().controller->sample_time > 0.0;
   const bool knows = accepted == FiniteImpacts::kUnsampled;
   if (knows && !sampled) return;
   const auto check = [&](const char* key, double time) {
@@ -151,8 +158,8 @@ void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {
                             "rigid of a modal chain in MuJoCo without a shadow and without a "
                             "coil_lag; accepted with anything else: 0"}});
   };
-  check("contact.compression_time", scene.contact->compression_time);
-  check("contact.expansion_time", scene.contact->expansion_time);
+  check("contact.compression_time", scene.first().contact->compression_time);
+  check("contact.expansion_time", scene.first().contact->expansion_time);
 }
 
 }  // namespace rotorub

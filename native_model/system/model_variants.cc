@@ -10,6 +10,7 @@ namespace rotorub {
 Model without_coils(Model model) {
   const int kept = model.layout.coil();
   model.layout.coils = 0;
+  for (AuxiliaryBearing& bearing : model.auxiliary) bearing.coil = kAbsent;
   for (auto* vector : {&model.mass, &model.stiffness, &model.damping, &model.gravity_mass,
                        &model.q0, &model.v0}) {
     vector->conservativeResize(kept);
@@ -21,8 +22,10 @@ Model without_coils(Model model) {
 
 Model with_ideal_actuator(Model model) {
   model = without_coils(std::move(model));
-  model.magnets.reset();
-  model.force_limit = std::numeric_limits<double>::infinity();
+  for (AuxiliaryBearing& bearing : model.auxiliary) {
+    bearing.magnets.reset();
+    bearing.force_limit = std::numeric_limits<double>::infinity();
+  }
   return model;
 }
 
@@ -42,15 +45,17 @@ Model without_offsets(Model model) {
 }
 
 Model without_controller(Model model) {
-  model.controller.reset();
-  model.loop.reset();
+  for (AuxiliaryBearing& bearing : model.auxiliary) {
+    bearing.controller.reset();
+    bearing.loop.reset();
+  }
   return model;
 }
 
 Model replayed(Model model, std::shared_ptr<const CommandRecord> commands) {
   if (!commands) return model;
   model = without_controller(std::move(model));
-  model.recorded = std::move(commands);
+  model.first().recorded = std::move(commands);
   return model;
 }
 

@@ -7,13 +7,14 @@
 namespace rotorub {
 
 // The loads are linear in what the states hold: a column is what one state changes of them.
-LinearPlant plant_of(const Model& given, double speed) {
+LinearPlant plant_of(const Model& given, std::size_t bearing, double speed) {
   const Model model = with_linear_feedback(given);
-  assert(model.layout.stator && model.contact);
+  const AuxiliaryBearing& at = model.auxiliary[bearing];
+  assert(at.moves() && at.contact);
   const Layout& l = model.layout;
   LinearPlant p;
   for (int i = 0; i < 2 * l.modes; ++i) p.coordinates.push_back(i);
-  for (int k = 0; k < l.stator; ++k) p.coordinates.push_back(l.ring() + k);
+  for (int k = 0; k < 2; ++k) p.coordinates.push_back(at.ring + k);
   const auto half = static_cast<Eigen::Index>(p.coordinates.size()), n = 2 * half;
   const int nq = l.nq();
   Eigen::VectorXd y = Eigen::VectorXd::Zero(2 * nq);
@@ -23,10 +24,10 @@ LinearPlant plant_of(const Model& given, double speed) {
   p.a = Eigen::MatrixXd::Zero(n, n);
   p.a.topRightCorner(half, half).setIdentity();
   for (Eigen::Index j = 0; j < n; ++j) {
-    const int at = (j < half ? 0 : nq) + p.coordinates[static_cast<std::size_t>(j % half)];
-    y[at] += 1.0;
+    const int state = (j < half ? 0 : nq) + p.coordinates[static_cast<std::size_t>(j % half)];
+    y[state] += 1.0;
     unactuated_force(model, 0.0, y.data(), y.data() + nq, moved.data());
-    y[at] -= 1.0;
+    y[state] -= 1.0;
     for (Eigen::Index i = 0; i < half; ++i) {
       const int row = p.coordinates[static_cast<std::size_t>(i)];
       p.a(half + i, j) = (moved[row] - rest[row]) / model.mass[row];
@@ -35,18 +36,18 @@ LinearPlant plant_of(const Model& given, double speed) {
   p.b = Eigen::MatrixXd::Zero(n, 2);
   p.c = Eigen::MatrixXd::Zero(4, n);
   for (int k = 0; k < 2; ++k) {
-    p.b(n - 2 + k, k) = 1.0 / model.mass[l.ring() + k];
+    p.b(n - 2 + k, k) = 1.0 / model.mass[at.ring + k];
     p.c(2 + k, half - 2 + k) = 1.0;
   }
-  p.c.block(0, l.x(), 1, l.modes) = model.contact_shape.x.transpose();
-  p.c.block(1, l.y(), 1, l.modes) = model.contact_shape.y.transpose();
+  p.c.block(0, l.x(), 1, l.modes) = at.shape.x.transpose();
+  p.c.block(1, l.y(), 1, l.modes) = at.shape.y.transpose();
   p.d = Eigen::MatrixXd::Zero(n, 4);
   p.d.rightCols(2) = p.b;
-  const auto mobility = [&](const Eigen::VectorXd& shape, int at) {
-    return shape.cwiseQuotient(model.mass.segment(at, l.modes)).eval();
+  const auto mobility = [&](const Eigen::VectorXd& shape, int first) {
+    return shape.cwiseQuotient(model.mass.segment(first, l.modes)).eval();
   };
-  p.d.block(half + l.x(), 0, l.modes, 1) = mobility(model.contact_shape.x, l.x());
-  p.d.block(half + l.y(), 1, l.modes, 1) = mobility(model.contact_shape.y, l.y());
+  p.d.block(half + l.x(), 0, l.modes, 1) = mobility(at.shape.x, l.x());
+  p.d.block(half + l.y(), 1, l.modes, 1) = mobility(at.shape.y, l.y());
   return p;
 }
 

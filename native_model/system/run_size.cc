@@ -35,7 +35,7 @@ void find_steps(const scene::Run& run, double step, std::vector<scene::Diagnosti
 }
 
 void find_samples(const scene::Scene& scene, std::vector<scene::Diagnostic>& wrong) {
-  const double time = scene.controller ? scene.controller->sample_time : 0.0;
+  const double time = scene.first().controller ? scene.first().controller->sample_time : 0.0;
   if (!(time > 0.0) || scene.run.end / time <= kMostSteps) return;
   wrong.push_back({"", 0, "controller.sample_time",
                    rough_text(scene.run.end / time) + " samples to run.end = " + rough_text(scene.run.end) +

@@ -6,7 +6,8 @@
 
 namespace rotorub {
 
-SampledCommand::SampledCommand(const Model& model) : model_(&model), memory_(memory_size(model)) {}
+SampledCommand::SampledCommand(const Model& model, std::size_t bearing)
+    : model_(&model), bearing_(bearing), memory_(memory_size(model, bearing)) {}
 
 void SampledCommand::clear() {
   std::fill(memory_.begin(), memory_.end(), 0.0);
@@ -17,9 +18,11 @@ Eigen::Vector2d SampledCommand::take(double t, const double* q, const double* v,
                                      const Eigen::Vector2d& held, const Eigen::Vector2d* shown) {
   const Model& m = *model_;
   Eigen::Vector2d current{0.0, 0.0};
-  if (m.magnets) current = shown ? *shown : actuator_state(m, q, v, held).current;
+  if (m.auxiliary[bearing_].magnets) {
+    current = shown ? *shown : actuator_state(m, q, v, held, bearing_).current;
+  }
   try {
-    return control_sample(m, t, q, v, current, memory_.data());
+    return control_sample(m, t, q, v, current, memory_.data(), bearing_);
   } catch (const ControllerError& error) {
     if (failure_.empty()) failure_ = error.what();
     return held;
@@ -34,8 +37,9 @@ std::array<double, kMostOutputs> SampledCommand::outputs() const {
   return values;
 }
 
-std::size_t SampledCommand::memory_size(const Model& model) {
-  return model.loop ? model.loop->memory_size() : 0;
+std::size_t SampledCommand::memory_size(const Model& model, std::size_t bearing) {
+  const auto& loop = model.auxiliary[bearing].loop;
+  return loop ? loop->memory_size() : 0;
 }
 
 void SampledCommand::save(double* to) const { std::copy(memory_.begin(), memory_.end(), to); }

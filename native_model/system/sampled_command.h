@@ -15,7 +15,7 @@ namespace rotorub {
 class SampledCommand {
  public:
   // The model must outlive it. One without a sampled law has nothing to remember.
-  explicit SampledCommand(const Model& model);
+  explicit SampledCommand(const Model& model, std::size_t bearing = 0);
 
   // As before the first sample.
   void clear();
@@ -31,12 +31,13 @@ class SampledCommand {
   const std::string& failure() const { return failure_; }
 
   // The memory as plain numbers. A restored one has not failed.
-  static std::size_t memory_size(const Model& model);
+  static std::size_t memory_size(const Model& model, std::size_t bearing = 0);
   void save(double* to) const;
   void restore(const double* from);
 
  private:
   const Model* model_;
+  std::size_t bearing_;
   std::vector<double> memory_;
   std::string failure_;
 };

@@ -29,7 +29,7 @@ Eigen::Vector2d ring_at_rest(const scene::Scene& scene, const Model& m) {
   const Eigen::Vector2d stiffness = m.stiffness.segment<2>(ring);
   const Eigen::Vector2d weight =
       m.weight.size() > 0 ? Eigen::Vector2d(m.weight.segment<2>(ring)) : Eigen::Vector2d(0.0, 0.0);
-  if (!m.magnets) {
+  if (!m.first().magnets) {
     Eigen::Vector2d place{0.0, 0.0};
     for (int k = 0; k < 2; ++k) {
       if (weight[k] == 0.0) continue;
@@ -38,7 +38,7 @@ Eigen::Vector2d ring_at_rest(const scene::Scene& scene, const Model& m) {
     }
     return place;
   }
-  const ForceLaw& law = *m.magnets->law;
+  const ForceLaw& law = *m.first().magnets->law;
   const auto force = [&](const Eigen::Vector2d& at) -> Eigen::Vector2d {
     const Eigen::Vector2d s = to_axes(at);
     return weight - stiffness.cwiseProduct(at) +
@@ -80,15 +80,15 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
     m.q0.segment<2>(l.ring()) += place;
     orbit.centre = -place;
   }
-  orbit.centre -= m.ring_offset;
+  orbit.centre -= m.first().ring_offset;
   if (l.torsion && m.drive && scene.initial.torsion.empty()) {
     const double torque = m.drive->torque(0.0, 0.0, m.speed);
     m.q0.segment(l.theta(), l.torsion) +=
         torque * m.drive_shape.cwiseQuotient(m.stiffness.segment(l.theta(), l.torsion));
   }
 
-  if (!m.contact) return;
-  const double largest = orbit.largest(), clearance = m.contact->clearance;
+  if (!m.first().contact) return;
+  const double largest = orbit.largest(), clearance = m.first().contact->clearance;
   if (largest < clearance) return;
   refuse_steady(scene, "the steady free orbit touches: it comes to " + scene::number_text(largest) +
                            " m from the middle of the ring; accepted: less than contact.clearance = " +
@@ -141,7 +141,7 @@ FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
     FreeOrbit free{0.0, {}};
     for (const double t : changes(m)) {
       OrbitSize orbit = free_motion(scene, with_loads_of(m, t)).orbit;
-      orbit.centre = -ring - m.ring_offset;
+      orbit.centre = -ring - m.first().ring_offset;
       free.largest = std::max(*free.largest, orbit.largest());
     }
     return free;

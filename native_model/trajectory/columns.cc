@@ -1,10 +1,15 @@
 #include "native_model/trajectory/columns.h"
 
+#include <algorithm>
 #include <cassert>
+#include <charconv>
+
+#include "native_model/contact/most_contacts.h"
 
 namespace rotorub {
 namespace {
 
+constexpr std::string_view kContactColumn = "contact", kPrefix = "contact";
 constexpr std::string_view kModal = "modal coordinate, each mode scaled to 1 at the contact";
 
 const ColumnMeaning kSeries[] = {
@@ -41,6 +46,8 @@ const ColumnMeaning kSeries[] = {
     {"motor_torque", "N m", "on the rotor, positive along the spin", "a drive"},
     {"bearing_current_x", "A", "control current of the magnetic bearing's own feedback along x", "feedback"},
     {"bearing_current_y", "A", "the same along y", "feedback"},
+    {"contact<k>_<column>", "", "of the k-th contact what the column of that name is of the first: contact2_gap",
+     "several contacts"},
 };
 
 const ColumnMeaning kImpacts[] = {
@@ -52,12 +59,15 @@ const ColumnMeaning kImpacts[] = {
     {"slip_before", "m/s", "as slip in the series", ""},
     {"slip_after", "m/s", "as slip in the series", ""},
     {"energy_change", "J", "of the whole system, never positive", ""},
+    {kContactColumn, "", "number of the contact, from 1; an impact in which several take part is a row of each",
+     "several contacts"},
 };
 
 const ColumnMeaning kEvents[] = {
     {"t", "s", "time of the change", ""},
     {"event", "", "impact, slide, stick (the mode from here on), lift_off, or reverse: the slip changes its sign "
      "without sticking", ""},
+    {kContactColumn, "", "number of the contact, from 1", "several contacts"},
 };
 
 constexpr std::string_view kNumber = "<n>", kName = "<name>";
@@ -72,10 +82,30 @@ bool is_numbered(std::string_view name, std::string_view pattern) {
 }  // namespace
 
 std::span<const ColumnMeaning> series_columns() { return kSeries; }
-std::span<const ColumnMeaning> impact_columns() { return kImpacts; }
-std::span<const ColumnMeaning> event_columns() { return kEvents; }
+std::span<const ColumnMeaning> impact_columns(bool several) {
+  return std::span(kImpacts).first(std::size(kImpacts) - (several ? 0 : 1));
+}
+std::span<const ColumnMeaning> event_columns(bool several) {
+  return std::span(kEvents).first(std::size(kEvents) - (several ? 0 : 1));
+}
 
-const ColumnMeaning& series_column(std::string_view name) {
+std::string column_of_contact(std::size_t contact, std::string_view name) {
+  if (contact == 0) return std::string(name);
+  return std::string(kPrefix) + std::to_string(contact + 1) + "_" + std::string(name);
+}
+
+std::pair<std::size_t, std::string_view> contact_of_column(std::string_view name) {
+  if (!name.starts_with(kPrefix)) return {0, name};
+  const std::string_view rest = name.substr(kPrefix.size());
+  const std::size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
+  std::size_t number = 0;
+  std::from_chars(rest.data(), rest.data() + digits, number);
+  if (number < 2 || number > kMaxContacts || !rest.substr(digits).starts_with('_')) return {0, name};
+  return {number - 1, rest.substr(digits + 1)};
+}
+
+const ColumnMeaning& series_column(std::string_view full_name) {
+  const std::string_view name = contact_of_column(full_name).second;
   const ColumnMeaning* own = nullptr;
   for (const ColumnMeaning& column : kSeries) {
     if (column.name == name) return column;

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace rotorub {
 
@@ -16,8 +17,13 @@ struct ColumnMeaning {
 };
 
 std::span<const ColumnMeaning> series_columns();  // in the order of the file
-std::span<const ColumnMeaning> impact_columns();
-std::span<const ColumnMeaning> event_columns();
+// Where there are several contacts the last tells which.
+std::span<const ColumnMeaning> impact_columns(bool several = true);
+std::span<const ColumnMeaning> event_columns(bool several = true);
+
+// The column of one of several contacts, from 0: that of the first as it is, "gap" of the second "contact2_gap".
+std::string column_of_contact(std::size_t contact, std::string_view name);
+std::pair<std::size_t, std::string_view> contact_of_column(std::string_view name);
 
 // Of a column of a series by the name in its header ("x_2"). Every name has one: what no other row names is a
 // law's own output.

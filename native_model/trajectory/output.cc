@@ -27,13 +27,16 @@ void append_row(std::string& text, std::initializer_list<double> values) {
     first = false;
     append(text, value);
   }
-  text += '\n';
 }
 
 std::string header(std::span<const ColumnMeaning> columns) {
   std::string text;
   for (const ColumnMeaning& column : columns) text += (text.empty() ? "" : ",") + std::string(column.name);
   return text + '\n';
+}
+
+std::string last_column(bool several, int contact) {
+  return several ? "," + std::to_string(contact + 1) + "\n" : "\n";
 }
 
 }  // namespace
@@ -51,7 +54,7 @@ void write_series(const Trajectory& trajectory, const std::filesystem::path& fil
     for (const Column& column : trajectory.series) {
       if (!first) text += ',';
       first = false;
-      if (column.name == "mode") {
+      if (contact_of_column(column.name).second == "mode") {
         text += to_string(static_cast<Mode>(static_cast<int>(column.values[row])));
       } else {
         append(text, column.values[row]);
@@ -63,21 +66,24 @@ void write_series(const Trajectory& trajectory, const std::filesystem::path& fil
 }
 
 void write_impacts(const Trajectory& trajectory, const std::filesystem::path& file) {
-  std::string text = header(impact_columns());
+  const bool several = trajectory.contacts > 1;
+  std::string text = header(impact_columns(several));
   for (const Impact& i : trajectory.impacts) {
     append_row(text, {i.t, i.normal_impulse, i.friction_impulse, i.gap_rate_before,
                       i.gap_rate_after, i.slip_before, i.slip_after, i.energy_change});
+    text += last_column(several, i.contact);
   }
   write_whole(file, text);
 }
 
 void write_events(const Trajectory& trajectory, const std::filesystem::path& file) {
-  std::string text = header(event_columns());
+  const bool several = trajectory.contacts > 1;
+  std::string text = header(event_columns(several));
   for (const Event& e : trajectory.events) {
     append(text, e.t);
     text += ',';
     text += to_string(e.kind);
-    text += '\n';
+    text += last_column(several, e.contact);
   }
   write_whole(file, text);
 }

@@ -13,25 +13,24 @@ std::string text(double value) { return scene::number_text(value, 3); }
 
 }  // namespace
 
-std::optional<std::string> out_of_range(const Model& m, const double* q) {
-  return out_of_range(m, q, m.contact ? m.contact->clearance : 0.0);
-}
-
-std::optional<std::string> out_of_range(const Model& m, const double* q, double depth) {
-  if (m.magnets && m.layout.stator) {
-    const double reach = m.magnets->law->reach();
-    const double s = to_axes(stator_point(m, q)).cwiseAbs().maxCoeff();
-    if (s >= reach) {
-      return "the ring is " + text(s) +
-             " m from its middle along a magnet's axis, in an air gap of " + text(reach) + " m";
+std::optional<std::string> out_of_range(const Model& m, const double* q, std::optional<double> given) {
+  for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
+    const AuxiliaryBearing& at = m.auxiliary[k];
+    const auto ring = [&] { return m.auxiliary.size() > 1 ? "ring " + at.name : std::string("ring"); };
+    if (at.magnets && at.moves()) {
+      const double reach = at.magnets->law->reach();
+      const double s = to_axes(stator_point(m, q, k)).cwiseAbs().maxCoeff();
+      if (s >= reach) {
+        return "the " + ring() + " is " + text(s) +
+               " m from its middle along a magnet's axis, in an air gap of " + text(reach) + " m";
+      }
     }
-  }
-  if (m.contact) {
-    const double clearance = m.contact->clearance;
-    const double square = (separation(m, q)).squaredNorm();
+    if (!at.contact) continue;
+    const double clearance = at.contact->clearance, depth = given.value_or(clearance);
+    const double square = separation(m, q, k).squaredNorm();
     if (square > (clearance + depth) * (clearance + depth)) {
-      return "the rotor is " + text(std::sqrt(square) - clearance) +
-             " m deep in the ring, with a clearance of " + text(clearance) + " m";
+      return "the rotor is " + text(std::sqrt(square) - clearance) + " m deep in the " + ring() +
+             ", with a clearance of " + text(clearance) + " m";
     }
   }
   return {};

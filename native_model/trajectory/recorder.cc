@@ -12,8 +12,8 @@
 namespace rotorub {
 namespace {
 
-bool has_actuator_columns(const Model& model) {
-  return model.layout.stator && (model.commanded() || model.magnets);
+bool has_actuator_columns(const AuxiliaryBearing& at) {
+  return at.moves() && (at.commanded() || at.magnets);
 }
 
 // Their units and meanings: columns.cc.
@@ -23,35 +23,47 @@ std::vector<Column> make_columns(const Model& model) {
   const auto add = [&c](const std::string& name) {
     c.push_back({name, std::string(series_column(name).unit), {}});
   };
+  const auto numbered = [&](const std::string& name, int count) {
+    for (int k = 1; k <= count; ++k) add(name + "_" + std::to_string(k));
+  };
+  // What moves the ring of the k-th bearing, and its spin.
+  const auto add_ring = [&](std::size_t k) {
+    const AuxiliaryBearing& at = model.auxiliary[k];
+    const auto of = [k](const char* name) { return column_of_contact(k, name); };
+    if (has_actuator_columns(at)) {
+      add(of("control_x"));
+      add(of("control_y"));
+    }
+    numbered(of("current"), at.magnets ? 2 : 0);
+    if (at.controller) {
+      for (const Controller::Output& out : at.controller->outputs()) {
+        c.push_back({of("control_") + std::string(out.name), std::string(out.unit), {}});
+      }
+    }
+    if (!at.turns()) return;
+    add(of("ring_angle"));
+    add(of("ring_speed"));
+  };
   for (const char* name : {"t", "rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x", "stator_y",
                            "stator_vx", "stator_vy", "spin_angle", "spin_speed", "gap", "gap_rate", "slip",
                            "normal_force", "friction_force", "mode"}) {
     add(name);
   }
-  const auto numbered = [&](const std::string& name, int count) {
-    for (int k = 1; k <= count; ++k) add(name + "_" + std::to_string(k));
-  };
   for (const char* name : {"x", "y", "vx", "vy"}) numbered(name, l.modes);
   numbered("torsion", l.torsion);
   numbered("torsion_speed", l.torsion);
-  if (has_actuator_columns(model)) {
-    add("control_x");
-    add("control_y");
-  }
-  numbered("current", model.magnets ? 2 : 0);
-  if (model.controller) {
-    for (const Controller::Output& out : model.controller->outputs()) {
-      c.push_back({"control_" + std::string(out.name), std::string(out.unit), {}});
-    }
-  }
-  if (l.ring_spin) {
-    add("ring_angle");
-    add("ring_speed");
-  }
+  add_ring(0);
   if (model.drive) add("motor_torque");
   if (model.feedback) {
     add("bearing_current_x");
     add("bearing_current_y");
+  }
+  for (std::size_t k = 1; k < model.auxiliary.size(); ++k) {
+    for (const char* name : {"rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x", "stator_y", "stator_vx",
+                             "stator_vy", "gap", "gap_rate", "slip", "normal_force", "friction_force", "mode"}) {
+      add(column_of_contact(k, name));
+    }
+    add_ring(k);
   }
   return c;
 }
@@ -59,8 +71,8 @@ std::vector<Column> make_columns(const Model& model) {
 // The contact's rate of work on the coordinates is N gdot_N + T gdot_T, without what the machine
 // that holds a prescribed speed does.
 double dof_slip(const Model& model, const ContactPoint& p) {
-  if (model.layout.spin || !model.contact) return p.slip;
-  return p.slip - model.contact->radius * model.speed;
+  if (model.layout.spin || !model.first().contact) return p.slip;
+  return p.slip - model.first().contact->radius * model.speed;
 }
 
 }  // namespace
@@ -120,7 +132,7 @@ void Recorder::meet_energy(double now) {
 void Recorder::begin(const Snapshot& start) {
   const ContactPoint point = contact_point(*model_, start.q, start.v);
   keep(start);
-  if (model_->contact) statistics_.least_gap = point.gap;
+  if (model_->first().contact) statistics_.least_gap = point.gap;
   last_gap_rate_ = point.gap_rate;
   last_slip_ = dof_slip(*model_, point);
   last_whole_slip_ = point.slip;
@@ -167,7 +179,7 @@ void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impa
   const std::size_t row = next_;
   rows_until(now, impact);
   statistics_.external_work += switching_work(*model_, last_.t, now.t, now.q, now.v);
-  if (model_->contact) count_gap(point, h);
+  if (model_->first().contact) count_gap(point, h);
   keep(now);
   constexpr std::int64_t kLook = 256;  // steps
   if (++steps_ % kLook == 0 || row != next_) look_at_energy();
@@ -186,7 +198,7 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
         detail ? detail->slip_before + detail->slip_after : last_whole_slip_ + point.slip;
     s.friction_work += 0.5 * friction_impulse * slips;
   }
-  if (model_->contact) count_gap(point, h);
+  if (model_->first().contact) count_gap(point, h);
   s.external_work += switching_work(*model_, last_.t, now.t, now.q, now.v);
   if (balance) {
     s.contact_work += balance->contact_work;
@@ -257,8 +269,8 @@ void Recorder::row(const Snapshot& now) {
   const ContactPoint p = contact_point(m, now.q, now.v);
   const Eigen::Vector2d r = rotor_point(m, now.q), rv = rotor_point(m, now.v);
   const Eigen::Vector2d f = ring_centre(m, now.q), fv = stator_point(m, now.v);
-  if (m.contact) statistics_.least_gap = std::min(statistics_.least_gap, p.gap);
-  resting_ = now.mode == Mode::kFree ? 0.0 : now.normal_force * m.contact->clearance;
+  if (m.first().contact) statistics_.least_gap = std::min(statistics_.least_gap, p.gap);
+  resting_ = now.mode == Mode::kFree ? 0.0 : now.normal_force * m.first().contact->clearance;
   auto column = columns_.begin();
   const auto put = [&column](double value) { (column++)->values.push_back(value); };
   for (double value : {next_time(), r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(),
@@ -273,27 +285,51 @@ void Recorder::row(const Snapshot& now) {
   block(now.v, l.x(), 2 * l.modes);
   block(now.q, l.theta(), l.torsion);
   block(now.v, l.theta(), l.torsion);
-  if (has_actuator_columns(m)) {
-    put(now.actuator.force.x());
-    put(now.actuator.force.y());
-  }
-  if (m.magnets) {
-    put(now.actuator.current.x());
-    put(now.actuator.current.y());
-  }
-  if (m.controller && !m.controller->outputs().empty()) {
-    std::array<double, kMostOutputs> values = now.actuator.outputs;
-    if (!m.loop) control_outputs(m, now.t, now.q, now.v, values.data());
-    for (std::size_t k = 0; k < m.controller->outputs().size(); ++k) put(values[k]);
-  }
-  block(now.q, l.ring_angle(), l.ring_spin);
-  block(now.v, l.ring_angle(), l.ring_spin);
+  put_ring(0, now, now, column);
   if (m.drive) put(motor_torque(m, next_time(), now.q, now.v));
   if (m.feedback) {
     for (const double current : bearing_current(m, next_time(), now.q, now.v)) put(current);
   }
+  for (std::size_t k = 1; k < m.auxiliary.size(); ++k) put_further(k, now.others[k - 1], now, column);
   assert(column == columns_.end());
   ++next_;
+}
+
+// The columns of another contact than the first.
+void Recorder::put_further(std::size_t k, const ContactSnapshot& at, const Snapshot& now, Place& column) {
+  const Model& m = *model_;
+  const ContactPoint p = contact_point(m, now.q, now.v, k);
+  const Eigen::Vector2d r = rotor_point(m, now.q, k), rv = rotor_point(m, now.v, k);
+  const Eigen::Vector2d f = ring_centre(m, now.q, k), fv = stator_point(m, now.v, k);
+  statistics_.least_gap = std::min(statistics_.least_gap, p.gap);
+  if (at.mode != Mode::kFree) resting_ += at.normal_force * m.auxiliary[k].contact->clearance;
+  for (double value : {r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(), p.gap, p.gap_rate, p.slip,
+                       at.normal_force, at.friction_force, static_cast<double>(at.mode)}) {
+    (column++)->values.push_back(value);
+  }
+  put_ring(k, at, now, column);
+}
+
+// What moves the ring of the k-th bearing, and its spin.
+void Recorder::put_ring(std::size_t k, const ContactSnapshot& at, const Snapshot& now, Place& column) {
+  const AuxiliaryBearing& bearing = model_->auxiliary[k];
+  const auto put = [&column](double value) { (column++)->values.push_back(value); };
+  if (has_actuator_columns(bearing)) {
+    put(at.actuator.force.x());
+    put(at.actuator.force.y());
+  }
+  if (bearing.magnets) {
+    put(at.actuator.current.x());
+    put(at.actuator.current.y());
+  }
+  if (bearing.controller && !bearing.controller->outputs().empty()) {
+    std::array<double, kMostOutputs> values = at.actuator.outputs;
+    if (!bearing.loop) control_outputs(*model_, now.t, now.q, now.v, values.data(), k);
+    for (std::size_t i = 0; i < bearing.controller->outputs().size(); ++i) put(values[i]);
+  }
+  if (!bearing.turns()) return;
+  put(now.q[bearing.ring_angle]);
+  put(now.v[bearing.ring_angle]);
 }
 
 Trajectory Recorder::finish(double end) {
@@ -302,6 +338,7 @@ Trajectory Recorder::finish(double end) {
   statistics_.window_impulse = window_.largest();
   Trajectory t;
   t.end = end;
+  t.contacts = model_->auxiliary.size();
   t.series = std::move(columns_);
   t.impacts = std::move(impacts_);
   t.events = std::move(events_);

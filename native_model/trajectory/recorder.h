@@ -14,14 +14,17 @@
 namespace rotorub {
 
 // All that is known at one instant; q, v point to nq values, valid during the call.
-struct Snapshot {
-  double t = 0.0;
-  const double* q = nullptr;
-  const double* v = nullptr;
+struct ContactSnapshot {
   double normal_force = 0.0;    // N, of persistent contact, >= 0
   double friction_force = 0.0;  // N, on the rotor along e_t
   Mode mode = Mode::kFree;
   ActuatorState actuator{};
+};
+struct Snapshot : ContactSnapshot {  // its own are those of the first contact
+  double t = 0.0;
+  const double* q = nullptr;
+  const double* v = nullptr;
+  std::span<const ContactSnapshot> others{};  // of the further contacts, in their order
 };
 
 // The requested times: multiples of series_step in [0, end], the end and output_times, ascending,
@@ -90,6 +93,9 @@ class Recorder {
                  double friction_impulse, const Impact* detail);
   void count_gap(const ContactPoint& point, double h);
   void rows_until(const Snapshot& now, bool impact);
+  using Place = std::vector<Column>::iterator;
+  void put_further(std::size_t k, const ContactSnapshot& at, const Snapshot& now, Place& column);
+  void put_ring(std::size_t k, const ContactSnapshot& at, const Snapshot& now, Place& column);
 
   const Model* model_;
   std::vector<double> times_;

@@ -29,14 +29,27 @@ const char* to_string(EventKind kind);
 struct Event {
   double t = 0.0;
   EventKind kind = EventKind::kImpact;
+  int contact = 0;  // which of several, from 0
 };
 
 const char* to_string(Status status);
 
+// Of one of several contacts.
+struct ContactStatistics {
+  double first_touch = -1.0;      // s; -1: never touched
+  double contact_time = 0.0;      // s with normal force > 0
+  double impulse_total = 0.0;     // N s, normal
+  double friction_impulse = 0.0;  // N s, signed
+  double friction_work = 0.0;     // J, <= 0
+  double least_gap = std::numeric_limits<double>::infinity();  // m
+  double max_penetration = 0.0;   // m
+};
+
 // Figures gathered over every step, whatever the spacing of the series.
 struct Statistics {
   double first_touch = -1.0;        // s; -1: never touched
-  double contact_time = 0.0;        // s with normal force > 0; an impact of a fixed step: one step
+  // s in which some contact has a normal force > 0; an impact of a fixed step: one step
+  double contact_time = 0.0;
   double impact_time = 0.0;         // s of it that are impacts: their steps, or soft contacts shorter than the window
   double impulse_total = 0.0;       // N s, normal
   double friction_impulse = 0.0;    // N s, signed
@@ -53,6 +66,7 @@ struct Statistics {
   double external_work = 0.0;       // J, of all forces that are not springs or contact
   double contact_work = 0.0;        // J
   double energy_scale = 0.0;        // J, largest energy met; of a contact at the end: N delta_0
+  std::vector<ContactStatistics> contacts;  // of each where there are several, else empty
   double energy_residual() const;   // |E_end - E_start - works| / scale, 0 for a scale of 0
 };
 
@@ -63,6 +77,7 @@ class MissingColumn : public std::runtime_error {
 struct Trajectory {
   std::string engine, integrator, contact_model;  // contact_model: "rigid", "coulomb", "cone"
   double step = 0.0;                              // s; `event`: 0
+  std::size_t contacts = 1;                       // auxiliary bearings of the model
   std::int64_t steps = 0;
   double wall_s = 0.0;                            // integration alone
   double end = 0.0;                               // s, reached

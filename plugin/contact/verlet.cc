@@ -33,7 +33,7 @@ std::size_t slot_size(const Model& model, const Model& plant) {
 }
 
 // Currents that lag are activations, MuJoCo's to integrate.
-bool lags(const Model& model) { return model.magnets && model.magnets->coil_lag > 0.0; }
+bool lags(const Model& model) { return model.first().magnets && model.first().magnets->coil_lag > 0.0; }
 
 // The plant that the step moves. Where currents lag the force on the ring is MuJoCo's; where MuJoCo
 // has disabled actuation there is none, nor a controller that answers an impact within the step.
@@ -44,7 +44,7 @@ Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
   if (lags(model) || !actuation) {
     plant = without_controller(with_ideal_actuator(model));
   }
-  if (!contact) plant.contact->clearance = 1e6;
+  if (!contact) plant.first().contact->clearance = 1e6;
   return plant;
 }
 
@@ -105,7 +105,7 @@ Worker& worker_of(const Config& config, const mjModel* m) {
 bool remembers(const Config& config, const double* slot, const Coordinates& state) {
   const int n = config.model.nq();
   const double* q = VerletStepper::saved_q(slot);
-  const double clearance = config.model.contact->clearance;
+  const double clearance = config.model.first().contact->clearance;
   const auto near = [](double a, double b, double size) {
     return std::abs(a - b) <= 1e-6 * (std::abs(b) + size);
   };
@@ -146,8 +146,8 @@ void watch_the_ring(const Model& model, const mjModel* m, mjData* d, const Coord
   EscapeGuard guard(d->userdata);
   if (anew) guard.begin();
   // An impact that takes time goes deep.
-  if (!contact_enabled(m) || model.contact->impact_time() > 0.0) return;
-  const double clearance = model.contact->clearance;
+  if (!contact_enabled(m) || model.first().contact->impact_time() > 0.0) return;
+  const double clearance = model.first().contact->clearance;
   guard.watch(clearance - separation(model, state.q()).norm(), clearance, d->time);
 }
 
@@ -192,7 +192,7 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
   // The force follows the command, without a lag and not disabled.
   const bool asks = !lags(model) && actuation_enabled(m);
   Eigen::Vector2d mean{0.0, 0.0};
-  if (model.controller) {
+  if (model.first().controller) {
     mean = worker.hold.held();
     const double end = t + 0.5 * h;
     if (worker.hold.listens(end)) {
@@ -208,15 +208,15 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     }
     if (const std::string& why = worker.hold.failure(); !why.empty()) controller_failed(d, why);
     const Eigen::Vector2d held = worker.hold.held();
-    const Eigen::Vector2d told = model.magnets ? held : to_axes(held);
+    const Eigen::Vector2d told = model.first().magnets ? held : to_axes(held);
     for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
   }
   d->userdata[kHeldX] = mean.x();
   d->userdata[kHeldY] = mean.y();
   compute_actuators(m, d);
-  if (model.controller && asks) return mean;
+  if (model.first().controller && asks) return mean;
   const ActuatorState now = actuator_state(config, m, d);
-  return model.magnets && asks ? now.current : now.force;
+  return model.first().magnets && asks ? now.current : now.force;
 }
 
 void note(mjData* d, const FixedStep& r, double kick) {
@@ -260,7 +260,7 @@ int verlet_loop_data(const Config& config) {
   const Model& model = config.model;
   const Model plant = plant_of(model);
   const std::size_t hold = VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model);
-  const std::size_t loop = model.loop ? model.loop->memory_size() : 0;
+  const std::size_t loop = model.first().loop ? model.first().loop->memory_size() : 0;
   return config.verlet_data + kVerletSingle + model.nq() +
          static_cast<int>(slot_size(model, plant) + hold - loop);
 }

@@ -161,7 +161,7 @@ void map_own_contacts(const mjModel* m, Config& config) {
   if (!config.pairs.empty()) {
     // The first is the contact of a twin (plugin/twin), which has one.
     const ContactPair& first = config.pairs.front();
-    config.model.contact = first.contact;
+    config.model.first().contact = first.contact;
     config.contact = first.law;
     config.rotor_geom = first.rotor_geom;
     config.ring_geom = first.ring_geom;

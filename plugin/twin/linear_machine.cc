@@ -128,7 +128,7 @@ void fill_ring_drag(const mjData* start, Turned& turned, LinearMachine& machine)
 // How much a deflection of one clearance changes what is held constant.
 void fill_bent(const mjModel* m, const Config& config, Turned& turned, Probe& probe,
                LinearMachine& machine) {
-  const double clearance = config.model.contact->clearance;
+  const double clearance = config.model.first().contact->clearance;
   const VectorXd rest = VectorXd::Zero(m->nv);
   const MatrixXd relative = machine.rotor - machine.ring;
   const VectorXd scale = machine.mass.diagonal().cwiseSqrt().cwiseInverse();

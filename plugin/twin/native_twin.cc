@@ -41,7 +41,8 @@ class Maker {
     rotor_.force_shapes.push_back({VectorXd::Zero(n_), VectorXd::Zero(n_)});
     fill_plane(planes_.x, l.x(), 0, rotor_.x, rotor_.force_shapes[0].x);
     fill_plane(planes_.y, l.y(), 1, rotor_.y, rotor_.force_shapes[0].y);
-    rotor_.contact_shape = {planes_.x.contact, planes_.y.contact};
+    rotor_.contacts = {{planes_.x.contact, planes_.y.contact}};
+    rotor_.torsion = no_torsion(1);
     rotor_.gravity_x = rotor_.gravity_y = VectorXd::Zero(n_);
     rotor_.internal_xx = rotor_.internal_xy = rotor_.internal_yy = MatrixXd::Zero(n_, n_);
     const MatrixXd g = machine_.gyroscopic(planes_.x.dofs, planes_.y.dofs);
@@ -117,7 +118,7 @@ class Maker {
 
   void fill_ring(const Layout& l) {
     if (l.stator == 0) return;
-    scene::Stator& ring = twin_.scene.stator.emplace();
+    scene::Stator& ring = twin_.scene.first().stator.emplace();
     Eigen::Vector2d weight;
     for (int k = 0; k < 2; ++k) {
       const int dof = planes_.ring[static_cast<std::size_t>(k)];
@@ -158,7 +159,7 @@ class Maker {
                              "damping >= 0");
     }
     twin_.coordinates(l.ring_angle(), turn) = machine_.ring_turn.sense;
-    twin_.scene.stator->spin = scene::RingSpin{inertia, drag, 0.0};
+    twin_.scene.first().stator->spin = scene::RingSpin{inertia, drag, 0.0};
   }
 
   void fill_spin(const Layout& l) {
@@ -209,8 +210,8 @@ class Maker {
     scene::Scene& scene = twin_.scene;
     scene.run.step = m_->opt.timestep;
     scene.mujoco.contact = config_.contact;
-    const ContactParameters& c = *config_.model.contact;
-    scene::Contact& contact = scene.contact.emplace();
+    const ContactParameters& c = *config_.model.first().contact;
+    scene::Contact& contact = scene.first().contact.emplace();
     contact.radius = c.radius;
     contact.clearance = c.clearance;
     contact.friction = c.friction;
@@ -237,10 +238,10 @@ class Maker {
       scene.rotor.speed = v[l.phi()];
     }
     if (l.stator) {
-      initial.stator = q.segment<2>(l.ring());
-      initial.stator_velocity = v.segment<2>(l.ring());
+      scene.first().stator->position = q.segment<2>(l.ring());
+      scene.first().stator->velocity = v.segment<2>(l.ring());
     }
-    if (l.ring_spin) scene.stator->spin->speed = v[l.ring_angle()];
+    if (l.ring_spin) scene.first().stator->spin->speed = v[l.ring_angle()];
   }
 
   const mjModel* m_;

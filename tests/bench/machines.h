@@ -33,7 +33,7 @@ inline scene::Scene plain() {
   contact.clearance = 0.5e-3;
   contact.friction = 0.1;
   contact.restitution = 0.3;
-  s.contact = contact;
+  s.first().contact = contact;
   scene::Force force;
   force.kind = scene::ForceKind::kRotating;
   force.amplitude = 150.0;
@@ -71,7 +71,7 @@ inline std::vector<Part> parts() {
   };
   return {
       {"plain", with([](scene::Scene&) {})},
-      {"no_contact", with([](scene::Scene& s) { s.contact.reset(); })},
+      {"no_contact", with([](scene::Scene& s) { s.first().contact.reset(); })},
       {"second_force", with([](scene::Scene& s) {
          s.forces.push_back(s.forces[0]);
          s.forces[1].frequency = -200.0;
@@ -102,7 +102,7 @@ inline std::vector<Part> parts() {
          s.gravity = scene::Gravity{{0.0, -9.81}, {}};
        })},
       {"ring", with([](scene::Scene& s) {
-         s.stator = scene::Stator{{1.0, 1.0}, {200.0, 200.0}, {1e5, 1e5}};
+         s.first().stator = scene::Stator{{1.0, 1.0}, {200.0, 200.0}, {1e5, 1e5}};
        })},
       {"drive_linear", with(drive)},
       {"drive_kloss", with([](scene::Scene& s) {

@@ -58,7 +58,7 @@ void ensemble_steps(benchmark::State& state, const Model& model, scene::Integrat
   const std::int64_t steps = std::lround(0.1 / kStep);
   std::vector<Model> models(kRuns, model);
   for (std::size_t i = 0; i < kRuns; ++i) {
-    if (models[i].contact) models[i].contact->friction *= 1.0 + 0.01 * static_cast<double>(i);
+    if (models[i].first().contact) models[i].first().contact->friction *= 1.0 + 0.01 * static_cast<double>(i);
   }
   Ensemble ensemble(models, kStep, integrator, set);
   for (auto _ : state) benchmark::DoNotOptimize(ensemble.run(steps));

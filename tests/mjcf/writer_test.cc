@@ -167,7 +167,7 @@ restitution = 0.5
 TEST_F(Writer, ModeWithANodeAtTheContactHangsOnABranch) {
   const scene::Scene scene = parsed(kNode);
   const Model model = make_model(scene);
-  ASSERT_EQ(model.contact_shape.x[1], 0.0);
+  ASSERT_EQ(model.first().shape.x[1], 0.0);
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());
   std::vector<double> q(static_cast<std::size_t>(model.nq()));
@@ -221,8 +221,8 @@ TEST_F(Writer, RefusesWhatIsNotOffered) {
 // Sizes that overflow: MuJoCo would read another number than was written, or none.
 TEST_F(Writer, RefusesNumbersThatAreNotFinite) {
   scene::Scene scene = shipped("bench_ring");
-  scene.contact->clearance = 1e308;
-  scene.contact->radius = 1e308;
+  scene.first().contact->clearance = 1e308;
+  scene.first().contact->radius = 1e308;
   EXPECT_NE(refusal(scene).find("too large for MuJoCo"), std::string::npos) << refusal(scene);
   scene = shipped("bench_ring");
   scene.rotor.modal->stiffness[0] = std::numeric_limits<double>::quiet_NaN();

@@ -73,7 +73,7 @@ TEST_F(LibraryControllerTest, TheSameMeasurementsGiveTheSameCommandsToTheBit) {
     const ModelPointer m = load(mjcf(s));
     const DataPointer d = start(m.get());
     const plugin::Config config = plugin::make_config(m.get());
-    ASSERT_EQ(model.controller->state_size(), kRecordingState);
+    ASSERT_EQ(model.first().controller->state_size(), kRecordingState);
     // The law's state is the end of the loop's memory.
     std::vector<double> native(kRecordingState, 0.0);
     double counted = 0.0;
@@ -81,12 +81,12 @@ TEST_F(LibraryControllerTest, TheSameMeasurementsGiveTheSameCommandsToTheBit) {
     for (int k = 0; k < 1500; ++k) {
       mj_step(m.get(), d.get());
       const mjtNum* state =
-          d->userdata + config.loop_data + model.loop->memory_size() - kRecordingState;
+          d->userdata + config.loop_data + model.first().loop->memory_size() - kRecordingState;
       if (state[0] == counted) continue;
       counted = state[0];
       ++samples;
       const Eigen::Vector2d told =
-          model.controller->command(shown_of(state), {}, native.data());
+          model.first().controller->command(shown_of(state), {}, native.data());
       ASSERT_EQ(told.x(), state[kTold]) << contact << " " << k;
       ASSERT_EQ(told.y(), state[kTold + 1]) << contact << " " << k;
       for (std::size_t i = 0; i < kRecordingState; ++i) ASSERT_EQ(native[i], state[i]) << contact << " " << i;

@@ -38,7 +38,7 @@ inline NormalForce normal_force(const scene::Scene& scene, int steps) {
     sum += force;
     squares += force * force;
     if (force > 0.0) ++out.steps_in_contact;
-    EXPECT_NEAR(sensor(m.get(), d.get(), names::kFrictionForce), -scene.contact->friction * force,
+    EXPECT_NEAR(sensor(m.get(), d.get(), names::kFrictionForce), -scene.first().contact->friction * force,
                 1e-9 * force);
   }
   out.mean = sum / steps;

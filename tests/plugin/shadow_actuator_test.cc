@@ -29,7 +29,7 @@ TEST_F(Shadow, PassiveBearingFollowsTheUsersCommands) {
     mj_step(m.get(), d.get());
     const std::vector<double> now = shadow_of(config, d.get());
     ASSERT_TRUE(std::equal(now.begin(), now.begin() + config.model.nq(), native.q())) << k;
-    const double f1 = a, f2 = std::min(b, config.model.force_limit);
+    const double f1 = a, f2 = std::min(b, config.model.first().force_limit);
     constexpr double kRoot = 0.70710678118654752440;
     native.step(k, {kRoot * (f1 - f2), kRoot * (f1 + f2)});
     moved = std::max(moved, point(m.get(), d.get(), names::kShadowStator).norm());

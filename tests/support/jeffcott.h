@@ -27,13 +27,13 @@ inline scene::Scene make_scene(const Jeffcott& j) {
   contact.radius = j.radius;
   contact.friction = j.friction;
   contact.restitution = j.restitution;
-  s.contact = contact;
+  s.first().contact = contact;
   return s;
 }
 
 // The same on a ring of its own.
 inline void add_ring(scene::Scene& s, double mass, double damping, double stiffness) {
-  s.stator = scene::Stator{{mass, mass}, {damping, damping}, {stiffness, stiffness}};
+  s.first().stator = scene::Stator{{mass, mass}, {damping, damping}, {stiffness, stiffness}};
 }
 
 inline void add_rotating_force(scene::Scene& s, double amplitude, double frequency,

@@ -58,8 +58,8 @@ inline scene::Scene machine_scene(bool with_drive) {
   contact.clearance = 0.5e-3;
   contact.friction = 0.2;
   contact.restitution = 0.5;
-  s.contact = contact;
-  s.stator = scene::Stator{{1.5, 1.2}, {200.0, 150.0}, {1.0e5, 1.4e5}};
+  s.first().contact = contact;
+  s.first().stator = scene::Stator{{1.5, 1.2}, {200.0, 150.0}, {1.0e5, 1.4e5}};
   s.gravity = scene::Gravity{{0.5, -9.81}, {}};
   return s;
 }
@@ -79,7 +79,7 @@ inline Model machine(bool with_drive) {
   m.internal_xx = ModeMatrix(Eigen::Matrix2d{{15.0, 2.0}, {2.0, 8.0}});
   m.internal_yy = ModeMatrix(Eigen::Matrix2d{{14.0, 1.5}, {1.5, 9.0}});
   m.internal_xy = ModeMatrix(Eigen::Matrix2d{{14.5, 1.7}, {1.9, 8.5}});
-  m.admittance.setConstant(std::numeric_limits<double>::quiet_NaN());  // stale; not for use
+  m.first().admittance.setConstant(std::numeric_limits<double>::quiet_NaN());  // stale; not for use
   return m;
 }
 

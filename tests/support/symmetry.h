@@ -26,8 +26,8 @@ class Transformed {
     rotor(scene.rotor);
     if (scene.drive) drive(*scene.drive);
     for (std::size_t k = 0; k < scene.forces.size(); ++k) force(scene.forces[k], "force[" + std::to_string(k) + "].");
-    if (scene.contact) vector("contact.offset", scene.contact->offset);
-    if (scene.stator) stator(*scene.stator);
+    if (scene.first().contact) vector("contact.offset", scene.first().contact->offset);
+    if (scene.first().stator) stator(*scene.first().stator);
     if (scene.gravity) vector("gravity.acceleration", scene.gravity->acceleration);
     initial(scene);
   }
@@ -136,8 +136,10 @@ class Transformed {
     };
     lists("x", "y", initial.x, initial.y);
     lists("vx", "vy", initial.vx, initial.vy);
-    vector("initial.stator", initial.stator);
-    vector("initial.stator_velocity", initial.stator_velocity);
+    if (const auto& ring = scene.first().stator) {
+      vector("initial.stator", ring->position);
+      vector("initial.stator_velocity", ring->velocity);
+    }
     number("initial.spin_angle", direction(initial.spin_angle));
     if (!mirrored_) return;
     const auto turned_round = [&](const char* key, std::vector<double> values) {

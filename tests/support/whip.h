@@ -12,10 +12,10 @@ namespace rotorub::test {
 // Of an isotropic scene in modal form with one mode.
 inline oracle::ElasticWhip whip_of(const scene::Scene& s) {
   const scene::RotorModal& r = *s.rotor.modal;
-  const scene::Stator& ring = *s.stator;
+  const scene::Stator& ring = *s.first().stator;
   return {{r.mass[0], r.damping[0], r.stiffness[0]},
           {ring.mass.x(), ring.damping.x(), ring.stiffness.x()},
-          s.contact->clearance};
+          s.first().contact->clearance};
 }
 
 // The same, started on the backward whirl at nu, rad/s.
@@ -25,8 +25,8 @@ inline scene::Scene whirling(scene::Scene s, double nu) {
   s.initial.y = {w.rotor.imag()};
   s.initial.vx = {w.rotor_velocity.real()};
   s.initial.vy = {w.rotor_velocity.imag()};
-  s.initial.stator = {w.stator.real(), w.stator.imag()};
-  s.initial.stator_velocity = {w.stator_velocity.real(), w.stator_velocity.imag()};
+  s.first().stator->position = {w.stator.real(), w.stator.imag()};
+  s.first().stator->velocity = {w.stator_velocity.real(), w.stator_velocity.imag()};
   return s;
 }
 

@@ -84,12 +84,16 @@ py::dict impacts_dict(const Trajectory& t) {
                                                  &Impact::slip_before, &Impact::slip_after, &Impact::energy_change};
   py::dict all;
   std::size_t k = 0;
-  for (const ColumnMeaning& column : impact_columns()) {
+  for (const ColumnMeaning& column : impact_columns(false)) {
     std::vector<double> values;
     for (const Impact& impact : t.impacts) values.push_back(impact.*kMembers[k]);
     all[py::str(std::string(column.name))] = array_of(values);
     ++k;
   }
+  if (t.contacts < 2) return all;
+  std::vector<double> contacts;
+  for (const Impact& impact : t.impacts) contacts.push_back(impact.contact + 1.0);
+  all["contact"] = array_of(contacts);
   return all;
 }
 
@@ -108,6 +112,10 @@ py::dict events_dict(const Trajectory& t) {
   py::dict all;
   all["t"] = array_of(times);
   all["event"] = words_of(words, which);
+  if (t.contacts < 2) return all;
+  std::vector<double> contacts;
+  for (const Event& event : t.events) contacts.push_back(event.contact + 1.0);
+  all["contact"] = array_of(contacts);
   return all;
 }
 

@@ -77,12 +77,12 @@ class RunPacker {
   void add_places() {
     add_even("rotor", TrackKind::kHermite, columns({"rotor_x", "rotor_y"}),
              columns({"rotor_vx", "rotor_vy"}), place_tolerance(scene_));
-    if (scene_.stator || (scene_.contact && !scene_.contact->offset.isZero(0.0))) {
+    if (scene_.first().stator || (scene_.first().contact && !scene_.first().contact->offset.isZero(0.0))) {
       add_even("ring", TrackKind::kHermite, columns({"stator_x", "stator_y"}),
                columns({"stator_vx", "stator_vy"}), place_tolerance(scene_));
     }
-    if (scene_.contact) {
-      packed_["gap"] = pack(TrackKind::kHermite, gap_samples(run_, gap_tolerance(scene_.contact->clearance), kShare),
+    if (scene_.first().contact) {
+      packed_["gap"] = pack(TrackKind::kHermite, gap_samples(run_, gap_tolerance(scene_.first().contact->clearance), kShare),
                             run_.contact_model == "rigid");
     }
   }
@@ -128,7 +128,7 @@ class RunPacker {
   }
 
   void add_forces() {
-    if (scene_.contact) {
+    if (scene_.first().contact) {
       add_force("normal", {"normal_force"});
       add_force("friction", {"friction_force"});
     }
@@ -139,7 +139,7 @@ class RunPacker {
 
   // A knot where it changes.
   void add_mode() {
-    if (!scene_.contact) return;
+    if (!scene_.first().contact) return;
     const Values& mode = run_.column("mode");
     Samples samples;
     samples.value.resize(1);
@@ -153,7 +153,7 @@ class RunPacker {
   }
 
   void add_impacts() {
-    if (!scene_.contact) return;
+    if (!scene_.first().contact) return;
     Samples samples;
     samples.value.resize(2);
     for (const Impact& impact : counted_impacts(run_)) {
@@ -178,8 +178,8 @@ class RunPacker {
 }  // namespace
 
 double place_tolerance(const scene::Scene& scene) {
-  if (!scene.contact || scene.contact->clearance <= 0.0) return kPlaceTolerance;
-  return std::min(kPlaceTolerance, kClearanceShare * scene.contact->clearance);
+  if (!scene.first().contact || scene.first().contact->clearance <= 0.0) return kPlaceTolerance;
+  return std::min(kPlaceTolerance, kClearanceShare * scene.first().contact->clearance);
 }
 
 double gap_tolerance(double clearance) {

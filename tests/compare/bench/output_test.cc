@@ -36,7 +36,7 @@ SceneBench made_bench() {
               made_point("mujoco-rigid", 1e-4, 7e-7, 6e-3, "Euler"),
               failed_point("ode", 1e-4, Outcome::kDiverged, "it <flew> away")};
   b.points[3].limit_error = 3e-7;
-  b.levels = levels(b.points, b.engines, b.scene.contact->clearance, b.reference.error);
+  b.levels = levels(b.points, b.engines, b.scene.first().contact->clearance, b.reference.error);
   StabilityMap map;
   map.engines = {"mujoco-cone"};
   map.steps = {1e-4, 1e-5};

@@ -38,7 +38,7 @@ TEST_P(Shipped, IsAHundredTimesTighterThanTheFinestLevel) {
       << r.source;
   EXPECT_NE(r.source.find(GetParam().form), std::string::npos) << r.source;
   EXPECT_GT(r.error, 0.0) << "nothing is without error";
-  const double needed = kFinestLevel * scene.contact->clearance / kReferenceMargin;
+  const double needed = kFinestLevel * scene.first().contact->clearance / kReferenceMargin;
   EXPECT_LE(r.error, needed);
   // `event` and the closed forms vouch for each other.
   EXPECT_LE(r.event_distance, needed);

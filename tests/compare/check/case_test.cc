@@ -64,7 +64,7 @@ Case judged(const CheckEngine& engine, const std::vector<Rule>& rules, const Att
             const Trajectory* reference = nullptr) {
   scene::Scene scene;
   scene.name = "made_up";
-  scene.contact = scene::Contact{.radius = 0.05, .clearance = 0.5e-3};
+  scene.first().contact = scene::Contact{.radius = 0.05, .clearance = 0.5e-3};
   return judge(scene, engine, rules, attempt, reference);
 }
 

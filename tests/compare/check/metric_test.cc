@@ -17,7 +17,7 @@ using test::Row;
 
 scene::Scene in_a_ring() {
   scene::Scene scene;
-  scene.contact = scene::Contact{.radius = 0.05, .clearance = 0.5e-3, .friction = 0.2};
+  scene.first().contact = scene::Contact{.radius = 0.05, .clearance = 0.5e-3, .friction = 0.2};
   return scene;
 }
 

@@ -58,10 +58,10 @@ Exact exact(const scene::Scene& s) {
   if (s.name == "bench_whip") return {244.8444, -501.9257};  // tests/native_model/oracles: where the whirl ends
   const scene::RotorModal& m = *s.rotor.modal;
   const oracle::Support rotor{m.mass[0], m.damping[0], m.stiffness[0]};
-  const double c = s.contact->clearance, mu = s.contact->friction;
+  const double c = s.first().contact->clearance, mu = s.first().contact->friction;
   const double load = s.forces[0].amplitude, frequency = s.forces[0].frequency;
-  if (!s.stator) return {oracle::annular_rub(rotor, c, mu, load, frequency).value().force, frequency};
-  const oracle::Support ring{s.stator->mass.x(), s.stator->damping.x(), s.stator->stiffness.x()};
+  if (!s.first().stator) return {oracle::annular_rub(rotor, c, mu, load, frequency).value().force, frequency};
+  const oracle::Support ring{s.first().stator->mass.x(), s.first().stator->damping.x(), s.first().stator->stiffness.x()};
   return {oracle::annular_rub(rotor, ring, c, mu, load, frequency).value().force, frequency};
 }
 
@@ -80,7 +80,7 @@ TEST(ConeCoulomb, KeepsARubWithTheRightForce) {
     const scene::Scene scene = shipped(name);
     const Rubbing r = rubbing(scene, scene::ContactModel::kConeCoulomb, 1e-5);
     expect_near(r, exact(scene), 2e-3);
-    EXPECT_NEAR(std::abs(r.friction), scene.contact->friction, 1e-5);
+    EXPECT_NEAR(std::abs(r.friction), scene.first().contact->friction, 1e-5);
   }
 }
 
@@ -103,10 +103,10 @@ TEST(ConeCoulomb, CarriesWhatTheControllerAsksFor) {
 // Theory.md (48), of a rub that circles at the exact whirl with gap 0; the ring's friction opposes the spin.
 double border(const scene::Scene& s, double step) {
   const Exact rub = exact(s);
-  const double c = s.contact->clearance, speed = rub.whirl * c;
-  const double slip = s.contact->radius * s.rotor.speed + speed;
+  const double c = s.first().contact->clearance, speed = rub.whirl * c;
+  const double slip = s.first().contact->radius * s.rotor.speed + speed;
   const double damping = soft_contact(s, scene::ContactModel::kCone, step).damping;
-  return speed * speed / c * (1.0 - 0.5 * damping * step) / (s.contact->friction * std::abs(slip));
+  return speed * speed / c * (1.0 - 0.5 * damping * step) / (s.first().contact->friction * std::abs(slip));
 }
 
 // The border of a constant friction reference, 19.7/s for the ring and 20.4/s for the whip: shut below, open above.

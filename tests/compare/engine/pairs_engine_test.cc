@@ -31,7 +31,7 @@ Convergence converge(const scene::Scene& scene, const Trajectory& exact) {
     EXPECT_EQ(t.status, Status::kOk) << scene.name << " at 1/" << n << " ms: " << t.message;
     if (t.status != Status::kOk || t.rows() != exact.rows()) continue;
     c.steps.push_back(1e-3 / n);
-    c.errors.push_back(trajectory_error(t, exact, scene.contact->radius));
+    c.errors.push_back(trajectory_error(t, exact, scene.first().contact->radius));
   }
   return c.above(kFloor);
 }

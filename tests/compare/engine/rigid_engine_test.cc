@@ -39,7 +39,7 @@ TEST(RigidEngine, KnowsTheStateOfAPartThatWeighsLittle) {
       const Trajectory native = run_with(scene, scene::Integrator::kVerlet), t = rigid(scene, 1e-5);
       ASSERT_EQ(t.status, Status::kOk) << part << ": " << t.message;
       EXPECT_EQ(counted(t), counted(native)) << part;
-      EXPECT_LT(trajectory_error(t, native, scene.contact->radius), 1e-11) << part;
+      EXPECT_LT(trajectory_error(t, native, scene.first().contact->radius), 1e-11) << part;
     }
   }
 }

@@ -40,8 +40,8 @@ TEST(TouchdownEngine, RigidIsVerletUpToAndOverTheTouch) {
   const Trajectory rigid = mujoco_run(scene, scene::ContactModel::kRigid, kStep);
   ASSERT_FALSE(exact.impacts.empty());
   ASSERT_FALSE(rigid.impacts.empty());
-  EXPECT_LT(rotor_error(rigid, verlet), 1e-9 * scene.contact->clearance);
-  EXPECT_LT(rotor_error(rigid, exact), 1e-3 * scene.contact->clearance);
+  EXPECT_LT(rotor_error(rigid, verlet), 1e-9 * scene.first().contact->clearance);
+  EXPECT_LT(rotor_error(rigid, exact), 1e-3 * scene.first().contact->clearance);
   EXPECT_NEAR(rigid.impacts[0].t, exact.impacts[0].t, kStep);
   const auto &a = rigid.column("bearing_current_y"), &b = verlet.column("bearing_current_y");
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-6) << k;
@@ -70,7 +70,7 @@ TEST(TouchdownEngine, TheIntegratorIsTheSameInMujoco) {
   const Trajectory exact = native(scene, scene::Integrator::kEvent);
   const Trajectory verlet = native(scene, scene::Integrator::kVerlet);
   const Trajectory rigid = mujoco_run(scene, scene::ContactModel::kRigid, kStep);
-  EXPECT_LT(rotor_error(rigid, verlet), 1e-9 * scene.contact->clearance);
+  EXPECT_LT(rotor_error(rigid, verlet), 1e-9 * scene.first().contact->clearance);
   EXPECT_LT(rotor_error(rigid, exact), 1e-6);
   const double coarse = rotor_error(mujoco_run(scene, scene::ContactModel::kCoulomb, 1e-5), exact);
   const double fine = rotor_error(mujoco_run(scene, scene::ContactModel::kCoulomb, 2.5e-6), exact);
@@ -94,7 +94,7 @@ TEST(TouchdownEngine, SegmentsFallAsTheModesDo) {
   const Trajectory exact = native(scene, scene::Integrator::kEvent);
   const Trajectory segments = mujoco_run(scene, scene::ContactModel::kRigid, 2e-6);
   EXPECT_GT(std::abs(exact.column("rotor_y").back()), 1e-4);
-  EXPECT_LT(rotor_error(segments, exact), 0.03 * scene.contact->clearance);
+  EXPECT_LT(rotor_error(segments, exact), 0.03 * scene.first().contact->clearance);
 }
 
 }  // namespace

@@ -27,13 +27,13 @@ struct Rub {
 Rub rub() {
   const scene::Scene plain = shipped("bench_annular_elastic");
   const scene::RotorModal& m = *plain.rotor.modal;
-  const scene::Stator& ring = *plain.stator;
+  const scene::Stator& ring = *plain.first().stator;
   const auto exact = oracle::annular_rub(
       {m.mass[0], m.damping[0], m.stiffness[0]},
-      {ring.mass.x(), ring.damping.x(), ring.stiffness.x()}, plain.contact->clearance,
-      plain.contact->friction, plain.forces[0].amplitude, plain.forces[0].frequency);
+      {ring.mass.x(), ring.damping.x(), ring.stiffness.x()}, plain.first().contact->clearance,
+      plain.first().contact->friction, plain.forces[0].amplitude, plain.forces[0].frequency);
   const double torque =
-      plain.contact->friction * exact.value().force * (plain.contact->radius + plain.contact->clearance);
+      plain.first().contact->friction * exact.value().force * (plain.first().contact->radius + plain.first().contact->clearance);
   const std::string spin = "stator.spin={inertia=" + std::to_string(kInertia) +
                            ",drag=" + std::to_string(torque / 60.0) +
                            ",speed=" + std::to_string(kStart) + "}";
@@ -42,8 +42,8 @@ Rub rub() {
 }
 
 double largest_miss(const Rub& r, const Trajectory& t) {
-  const oracle::TurningRing ring{kInertia, r.scene.stator->spin->drag,
-                                 r.scene.contact->radius + r.scene.contact->clearance};
+  const oracle::TurningRing ring{kInertia, r.scene.first().stator->spin->drag,
+                                 r.scene.first().contact->radius + r.scene.first().contact->clearance};
   double most = 0.0;
   for (std::size_t k = 0; k < t.rows(); ++k) {
     const double exact = oracle::ring_speed(ring, r.torque, kStart, t.column("t")[k]);

@@ -60,7 +60,7 @@ const Trajectory& ring_by_event() {
   return t;
 }
 
-std::optional<Apart> on_the_ring(const Trajectory& t) { return between(t, ring_by_event(), ring().contact->clearance); }
+std::optional<Apart> on_the_ring(const Trajectory& t) { return between(t, ring_by_event(), ring().first().contact->clearance); }
 
 std::optional<Apart> peer_on_the_ring(const std::string& name) {
   for (const peers::Peer& peer : peers::all_peers()) {
@@ -80,11 +80,11 @@ auto mujoco_on_the_ring(scene::ContactModel contact) {
 std::optional<Apart> event_and_whip() {
   const scene::Scene scene = shipped("bench_whip");
   const oracle::ElasticWhip whip = whip_of(scene);
-  const double nu = whip.slipping_whips(scene.contact->friction).at(1);
+  const double nu = whip.slipping_whips(scene.first().contact->friction).at(1);
   const Trajectory t = run_event(scene);
   const oracle::CircularWhirl exact = whip.whirl(nu);
   const double size = std::hypot(t.column("rotor_x").back(), t.column("rotor_y").back());
-  return Apart{std::abs(size - std::abs(exact.rotor)) / scene.contact->clearance,
+  return Apart{std::abs(size - std::abs(exact.rotor)) / scene.first().contact->clearance,
                std::abs(t.column("normal_force").back() / exact.force - 1.0)};
 }
 
@@ -96,13 +96,13 @@ std::optional<Apart> segments_and_event() {
   const Trajectory bodies = mujoco(scene, scene::ContactModel::kRigid), native = run_event(scene);
   const double size = std::hypot(native.column("rotor_x").back(), native.column("rotor_y").back());
   const double other = std::hypot(bodies.column("rotor_x").back(), bodies.column("rotor_y").back());
-  return Apart{std::abs(other - size) / scene.contact->clearance,
+  return Apart{std::abs(other - size) / scene.first().contact->clearance,
                std::abs(bodies.mean_force() / native.mean_force() - 1.0)};
 }
 
 std::optional<Apart> rigid_and_verlet() {
   const Trajectory native = run_with(ring(), scene::Integrator::kVerlet, kStep);
-  return between(mujoco(ring(), scene::ContactModel::kRigid), native, ring().contact->clearance);
+  return between(mujoco(ring(), scene::ContactModel::kRigid), native, ring().first().contact->clearance);
 }
 
 // ---------------------------------------------------------------- the table; a contact model more is a line more

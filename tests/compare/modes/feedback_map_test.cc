@@ -70,18 +70,18 @@ TEST(FeedbackMap, ItsKeysAreAScenes) {
   ASSERT_EQ(overrides.size(), 2U);
   const scene::Scene read =
       scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/paper_cross_coupled.toml", overrides);
-  EXPECT_EQ(read.controller->feedback, std::vector<double>{300.0});
-  ASSERT_EQ(read.controller->feedback_speed.size(), 1U);
-  EXPECT_NEAR(read.controller->feedback_speed[0], 100.0, 0.05);
+  EXPECT_EQ(read.first().controller->feedback, std::vector<double>{300.0});
+  ASSERT_EQ(read.first().controller->feedback_speed.size(), 1U);
+  EXPECT_NEAR(read.first().controller->feedback_speed[0], 100.0, 0.05);
 }
 
 // At each of its speeds the shipped k makes the rub decay nearly as fast as the best of a grid.
 TEST(FeedbackMap, TheShippedScenesFollowTheRule) {
   const scene::Scene scene = shipped("paper_cross_coupled");
-  EXPECT_EQ(scene.controller->feedback, shipped("paper_two_phase").controller->feedback);
+  EXPECT_EQ(scene.first().controller->feedback, shipped("paper_two_phase").first().controller->feedback);
   const rub::RubSystem system = rub::rub_system(scene);
-  for (std::size_t i = 0; i < scene.controller->feedback.size(); ++i) {
-    const std::vector<double> speed{scene.controller->feedback_speed[i]};
+  for (std::size_t i = 0; i < scene.first().controller->feedback.size(); ++i) {
+    const std::vector<double> speed{scene.first().controller->feedback_speed[i]};
     const auto best = [&](const std::vector<double>& feedbacks) {
       const rub::FeedbackMap map = rub::feedback_map(system, speed, feedbacks);
       const auto choice = map.rule()[0];
@@ -91,7 +91,7 @@ TEST(FeedbackMap, TheShippedScenesFollowTheRule) {
     for (int k = 0; k <= 25; ++k) grid.push_back(100.0 * k);
     const double growth = best(grid);
     ASSERT_LT(growth, 0.0) << i;
-    EXPECT_LE(best({scene.controller->feedback[i]}), 0.9 * growth) << i;
+    EXPECT_LE(best({scene.first().controller->feedback[i]}), 0.9 * growth) << i;
   }
 }
 

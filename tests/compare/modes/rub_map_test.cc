@@ -70,7 +70,7 @@ TEST(RubAnalyses, SaysWhyThereAreNone) {
   EXPECT_TRUE(rubs.at.empty());
   EXPECT_NE(rubs.refused.find("controller.kind"), std::string::npos) << rubs.refused;
   scene::Scene open = shipped("bench_whip");
-  open.contact.reset();
+  open.first().contact.reset();
   EXPECT_EQ(analyse_rubs(open, {100.0}).refused, "");
 }
 

@@ -92,7 +92,7 @@ void expect_shaft(const Packed& p) {
 
 void expect_gap(const Packed& p) {
   const UnpackedTrack unpacked(p.tracks.at("gap"));
-  const double least = std::min(30e-9, 6e-5 * p.scene.contact->clearance);
+  const double least = std::min(30e-9, 6e-5 * p.scene.first().contact->clearance);
   const auto& t = p.run.column("t");
   for (std::size_t i = 0; i < t.size(); ++i) {
     const double gap = p.run.column("gap")[i];
@@ -108,7 +108,7 @@ void expect_modes(const Packed& p) {
 
 void expect_all(const Packed& p) {
   expect_places(p, "rotor", "rotor_x", "rotor_y");
-  if (p.scene.stator) expect_places(p, "ring", "stator_x", "stator_y");
+  if (p.scene.first().stator) expect_places(p, "ring", "stator_x", "stator_y");
   if (p.scene.rotor.geometry) expect_shaft(p);
   expect_gap(p);
   expect_modes(p);
@@ -185,7 +185,7 @@ TEST(PackedRun, ShowsBouncesBetweenRows) {
   request.output_times = output_times(scene.run);
   const Packed p = packed(scene, native_engine(scene::Integrator::kEvent)->run(scene, request));
   const UnpackedTrack gap(p.tracks.at("gap"));
-  const double fine = gap_tolerance(p.scene.contact->clearance);
+  const double fine = gap_tolerance(p.scene.first().contact->clearance);
   std::size_t arcs = 0;
   for (std::size_t i = 0; i + 1 < p.run.impacts.size(); ++i) {
     const Impact &a = p.run.impacts[i], &b = p.run.impacts[i + 1];
@@ -208,14 +208,14 @@ TEST(PackedRun, NeverPenetratesBetweenRowsOfTheRigidLaw) {
   const UnpackedTrack gap(p.tracks.at("gap"));
   double least = 0.0;
   for (double t = 0.0; t < 0.115; t += 1e-6) least = std::min(least, gap.at(t, 0));
-  EXPECT_GE(least, -gap_tolerance(scene.contact->clearance));
+  EXPECT_GE(least, -gap_tolerance(scene.first().contact->clearance));
   expect_gap(p);
 }
 
 TEST(PackedRun, HasNothingThatTheSceneHasNot) {
   const scene::Scene billiard = test::shipped("bench_billiard", {"run.end=0.02"});
   const Packed p = packed_run(*native_engine(scene::Integrator::kEvent), billiard);
-  ASSERT_FALSE(billiard.stator);
+  ASSERT_FALSE(billiard.first().stator);
   for (const char* name : {"ring", "bend_1", "control", "current", "torsion", "ring_spin", "motor_torque"}) {
     EXPECT_FALSE(p.tracks.contains(name)) << name;
   }

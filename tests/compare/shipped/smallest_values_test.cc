@@ -107,7 +107,7 @@ TEST_P(LongSmallestValues, RunAlikeOrSayWhyNot) {
       }
     }
     const auto ended = [&](std::size_t i) { return runs[i] && runs[i]->status == Status::kOk; };
-    const double clearance = scene->contact->clearance;
+    const double clearance = scene->first().contact->clearance;
     // Of two starts that differ by some units in the last place: beyond it nobody can follow.
     const auto scatter = [&](std::size_t i) {
       return rotor_error(*runs[i], *run(all_engines[i], GetParam(), overrides, 8));

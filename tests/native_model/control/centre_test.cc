@@ -62,7 +62,7 @@ TEST(TrackingAtTheCentre, SampledLawsLetGo) {
     const scene::Scene scene = passing(p);
     const Trajectory t = test::run_with(scene, scene::Integrator::kVerlet, 1e-5);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
-    EXPECT_LT(held_at_the_centre(t, scene.contact->clearance), 0.01) << p.x << " " << p.vx;
+    EXPECT_LT(held_at_the_centre(t, scene.first().contact->clearance), 0.01) << p.x << " " << p.vx;
   }
 }
 

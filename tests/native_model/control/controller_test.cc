@@ -21,8 +21,8 @@ namespace {
 
 scene::Scene with_controller(scene::ControllerKind kind) {
   scene::Scene s = test::machine_scene(true);
-  s.controller = scene::Controller{};
-  s.controller->kind = kind;
+  s.first().controller = scene::Controller{};
+  s.first().controller->kind = kind;
   return s;
 }
 
@@ -30,12 +30,12 @@ TEST(MakeController, PassiveWithoutEmulationIsNone) {
   EXPECT_EQ(make_controller(test::machine_scene(true), {}), nullptr);
   const scene::Scene s = with_controller(scene::ControllerKind::kPassive);
   EXPECT_EQ(make_controller(s, {}), nullptr);
-  EXPECT_EQ(make_model(s).controller, nullptr) << "and costs nothing";
+  EXPECT_EQ(make_model(s).first().controller, nullptr) << "and costs nothing";
 }
 
 TEST(MakeController, OneOfItsKind) {
   scene::Scene s = with_controller(scene::ControllerKind::kPassive);
-  s.controller->stiffness = 1.0;
+  s.first().controller->stiffness = 1.0;
   EXPECT_NE(dynamic_cast<const EmulatedSupport*>(make_controller(s, {}).get()), nullptr);
   s = with_controller(scene::ControllerKind::kSliding);
   const auto sliding = make_controller(s, {});
@@ -45,11 +45,11 @@ TEST(MakeController, OneOfItsKind) {
 
 TEST(EmulatedSupport, IsTheMechanicalOneAddedThroughTheActuator) {
   scene::Scene emulated = with_controller(scene::ControllerKind::kPassive);
-  emulated.controller->stiffness = 5e4;
-  emulated.controller->damping = 120.0;
+  emulated.first().controller->stiffness = 5e4;
+  emulated.first().controller->damping = 120.0;
   scene::Scene mechanical = test::machine_scene(true);
-  mechanical.stator->stiffness += Eigen::Vector2d(5e4, 5e4);
-  mechanical.stator->damping += Eigen::Vector2d(120.0, 120.0);
+  mechanical.first().stator->stiffness += Eigen::Vector2d(5e4, 5e4);
+  mechanical.first().stator->damping += Eigen::Vector2d(120.0, 120.0);
   const Model a = make_model(emulated), b = make_model(mechanical);
   const State s = test::random_state(a, 70);
   const Eigen::Vector2d u = control_command(a, s.t, s.q.data(), s.v.data());
@@ -61,10 +61,10 @@ TEST(EmulatedSupport, IsTheMechanicalOneAddedThroughTheActuator) {
 
 TEST(EmulatedSupport, ActsWithoutAContactToo) {
   scene::Scene s = with_controller(scene::ControllerKind::kPassive);
-  s.controller->stiffness = 5e4;
-  s.contact.reset();
+  s.first().controller->stiffness = 5e4;
+  s.first().contact.reset();
   const Model m = make_model(s);
-  ASSERT_NE(m.controller, nullptr);
+  ASSERT_NE(m.first().controller, nullptr);
   State state = test::random_state(m, 71);
   state.q.segment<2>(m.layout.ring()) = Eigen::Vector2d(1e-3, -2e-3);
   const Eigen::Vector2d u = control_command(m, 0.0, state.q.data(), state.v.data());
@@ -75,11 +75,11 @@ TEST(EmulatedSupport, ActsWithoutAContactToo) {
 scene::Scene sampled_scene(scene::Integrator integrator) {
   scene::Scene s = test::make_scene({.stiffness = 2e5});
   test::add_ring(s, 1.0, 20.0, 1e5);
-  s.initial.stator = {1e-4, 2e-4};
-  s.controller = scene::Controller{};
-  s.controller->stiffness = 1e5;
-  s.controller->on = 0.004;
-  s.controller->sample_time = 1e-3;
+  s.first().stator->position = {1e-4, 2e-4};
+  s.first().controller = scene::Controller{};
+  s.first().controller->stiffness = 1e5;
+  s.first().controller->on = 0.004;
+  s.first().controller->sample_time = 1e-3;
   s.run.end = 0.012;
   s.run.step = 1e-5;
   s.run.integrator = integrator;
@@ -116,7 +116,7 @@ TEST(SampledController, BothIntegratorsStartAtTheSameInstant) {
   // Switched on between two samples.
   scene::Scene paper = sampled_scene(scene::Integrator::kPaper),
                event = sampled_scene(scene::Integrator::kEvent);
-  paper.controller->on = event.controller->on = 0.0043;
+  paper.first().controller->on = event.first().controller->on = 0.0043;
   EXPECT_NEAR(first_command(run_native(paper)), first_command(run_native(event)), 1.01e-4);
 }
 
@@ -127,10 +127,10 @@ TEST(SlidingController, LastingContactCarriesThePreload) {
   test::add_ring(s, 1.5, 300.0, 2e5);
   test::add_rotating_force(s, 60.0, 300.0);
   s.rotor.speed = 300.0;
-  s.controller = scene::Controller{};
-  s.controller->kind = scene::ControllerKind::kSliding;
-  s.controller->on = 0.02;
-  s.controller->preload = 20.0;
+  s.first().controller = scene::Controller{};
+  s.first().controller->kind = scene::ControllerKind::kSliding;
+  s.first().controller->on = 0.02;
+  s.first().controller->preload = 20.0;
   s.initial.x = {4e-4};
   s.run.end = 0.2;
   s.run.integrator = scene::Integrator::kEvent;
@@ -168,7 +168,7 @@ TEST(SlidingController, ForceDoesNotHangOnTheModesOfItsPlant) {
   for (const int modes : {2, 6, 10}) {
     SCOPED_TRACE(modes);
     const Trajectory t = rig_with(modes);
-    const double preload = sliding_rig().controller->preload;
+    const double preload = sliding_rig().first().controller->preload;
     EXPECT_NEAR(t.mean_force(), preload, 0.03 * preload);
     EXPECT_LT(time_apart(t), 1e-3) << "it bounces for a moment, then stays";
     EXPECT_LT(std::count_if(t.impacts.begin(), t.impacts.end(), counts), 12);

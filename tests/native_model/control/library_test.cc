@@ -85,9 +85,9 @@ void expect_said(const std::string& said, const std::vector<std::string>& words)
 
 TEST(Library, TellsItsStateAndIsAskedOnceASample) {
   const Model m = make_model(read("faulty_controller.so"));
-  ASSERT_NE(m.loop, nullptr);
-  EXPECT_EQ(m.controller->state_size(), 3u);
-  std::vector<double> memory(m.loop->memory_size(), 0.0);
+  ASSERT_NE(m.first().loop, nullptr);
+  EXPECT_EQ(m.first().controller->state_size(), 3u);
+  std::vector<double> memory(m.first().loop->memory_size(), 0.0);
   const State s = initial_state(m);
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector2d u =
@@ -202,7 +202,7 @@ TEST(LibraryPath, IsLookedUpInTheFoldersOfTheVariable) {
   s.folder.reset();
   const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere:" + kLibraries.string());
   EXPECT_EQ(controller_library(s), kLibraries / "faulty_controller.so");
-  s.controller->library = "nowhere.so";
+  s.first().controller->library = "nowhere.so";
   expect_said(refusal(s), {"not found", "/nowhere/nowhere.so", (kLibraries / "nowhere.so").string()});
 }
 
@@ -285,7 +285,7 @@ TEST(PythonController, CommandsWhatItsLawSays) {
   const Model m = make_model(read("python_controller.so",
                                   "module = \"tracking_law\"\npath = \"" + examples +
                                       "\"\nstiffness = 2e5\ndamping = 300\n"));
-  std::vector<double> memory(m.loop->memory_size(), 0.0);
+  std::vector<double> memory(m.first().loop->memory_size(), 0.0);
   Eigen::VectorXd q = Eigen::VectorXd::Zero(m.nq()), v = q;
   const int ring = m.layout.ring();
   for (int k = 0; k < 4; ++k) {

@@ -33,14 +33,14 @@ scene::Scene plain_scene() {
   modal.gyroscopic = {0.05, -0.02};
   modal.internal_damping = {5.0, 0.0};
   s.rotor.modal = modal;
-  s.contact = scene::Contact{};
-  s.contact->radius = 0.05;
-  s.contact->clearance = 0.01;
-  s.stator = scene::Stator{};
-  s.stator->mass = {1.5, 1.5};
-  s.stator->damping = {30.0, 30.0};
-  s.stator->stiffness = {2e5, 2e5};
-  s.controller = scene::Controller{};
+  s.first().contact = scene::Contact{};
+  s.first().contact->radius = 0.05;
+  s.first().contact->clearance = 0.01;
+  s.first().stator = scene::Stator{};
+  s.first().stator->mass = {1.5, 1.5};
+  s.first().stator->damping = {30.0, 30.0};
+  s.first().stator->stiffness = {2e5, 2e5};
+  s.first().controller = scene::Controller{};
   s.run.end = 0.02;
   s.run.output_step = 1e-3;
   return s;
@@ -68,8 +68,8 @@ TEST(CrossCoupled, DoesNoWorkAndTurnsWithTheSpin) {
 // z'' m + (d + i k) z' + K z = 0: the ring's two whirls, each with its own decay.
 TEST(CrossCoupled, RingDecaysAsItsClosedLoopPoles) {
   scene::Scene s = plain_scene();
-  s.controller->kind = scene::ControllerKind::kCrossCoupled;
-  s.controller->feedback = {900.0};
+  s.first().controller->kind = scene::ControllerKind::kCrossCoupled;
+  s.first().controller->feedback = {900.0};
   const rub::RubSystem system = rub::rub_system(s);
   const auto poles = rub::ring_eigenvalues(system);
   ASSERT_EQ(poles.size(), 2u);
@@ -77,8 +77,8 @@ TEST(CrossCoupled, RingDecaysAsItsClosedLoopPoles) {
     EXPECT_LT(std::abs(1.5 * p * p + Complex(30.0, 900.0) * p + 2e5), 1e-6);
     // Released in that whirl: z = a e^{p t}.
     const double a = 1e-4;
-    s.initial.stator = {a, 0.0};
-    s.initial.stator_velocity = {a * p.real(), a * p.imag()};
+    s.first().stator->position = {a, 0.0};
+    s.first().stator->velocity = {a * p.real(), a * p.imag()};
     const Trajectory t = run_native(s);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     const Complex wanted = a * std::exp(p * s.run.end);
@@ -96,13 +96,13 @@ TEST(TrackingPd, ErrorDecaysAsItsClosedLoopPoles) {
   s.rotor.modal->mass = {1e12, 1e12};  // at rest
   s.rotor.modal->damping = {0.0, 0.0};
   s.rotor.modal->stiffness = {1e-6, 1e-6};
-  s.controller->kind = scene::ControllerKind::kPd;
-  s.controller->stiffness = 4e5;
-  s.controller->damping = 500.0;
-  s.controller->preload = 0.0;
-  s.controller->gap_time = 1e6;
+  s.first().controller->kind = scene::ControllerKind::kPd;
+  s.first().controller->stiffness = 4e5;
+  s.first().controller->damping = 500.0;
+  s.first().controller->preload = 0.0;
+  s.first().controller->gap_time = 1e6;
   s.initial.x = {0.5e-3, 0.5e-3};
-  s.initial.stator = {2e-4, 0.0};
+  s.first().stator->position = {2e-4, 0.0};
   s.run.end = 0.006;
   const Trajectory t = run_native(s);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
@@ -122,8 +122,8 @@ TEST(TrackingPd, ErrorDecaysAsItsClosedLoopPoles) {
 
 scene::Scene quadratic_scene(scene::ControllerKind kind) {
   scene::Scene s = plain_scene();
-  s.controller->kind = kind;
-  s.controller->sample_time = 1e-4;
+  s.first().controller->kind = kind;
+  s.first().controller->sample_time = 1e-4;
   s.run.output_step = 1e-4;
   return s;
 }
@@ -131,7 +131,7 @@ scene::Scene quadratic_scene(scene::ControllerKind kind) {
 TEST(LinearPlant, IsTheModelWithoutContact) {
   const scene::Scene s = quadratic_scene(scene::ControllerKind::kPassive);
   const Model m = make_model(s);
-  const LinearPlant p = plant_of(m, s.rotor.speed);
+  const LinearPlant p = plant_of(m, 0, s.rotor.speed);
   ASSERT_EQ(p.a.rows(), 12);
   Eigen::VectorXd q = Eigen::VectorXd::Random(m.nq()), v = Eigen::VectorXd::Random(m.nq());
   Eigen::VectorXd f(m.nq()), x(12);
@@ -153,9 +153,9 @@ TEST(LinearPlant, IsTheModelWithoutContact) {
 TEST(Lqr, ARunIsItsClosedLoop) {
   scene::Scene s = quadratic_scene(scene::ControllerKind::kLqr);
   s.initial.x = {1e-4, 2e-5};
-  s.initial.stator = {-1e-4, 5e-5};
+  s.first().stator->position = {-1e-4, 5e-5};
   const Model m = make_model(s);
-  const QuadraticDesign d = quadratic_design(s, plant_of(m, s.rotor.speed));
+  const QuadraticDesign d = quadratic_design(s, plant_of(m, 0, s.rotor.speed));
   Eigen::VectorXd x(12);
   x << m.q0, m.v0;
   const Trajectory t = run_native(s);
@@ -172,9 +172,9 @@ TEST(Lqg, ARunIsItsClosedLoopAndTheEstimateComesToTheState) {
   scene::Scene s = quadratic_scene(scene::ControllerKind::kLqg);
   s.run.end = 0.05;
   s.initial.x = {1e-4, 2e-5};
-  s.initial.stator = {-1e-4, 5e-5};
+  s.first().stator->position = {-1e-4, 5e-5};
   const Model m = make_model(s);
-  const QuadraticDesign d = quadratic_design(s, plant_of(m, s.rotor.speed));
+  const QuadraticDesign d = quadratic_design(s, plant_of(m, 0, s.rotor.speed));
   Eigen::VectorXd x(12), guess = Eigen::VectorXd::Zero(12);
   x << m.q0, m.v0;
   double furthest = 0.0;
@@ -195,11 +195,11 @@ TEST(Lqg, ARunIsItsClosedLoopAndTheEstimateComesToTheState) {
 TEST(LqrLqg, StandAboutTheRotorWhereTheRingIsOffset) {
   for (const scene::ControllerKind kind : {scene::ControllerKind::kLqr, scene::ControllerKind::kLqg}) {
     scene::Scene s = quadratic_scene(kind);
-    s.contact->offset = {2e-4, -1e-4};
+    s.first().contact->offset = {2e-4, -1e-4};
     s.run.end = 1.0;
     const Trajectory t = run_native(s);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
-    EXPECT_NEAR(t.column("gap").back(), s.contact->clearance, 1e-9);
+    EXPECT_NEAR(t.column("gap").back(), s.first().contact->clearance, 1e-9);
     EXPECT_NEAR(t.column("control_x").back(), -2e5 * 2e-4, 1e-3);
     EXPECT_NEAR(t.column("control_y").back(), 2e5 * 1e-4, 1e-3);
   }
@@ -219,7 +219,7 @@ TEST(Lqr, KeepsTheRingAboutTheRotor) {
     return *std::min_element(gap.end() - 1000, gap.end());
   };
   scene::Scene none = s;
-  none.controller->kind = scene::ControllerKind::kPassive;
+  none.first().controller->kind = scene::ControllerKind::kPassive;
   const double without = 0.01 - least(none), with = 0.01 - least(s);
   EXPECT_LT(with, 0.7 * without) << "rotor and ring move apart less";
 }

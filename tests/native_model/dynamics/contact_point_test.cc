@@ -76,12 +76,12 @@ TEST(ContactLoad, DoesTheVirtualPowerOfGapRateAndSlip) {
       const ContactPoint p = contact_point(m, s.q.data(), v.data());
       const auto power = [&](double normal, double friction) {
         Eigen::VectorXd f = Eigen::VectorXd::Zero(m.nq());
-        add_contact_load(m, contact_load(p.e_r, m.contact->radius, normal, friction), f.data());
+        add_contact_load(m, contact_load(p.e_r, m.first().contact->radius, normal, friction), f.data());
         return f.dot(v);
       };
       EXPECT_NEAR(power(3.0, 0.0), 3.0 * p.gap_rate, 1e-12) << "W_N^T v = gdot_N";
       // Whatever holds the speed does the rest of the friction's work.
-      const double held = drive ? 0.0 : m.contact->radius * m.speed;
+      const double held = drive ? 0.0 : m.first().contact->radius * m.speed;
       EXPECT_NEAR(power(0.0, 2.0), 2.0 * (p.slip - held), 1e-10) << "W_T^T v = gdot_T";
     }
   }
@@ -131,9 +131,9 @@ struct Spy final : Controller {
 TEST(ControlForce, ShowsTheLawTheStateAndTheContactFreeAcceleration) {
   Model m = test::machine(true);
   const auto spy = std::make_shared<Spy>();
-  m.controller = spy;
-  m.control_on = 0.02;
-  m.force_limit = 600.0;
+  m.first().controller = spy;
+  m.first().control_on = 0.02;
+  m.first().force_limit = 600.0;
   State s = test::random_state(m, 60);
   s.t = 0.0199;
   EXPECT_EQ(control_command(m, s.t, s.q.data(), s.v.data()), Eigen::Vector2d(0.0, 0.0));

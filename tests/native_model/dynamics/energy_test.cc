@@ -77,7 +77,7 @@ TEST(EnergyBalance, GeometryFormWithDriveAndUnbalance) {
   s.rotor.torsion->damping_ratio = 0.01;
   s.drive->inertia = 2e-3;
   s.drive->station = 0.05;
-  s.contact->station = 0.4;
+  s.first().contact->station = 0.4;
   for (scene::Force& f : s.forces) f.station = 0.5;
   const Model m = make_model(s);
   ASSERT_TRUE(m.coupled_mass());

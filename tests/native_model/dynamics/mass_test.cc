@@ -102,8 +102,8 @@ TEST(SolveMass, IsDiagonalWhereTheSpinIsHeld) {
 
 TEST(ContactAdmittance, WithUnbalanceOnAFreeSpinAgainstDense) {
   Model m = test::machine(true);
-  m.contact_shape.x[0] = m.contact_shape.y[1] = 0.0;  // modes with a node at the contact
-  m.torsion_contact[1] = 0.0;
+  m.first().shape.x[0] = m.first().shape.y[1] = 0.0;  // modes with a node at the contact
+  m.first().torsion_shape[1] = 0.0;
   for (unsigned seed = 0; seed < 20; ++seed) {
     const State s = test::random_state(m, seed);
     const Eigen::MatrixXd j = contact_jacobian(m, s);
@@ -124,21 +124,21 @@ TEST(ContactAdmittance, IsConstantWithoutThatCoupling) {
     const State s = test::random_state(m, 8);
     const Eigen::MatrixXd j = contact_jacobian(m, s);
     const Eigen::Matrix3d exact = j * m.mass.cwiseInverse().asDiagonal() * j.transpose();
-    EXPECT_LT((m.admittance - exact).norm(), kDense * exact.norm());
-    EXPECT_EQ(contact_admittance(m, s.t, s.q.data()), m.admittance);
+    EXPECT_LT((m.first().admittance - exact).norm(), kDense * exact.norm());
+    EXPECT_EQ(contact_admittance(m, s.t, s.q.data()), m.first().admittance);
     // A held speed is an infinite inertia: torsion alone lets the contact turn.
     const double torsion = 1.0 / 4e-4 + 1.0 / 1e-4;
-    EXPECT_DOUBLE_EQ(m.admittance(2, 2), torsion + (drive ? 1.0 / 1e-3 : 0.0));
+    EXPECT_DOUBLE_EQ(m.first().admittance(2, 2), torsion + (drive ? 1.0 / 1e-3 : 0.0));
   }
 }
 
 TEST(ContactAdmittance, AFixedRingDoesNotYield) {
   scene::Scene s = test::machine_scene(false);
-  s.stator.reset();
+  s.first().stator.reset();
   s.rotor.torsion.reset();
   const Model m = make_model(s);
   const Eigen::Vector3d expected{1.0 / 2.0 + 1.0 / 0.8, 1.0 / 2.2 + 1.0 / 0.7, 0.0};
-  EXPECT_EQ(m.admittance, Eigen::Matrix3d(expected.asDiagonal()));
+  EXPECT_EQ(m.first().admittance, Eigen::Matrix3d(expected.asDiagonal()));
 }
 
 TEST(ModeMatrix, CostsWhatItIsAndAgreesWithDense) {

@@ -29,7 +29,7 @@ TEST(EnergyScale, TheImpactOfTheStartIsBooked) {
     SCOPED_TRACE(tau);
     scene::Scene scene = test::make_scene(
         {.mass = 2.0, .stiffness = 2e5, .friction = 0.2, .restitution = 0.5, .speed = 100.0});
-    scene.contact->compression_time = tau;
+    scene.first().contact->compression_time = tau;
     scene.initial.x = {0.5e-3};
     scene.initial.vx = {0.4};
     scene.run.end = 0.01;

@@ -98,8 +98,10 @@ void start_on(scene::Scene& scene, std::complex<double> rotor, std::complex<doub
   scene.initial.y = {rotor.imag()};
   scene.initial.vx = {(turn * rotor).real()};
   scene.initial.vy = {(turn * rotor).imag()};
-  scene.initial.stator = {ring.real(), ring.imag()};
-  scene.initial.stator_velocity = {(turn * ring).real(), (turn * ring).imag()};
+  if (auto& moving = scene.first().stator) {
+    moving->position = {ring.real(), ring.imag()};
+    moving->velocity = {(turn * ring).real(), (turn * ring).imag()};
+  }
 }
 
 void expect_on(const Trajectory& t, const oracle::AnnularRub& exact, double frequency,

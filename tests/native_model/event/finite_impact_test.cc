@@ -16,8 +16,8 @@ using test::make_scene;
 constexpr double kTauC = 2e-4, kTauE = 3e-4;  // s
 
 scene::Scene with_times(scene::Scene scene, double tau_c = kTauC, double tau_e = kTauE) {
-  scene.contact->compression_time = tau_c;
-  scene.contact->expansion_time = tau_e;
+  scene.first().contact->compression_time = tau_c;
+  scene.first().contact->expansion_time = tau_e;
   return scene;
 }
 

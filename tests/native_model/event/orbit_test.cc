@@ -16,7 +16,7 @@ void expect_orbit(const scene::Scene& scene, std::size_t most = 5) {
   const Trajectory t = test::run_event(scene);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_EQ(t.end, scene.run.end);
-  const double delta = scene.contact->clearance;
+  const double delta = scene.first().contact->clearance;
   for (const double gap : t.column("gap")) ASSERT_NEAR(gap, 0.0, 1e-9 * delta);
   EXPECT_LE(t.events.size(), most);
 }
@@ -25,7 +25,7 @@ TEST(Orbit, AFreeMassAlongTheRing) {
   for (const double angle : {0.0, 0.3, 1.0, 2.0}) {
     SCOPED_TRACE(angle);
     scene::Scene scene = make_scene({.mass = 2.0});
-    const double delta = scene.contact->clearance, v = 0.3;
+    const double delta = scene.first().contact->clearance, v = 0.3;
     scene.initial.x = {delta * std::cos(angle)};
     scene.initial.y = {delta * std::sin(angle)};
     scene.initial.vx = {-v * std::sin(angle)};
@@ -40,7 +40,7 @@ TEST(Orbit, OfASpringAsWideAsTheClearance) {
   for (const double stiffness : {2e5, 3e5, 1.7e4}) {
     SCOPED_TRACE(stiffness);
     scene::Scene scene = make_scene({.mass = 2.0, .stiffness = stiffness});
-    const double delta = scene.contact->clearance;
+    const double delta = scene.first().contact->clearance;
     scene.initial.x = {delta};
     scene.initial.vy = {delta * std::sqrt(stiffness / 2.0)};
     scene.run.end = 0.2;
@@ -75,7 +75,7 @@ TEST(Orbit, AtRestOnTheRingWithoutForce) {
   for (const double load : {30.0, 70.0, 100.0 / 3.0}) {
     SCOPED_TRACE(load);
     scene::Scene scene = make_scene({.mass = 2.0, .friction = 0.1, .speed = 50.0});
-    const double delta = scene.contact->clearance;
+    const double delta = scene.first().contact->clearance;
     scene.rotor.modal->stiffness = {load / delta};
     test::add_constant_force(scene, load * Eigen::Vector2d(0.6, -0.8));
     scene.initial.x = {0.6 * delta};

@@ -15,7 +15,7 @@ namespace {
 TEST(Reverse, OfAMassThatSwingsOnTheRing) {
   const double mu = 0.1, weight = 20.0, angle = 1.0;
   scene::Scene scene = test::make_scene({.mass = 2.0, .friction = mu});
-  const double delta = scene.contact->clearance;
+  const double delta = scene.first().contact->clearance;
   test::add_constant_force(scene, {0.0, -weight});
   scene.initial.x = {delta * std::sin(angle)};
   scene.initial.y = {-delta * std::cos(angle)};

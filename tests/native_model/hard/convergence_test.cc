@@ -64,7 +64,7 @@ TEST(HardConvergence, TwoModesWithTorsionAndGyroscopics) {
   m.internal_damping = {5.0, 5.0};
   m.gyroscopic = {0.05, 0.1};
   scene.rotor.torsion = scene::Torsion{0, 0.0, {4e-4}, {60.0}, {0.02}, {-0.5}};
-  scene.contact->restitution = 0.2;
+  scene.first().contact->restitution = 0.2;
   scene.forces[0].shape = {1.0, 0.3};
   scene.forces[0].ramp = 0.01;
   scene.run.end = 0.03;
@@ -80,8 +80,8 @@ TEST(HardConvergence, GravityInAnAnisotropicRing) {
                                          .speed = 40.0});
   scene.name = "anisotropic";
   test::add_ring(scene, 1.0, 300.0, 2e5);
-  scene.stator->mass.y() = 1.4;
-  scene.stator->stiffness.y() = 3e5;
+  scene.first().stator->mass.y() = 1.4;
+  scene.first().stator->stiffness.y() = 3e5;
   scene.gravity = scene::Gravity{{0.0, -9.81}, {}};
   test::add_constant_force(scene, {20.0, 0.0});
   scene.run.end = 0.06;

@@ -54,7 +54,7 @@ void expect_same_bits(const std::function<Model(int)>& make, std::int64_t steps 
   std::vector<Model> models;
   for (int i = 0; i < kRuns; ++i) {
     models.push_back(make(i));
-    if (models.back().contact) models.back().contact->friction = 0.02 + 0.05 * i;
+    if (models.back().first().contact) models.back().first().contact->friction = 0.02 + 0.05 * i;
     models.back().q0[0] += 1e-6 * i;
   }
   const std::vector<EnsembleRun> runs = Ensemble(models, step).run(steps);
@@ -73,7 +73,7 @@ void expect_same_bits(const std::function<Model(int)>& make, std::int64_t steps 
         ASSERT_EQ(all[i].v, least[i].v) << "run " << i << ", set " << static_cast<int>(set);
         ASSERT_EQ(all[i].impulse_total, least[i].impulse_total) << i;
       }
-      if (integrator != scene::Integrator::kVerlet || models[0].controller) continue;
+      if (integrator != scene::Integrator::kVerlet || models[0].first().controller) continue;
       for (std::size_t i = 0; i < all.size(); ++i) {
         VerletStepper stepper(models[i], step);
         Status status = Status::kOk;
@@ -102,7 +102,7 @@ void expect_same_bits(const std::function<Model(int)>& make, std::int64_t steps 
     EXPECT_EQ(runs[at].contact_steps, single.contact_steps);
     touched += single.first_touch >= 0.0 ? 1 : 0;
   }
-  if (models[0].contact) {
+  if (models[0].first().contact) {
     EXPECT_GT(touched, 0);
   }
 }
@@ -123,7 +123,7 @@ TEST(HardEnsemble, EveryPartAtOnce) {
     SCOPED_TRACE(driven);
     expect_same_bits([&](int i) {
       Model m = test::machine(driven);
-      m.admittance = contact_admittance(m, m.mass.data(), 0.0, m.q0.data());
+      m.first().admittance = contact_admittance(m, m.mass.data(), 0.0, m.q0.data());
       for (AppliedForce& f : m.forces) f.amplitude *= 3.0 + 0.1 * i;
       return m;
     });
@@ -138,7 +138,7 @@ TEST(HardEnsemble, TheShippedRigs) {
           scene::Scene scene = test::shipped_rig(name);
           scene.forces[0].on = 0.0;  // contact within the few steps of a test
           scene.initial.steady = false;
-          if (scene.controller) scene.controller->on = 0.001;
+          if (scene.first().controller) scene.first().controller->on = 0.001;
           return make_model(scene);
         },
         3000);
@@ -150,8 +150,8 @@ TEST(HardEnsemble, SampledControllers) {
     scene::Scene scene = test::shipped_rig("paper_sliding");
     scene.forces[0].on = 0.0;
     scene.initial.steady = false;
-    scene.controller->on = 0.0013;
-    scene.controller->sample_time = 1e-4 * (1 + i % 3);
+    scene.first().controller->on = 0.0013;
+    scene.first().controller->sample_time = 1e-4 * (1 + i % 3);
     return make_model(scene);
   });
 }
@@ -161,9 +161,9 @@ TEST(HardEnsemble, CoilsThatLag) {
     scene::Scene scene = test::shipped_rig("paper_magnetic");
     scene.forces[0].on = 0.0;
     scene.initial.steady = false;
-    scene.controller->on = 0.0013;
-    scene.actuator->coil_lag = 1e-4 * (1 + i % 3);
-    scene.actuator->current_rate_limit = 2000.0;
+    scene.first().controller->on = 0.0013;
+    scene.first().actuator->coil_lag = 1e-4 * (1 + i % 3);
+    scene.first().actuator->current_rate_limit = 2000.0;
     return make_model(scene);
   });
 }

@@ -80,7 +80,7 @@ TEST(HardExploded, AFlightThroughTheRingEndsOrIsHeld) {
     const Trajectory t = run_with(scene, integrator);
     test::expect_refused_or_finite(t);
     if (t.status == Status::kOk) {
-      EXPECT_LE(t.statistics.max_penetration, scene.contact->clearance);
+      EXPECT_LE(t.statistics.max_penetration, scene.first().contact->clearance);
     } else {
       EXPECT_EQ(t.status, Status::kOutOfRange) << t.message;
     }

@@ -48,7 +48,7 @@ TEST(HardZeno, OnAMovingRingWithFriction) {
   for (const double eps : {0.5, 0.9, 0.97}) {
     SCOPED_TRACE(eps);
     scene::Scene scene = test::shipped("bench_ring");
-    scene.contact->restitution = eps;
+    scene.first().contact->restitution = eps;
     scene.run.end = 0.1;
     const Trajectory t = test::run_event(scene);
     test::expect_sound_event(scene, t);
@@ -178,8 +178,8 @@ TEST(HardFiniteImpact, AdvancesTheClockAndTendsToTheInstantaneousLaw) {
                                      .speed = 150.0});
     test::add_constant_force(scene, {40.0, 10.0});
     scene.initial.vx = {0.3};
-    scene.contact->compression_time = tau;
-    scene.contact->expansion_time = 1.5 * tau;
+    scene.first().contact->compression_time = tau;
+    scene.first().contact->expansion_time = 1.5 * tau;
     scene.run.end = 0.004;  // the first impact and some flight
     scene.run.output_step = 1e-4;
     return scene;
@@ -211,8 +211,8 @@ TEST(HardFiniteImpact, AdvancesTheClockAndTendsToTheInstantaneousLaw) {
 TEST(HardFiniteImpact, MovesTheCoordinatesOverBothPhases) {
   const double tau_c = 2e-4, tau_e = 3e-4, eps = 0.5, v = 0.3, delta = 0.5e-3;
   scene::Scene scene = make_scene({.mass = 2.0, .clearance = delta, .restitution = eps});
-  scene.contact->compression_time = tau_c;
-  scene.contact->expansion_time = tau_e;
+  scene.first().contact->compression_time = tau_c;
+  scene.first().contact->expansion_time = tau_e;
   scene.initial.vx = {v};
   scene.run.end = 0.003;
   const Trajectory t = test::run_event(scene);
@@ -231,7 +231,7 @@ TEST(HardFiniteImpact, TheBalanceCloses) {
     SCOPED_TRACE(tau);
     scene::Scene scene = test::shipped("bench_ring");
     scene.run.end = 0.05;
-    scene.contact->compression_time = scene.contact->expansion_time = tau;
+    scene.first().contact->compression_time = scene.first().contact->expansion_time = tau;
     const Trajectory t = test::run_event(scene);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     test::expect_finite(t);
@@ -243,14 +243,14 @@ TEST(HardFiniteImpact, TheBalanceCloses) {
 // its end.
 TEST(HardFiniteImpact, PassesASampleAndNotTheEnd) {
   scene::Scene scene = test::shipped("bench_ring");
-  scene.actuator = scene::Actuator{.force_limit = 100.0};
+  scene.first().actuator = scene::Actuator{.force_limit = 100.0};
   scene::Controller controller;
   controller.stiffness = 2e4;
   controller.damping = 50.0;
   controller.sample_time = 1e-4;
-  scene.controller = controller;
-  scene.contact->compression_time = 2e-4;
-  scene.contact->expansion_time = 1e-4;
+  scene.first().controller = controller;
+  scene.first().contact->compression_time = 2e-4;
+  scene.first().contact->expansion_time = 1e-4;
   scene.run.end = 0.02;
   scene.run.output_step = 2.5e-4;
   const Trajectory t = test::run_event(scene);

@@ -110,7 +110,7 @@ inline Convergence converge(const scene::Scene& scene, Integrator integrator, co
     if (t.status != Status::kOk || t.rows() != exact.rows()) continue;
     c.steps.push_back(step);
     c.errors.push_back(
-        trajectory_error(t, exact, scene.contact ? scene.contact->radius : kArm));
+        trajectory_error(t, exact, scene.first().contact ? scene.first().contact->radius : kArm));
   }
   return c;
 }

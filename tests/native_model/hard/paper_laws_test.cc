@@ -20,7 +20,7 @@ struct Worst {
 // Scales: the clearance over a step for y_N, the largest force and slip of the run.
 Worst worst_of(const Model& model, double step, std::int64_t steps) {
   const int n = model.nq();
-  const ContactParameters& c = *model.contact;
+  const ContactParameters& c = *model.first().contact;
   const Eigen::VectorXd implicit = model.mass + 0.5 * step * model.damping;
   PaperStepper stepper(model, step);
   Worst worst;
@@ -66,7 +66,7 @@ TEST(HardPaperLaws, EveryStepOfTheRigWithAHeldSpin) {
     SCOPED_TRACE(mu);
     scene::Scene scene = test::shipped("bench_ring");
     scene.drive.reset();
-    scene.contact->friction = mu;
+    scene.first().contact->friction = mu;
     const Worst worst = worst_of(make_model(scene), 1e-5, 20000);
     EXPECT_LT(worst.complementarity, test::kLaws);
     EXPECT_LT(worst.coulomb, test::kLaws);
@@ -79,7 +79,7 @@ TEST(HardPaperLaws, EveryStepOfRandomMachines) {
   std::int64_t contacts = 0, sticks = 0;
   for (int k = 0; k < 60; ++k) {
     scene::Scene scene = scenes.next();
-    scene.controller.reset();
+    scene.first().controller.reset();
     scene.drive.reset();
     const Worst worst = worst_of(make_model(scene), 1e-5, 2000);
     SCOPED_TRACE(k);

@@ -47,7 +47,7 @@ class RandomScenes {
           scene::MagneticBearing{0.0, {}, between(0.0, 0.5) * s.rotor.modal->stiffness[0]};
     }
     if (chance(0.3)) s.gravity = scene::Gravity{{0.0, -9.81}, {}};
-    const double reach = 0.9 * s.contact->clearance / std::sqrt(2.0);
+    const double reach = 0.9 * s.first().contact->clearance / std::sqrt(2.0);
     s.initial.x.assign(n, between(-reach, reach) / double(n));
     s.initial.y.assign(n, between(-reach, reach) / double(n));
     s.initial.vx.assign(n, between(-0.5, 0.5) / double(n));
@@ -91,16 +91,16 @@ class RandomScenes {
     contact.friction = chance(0.1) ? 0.0 : chance(0.1) ? between(1.0, 10.0) : between(0.0, 0.6);
     contact.restitution = chance(0.1) ? 0.0 : between(0.0, 0.97);
     if (chance(0.3)) contact.tangential_restitution = between(0.0, 1.0);
-    s.contact = contact;
+    s.first().contact = contact;
   }
   void add_ring(scene::Scene& s) {
     const double m = decade(0.2, 5.0), k = decade(1e4, 1e6),
                  d = between(0.0, 0.2) * std::sqrt(m * k);
-    s.stator = scene::Stator{{m, m}, {d, d}, {k, k}};
-    if (chance(0.4)) s.stator->mass.y() *= between(0.5, 2.0);
-    if (chance(0.4)) s.stator->stiffness.y() *= between(0.5, 2.0);
+    s.first().stator = scene::Stator{{m, m}, {d, d}, {k, k}};
+    if (chance(0.4)) s.first().stator->mass.y() *= between(0.5, 2.0);
+    if (chance(0.4)) s.first().stator->stiffness.y() *= between(0.5, 2.0);
     if (!chance(0.5)) return;
-    s.actuator = scene::Actuator{.force_limit = chance(0.5) ? between(20.0, 300.0) : 600.0};
+    s.first().actuator = scene::Actuator{.force_limit = chance(0.5) ? between(20.0, 300.0) : 600.0};
     scene::Controller controller;
     controller.kind =
         chance(0.7) ? scene::ControllerKind::kSliding : scene::ControllerKind::kPassive;
@@ -110,7 +110,7 @@ class RandomScenes {
     if (chance(0.5)) controller.sample_time = decade(5e-5, slides ? 3e-4 : 1e-3);
     controller.stiffness = between(0.0, 1e5);
     controller.damping = between(0.0, 300.0);
-    s.controller = controller;
+    s.first().controller = controller;
   }
   void add_force(scene::Scene& s) {
     scene::Force force;

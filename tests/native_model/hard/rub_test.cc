@@ -38,9 +38,9 @@ TEST(HardFriction, FromATenthToTen) {
   for (const double mu : {0.1, 0.3, 1.0, 3.0, 10.0}) {
     SCOPED_TRACE(mu);
     scene::Scene scene = ring_scene(0.05);
-    scene.contact->friction = mu;
+    scene.first().contact->friction = mu;
     expect_both_sound(scene, 1e-5);
-    scene.contact->tangential_restitution = 0.5;
+    scene.first().contact->tangential_restitution = 0.5;
     expect_both_sound(scene, 1e-5);
   }
 }
@@ -63,7 +63,7 @@ TEST(HardMassRatio, RingFromATenThousandthToTenThousandRotors) {
     SCOPED_TRACE(ratio);
     scene::Scene scene = ring_scene(0.03);
     const double m = 2.0 * ratio, k = m * 1e5;  // the same natural frequency throughout
-    scene.stator = scene::Stator{{m, m}, {0.3 * std::sqrt(k * m), 0.3 * std::sqrt(k * m)}, {k, k}};
+    scene.first().stator = scene::Stator{{m, m}, {0.3 * std::sqrt(k * m), 0.3 * std::sqrt(k * m)}, {k, k}};
     expect_both_sound(scene, 1e-5);
   }
 }

@@ -53,8 +53,8 @@ inline void expect_finite(const Trajectory& t) {
 
 // Impacts push, friction stays in its cone, and none gives energy.
 inline void expect_dissipative_impacts(const scene::Scene& scene, const Trajectory& t) {
-  if (!scene.contact) return;
-  const double mu = scene.contact->friction;
+  if (!scene.first().contact) return;
+  const double mu = scene.first().contact->friction;
   for (const Impact& i : t.impacts) {
     ASSERT_GE(i.normal_impulse, 0.0);
     ASSERT_LE(std::abs(i.friction_impulse), mu * i.normal_impulse * (1.0 + kRoundOff) + 1e-300);
@@ -66,12 +66,12 @@ inline void expect_dissipative_impacts(const scene::Scene& scene, const Trajecto
 }
 
 inline void expect_in_cone(const scene::Scene& scene, const Trajectory& t) {
-  if (!scene.contact) return;
+  if (!scene.first().contact) return;
   const auto &normal = t.column("normal_force"), &friction = t.column("friction_force");
   const double scale = std::max(largest(normal), 1e-300);
   for (std::size_t k = 0; k < t.rows(); ++k) {
     ASSERT_GE(normal[k], 0.0);
-    ASSERT_LE(std::abs(friction[k]), scene.contact->friction * normal[k] + kLaws * scale);
+    ASSERT_LE(std::abs(friction[k]), scene.first().contact->friction * normal[k] + kLaws * scale);
   }
 }
 
@@ -89,7 +89,7 @@ inline void expect_sound_event(const scene::Scene& scene, const Trajectory& t) {
   expect_finite(t);
   ASSERT_DOUBLE_EQ(t.column("t").back(), scene.run.end);
   EXPECT_LT(energy_residual(t), kEnergy);
-  if (!scene.contact) return;
+  if (!scene.first().contact) return;
   expect_dissipative_impacts(scene, t);
   expect_in_cone(scene, t);
   const auto &gap = t.column("gap"), &slip = t.column("slip"), &mode = t.column("mode");
@@ -97,8 +97,8 @@ inline void expect_sound_event(const scene::Scene& scene, const Trajectory& t) {
   const double force = std::max(largest(normal), 1e-9), speed = std::max(largest(slip), 1e-9);
   for (std::size_t k = 0; k < t.rows(); ++k) {
     const ContactResidual r =
-        contact_residual(gap[k], normal[k], friction[k], slip[k], scene.contact->friction,
-                         scene.contact->clearance, force, speed);
+        contact_residual(gap[k], normal[k], friction[k], slip[k], scene.first().contact->friction,
+                         scene.first().contact->clearance, force, speed);
     ASSERT_LT(r.complementarity, kLaws) << "t = " << t.column("t")[k];
     if (static_cast<Mode>(mode[k]) != Mode::kFree) {
       ASSERT_LT(r.coulomb, kLaws) << "t = " << t.column("t")[k];
@@ -114,7 +114,7 @@ inline void expect_sound_paper(const scene::Scene& scene, const Trajectory& t, d
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   expect_finite(t);
   ASSERT_DOUBLE_EQ(t.column("t").back(), scene.run.end);
-  if (!scene.contact) return;
+  if (!scene.first().contact) return;
   expect_dissipative_impacts(scene, t);
   expect_in_cone(scene, t);
   EXPECT_LE(t.statistics.max_penetration, fastest * step);

@@ -83,14 +83,14 @@ TEST(HardSwitching, AtTheInstantOfAnEvent) {
 TEST(HardSwitching, ControlFourMillisecondsBeforeContact) {
   scene::Scene scene = test::shipped_rig("paper_sliding");
   scene::Scene passive = scene;
-  passive.controller.reset();
+  passive.first().controller.reset();
   passive.run.end = scene.run.end = 0.2;
   const double touch = test::run_event(passive).statistics.first_touch;
   ASSERT_GT(touch, 0.1);
-  scene.controller->on = touch - 0.004;
+  scene.first().controller->on = touch - 0.004;
   const Trajectory t = test::run_event(scene);
   test::expect_sound_event(scene, t);
-  EXPECT_GT(t.statistics.first_touch, scene.controller->on);
+  EXPECT_GT(t.statistics.first_touch, scene.first().controller->on);
   const Trajectory p = test::run_paper(scene, 1e-5);
   test::expect_sound_paper(scene, p, 1e-5, 5.0);
   EXPECT_NEAR(p.statistics.first_touch, t.statistics.first_touch, 5e-5);
@@ -101,7 +101,7 @@ TEST(HardSwitching, SaturatedActuator) {
   scene::Scene scene = test::shipped_rig("paper_sliding");
   scene.run.end = 0.2;
   for (const double limit : {5.0, 40.0}) {
-    scene.actuator = scene::Actuator{.force_limit = limit};
+    scene.first().actuator = scene::Actuator{.force_limit = limit};
     const Trajectory t = test::run_event(scene);
     test::expect_sound_event(scene, t);
     double most = 0.0;
@@ -118,8 +118,8 @@ TEST(HardSwitching, SaturatedActuator) {
 TEST(HardSwitching, SampledCommandsAtTheSameInstants) {
   scene::Scene scene = test::shipped_rig("paper_sliding");
   scene.run.end = 0.106;  // before the first touch: both integrators are on the same path
-  scene.controller->on = 0.1;
-  scene.controller->sample_time = 1e-4;
+  scene.first().controller->on = 0.1;
+  scene.first().controller->sample_time = 1e-4;
   scene.run.output_times.clear();
   // Two instants within each sample, none on its edge.
   for (int k = 0; k < 60; ++k) {

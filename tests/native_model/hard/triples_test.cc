@@ -61,13 +61,13 @@ TEST(LongTriple, GyroscopicsUnbalanceAndFreeSpin) {
 
 TEST(LongTriple, GyroscopicsUnbalanceAndFreeSpinInTheRing) {
   scene::Scene scene = scene::parse_scene(kUnbalancedGyroscope, "triple.toml");
-  scene.contact = scene::Contact{};
-  scene.contact->station = 0.24;
-  scene.contact->radius = 0.02;
-  scene.contact->clearance = 2e-3;
-  scene.contact->friction = 0.2;
-  scene.contact->restitution = 0.4;
-  scene.stator = scene::Stator{{1.5, 1.5}, {300.0, 300.0}, {2e5, 2e5}};
+  scene.first().contact = scene::Contact{};
+  scene.first().contact->station = 0.24;
+  scene.first().contact->radius = 0.02;
+  scene.first().contact->clearance = 2e-3;
+  scene.first().contact->friction = 0.2;
+  scene.first().contact->restitution = 0.4;
+  scene.first().stator = scene::Stator{{1.5, 1.5}, {300.0, 300.0}, {2e5, 2e5}};
   expect_both_orders(scene);
 }
 

@@ -40,7 +40,7 @@ scene::Scene thrown() {
   s.rotor.modal->inertia = kSpinInertia;
   s.drive.emplace().kind = scene::DriveKind::kFree;
   test::add_ring(s, 1.1, 0.0, 1.5e5);
-  s.stator->spin = scene::RingSpin{kRingInertia, 0.0, -15.0};
+  s.first().stator->spin = scene::RingSpin{kRingInertia, 0.0, -15.0};
   s.initial.x = {0.2e-3};
   s.initial.y = {-0.1e-3};
   s.initial.vx = {0.6};
@@ -92,8 +92,8 @@ TEST(TurningRing, ADeadLoadEndsInRolling) {
   scene::Scene s = thrown();
   test::add_constant_force(s, {-40.0, -300.0});
   s.rotor.modal->damping = {400.0};
-  s.stator->damping = {300.0, 300.0};
-  s.contact->restitution = 0.0;
+  s.first().stator->damping = {300.0, 300.0};
+  s.first().contact->restitution = 0.0;
   s.run.end = 1.5;
   const oracle::TurningRing ring{kRingInertia, 0.0, kBore};
   const double exact = oracle::rolling_surface_speed({kSpinInertia, kRadius, 200.0}, ring, -15.0);
@@ -115,25 +115,25 @@ struct Rub {
 Rub annular(const scene::RingSpin& spin) {
   Rub rub{test::shipped("bench_annular_elastic"), 0.0};
   scene::Scene& s = rub.scene;
-  s.stator->spin = spin;
+  s.first().stator->spin = spin;
   s.run.end = 0.2;
   s.run.output_step = 1e-3;
   const scene::RotorModal& m = *s.rotor.modal;
   const auto exact = oracle::annular_rub(
       {m.mass[0], m.damping[0], m.stiffness[0]},
-      {s.stator->mass.x(), s.stator->damping.x(), s.stator->stiffness.x()}, s.contact->clearance,
-      s.contact->friction, s.forces[0].amplitude, s.forces[0].frequency);
+      {s.first().stator->mass.x(), s.first().stator->damping.x(), s.first().stator->stiffness.x()}, s.first().contact->clearance,
+      s.first().contact->friction, s.forces[0].amplitude, s.forces[0].frequency);
   rub.force = exact.value().force;
   return rub;
 }
 
-double bore(const scene::Scene& s) { return s.contact->radius + s.contact->clearance; }
+double bore(const scene::Scene& s) { return s.first().contact->radius + s.first().contact->clearance; }
 
 // Drag holds the ring well below rolling.
 TEST(TurningRing, ARubUnderAConstantForceSpinsItUpAsTheClosedFormSays) {
   scene::RingSpin spin{1e-3, 0.0, 3.0};
   const Rub first = annular(spin);
-  const double torque = first.scene.contact->friction * first.force * bore(first.scene);
+  const double torque = first.scene.first().contact->friction * first.force * bore(first.scene);
   spin.drag = torque / 60.0;  // ends near 60 rad/s
   const Rub rub = annular(spin);
   const oracle::TurningRing ring{spin.inertia, spin.drag, bore(rub.scene)};
@@ -164,9 +164,9 @@ TEST(TurningRing, WithoutDragRollingBeginsWhenTheClosedFormSays) {
   const scene::RingSpin spin{5e-4, 0.0, 0.0};
   const Rub rub = annular(spin);
   const scene::Scene& s = rub.scene;
-  const double torque = s.contact->friction * rub.force * bore(s);
+  const double torque = s.first().contact->friction * rub.force * bore(s);
   const double slip =
-      s.contact->radius * s.rotor.speed + s.contact->clearance * s.forces[0].frequency;
+      s.first().contact->radius * s.rotor.speed + s.first().contact->clearance * s.forces[0].frequency;
   const double exact = slip / bore(s) * spin.inertia / torque;
   ASSERT_LT(exact, s.run.end);
   const Trajectory t = test::run_event(s);
@@ -179,8 +179,8 @@ TEST(TurningRing, WithoutDragRollingBeginsWhenTheClosedFormSays) {
 // ---------------------------------------------------------------- limits
 TEST(TurningRing, OfEndlessInertiaIsTheRingThatDoesNotTurn) {
   scene::Scene heavy = thrown(), fixed = thrown();
-  heavy.stator->spin = scene::RingSpin{1e12, 0.0, 0.0};
-  fixed.stator->spin.reset();
+  heavy.first().stator->spin = scene::RingSpin{1e12, 0.0, 0.0};
+  fixed.first().stator->spin.reset();
   for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
     // Before chaos has grown what round-off differs by.
     heavy.run.end = fixed.run.end = 0.02;
@@ -192,9 +192,9 @@ TEST(TurningRing, OfEndlessInertiaIsTheRingThatDoesNotTurn) {
 
 TEST(TurningRing, OfNoInertiaIsARingWithoutFriction) {
   scene::Scene light = thrown(), smooth = thrown();
-  light.stator->spin = scene::RingSpin{1e-13, 0.0, 0.0};
-  smooth.stator->spin.reset();
-  smooth.contact->friction = 0.0;
+  light.first().stator->spin = scene::RingSpin{1e-13, 0.0, 0.0};
+  smooth.first().stator->spin.reset();
+  smooth.first().contact->friction = 0.0;
   light.run.end = smooth.run.end = 0.02;
   for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
     const Trajectory a = run_with(light, integrator), b = run_with(smooth, integrator);
@@ -208,7 +208,7 @@ TEST(TurningRing, OfNoInertiaIsARingWithoutFriction) {
 // Friction drives it; a ring that runs along takes it away.
 TEST(TurningRing, TheWhipDiesOnAFreeRing) {
   scene::Scene s = test::shipped("bench_whip");
-  s.stator->spin = scene::RingSpin{7e-4, 1e-3, 0.0};
+  s.first().stator->spin = scene::RingSpin{7e-4, 1e-3, 0.0};
   const Trajectory t = test::run_event(s);
   test::expect_sound_event(s, t);
   EXPECT_EQ(t.column("normal_force").back(), 0.0);
@@ -223,8 +223,8 @@ TEST(TurningRing, EachLaneIsTheRunAlone) {
   std::vector<scene::Scene> scenes;
   for (int k = 0; k < 5; ++k) {
     scenes.push_back(thrown());
-    scenes.back().stator->spin->inertia = 1e-4 * (1 + k);
-    scenes.back().contact->clearance = kClearance * (1.0 + 0.05 * k);  // its own R / r
+    scenes.back().first().stator->spin->inertia = 1e-4 * (1 + k);
+    scenes.back().first().contact->clearance = kClearance * (1.0 + 0.05 * k);  // its own R / r
     models.push_back(make_model(scenes.back()));
   }
   for (const Integrator integrator : {Integrator::kVerlet, Integrator::kPaper}) {

@@ -22,7 +22,7 @@ TEST(HardWhip, TheShippedStartIsTheWhirlAt450) {
   const Model model = make_model(scene), exact = make_model(test::whirling(scene, 450.0));
   EXPECT_LT((model.q0 - exact.q0).norm(), 1e-15 * model.q0.norm());
   EXPECT_LT((model.v0 - exact.v0).norm(), 1e-15 * model.v0.norm());
-  EXPECT_TRUE(whip.rolls(450.0, scene.contact->friction));
+  EXPECT_TRUE(whip.rolls(450.0, scene.first().contact->friction));
 }
 
 TEST(HardWhip, EventReachesTheWhip) {
@@ -33,7 +33,7 @@ TEST(HardWhip, EventReachesTheWhip) {
   EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -501.9257, 1e-6 * 502.0);
   EXPECT_NEAR(t.column("normal_force").back(), 244.8444, 1e-6 * 245.0);
   const ElasticWhip whip = test::whip_of(scene);
-  const double nu = whip.slipping_whips(scene.contact->friction)[1];
+  const double nu = whip.slipping_whips(scene.first().contact->friction)[1];
   EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -nu, 1e-8 * nu);
   EXPECT_NEAR(t.column("normal_force").back(), whip.normal_force(nu), 1e-7 * 245.0);
 }
@@ -78,7 +78,7 @@ double growth_rate(const std::vector<double>& t, const std::vector<double>& x, d
 void expect_growth(double mu) {
   SCOPED_TRACE(mu);
   scene::Scene scene = test::shipped("bench_whip");
-  scene.contact->friction = mu;
+  scene.first().contact->friction = mu;
   const ElasticWhip whip = test::whip_of(scene);
   const double nu = whip.slipping_whips(mu)[1];
   const std::complex<double> first = whip.eigenvalues(nu).front();
@@ -101,8 +101,8 @@ TEST(HardWhip, GrowsAboveTheHopfBorder) { expect_growth(0.244); }
 // speeds the whirl up until it rolls, nu delta_0 = r Omega.
 scene::Scene on_soft_ring(double nu) {
   scene::Scene scene = test::shipped("bench_whip");
-  scene.stator->stiffness.setConstant(1e5);
-  scene.contact->friction = 0.15;
+  scene.first().stator->stiffness.setConstant(1e5);
+  scene.first().contact->friction = 0.15;
   return test::whirling(scene, nu);
 }
 
@@ -121,7 +121,7 @@ TEST(HardWhip, AboveTheEdgeItComesToRoll) {
   const scene::Scene scene = on_soft_ring(1020.5);
   const Trajectory t = test::run_event(scene);
   test::expect_sound_event(scene, t);
-  const double rolling = scene.contact->radius * scene.rotor.speed / scene.contact->clearance;
+  const double rolling = scene.first().contact->radius * scene.rotor.speed / scene.first().contact->clearance;
   EXPECT_NEAR(rolling, 31415.927, 5e-4);
   EXPECT_EQ(static_cast<Mode>(t.column("mode").back()), Mode::kStick);
   EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -rolling, 1e-9 * rolling);

@@ -146,7 +146,7 @@ TEST(MagneticFeedback, AtTheLimitTheForceIsConstant) {
 // With a damper the limit depends on the velocity too: a fixed step iterates, and is of order 2.
 TEST(MagneticFeedback, FixedStepsAreOfSecondOrderThroughLimitAndFailure) {
   scene::Scene s = levitated();
-  s.contact.reset();
+  s.first().contact.reset();
   s.initial.x = {3e-4};
   s.initial.vy = {0.1};
   s.magnetic_bearing->control->current_limit = 0.4;
@@ -169,19 +169,19 @@ TEST(MagneticFeedback, FixedStepsAreOfSecondOrderThroughLimitAndFailure) {
 TEST(MagneticFeedback, FailsAndTheRotorFalls) {
   constexpr double kFails = 3.3e-3;
   scene::Scene s = levitated();
-  s.contact->restitution = 0.5;
+  s.first().contact->restitution = 0.5;
   s.gravity = scene::Gravity{{0.0, -kGravity}, {}};
   s.initial.steady = true;
   s.magnetic_bearing->control->fails_at = kFails;
   s.run.output_step = 1e-4;
-  const double sag = kHeld * kGravity / kNet, fall = s.contact->clearance - sag;
+  const double sag = kHeld * kGravity / kNet, fall = s.first().contact->clearance - sag;
   const double touch = kFails + std::sqrt(2.0 * fall / kGravity);
   s.run.end = touch - 1e-4;
   const auto exact = [&](double t) {
     const double since = std::max(0.0, t - kFails);
     return Complex(0.0, -sag - 0.5 * kGravity * since * since);
   };
-  EXPECT_LT(error(run_event(s), exact), 1e-9 * s.contact->clearance);
+  EXPECT_LT(error(run_event(s), exact), 1e-9 * s.first().contact->clearance);
   s.run.end = touch + 1e-3;
   const Trajectory t = run_event(s);
   ASSERT_FALSE(t.impacts.empty());

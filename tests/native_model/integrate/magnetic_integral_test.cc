@@ -93,7 +93,7 @@ TEST(MagneticIntegral, LinearLawHasAThirdPole) {
 // What it is there for: under a weight that comes on it brings the rotor back to the middle.
 TEST(MagneticIntegral, CarriesAWeightWithoutDeflection) {
   scene::Scene s = integrating();
-  s.contact.reset();
+  s.first().contact.reset();
   s.gravity = scene::Gravity{{0.0, -kWeight / kHung}, {}};
   s.run.end = 1.0;
   const Trajectory t = run_event(s);
@@ -138,7 +138,7 @@ TEST(MagneticIntegral, TheLimitTakesBackWhatItCutsOff) {
   static constexpr double kLimit = 0.3;                             // A
   constexpr double kPush = 25.0, kOff = 0.05, kStep = 1e-6;  // N, s, s
   scene::Scene s = integrating();
-  s.contact.reset();
+  s.first().contact.reset();
   s.magnetic_bearing->negative_stiffness = 0.0;
   s.magnetic_bearing->control->current_limit = kLimit;
   s.forces = {{.kind = scene::ForceKind::kConstant, .vector = {kPush, 0.0}, .off = kOff, .shape = {1.0}}};

@@ -33,14 +33,14 @@ scene::Actuator magnets(double lag) {
 scene::Scene ring_alone(double lag, bool controlled) {
   scene::Scene s = test::make_scene({.stiffness = 2e5});
   test::add_ring(s, kRingMass, kRingDamping, kRingStiffness);
-  s.contact.reset();
+  s.first().contact.reset();
   s.run.end = kMagnetEnd;
-  s.initial.stator = from_axes({kMagnetStart, 0.0});
-  s.actuator = magnets(lag);
+  s.first().stator->position = from_axes({kMagnetStart, 0.0});
+  s.first().actuator = magnets(lag);
   if (controlled) {
-    s.controller = scene::Controller{};
-    s.controller->stiffness = kAddedStiffness;
-    s.controller->damping = kAddedDamping;
+    s.first().controller = scene::Controller{};
+    s.first().controller->stiffness = kAddedStiffness;
+    s.first().controller->damping = kAddedDamping;
   }
   return s;
 }
@@ -87,14 +87,14 @@ TEST(MagneticRing, WithALagIsTheLinearSystem) {
 TEST(MagneticRing, TheVoltageLimitIsTheCoilsOwnExponential) {
   constexpr double kVoltage = 10.0, kInductance = 0.02, kResistance = 3.0, kLag = 2e-4, kMost = 2.0;
   scene::Scene s = ring_alone(kLag, true);
-  s.stator->mass = {1e9, 1e9};
-  s.initial.stator = from_axes({-1e-3, 0.0});
-  s.controller->stiffness = 1e12;
-  s.controller->damping = 0.0;
-  s.actuator->current_limit = kMost;
-  s.actuator->voltage_limit = kVoltage;
-  s.actuator->inductance = kInductance;
-  s.actuator->resistance = kResistance;
+  s.first().stator->mass = {1e9, 1e9};
+  s.first().stator->position = from_axes({-1e-3, 0.0});
+  s.first().controller->stiffness = 1e12;
+  s.first().controller->damping = 0.0;
+  s.first().actuator->current_limit = kMost;
+  s.first().actuator->voltage_limit = kVoltage;
+  s.first().actuator->inductance = kInductance;
+  s.first().actuator->resistance = kResistance;
   const double rate = kResistance / kInductance;
   const double handover = (kMost / kLag - kVoltage / kInductance) / (1.0 / kLag - rate);
   const double at = -std::log1p(-handover * kResistance / kVoltage) / rate;
@@ -153,11 +153,11 @@ TEST(MagneticRing, TheBiasCurrentIsANegativeSpring) {
 TEST(MagneticRub, IsThatOfAnIdealActuator) {
   scene::Scene ideal = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml");
   ideal.run.end = 0.1;
-  ideal.controller = scene::Controller{};
-  ideal.controller->stiffness = 5e4;
-  ideal.controller->damping = 100.0;
+  ideal.first().controller = scene::Controller{};
+  ideal.first().controller->stiffness = 5e4;
+  ideal.first().controller->damping = 100.0;
   scene::Scene magnetic = ideal;
-  magnetic.actuator = magnets(0.0);
+  magnetic.first().actuator = magnets(0.0);
   const Trajectory a = run_native(ideal), b = run_native(magnetic);
   ASSERT_EQ(b.status, Status::kOk) << b.message;
   ASSERT_GT(a.impacts.size(), 5U);
@@ -177,9 +177,9 @@ TEST(MagneticRub, OfATableIsThatOfItsLaw) {
   law.rotor.geometry->modes = 2;
   law.run.end = 0.12;
   scene::Scene table = law;
-  const scene::Actuator a = *law.actuator;
+  const scene::Actuator a = *law.first().actuator;
   const Electromagnet magnet({a.force_constant, a.bias_current, a.air_gap, a.stiffness});
-  scene::Actuator& t = *table.actuator;
+  scene::Actuator& t = *table.first().actuator;
   t = {.kind = scene::ActuatorKind::kTable};
   for (int k = -8; k <= 8; ++k) {
     t.table_position.push_back(2e-3 * k / 8);
@@ -198,11 +198,11 @@ TEST(MagneticRub, OfATableIsThatOfItsLaw) {
 
 TEST(MagneticRub, ATableWithoutAnInverseIsRefused) {
   scene::Scene s = ring_alone(0.0, true);
-  s.actuator = {.kind = scene::ActuatorKind::kTable,
+  s.first().actuator = {.kind = scene::ActuatorKind::kTable,
                 .table_position = {-1e-3, -5e-4, 5e-4, 1e-3},
                 .table_current = {-2.0, -1.0, 1.0, 2.0}};
   for (int k = 0; k < 4; ++k) {
-    for (const double force : {-1.0, 0.0, 100.0, 101.0}) s.actuator->table_force.push_back(force);
+    for (const double force : {-1.0, 0.0, 100.0, 101.0}) s.first().actuator->table_force.push_back(force);
   }
   try {
     make_model(s);
@@ -215,7 +215,7 @@ TEST(MagneticRub, ATableWithoutAnInverseIsRefused) {
 
 TEST(MagneticRing, DoesNotStartInACore) {
   scene::Scene s = ring_alone(0.0, true);
-  s.initial.stator = {0.0, 8e-3};
+  s.first().stator->position = {0.0, 8e-3};
   EXPECT_THROW(make_model(s), scene::SceneError);
 }
 
@@ -224,10 +224,10 @@ TEST(MagneticRub, SaturationIsSolved) {
   scene::Scene s = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/paper_magnetic.toml");
   s.rotor.geometry->modes = 2;
   s.run.end = 0.15;
-  s.actuator->current_limit = 0.3;
+  s.first().actuator->current_limit = 0.3;
   for (const double lag : {0.0, 1e-4}) {
-    s.actuator->coil_lag = lag;
-    if (lag > 0.0) s.actuator->current_rate_limit = 1000.0;
+    s.first().actuator->coil_lag = lag;
+    if (lag > 0.0) s.first().actuator->current_rate_limit = 1000.0;
     for (const scene::Integrator integrator :
          {scene::Integrator::kEvent, scene::Integrator::kPaper}) {
       NativeOptions options;

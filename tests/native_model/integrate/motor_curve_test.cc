@@ -49,7 +49,7 @@ TEST(MotorCurve, TheRunLiesOnItFromStandstillToItsLoad) {
   for (std::size_t k = touch; k < time.size(); ++k) {
     given += 0.5 * (torque[k] + torque[k - 1]) * (time[k] - time[k - 1]);
   }
-  const double taken = -s.contact->radius * t.statistics.friction_impulse;
+  const double taken = -s.first().contact->radius * t.statistics.friction_impulse;
   const double lost = model.mass[model.layout.phi()] * (spin[touch - 1] - spin.back());
   EXPECT_NEAR(given + lost, taken, 0.02 * taken);
   EXPECT_GT(spin.back(), (1.0 - sb) * motor.synchronous_speed) << "on the stable branch";

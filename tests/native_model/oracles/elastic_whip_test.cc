@@ -108,7 +108,7 @@ TEST(ElasticWhip, MovesAsTheModelSays) {
     Eigen::VectorXd f(4);
     unactuated_force(model, 0.0, q.data(), v.data(), f.data());
     add_contact_load(model,
-                     contact_load(p.e_r, model.contact->radius, w.force, -w.friction * w.force),
+                     contact_load(p.e_r, model.first().contact->radius, w.force, -w.friction * w.force),
                      f.data());
     const Eigen::VectorXd inertia = -nu * nu * model.mass.cwiseProduct(q);
     EXPECT_LT((inertia - f).norm(), 1e-11 * inertia.norm()) << nu;
@@ -118,12 +118,12 @@ TEST(ElasticWhip, MovesAsTheModelSays) {
 // The motion with contact kept and slip > 0, in Cartesian coordinates with the model's right-hand
 // side: lambda keeps the relative acceleration on the circle. Nothing is linearised.
 Eigen::VectorXd kept_in_contact(const Model& m, const Eigen::VectorXd& y) {
-  const double mu = m.contact->friction;
+  const double mu = m.first().contact->friction;
   const Eigen::Vector4d q = y.head(4), v = y.tail(4);
   const ContactPoint p = contact_point(m, q.data(), v.data());
   Eigen::Vector4d free, push = Eigen::Vector4d::Zero();
   unactuated_force(m, 0.0, q.data(), v.data(), free.data());
-  add_contact_load(m, contact_load(p.e_r, m.contact->radius, 1.0, -mu), push.data());
+  add_contact_load(m, contact_load(p.e_r, m.first().contact->radius, 1.0, -mu), push.data());
   const Eigen::Vector4d weight = m.mass.cwiseInverse();
   const auto radial = [&](const Eigen::Vector4d& f) {
     const Eigen::Vector4d a = weight.cwiseProduct(f);

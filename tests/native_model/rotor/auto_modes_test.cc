@@ -83,7 +83,7 @@ TEST(AutoModes, RefusesAStationWithoutMassAndSaysWhy) {
 // Static flexibilities alone have a limit on any shaft.
 TEST(AutoModes, NeedsNoSleeveWithoutAContact) {
   scene::Scene s = rig(0.0);
-  s.contact.reset();
+  s.first().contact.reset();
   const int one = rotor_modes(automatic(s, 0.01)).kept;
   const int tenth = rotor_modes(automatic(s, 0.001)).kept;
   EXPECT_GT(one, 1);

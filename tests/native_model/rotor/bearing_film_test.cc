@@ -113,7 +113,7 @@ TEST(BearingFilm, ARunWhirlsAsTheEigenvalue) {
   scene::Scene s = rigid(crossed(cross, 7.0));
   Model m = make_model(s);
   // One mode moves the middle as a whole, the other turns about it.
-  const int moves = std::abs(m.contact_shape.x.size()) > 0 && m.stiffness[0] / m.mass[0] < m.stiffness[1] / m.mass[1] ? 0 : 1;
+  const int moves = std::abs(m.first().shape.x.size()) > 0 && m.stiffness[0] / m.mass[0] < m.stiffness[1] / m.mass[1] ? 0 : 1;
   s.initial.x = s.initial.y = s.initial.vx = s.initial.vy = {0.0, 0.0};
   const auto at = static_cast<std::size_t>(moves);
   s.initial.x[at] = 1e-4;

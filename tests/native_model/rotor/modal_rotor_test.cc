@@ -30,7 +30,7 @@ TEST(ModalRotor, PinnedShaftScaledAtMidSpan) {
   for (int n = 1; n <= 5; ++n) {
     // sin(n pi z / L): 1 or -1 at mid span, or a node there and 1 at the largest deflection.
     const bool node = n % 2 == 0;
-    EXPECT_EQ(rotor.contact_shape.x[n - 1], node ? 0.0 : 1.0);
+    EXPECT_EQ(rotor.contacts.front().x[n - 1], node ? 0.0 : 1.0);
     EXPECT_NEAR(rotor.x.mass[n - 1] / kShaft.modal_mass(n), 1.0, kModeValue);
     EXPECT_NEAR(frequencies(rotor.x)[n - 1] / kShaft.forward(n, 0.0), 1.0, kModeValue);
     // g = int 2 rho I u_z^2 for a slope amplitude of n pi / L
@@ -78,7 +78,7 @@ TEST(ModalRotor, StaticSagOfManyModes) {
   const double EI = kShaft.E * kShaft.inertia();
 
   // Weight: 5 rho A g L^4 / (384 E I) at mid span, modes beyond n leave n^-5.
-  const double sag = rotor.contact_shape.x.dot(rotor.gravity_x.cwiseQuotient(rotor.x.stiffness));
+  const double sag = rotor.contacts.front().x.dot(rotor.gravity_x.cwiseQuotient(rotor.x.stiffness));
   EXPECT_NEAR(sag / (5.0 * kShaft.rho * kShaft.area() / (384.0 * EI)), 1.0, 1e-6);
 
   // A point load at a = 0.3 L: a^2 b^2 / (3 E I L) under it, modes beyond n leave n^-3.
@@ -95,7 +95,7 @@ TEST(ModalRotor, StaticSagUnderADisc) {
   scene::Scene s = scene_of(g);
   add_contact(s, 0.3);
   const ModalRotor rotor = modal_rotor(s);
-  const double sag = rotor.contact_shape.x.dot(rotor.gravity_x.cwiseQuotient(rotor.x.stiffness));
+  const double sag = rotor.contacts.front().x.dot(rotor.gravity_x.cwiseQuotient(rotor.x.stiffness));
   const double exact = 1e3 * 0.09 * 0.49 / (3.0 * kShaft.E * kShaft.inertia());
   EXPECT_NEAR(sag / exact, 1.0, 1e-5) << "the shaft weighs 2e-6 of the disc";
 }
@@ -107,7 +107,7 @@ TEST(ModalRotor, IsotropicPlanesAreTheSameBits) {
   EXPECT_EQ(rotor.x.mass, rotor.y.mass);
   EXPECT_EQ(rotor.x.stiffness, rotor.y.stiffness);
   EXPECT_EQ(rotor.x.damping, rotor.y.damping);
-  EXPECT_EQ(rotor.contact_shape.x, rotor.contact_shape.y);
+  EXPECT_EQ(rotor.contacts.front().x, rotor.contacts.front().y);
   EXPECT_EQ(rotor.gravity_x, rotor.gravity_y);
   EXPECT_EQ(rotor.lines->x, rotor.lines->y);
   EXPECT_EQ(rotor.gyroscopic, rotor.gyroscopic.transpose());
@@ -133,7 +133,7 @@ TEST(ModalRotor, ReferenceRig) {
   const Eigen::VectorXd hertz = frequencies(rotor.x) / (2.0 * std::numbers::pi);
   EXPECT_NEAR(hertz[0], 57.0, 0.5);
   EXPECT_NEAR(hertz[1], 394.0, 0.5);
-  EXPECT_EQ(rotor.contact_shape.x, Eigen::VectorXd::Ones(3));
+  EXPECT_EQ(rotor.contacts.front().x, Eigen::VectorXd::Ones(3));
   for (int n = 0; n < 3; ++n) {
     EXPECT_DOUBLE_EQ(rotor.x.damping[n], 0.02 * std::sqrt(rotor.x.stiffness[n] * rotor.x.mass[n]));
   }
@@ -231,7 +231,7 @@ TEST(ModalRotor, ModalFormIsCopied) {
   EXPECT_EQ(rotor.y.damping, Eigen::Vector2d(40.0, 60.0));
   EXPECT_EQ(rotor.gyroscopic, Eigen::Matrix2d(Eigen::Vector2d(0.1, 0.2).asDiagonal()));
   EXPECT_EQ(rotor.internal_xy, Eigen::Matrix2d(Eigen::Vector2d(1.0, 2.0).asDiagonal()));
-  EXPECT_EQ(rotor.contact_shape.y, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(rotor.contacts.front().y, Eigen::Vector2d(1.0, 1.0));
   EXPECT_EQ(rotor.force_shapes[0].x, Eigen::Vector2d(1.0, 1.0));
   EXPECT_EQ(rotor.force_shapes[1].y, Eigen::Vector2d(1.0, -0.5));
   EXPECT_EQ(rotor.magnetic_bearing_shape->x, Eigen::Vector2d(1.0, 1.0));
@@ -239,7 +239,7 @@ TEST(ModalRotor, ModalFormIsCopied) {
   EXPECT_EQ(rotor.spin_inertia, 1e-3);
   EXPECT_EQ(rotor.torsion.damping[0], 0.0);
   EXPECT_EQ(rotor.torsion.drive_shape[0], 0.0);
-  EXPECT_EQ(rotor.torsion.contact_shape[0], 1.0);
+  EXPECT_EQ(rotor.torsion.contacts.front()[0], 1.0);
   EXPECT_FALSE(rotor.lines);
   EXPECT_TRUE(rotor.bearing_dampers.empty());
 

@@ -48,7 +48,7 @@ TEST(ModeShapes, GiveTheValuesAtTheStations) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (int n = 1; n <= 2; ++n) {
       const double expected =
-          std::sin(n * kPi * shapes.stations[i].z) / std::sin(n * kPi * s.contact->station);
+          std::sin(n * kPi * shapes.stations[i].z) / std::sin(n * kPi * s.first().contact->station);
       EXPECT_NEAR(shapes.x.at_stations(static_cast<Eigen::Index>(i), n - 1), expected, kShape)
           << names[i] << ", mode " << n;
     }

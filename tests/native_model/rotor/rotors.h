@@ -25,7 +25,7 @@ inline void add_contact(scene::Scene& s, double station) {
   contact.radius = 0.02;
   contact.clearance = 0.5e-3;
   contact.station = station;
-  s.contact = contact;
+  s.first().contact = contact;
 }
 
 // 1 m x 50 mm.

@@ -43,7 +43,7 @@ TEST(Torsion, UniformShaftHeldAtTheLeftEnd) {
     EXPECT_NEAR(modes.inertia[n] / (0.5 * spin_inertia(s)), 1.0, kTorsionMesh);
     EXPECT_NEAR(modes.damping[n] / (0.02 * modes.inertia[n] * omega), 1.0, kTorsionMesh);
     EXPECT_EQ(modes.drive_shape[n], 0.0);
-    EXPECT_EQ(modes.contact_shape[n], 1.0);
+    EXPECT_EQ(modes.contacts.front()[n], 1.0);
   }
 }
 
@@ -56,7 +56,7 @@ TEST(Torsion, UniformFreeShaft) {
   for (int n = 1; n <= 4; ++n) {
     // cos(n pi z / L): odd ones have a node at mid span.
     EXPECT_NEAR(frequency(modes, n - 1) / (n * std::numbers::pi * wave_speed(g)), 1.0, kTorsionMesh);
-    EXPECT_EQ(modes.contact_shape[n - 1], n % 2 == 0 ? 1.0 : 0.0);
+    EXPECT_EQ(modes.contacts.front()[n - 1], n % 2 == 0 ? 1.0 : 0.0);
     const double at_drive = n % 4 == 2 ? -1.0 : 1.0;
     EXPECT_NEAR(modes.drive_shape[n - 1], at_drive, 1e-8);
   }
@@ -101,7 +101,7 @@ TEST(Torsion, SpinInertiaOfEverythingThatTurns) {
 TEST(Torsion, AbsentCostsNothing) {
   const TorsionModes modes = torsion_modes(scene_of(pinned_shaft(1)));
   EXPECT_EQ(modes.inertia.size(), 0);
-  EXPECT_EQ(modes.contact_shape.size(), 0);
+  EXPECT_EQ(modes.contacts.front().size(), 0);
 }
 
 }  // namespace

@@ -38,11 +38,11 @@ inline Eigen::VectorXd kept_in_contact(const Model& m, const rub::SteadyRub& rub
   // (e_r . d'', e_t . d'' + r Omega_c')
   const auto met = [&](const Eigen::VectorXd& a) {
     const Eigen::Vector3d at = contact_acceleration(m, a.data());
-    return Eigen::Vector2d(p.e_r.dot(at.head<2>()), p.e_t().dot(at.head<2>()) + m.contact->radius * at[2]);
+    return Eigen::Vector2d(p.e_r.dot(at.head<2>()), p.e_t().dot(at.head<2>()) + m.first().contact->radius * at[2]);
   };
   const auto push = [&](double normal, double friction) {
     Eigen::VectorXd f = Eigen::VectorXd::Zero(nq);
-    add_contact_load(m, contact_load(p.e_r, m.contact->radius, normal, friction), f.data());
+    add_contact_load(m, contact_load(p.e_r, m.first().contact->radius, normal, friction), f.data());
     return moved(f);
   };
   Eigen::VectorXd free(nq);

@@ -101,7 +101,7 @@ TEST(DrivenRub, GrowsAsTheModelSays) {
     for (const SteadyRub& rub : forced) expect_driven_as_differences(scene, system, rub, sliding);
     scene = driven_scene(elastic, false, sense);
     system = rub_system(scene);
-    const auto whips = BackwardCompliance(system).whips(scene.contact->friction);
+    const auto whips = BackwardCompliance(system).whips(scene.first().contact->friction);
     ASSERT_FALSE(whips.empty());
     for (const SteadyRub& whip : whips) expect_driven_as_differences(scene, system, whip, sliding - 2 + 1);
   }
@@ -111,13 +111,13 @@ TEST(DrivenRub, RollsAsTheModelSays) {
   for (const bool elastic : {true, false}) {
     SCOPED_TRACE(elastic ? "elastic ring" : "rigid ring");
     scene::Scene scene = driven_scene(elastic, false);
-    scene.contact->friction = 1e3;
+    scene.first().contact->friction = 1e3;
     int met = 0;
     for (const double speed : {6.0, 20.0, 60.0, -60.0}) {
       scene.rotor.speed = speed;
       keep_speed(scene, 0.5, 0.0);
       const RubSystem system = rub_system(scene);
-      const auto rolling = BackwardCompliance(system).rolling(scene.contact->friction);
+      const auto rolling = BackwardCompliance(system).rolling(scene.first().contact->friction);
       if (!rolling) continue;
       ++met;
       expect_driven_as_differences(scene, system, *rolling, (elastic ? 12 : 8) + 2 * 3 - 1);
@@ -161,7 +161,7 @@ TEST(DrivenRub, SlidingGivesTorsionNoWayBack) {
 TEST(DrivenRub, TorsionOfAHeldSpin) {
   scene::Scene scene = driven_scene(true, false);
   scene.drive.reset();
-  scene.contact->friction = 1e3;
+  scene.first().contact->friction = 1e3;
   scene.rotor.speed = 60.0;
   const RubSystem system = rub_system(scene);
   const SteadyRub rub = BackwardCompliance(system).rolling(1e3).value();

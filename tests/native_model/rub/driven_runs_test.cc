@@ -26,14 +26,14 @@ scene::Scene unloaded_rig(int torsion) {
 }
 
 SteadyRub rolling_of(const scene::Scene& s) {
-  return BackwardCompliance(rub_system(s)).rolling(s.contact->friction).value();
+  return BackwardCompliance(rub_system(s)).rolling(s.first().contact->friction).value();
 }
 
 // Started on the rub, with the twist that its friction keeps in the shaft and `off` rad in the first mode.
 scene::Scene twisted(const scene::Scene& s, const SteadyRub& rub, double off) {
   const DriveTrain train = drive_train(s);
   scene::Scene started = test::started_on(s, rub);
-  const double friction = s.contact->radius * rub.friction * rub.normal_force;
+  const double friction = s.first().contact->radius * rub.friction * rub.normal_force;
   for (Eigen::Index k = 0; k < train.modes(); ++k) {
     started.initial.torsion.push_back(-train.at_contact[k] * friction / train.torsion_stiffness[k] +
                                       (k == 0 ? off : 0.0));
@@ -118,7 +118,7 @@ TEST(DrivenRuns, SlidingIsBlindToTorsionRollingIsNot) {
   const SteadyRub rub = rolling_of(rolls);
   scene::Scene stiff = test::started_on(rolls, rub);
   stiff.rotor.torsion.reset();
-  const double arc = 1e-3 * rolls.contact->radius;
+  const double arc = 1e-3 * rolls.first().contact->radius;
   EXPECT_GT(apart(run_short(stiff), run_short(twisted(rolls, rub, 1e-3)), "rotor_x"), 0.1 * arc);
 }
 
@@ -147,7 +147,7 @@ std::vector<DrivenRolling> kept_by_the_motor(const scene::Scene& s) {
   const auto all = driven_rolling(rub_system(s), drive_train(s), s.rotor.speed);
   for (const DrivenRolling& r : all) {
     EXPECT_NEAR(r.torque, Drive(*s.drive).torque(r.speed), 1e-6 * r.torque);
-    EXPECT_NEAR(r.rub.whirl * s.contact->clearance, -r.speed * s.contact->radius, 1e-9) << "locked to the spin";
+    EXPECT_NEAR(r.rub.whirl * s.first().contact->clearance, -r.speed * s.first().contact->radius, 1e-9) << "locked to the spin";
   }
   return all;
 }

@@ -66,7 +66,7 @@ scene::Scene held_rig(double mu) {
   s.rotor.torsion.reset();
   s.forces[0].on = 0.0;
   s.initial.steady = false;
-  s.contact->friction = mu;
+  s.first().contact->friction = mu;
   return s;
 }
 

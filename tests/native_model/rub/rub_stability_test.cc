@@ -26,7 +26,7 @@ SteadyRub upper_whip(const scene::Scene& scene, double mu) {
 TEST(RubStability, WhipOfOneModeIsTheClosedForm) {
   scene::Scene scene = test::shipped("bench_whip");
   for (const double mu : {0.18, 0.2, 0.241, 0.244}) {
-    scene.contact->friction = mu;
+    scene.first().contact->friction = mu;
     const SteadyRub whip = upper_whip(scene, mu);
     const std::vector<Complex> found = rub_eigenvalues(rub_system(scene), whip);
     const std::vector<Complex> exact = test::whip_of(scene).eigenvalues(-whip.whirl);
@@ -90,7 +90,7 @@ TEST(RubStability, OfThreeModesGrowsAsTheModelSays) {
         expect_as_differences(scene, system, rub, all);
       }
       scene.forces.clear();
-      for (const SteadyRub& whip : BackwardCompliance(system).whips(scene.contact->friction)) {
+      for (const SteadyRub& whip : BackwardCompliance(system).whips(scene.first().contact->friction)) {
         expect_as_differences(scene, system, whip, all - 1);
       }
     }

@@ -41,8 +41,10 @@ inline scene::Scene started_on(scene::Scene s, const rub::SteadyRub& rub) {
     start.vy.push_back(velocity.imag());
   }
   const rub::Complex ring = direction * rub.ring, ring_velocity = rate * ring;
-  start.stator = {ring.real(), ring.imag()};
-  start.stator_velocity = {ring_velocity.real(), ring_velocity.imag()};
+  if (auto& moving = s.first().stator) {
+    moving->position = {ring.real(), ring.imag()};
+    moving->velocity = {ring_velocity.real(), ring_velocity.imag()};
+  }
   return s;
 }
 

@@ -93,7 +93,7 @@ TEST(SteadyRub, WhipsOfBlack) {
   EXPECT_EQ(rolling->slip, 0.0);
 
   scene::Scene soft = scene;
-  soft.stator->stiffness.setConstant(1e5);
+  soft.first().stator->stiffness.setConstant(1e5);
   const std::vector<double> edges = BackwardCompliance(rub_system(soft)).edges(0.15);
   ASSERT_EQ(edges.size(), 1U);
   EXPECT_NEAR(edges[0], 1019.199, 5e-4);
@@ -194,12 +194,12 @@ void expect_motion(const scene::Scene& scene, const SteadyRub& rub) {
   const ContactPoint p = contact_point(model, q.data(), v.data());
   EXPECT_NEAR(p.gap, 0.0, 1e-10 * q.norm());
   EXPECT_NEAR(p.gap_rate, 0.0, 1e-10 * v.norm());
-  EXPECT_NEAR(p.whirl_speed(), rub.whirl * scene.contact->clearance, 1e-10 * v.norm());
+  EXPECT_NEAR(p.whirl_speed(), rub.whirl * scene.first().contact->clearance, 1e-10 * v.norm());
   EXPECT_GT(rub.normal_force, 0.0);
   Eigen::VectorXd f(model.nq());
   unactuated_force(model, 0.0, q.data(), v.data(), f.data());
   add_contact_load(model,
-                   contact_load(p.e_r, scene.contact->radius, rub.normal_force,
+                   contact_load(p.e_r, scene.first().contact->radius, rub.normal_force,
                                 -rub.friction * rub.normal_force),
                    f.data());
   const Eigen::VectorXd inertia = -rub.whirl * rub.whirl * model.mass.cwiseProduct(q);
@@ -223,13 +223,13 @@ TEST(SteadyRub, OfThreeModesMovesAsTheModelSays) {
       scene::Scene quiet = scene;
       quiet.forces.clear();
       const BackwardCompliance backward(system);
-      const auto whips = backward.whips(scene.contact->friction);
+      const auto whips = backward.whips(scene.first().contact->friction);
       ASSERT_FALSE(whips.empty());
       for (const SteadyRub& whip : whips) {
         EXPECT_LT(whip.whirl * turn, 0.0) << "against the spin";
         expect_motion(quiet, whip);
       }
-      const auto rolling = backward.rolling(scene.contact->friction);
+      const auto rolling = backward.rolling(scene.first().contact->friction);
       ASSERT_TRUE(rolling);
       expect_motion(quiet, *rolling);
     }
@@ -279,7 +279,7 @@ TEST(RubSystem, RefusesWhatDoesNotTurn) {
   const scene::Scene good = test::three_modes(true);
   EXPECT_EQ(reason(good), "");
   scene::Scene s = good;
-  s.stator->stiffness.y() *= 1.1;
+  s.first().stator->stiffness.y() *= 1.1;
   EXPECT_NE(reason(s).find("stator.stiffness"), std::string::npos);
   s = good;
   s.rotor.modal->stiffness_y = {2.1e5, 3e6, 1.1e7};
@@ -291,10 +291,10 @@ TEST(RubSystem, RefusesWhatDoesNotTurn) {
   s.gravity = scene::Gravity{{0.0, -9.81}, {}};
   EXPECT_NE(reason(s).find("gravity"), std::string::npos);
   s = good;
-  s.stator->spin = scene::RingSpin{1e-4, 0.0, 0.0};
+  s.first().stator->spin = scene::RingSpin{1e-4, 0.0, 0.0};
   EXPECT_NE(reason(s).find("stator.spin"), std::string::npos);
   s = good;
-  s.contact.reset();
+  s.first().contact.reset();
   EXPECT_NE(reason(s).find("contact"), std::string::npos);
   EXPECT_NE(reason(test::shipped("paper_sliding")).find("controller.kind"), std::string::npos);
 }

@@ -76,10 +76,10 @@ TEST(DiscWords, ContradictionsAreRefused) {
 TEST(TwoNames, AreOneKey) {
   const std::string sample(kGeometrySample);
   const std::string contact = "[contact]\nradius = 0.02\nclearance = 1e-3\nfriction = 0\nrestitution = 0\n";
-  EXPECT_EQ(parse_scene(sample + contact + "z = 0.3\n", "a.toml").contact->station, 0.3);
+  EXPECT_EQ(parse_scene(sample + contact + "z = 0.3\n", "a.toml").first().contact->station, 0.3);
   const std::vector<std::string> moved{"contact.station=0.4"}, back{"contact.z=0.2"};
-  EXPECT_EQ(parse_scene(sample + contact + "z = 0.3\n", "a.toml", moved).contact->station, 0.4);
-  EXPECT_EQ(parse_scene(sample + contact + "station = 0.3\n", "a.toml", back).contact->station, 0.2);
+  EXPECT_EQ(parse_scene(sample + contact + "z = 0.3\n", "a.toml", moved).first().contact->station, 0.4);
+  EXPECT_EQ(parse_scene(sample + contact + "station = 0.3\n", "a.toml", back).first().contact->station, 0.2);
   expect_refused({
       {"both", sample + contact + "z = 0.3\nstation = 0.3\n", 15, "contact.z", "another name of `station`"},
       {"by the name that is written", sample + contact + "z = 0.7\n", 15, "contact.z", "out of the shaft"},

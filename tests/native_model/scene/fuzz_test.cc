@@ -23,7 +23,7 @@ Outcome outcome(const std::string& text, const std::vector<std::string>& overrid
     EXPECT_TRUE(scene.rotor.geometry.has_value() != scene.rotor.modal.has_value());
     EXPECT_TRUE(std::isfinite(scene.run.end) && scene.run.end > 0.0);
     EXPECT_TRUE(std::isfinite(scene.rotor.speed));
-    EXPECT_TRUE(!scene.contact || scene.contact->clearance > 0.0);
+    EXPECT_TRUE(!scene.first().contact || scene.first().contact->clearance > 0.0);
     return Outcome::kScene;
   } catch (const SceneError& error) {
     EXPECT_FALSE(error.diagnostics().empty());
@@ -158,7 +158,7 @@ TEST(Fuzz, OddTextSurvivesRewriting) {
   const std::vector<std::string> overrides = {"contact.friction=1e-320", "run.end=0x10"};
   const Scene first = parse_scene(text, "s.toml", overrides);
   const Scene again = parse_scene(first.text, "s.toml");
-  EXPECT_EQ(again.contact->friction, 1e-320);
+  EXPECT_EQ(again.first().contact->friction, 1e-320);
   EXPECT_EQ(again.run.end, 16.0);
 }
 

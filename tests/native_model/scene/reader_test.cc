@@ -68,14 +68,14 @@ TEST(Reader, FillsEveryFieldOfTheContractsExample) {
   EXPECT_EQ(scene.drive->gain, 0.5);
   EXPECT_EQ(scene.drive->speed, 100.0 * std::numbers::pi);
 
-  ASSERT_TRUE(scene.contact);
-  EXPECT_EQ(scene.contact->radius, 0.05);
-  EXPECT_EQ(scene.contact->clearance, 0.5e-3);
-  EXPECT_EQ(scene.contact->friction, 0.15);
-  EXPECT_EQ(scene.contact->restitution, 0.5);
-  ASSERT_TRUE(scene.stator);
-  EXPECT_EQ(scene.stator->mass, PlanePair(1.0, 1.0));         // one number: both planes
-  EXPECT_EQ(scene.stator->damping, PlanePair(200.0, 300.0));  // a whole number is taken too
+  ASSERT_TRUE(scene.first().contact);
+  EXPECT_EQ(scene.first().contact->radius, 0.05);
+  EXPECT_EQ(scene.first().contact->clearance, 0.5e-3);
+  EXPECT_EQ(scene.first().contact->friction, 0.15);
+  EXPECT_EQ(scene.first().contact->restitution, 0.5);
+  ASSERT_TRUE(scene.first().stator);
+  EXPECT_EQ(scene.first().stator->mass, PlanePair(1.0, 1.0));         // one number: both planes
+  EXPECT_EQ(scene.first().stator->damping, PlanePair(200.0, 300.0));  // a whole number is taken too
 
   ASSERT_EQ(scene.forces.size(), 2u);
   EXPECT_EQ(scene.forces[0].kind, ForceKind::kRotating);
@@ -106,8 +106,8 @@ TEST(Reader, FillsInTheDefaults) {
   EXPECT_EQ(scene.forces[0].on, 0.0);
   EXPECT_EQ(scene.forces[0].off, kNever);
   EXPECT_EQ(scene.rotor.torsion->drive_shape, std::vector<double>{0.0});
-  EXPECT_EQ(scene.contact->tangential_restitution, 0.0);
-  EXPECT_FALSE(scene.drive || scene.stator || scene.actuator || scene.controller || scene.gravity ||
+  EXPECT_EQ(scene.first().contact->tangential_restitution, 0.0);
+  EXPECT_FALSE(scene.drive || scene.first().stator || scene.first().actuator || scene.first().controller || scene.gravity ||
                scene.magnetic_bearing);
 }
 
@@ -176,7 +176,7 @@ TEST(Reader, ReadsEveryDrive) {
 TEST(Reader, TakesALineEndingOrAByteOrderMarkFromOtherSystems) {
   std::string text = "\xef\xbb\xbf";
   for (char c : kModalSample) text += c == '\n' ? "\r\n" : std::string(1, c);
-  EXPECT_EQ(parse_scene(text, "scene.toml").contact->friction, 0.15);
+  EXPECT_EQ(parse_scene(text, "scene.toml").first().contact->friction, 0.15);
 }
 
 TEST(Reader, ReadsTheShippedScenes) {
@@ -184,21 +184,21 @@ TEST(Reader, ReadsTheShippedScenes) {
   EXPECT_EQ(ring.name, "bench_ring");
   EXPECT_EQ(ring.rotor.modal->stiffness, std::vector<double>{2e5});
   EXPECT_EQ(ring.drive->speed, 100.0 * std::numbers::pi);
-  EXPECT_EQ(ring.stator->stiffness, PlanePair(1e5, 1e5));
+  EXPECT_EQ(ring.first().stator->stiffness, PlanePair(1e5, 1e5));
   const Scene billiard = read_scene(shipped("bench_billiard"));
-  EXPECT_EQ(billiard.contact->restitution, 1.0);
-  EXPECT_FALSE(billiard.stator || billiard.drive);
+  EXPECT_EQ(billiard.first().contact->restitution, 1.0);
+  EXPECT_FALSE(billiard.first().stator || billiard.drive);
   EXPECT_EQ(read_scene(shipped("bench_drop")).forces[0].vector, Eigen::Vector2d(0.0, -19.62));
 
   const Scene passive = read_scene(shipped("paper_passive"));
   const Scene sliding = read_scene(shipped("paper_sliding"));
-  EXPECT_FALSE(passive.controller);
-  EXPECT_EQ(sliding.controller->kind, ControllerKind::kSliding);
-  EXPECT_EQ(sliding.controller->gap_time, 0.008);
+  EXPECT_FALSE(passive.first().controller);
+  EXPECT_EQ(sliding.first().controller->kind, ControllerKind::kSliding);
+  EXPECT_EQ(sliding.first().controller->gap_time, 0.008);
   EXPECT_EQ(passive.rotor.geometry->discs[0].eccentricity, 20e-6);
   EXPECT_EQ(passive.rotor.torsion->damping_ratio, 0.01);
-  EXPECT_EQ(sliding.actuator->kind, ActuatorKind::kIdeal) << "where no kind is given";
-  const Actuator magnets = *read_scene(shipped("paper_magnetic")).actuator;
+  EXPECT_EQ(sliding.first().actuator->kind, ActuatorKind::kIdeal) << "where no kind is given";
+  const Actuator magnets = *read_scene(shipped("paper_magnetic")).first().actuator;
   EXPECT_EQ(magnets.kind, ActuatorKind::kElectromagnet);
   EXPECT_NEAR(magnets.force_constant, 416.7e-6, 1e-15);
   EXPECT_EQ(magnets.air_gap, 5e-3);

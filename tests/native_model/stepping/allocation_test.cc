@@ -41,7 +41,7 @@ scene::Scene soon_active(const std::string& name) {
     scene.forces[0].on = 0.0;
     scene.initial.steady = false;
     scene.rotor.geometry->modes = 2;
-    if (scene.controller) scene.controller->on = 0.002;
+    if (scene.first().controller) scene.first().controller->on = 0.002;
   }
   return scene;
 }

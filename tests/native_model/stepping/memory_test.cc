@@ -113,7 +113,7 @@ TEST(PaperOrigin, TheStartsTimeIsTheForcesTime) {
 // The ring obeys a force that no controller of the model asked for.
 TEST(PaperStepper, PassiveRingObeysAForceGivenToIt) {
   const Model model = make_model(shipped("paper_passive", {}));
-  ASSERT_EQ(model.controller, nullptr);
+  ASSERT_EQ(model.first().controller, nullptr);
   PaperStepper stepper(model, kStep);
   const int ring = model.layout.ring();
   stepper.step(0, {30.0, 0.0});

@@ -17,16 +17,16 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 scene::Scene magnetic_scene(double coil_lag = 0.0, double rate = kNever) {
   scene::Scene s = test::machine_scene(true);
-  s.actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
+  s.first().actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
                                .force_constant = 4e-4,
                                .bias_current = 3.0,
                                .air_gap = 5e-3,
                                .current_limit = 2.0,
                                .coil_lag = coil_lag,
                                .current_rate_limit = rate};
-  s.controller = scene::Controller{};
-  s.controller->stiffness = 8e4;
-  s.controller->damping = 150.0;
+  s.first().controller = scene::Controller{};
+  s.first().controller->stiffness = 8e4;
+  s.first().controller->damping = 150.0;
   return s;
 }
 
@@ -51,7 +51,7 @@ TEST(Actuation, MagnetsGiveTheForceAskedFor) {
 
 TEST(Actuation, MagnetsKeepToTheirCurrent) {
   Model m = make_model(magnetic_scene());
-  m.magnets->current_limit = 1e-3;
+  m.first().magnets->current_limit = 1e-3;
   const State s = test::random_state(m, 3);
   const double *q = s.q.data(), *v = s.v.data();
   const Eigen::Vector2d i = control_command(m, s.t, q, v);
@@ -62,14 +62,14 @@ TEST(Actuation, MagnetsKeepToTheirCurrent) {
 // Before the controller is on, the bias current pulls the ring off the middle all the same.
 TEST(Actuation, MagnetsActWithoutACommand) {
   scene::Scene scene = magnetic_scene();
-  scene.controller.reset();
+  scene.first().controller.reset();
   const Model m = make_model(scene);
   const State s = test::random_state(m, 4);
   const Eigen::Vector2d axes = to_axes(stator_point(m, s.q.data()));
   const ActuatorState a = actuator_state(m, s.q.data(), s.v.data(), {0.0, 0.0});
   const Eigen::Vector2d force = to_axes(a.force);
   for (int k = 0; k < 2; ++k) {
-    EXPECT_NEAR(force[k], m.magnets->law->force(axes[k], 0.0), 1e-12 * std::abs(force[k]));
+    EXPECT_NEAR(force[k], m.first().magnets->law->force(axes[k], 0.0), 1e-12 * std::abs(force[k]));
     EXPECT_GT(force[k] * axes[k], 0.0);
   }
 }
@@ -117,9 +117,9 @@ TEST(Coils, TheRateOfTheirCurrentIsLimited) {
 // L di/dt = u - R i with |u| <= U: 55 V and -45 V are asked for.
 TEST(Coils, TheirVoltageIsLimited) {
   scene::Scene scene = magnetic_scene(2e-4);
-  scene.actuator->voltage_limit = 12.0;
-  scene.actuator->inductance = 0.01;
-  scene.actuator->resistance = 2.0;
+  scene.first().actuator->voltage_limit = 12.0;
+  scene.first().actuator->inductance = 0.01;
+  scene.first().actuator->resistance = 2.0;
   const Model m = make_model(scene);
   State s = test::random_state(m, 8);
   s.v.segment<2>(m.layout.coil()) << 0.4, -1.1;

@@ -76,11 +76,11 @@ TEST(Model, AbsentPartsLeaveNothingToCompute) {
   EXPECT_EQ(m.weight.size(), 0);
   EXPECT_FALSE(m.drive);
   EXPECT_FALSE(m.lines);
-  EXPECT_FALSE(m.controller);
+  EXPECT_FALSE(m.first().controller);
   EXPECT_FALSE(m.coupled_mass());
   scene::Scene s = make_scene({});
-  s.contact.reset();
-  EXPECT_FALSE(make_model(s).contact);
+  s.first().contact.reset();
+  EXPECT_FALSE(make_model(s).first().contact);
 }
 
 TEST(Model, ModalFormIsCopied) {
@@ -90,18 +90,19 @@ TEST(Model, ModalFormIsCopied) {
   stiffness << 2.0e5, 3.0e6, 1.6e5, 2.5e6, 0.0, 60.0, 90.0, 1.0e5, 1.4e5;
   EXPECT_EQ(m.mass, mass);
   EXPECT_EQ(m.stiffness, stiffness);
-  EXPECT_EQ(m.contact_shape.x, Eigen::Vector2d(1.0, 1.0));
-  EXPECT_EQ(m.torsion_contact, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(m.first().shape.x, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(m.first().torsion_shape, Eigen::Vector2d(1.0, 1.0));
   EXPECT_EQ(m.drive_shape, Eigen::Vector2d(0.3, -0.5));
-  EXPECT_EQ(m.contact->friction, 0.2);
+  EXPECT_EQ(m.first().contact->friction, 0.2);
   EXPECT_EQ(m.springs.at(0).stiffness, Eigen::Vector2d(-3e4, -3e4));
   EXPECT_EQ(m.gyroscopic.kind(), ModeMatrix::Kind::kDiagonal);
 }
 
 TEST(Model, InitialStateIsTheScenes) {
   scene::Scene s = test::machine_scene(true);
-  s.initial = {false,        {1e-4, -2e-4}, {3e-5, 0.0},   {0.1, 0.2},   {0.3, 0.4}, 0.7,
-               {0.01, 0.02}, {1.5, -2.5},   {1e-5, -3e-5}, {0.02, 0.03}};
+  s.initial = {false, {1e-4, -2e-4}, {3e-5, 0.0}, {0.1, 0.2}, {0.3, 0.4}, 0.7, {0.01, 0.02}, {1.5, -2.5}};
+  s.first().stator->position = {1e-5, -3e-5};
+  s.first().stator->velocity = {0.02, 0.03};
   const State state = initial_state(make_model(s));
   Eigen::VectorXd q(9), v(9);
   q << 1e-4, -2e-4, 3e-5, 0.0, 0.7, 0.01, 0.02, 1e-5, -3e-5;
@@ -124,7 +125,7 @@ TEST(Model, GeometryFormBringsTheShaftsOwnTerms) {
   ASSERT_EQ(m.unbalances.size(), 1u);
   EXPECT_DOUBLE_EQ(m.unbalances[0].static_moment, 2.0 * 20e-6);
   EXPECT_TRUE(m.lines);
-  EXPECT_EQ(m.contact_shape.x, Eigen::Vector3d(1.0, 1.0, 1.0)) << "scaled to 1 at the contact";
+  EXPECT_EQ(m.first().shape.x, Eigen::Vector3d(1.0, 1.0, 1.0)) << "scaled to 1 at the contact";
   s.rotor.geometry->discs[0].eccentricity = 0.0;
   EXPECT_TRUE(make_model(s).unbalances.empty());
 }
@@ -141,19 +142,19 @@ TEST(ModelRefusal, AStartOutsideTheRing) {
   expect_refusal(s, "initial.y", "outside the ring");
   s.initial.y.clear();
   test::add_ring(s, 1.0, 0.0, 0.0);
-  s.initial.stator = {0.0, 6e-4};
+  s.first().stator->position = {0.0, 6e-4};
   expect_refusal(s, "initial.stator", "outside the ring");
-  s.initial.stator = {0.0, 5e-4};
+  s.first().stator->position = {0.0, 5e-4};
   EXPECT_NO_THROW(make_model(s)) << "on the ring is meant";
 }
 
 TEST(ModelRefusal, AModeWithANodeAtTheContactMovesNothingThere) {
   // The rig is symmetric about 0.3 m: the second mode has its node there.
   scene::Scene s = test::reference_rig();
-  s.contact->station = 0.3;
+  s.first().contact->station = 0.3;
   s.initial.x = {0.0, 1e-3, 0.0};
   const Model m = make_model(s);
-  EXPECT_EQ(m.contact_shape.x, Eigen::Vector3d(1.0, 0.0, 1.0));
+  EXPECT_EQ(m.first().shape.x, Eigen::Vector3d(1.0, 0.0, 1.0));
   EXPECT_EQ(contact_point(m, m.q0.data(), m.v0.data()).gap, 0.5e-3);
   s.initial.x = {1e-3, 0.0, 0.0};
   expect_refusal(s, "initial.x", "outside the ring, 0.001 m");
@@ -170,7 +171,7 @@ TEST(ModelRefusal, MoreCoordinatesThanAStepHolds) {
   EXPECT_EQ(make_model(s).nq(), kMaxCoordinates);
   test::add_ring(s, 1.0, 0.0, 0.0);
   expect_refusal(s, "rotor.modal.mass", "514 coordinates");
-  s.stator.reset();
+  s.first().stator.reset();
   modes(kMaxCoordinates / 2 + 1);
   expect_refusal(s, "rotor.modal.mass", "at most 512");
   scene::Scene rig = test::reference_rig();

@@ -60,7 +60,7 @@ TEST(SteadyOrbit, TheLeastGapIsThatOfTheRun) {
   blade.kind = scene::ForceKind::kUnbalance;
   blade.static_moment = 4e-5;
   s.forces = {blade};
-  s.contact = scene::Contact{.radius = 0.02, .clearance = 0.5e-3, .offset = {1e-5, 0.0}};
+  s.first().contact = scene::Contact{.radius = 0.02, .clearance = 0.5e-3, .offset = {1e-5, 0.0}};
   const Model model = make_model(s);
   const FreeOrbit orbit = free_orbit(s, model, 250.0);
   ASSERT_TRUE(orbit.largest);
@@ -295,7 +295,7 @@ TEST(SteadyOrbit, FixedStepsComeToItWithTheSquareOfTheStep) {
 // The bias pulls where the weight has brought the ring: F(s, 0) is not linear there.
 TEST(SteadyOrbit, RingBetweenItsMagnetsIsAtRest) {
   scene::Scene s = magnetic_ring();
-  s.stator->stiffness *= 100.0;
+  s.first().stator->stiffness *= 100.0;
   s.gravity = scene::Gravity{{20.0, -98.1}, {}};
   const Model m = make_model(s);
   const int ring = m.layout.ring();
@@ -303,13 +303,13 @@ TEST(SteadyOrbit, RingBetweenItsMagnetsIsAtRest) {
   smooth_force(m, 0.0, m.q0.data(), m.v0.data(), {0.0, 0.0}, f.data());
   EXPECT_NEAR(f[ring], 0.0, 1e-12 * 150.0);
   EXPECT_NEAR(f[ring + 1], 0.0, 1e-12 * 150.0);
-  const double linear = 20.0 / s.stator->stiffness.x();
+  const double linear = 20.0 / s.first().stator->stiffness.x();
   EXPECT_GT(std::abs(m.q0[ring] - linear), 0.01 * linear) << "the magnets count";
 }
 
 TEST(SteadyOrbit, RingInTheMiddleOfItsMagnetsWithoutALoad) {
   scene::Scene s = magnetic_ring();
-  s.stator->stiffness *= 100.0;
+  s.first().stator->stiffness *= 100.0;
   const Model m = make_model(s);
   EXPECT_EQ(m.q0[m.layout.ring()], 0.0);
   EXPECT_EQ(m.q0[m.layout.ring() + 1], 0.0);

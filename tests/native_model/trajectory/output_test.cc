@@ -80,11 +80,11 @@ TEST_F(OutputTest, SeriesHeaderIsTheContracts) {
       << "without a drive there is no motor";
   scene::Scene s = test::make_scene({});
   test::add_ring(s, 1.0, 0.0, 1e5);
-  s.controller = scene::Controller{};
-  s.controller->kind = scene::ControllerKind::kSliding;
+  s.first().controller = scene::Controller{};
+  s.first().controller->kind = scene::ControllerKind::kSliding;
   EXPECT_EQ(series_header(make_model(s)), kCommon + ",x_1,y_1,vx_1,vy_1,control_x,control_y,control_s,control_layer")
       << "what the law shows of itself";
-  s.actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
+  s.first().actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
                                .force_constant = 1e-4,
                                .bias_current = 3.0,
                                .air_gap = 5e-3,

@@ -15,7 +15,7 @@ constexpr double kAirGap = 1e-3;  // m
 scene::Scene in_magnets() {
   scene::Scene scene = test::make_scene({.mass = 2.0, .stiffness = 2e5});
   test::add_ring(scene, 1.0, 200.0, 1e4);
-  scene.actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
+  scene.first().actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
                                    .force_constant = 3e-5,
                                    .bias_current = 3.0,
                                    .air_gap = kAirGap};
@@ -52,7 +52,7 @@ TEST(RangeCheck, OfTheRotorIsTwiceTheClearance) {
 // The ring's spring is weaker than the pull of the bias current: it runs into a core.
 TEST(RangeCheck, EndsARunWithWhatThereIs) {
   scene::Scene scene = in_magnets();
-  scene.initial.stator = from_axes({1e-6, 0.0});
+  scene.first().stator->position = from_axes({1e-6, 0.0});
   scene.run.end = 0.5;
   const Trajectory t = test::run_event(scene);
   ASSERT_EQ(t.status, Status::kOutOfRange) << t.message;

@@ -20,11 +20,11 @@ class Feed {
  public:
   explicit Feed(const Model& model) : recorder_(model, {}) {}
   void begin(const Eigen::Vector2d& q, const Eigen::Vector2d& v) {
-    recorder_.begin({0.0, q.data(), v.data()});
+    recorder_.begin({{}, 0.0, q.data(), v.data()});
   }
   void step(double t, const Eigen::Vector2d& q, const Eigen::Vector2d& v, double normal = 0.0,
             double friction = 0.0, bool impact = false) {
-    recorder_.step({t, q.data(), v.data()}, normal, friction, impact);
+    recorder_.step({{}, t, q.data(), v.data()}, normal, friction, impact);
   }
   Trajectory finish(double end) { return recorder_.finish(end); }
 
@@ -132,11 +132,11 @@ double residual_along(const Model& m, int steps) {
   Eigen::VectorXd y(2 * n);
   y << s.q, s.v;
   Recorder recorder(m, {});
-  recorder.begin({0.0, y.data(), y.data() + n});
+  recorder.begin({{}, 0.0, y.data(), y.data() + n});
   const double h = 0.02 / steps;
   for (int k = 0; k < steps; ++k) {
     y = test::runge_kutta(rate, k * h, h, y);
-    recorder.step({(k + 1) * h, y.data(), y.data() + n}, 0.0, 0.0, false);
+    recorder.step({{}, (k + 1) * h, y.data(), y.data() + n}, 0.0, 0.0, false);
   }
   return recorder.finish(0.02).statistics.energy_residual();
 }

@@ -87,7 +87,7 @@ TEST_F(NativeTwinTest, HasTheNumbersOfTheSceneThatSaysTheSame) {
   EXPECT_NEAR(twin.scene.drive->gain, 0.0501, 1e-10);
   EXPECT_NEAR(twin.scene.drive->speed, 16.0 / 0.0501, 1e-6);
   EXPECT_EQ(twin.scene.rotor.speed, 300.0);
-  EXPECT_EQ(twin.scene.contact->clearance, 5e-4);
+  EXPECT_EQ(twin.scene.first().contact->clearance, 5e-4);
   EXPECT_EQ(twin.scene.run.step, 1e-5);
 }
 

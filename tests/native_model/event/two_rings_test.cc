@@ -1,0 +1,186 @@
+// Two auxiliary bearings against a second program (two_rings/README.md), and against what several contacts have in
+// closed form.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "native_model/scene/reader.h"
+#include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kRows = 1e-12;  // s, of the times that both have written
+
+std::string file(const std::string& name) {
+  return std::string(ROTORUB_SOURCE_DIR) + "/tests/native_model/event/two_rings/" + name;
+}
+
+nlohmann::json expected(const std::string& name) {
+  std::ifstream in(file("expected.json"));
+  return nlohmann::json::parse(in).at(name);
+}
+
+std::size_t row_of(const Trajectory& t, double time) {
+  const std::vector<double>& times = t.column("t");
+  const auto found = std::lower_bound(times.begin(), times.end(), time - kRows);
+  return static_cast<std::size_t>(found - times.begin());
+}
+
+int counted(const Trajectory& t, int contact) {
+  return static_cast<int>(std::count_if(t.impacts.begin(), t.impacts.end(), [&](const Impact& i) {
+    return i.contact == contact && counts(i);
+  }));
+}
+
+class TwoRings : public testing::TestWithParam<const char*> {};
+
+// Positions to 5e-13 m and velocities to 5e-11 m/s: a thousandth of what a bounce at the end of an accumulation is.
+TEST_P(TwoRings, AgreesWithASecondProgram) {
+  const nlohmann::json exact = expected(GetParam());
+  const scene::Scene scene = scene::read_scene(file(GetParam() + std::string(".toml")));
+  const Trajectory t = test::run_event(scene);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  for (const nlohmann::json& row : exact.at("rows")) {
+    const std::size_t k = row_of(t, row.at("t"));
+    ASSERT_LT(k, t.rows());
+    for (const auto& [column, value] : row.at("state").items()) {
+      double found = t.column(column)[k];
+      // There a ring is counted from where its spring is at rest.
+      const std::size_t ring = column.starts_with("contact2_") ? 1 : 0;
+      const Eigen::Vector2d offset = scene.auxiliary[ring].contact->offset;
+      if (column.ends_with("stator_x")) found -= offset.x();
+      if (column.ends_with("stator_y")) found -= offset.y();
+      const bool rate = column.find("_v") != std::string::npos || column.starts_with("v");
+      const double bound = column == "spin_speed" ? 1e-9 : rate ? 5e-11 : 5e-13;
+      EXPECT_NEAR(found, value.get<double>(), bound) << column << " at " << row.at("t");
+    }
+    for (const auto& [column, mode] : row.at("modes").items()) {
+      const std::size_t contact = column.starts_with("contact2_") ? 1 : 0;
+      if (scene.auxiliary[contact].contact->friction == 0.0) continue;  // sliding and sticking are one there
+      EXPECT_EQ(to_string(static_cast<Mode>(static_cast<int>(t.column(column)[k]))), mode)
+          << column << " at " << row.at("t");
+    }
+  }
+  const nlohmann::json& figures = exact.at("contacts");
+  ASSERT_EQ(t.statistics.contacts.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(counted(t, static_cast<int>(k)), figures.at("impacts")[k]);
+    EXPECT_NEAR(t.statistics.contacts[k].impulse_total, figures.at("normal_impulse")[k].get<double>(), 1e-9);
+    EXPECT_NEAR(t.statistics.contacts[k].friction_impulse, figures.at("friction_impulse")[k].get<double>(), 1e-9);
+  }
+  EXPECT_LT(t.statistics.energy_residual(), 1e-11);
+}
+
+INSTANTIATE_TEST_SUITE_P(, TwoRings,
+                         testing::Values("drop", "rub", "moving", "rolling", "conical", "cylindrical"),
+                         [](const auto& of) { return std::string(of.param); });
+
+// A rigid shaft: mode 1 its translation, mode 2 its tilt, 1 at the first contact and `tilt` at the second.
+scene::Scene shaft(double mass, double tilt_mass, double tilt, const test::Jeffcott& of = {}) {
+  scene::Scene s = test::make_scene(of);
+  s.rotor.modal->mass = {mass, tilt_mass};
+  s.rotor.modal->stiffness = {of.stiffness, of.stiffness};
+  s.rotor.modal->damping = {of.damping, of.damping};
+  s.auxiliary.push_back(s.first());
+  s.auxiliary[1].contact->shape = {1.0, tilt};
+  return s;
+}
+
+double end_of(const Trajectory& t, const char* column) { return t.column(column).back(); }
+
+TEST(SeveralContacts, ACentralHitIsOneContactWithTheSumOfTheMasses) {
+  test::Jeffcott of{.friction = 0.2, .restitution = 0.5, .speed = 100.0};
+  scene::Scene two = shaft(3.0, 1.0, -1.0, of), one = test::make_scene(of);
+  one.rotor.modal->mass = {3.0};
+  for (scene::Scene* s : {&two, &one}) {
+    s->initial.vx = {0.3};
+    s->run.end = 0.03;
+  }
+  two.initial.vx = {0.3, 0.0};
+  const Trajectory t = test::run_event(two), exact = test::run_event(one);
+  ASSERT_GE(exact.impacts.size(), 2u);
+  ASSERT_EQ(t.impacts.size(), 2 * exact.impacts.size());
+  for (std::size_t k = 0; k < exact.impacts.size(); ++k) {
+    const Impact &left = t.impacts[2 * k], &right = t.impacts[2 * k + 1], &whole = exact.impacts[k];
+    EXPECT_EQ(left.t, right.t);
+    EXPECT_NE(left.contact, right.contact);
+    EXPECT_NEAR(left.t, whole.t, 1e-15);
+    EXPECT_NEAR(left.normal_impulse, 0.5 * whole.normal_impulse, 1e-14);
+    EXPECT_NEAR(right.friction_impulse, 0.5 * whole.friction_impulse, 1e-14);
+  }
+  EXPECT_NEAR(end_of(t, "rotor_x"), end_of(exact, "rotor_x"), 1e-15);
+  EXPECT_NEAR(end_of(t, "contact2_rotor_y"), end_of(exact, "rotor_y"), 1e-15);
+}
+
+// 1/m - a b/I = 0: with the modal masses m and I/a^2 and the tilt -b/a.
+TEST(SeveralContacts, AtTheCentreOfPercussionTheOtherContactFeelsNothing) {
+  scene::Scene s = shaft(2.0, 1.5, -0.75, {.restitution = 0.5});
+
+  // Both ends at the first contact's side: the second one lies on its circle at rest, the first comes.
+  const double at_second = 0.5e-3, at_first = 0.4e-3;
+  const double tilt = (at_first - at_second) / 1.75;
+  s.initial.x = {at_first - tilt, tilt};
+  s.initial.vx = {0.75 / 1.75 * 0.1, 0.1 / 1.75};  // 0.1 m/s at the first, 0 at the second
+  s.run.end = 2e-3;
+  const Trajectory t = test::run_event(s);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  ASSERT_FALSE(t.impacts.empty());
+  EXPECT_NEAR(t.impacts.front().t, 1e-3, 1e-15);
+  EXPECT_EQ(counted(t, 0), 1);
+  EXPECT_EQ(counted(t, 1), 0);
+  EXPECT_LT(t.statistics.contacts[1].impulse_total, 1e-15);
+  EXPECT_NEAR(end_of(t, "contact2_gap"), 0.0, 1e-16);
+}
+
+TEST(SeveralContacts, TwoLikeRingsOfOneKilogramAreOneOfTwo) {
+  test::Jeffcott of{.friction = 0.15, .restitution = 0.4, .speed = 80.0};
+  scene::Scene two = shaft(3.0, 1.0, -1.0, of), one = test::make_scene(of);
+  one.rotor.modal->mass = {3.0};
+  test::add_ring(one, 2.0, 60.0, 4e5);
+  for (scene::AuxiliaryBearing& bearing : two.auxiliary) {
+    bearing.stator = scene::Stator{{1.0, 1.0}, {30.0, 30.0}, {2e5, 2e5}};
+  }
+  one.initial.vx = {0.3}, one.initial.vy = {0.1}, two.initial.vx = {0.3, 0.0}, two.initial.vy = {0.1, 0.0};
+  one.run.end = two.run.end = 0.02;
+  const Trajectory t = test::run_event(two), exact = test::run_event(one);
+  EXPECT_GE(exact.impacts.size(), 4u);
+  for (const char* column : {"rotor_x", "rotor_y", "stator_x", "stator_y"}) {
+    EXPECT_NEAR(end_of(t, column), end_of(exact, column), 1e-12) << column;
+    EXPECT_NEAR(end_of(t, (std::string("contact2_") + column).c_str()), end_of(exact, column), 1e-12) << column;
+  }
+}
+
+// Each bounce of the first end knocks the resting second one open, which bounces to rest anew before the next.
+TEST(SeveralContacts, ANestedAccumulationEnds) {
+  const Trajectory t = test::run_event(scene::read_scene(file("drop.toml")));
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_GT(counted(t, 1), 3 * counted(t, 0));
+  EXPECT_NE(t.column("mode").back(), static_cast<double>(Mode::kFree));
+  EXPECT_NE(t.column("contact2_mode").back(), static_cast<double>(Mode::kFree));
+}
+
+// Any order of the contacts is the same machine.
+TEST(SeveralContacts, HaveNoOrder) {
+  scene::Scene s = shaft(3.0, 1.2, -0.7, {.damping = 40.0, .stiffness = 3e5, .friction = 0.2, .restitution = 0.4, .speed = 200.0});
+  test::add_rotating_force(s, 250.0, 200.0);
+  s.forces[0].shape = {1.0, 0.4};
+  s.run.end = 0.05;
+  s.auxiliary.push_back(s.auxiliary[1]);
+  s.auxiliary[2].contact->shape = {1.0, -0.2};
+  s.auxiliary[2].contact->clearance = 0.45e-3;
+  const Trajectory t = test::run_event(s);
+  std::swap(s.auxiliary[1], s.auxiliary[2]);
+  const Trajectory swapped = test::run_event(s);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_GT(counted(t, 0) + counted(t, 1) + counted(t, 2), 10);
+  EXPECT_NEAR(end_of(t, "x_1"), end_of(swapped, "x_1"), 1e-11);
+  EXPECT_NEAR(end_of(t, "y_2"), end_of(swapped, "y_2"), 1e-11);
+  EXPECT_NEAR(end_of(t, "contact2_gap"), end_of(swapped, "contact3_gap"), 1e-11);
+}
+
+}  // namespace
+}  // namespace rotorub
