@@ -32,7 +32,7 @@ Place of(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 
 // One isotropic mode, a contact, and none of the parts that the closed forms know nothing of.
 bool is_plain(const scene::Scene& s) {
-  if (!s.rotor.modal || !s.first().contact) return false;
+  if (!s.rotor.modal || !s.first().contact || s.auxiliary.size() > 1) return false;
   const scene::RotorModal& m = *s.rotor.modal;
   const bool one_mode = m.mass.size() == 1 && m.mass == m.mass_y && m.stiffness == m.stiffness_y &&
                         m.damping == m.damping_y && first(m.internal_damping) == 0.0 &&

@@ -13,6 +13,7 @@ namespace {
 std::string beyond(const scene::Scene& s, const Model& m) {
   if (m.layout.modes != 1) return fmt::format("{} bending modes in a plane", m.layout.modes);
   if (!s.first().contact) return "a scene without [contact]";
+  if (s.auxiliary.size() > 1) return "several contacts";
   if (s.gravity) return "[gravity]";
   if (!m.first().ring_offset.isZero(0.0)) return "contact.offset";
   if (m.layout.torsion > 0) return "elastic torsion";

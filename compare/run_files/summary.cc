@@ -16,6 +16,7 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
+constexpr std::string_view kSeveral = "several contacts";
 constexpr std::string_view kGeometry = "geometry form with a contact, else null";
 
 const ColumnMeaning kSummaryKeys[] = {
@@ -49,10 +50,40 @@ const ColumnMeaning kSummaryKeys[] = {
     {"above_modes.friction_share", "", "share of the friction work there", kGeometry},
     {"above_modes.fastest_whirl", "rad/s", "fastest whirl in contact, forward positive", kGeometry},
     {"ring_speed", "rad/s", "speed of the ring's own spin at the end, positive as the rotor's", "a ring that turns"},
+    {"contacts[].name", "", "of the contact", kSeveral},
+    {"contacts[].first_touch", "s", "time of its first contact; null: never", kSeveral},
+    {"contacts[].contact_time", "s", "with a normal force; an impact of a fixed step counts as one step", kSeveral},
+    {"contacts[].impulse_total", "N s", "its normal impulse on the rotor, never negative", kSeveral},
+    {"contacts[].friction_impulse", "N s", "signed along its e_t", kSeveral},
+    {"contacts[].friction_work", "J", "never positive", kSeveral},
+    {"contacts[].impacts", "", "number of its impacts with a gap rate below -1e-4 m/s", kSeveral},
+    {"contacts[].least_gap", "m", "smallest gap of all rows and ends of steps", kSeveral},
+    {"contacts[].max_penetration", "m", "never negative", kSeveral},
     {"status", "", "ok, diverged, no_solution, ambiguous, step_too_large, out_of_range, controller_failed or "
      "interrupted", ""},
     {"message", "", "why it is not ok", ""},
 };
+
+// Of each contact, where there are several.
+json contacts_json(const scene::Scene& scene, const Trajectory& trajectory) {
+  json all = json::array();
+  for (std::size_t k = 0; k < trajectory.statistics.contacts.size(); ++k) {
+    const ContactStatistics& s = trajectory.statistics.contacts[k];
+    const auto impacts = std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), [k](const Impact& i) {
+      return static_cast<std::size_t>(i.contact) == k && counts(i);
+    });
+    all.push_back({{"name", scene.name_of(k)},
+                   {"first_touch", s.first_touch < 0.0 ? json() : json(s.first_touch)},
+                   {"contact_time", s.contact_time},
+                   {"impulse_total", s.impulse_total},
+                   {"friction_impulse", s.friction_impulse},
+                   {"friction_work", s.friction_work},
+                   {"impacts", impacts},
+                   {"least_gap", s.least_gap},
+                   {"max_penetration", s.max_penetration}});
+  }
+  return all;
+}
 
 // Null: modal form, or no contact.
 json above_modes_json(const std::optional<AboveModes>& above) {
@@ -103,6 +134,7 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
               {"above_modes", above_modes_json(above_modes(scene, trajectory))},
               {"status", to_string(trajectory.status)},
               {"message", trajectory.message}});
+  if (trajectory.contacts > 1) all["contacts"] = contacts_json(scene, trajectory);
   return all;
 }
 

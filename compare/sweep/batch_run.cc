@@ -28,7 +28,8 @@ std::vector<PointResult> BatchRun::run(const std::vector<std::int64_t>& points) 
     try {
       PointScene made{point, scene_at_(point)};
       const auto integrator = study_.integrator.value_or(made.scene.run.integrator);
-      if (study_.engine == EngineKind::kNative && has_ensemble(integrator)) {
+      const bool alike = made.scene.auxiliary.size() == 1;  // lanes have one contact
+      if (study_.engine == EngineKind::kNative && has_ensemble(integrator) && alike) {
         together[integrator].push_back(std::move(made));
       } else if (auto result = run_single(point, made.scene, *engine_of(study_, made.scene), interrupt_)) {
         out.push_back(std::move(*result));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/run/status_reason.h"
 #include "native_model/stepping/literal.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
@@ -24,24 +25,6 @@ CommandJump jump_of(const CommandRecord& told, double begin, double end) {
   const auto next = std::upper_bound(jumps.begin(), jumps.end(), begin);
   if (next == jumps.end() || *next >= end) return {};
   return {(*next - begin) / (end - begin), told.mean(begin, *next), told.mean(*next, end)};
-}
-
-const char* reason(Status status) {
-  switch (status) {
-    case Status::kDiverged:
-      return "the state is no longer finite";
-    case Status::kNoSolution:
-      return "the contact laws have no solution (frictional jamming, Painleve)";
-    case Status::kAmbiguous:
-      return "the contact laws have several solutions (frictional jamming, Painleve)";
-    case Status::kStepTooLarge:
-      return "the equations of one step do not converge: the step is too large for the loads that "
-             "depend on the spin";
-    case Status::kInterrupted:
-      return "interrupted";
-    default:
-      return "";
-  }
 }
 
 // A state that a run has come to, and its contact.
@@ -118,7 +101,7 @@ class FixedRun {
     }
   }
 
-  void fail(Status status, double now) { fail(status, now, reason(status)); }
+  void fail(Status status, double now) { fail(status, now, status_reason(status)); }
   // The law's word names the time.
   void listen(const ZeroOrderHold& hold) {
     if (hold.failure().empty() || status_ != Status::kOk) return;
@@ -176,9 +159,7 @@ class FixedRun {
     if (done.reversed) recorder_.add(Event{now, EventKind::kReverse});
     if (done.mode == mode_) return;
     mode_ = done.mode;
-    recorder_.add(Event{now, mode_ == Mode::kSlide   ? EventKind::kSlide
-                             : mode_ == Mode::kStick ? EventKind::kStick
-                                                     : EventKind::kLiftOff});
+    recorder_.add(Event{now, mode_event(mode_)});
   }
 
   const Model& model_;

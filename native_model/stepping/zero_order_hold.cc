@@ -13,9 +13,9 @@
 namespace rotorub {
 
 const Eigen::Vector2d& ZeroOrderHold::at(double t, const double* q, const double* v) {
-  if (!model_->first().controller || t < model_->first().control_on) return held_;
-  if (model_->first().sample_time > 0.0) {
-    const double sample = sample_index(t, model_->first().sample_time);
+  if (!bearing().controller || t < bearing().control_on) return held_;
+  if (bearing().sample_time > 0.0) {
+    const double sample = sample_index(t, bearing().sample_time);
     if (sample == last_sample_) return held_;
     last_sample_ = sample;
   }
@@ -25,20 +25,20 @@ const Eigen::Vector2d& ZeroOrderHold::at(double t, const double* q, const double
 
 Eigen::Vector2d ZeroOrderHold::command(double t, const double* q, const double* v) {
   const Model& m = *model_;
-  if (!m.first().loop) return control_command(m, t, q, v);
+  if (!bearing().loop) return control_command(m, t, q, v, bearing_);
   return sampled_.take(t, q, v, held_, currents_ ? &*currents_ : nullptr);
 }
 
 // s; infinity: none. The first is at switch-on, the others at multiples of the sample time.
 double ZeroOrderHold::next_sample() const {
-  if (!model_->first().controller) return std::numeric_limits<double>::infinity();
-  if (last_sample_ < 0.0) return model_->first().control_on;
-  return (last_sample_ + 1.0) * model_->first().sample_time;
+  if (!bearing().controller) return std::numeric_limits<double>::infinity();
+  if (last_sample_ < 0.0) return bearing().control_on;
+  return (last_sample_ + 1.0) * bearing().sample_time;
 }
 
 bool ZeroOrderHold::listens(double end) const {
-  if (!model_->first().controller) return false;
-  const double first = model_->first().sample_time > 0.0 ? next_sample() : model_->first().control_on;
+  if (!bearing().controller) return false;
+  const double first = bearing().sample_time > 0.0 ? next_sample() : bearing().control_on;
   return first <= end;
 }
 
@@ -53,14 +53,14 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
       now_q[i] = q[i] + s * (v[i] + 0.5 * s * a[i]);
       now_v[i] = v[i] + s * a[i];
     }
-    held_ = command(std::max(instant, m.first().control_on), now_q, now_v);
+    held_ = command(std::max(instant, bearing().control_on), now_q, now_v);
   };
   // Without a lag magnets turn currents into forces at once: it is forces that have a mean.
-  const bool forces = m.first().magnets && m.layout.coils == 0;
-  const Eigen::Vector2d s = forces ? to_axes(stator_point(m, q)) : Eigen::Vector2d::Zero();
+  const bool forces = bearing().magnets && bearing().coil == kAbsent;
+  const Eigen::Vector2d s = forces ? to_axes(stator_point(m, q, bearing_)) : Eigen::Vector2d::Zero();
   const auto acts = [&](const Eigen::Vector2d& command) -> Eigen::Vector2d {
     if (!forces) return command;
-    const ForceLaw& law = *m.first().magnets->law;
+    const ForceLaw& law = *bearing().magnets->law;
     return {law.force(s.x(), command.x()), law.force(s.y(), command.y())};
   };
   Eigen::Vector2d sum{0.0, 0.0}, before{0.0, 0.0};
@@ -75,16 +75,16 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
     sum += (to - from) * acts(held_);
     from = to;
   };
-  if (m.first().sample_time > 0.0) {
+  if (bearing().sample_time > 0.0) {
     // One at the very end holds from the next begin on.
     for (double instant = next_sample(); instant < end; instant = next_sample()) {
       until(instant);
       take(instant);
-      last_sample_ = sample_index(instant, m.first().sample_time);
+      last_sample_ = sample_index(instant, bearing().sample_time);
     }
   } else {
     // A load that is switched jumps in a command that feeds the loads forward.
-    if (m.first().control_on > begin) until(m.first().control_on);
+    if (bearing().control_on > begin) until(bearing().control_on);
     for (double instant = next_switch(m, from, end); from < end; instant = next_switch(m, from, end)) {
       const double last = std::nextafter(instant, begin);
       take(instant < end ? std::clamp(t, from, last) : std::max(t, from));
@@ -96,7 +96,7 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
   const auto mean_of = [&](const Eigen::Vector2d& part, double time) -> Eigen::Vector2d {
     const Eigen::Vector2d mean = part / time;
     if (!forces) return mean;
-    const MagneticActuator& magnets = *m.first().magnets;
+    const MagneticActuator& magnets = *bearing().magnets;
     return {magnets.law->current(s.x(), mean.x(), magnets.current_limit),
             magnets.law->current(s.y(), mean.y(), magnets.current_limit)};
   };

@@ -16,7 +16,8 @@ namespace rotorub {
 class ZeroOrderHold {
  public:
   // The model must outlive the hold.
-  explicit ZeroOrderHold(const Model& model) : model_(&model), sampled_(model) {}
+  explicit ZeroOrderHold(const Model& model, std::size_t bearing = 0)
+      : model_(&model), bearing_(bearing), sampled_(model, bearing) {}
 
   // What the actuator is told (system/actuation.h) over the step that starts at t (s), from the
   // state there; ask once a step, in order. 0 before the controller is on and without one.
@@ -51,8 +52,10 @@ class ZeroOrderHold {
  private:
   Eigen::Vector2d command(double t, const double* q, const double* v);
   double next_sample() const;
+  const AuxiliaryBearing& bearing() const { return model_->auxiliary[bearing_]; }
 
   const Model* model_;
+  std::size_t bearing_;
   Eigen::Vector2d held_{0.0, 0.0};
   CommandJump jump_;
   double last_sample_ = -1.0;  // index of the sample held; -1: none yet

@@ -139,9 +139,9 @@ void check_initial_ring(const scene::Scene& scene, std::size_t k) {
                       scene::number_text(at.actuator->air_gap) + " m"}});
 }
 
-void refuse_several_contacts(const scene::Scene& scene, const std::string& who) {
+void refuse_several_contacts(const scene::Scene& scene, const std::string& who, const std::string& accepted) {
   if (scene.auxiliary.size() < 2) return;
-  refuse(scene, {{"", 0, "contact[1]", who + " knows one contact; accepted with several: the native integrator event"}});
+  refuse(scene, {{"", 0, "contact[1]", who + " knows one contact; accepted with several: the native integrator " + accepted}});
 }
 
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {

@@ -31,8 +31,9 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
 // time (kUnsampled), but not samples of a controller within one: loads and command are held over it.
 enum class FiniteImpacts { kNone, kUnsampled };
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted);
-// `who` knows one contact.
-void refuse_several_contacts(const scene::Scene& scene, const std::string& who);
+// `who` knows one contact; `accepted`: the native integrators that know more.
+void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
+                             const std::string& accepted = "event or verlet");
 // Within an electromagnet's core there is no start.
 void check_initial_ring(const scene::Scene& scene, std::size_t bearing);
 

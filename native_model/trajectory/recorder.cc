@@ -100,7 +100,8 @@ std::vector<double> output_times(const scene::Run& run) {
 }
 
 Recorder::Recorder(const Model& model, std::vector<double> times, double window)
-    : model_(&model), times_(std::move(times)), columns_(make_columns(model)), window_(window) {
+    : model_(&model), times_(std::move(times)), columns_(make_columns(model)),
+      least_gaps_(model.auxiliary.size(), std::numeric_limits<double>::infinity()), window_(window) {
   assert(std::is_sorted(times_.begin(), times_.end()));
   for (Column& column : columns_) column.values.reserve(times_.size());
   const auto n = static_cast<std::size_t>(model.nq());
@@ -270,6 +271,7 @@ void Recorder::row(const Snapshot& now) {
   const Eigen::Vector2d r = rotor_point(m, now.q), rv = rotor_point(m, now.v);
   const Eigen::Vector2d f = ring_centre(m, now.q), fv = stator_point(m, now.v);
   if (m.first().contact) statistics_.least_gap = std::min(statistics_.least_gap, p.gap);
+  least_gaps_[0] = std::min(least_gaps_[0], p.gap);
   resting_ = now.mode == Mode::kFree ? 0.0 : now.normal_force * m.first().contact->clearance;
   auto column = columns_.begin();
   const auto put = [&column](double value) { (column++)->values.push_back(value); };
@@ -302,6 +304,7 @@ void Recorder::put_further(std::size_t k, const ContactSnapshot& at, const Snaps
   const Eigen::Vector2d r = rotor_point(m, now.q, k), rv = rotor_point(m, now.v, k);
   const Eigen::Vector2d f = ring_centre(m, now.q, k), fv = stator_point(m, now.v, k);
   statistics_.least_gap = std::min(statistics_.least_gap, p.gap);
+  least_gaps_[k] = std::min(least_gaps_[k], p.gap);
   if (at.mode != Mode::kFree) resting_ += at.normal_force * m.auxiliary[k].contact->clearance;
   for (double value : {r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(), p.gap, p.gap_rate, p.slip,
                        at.normal_force, at.friction_force, static_cast<double>(at.mode)}) {
@@ -336,6 +339,11 @@ Trajectory Recorder::finish(double end) {
   if (steps_ > 0) look_at_energy();
   statistics_.energy_scale = std::max(statistics_.energy_scale, resting_);
   statistics_.window_impulse = window_.largest();
+  for (std::size_t k = 0; k < statistics_.contacts.size(); ++k) {
+    ContactStatistics& own = statistics_.contacts[k];
+    own.least_gap = std::min(own.least_gap, least_gaps_[k]);
+    if (own.first_touch >= 0.0) own.least_gap = std::min(own.least_gap, 0.0);
+  }
   Trajectory t;
   t.end = end;
   t.contacts = model_->auxiliary.size();

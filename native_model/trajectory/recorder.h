@@ -109,6 +109,7 @@ class Recorder {
   std::int64_t steps_ = 0;
   double last_gap_rate_ = 0.0, last_slip_ = 0.0, last_whole_slip_ = 0.0, last_power_ = 0.0;
   std::vector<Column> columns_;
+  std::vector<double> least_gaps_;  // m, of the rows, of each contact
   std::vector<Impact> impacts_;
   std::vector<Event> events_;
   Statistics statistics_;

@@ -47,11 +47,17 @@ TEST(ColumnFiles, StandInTheReadmesAsTheProgramHasThem) {
   expect_in_readme("compare/sweep/README.md", sweep::sweep_columns_markdown() + "\n");
 }
 
-// Leaves of an object, as "contact_mass.kept".
+const std::string kTwoRings = std::string(ROTORUB_SOURCE_DIR) + "/tests/native_model/event/two_rings/moving.toml";
+const std::vector<std::string> kShort{"run.end=2e-5", "run.step=1e-5", "run.output_step=1e-5",
+                                           "run.output_times=none"};
+
+// Leaves of an object, as "contact_mass.kept", "contacts[].name".
 void collect(const json& object, const std::string& prefix, std::set<std::string>& keys) {
   for (const auto& [key, value] : object.items()) {
     if (value.is_object()) {
       collect(value, prefix + key + ".", keys);
+    } else if (value.is_array() && !value.empty() && value.front().is_object()) {
+      collect(value.front(), prefix + key + "[].", keys);
     } else {
       keys.insert(prefix + key);
     }
@@ -74,6 +80,8 @@ TEST(ColumnFiles, NameTheKeysOfSummaryAndMetrics) {
     const scene::Scene scene = shipped_scene(name);
     collect(summary_json(scene, short_run(scene)), "", written);
   }
+  const scene::Scene several = scene::read_scene(kTwoRings, kShort);
+  collect(summary_json(several, short_run(several)), "", written);
   written.erase("contact_mass");  // null: modal data
   written.erase("above_modes");
   EXPECT_EQ(written, names_of(summary_keys()));
@@ -85,14 +93,12 @@ TEST(ColumnFiles, NameTheKeysOfSummaryAndMetrics) {
 // Each column of a run by its own name, in the order of the file, with the unit that the recorder gave it.
 TEST(ColumnFiles, NameEveryColumnOfEveryShippedScene) {
   std::set<std::string_view> met;
-  std::vector<std::filesystem::path> files{std::string(ROTORUB_SOURCE_DIR) +
-                                           "/tests/native_model/event/two_rings/moving.toml"};
+  std::vector<std::filesystem::path> files{kTwoRings};
   for (const auto& entry : std::filesystem::directory_iterator(ROTORUB_MJCF_DIR)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
   for (const std::filesystem::path& file : files) {
-    const std::vector<std::string> short_run{"run.end=2e-5", "run.step=1e-5", "run.output_step=1e-5"};
-    const scene::Scene scene = scene::read_scene(file, short_run);
+    const scene::Scene scene = scene::read_scene(file, kShort);
     const Trajectory run = native_engine(scene.run.integrator)->run(scene, {});
     const auto series = run_columns_json(run).at("series.csv");
     ASSERT_EQ(series.size(), run.series.size());

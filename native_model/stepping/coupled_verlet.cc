@@ -1,0 +1,504 @@
+#include "native_model/stepping/coupled_verlet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "native_model/contact/circle.h"
+#include "native_model/contact/located_impact.h"
+#include "native_model/contact/rebound.h"
+#include "native_model/dynamics/closed_contacts.h"
+#include "native_model/dynamics/dynamics.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kOnCircle = 1e-12;  // of the clearance: as good as on it
+constexpr double kNoSlip = 1e-10;    // of the surface's speed
+
+Eigen::Vector3d rates(const Model& m, std::size_t contact, const double* v) {
+  const auto w = equations::relative(m, m.auxiliary[contact], v);
+  return {w.x, w.y, equations::contact_spin(m, m.auxiliary[contact], v)};
+}
+
+double slip_of(const Eigen::Vector2d& e, double radius, const Eigen::Vector3d& velocity) {
+  return e.x() * velocity.y() - e.y() * velocity.x() + radius * velocity.z();
+}
+
+}  // namespace
+
+CoupledVerlet::CoupledVerlet(const Model& model, double step)
+    : LoadKernel<Model>(model, {&model}, step),
+      contacts_(model.auxiliary.size()),
+      response_(3 * model.auxiliary.size(), Columns(static_cast<std::size_t>(model.nq()))),
+      applied_(static_cast<std::size_t>(model.nq())),
+      after_(applied_),
+      before_(applied_),
+      late_(applied_),
+      free_end_(applied_),
+      done_(contacts_.size()) {
+  // What drives the rings comes with each step.
+  commanded = magnetic_ = false;
+  applied = applied_.data();
+  load_initial_states();
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    contacts_[i].law = *model.auxiliary[i].contact;
+    // A start on the circle that does not close is lasting contact.
+    const ContactPoint p = contact_point(model, model.q0.data(), model.v0.data(), i);
+    contacts_[i].lasts = p.gap <= kOnCircle * contacts_[i].law.clearance && p.gap_rate >= -1e-9 && p.gap_rate <= 1e-9;
+  }
+  if (!coupled_) respond();
+}
+
+void CoupledVerlet::kick(std::int64_t k) {
+  const double t = origin + static_cast<double>(k) * h_;
+  for (std::size_t i = 0; i < start_.size(); ++i) start_[i] = v_[i] + late_[i];
+  free_velocity(k, first_ ? t : t - 0.5 * h_, t, q_.data());
+  if (!first_) return;
+  for (std::size_t i = 0; i < free_.size(); ++i) free_[i] = 0.5 * (start_[i] + free_[i]);
+}
+
+void CoupledVerlet::apply_forces(std::span<const Eigen::Vector2d> forces) {
+  std::fill(applied_.begin(), applied_.end(), 0.0);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const int ring = m_->auxiliary[i].ring;
+    if (ring == kAbsent) continue;
+    applied_[static_cast<std::size_t>(ring)] = forces[i].x();
+    applied_[static_cast<std::size_t>(ring) + 1] = forces[i].y();
+  }
+}
+
+// The columns A^-1 J^T of every contact.
+void CoupledVerlet::respond() {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Columns& column = response_[3 * i + static_cast<std::size_t>(axis)];
+      std::fill(column.begin(), column.end(), 0.0);
+      add_contact_load(*m_, Eigen::Vector3d::Unit(axis), column.data(), i);
+      solve(column.data());
+    }
+  }
+}
+
+Eigen::Matrix3d CoupledVerlet::admittance(std::size_t i, std::size_t j) const {
+  Eigen::Matrix3d a;
+  for (int axis = 0; axis < 3; ++axis) {
+    a.col(axis) = contact_acceleration(*m_, response_[3 * j + static_cast<std::size_t>(axis)].data(), i);
+  }
+  return a;
+}
+
+// Where the contacts are at the step's begin.
+void CoupledVerlet::place() {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    Contact& c = contacts_[i];
+    c.d = separation(*m_, q_.data(), i);
+    c.start = rates(*m_, i, start_.data());
+    c.free = rates(*m_, i, free_.data());
+    c.normal = c.friction = 0.0;
+  }
+}
+
+bool CoupledVerlet::leaves(const Contact& c, const Eigen::Vector3d& velocity) const {
+  return (c.d + h_ * velocity.head<2>()).norm() > c.law.clearance;
+}
+
+// to += A^-1 J^T p of all lasting contacts.
+void CoupledVerlet::push(double* to) const {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const Contact& c = contacts_[i];
+    if (c.normal == 0.0) continue;
+    const Eigen::Vector3d p = contact_load(c.e_r, c.law.radius, c.normal, c.friction);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Columns& column = response_[3 * i + axis];
+      for (std::size_t k = 0; k < column.size(); ++k) to[k] += column[k] * p[static_cast<Eigen::Index>(axis)];
+    }
+  }
+}
+
+// The step impulses for which each ends on its circle: Newton's method, whose linear problem is the law's.
+CoupledSolution CoupledVerlet::solve_on_circles(std::span<const std::size_t> lasting,
+                                                std::span<const Friction> friction) const {
+  const auto n = static_cast<Eigen::Index>(lasting.size());
+  const auto contact = [&](Eigen::Index i) -> const Contact& {
+    return contacts_[lasting[static_cast<std::size_t>(i)]];
+  };
+  std::array<ContactSet, kMaxContacts> sets{};
+  // What unit impulses do to the rates of each.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * kMaxContacts, 2 * kMaxContacts> effect(3 * n, 2 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    sets[at].friction = friction[at].given ? std::abs(friction[at].ratio) : contact(i).law.friction;
+    if (friction[at].given) sets[at].slides = friction[at].ratio > 0.0 ? -1.0 : 1.0;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Contact& c = contact(j);
+      const Eigen::Matrix3d a = admittance(lasting[at], lasting[static_cast<std::size_t>(j)]);
+      effect.block<3, 1>(3 * i, 2 * j) = a * contact_load(c.e_r, c.law.radius, 1.0, 0.0);
+      effect.block<3, 1>(3 * i, 2 * j + 1) = a * contact_load(c.e_r, c.law.radius, 0.0, 1.0);
+    }
+  }
+  CoupledSolution s;
+  ContactVector p = ContactVector::Zero(2 * n);
+  constexpr int kRounds = 6;
+  for (int round = 0; round < kRounds; ++round) {
+    ContactMatrix a(2 * n, 2 * n);
+    ContactVector b(2 * n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Contact& c = contact(i);
+      const Eigen::Vector3d change = effect.middleRows<3>(3 * i) * p;
+      const Eigen::Vector2d end = c.d + h_ * (c.free + change).head<2>();
+      const double distance = end.norm();
+      const Eigen::Vector2d out = end / distance;
+      for (Eigen::Index j = 0; j < 2 * n; ++j) {
+        const Eigen::Vector3d by = effect.block<3, 1>(3 * i, j);
+        a(2 * i, j) = -out.dot(by.head<2>());
+        a(2 * i + 1, j) = slip_of(c.e_r, c.law.radius, by);
+      }
+      b[2 * i] = (c.law.clearance - distance) / h_ - a.row(2 * i).dot(p);
+      b[2 * i + 1] = slip_of(c.e_r, c.law.radius, c.free);
+    }
+    s = solve_coupled(a, b, std::span(sets).first(lasting.size()));
+    if (s.solutions != 1) return s;
+    const double moved = (s.p - p).cwiseAbs().maxCoeff();
+    p = s.p;
+    if (moved <= 1e-14 * p.cwiseAbs().maxCoeff()) break;
+  }
+  return s;
+}
+
+// Impulses of the contacts that last; false: the laws have none. Friction follows the slip of the middle; where that
+// changes its sign within the step, it is the mean of its two values by the time that each holds.
+bool CoupledVerlet::press(std::span<const std::size_t> lasting) {
+  std::array<Friction, kMaxContacts> friction{};
+  std::array<double, kMaxContacts> before{};
+  const std::size_t n = lasting.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Contact& c = contacts_[lasting[i]];
+    before[i] = slip_of(c.e_r, c.law.radius, c.start);
+    if (std::abs(before[i]) <= kNoSlip * c.law.radius * std::abs(c.start.z())) before[i] = 0.0;
+    if (before[i] != 0.0) friction[i] = {true, before[i] > 0.0 ? -c.law.friction : c.law.friction};
+  }
+  CoupledSolution s;
+  std::array<bool, kMaxContacts> turns{}, turned{};
+  for (bool settled = false; !settled;) {
+    s = solve_on_circles(lasting, std::span(friction).first(n));
+    if (s.solutions != 1) {
+      fail(0, status_of(s.solutions));
+      return false;
+    }
+    settled = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Contact& c = contacts_[lasting[i]];
+      const auto at = static_cast<Eigen::Index>(2 * i);
+      const double mu = c.law.friction, sign = before[i] > 0.0 ? 1.0 : -1.0;
+      if (!turns[i] && friction[i].given && s.y[at + 1] * sign <= 0.0 && s.p[at] > 0.0) {
+        // It would come to rest: does friction hold it?
+        turns[i] = true;
+        contacts_[lasting[i]].slip_sign = before[i] / (before[i] - s.y[at + 1]);  // share of the step until then
+        friction[i].given = false;
+        settled = false;
+      } else if (turns[i] && !turned[i] && !s.sticks[i] && s.p[at] > 0.0) {
+        turned[i] = true;
+        friction[i] = {true, mu * sign * (1.0 - 2.0 * c.slip_sign)};
+        settled = false;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    Contact& c = contacts_[lasting[i]];
+    const auto at = static_cast<Eigen::Index>(2 * i);
+    c.normal = s.p[at];
+    c.friction = s.p[at + 1];
+    const double slip = s.y[at + 1];
+    const bool sticks = !friction[i].given && s.sticks[i];
+    c.slip_sign = sticks ? 0.0 : turned[i] ? (before[i] > 0.0 ? -1.0 : 1.0) : slip >= 0.0 ? 1.0 : -1.0;
+  }
+  return true;
+}
+
+// after_ from free_, with what lasts of the contacts.
+void CoupledVerlet::last() {
+  std::array<std::size_t, kMaxContacts> lasting{};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    Contact& c = contacts_[i];
+    c.was_lasting = c.lasts;
+    c.lasts = c.lasts && leaves(c, c.free);
+    if (!c.lasts) continue;
+    c.e_r = normal_of_path(c.d, h_ * c.free.head<2>(), c.law.clearance);
+    lasting[count++] = i;
+  }
+  std::copy(free_.begin(), free_.end(), after_.begin());
+  if (count == 0) return;
+  if (coupled_) respond();
+  if (iterates_) begin_iteration(1.0);
+  for (bool settled = false;;) {
+    if (!press(std::span(lasting).first(count))) return;
+    std::copy(free_.begin(), free_.end(), after_.begin());
+    push(after_.data());
+    if (!iterates_ || settled) break;
+    settled = !improve(q_.data(), after_.data());
+    for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].free = rates(*m_, i, free_.data());
+  }
+  for (Contact& c : contacts_) c.lasts = c.lasts && c.normal > 0.0;
+}
+
+CoupledVerlet::Result CoupledVerlet::step(std::int64_t k, std::span<const Eigen::Vector2d> forces) {
+  hits_.clear();
+  late_work_ = 0.0;
+  apply_forces(forces);
+  kick(k);
+  std::copy(q_.begin(), q_.end(), before_.begin());
+  std::fill(late_.begin(), late_.end(), 0.0);
+  was_first_ = first_;
+  kick_ = was_first_ ? 0.5 : 1.0;
+  place();
+  std::array<double, kMaxContacts> signs{};
+  for (std::size_t i = 0; i < contacts_.size(); ++i) signs[i] = contacts_[i].slip_sign;
+  last();
+  std::copy(after_.begin(), after_.end(), free_end_.begin());
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    Contact& c = contacts_[i];
+    c.free = rates(*m_, i, after_.data());
+    if (!c.lasts) c.slip_sign = 0.0;
+    const Mode mode = !c.lasts ? Mode::kFree : c.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
+    done_[i] = {mode, signs[i] * c.slip_sign < 0.0, c.normal, c.friction};
+  }
+  const bool hit = std::any_of(contacts_.begin(), contacts_.end(),
+                               [&](const Contact& c) { return !c.lasts && leaves(c, c.free); });
+  if (hit && status[0] == Status::kOk) collide(k);
+  kick_ = 1.0;
+  check_finite(after_.data());
+  Result result{status[0], done_, hits_, 0.0, 0.0, 0.0};
+  if (result.status != Status::kOk) return result;
+  result.lasting_work = lasting_work();
+  result.impact_work = impact_work();
+  result.external_work = (was_first_ ? 0.5 : 1.0) * external_work(before_.data(), start_.data(), free_end_.data()) +
+                         late_work_;
+  first_ = false;
+  for (std::size_t i = 0; i < after_.size(); ++i) {
+    v_[i] = after_[i];
+    q_[i] += h_ * after_[i];
+  }
+  return result;
+}
+
+// The impacts of the step, in their order. What flies leaves its circle; what is closed takes part.
+void CoupledVerlet::collide(std::int64_t k) {
+  const Model& m = *m_;
+  const std::size_t n = contacts_.size(), nq = after_.size();
+  const double kick = was_first_ ? 0.5 * h_ : h_, t = origin + static_cast<double>(k) * h_;
+  std::vector<double> velocity = after_, acceleration(nq), at(nq);
+  for (std::size_t i = 0; i < nq; ++i) acceleration[i] = (after_[i] - start_[i]) / kick;
+  std::array<Eigen::Vector2d, kMaxContacts> d;
+  std::array<bool, kMaxContacts> closed{};
+  for (std::size_t i = 0; i < n; ++i) d[i] = contacts_[i].d, closed[i] = contacts_[i].lasts;
+  double theta = 0.0;
+  const int most = StepImpacts::kMost * static_cast<int>(n);
+  for (int count = 0; count < most; ++count) {
+    // The first that leaves its circle.
+    double share = 2.0;
+    std::size_t first = n;
+    std::array<Eigen::Vector2d, kMaxContacts> path;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double clearance = contacts_[i].law.clearance;
+      path[i] = (1.0 - theta) * h_ * rates(m, i, velocity.data()).head<2>();
+      if (closed[i] || (d[i] + path[i]).norm() <= clearance) continue;
+      const double exit = circle_exit(d[i], path[i], clearance);
+      if (exit > 1.0) {
+        closed[i] = d[i].norm() >= clearance;  // it never comes inside: no flight
+      } else if (exit < share) {
+        share = exit;
+        first = i;
+      }
+    }
+    if (first == n) break;
+    for (std::size_t i = 0; i < n; ++i) d[i] += share * path[i];
+    theta += share * (1.0 - theta);
+
+    // All that is closed there, with the velocities of that instant.
+    const double late = (theta - 0.5) * h_;
+    for (std::size_t i = 0; i < nq; ++i) at[i] = velocity[i] + late * acceleration[i];
+    std::array<ClosedContact, kMaxContacts> group{};
+    std::array<ImpactLaw, kMaxContacts> laws{};
+    std::array<double, kMaxContacts> pressed{};
+    ContactVector b(static_cast<Eigen::Index>(2 * n));
+    Eigen::Index size = 0;
+    double approach = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Contact& c = contacts_[i];
+      const bool touches = i == first || d[i].norm() >= (1.0 - kOnCircle) * c.law.clearance;
+      if (!closed[i] && !touches) continue;
+      const auto g = static_cast<std::size_t>(size);
+      group[g].index = i;
+      group[g].point.e_r = d[i].normalized();
+      const Eigen::Vector3d v = rates(m, i, at.data());
+      const Eigen::Vector3d a = contact_acceleration(m, acceleration.data(), i);
+      const double gap_rate = closed[i] ? 0.0 : -group[g].point.e_r.dot(v.head<2>());
+      b.segment<2>(2 * size) << gap_rate, slip_of(group[g].point.e_r, c.law.radius, v);
+      approach = std::max(approach, -gap_rate);
+      pressed[g] = pressing(group[g].point.e_r, v, a, c.law.clearance);
+      laws[g] = c.law.law();
+      ++size;
+    }
+    if (approach == 0.0) {  // a touch
+      closed[first] = true;
+      continue;
+    }
+    const auto members = static_cast<std::size_t>(size);
+    std::vector<double> there(before_);
+    for (std::size_t i = 0; i < nq; ++i) there[i] += theta * h_ * velocity[i];
+    const ContactMatrix g = delassus(m, t, there.data(), std::span(group).first(members));
+    for (std::size_t i = 0; i < members; ++i) {
+      const auto row = static_cast<Eigen::Index>(2 * i);
+      const Contact& c = contacts_[group[i].index];
+      // Without the force that a lasting contact has.
+      if (c.lasts && closed[group[i].index]) {
+        pressed[i] += (g(row, row) * c.normal + g(row, row + 1) * c.friction) / kick;
+      }
+      const bool stays = count + 1 == most || !flight_outlives(h_, -c.law.restitution * b[row], pressed[i]);
+      if (b[row] < 0.0 && stays) laws[i].restitution = laws[i].tangential_restitution = 0.0;
+    }
+    const ContactVector before = b.head(2 * size);
+    const auto solved = [&] { return solve_coupled_impact(g, before, std::span(laws).first(members)); };
+    CoupledSolution s = solved();
+    // One that it knocks open too little for a flight stays.
+    bool again = false;
+    for (std::size_t i = 0; i < members && s.solutions == 1; ++i) {
+      const double opens = s.y[static_cast<Eigen::Index>(2 * i)];
+      if (!closed[group[i].index] || !(opens > 0.0) || flight_outlives(h_, opens, pressed[i])) continue;
+      laws[i].restitution = laws[i].tangential_restitution = 0.0;
+      again = true;
+    }
+    if (again) s = solved();
+    if (s.solutions != 1) return fail(0, status_of(s.solutions));
+
+    std::fill(at.begin(), at.end(), 0.0);
+    for (std::size_t i = 0; i < members; ++i) {
+      const auto row = static_cast<Eigen::Index>(2 * i);
+      const std::size_t index = group[i].index;
+      Contact& c = contacts_[index];
+      const double normal = s.p[row], friction = s.p[row + 1];
+      add_contact_load(m, contact_load(group[i].point.e_r, c.law.radius, normal, friction), at.data(), index);
+      const bool rests = s.y[row] <= kOnCircle * approach ||
+                         (closed[index] && !flight_outlives(h_, s.y[row], pressed[i]));
+      if (normal > 0.0) {
+        hits_.push_back({t + theta * h_, normal, friction, before[row], s.y[row], before[row + 1], s.y[row + 1],
+                         0.5 * (normal * (before[row] + s.y[row]) + friction * (before[row + 1] + s.y[row + 1])),
+                         static_cast<int>(index)});
+      }
+      if (closed[index] && c.lasts && !rests) {
+        // It carries nothing from here on, and the kick was for a whole step.
+        const Eigen::Vector3d p = contact_load(c.e_r, c.law.radius, c.normal, c.friction);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const Columns& column = response_[3 * index + axis];
+          for (std::size_t j = 0; j < nq; ++j) {
+            const double kicked = column[j] * p[static_cast<Eigen::Index>(axis)];
+            late_[j] += (theta - 0.5) * kicked;
+            acceleration[j] -= kicked / kick;
+          }
+        }
+        c.lasts = false;
+      }
+      closed[index] = rests;
+    }
+    apply_jump(t, theta, there.data(), at, velocity, acceleration);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (closed[i] != contacts_[i].lasts) contacts_[i].slip_sign = 0.0;
+    contacts_[i].lasts = closed[i];
+  }
+}
+
+// Of the actuators at these velocities: what a continuous controller asks now, of the others what they do over the step.
+std::span<const Eigen::Vector2d> CoupledVerlet::ring_forces(double t, const double* q, const double* v,
+                                                            std::span<Eigen::Vector2d> forces) const {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const AuxiliaryBearing& at = m_->auxiliary[i];
+    forces[i].setZero();
+    if (!at.moves()) continue;
+    const auto ring = static_cast<std::size_t>(at.ring);
+    const bool follows = at.controller && at.sample_time == 0.0 && t >= at.control_on;
+    forces[i] = follows ? actuator_state(*m_, q, v, control_command(*m_, t, q, v, i), i).force
+                        : Eigen::Vector2d(applied_[ring], applied_[ring + 1]);
+  }
+  return forces.first(contacts_.size());
+}
+
+// The jump of the velocities by the impulses `load` (on the coordinates): this step's part and the next one's, with
+// what the loads that depend on velocities miss of it.
+void CoupledVerlet::apply_jump(double t, double theta, const double* q, std::span<double> load,
+                               std::span<double> velocity, std::span<const double> acceleration) {
+  const Model& m = *m_;
+  const std::size_t nq = load.size();
+  const double late = (theta - 0.5) * h_;
+  solve_mass(m, t, q, load.data(), load.data());
+  std::vector<double> at(nq), before(nq), missed(nq);
+  // Loads and their power by the velocities just before and just after; a continuous controller sees the jump too.
+  std::array<Eigen::Vector2d, kMaxContacts> rings;
+  const auto loads = [&](std::vector<double>& f) {
+    const std::span<const Eigen::Vector2d> forces = ring_forces(t, q, at.data(), rings);
+    unactuated_force(m, t, q, at.data(), f.data());
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      const int ring = m.auxiliary[i].ring;
+      if (ring == kAbsent) continue;
+      f[static_cast<std::size_t>(ring)] += forces[i].x();
+      f[static_cast<std::size_t>(ring) + 1] += forces[i].y();
+    }
+    return external_power(m, t, q, at.data(), forces);
+  };
+  for (std::size_t i = 0; i < nq; ++i) at[i] = velocity[i] + late * acceleration[i];
+  const double power = loads(before);
+  for (std::size_t i = 0; i < nq; ++i) at[i] += load[i];
+  late_work_ -= late * (loads(missed) - power);
+  for (std::size_t i = 0; i < nq; ++i) missed[i] = -late * (missed[i] - before[i]);
+  solve_mass(m, t, q, missed.data(), missed.data());
+  for (std::size_t i = 0; i < nq; ++i) {
+    velocity[i] += load[i];
+    after_[i] += (1.0 - theta) * load[i];
+    late_[i] += theta * load[i] + missed[i];
+  }
+}
+
+double CoupledVerlet::lasting_work() const {
+  double work = 0.0;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    if (!(done_[i].normal > 0.0)) continue;
+    const Contact& c = contacts_[i];
+    const Eigen::Vector3d load = contact_load(c.e_r, c.law.radius, done_[i].normal, done_[i].friction);
+    const Eigen::Vector3d end = rates(*m_, i, free_end_.data());
+    work += load.dot(0.5 * (c.start + end) - Eigen::Vector3d(0.0, 0.0, held()));
+  }
+  return work;
+}
+
+double CoupledVerlet::impact_work() const {
+  double work = 0.0;
+  for (const Impact& hit : hits_) {
+    const double radius = contacts_[static_cast<std::size_t>(hit.contact)].law.radius;
+    work += hit.energy_change - hit.friction_impulse * radius * held();
+  }
+  return work;
+}
+
+void CoupledVerlet::velocity_now(std::int64_t k, double* now) {
+  if (first_) {
+    std::copy(v_.begin(), v_.end(), now);
+    return;
+  }
+  kick(k);
+  std::copy(free_.begin(), free_.end(), now);
+  if (coupled_) respond();
+  for (Contact& c : contacts_) {
+    if (!c.lasts) c.normal = c.friction = 0.0;
+  }
+  push(now);
+  for (std::size_t i = 0; i < start_.size(); ++i) now[i] = 0.5 * (start_[i] + now[i]);
+}
+
+void CoupledVerlet::last_velocity(double* now) const {
+  for (std::size_t i = 0; i < start_.size(); ++i) {
+    now[i] = was_first_ ? start_[i] : 0.5 * (start_[i] + free_end_[i]);
+  }
+}
+
+}  // namespace rotorub
