@@ -25,7 +25,7 @@ struct RotorAnalysis {
   std::optional<ModeShapes> shapes;           // geometry form only
   std::vector<WhirlShape> whirl_shapes;       // at the scene's own speed; geometry form only
   std::vector<TorsionMode> torsion;
-  RubAnalyses rubs;                           // at the same speeds as the spectra
+  std::vector<RubAnalyses> rubs;              // of each contact, at the same speeds as the spectra
   std::vector<FreeOrbit> orbits;              // at the same speeds, of the modes kept; none without a contact
   double clearance = 0.0;                     // m, of the contact
   std::optional<ContactMass> contact_mass;  // geometry form with a contact only

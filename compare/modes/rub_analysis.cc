@@ -125,9 +125,7 @@ std::string driven_text(const RubAnalysis& analysis) {
   return text;
 }
 
-}  // namespace
-
-RubAnalyses analyse_rubs(const scene::Scene& scene, const std::vector<double>& speeds) {
+RubAnalyses rubs_of_contact(const scene::Scene& scene, const std::vector<double>& speeds) {
   RubAnalyses all;
   if (!scene.first().contact) return all;
   try {
@@ -156,6 +154,21 @@ RubAnalyses analyse_rubs(const scene::Scene& scene, const std::vector<double>& s
   } catch (const scene::SceneError& error) {
     all.at.clear();
     all.refused = error.diagnostics().front().key + ": " + error.diagnostics().front().reason;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<RubAnalyses> analyse_rubs(const scene::Scene& scene, const std::vector<double>& speeds) {
+  if (scene.auxiliary.size() == 1) return {rubs_of_contact(scene, speeds)};
+  std::vector<RubAnalyses> all;
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    scene::Scene alone = with_bearing_alone(scene, k);
+    alone.initial = {};  // the start is no matter of a steady rub, and may be outside of one ring alone
+    if (alone.first().stator) alone.first().stator->position.setZero();
+    all.push_back(rubs_of_contact(alone, speeds));
+    all.back().contact = scene.name_of(k);
   }
   return all;
 }

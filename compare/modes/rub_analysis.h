@@ -25,10 +25,12 @@ struct RubAnalysis {
 struct RubAnalyses {
   std::vector<RubAnalysis> at;  // one for each speed; none where refused
   std::string refused;          // why there are none; empty: there is no [contact]
+  std::string contact;          // its name, where there are several
 };
 
-// Loads keep their ratio to the spin (rub::at_speed). A scene whose rubs cannot be analysed is no error here.
-RubAnalyses analyse_rubs(const scene::Scene& scene, const std::vector<double>& speeds);
+// Of each contact while the others are open. Loads keep their ratio to the spin (rub::at_speed). A scene whose rubs
+// cannot be analysed is no error here.
+std::vector<RubAnalyses> analyse_rubs(const scene::Scene& scene, const std::vector<double>& speeds);
 
 // "no contact", "synchronous rub", "backward whip", "rolling", joined by " + "; "none stable". The words of
 // a sweep's attractors.

@@ -132,12 +132,18 @@ json modes_json(const RotorAnalysis& analysis) {
     for (const WhirlMode& mode : spectrum.modes) {
       modes.push_back({{"frequency", mode.frequency}, {"damping_ratio", mode.damping_ratio}});
     }
-    const RubAnalyses& rubs = analysis.rubs;
+    const RubAnalyses& rubs = analysis.rubs.front();
     const std::size_t at = spectra.size();
     spectra.push_back({{"speed", spectrum.speed},
                        {"modes", modes},
                        {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[at])},
                        {"response", analysis.orbits.empty() ? json(nullptr) : response_json(analysis, at)}});
+    for (const RubAnalyses& of : analysis.rubs) {
+      if (of.contact.empty()) break;  // there is one
+      spectra.back()["contacts"].push_back({{"name", of.contact},
+                                            {"rub", of.at.empty() ? json(nullptr) : rub_json(of.at[at])},
+                                            {"rub_refused", of.refused.empty() ? json(nullptr) : json(of.refused)}});
+    }
   }
   json torsion = json::array();
   for (const TorsionMode& mode : analysis.torsion) {
@@ -151,7 +157,7 @@ json modes_json(const RotorAnalysis& analysis) {
               {"contact_mass", contact_mass_json(analysis.contact_mass)},
               {"mode_shapes", shapes_json(analysis.shapes)},
               {"rub_refused", nullptr}};
-  if (!analysis.rubs.refused.empty()) result["rub_refused"] = analysis.rubs.refused;
+  if (!analysis.rubs.front().refused.empty()) result["rub_refused"] = analysis.rubs.front().refused;
   if (analysis.stability_threshold) result["stability_threshold"] = *analysis.stability_threshold;
   if (std::isfinite(analysis.stability_bound)) {
     result["stability_bound"] = analysis.stability_bound;
@@ -176,9 +182,10 @@ std::string modes_table(const std::string& name, const RotorAnalysis& analysis) 
 
   text += "\n" + stability_text(analysis) + "\n" + contact_mass_text(analysis.contact_mass);
   text += "\n" + shapes_table(analysis);
-  for (const RubAnalysis& rubs : analysis.rubs.at) text += "\n" + rub_table(rubs);
-  if (!analysis.rubs.refused.empty()) {
-    text += fmt::format("\nrotor and ring together: {}\n", analysis.rubs.refused);
+  for (const RubAnalyses& of : analysis.rubs) {
+    if (!of.contact.empty()) text += fmt::format("\ncontact {}, the others open\n", of.contact);
+    for (const RubAnalysis& rubs : of.at) text += "\n" + rub_table(rubs);
+    if (!of.refused.empty()) text += fmt::format("\nrotor and ring together: {}\n", of.refused);
   }
   return text;
 }

@@ -16,7 +16,9 @@
 #include "compare/run_files/summary.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/record.h"
 #include "native_model/scene/regular_file.h"
+#include "native_model/trajectory/columns.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
@@ -106,12 +108,20 @@ void read_series(const path& file, Trajectory& trajectory) {
 
 void read_impacts(const path& file, Trajectory& trajectory) {
   read_csv(file, [&](const auto& fields, int line) {
-    if (fields.size() != 8) {
-      throw BrokenRun(fmt::format("{}:{}: not eight columns", file.string(), line));
+    const std::size_t expected = impact_columns(trajectory.contacts > 1).size();
+    if (fields.size() != expected) {
+      throw BrokenRun(fmt::format("{}:{}: not {} columns", file.string(), line, expected));
     }
     const auto value = [&](std::size_t k) { return number_of(fields[k], file, line); };
     trajectory.impacts.push_back(
         {value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7)});
+    if (trajectory.contacts < 2) return;
+    const double contact = value(8);
+    if (!(contact >= 1.0 && contact <= static_cast<double>(trajectory.contacts)) || contact != std::floor(contact)) {
+      throw BrokenRun(fmt::format("{}:{}: `{}` is no contact of the run's {}", file.string(), line, fields[8],
+                                  trajectory.contacts));
+    }
+    trajectory.impacts.back().contact = static_cast<int>(contact) - 1;
   });
 }
 
@@ -141,11 +151,15 @@ nlohmann::json summary_of(const path& file) {
 
 // A library stands beside the scene, not beside its results.
 std::string text_to_keep(const scene::Scene& scene) {
-  if (!scene.first().controller || scene.first().controller->kind != scene::ControllerKind::kLibrary) {
-    return scene.text;
+  std::vector<std::string> places;
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const auto& controller = scene.auxiliary[k].controller;
+    if (!controller || controller->kind != scene::ControllerKind::kLibrary) continue;
+    const std::string key = scene.record ? scene.record->place("controller.library", k) : "controller.library";
+    places.push_back(key + "=" + controller_library(with_bearing_alone(scene, k)).string());
   }
-  const std::string library = "controller.library=" + controller_library(scene).string();
-  return scene::parse_scene(scene.text, scene.name + ".toml", std::span(&library, 1)).text;
+  if (places.empty()) return scene.text;
+  return scene::parse_scene(scene.text, scene.name + ".toml", places).text;
 }
 
 // Named after its run, but its faults stand in the folder.
@@ -197,6 +211,7 @@ StoredRun read_run(const path& folder) {
   } catch (const nlohmann::json::exception& error) {
     throw BrokenRun(fmt::format("{}: is no summary of a run: {}", (folder / kSummary).string(), json_reason(error)));
   }
+  t.contacts = run.scene.auxiliary.size();
   read_series(folder / kSeries, t);
   read_impacts(folder / kImpacts, t);
   return run;

@@ -24,8 +24,10 @@ std::vector<Station> stations_of(const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   add_all(StationKind::kBearing, "bearing", geometry.bearings, &scene::ShaftBearing::z);
   add_all(StationKind::kDisc, "disc", geometry.discs, &scene::Disc::z);
-  if (scene.first().contact) {
-    stations.push_back({StationKind::kContact, "contact", scene.first().contact->station});
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const auto& contact = scene.auxiliary[k].contact;
+    const std::string name = scene.auxiliary.size() > 1 ? "contact " + scene.name_of(k) : "contact";
+    if (contact) stations.push_back({StationKind::kContact, name, contact->station});
   }
   if (scene.drive) stations.push_back({StationKind::kDrive, "drive", scene.drive->station});
   if (scene.magnetic_bearing) {

@@ -21,7 +21,9 @@ std::vector<double> loaded_stations(const scene::Scene& scene) {
   std::vector<double> stations;
   for (const scene::Force& force : scene.forces) stations.push_back(force.station);
   if (scene.magnetic_bearing) stations.push_back(scene.magnetic_bearing->station);
-  if (scene.first().contact) stations.push_back(scene.first().contact->station);
+  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+    if (bearing.contact) stations.push_back(bearing.contact->station);
+  }
   return stations;
 }
 

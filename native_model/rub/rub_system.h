@@ -45,7 +45,7 @@ struct RubSystem {
   Eigen::MatrixXd stiffness;              // N/m, n x n
   Eigen::MatrixXd damping, internal;      // N s/m, n x n, external and rotating
   Eigen::MatrixXd gyroscopic;             // kg, n x n
-  Eigen::VectorXd contact;                // c: 1 or 0 for each mode
+  Eigen::VectorXd contact;                // c, of each mode at the contact; where the modes are scaled 1 or 0
   std::optional<Ring> ring;               // nothing: fixed to the base
   double clearance = 0.0, radius = 0.0;   // m, delta_0 and r
   double friction = 0.0;                  // mu

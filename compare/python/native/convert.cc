@@ -68,7 +68,7 @@ py::object words_of(const std::vector<std::string>& words, const std::vector<int
 py::dict series_dict(const Trajectory& t) {
   py::dict all;
   for (const Column& column : t.series) {
-    if (column.name == "mode") {
+    if (contact_of_column(column.name).second == "mode") {
       const std::vector<int> which(column.values.begin(), column.values.end());
       all[column.name.c_str()] = words_of({"free", "slide", "stick"}, which);
     } else {

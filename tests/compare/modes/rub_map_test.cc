@@ -18,7 +18,7 @@ using nlohmann::json;
 
 TEST(RubJson, OfTheWhip) {
   const scene::Scene scene = shipped("bench_whip");
-  const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed});
+  const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed}).front();
   ASSERT_EQ(rubs.at.size(), 1U);
   const json whip = rub_json(rubs.at[0]);
   ASSERT_EQ(whip.at("rubs").size(), 4U);
@@ -39,7 +39,7 @@ TEST(RubJson, OfTheWhip) {
 // A point about which nothing can move has no growth rate, not minus infinity.
 TEST(RubJson, HasNumbersOrNull) {
   const scene::Scene scene = shipped("bench_annular_rigid");
-  const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed});
+  const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed}).front();
   const json point = rub_json(rubs.at.at(0));
   EXPECT_EQ(point.at("rubs").back().at("kind"), "rolling");
   EXPECT_TRUE(point.at("rubs").back().at("growth_rate").is_null());
@@ -49,7 +49,7 @@ TEST(RubJson, HasNumbersOrNull) {
 // Torsion and the motor: each rub once more, and the rolling that the motor keeps; none of it where both are held.
 TEST(RubJson, WhereTorsionAndTheSpeedGiveWay) {
   const scene::Scene scene = shipped("paper_rolling");
-  const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed});
+  const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed}).front();
   const json point = rub_json(rubs.at.at(0));
   ASSERT_EQ(point.at("driven").size(), point.at("rubs").size());
   const json& rolling = point.at("driven_rolling").back();
@@ -59,19 +59,47 @@ TEST(RubJson, WhereTorsionAndTheSpeedGiveWay) {
   const std::string table = rub_table(rubs.at[0]);
   EXPECT_NE(table.find("at a speed that the motor keeps"), std::string::npos) << table;
 
-  EXPECT_FALSE(rub_json(analyse_rubs(shipped("bench_whip"), {314.0}).at.at(0)).contains("driven"));
+  EXPECT_FALSE(rub_json(analyse_rubs(shipped("bench_whip"), {314.0}).front().at.at(0)).contains("driven"));
   const scene::Scene follows = shipped("run_up");  // its torque hangs on time too
-  EXPECT_FALSE(rub_json(analyse_rubs(follows, {follows.rotor.speed}).at.at(0)).contains("driven"));
+  EXPECT_FALSE(rub_json(analyse_rubs(follows, {follows.rotor.speed}).front().at.at(0)).contains("driven"));
+}
+
+// Each while the others are open: what the scene with that contact alone has, its modes scaled there.
+TEST(RubAnalyses, OfSeveralContactsAreThoseOfEachAlone) {
+  const scene::Scene one = shipped("bench_whip");
+  scene::Scene two = one;
+  two.auxiliary.push_back(one.first());
+  two.auxiliary[1].contact->shape = {-0.5};
+  two.auxiliary[1].name = "other end";
+  const std::vector<RubAnalyses> rubs = analyse_rubs(two, {one.rotor.speed});
+  ASSERT_EQ(rubs.size(), 2u);
+  EXPECT_EQ(rubs[1].contact, "other end");
+  // A mode of -0.5 at the contact is one of four times the mass, stiffness and damping that is 1 there.
+  scene::Scene scaled = one;
+  scaled.rotor.modal->mass = scaled.rotor.modal->mass_y = {4.0 * one.rotor.modal->mass[0]};
+  scaled.rotor.modal->stiffness = scaled.rotor.modal->stiffness_y = {4.0 * one.rotor.modal->stiffness[0]};
+  scaled.rotor.modal->damping = scaled.rotor.modal->damping_y = {4.0 * one.rotor.modal->damping[0]};
+  for (const auto& [found, of] : {std::pair(&rubs[0], &one), std::pair(&rubs[1], static_cast<const scene::Scene*>(&scaled))}) {
+    const RubAnalyses exact = analyse_rubs(*of, {one.rotor.speed}).front();
+    ASSERT_EQ(found->at.size(), 1u) << found->refused;
+    ASSERT_EQ(found->at[0].point.rubs.size(), exact.at[0].point.rubs.size());
+    ASSERT_FALSE(exact.at[0].point.rubs.empty());
+    for (std::size_t k = 0; k < exact.at[0].point.rubs.size(); ++k) {
+      const rub::SteadyRub &a = found->at[0].point.rubs[k].rub, &b = exact.at[0].point.rubs[k].rub;
+      EXPECT_NEAR(a.whirl, b.whirl, 1e-9 * std::abs(b.whirl));
+      EXPECT_NEAR(a.normal_force, b.normal_force, 1e-9 * b.normal_force);
+    }
+  }
 }
 
 TEST(RubAnalyses, SaysWhyThereAreNone) {
   const scene::Scene sliding = shipped("paper_sliding");
-  const RubAnalyses rubs = analyse_rubs(sliding, {sliding.rotor.speed});
+  const RubAnalyses rubs = analyse_rubs(sliding, {sliding.rotor.speed}).front();
   EXPECT_TRUE(rubs.at.empty());
   EXPECT_NE(rubs.refused.find("controller.kind"), std::string::npos) << rubs.refused;
   scene::Scene open = shipped("bench_whip");
   open.first().contact.reset();
-  EXPECT_EQ(analyse_rubs(open, {100.0}).refused, "");
+  EXPECT_EQ(analyse_rubs(open, {100.0}).front().refused, "");
 }
 
 class RubMapOfTheWhip : public testing::Test {
