@@ -53,13 +53,14 @@ std::string whirls_table(const char* title, const std::vector<WhirlMode>& modes,
   if (modes.empty()) text += "    nothing is left that can move\n";
   for (const WhirlMode& mode : modes) {
     const double size = std::abs(mode.frequency);
-    text += fmt::format("    {:<12}{:>12.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode, speed), size, size * kHz,
-                        mode.damping_ratio);
+    text += fmt::format("    {:<12}{:>12.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode, speed), size,
+                        size * kHz, mode.damping_ratio);
   }
   return text;
 }
 
-// What of the scene turns and gives way: torsion, and a motor whose torque hangs on the speed alone.
+// What of the scene turns and gives way: torsion, and a motor whose torque hangs on the speed
+// alone.
 std::optional<rub::DriveTrain> train_of(const scene::Scene& scene) {
   if (!scene.drive && !scene.rotor.torsion) return {};
   if (scene.drive && scene.drive->kind == scene::DriveKind::kSpeedControlled) return {};
@@ -86,8 +87,8 @@ std::string orbit_text(const RubPoint& point) {
   const double share = *point.orbit / point.clearance;
   std::string text = fmt::format("free orbit: {:.4g} of the clearance", share);
   if (!(share < 1.0)) return text + ", so there is none";
-  return text + (point.free.stable ? ", stable"
-                                   : fmt::format(", grows at {:.4g} 1/s", point.free.growth));
+  return text +
+         (point.free.stable ? ", stable" : fmt::format(", grows at {:.4g} 1/s", point.free.growth));
 }
 
 std::string rolling_text(const RubPoint& point) {
@@ -104,23 +105,26 @@ std::string rolling_text(const RubPoint& point) {
 // The same rubs with the spin free, and where the motor keeps rolling.
 std::string driven_text(const RubAnalysis& analysis) {
   std::string text;
-  if (!analysis.driven.empty()) text += "\nthe same where torsion and the speed under the motor give way\n";
+  if (!analysis.driven.empty())
+    text += "\nthe same where torsion and the speed under the motor give way\n";
   for (std::size_t k = 0; k < analysis.driven.size(); ++k) {
     const StandingRub& r = analysis.point.rubs[k];
     const rub::Stability& s = analysis.driven[k];
-    text += fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14}{:>14.6g}  {}\n", rub::to_string(r.rub.kind),
-                        r.rub.whirl, r.rub.normal_force, r.rub.friction, growth_text(s.growth), s.frequency,
-                        s.stable ? "stable" : "unstable");
+    text += fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14}{:>14.6g}  {}\n",
+                        rub::to_string(r.rub.kind), r.rub.whirl, r.rub.normal_force, r.rub.friction,
+                        growth_text(s.growth), s.frequency, s.stable ? "stable" : "unstable");
   }
   if (!analysis.rolling.empty()) {
     text += "\nbackward rolling at a speed that the motor keeps\n";
-    text += fmt::format("  {:>10}{:>14}{:>14}{:>12}{:>12}{:>12}{:>12}\n", "spin rad/s", "whirl rad/s", "force / N",
-                        "friction", "torque / Nm", "growth 1/s", "at rad/s");
+    text +=
+        fmt::format("  {:>10}{:>14}{:>14}{:>12}{:>12}{:>12}{:>12}\n", "spin rad/s", "whirl rad/s",
+                    "force / N", "friction", "torque / Nm", "growth 1/s", "at rad/s");
   }
   for (const rub::DrivenRolling& r : analysis.rolling) {
-    text += fmt::format("  {:>10.6g}{:>14.7g}{:>14.7g}{:>12.5g}{:>12.5g}{:>12}{:>12.6g}  {}\n", r.speed, r.rub.whirl,
-                        r.rub.normal_force, r.rub.friction, r.torque, growth_text(r.stability.growth),
-                        r.stability.frequency, r.stability.stable ? "stable" : "unstable");
+    text += fmt::format("  {:>10.6g}{:>14.7g}{:>14.7g}{:>12.5g}{:>12.5g}{:>12}{:>12.6g}  {}\n",
+                        r.speed, r.rub.whirl, r.rub.normal_force, r.rub.friction, r.torque,
+                        growth_text(r.stability.growth), r.stability.frequency,
+                        r.stability.stable ? "stable" : "unstable");
   }
   return text;
 }
@@ -137,14 +141,16 @@ RubAnalyses rubs_of_contact(const scene::Scene& scene, const std::vector<double>
         const auto [low, high] = outermost_speeds(scene);
         rolling = rub::driven_rolling(system, *train, low);
         std::reverse(rolling.begin(), rolling.end());
-        for (auto& forward : rub::driven_rolling(system, *train, high)) rolling.push_back(std::move(forward));
+        for (auto& forward : rub::driven_rolling(system, *train, high))
+          rolling.push_back(std::move(forward));
       }
       for (const double speed : speeds) {
         const rub::RubSystem turning = rub::at_speed(system, speed);
         rub::RubPoint point = rub::RubStudy(turning).at(system.friction);
         std::vector<rub::Stability> driven;
         for (const StandingRub& r : point.rubs) {
-          if (train) driven.push_back(rub::stability_of(rub::driven_eigenvalues(turning, *train, r.rub)));
+          if (train)
+            driven.push_back(rub::stability_of(rub::driven_eigenvalues(turning, *train, r.rub)));
         }
         all.at.push_back({std::move(point), std::move(driven), rolling,
                           whirls(rub::ring_eigenvalues(turning)),
@@ -160,12 +166,14 @@ RubAnalyses rubs_of_contact(const scene::Scene& scene, const std::vector<double>
 
 }  // namespace
 
-std::vector<RubAnalyses> analyse_rubs(const scene::Scene& scene, const std::vector<double>& speeds) {
+std::vector<RubAnalyses> analyse_rubs(const scene::Scene& scene,
+                                      const std::vector<double>& speeds) {
   if (scene.auxiliary.size() == 1) return {rubs_of_contact(scene, speeds)};
   std::vector<RubAnalyses> all;
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     scene::Scene alone = with_bearing_alone(scene, k);
-    alone.initial = {};  // the start is no matter of a steady rub, and may be outside of one ring alone
+    alone.initial =
+        {};  // the start is no matter of a steady rub, and may be outside of one ring alone
     if (alone.first().stator) alone.first().stator->position.setZero();
     all.push_back(rubs_of_contact(alone, speeds));
     all.back().contact = scene.name_of(k);
@@ -175,10 +183,9 @@ std::vector<RubAnalyses> analyse_rubs(const scene::Scene& scene, const std::vect
 
 std::string attractors_text(unsigned attractors) {
   std::string text;
-  for (const auto& [bit, name] : {std::pair{rub::kFreeOrbit, "no contact"},
-                                  std::pair{rub::kForcedRub, "synchronous rub"},
-                                  std::pair{rub::kBackwardWhip, "backward whip"},
-                                  std::pair{rub::kRollingRub, "rolling"}}) {
+  for (const auto& [bit, name] :
+       {std::pair{rub::kFreeOrbit, "no contact"}, std::pair{rub::kForcedRub, "synchronous rub"},
+        std::pair{rub::kBackwardWhip, "backward whip"}, std::pair{rub::kRollingRub, "rolling"}}) {
     if (attractors & bit) text += (text.empty() ? "" : " + ") + std::string(name);
   }
   return text.empty() ? "none stable" : text;
@@ -197,7 +204,8 @@ json rub_point_json(const RubPoint& point) {
                     {"frequency", r.stability.frequency}});
   }
   for (const auto& [from, to] : point.rolling_ranges) ranges.push_back({from, number_or_null(to)});
-  for (const unsigned bit : {rub::kFreeOrbit, rub::kForcedRub, rub::kBackwardWhip, rub::kRollingRub}) {
+  for (const unsigned bit :
+       {rub::kFreeOrbit, rub::kForcedRub, rub::kBackwardWhip, rub::kRollingRub}) {
     if (point.attractors() & bit) attractors.push_back(attractors_text(bit));
   }
   return {{"speed", point.speed},
@@ -215,15 +223,20 @@ json rub_json(const RubAnalysis& analysis) {
   result["joined"] = whirls_json(analysis.joined);
   if (analysis.driven.empty() && analysis.rolling.empty()) return result;
   const auto stability = [](const rub::Stability& s) {
-    return json{{"growth_rate", number_or_null(s.growth)}, {"frequency", s.frequency}, {"stable", s.stable}};
+    return json{{"growth_rate", number_or_null(s.growth)},
+                {"frequency", s.frequency},
+                {"stable", s.stable}};
   };
   json& driven = result["driven"] = json::array();
   for (const rub::Stability& s : analysis.driven) driven.push_back(stability(s));
   json& rolling = result["driven_rolling"] = json::array();
   for (const rub::DrivenRolling& r : analysis.rolling) {
     json one = stability(r.stability);
-    one.update({{"speed", r.speed}, {"torque", r.torque}, {"whirl", r.rub.whirl},
-                {"normal_force", r.rub.normal_force}, {"friction", r.rub.friction}});
+    one.update({{"speed", r.speed},
+                {"torque", r.torque},
+                {"whirl", r.rub.whirl},
+                {"normal_force", r.rub.normal_force},
+                {"friction", r.rub.friction}});
     rolling.push_back(std::move(one));
   }
   return result;
@@ -234,7 +247,8 @@ std::string rub_table(const RubAnalysis& analysis) {
   std::string text = fmt::format("rotor and ring at {:.6g} rad/s ({:.6g} rpm), of the modes kept\n",
                                  point.speed, point.speed * kRpm);
   if (!analysis.ring.empty()) text += whirls_table("ring alone", analysis.ring, point.speed);
-  text += whirls_table("joined, the rotor's centre held to the ring's", analysis.joined, point.speed);
+  text +=
+      whirls_table("joined, the rotor's centre held to the ring's", analysis.joined, point.speed);
   text += fmt::format("\nlasting rubs at {:.6g} rad/s with a friction of {:g}\n", point.speed,
                       point.friction);
   text += fmt::format("  {:<10}{:>14}{:>14}{:>12}{:>14}{:>14}\n", "rub", "whirl rad/s", "force / N",

@@ -65,8 +65,8 @@ std::vector<std::string> read_csv(const path& file, Row row) {
     if (header.empty()) {
       header.assign(fields.begin(), fields.end());
     } else if (fields.size() != header.size()) {
-      throw BrokenRun(fmt::format("{}:{}: {} fields where the header has {}",
-                                           file.string(), number, fields.size(), header.size()));
+      throw BrokenRun(fmt::format("{}:{}: {} fields where the header has {}", file.string(), number,
+                                  fields.size(), header.size()));
     } else {
       row(fields, number);
     }
@@ -79,8 +79,7 @@ double number_of(std::string_view field, const path& file, int line) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc() || end != field.data() + field.size()) {
-    throw BrokenRun(
-        fmt::format("{}:{}: `{}` is not a number", file.string(), line, field));
+    throw BrokenRun(fmt::format("{}:{}: `{}` is not a number", file.string(), line, field));
   }
   return value;
 }
@@ -117,9 +116,10 @@ void read_impacts(const path& file, Trajectory& trajectory) {
         {value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7)});
     if (trajectory.contacts < 2) return;
     const double contact = value(8);
-    if (!(contact >= 1.0 && contact <= static_cast<double>(trajectory.contacts)) || contact != std::floor(contact)) {
-      throw BrokenRun(fmt::format("{}:{}: `{}` is no contact of the run's {}", file.string(), line, fields[8],
-                                  trajectory.contacts));
+    if (!(contact >= 1.0 && contact <= static_cast<double>(trajectory.contacts)) ||
+        contact != std::floor(contact)) {
+      throw BrokenRun(fmt::format("{}:{}: `{}` is no contact of the run's {}", file.string(), line,
+                                  fields[8], trajectory.contacts));
     }
     trajectory.impacts.back().contact = static_cast<int>(contact) - 1;
   });
@@ -145,7 +145,8 @@ nlohmann::json summary_of(const path& file) {
   try {
     return nlohmann::json::parse(text_of(file));
   } catch (const nlohmann::json::exception& error) {
-    throw BrokenRun(fmt::format("{}: is no summary of a run: {}", file.string(), json_reason(error)));
+    throw BrokenRun(
+        fmt::format("{}: is no summary of a run: {}", file.string(), json_reason(error)));
   }
 }
 
@@ -155,7 +156,8 @@ std::string text_to_keep(const scene::Scene& scene) {
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const auto& controller = scene.auxiliary[k].controller;
     if (!controller || controller->kind != scene::ControllerKind::kLibrary) continue;
-    const std::string key = scene.record ? scene.record->place("controller.library", k) : "controller.library";
+    const std::string key =
+        scene.record ? scene.record->place("controller.library", k) : "controller.library";
     places.push_back(key + "=" + controller_library(with_bearing_alone(scene, k)).string());
   }
   if (places.empty()) return scene.text;
@@ -192,7 +194,7 @@ void write_run(const path& folder, const scene::Scene& scene, const Trajectory& 
 StoredRun read_run(const path& folder) {
   if (std::filesystem::exists(folder / kOwnModel)) {
     throw BrokenRun(folder.string() +
-                             ": is a run of a machine of your own; it is in the report of its comparison");
+                    ": is a run of a machine of your own; it is in the report of its comparison");
   }
   const nlohmann::json summary = summary_of(folder / kSummary);
   StoredRun run;
@@ -209,7 +211,8 @@ StoredRun read_run(const path& folder) {
     t.status = stored_status(summary.at("status"));
     t.message = summary.at("message");
   } catch (const nlohmann::json::exception& error) {
-    throw BrokenRun(fmt::format("{}: is no summary of a run: {}", (folder / kSummary).string(), json_reason(error)));
+    throw BrokenRun(fmt::format("{}: is no summary of a run: {}", (folder / kSummary).string(),
+                                json_reason(error)));
   }
   t.contacts = run.scene.auxiliary.size();
   read_series(folder / kSeries, t);
@@ -218,9 +221,9 @@ StoredRun read_run(const path& folder) {
 }
 
 void check_series(const Trajectory& trajectory, const std::string& file) {
-  for (const char* name : {"t", "rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x", "stator_y", "stator_vx",
-                           "stator_vy", "spin_angle", "spin_speed", "gap", "gap_rate", "normal_force",
-                           "friction_force", "mode"}) {
+  for (const char* name : {"t", "rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x",
+                           "stator_y", "stator_vx", "stator_vy", "spin_angle", "spin_speed", "gap",
+                           "gap_rate", "normal_force", "friction_force", "mode"}) {
     if (!trajectory.has(name)) throw BrokenRun(fmt::format("{}: has no column `{}`", file, name));
   }
   // A header stands before the rows.
@@ -228,13 +231,15 @@ void check_series(const Trajectory& trajectory, const std::string& file) {
   for (const Column& column : trajectory.series) {
     for (std::size_t i = 0; i < column.values.size(); ++i) {
       if (std::isfinite(column.values[i])) continue;
-      throw BrokenRun(fmt::format("{}:{}: {} = {} is no number", file, line(i), column.name, column.values[i]));
+      throw BrokenRun(
+          fmt::format("{}:{}: {} = {} is no number", file, line(i), column.name, column.values[i]));
     }
   }
   const auto& t = trajectory.column("t");
   const auto back = std::is_sorted_until(t.begin(), t.end());
   if (back == t.end()) return;
-  throw BrokenRun(fmt::format("{}:{}: the times do not ascend", file, line(static_cast<std::size_t>(back - t.begin()))));
+  throw BrokenRun(fmt::format("{}:{}: the times do not ascend", file,
+                              line(static_cast<std::size_t>(back - t.begin()))));
 }
 
 std::optional<StoredRun> read_shadow(const path& folder, const StoredRun& run) {

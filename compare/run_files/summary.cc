@@ -34,8 +34,10 @@ const ColumnMeaning kSummaryKeys[] = {
     {"wall_s", "s", "time of the integration; no result", ""},
     {"us_per_step", "us", "the same for a step; no result", ""},
     {"max_penetration", "m", "deepest penetration, never negative", ""},
-    {"contact_fraction", "", "share of the time from first touch with a normal force; an impact of a fixed step counts "
-     "as one step", ""},
+    {"contact_fraction", "",
+     "share of the time from first touch with a normal force; an impact of a fixed step counts "
+     "as one step",
+     ""},
     {"mean_force", "N", "normal impulse over the time from first touch", ""},
     {"impulse_total", "N s", "all normal impulse on the rotor, never negative", ""},
     {"impacts", "", "number of impacts with a gap rate below -1e-4 m/s", ""},
@@ -44,23 +46,31 @@ const ColumnMeaning kSummaryKeys[] = {
     {"contact_mass.mesh", "kg", "the same of all modes of the mesh", kGeometry},
     {"contact_mass.kept_modes", "", "number of modes kept", kGeometry},
     {"contact_mass.mesh_modes", "", "number of modes of the mesh", kGeometry},
-    {"above_modes.highest_forward", "rad/s", "fastest forward whirl of the modes kept, positive", kGeometry},
-    {"above_modes.highest_backward", "rad/s", "fastest backward whirl of the modes kept, positive", kGeometry},
-    {"above_modes.contact_share", "", "share of the time in contact whose whirl is faster than these", kGeometry},
+    {"above_modes.highest_forward", "rad/s", "fastest forward whirl of the modes kept, positive",
+     kGeometry},
+    {"above_modes.highest_backward", "rad/s", "fastest backward whirl of the modes kept, positive",
+     kGeometry},
+    {"above_modes.contact_share", "",
+     "share of the time in contact whose whirl is faster than these", kGeometry},
     {"above_modes.friction_share", "", "share of the friction work there", kGeometry},
     {"above_modes.fastest_whirl", "rad/s", "fastest whirl in contact, forward positive", kGeometry},
-    {"ring_speed", "rad/s", "speed of the ring's own spin at the end, positive as the rotor's", "a ring that turns"},
+    {"ring_speed", "rad/s", "speed of the ring's own spin at the end, positive as the rotor's",
+     "a ring that turns"},
     {"contacts[].name", "", "of the contact", kSeveral},
     {"contacts[].first_touch", "s", "time of its first contact; null: never", kSeveral},
-    {"contacts[].contact_time", "s", "with a normal force; an impact of a fixed step counts as one step", kSeveral},
-    {"contacts[].impulse_total", "N s", "its normal impulse on the rotor, never negative", kSeveral},
+    {"contacts[].contact_time", "s",
+     "with a normal force; an impact of a fixed step counts as one step", kSeveral},
+    {"contacts[].impulse_total", "N s", "its normal impulse on the rotor, never negative",
+     kSeveral},
     {"contacts[].friction_impulse", "N s", "signed along its e_t", kSeveral},
     {"contacts[].friction_work", "J", "never positive", kSeveral},
     {"contacts[].impacts", "", "number of its impacts with a gap rate below -1e-4 m/s", kSeveral},
     {"contacts[].least_gap", "m", "smallest gap of all rows and ends of steps", kSeveral},
     {"contacts[].max_penetration", "m", "never negative", kSeveral},
-    {"status", "", "ok, diverged, no_solution, ambiguous, step_too_large, out_of_range, controller_failed or "
-     "interrupted", ""},
+    {"status", "",
+     "ok, diverged, no_solution, ambiguous, step_too_large, out_of_range, controller_failed or "
+     "interrupted",
+     ""},
     {"message", "", "why it is not ok", ""},
 };
 
@@ -69,9 +79,9 @@ json contacts_json(const scene::Scene& scene, const Trajectory& trajectory) {
   json all = json::array();
   for (std::size_t k = 0; k < trajectory.statistics.contacts.size(); ++k) {
     const ContactStatistics& s = trajectory.statistics.contacts[k];
-    const auto impacts = std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), [k](const Impact& i) {
-      return static_cast<std::size_t>(i.contact) == k && counts(i);
-    });
+    const auto impacts = std::count_if(
+        trajectory.impacts.begin(), trajectory.impacts.end(),
+        [k](const Impact& i) { return static_cast<std::size_t>(i.contact) == k && counts(i); });
     all.push_back({{"name", scene.name_of(k)},
                    {"first_touch", s.first_touch < 0.0 ? json() : json(s.first_touch)},
                    {"contact_time", s.contact_time},

@@ -213,10 +213,14 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
   return {};
 }
 
+bool moves_both_ways(const ContactMatrix& a) {
+  return a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0) > kSingular * a(0, 0) * a(1, 1);
+}
+
 // One contact with Coulomb's set that can move both ways: coulomb.h has it in closed form.
 bool is_plain(const ContactMatrix& a, std::span<const ContactSet> sets) {
   return sets.size() == 1 && sets[0].least_normal == 0.0 && sets[0].side == 0.0 && sets[0].slides == 0.0 &&
-         a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0) > kSingular * a(0, 0) * a(1, 1);
+         moves_both_ways(a);
 }
 
 CoupledSolution one_plain(const ContactMatrix& a, const ContactVector& b, const ContactSet& set) {
@@ -288,6 +292,15 @@ CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
 
 CoupledSolution solve_coupled_impact(const ContactMatrix& a, const ContactVector& b,
                                      std::span<const ImpactLaw> laws) {
+  if (laws.size() == 1 && b.size() == 2 && moves_both_ways(a)) {
+    const ImpactResult r = solve_impact({a(0, 0), a(0, 1), a(1, 0), a(1, 1)}, b[0], b[1], laws[0]);
+    CoupledSolution s;
+    s.solutions = r.status == Status::kOk ? 1 : r.status == Status::kNoSolution ? 0 : 2;
+    s.p = Eigen::Vector2d(r.normal(), r.friction());
+    s.y = Eigen::Vector2d(r.gap_rate, r.slip);
+    s.sticks[0] = r.slip == 0.0;
+    return s;
+  }
   const CoupledSolution c = solve_compression(a, b, laws);
   if (c.solutions != 1) return c;
   CoupledSolution e = solve_expansion(a, c.y, laws, c.p);

@@ -15,7 +15,8 @@ struct ClosedContact {
   ContactPoint point{};   // at the configuration in question
 };
 
-// Delassus's matrix G = W^T M^-1 W of all of them, rows and columns (normal, friction) of each in turn; 1/kg.
+// Delassus's matrix G = W^T M^-1 W of all of them, rows and columns (normal, friction) of each in
+// turn; 1/kg.
 ContactMatrix delassus(const Model& model, double t, const double* q,
                        std::span<const ClosedContact> closed);
 

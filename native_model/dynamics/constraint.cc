@@ -26,7 +26,8 @@ Constraint::Constraint(const Model& model)
     : model_(&model), change_(static_cast<std::size_t>(model.nq())) {}
 
 // change = M^-1 J^T load.
-void Constraint::solve(double t, const double* q, const Eigen::Vector3d& load, std::size_t contact) {
+void Constraint::solve(double t, const double* q, const Eigen::Vector3d& load,
+                       std::size_t contact) {
   std::fill(change_.begin(), change_.end(), 0.0);
   add_contact_load(*model_, load, change_.data(), contact);
   solve_mass(*model_, t, q, change_.data(), change_.data());
@@ -63,7 +64,8 @@ void Constraint::to_circles(double t, double* q, const double* v, std::span<cons
     }
     const ContactVector p = shared_solution(normal, gap);
     for (std::size_t i = 0; i < closed.size(); ++i) {
-      solve(t, q, contact_load(at[i].point.e_r, 0.0, p[static_cast<Eigen::Index>(i)], 0.0), at[i].index);
+      solve(t, q, contact_load(at[i].point.e_r, 0.0, p[static_cast<Eigen::Index>(i)], 0.0),
+            at[i].index);
       for (std::size_t j = 0; j < change_.size(); ++j) q[j] += change_[j];
     }
   }
@@ -79,8 +81,8 @@ void Constraint::project_one(double t, double* q, double* v, const Closed& close
   if (closed.velocity == Velocity::kKept) return;
   const std::size_t k = closed.contact;
   const ContactPoint p = contact_point(*model_, q, v, k);
-  const Delassus g = delassus(contact_admittance(*model_, t, q, k), p.e_r,
-                              model_->auxiliary[k].contact->radius);
+  const Delassus g =
+      delassus(contact_admittance(*model_, t, q, k), p.e_r, model_->auxiliary[k].contact->radius);
   const PlanarImpulse<double> l = closed.velocity == Velocity::kStuck
                                       ? stick(g, p.gap_rate, p.slip)
                                       : PlanarImpulse<double>{-p.gap_rate / g.nn, 0.0};

@@ -38,8 +38,9 @@ struct ContactDecision {
 ContactDecision select_contact_mode(const ContactAccelerations& b, double slip, double mu,
                                     double no_force, Departure parting);
 
-// Several contacts on their circles with gap rate 0, solved together: b and scale as Phase::Accelerations, slips as
-// above. The decisions of all, in the order of b; a status that is not ok is in the first.
+// Several contacts on their circles with gap rate 0, solved together: b and scale as
+// Phase::Accelerations, slips as above. The decisions of all, in the order of b; a status that is
+// not ok is in the first.
 using ContactDecisions = std::array<ContactDecision, kMaxContacts>;
 ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
                                       const ContactVector& scale, std::span<const double> slips,

@@ -5,7 +5,8 @@
 namespace rotorub {
 namespace {
 
-// Of the approach: a gap rate that round-off left of 0. Where all rebound alike a resting contact stays at rest exactly.
+// Of the approach: a gap rate that round-off left of 0. Where all rebound alike a resting contact
+// stays at rest exactly.
 constexpr double kNoRate = 1e-12;
 
 }  // namespace
@@ -17,17 +18,22 @@ CoupledImpactOutcome coupled_impact(const Model& m, const EventParameters& param
   std::array<ImpactLaw, kMaxContacts> laws;
   ContactVector before(static_cast<Eigen::Index>(2 * n));
   double approach = 0.0;
+  bool takes_time = false;  // and comes here where it does not rebound
   for (std::size_t i = 0; i < n; ++i) {
-    laws[i] = m.auxiliary[closed[i].index].contact->law();
-    before.segment<2>(static_cast<Eigen::Index>(2 * i)) << closed[i].point.gap_rate, closed[i].point.slip;
+    const ContactParameters& contact = *m.auxiliary[closed[i].index].contact;
+    laws[i] = contact.law();
+    takes_time = takes_time || contact.impact_time() > 0.0;
+    before.segment<2>(static_cast<Eigen::Index>(2 * i)) << closed[i].point.gap_rate,
+        closed[i].point.slip;
     approach = std::max(approach, -closed[i].point.gap_rate);
   }
-  // Where an accumulation ends no contact rebounds: neither the one that closes nor those that it would knock open.
-  if (approach < parameters.zeno_velocity_threshold) {
+  // Where an accumulation ends no contact rebounds: neither the one that closes nor those that it
+  // would knock open.
+  if (takes_time || approach < parameters.zeno_velocity_threshold) {
     for (ImpactLaw& law : laws) law = {law.friction, 0.0, 0.0};
   }
-  const CoupledSolution solved = solve_coupled_impact(delassus(m, motion.t, motion.q(), closed), before,
-                                                      std::span(laws).first(n));
+  const CoupledSolution solved = solve_coupled_impact(delassus(m, motion.t, motion.q(), closed),
+                                                      before, std::span(laws).first(n));
   CoupledImpactOutcome out;
   out.status = status_of(solved.solutions);
   if (out.status != Status::kOk) return out;

@@ -1,5 +1,5 @@
-// An impact of an event-driven run while other contacts are closed too: all of them take part in one compression and
-// one expansion, (15)-(19).
+// An impact of an event-driven run in no time: every contact that is closed takes part in one
+// compression and one expansion, (15)-(19).
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ struct CoupledImpactOutcome {
   std::array<bool, kMaxContacts> struck{}, rests{}, stuck{};
 };
 
-// At contacts on their circles, `closed` with their points; at least one of them closes. Changes the velocities, tells
-// the observer.
+// At contacts on their circles, `closed` with their points; at least one of them closes. Changes
+// the velocities, tells the observer.
 CoupledImpactOutcome coupled_impact(const Model& model, const EventParameters& parameters,
                                     std::span<const ClosedContact> closed, Motion& motion,
                                     Constraint& constraint, Observer& observer);

@@ -4,7 +4,7 @@
 //
 //   smooth_step    moves between events                 contact_state  decides what contact does
 //   location       finds where they are                 observer       sees rows, energy, figures
-//   impact         what happens at a closing contact   coupled_impact  with others that are closed too
+//   coupled_impact what happens at a closing contact   impact         one that takes time
 #pragma once
 
 #include <array>
@@ -59,12 +59,12 @@ class EventIntegrator {
     std::size_t contact;
   };
   std::optional<Found> find_event();
-  // Of all contacts on their circles at this instant, with their points: those in contact, those that touch.
+  // Of all contacts on their circles at this instant, with their points: those in contact, those
+  // that touch.
   std::span<ClosedContact> closed_now();
   std::span<const Constraint::Closed> constrained();
   void impact(std::size_t contact);
-  void impact_of_one(const ClosedContact& touch);
-  void impact_of_several(std::span<const ClosedContact> closed);
+  void impact_over_time(const ContactPoint& touch);
   void margin_reached(std::size_t contact);
   // On their circles with gap rate 0, each with what is known of its slip.
   struct Resting {
@@ -94,13 +94,13 @@ class EventIntegrator {
 
   Result result_;
   std::vector<SampledCommand> sampled_;  // of each auxiliary bearing
-  double end_ = 0.0;          // s
+  double end_ = 0.0;                     // s
   std::vector<double> force_scale_;  // N, largest force met at each contact, carried or balanced
   std::array<ClosedContact, kMaxContacts> closed_{};
   std::array<Constraint::Closed, kMaxContacts> constrained_{};
-  int stalled_ = 0;           // events since the clock went on
-  double last_event_ = 0.0;   // s
-  double booked_ = 0.0;       // s, up to here the work of what is switched has been counted
+  int stalled_ = 0;          // events since the clock went on
+  double last_event_ = 0.0;  // s
+  double booked_ = 0.0;      // s, up to here the work of what is switched has been counted
 };
 
 }  // namespace rotorub

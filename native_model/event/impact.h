@@ -1,4 +1,5 @@
-// An impact of the event-driven run, (15)-(19): at once, or over compression and expansion times.
+// An impact of the event-driven run that takes compression and expansion times, (15)-(19); of the
+// only contact.
 #pragma once
 
 #include "native_model/event/observer.h"
@@ -10,28 +11,23 @@ class EventImpact {
  public:
   // All must outlive it.
   EventImpact(const Model& model, const EventParameters& parameters, Phase& phase,
-              Constraint& constraint, Observer& observer);
+              Observer& observer);
+
+  // Whether it takes its times: not where an accumulation ends, nor where the flight after it would
+  // be over before the impact is. Then it is one in no time, without a rebound.
+  bool rebounds(const Motion& motion, const ContactPoint& touch) const;
 
   struct Outcome {
     Status status = Status::kOk;
     enum { kParts, kRests, kInside } after = kRests;  // on the circle; kInside: not on it
-    bool stuck = false;                               // gdot_T = 0 exactly
   };
-  // At a contact that closes alone. Moves the motion on, at most to `end` (s); tells the observer.
-  Outcome run(std::size_t contact, Motion& motion, const ContactPoint& touch, double end);
+  // Moves the motion on, at most to `end` (s); tells the observer.
+  Outcome run(Motion& motion, const ContactPoint& touch, double end);
 
  private:
-  Outcome at_once(Motion& motion, const ContactPoint& touch, const ImpactLaw& law);
-  Outcome over_time(Motion& motion, const ContactPoint& touch, double end);
-  bool rebound_lasts(const Motion& motion, const ContactPoint& touch) const;
-
-  const ContactParameters& parameters_of_contact() const { return *model_->auxiliary[contact_].contact; }
-
   const Model* model_;
-  std::size_t contact_ = 0;
   const EventParameters* parameters_;
   Phase* phase_;
-  Constraint* constraint_;
   Observer* observer_;
   FiniteImpact finite_;
 };

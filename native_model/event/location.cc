@@ -6,9 +6,9 @@
 
 #include <boost/math/tools/roots.hpp>
 
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/event/first_contact.h"
 #include "native_model/numerics/root.h"
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/trajectory/range_check.h"
 
 namespace rotorub {
@@ -20,7 +20,8 @@ std::optional<double> locate_contact(const Model& m, std::size_t contact, Smooth
   const auto centre = [&m, contact](const double* at) -> Eigen::Vector2d {
     return rotor_point(m, at, contact) - stator_point(m, at, contact);
   };
-  const Eigen::Vector2d d0 = separation(m, start.q(), contact), d1 = separation(m, step.end(), contact);
+  const Eigen::Vector2d d0 = separation(m, start.q(), contact),
+                        d1 = separation(m, step.end(), contact);
   // Out of reach: no further than the larger end plus what the speeds, twice over, could add.
   const double speed = std::max(centre(start.v()).norm(), centre(step.end() + m.nq()).norm());
   const double reach = std::max(d0.norm(), d1.norm()) + 2.0 * speed * step.length();
@@ -31,8 +32,8 @@ std::optional<double> locate_contact(const Model& m, std::size_t contact, Smooth
   return first_contact(path_from_nested(nested), d0, clearance, departure);
 }
 
-std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode, const MarginScales& scales,
-                                    const EventParameters& parameters) {
+std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode,
+                                    const MarginScales& scales, const EventParameters& parameters) {
   // The stages of the step tell whether a margin was crossed; the dense output says when. Round-off
   // below zero is no crossing: a phase may begin on its margin.
   const Margins& lowest = step.lowest(contact);

@@ -12,8 +12,8 @@ std::optional<double> locate_contact(const Model& model, std::size_t contact, Sm
                                      const Motion& start, Departure departure);
 
 // Lasting contact: the first of its margins that is crossed.
-std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode, const MarginScales& scales,
-                                    const EventParameters& parameters);
+std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode,
+                                    const MarginScales& scales, const EventParameters& parameters);
 
 // The step is out of range (trajectory/range_check.h) at `last`: where it has just left.
 std::optional<double> locate_loss(const Model& model, SmoothStep& step, double last);

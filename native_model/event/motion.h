@@ -8,7 +8,8 @@
 
 namespace rotorub {
 
-// Carried along with the state, for statistics and the energy balance; the first kOfContact for each contact.
+// Carried along with the state, for statistics and the energy balance; the first kOfContact for
+// each contact.
 enum Integral {
   kNormalImpulse,
   kFrictionImpulse,
@@ -42,7 +43,9 @@ struct Motion {
   double* v() { return y.data() + nq; }
   const double* q() const { return y.data(); }
   const double* v() const { return y.data() + nq; }
-  int index(Integral k, std::size_t contact = 0) const { return 2 * nq + integral_index(k, contact); }
+  int index(Integral k, std::size_t contact = 0) const {
+    return 2 * nq + integral_index(k, contact);
+  }
   double& integral(Integral k) { return y[static_cast<std::size_t>(index(k))]; }
   double integral(Integral k, std::size_t contact = 0) const {
     return y[static_cast<std::size_t>(index(k, contact))];

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "native_model/contact/impact_phase.h"
-#include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/actuation.h"
 
 namespace rotorub {
 
@@ -165,7 +165,8 @@ void Observer::finish(const Motion& end) {
     if (own.first_touch >= 0.0 && (s.first_touch < 0.0 || own.first_touch < s.first_touch)) {
       s.first_touch = own.first_touch;
     }
-    const double normal = end.integral(kNormalImpulse, k), friction = end.integral(kFrictionImpulse, k);
+    const double normal = end.integral(kNormalImpulse, k),
+                 friction = end.integral(kFrictionImpulse, k);
     const double work = end.integral(kFrictionWork, k);
     own.impulse_total += normal;
     own.friction_impulse += friction;

@@ -58,7 +58,8 @@ class Observer {
   Phase* phase_;
   Recorder* recorder_ = nullptr;
   std::vector<double> row_, slope_;
-  // Of each contact, beside what the integrals know: of impacts; and the time that all were closed, s.
+  // Of each contact, beside what the integrals know: of impacts; and the time that all were closed,
+  // s.
   std::vector<ContactStatistics> of_contacts_;
   std::vector<ContactSnapshot> others_;
   double contact_time_ = 0.0;                       // s

@@ -23,8 +23,8 @@ struct EventParameters {
   // Events at one instant, to round-off, before the run is given up. Real chains (impact, stick,
   // slide) have a handful.
   int stall_limit = 1000;
-  // Steps to go from which a run whose steps are short for their stability alone is given up: stiffness.h. A minute
-  // of a small system; one that is merely long goes on.
+  // Steps to go from which a run whose steps are short for their stability alone is given up:
+  // stiffness.h. A minute of a small system; one that is merely long goes on.
   double most_stiff_steps = 2e7;
 };
 

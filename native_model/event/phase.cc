@@ -41,14 +41,14 @@ Phase::Contact Phase::contact_of(std::size_t k, double t, const double* q, const
   const Eigen::Vector3d dd = contact_acceleration(m, a_.data(), k);
   const double whirl = c.point.whirl_speed();
   c.b.normal = -c.point.e_r.dot(dd.head<2>()) - whirl * whirl / c.point.delta;
-  c.b.tangential = c.point.e_t().dot(dd.head<2>()) + radius * dd.z() +
-                   whirl / c.point.delta * c.point.gap_rate;
+  c.b.tangential =
+      c.point.e_t().dot(dd.head<2>()) + radius * dd.z() + whirl / c.point.delta * c.point.gap_rate;
   c.b.g = delassus(contact_admittance(m, t, q, k), c.point.e_r, radius);
   return c;
 }
 
-// What adds up to the normal acceleration. Of one of several contacts that stands still while the shaft moves, the
-// motion that cancels there too.
+// What adds up to the normal acceleration. Of one of several contacts that stands still while the
+// shaft moves, the motion that cancels there too.
 double Phase::scale_of(const Contact& c, const double* q, const double* v) const {
   const double whirl = c.point.whirl_speed();
   double scale = whirl * whirl / c.point.delta + std::abs(c.b.normal);
@@ -68,7 +68,8 @@ Phase::Contact Phase::contact(std::size_t k, double t, const double* y) {
   return c;
 }
 
-Phase::Accelerations Phase::accelerations(double t, const double* y, std::span<ClosedContact> closed) {
+Phase::Accelerations Phase::accelerations(double t, const double* y,
+                                          std::span<ClosedContact> closed) {
   const double *q = y, *v = y + model_->nq();
   accelerate(t, y);
   const auto n = static_cast<Eigen::Index>(closed.size());
@@ -152,7 +153,8 @@ void Phase::find_multipliers(double t, const double* y, std::span<ClosedContact>
   }
 }
 
-// The contacts that are closed stand first in closed_; multipliers and margins of the others are none.
+// The contacts that are closed stand first in closed_; multipliers and margins of the others are
+// none.
 std::size_t Phase::find_closed() {
   std::size_t count = 0;
   for (std::size_t k = 0; k < at_.size(); ++k) {

@@ -6,8 +6,8 @@
 //                                                 (sticking; Omega_r of a ring that turns),
 //   lambda_T = -mu sign lambda_N (sliding),
 //
-// v_t = e_t . d' the whirl speed; gdot_N = 0 has been used in gddot_T. Several contacts that are closed have their
-// multipliers from one linear system, through Delassus's matrix of all of them.
+// v_t = e_t . d' the whirl speed; gdot_N = 0 has been used in gddot_T. Several contacts that are
+// closed have their multipliers from one linear system, through Delassus's matrix of all of them.
 #pragma once
 
 #include <Eigen/Core>
@@ -89,7 +89,7 @@ class Phase {
   void set_margins(std::size_t contact, double normal, double friction, double slip);
 
   const Model* model_;
-  std::vector<AtContact> at_;            // of each auxiliary bearing
+  std::vector<AtContact> at_;  // of each auxiliary bearing
   std::vector<Eigen::Vector2d> commands_;
   std::array<ClosedContact, kMaxContacts> closed_;
   Eigen::VectorXd f_, a_;  // loads and accelerations

@@ -21,7 +21,7 @@ class Schedule {
 
  private:
   const Model* model_;
-  std::vector<double> breaks_;  // s, ascending; the last is the end
+  std::vector<double> breaks_;       // s, ascending; the last is the end
   std::vector<double> next_sample_;  // index, of each bearing
 };
 

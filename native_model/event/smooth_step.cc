@@ -51,18 +51,20 @@ void SmoothStep::meet(const Motion& motion) {
   const double tolerance = parameters_->tolerance;
   const auto coil_limit = [&](int i) {
     const auto has = [i](const AuxiliaryBearing& at) { return i == at.coil || i == at.coil + 1; };
-    return std::find_if(model_->auxiliary.begin(), model_->auxiliary.end(), has)->magnets->current_limit;
+    return std::find_if(model_->auxiliary.begin(), model_->auxiliary.end(), has)
+        ->magnets->current_limit;
   };
   double *of_q = tolerance_.data(), *of_v = of_q + n;
   for (int i = 0; i < l.mechanical(); ++i) {
     of_q[i] = tolerance * (angle(i) ? 1.0 : displacement_);
     of_v[i] = tolerance * (angle(i) ? std::max(1.0, spin_) : speed_);
   }
-  // Nothing hangs on an integrator's own integral, a coil's charge, nor on the integrals of the run.
+  // Nothing hangs on an integrator's own integral, a coil's charge, nor on the integrals of the
+  // run.
   for (int i = l.integral(); i < n; ++i) {
     of_q[i] = kInfinity;
-    of_v[i] = tolerance * (i < l.coil() ? model_->feedback->law.proportional * displacement_
-                                        : coil_limit(i));
+    of_v[i] = tolerance *
+              (i < l.coil() ? model_->feedback->law.proportional * displacement_ : coil_limit(i));
   }
   std::fill(tolerance_.begin() + 2 * n, tolerance_.end(), kInfinity);
 }

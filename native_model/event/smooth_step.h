@@ -31,7 +31,8 @@ class SmoothStep {
   // The end of the step becomes the state; the next one may go on from there without restart().
   void accept(Motion& motion);
 
-  // Of the step: the system's fastest rate as its last two stages show it, 1/s, and the coordinate it shows in.
+  // Of the step: the system's fastest rate as its last two stages show it, 1/s, and the coordinate
+  // it shows in.
   struct Stability {
     double rate = 0.0;
     int coordinate = 0;
@@ -41,7 +42,9 @@ class SmoothStep {
   double length() const { return step_.step(); }
   double end_time() const { return end_time_; }  // s; a step up to the limit ends there to the bit
   const double* end() const { return step_.end(); }
-  const Margins& lowest(std::size_t contact) const { return lowest_[contact]; }  // over the stages of the step
+  const Margins& lowest(std::size_t contact) const {
+    return lowest_[contact];
+  }  // over the stages of the step
   std::int64_t rejected() const { return rejected_; }
 
   // The solution within the step, theta in [0, 1].

@@ -56,7 +56,9 @@ class FixedRun {
   bool good() const { return status_ == Status::kOk; }
 
   // command: of `hold`, or recorded.
-  void begin(const Eigen::Vector2d& command, const ZeroOrderHold& hold) { begin(command, hold, {}, 1.0); }
+  void begin(const Eigen::Vector2d& command, const ZeroOrderHold& hold) {
+    begin(command, hold, {}, 1.0);
+  }
   void begin(const Eigen::Vector2d& command, const ZeroOrderHold& hold, const FixedStep& done,
              double kick) {
     Snapshot s = snapshot(0.0, model_.q0.data(), model_.v0.data(), done, kick);
@@ -140,7 +142,9 @@ class FixedRun {
                            double kick) {
     const double scale = done.impacts.empty() ? 1.0 / kick : 0.0;
     return {{scale * done.normal_impulse + done.impact_force.x(),
-             scale * done.friction_impulse + done.impact_force.y(), done.mode, {}},
+             scale * done.friction_impulse + done.impact_force.y(),
+             done.mode,
+             {}},
             t,
             q,
             v};

@@ -20,15 +20,15 @@ Trajectory run_event(const Model& model, const scene::Run& run, const NativeOpti
   if (options.event) {
     settings = *options.event;
   } else {
-    // Bins of the mean force are as wide as a fixed step, so that peaks can be compared; never so fine
-    // that they take longer than the run.
+    // Bins of the mean force are as wide as a fixed step, so that peaks can be compared; never so
+    // fine that they take longer than the run.
     constexpr double kMostBins = 1e7;
     settings.force_bin = std::max(options.step.value_or(run.step), run.end / kMostBins);
   }
   EventIntegrator integrator(model, settings);
   const auto start = std::chrono::steady_clock::now();
-  const EventIntegrator::Result result = integrator.run(
-      initial_state(model), run.end, recorder, options.progress, options.interrupt);
+  const EventIntegrator::Result result =
+      integrator.run(initial_state(model), run.end, recorder, options.progress, options.interrupt);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   Trajectory out = recorder.finish(result.end);
   out.engine = "native";
@@ -56,19 +56,24 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
   refuse_finite_impacts(scene, integrator == scene::Integrator::kVerlet ? FiniteImpacts::kUnsampled
                                                                         : FiniteImpacts::kNone);
   if (scene.auxiliary.size() > 1) {
-    if (integrator != scene::Integrator::kVerlet) refuse_several_contacts(scene, "this integrator", "event or verlet");
+    if (integrator != scene::Integrator::kVerlet)
+      refuse_several_contacts(scene, "this integrator", "event or verlet");
     for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
       if (model.auxiliary[k].coil == kAbsent) continue;
-      refuse(with_bearing_alone(scene, k), {{"", 0, "actuator.coil_lag",
-                                             "beside other contacts coils that lag need the integrator event; accepted "
-                                             "here: 0"}});
+      refuse(with_bearing_alone(scene, k),
+             {{"", 0, "actuator.coil_lag",
+               "beside other contacts coils that lag need the integrator event; accepted "
+               "here: 0"}});
     }
     return run_several_contacts(model, scene.run, step, options);
   }
   switch (integrator) {
-    case scene::Integrator::kPaper: return run_paper(model, scene.run, step, options);
-    case scene::Integrator::kLiteral: return run_literal(model, scene.run, step, options);
-    default: return run_verlet(model, scene.run, step, options);
+    case scene::Integrator::kPaper:
+      return run_paper(model, scene.run, step, options);
+    case scene::Integrator::kLiteral:
+      return run_literal(model, scene.run, step, options);
+    default:
+      return run_verlet(model, scene.run, step, options);
   }
 }
 

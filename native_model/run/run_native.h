@@ -22,7 +22,8 @@ struct NativeOptions {
   const std::atomic<bool>* interrupt = nullptr;     // set to true: stop, keep what there is
   // Commands of another run in the place of the scene's controller; null: none.
   std::shared_ptr<const CommandRecord> commands;
-  // Of `event`. Default: bins of the mean force as wide as the step, the rest as parameters.h has it.
+  // Of `event`. Default: bins of the mean force as wide as the step, the rest as parameters.h has
+  // it.
   std::optional<EventParameters> event;
 };
 

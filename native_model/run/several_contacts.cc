@@ -35,8 +35,8 @@ class SeveralRun {
     recorder_.statistics().contacts.resize(model.auxiliary.size());
   }
 
-  // The state of t_k is known once step k is taken; of a step half is done before t_k, half after, all of the first,
-  // half one, after. Impacts of step k belong to the next state.
+  // The state of t_k is known once step k is taken; of a step half is done before t_k, half after,
+  // all of the first, half one, after. Impacts of step k belong to the next state.
   Trajectory go() {
     const auto start = std::chrono::steady_clock::now();
     const auto steps = static_cast<std::int64_t>(std::ceil(end_ / step_ - 1e-9));
@@ -67,7 +67,8 @@ class SeveralRun {
       tick(k, steps);
     }
     const std::int64_t taken = std::min(k, steps);
-    Trajectory out = recorder_.finish(status_ == Status::kOk ? end_ : static_cast<double>(taken) * step_);
+    Trajectory out =
+        recorder_.finish(status_ == Status::kOk ? end_ : static_cast<double>(taken) * step_);
     out.engine = "native";
     out.integrator = "verlet";
     out.contact_model = "rigid";
@@ -111,7 +112,8 @@ class SeveralRun {
     }
   }
 
-  ContactSnapshot contact_snapshot(std::size_t i, double kick, const CoupledVerlet::Lasting& did) const {
+  ContactSnapshot contact_snapshot(std::size_t i, double kick,
+                                   const CoupledVerlet::Lasting& did) const {
     ContactSnapshot s{did.normal / kick, did.friction / kick, did.mode, {}};
     s.actuator = actuator_state(model_, stepper_.last_q(), velocity_.data(), told_[i], i);
     s.actuator.outputs = holds_[i].outputs();
@@ -123,7 +125,8 @@ class SeveralRun {
     for (std::size_t i = 1; i < done.contacts.size(); ++i) {
       others_[i - 1] = contact_snapshot(i, kick, done.contacts[i]);
     }
-    return {contact_snapshot(0, kick, done.contacts[0]), t, stepper_.last_q(), velocity_.data(), others_};
+    return {contact_snapshot(0, kick, done.contacts[0]), t, stepper_.last_q(), velocity_.data(),
+            others_};
   }
 
   // The share of what lasting contact did over a step.
@@ -157,14 +160,16 @@ class SeveralRun {
       f.normal_impulse += hit.normal_impulse;
       f.friction_impulse += hit.friction_impulse;
       f.friction_work += work;
-      count_at(static_cast<std::size_t>(hit.contact), hit.t, step_, hit.normal_impulse, hit.friction_impulse, work);
+      count_at(static_cast<std::size_t>(hit.contact), hit.t, step_, hit.normal_impulse,
+               hit.friction_impulse, work);
       recorder_.add(hit);
       recorder_.add(Event{hit.t, EventKind::kImpact, hit.contact});
     }
     recorder_.count(f, begin);
   }
 
-  void count_at(std::size_t i, double begin, double h, double normal, double friction, double work) {
+  void count_at(std::size_t i, double begin, double h, double normal, double friction,
+                double work) {
     ContactStatistics& own = recorder_.statistics().contacts[i];
     if (own.first_touch < 0.0) own.first_touch = begin;
     own.contact_time += h;
@@ -203,7 +208,8 @@ class SeveralRun {
   void tick(std::int64_t k, std::int64_t steps) {
     if ((k & 0xfff) != 0) return;
     if (options_.interrupt && options_.interrupt->load(std::memory_order_relaxed)) {
-      fail(Status::kInterrupted, static_cast<double>(k) * step_, status_reason(Status::kInterrupted));
+      fail(Status::kInterrupted, static_cast<double>(k) * step_,
+           status_reason(Status::kInterrupted));
     }
     if (options_.progress) options_.progress(static_cast<double>(k) / static_cast<double>(steps));
   }

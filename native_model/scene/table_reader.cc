@@ -72,8 +72,9 @@ void TableReader::read(const TomlNode& root) {
     if (!listed || !is_part_of_contact(table)) {
       read_table(table, root);
     } else if (const TomlNode* node = find_path(root, table.path)) {
-      fail(*node, std::string(table.path), "stands beside [[contact]]; accepted: below each, as [contact." +
-                                               std::string(table.path) + "]");
+      fail(*node, std::string(table.path),
+           "stands beside [[contact]]; accepted: below each, as [contact." +
+               std::string(table.path) + "]");
     }
   }
 }
@@ -108,8 +109,9 @@ void TableReader::find_form(const TomlNode& root) {
 // Each [[contact]] with the parts of its bearing.
 void TableReader::read_contacts(const Table& table, const TomlNode& list) {
   if (list.items.size() > kMaxContacts) {
-    fail(list, "contact", "has " + std::to_string(list.items.size()) + " contacts; accepted: at most " +
-                              std::to_string(kMaxContacts));
+    fail(list, "contact",
+         "has " + std::to_string(list.items.size()) + " contacts; accepted: at most " +
+             std::to_string(kMaxContacts));
   }
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const std::string element = list_element("contact", i);
@@ -165,7 +167,8 @@ bool TableReader::kind_takes(const Table& table, const TomlNode& root, const Tom
   const std::string_view kind = kind_of(*find_table(parent), *find_path(root, parent));
   if (kind.empty() || table.is_for(kind)) return true;
   fail(node, std::string(table.path),
-       "belongs to kind = \"" + join(table.kinds) + "\" and has no effect with \"" + std::string(kind) + "\"");
+       "belongs to kind = \"" + join(table.kinds) + "\" and has no effect with \"" +
+           std::string(kind) + "\"");
   return false;
 }
 
@@ -173,7 +176,8 @@ void TableReader::read_object(const Table& table, const TomlNode& node, const st
   record_.note(path, node, true);
   if (table.store_any != nullptr) return read_any(table, node, path);
   const bool below = is_listed(path) && is_part_of_contact(table);
-  refuse_unknown(node, (below ? std::string(kBelowContact) : std::string()) + std::string(table.path), path);
+  refuse_unknown(
+      node, (below ? std::string(kBelowContact) : std::string()) + std::string(table.path), path);
   const std::string_view kind = kind_of(table, node);
 
   void* object = table.object != nullptr ? table.object(scene_) : &rules_.emplace_back();
@@ -181,12 +185,14 @@ void TableReader::read_object(const Table& table, const TomlNode& node, const st
     const TomlNode* value = node.find(key.name);
     const TomlNode* other = key.also.empty() ? nullptr : node.find(key.also);
     if (value != nullptr && other != nullptr) {
-      fail(*other, child_path(path, key.also), "is another name of `" + std::string(key.name) + "`; give one of them");
+      fail(*other, child_path(path, key.also),
+           "is another name of `" + std::string(key.name) + "`; give one of them");
       record_.note(child_path(path, key.name), *value, false);
     } else if (value != nullptr || other != nullptr) {
       const std::string written = child_path(path, value != nullptr ? key.name : key.also);
       if (value == nullptr) value = other;
-      record_.note(child_path(path, key.name), *value, read_key(key, kind, *value, written, object), written);
+      record_.note(child_path(path, key.name), *value, read_key(key, kind, *value, written, object),
+                   written);
     } else if (key.required() && key.belongs_to(form_) &&
                (key.kinds.empty() || (!kind.empty() && key.is_for(kind)))) {
       const std::string key_path = child_path(path, key.name);
@@ -231,9 +237,10 @@ bool TableReader::read_key(const Key& key, std::string_view kind, const TomlNode
     return false;
   }
   if (key.listed_only && !is_listed(path)) {
-    fail(node, path,
-         "stands in [contact.stator] below a [[contact]] alone; of [stator] it is `initial.stator`, "
-         "`initial.stator_velocity`");
+    fail(
+        node, path,
+        "stands in [contact.stator] below a [[contact]] alone; of [stator] it is `initial.stator`, "
+        "`initial.stator_velocity`");
     return false;
   }
   if (!kind.empty() && !key.is_for(kind)) {
@@ -254,7 +261,8 @@ void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_pa
   const Table* own = find_table(table_path);
   const std::string prefix = table_path.empty() ? "" : std::string(table_path) + ".";
   const bool in_list = is_listed(path);
-  const std::string_view inner = std::string_view(prefix).substr(in_list ? kBelowContact.size() : 0);
+  const std::string_view inner =
+      std::string_view(prefix).substr(in_list ? kBelowContact.size() : 0);
   const auto is_known = [&](const std::string& name) {
     if (own != nullptr && own->find(name) != nullptr) return true;
     if (table_path == "contact" && !in_list) return false;  // [stator] stands beside [contact]
@@ -273,7 +281,8 @@ void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_pa
   }
   for (const Table& table : tables()) {
     // Below [[contact]] a [stator] is one of "contact.stator".
-    const std::string_view inside = in_list && is_part_of_contact(table) ? inner : std::string_view(prefix);
+    const std::string_view inside =
+        in_list && is_part_of_contact(table) ? inner : std::string_view(prefix);
     if (!table.path.starts_with(inside)) continue;
     const std::string_view below = table.path.substr(inside.size());
     if (!below.empty() && below.find('.') == std::string_view::npos) known.push_back(below);

@@ -1,13 +1,17 @@
-// One step of `verlet` with several contacts: the leapfrog of verlet_step.h, with lasting contact and impacts of all
-// contacts solved together (contact/coupled_law.h). For one run; a scene with one contact has its own kernels.
+// One step of `verlet` with several contacts: the leapfrog of verlet_step.h, with lasting contact
+// and impacts of all contacts solved together (contact/coupled_law.h). For one run; a scene with
+// one contact has its own kernels.
 //
 //   1. Free velocities v_f from all loads, as there.
-//   2. Contacts that last end the step on their circles: step impulses p with |d_i + h (w_i + sum A_ij p_j)| = delta_i,
-//      by Newton's method on the linear complementarity problem of all of them, friction by the slip of the middle.
-//   3. Another contact's path leaves its circle: located, and every contact that is closed there takes part in the
-//      impact. Of its jump w at the share theta this step takes (1 - theta) w, the next the rest, and what the loads
-//      that depend on velocities miss. A resting contact that it knocks open carries nothing from there on: the next
-//      step gives back (1/2 - theta) of its step impulse.
+//   2. Contacts that last end the step on their circles: step impulses p with |d_i + h (w_i + sum
+//   A_ij p_j)| = delta_i,
+//      by Newton's method on the linear complementarity problem of all of them, friction by the
+//      slip of the middle.
+//   3. Another contact's path leaves its circle: located, and every contact that is closed there
+//   takes part in the
+//      impact. Of its jump w at the share theta this step takes (1 - theta) w, the next the rest,
+//      and what the loads that depend on velocities miss. A resting contact that it knocks open
+//      carries nothing from there on: the next step gives back (1/2 - theta) of its step impulse.
 #pragma once
 
 #include <Eigen/Core>
@@ -49,7 +53,9 @@ class CoupledVerlet : private LoadKernel<Model> {
   // After step k: the state of t_k, velocities before an impact of the step.
   const double* last_q() const { return before_.data(); }
   void last_velocity(double* v) const;
-  double last_kick() const { return was_first_ ? 0.5 : 1.0; }  // of a step, for which its forces are
+  double last_kick() const {
+    return was_first_ ? 0.5 : 1.0;
+  }  // of a step, for which its forces are
 
  private:
   using Columns = std::vector<double>;  // nq values for each of 3 directions of each contact
@@ -61,11 +67,17 @@ class CoupledVerlet : private LoadKernel<Model> {
     Eigen::Vector3d free, start;                 // (ddot, spin) of free_ and start_
     double normal = 0.0, friction = 0.0;         // N s, of lasting contact over the step
   };
-  // How the friction of a lasting contact is found: by the slip (Coulomb's set), or in a ratio to the normal impulse.
+  // How the friction of a lasting contact is found: by the slip (Coulomb's set), or in a ratio to
+  // the normal impulse.
   struct Friction {
     bool given = false;
     double ratio = 0.0;
   };
+
+  static constexpr double kOnCircle = 1e-12;  // of the clearance: as good as on it
+
+  Eigen::Vector3d rates(std::size_t contact, const double* v) const;  // (ddot, spin)
+  static double slip_of(const Eigen::Vector2d& e_r, double radius, const Eigen::Vector3d& velocity);
 
   void kick(std::int64_t k);
   void apply_forces(std::span<const Eigen::Vector2d> forces);
@@ -74,14 +86,18 @@ class CoupledVerlet : private LoadKernel<Model> {
   bool leaves(const Contact& c, const Eigen::Vector3d& velocity) const;
   void last();
   bool press(std::span<const std::size_t> lasting);
-  CoupledSolution solve_on_circles(std::span<const std::size_t> lasting, std::span<const Friction> friction) const;
+  CoupledSolution solve_on_circles(std::span<const std::size_t> lasting,
+                                   std::span<const Friction> friction) const;
   void push(double* to) const;
+  // coupled_impacts.cc
   void collide(std::int64_t k);
   std::span<const Eigen::Vector2d> ring_forces(double t, const double* q, const double* v,
                                                std::span<Eigen::Vector2d> forces) const;
-  void apply_jump(double t, double theta, const double* q, std::span<double> load, std::span<double> velocity,
-                  std::span<const double> acceleration);
-  double held() const { return layout().spin ? 0.0 : m_->speed; }  // rad/s, by a machine that works too
+  void apply_jump(double t, double theta, const double* q, std::span<double> load,
+                  std::span<double> velocity, std::span<const double> acceleration);
+  double held() const {
+    return layout().spin ? 0.0 : m_->speed;
+  }  // rad/s, by a machine that works too
   double lasting_work() const;
   double impact_work() const;
   Eigen::Matrix3d admittance(std::size_t i, std::size_t j) const;

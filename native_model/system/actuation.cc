@@ -15,7 +15,8 @@ Measurement measure(const Model& m, std::size_t k, double t, const double* q, co
   const AuxiliaryBearing& at = m.auxiliary[k];
   Measurement now;
   now.t = t;
-  now.rotor = rotor_point(m, q, k) - at.ring_offset;  // from the ring's middle at rest, as `stator` is
+  now.rotor =
+      rotor_point(m, q, k) - at.ring_offset;  // from the ring's middle at rest, as `stator` is
   now.rotor_velocity = rotor_point(m, v, k);
   now.stator = stator_point(m, q, k);
   now.stator_velocity = stator_point(m, v, k);
@@ -40,7 +41,8 @@ SwitchOn switched_on(const AuxiliaryBearing& at) {
 }
 
 // What the actuator is commanded for what the law asks.
-Eigen::Vector2d commanded(const Model& m, std::size_t k, const double* q, const Eigen::Vector2d& asked) {
+Eigen::Vector2d commanded(const Model& m, std::size_t k, const double* q,
+                          const Eigen::Vector2d& asked) {
   const AuxiliaryBearing& at = m.auxiliary[k];
   if (!at.magnets) return limited(asked, at.force_limit);
   const MagneticActuator& magnets = *at.magnets;
@@ -62,7 +64,8 @@ Eigen::Vector2d control_command(const Model& m, double t, const double* q, const
   if (at.recorded) return at.recorded->at(t);
   if (!at.controller || t < at.control_on) return {0.0, 0.0};
   assert(at.controller->state_size() == 0);
-  return commanded(m, k, q, at.controller->command(measure(m, k, t, q, v), switched_on(at), nullptr));
+  return commanded(m, k, q,
+                   at.controller->command(measure(m, k, t, q, v), switched_on(at), nullptr));
 }
 
 Eigen::Vector2d control_sample(const Model& m, double t, const double* q, const double* v,
@@ -90,7 +93,8 @@ ActuatorState actuator_state(const Model& m, const double* q, const double* v,
   const AuxiliaryBearing& at = m.auxiliary[k];
   if (!at.magnets) return {command, {0.0, 0.0}, {}};
   const Eigen::Vector2d s = to_axes(stator_point(m, q, k));
-  const Eigen::Vector2d i = at.coil != kAbsent ? Eigen::Vector2d(v[at.coil], v[at.coil + 1]) : command;
+  const Eigen::Vector2d i =
+      at.coil != kAbsent ? Eigen::Vector2d(v[at.coil], v[at.coil + 1]) : command;
   const ForceLaw& law = *at.magnets->law;
   return {from_axes({law.force(s.x(), i.x()), law.force(s.y(), i.y())}), i, {}};
 }
@@ -106,7 +110,8 @@ void smooth_force(const Model& m, double t, const double* q, const double* v,
     f[at.ring] += force.x();
     f[at.ring + 1] += force.y();
     if (at.coil == kAbsent) continue;
-    for (int i = 0; i < 2; ++i) f[at.coil + i] += coil_load(*at.magnets, command[i], v[at.coil + i]);
+    for (int i = 0; i < 2; ++i)
+      f[at.coil + i] += coil_load(*at.magnets, command[i], v[at.coil + i]);
   }
 }
 
@@ -115,7 +120,8 @@ double coil_load(const MagneticActuator& magnets, double asked, double current) 
   const double drop = magnets.resistance * current, rate = magnets.current_rate_limit;
   const double fall = std::max(-rate, (-magnets.voltage_limit - drop) / magnets.inductance);
   const double rise = std::min(rate, (magnets.voltage_limit - drop) / magnets.inductance);
-  return std::min(std::max(asked, current + magnets.coil_lag * fall), current + magnets.coil_lag * rise);
+  return std::min(std::max(asked, current + magnets.coil_lag * fall),
+                  current + magnets.coil_lag * rise);
 }
 
 }  // namespace rotorub

@@ -18,9 +18,9 @@
 namespace rotorub {
 namespace {
 
-// kg: an integrator is the momentum of a mass that its rate pushes, so that whoever steps coordinates steps it. So
-// small that the mass is not noticed in sums over all coordinates, and so large that the weight of the 1e-12 kg that
-// MuJoCo wants of a body is not noticed by it.
+// kg: an integrator is the momentum of a mass that its rate pushes, so that whoever steps
+// coordinates steps it. So small that the mass is not noticed in sums over all coordinates, and so
+// large that the weight of the 1e-12 kg that MuJoCo wants of a body is not noticed by it.
 constexpr double kIntegratorMass = 1e-3;
 
 Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
@@ -105,8 +105,9 @@ void add_magnetic_bearing(const scene::Scene& scene, const ModeShape& shape, Mod
   const double k = bearing.negative_stiffness;
   if (!bearing.control) return model.springs.push_back({shape, {-k, -k}});
   const scene::BearingControl& c = *bearing.control;
-  StationFeedback feedback{shape, {k, c.force_per_current, c.proportional, c.derivative,
-                                   c.current_limit, c.fails_at, 0.0, c.integral}};
+  StationFeedback feedback{shape,
+                           {k, c.force_per_current, c.proportional, c.derivative, c.current_limit,
+                            c.fails_at, 0.0, c.integral}};
   // Its linear spring acts for ever, in the modes or beside them, and the law takes it back.
   feedback.law.held = feedback.law.stiffness();
   const double beside = feedback.law.held - magnetic_support(scene).held;
@@ -120,8 +121,8 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
   for (std::size_t i = 0; i < scene.forces.size(); ++i) {
     const scene::Force& f = scene.forces[i];
     if (f.kind == scene::ForceKind::kUnbalance) continue;  // an unbalance beside the discs'
-    AppliedForce force{f.kind, f.amplitude, f.frequency, f.phase,        f.vector,
-                       f.on,   f.off,       f.ramp,      rotor.force_shapes[i], f.frequency_end};
+    AppliedForce force{f.kind, f.amplitude, f.frequency,           f.phase,        f.vector, f.on,
+                       f.off,  f.ramp,      rotor.force_shapes[i], f.frequency_end};
     if (f.kind == scene::ForceKind::kSynchronous && !scene.drive) {
       force.kind = scene::ForceKind::kRotating;
       force.frequency = scene.rotor.speed;
@@ -174,7 +175,8 @@ void fill_actuator(const scene::Scene& scene, std::size_t k, Model& model) {
     const auto table =
         std::make_shared<ForceTable>(ForceGrid{a.table_position, a.table_current, a.table_force});
     const std::string reason = table->refusal();
-    if (!reason.empty()) refuse(with_bearing_alone(scene, k), {{"", 0, "actuator.table_force", reason}});
+    if (!reason.empty())
+      refuse(with_bearing_alone(scene, k), {{"", 0, "actuator.table_force", reason}});
     magnets.law = table;
     most = std::min(-a.table_current.front(), a.table_current.back());
   }
@@ -219,8 +221,8 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
   to.control_on = c.on;
   to.sample_time = c.sample_time;
   if (!to.controller || c.sample_time <= 0.0) return;
-  to.loop = std::make_shared<ControlLoop>(to.controller, c.sensors, c.trigger, c.sample_time,
-                                             clearance);
+  to.loop =
+      std::make_shared<ControlLoop>(to.controller, c.sensors, c.trigger, c.sample_time, clearance);
 }
 
 void fill_initial(const scene::Scene& scene, Model& model) {

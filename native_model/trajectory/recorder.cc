@@ -1,72 +1,15 @@
 #include "native_model/trajectory/recorder.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/trajectory/columns.h"
+#include "native_model/trajectory/series.h"
 
 namespace rotorub {
 namespace {
-
-bool has_actuator_columns(const AuxiliaryBearing& at) {
-  return at.moves() && (at.commanded() || at.magnets);
-}
-
-// Their units and meanings: columns.cc.
-std::vector<Column> make_columns(const Model& model) {
-  const Layout& l = model.layout;
-  std::vector<Column> c;
-  const auto add = [&c](const std::string& name) {
-    c.push_back({name, std::string(series_column(name).unit), {}});
-  };
-  const auto numbered = [&](const std::string& name, int count) {
-    for (int k = 1; k <= count; ++k) add(name + "_" + std::to_string(k));
-  };
-  // What moves the ring of the k-th bearing, and its spin.
-  const auto add_ring = [&](std::size_t k) {
-    const AuxiliaryBearing& at = model.auxiliary[k];
-    const auto of = [k](const char* name) { return column_of_contact(k, name); };
-    if (has_actuator_columns(at)) {
-      add(of("control_x"));
-      add(of("control_y"));
-    }
-    numbered(of("current"), at.magnets ? 2 : 0);
-    if (at.controller) {
-      for (const Controller::Output& out : at.controller->outputs()) {
-        c.push_back({of("control_") + std::string(out.name), std::string(out.unit), {}});
-      }
-    }
-    if (!at.turns()) return;
-    add(of("ring_angle"));
-    add(of("ring_speed"));
-  };
-  for (const char* name : {"t", "rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x", "stator_y",
-                           "stator_vx", "stator_vy", "spin_angle", "spin_speed", "gap", "gap_rate", "slip",
-                           "normal_force", "friction_force", "mode"}) {
-    add(name);
-  }
-  for (const char* name : {"x", "y", "vx", "vy"}) numbered(name, l.modes);
-  numbered("torsion", l.torsion);
-  numbered("torsion_speed", l.torsion);
-  add_ring(0);
-  if (model.drive) add("motor_torque");
-  if (model.feedback) {
-    add("bearing_current_x");
-    add("bearing_current_y");
-  }
-  for (std::size_t k = 1; k < model.auxiliary.size(); ++k) {
-    for (const char* name : {"rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x", "stator_y", "stator_vx",
-                             "stator_vy", "gap", "gap_rate", "slip", "normal_force", "friction_force", "mode"}) {
-      add(column_of_contact(k, name));
-    }
-    add_ring(k);
-  }
-  return c;
-}
 
 // The contact's rate of work on the coordinates is N gdot_N + T gdot_T, without what the machine
 // that holds a prescribed speed does.
@@ -100,8 +43,11 @@ std::vector<double> output_times(const scene::Run& run) {
 }
 
 Recorder::Recorder(const Model& model, std::vector<double> times, double window)
-    : model_(&model), times_(std::move(times)), columns_(make_columns(model)),
-      least_gaps_(model.auxiliary.size(), std::numeric_limits<double>::infinity()), window_(window) {
+    : model_(&model),
+      times_(std::move(times)),
+      columns_(series_of(model)),
+      least_gaps_(model.auxiliary.size(), std::numeric_limits<double>::infinity()),
+      window_(window) {
   assert(std::is_sorted(times_.begin(), times_.end()));
   for (Column& column : columns_) column.values.reserve(times_.size());
   const auto n = static_cast<std::size_t>(model.nq());
@@ -120,9 +66,7 @@ void Recorder::keep(const Snapshot& now) {
   last_.v = last_v_.data();
 }
 
-void Recorder::look_at_energy() {
-  meet_energy(energy(*model_, last_.t, last_.q, last_.v));
-}
+void Recorder::look_at_energy() { meet_energy(energy(*model_, last_.t, last_.q, last_.v)); }
 
 void Recorder::meet_energy(double now) {
   Statistics& s = statistics_;
@@ -169,7 +113,8 @@ void Recorder::count_gap(const ContactPoint& point, double h) {
 }
 
 void Recorder::count(const StepFigures& f, double begin) {
-  if (f.normal_impulse > 0.0) count_contact(f.normal_impulse, f.friction_impulse, f.h, begin, f.impact);
+  if (f.normal_impulse > 0.0)
+    count_contact(f.normal_impulse, f.friction_impulse, f.h, begin, f.impact);
   statistics_.friction_work += f.friction_work;
   statistics_.contact_work += f.contact_work;
   statistics_.external_work += f.external_work;
@@ -266,73 +211,17 @@ void Recorder::add(const Event& event) { events_.push_back(event); }
 
 void Recorder::row(const Snapshot& now) {
   const Model& m = *model_;
-  const Layout& l = m.layout;
-  const ContactPoint p = contact_point(m, now.q, now.v);
-  const Eigen::Vector2d r = rotor_point(m, now.q), rv = rotor_point(m, now.v);
-  const Eigen::Vector2d f = ring_centre(m, now.q), fv = stator_point(m, now.v);
-  if (m.first().contact) statistics_.least_gap = std::min(statistics_.least_gap, p.gap);
-  least_gaps_[0] = std::min(least_gaps_[0], p.gap);
-  resting_ = now.mode == Mode::kFree ? 0.0 : now.normal_force * m.first().contact->clearance;
-  auto column = columns_.begin();
-  const auto put = [&column](double value) { (column++)->values.push_back(value); };
-  for (double value : {next_time(), r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(),
-                       spin_angle(m, now.t, now.q), spin_speed(m, now.v), p.gap, p.gap_rate, p.slip,
-                       now.normal_force, now.friction_force, static_cast<double>(now.mode)}) {
-    put(value);
+  resting_ = 0.0;
+  for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
+    if (!m.auxiliary[k].contact) continue;
+    const double gap = m.auxiliary[k].contact->clearance - separation(m, now.q, k).norm();
+    statistics_.least_gap = std::min(statistics_.least_gap, gap);
+    least_gaps_[k] = std::min(least_gaps_[k], gap);
+    const ContactSnapshot& at = now.at(k);
+    if (at.mode != Mode::kFree) resting_ += at.normal_force * m.auxiliary[k].contact->clearance;
   }
-  const auto block = [&](const double* from, int at, int count) {
-    for (int k = 0; k < count; ++k) put(from[at + k]);
-  };
-  block(now.q, l.x(), 2 * l.modes);
-  block(now.v, l.x(), 2 * l.modes);
-  block(now.q, l.theta(), l.torsion);
-  block(now.v, l.theta(), l.torsion);
-  put_ring(0, now, now, column);
-  if (m.drive) put(motor_torque(m, next_time(), now.q, now.v));
-  if (m.feedback) {
-    for (const double current : bearing_current(m, next_time(), now.q, now.v)) put(current);
-  }
-  for (std::size_t k = 1; k < m.auxiliary.size(); ++k) put_further(k, now.others[k - 1], now, column);
-  assert(column == columns_.end());
+  put_row(m, next_time(), now, columns_);
   ++next_;
-}
-
-// The columns of another contact than the first.
-void Recorder::put_further(std::size_t k, const ContactSnapshot& at, const Snapshot& now, Place& column) {
-  const Model& m = *model_;
-  const ContactPoint p = contact_point(m, now.q, now.v, k);
-  const Eigen::Vector2d r = rotor_point(m, now.q, k), rv = rotor_point(m, now.v, k);
-  const Eigen::Vector2d f = ring_centre(m, now.q, k), fv = stator_point(m, now.v, k);
-  statistics_.least_gap = std::min(statistics_.least_gap, p.gap);
-  least_gaps_[k] = std::min(least_gaps_[k], p.gap);
-  if (at.mode != Mode::kFree) resting_ += at.normal_force * m.auxiliary[k].contact->clearance;
-  for (double value : {r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(), p.gap, p.gap_rate, p.slip,
-                       at.normal_force, at.friction_force, static_cast<double>(at.mode)}) {
-    (column++)->values.push_back(value);
-  }
-  put_ring(k, at, now, column);
-}
-
-// What moves the ring of the k-th bearing, and its spin.
-void Recorder::put_ring(std::size_t k, const ContactSnapshot& at, const Snapshot& now, Place& column) {
-  const AuxiliaryBearing& bearing = model_->auxiliary[k];
-  const auto put = [&column](double value) { (column++)->values.push_back(value); };
-  if (has_actuator_columns(bearing)) {
-    put(at.actuator.force.x());
-    put(at.actuator.force.y());
-  }
-  if (bearing.magnets) {
-    put(at.actuator.current.x());
-    put(at.actuator.current.y());
-  }
-  if (bearing.controller && !bearing.controller->outputs().empty()) {
-    std::array<double, kMostOutputs> values = at.actuator.outputs;
-    if (!bearing.loop) control_outputs(*model_, now.t, now.q, now.v, values.data(), k);
-    for (std::size_t i = 0; i < bearing.controller->outputs().size(); ++i) put(values[i]);
-  }
-  if (!bearing.turns()) return;
-  put(now.q[bearing.ring_angle]);
-  put(now.v[bearing.ring_angle]);
 }
 
 Trajectory Recorder::finish(double end) {

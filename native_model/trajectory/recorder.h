@@ -7,25 +7,11 @@
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
-#include "native_model/system/actuation.h"
 #include "native_model/trajectory/impulse_window.h"
+#include "native_model/trajectory/series.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
-
-// All that is known at one instant; q, v point to nq values, valid during the call.
-struct ContactSnapshot {
-  double normal_force = 0.0;    // N, of persistent contact, >= 0
-  double friction_force = 0.0;  // N, on the rotor along e_t
-  Mode mode = Mode::kFree;
-  ActuatorState actuator{};
-};
-struct Snapshot : ContactSnapshot {  // its own are those of the first contact
-  double t = 0.0;
-  const double* q = nullptr;
-  const double* v = nullptr;
-  std::span<const ContactSnapshot> others{};  // of the further contacts, in their order
-};
 
 // The requested times: multiples of series_step in [0, end], the end and output_times, ascending,
 // without doubles: output_times and the end stand for a multiple within 1e-9 of the spacing.
@@ -33,13 +19,13 @@ std::vector<double> output_times(const scene::Run& run);
 
 // What a step of an engine that knows its own works did.
 struct StepFigures {
-  double h = 0.0;                // s, what the impulses are for
-  double normal_impulse = 0.0;   // N s, all of the step, with an impact's
+  double h = 0.0;               // s, what the impulses are for
+  double normal_impulse = 0.0;  // N s, all of the step, with an impact's
   double friction_impulse = 0.0;
-  double friction_work = 0.0;    // J, of friction between the surfaces
-  double contact_work = 0.0;     // J, on the coordinates
-  double external_work = 0.0;    // J, of all forces but springs and contact
-  bool impact = false;           // the impulses are those of an impact
+  double friction_work = 0.0;  // J, of friction between the surfaces
+  double contact_work = 0.0;   // J, on the coordinates
+  double external_work = 0.0;  // J, of all forces but springs and contact
+  bool impact = false;         // the impulses are those of an impact
 };
 
 // The balance of the energy of an engine that knows it better than from the states at the ends of
@@ -63,7 +49,8 @@ class Recorder {
   void step(const Snapshot& now, double normal_impulse, double friction_impulse, bool impact,
             const Impact* detail = nullptr, const StepBalance* balance = nullptr);
   // For engines that know their works: what was done, beginning at `begin` (s), and the next
-  // snapshot. The energy is looked at now and then, as it costs a model evaluation. `impact`: as above.
+  // snapshot. The energy is looked at now and then, as it costs a model evaluation. `impact`: as
+  // above.
   void count(const StepFigures& figures, double begin);
   // `point`: the contact of `now`, read where there is one.
   void advance(const Snapshot& now, const ContactPoint& point, bool impact);
@@ -88,14 +75,12 @@ class Recorder {
   void keep(const Snapshot& now);
   void look_at_energy();
   void meet_energy(double now);
-  void count_contact(double normal_impulse, double friction_impulse, double h, double begin, bool impact);
+  void count_contact(double normal_impulse, double friction_impulse, double h, double begin,
+                     bool impact);
   void book_ends(const Snapshot& now, const ContactPoint& point, double normal_impulse,
                  double friction_impulse, const Impact* detail);
   void count_gap(const ContactPoint& point, double h);
   void rows_until(const Snapshot& now, bool impact);
-  using Place = std::vector<Column>::iterator;
-  void put_further(std::size_t k, const ContactSnapshot& at, const Snapshot& now, Place& column);
-  void put_ring(std::size_t k, const ContactSnapshot& at, const Snapshot& now, Place& column);
 
   const Model* model_;
   std::vector<double> times_;

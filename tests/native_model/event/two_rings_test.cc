@@ -1,5 +1,5 @@
-// Two auxiliary bearings against a second program (two_rings/README.md), and against what several contacts have in
-// closed form.
+// Two auxiliary bearings against a second program (two_rings/README.md), and against what several
+// contacts have in closed form.
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,8 @@ int counted(const Trajectory& t, int contact) {
 
 class TwoRings : public testing::TestWithParam<const char*> {};
 
-// Positions to 5e-13 m and velocities to 5e-11 m/s: a thousandth of what a bounce at the end of an accumulation is.
+// Positions to 5e-13 m and velocities to 5e-11 m/s: a thousandth of what a bounce at the end of an
+// accumulation is.
 TEST_P(TwoRings, AgreesWithASecondProgram) {
   const nlohmann::json exact = expected(GetParam());
   const scene::Scene scene = scene::read_scene(file(GetParam() + std::string(".toml")));
@@ -60,7 +61,8 @@ TEST_P(TwoRings, AgreesWithASecondProgram) {
     }
     for (const auto& [column, mode] : row.at("modes").items()) {
       const std::size_t contact = column.starts_with("contact2_") ? 1 : 0;
-      if (scene.auxiliary[contact].contact->friction == 0.0) continue;  // sliding and sticking are one there
+      if (scene.auxiliary[contact].contact->friction == 0.0)
+        continue;  // sliding and sticking are one there
       EXPECT_EQ(to_string(static_cast<Mode>(static_cast<int>(t.column(column)[k]))), mode)
           << column << " at " << row.at("t");
     }
@@ -69,18 +71,21 @@ TEST_P(TwoRings, AgreesWithASecondProgram) {
   ASSERT_EQ(t.statistics.contacts.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(counted(t, static_cast<int>(k)), figures.at("impacts")[k]);
-    EXPECT_NEAR(t.statistics.contacts[k].impulse_total, figures.at("normal_impulse")[k].get<double>(), 1e-9);
-    EXPECT_NEAR(t.statistics.contacts[k].friction_impulse, figures.at("friction_impulse")[k].get<double>(), 1e-9);
+    EXPECT_NEAR(t.statistics.contacts[k].impulse_total,
+                figures.at("normal_impulse")[k].get<double>(), 1e-9);
+    EXPECT_NEAR(t.statistics.contacts[k].friction_impulse,
+                figures.at("friction_impulse")[k].get<double>(), 1e-9);
   }
   EXPECT_LT(t.statistics.energy_residual(), 1e-11);
 }
 
 INSTANTIATE_TEST_SUITE_P(, TwoRings,
-                         testing::Values("drop", "rub", "moving", "rolling", "conical", "cylindrical"),
+                         testing::Values("drop", "rub", "moving", "rolling", "conical",
+                                         "cylindrical"),
                          [](const auto& of) { return std::string(of.param); });
 
-// `verlet` of the same scenes: from 1e-4 s to 1e-5 s the error falls at least tenfold; of second order it is until the
-// ends of accumulations, which a fixed step puts elsewhere, are what is left.
+// `verlet` of the same scenes: from 1e-4 s to 1e-5 s the error falls at least tenfold; of second
+// order it is until the ends of accumulations, which a fixed step puts elsewhere, are what is left.
 TEST_P(TwoRings, VerletConverges) {
   scene::Scene scene = scene::read_scene(file(GetParam() + std::string(".toml")));
   scene.run.output_step = 1e-3;
@@ -127,7 +132,8 @@ TEST(SeveralContacts, VerletOfACylindricalRubIsThatOfOneContact) {
   EXPECT_NEAR(t.statistics.energy_residual(), exact.statistics.energy_residual(), 1e-9);
 }
 
-// A rigid shaft: mode 1 its translation, mode 2 its tilt, 1 at the first contact and `tilt` at the second.
+// A rigid shaft: mode 1 its translation, mode 2 its tilt, 1 at the first contact and `tilt` at the
+// second.
 scene::Scene shaft(double mass, double tilt_mass, double tilt, const test::Jeffcott& of = {}) {
   scene::Scene s = test::make_scene(of);
   s.rotor.modal->mass = {mass, tilt_mass};
@@ -168,7 +174,8 @@ TEST(SeveralContacts, ACentralHitIsOneContactWithTheSumOfTheMasses) {
 TEST(SeveralContacts, AtTheCentreOfPercussionTheOtherContactFeelsNothing) {
   scene::Scene s = shaft(2.0, 1.5, -0.75, {.restitution = 0.5});
 
-  // Both ends at the first contact's side: the second one lies on its circle at rest, the first comes.
+  // Both ends at the first contact's side: the second one lies on its circle at rest, the first
+  // comes.
   const double at_second = 0.5e-3, at_first = 0.4e-3;
   const double tilt = (at_first - at_second) / 1.75;
   s.initial.x = {at_first - tilt, tilt};
@@ -192,17 +199,21 @@ TEST(SeveralContacts, TwoLikeRingsOfOneKilogramAreOneOfTwo) {
   for (scene::AuxiliaryBearing& bearing : two.auxiliary) {
     bearing.stator = scene::Stator{{1.0, 1.0}, {30.0, 30.0}, {2e5, 2e5}};
   }
-  one.initial.vx = {0.3}, one.initial.vy = {0.1}, two.initial.vx = {0.3, 0.0}, two.initial.vy = {0.1, 0.0};
+  one.initial.vx = {0.3}, one.initial.vy = {0.1}, two.initial.vx = {0.3, 0.0},
+  two.initial.vy = {0.1, 0.0};
   one.run.end = two.run.end = 0.02;
   const Trajectory t = test::run_event(two), exact = test::run_event(one);
   EXPECT_GE(exact.impacts.size(), 4u);
   for (const char* column : {"rotor_x", "rotor_y", "stator_x", "stator_y"}) {
     EXPECT_NEAR(end_of(t, column), end_of(exact, column), 1e-12) << column;
-    EXPECT_NEAR(end_of(t, (std::string("contact2_") + column).c_str()), end_of(exact, column), 1e-12) << column;
+    EXPECT_NEAR(end_of(t, (std::string("contact2_") + column).c_str()), end_of(exact, column),
+                1e-12)
+        << column;
   }
 }
 
-// Each bounce of the first end knocks the resting second one open, which bounces to rest anew before the next.
+// Each bounce of the first end knocks the resting second one open, which bounces to rest anew
+// before the next.
 TEST(SeveralContacts, ANestedAccumulationEnds) {
   const Trajectory t = test::run_event(scene::read_scene(file("drop.toml")));
   ASSERT_EQ(t.status, Status::kOk) << t.message;
@@ -213,7 +224,9 @@ TEST(SeveralContacts, ANestedAccumulationEnds) {
 
 // Each ring has its own controller; event and verlet ask it alike.
 TEST(SeveralContacts, HaveControllersOfTheirOwn) {
-  scene::Scene s = shaft(3.0, 1.2, -0.7, {.damping = 40.0, .stiffness = 3e5, .friction = 0.1, .restitution = 0.3, .speed = 200.0});
+  scene::Scene s = shaft(
+      3.0, 1.2, -0.7,
+      {.damping = 40.0, .stiffness = 3e5, .friction = 0.1, .restitution = 0.3, .speed = 200.0});
   test::add_rotating_force(s, 260.0, 200.0);
   s.forces[0].shape = {1.0, 0.4};
   s.run.end = 0.03;
@@ -227,7 +240,8 @@ TEST(SeveralContacts, HaveControllersOfTheirOwn) {
   s.auxiliary[1].controller = pd;
   pd.sample_time = 1e-3;
   s.auxiliary[0].controller = pd;
-  const Trajectory t = test::run_event(s), steps = test::run_with(s, scene::Integrator::kVerlet, 2e-6);
+  const Trajectory t = test::run_event(s),
+                   steps = test::run_with(s, scene::Integrator::kVerlet, 2e-6);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   ASSERT_EQ(steps.status, Status::kOk) << steps.message;
   EXPECT_TRUE(t.has("control_x"));
@@ -240,7 +254,9 @@ TEST(SeveralContacts, HaveControllersOfTheirOwn) {
 
 // Any order of the contacts is the same machine.
 TEST(SeveralContacts, HaveNoOrder) {
-  scene::Scene s = shaft(3.0, 1.2, -0.7, {.damping = 40.0, .stiffness = 3e5, .friction = 0.2, .restitution = 0.4, .speed = 200.0});
+  scene::Scene s = shaft(
+      3.0, 1.2, -0.7,
+      {.damping = 40.0, .stiffness = 3e5, .friction = 0.2, .restitution = 0.4, .speed = 200.0});
   test::add_rotating_force(s, 250.0, 200.0);
   s.forces[0].shape = {1.0, 0.4};
   s.run.end = 0.05;

@@ -34,7 +34,9 @@ shape = [1.0, -0.8]
 offset = [1e-5, 0]
 )";
 
-Scene two_with(const std::vector<std::string>& overrides) { return parse_scene(kTwo, "s.toml", overrides); }
+Scene two_with(const std::vector<std::string>& overrides) {
+  return parse_scene(kTwo, "s.toml", overrides);
+}
 
 TEST(ContactList, ReadsEachWithItsOwnRing) {
   const Scene s = two_with({});
@@ -52,14 +54,16 @@ TEST(ContactList, ReadsEachWithItsOwnRing) {
 }
 
 TEST(ContactList, AKeyWithoutANumberIsThatOfAll) {
-  const Scene all = two_with({"contact.friction=0.3", "contact[1].restitution=0.1", "contact[0].stator.mass=2"});
+  const Scene all =
+      two_with({"contact.friction=0.3", "contact[1].restitution=0.1", "contact[0].stator.mass=2"});
   EXPECT_EQ(all.auxiliary[0].contact->friction, 0.3);
   EXPECT_EQ(all.auxiliary[1].contact->friction, 0.3);
   EXPECT_EQ(all.auxiliary[0].contact->restitution, 0.6);
   EXPECT_EQ(all.auxiliary[1].contact->restitution, 0.1);
   EXPECT_EQ(all.auxiliary[0].stator->mass, PlanePair(2.0, 2.0));
   // What was changed is read again to the same.
-  EXPECT_EQ(parse_scene(all.text, "s.toml").auxiliary[1].contact->shape, all.auxiliary[1].contact->shape);
+  EXPECT_EQ(parse_scene(all.text, "s.toml").auxiliary[1].contact->shape,
+            all.auxiliary[1].contact->shape);
 }
 
 TEST(ContactList, AListOfOneIsTheTableAlone) {
@@ -75,25 +79,29 @@ TEST(ContactList, IsRefusedWithTheElementsPath) {
     nine += "[[contact]]\nradius = 0.02\nclearance = 2e-4\nfriction = 0.1\nrestitution = 0.6\n";
   }
   expect_refused({
-      {"another's name", replaced(two, "radius = 0.03", "name = \"drive end\"\nradius = 0.03"), 20, "contact[1].name",
-       "is the name of contact[0] too"},
+      {"another's name", replaced(two, "radius = 0.03", "name = \"drive end\"\nradius = 0.03"), 20,
+       "contact[1].name", "is the name of contact[0] too"},
       {"a number is a name", replaced(two, "\"drive end\"", "\"2\""), 19, "contact[1].name",
        "is the name of contact[0] too"},
       {"the ring beside the list", two + "[stator]\nmass = 1\nstiffness = 1\n", 26, "stator",
        "accepted: below each, as [contact.stator]"},
-      {"a key's value", replaced(two, "clearance = 3e-4", "clearance = 0"), 21, "contact[1].clearance", "> 0"},
-      {"modes of the first", replaced(two, "restitution = 0.6", "restitution = 0.6\nshape = [1, 2]"), 10,
+      {"a key's value", replaced(two, "clearance = 3e-4", "clearance = 0"), 21,
+       "contact[1].clearance", "> 0"},
+      {"modes of the first",
+       replaced(two, "restitution = 0.6", "restitution = 0.6\nshape = [1, 2]"), 10,
        "contact[0].shape", "scaled to 1 at the first contact"},
-      {"length of a shape", replaced(two, "[1.0, -0.8]", "[1.0]"), 24, "contact[1].shape", "expected 2 value(s)"},
-      {"an impact that takes time", two + "expansion_time = 1e-4\n", 26, "contact[1].expansion_time",
-       "known of one contact alone"},
-      {"a controller without a ring", two + "[contact.controller]\nkind = \"pd\"\n", 26, "contact[1].controller",
-       "needs [stator]"},
+      {"length of a shape", replaced(two, "[1.0, -0.8]", "[1.0]"), 24, "contact[1].shape",
+       "expected 2 value(s)"},
+      {"an impact that takes time", two + "expansion_time = 1e-4\n", 26,
+       "contact[1].expansion_time", "known of one contact alone"},
+      {"a controller without a ring", two + "[contact.controller]\nkind = \"pd\"\n", 26,
+       "contact[1].controller", "needs [stator]"},
       {"a start beside the list", two + "[initial]\nstator = [0, 0]\n", 27, "initial.stator",
        "position and velocity in each [contact.stator]"},
       {"position of the only ring",
-       "[rotor.modal]\nmass = [2.0]\nstiffness = [0.0]\n[stator]\nmass = 1\nstiffness = 1\nposition = [0, 0]\n", 7,
-       "stator.position", "initial.stator"},
+       "[rotor.modal]\nmass = [2.0]\nstiffness = [0.0]\n[stator]\nmass = 1\nstiffness = "
+       "1\nposition = [0, 0]\n",
+       7, "stator.position", "initial.stator"},
       {"too many", nine, 4, "contact", "at most 8"},
   });
 }
