@@ -118,7 +118,7 @@ int rotorub_main(int argc, char** argv) {
     return parser_exit(program, error);
   }
   catch_interrupts();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` then fails to be written, which is told
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` then fails to be written, which is reported
   for (const Command& command : commands) {
     if (command.app->parsed()) return run(command.action);
   }
@@ -127,7 +127,7 @@ int rotorub_main(int argc, char** argv) {
 
 }  // namespace
 
-// An interruption is told as a shell tells the signal: 130 (SIGINT), 143 (SIGTERM).
+// An interruption is reported as a shell reports the signal: 130 (SIGINT), 143 (SIGTERM).
 int main(int argc, char** argv) {
   const int code = with_whole_output(rotorub_main(argc, argv));
   return code == kStopped && interrupting_signal() > 0 ? 128 + interrupting_signal() : code;

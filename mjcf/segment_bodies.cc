@@ -67,7 +67,7 @@ void SegmentRotor::write_bodies(XmlWriter& xml) const {
   for (std::size_t k = 0; k < chain_.segments.size(); ++k) xml.close("body");
 }
 
-// Opens the carrier; the next hangs on it.
+// Opens the carrier, whose child is the next one.
 void SegmentRotor::write_carrier(XmlWriter& xml, std::size_t k) const {
   // The contact plane is z = 0, the first segment turns about its node, others about their joints.
   const auto origin = [&](std::size_t i) {

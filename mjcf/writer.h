@@ -2,7 +2,7 @@
 // modal mass as armature and the modal stiffness and damping on the joint; spin and torsion hinges
 // about z; the disc at the end of the chain. Every mode is 1 at the contact station, so the disc's
 // position is the sum of the modal coordinates and MuJoCo's coordinates are those of the native
-// model, exactly (its links weigh 1e-12 kg). A mode with a node at the contact hangs on a branch of
+// model, exactly (its links weigh 1e-12 kg). A mode with a node at the contact sits on a branch of
 // its own. The ring has two slides; two actuators pull on its 45 degree axes.
 //
 // The scene's text stands in <custom>, so that the file alone is enough for the plugin. Without the

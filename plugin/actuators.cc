@@ -36,7 +36,7 @@ thread_local Pass pass;
 
 std::atomic<bool> stands_before = false;
 
-// What the answers hang on: action(values, how many) until it says false.
+// What the answers depend on: action(values, how many) until it says false.
 template <typename Action>
 bool for_each_input(const mjModel* m, const mjData* d, Action action) {
   return action(&d->time, 1) && action(d->ctrl, count(m->nu)) && action(d->act, count(m->na)) &&

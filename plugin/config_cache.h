@@ -8,7 +8,7 @@
 namespace rotorub::plugin {
 
 // Null for a model without our text. Compares the model's address and the mark that `d` carries, so
-// an address that a new model inherits is told apart by its new, unmarked mjData. Valid until
+// an address that a new model inherits is distinguished by its new, unmarked mjData. Valid until
 // this thread asks again. On bad text or elements: mju_error.
 const Config* find_config(const mjModel* m, const mjData* d);
 

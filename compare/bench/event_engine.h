@@ -9,7 +9,7 @@
 
 namespace rotorub::bench {
 
-// The settings of `event` for a relative tolerance: what is told apart from 0 by the tolerance
+// The settings of `event` for a relative tolerance: what is distinguished from 0 by the tolerance
 // follows it.
 EventParameters event_parameters(double tolerance);
 

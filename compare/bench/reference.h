@@ -22,7 +22,7 @@ struct Reference {
 
 // Tolerance of the reference, relative.
 inline constexpr double kReferenceTolerance = 1e-13;
-// Errors under so many times the reference's own are not told apart from it.
+// Errors under so many times the reference's own are not distinguished from it.
 inline constexpr double kReferenceMargin = 100.0;
 
 // The rows that errors are looked at: at ends of steps of the whole ladder, as between them an

@@ -94,7 +94,7 @@ bool needs_reference(const std::string& metric) { return metric.starts_with(kErr
 
 void check_name(const std::string& metric) {
   if (after(metric, kErrorPrefix) || after(metric, "end.") || after(metric, "largest.")) return;
-  // Names do not hang on values: an empty run has them all.
+  // Names do not depend on values: an empty run has them all.
   if (const auto name = after(metric, "count.")) {
     count_of(metric, *name, {});
   } else if (const auto residual = after(metric, "residual.")) {

@@ -61,7 +61,7 @@ std::string truncation_note(const scene::Scene& scene) {
   if (!mass || !mass->truncated()) return "";
   return fmt::format(
       "  note: an impact meets {} kg with {} of the shaft's modes, {} kg with all {} of its mesh:\n"
-      "  sizes and numbers of impacts hang on rotor.modes, mean force hardly (README, Limits)\n",
+      "  sizes and numbers of impacts depend on rotor.modes, mean force hardly (README, Limits)\n",
       short_number(mass->kept), mass->kept_modes, short_number(mass->mesh), mass->mesh_modes);
 }
 

@@ -35,7 +35,7 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
       half_(middle_) {}
 
 void MujocoRecord::begin(const double* q, const double* v) {
-  // A coil that lags has no current yet, whatever it is told.
+  // A coil that lags has no current yet, whatever its command.
   const bool lags = model_.first().magnets && model_.first().magnets->coil_lag > 0.0;
   ZeroOrderHold hold(model_);
   const Eigen::Vector2d told = hold.at(0.0, q, v);

@@ -1,4 +1,4 @@
-// What a watch is told (step_watch.h), of what the engine has.
+// What a watch is given (step_watch.h), of what the engine has.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHertz = 1.0 / (2.0 * std::numbers::pi);
 // m/s. Which part of its step an impact at 10 mm/s counts with moves the rms of a second by 0.03
-// mm/s either way: what rests but for that is not told to a share of itself.
+// mm/s either way: what rests but for that is not compared by a share of itself.
 constexpr double kGapRateResolution = 1e-3;
 constexpr auto kRel = Scale::kRelative;
 constexpr auto kPts = Scale::kPoints;

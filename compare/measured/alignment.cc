@@ -68,7 +68,7 @@ struct Search {
       throw MeasuredError(fmt::format(
           "no shift makes the record like the native run: the best, {:+.6g} s, has a correlation "
           "of {:.2f} in {}, {} or more is accepted; another scene than was measured, other units, "
-          "or chaos; --measured-shift lays it in where it is told",
+          "or chaos; --measured-shift lays it in where it is given",
           best.shift, best.correlation, channels_text(names()), kLeastCorrelation));
     }
     next = lags.next;
@@ -133,7 +133,7 @@ Alignment align(const MeasuredRecord& record, const SampledRun& run,
     if (!options.shift) {
       throw MeasuredError(
           "nothing that both the record and the native run move in: no shift can be found; "
-          "--measured-shift lays it in where it is told");
+          "--measured-shift lays it in where it is given");
     }
     Alignment told;
     told.shift = *options.shift;

@@ -28,7 +28,7 @@ struct FigureFacts {
 // Those that the columns support. A frequency needs kLeastTurns in the record.
 std::vector<MeasuredFigure> figures_of(const std::vector<HeldColumn>& columns,
                                        const FigureFacts& facts);
-// A run's own frequency beyond this share of the sample rate is not to be told by the record.
+// A run's own frequency beyond this share of the sample rate is not to be seen in the record.
 inline constexpr double kMostOfRate = 0.4;
 // A gap below this share of the clearance counts as contact, of record and runs alike: no sensor's
 // zero is exact.

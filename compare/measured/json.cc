@@ -61,7 +61,7 @@ std::vector<ColumnMeaning> make_measured_keys() {
       {"alignment.shift_error", "s", "standard deviation, if what is left is white noise; null: given", ""},
       {"alignment.angle", "rad", "of the sensors' x axis in the scene, from x to y positive", ""},
       {"alignment.angle_from", "",
-       "found, given, no pair (no x with its y is measured: 0) or circle (it cannot be told from a shift: 0)", ""},
+       "found, given, no pair (no x with its y is measured: 0) or circle (it cannot be distinguished from a shift: 0)", ""},
       {"alignment.angle_error", "rad", "as shift_error; null: not found", ""},
       {"alignment.turn_for_shift", "rad/s",
        "what a shift is made up by of the angle, in a motion near to a circle; else null", ""},

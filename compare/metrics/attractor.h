@@ -38,7 +38,7 @@ inline constexpr double kRestingTurn = 0.01;
 inline constexpr double kSynchronousTolerance = 0.02;
 inline constexpr double kRollingTolerance = 0.01;
 
-// The rows that it is told from, of [from, end].
+// The rows that it is distinguished from, of [from, end].
 struct LastPart {
   double from = 0.0;  // s
   std::vector<RelativePoint> points;

@@ -1,4 +1,4 @@
-// Eigen's Fourier transforms, by FFTW; its plans do not hang on what a measurement gave.
+// Eigen's Fourier transforms, by FFTW; its plans do not depend on what a measurement gave.
 #pragma once
 
 #define EIGEN_FFTW_DEFAULT

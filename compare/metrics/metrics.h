@@ -50,7 +50,7 @@ struct Metrics {
 };
 
 // An accumulation of impacts has no number: the last bounces last less than a step. Those faster
-// than this share of the fastest one are told apart by every step that is worth anything.
+// than this share of the fastest one are distinguished by every step that is worth anything.
 inline constexpr double kHardShare = 0.01;
 
 // Nothing of the contact, where the scene has none.

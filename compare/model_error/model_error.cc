@@ -100,7 +100,7 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
 
 std::string model_error_table(const ModelError& error, const std::string& lead) {
   constexpr int kLabel = 19, kValue = 9;
-  if (!error.reason.empty()) return wrapped(lead, "modes kept: not told: " + error.reason);
+  if (!error.reason.empty()) return wrapped(lead, "modes kept: not known: " + error.reason);
   std::string text = fmt::format("{}{:<{}}", lead, "bending modes kept", kLabel), left;
   for (const int n : error.modes) text += fmt::format("{:>{}}", n, kValue);
   text += fmt::format("  over the modes; off by\n");

@@ -27,7 +27,7 @@ struct ModelErrorParameters {
 struct ModelError {
   std::vector<int> modes;            // of the rungs, ascending, the scene's first
   std::vector<FigureLimit> figures;  // the judged ones; empty where there is a reason
-  std::string reason;                // why nothing is told; empty: it is
+  std::string reason;                // why nothing is known; empty: it is
 };
 
 // The rungs run on all processors; the result does not depend on how many there are.

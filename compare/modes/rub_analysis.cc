@@ -59,7 +59,7 @@ std::string whirls_table(const char* title, const std::vector<WhirlMode>& modes,
   return text;
 }
 
-// What of the scene turns and gives way: torsion, and a motor whose torque hangs on the speed
+// What of the scene turns and gives way: torsion, and a motor whose torque depends on the speed
 // alone.
 std::optional<rub::DriveTrain> train_of(const scene::Scene& scene) {
   if (!scene.drive && !scene.rotor.torsion) return {};

@@ -41,7 +41,7 @@ std::string attractors_text(unsigned attractors);
 // "frequency": rad/s, of the least stable pair in the frame that turns with the rub}], "rolling_ranges":
 // [[rad/s, rad/s or null]]}, with "speed" and "friction".
 nlohmann::json rub_point_json(const rub::RubPoint& point);
-// The same with "ring" and "joined": [{"frequency", "damping_ratio"}]. With torsion, or a [drive] whose torque hangs on
+// The same with "ring" and "joined": [{"frequency", "damping_ratio"}]. With torsion, or a [drive] whose torque depends on
 // the speed alone, also "driven": [{"growth_rate", "frequency", "stable"}], the rubs where these give way, and
 // "driven_rolling": [{"speed": rad/s, "torque": N m, "whirl", "normal_force", "friction", "growth_rate",
 // "frequency", "stable"}].

@@ -24,7 +24,7 @@ bool finite(const StepRecord& r) {
   return std::isfinite(sum);
 }
 
-// Records in the native layout, impacts and modes told from the impulses.
+// Records in the native layout, impacts and modes found from the impulses.
 class PeerRecord {
  public:
   PeerRecord(const Model& model, const PlanarSystem& system, PeerContact contact, double step,

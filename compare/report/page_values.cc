@@ -66,10 +66,10 @@ json verdict_values(const SceneComparison& c) {
 }
 
 json error_values(const LargestError& error) {
-  if (!error.figure) return {{"value", "not told"}, {"label", ""}, {"note", ""}};
+  if (!error.figure) return {{"value", "not known"}, {"label", ""}, {"note", ""}};
   return {{"value", deviation_text(*error.figure, error.share)},
           {"label", error.figure->label},
-          {"note", error.untold > 0 ? fmt::format("{} not told", error.untold) : std::string()}};
+          {"note", error.untold > 0 ? fmt::format("{} not known", error.untold) : std::string()}};
 }
 
 // One row a contact model, none smaller than another.

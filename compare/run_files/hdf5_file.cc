@@ -55,7 +55,7 @@ Table events_of(const Trajectory& t, std::vector<double>& times, std::vector<dou
   return table;
 }
 
-// What hangs on the machine's speed is no result.
+// What depends on the machine's speed is no result.
 void add_attributes(const nlohmann::json& object, const std::string& prefix, std::vector<Attribute>& all) {
   for (const auto& [key, value] : object.items()) {
     if (key == "wall_s" || key == "us_per_step" || value.is_null()) continue;

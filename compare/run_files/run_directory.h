@@ -20,7 +20,7 @@ namespace rotorub {
 void write_run(const std::filesystem::path& folder, const scene::Scene& scene,
                const Trajectory& trajectory, hdf5::ImageOf hdf5 = nullptr);
 
-// A folder that is none of a run, or whose files have been changed since. what() names file and line.
+// A folder that is not that of a run, or whose files have been changed since. what() names file and line.
 class BrokenRun : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -71,7 +71,7 @@ std::string shaft(const Starter& starter, const StarterSizes& s) {
                rig ? "of the spin at t = 0" : "of the spin; held, as there is no [drive]") +
          value("length", written(starter.length), "of the shaft; stations count from its end") +
          value("E", "\"210 GPa\"", "steel") + value("nu", "0.3", "") + value("rho", "7850.0", "kg/m^3") +
-         value("modes", "8", "bending modes kept; sizes of impacts hang on them") +
+         value("modes", "8", "bending modes kept; sizes of impacts depend on them") +
          value("damping_ratio", "0.01", "of each mode") +
          "\n[[rotor.section]]             # pieces of the shaft, from 0 to its length\n" + "from = 0.0\n" +
          value("to", written(starter.length), "") + value("diameter", written(starter.diameter), "") +
@@ -136,7 +136,7 @@ std::string bearing(const Starter& starter, const StarterSizes& s) {
          value("stiffness", s.ring_stiffness, "N/m") + "\n";
 }
 
-// What the ring can be told, ready to be switched on.
+// What can move the ring, ready to be switched on.
 std::string active_ring(const StarterSizes& s) {
   return "[actuator]\n" + value("force_limit", s.force_limit, "N, on each of the two axes at 45 degrees") +
          "\n# A sliding-mode controller brings the ring to the rotor before it strikes. To switch it on, uncomment:\n" +

@@ -7,7 +7,7 @@ namespace rotorub {
 
 enum class CompareMode {
   kLockstep,  // each side closes its own loop
-  kReplay,    // the native side is driven by the commands that MuJoCo's actuators were told: what
+  kReplay,    // the native side is driven by the commands that MuJoCo's actuators were given: what
               // differs is the contact, and not the closed loop
   kResync     // at every onset of contact the native side restarts from MuJoCo's state and predicts
               // that contact: says something even of trajectories that are chaotic

@@ -15,7 +15,7 @@ namespace rotorub {
 // and replay equals lockstep.
 bool has_commands(const scene::Scene& scene);
 
-// Records what the actuators are told over a run, each command from when it acts to the next one.
+// Records the commands of the actuators over a run, each command from when it acts to the next one.
 class CommandTape {
  public:
   // For one run; the tape must outlive it.

@@ -1,5 +1,5 @@
 // Resync: at every onset of contact of a MuJoCo run the native model restarts from MuJoCo's state a
-// step before it, under the commands that MuJoCo's actuators were told, and predicts that contact
+// step before it, under the commands that MuJoCo's actuators were given, and predicts that contact
 // by `event`. No error of an earlier contact is in a later one's.
 #pragma once
 

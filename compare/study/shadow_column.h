@@ -3,7 +3,7 @@
 //
 // It is the plugin's shadow (plugin/shadow.h): the stepping of `paper`, from the same start, one
 // step a MuJoCo step. Where a controller commands the actuator, it is driven by the commands that
-// MuJoCo's were told in the run that decides; the plugin's own shadow closes its own loop there.
+// MuJoCo's were given in the run that decides; the plugin's own shadow closes its own loop there.
 #pragma once
 
 #include <memory>

@@ -105,7 +105,7 @@ std::string interval_lines(const SceneComparison& c) {
         [&](std::size_t k) { return k == 0 ? std::string() : size_text(f, of(k).interval); },
         [] { return ""; });
     text += line(
-        c, "    would be told",
+        c, "    would be detected",
         [&](std::size_t k) { return k == 0 ? std::string() : size_text(f, of(k).least_told); },
         [] { return ""; });
   }
@@ -118,7 +118,7 @@ std::string interval_lines(const SceneComparison& c) {
              "  ± ",
              fmt::format(
                  "95 % of the difference of means: {} of native, {} of {}, one of the others; a "
-                 "difference as large as said below would be told in 4 of 5 comparisons",
+                 "difference as large as said below would be detected in 4 of 5 comparisons",
                  runs(c.twins), runs(c.decider_twins), c.sides[1].label));
 }
 
@@ -181,7 +181,7 @@ std::string split_lines(const SceneComparison& c) {
     }
   }
   if (unsure)
-    text += "  ? does not converge as the step shrinks: whose part it is cannot be told\n";
+    text += "  ? does not converge as the step shrinks: whose part it is cannot be determined\n";
   return text;
 }
 

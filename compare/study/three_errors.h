@@ -9,9 +9,9 @@ namespace rotorub {
 
 // The judged figure that a fault puts off most.
 struct LargestError {
-  const Figure* figure = nullptr;  // null: of none can it be told
+  const Figure* figure = nullptr;  // null: of none can it be determined
   double share = 0.0;              // of the native value, signed (points: as they are)
-  int untold = 0;                  // judged figures of which it cannot be told
+  int untold = 0;                  // judged figures of which it cannot be determined
 };
 
 struct ThreeErrors {

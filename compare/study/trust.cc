@@ -35,11 +35,11 @@ std::string labels(const std::vector<JudgedFigure>& figures) {
   return text;
 }
 
-// "; undecidable at 1 %: hard impacts -0.7 ± 1.1 % (1.6 % would be told)".
+// "; undecidable at 1 %: hard impacts -0.7 ± 1.1 % (1.6 % would be detected)".
 std::string undecidable_text(const std::vector<JudgedFigure>& figures, double tolerance) {
   std::string text;
   for (const JudgedFigure& f : undecidable(figures)) {
-    text += fmt::format("{}{} {} ({} would be told)", text.empty() ? "" : ", ", f.figure->label,
+    text += fmt::format("{}{} {} ({} would be detected)", text.empty() ? "" : ", ", f.figure->label,
                         difference_text(f), size_text(*f.figure, f.least_told));
   }
   return text.empty() ? text : "undecidable at " + percent_text(tolerance) + ": " + text;

@@ -41,7 +41,7 @@ JudgedFigure judged(const Figure& figure, double native, double other,
                     double tolerance);  // without twins
 
 // The deviation, with half of its interval where there is one, "-0.70 % ± 1.10 %"; the values
-// themselves where the native one is below what a share is told of: "0.157 mm/s for 0.196".
+// themselves where the native one is below what a share is taken of: "0.157 mm/s for 0.196".
 std::string difference_text(const JudgedFigure& figure);
 
 // What a contact model may be used for.

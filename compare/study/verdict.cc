@@ -98,7 +98,7 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
       fmt::format("{} ({})", f.figure->label, difference_text(f));
   if (!s.valid) {
     if (std::abs(f.deviation) <= tolerance) return {};
-    return fmt::format("how much of the difference in {} is the step's cannot be told: {}", what,
+    return fmt::format("how much of the difference in {} is the step's cannot be determined: {}", what,
                        s.reason);
   }
   const double gap = std::abs(s.model_gap);

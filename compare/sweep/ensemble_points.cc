@@ -94,7 +94,7 @@ bool finite(const EnsembleRun& run) {
          std::all_of(run.v.begin(), run.v.end(), is_finite);
 }
 
-// Alone, for the words of its failure. What its bits alone do not show is told by the ensemble.
+// Alone, for the words of its failure. What its bits alone do not show is reported by the ensemble.
 std::optional<PointResult> run_again(const PointScene& point, scene::Integrator integrator,
                                      Status status, const std::atomic<bool>& interrupt) {
   auto result = run_single(point.point, point.scene, *native_engine(integrator), interrupt);

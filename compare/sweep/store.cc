@@ -142,7 +142,7 @@ void Store::add(std::span<const PointResult> results, const Sample& sample) {
 
 void Store::merge(const std::filesystem::path& other) {
   // Opened once by itself: a file that is not there must not be made, and one that a sweep is at
-  // work on is told from one that is no database.
+  // work on is distinguished from one that is no database.
   { Database look(other, Database::Mode::kRead); }
   database_.execute("ATTACH DATABASE " + quoted_text(other.string()) + " AS other");
   check("other", other.string());

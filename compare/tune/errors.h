@@ -11,7 +11,7 @@
 namespace rotorub::tune {
 
 // As shares of the native value (points: as they are), one for each judged figure; none where it
-// cannot be told.
+// cannot be determined.
 struct ErrorPart {
   std::vector<std::pair<const Figure*, std::optional<double>>> figures;
   std::string reason;  // why there is nothing at all; empty: there is

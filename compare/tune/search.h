@@ -46,7 +46,7 @@ Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* 
 // The judge by the references.
 Judge judge_by(References& references, double tolerance);
 
-// Measures again, in turns, those that the choice hangs on: of a cost near that of the cheapest
+// Measures again, in turns, those that the choice depends on: of a cost near that of the cheapest
 // trusted setting.
 void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
                 const bench::TimingParameters& parameters, const std::atomic<bool>* interrupt);

@@ -43,7 +43,7 @@ std::string best_lines(const TuneResult& r) {
 // Each cause has the figures that it has something to say of.
 std::string part_text(const ErrorPart& part, const Figure& figure) {
   for (const auto& [of, share] : part.figures) {
-    if (of == &figure) return share ? deviation_text(figure, *share) : "not told";
+    if (of == &figure) return share ? deviation_text(figure, *share) : "not known";
   }
   return "-";
 }
@@ -68,7 +68,7 @@ std::string error_lines(const TuneResult& r) {
         deviation_text(*f.figure, f.deviation), kValue, part_text(r.errors.contact, *f.figure),
         kValue, part_text(r.errors.step, *f.figure), kValue, mode_text(modes, *f.figure), kValue);
   }
-  if (!r.errors.contact.reason.empty()) lines += wrapped("  not told: ", r.errors.contact.reason);
+  if (!r.errors.contact.reason.empty()) lines += wrapped("  not known: ", r.errors.contact.reason);
   return lines + "\n" + model_error_table(modes, "  ");
 }
 

@@ -16,7 +16,7 @@ struct TuneParameters {
   double tolerance = 0.01;    // share: on the judged figures
   std::vector<double> steps;  // s, falling
   int twins = 20;             // >= 0, of the native run at each step
-  // Of the settings that the choice hangs on. Few: errors decide, times only between neighbours.
+  // Of the settings that the choice depends on. Few: errors decide, times only between neighbours.
   bench::TimingParameters timing{5, 3, 5.0};
   std::function<void(double share, const std::string& what)> progress;  // may be empty
   const std::atomic<bool>* interrupt = nullptr;

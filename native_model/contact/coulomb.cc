@@ -16,7 +16,7 @@ Sliding sliding(const Delassus& a, double b_n, double b_t, double mu_sign) {
 }
 
 // Every case on its own, for matrices where the solution need not be unique. A case whose normal
-// row carries nothing has an infinite or undefined impulse, and is none.
+// row carries nothing has an infinite or undefined impulse, and is no solution.
 CoulombSolution enumerate(const Delassus& a, double b_n, double b_t, double mu) {
   CoulombSolution found;
   found.solutions = 0;

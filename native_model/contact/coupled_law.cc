@@ -16,7 +16,7 @@ constexpr int kMostTried = 3;        // contacts whose cases are all tried: it t
 constexpr int kMostTriedBlind = 5;   // where no better guess leads to a solution
 constexpr int kSweeps = 2000;
 constexpr double kCaseRoundOff = 1e-11;  // of the rates and impulses in question
-constexpr double kSingular = 1e-12;  // pivots below this share of the largest are none
+constexpr double kSingular = 1e-12;  // pivots below this share of the largest count as 0
 constexpr double kSameMotion = 1e-8;
 
 enum class Friction { kLow, kHigh, kStick };

@@ -32,7 +32,7 @@ DiscSet expansion_disc(const ImpactLaw& law, double normal, const Eigen::Vector2
 
 // a: symmetric, positive semidefinite, of 3 x sets.size() rows; at most kMaxContacts sets. A
 // tangential direction in which nothing moves has rows of 0. The number of distinct solutions is
-// told of one contact alone; of several 0: none was found to round-off.
+// reported for one contact alone; of several 0: none was found to round-off.
 CoupledSolution solve_discs(const ContactMatrix& a, const ContactVector& b,
                             std::span<const DiscSet> sets);
 

@@ -14,7 +14,7 @@ namespace rotorub {
 class LibraryController final : public Controller {
  public:
   // Throws scene::SceneError at controller.library or controller.config: the library is not found or
-  // not to be loaded, has another ABI, or refuses what it is told.
+  // not to be loaded, has another ABI, or refuses what it is given.
   LibraryController(const scene::Scene& scene, const Plant& plant);
   ~LibraryController() override;
   LibraryController(const LibraryController&) = delete;

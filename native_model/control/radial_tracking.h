@@ -35,7 +35,7 @@ inline std::optional<RadialError> radial_error(const Measurement& now, const Swi
   r.e_r = d / r.delta;
   const Eigen::Vector2d dv = now.rotor_velocity - now.stator_velocity;
   r.whirl_speed = -r.e_r.y() * dv.x() + r.e_r.x() * dv.y();
-  // About the centre, where e_r turns by half a turn at once, no law may hang on it: a force along
+  // About the centre, where e_r turns by half a turn at once, no law may depend on it: a force along
   // it, or the whole of what a passage beside the centre bends the distance by, would hold the ring
   // there.
   const double middle = 0.1 * clearance;

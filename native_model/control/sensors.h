@@ -1,5 +1,5 @@
 // The sensors of a sampled controller: which quantities they measure, with what noise, resolution
-// and delay. Every number hangs on the scene's seed and the number of the sample alone, so the
+// and delay. Every number depends on the scene's seed and the number of the sample alone, so the
 // native model and MuJoCo are shown the same errors.
 #pragma once
 

@@ -10,7 +10,7 @@
 namespace rotorub {
 namespace {
 
-constexpr double kOnCircle = 1e-12;  // of the clearance: a gap that is none
+constexpr double kOnCircle = 1e-12;  // of the clearance: a gap that counts as 0
 
 }  // namespace
 

@@ -59,7 +59,7 @@ void SmoothStep::meet(const Motion& motion) {
     of_q[i] = tolerance * (angle(i) ? 1.0 : displacement_);
     of_v[i] = tolerance * (angle(i) ? std::max(1.0, spin_) : speed_);
   }
-  // Nothing hangs on an integrator's own integral, a coil's charge, nor on the integrals of the
+  // Nothing depends on an integrator's own integral, a coil's charge, nor on the integrals of the
   // run.
   for (int i = l.integral(); i < n; ++i) {
     of_q[i] = kInfinity;

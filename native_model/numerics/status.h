@@ -4,7 +4,7 @@
 namespace rotorub {
 
 // kNoSolution, kAmbiguous: the contact laws have none or several (Painleve). kOutOfRange: rotor or
-// ring beyond what holds it. kControllerFailed: the user's law reported a failure, threw, or told
+// ring beyond what holds it. kControllerFailed: the user's law reported a failure, threw, or returned
 // what is no number.
 enum class Status {
   kOk,

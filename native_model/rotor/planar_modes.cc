@@ -14,7 +14,7 @@ PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& sti
   const std::optional<SymmetricModes> found = symmetric_modes(mass, stiffness);
   if (!found) throw RotorNotSolvable("no eigenmodes of the shaft can be found");
   // Ascending omega^-2, so the modes come in reverse. Those that round-off leaves without a
-  // frequency of their own are given the highest one that can be told from zero.
+  // frequency of their own are given the highest one that can be distinguished from zero.
   const Eigen::VectorXd compliance = found->values.reverse();
   const double least = std::numeric_limits<double>::epsilon() * compliance[0];
   if (!(least > 0.0))

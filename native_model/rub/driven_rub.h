@@ -38,7 +38,7 @@ struct DriveTrain {
 };
 
 // Of the scene of a rub_system. Throws scene::SceneError as that does, and for a motor whose torque does not
-// hang on its speed alone (speed_controlled).
+// depend on its speed alone (speed_controlled).
 DriveTrain drive_train(const scene::Scene& scene);
 
 // Of a rub that stands at the system's speed, whatever torque of the motor holds it there: its slope alone counts.

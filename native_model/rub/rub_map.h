@@ -34,7 +34,7 @@ struct RubPoint {
   const StandingRub* leading(RubKind kind) const;
 };
 
-// A rotor at one spin speed: what does not hang on friction is computed once.
+// A rotor at one spin speed: what does not depend on friction is computed once.
 class RubStudy {
  public:
   // Throws RotorNotSolvable (rotor/refusal.h).

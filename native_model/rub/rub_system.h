@@ -62,7 +62,7 @@ RubSystem rub_system(const scene::Scene& scene);
 // so); from a rotor at rest the forces keep their frequency.
 RubSystem at_speed(RubSystem system, double speed);
 
-// Forces and unbalance, those of one frequency (to 1e-9) together; loads of 0 are none.
+// Forces and unbalance, those of one frequency (to 1e-9) together; loads of 0 are left out.
 std::vector<RotatingLoad> rotating_loads(const RubSystem& system);
 
 // D_r(nu) = K + nu Omega G - nu^2 M + i nu D + i (nu - Omega) N, n x n, N/m; nu in rad/s, forward positive.

@@ -19,7 +19,7 @@
 namespace rotorub {
 namespace {
 
-// Where a command told again jumps first in begin..end, s.
+// Where a command given again jumps first in begin..end, s.
 CommandJump jump_of(const CommandRecord& told, double begin, double end) {
   const std::vector<double>& jumps = told.jumps();
   const auto next = std::upper_bound(jumps.begin(), jumps.end(), begin);

@@ -52,7 +52,7 @@ struct Controller {
   std::optional<Trigger> trigger;
   // library
   std::string library;              // file, beside the scene's or absolute
-  std::vector<ConfigEntry> config;  // what it is told
+  std::vector<ConfigEntry> config;  // what it is given
   // sliding mode with boundary layer (22)-(29), tracking q_fd = r_rotor - (delta_0 - g_d) e_r
   double bandwidth = 1500.0;      // 1/s, psi, > 0
   double boundary_layer = 0.03;   // m/s, phi, > 0

@@ -1,4 +1,4 @@
-// The rows of the controller: the law, its sensors, its trigger, what a library is told.
+// The rows of the controller: the law, its sensors, its trigger, what a library is given.
 
 #include <utility>
 
@@ -183,7 +183,7 @@ Table config() {
   return {"controller.config",
           false,
           Form::kEither,
-          "What a controller of your own is told: any keys, each a number or a text.",
+          "What a controller of your own is given: any keys, each a number or a text.",
           "nothing",
           [](Scene& scene) -> void* { return &controller_of(scene).config; },
           {},

@@ -109,7 +109,7 @@ std::string header_path(const std::string& line) {
   return begin < end && end != std::string::npos ? trimmed_line(header.substr(begin, end - begin)) : "";
 }
 
-// The key of a line `key = value`; empty if it is none.
+// The key of a line `key = value`; empty if it is not one.
 std::string assigned_key(const std::string& line) {
   const std::size_t equals = line.find('=');
   const std::string key = trimmed_line(std::string_view(line).substr(0, equals));

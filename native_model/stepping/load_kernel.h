@@ -62,7 +62,7 @@ class LoadKernel {
   const T* q() const { return q_.data(); }
   const T* v() const { return v_.data(); }
 
-  // What the actuator is told over the next step (system/actuation.h): the force on the ring, or
+  // The command of the actuator over the next step (system/actuation.h): the force on the ring, or
   // the currents of the two axes; `commanded`: there is a command.
   T command_x{}, command_y{};
   bool commanded = false;

@@ -1,5 +1,5 @@
 // Lasting contact in a step of `verlet` in which a load or the command jumps. In flight the mean over
-// the step is all that counts. The contact's force is none of the mean load: it ends, or its friction
+// the step is all that counts. The contact's force is not part of the mean load: it ends, or its friction
 // turns, where the load does. So the step's velocities are those that the loads before and the loads
 // after would give had they held all along, each for its share s of the step,
 //

@@ -22,7 +22,7 @@ Eigen::Vector2d control_command(const Model& model, double t, const double* q, c
 Eigen::Vector2d control_sample(const Model& model, double t, const double* q, const double* v,
                                const Eigen::Vector2d& current, double* memory, std::size_t bearing = 0);
 
-// What the actuator does at (q, v) when it is told `command`.
+// What the actuator does at (q, v) under `command`.
 struct ActuatorState {
   Eigen::Vector2d force{0.0, 0.0};    // N, on the ring, fixed frame
   Eigen::Vector2d current{0.0, 0.0};  // A, of each axis; 0 for an ideal actuator

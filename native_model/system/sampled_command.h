@@ -19,8 +19,8 @@ class SampledCommand {
 
   // As before the first sample.
   void clear();
-  // What the actuator is told (system/actuation.h) at the sample at t (s); once a sample, in order.
-  // held: what it was told last, which stands where the law fails. shown: the currents that the sensors see, A;
+  // The actuator's command (system/actuation.h) at the sample at t (s); once a sample, in order.
+  // held: its last command, which stands where the law fails. shown: the currents that the sensors see, A;
   // null: those of the state.
   Eigen::Vector2d take(double t, const double* q, const double* v, const Eigen::Vector2d& held,
                        const Eigen::Vector2d* shown = nullptr);

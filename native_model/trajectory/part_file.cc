@@ -71,7 +71,7 @@ fs::path part_of(const fs::path& file) {
     part += mark + random_name();
     const int made = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (made >= 0) ::close(made);
-    if (made >= 0 || errno != EEXIST || attempt == kMostAttempts) return part;  // who opens it is told why it cannot be
+    if (made >= 0 || errno != EEXIST || attempt == kMostAttempts) return part;  // who opens it learns why it cannot be
   }
 }
 

@@ -1,5 +1,5 @@
-// Is the rotor, or the ring, still where something holds it? Beyond, the model is none of the
-// machine any more, and a run ends with Status::kOutOfRange.
+// Is the rotor, or the ring, still where something holds it? Beyond it the model no longer
+// describes the machine, and a run ends with Status::kOutOfRange.
 #pragma once
 
 #include <optional>

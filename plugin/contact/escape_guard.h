@@ -1,5 +1,5 @@
 // Under `rigid` no rotor is deeper in its ring than a start put it: where one is, the step is too long for its motion, or
-// something moves rotor or ring that the contact does not see. That is told once, and `rotorub_active` is 0 meanwhile.
+// something moves rotor or ring that the contact does not see. That is said once, and `rotorub_active` is 0 meanwhile.
 // What it knows stands beside the Status of the contact laws, in kContactStatus.
 #pragma once
 

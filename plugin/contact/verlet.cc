@@ -152,7 +152,7 @@ void watch_the_ring(const Model& model, const mjModel* m, mjData* d, const Coord
 }
 
 // What is on the chain beside the native loads and the actuators: f of MuJoCo and of others. It
-// must not hang on what ctrl was before the command, not even in its last bit.
+// must not depend on what ctrl was before the command, not even in its last bit.
 void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                    double* f) {
   const Model& model = config.model;

@@ -35,7 +35,7 @@ class Interface : public MujocoTest {
     std::vector<double> all;
     for (int k = 0; k < kSteps; ++k) {
       if (look && k % 3 != 2) {
-        // MuJoCo's solver starts from its last solution: a soft contact's last digits hang on it.
+        // MuJoCo's solver starts from its last solution: a soft contact's last digits depend on it.
         const std::vector<double> warmstart(d->qacc_warmstart, d->qacc_warmstart + m->nv);
         look(m, d.get());
         mju_copy(d->qacc_warmstart, warmstart.data(), m->nv);

@@ -40,7 +40,7 @@ std::vector<double> row(const Trajectory& t, const Model& model, std::size_t k) 
   return state;
 }
 
-// What is tested hangs on no number of modes.
+// What is tested depends on no number of modes.
 const std::vector<std::string> kFewModes{"rotor.modes=2"};
 
 struct ShadowCase {

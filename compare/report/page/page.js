@@ -35,7 +35,7 @@ const page = (() => {
   }
   const scaleOfColours = (palette) => palette.map((color, k) => [k / (palette.length - 1), color]);
 
-  // How a run is told from the others: its colour, and as a second cue dash, width and mark. Native is in front.
+  // How a run is distinguished from the others: its colour, and as a second cue dash, width and mark. Native is in front.
   const dashes = {native: 'solid', rigid: 'dash', coulomb: 'dashdot', cone: 'dot', 'cone-coulomb': 'longdashdot', 'cone-default': 'dot',
     shadow: 'dash', measured: 'longdash'};
   const symbols = {native: 'circle', rigid: 'circle-open', coulomb: 'square-open', cone: 'triangle-up-open', 'cone-coulomb': 'triangle-down-open',

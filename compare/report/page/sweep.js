@@ -14,7 +14,7 @@ page.maps = (element, data) => {
   const isFailed = (f, i) => status[i] !== 0 && !figures[f].linear;
 
   // ------------------------------------------------------------------ colours
-  // Numbers of several decades are told apart by their logarithm.
+  // Numbers of several decades are distinguished by their logarithm.
   function colours(column, chosen, signed) {
     const given = chosen.map((i) => column[i]).filter((v) => v !== null);
     if (given.some((v) => typeof v === 'string')) {

@@ -76,7 +76,7 @@ TEST(ModelError, OfModalDataIsNotTold) {
   const ModelError error = model_error(shipped("bench_ring"), {});
   EXPECT_TRUE(error.figures.empty());
   EXPECT_NE(error.reason.find("modal form"), std::string::npos);
-  EXPECT_NE(model_error_table(error, "  ").find("not told: modal form"), std::string::npos);
+  EXPECT_NE(model_error_table(error, "  ").find("not known: modal form"), std::string::npos);
   EXPECT_TRUE(model_error_json(error).contains("reason"));
 }
 

@@ -60,7 +60,7 @@ TEST(RubJson, WhereTorsionAndTheSpeedGiveWay) {
   EXPECT_NE(table.find("at a speed that the motor keeps"), std::string::npos) << table;
 
   EXPECT_FALSE(rub_json(analyse_rubs(shipped("bench_whip"), {314.0}).front().at.at(0)).contains("driven"));
-  const scene::Scene follows = shipped("run_up");  // its torque hangs on time too
+  const scene::Scene follows = shipped("run_up");  // its torque depends on time too
   EXPECT_FALSE(rub_json(analyse_rubs(follows, {follows.rotor.speed}).front().at.at(0)).contains("driven"));
 }
 

@@ -140,7 +140,7 @@ TEST(Track, HoldsFromItsSampleOn) {
   EXPECT_EQ(track.at(0.7, 0), 1.0);
 }
 
-// Of a run that diverged: what cannot be told apart need not be, but it must not overflow.
+// Of a run that diverged: what cannot be distinguished need not be, but it must not overflow.
 TEST(Track, MayBeHuge) {
   const Samples s{{0.0, 1e-5, 2e-5}, {{1e-9, 1.0, -1e300}}, {{0.0, 1e5, 1e305}}, {3e-8, 1e-2, 1e298}};
   const UnpackedTrack track(pack(TrackKind::kHermite, s));

@@ -132,7 +132,7 @@ TEST(Why, NamesTheFurthestFirstAndWhatWasNotDecided) {
   EXPECT_EQ(
       text,
       "largest impulse -89 %, hard impacts +20 %; within 1 %: mean normal force; undecidable at 1 "
-      "%: rms gap rate +3.00 % ± 7.00 % (9.93 % would be told)");
+      "%: rms gap rate +3.00 % ± 7.00 % (9.93 % would be detected)");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // A shaft on one bearing, held by a magnetic one: its modes are found with the magnets' linear spring,
-// and nothing but the modes kept may hang on that.
+// and nothing but the modes kept may depend on that.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -51,7 +51,7 @@ double error(const Trajectory& t, const Exact& exact) {
 }
 
 // `event` to `share` of `size`; fixed steps of order 2. (Where the force has a kink, what a step makes of it
-// hangs on where in the step it falls: neighbours scatter.)
+// depends on where in the step it falls: neighbours scatter.)
 template <class Exact>
 void expect_motion(const scene::Scene& s, double size, double share, double order,
                    const Exact& exact) {

@@ -48,7 +48,7 @@ TEST(RayleighShaft, SolvesTheSpinningBeamsEquation) {
       EXPECT_LT(beam_residual(kHollow, n, speed, kHollow.forward(n, speed)), kDifferences);
       EXPECT_LT(beam_residual(kHollow, n, speed, kHollow.backward(n, speed)), kDifferences);
     }
-    // The check can fail: backward and forward are told apart.
+    // The check can fail: backward and forward are distinguished.
     EXPECT_GT(beam_residual(kHollow, n, 2e4, -kHollow.backward(n, 2e4)), 10 * kDifferences);
   }
 }

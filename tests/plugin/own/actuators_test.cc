@@ -17,7 +17,7 @@ namespace {
 
 int gains = 0, biases = 0, rates = 0;
 
-// Each hangs on how often it was asked.
+// Each depends on how often it was asked.
 mjtNum counting_gain(const mjModel*, const mjData*, int) { return 1.0 + 1e-3 * ++gains; }
 mjtNum counting_bias(const mjModel*, const mjData* d, int) { return 1e-3 * ++biases - d->qvel[0]; }
 mjtNum counting_rate(const mjModel*, const mjData* d, int id) {

@@ -5,7 +5,7 @@
  * One sampled step: at t = k sample_time the library is shown what the sensors measure, changes its
  * state, and tells a command that is held until the next sample. The state is a plain array that the
  * caller owns: it lives in mjData, is copied, put back and stepped on several threads. A step
- * must hang on its arguments alone: no static variable, no clock, no random number but from the state.
+ * must depend on its arguments alone: no static variable, no clock, no random number but from the state.
  *
  * Vectors are x and y in the fixed frame, in the plane of the contact; SI units throughout. */
 #ifndef ROTORUB_CONTROLLER_H
@@ -59,7 +59,7 @@ typedef struct rotorub_entry {
   double number;
 } rotorub_entry;
 
-/* What create() is told; it is gone when create() returns. */
+/* What create() is given; it is gone when create() returns. */
 typedef struct rotorub_setup {
   uint32_t abi;         /* ROTORUB_CONTROLLER_ABI of the caller */
   uint32_t measured;    /* bits */
