@@ -296,7 +296,7 @@ def first_below(f, rate, dense, a, b, pieces=8):
         return rate(tau, dense(tau))
 
     def root(function, left, right):
-        return brentq(function, left, right, xtol=1e-28, rtol=1e-15)
+        return brentq(function, left, right, xtol=1e-28, rtol=1e-15, maxiter=1000, disp=False)
 
     times = a + (b - a) * np.arange(pieces + 1) / pieces
     values = [value(tau) for tau in times]
