@@ -40,7 +40,7 @@ class Bodies {
     write_beside_the_rotor();
   }
   void write_beside_the_rotor() {
-    ring();
+    for (std::size_t k = 0; k < scene_.auxiliary.size(); ++k) ring(k);
     integrator();
   }
 
@@ -134,34 +134,39 @@ class Bodies {
     close_moving_body();
   }
 
-  void ring() {
-    if (!scene_.first().contact && !scene_.first().stator) return;
-    const double half = kThickness * radius_;
-    if (model_.layout.stator) {
-      joint(names::kRingX, "slide", "1 0 0", model_.layout.ring());
-      joint(names::kRingY, "slide", "0 1 0", model_.layout.ring() + 1);
+  void ring(std::size_t k) {
+    const scene::AuxiliaryBearing& bearing = scene_.auxiliary[k];
+    const AuxiliaryBearing& at = model_.auxiliary[k];
+    if (!bearing.contact && !bearing.stator) return;
+    const auto named = [k](const char* name) { return names::of_bearing(k, name); };
+    const double radius = drawn_radius(scene_, k), half = kThickness * radius;
+    if (at.moves()) {
+      joint(named(names::kRingX), "slide", "1 0 0", at.ring);
+      joint(named(names::kRingY), "slide", "0 1 0", at.ring + 1);
     }
     // After the slides, whose axes it must not turn.
-    if (model_.layout.ring_spin) {
-      joint(names::kRingSpin, "hinge", "0 0 1", model_.layout.ring_angle());
-    }
-    const Eigen::Vector2d& offset = model_.first().ring_offset;
-    const std::string place =
-        offset.isZero(0.0) ? std::string() : fmt::format(R"( pos="{} {} 0")", offset.x(), offset.y());
-    open_moving_body(names::kRing, place);  // massless where fixed too: MuJoCo weighs it with the world
-    const double clearance = scene_.first().contact ? scene_.first().contact->clearance : 0.0;
+    if (at.turns()) joint(named(names::kRingSpin), "hinge", "0 0 1", at.ring_angle);
+    const Eigen::Vector2d& offset = at.ring_offset;
+    // The first contact's plane is z = 0.
+    const double z = k == 0 ? 0.0 : bearing.contact->station - scene_.first().contact->station;
+    const std::string place = offset.isZero(0.0) && z == 0.0
+                                  ? std::string()
+                                  : fmt::format(R"( pos="{} {} {}")", offset.x(), offset.y(), z);
+    // Massless where fixed too: MuJoCo weighs it with the world.
+    open_moving_body(named(names::kRing).c_str(), place);
+    const double clearance = bearing.contact ? bearing.contact->clearance : 0.0;
     xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
                           R"(conaffinity="0" group="1" rgba="0.2 0.45 0.7 0.25"/>)",
-                          names::kRing, radius_ + clearance, 0.9 * half));
-    if (model_.layout.ring_spin) ring_mark(radius_ + clearance, half);
-    if (scene_.first().contact) {
+                          named(names::kRing), radius + clearance, 0.9 * half));
+    if (at.turns()) ring_mark(named("ring_mark"), radius + clearance, half);
+    if (bearing.contact) {
       // A rod half a length above the plane: far from the rotor's sphere, with a bounding sphere
       // that holds it wherever the two go.
-      const double length = 1.0 + 1000.0 * (radius_ + clearance);
+      const double length = 1.0 + 1000.0 * (radius + clearance);
       xml_.line(fmt::format(R"(<geom name="{}" type="capsule" fromto="{} 0 {} {} 0 {}" )"
                             R"(size="{}" mass="0" contype="0" conaffinity="0" group="4"/>)",
-                            names::kRingContact, -length, 0.5 * length, length, 0.5 * length,
-                            0.1 * radius_));
+                            named(names::kRingContact), -length, 0.5 * length, length, 0.5 * length,
+                            0.1 * radius));
     }
     close_moving_body();
   }
@@ -177,11 +182,11 @@ class Bodies {
   }
 
   // Shows that the ring turns.
-  void ring_mark(double bore, double half) {
-    xml_.line(fmt::format(R"(<geom name="ring_mark" type="box" pos="{} 0 {}" size="{} {} {}" )"
+  void ring_mark(const std::string& name, double bore, double half) {
+    xml_.line(fmt::format(R"(<geom name="{}" type="box" pos="{} 0 {}" size="{} {} {}" )"
                           R"(mass="0" contype="0" conaffinity="0" group="1" )"
                           R"(rgba="0.95 0.75 0.1 1"/>)",
-                          1.06 * bore, half, 0.05 * bore, 0.03 * bore, 0.05 * half));
+                          name, 1.06 * bore, half, 0.05 * bore, 0.03 * bore, 0.05 * half));
   }
 
   XmlWriter& xml_;
@@ -220,12 +225,25 @@ std::vector<int> joint_order(const Model& model) {
       if (model.first().torsion_shape[k] == on) order.push_back(l.theta() + k);
     }
   }
-  for (int i = l.ring(); i < l.coil(); ++i) order.push_back(i);
+  const std::vector<int> beside = order_beside_the_rotor(model);
+  order.insert(order.end(), beside.begin(), beside.end());
   return order;
 }
 
-double drawn_radius(const scene::Scene& scene) {
-  return scene.first().contact ? scene.first().contact->radius : kRadiusWithoutContact;
+std::vector<int> order_beside_the_rotor(const Model& model) {
+  const Layout& l = model.layout;
+  std::vector<int> order;
+  for (const AuxiliaryBearing& at : model.auxiliary) {
+    if (at.moves()) order.insert(order.end(), {at.ring, at.ring + 1});
+    if (at.turns()) order.push_back(at.ring_angle);
+  }
+  for (int i = l.integral(); i < l.coil(); ++i) order.push_back(i);
+  return order;
+}
+
+double drawn_radius(const scene::Scene& scene, std::size_t bearing) {
+  const auto& contact = scene.auxiliary[bearing].contact;
+  return contact ? contact->radius : kRadiusWithoutContact;
 }
 
 }  // namespace rotorub

@@ -20,8 +20,10 @@ void write_beside_the_rotor(XmlWriter& xml, const scene::Scene& scene, const Mod
 // Index in q of each of MuJoCo's coordinates: chain, branch, ring, integrator. The layout's own order where
 // there is no branch.
 std::vector<int> joint_order(const Model& model);
+// Of them those of the rings and the integrator.
+std::vector<int> order_beside_the_rotor(const Model& model);
 
-// Radius of the drawn disc, m.
-double drawn_radius(const scene::Scene& scene);
+// Radius of the drawn disc at an auxiliary bearing, m.
+double drawn_radius(const scene::Scene& scene, std::size_t bearing = 0);
 
 }  // namespace rotorub

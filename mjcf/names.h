@@ -26,6 +26,11 @@ inline constexpr const char* kOwnFrictionReference = "rotorub_friction_reference
 inline constexpr const char* kOwnWidth = "rotorub_width";
 inline constexpr const char* kOwnUserData = "rotorub_userdata";  // of the whole model
 
+// Of one of several auxiliary bearings, from 0: "ring", "ring_2".
+inline std::string of_bearing(std::size_t bearing, const std::string& name) {
+  return bearing == 0 ? name : name + "_" + std::to_string(bearing + 1);
+}
+
 // Bodies and geoms
 inline constexpr const char* kRotor = "rotor";             // body; its visible disc
 inline constexpr const char* kRotorNodes = "rotor_nodes";  // body: modes with a node at the contact
@@ -95,6 +100,7 @@ inline constexpr const char* kShadowFrictionForce = "shadow_friction_force";  //
 
 // mjData.userdata entries that the plugin uses (plugin/user_data.h)
 inline constexpr int kUserDataSingle = 21;
+inline constexpr int kPairEntries = 13;  // of each contact beyond the first, behind all others
 // loop: of the memory of a sampled controller.
 inline int user_data_size(int nq, bool controlled, std::size_t loop) {
   return kUserDataSingle + (controlled ? 2 * nq : 0) + static_cast<int>(loop);

@@ -97,7 +97,6 @@ void SegmentRotor::write_spinning(XmlWriter& xml, std::size_t k) const {
   const Segment& s = chain_.segments[k];
   const double origin = k == 0 ? s.node : chain_.joint[k - 1];
   const auto here = [&](double z) { return chain_.node_at(z) == static_cast<int>(k); };
-  const bool at_contact = scene_.first().contact && here(scene_.first().contact->station);
 
   xml.open(fmt::format(R"(<body name="{}" pos="0 0 {}">)", names::spinning(k), s.node - origin));
   xml.line(inertial(0.0, 0.0, s.centre - s.node, s.mass, s.Jt, s.Jp));
@@ -113,18 +112,21 @@ void SegmentRotor::write_spinning(XmlWriter& xml, std::size_t k) const {
   xml.line(fmt::format(R"(<geom type="cylinder" fromto="0 0 {} 0 0 {}" size="{}" {} )"
                        R"(rgba="0.72 0.74 0.78 1"/>)",
                        s.from - s.node, s.to - s.node, radius, kDrawn));
-  if (at_contact) {
+  for (std::size_t i = 0; i < scene_.auxiliary.size(); ++i) {
+    const auto& contact = scene_.auxiliary[i].contact;
+    if (!contact || !here(contact->station)) continue;
     // The visible disc at the contact, with a mark that shows the spin, and the geom of the pair.
-    const double r = drawn_radius(scene_), half = 0.15 * r;
+    const double r = drawn_radius(scene_, i), half = 0.15 * r;
+    const auto named = [i](const char* name) { return names::of_bearing(i, name); };
     xml.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" {} )"
                          R"(rgba="0.72 0.74 0.78 1"/>)",
-                         names::kRotor, r, half, kDrawn));
-    xml.line(fmt::format(R"(<geom name="rotor_mark" type="box" pos="{} 0 {}" size="{} {} {}" {} )"
+                         named(names::kRotor), r, half, kDrawn));
+    xml.line(fmt::format(R"(<geom name="{}" type="box" pos="{} 0 {}" size="{} {} {}" {} )"
                          R"(rgba="0.85 0.3 0.1 1"/>)",
-                         0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half, kDrawn));
+                         named("rotor_mark"), 0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half, kDrawn));
     xml.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
                          R"(conaffinity="0" group="4"/>)",
-                         names::kRotorContact, 0.1 * r));
+                         named(names::kRotorContact), 0.1 * r));
   }
   for (const scene::Disc& disc : geometry.discs) {
     if (!here(disc.z)) continue;

@@ -30,7 +30,7 @@ void refuse_unsupported(const scene::Scene& scene) {
     refuse(scene, {{"", 0, "mujoco.rotor",
                     "\"segments\" needs the rotor's geometry; accepted: \"modal\""}});
   }
-  refuse_several_contacts(scene, "the MuJoCo model");
+  refuse_several_in_mujoco(scene);
   if (mujoco.integrator == scene::MujocoIntegrator::kRk4) {
     refuse(scene, {{"", 0, "mujoco.integrator", "accepted: \"euler\", \"implicit\""}});
   }
@@ -60,7 +60,7 @@ class Document {
     }
     if (scene_.mujoco.shadow) write_ghosts(xml_, scene_, model_);
     xml_.close("worldbody");
-    if (scene_.first().contact) contact();
+    if (scene_.first().contact) contacts();
     if (segments_ || actuated()) tendons();
     if (actuated()) actuators();
     sensors();
@@ -101,9 +101,11 @@ class Document {
       user_data += names::shadow_data_size(ZeroOrderHold::memory_size(whole),
                                            PaperStepper::memory_size(whole));
     }
+    const std::size_t further = scene_.auxiliary.size() - 1;
+    user_data += names::kPairEntries * static_cast<int>(further);
     // From 3.0 on there is room for what is needed.
-    xml_.line(fmt::format(R"(<size {}nuserdata="{}"/>)",
-                          has_option ? R"(njmax="32" nconmax="8" )" : "", user_data));
+    const std::string room = fmt::format(R"(njmax="{}" nconmax="{}" )", 32 + 16 * further, 8 + 4 * further);
+    xml_.line(fmt::format(R"(<size {}nuserdata="{}"/>)", has_option ? room : std::string(), user_data));
   }
 
   void visual() {
@@ -136,18 +138,23 @@ class Document {
     return scene_.mujoco.friction_reference > 0.0 && scene_.mujoco.contact == scene::ContactModel::kCone;
   }
 
-  void contact() {
-    const scene::Contact& c = *scene_.first().contact;
-    const SoftContact soft = soft_contact(scene_, scene_.mujoco.contact, scene_.run.step);
-    const ContactPair pair = contact_pair(scene_.mujoco.contact, c.clearance, c.friction, soft, target_);
+  void contacts() {
     xml_.open("<contact>");
-    xml_.line(
-        fmt::format(R"(<pair name="rub" geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0" )"
-                    R"(solref="{} {}" {}solimp="{} {} 0.001" margin="{}" gap="{}"/>)",
-                    names::kRotorContact, names::kRingContact, pair.condim, pair.friction, pair.friction,
-                    -pair.soft.stiffness, -pair.soft.damping, friction_reference(pair), pair.soft.impedance, pair.soft.impedance,
-                    pair.margin, pair.gap));
+    for (std::size_t k = 0; k < scene_.auxiliary.size(); ++k) contact(k);
     xml_.close("contact");
+  }
+  void contact(std::size_t k) {
+    const scene::Contact& c = *scene_.auxiliary[k].contact;
+    const SoftContact soft =
+        soft_contact(k == 0 ? scene_ : with_bearing_alone(scene_, k), scene_.mujoco.contact, scene_.run.step);
+    const ContactPair pair = contact_pair(scene_.mujoco.contact, c.clearance, c.friction, soft, target_);
+    xml_.line(
+        fmt::format(R"(<pair name="{}" geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0" )"
+                    R"(solref="{} {}" {}solimp="{} {} 0.001" margin="{}" gap="{}"/>)",
+                    names::of_bearing(k, "rub"), names::of_bearing(k, names::kRotorContact),
+                    names::of_bearing(k, names::kRingContact), pair.condim, pair.friction, pair.friction,
+                    -pair.soft.stiffness, -pair.soft.damping, friction_reference(pair), pair.soft.impedance,
+                    pair.soft.impedance, pair.margin, pair.gap));
   }
 
   void tendons() {
@@ -187,7 +194,7 @@ class Document {
     xml_.close("actuator");
   }
 
-  void sensor(const char* name, const char* stage, int dim = 1) {
+  void sensor(const std::string& name, const char* stage, int dim = 1) {
     xml_.line(fmt::format(R"(<user name="{}" objtype="body" objname="{}" datatype="real" )"
                           R"(needstage="{}" dim="{}"/>)",
                           name, segments_ ? names::segment(0) : names::kRotor, stage, dim));
@@ -198,12 +205,12 @@ class Document {
     const bool is_rigid = scene_.first().contact && scene_.mujoco.contact == scene::ContactModel::kRigid;
     const char* force_stage = is_rigid ? "pos" : "acc";
     sensor(names::kActive, "pos");
-    if (scene_.first().contact) {
-      sensor(names::kGap, "pos");
-      sensor(names::kGapRate, "pos");
-      sensor(names::kSlip, "pos");
-      sensor(names::kNormalForce, force_stage);
-      sensor(names::kFrictionForce, force_stage);
+    for (std::size_t k = 0; scene_.first().contact && k < scene_.auxiliary.size(); ++k) {
+      sensor(names::of_bearing(k, names::kGap), "pos");
+      sensor(names::of_bearing(k, names::kGapRate), "pos");
+      sensor(names::of_bearing(k, names::kSlip), "pos");
+      sensor(names::of_bearing(k, names::kNormalForce), force_stage);
+      sensor(names::of_bearing(k, names::kFrictionForce), force_stage);
     }
     if (actuated()) sensor(names::kControlForce, force_stage, 2);
     if (model_.first().magnets) sensor(names::kCurrent, force_stage, 2);
@@ -228,17 +235,17 @@ class Document {
         text += (text.empty() ? "" : " ") + fmt::format("{}", value);
       return text;
     };
-    const Layout& l = model_.layout;
-    const auto with_ring = [&](Eigen::VectorXd rotor, const Eigen::VectorXd& all) {
-      const int ring = l.coil() - l.ring();
-      rotor.conservativeResize(rotor.size() + ring);
-      rotor.tail(ring) = all.segment(l.ring(), ring);
+    const std::vector<int> beside = order_beside_the_rotor(model_);
+    const auto with_rings = [&](Eigen::VectorXd rotor, const Eigen::VectorXd& all) {
+      const auto count = static_cast<Eigen::Index>(beside.size());
+      rotor.conservativeResize(rotor.size() + count);
+      rotor.tail(count) = all(beside);
       return rotor;
     };
     const std::vector<int> order = joint_order(model_);
-    const Eigen::VectorXd q = segments_ ? with_ring(segments_->start_position(), model_.q0)
+    const Eigen::VectorXd q = segments_ ? with_rings(segments_->start_position(), model_.q0)
                                         : Eigen::VectorXd(model_.q0(order));
-    const Eigen::VectorXd v = segments_ ? with_ring(segments_->start_velocity(), model_.v0)
+    const Eigen::VectorXd v = segments_ ? with_rings(segments_->start_velocity(), model_.v0)
                                         : Eigen::VectorXd(model_.v0(order));
     xml_.open("<keyframe>");
     for (const char* name : {names::kStartKey, names::kTestKey}) {

@@ -22,6 +22,7 @@
 #include "plugin/own/own_names.h"
 #include "plugin/sensor_addresses.h"
 #include "plugin/shadow_config.h"
+#include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -38,14 +39,20 @@ int required(const mjModel* m, int type, const char* element, const std::string&
 }
 
 // Coordinate i of the layout moves with this joint.
-std::string joint_name(const Layout& l, int i) {
+std::string joint_name(const Model& model, int i) {
+  const Layout& l = model.layout;
   if (i < l.y()) return names::bending_joint('x', i + 1);
   if (i < l.phi()) return names::bending_joint('y', i - l.y() + 1);
   if (i < l.theta()) return names::kSpinJoint;
   if (i < l.ring()) return names::torsion_joint(i - l.theta() + 1);
   if (i >= l.integral()) return names::kBearingIntegral[i - l.integral()];
-  if (i >= l.ring_angle()) return names::kRingSpin;
-  return i == l.ring() ? names::kRingX : names::kRingY;
+  for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
+    const AuxiliaryBearing& at = model.auxiliary[k];
+    if (i == at.ring) return names::of_bearing(k, names::kRingX);
+    if (i == at.ring + 1 && at.moves()) return names::of_bearing(k, names::kRingY);
+    if (i == at.ring_angle) return names::of_bearing(k, names::kRingSpin);
+  }
+  return {};
 }
 
 JointAddress find_joint(const mjModel* m, const std::string& name) {
@@ -64,7 +71,7 @@ void map_segments(const mjModel* m, const scene::Scene& scene, Config& config) {
   config.qpos_address.assign(static_cast<std::size_t>(l.nq()), -1);
   config.dof_address = config.qpos_address;
   for (int i = l.ring(); i < l.nq(); ++i) {
-    const JointAddress ring = find(joint_name(l, i));
+    const JointAddress ring = find(joint_name(config.model, i));
     config.qpos_address[static_cast<std::size_t>(i)] = ring.position;
     config.dof_address[static_cast<std::size_t>(i)] = ring.velocity;
   }
@@ -74,7 +81,7 @@ void map_joints(const mjModel* m, Config& config) {
   const Layout& l = config.model.layout;
   config.same_order = true;
   for (int i = 0; i < l.nq(); ++i) {
-    const JointAddress joint = find_joint(m, joint_name(l, i));
+    const JointAddress joint = find_joint(m, joint_name(config.model, i));
     config.qpos_address.push_back(joint.position);
     config.dof_address.push_back(joint.velocity);
     config.same_order =
@@ -82,20 +89,44 @@ void map_joints(const mjModel* m, Config& config) {
   }
 }
 
-void map_contact(const mjModel* m, Config& config) {
-  config.rotor_geom = required(m, mjOBJ_GEOM, "geom", names::kRotorContact);
-  config.ring_geom = required(m, mjOBJ_GEOM, "geom", names::kRingContact);
-  const auto check = [&](int geom, const char* name, int type, const char* accepted) {
+// The geoms of a contact and their pair.
+struct Ends {
+  int rotor_geom, ring_geom, pair;
+};
+Ends find_contact_ends(const mjModel* m, std::size_t k) {
+  const std::string rotor = names::of_bearing(k, names::kRotorContact);
+  const std::string ring = names::of_bearing(k, names::kRingContact);
+  Ends ends{required(m, mjOBJ_GEOM, "geom", rotor), required(m, mjOBJ_GEOM, "geom", ring), -1};
+  const auto check = [&](int geom, const std::string& name, int type, const char* accepted) {
     if (m->geom_type[geom] == type) return;
     refuse(message("<geom name=\"{}\">", name), message("accepted type: {}", accepted));
   };
-  check(config.rotor_geom, names::kRotorContact, mjGEOM_SPHERE, "sphere");
-  check(config.ring_geom, names::kRingContact, mjGEOM_CAPSULE, "capsule");
-  config.pair = find_pair(m, config.rotor_geom, config.ring_geom);
-  if (config.pair < 0) {
-    refuse(message("<contact><pair geom1=\"{}\" geom2=\"{}\">", names::kRotorContact,
-                   names::kRingContact),
+  check(ends.rotor_geom, rotor, mjGEOM_SPHERE, "sphere");
+  check(ends.ring_geom, ring, mjGEOM_CAPSULE, "capsule");
+  ends.pair = find_pair(m, ends.rotor_geom, ends.ring_geom);
+  if (ends.pair < 0) {
+    refuse(message("<contact><pair geom1=\"{}\" geom2=\"{}\">", rotor, ring),
            "missing, but the scene in <custom> has a contact");
+  }
+  return ends;
+}
+
+// data: in mjData.userdata, of what the further contacts remember.
+void map_contacts(const mjModel* m, Config& config, int data) {
+  const Ends first = find_contact_ends(m, 0);
+  config.rotor_geom = first.rotor_geom;
+  config.ring_geom = first.ring_geom;
+  config.pair = first.pair;
+  for (std::size_t k = 1; k < config.model.auxiliary.size(); ++k) {
+    const Ends ends = find_contact_ends(m, k);
+    FurtherContact& c = config.further.emplace_back();
+    c.rotor_geom = ends.rotor_geom;
+    c.ring_geom = ends.ring_geom;
+    c.pair = ends.pair;
+    c.scene = *config.model.auxiliary[k].contact;
+    // Entry e of a pair stands at data + e (user_data.h).
+    c.data = data + kPairEntries * static_cast<int>(k - 1) - kFrictionForce;
+    c.sensors = contact_sensors(m, {}, names::of_bearing(k, {}));
   }
 }
 
@@ -125,7 +156,7 @@ double next_id() {
   return 1.0 + count.fetch_add(1);
 }
 
-// The contact of a generated model; its sensors are the config's.
+// The contacts of a generated model; the first one's sensors are the config's.
 std::vector<ContactPair> generated_pairs(const Config& config) {
   if (!config.model.first().contact) return {};
   ContactPair p;
@@ -138,7 +169,18 @@ std::vector<ContactPair> generated_pairs(const Config& config) {
   p.on_chain = !config.segments && !config.general;
   p.friction_reference = config.friction_reference;
   p.held_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
-  return {p};
+  std::vector<ContactPair> all{p};
+  for (std::size_t k = 0; k < config.further.size(); ++k) {
+    const FurtherContact& c = config.further[k];
+    ContactPair& q = all.emplace_back(p);
+    q.contact = *config.model.auxiliary[k + 1].contact;
+    q.rotor_geom = c.rotor_geom;
+    q.ring_geom = c.ring_geom;
+    q.pair = c.pair;
+    q.data = c.data;
+    q.sensors = c.sensors;
+  }
+  return all;
 }
 
 }  // namespace
@@ -195,7 +237,7 @@ Config make_config(const mjModel* m) {
   scene::Scene scene;
   try {
     scene = scene::parse_scene(scene_text(m), names::kSceneText);
-    refuse_several_contacts(scene, "the MuJoCo model");
+    refuse_several_in_mujoco(scene);
     const Model whole = make_model(scene);
     config.model = without_coils(whole);
     if (scene.mujoco.shadow) {
@@ -216,6 +258,8 @@ Config make_config(const mjModel* m) {
     needed += names::shadow_data_size(ZeroOrderHold::memory_size(config.shadow->model),
                                       PaperStepper::memory_size(config.shadow->model));
   }
+  const int further_data = needed;
+  needed += kPairEntries * static_cast<int>(scene.auxiliary.size() - 1);
   if (m->nuserdata < needed) {
     refuse("<size nuserdata>", message("at least {} needed", needed));
   }
@@ -231,7 +275,7 @@ Config make_config(const mjModel* m) {
   if (scene.first().contact) {
     config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
     if (const mjtNum* given = own_number(m, names::kOwnFrictionReference)) config.friction_reference = *given;
-    map_contact(m, config);
+    map_contacts(m, config, further_data);
     if (!config.segments) choose_path(m, config);
     if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);
     try {

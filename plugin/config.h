@@ -62,6 +62,15 @@ struct ShadowConfig {
   int ghost_rotor = -1, ghost_ring = -1;                 // in mjData.mocap_pos
 };
 
+// Where a further contact of a generated model stands, and what the scene says of it.
+struct FurtherContact {
+  int rotor_geom = -1, ring_geom = -1, pair = -1;
+  int rotor_shape = -1, ring_shape = -1;  // as Config's
+  ContactParameters scene{};
+  int data = 0;  // in mjData.userdata
+  SensorAddresses sensors;
+};
+
 struct Config {
   Model model;
   scene::ContactModel contact = scene::ContactModel::kRigid;
@@ -95,6 +104,7 @@ struct Config {
   int verlet_data = -1;                 // in mjData.userdata, of `rigid` on the modal chain; -1: none
   int rotor_geom = -1, ring_geom = -1;  // of the contact pair; -1 without [contact]
   int pair = -1;                        // their <pair>
+  std::vector<FurtherContact> further;  // contacts of a generated model, from the second on
   int actuator[2] = {-1, -1};           // -1 without actuators
   SensorAddresses sensors;
   std::optional<ShadowConfig> shadow;

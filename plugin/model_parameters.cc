@@ -59,8 +59,9 @@ Eigen::Vector2d gravity_of(const mjModel* m) {
   return {m->opt.gravity[0], m->opt.gravity[1]};
 }
 
-double friction_of(const Config& config, const mjModel* m) {
-  return m->pair_friction[5 * config.pair];
+// Of the k-th contact.
+double friction_of(const Config& config, const mjModel* m, std::size_t k) {
+  return m->pair_friction[5 * (k == 0 ? config.pair : config.further[k - 1].pair)];
 }
 
 // The limit of a controller's commands, N or A; `otherwise` where MuJoCo has none.
@@ -84,12 +85,14 @@ struct Circle {
 
 // The contact's circles as they are drawn. As long as they are those of the scene it is the scene's
 // numbers: their sum and difference would not be the same to the bit.
-Circle circle_of(const Config& config, const mjModel* m) {
-  const ContactParameters& s = *config.scene_contact;
+Circle circle_of(const Config& config, const mjModel* m, std::size_t k) {
+  const ContactParameters& s = k == 0 ? *config.scene_contact : config.further[k - 1].scene;
+  const int rotor_shape = k == 0 ? config.rotor_shape : config.further[k - 1].rotor_shape;
+  const int ring_shape = k == 0 ? config.ring_shape : config.further[k - 1].ring_shape;
   Circle drawn{s.radius, s.clearance};
-  if (config.rotor_shape < 0 || config.ring_shape < 0) return drawn;
-  const double rotor = m->geom_size[3 * config.rotor_shape];
-  const double ring = m->geom_size[3 * config.ring_shape];
+  if (rotor_shape < 0 || ring_shape < 0) return drawn;
+  const double rotor = m->geom_size[3 * rotor_shape];
+  const double ring = m->geom_size[3 * ring_shape];
   if (rotor != s.radius || ring != s.radius + s.clearance) drawn = {rotor, ring - rotor};
   return drawn;
 }
@@ -130,10 +133,9 @@ void check_masses(const mjModel* m, const Config& config) {
 }
 
 // Off its axis, mass on a ring that turns is an unbalance, which the native ring does not have.
-void check_ring_mass(const mjModel* m, const Config& config) {
-  const Layout& l = config.model.layout;
-  if (!l.ring_spin) return;
-  const int body = m->dof_bodyid[config.dof_address[static_cast<std::size_t>(l.ring_angle())]];
+void check_ring_mass(const mjModel* m, const Config& config, const AuxiliaryBearing& at) {
+  if (!at.turns()) return;
+  const int body = m->dof_bodyid[config.dof_address[static_cast<std::size_t>(at.ring_angle)]];
   const mjtNum* centre = m->body_ipos + 3 * body;
   if (m->body_mass[body] <= kMassless || (centre[0] == 0.0 && centre[1] == 0.0)) return;
   refuse(body_element(m, body),
@@ -153,21 +155,22 @@ void take_joints(const mjModel* m, Model& model, const Config& config) {
   });
 }
 
-void take_contact(const mjModel* m, Model& model, const Config& config) {
-  const Circle circle = circle_of(config, m);
+void take_contact(const mjModel* m, Model& model, const Config& config, std::size_t k) {
+  const Circle circle = circle_of(config, m, k);
   if (!(circle.radius > 0.0) || !(circle.clearance > 0.0)) {
-    refuse("<geom name=\"" + std::string(names::kRing) + "\">",
+    refuse("<geom name=\"" + names::of_bearing(k, names::kRing) + "\">",
            message("size[0] = {} about a rotor of {} m; accepted: greater",
                        circle.radius + circle.clearance, circle.radius));
   }
-  const double friction = friction_of(config, m);
+  const double friction = friction_of(config, m, k);
   if (!(friction >= 0.0) || !std::isfinite(friction)) {
     refuse("<contact><pair>", message("friction[0] = {}; accepted: >= 0", friction));
   }
-  model.first().contact->radius = circle.radius;
-  model.first().contact->clearance = circle.clearance;
-  model.first().contact->friction = friction;
-  model.first().ring_ratio = model.first().contact->surface_ratio();
+  AuxiliaryBearing& at = model.auxiliary[k];
+  at.contact->radius = circle.radius;
+  at.contact->clearance = circle.clearance;
+  at.contact->friction = friction;
+  at.ring_ratio = at.contact->surface_ratio();
 }
 
 void take_limit(const mjModel* m, Model& model, const Config& config) {
@@ -189,7 +192,9 @@ void take_limit(const mjModel* m, Model& model, const Config& config) {
 
 void take(const mjModel* m, Model& model, const Config& config) {
   take_joints(m, model, config);
-  if (model.first().contact) take_contact(m, model, config);
+  for (std::size_t k = 0; model.first().contact && k < model.auxiliary.size(); ++k) {
+    take_contact(m, model, config, k);
+  }
   if (model.first().controller) take_limit(m, model, config);
   const Eigen::Vector2d g = gravity_of(m);
   if (model.weight.size() > 0 || !g.isZero(0.0)) set_gravity(model, g);
@@ -210,10 +215,10 @@ bool has_parameters(const Config& config, const mjModel* m) {
     same = same && mass_of(config, m, i, dof) == model.mass[i] &&
            stiffness_of(m, dof) == model.stiffness[i] && m->dof_damping[dof] == model.damping[i];
   });
-  if (model.first().contact) {
-    const Circle circle{model.first().contact->radius, model.first().contact->clearance};
-    same = same && circle_of(config, m) == circle &&
-           friction_of(config, m) == model.first().contact->friction;
+  for (std::size_t k = 0; model.first().contact && k < model.auxiliary.size(); ++k) {
+    const ContactParameters& c = *model.auxiliary[k].contact;
+    same = same && circle_of(config, m, k) == Circle{c.radius, c.clearance} &&
+           friction_of(config, m, k) == c.friction;
   }
   if (model.first().controller) {
     same = same && limit_of(config, m, scene_limit(config)) == limit_in(model);
@@ -223,7 +228,7 @@ bool has_parameters(const Config& config, const mjModel* m) {
 
 void take_parameters(const mjModel* m, Config& config) {
   check_masses(m, config);
-  check_ring_mass(m, config);
+  for (const AuxiliaryBearing& at : config.model.auxiliary) check_ring_mass(m, config, at);
   take(m, config.model, config);
   config.gravity = gravity_of(m);
   if (config.shadow) take(m, config.shadow->model, config);

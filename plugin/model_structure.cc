@@ -90,16 +90,16 @@ void check_chain(const mjModel* m, Config& config) {
   }
 }
 
-void check_ring(const mjModel* m, const Config& config) {
-  const Layout& l = config.model.layout;
+void check_rings(const mjModel* m, const Config& config) {
   check_poses(m, m->geom_bodyid[config.ring_geom], config.model.first().ring_offset);
-  for (int k = 0; k < l.stator; ++k) {
-    const int dof = config.dof_address[static_cast<std::size_t>(l.ring() + k)];
-    check_joint(m, m->dof_jntid[dof], k, k == 0 ? "1 0 0" : "0 1 0");
+  for (const AuxiliaryBearing& at : config.model.auxiliary) {
+    const auto check = [&](int coordinate, int axis, const char* along) {
+      const int dof = config.dof_address[static_cast<std::size_t>(coordinate)];
+      check_joint(m, m->dof_jntid[dof], axis, along);
+    };
+    if (at.moves()) check(at.ring, 0, "1 0 0"), check(at.ring + 1, 1, "0 1 0");
+    if (at.turns()) check(at.ring_angle, 2, "0 0 1");
   }
-  if (!l.ring_spin) return;
-  const int dof = config.dof_address[static_cast<std::size_t>(l.ring_angle())];
-  check_joint(m, m->dof_jntid[dof], 2, "0 0 1");
 }
 
 // The force of a command: along the scene's axes, a newton a newton.
@@ -146,7 +146,11 @@ void map_structure(const mjModel* m, Config& config) {
   if (model.first().contact) {
     config.rotor_shape = shape(m, names::kRotor);
     config.ring_shape = shape(m, names::kRing);
-    check_ring(m, config);
+    for (std::size_t k = 0; k < config.further.size(); ++k) {
+      config.further[k].rotor_shape = shape(m, names::of_bearing(k + 1, names::kRotor).c_str());
+      config.further[k].ring_shape = shape(m, names::of_bearing(k + 1, names::kRing).c_str());
+    }
+    check_rings(m, config);
     if (!config.segments) check_chain(m, config);
   }
   if (model.first().controller || model.first().magnets) {

@@ -1,5 +1,7 @@
 #include "plugin/segments.h"
 
+#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 
 #include "mjcf/names.h"
@@ -37,20 +39,44 @@ void complete(const Eigen::VectorXd& contact_shape, double missing, double* q) {
   }
 }
 
+// The same at several contacts: the change of the least elastic energy. shapes: a row for each contact.
+void complete(const Eigen::MatrixXd& shapes, const Eigen::VectorXd& stiffness, const Eigen::VectorXd& missing,
+              double* q) {
+  constexpr double kLeast = 1e-9;  // of the largest: of a mode that no spring holds
+  const Eigen::VectorXd soft =
+      stiffness.cwiseMax(kLeast * std::max(stiffness.maxCoeff(), 1.0)).cwiseInverse();
+  const Eigen::MatrixXd spread = soft.asDiagonal() * shapes.transpose();
+  const Eigen::MatrixXd moves = shapes * spread;
+  const Eigen::VectorXd change = spread * moves.completeOrthogonalDecomposition().solve(missing);
+  Eigen::Map<Eigen::VectorXd>(q, change.size()) += change;
+}
+
 void to_native(const Segments& s, const Model& model, const mjtNum* from, AddressPart part,
                double* to) {
   const Layout& l = model.layout;
   using Vector = Eigen::Map<Eigen::VectorXd>;
+  const auto contacts = static_cast<Eigen::Index>(s.contact_rows.size());
   const auto plane = [&](const std::vector<JointAddress>& joints, const Eigen::MatrixXd& project,
-                         const Eigen::VectorXd& contact_shape, int at) {
+                         Eigen::VectorXd ModeShape::*shape, int at) {
     const Eigen::VectorXd u = gather(joints, part, from);
     Vector modes(to + at, l.modes);
     modes = project * u;
-    if (s.contact_row.size() == 0) return;
-    complete(contact_shape, s.contact_row.dot(u) - contact_shape.dot(modes), to + at);
+    if (contacts == 1) {
+      const Eigen::VectorXd& values = model.first().shape.*shape;
+      complete(values, s.contact_rows[0].dot(u) - values.dot(modes), to + at);
+    } else if (contacts > 1) {
+      Eigen::MatrixXd shapes(contacts, l.modes);
+      Eigen::VectorXd missing(contacts);
+      for (Eigen::Index k = 0; k < contacts; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        shapes.row(k) = (model.auxiliary[i].shape.*shape).transpose();
+        missing[k] = s.contact_rows[i].dot(u) - shapes.row(k).dot(modes);
+      }
+      complete(shapes, model.stiffness.segment(at, l.modes), missing, to + at);
+    }
   };
-  plane(s.x, s.project_x, model.first().shape.x, l.x());
-  plane(s.y, s.project_y, model.first().shape.y, l.y());
+  plane(s.x, s.project_x, &ModeShape::x, l.x());
+  plane(s.y, s.project_y, &ModeShape::y, l.y());
 
   const Eigen::VectorXd spin = gather(s.spin, part, from);
   Vector torsion(to + l.theta(), l.torsion);
@@ -59,9 +85,18 @@ void to_native(const Segments& s, const Model& model, const mjtNum* from, Addres
   const double rigid = l.spin ? s.spin_share.dot(spin) : spin[0];
   if (!l.spin) torsion -= s.project_torsion * Eigen::VectorXd::Constant(spin.size(), rigid);
   if (l.spin) to[l.phi()] = rigid;
-  if (s.contact_node < 0) return;
-  const double missing = spin[s.contact_node] - rigid - model.first().torsion_shape.dot(torsion);
-  if (l.torsion) {
+  if (contacts == 0) return;
+  const double missing = spin[s.contact_nodes[0]] - rigid - model.first().torsion_shape.dot(torsion);
+  if (l.torsion && contacts > 1) {
+    Eigen::MatrixXd shapes(contacts, l.torsion);
+    Eigen::VectorXd all(contacts);
+    for (Eigen::Index k = 0; k < contacts; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      shapes.row(k) = model.auxiliary[i].torsion_shape.transpose();
+      all[k] = spin[s.contact_nodes[i]] - rigid - shapes.row(k).dot(torsion);
+    }
+    complete(shapes, model.stiffness.segment(l.theta(), l.torsion), all, to + l.theta());
+  } else if (l.torsion) {
     complete(model.first().torsion_shape, missing, to + l.theta());
   } else if (l.spin) {
     to[l.phi()] += missing;
@@ -102,9 +137,10 @@ Segments make_segments(const scene::Scene& scene, const Model& model,
   s.project_x = projection(m.shape_x, m.mass);
   s.project_y = projection(m.shape_y, m.mass);
   s.project_torsion = projection(m.shape_torsion, m.spin_inertia.asDiagonal());
-  if (scene.first().contact) {
-    s.contact_row = s.chain.deflection(scene.first().contact->station);
-    s.contact_node = s.chain.node_at(scene.first().contact->station);
+  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+    if (!bearing.contact) continue;
+    s.contact_rows.push_back(s.chain.deflection(bearing.contact->station));
+    s.contact_nodes.push_back(s.chain.node_at(bearing.contact->station));
   }
   s.highest = m.highest;
   return s;

@@ -50,10 +50,10 @@ struct Segments {
   Eigen::VectorXd spin_share;     // N + 1, J_k / sum J: mean spin
 
   // Native modal coordinates of a state of the chain: the share of each mode kept, and the whole
-  // deflection at the contact, of which the first mode takes what is not in the others.
+  // deflection at the contacts, of which the first modes take what is not in the others.
   Eigen::MatrixXd project_x, project_y, project_torsion;  // kept x coordinates
-  Eigen::RowVectorXd contact_row;                         // empty: no contact
-  int contact_node = -1;
+  std::vector<Eigen::RowVectorXd> contact_rows;           // of each contact; empty: none
+  std::vector<int> contact_nodes;
 
   double highest = 0.0;  // rad/s, highest frequency at rest
 };

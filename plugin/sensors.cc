@@ -58,7 +58,7 @@ void put_gap(const ContactPair& pair, mjData* d) {
   put_gap(d, pair.sensors, clearance - position_of(pair, d).norm(), clearance);
 }
 
-// Of a user's own model.
+// Of a user's own model, and of a further contact of a generated one.
 void fill_pair_sensors(const ContactPair& pair, const mjModel* m, mjData* d, int stage) {
   const SensorAddresses& s = pair.sensors;
   if (stage == mjSTAGE_POS && has_gap(s)) put_gap(pair, d);
@@ -124,6 +124,7 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
     put(d, s.current, actuator.current);
   }
   if (stage == mjSTAGE_VEL && config.shadow) fill_shadow_sensors(config, d);
+  for (std::size_t k = 1; k < config.pairs.size(); ++k) fill_pair_sensors(config.pairs[k], m, d, stage);
   if (!config.model.first().contact) return;
   if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(config, m, d));
   if (stage == mjSTAGE_POS && has_gap(s)) {

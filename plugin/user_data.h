@@ -45,6 +45,7 @@ inline constexpr double kActed = 0.0, kNotActed = -1.0;
 // ContactPair::data + e = memory + i kPairEntries + e, e from kFrictionForce on.
 inline constexpr int kBlockCheck = kSample;
 inline constexpr int kPairEntries = kUserDataSingle - kFrictionForce;
+static_assert(kPairEntries == mjcf_names::kPairEntries);
 
 // Of the step of `rigid` on the modal chain, from Config::verlet_data on (contact/verlet.h); behind
 // them velocities and two slots of memory.

@@ -38,10 +38,17 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
     StepResult& r = results_[done];
     r.works = works_;
     r.forces = plugin::contact_forces(config_, m_, data_.get());
+    r.further.clear();
+    for (std::size_t k = 1; !config_.own && k < config_.pairs.size(); ++k) {
+      r.further.push_back(plugin::contact_forces(config_.pairs[k], m_, data_.get()));
+    }
     r.actuator = plugin::actuator_state(config_, m_, data_.get());
     if (commands_) r.command = plugin::command_of_pass(config_, m_, data_.get());
-    if (r.forces.status != Status::kOk) {
-      contact_status_ = r.forces.status;
+    const auto failing = std::find_if(r.further.begin(), r.further.end(),
+                                      [](const auto& f) { return f.status != Status::kOk; });
+    const Status status = r.forces.status == Status::kOk && failing != r.further.end() ? failing->status : r.forces.status;
+    if (status != Status::kOk) {
+      contact_status_ = status;
       failed_ = true;
       break;
     }
@@ -76,6 +83,7 @@ StepResult ChunkedRun::last_half() {
   read_state(states_.data());
   std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), states_.data() + size());
   return {plugin::contact_forces(config_, m_, data_.get()),
+          {},
           plugin::actuator_state(config_, m_, data_.get()),
           {0.0, 0.0},
           works_};

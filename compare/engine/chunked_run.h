@@ -20,6 +20,7 @@ namespace rotorub {
 // What a step left behind: the state at its end and the forces that acted over it.
 struct StepResult {
   plugin::ContactForces forces;
+  std::vector<plugin::ContactForces> further;  // of contacts beyond the first
   ActuatorState actuator;
   Eigen::Vector2d command{0.0, 0.0};  // plugin/control.h, where it was asked for
   plugin::StepWorks works{};          // of native steps

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "native_model/run/status_reason.h"
+
 namespace rotorub {
 
 void ContactEpisodes::step(const SoftStep& s) {
@@ -12,16 +14,15 @@ void ContactEpisodes::step(const SoftStep& s) {
     const double fall = last_gap_ - s.before.gap;
     const double share = fall > 0.0 && s.t > 0.0 ? std::clamp(-s.before.gap / fall, 0.0, 1.0) : 0.0;
     impact_ = Impact{};
+    impact_.contact = contact_;
     lasted_ = 0.0;
     impact_.t = s.t - share * s.h;
     impact_.gap_rate_before = s.before.gap_rate;
     impact_.slip_before = s.before.slip;
-    recorder_->add(Event{impact_.t, EventKind::kImpact});
+    recorder_->add(Event{impact_.t, EventKind::kImpact, contact_});
   }
   if (s.mode != mode_) {
-    recorder_->add(Event{s.t, s.mode == Mode::kSlide   ? EventKind::kSlide
-                              : s.mode == Mode::kStick ? EventKind::kStick
-                                                       : EventKind::kLiftOff});
+    recorder_->add(Event{s.t, mode_event(s.mode), contact_});
     mode_ = s.mode;
   }
   if (pressed) {

@@ -19,12 +19,13 @@ struct SoftStep {
 
 class ContactEpisodes {
  public:
-  explicit ContactEpisodes(Recorder& recorder) : recorder_(&recorder) {}
+  explicit ContactEpisodes(Recorder& recorder, int contact = 0) : recorder_(&recorder), contact_(contact) {}
   void step(const SoftStep& step);
   void finish();  // closes the episode that is open
 
  private:
   Recorder* recorder_;
+  int contact_;
   bool open_ = false;
   Impact impact_;
   Mode mode_ = Mode::kFree;

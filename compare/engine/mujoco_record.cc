@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/run/status_reason.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/trajectory/range_check.h"
 
@@ -31,8 +32,14 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
       step_(step),
       recorder_(model, std::move(times), window),
       episodes_(recorder_),
+      others_(model.auxiliary.size() - 1),
       middle_(static_cast<std::size_t>(model.nq())),
-      half_(middle_) {}
+      half_(middle_) {
+  for (std::size_t k = 1; k < model.auxiliary.size(); ++k) {
+    further_.push_back({Mode::kFree, ContactEpisodes(recorder_, static_cast<int>(k)), {}});
+  }
+  if (!further_.empty()) recorder_.statistics().contacts.resize(model.auxiliary.size());
+}
 
 void MujocoRecord::begin(const double* q, const double* v) {
   // A coil that lags has no current yet, whatever its command.
@@ -41,8 +48,9 @@ void MujocoRecord::begin(const double* q, const double* v) {
   const Eigen::Vector2d told = hold.at(0.0, q, v);
   ActuatorState acts = actuator_state(model_, q, v, lags ? Eigen::Vector2d(0.0, 0.0) : told);
   acts.outputs = hold.outputs();
-  recorder_.begin({{0.0, 0.0, Mode::kFree, acts}, 0.0, q, v});
+  recorder_.begin({{0.0, 0.0, Mode::kFree, acts}, 0.0, q, v, others_});
   point_ = contact_point(model_, q, v);
+  for (std::size_t k = 0; k < further_.size(); ++k) further_[k].point = contact_point(model_, q, v, k + 1);
   last_q_.assign(q, q + model_.nq());
   last_v_.assign(v, v + model_.nq());
 }
@@ -69,7 +77,12 @@ StepBalance MujocoRecord::balance_of_step(std::int64_t k, const double* q, const
   if (model_.first().contact) {
     const ContactPoint p = contact_point(model_, last_q_.data(), middle_.data());
     done.contact_work =
-        step_ * (r.forces.normal * p.gap_rate + r.forces.friction * (p.slip - held()));
+        step_ * (r.forces.normal * p.gap_rate + r.forces.friction * (p.slip - held(0)));
+  }
+  for (std::size_t i = 0; i < r.further.size(); ++i) {
+    const ContactPoint p = contact_point(model_, last_q_.data(), middle_.data(), i + 1);
+    const plugin::ContactForces& f = r.further[i];
+    done.contact_work += step_ * (f.normal * p.gap_rate + f.friction * (p.slip - held(i + 1)));
   }
   const auto stored = [&](const std::vector<double>& rates) {
     return energy(model_, t, last_q_.data(), rates.data());
@@ -95,18 +108,50 @@ void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const 
   const ContactPoint after = contact_point(model_, q, v);
   const double next = static_cast<double>(k + 1) * step_;
   const plugin::ContactForces& f = r.forces;
-  const Impact impact = f.impact ? impact_of(f, impact_time(t, f), step_) : Impact{};
+  const Impact impact = f.impact ? impact_of(f, impact_time(t, f, point_), step_) : Impact{};
   if (model_.first().contact && rigid_) note_rigid(next, f, impact);
   if (model_.first().contact && !rigid_) {
     episodes_.step({t, step_, point_, after, f.normal, f.friction, f.mode});
   }
+  for (std::size_t i = 1; i <= further_.size(); ++i) step_further(k, i, q, v, r);
+  if (!further_.empty() && f.normal > 0.0) {
+    const double slips = f.impact ? f.slip_before + f.slip_after : point_.slip + after.slip;
+    recorder_.count_at(0, t, step_, step_ * f.normal, step_ * f.friction, 0.5 * step_ * f.friction * slips);
+  }
+  if (!further_.empty()) recorder_.watch_gap(0, after.gap);
   const StepBalance balance = balance_of_step(k, q, v, r);
   // An impact's impulse is no force of lasting contact.
   const double lasting = f.impact ? 0.0 : 1.0;
-  recorder_.step({{lasting * f.normal, lasting * f.friction, f.mode, r.actuator}, next, q, v},
+  recorder_.step({{lasting * f.normal, lasting * f.friction, f.mode, r.actuator}, next, q, v, others_},
                  step_ * f.normal, step_ * f.friction, f.impact, f.impact ? &impact : nullptr,
                  &balance);
   point_ = after;
+}
+
+// A contact beyond the first, over step k.
+void MujocoRecord::step_further(std::int64_t k, std::size_t contact, const double* q, const double* v,
+                                const StepResult& r) {
+  Further& own = further_[contact - 1];
+  const plugin::ContactForces& f = r.further[contact - 1];
+  const double t = static_cast<double>(k) * step_, next = static_cast<double>(k + 1) * step_;
+  const ContactPoint after = contact_point(model_, q, v, contact);
+  if (rigid_) {
+    Impact impact = f.impact ? impact_of(f, impact_time(t, f, own.point), step_) : Impact{};
+    impact.contact = static_cast<int>(contact);
+    note_rigid(next, f, impact, contact);
+  } else {
+    own.episodes.step({t, step_, own.point, after, f.normal, f.friction, f.mode});
+  }
+  const double lasting = f.impact ? 0.0 : 1.0;
+  others_[contact - 1] = {lasting * f.normal, lasting * f.friction, f.mode, {}};
+  if (f.normal > 0.0) {
+    const double slips = f.impact ? f.slip_before + f.slip_after : own.point.slip + after.slip;
+    const double normal = step_ * f.normal, friction = step_ * f.friction, work = 0.5 * friction * slips;
+    recorder_.count_at(contact, t, step_, normal, friction, work);
+    recorder_.count_beside(t, step_, normal, friction, work, r.forces.normal > 0.0);
+  }
+  recorder_.watch_gap(contact, after.gap);
+  own.point = after;
 }
 
 void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
@@ -143,7 +188,7 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
 }
 
 std::optional<std::string> MujocoRecord::lost(const double* q) const {
-  if (recorder_.penetration() == 0.0 && !model_.first().magnets) return {};
+  if (further_.empty() && recorder_.penetration() == 0.0 && !model_.first().magnets) return {};
   if (rigid_ || !model_.first().contact) return out_of_range(model_, q);
   // A soft ring holds as deep as it is thick, which no one says; no ring holds what is through it.
   return out_of_range(model_, q, std::max(model_.first().contact->clearance, model_.first().contact->radius));
@@ -151,13 +196,16 @@ std::optional<std::string> MujocoRecord::lost(const double* q) const {
 
 Trajectory MujocoRecord::finish(double end) {
   if (!rigid_) episodes_.finish();
+  for (Further& own : further_) {
+    if (!rigid_) own.episodes.finish();
+  }
   return recorder_.finish(end);
 }
 
 // m/s: slip of a prescribed spin, at which the machine that holds it works, and not the
 // coordinates.
-double MujocoRecord::held() const {
-  return model_.layout.spin ? 0.0 : model_.first().contact->radius * model_.speed;
+double MujocoRecord::held(std::size_t contact) const {
+  return model_.layout.spin ? 0.0 : model_.auxiliary[contact].contact->radius * model_.speed;
 }
 
 void MujocoRecord::count_impact() {
@@ -173,26 +221,26 @@ void MujocoRecord::count_impact() {
   recorder_.count(figures, impact_.t);
 }
 
-void MujocoRecord::note_mode(double t, Mode mode) {
-  if (mode == mode_) return;
-  recorder_.add(Event{t, mode == Mode::kSlide   ? EventKind::kSlide
-                         : mode == Mode::kStick ? EventKind::kStick
-                                                : EventKind::kLiftOff});
-  mode_ = mode;
+void MujocoRecord::note_mode(double t, Mode mode, std::size_t contact) {
+  Mode& last = contact == 0 ? mode_ : further_[contact - 1].mode;
+  if (mode == last) return;
+  recorder_.add(Event{t, mode_event(mode), static_cast<int>(contact)});
+  last = mode;
 }
 
 // As the native side: one row an impact. The velocity that jumps is that of half a step ago.
-void MujocoRecord::note_rigid(double next, const plugin::ContactForces& f, const Impact& impact) {
+void MujocoRecord::note_rigid(double next, const plugin::ContactForces& f, const Impact& impact,
+                              std::size_t contact) {
   if (f.impact) {
     recorder_.add(impact);
-    recorder_.add(Event{impact.t, EventKind::kImpact});
+    recorder_.add(Event{impact.t, EventKind::kImpact, impact.contact});
   }
-  note_mode(next, f.mode);
+  note_mode(next, f.mode, contact);
 }
 
 // When the gap at t closes at the rate before the impact, within the step.
-double MujocoRecord::impact_time(double t, const plugin::ContactForces& f) const {
-  const double closing = point_.gap / std::max(-f.gap_rate_before, 1e-300);
+double MujocoRecord::impact_time(double t, const plugin::ContactForces& f, const ContactPoint& point) const {
+  const double closing = point.gap / std::max(-f.gap_rate_before, 1e-300);
   return t + std::clamp(closing, 0.0, step_);
 }
 

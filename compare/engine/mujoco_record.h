@@ -32,11 +32,12 @@ class MujocoRecord {
 
  private:
   StepBalance balance_of_step(std::int64_t k, const double* q, const double* v, const StepResult& r);
-  double held() const;
+  double held(std::size_t contact) const;
   void count_impact();
-  void note_mode(double t, Mode mode);
-  void note_rigid(double next, const plugin::ContactForces& f, const Impact& impact);
-  double impact_time(double t, const plugin::ContactForces& f) const;
+  void note_mode(double t, Mode mode, std::size_t contact = 0);
+  void note_rigid(double next, const plugin::ContactForces& f, const Impact& impact, std::size_t contact = 0);
+  double impact_time(double t, const plugin::ContactForces& f, const ContactPoint& point) const;
+  void step_further(std::int64_t k, std::size_t contact, const double* q, const double* v, const StepResult& r);
 
   const Model& model_;
   bool rigid_;
@@ -45,6 +46,14 @@ class MujocoRecord {
   Recorder recorder_;
   ContactEpisodes episodes_;
   ContactPoint point_;
+  // Of the contacts beyond the first.
+  struct Further {
+    Mode mode = Mode::kFree;
+    ContactEpisodes episodes;
+    ContactPoint point{};
+  };
+  std::vector<Further> further_;
+  std::vector<ContactSnapshot> others_;
   // Of native steps, of the step before: its impact, and the impact's work on the coordinates.
   Impact impact_;
   double impact_work_ = 0.0;  // J

@@ -22,7 +22,9 @@ std::vector<double> stations(const scene::Scene& scene) {
   for (const scene::ShaftBearing& bearing : geometry.bearings) all.push_back(bearing.z);
   for (const scene::Force& force : scene.forces) all.push_back(force.station);
   if (scene.magnetic_bearing) all.push_back(scene.magnetic_bearing->station);
-  if (scene.first().contact) all.push_back(scene.first().contact->station);
+  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+    if (bearing.contact) all.push_back(bearing.contact->station);
+  }
   if (scene.drive) all.push_back(scene.drive->station);
   std::sort(all.begin(), all.end());
   constexpr double kSame = 1e-9;  // of the length

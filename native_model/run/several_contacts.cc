@@ -143,7 +143,7 @@ class SeveralRun {
       f.normal_impulse += normal;
       f.friction_impulse += friction;
       f.friction_work += friction * slip;
-      count_at(i, begin, f.h, normal, friction, friction * slip);
+      recorder_.count_at(i, begin, f.h, normal, friction, friction * slip);
     }
     recorder_.count(f, begin);
   }
@@ -160,7 +160,7 @@ class SeveralRun {
       f.normal_impulse += hit.normal_impulse;
       f.friction_impulse += hit.friction_impulse;
       f.friction_work += work;
-      count_at(static_cast<std::size_t>(hit.contact), hit.t, step_, hit.normal_impulse,
+      recorder_.count_at(static_cast<std::size_t>(hit.contact), hit.t, step_, hit.normal_impulse,
                hit.friction_impulse, work);
       recorder_.add(hit);
       recorder_.add(Event{hit.t, EventKind::kImpact, hit.contact});
@@ -168,24 +168,9 @@ class SeveralRun {
     recorder_.count(f, begin);
   }
 
-  void count_at(std::size_t i, double begin, double h, double normal, double friction,
-                double work) {
-    ContactStatistics& own = recorder_.statistics().contacts[i];
-    if (own.first_touch < 0.0) own.first_touch = begin;
-    own.contact_time += h;
-    own.impulse_total += normal;
-    own.friction_impulse += friction;
-    own.friction_work += work;
-  }
-
   void watch_gaps(const Snapshot& now) {
-    Statistics& s = recorder_.statistics();
     for (std::size_t i = 0; i < modes_.size(); ++i) {
-      const double gap = contact_point(model_, now.q, now.v, i).gap;
-      s.contacts[i].least_gap = std::min(s.contacts[i].least_gap, gap);
-      s.contacts[i].max_penetration = std::max(s.contacts[i].max_penetration, -gap);
-      s.least_gap = std::min(s.least_gap, gap);
-      s.max_penetration = std::max(s.max_penetration, -gap);
+      recorder_.watch_gap(i, contact_point(model_, now.q, now.v, i).gap);
     }
   }
 

@@ -144,6 +144,21 @@ void refuse_several_contacts(const scene::Scene& scene, const std::string& who, 
   refuse(scene, {{"", 0, "contact[1]", who + " knows one contact; accepted with several: the native integrator " + accepted}});
 }
 
+void refuse_several_in_mujoco(const scene::Scene& scene) {
+  if (scene.auxiliary.size() < 2) return;
+  if (scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
+    refuse(scene, {{"", 0, "mujoco.rotor",
+                    "MuJoCo's modal chain carries one contact; accepted with several: \"segments\""}});
+  }
+  if (scene.mujoco.shadow) refuse(scene, {{"", 0, "mujoco.shadow", "the shadow has one contact; accepted with several: false"}});
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const bool driven = scene.auxiliary[k].actuator || scene.auxiliary[k].controller;
+    if (!driven) continue;
+    refuse(with_bearing_alone(scene, k), {{"", 0, scene.auxiliary[k].actuator ? "actuator" : "controller",
+                                           "in MuJoCo the rings of several contacts are passive; accepted: none"}});
+  }
+}
+
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {
   if (!scene.first().contact) return;
   const bool sampled = scene.first().controller && scene.first().controller->sample_time > 0.0;

@@ -34,6 +34,8 @@ void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted);
 // `who` knows one contact; `accepted`: the native integrators that know more.
 void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
                              const std::string& accepted = "event or verlet");
+// MuJoCo's side of several contacts is a segment rotor with rings that nothing drives, without a shadow.
+void refuse_several_in_mujoco(const scene::Scene& scene);
 // Within an electromagnet's core there is no start.
 void check_initial_ring(const scene::Scene& scene, std::size_t bearing);
 

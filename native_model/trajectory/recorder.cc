@@ -101,6 +101,35 @@ void Recorder::count_contact(double normal_impulse, double friction_impulse, dou
   s.peak_force = std::max(s.peak_force, force);
 }
 
+void Recorder::count_at(std::size_t contact, double begin, double h, double normal_impulse, double friction_impulse,
+                        double friction_work) {
+  ContactStatistics& own = statistics_.contacts[contact];
+  if (own.first_touch < 0.0) own.first_touch = begin;
+  own.contact_time += h;
+  own.impulse_total += normal_impulse;
+  own.friction_impulse += friction_impulse;
+  own.friction_work += friction_work;
+}
+
+void Recorder::count_beside(double begin, double h, double normal_impulse, double friction_impulse,
+                            double friction_work, bool both) {
+  Statistics& s = statistics_;
+  if (s.first_touch < 0.0) s.first_touch = begin;
+  if (!both) s.contact_time += h;
+  window_.add(begin, normal_impulse);
+  s.impulse_total += normal_impulse;
+  s.friction_impulse += friction_impulse;
+  s.friction_work += friction_work;
+}
+
+void Recorder::watch_gap(std::size_t contact, double gap) {
+  ContactStatistics& own = statistics_.contacts[contact];
+  own.least_gap = std::min(own.least_gap, gap);
+  own.max_penetration = std::max(own.max_penetration, -gap);
+  statistics_.least_gap = std::min(statistics_.least_gap, gap);
+  statistics_.max_penetration = std::max(statistics_.max_penetration, -gap);
+}
+
 void Recorder::count_gap(const ContactPoint& point, double h) {
   Statistics& s = statistics_;
   s.least_gap = std::min(s.least_gap, point.gap);
