@@ -39,9 +39,10 @@ void complete(const Eigen::VectorXd& contact_shape, double missing, double* q) {
   }
 }
 
-// The same at several contacts: the change of the least elastic energy. shapes: a row for each contact.
-void complete(const Eigen::MatrixXd& shapes, const Eigen::VectorXd& stiffness, const Eigen::VectorXd& missing,
-              double* q) {
+// The same at several contacts: the change of the least elastic energy. shapes: a row for each
+// contact.
+void complete(const Eigen::MatrixXd& shapes, const Eigen::VectorXd& stiffness,
+              const Eigen::VectorXd& missing, double* q) {
   constexpr double kLeast = 1e-9;  // of the largest: of a mode that no spring holds
   const Eigen::VectorXd soft =
       stiffness.cwiseMax(kLeast * std::max(stiffness.maxCoeff(), 1.0)).cwiseInverse();
@@ -86,7 +87,8 @@ void to_native(const Segments& s, const Model& model, const mjtNum* from, Addres
   if (!l.spin) torsion -= s.project_torsion * Eigen::VectorXd::Constant(spin.size(), rigid);
   if (l.spin) to[l.phi()] = rigid;
   if (contacts == 0) return;
-  const double missing = spin[s.contact_nodes[0]] - rigid - model.first().torsion_shape.dot(torsion);
+  const double missing =
+      spin[s.contact_nodes[0]] - rigid - model.first().torsion_shape.dot(torsion);
   if (l.torsion && contacts > 1) {
     Eigen::MatrixXd shapes(contacts, l.torsion);
     Eigen::VectorXd all(contacts);

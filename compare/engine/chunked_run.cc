@@ -17,8 +17,13 @@ struct TellWorks {
 }  // namespace
 
 ChunkedRun::ChunkedRun(const MujocoSetup& setup, bool commands)
-    : m_(setup.m.get()), config_(*setup.config), model_(*setup.model), read_(setup.read),
-      commands_(commands), data_(make_start(m_)), results_(kChunk) {
+    : m_(setup.m.get()),
+      config_(*setup.config),
+      model_(*setup.model),
+      read_(setup.read),
+      commands_(commands),
+      data_(make_start(m_)),
+      results_(kChunk) {
   states_.resize(2 * kChunk * size());
   start_.resize(2 * size());
   read_state(start_.data());
@@ -46,7 +51,9 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
     if (commands_) r.command = plugin::command_of_pass(config_, m_, data_.get());
     const auto failing = std::find_if(r.further.begin(), r.further.end(),
                                       [](const auto& f) { return f.status != Status::kOk; });
-    const Status status = r.forces.status == Status::kOk && failing != r.further.end() ? failing->status : r.forces.status;
+    const Status status = r.forces.status == Status::kOk && failing != r.further.end()
+                              ? failing->status
+                              : r.forces.status;
     if (status != Status::kOk) {
       contact_status_ = status;
       failed_ = true;

@@ -26,7 +26,8 @@ Impact impact_of(const plugin::ContactForces& f, double t, double h) {
 
 }  // namespace
 
-MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times, double window)
+MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times,
+                           double window)
     : model_(model),
       rigid_(rigid),
       step_(step),
@@ -50,7 +51,8 @@ void MujocoRecord::begin(const double* q, const double* v) {
   acts.outputs = hold.outputs();
   recorder_.begin({{0.0, 0.0, Mode::kFree, acts}, 0.0, q, v, others_});
   point_ = contact_point(model_, q, v);
-  for (std::size_t k = 0; k < further_.size(); ++k) further_[k].point = contact_point(model_, q, v, k + 1);
+  for (std::size_t k = 0; k < further_.size(); ++k)
+    further_[k].point = contact_point(model_, q, v, k + 1);
   last_q_.assign(q, q + model_.nq());
   last_v_.assign(v, v + model_.nq());
 }
@@ -60,8 +62,9 @@ void MujocoRecord::begin(const double* q, const double* v) {
 //
 //   E_k = v_k' M v_{k+1} / 2 + V(q_k):   E_k - E_{k-1} = (W_{k-1} + W_k) / 2,
 //
-// to round-off for linear springs. (With energies and powers of q_k and v_k at one time it would miss
-// h/2 of the change of every force, without bound.) Dampers of the joints are implicit, -D v_{k+1}.
+// to round-off for linear springs. (With energies and powers of q_k and v_k at one time it would
+// miss h/2 of the change of every force, without bound.) Dampers of the joints are implicit, -D
+// v_{k+1}.
 StepBalance MujocoRecord::balance_of_step(std::int64_t k, const double* q, const double* v,
                                           const StepResult& r) {
   const double t = static_cast<double>(k) * step_;
@@ -116,21 +119,22 @@ void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const 
   for (std::size_t i = 1; i <= further_.size(); ++i) step_further(k, i, q, v, r);
   if (!further_.empty() && f.normal > 0.0) {
     const double slips = f.impact ? f.slip_before + f.slip_after : point_.slip + after.slip;
-    recorder_.count_at(0, t, step_, step_ * f.normal, step_ * f.friction, 0.5 * step_ * f.friction * slips);
+    recorder_.count_at(0, t, step_, step_ * f.normal, step_ * f.friction,
+                       0.5 * step_ * f.friction * slips);
   }
   if (!further_.empty()) recorder_.watch_gap(0, after.gap);
   const StepBalance balance = balance_of_step(k, q, v, r);
   // An impact's impulse is no force of lasting contact.
   const double lasting = f.impact ? 0.0 : 1.0;
-  recorder_.step({{lasting * f.normal, lasting * f.friction, f.mode, r.actuator}, next, q, v, others_},
-                 step_ * f.normal, step_ * f.friction, f.impact, f.impact ? &impact : nullptr,
-                 &balance);
+  recorder_.step(
+      {{lasting * f.normal, lasting * f.friction, f.mode, r.actuator}, next, q, v, others_},
+      step_ * f.normal, step_ * f.friction, f.impact, f.impact ? &impact : nullptr, &balance);
   point_ = after;
 }
 
 // A contact beyond the first, over step k.
-void MujocoRecord::step_further(std::int64_t k, std::size_t contact, const double* q, const double* v,
-                                const StepResult& r) {
+void MujocoRecord::step_further(std::int64_t k, std::size_t contact, const double* q,
+                                const double* v, const StepResult& r) {
   Further& own = further_[contact - 1];
   const plugin::ContactForces& f = r.further[contact - 1];
   const double t = static_cast<double>(k) * step_, next = static_cast<double>(k + 1) * step_;
@@ -146,7 +150,8 @@ void MujocoRecord::step_further(std::int64_t k, std::size_t contact, const doubl
   others_[contact - 1] = {lasting * f.normal, lasting * f.friction, f.mode, {}};
   if (f.normal > 0.0) {
     const double slips = f.impact ? f.slip_before + f.slip_after : own.point.slip + after.slip;
-    const double normal = step_ * f.normal, friction = step_ * f.friction, work = 0.5 * friction * slips;
+    const double normal = step_ * f.normal, friction = step_ * f.friction,
+                 work = 0.5 * friction * slips;
     recorder_.count_at(contact, t, step_, normal, friction, work);
     recorder_.count_beside(t, step_, normal, friction, work, r.forces.normal > 0.0);
   }
@@ -191,7 +196,8 @@ std::optional<std::string> MujocoRecord::lost(const double* q) const {
   if (further_.empty() && recorder_.penetration() == 0.0 && !model_.first().magnets) return {};
   if (rigid_ || !model_.first().contact) return out_of_range(model_, q);
   // A soft ring holds as deep as it is thick, which no one says; no ring holds what is through it.
-  return out_of_range(model_, q, std::max(model_.first().contact->clearance, model_.first().contact->radius));
+  return out_of_range(model_, q,
+                      std::max(model_.first().contact->clearance, model_.first().contact->radius));
 }
 
 Trajectory MujocoRecord::finish(double end) {
@@ -239,7 +245,8 @@ void MujocoRecord::note_rigid(double next, const plugin::ContactForces& f, const
 }
 
 // When the gap at t closes at the rate before the impact, within the step.
-double MujocoRecord::impact_time(double t, const plugin::ContactForces& f, const ContactPoint& point) const {
+double MujocoRecord::impact_time(double t, const plugin::ContactForces& f,
+                                 const ContactPoint& point) const {
   const double closing = point.gap / std::max(-f.gap_rate_before, 1e-300);
   return t + std::clamp(closing, 0.0, step_);
 }

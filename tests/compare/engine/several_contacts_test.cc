@@ -1,0 +1,114 @@
+// Two auxiliary bearings in MuJoCo: a segment rotor against the native model of the same scene.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "compare/engine/mujoco_engine.h"
+#include "mjcf/writer.h"
+#include "native_model/scene/contact_models.h"
+#include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
+
+namespace rotorub {
+namespace {
+
+scene::Scene two_catchers(const std::vector<std::string>& overrides = {}) {
+  return scene::read_scene(
+      std::string(ROTORUB_SOURCE_DIR) + "/tests/compare/engine/two_catchers.toml", overrides);
+}
+
+Trajectory in_mujoco(scene::ContactModel contact, double step) {
+  MujocoOptions options;
+  options.contact = contact;
+  options.step = step;
+  return run_mujoco(two_catchers(), options);
+}
+
+class SeveralInMujoco : public testing::TestWithParam<scene::ContactModel> {};
+
+// The segments are another beam: 0.02 % of its frequency, and the impacts of the start are others.
+// What lasts agrees.
+TEST_P(SeveralInMujoco, PressOnEachRingAsTheNativeModelDoes) {
+  const Trajectory native = test::run_event(two_catchers());
+  const Trajectory t = in_mujoco(GetParam(), 1e-5);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  ASSERT_EQ(t.contacts, 2u);
+  ASSERT_EQ(t.statistics.contacts.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const ContactStatistics &found = t.statistics.contacts[k],
+                            &exact = native.statistics.contacts[k];
+    EXPECT_NEAR(found.first_touch, exact.first_touch, 5e-5) << k;
+    EXPECT_NEAR(found.impulse_total, exact.impulse_total, 5e-3 * exact.impulse_total) << k;
+    EXPECT_NEAR(found.friction_work, exact.friction_work, 5e-3 * std::abs(exact.friction_work))
+        << k;
+    EXPECT_NEAR(found.contact_time, exact.contact_time, 0.03 * exact.contact_time) << k;
+  }
+  EXPECT_NEAR(t.statistics.impulse_total,
+              t.statistics.contacts[0].impulse_total + t.statistics.contacts[1].impulse_total,
+              1e-12);
+  // At the end both ends rest and slide, and carry the weight between them.
+  for (const char* column : {"normal_force", "contact2_normal_force"}) {
+    const double exact = native.column(column).back();
+    EXPECT_NEAR(t.column(column).back(), exact, 0.02 * exact) << column;
+  }
+  EXPECT_EQ(t.column("contact2_mode").back(), static_cast<double>(Mode::kSlide));
+}
+
+INSTANTIATE_TEST_SUITE_P(, SeveralInMujoco,
+                         testing::Values(scene::ContactModel::kRigid, scene::ContactModel::kCoulomb,
+                                         scene::ContactModel::kConeCoulomb),
+                         [](const auto& of) {
+                           std::string name = scene::to_string(of.param);
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(SeveralContactsInMujoco, RigidRecordsTheImpactsOfEach) {
+  const Trajectory t = in_mujoco(scene::ContactModel::kRigid, 1e-5);
+  EXPECT_FALSE(t.impacts.empty());
+  for (const Impact& impact : t.impacts) {
+    EXPECT_GE(impact.normal_impulse, 0.0);
+    EXPECT_TRUE(impact.contact == 0 || impact.contact == 1);
+  }
+}
+
+// Swapped in the list they are the same machine; the first one's plane is z = 0.
+TEST(SeveralContactsInMujoco, HaveNoOrder) {
+  scene::Scene scene = two_catchers();
+  const Trajectory t = run_mujoco(scene, {});
+  std::string text = scene.text;
+  const std::size_t first = text.find("[[contact]]"), second = text.find("[[contact]]", first + 1);
+  const std::size_t end = text.find("[mujoco]");
+  ASSERT_NE(end, std::string::npos);
+  const std::string swapped = text.substr(0, first) + text.substr(second, end - second) +
+                              text.substr(first, second - first) + text.substr(end);
+  const Trajectory other = run_mujoco(scene::parse_scene(swapped, "swapped.toml"), {});
+  ASSERT_EQ(other.status, Status::kOk) << other.message;
+  EXPECT_NEAR(t.statistics.contacts[0].impulse_total, other.statistics.contacts[1].impulse_total,
+              1e-3 * t.statistics.contacts[0].impulse_total);
+  EXPECT_NEAR(t.column("contact2_gap").back(), other.column("gap").back(), 1e-9);
+}
+
+TEST(SeveralContactsInMujoco, NeedSegmentsAndPassiveRings) {
+  const auto refusal = [](const std::vector<std::string>& overrides) {
+    try {
+      mjcf(two_catchers(overrides));
+    } catch (const scene::SceneError& error) {
+      return error.diagnostics().front().key + ": " + error.diagnostics().front().reason;
+    }
+    return std::string("taken");
+  };
+  EXPECT_EQ(refusal({}), "taken");
+  EXPECT_NE(refusal({"mujoco.rotor=modal"})
+                .find("mujoco.rotor: MuJoCo's modal chain carries one contact"),
+            std::string::npos);
+  EXPECT_NE(refusal({"mujoco.shadow=true"}).find("mujoco.shadow"), std::string::npos);
+  EXPECT_NE(refusal({"contact[1].controller.kind=pd", "contact[1].controller.stiffness=1e4",
+                     "contact[1].controller.damping=10"})
+                .find("contact[1].controller"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace rotorub
