@@ -82,7 +82,9 @@ int run(const Action& action) {
   } catch (const std::filesystem::filesystem_error& error) {
     return failed(kBadInput, error.path1().string() + ": " + error.code().message());
   } catch (const std::bad_alloc&) {
-    return failed(kFailed, "there is not enough memory for this: a shorter run, fewer rows or a smaller picture needs less");
+    return failed(kFailed,
+                  "there is not enough memory for this: a shorter run, fewer rows or a smaller "
+                  "picture needs less");
   } catch (const Interrupted& error) {
     return failed(kStopped, error.what());
   } catch (const std::exception& error) {
@@ -99,10 +101,10 @@ int rotorub_main(int argc, char** argv) {
   program.set_version_flag("--version", version_line());
   program.require_subcommand(1);
   const std::vector<Command> commands{
-      add_init_command(program),  add_run_command(program),    add_compare_command(program),
-      add_modes_command(program), add_mjcf_command(program),   add_render_command(program),
-      add_bench_command(program), add_sweep_command(program),  add_check_command(program),
-      add_tune_command(program),  add_plot_command(program),   add_schema_command(program),
+      add_init_command(program),  add_run_command(program),   add_compare_command(program),
+      add_modes_command(program), add_mjcf_command(program),  add_render_command(program),
+      add_bench_command(program), add_sweep_command(program), add_check_command(program),
+      add_tune_command(program),  add_plot_command(program),  add_schema_command(program),
       add_manual_command(program)};
   program.footer("rotorub help COMMAND tells the options of a command.");
   std::vector<std::string> names;
@@ -118,7 +120,8 @@ int rotorub_main(int argc, char** argv) {
     return parser_exit(program, error);
   }
   catch_interrupts();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` then fails to be written, which is reported
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a file beyond `ulimit -f` then fails to be written, which is reported
   for (const Command& command : commands) {
     if (command.app->parsed()) return run(command.action);
   }

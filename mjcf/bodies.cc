@@ -16,8 +16,9 @@ namespace names = mjcf_names;
 // has comes from the joints' armature; this much is added to it.
 constexpr const char* kMassless =
     R"(<inertial pos="0 0 0" mass="1e-12" diaginertia="1e-12 1e-12 1e-12"/>)";
-// From 3.0 on mj_setConst takes the inverse weight of a body that has slides alone from its mass, without
-// armature, unless its centre of mass is off its frame: a soft contact would be softer by 1e12.
+// From 3.0 on mj_setConst takes the inverse weight of a body that has slides alone from its mass,
+// without armature, unless its centre of mass is off its frame: a soft contact would be softer by
+// 1e12.
 constexpr const char* kMasslessAside =
     R"(<inertial pos="0 0 1e-6" mass="1e-12" diaginertia="1e-12 1e-12 1e-12"/>)";
 
@@ -171,7 +172,8 @@ class Bodies {
     close_moving_body();
   }
 
-  // Two joints without a shape: what a magnetic bearing's integrator holds is in MuJoCo's state, qvel.
+  // Two joints without a shape: what a magnetic bearing's integrator holds is in MuJoCo's state,
+  // qvel.
   void integrator() {
     if (model_.layout.integrals == 0) return;
     const int at = model_.layout.integral();

@@ -17,8 +17,8 @@ void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model,
 void write_beside_the_rotor(XmlWriter& xml, const scene::Scene& scene, const Model& model,
                             const MujocoVersion& target);
 
-// Index in q of each of MuJoCo's coordinates: chain, branch, ring, integrator. The layout's own order where
-// there is no branch.
+// Index in q of each of MuJoCo's coordinates: chain, branch, ring, integrator. The layout's own
+// order where there is no branch.
 std::vector<int> joint_order(const Model& model);
 // Of them those of the rings and the integrator.
 std::vector<int> order_beside_the_rotor(const Model& model);

@@ -17,7 +17,7 @@ struct ContactPair {
 };
 
 // clearance: m, > 0; friction: mu >= 0. Nobody but `cone` has friction in MuJoCo's contact.
-ContactPair contact_pair(scene::ContactModel model, double clearance, double friction, const SoftContact& soft,
-                         const MujocoVersion& target);
+ContactPair contact_pair(scene::ContactModel model, double clearance, double friction,
+                         const SoftContact& soft, const MujocoVersion& target);
 
 }  // namespace rotorub

@@ -1,5 +1,6 @@
-// The library fmt, compiled once into rotorub_mjcf, so that who links that needs no fmt: its headers alone
-// (fmt::fmt-header-only) would compile all of it into each unit. As fmt's own src/format.cc.
+// The library fmt, compiled once into rotorub_mjcf, so that who links that needs no fmt: its
+// headers alone (fmt::fmt-header-only) would compile all of it into each unit. As fmt's own
+// src/format.cc.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

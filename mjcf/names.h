@@ -22,7 +22,8 @@ inline constexpr const char* kOwnRadius = "rotorub_radius";
 inline constexpr const char* kOwnFriction = "rotorub_friction";
 inline constexpr const char* kOwnRestitution = "rotorub_restitution";
 inline constexpr const char* kOwnTangential = "rotorub_tangential_restitution";
-inline constexpr const char* kOwnFrictionReference = "rotorub_friction_reference";  // of generated files too
+inline constexpr const char* kOwnFrictionReference =
+    "rotorub_friction_reference";  // of generated files too
 inline constexpr const char* kOwnWidth = "rotorub_width";
 inline constexpr const char* kOwnUserData = "rotorub_userdata";  // of the whole model
 
@@ -60,7 +61,8 @@ inline constexpr const char* kEndY = "end_y";
 inline constexpr const char* kRingX = "ring_x";
 inline constexpr const char* kRingY = "ring_y";
 inline constexpr const char* kRingSpin = "ring_spin";
-// Their velocities are the currents that a magnetic bearing's integrator holds, A; nothing is seen to move.
+// Their velocities are the currents that a magnetic bearing's integrator holds, A; nothing is seen
+// to move.
 inline constexpr const char* kBearingIntegrator = "bearing_integrator";  // body
 inline constexpr const char* kBearingIntegral[2] = {"bearing_integral_x", "bearing_integral_y"};
 
@@ -88,8 +90,8 @@ inline constexpr const char* kFrictionForce = "friction_force";  // N, on the ro
 inline constexpr const char* kGapScaled = "gap_scaled";
 inline constexpr const char* kNormalForceScaled = "normal_force_scaled";
 inline constexpr const char* kFrictionForceScaled = "friction_force_scaled";
-inline constexpr const char* kCurrent = "current";               // A, of the magnets' two axes
-inline constexpr const char* kControlForce = "control_force";    // N, x and y, on the ring
+inline constexpr const char* kCurrent = "current";             // A, of the magnets' two axes
+inline constexpr const char* kControlForce = "control_force";  // N, x and y, on the ring
 // With [mujoco] shadow: MuJoCo's rotor, and what the native model beside it has
 inline constexpr const char* kRotorPosition = "rotor";                        // m, x and y
 inline constexpr const char* kShadowRotor = "shadow_rotor";                   // m, x and y
@@ -105,13 +107,14 @@ inline constexpr int kPairEntries = 13;  // of each contact beyond the first, be
 inline int user_data_size(int nq, bool controlled, std::size_t loop) {
   return kUserDataSingle + (controlled ? 2 * nq : 0) + static_cast<int>(loop);
 }
-// Behind them, with a contact on the modal chain: the step `verlet` of `rigid` (plugin/contact/verlet.h),
-// velocities and two slots of `slot` each.
+// Behind them, with a contact on the modal chain: the step `verlet` of `rigid`
+// (plugin/contact/verlet.h), velocities and two slots of `slot` each.
 inline constexpr int kVerletSingle = 3;
 inline int verlet_data_size(int nq, std::size_t slot) {
   return kVerletSingle + nq + 2 * static_cast<int>(slot);
 }
-// Behind them, with [mujoco] shadow: the shadow's, `hold` of them its controller's, `memory` its stepper's.
+// Behind them, with [mujoco] shadow: the shadow's, `hold` of them its controller's, `memory` its
+// stepper's.
 inline constexpr int kShadowSingle = 9;
 inline int shadow_data_size(std::size_t hold, std::size_t memory) {
   return kShadowSingle + static_cast<int>(hold + memory);

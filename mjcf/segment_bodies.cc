@@ -26,8 +26,9 @@ std::string inertial(double x, double y, double z, double mass, double Jt, doubl
                      std::max(Jp, kLeast), more);
 }
 
-// A centre of mass less than 1e-6 m off the frame MuJoCo of today takes for the frame's origin, unless the
-// axes of the two differ: a quarter turn about z, which a disc of Jt, Jt, Jp does not feel.
+// A centre of mass less than 1e-6 m off the frame MuJoCo of today takes for the frame's origin,
+// unless the axes of the two differ: a quarter turn about z, which a disc of Jt, Jt, Jp does not
+// feel.
 const char* kept_apart(double eccentricity) {
   return eccentricity > 0.0 && eccentricity < 2e-6 ? R"( quat="1 0 0 1")" : "";
 }
@@ -123,7 +124,8 @@ void SegmentRotor::write_spinning(XmlWriter& xml, std::size_t k) const {
                          named(names::kRotor), r, half, kDrawn));
     xml.line(fmt::format(R"(<geom name="{}" type="box" pos="{} 0 {}" size="{} {} {}" {} )"
                          R"(rgba="0.85 0.3 0.1 1"/>)",
-                         named("rotor_mark"), 0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half, kDrawn));
+                         named("rotor_mark"), 0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half,
+                         kDrawn));
     xml.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
                          R"(conaffinity="0" group="4"/>)",
                          named(names::kRotorContact), 0.1 * r));

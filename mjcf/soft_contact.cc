@@ -13,7 +13,9 @@ namespace {
 // m/s, the size of the speeds at which the scene's rotor meets its ring.
 double impact_speed(const scene::Scene& scene) {
   const double clearance = scene.first().contact->clearance;
-  const auto first = [](const std::vector<double>& values) { return values.empty() ? 0.0 : values.front(); };
+  const auto first = [](const std::vector<double>& values) {
+    return values.empty() ? 0.0 : values.front();
+  };
   const Eigen::Vector2d start(first(scene.initial.vx), first(scene.initial.vy));
   const double gravity = scene.gravity ? scene.gravity->acceleration.norm() : 0.0;
   const std::optional<scene::Stator>& ring = scene.first().stator;

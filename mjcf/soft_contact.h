@@ -30,12 +30,16 @@ inline constexpr double kMaxDampingRatio = 5.0;
 // halves that scatter and doubles how long and how deep a bounce is.
 inline constexpr double kContactStepFraction = 0.2;
 
-// `step`: s, > 0. `stiffness`: 1/s^2; 0: as stiff as the step allows. `damping`: 1/s; 0: that of the restitution.
-SoftContact soft_contact(double restitution, double step, double stiffness = 0.0, double damping = 0.0);
+// `step`: s, > 0. `stiffness`: 1/s^2; 0: as stiff as the step allows. `damping`: 1/s; 0: that of
+// the restitution.
+SoftContact soft_contact(double restitution, double step, double stiffness = 0.0,
+                         double damping = 0.0);
 
-// Of a scene's contact with this contact model. What a scene does not say is chosen: for `coulomb` as stiff as the step
-// allows; a cone's is a contact with a limit as the step goes to 0, and no stiffer than
-//   K = (v / (kConeDepth c))^2,  v = max(r_c Omega, sqrt(2 g c), speed at the start),  r_c = c the clearance,
+// Of a scene's contact with this contact model. What a scene does not say is chosen: for `coulomb`
+// as stiff as the step allows; a cone's is a contact with a limit as the step goes to 0, and no
+// stiffer than
+//   K = (v / (kConeDepth c))^2,  v = max(r_c Omega, sqrt(2 g c), speed at the start),  r_c = c the
+//   clearance,
 // with which an impact at v goes kConeDepth of the clearance deep.
 SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step);
 inline constexpr double kConeDepth = 0.005;

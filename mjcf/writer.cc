@@ -13,10 +13,10 @@
 #include "mjcf/segment_bodies.h"
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
+#include "native_model/rotor/refusal.h"
 #include "native_model/scene/contact_models.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
-#include "native_model/rotor/refusal.h"
 #include "native_model/system/model_checks.h"
 
 namespace rotorub {
@@ -71,7 +71,9 @@ class Document {
   }
 
  private:
-  bool actuated() const { return scene_.first().stator && (scene_.first().actuator || scene_.first().controller); }
+  bool actuated() const {
+    return scene_.first().stator && (scene_.first().actuator || scene_.first().controller);
+  }
 
   void options() {
     const bool implicit = scene_.mujoco.integrator == scene::MujocoIntegrator::kImplicit;
@@ -82,7 +84,8 @@ class Document {
     // the pair: looking for others would take a third of the step. (From 3.0 on that no geom has a
     // contype says it.)
     const bool has_option = target_ < MujocoVersion{3, 0, 0};
-    // `cone-coulomb` starts the solver from the solution; round-off of its references, B times the slip, is above 1e-12.
+    // `cone-coulomb` starts the solver from the solution; round-off of its references, B times the
+    // slip, is above 1e-12.
     const bool corrected = scene_.mujoco.contact == scene::ContactModel::kConeCoulomb;
     xml_.line(
         fmt::format(R"(<option timestep="{}" gravity="{} {} 0" integrator="{}" cone="elliptic" )"
@@ -93,7 +96,8 @@ class Document {
     const std::size_t loop = model_.first().loop ? model_.first().loop->memory_size() : 0;
     int user_data = names::user_data_size(model_.nq(), model_.first().controller != nullptr, loop);
     if (scene_.first().contact && !segments_) {
-      const std::size_t slot = VerletStepper::memory_size(model_) + ZeroOrderHold::memory_size(model_) + 1;
+      const std::size_t slot =
+          VerletStepper::memory_size(model_) + ZeroOrderHold::memory_size(model_) + 1;
       user_data += names::verlet_data_size(model_.nq(), slot);
     }
     if (scene_.mujoco.shadow) {
@@ -104,8 +108,10 @@ class Document {
     const std::size_t further = scene_.auxiliary.size() - 1;
     user_data += names::kPairEntries * static_cast<int>(further);
     // From 3.0 on there is room for what is needed.
-    const std::string room = fmt::format(R"(njmax="{}" nconmax="{}" )", 32 + 16 * further, 8 + 4 * further);
-    xml_.line(fmt::format(R"(<size {}nuserdata="{}"/>)", has_option ? room : std::string(), user_data));
+    const std::string room =
+        fmt::format(R"(njmax="{}" nconmax="{}" )", 32 + 16 * further, 8 + 4 * further);
+    xml_.line(
+        fmt::format(R"(<size {}nuserdata="{}"/>)", has_option ? room : std::string(), user_data));
   }
 
   void visual() {
@@ -132,10 +138,12 @@ class Document {
   // MuJoCo divides it by the impedance.
   std::string friction_reference(const ContactPair& pair) const {
     if (!has_friction_reference() || target_ < MujocoVersion{2, 3, 7}) return {};
-    return fmt::format(R"(solreffriction="0 {}" )", -scene_.mujoco.friction_reference * pair.soft.impedance);
+    return fmt::format(R"(solreffriction="0 {}" )",
+                       -scene_.mujoco.friction_reference * pair.soft.impedance);
   }
   bool has_friction_reference() const {
-    return scene_.mujoco.friction_reference > 0.0 && scene_.mujoco.contact == scene::ContactModel::kCone;
+    return scene_.mujoco.friction_reference > 0.0 &&
+           scene_.mujoco.contact == scene::ContactModel::kCone;
   }
 
   void contacts() {
@@ -145,16 +153,17 @@ class Document {
   }
   void contact(std::size_t k) {
     const scene::Contact& c = *scene_.auxiliary[k].contact;
-    const SoftContact soft =
-        soft_contact(k == 0 ? scene_ : with_bearing_alone(scene_, k), scene_.mujoco.contact, scene_.run.step);
-    const ContactPair pair = contact_pair(scene_.mujoco.contact, c.clearance, c.friction, soft, target_);
-    xml_.line(
-        fmt::format(R"(<pair name="{}" geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0" )"
-                    R"(solref="{} {}" {}solimp="{} {} 0.001" margin="{}" gap="{}"/>)",
-                    names::of_bearing(k, "rub"), names::of_bearing(k, names::kRotorContact),
-                    names::of_bearing(k, names::kRingContact), pair.condim, pair.friction, pair.friction,
-                    -pair.soft.stiffness, -pair.soft.damping, friction_reference(pair), pair.soft.impedance,
-                    pair.soft.impedance, pair.margin, pair.gap));
+    const SoftContact soft = soft_contact(k == 0 ? scene_ : with_bearing_alone(scene_, k),
+                                          scene_.mujoco.contact, scene_.run.step);
+    const ContactPair pair =
+        contact_pair(scene_.mujoco.contact, c.clearance, c.friction, soft, target_);
+    xml_.line(fmt::format(
+        R"(<pair name="{}" geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0" )"
+        R"(solref="{} {}" {}solimp="{} {} 0.001" margin="{}" gap="{}"/>)",
+        names::of_bearing(k, "rub"), names::of_bearing(k, names::kRotorContact),
+        names::of_bearing(k, names::kRingContact), pair.condim, pair.friction, pair.friction,
+        -pair.soft.stiffness, -pair.soft.damping, friction_reference(pair), pair.soft.impedance,
+        pair.soft.impedance, pair.margin, pair.gap));
   }
 
   void tendons() {
@@ -177,7 +186,8 @@ class Document {
   // ctrl: the force on the ring, N, or the current asked for, A, whose force the plugin's gain and
   // bias give.
   void actuators() {
-    const double limit = model_.first().magnets ? model_.first().magnets->current_limit : model_.first().force_limit;
+    const double limit =
+        model_.first().magnets ? model_.first().magnets->current_limit : model_.first().force_limit;
     const std::string range =
         limit < 1e300 ? fmt::format(R"(ctrllimited="true" ctrlrange="{} {}")", -limit, limit)
                       : std::string(R"(ctrllimited="false")");
@@ -202,7 +212,8 @@ class Document {
   void sensors() {
     xml_.open("<sensor>");
     // `rigid` knows the forces before MuJoCo's last stage (plugin/sensors.h).
-    const bool is_rigid = scene_.first().contact && scene_.mujoco.contact == scene::ContactModel::kRigid;
+    const bool is_rigid =
+        scene_.first().contact && scene_.mujoco.contact == scene::ContactModel::kRigid;
     const char* force_stage = is_rigid ? "pos" : "acc";
     sensor(names::kActive, "pos");
     for (std::size_t k = 0; scene_.first().contact && k < scene_.auxiliary.size(); ++k) {

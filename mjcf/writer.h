@@ -18,9 +18,9 @@
 
 namespace rotorub {
 
-// The whole document, for that MuJoCo (its dialect: an option that 3.0 took away, and what margin and gap
-// have meant since 3.9). Throws std::invalid_argument for what is not offered (RK4; segments of a rotor
-// without geometry), naming key and accepted values.
+// The whole document, for that MuJoCo (its dialect: an option that 3.0 took away, and what margin
+// and gap have meant since 3.9). Throws std::invalid_argument for what is not offered (RK4;
+// segments of a rotor without geometry), naming key and accepted values.
 std::string mjcf(const scene::Scene& scene, const MujocoVersion& target = built_for());
 
 }  // namespace rotorub

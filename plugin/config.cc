@@ -5,19 +5,19 @@
 #include <string_view>
 
 #include "mjcf/names.h"
-#include "native_model/stepping/stepper.h"
-#include "native_model/stepping/zero_order_hold.h"
 #include "native_model/scene/contact_models.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
+#include "native_model/stepping/stepper.h"
+#include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/model_checks.h"
 #include "plugin/chain_constraints.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/fingerprint.h"
 #include "plugin/load_cells.h"
-#include "plugin/mujoco_versions.h"
 #include "plugin/message.h"
 #include "plugin/model_parameters.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/own/own_config.h"
 #include "plugin/own/own_names.h"
 #include "plugin/sensor_addresses.h"
@@ -247,7 +247,8 @@ Config make_config(const mjModel* m) {
     refuse(text_element(names::kSceneText), error.what());
   }
   const std::size_t loop = config.model.first().loop ? config.model.first().loop->memory_size() : 0;
-  int needed = names::user_data_size(config.model.nq(), config.model.first().controller != nullptr, loop);
+  int needed =
+      names::user_data_size(config.model.nq(), config.model.first().controller != nullptr, loop);
   config.loop_data = needed - static_cast<int>(loop);
   if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
     config.verlet_data = needed;
@@ -274,13 +275,15 @@ Config make_config(const mjModel* m) {
   }
   if (scene.first().contact) {
     config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
-    if (const mjtNum* given = own_number(m, names::kOwnFrictionReference)) config.friction_reference = *given;
+    if (const mjtNum* given = own_number(m, names::kOwnFrictionReference))
+      config.friction_reference = *given;
     map_contacts(m, config, further_data);
     if (!config.segments) choose_path(m, config);
     if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);
     try {
       if (config.contact == scene::ContactModel::kRigid) {
-        const bool lags = config.model.first().magnets && config.model.first().magnets->coil_lag > 0.0;
+        const bool lags =
+            config.model.first().magnets && config.model.first().magnets->coil_lag > 0.0;
         const bool native = config.takes_native_steps() && !config.shadow && !lags;
         refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
       }

@@ -37,25 +37,28 @@ struct ContactPair {
   scene::ContactModel law = scene::ContactModel::kRigid;
   ContactParameters contact{};
   int rotor_geom = -1, ring_geom = -1;
-  int pair = -1;                  // their <pair>
-  double reach = 1e300;           // m: apart along the axis, they do not meet
-  std::array<mjtNum, 8> given{};  // sizes of the two geoms, m, and the pair's frictions, as they were read
-  int data = 0;                   // in mjData.userdata (user_data.h)
+  int pair = -1;         // their <pair>
+  double reach = 1e300;  // m: apart along the axis, they do not meet
+  std::array<mjtNum, 8>
+      given{};   // sizes of the two geoms, m, and the pair's frictions, as they were read
+  int data = 0;  // in mjData.userdata (user_data.h)
   SensorAddresses sensors;
-  bool axial = false;      // with friction, and one moves along the other's axis (contact/axial_motion.h)
-  bool in_world = false;   // the contact plane is the world's x and y, not that of the ring's geom
-  bool on_chain = false;   // solved in the coordinates of the modal chain (contact/chain_space.h), not of bodies
-  double held_spin = 0.0;  // rad/s, of a rotor whose spin is no degree of freedom
+  bool axial =
+      false;  // with friction, and one moves along the other's axis (contact/axial_motion.h)
+  bool in_world = false;  // the contact plane is the world's x and y, not that of the ring's geom
+  bool on_chain =
+      false;  // solved in the coordinates of the modal chain (contact/chain_space.h), not of bodies
+  double held_spin = 0.0;           // rad/s, of a rotor whose spin is no degree of freedom
   double friction_reference = 0.0;  // 1/s, B_t of contact model cone; 0: MuJoCo's
 };
 
 // The native model that runs alongside (shadow.h). -1: no such sensor or ghost.
 struct ShadowConfig {
-  // With a controller of its own the whole scene; without one the actuator is ideal, as the force on
-  // the ring is MuJoCo's.
+  // With a controller of its own the whole scene; without one the actuator is ideal, as the force
+  // on the ring is MuJoCo's.
   Model model;
   double mark = 0.0;  // of the model's numbers, > 0: another after an edit of mjModel
-  int data = -1;  // in mjData.userdata
+  int data = -1;      // in mjData.userdata
   int gap = -1, normal_force = -1, friction_force = -1;  // in mjData.sensordata
   int rotor = -1, stator = -1;                           // x and y
   int mujoco_rotor = -1;                                 // MuJoCo's own, x and y
@@ -82,26 +85,28 @@ struct Config {
 
   std::optional<Segments> segments;  // the segment rotor
 
-  // A user's own model with our contacts (own/own_config.h): filled are `pairs`, `memory`, and with the
-  // first pair `contact`, model.first().contact and geoms.
+  // A user's own model with our contacts (own/own_config.h): filled are `pairs`, `memory`, and with
+  // the first pair `contact`, model.first().contact and geoms.
   bool own = false;
   std::vector<ContactPair> pairs;
-  // Further <pair>s of a user's own model, of any geoms, that are corrected for sliding (contact/cone_correction.h).
+  // Further <pair>s of a user's own model, of any geoms, that are corrected for sliding
+  // (contact/cone_correction.h).
   std::vector<int> corrected_pairs;
   int memory = 0, memory_size = 0;  // in mjData.userdata, of all that the plugin remembers
 
-  // A modal chain whose rotor or ring the user's constraints hold as well (chain_constraints.h): its contact is
-  // solved in the coordinates of bodies.
+  // A modal chain whose rotor or ring the user's constraints hold as well (chain_constraints.h):
+  // its contact is solved in the coordinates of bodies.
   bool general = false;
   bool damping_added = false;  // chain_constraints.h
 
-  // MuJoCo's own sensors that feel the contact (load_cells.h), and whether mjcb_sensor is called after them.
+  // MuJoCo's own sensors that feel the contact (load_cells.h), and whether mjcb_sensor is called
+  // after them.
   bool cells = false, cells_in_callback = false;
 
-  // In mjData.userdata: what Model::loop remembers, after the pass done last (with native steps in the
-  // slot that the step to come begins with).
+  // In mjData.userdata: what Model::loop remembers, after the pass done last (with native steps in
+  // the slot that the step to come begins with).
   int loop_data = 0;
-  int verlet_data = -1;                 // in mjData.userdata, of `rigid` on the modal chain; -1: none
+  int verlet_data = -1;  // in mjData.userdata, of `rigid` on the modal chain; -1: none
   int rotor_geom = -1, ring_geom = -1;  // of the contact pair; -1 without [contact]
   int pair = -1;                        // their <pair>
   std::vector<FurtherContact> further;  // contacts of a generated model, from the second on
@@ -119,14 +124,14 @@ struct Config {
     return verlet_data >= 0 && contact == scene::ContactModel::kRigid;
   }
 
-  // Where mjModel has the scene's numbers (model_parameters.h), and what the scene says where it draws
-  // them: geoms "rotor" and "ring", -1 where they are taken out.
+  // Where mjModel has the scene's numbers (model_parameters.h), and what the scene says where it
+  // draws them: geoms "rotor" and "ring", -1 where they are taken out.
   int rotor_shape = -1, ring_shape = -1;
   std::optional<ContactParameters> scene_contact;
-  double scene_current_limit = 0.0;    // A, of magnets
-  double friction_reference = 0.0;     // 1/s, B_t of contact model cone; 0: MuJoCo's
-  Eigen::Vector2d gravity{0.0, 0.0};   // m/s^2
-  std::vector<int> rotor_bodies;       // of the modal chain, that carry no mass
+  double scene_current_limit = 0.0;   // A, of magnets
+  double friction_reference = 0.0;    // 1/s, B_t of contact model cone; 0: MuJoCo's
+  Eigen::Vector2d gravity{0.0, 0.0};  // m/s^2
+  std::vector<int> rotor_bodies;      // of the modal chain, that carry no mass
 
   // What the above was made from, to recognise the model.
   std::string fingerprint;

@@ -53,7 +53,8 @@ class Registry {
     if (ConfigPointer known = among(m, hash.numbers)) return known;
     const auto at = latest_.find(hash.kind);
     if (at != latest_.end()) *near = at->second.lock();
-    if (*near && !(has_fingerprint(m, (*near)->fingerprint) && same_motion(**near, m))) near->reset();
+    if (*near && !(has_fingerprint(m, (*near)->fingerprint) && same_motion(**near, m)))
+      near->reset();
     return nullptr;
   }
   ConfigPointer among(const mjModel* m, std::uint64_t numbers) const {
@@ -127,7 +128,8 @@ thread_local char raised_text[1000];
 const Config* look_up(const mjModel* m) {
   try {
     const Known* known = recent.find(m);
-    if (known && known->config && fits(*known->config, m) && same_motion(*known->config, m)) return known->config.get();
+    if (known && known->config && fits(*known->config, m) && same_motion(*known->config, m))
+      return known->config.get();
     return recent.add(m, {registry().find_or_make(m), {}}).config.get();
   } catch (const std::exception& error) {
     std::snprintf(raised_text, sizeof raised_text, "%s", error.what());

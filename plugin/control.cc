@@ -4,8 +4,8 @@
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/control/sampling.h"
-#include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/actuation.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/magnets.h"
 #include "plugin/mujoco_versions.h"
@@ -44,8 +44,9 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
   // Before it is on: 0, the value of mj_resetData.
   Eigen::Vector2d u{d->userdata[kHeldX], d->userdata[kHeldY]};
   if (d->time >= model.first().control_on) {
-    const double sample =
-        model.first().sample_time > 0.0 ? 1.0 + sample_index(d->time, model.first().sample_time) : 0.0;
+    const double sample = model.first().sample_time > 0.0
+                              ? 1.0 + sample_index(d->time, model.first().sample_time)
+                              : 0.0;
     if (sample == 0.0 || sample != d->userdata[kSample]) {
       u = command_of(config, m, d, state.q(), v);
       d->userdata[kHeldX] = u.x();

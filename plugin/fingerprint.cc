@@ -15,14 +15,15 @@ namespace {
 // Calls action(bytes, count) for each part until it says false.
 template <typename Action>
 bool for_each_part(const mjModel* m, Action action) {
-  const int sizes[] = {
-      count(m->nq), count(m->nv), count(m->nu), count(m->njnt), count(m->ngeom),
-      count(m->nsensor), count(m->ntextdata), count(m->nnames), count(m->nnumericdata),
-      count(m->nuserdata), count(m->npair), count(m->nmocap), count(m->nbody), count(m->na),
-      count(m->ntext), count(m->nnumeric), count(m->neq), count(m->ntendon)};
+  const int sizes[] = {count(m->nq),        count(m->nv),     count(m->nu),
+                       count(m->njnt),      count(m->ngeom),  count(m->nsensor),
+                       count(m->ntextdata), count(m->nnames), count(m->nnumericdata),
+                       count(m->nuserdata), count(m->npair),  count(m->nmocap),
+                       count(m->nbody),     count(m->na),     count(m->ntext),
+                       count(m->nnumeric),  count(m->neq),    count(m->ntendon)};
   const auto part = [&action](const auto* data, auto n) {
-    return n == 0 || action(reinterpret_cast<const char*>(data),
-                            sizeof *data * static_cast<std::size_t>(n));
+    return n == 0 ||
+           action(reinterpret_cast<const char*>(data), sizeof *data * static_cast<std::size_t>(n));
   };
   // clang-format off
   return part(sizes, static_cast<int>(std::size(sizes))) &&

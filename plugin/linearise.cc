@@ -23,8 +23,8 @@ MatrixXd matrix(const std::vector<double>& values, int rows, int columns) {
   return Eigen::Map<const RowMajor>(values.data(), rows, columns);
 }
 
-// Spectral projection onto the eigenvalues of `a` below `radius`: (1 - sign of its Cayley transform) / 2,
-// the sign by Newton's iteration.
+// Spectral projection onto the eigenvalues of `a` below `radius`: (1 - sign of its Cayley
+// transform) / 2, the sign by Newton's iteration.
 MatrixXd projection_within(const MatrixXd& a, double radius) {
   const MatrixXd one = MatrixXd::Identity(a.rows(), a.cols());
   MatrixXd x = (a + radius * one).partialPivLu().solve(a - radius * one);
@@ -70,8 +70,8 @@ LinearSystem linearise(const mjModel* m, const mjData* d, double eps) {
   if (!log) refuse_linear("the logarithm of the step is not found");
   const double h = m->opt.timestep;
   out.A = *log / h;
-  // B_k = h phi(A h) B, phi(x) = (e^x - 1) / x = sum x^j / (j + 1)!: a few terms, |A h| being small, or
-  // as many as it takes.
+  // B_k = h phi(A h) B, phi(x) = (e^x - 1) / x = sum x^j / (j + 1)!: a few terms, |A h| being
+  // small, or as many as it takes.
   const MatrixXd x = out.A * h;
   MatrixXd phi = one, term = one;
   for (int j = 1; j < 60 && term.norm() > 1e-17 * phi.norm(); ++j) {

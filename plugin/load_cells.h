@@ -1,10 +1,12 @@
-// MuJoCo's own sensors of force beside a contact whose force is the plugin's: all of `rigid`, the friction of
-// `coulomb`. For MuJoCo they are forces on joints (qfrc_passive). What bodies hand on to each other,
+// MuJoCo's own sensors of force beside a contact whose force is the plugin's: all of `rigid`, the
+// friction of `coulomb`. For MuJoCo they are forces on joints (qfrc_passive). What bodies hand on
+// to each other,
 //   cfrc_int = sum over the subtree of (I a + v x I v) - cfrc_ext,
-// has them only once they are external forces of rotor and ring, and so have the sensors that are made of it:
-// force and torque of every site on a body that carries one of the two, in the site's frame. A touch sensor on
-// either gets the normal force of `rigid`. They are corrected at the end of MuJoCo's acceleration stage, in
-// mjcb_sensor, or where no user sensor has that called, by the preloaded library (register.cc).
+// has them only once they are external forces of rotor and ring, and so have the sensors that are
+// made of it: force and torque of every site on a body that carries one of the two, in the site's
+// frame. A touch sensor on either gets the normal force of `rigid`. They are corrected at the end
+// of MuJoCo's acceleration stage, in mjcb_sensor, or where no user sensor has that called, by the
+// preloaded library (register.cc).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -15,20 +17,21 @@
 
 namespace rotorub::plugin {
 
-// Sets config.cells. Throws ConfigError for a sensor that would read wrong: MuJoCo's contact sensors, those with
-// a history, and all where neither of the two above is.
+// Sets config.cells. Throws ConfigError for a sensor that would read wrong: MuJoCo's contact
+// sensors, those with a history, and all where neither of the two above is.
 void map_load_cells(const mjModel* m, Config& config);
 
 // After MuJoCo's own sensors of the pass in which the contact was solved.
 void fill_load_cells(const Config& config, const mjModel* m, mjData* d);
 
-// As mj_contactForce (`plain`), with the plugin's forces: along the contact's frame, on geom 2, N. The preloaded
-// library answers mj_contactForce so.
+// As mj_contactForce (`plain`), with the plugin's forces: along the contact's frame, on geom 2, N.
+// The preloaded library answers mj_contactForce so.
 void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
                    void (*plain)(const mjModel*, const mjData*, int, mjtNum*) = mj_contactForce);
 
-// Of the contact whose memory is at `data`, in its axes: the normal of its force in this pass, which of a blow is not
-// that of the state, and the friction on the rotor along the ring's axis, N. Of `rigid`, and where that is.
+// Of the contact whose memory is at `data`, in its axes: the normal of its force in this pass,
+// which of a blow is not that of the state, and the friction on the rotor along the ring's axis, N.
+// Of `rigid`, and where that is.
 void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial = 0.0);
 
 // The preloaded library stands behind mj_sensorAcc.

@@ -23,7 +23,7 @@ double asked_current(const mjModel* m, const mjData* d, int actuator);
 double coil_current(const mjModel* m, const mjData* d, int actuator);
 
 double magnet_gain(const Config& config, const mjModel* m, const mjData* d, int actuator);  // N/A
-double magnet_bias(const Config& config, const mjModel* m, const mjData* d, int actuator);                    // N
+double magnet_bias(const Config& config, const mjModel* m, const mjData* d, int actuator);  // N
 // d(activation)/dt of a lagging coil, A/s.
 double coil_rate(const Config& config, const mjModel* m, const mjData* d, int actuator);
 

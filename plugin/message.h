@@ -46,6 +46,8 @@ inline std::string body_element(const mjModel* m, int body) {
 inline std::string joint_element(const mjModel* m, int joint) {
   return message("<joint name=\"{}\">", m->names + m->name_jntadr[joint]);
 }
-inline std::string joint_of_dof(const mjModel* m, int dof) { return joint_element(m, m->dof_jntid[dof]); }
+inline std::string joint_of_dof(const mjModel* m, int dof) {
+  return joint_element(m, m->dof_jntid[dof]);
+}
 
 }  // namespace rotorub::plugin

@@ -38,9 +38,9 @@ double turning_inertia(const mjModel* m, int body) {
   return sum;
 }
 
-// What MuJoCo has on the diagonal of its mass matrix: of a dof that it calls simple what mj_setConst
-// found last, not the armature of now. A mass on the ring moves with its slides alike, and its inertia
-// with its hinge: they are the ring's.
+// What MuJoCo has on the diagonal of its mass matrix: of a dof that it calls simple what
+// mj_setConst found last, not the armature of now. A mass on the ring moves with its slides alike,
+// and its inertia with its hinge: they are the ring's.
 double mass_of(const Config& config, const mjModel* m, int i, int dof) {
   const double armature = m->dof_armature[dof];
   double mass = armature;
@@ -75,7 +75,7 @@ double limit_in(const Model& model) {
 }
 double scene_limit(const Config& config) {
   return config.model.first().magnets ? config.scene_current_limit
-                              : std::numeric_limits<double>::infinity();
+                                      : std::numeric_limits<double>::infinity();
 }
 
 struct Circle {
@@ -126,9 +126,9 @@ void check_masses(const mjModel* m, const Config& config) {
     if (m->body_mass[body] <= kMassless && m->body_subtreemass[body] <= kMassless) continue;
     refuse(body_element(m, body),
            message("carries {} kg, generated with 1e-12: it would couple the modes, whose "
-                       "masses are their joints' armature; accepted: masses in the scene "
-                       "([[rotor.disc]]), and the MJCF written anew",
-                       std::max(m->body_mass[body], m->body_subtreemass[body])));
+                   "masses are their joints' armature; accepted: masses in the scene "
+                   "([[rotor.disc]]), and the MJCF written anew",
+                   std::max(m->body_mass[body], m->body_subtreemass[body])));
   }
 }
 
@@ -138,9 +138,11 @@ void check_ring_mass(const mjModel* m, const Config& config, const AuxiliaryBear
   const int body = m->dof_bodyid[config.dof_address[static_cast<std::size_t>(at.ring_angle)]];
   const mjtNum* centre = m->body_ipos + 3 * body;
   if (m->body_mass[body] <= kMassless || (centre[0] == 0.0 && centre[1] == 0.0)) return;
-  refuse(body_element(m, body),
-         message("its centre of mass is at {} {}, off the axis about which it turns; accepted: x and y 0",
-                 centre[0], centre[1]));
+  refuse(
+      body_element(m, body),
+      message(
+          "its centre of mass is at {} {}, off the axis about which it turns; accepted: x and y 0",
+          centre[0], centre[1]));
 }
 
 void take_joints(const mjModel* m, Model& model, const Config& config) {
@@ -148,7 +150,8 @@ void take_joints(const mjModel* m, Model& model, const Config& config) {
     if (i >= model.nq()) return;
     const double mass = mass_of(config, m, i, dof);
     check_joint_numbers(m, m->dof_jntid[dof], mass, stiffness_of(m, dof), m->dof_damping[dof]);
-    if (i >= model.layout.ring() && i < model.layout.ring() + model.layout.stator) model.gravity_mass[i] = mass;
+    if (i >= model.layout.ring() && i < model.layout.ring() + model.layout.stator)
+      model.gravity_mass[i] = mass;
     model.mass[i] = mass;
     model.stiffness[i] = stiffness_of(m, dof);
     model.damping[i] = m->dof_damping[dof];
@@ -160,7 +163,7 @@ void take_contact(const mjModel* m, Model& model, const Config& config, std::siz
   if (!(circle.radius > 0.0) || !(circle.clearance > 0.0)) {
     refuse("<geom name=\"" + names::of_bearing(k, names::kRing) + "\">",
            message("size[0] = {} about a rotor of {} m; accepted: greater",
-                       circle.radius + circle.clearance, circle.radius));
+                   circle.radius + circle.clearance, circle.radius));
   }
   const double friction = friction_of(config, m, k);
   if (!(friction >= 0.0) || !std::isfinite(friction)) {
@@ -180,14 +183,14 @@ void take_limit(const mjModel* m, Model& model, const Config& config) {
   const double limit = limit_of(config, m, scene_limit(config));
   if (limit < std::numeric_limits<double>::infinity() &&
       (first[0] != -first[1] || first[0] != second[0] || first[1] != second[1] ||
-       m->actuator_ctrllimited[a] != m->actuator_ctrllimited[b] ||
-       !(limit > 0.0))) {
+       m->actuator_ctrllimited[a] != m->actuator_ctrllimited[b] || !(limit > 0.0))) {
     refuse(message("<actuator name=\"{}\">", names::kActuator[0]),
            message("ctrlrange {} {}, that of \"{}\" {} {}; accepted with the scene's "
-                       "controller: -c c, c > 0, the same for both",
-                       first[0], first[1], names::kActuator[1], second[0], second[1]));
+                   "controller: -c c, c > 0, the same for both",
+                   first[0], first[1], names::kActuator[1], second[0], second[1]));
   }
-  (model.first().magnets ? model.first().magnets->current_limit : model.first().force_limit) = limit;
+  (model.first().magnets ? model.first().magnets->current_limit : model.first().force_limit) =
+      limit;
 }
 
 void take(const mjModel* m, Model& model, const Config& config) {

@@ -2,9 +2,10 @@
 // XML or while it runs. What it has no place for (gyroscopics, loads, laws, mode shapes) is the
 // scene's; where its bodies and joints no longer carry those, they are refused.
 //
-//   armature, stiffness, damping of the joints      modal masses, stiffnesses, dampings; the ring's (an
-//                                                   armature edited in mjModel counts after mj_setConst,
-//                                                   as it does for MuJoCo)
+//   armature, stiffness, damping of the joints      modal masses, stiffnesses, dampings; the ring's
+//   (an
+//                                                   armature edited in mjModel counts after
+//                                                   mj_setConst, as it does for MuJoCo)
 //   <option gravity>, its disable flag              [gravity]
 //   friction[0] of the <pair>                       contact.friction
 //   size[0] of the geoms "rotor" and "ring"         contact.radius, and with it the clearance
@@ -22,12 +23,12 @@ namespace rotorub::plugin {
 // Whether config.model is m's. Some fifty comparisons: for every step.
 bool has_parameters(const Config& config, const mjModel* m);
 
-// Puts m's numbers into config.model (and the shadow's), where they are others. Throws ConfigError for those
-// that no rotor has, and for mass on the rotor's bodies.
+// Puts m's numbers into config.model (and the shadow's), where they are others. Throws ConfigError
+// for those that no rotor has, and for mass on the rotor's bodies.
 void take_parameters(const mjModel* m, Config& config);
 
-// Finds where they are. Throws ConfigError where bodies, joints and actuators of a generated file do not move
-// as the scene's mode shapes and axes say.
+// Finds where they are. Throws ConfigError where bodies, joints and actuators of a generated file
+// do not move as the scene's mode shapes and axes say.
 void map_structure(const mjModel* m, Config& config);
 
 }  // namespace rotorub::plugin

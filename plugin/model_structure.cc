@@ -4,8 +4,8 @@
 #include <string>
 
 #include "mjcf/names.h"
-#include "plugin/model_parameters.h"
 #include "plugin/message.h"
+#include "plugin/model_parameters.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
@@ -27,7 +27,7 @@ void check_pose(const mjModel* m, int body, const Eigen::Vector2d& offset) {
   if (p[0] != offset.x() || p[1] != offset.y()) {
     refuse(body_element(m, body),
            message("pos=\"{} {} {}\"; accepted: x {} and y {}, as the scene has it", p[0], p[1],
-                       p[2], offset.x(), offset.y()));
+                   p[2], offset.x(), offset.y()));
   }
   if (std::abs(q[0]) < 1.0 - kRoundOff) {
     refuse(body_element(m, body),
@@ -47,8 +47,8 @@ void check_joint(const mjModel* m, int joint, int along, const char* accepted) {
   const std::string element = joint_element(m, joint);
   const mjtNum* axis = m->jnt_axis + 3 * joint;
   if (std::abs(axis[along] - 1.0) > kRoundOff) {
-    refuse(element, message("axis=\"{} {} {}\"; accepted: \"{}\"", axis[0], axis[1], axis[2],
-                                accepted));
+    refuse(element,
+           message("axis=\"{} {} {}\"; accepted: \"{}\"", axis[0], axis[1], axis[2], accepted));
   }
   const double reference = m->qpos0[m->jnt_qposadr[joint]];
   if (reference != 0.0) refuse(element, message("ref=\"{}\"; accepted: 0", reference));
@@ -60,8 +60,8 @@ void check_mode(const mjModel* m, int joint, int rotor, double shape) {
   if (carries == (shape == 1.0)) return;
   refuse(joint_element(m, joint),
          message("moves the contact by {} of its value, the scene's mode by {}; write the MJCF "
-                     "anew with `rotorub mjcf`",
-                     carries ? 1 : 0, shape));
+                 "anew with `rotorub mjcf`",
+                 carries ? 1 : 0, shape));
 }
 
 void check_chain(const mjModel* m, Config& config) {
@@ -83,8 +83,7 @@ void check_chain(const mjModel* m, Config& config) {
       check_mode(m, joint, rotor, config.model.first().shape.y[i - l.y()]);
     } else {
       check_joint(m, joint, 2, "0 0 1");
-      const double shape =
-          i < l.theta() ? 1.0 : config.model.first().torsion_shape[i - l.theta()];
+      const double shape = i < l.theta() ? 1.0 : config.model.first().torsion_shape[i - l.theta()];
       check_mode(m, joint, rotor, shape);
     }
   }
@@ -127,8 +126,8 @@ void check_actuator(const mjModel* m, int k, int actuator) {
     const double given = m->wrap_prm[first + w];
     if (plane >= 0 && std::abs(given - due[plane]) <= kRoundOff) continue;
     refuse(message("<fixed name=\"{}\">", names::kAxis[k]),
-           message("joint \"{}\" coef=\"{}\"; accepted: ring_x {}, ring_y {}", name, given,
-                       due[0], due[1]));
+           message("joint \"{}\" coef=\"{}\"; accepted: ring_x {}, ring_y {}", name, given, due[0],
+                   due[1]));
   }
 }
 

@@ -1,5 +1,5 @@
-// What MuJoCo's steps take implicitly in the velocities, as its versions have it (mujoco_versions.h). The functions
-// are in every libmujoco.so; no header of its declares them.
+// What MuJoCo's steps take implicitly in the velocities, as its versions have it
+// (mujoco_versions.h). The functions are in every libmujoco.so; no header of its declares them.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -26,7 +26,8 @@ int mjd_freeMhat(const mjModel*, const mjData*, int joint, mjtNum h, mjtNum* mat
 
 namespace rotorub::plugin {
 
-// Integrator implicitfast, from 2.3.3 on: dF/dv without that of the bias forces, and of it the lower triangle.
+// Integrator implicitfast, from 2.3.3 on: dF/dv without that of the bias forces, and of it the
+// lower triangle.
 inline bool implicit_fast(const mjModel* m) {
 #if mjVERSION_HEADER >= 233
   return m->opt.integrator == mjINT_IMPLICITFAST;
@@ -39,8 +40,8 @@ inline bool steps_implicitly(const mjModel* m) {
   return m->opt.integrator == mjINT_IMPLICIT || implicit_fast(m);
 }
 
-// d->qDeriv = dF/dv of actuators, dampers, fluid and bias forces, as the integrator will find it: after
-// mj_fwdActuation.
+// d->qDeriv = dF/dv of actuators, dampers, fluid and bias forces, as the integrator will find it:
+// after mj_fwdActuation.
 inline void find_derivative(const mjModel* m, mjData* d) {
 #if mjVERSION_HEADER < 233
   mj_makeMSparse(m, d, d->D_rownnz, d->D_rowadr, d->D_colind);
@@ -55,7 +56,8 @@ template <typename Model, typename Data, typename Action>
 void for_each_derivative(const Model* m, const Data* d, int row, Action action) {
   const auto visit = [&](const auto* places) {
     const int first = places->D_rowadr[row];
-    for (int k = first; k < first + places->D_rownnz[row]; ++k) action(places->D_colind[k], d->qDeriv[k]);
+    for (int k = first; k < first + places->D_rownnz[row]; ++k)
+      action(places->D_colind[k], d->qDeriv[k]);
   };
   if constexpr (requires { m->D_rowadr; }) {
     visit(m);
@@ -64,8 +66,8 @@ void for_each_derivative(const Model* m, const Data* d, int row, Action action) 
   }
 }
 
-// Of a free body that stands for itself implicitfast takes the bias forces too: its 6 x 6 matrix, row by row.
-// False: it does not.
+// Of a free body that stands for itself implicitfast takes the bias forces too: its 6 x 6 matrix,
+// row by row. False: it does not.
 inline bool free_body_matrix(const mjModel* m, const mjData* d, int joint, mjtNum* matrix) {
 #if mjVERSION_HEADER >= 3011000
   return implicit_fast(m) && m->jnt_type[joint] == mjJNT_FREE &&
@@ -76,8 +78,8 @@ inline bool free_body_matrix(const mjModel* m, const mjData* d, int joint, mjtNu
 #endif
 }
 
-// -df/dv of a joint's damper at the present velocity, N s/m or N m s: since 3.7 a polynomial, the actuators'
-// dampers in it.
+// -df/dv of a joint's damper at the present velocity, N s/m or N m s: since 3.7 a polynomial, the
+// actuators' dampers in it.
 inline double joint_damping(const mjModel* m, const mjData* d, int dof) {
 #if mjVERSION_HEADER >= 3007000
   mjtNum poly[mjNPOLY];
@@ -104,7 +106,8 @@ inline bool joint_damping_varies(const mjModel* m, int dof) {
 inline bool tendon_damps(const mjModel* m, int tendon) {
 #if mjVERSION_HEADER >= 3007000
   const mjtNum* poly = m->tendon_dampingpoly + mjNPOLY * tendon;
-  if (m->tendon_actuatorid[tendon] != -1 || std::any_of(poly, poly + mjNPOLY, [](mjtNum x) { return x != 0.0; })) {
+  if (m->tendon_actuatorid[tendon] != -1 ||
+      std::any_of(poly, poly + mjNPOLY, [](mjtNum x) { return x != 0.0; })) {
     return true;
   }
 #endif

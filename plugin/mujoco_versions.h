@@ -96,7 +96,9 @@ struct MassRow {
 };
 
 template <typename Data>
-constexpr bool kMassByColumns = requires(const Data* d) { d->M; };
+constexpr bool kMassByColumns = requires(const Data* d) {
+  d->M;
+};
 
 template <typename Model, typename Data = mjData>
 MassRow mass_row(const Model* m, int dof) {
@@ -148,8 +150,10 @@ void full_mass(const mjModel* m, const Data* d, mjtNum* full) {
 
 template <typename Model>
 bool equality_holds(const Model* m, int equality) {  // at mj_resetData
-  if constexpr (requires { m->eq_active0; }) return m->eq_active0[equality] != 0;
-  else return m->eq_active[equality] != 0;
+  if constexpr (requires { m->eq_active0; })
+    return m->eq_active0[equality] != 0;
+  else
+    return m->eq_active[equality] != 0;
 }
 
 template <typename Data>
@@ -194,12 +198,13 @@ void set_frame(Contact* con, const double (&normal)[3], const double (&tangent)[
   }
 }
 
-// Before 3.9 a contact of a pair is seen below margin and solved below margin - gap, since then seen
-// below margin + gap and solved below margin: a gap beside a margin that is not negative keeps
+// Before 3.9 a contact of a pair is seen below margin and solved below margin - gap, since then
+// seen below margin + gap and solved below margin: a gap beside a margin that is not negative keeps
 // nothing out.
 inline constexpr bool kGapKeepsOut = mjVERSION_HEADER < 3009000;
 
-// Distance below which viewers see the contact, m. Pairs that were written for before 3.9 keep theirs.
+// Distance below which viewers see the contact, m. Pairs that were written for before 3.9 keep
+// theirs.
 inline double seen_below(const mjModel* m, int pair) {
   const double margin = m->pair_margin[pair];
   return kGapKeepsOut || margin >= 0.0 ? margin : margin + m->pair_gap[pair];
@@ -255,8 +260,8 @@ inline bool sleep_enabled(const mjModel*) { return false; }
 inline bool tree_may_sleep(const mjModel*, int) { return false; }
 #endif
 
-// The h of M + h D in MuJoCo's step: 0 where dampers are taken explicitly, s. (Before 3.3.6 Euler's step has
-// them in its matrix even where mjDSBL_PASSIVE takes their forces away.)
+// The h of M + h D in MuJoCo's step: 0 where dampers are taken explicitly, s. (Before 3.3.6 Euler's
+// step has them in its matrix even where mjDSBL_PASSIVE takes their forces away.)
 inline double damped_step(const mjModel* m) {
   if (m->opt.integrator == mjINT_RK4) return 0.0;
 #if mjVERSION_HEADER >= 336
@@ -344,7 +349,8 @@ mjModel* load_text(const std::string& document, char* error, int error_size) {
   if constexpr (requires { mj_addBufferVFS(files, kFile, document.data(), size); }) {
     mj_addBufferVFS(files, kFile, document.data(), size);
   } else if (mj_makeEmptyFileVFS(files, kFile, size) == 0) {
-    document.copy(static_cast<char*>(files->filedata[mj_findFileVFS(files, kFile)]), document.size());
+    document.copy(static_cast<char*>(files->filedata[mj_findFileVFS(files, kFile)]),
+                  document.size());
   }
   return mj_loadXML(kFile, files, error, error_size);
 }

@@ -1,8 +1,8 @@
 // Loaded with LD_PRELOAD, the library installs its callbacks before the program starts:
 //   LD_PRELOAD=librotorub_mujoco.so mujoco-testspeed bench_ring.xml
 // It stands before MuJoCo's own functions too, which call one another through the same names. So it
-// sees each pass begin, even where all callbacks have been taken from it, its sensors filled, and mj_inverse,
-// mjd_transitionFD and mj_contactForce as such.
+// sees each pass begin, even where all callbacks have been taken from it, its sensors filled, and
+// mj_inverse, mjd_transitionFD and mj_contactForce as such.
 #include <dlfcn.h>
 #include <link.h>
 #include <mujoco/mujoco.h>
@@ -46,8 +46,8 @@ void keep(const mjModel* m, const mjData* d) {
   }
 }
 
-// How many MuJoCos are in the process. With a second one the plugin's structures or callbacks are those
-// of the wrong one.
+// How many MuJoCos are in the process. With a second one the plugin's structures or callbacks are
+// those of the wrong one.
 int count_mujoco(dl_phdr_info* info, std::size_t, void* count) {
   const std::string_view path = info->dlpi_name;
   const std::string_view file = path.substr(path.rfind('/') + 1);
@@ -63,7 +63,8 @@ bool stands_before_mujoco() {
          ours.dli_fbase == found.dli_fbase;
 }
 
-// MuJoCo's own sensors of this thread are being filled: they have the plugin's forces from load_cells.h.
+// MuJoCo's own sensors of this thread are being filled: they have the plugin's forces from
+// load_cells.h.
 thread_local bool in_sensors = false;
 
 __attribute__((constructor)) void install() {
@@ -123,7 +124,8 @@ ROTORUB_EXPORT void mj_fwdActuation(const mjModel* m, mjData* d) {
   static const auto actuation = [] {
     Dl_info mujoco;
     dladdr(reinterpret_cast<void*>(&mj_forward), &mujoco);
-    return reinterpret_cast<Pass>(dlsym(dlopen(mujoco.dli_fname, RTLD_LAZY | RTLD_NOLOAD), "mj_fwdActuation"));
+    return reinterpret_cast<Pass>(
+        dlsym(dlopen(mujoco.dli_fname, RTLD_LAZY | RTLD_NOLOAD), "mj_fwdActuation"));
   }();
   if (!rotorub::plugin::actuators_computed(m, d)) actuation(m, d);
 }

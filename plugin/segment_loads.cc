@@ -53,13 +53,15 @@ void add_segment_loads(const Config& config, mjData* d) {
     law.held = 0.0;  // the chain has no such spring
     const double share = d->time < law.fails_at ? 1.0 : 0.0;
     const Layout& l = model.layout;
-    const auto pull = [&](int plane, const std::vector<JointAddress>& joints, const Eigen::VectorXd& rates) {
+    const auto pull = [&](int plane, const std::vector<JointAddress>& joints,
+                          const Eigen::VectorXd& rates) {
       const double r = s.magnet_row.dot(gather(joints, &JointAddress::position, d->qpos));
       const double rate = s.magnet_row.dot(rates);
       if (l.integrals == 0) return law.force(share, r, rate, 0.0);
       const int dof = config.dof_address[static_cast<std::size_t>(l.integral() + plane)];
       const double stored = d->qvel[dof];
-      d->qfrc_passive[dof] += model.mass[l.integral() + plane] * law.stored_rate(share, r, rate, stored);
+      d->qfrc_passive[dof] +=
+          model.mass[l.integral() + plane] * law.stored_rate(share, r, rate, stored);
       return law.force(share, r, rate, stored);
     };
     fx += pull(0, s.x, vx) * s.magnet_row.transpose();

@@ -38,13 +38,13 @@ struct Segments {
   std::vector<JointAddress> spin;  // N + 1
 
   // Loads, in the chain's coordinates.
-  Eigen::MatrixXd damping_x, damping_y;  // external and rotating
-  Eigen::MatrixXd internal;              // rotating; empty: none
-  Eigen::MatrixXd torsion_damping;       // empty: none
+  Eigen::MatrixXd damping_x, damping_y;        // external and rotating
+  Eigen::MatrixXd internal;                    // rotating; empty: none
+  Eigen::MatrixXd torsion_damping;             // empty: none
   std::vector<Eigen::RowVectorXd> force_rows;  // of Model.forces, in their order
   std::vector<Eigen::RowVectorXd> lost_rows;   // of [[force]] of kind unbalance
   std::vector<DiscUnbalance> lost;             // the same, without shapes
-  Eigen::RowVectorXd magnet_row;  // deflection at the magnetic bearing; empty: none
+  Eigen::RowVectorXd magnet_row;               // deflection at the magnetic bearing; empty: none
   double magnet_stiffness = 0.0;  // N/m, negative stiffness's size; of one without a feedback
   int drive_node = -1;            // -1: speed held
   Eigen::VectorXd spin_share;     // N + 1, J_k / sum J: mean spin

@@ -50,8 +50,10 @@ SensorAddresses contact_sensors(const mjModel* m, const std::string& prefix,
     const int id = mj_name2id(m, mjOBJ_SENSOR, named(name).c_str());
     return id >= 0 && m->sensor_type[id] == mjSENS_USER && m->sensor_needstage[id] != stage;
   };
-  s.gap_in_control = elsewhere(names::kGap, mjSTAGE_POS) || elsewhere(names::kGapScaled, mjSTAGE_POS);
-  s.rates_in_control = elsewhere(names::kGapRate, mjSTAGE_VEL) || elsewhere(names::kSlip, mjSTAGE_VEL);
+  s.gap_in_control =
+      elsewhere(names::kGap, mjSTAGE_POS) || elsewhere(names::kGapScaled, mjSTAGE_POS);
+  s.rates_in_control =
+      elsewhere(names::kGapRate, mjSTAGE_VEL) || elsewhere(names::kSlip, mjSTAGE_VEL);
   return s;
 }
 

@@ -1,4 +1,5 @@
-// Where our user sensors are in mjData.sensordata. contact_sensors (config.h) finds those of one contact.
+// Where our user sensors are in mjData.sensordata. contact_sensors (config.h) finds those of one
+// contact.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -9,7 +10,8 @@
 
 namespace rotorub::plugin {
 
-// Address of the user sensor of that name; -1: taken out, or another's. Throws ConfigError for another size.
+// Address of the user sensor of that name; -1: taken out, or another's. Throws ConfigError for
+// another size.
 int sensor_address(const mjModel* m, const std::string& name, int dim);
 
 // All of a generated model but its shadow's. Throws ConfigError.

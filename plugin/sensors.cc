@@ -1,12 +1,12 @@
 #include "plugin/sensors.h"
 
 #include "native_model/dynamics/dynamics.h"
+#include "plugin/contact/body_space.h"
 #include "plugin/contact/forces.h"
+#include "plugin/contact/reach.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
-#include "plugin/contact/body_space.h"
-#include "plugin/contact/reach.h"
 #include "plugin/shadow.h"
 #include "plugin/user_data.h"
 
@@ -32,7 +32,8 @@ void put_gap(mjData* d, const SensorAddresses& s, double gap, double clearance) 
   put(d, s.gap_scaled, gap / clearance);
 }
 
-void put_forces(const mjModel* m, mjData* d, const SensorAddresses& s, const ContactForces& forces) {
+void put_forces(const mjModel* m, mjData* d, const SensorAddresses& s,
+                const ContactForces& forces) {
   put(d, s.normal_force, forces.normal);
   put(d, s.friction_force, forces.friction);
   put(m, d, s.normal_force_scaled, forces.normal);
@@ -124,7 +125,8 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
     put(d, s.current, actuator.current);
   }
   if (stage == mjSTAGE_VEL && config.shadow) fill_shadow_sensors(config, d);
-  for (std::size_t k = 1; k < config.pairs.size(); ++k) fill_pair_sensors(config.pairs[k], m, d, stage);
+  for (std::size_t k = 1; k < config.pairs.size(); ++k)
+    fill_pair_sensors(config.pairs[k], m, d, stage);
   if (!config.model.first().contact) return;
   if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(config, m, d));
   if (stage == mjSTAGE_POS && has_gap(s)) {
@@ -141,7 +143,8 @@ void fill_late_sensors(const Config& config, const mjModel* m, mjData* d) {
   }
   const bool cleared = mjVERSION_HEADER >= 300;
   if (config.sensors.gap_in_control) fill_sensors(config, m, d, mjSTAGE_POS);
-  if (config.sensors.rates_in_control || (cleared && config.shadow)) fill_sensors(config, m, d, mjSTAGE_VEL);
+  if (config.sensors.rates_in_control || (cleared && config.shadow))
+    fill_sensors(config, m, d, mjSTAGE_VEL);
   if (!config.has_soft()) fill_sensors(config, m, d, mjSTAGE_ACC);
 }
 

@@ -16,12 +16,12 @@ void mark_active(const Config& config, mjData* d, bool acts);
 
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage);
 
-// Of a user's own model, in mjcb_control: whatever stage they ask for, they are filled in this pass. (The
-// forces of `cone`, which MuJoCo's solver finds after this, at mjSTAGE_ACC again.)
+// Of a user's own model, in mjcb_control: whatever stage they ask for, they are filled in this
+// pass. (The forces of `cone`, which MuJoCo's solver finds after this, at mjSTAGE_ACC again.)
 void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d);
 
-// What was told before MuJoCo's last sensor stage, again: MuJoCo of today sets the user sensors of a stage to
-// 0 before it calls mjcb_sensor.
+// What was told before MuJoCo's last sensor stage, again: MuJoCo of today sets the user sensors of
+// a stage to 0 before it calls mjcb_sensor.
 void fill_late_sensors(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

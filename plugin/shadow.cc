@@ -5,15 +5,15 @@
 #include <limits>
 #include <memory>
 
-#include "native_model/stepping/zero_order_hold.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/stepping/zero_order_hold.h"
 #include "plugin/control.h"
 #include "plugin/coordinates.h"
 #include "plugin/magnets.h"
-#include "plugin/thread_worker.h"
 #include "plugin/mujoco_versions.h"
+#include "plugin/thread_worker.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -108,7 +108,8 @@ void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
     u = worker.command.at(t, worker.stepper.q(), worker.stepper.v());
     worker.command.save(hold_memory(entry));
     if (!worker.command.failure().empty()) {
-      stop(entry, Status::kControllerFailed, "rotorub: shadow: its controller failed: it stands still");
+      stop(entry, Status::kControllerFailed,
+           "rotorub: shadow: its controller failed: it stands still");
       return;
     }
   }
@@ -153,8 +154,7 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
 }
 
 const double* shadow_state(const Config& config, const mjData* d) {
-  return PaperStepper::saved_q(d->userdata + config.shadow->data +
-                               stepper_begin(config));
+  return PaperStepper::saved_q(d->userdata + config.shadow->data + stepper_begin(config));
 }
 
 }  // namespace rotorub::plugin

@@ -1,6 +1,6 @@
-// The shadow: the native model, run alongside by the stepping of `paper`, one step a MuJoCo step. It
-// starts from MuJoCo's state and then knows nothing of MuJoCo but the commands: a controller of the
-// scene closes its own loop; without one, the shadow is given the force that MuJoCo's actuators
+// The shadow: the native model, run alongside by the stepping of `paper`, one step a MuJoCo step.
+// It starts from MuJoCo's state and then knows nothing of MuJoCo but the commands: a controller of
+// the scene closes its own loop; without one, the shadow is given the force that MuJoCo's actuators
 // exerted on the ring over the step. What it has goes to user sensors and ghost bodies; MuJoCo's
 // motion never depends on it.
 //
@@ -20,8 +20,9 @@ namespace rotorub::plugin {
 //   t < d->time < t + h  nothing (RK4's passes within its step)
 //   d->time = t + h      one step
 //   anything else        starts anew from MuJoCo's state
-// to within 1e-6 h. A mjModel that was edited since (model_parameters.h) is another model: the shadow starts
-// anew, and once in a run an mju_warning says so. A step that fails stops the shadow with one mju_warning.
+// to within 1e-6 h. A mjModel that was edited since (model_parameters.h) is another model: the
+// shadow starts anew, and once in a run an mju_warning says so. A step that fails stops the shadow
+// with one mju_warning.
 void advance_shadow(const Config& config, const mjModel* m, mjData* d);
 
 // Where it is, for those who look on: coordinates of the shadow's model, then as many velocities.

@@ -39,9 +39,8 @@ bool may_fall_asleep(const Config& config, const mjModel* m) {
              tree_may_sleep(m, m->geom_bodyid[pair.ring_geom]);
     });
   }
-  return std::any_of(config.dof_address.begin(), config.dof_address.end(), [m](int dof) {
-    return dof >= 0 && tree_may_sleep(m, m->dof_bodyid[dof]);
-  });
+  return std::any_of(config.dof_address.begin(), config.dof_address.end(),
+                     [m](int dof) { return dof >= 0 && tree_may_sleep(m, m->dof_bodyid[dof]); });
 }
 
 void refuse_sleep() {
@@ -56,8 +55,10 @@ bool is_overridden(const Config& config, const mjModel* m) {
 
 void refuse_override() {
   raise_error(
-      "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then takes o_margin, o_solref and o_solimp of <option> "
-      "for those of the rotor's <pair>, by which contact models coulomb and cone are set; accepted: \"disable\", "
+      "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then takes o_margin, o_solref and "
+      "o_solimp of <option> "
+      "for those of the rotor's <pair>, by which contact models coulomb and cone are set; "
+      "accepted: \"disable\", "
       "or contact model rigid");
 }
 

@@ -1,4 +1,5 @@
-// What MuJoCo of today leaves out of a step: mjcb_control where actuation is disabled, and what sleeps.
+// What MuJoCo of today leaves out of a step: mjcb_control where actuation is disabled, and what
+// sleeps.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -10,8 +11,8 @@ namespace rotorub::plugin {
 
 // References of constraints that are changed before MuJoCo computes them,
 //   aref = -B vel - K I (pos - margin),
-// which it does after mjcb_passive. The constructor computes them; keep() makes MuJoCo find what they
-// were changed to since, by the rows' `pos`. May be done again in the same pass.
+// which it does after mjcb_passive. The constructor computes them; keep() makes MuJoCo find what
+// they were changed to since, by the rows' `pos`. May be done again in the same pass.
 class KeptReferences {
  public:
   KeptReferences(const mjModel* m, mjData* d);
@@ -23,8 +24,8 @@ class KeptReferences {
   mjtNum *aref_, *velocity_;  // as MuJoCo has them
 };
 
-// True where MuJoCo may put the rotor or the ring to sleep (<flag sleep="enable">): it does not wake for
-// the plugin's loads.
+// True where MuJoCo may put the rotor or the ring to sleep (<flag sleep="enable">): it does not
+// wake for the plugin's loads.
 bool may_fall_asleep(const Config& config, const mjModel* m);
 
 // True where MuJoCo's solver takes <option>'s numbers for those of a contact that it solves for us.

@@ -1,6 +1,6 @@
-// What a thread steps models with: room, and nothing that outlives a call, so that several threads may
-// step several mjData of one model. A worker has a model of its own, as the Config may be gone before
-// the thread is.
+// What a thread steps models with: room, and nothing that outlives a call, so that several threads
+// may step several mjData of one model. A worker has a model of its own, as the Config may be gone
+// before the thread is.
 #pragma once
 
 #include <memory>

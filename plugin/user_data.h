@@ -1,7 +1,7 @@
 // The plugin's entries in mjData.userdata: all of its memory, so that resetting and copying an
 // mjData takes it along. mj_resetData makes them 0. After the single entries, with a controller:
-// the velocities of the last two forward passes, nq each (velocity_history.h), and what a sampled one
-// remembers (native_model/control/control_loop.h).
+// the velocities of the last two forward passes, nq each (velocity_history.h), and what a sampled
+// one remembers (native_model/control/control_loop.h).
 #pragma once
 
 #include "mjcf/names.h"
@@ -57,8 +57,8 @@ enum VerletEntry : int {
 };
 static_assert(kVerletSingle == mjcf_names::kVerletSingle);
 
-// The shadow's, from Config::shadow.data on (shadow.h); behind them the memories of its controller's hold
-// and of its stepper.
+// The shadow's, from Config::shadow.data on (shadow.h); behind them the memories of its
+// controller's hold and of its stepper.
 enum ShadowEntry : int {
   kShadowBegun,     // mark of the model that it began with (ShadowConfig); 0: not begun
   kShadowEdited,    // 1: it was said that the model was edited

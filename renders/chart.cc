@@ -34,19 +34,18 @@ std::vector<double> Chart::grid() const {
   return lines;
 }
 
-void Chart::draw_scale(Sheet& sheet, int text_size, double top, double height,
-                       double width) const {
+void Chart::draw_scale(Sheet& sheet, int text_size, double top, double height, double width) const {
   std::vector<double> written;
   for (const double value : grid()) {
     const double y = std::floor(top + height * (1.0 - options_.scale.share(value)));
     sheet.fill(0.0, y, width, 1.0, palette::kGrid);
-    const double label = std::clamp(y - 0.45 * text_size, top, sheet.area().height - 1.2 * text_size);
+    const double label =
+        std::clamp(y - 0.45 * text_size, top, sheet.area().height - 1.2 * text_size);
     const bool covers = std::any_of(written.begin(), written.end(), [&](double other) {
       return std::abs(label - other) < 1.1 * text_size;
     });
     if (value == 0.0 || covers) continue;
-    sheet.text(width + 6.0, label, value_text(value, options_.unit), text_size,
-               palette::kFaintInk);
+    sheet.text(width + 6.0, label, value_text(value, options_.unit), text_size, palette::kFaintInk);
     written.push_back(label);
   }
 }
@@ -62,9 +61,8 @@ void Chart::draw(Sheet& sheet, int text_size, double now, const std::string& tit
   }
   const bool clipped = options_.mark_clipped && options_.scale.clips(peak_);
   if (clipped) {
-    sheet.text_to(area.width - gap, 0.35 * text_size,
-                  "▲ peak " + value_text(peak_, options_.unit), text_size, options_.color,
-                  Weight::kBold);
+    sheet.text_to(area.width - gap, 0.35 * text_size, "▲ peak " + value_text(peak_, options_.unit),
+                  text_size, options_.color, Weight::kBold);
   }
 
   const double top = 1.9 * text_size;
@@ -76,9 +74,7 @@ void Chart::draw(Sheet& sheet, int text_size, double now, const std::string& tit
   }
   const double width = area.width - label - 2.0 * gap;
   draw_scale(sheet, text_size, top, height, width);
-  const auto row = [&](double value) {
-    return top + height * (1.0 - options_.scale.share(value));
-  };
+  const auto row = [&](double value) { return top + height * (1.0 - options_.scale.share(value)); };
   const auto column = [&](double t) {
     return (width - 2.0) * (t - options_.from) / (options_.to - options_.from);
   };

@@ -34,8 +34,8 @@ struct Instant {
 };
 
 struct InstantOptions {
-  double trail_time = 0.02;    // s
-  double spark_time = 0.005;   // s, until an impact has faded
+  double trail_time = 0.02;   // s
+  double spark_time = 0.005;  // s, until an impact has faded
 };
 Instant instant_at(const Playback& playback, double t, const Scales& scales,
                    const InstantOptions& options);

@@ -15,10 +15,11 @@ namespace rotorub::renders {
 
 namespace {
 
-constexpr double kMostGifRate = 50.0;   // its clock counts 1/100 s, and browsers honour 2 of them
-constexpr double kMostGifBytes = 1e9;   // of all frames, which are kept for the palette
+constexpr double kMostGifRate = 50.0;  // its clock counts 1/100 s, and browsers honour 2 of them
+constexpr double kMostGifBytes = 1e9;  // of all frames, which are kept for the palette
 
-FilmFormat format_of(const std::filesystem::path& file, std::initializer_list<FilmFormat> accepted) {
+FilmFormat format_of(const std::filesystem::path& file,
+                     std::initializer_list<FilmFormat> accepted) {
   std::string names;
   for (const FilmFormat format : accepted) {
     if (file.extension() == extension(format)) return format;
@@ -54,9 +55,9 @@ void check_options(const RenderOptions& options, FilmFormat format) {
                     options.width, options.height));
   }
   if (format == FilmFormat::kGif && options.frames_per_second > kMostGifRate) {
-    throw std::invalid_argument(fmt::format(
-        "render: frames per second = {}: 1 to {} is accepted of a .gif", options.frames_per_second,
-        kMostGifRate));
+    throw std::invalid_argument(
+        fmt::format("render: frames per second = {}: 1 to {} is accepted of a .gif",
+                    options.frames_per_second, kMostGifRate));
   }
 }
 

@@ -7,7 +7,7 @@ namespace rotorub::renders {
 
 namespace {
 
-constexpr int kSteps = 8192;           // of the table
+constexpr int kSteps = 8192;            // of the table
 constexpr double kFilmOfImpacts = 0.5;  // share of the film
 
 // First the first one, then by falling impulse, ties by time; those within `apart` of a chosen one

@@ -10,9 +10,10 @@
 namespace rotorub::renders {
 
 // Seconds of film for a second of the run:
-//   slow(t) = base (1 + (kStretch - 1) max_i bump((t - t_i) / half)), bump(u) = (1 - u^2)^2 on (-1, 1)
-// around the chosen impacts t_i: the first of all runs, then the hardest that are `half` apart. They
-// take about half of the film.
+//   slow(t) = base (1 + (kStretch - 1) max_i bump((t - t_i) / half)), bump(u) = (1 - u^2)^2 on (-1,
+//   1)
+// around the chosen impacts t_i: the first of all runs, then the hardest that are `half` apart.
+// They take about half of the film.
 class FilmClock {
  public:
   static constexpr double kStretch = 10.0;

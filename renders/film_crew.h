@@ -1,5 +1,5 @@
-// The frames of a film in their order, painted by several threads. Each has a painter of its own, so
-// that the frames do not depend on how many there are.
+// The frames of a film in their order, painted by several threads. Each has a painter of its own,
+// so that the frames do not depend on how many there are.
 #pragma once
 
 #include <condition_variable>

@@ -94,7 +94,8 @@ const char* to_string(FilmView view) {
 }
 
 std::optional<FilmView> view_of(const std::string& name) {
-  for (const FilmView view : {FilmView::kRig, FilmView::kAxis, FilmView::kCloseUp, FilmView::kUnrolled}) {
+  for (const FilmView view :
+       {FilmView::kRig, FilmView::kAxis, FilmView::kCloseUp, FilmView::kUnrolled}) {
     if (name == to_string(view)) return view;
   }
   return std::nullopt;

@@ -49,13 +49,14 @@ PanelLayout rig(const Area& area, int charts) {
     const int upper = area.height - lower;
     panel.machine = {area.left, area.top, area.width, upper};
     panel.section = {area.left, area.top + upper, lower, lower};
-    panel.charts = stacked({area.left + lower, area.top + upper, area.width - lower, lower}, charts);
+    panel.charts =
+        stacked({area.left + lower, area.top + upper, area.width - lower, lower}, charts);
   }
   return panel;
 }
 
 // One large picture with the charts to its right, or below.
-PanelLayout single(const Area& area, int charts, Area PanelLayout::* what) {
+PanelLayout single(const Area& area, int charts, Area PanelLayout::*what) {
   PanelLayout panel;
   if (area.aspect() > 1.2) {
     const int left = share(0.6, area.width);
@@ -64,8 +65,7 @@ PanelLayout single(const Area& area, int charts, Area PanelLayout::* what) {
   } else {
     const int upper = share(0.66, area.height);
     panel.*what = {area.left, area.top, area.width, upper};
-    panel.charts =
-        stacked({area.left, area.top + upper, area.width, area.height - upper}, charts);
+    panel.charts = stacked({area.left, area.top + upper, area.width, area.height - upper}, charts);
   }
   return panel;
 }
@@ -93,7 +93,8 @@ PanelLayout panel_of(const Area& area, FilmView view, int charts, bool contact) 
 
 Layout make_layout(int width, int height, FilmView view, int panels, int charts, bool contact) {
   Layout layout;
-  layout.text_size = std::max(9, static_cast<int>(std::lround(height / (panels > 1 ? 48.0 : 42.0))));
+  layout.text_size =
+      std::max(9, static_cast<int>(std::lround(height / (panels > 1 ? 48.0 : 42.0))));
   const int header = 2 * layout.text_size;
   layout.header = {0, 0, width, header};
   const int each = width / panels;

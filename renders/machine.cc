@@ -158,7 +158,8 @@ DrawnSupport drawn_support(const scene::Scene& scene) {
   const bool commanded =
       scene.first().controller && scene.first().controller->kind != scene::ControllerKind::kPassive;
   support.actuators = scene.first().actuator.has_value() || commanded;
-  support.magnets = scene.first().actuator && scene.first().actuator->kind == scene::ActuatorKind::kElectromagnet;
+  support.magnets =
+      scene.first().actuator && scene.first().actuator->kind == scene::ActuatorKind::kElectromagnet;
   return support;
 }
 
@@ -187,7 +188,8 @@ void draw_contact(Machine& machine, const scene::Scene& scene) {
   machine.contact = {z, radius, clearance, radius + clearance + 0.45 * radius, 0.4 * radius};
   // The rotor's body there stands for a disc within the ring, its sleeve.
   std::erase_if(machine.discs, [&](const DrawnDisc& disc) {
-    return std::abs(disc.z - z) < machine.contact->half_width && disc.radius < machine.contact->ring_outer;
+    return std::abs(disc.z - z) < machine.contact->half_width &&
+           disc.radius < machine.contact->ring_outer;
   });
 }
 
@@ -198,7 +200,8 @@ double section_magnification(const scene::Scene& scene, double motion) {
   const double ratio = scene.first().contact->radius / scene.first().contact->clearance;
   double most = kClearanceShare * ratio;
   if (motion > 0.0) {
-    most = std::clamp(kRingMotionShare * scene.first().contact->radius / motion, kLeastShare * ratio, most);
+    most = std::clamp(kRingMotionShare * scene.first().contact->radius / motion,
+                      kLeastShare * ratio, most);
   }
   return std::max(1.0, plain_number_below(most));
 }

@@ -20,7 +20,9 @@
 namespace rotorub::renders {
 
 // The drawing's point at a station of a place (y, z) across the shaft.
-inline Eigen::Vector3d place_at(double station, const Eigen::Vector2d& yz) { return {station, yz[0], yz[1]}; }
+inline Eigen::Vector3d place_at(double station, const Eigen::Vector2d& yz) {
+  return {station, yz[0], yz[1]};
+}
 
 // A round body on the shaft.
 struct DrawnDisc {
@@ -73,11 +75,11 @@ struct Machine {
   DrawnSupport support;
   std::optional<DrawnMagneticBearing> magnetic_bearing;
   std::vector<DrawnLoad> loads;
-  double largest_load = 0.0;  // N
+  double largest_load = 0.0;    // N
   std::optional<double> motor;  // z
-  bool schematic = false;  // a rotor of modal data: its shaft is not the scene's
-  bool ring_turns = false;  // about its axis
-  double floor = -0.2;  // Z of the base plate's top
+  bool schematic = false;       // a rotor of modal data: its shaft is not the scene's
+  bool ring_turns = false;      // about its axis
+  double floor = -0.2;          // Z of the base plate's top
 
   // Lengths of the scene (m) as displacements of the drawing.
   double displaced(double metres) const { return metres * unit * magnification; }

@@ -50,7 +50,8 @@ void MachineView::draw_shadows(Canvas& canvas, const Pose& pose,
 
 void MachineView::draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
                             const Color& color) const {
-  stage.draw_mesh(canvas, ring_, place_at(machine_.contact->z, section.ring), Eigen::Matrix3d::Identity(), color);
+  stage.draw_mesh(canvas, ring_, place_at(machine_.contact->z, section.ring),
+                  Eigen::Matrix3d::Identity(), color);
 }
 
 // What holds the ring: a housing on a pedestal, or springs or actuators at 45 degrees.
@@ -60,8 +61,8 @@ void MachineView::draw_support(const Stage& stage, Canvas& canvas,
   const DrawnSupport& support = machine_.support;
   canvas.finish(kMetal);
   if (support.fixed) {
-    stage.draw_mesh(canvas, housing_, place_at(contact.z, section.ring), Eigen::Matrix3d::Identity(),
-                    palette::kHousing);
+    stage.draw_mesh(canvas, housing_, place_at(contact.z, section.ring),
+                    Eigen::Matrix3d::Identity(), palette::kHousing);
     draw_pedestal(canvas, contact.z, -1.08 * contact.ring_outer, 0.6 * contact.half_width,
                   0.5 * contact.ring_outer);
     return;
@@ -73,8 +74,7 @@ void MachineView::draw_support(const Stage& stage, Canvas& canvas,
     if (support.actuators) {
       draw_strut(canvas, from, to);
     } else if (support.spring_x || support.spring_y) {
-      canvas.cylinder(place_at(contact.z, from), place_at(contact.z, to), 0.004,
-                      palette::kShaft);
+      canvas.cylinder(place_at(contact.z, from), place_at(contact.z, to), 0.004, palette::kShaft);
       for (int turn = 0; turn < 9; ++turn) {
         const Vector2d at = from + (turn + 0.8) / 9.6 * (to - from);
         const Vector2d thick = 0.003 * direction;

@@ -98,7 +98,8 @@ void MachineView::set_up(mjvScene& scene, double aspect, bool close) const {
       }
       corners.push_back({x, 0.0, 0.08});
     }
-    if (machine_.contact) corners.push_back({machine_.contact->z, 0.0, machine_.contact->ring_outer});
+    if (machine_.contact)
+      corners.push_back({machine_.contact->z, 0.0, machine_.contact->ring_outer});
     view.target = {0.5, 0.0, 0.0};
     view.position = view.target + 3.0 * Vector3d(0.62 * side_, -1.0, 0.5).normalized();
   }

@@ -44,8 +44,8 @@ struct RenderOptions {
   const Trajectory* shadow = nullptr;
   std::string shadow_label;  // default: as engine_label
 
-  // Painting at the same time, >= 1; 0: as many as there are processors, 4 at most. The frames are the
-  // same with any number.
+  // Painting at the same time, >= 1; 0: as many as there are processors, 4 at most. The frames are
+  // the same with any number.
   int threads = 0;
 
   // Further runs of the same scene, not owned: one shown beside the first, with one camera, clock

@@ -151,7 +151,9 @@ void Panel::draw_charts(const Sheet& picture, const Pose& pose) const {
     Sheet sheet = picture.part(layout_.charts[k]);
     charts_[k].draw(sheet, size, pose.t, title, readings);
   };
-  draw(0, "gap", {{fmt::format("{:.1f} µm", std::abs(pose.gap) < 0.05e-6 ? 0.0 : 1e6 * pose.gap), palette::kTrail}});
+  draw(0, "gap",
+       {{fmt::format("{:.1f} µm", std::abs(pose.gap) < 0.05e-6 ? 0.0 : 1e6 * pose.gap),
+         palette::kTrail}});
   if (film_->scales.impulses) {
     double last = 0.0;
     for (const Strike& strike : run_->playback.strikes()) {

@@ -16,10 +16,10 @@ struct Pose {
   Eigen::Vector2d stator{0.0, 0.0};  // centre of the ring
   Eigen::VectorXd x, y;              // n, modal coordinates
   double spin_angle = 0.0;
-  double ring_angle = 0.0;      // of a ring that turns
-  double gap = 0.0;             // negative: penetration
-  double normal_force = 0.0;    // >= 0
-  double friction_force = 0.0;  // on the rotor along e_t = e_z x e_r
+  double ring_angle = 0.0;            // of a ring that turns
+  double gap = 0.0;                   // negative: penetration
+  double normal_force = 0.0;          // >= 0
+  double friction_force = 0.0;        // on the rotor along e_t = e_z x e_r
   Eigen::Vector2d control{0.0, 0.0};  // on the ring, of its actuator
   Eigen::Vector2d current{0.0, 0.0};  // A, of the coils of the axes (1, 1) and (-1, 1)
   Mode mode = Mode::kFree;

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kForceShown = 0.98, kGapShown = 0.99;  // quantiles
 constexpr double kRoom = 1.1;                           // above what is shown
-constexpr double kFarApart = 30.0;  // of the runs' forces: no linear scale shows both
+constexpr double kFarApart = 30.0;     // of the runs' forces: no linear scale shows both
 constexpr double kMostDecades = 1e-7;  // of a logarithmic scale: low against high
-constexpr double kLeastGap = 0.01;  // of the clearance: so that noise about 0 stays small
+constexpr double kLeastGap = 0.01;     // of the clearance: so that noise about 0 stays small
 
 double high_or_one(double high) { return high > 0.0 ? high : 1.0; }
 

@@ -28,7 +28,8 @@ SectionView::SectionView(const Machine& machine, double motion) : machine_(machi
   const DrawnContact& contact = *machine.contact;
   const double moved = contact.ring_outer + machine.displaced(motion);
   wall_ = moved + kSupportReach * contact.rotor_radius;
-  const bool held = machine.support.spring_x || machine.support.spring_y || machine.support.actuators;
+  const bool held =
+      machine.support.spring_x || machine.support.spring_y || machine.support.actuators;
   half_size_ = kMargin * (held ? wall_ : moved + 0.2 * contact.rotor_radius);
 }
 
@@ -61,8 +62,8 @@ void SectionView::draw_spring(Sheet& sheet, const Place& at, const Vector2d& fro
                               const Vector2d& to) const {
   constexpr int kTurns = 5;
   const Vector2d along = to - from;
-  const Vector2d across = 0.08 * machine_.contact->rotor_radius *
-                          Vector2d(-along[1], along[0]).normalized();
+  const Vector2d across =
+      0.08 * machine_.contact->rotor_radius * Vector2d(-along[1], along[0]).normalized();
   std::vector<Sheet::Point> points = {at(from)};
   for (int k = 0; k < 2 * kTurns; ++k) {
     const double s = (k + 1.0) / (2.0 * kTurns + 1.0);
@@ -87,14 +88,16 @@ void SectionView::draw_support(Sheet& sheet, const Place& at, const DrawnSection
     const Vector2d wall = wall_ * e;
     const Vector2d across(-e[1], e[0]);
     sheet.bar(at(wall - 0.22 * unit * across), at(wall + 0.22 * unit * across),
-               0.06 * unit * at.pixels, palette::kHousing);
+              0.06 * unit * at.pixels, palette::kHousing);
     draw(Vector2d(section.ring + contact.ring_outer * e), wall, e);
   };
   const auto spring = [&](const Vector2d& from, const Vector2d& to, const Vector2d&) {
     draw_spring(sheet, at, from, to);
   };
-  if (support.spring_x) for (const double angle : {0.0, kPi}) held(angle, spring);
-  if (support.spring_y) for (const double angle : {0.5 * kPi, 1.5 * kPi}) held(angle, spring);
+  if (support.spring_x)
+    for (const double angle : {0.0, kPi}) held(angle, spring);
+  if (support.spring_y)
+    for (const double angle : {0.5 * kPi, 1.5 * kPi}) held(angle, spring);
   if (!support.actuators) return;
   for (const double angle : {0.25 * kPi, 0.75 * kPi, 1.25 * kPi, 1.75 * kPi}) {
     if (support.magnets) {
@@ -110,7 +113,7 @@ void SectionView::draw_support(Sheet& sheet, const Place& at, const DrawnSection
       held(angle, [&](const Vector2d& ring, const Vector2d& wall, const Vector2d& e) {
         sheet.bar(at(ring), at(wall), 0.07 * unit * at.pixels, palette::kShaft);
         sheet.bar(at(wall), at(Vector2d(wall - 0.24 * unit * e)), 0.17 * unit * at.pixels,
-                   palette::kHousing);
+                  palette::kHousing);
       });
     }
   }
@@ -161,7 +164,8 @@ void SectionView::draw_path(Sheet& sheet, const Place& at, const Instant& instan
   sheet.disc(at(section.rotor), 0.018 * half_size_ * at.pixels, palette::kTrail);
 }
 
-// A bar beside the magnet of each axis that the current strengthens, from the wall inwards; pale: the largest.
+// A bar beside the magnet of each axis that the current strengthens, from the wall inwards; pale:
+// the largest.
 void SectionView::draw_currents(Sheet& sheet, const Place& at, const Instant& instant) const {
   if (!machine_.support.magnets || instant.current.isZero()) return;
   const double unit = machine_.contact->rotor_radius;
@@ -170,7 +174,8 @@ void SectionView::draw_currents(Sheet& sheet, const Place& at, const Instant& in
     const Vector2d e = (share < 0.0 ? -1.0 : 1.0) * direction((0.25 + 0.5 * k) * kPi);
     const Vector2d foot = wall_ * e + 0.3 * unit * Vector2d(e[1], -e[0]);
     const auto bar = [&](double length, const Color& color) {
-      sheet.bar(at(foot), at(Vector2d(foot - length * kCurrentShare * unit * e)), 0.09 * unit * at.pixels, color);
+      sheet.bar(at(foot), at(Vector2d(foot - length * kCurrentShare * unit * e)),
+                0.09 * unit * at.pixels, color);
     };
     bar(1.0, palette::kGrid);
     bar(std::abs(share), palette::kCurrent);

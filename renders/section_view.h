@@ -9,7 +9,8 @@
 
 namespace rotorub::renders {
 
-inline constexpr double kCurrentShare = 0.38;  // of the rotor's radius: the bar of the largest coil current
+inline constexpr double kCurrentShare =
+    0.38;  // of the rotor's radius: the bar of the largest coil current
 
 class SectionView {
  public:

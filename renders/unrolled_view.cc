@@ -15,9 +15,7 @@ namespace {
 constexpr int kPathPoints = 720;
 constexpr double kHalfTurn = std::numbers::pi;
 
-double decades(double length) {
-  return std::max(0.0, std::log10(length / UnrolledView::kLeast));
-}
+double decades(double length) { return std::max(0.0, std::log10(length / UnrolledView::kLeast)); }
 
 }  // namespace
 
@@ -97,8 +95,8 @@ void UnrolledView::draw(Sheet& sheet, int text_size, const Playback& playback,
   draw_path(sheet, plot, playback, instant.pose.t, trail_time, palette::kTrail);
   const double ring = plot.top + height_of(0.0) * plot.height;
   for (const Spark& spark : instant.sparks) {
-    const double x =
-        plot.left + (std::atan2(spark.e_r[1], spark.e_r[0]) + kHalfTurn) / (2.0 * kHalfTurn) * plot.width;
+    const double x = plot.left + (std::atan2(spark.e_r[1], spark.e_r[0]) + kHalfTurn) /
+                                     (2.0 * kHalfTurn) * plot.width;
     sheet.disc({x, ring}, (0.3 + 0.5 * spark.strength) * text_size,
                palette::kStrike.with_alpha(spark.brightness));
   }

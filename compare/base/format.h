@@ -15,8 +15,8 @@ std::string percent_text(double share);
 std::string time_text(double seconds);
 
 inline constexpr std::size_t kTerminalWidth = 80;
-// The words of a sentence in lines of at most kTerminalWidth, the first after `lead`, the others indented:
-// by default below it.
+// The words of a sentence in lines of at most kTerminalWidth, the first after `lead`, the others
+// indented: by default below it.
 std::string wrapped(const std::string& lead, const std::string& sentence,
                     std::optional<std::size_t> indent = {});
 

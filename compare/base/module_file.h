@@ -1,5 +1,5 @@
-// Modules: what the program loads when it is asked for, so that it neither needs their libraries nor pays for loading
-// them.
+// Modules: what the program loads when it is asked for, so that it neither needs their libraries
+// nor pays for loading them.
 #pragma once
 
 #include <filesystem>

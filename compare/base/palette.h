@@ -1,4 +1,5 @@
-// Tones of outcomes, and their colours on a terminal: a second cue beside their words, never the only one.
+// Tones of outcomes, and their colours on a terminal: a second cue beside their words, never the
+// only one.
 #pragma once
 
 #include <string>

@@ -38,9 +38,11 @@ bool is_plain(const scene::Scene& s) {
                         m.damping == m.damping_y && first(m.internal_damping) == 0.0 &&
                         first(m.gyroscopic) == 0.0;
   const bool turning_ring = s.first().stator && s.first().stator->spin;
-  return one_mode && !turning_ring && s.first().contact->offset.isZero(0.0) && !s.rotor.torsion && !s.drive && !s.magnetic_bearing && !s.first().actuator &&
-         !s.first().controller && !s.gravity && s.first().contact->compression_time == 0.0 &&
-         s.first().contact->expansion_time == 0.0 && s.first().contact->tangential_restitution == 0.0;
+  return one_mode && !turning_ring && s.first().contact->offset.isZero(0.0) && !s.rotor.torsion &&
+         !s.drive && !s.magnetic_bearing && !s.first().actuator && !s.first().controller &&
+         !s.gravity && s.first().contact->compression_time == 0.0 &&
+         s.first().contact->expansion_time == 0.0 &&
+         s.first().contact->tangential_restitution == 0.0;
 }
 
 bool is_free_mass(const scene::Scene& s) {
@@ -51,10 +53,12 @@ bool is_free_mass(const scene::Scene& s) {
 
 std::optional<Form> billiard(const scene::Scene& s) {
   const Place v = start_velocity(s.initial);
-  if (!is_free_mass(s) || !s.forces.empty() || s.first().contact->restitution != 1.0 || v == Place())
+  if (!is_free_mass(s) || !s.forces.empty() || s.first().contact->restitution != 1.0 ||
+      v == Place())
     return {};
   const Place x = start(s.initial);
-  const oracle::Billiard exact(s.first().contact->clearance, {x.real(), x.imag()}, {v.real(), v.imag()});
+  const oracle::Billiard exact(s.first().contact->clearance, {x.real(), x.imag()},
+                               {v.real(), v.imag()});
   return Form{"elastic billiard in a circle", [exact](double t) {
                 return Exact{of(exact.position(t)), {}, 0.0};
               }};

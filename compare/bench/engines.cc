@@ -106,7 +106,8 @@ std::vector<BenchEngine> make_engines() {
       mujoco(scene::ContactModel::kCoulomb,
              "MuJoCo's soft normal contact, Coulomb friction by the plugin"),
       mujoco(scene::ContactModel::kCone, "MuJoCo's own soft contact with its friction cone"),
-      mujoco(scene::ContactModel::kConeCoulomb, "the same, its normal reference corrected for sliding")};
+      mujoco(scene::ContactModel::kConeCoulomb,
+             "the same, its normal reference corrected for sliding")};
   for (const peers::Peer& p : peers::all_peers()) all.push_back(peer(p));
   return all;
 }

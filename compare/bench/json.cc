@@ -59,7 +59,8 @@ json level_json(const Level& level, const std::vector<Point>& points) {
 json series_json(const SceneBench& bench) {
   json all = json::array();
   for (const Series& s : series_of(bench.points, bench.telling_errors())) {
-    all.push_back({{"engine", s.engine}, {"setting", s.setting}, {"order", number_or_null(s.order)}});
+    all.push_back(
+        {{"engine", s.engine}, {"setting", s.setting}, {"order", number_or_null(s.order)}});
   }
   return all;
 }

@@ -7,14 +7,14 @@ using scene::RuleEngine;
 
 CheckEngine native(scene::Integrator integrator, RuleEngine word) {
   std::shared_ptr<const Engine> engine = native_engine(integrator);
-  return {
-      engine->name(), rotorub::to_string(integrator), word, true, integrator == scene::Integrator::kEvent,
-      engine};
+  return {engine->name(), rotorub::to_string(integrator),          word,
+          true,           integrator == scene::Integrator::kEvent, engine};
 }
 
 CheckEngine mujoco(scene::ContactModel contact, RuleEngine word) {
   std::shared_ptr<const Engine> engine = mujoco_engine(contact);
-  const char* column = contact == scene::ContactModel::kConeCoulomb ? "cone-c" : scene::to_string(contact);
+  const char* column =
+      contact == scene::ContactModel::kConeCoulomb ? "cone-c" : scene::to_string(contact);
   return {engine->name(), column, word, false, false, engine};
 }
 

@@ -21,7 +21,9 @@ constexpr std::size_t kMostReason = 400;        // bytes of one reason
 std::string cut(const std::string& name) { return scene::printable(name, kName - 4); }
 
 // In a column.
-const char* word(Outcome outcome) { return outcome == Outcome::kViolates ? "fails" : to_string(outcome); }
+const char* word(Outcome outcome) {
+  return outcome == Outcome::kViolates ? "fails" : to_string(outcome);
+}
 
 std::string head() {
   std::string line(kName, ' ');
@@ -62,9 +64,11 @@ std::string table(const std::vector<Case>& cases, const Palette& palette) {
     text += fmt::format("{:<{}}", cut(cases[first].scene), kName);
     for (; i < cases.size() && i < first + check_engines().size(); ++i) {
       const Outcome outcome = cases[i].outcome();
-      const Tone tone = outcome == Outcome::kPass ? Tone::kGood
-                        : outcome == Outcome::kViolates ? Tone::kBad : Tone::kPart;
-      text += palette.paint_first(tone, fmt::format("{:>{}}", word(outcome), kColumn), word(outcome));
+      const Tone tone = outcome == Outcome::kPass       ? Tone::kGood
+                        : outcome == Outcome::kViolates ? Tone::kBad
+                                                        : Tone::kPart;
+      text +=
+          palette.paint_first(tone, fmt::format("{:>{}}", word(outcome), kColumn), word(outcome));
     }
     text += '\n';
   }

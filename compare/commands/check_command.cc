@@ -81,7 +81,8 @@ std::vector<CheckedScene> checked_scenes(const CheckArguments& options) {
     try {
       CheckedScene one{read_scene(file, options), {}, ""};
       const auto& controller = one.scene.first().controller;
-      if (controller && controller->kind == scene::ControllerKind::kLibrary) controller_library(one.scene);
+      if (controller && controller->kind == scene::ControllerKind::kLibrary)
+        controller_library(one.scene);
       one.rules = check::rules_of(one.scene);
       all.push_back(std::move(one));
     } catch (const scene::SceneError& error) {
@@ -116,14 +117,16 @@ int run_check(const CheckArguments& options) {
   const bool holds = check::holds(cases);
   if (!options.folder.empty()) {
     std::filesystem::create_directories(options.folder);
-    write_whole(std::filesystem::path(options.folder) / kCheckFile, json_text(check::cases_json(cases)));
+    write_whole(std::filesystem::path(options.folder) / kCheckFile,
+                json_text(check::cases_json(cases)));
   }
   if (options.json) {
     std::cout << json_text(check::cases_json(cases));
   } else if (!options.quiet) {
     const Palette palette = palette_of(stdout);
     fmt::print("{} {}: {}\n\n{}", scenes.size(), scenes.size() == 1 ? "scene" : "scenes",
-               holds ? palette.paint(Tone::kGood, "every native case passes or is refused as its file says")
+               holds ? palette.paint(Tone::kGood,
+                                     "every native case passes or is refused as its file says")
                      : palette.paint(Tone::kBad, "a native case violates its rules"),
                check::table(cases, palette));
   }
@@ -139,7 +142,8 @@ Command add_check_command(CLI::App& program) {
   app->add_option("SCENE", options->places, "Scene files (.toml), or folders of them")
       ->required()
       ->type_name("SCENE|DIR");
-  app->add_option("-o,--output", options->folder, "Writes check.json there, as --json prints it, for `compare --with`")
+  app->add_option("-o,--output", options->folder,
+                  "Writes check.json there, as --json prints it, for `compare --with`")
       ->type_name("DIR");
   add_allow_library_option(*app, *options);
   add_common_options(*app, *options);

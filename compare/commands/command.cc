@@ -54,7 +54,8 @@ void add_allow_library_option(CLI::App& command, CommonOptions& options) {
 
 void add_format_option(CLI::App& command, std::string& format) {
   command
-      .add_option("--format", format, "Of the series: csv, or hdf5: a file run.h5 beside the tables of every run")
+      .add_option("--format", format,
+                  "Of the series: csv, or hdf5: a file run.h5 beside the tables of every run")
       ->check(CLI::IsMember({"csv", "hdf5"}))
       ->capture_default_str();
 }
@@ -86,13 +87,15 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
 
 OwnRun own_run(const CommonOptions& options) {
   if (!options.overrides.empty()) {
-    throw UsageError(fmt::format("--set {}: of a scene; a machine of your own has its values in its .xml",
-                                 options.overrides.front()));
+    throw UsageError(
+        fmt::format("--set {}: of a scene; a machine of your own has its values in its .xml",
+                    options.overrides.front()));
   }
   const auto time = [](const char* flag, const std::string& text) {
     const auto parsed = scene::parse_quantity(text, scene::kTime);
     if (!parsed.error.empty() || !(parsed.value > 0.0)) {
-      throw UsageError(fmt::format("{} {}: accepted is a time above 0, as 10us or 0.5s", flag, text));
+      throw UsageError(
+          fmt::format("{} {}: accepted is a time above 0, as 10us or 0.5s", flag, text));
     }
     return parsed.value;
   };

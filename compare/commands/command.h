@@ -33,8 +33,8 @@ class Interrupted : public std::runtime_error {
 struct CommonOptions {
   std::vector<std::string> overrides;  // "table.key=value"
   std::string step, end;               // overrides of run.step and run.end; empty: none
-  std::string controller;              // library in the place of the scene's controller; empty: none
-  bool allow_library = false;          // scenes may have their library opened
+  std::string controller;      // library in the place of the scene's controller; empty: none
+  bool allow_library = false;  // scenes may have their library opened
   bool json = false, quiet = false;
 };
 

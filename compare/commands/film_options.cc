@@ -35,7 +35,8 @@ std::optional<double> value_of(const std::string& flag, const std::string& text,
 std::optional<double> time_of(const std::string& flag, const std::string& text) {
   const auto time =
       value_of(flag, text, scene::kTime, "a time of the run, 0 or more, as 0.12 or \"120 ms\"");
-  if (time && *time < 0.0) refuse(flag, text, "a time of the run, 0 or more, as 0.12 or \"120 ms\"");
+  if (time && *time < 0.0)
+    refuse(flag, text, "a time of the run, 0 or more, as 0.12 or \"120 ms\"");
   return time;
 }
 
@@ -77,8 +78,10 @@ void check_picture(const FilmArguments& arguments, FilmFormat format) {
     }
     return;
   }
-  for (const auto& [flag, text] : {std::pair{"--slow", &arguments.slow}, {"--fps", &arguments.fps}}) {
-    if (!text->empty()) refuse(flag, *text, "no " + std::string(flag) + " with --png: a picture has none");
+  for (const auto& [flag, text] :
+       {std::pair{"--slow", &arguments.slow}, {"--fps", &arguments.fps}}) {
+    if (!text->empty())
+      refuse(flag, *text, "no " + std::string(flag) + " with --png: a picture has none");
   }
 }
 
@@ -92,7 +95,8 @@ void add_film_options(CLI::App& command, FilmArguments& arguments) {
   add("--from", arguments.from, "TIME", "Begin there (default: shortly before the first touch)");
   add("--to", arguments.to, "TIME", "End there (default: the end of the run)");
   add("--slow", arguments.slow, "N",
-      "Seconds of film for a second of the run, the same throughout (default: what gives 12 s, --gif 6 s, slower at impacts)");
+      "Seconds of film for a second of the run, the same throughout (default: what gives 12 s, "
+      "--gif 6 s, slower at impacts)");
   add("--size", arguments.size, "WxH", "Pixels (default: 1280x720; --gif 640x360)");
   add("--fps", arguments.fps, "N", "Frames a second, 1 to 120 (default: 60; --gif 25)");
   add("--view", arguments.view, "VIEW", "rig (default), axis, close-up or unrolled");

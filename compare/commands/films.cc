@@ -24,7 +24,8 @@ std::string link_to(const std::string& scene, const std::filesystem::path& file)
   std::string link;
   for (const char c : scene + "/" + file.filename().string()) {
     const auto byte = static_cast<unsigned char>(c);
-    const bool plain = std::isalnum(byte) || std::string_view("-._~/").find(c) != std::string_view::npos;
+    const bool plain =
+        std::isalnum(byte) || std::string_view("-._~/").find(c) != std::string_view::npos;
     link += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
   return link;
@@ -69,7 +70,8 @@ Film make(const Job& job, const std::function<void(double)>& progress) {
     if (side.trajectory.status == Status::kOk) options.scaled_with.push_back(&side.trajectory);
   }
   const auto made = renders::render(c.scene, c.sides[job.side].trajectory, options, job.file);
-  return Film{link_to(c.scene.name, job.file), caption(c.sides[job.side].label, beside, made.framing)};
+  return Film{link_to(c.scene.name, job.file),
+              caption(c.sides[job.side].label, beside, made.framing)};
 }
 
 }  // namespace

@@ -17,9 +17,9 @@ struct SceneFilms {
   std::string failure;      // of the first film that could not be made; empty: none
 };
 
-// <folder>/<scene>/<run>.mp4 for every run of every comparison, each whole or not at all: the native
-// run by itself, MuJoCo's beside the native one with one camera, clock and scale. An interrupt ends
-// them. progress: share done.
+// <folder>/<scene>/<run>.mp4 for every run of every comparison, each whole or not at all: the
+// native run by itself, MuJoCo's beside the native one with one camera, clock and scale. An
+// interrupt ends them. progress: share done.
 std::vector<SceneFilms> write_films(const std::filesystem::path& folder,
                                     const std::vector<SceneComparison>& comparisons,
                                     const std::atomic<bool>& interrupt,

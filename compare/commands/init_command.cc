@@ -29,15 +29,16 @@ struct InitArguments {
 constexpr double kLeast = 1e-6, kMost = 1e6;
 
 // What was given in the place of the standard. zero: 0 is taken too.
-void take(StarterValue& target, const char* option, const std::string& text, const scene::Quantity& quantity,
-          bool zero = false) {
+void take(StarterValue& target, const char* option, const std::string& text,
+          const scene::Quantity& quantity, bool zero = false) {
   if (text.empty()) return;
   const auto parsed = scene::parse_quantity(text, quantity);
-  const bool in_range = (zero && parsed.value == 0.0) || (parsed.value >= kLeast && parsed.value <= kMost);
+  const bool in_range =
+      (zero && parsed.value == 0.0) || (parsed.value >= kLeast && parsed.value <= kMost);
   if (!parsed.error.empty() || !in_range) {
     throw UsageError(fmt::format("{} {}: accepted is {} from {}{:g} to {:g} {}, as \"{}\"", option,
-                                 scene::printable(text), quantity.name, zero ? "0, or " : "", kLeast, kMost,
-                                 quantity.unit, target.text));
+                                 scene::printable(text), quantity.name, zero ? "0, or " : "",
+                                 kLeast, kMost, quantity.unit, target.text));
   }
   target = {text, parsed.value};
 }
@@ -54,12 +55,14 @@ Starter starter_of(const InitArguments& options) {
   take(starter.clearance, "--clearance", options.clearance, scene::kLength);
   take(starter.friction, "--friction", options.friction, scene::kPure, true);
   if (starter.diameter.value > starter.length.value / 5.0) {
-    throw UsageError(fmt::format("--diameter {}: a shaft of {} is a beam up to a fifth of its length in diameter",
-                                 scene::printable(starter.diameter.text), scene::printable(starter.length.text)));
+    throw UsageError(fmt::format(
+        "--diameter {}: a shaft of {} is a beam up to a fifth of its length in diameter",
+        scene::printable(starter.diameter.text), scene::printable(starter.length.text)));
   }
   if (starter.clearance.value > starter.diameter.value) {
     throw UsageError(fmt::format("--clearance {}: accepted is at most the diameter, {}",
-                                 scene::printable(starter.clearance.text), scene::printable(starter.diameter.text)));
+                                 scene::printable(starter.clearance.text),
+                                 scene::printable(starter.diameter.text)));
   }
   return starter;
 }
@@ -68,12 +71,15 @@ Starter starter_of(const InitArguments& options) {
 std::filesystem::path starter_file(const InitArguments& options) {
   if (options.file == "-") return {};
   std::filesystem::path file = options.file.empty() ? options.name : options.file;
-  if (!file.has_filename()) throw UsageError("init: accepted is the name of a scene, as rotor or rotor.toml");
+  if (!file.has_filename())
+    throw UsageError("init: accepted is the name of a scene, as rotor or rotor.toml");
   if (file.extension() != ".toml") file += ".toml";
   std::error_code none;
-  if (std::filesystem::is_directory(file, none)) throw UsageError(fmt::format("{}: is a folder", file.string()));
+  if (std::filesystem::is_directory(file, none))
+    throw UsageError(fmt::format("{}: is a folder", file.string()));
   if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), none)) {
-    throw UsageError(fmt::format("{}: there is no folder {}", file.string(), file.parent_path().string()));
+    throw UsageError(
+        fmt::format("{}: there is no folder {}", file.string(), file.parent_path().string()));
   }
   if (!options.force && std::filesystem::exists(file, none)) {
     throw UsageError(fmt::format("{}: is there already; --force writes over it", file.string()));
@@ -84,8 +90,8 @@ std::filesystem::path starter_file(const InitArguments& options) {
 int write_starter(const InitArguments& options) {
   Starter starter = starter_of(options);
   const std::filesystem::path file = starter_file(options);
-  starter.file =
-      file.empty() ? options.name + (options.name.ends_with(".toml") ? "" : ".toml") : file.filename().string();
+  starter.file = file.empty() ? options.name + (options.name.ends_with(".toml") ? "" : ".toml")
+                              : file.filename().string();
   const std::string text = starter_scene(starter);
   if (!file.empty()) write_whole(file, text);
   if (options.json) {
@@ -104,24 +110,33 @@ int write_starter(const InitArguments& options) {
 
 Command add_init_command(CLI::App& program) {
   auto options = std::make_shared<InitArguments>();
-  CLI::App* app = program.add_subcommand("init", "Write a commented scene to begin with, which runs at once");
+  CLI::App* app =
+      program.add_subcommand("init", "Write a commented scene to begin with, which runs at once");
   app->add_option("NAME", options->name, "Name of the scene (default: rotor)");
   app->add_option("--form", options->form,
-                  "geometry (shaft, disc, bearings; loses a blade), modal (the same as one mode) or rig (with torsion, "
+                  "geometry (shaft, disc, bearings; loses a blade), modal (the same as one mode) "
+                  "or rig (with torsion, "
                   "motor, exciter, actuator)")
       ->check(CLI::IsMember({"geometry", "modal", "rig"}))
       ->capture_default_str();
-  const auto size = [&](const char* option, std::string& target, const std::string& words, const char* type) {
+  const auto size = [&](const char* option, std::string& target, const std::string& words,
+                        const char* type) {
     app->add_option(option, target, words)->type_name(type);
   };
   const Starter standard;
   size("--speed", options->speed, "Of the spin (default: " + standard.speed.text + ")", "SPEED");
-  size("--length", options->length, "Of the shaft (default: " + standard.length.text + ")", "LENGTH");
-  size("--diameter", options->diameter, "Of the shaft (default: " + standard.diameter.text + ")", "LENGTH");
-  size("--disc-mass", options->disc_mass, "Of the disc (default: " + standard.disc_mass.text + ")", "MASS");
-  size("--clearance", options->clearance, "Radial (default: " + standard.clearance.text + ")", "LENGTH");
-  size("--friction", options->friction, "Coefficient (default: " + standard.friction.text + ")", "NUMBER");
-  app->add_option("-o,--output", options->file, "File, or - for standard output (default: NAME.toml)")
+  size("--length", options->length, "Of the shaft (default: " + standard.length.text + ")",
+       "LENGTH");
+  size("--diameter", options->diameter, "Of the shaft (default: " + standard.diameter.text + ")",
+       "LENGTH");
+  size("--disc-mass", options->disc_mass, "Of the disc (default: " + standard.disc_mass.text + ")",
+       "MASS");
+  size("--clearance", options->clearance, "Radial (default: " + standard.clearance.text + ")",
+       "LENGTH");
+  size("--friction", options->friction, "Coefficient (default: " + standard.friction.text + ")",
+       "NUMBER");
+  app->add_option("-o,--output", options->file,
+                  "File, or - for standard output (default: NAME.toml)")
       ->type_name("FILE.toml");
   app->add_flag("--force", options->force, "Write over a file that is there");
   app->add_flag("--json", options->json, "Print where it went as JSON, and nothing else");

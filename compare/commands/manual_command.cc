@@ -1,4 +1,5 @@
-// rotorub manual: the program's own manual page and completion, from the parser's description of it.
+// rotorub manual: the program's own manual page and completion, from the parser's description of
+// it.
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -17,7 +18,8 @@ struct ManualArguments {
   std::string kind = "man", file;
 };
 
-// A type as the parser has it is "TEXT:{native,mujoco}": the value's name, and what it is checked for.
+// A type as the parser has it is "TEXT:{native,mujoco}": the value's name, and what it is checked
+// for.
 void set_type(OptionText& option, const std::string& type) {
   const std::size_t colon = type.find(':');
   option.value = type.substr(0, colon);
@@ -63,10 +65,14 @@ std::vector<OptionText> options_of(const CLI::App& app) {
 }
 
 ProgramText text_of(const CLI::App& program) {
-  ProgramText text{
-      program.get_name(), program.get_description(), "rotorub " + program_version(), options_of(program), {}};
+  ProgramText text{program.get_name(),
+                   program.get_description(),
+                   "rotorub " + program_version(),
+                   options_of(program),
+                   {}};
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    text.commands.push_back({command->get_name(), command->get_description(), options_of(*command)});
+    text.commands.push_back(
+        {command->get_name(), command->get_description(), options_of(*command)});
   }
   return text;
 }
@@ -90,7 +96,8 @@ Command add_manual_command(CLI::App& program) {
   app->add_option("KIND", options->kind, "man: the manual page; bash: the completion")
       ->check(CLI::IsMember({"man", "bash"}))
       ->capture_default_str();
-  app->add_option("-o,--output", options->file, "File (default: standard output)")->type_name("FILE");
+  app->add_option("-o,--output", options->file, "File (default: standard output)")
+      ->type_name("FILE");
   return {app, [options, &program] { return write_manual(program, *options); }};
 }
 

@@ -1,5 +1,5 @@
-// rotorub modes: whirl frequencies, critical speeds, the threshold of stability, mode shapes; the lasting rubs of
-// rotor and ring, and their map.
+// rotorub modes: whirl frequencies, critical speeds, the threshold of stability, mode shapes; the
+// lasting rubs of rotor and ring, and their map.
 
 #include <fmt/format.h>
 
@@ -62,7 +62,9 @@ std::optional<double> range_of(const ModesArguments& options) {
 std::filesystem::path page_file(const ModesArguments& options) {
   const std::filesystem::path path(options.output);
   if (path.extension() == ".html") return path;
-  const char* name = options.rub_map ? "rub_map.html" : options.feedback_map ? "feedback_map.html" : "modes.html";
+  const char* name = options.rub_map        ? "rub_map.html"
+                     : options.feedback_map ? "feedback_map.html"
+                                            : "modes.html";
   return path / name;
 }
 
@@ -124,7 +126,8 @@ void say_progress(ProgressBar& bar, double share, const char* what) {
   bar.show(share, what);
 }
 
-// rotorub modes --feedback-map: by default from half to twice the scene's speed, k up to a ring's 10 rates.
+// rotorub modes --feedback-map: by default from half to twice the scene's speed, k up to a ring's
+// 10 rates.
 int show_feedback(const ModesArguments& options) {
   MapRanges ranges = map_ranges(options);
   const scene::Scene scene = read_scene(options.scene, options);
@@ -160,7 +163,8 @@ int show_state_space(const ModesArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const Model model = make_model(scene);
   if (!scene.first().stator || !scene.first().contact) {
-    throw UsageError("--state-space: needs [stator] and [contact]: the force on the ring is the input");
+    throw UsageError(
+        "--state-space: needs [stator] and [contact]: the force on the ring is the input");
   }
   std::cout << json_text(state_space_json(scene, plant_of(model, 0, scene.rotor.speed)));
   return kDone;
@@ -214,27 +218,31 @@ Command add_modes_command(CLI::App& program) {
       ->allow_extra_args(false);
   CLI::Option* page =
       app->add_option("-o,--output", options->output,
-                      "Writes a page with Campbell diagram and mode shapes, or of the map: a file that ends with "
+                      "Writes a page with Campbell diagram and mode shapes, or of the map: a file "
+                      "that ends with "
                       ".html, or a folder for modes.html, rub_map.html or feedback_map.html")
           ->type_name("DIR|FILE.html");
   app->add_option("--up-to", options->up_to,
                   "Highest spin speed of the Campbell diagram (default: to show what matters)")
       ->type_name("SPEED")
       ->needs(page);
-  CLI::Option* map = app->add_flag(
-      "--rub-map", options->rub_map,
-      "A map over spin speed and friction: which lasting rubs are stable. Each load keeps its ratio to the spin");
-  app->add_option("--speeds", options->map_speeds,
-                  "Spin speeds of the map, e.g. 10Hz:100Hz:40 (default: 60 from 0.2 to 2 times rotor.speed)")
+  CLI::Option* map = app->add_flag("--rub-map", options->rub_map,
+                                   "A map over spin speed and friction: which lasting rubs are "
+                                   "stable. Each load keeps its ratio to the spin");
+  app->add_option(
+         "--speeds", options->map_speeds,
+         "Spin speeds of the map, e.g. 10Hz:100Hz:40 (default: 60 from 0.2 to 2 times rotor.speed)")
       ->type_name("FROM:TO:COUNT");
-  CLI::Option* feedback = app->add_flag(
-      "--feedback-map", options->feedback_map,
-      "Which cross-coupled feedback of the ring calms the forced rub, by its eigenvalues: a rule for k(Omega)");
-  app->add_option("--feedbacks", options->map_feedbacks, "Values of k of that map, e.g. 0:4000:81, N s/m")
+  CLI::Option* feedback = app->add_flag("--feedback-map", options->feedback_map,
+                                        "Which cross-coupled feedback of the ring calms the forced "
+                                        "rub, by its eigenvalues: a rule for k(Omega)");
+  app->add_option("--feedbacks", options->map_feedbacks,
+                  "Values of k of that map, e.g. 0:4000:81, N s/m")
       ->type_name("FROM:TO:COUNT")
       ->needs(feedback);
   app->add_flag("--state-space", options->state_space,
-                "The plant of a controller as JSON: A, B, C of rotor and ring without contact, force on the ring "
+                "The plant of a controller as JSON: A, B, C of rotor and ring without contact, "
+                "force on the ring "
                 "to their positions")
       ->excludes(feedback)
       ->excludes(map);

@@ -27,10 +27,12 @@ struct PlotArguments : CommonOptions {
 // A folder that is none of a run is a mistake of who named it.
 StoredRun run_of(const PlotArguments& options) {
   if (!options.overrides.empty()) {
-    throw UsageError(fmt::format("{} is the folder of a run: --set changes scenes", options.folder));
+    throw UsageError(
+        fmt::format("{} is the folder of a run: --set changes scenes", options.folder));
   }
   if (!std::filesystem::is_directory(options.folder)) {
-    throw UsageError(fmt::format("{}: is no folder; accepted is what `rotorub run -o DIR` wrote", options.folder));
+    throw UsageError(fmt::format("{}: is no folder; accepted is what `rotorub run -o DIR` wrote",
+                                 options.folder));
   }
   return stored_run(options.folder);
 }
@@ -38,9 +40,11 @@ StoredRun run_of(const PlotArguments& options) {
 int plot(const PlotArguments& options) {
   const StoredRun run = run_of(options);
   const auto shadow = read_shadow(options.folder, run);
-  if (shadow) check_series(shadow->trajectory, options.folder + "/" + kShadowFolder + "/series.csv");
-  const std::filesystem::path file =
-      options.file.empty() ? std::filesystem::path(options.folder) / "plot.html" : std::filesystem::path(options.file);
+  if (shadow)
+    check_series(shadow->trajectory, options.folder + "/" + kShadowFolder + "/series.csv");
+  const std::filesystem::path file = options.file.empty()
+                                         ? std::filesystem::path(options.folder) / "plot.html"
+                                         : std::filesystem::path(options.file);
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   write_whole(file, run_page(run, shadow));
   if (options.json) {
@@ -50,8 +54,8 @@ int plot(const PlotArguments& options) {
                             {"impacts", run.trajectory.impacts.size()},
                             {"shadow", shadow.has_value()}});
   } else if (!options.quiet) {
-    fmt::print("{}: {} rows{}\nwritten to {}\n", scene::printable(run.scene.name), run.trajectory.rows(),
-               shadow ? ", with its shadow" : "", file.string());
+    fmt::print("{}: {} rows{}\nwritten to {}\n", scene::printable(run.scene.name),
+               run.trajectory.rows(), shadow ? ", with its shadow" : "", file.string());
   }
   return kDone;
 }
@@ -61,8 +65,10 @@ int plot(const PlotArguments& options) {
 Command add_plot_command(CLI::App& program) {
   auto options = std::make_shared<PlotArguments>();
   CLI::App* app = program.add_subcommand("plot", "The page of a run: plots and a live player");
-  app->add_option("RUN_DIR", options->folder, "Folder of a run, as `rotorub run -o DIR` wrote it")->required();
-  app->add_option("-o,--output", options->file, "File (default: RUN_DIR/plot.html)")->type_name("FILE.html");
+  app->add_option("RUN_DIR", options->folder, "Folder of a run, as `rotorub run -o DIR` wrote it")
+      ->required();
+  app->add_option("-o,--output", options->file, "File (default: RUN_DIR/plot.html)")
+      ->type_name("FILE.html");
   add_common_options(*app, *options);
   return {app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);

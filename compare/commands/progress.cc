@@ -22,9 +22,8 @@ constexpr int kWidth = 28;
 std::string progress_bar(double share, double seconds, const std::string& what, int columns) {
   share = std::clamp(share, 0.0, 1.0);
   const auto full = static_cast<std::size_t>(share * kWidth);
-  const std::string bar =
-      fmt::format("[{}{}] {:3.0f} %  {:.0f} s  ", std::string(full, '='),
-                  std::string(kWidth - full, ' '), 100.0 * share, seconds);
+  const std::string bar = fmt::format("[{}{}] {:3.0f} %  {:.0f} s  ", std::string(full, '='),
+                                      std::string(kWidth - full, ' '), 100.0 * share, seconds);
   // The last column stays free: a terminal may wrap as soon as it is written to.
   const auto room = static_cast<std::size_t>(std::max(columns - 1, 0));
   constexpr std::size_t kCut = 3;  // "..."
@@ -48,8 +47,8 @@ void ProgressBar::show(double share, const std::string& what) {
     fmt::print(stderr, "\r\033[K{}", progress_bar(share, passed, what, columns_of(stderr)));
     drawn_ = true;
   } else {
-    fmt::print(stderr, "rotorub: {:.0f} % after {:.0f} s: {}\n", 100.0 * std::clamp(share, 0.0, 1.0),
-               passed, scene::printable(what));
+    fmt::print(stderr, "rotorub: {:.0f} % after {:.0f} s: {}\n",
+               100.0 * std::clamp(share, 0.0, 1.0), passed, scene::printable(what));
   }
   std::fflush(stderr);
 }

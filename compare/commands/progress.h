@@ -1,5 +1,5 @@
-// How far a long piece of work is, on standard error: on a terminal a bar, from two seconds on; elsewhere a line
-// every half minute, so that a log of hours tells what they went into.
+// How far a long piece of work is, on standard error: on a terminal a bar, from two seconds on;
+// elsewhere a line every half minute, so that a log of hours tells what they went into.
 #pragma once
 
 #include <chrono>

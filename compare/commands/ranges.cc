@@ -9,7 +9,8 @@
 namespace rotorub {
 namespace {
 
-[[noreturn]] void refuse_range(const char* option, const std::string& text, const std::string& why) {
+[[noreturn]] void refuse_range(const char* option, const std::string& text,
+                               const std::string& why) {
   throw UsageError(fmt::format("{} {}: {}; accepted is FROM:TO:COUNT", option, text, why));
 }
 
@@ -42,14 +43,14 @@ std::vector<double> even_values(double from, double to, int count) {
 std::vector<double> range_values(const char* option, const std::string& text,
                                  const scene::Quantity& quantity) {
   const std::size_t first = text.find(':'), last = text.rfind(':');
-  if (first == std::string::npos || first == last ||
-      text.find(':', first + 1) != last) {
+  if (first == std::string::npos || first == last || text.find(':', first + 1) != last) {
     refuse_range(option, text, "it has three parts");
   }
   const double from = value_of(option, text, text.substr(0, first), quantity);
   const double to = value_of(option, text, text.substr(first + 1, last - first - 1), quantity);
   const int count = count_of(option, text, text.substr(last + 1));
-  if (!(from >= 0.0) || !(to > from)) refuse_range(option, text, "FROM is 0 or more and TO above it");
+  if (!(from >= 0.0) || !(to > from))
+    refuse_range(option, text, "FROM is 0 or more and TO above it");
   return even_values(from, to, count);
 }
 

@@ -38,8 +38,9 @@ constexpr std::size_t kFilmRows = 50000;
 void check_window(const scene::Scene& scene, const renders::RenderOptions& film) {
   for (const auto& [flag, time] : {std::pair{"--from", film.from}, {"--to", film.to}}) {
     if (!time || *time <= scene.run.end) continue;
-    throw UsageError(fmt::format("{} {} s: accepted is a time of the run, which ends at {} s (--end)",
-                                 flag, *time, scene.run.end));
+    throw UsageError(
+        fmt::format("{} {} s: accepted is a time of the run, which ends at {} s (--end)", flag,
+                    *time, scene.run.end));
   }
 }
 
@@ -47,11 +48,13 @@ StoredRun run_for_film(const RenderArguments& options, const renders::RenderOpti
                        ProgressBar& bar) {
   StoredRun run;
   run.scene = read_scene(options.source, options);
-  if (run.scene.first().controller && run.scene.first().controller->kind == scene::ControllerKind::kLibrary) {
-    throw UsageError(fmt::format(
-        "{}: its controller is a library, {}, which render does not open; run it first, rotorub run {} --allow-library "
-        "-o DIR, and render DIR",
-        options.source, run.scene.first().controller->library, options.source));
+  if (run.scene.first().controller &&
+      run.scene.first().controller->kind == scene::ControllerKind::kLibrary) {
+    throw UsageError(
+        fmt::format("{}: its controller is a library, {}, which render does not open; run it "
+                    "first, rotorub run {} --allow-library "
+                    "-o DIR, and render DIR",
+                    options.source, run.scene.first().controller->library, options.source));
   }
   check_window(run.scene, film);
   RunRequest request;
@@ -69,9 +72,9 @@ StoredRun stored(const RenderArguments& options) {
   }
   StoredRun run = stored_run(options.source);
   if (run.trajectory.status != Status::kOk) {
-    fmt::print(stderr, "rotorub: {}: ended at {:.6g} s of {:.6g} s: {}{}{}\n", options.source, run.trajectory.end,
-               run.scene.run.end, to_string(run.trajectory.status), run.trajectory.message.empty() ? "" : ", ",
-               run.trajectory.message);
+    fmt::print(stderr, "rotorub: {}: ended at {:.6g} s of {:.6g} s: {}{}{}\n", options.source,
+               run.trajectory.end, run.scene.run.end, to_string(run.trajectory.status),
+               run.trajectory.message.empty() ? "" : ", ", run.trajectory.message);
   }
   return run;
 }
@@ -106,12 +109,13 @@ Outcome made_picture(const StoredRun& run, const FilmRequest& request, const std
 Outcome made_film(const StoredRun& run, const FilmRequest& request, const std::string& file) {
   const auto made = renders::render(run.scene, run.trajectory, request.options, file);
   const renders::FilmClock& clock = made.framing.clock;
-  std::string words = fmt::format("{:.3g} s of film, slowed down {:.4g} times", made.film_s,
-                                  clock.base());
+  std::string words =
+      fmt::format("{:.3g} s of film, slowed down {:.4g} times", made.film_s, clock.base());
   if (!clock.impacts().empty()) {
     words += fmt::format(", {:.4g} times at {} impacts", clock.slowest(), clock.impacts().size());
   }
-  return {made.framing, words,
+  return {made.framing,
+          words,
           {{"slow_motion", made.framing.slow_motion},
            {"slow_motion_at_impacts", clock.slowest()},
            {"frames", made.framing.frames},
@@ -153,9 +157,8 @@ int render_film(const RenderArguments& options) {
     return code;
   }
 
-  const std::string file = request.file.empty()
-                               ? run.scene.name + renders::extension(request.format)
-                               : request.file;
+  const std::string file =
+      request.file.empty() ? run.scene.name + renders::extension(request.format) : request.file;
   const std::optional<StoredRun> shadow =
       is_run ? read_shadow(options.source, run) : std::optional<StoredRun>();
   if (shadow) request.options.shadow = &shadow->trajectory;
@@ -166,8 +169,7 @@ int render_film(const RenderArguments& options) {
     bar.show(0.1 + 0.9 * share, "film");
   };
   const bool picture = request.format == renders::FilmFormat::kPng;
-  const Outcome made =
-      picture ? made_picture(run, request, file) : made_film(run, request, file);
+  const Outcome made = picture ? made_picture(run, request, file) : made_film(run, request, file);
   bar.clear();
   tell(options, request, run, made, file);
   return kDone;
@@ -177,8 +179,8 @@ int render_film(const RenderArguments& options) {
 
 Command add_render_command(CLI::App& program) {
   auto options = std::make_shared<RenderArguments>();
-  CLI::App* app =
-      program.add_subcommand("render", "Film or picture of a scene (native engine), or of a run's folder");
+  CLI::App* app = program.add_subcommand(
+      "render", "Film or picture of a scene (native engine), or of a run's folder");
   app->add_option("SCENE|RUN_DIR", options->source, "Scene file (.toml), or folder of a run")
       ->required();
   add_film_options(*app, options->film);

@@ -71,8 +71,10 @@ std::string whirl_note(const scene::Scene& scene, const Trajectory& trajectory) 
   const auto above = above_modes(scene, trajectory);
   if (!above || !above->matters()) return "";
   return fmt::format(
-      "  note: in {} of the time in contact, with {} of the friction work, the whirl is faster than\n"
-      "  the highest mode kept ({} Hz): {} Hz at most. There the shaft has no flexibility of its own:\n"
+      "  note: in {} of the time in contact, with {} of the friction work, the whirl is faster "
+      "than\n"
+      "  the highest mode kept ({} Hz): {} Hz at most. There the shaft has no flexibility of its "
+      "own:\n"
       "  keep modes beyond that (rotor.modes), or read the figures as those of the modes kept\n",
       percent_text(std::round(1e3 * above->contact_share) / 1e3),
       percent_text(std::round(1e3 * above->friction_share) / 1e3),
@@ -117,8 +119,8 @@ int run(const RunArguments& options) {
   if (options.json) {
     std::cout << json_text(summary_json(scene, trajectory));
   } else if (!options.quiet) {
-    fmt::print("{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)), truncation_note(scene),
-               whirl_note(scene, trajectory), folder.string());
+    fmt::print("{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)),
+               truncation_note(scene), whirl_note(scene, trajectory), folder.string());
   }
   say_failure(scene, "", trajectory);
   const bool stopped = trajectory.status == Status::kInterrupted;

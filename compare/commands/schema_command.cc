@@ -28,7 +28,8 @@ int write_schema(const std::string& file) {
 Command add_schema_command(CLI::App& program) {
   auto file = std::make_shared<std::string>();
   CLI::App* app = program.add_subcommand(
-      "schema", "The tables and keys of a scene as a JSON schema, with which an editor completes and checks");
+      "schema",
+      "The tables and keys of a scene as a JSON schema, with which an editor completes and checks");
   app->add_option("-o,--output", *file, "File (default: standard output)")->type_name("FILE.json");
   return {app, [file] { return write_schema(*file); }};
 }

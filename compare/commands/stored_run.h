@@ -7,7 +7,8 @@
 
 namespace rotorub {
 
-// Throws UsageError for a folder that is none of a run, or of a broken one: a mistake of who named it.
+// Throws UsageError for a folder that is none of a run, or of a broken one: a mistake of who named
+// it.
 StoredRun stored_run(const std::string& folder);
 
 }  // namespace rotorub

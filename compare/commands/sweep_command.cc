@@ -49,8 +49,8 @@ struct Sweep {
 };
 
 void check_arguments(const SweepArguments& options) {
-  const int modes = (options.shard.empty() ? 0 : 1) + (options.slurm ? 1 : 0) +
-                    (options.merge.empty() ? 0 : 1);
+  const int modes =
+      (options.shard.empty() ? 0 : 1) + (options.slurm ? 1 : 0) + (options.merge.empty() ? 0 : 1);
   if (modes > 1) throw UsageError("--shard, --slurm and --merge are three ways; give one of them");
   if (options.tasks > 0 && !options.slurm) throw UsageError("--tasks belongs to --slurm");
 }
@@ -126,10 +126,10 @@ int run_points(const SweepArguments& options, const Sweep& sweep) {
   if (shard.whole()) {
     write_results(options, sweep, store);
   } else {
-    say(options, fmt::format("shard {}/{}: {} points: {}\nwritten to {}; --merge joins the shards",
-                             shard.number, shard.count, store.count(),
-                             counts_text(store.count_by_status()),
-                             (sweep.folder / shard.file()).string()));
+    say(options,
+        fmt::format("shard {}/{}: {} points: {}\nwritten to {}; --merge joins the shards",
+                    shard.number, shard.count, store.count(), counts_text(store.count_by_status()),
+                    (sweep.folder / shard.file()).string()));
   }
   if (options.json) print_json(sweep, store, shard, true);
   return kDone;
@@ -234,8 +234,8 @@ int sweep_study(const SweepArguments& options) {
   sweep.study = sweep::read_study(options.study);
   sweep.scenes = std::make_unique<sweep::PointScenes>(sweep.study, overrides_of(options));
   sweep.scenes->check();
-  sweep.folder = options.folder.empty() ? path("runs") / path(options.study).stem()
-                                        : path(options.folder);
+  sweep.folder =
+      options.folder.empty() ? path("runs") / path(options.study).stem() : path(options.folder);
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   sweep.jobs = options.jobs > 0 ? options.jobs : std::max(1, processors);
   try {

@@ -10,8 +10,8 @@
 
 namespace rotorub {
 
-// `steps`: LIST as --steps takes it; empty: 1-2-5 from 1 ms to 1 us, and the scene's own. `scene`: of `file`, with
-// the options' overrides, in contact. progress: (share done, what is running).
+// `steps`: LIST as --steps takes it; empty: 1-2-5 from 1 ms to 1 us, and the scene's own. `scene`:
+// of `file`, with the options' overrides, in contact. progress: (share done, what is running).
 tune::TuneResult tuned(const std::string& file, const scene::Scene& scene,
                        const CommonOptions& options, double tolerance, int twins,
                        const std::string& steps,

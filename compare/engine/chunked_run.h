@@ -55,7 +55,7 @@ class ChunkedRun {
  private:
   std::size_t size() const { return static_cast<std::size_t>(model_.nq()); }
   void read_state(double* to) const { read_(data_.get(), to, to + size()); }
-  bool step();  // false: error_
+  bool step();               // false: error_
   plugin::StepWorks works_;  // of the last step
   bool bad() const;
 

@@ -1,6 +1,7 @@
 // Impacts and changes of mode of a soft contact: an impact is an episode of contact, from the
-// instant the gap closes to the first step without a force, the impulses integrated over it. One that is
-// shorter than the window of impulses (native_model/trajectory/impulse_window.h) is no lasting contact.
+// instant the gap closes to the first step without a force, the impulses integrated over it. One
+// that is shorter than the window of impulses (native_model/trajectory/impulse_window.h) is no
+// lasting contact.
 #pragma once
 
 #include "native_model/contact/kinematics.h"
@@ -19,7 +20,8 @@ struct SoftStep {
 
 class ContactEpisodes {
  public:
-  explicit ContactEpisodes(Recorder& recorder, int contact = 0) : recorder_(&recorder), contact_(contact) {}
+  explicit ContactEpisodes(Recorder& recorder, int contact = 0)
+      : recorder_(&recorder), contact_(contact) {}
   void step(const SoftStep& step);
   void finish();  // closes the episode that is open
 

@@ -91,10 +91,14 @@ std::unique_ptr<Engine> default_cone_engine() { return std::make_unique<DefaultC
 
 const char* to_string(scene::Integrator integrator) {
   switch (integrator) {
-    case scene::Integrator::kEvent: return "event";
-    case scene::Integrator::kPaper: return "paper";
-    case scene::Integrator::kVerlet: return "verlet";
-    case scene::Integrator::kLiteral: return "literal";
+    case scene::Integrator::kEvent:
+      return "event";
+    case scene::Integrator::kPaper:
+      return "paper";
+    case scene::Integrator::kVerlet:
+      return "verlet";
+    case scene::Integrator::kLiteral:
+      return "literal";
   }
   return "";
 }

@@ -52,7 +52,8 @@ Trajectory finite(Trajectory trajectory);
 std::unique_ptr<Engine> native_engine(scene::Integrator integrator);
 // Throws NotOffered.
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);
-// MuJoCo's cone with its default solref (time constant 20 ms, damping ratio 1), whatever the scene says.
+// MuJoCo's cone with its default solref (time constant 20 ms, damping ratio 1), whatever the scene
+// says.
 std::unique_ptr<Engine> default_cone_engine();
 
 const char* to_string(scene::Integrator integrator);

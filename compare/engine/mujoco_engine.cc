@@ -63,9 +63,8 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
     std::copy_n(state.q(), config.qpos_address.size(), q);
     std::copy_n(state.v(), config.qpos_address.size(), v);
   };
-  setup.refusal = config.segments
-                      ? plugin::segment_step_refusal(*config.segments, scene.run.step)
-                      : step_refusal(config.model, scene.run.step);
+  setup.refusal = config.segments ? plugin::segment_step_refusal(*config.segments, scene.run.step)
+                                  : step_refusal(config.model, scene.run.step);
   return run_mujoco(scene, setup, options);
 }
 

@@ -17,10 +17,10 @@ struct MujocoOptions {
   std::optional<scene::ContactModel> contact;       // default: the scene's
   std::optional<double> step;                       // s, > 0, default: the scene's
   std::optional<std::vector<double>> output_times;  // s, ascending, default: the scene's
-  double window = 0.0;                              // s, of impulses (impulse_window.h); 0: of the step
-  std::function<void(double)> progress;             // fraction done, called now and then
-  const std::atomic<bool>* interrupt = nullptr;     // set to true: stop, keep what there is
-  StepWatch watch;                                  // called after every step, if any
+  double window = 0.0;                   // s, of impulses (impulse_window.h); 0: of the step
+  std::function<void(double)> progress;  // fraction done, called now and then
+  const std::atomic<bool>* interrupt = nullptr;  // set to true: stop, keep what there is
+  StepWatch watch;                               // called after every step, if any
 };
 
 // The plugin builds its native model from scene.text: a scene that was changed after reading must

@@ -15,7 +15,8 @@ namespace rotorub {
 class MujocoRecord {
  public:
   // The model must outlive it. `rigid`: the contact model; `times`: the rows wanted, ascending.
-  MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times, double window);
+  MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times,
+               double window);
 
   // The state of t = 0.
   void begin(const double* q, const double* v);
@@ -31,13 +32,16 @@ class MujocoRecord {
   Trajectory finish(double end);
 
  private:
-  StepBalance balance_of_step(std::int64_t k, const double* q, const double* v, const StepResult& r);
+  StepBalance balance_of_step(std::int64_t k, const double* q, const double* v,
+                              const StepResult& r);
   double held(std::size_t contact) const;
   void count_impact();
   void note_mode(double t, Mode mode, std::size_t contact = 0);
-  void note_rigid(double next, const plugin::ContactForces& f, const Impact& impact, std::size_t contact = 0);
+  void note_rigid(double next, const plugin::ContactForces& f, const Impact& impact,
+                  std::size_t contact = 0);
   double impact_time(double t, const plugin::ContactForces& f, const ContactPoint& point) const;
-  void step_further(std::int64_t k, std::size_t contact, const double* q, const double* v, const StepResult& r);
+  void step_further(std::int64_t k, std::size_t contact, const double* q, const double* v,
+                    const StepResult& r);
 
   const Model& model_;
   bool rigid_;

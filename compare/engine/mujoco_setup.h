@@ -20,7 +20,7 @@ struct MujocoSetup {
   std::unique_ptr<const plugin::Config> config;
   std::shared_ptr<const Model> model;  // that the run is recorded by
   ReadState read;
-  std::string refusal;  // of the step; empty: none
+  std::string refusal;          // of the step; empty: none
   std::shared_ptr<void> keeps;  // what of m is not its own
 };
 

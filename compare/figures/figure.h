@@ -33,8 +33,8 @@ struct Figure {
   bool comparable;      // means the same for a soft and for a rigid contact: has a difference
   const char* meaning;  // one sentence
   double (*value)(const Metrics&);  // not a number: the run has no such figure
-  // SI, kRelative: a difference is relative to the native value, or to this where that is smaller. Of a count: one more or
-  // less among up to so many is 1 / resolution.
+  // SI, kRelative: a difference is relative to the native value, or to this where that is smaller.
+  // Of a count: one more or less among up to so many is 1 / resolution.
   double resolution = 0.0;
 
   bool is_judged() const { return judged != Judged::kNo; }

@@ -6,8 +6,8 @@
 namespace rotorub {
 namespace {
 
-// Quantile of Student's t for the quantile z of the normal distribution (Cornish and Fisher; to 1 % from 3 degrees of
-// freedom on).
+// Quantile of Student's t for the quantile z of the normal distribution (Cornish and Fisher; to 1 %
+// from 3 degrees of freedom on).
 double student(double z, double freedom) {
   const double z2 = z * z, n = freedom;
   return z * (1.0 + (z2 + 1.0) / (4.0 * n) + ((5.0 * z2 + 16.0) * z2 + 3.0) / (96.0 * n * n) +
@@ -18,7 +18,8 @@ constexpr double kTwoSided = 1.959964, kPower = 0.841621;  // of 95 % and of 80 
 
 }  // namespace
 
-FigureSample figure_sample(const Figure& figure, const Metrics& run, std::span<const Metrics> twins) {
+FigureSample figure_sample(const Figure& figure, const Metrics& run,
+                           std::span<const Metrics> twins) {
   FigureSample s;
   s.value = s.mean = figure.value(run);
   s.count = 1 + static_cast<int>(twins.size());
@@ -44,7 +45,8 @@ Interval interval(const FigureSample& a, const FigureSample& b) {
   if (!(sum > 0.0)) return {};
   const auto part = [](double of, int count) { return count > 1 ? of * of / (count - 1.0) : 0.0; };
   const double both = part(of_a, a.count) + part(of_b, b.count);
-  const double freedom = b.count > 1 && a.count > 1 ? sum * sum / both : std::max(a.count, b.count) - 1.0;
+  const double freedom =
+      b.count > 1 && a.count > 1 ? sum * sum / both : std::max(a.count, b.count) - 1.0;
   const double error = std::sqrt(sum), half = student(kTwoSided, freedom) * error;
   return {half, half + student(kPower, freedom) * error};
 }

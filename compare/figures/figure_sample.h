@@ -15,11 +15,12 @@ struct FigureSample {
   int count = 1;           // runs
 };
 
-FigureSample figure_sample(const Figure& figure, const Metrics& run, std::span<const Metrics> twins);
+FigureSample figure_sample(const Figure& figure, const Metrics& run,
+                           std::span<const Metrics> twins);
 
-// Half of the 95 % confidence interval of the difference of the means, and the least difference that would be distinguished from
-// none in 4 of 5 such comparisons (the power is 80 %), SI (Welch, Biometrika 34, 1947). A side of one run is taken to
-// scatter as the other does.
+// Half of the 95 % confidence interval of the difference of the means, and the least difference
+// that would be distinguished from none in 4 of 5 such comparisons (the power is 80 %), SI (Welch,
+// Biometrika 34, 1947). A side of one run is taken to scatter as the other does.
 struct Interval {
   double half = 0.0, least_told = 0.0;
 };

@@ -26,7 +26,10 @@ std::vector<ColumnMeaning> make_metric_keys() {
   for (const Figure& f : figures()) keys.push_back({f.key, si_unit(f), f.meaning, ""});
   const ColumnMeaning more[] = {
       {"first_touch", "s", "time of the first contact; null: never", ""},
-      {"least_gap", "m", "smallest gap of all rows and ends of steps; 0 or, by penetration, less where it touched; null: no [contact]", ""},
+      {"least_gap", "m",
+       "smallest gap of all rows and ends of steps; 0 or, by penetration, less where it touched; "
+       "null: no [contact]",
+       ""},
       {"friction_impulse", "N s", "on the rotor, signed along e_t", ""},
       {"real_time_factor", "", "simulated time over time taken; no result", ""},
       {"settled.attractor", "", "what the last fifth of the run is", ""},
@@ -35,14 +38,17 @@ std::vector<ColumnMeaning> make_metric_keys() {
       {"settled.whirl_frequency", "rad/s", "mean whirl there, forward positive", ""},
       {"settled.spin_speed", "rad/s", "mean spin speed there", ""},
       {"settled.impacts", "", "counted impacts there", ""},
-      {"residuals.force_scale", "N", "mean normal force of the rows in contact: F below, delta_0 the clearance", ""},
+      {"residuals.force_scale", "N",
+       "mean normal force of the rows in contact: F below, delta_0 the clearance", ""},
       {"residuals.penetration", "", "largest penetration / delta_0 of a row", ""},
       {"residuals.adhesion", "", "largest pull / F", ""},
       {"residuals.complementarity", "", "largest gap times force / (delta_0 F)", ""},
       {"residuals.cone", "", "largest |friction| beyond mu times normal force / F", ""},
       {"residuals.sliding", "", "largest departure from Coulomb's law where it slides / F", ""},
-      {"residuals.power", "", "largest power that friction gave, over F times the largest slip", ""},
-      {"residuals.gap_error", "", "largest |gap - (delta_0 - distance of the centres)| / delta_0", ""},
+      {"residuals.power", "", "largest power that friction gave, over F times the largest slip",
+       ""},
+      {"residuals.gap_error", "", "largest |gap - (delta_0 - distance of the centres)| / delta_0",
+       ""},
   };
   keys.insert(keys.end(), std::begin(more), std::end(more));
   return keys;

@@ -1,5 +1,5 @@
-// The module: writes into memory, whence the program writes the file whole. No times are kept, so that the bytes are
-// those of the content.
+// The module: writes into memory, whence the program writes the file whole. No times are kept, so
+// that the bytes are those of the content.
 #include <hdf5.h>
 
 #include <algorithm>
@@ -41,8 +41,10 @@ Handle string_type(std::size_t length) {
   return {type, H5Tclose, "a string"};
 }
 
-void set_attribute(hid_t object, const std::string& name, hid_t type, hid_t space, const void* value) {
-  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
+void set_attribute(hid_t object, const std::string& name, hid_t type, hid_t space,
+                   const void* value) {
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose, name);
   check(H5Awrite(attribute, type, value), name);
 }
 
@@ -54,17 +56,20 @@ void set_attribute(hid_t object, const Attribute& attribute) {
   } else if (const auto* number = std::get_if<double>(&attribute.value)) {
     set_attribute(object, attribute.name, H5T_IEEE_F64LE, space, number);
   } else {
-    set_attribute(object, attribute.name, H5T_STD_I64LE, space, &std::get<std::int64_t>(attribute.value));
+    set_attribute(object, attribute.name, H5T_STD_I64LE, space,
+                  &std::get<std::int64_t>(attribute.value));
   }
 }
 
-void write_dataset(hid_t group, const Column& column, hid_t type, std::size_t rows, const void* values) {
+void write_dataset(hid_t group, const Column& column, hid_t type, std::size_t rows,
+                   const void* values) {
   const hsize_t size = rows;
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, column.name),
       plain(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, column.name);
   check(H5Pset_obj_track_times(plain, false), column.name);
-  const Handle dataset(H5Dcreate2(group, column.name.c_str(), type, space, H5P_DEFAULT, plain, H5P_DEFAULT), H5Dclose,
-                       column.name);
+  const Handle dataset(
+      H5Dcreate2(group, column.name.c_str(), type, space, H5P_DEFAULT, plain, H5P_DEFAULT),
+      H5Dclose, column.name);
   if (rows > 0) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), column.name);
   set_attribute(dataset, {"unit", column.unit});
   set_attribute(dataset, {"meaning", column.meaning});
@@ -88,7 +93,8 @@ void write_column(hid_t group, const Column& column) {
 void write_table(hid_t file, const Table& table) {
   const Handle plain(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, table.name);
   check(H5Pset_obj_track_times(plain, false), table.name);
-  const Handle group(H5Gcreate2(file, table.name.c_str(), H5P_DEFAULT, plain, H5P_DEFAULT), H5Gclose, table.name);
+  const Handle group(H5Gcreate2(file, table.name.c_str(), H5P_DEFAULT, plain, H5P_DEFAULT),
+                     H5Gclose, table.name);
   std::vector<const char*> names;
   for (const Column& column : table.columns) {
     write_column(group, column);
@@ -115,7 +121,8 @@ extern "C" std::string rotorub_hdf5_image(const Content& content) {
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   if (size <= 0) throw std::runtime_error("HDF5: the file has no image");
   std::string image(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(file, image.data(), image.size()) != size) throw std::runtime_error("HDF5: the image is cut");
+  if (H5Fget_file_image(file, image.data(), image.size()) != size)
+    throw std::runtime_error("HDF5: the image is cut");
   return image;
 }
 

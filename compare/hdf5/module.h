@@ -1,4 +1,5 @@
-// HDF5, of a module of its own (lib/librotorub_hdf5.so), so that the program needs no library for what few ask for.
+// HDF5, of a module of its own (lib/librotorub_hdf5.so), so that the program needs no library for
+// what few ask for.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,8 @@
 
 namespace rotorub::hdf5 {
 
-// A dataset with the attributes `unit` and `meaning`: numbers, or else the words that `which` counts through.
+// A dataset with the attributes `unit` and `meaning`: numbers, or else the words that `which`
+// counts through.
 struct Column {
   std::string name, unit, meaning;
   std::span<const double> numbers;

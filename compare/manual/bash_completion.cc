@@ -21,13 +21,16 @@ std::string value_branches(const CommandText& command) {
   for (const OptionText& option : command.options) {
     if (option.positional || option.value.empty()) continue;
     std::vector<std::string> patterns;
-    for (const std::string& name : option.names) patterns.push_back("'" + command.name + " " + name + "'");
-    const std::string words = option.words.empty() ? "" : fmt::format("-W '{}'", joined(option.words, " "));
+    for (const std::string& name : option.names)
+      patterns.push_back("'" + command.name + " " + name + "'");
+    const std::string words =
+        option.words.empty() ? "" : fmt::format("-W '{}'", joined(option.words, " "));
     const char* files = names_a_file(option.value) ? "-f" : "";
     const std::string answer =
         words.empty() && *files == '\0'
             ? "return"
-            : fmt::format("mapfile -t COMPREPLY < <(compgen {}{} -- \"$word\"); return", words, files);
+            : fmt::format("mapfile -t COMPREPLY < <(compgen {}{} -- \"$word\"); return", words,
+                          files);
     text += fmt::format("    {}) {} ;;\n", joined(patterns, "|"), answer);
   }
   return text;
@@ -53,7 +56,8 @@ std::string bash_completion(const ProgramText& program) {
   }
   for (const OptionText& option : program.options)
     options.insert(options.end(), option.names.begin(), option.names.end());
-  return fmt::format(R"(# Completion of {0} in bash: commands, options, the words that an option takes, files.
+  return fmt::format(
+      R"(# Completion of {0} in bash: commands, options, the words that an option takes, files.
 _{0}() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} command='' words='' i
   COMPREPLY=()
@@ -80,7 +84,8 @@ _{0}() {{
 }}
 complete -o filenames -F _{0} {0}
 )",
-                     program.name, joined(commands, "|"), joined(commands, " "), joined(options, " "), values, names);
+      program.name, joined(commands, "|"), joined(commands, " "), joined(options, " "), values,
+      names);
 }
 
 }  // namespace rotorub

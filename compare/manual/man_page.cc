@@ -43,7 +43,8 @@ std::string option_entry(const OptionText& option) {
 }
 
 std::string synopsis(const std::string& program, const CommandText& command) {
-  std::string text = ".br\n" + bold(program) + " " + bold(command.name) + " [" + italic("OPTIONS") + "]";
+  std::string text =
+      ".br\n" + bold(program) + " " + bold(command.name) + " [" + italic("OPTIONS") + "]";
   for (const OptionText& option : command.options) {
     if (!option.positional) continue;
     const std::string name = italic(option.names.front());
@@ -108,9 +109,11 @@ std::string man_page(const ProgramText& program) {
   std::string title = program.name;
   std::transform(title.begin(), title.end(), title.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  std::string text = fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", title, program.version);
-  text += ".SH NAME\n" + program.name + " \\- " + printed(program.description) + "\n.SH SYNOPSIS\n" +
-          bold(program.name) + " [" + bold("--help") + " | " + bold("--version") + "]\n";
+  std::string text =
+      fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", title, program.version);
+  text += ".SH NAME\n" + program.name + " \\- " + printed(program.description) +
+          "\n.SH SYNOPSIS\n" + bold(program.name) + " [" + bold("--help") + " | " +
+          bold("--version") + "]\n";
   for (const CommandText& command : program.commands) text += synopsis(program.name, command);
   text += ".SH OPTIONS\n";
   for (const OptionText& option : program.options) text += option_entry(option);

@@ -1,5 +1,5 @@
-// What the program says of itself, apart from who parses it: the parser's description of commands and options is the
-// one source of help, manual page and completion.
+// What the program says of itself, apart from who parses it: the parser's description of commands
+// and options is the one source of help, manual page and completion.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct OptionText {
   std::vector<std::string> names;  // "-o", "--output"; of a positional its name alone
   std::string value;               // "DIR", "TIME"; empty: a flag
   std::vector<std::string> words;  // the only values that are taken; empty: others
-  std::string standard;            // its value where it is not given; empty: none, or the description says
+  std::string standard;  // its value where it is not given; empty: none, or the description says
   std::string description;
   bool positional = false, required = false;
 };

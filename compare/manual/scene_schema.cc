@@ -16,12 +16,14 @@ using scene::Table;
 using scene::ValueType;
 
 // A number with or without a unit; which units fit, the description says.
-constexpr const char* kWithUnit = R"(^[ \t]*[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?[^0-9]*.*$)";
+constexpr const char* kWithUnit =
+    R"(^[ \t]*[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?[^0-9]*.*$)";
 
 json bounded(const char* type, const scene::Range& range) {
   json schema{{"type", type}};
   if (std::isfinite(range.low)) schema[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
-  if (std::isfinite(range.high)) schema[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
+  if (std::isfinite(range.high))
+    schema[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
   return schema;
 }
 
@@ -62,13 +64,15 @@ json value_schema(const Key& key) {
 // "of the shaft, from 0. A length in m (m, mm, um), > 0. Required."
 std::string described(const Key& key) {
   std::string text(key.meaning.empty() ? key.quantity.name : key.meaning);
-  const bool measured = key.type != ValueType::kWord && key.type != ValueType::kFlag && key.type != ValueType::kText;
+  const bool measured =
+      key.type != ValueType::kWord && key.type != ValueType::kFlag && key.type != ValueType::kText;
   if (measured) {
     text += ". Expected: " + key.expected();
     if (key.type != ValueType::kWhole) text += "; units: " + std::string(key.quantity.examples);
   }
   if (!key.kinds.empty()) text += ". With kind " + scene::join(key.kinds) + " only";
-  if (key.form != Form::kEither) text += key.form == Form::kGeometry ? ". Geometry form" : ". Modal form";
+  if (key.form != Form::kEither)
+    text += key.form == Form::kGeometry ? ". Geometry form" : ". Modal form";
   return text + (key.required() ? ". Required." : ". Default: " + key.fallback + ".");
 }
 
@@ -77,7 +81,8 @@ void require(json& schema, const Key& key) {
   if (key.also.empty()) {
     schema["required"].push_back(key.name);
   } else {
-    schema["allOf"].push_back({{"anyOf", {{{"required", {key.name}}}, {{"required", {key.also}}}}}});
+    schema["allOf"].push_back(
+        {{"anyOf", {{{"required", {key.name}}}, {{"required", {key.also}}}}}});
   }
 }
 
@@ -134,10 +139,13 @@ json form_rule(const Table& rotor) {
   }
   for (const Table& table : scene::tables()) {
     const std::string_view path = table.path;
-    if (table.form == Form::kGeometry && path.starts_with("rotor.")) shut[std::string(path.substr(6))] = false;
+    if (table.form == Form::kGeometry && path.starts_with("rotor."))
+      shut[std::string(path.substr(6))] = false;
   }
   geometry.push_back("section");
-  return {{"if", {{"required", {"modal"}}}}, {"then", {{"properties", shut}}}, {"else", {{"required", geometry}}}};
+  return {{"if", {{"required", {"modal"}}}},
+          {"then", {{"properties", shut}}},
+          {"else", {{"required", geometry}}}};
 }
 
 }  // namespace
@@ -153,7 +161,8 @@ std::string scene_schema() {
     // Parents stand before children, and are no lists.
     json* parent = &root;
     std::string_view name = table.path;
-    for (std::size_t dot; (dot = name.find('.')) != std::string_view::npos; name.remove_prefix(dot + 1)) {
+    for (std::size_t dot; (dot = name.find('.')) != std::string_view::npos;
+         name.remove_prefix(dot + 1)) {
       parent = &(*parent)["properties"][std::string(name.substr(0, dot))];
     }
     json schema = table_schema(table);
@@ -161,15 +170,19 @@ std::string scene_schema() {
     if (table.list) schema = {{"type", "array"}, {"items", std::move(schema)}};
     if (table.or_list) {
       // The parts of each auxiliary bearing are added below, as they are read.
-      schema = {{"anyOf", {schema, {{"type", "array"}, {"items", schema}, {"maxItems", kMaxContacts}}}}};
+      schema = {
+          {"anyOf", {schema, {{"type", "array"}, {"items", schema}, {"maxItems", kMaxContacts}}}}};
     }
-    schema["description"] = std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".";
+    schema["description"] =
+        std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".";
     (*parent)["properties"][std::string(name)] = std::move(schema);
   }
   // Below each [[contact]].
   json& listed = root["properties"]["contact"]["anyOf"][1]["items"]["properties"];
-  for (const char* part : {"stator", "actuator", "controller"}) listed[part] = root["properties"][part];
-  for (const char* key : {"position", "velocity"}) root["properties"]["stator"]["properties"].erase(key);
+  for (const char* part : {"stator", "actuator", "controller"})
+    listed[part] = root["properties"][part];
+  for (const char* key : {"position", "velocity"})
+    root["properties"]["stator"]["properties"].erase(key);
   return root.dump(1) + "\n";
 }
 

@@ -58,32 +58,42 @@ std::vector<ColumnMeaning> make_measured_keys() {
       {"interval", "s", "between its samples: the median", ""},
       {"alignment.shift", "s", "added to the record's times it gives the scene's", ""},
       {"alignment.shift_from", "", "found or given", ""},
-      {"alignment.shift_error", "s", "standard deviation, if what is left is white noise; null: given", ""},
+      {"alignment.shift_error", "s",
+       "standard deviation, if what is left is white noise; null: given", ""},
       {"alignment.angle", "rad", "of the sensors' x axis in the scene, from x to y positive", ""},
       {"alignment.angle_from", "",
-       "found, given, no pair (no x with its y is measured: 0) or circle (it cannot be distinguished from a shift: 0)", ""},
+       "found, given, no pair (no x with its y is measured: 0) or circle (it cannot be "
+       "distinguished from a shift: 0)",
+       ""},
       {"alignment.angle_error", "rad", "as shift_error; null: not found", ""},
       {"alignment.turn_for_shift", "rad/s",
        "what a shift is made up by of the angle, in a motion near to a circle; else null", ""},
       {"alignment.by", "", "the quantities that it was found by", ""},
-      {"alignment.correlation", "", "of them with the native run, means taken off; -1 to 1; null: none moves", ""},
-      {"alignment.residual", "", "rms of what is left of them over the run's deviation from its mean", ""},
-      {"alignment.next", "", "shift and correlation of the next best beyond a valley; null: none", ""},
+      {"alignment.correlation", "",
+       "of them with the native run, means taken off; -1 to 1; null: none moves", ""},
+      {"alignment.residual", "",
+       "rms of what is left of them over the run's deviation from its mean", ""},
+      {"alignment.next", "", "shift and correlation of the next best beyond a valley; null: none",
+       ""},
       {"alignment.ambiguous", "",
-       "whether it leaves less than twice what the best leaves, or less than 5 %: sqrt(1 - correlation^2)", ""},
+       "whether it leaves less than twice what the best leaves, or less than 5 %: sqrt(1 - "
+       "correlation^2)",
+       ""},
       {"columns.<name>.good", "", "samples on the run that are compared", ""},
       {"columns.<name>.missing", "", "samples on the run without a value", ""},
       {"columns.<name>.clipped", "", "samples at the sensor's limit", ""},
-      {"columns.<name>.runs.<run>.rms", "as the column", "root mean square of record less run, in the sensors' frame",
-       ""},
+      {"columns.<name>.runs.<run>.rms", "as the column",
+       "root mean square of record less run, in the sensors' frame", ""},
       {"columns.<name>.runs.<run>.offset", "as the column", "mean of record less run", ""},
       {"columns.<name>.runs.<run>.share", "",
        "that rms over the run's deviation from its mean; null: the run does not move", ""},
   };
   keys.push_back({"figures.<name>.measured", "as the figure",
                   "of the record; a figure stands where its columns are measured", ""});
-  keys.push_back({"figures.<name>.bound", "", "at least or at most: the sensor was at its limit; else empty", ""});
-  keys.push_back({"figures.<name>.runs.<run>", "as the figure", "of the run at the record's samples", ""});
+  keys.push_back({"figures.<name>.bound", "",
+                  "at least or at most: the sensor was at its limit; else empty", ""});
+  keys.push_back(
+      {"figures.<name>.runs.<run>", "as the figure", "of the run at the record's samples", ""});
   for (const MeasuredFigure& f : measured_figures()) {
     names.push_back(fmt::format("figures.{}", f.key));
     keys.push_back({names.back(), si_unit_of(f), f.meaning, ""});
@@ -99,8 +109,9 @@ nlohmann::json measured_json(const MeasuredRun& run) {
   for (const ColumnFit& c : run.columns) {
     json runs = json::object();
     for (std::size_t r = 0; r < c.runs.size(); ++r) {
-      runs[run.labels[r]] = {
-          {"rms", c.runs[r].rms}, {"offset", c.runs[r].offset}, {"share", number_or_null(c.runs[r].share)}};
+      runs[run.labels[r]] = {{"rms", c.runs[r].rms},
+                             {"offset", c.runs[r].offset},
+                             {"share", number_or_null(c.runs[r].share)}};
     }
     columns[std::string(c.what->name)] = {
         {"good", c.good}, {"missing", c.missing}, {"clipped", c.clipped}, {"runs", runs}};

@@ -12,7 +12,8 @@ namespace {
 constexpr int kNameWidth = 30;
 constexpr int kRunWidth = 10;
 
-std::string record_line(const std::string& label, const std::string& measured, const std::vector<std::string>& runs) {
+std::string record_line(const std::string& label, const std::string& measured,
+                        const std::vector<std::string>& runs) {
   std::string text = fmt::format("{:<{}}{:>{}}", label, kNameWidth, measured, kRunWidth);
   for (const std::string& run : runs) text += fmt::format("{:>{}}", run, kRunWidth);
   while (text.back() == ' ') text.pop_back();
@@ -50,10 +51,11 @@ std::string measured_value(const MeasuredFigure& f) {
 }
 
 std::string measured_table(const MeasuredRun& run) {
-  std::string text =
-      wrapped("  measured: ", fmt::format("{}, {} samples, {} apart", run.file, run.samples, time_text(run.interval)));
+  std::string text = wrapped("  measured: ", fmt::format("{}, {} samples, {} apart", run.file,
+                                                         run.samples, time_text(run.interval)));
   text += wrapped("    ", alignment_text(run.alignment));
-  if (!run.figures.empty()) text += record_line("  at the record's samples", "measured", run.labels);
+  if (!run.figures.empty())
+    text += record_line("  at the record's samples", "measured", run.labels);
   for (const MeasuredFigure& f : run.figures) {
     std::vector<std::string> values;
     for (const double value : f.runs) values.push_back(short_number(value * f.per_unit));

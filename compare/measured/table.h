@@ -7,11 +7,12 @@
 
 namespace rotorub {
 
-// The alignment in a sentence, the figures side by side, what is left of each column, and remarks; at most 80 columns
-// wide.
+// The alignment in a sentence, the figures side by side, what is left of each column, and remarks;
+// at most 80 columns wide.
 std::string measured_table(const MeasuredRun& run);
 
-// What of a column is left against a run: "12.3" in "µm", and its share of the run's deviation: "4.1 %".
+// What of a column is left against a run: "12.3" in "µm", and its share of the run's deviation:
+// "4.1 %".
 std::string residual_unit(const Measurable& what);
 std::string residual_text(const Measurable& what, double value);
 std::string share_text(const ColumnResidual& residual);

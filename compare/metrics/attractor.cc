@@ -106,8 +106,7 @@ Settled settled(const LastPart& part) {
   } else if (s.contact_share < kPermanentContact) {
     s.attractor = Attractor::kChattering;
   } else {
-    s.attractor =
-        permanent(s, relative_slip(part), part.points.back().t - part.points.front().t);
+    s.attractor = permanent(s, relative_slip(part), part.points.back().t - part.points.front().t);
   }
   return s;
 }

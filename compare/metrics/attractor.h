@@ -14,7 +14,8 @@ enum class Attractor {
   kNoContact,       // no row in contact and no counted impact
   kChattering,      // contact in fewer than 99 % of the rows: bouncing
   kResting,         // else, less than 1 % of a turn about the ring: rests on it
-  kSynchronousRub,  // else, whirl with the spin, within 2 % of the mean spin speed: full annular rub
+  kSynchronousRub,  // else, whirl with the spin, within 2 % of the mean spin speed: full annular
+                    // rub
   kForwardRub,      // else, whirl with the spin at another frequency
   kBackwardWhip,    // else, whirl against the spin that slips: dry-friction whip
   kRolling,         // contact, and the slip under 1 % of the surface speed: rolls in the ring

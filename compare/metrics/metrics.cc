@@ -76,8 +76,10 @@ void gather_impacts(const Trajectory& trajectory, Metrics& m) {
 
 std::optional<ContactFacts> contact_facts(const scene::Scene& scene) {
   if (!scene.first().contact) return std::nullopt;
-  return ContactFacts{scene.first().contact->clearance, scene.first().contact->radius, scene.first().contact->friction,
-                      scene.first().contact->compression_time + scene.first().contact->expansion_time};
+  return ContactFacts{
+      scene.first().contact->clearance, scene.first().contact->radius,
+      scene.first().contact->friction,
+      scene.first().contact->compression_time + scene.first().contact->expansion_time};
 }
 
 Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>& facts) {

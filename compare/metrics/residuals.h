@@ -9,9 +9,9 @@ namespace rotorub {
 
 // What the laws need to know beside the series.
 struct ContactFacts {
-  double clearance = 0.0;  // m, delta_0, > 0
-  double radius = 0.0;     // m, r, > 0
-  double friction = 0.0;   // mu, >= 0
+  double clearance = 0.0;    // m, delta_0, > 0
+  double radius = 0.0;       // m, r, > 0
+  double friction = 0.0;     // mu, >= 0
   double impact_time = 0.0;  // s, of an impact, compression and expansion
 };
 
@@ -32,9 +32,9 @@ struct Residuals {
 // the series (v above); below it the direction of slip is not defined.
 inline constexpr double kSlipThreshold = 1e-3;
 
-// Rows within an impact that takes time have its law, not (12) and (13) of lasting contact: a force beside a
-// gap that opens, friction that restitution holds against the slip. They are left out of complementarity,
-// sliding and power.
+// Rows within an impact that takes time have its law, not (12) and (13) of lasting contact: a force
+// beside a gap that opens, friction that restitution holds against the slip. They are left out of
+// complementarity, sliding and power.
 Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& facts);
 
 }  // namespace rotorub

@@ -1,5 +1,6 @@
-// The third error of a comparison, beside those of contact model and step: that of the bending modes
-// kept, which both sides share. The native model runs with `event` over a rising ladder of modes.
+// The third error of a comparison, beside those of contact model and step: that of the bending
+// modes kept, which both sides share. The native model runs with `event` over a rising ladder of
+// modes.
 #pragma once
 
 #include <atomic>
@@ -17,9 +18,9 @@ namespace rotorub {
 std::vector<int> mode_ladder(int modes);
 
 struct ModelErrorParameters {
-  double tolerance = 0.01;     // share: on the judged figures
-  std::vector<double> spread;  // of twins, as figures(); empty: 0
-  double step = 0.0;           // s, that forces are averaged over; 0: the scene's
+  double tolerance = 0.01;               // share: on the judged figures
+  std::vector<double> spread;            // of twins, as figures(); empty: 0
+  double step = 0.0;                     // s, that forces are averaged over; 0: the scene's
   std::function<void(double)> progress;  // share done; may be empty
   const std::atomic<bool>* interrupt = nullptr;
 };

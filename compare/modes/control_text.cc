@@ -26,7 +26,8 @@ std::vector<std::string> state_names(const LinearPlant& plant) {
   std::vector<std::string> names;
   for (const char* rate : {"", "v"}) {
     for (const char* plane : {"x", "y"}) {
-      for (std::size_t k = 1; k <= modes; ++k) names.push_back(fmt::format("{}{}_{}", rate, plane, k));
+      for (std::size_t k = 1; k <= modes; ++k)
+        names.push_back(fmt::format("{}{}_{}", rate, plane, k));
     }
     for (const char* plane : {"x", "y"}) names.push_back(fmt::format("stator_{}{}", rate, plane));
   }
@@ -59,7 +60,8 @@ nlohmann::json feedback_map_json(const rub::FeedbackMap& map) {
     stable.push_back(s);
     force.push_back(f);
   }
-  for (const auto& k : map.rule()) rule.push_back(k ? nlohmann::json(k->point->feedback) : nlohmann::json());
+  for (const auto& k : map.rule())
+    rule.push_back(k ? nlohmann::json(k->point->feedback) : nlohmann::json());
   return {{"speeds", map.speeds}, {"feedbacks", map.feedbacks}, {"growth", growth},
           {"stable", stable},     {"normal_force", force},      {"rule", rule}};
 }
@@ -68,8 +70,10 @@ std::string feedback_keys(const rub::FeedbackMap& map) {
   std::string feedback, speed;
   for (const auto& choice : map.rule()) {
     if (!choice) continue;
-    feedback += fmt::format("{}{}", feedback.empty() ? "" : ", ", short_number(choice->point->feedback));
-    speed += fmt::format("{}\"{} Hz\"", speed.empty() ? "" : ", ", short_number(kHz * choice->point->speed));
+    feedback +=
+        fmt::format("{}{}", feedback.empty() ? "" : ", ", short_number(choice->point->feedback));
+    speed += fmt::format("{}\"{} Hz\"", speed.empty() ? "" : ", ",
+                         short_number(kHz * choice->point->speed));
   }
   if (feedback.empty()) return {};
   return fmt::format("feedback = [{}]\nfeedback_speed = [{}]\n", feedback, speed);

@@ -1,4 +1,5 @@
-// What a control engineer asks of a scene: the plant as matrices, and the map of cross-coupled feedback.
+// What a control engineer asks of a scene: the plant as matrices, and the map of cross-coupled
+// feedback.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,12 +14,13 @@ namespace rotorub {
 // {"speed", "states": [names], "inputs", "outputs", "A", "B", "C"}: rows of numbers, SI.
 nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant);
 
-// {"speeds", "feedbacks", "growth": rows of 1/s or null, "stable", "normal_force", "rule": [N s/m or null]}
+// {"speeds", "feedbacks", "growth": rows of 1/s or null, "stable", "normal_force", "rule": [N s/m
+// or null]}
 nlohmann::json feedback_map_json(const rub::FeedbackMap& map);
 // The rule as a scene's keys, two lines; empty where no k is stable at any speed.
 std::string feedback_keys(const rub::FeedbackMap& map);
-// A line a speed: the k under which the forced rub decays fastest, and from where to where it is stable; then
-// feedback_keys.
+// A line a speed: the k under which the forced rub decays fastest, and from where to where it is
+// stable; then feedback_keys.
 std::string feedback_map_table(const std::string& name, const rub::FeedbackMap& map);
 
 }  // namespace rotorub

@@ -26,7 +26,8 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
   analysis.stability_bound = stability_bound(analysis.system);
   analysis.shapes = mode_shapes(scene);
   if (analysis.shapes) {
-    analysis.whirl_shapes = whirl_shapes(scene, analysis.system, scene.rotor.speed, *analysis.shapes);
+    analysis.whirl_shapes =
+        whirl_shapes(scene, analysis.system, scene.rotor.speed, *analysis.shapes);
   }
   analysis.contact_mass = contact_mass(scene);
   if (scene.rotor.torsion) analysis.torsion = torsion_frequencies(modal_rotor(scene));
@@ -34,7 +35,8 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
   return analysis;
 }
 
-void add_response(const scene::Scene& scene, const std::vector<double>& speeds, RotorAnalysis& analysis) {
+void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
+                  RotorAnalysis& analysis) {
   if (!scene.first().contact) return;
   analysis.clearance = scene.first().contact->clearance;
   scene::Scene free = scene;

@@ -18,16 +18,16 @@ namespace rotorub {
 
 struct RotorAnalysis {
   WhirlSystem system;
-  std::vector<WhirlSpectrum> spectra;         // at the speeds asked for
-  std::vector<double> critical_speeds;        // rad/s, ascending; sizes, of a spin of the scene's sense
+  std::vector<WhirlSpectrum> spectra;   // at the speeds asked for
+  std::vector<double> critical_speeds;  // rad/s, ascending; sizes, of a spin of the scene's sense
   std::optional<double> stability_threshold;  // rad/s, likewise
   double stability_bound = 0.0;               // rad/s, may be infinite (campbell.h)
   std::optional<ModeShapes> shapes;           // geometry form only
   std::vector<WhirlShape> whirl_shapes;       // at the scene's own speed; geometry form only
   std::vector<TorsionMode> torsion;
-  std::vector<RubAnalyses> rubs;              // of each contact, at the same speeds as the spectra
-  std::vector<FreeOrbit> orbits;              // at the same speeds, of the modes kept; none without a contact
-  double clearance = 0.0;                     // m, of the contact
+  std::vector<RubAnalyses> rubs;  // of each contact, at the same speeds as the spectra
+  std::vector<FreeOrbit> orbits;  // at the same speeds, of the modes kept; none without a contact
+  double clearance = 0.0;         // m, of the contact
   std::optional<ContactMass> contact_mass;  // geometry form with a contact only
 };
 
@@ -37,7 +37,8 @@ RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>
 // The same of the free rotor alone, without its rubs.
 RotorAnalysis analyse_free_rotor(const scene::Scene& scene, const std::vector<double>& speeds);
 
-// "forward", "backward", "overdamped", or "rigid" for s = 0: forward with the spin, and at rest from x to y.
+// "forward", "backward", "overdamped", or "rigid" for s = 0: forward with the spin, and at rest
+// from x to y.
 const char* sense_of(const WhirlMode& mode, double speed);
 // One sentence without a full stop: "unstable above ...", "no whirl grows up to ...", or at any
 // speed.

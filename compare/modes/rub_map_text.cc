@@ -41,15 +41,17 @@ std::string rub_map_picture(const std::string& name, const rub::RubMap& map) {
   const std::string low = fmt::format("{:.4g} Hz", map.speeds.front() * kHz);
   const std::string high = fmt::format("{:.4g} Hz", map.speeds.back() * kHz);
   const std::size_t wide = std::max(map.speeds.size(), low.size() + high.size() + 2);
-  text += fmt::format(" friction +{}\n{:>11}{}{:>{}}\n\n", std::string(map.speeds.size(), '-'), "", low,
-                      high, wide - low.size());
+  text += fmt::format(" friction +{}\n{:>11}{}{:>{}}\n\n", std::string(map.speeds.size(), '-'), "",
+                      low, high, wide - low.size());
   for (unsigned k = 0; k < met.size(); ++k) {
     if (met[k] == 0) continue;
     text += fmt::format("  {}  {:<60}{:>6.1f} %\n", kLetters[k], attractors_text(k),
                         100.0 * met[k] / static_cast<double>(map.points.size()));
   }
-  return text + "\nAcross: spin speed, held, the loads in their ratio to it. Stable against what is small, the "
-                "contact kept;\na bounce may lead elsewhere.\n";
+  return text +
+         "\nAcross: spin speed, held, the loads in their ratio to it. Stable against what is "
+         "small, the "
+         "contact kept;\na bounce may lead elsewhere.\n";
 }
 
 }  // namespace rotorub

@@ -8,7 +8,8 @@
 
 namespace rotorub {
 
-// {"speeds": [rad/s], "frictions": [], "points": [...]}: rub_point_json of each, the friction fastest.
+// {"speeds": [rad/s], "frictions": [], "points": [...]}: rub_point_json of each, the friction
+// fastest.
 nlohmann::json rub_map_json(const rub::RubMap& map);
 
 // Spin speed across, friction up, a letter for what may coexist, and their meaning.

@@ -20,8 +20,8 @@ std::string spectrum_table(const WhirlSpectrum& spectrum) {
   text += fmt::format("  {:<12}{:>14}{:>14}{:>16}\n", "whirl", "rad/s", "Hz", "damping ratio");
   for (const WhirlMode& mode : spectrum.modes) {
     const double size = std::abs(mode.frequency);
-    text += fmt::format("  {:<12}{:>14.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode, spectrum.speed), size, size * kHz,
-                        mode.damping_ratio);
+    text += fmt::format("  {:<12}{:>14.7g}{:>14.7g}{:>16.4g}\n", sense_of(mode, spectrum.speed),
+                        size, size * kHz, mode.damping_ratio);
   }
   return text;
 }
@@ -111,8 +111,11 @@ json shapes_json(const std::optional<ModeShapes>& shapes) {
 
 json response_json(const RotorAnalysis& analysis, std::size_t at) {
   const FreeOrbit& orbit = analysis.orbits[at];
-  if (!orbit.largest) return {{"orbit", nullptr}, {"least_gap", nullptr}, {"refused", orbit.refused}};
-  return {{"orbit", *orbit.largest}, {"least_gap", analysis.clearance - *orbit.largest}, {"refused", nullptr}};
+  if (!orbit.largest)
+    return {{"orbit", nullptr}, {"least_gap", nullptr}, {"refused", orbit.refused}};
+  return {{"orbit", *orbit.largest},
+          {"least_gap", analysis.clearance - *orbit.largest},
+          {"refused", nullptr}};
 }
 
 std::string response_text(const RotorAnalysis& analysis, std::size_t at) {
@@ -120,9 +123,11 @@ std::string response_text(const RotorAnalysis& analysis, std::size_t at) {
   const FreeOrbit& orbit = analysis.orbits[at];
   if (!orbit.largest) return fmt::format("  response at the contact: none, {}\n", orbit.refused);
   const double gap = analysis.clearance - *orbit.largest;
-  return fmt::format("  response at the contact: {:.5g} um from the middle of the ring, {}\n", kMicro * *orbit.largest,
-                     gap > 0.0 ? fmt::format("least gap {:.5g} um", kMicro * gap)
-                               : fmt::format("it touches: {:.5g} um beyond the clearance", -kMicro * gap));
+  return fmt::format(
+      "  response at the contact: {:.5g} um from the middle of the ring, {}\n",
+      kMicro * *orbit.largest,
+      gap > 0.0 ? fmt::format("least gap {:.5g} um", kMicro * gap)
+                : fmt::format("it touches: {:.5g} um beyond the clearance", -kMicro * gap));
 }
 
 json modes_json(const RotorAnalysis& analysis) {
@@ -134,15 +139,17 @@ json modes_json(const RotorAnalysis& analysis) {
     }
     const RubAnalyses& rubs = analysis.rubs.front();
     const std::size_t at = spectra.size();
-    spectra.push_back({{"speed", spectrum.speed},
-                       {"modes", modes},
-                       {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[at])},
-                       {"response", analysis.orbits.empty() ? json(nullptr) : response_json(analysis, at)}});
+    spectra.push_back(
+        {{"speed", spectrum.speed},
+         {"modes", modes},
+         {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[at])},
+         {"response", analysis.orbits.empty() ? json(nullptr) : response_json(analysis, at)}});
     for (const RubAnalyses& of : analysis.rubs) {
       if (of.contact.empty()) break;  // there is one
-      spectra.back()["contacts"].push_back({{"name", of.contact},
-                                            {"rub", of.at.empty() ? json(nullptr) : rub_json(of.at[at])},
-                                            {"rub_refused", of.refused.empty() ? json(nullptr) : json(of.refused)}});
+      spectra.back()["contacts"].push_back(
+          {{"name", of.contact},
+           {"rub", of.at.empty() ? json(nullptr) : rub_json(of.at[at])},
+           {"rub_refused", of.refused.empty() ? json(nullptr) : json(of.refused)}});
     }
   }
   json torsion = json::array();

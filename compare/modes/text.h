@@ -19,10 +19,11 @@ namespace rotorub {
 // And "torsion": [{"frequency", "damping_ratio"}], "mode_shapes": {"z": m, "stations": [{"kind",
 // "name", "z"}], "same_planes", "x", "y": [{"frequency": rad/s at rest, undamped, "shape": along z,
 // "at_stations"}]}; modes scaled as the coordinates of a run are (mode_shapes.h). Modal form:
-// "mode_shapes" is null. With a [contact] each speed has "response": {"orbit": m or null, how far the free rotor's
-// centre goes from the ring's under unbalance, weight and forces (system/steady_orbit.h), "least_gap": m, < 0 where it
-// would touch, or null, "refused": why there is no such orbit, or null}, and "rub": rub_analysis.h; where its rubs cannot be
-// analysed it is null, and "rub_refused" says why.
+// "mode_shapes" is null. With a [contact] each speed has "response": {"orbit": m or null, how far
+// the free rotor's centre goes from the ring's under unbalance, weight and forces
+// (system/steady_orbit.h), "least_gap": m, < 0 where it would touch, or null, "refused": why there
+// is no such orbit, or null}, and "rub": rub_analysis.h; where its rubs cannot be analysed it is
+// null, and "rub_refused" says why.
 nlohmann::json modes_json(const RotorAnalysis& analysis);
 
 // The same for people, with Hz and rpm; ends with a line break. Of the shapes, the values at the

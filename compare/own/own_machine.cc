@@ -57,13 +57,14 @@ std::shared_ptr<void> say_contact(mjModel* m, const char* word) {
   return texts;
 }
 
-// The sensors of the rub's forces at MuJoCo's last stage: `cone` finds them after the velocity stage, in which
-// other models' may be filled.
+// The sensors of the rub's forces at MuJoCo's last stage: `cone` finds them after the velocity
+// stage, in which other models' may be filled.
 void ask_late(mjModel* m) {
   for (const char* name : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
                            names::kFrictionForceScaled}) {
     const int sensor = mj_name2id(m, mjOBJ_SENSOR, name);
-    if (sensor >= 0 && m->sensor_type[sensor] == mjSENS_USER) m->sensor_needstage[sensor] = mjSTAGE_ACC;
+    if (sensor >= 0 && m->sensor_type[sensor] == mjSENS_USER)
+      m->sensor_needstage[sensor] = mjSTAGE_ACC;
   }
 }
 
@@ -134,7 +135,9 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
         "mjcf/examples/own_model.xml (plugin/README.md)");
   }
   const plugin::Config config = plugin::make_config(m.get());
-  if (config.pairs.empty()) throw std::runtime_error("names pairs to be corrected for sliding, but no rub, which has a twin");
+  if (config.pairs.empty())
+    throw std::runtime_error(
+        "names pairs to be corrected for sliding, but no rub, which has a twin");
   contact_ = config.contact;
   plugin::NativeTwin twin = plugin::make_native_twin(m.get(), config, make_start(m.get()).get());
   scene_ = std::move(twin.scene);

@@ -29,7 +29,8 @@ std::string beyond(const scene::Scene& s, const Model& m) {
       return "a [[force]] that is neither rotating nor constant";
     }
   }
-  if (m.first().controller || m.first().magnets || s.first().actuator) return "[controller] or [actuator]";
+  if (m.first().controller || m.first().magnets || s.first().actuator)
+    return "[controller] or [actuator]";
   if (s.drive && s.drive->kind != scene::DriveKind::kLinear &&
       s.drive->kind != scene::DriveKind::kFree) {
     return "a [drive] that is not linear";

@@ -37,21 +37,27 @@ void add_cases(const json& all, Beside& beside) {
   json &engines = beside.values["case_engines"], &violations = beside.values["violations"];
   std::vector<std::pair<std::string, std::map<std::string, json>>> rows;
   for (const json& one : all.at("cases")) {
-    const std::string scene = one.at("scene"), engine = one.at("engine"), outcome = one.at("outcome");
-    if (std::find(engines.begin(), engines.end(), engine) == engines.end()) engines.push_back(engine);
+    const std::string scene = one.at("scene"), engine = one.at("engine"),
+                      outcome = one.at("outcome");
+    if (std::find(engines.begin(), engines.end(), engine) == engines.end())
+      engines.push_back(engine);
     if (rows.empty() || rows.back().first != scene) rows.push_back({scene, {}});
     const std::string reason = one.at("reason");
     const char* tone = outcome == "pass" ? "good" : outcome == "violates" ? "bad" : "part";
     const char* mark = outcome == "pass" ? "✓" : outcome == "violates" ? "✗" : "–";
-    rows.back().second[engine] = {{"outcome", outcome}, {"mark", mark}, {"tone", tone}, {"reason", reason}};
-    if (outcome == "violates") violations.push_back({{"scene", scene}, {"engine", engine}, {"reason", reason}});
+    rows.back().second[engine] = {
+        {"outcome", outcome}, {"mark", mark}, {"tone", tone}, {"reason", reason}};
+    if (outcome == "violates")
+      violations.push_back({{"scene", scene}, {"engine", engine}, {"reason", reason}});
   }
   for (const auto& [scene, by_engine] : rows) {
     json cells = json::array();
     for (const json& engine : engines) {
       const auto found = by_engine.find(engine.get<std::string>());
-      cells.push_back(found != by_engine.end() ? found->second
-                                               : json{{"outcome", "–"}, {"mark", ""}, {"tone", ""}, {"reason", "not run"}});
+      cells.push_back(
+          found != by_engine.end()
+              ? found->second
+              : json{{"outcome", "–"}, {"mark", ""}, {"tone", ""}, {"reason", "not run"}});
     }
     beside.values["cases"].push_back({{"scene", scene}, {"cells", cells}});
   }
@@ -63,7 +69,8 @@ void check_columns(const json& plots) {
   const std::size_t points = plots.at("status").size();
   for (const char* lists : {"values", "columns"}) {
     for (const json& list : plots.at(lists)) {
-      if (list.size() != points) throw std::out_of_range(fmt::format("a list of {} has not {} values", lists, points));
+      if (list.size() != points)
+        throw std::out_of_range(fmt::format("a list of {} has not {} values", lists, points));
     }
   }
   if (plots.at("keys").size() != plots.at("values").size() || plots.at("keys").empty() ||
@@ -88,8 +95,9 @@ struct Kind {
   const char* command;
   void (*add)(const json&, Beside&);
 };
-constexpr Kind kResults[] = {
-    {kBenchFile, "bench", add_bench}, {kCheckFile, "check", add_cases}, {sweep::kDataFile, "sweep", add_map}};
+constexpr Kind kResults[] = {{kBenchFile, "bench", add_bench},
+                             {kCheckFile, "check", add_cases},
+                             {sweep::kDataFile, "sweep", add_map}};
 
 bool add_folder(const path& folder, Beside& beside) {
   bool any = false;
@@ -100,8 +108,8 @@ bool add_folder(const path& folder, Beside& beside) {
     try {
       kind.add(json::parse(scene::file_text(file.string())), beside);
     } catch (const std::exception& error) {
-      throw std::runtime_error(fmt::format("{}: {}; accepted is what `rotorub {} -o DIR` writes", file.string(),
-                                           error.what(), kind.command));
+      throw std::runtime_error(fmt::format("{}: {}; accepted is what `rotorub {} -o DIR` writes",
+                                           file.string(), error.what(), kind.command));
     }
   }
   return any;
@@ -122,8 +130,10 @@ Beside read_beside(const std::vector<std::string>& folders) {
     bool any = false;
     for (const path& place : places) any = add_folder(place, beside) || any;
     if (!any) {
-      throw std::runtime_error(fmt::format("{}: no {}, {} or {} here or one folder below; accepted are folders that "
-                                           "bench, check and sweep wrote with -o", name, kBenchFile, kCheckFile, sweep::kDataFile));
+      throw std::runtime_error(
+          fmt::format("{}: no {}, {} or {} here or one folder below; accepted are folders that "
+                      "bench, check and sweep wrote with -o",
+                      name, kBenchFile, kCheckFile, sweep::kDataFile));
     }
   }
   return beside;

@@ -1,5 +1,5 @@
-// Results of other commands that the report shows beside its comparison, from the folders in which these left them:
-// bench.json (`bench -o`), check.json (`check -o`), sweep.json (`sweep -o`).
+// Results of other commands that the report shows beside its comparison, from the folders in which
+// these left them: bench.json (`bench -o`), check.json (`check -o`), sweep.json (`sweep -o`).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,13 +15,16 @@ struct Beside {
   nlohmann::json benches = nlohmann::json::array();  // for page/bench.js: precision_plots
   nlohmann::json maps = nlohmann::json::array();     // for page/sweep.js: sweep_plots
   // For report.html: "benches", "map_sets", "has_cases", "case_engines", "cases", "violations".
-  nlohmann::json values = {{"benches", nlohmann::json::array()}, {"map_sets", nlohmann::json::array()},
-                           {"has_cases", false}, {"case_engines", nlohmann::json::array()},
-                           {"cases", nlohmann::json::array()}, {"violations", nlohmann::json::array()}};
+  nlohmann::json values = {{"benches", nlohmann::json::array()},
+                           {"map_sets", nlohmann::json::array()},
+                           {"has_cases", false},
+                           {"case_engines", nlohmann::json::array()},
+                           {"cases", nlohmann::json::array()},
+                           {"violations", nlohmann::json::array()}};
 };
 
-// Of each folder what lies in it and in the folders directly in it, in order of name. Throws std::runtime_error that
-// names the folder with nothing in it, or the file that is none of these.
+// Of each folder what lies in it and in the folders directly in it, in order of name. Throws
+// std::runtime_error that names the folder with nothing in it, or the file that is none of these.
 Beside read_beside(const std::vector<std::string>& folders);
 
 }  // namespace rotorub

@@ -19,7 +19,8 @@ constexpr int kPoints = 61;
 
 // m: how far from the middle the curves go.
 double shown_travel(const scene::Actuator& a) {
-  if (a.kind == scene::ActuatorKind::kTable) return std::min(-a.table_position.front(), a.table_position.back());
+  if (a.kind == scene::ActuatorKind::kTable)
+    return std::min(-a.table_position.front(), a.table_position.back());
   return 0.4 * a.air_gap;
 }
 
@@ -38,7 +39,8 @@ json actuator_curves(const scene::Scene& scene) {
       x.push_back(rounded(i, 6));
       y.push_back(rounded(magnets.law->force(part * travel, i), 6));
     }
-    curves.push_back({{"name", fmt::format("s = {:.3g} mm", kMilli * part * travel)}, {"x", x}, {"y", y}});
+    curves.push_back(
+        {{"name", fmt::format("s = {:.3g} mm", kMilli * part * travel)}, {"x", x}, {"y", y}});
   }
   return curves;
 }

@@ -17,7 +17,8 @@ json entry(const std::string& to, const std::string& title, json parts = json::a
 
 json scene_contents(const json& scene) {
   const std::string id = scene.at("id");
-  json parts = {entry(id + "-live", "live"), entry(id + "-plots", "plots"), entry(id + "-rotor", "whirl")};
+  json parts = {entry(id + "-live", "live"), entry(id + "-plots", "plots"),
+                entry(id + "-rotor", "whirl")};
   if (scene.at("has_measured")) parts.push_back(entry(id + "-measured", "measured"));
   if (scene.at("by_figures")) parts.push_back(entry(id + "-differences", "differences"));
   if (scene.at("has_ladder")) parts.push_back(entry(id + "-modes", "modes kept"));

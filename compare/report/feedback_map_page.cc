@@ -19,10 +19,12 @@ constexpr const char* kGrowth = "rub, growth rate";
 constexpr const char* kForce = "rub, normal force";
 
 json feedback_figures() {
-  return {map_figure(kGrowth, "1/s", "of its least stable pair: below 0 it is stable", false, true),
-          map_figure("rub, frequency", "Hz", "of that pair, seen from the turning frame", false, false),
-          map_figure(kForce, "N", "of the forced rub", false, false),
-          map_figure("beside it", "", "what is stable beside the forced rub: the start decides", true, false)};
+  return {
+      map_figure(kGrowth, "1/s", "of its least stable pair: below 0 it is stable", false, true),
+      map_figure("rub, frequency", "Hz", "of that pair, seen from the turning frame", false, false),
+      map_figure(kForce, "N", "of the forced rub", false, false),
+      map_figure("beside it", "", "what is stable beside the forced rub: the start decides", true,
+                 false)};
 }
 
 std::vector<json> values_of(const FeedbackPoint& p) {
@@ -42,8 +44,13 @@ json rule_rows(const rub::FeedbackMap& map) {
   for (std::size_t i = 0; i < rule.size(); ++i) {
     const std::string speed = short_number(kHz * map.speeds[i]);
     if (!rule[i]) {
-      rows.push_back({{"speed", speed}, {"feedback", ""}, {"from", ""}, {"to", ""}, {"decay", ""},
-                      {"force", ""}, {"note", "no forced rub is stable"}});
+      rows.push_back({{"speed", speed},
+                      {"feedback", ""},
+                      {"from", ""},
+                      {"to", ""},
+                      {"decay", ""},
+                      {"force", ""},
+                      {"note", "no forced rub is stable"}});
       continue;
     }
     const FeedbackPoint& p = *rule[i]->point;
@@ -91,9 +98,12 @@ json feedback_map_plots(const rub::FeedbackMap& map) {
 std::string feedback_map_page(const scene::Scene& scene, const rub::FeedbackMap& map) {
   return map_page(
       scene,
-      {"cross-coupled feedback", "Which feedback calms the rub?",
-       "The forced rub of the scene's friction with the force u = -k e_z x q' on the ring, q' the ring's "
-       "velocity, in its closed loop, over spin speed and k: judged by the eigenvalues of its small "
+      {"cross-coupled feedback",
+       "Which feedback calms the rub?",
+       "The forced rub of the scene's friction with the force u = -k e_z x q' on the ring, q' the "
+       "ring's "
+       "velocity, in its closed loop, over spin speed and k: judged by the eigenvalues of its "
+       "small "
        "perturbations with contact kept. The rule is the k under which it decays fastest.",
        "--feedback-map",
        {kGrowth, kForce}},

@@ -1,5 +1,6 @@
-// The page of `rotorub modes --feedback-map`: maps over spin speed and cross-coupled feedback k of how fast the
-// forced rub decays and how hard it presses, and the rule k(Omega) as a table and as a scene's keys.
+// The page of `rotorub modes --feedback-map`: maps over spin speed and cross-coupled feedback k of
+// how fast the forced rub decays and how hard it presses, and the rule k(Omega) as a table and as a
+// scene's keys.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,5 +1,5 @@
-// The tables of figures in the report: texts, already worded and rounded. Rows of cells, one a column of the page
-// (page_columns of mode_values.h).
+// The tables of figures in the report: texts, already worded and rounded. Rows of cells, one a
+// column of the page (page_columns of mode_values.h).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,11 +8,13 @@
 
 namespace rotorub {
 
-nlohmann::json column_values(const SceneComparison& c);                    // heads of the columns
-nlohmann::json figure_rows(const SceneComparison& c, bool judged_only);    // with the chips of their deviations
-nlohmann::json split_rows(const SceneComparison& c);                       // model gap and step error
-nlohmann::json residual_rows(const SceneComparison& c);                    // of the laws
-nlohmann::json cost_rows(const SceneComparison& c);                        // time of a step
-nlohmann::json ladder_values(const SceneComparison& c);  // modes kept; null where there is no ladder to show
+nlohmann::json column_values(const SceneComparison& c);  // heads of the columns
+nlohmann::json figure_rows(const SceneComparison& c,
+                           bool judged_only);            // with the chips of their deviations
+nlohmann::json split_rows(const SceneComparison& c);     // model gap and step error
+nlohmann::json residual_rows(const SceneComparison& c);  // of the laws
+nlohmann::json cost_rows(const SceneComparison& c);      // time of a step
+nlohmann::json ladder_values(
+    const SceneComparison& c);  // modes kept; null where there is no ladder to show
 
 }  // namespace rotorub

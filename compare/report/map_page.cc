@@ -45,13 +45,14 @@ json map_plots(const json& first, const json& second, const json& figures, const
       for (std::size_t k = 0; k < here.size(); ++k) columns[k].push_back(std::move(here[k]));
     }
   }
-  return {{"kind", "grid"},     {"keys", {first, second}}, {"figures", figures},   {"values", values},
+  return {{"kind", "grid"},     {"keys", {first, second}}, {"figures", figures}, {"values", values},
           {"columns", columns}, {"status", status},        {"statuses", {"ok"}}, {"every", 1}};
 }
 
 std::string map_page(const scene::Scene& scene, const MapPage& map, const json& cards,
-                            const json& plots, const json& rule) {
-  json values = page_frame({scene.name, map.topic, map.heading}, std::string(sweep_js()) + std::string(map_page_js()), plots);
+                     const json& plots, const json& rule) {
+  json values = page_frame({scene.name, map.topic, map.heading},
+                           std::string(sweep_js()) + std::string(map_page_js()), plots);
   values["lead"] = map.lead;
   values["option"] = map.option;
   values["maps"] = figure_choices(map.maps);

@@ -35,8 +35,7 @@ struct MapPage {
   std::vector<std::string> maps;     // the figure that each map shows first
 };
 // rule: null, or {"rows": [{"speed", "feedback", "from", "to", "decay", "force", "note"}], "keys"}.
-std::string map_page(const scene::Scene& scene, const MapPage& map,
-                            const nlohmann::json& cards, const nlohmann::json& plots,
-                            const nlohmann::json& rule);
+std::string map_page(const scene::Scene& scene, const MapPage& map, const nlohmann::json& cards,
+                     const nlohmann::json& plots, const nlohmann::json& rule);
 
 }  // namespace rotorub

@@ -30,7 +30,8 @@ struct ShownColumns {
   json holes = json::array();
 };
 
-std::optional<ShownColumns> shown_columns(const MeasuredRecord& laid, std::initializer_list<std::string_view> names) {
+std::optional<ShownColumns> shown_columns(const MeasuredRecord& laid,
+                                          std::initializer_list<std::string_view> names) {
   std::vector<const MeasuredColumn*> columns;
   for (const std::string_view name : names) {
     columns.push_back(laid.find(name));
@@ -41,8 +42,9 @@ std::optional<ShownColumns> shown_columns(const MeasuredRecord& laid, std::initi
   shown.value.resize(columns.size());
   bool broken = false;
   for (std::size_t i = 0; i < laid.t.size(); ++i) {
-    const bool missing =
-        std::any_of(columns.begin(), columns.end(), [&](const auto* c) { return c->sample[i] == Sample::kMissing; });
+    const bool missing = std::any_of(columns.begin(), columns.end(), [&](const auto* c) {
+      return c->sample[i] == Sample::kMissing;
+    });
     broken = broken || missing || (i > 0 && laid.t[i] - laid.t[i - 1] > 2.5 * laid.interval);
     if (missing || i % every != 0) continue;
     if (broken && !shown.t.empty()) shown.holes.push_back({shown.t.back(), laid.t[i]});
@@ -67,7 +69,8 @@ class SideMaker {
       const double least = gap_tolerance(scene.first().contact->clearance);
       add("gap", {"gap"}, [&](const std::vector<Numbers>& value) {
         Numbers tolerance;
-        for (const double gap : value.front()) tolerance.push_back(std::max(least, kShare * std::abs(gap)));
+        for (const double gap : value.front())
+          tolerance.push_back(std::max(least, kShare * std::abs(gap)));
         return tolerance;
       });
       add("force", {kContactForce}, force_tolerance);
@@ -104,22 +107,27 @@ class SideMaker {
     if (!found) return;
     Numbers bound = tolerance(found->value);
     for (double& b : bound) b = std::max(b, 1e-300);
-    tracks_[name] =
-        track_json(pack(TrackKind::kLinear, {std::move(found->t), std::move(found->value), {}, std::move(bound)}));
+    tracks_[name] = track_json(pack(
+        TrackKind::kLinear, {std::move(found->t), std::move(found->value), {}, std::move(bound)}));
     holes_[name] = std::move(found->holes);
   }
-  void add_even(const char* name, std::initializer_list<std::string_view> columns, double tolerance) {
-    add(name, columns, [&](const std::vector<Numbers>& value) { return Numbers(value.front().size(), tolerance); });
+  void add_even(const char* name, std::initializer_list<std::string_view> columns,
+                double tolerance) {
+    add(name, columns, [&](const std::vector<Numbers>& value) {
+      return Numbers(value.front().size(), tolerance);
+    });
   }
 
   // A ring that cannot move is where the scene has it, measured or not.
   void add_fixed_ring(const scene::Scene& scene) {
-    if (scene.first().stator || !scene.first().contact || scene.first().contact->offset.isZero(0.0)) return;
+    if (scene.first().stator || !scene.first().contact || scene.first().contact->offset.isZero(0.0))
+      return;
     const auto still = [](double place) { return Numbers{place, place}; };
-    Samples samples{{laid_.t.front(), laid_.t.back()},
-                    {still(scene.first().contact->offset.x()), still(scene.first().contact->offset.y())},
-                    {},
-                    Numbers(2, place_tolerance(scene))};
+    Samples samples{
+        {laid_.t.front(), laid_.t.back()},
+        {still(scene.first().contact->offset.x()), still(scene.first().contact->offset.y())},
+        {},
+        Numbers(2, place_tolerance(scene))};
     tracks_["ring"] = track_json(pack(TrackKind::kLinear, samples));
   }
 
@@ -134,19 +142,24 @@ class SideMaker {
     if (shown_.scene->first().contact) lacks("gap", "gap");
     lacks("spin_speed", "speed");
     return fmt::format(
-        "Of the measured run the player shows what its record has; not measured, and not drawn: the shaft's shape, "
+        "Of the measured run the player shows what its record has; not measured, and not drawn: "
+        "the shaft's shape, "
         "the angle of spin{}{}.",
         missing.empty() ? "" : ", ", missing);
   }
 
-  // The second half of the record, as of the other runs; its distance from the first run at its samples.
+  // The second half of the record, as of the other runs; its distance from the first run at its
+  // samples.
   json whirl(double limit) const {
-    json all = {{"spectrum", nullptr}, {"waterfall", nullptr}, {"poincare", nullptr}, {"residual", nullptr}};
+    json all = {{"spectrum", nullptr},
+                {"waterfall", nullptr},
+                {"poincare", nullptr},
+                {"residual", nullptr}};
     const auto rotor = shown_columns(laid_, {"rotor_x", "rotor_y"});
     if (!rotor) return all;
     const double to = rotor->t.back(), from = 0.5 * (rotor->t.front() + to);
-    const auto count =
-        static_cast<std::size_t>(std::count_if(rotor->t.begin(), rotor->t.end(), [&](double t) { return t >= from; }));
+    const auto count = static_cast<std::size_t>(
+        std::count_if(rotor->t.begin(), rotor->t.end(), [&](double t) { return t >= from; }));
     if (2 * count >= kLeastSpectrumRows) {
       const double h = (to - from) / static_cast<double>(count - 1);
       const Numbers at = even_times(from, to, count);

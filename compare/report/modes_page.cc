@@ -165,7 +165,8 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
   std::string text;
   if (first != speeds.end()) {
     std::string list;
-    for (auto speed = first; speed != speeds.end(); ++speed) list += fmt::format("{}{:.0f}", list.empty() ? "" : ", ", *speed * kRpm);
+    for (auto speed = first; speed != speeds.end(); ++speed)
+      list += fmt::format("{}{:.0f}", list.empty() ? "" : ", ", *speed * kRpm);
     text = fmt::format("Beyond the diagram: {} critical speed{}, {} rpm.", speeds.end() - first,
                        speeds.end() - first > 1 ? "s" : "", list);
   }
@@ -188,7 +189,8 @@ std::string modes_page(const scene::Scene& scene, const RotorAnalysis& analysis,
                        const std::vector<WhirlBranch>& branches) {
   json values = page_frame({scene.name, "whirl of the free rotor",
                             "Where does it whirl, and where does it stay stable?"},
-                           std::string(campbell_js()) + std::string(modes_js()), modes_plots(scene, analysis, range, branches));
+                           std::string(campbell_js()) + std::string(modes_js()),
+                           modes_plots(scene, analysis, range, branches));
   json spectra = json::array();
   for (const WhirlSpectrum& spectrum : analysis.spectra) {
     spectra.push_back(spectrum_values(spectrum));

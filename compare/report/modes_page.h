@@ -28,7 +28,8 @@ struct Campbell {
   std::vector<WhirlBranch> branches;
 };
 // range: none: campbell_range. progress as of whirl_branches.
-Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::optional<double> range = {},
+Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis,
+                     std::optional<double> range = {},
                      const std::function<void(double)>& progress = {});
 
 // What lies beyond the diagram, in a sentence; empty where nothing does.
@@ -39,8 +40,8 @@ std::string modes_page(const scene::Scene& scene, const RotorAnalysis& analysis,
                        const std::vector<WhirlBranch>& branches);
 
 // What the page's script draws, in Hz, rpm, % and mm: "campbell" {"top", "running", "critical",
-// "threshold": null, "pieces", "torsion", "operating": the modes at the scene's speed} and "shapes" (null for the modal
-// form), "modes" at rest and "whirl" at the scene's speed among them.
+// "threshold": null, "pieces", "torsion", "operating": the modes at the scene's speed} and "shapes"
+// (null for the modal form), "modes" at rest and "whirl" at the scene's speed among them.
 nlohmann::json modes_plots(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
                            const std::vector<WhirlBranch>& branches);
 

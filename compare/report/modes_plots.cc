@@ -71,7 +71,8 @@ json campbell(const scene::Scene& scene, const RotorAnalysis& analysis, double r
     threshold = rounded(*analysis.stability_threshold * kRpm, kPlotDigits);
   }
   json torsion = json::array();
-  for (const TorsionMode& mode : analysis.torsion) torsion.push_back(rounded(mode.frequency * kHz, kPlotDigits));
+  for (const TorsionMode& mode : analysis.torsion)
+    torsion.push_back(rounded(mode.frequency * kHz, kPlotDigits));
   return {{"top", rounded(range * kRpm, kPlotDigits)},
           {"torsion", torsion},
           {"operating", operating(whirl_spectrum(analysis.system, scene.rotor.speed))},

@@ -65,10 +65,15 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
   const CompareMode mode =
       scenes.empty() ? CompareMode::kLockstep : scenes.front().comparison->mode;
-  const std::string script = std::string(bench_js()) + std::string(sweep_js()) + std::string(report_js());
+  const std::string script =
+      std::string(bench_js()) + std::string(sweep_js()) + std::string(report_js());
   json values = page_frame({names_of(scenes), fmt::format("{} comparison", to_string(mode)),
                             "Can MuJoCo's contact forces be trusted?"},
-                           script, {{"scenes", plots}, {"trade", trade_data(comparisons)}, {"benches", beside.benches}, {"maps", beside.maps}},
+                           script,
+                           {{"scenes", plots},
+                            {"trade", trade_data(comparisons)},
+                            {"benches", beside.benches},
+                            {"maps", beside.maps}},
                            Pictures::kPlotsAndRig);
   values["contents"] = report_contents(parts, scenes.size() > 1, beside.values);
   values.update(beside.values);

@@ -1,4 +1,5 @@
-// The report: one HTML file with everything in it but the films beside it, for any browser, without a network.
+// The report: one HTML file with everything in it but the films beside it, for any browser, without
+// a network.
 #pragma once
 
 #include <string>
@@ -17,7 +18,7 @@ struct Film {
 struct PageScene {
   const SceneComparison* comparison = nullptr;  // a finished one
   std::vector<Film> films;
-  std::string no_films;  // why there are none
+  std::string no_films;   // why there are none
   std::string setting{};  // to use, or how to find it; a sentence
 };
 

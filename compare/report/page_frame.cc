@@ -23,8 +23,9 @@ std::string for_script(std::string text) {
 std::string live_scripts() {
   std::string scripts;
   for (const std::string_view part :
-       {tracks_js(), pictures_js(), whirl_js(), campbell_js(), traces_js(), plots_js(), run_js(), clock_js(), rig_parts_js(), rig_js(),
-        section_js(), unrolled_js(), readings_js(), player_js(), live_js()}) {
+       {tracks_js(), pictures_js(), whirl_js(), campbell_js(), traces_js(), plots_js(), run_js(),
+        clock_js(), rig_parts_js(), rig_js(), section_js(), unrolled_js(), readings_js(),
+        player_js(), live_js()}) {
     scripts += part;
   }
   return scripts;
@@ -32,11 +33,12 @@ std::string live_scripts() {
 
 }  // namespace
 
-nlohmann::json page_frame(const PageHead& head, std::string_view script,
-                          const nlohmann::json& data, Pictures pictures) {
+nlohmann::json page_frame(const PageHead& head, std::string_view script, const nlohmann::json& data,
+                          Pictures pictures) {
   // Where there is a player, its own script starts plotly once the player is drawn.
   const bool live = pictures == Pictures::kPlotsAndRig;
-  std::string scripts = live ? "<script id=\"plotly\" type=\"text/plain\">\n" : "<script id=\"plotly\">\n";
+  std::string scripts =
+      live ? "<script id=\"plotly\" type=\"text/plain\">\n" : "<script id=\"plotly\">\n";
   scripts += plotly_js();
   if (live) {
     scripts += "\n</script>\n<script id=\"three\">\n";
@@ -54,9 +56,15 @@ nlohmann::json page_frame(const PageHead& head, std::string_view script,
   scripts += script;
   scripts += "\n</script>";
   // The player's two sides.
-  const nlohmann::json places = {{{"place", 0}, {"which", "first"}}, {{"place", 1}, {"which", "second"}}};
-  return {{"places", places},       {"names", head.names},           {"topic", head.topic},  {"heading", head.heading},
-          {"version", program_version()}, {"css", std::move(css)}, {"scripts", std::move(scripts)}};
+  const nlohmann::json places = {{{"place", 0}, {"which", "first"}},
+                                 {{"place", 1}, {"which", "second"}}};
+  return {{"places", places},
+          {"names", head.names},
+          {"topic", head.topic},
+          {"heading", head.heading},
+          {"version", program_version()},
+          {"css", std::move(css)},
+          {"scripts", std::move(scripts)}};
 }
 
 std::string fill_page(std::string_view html, const nlohmann::json& values) {

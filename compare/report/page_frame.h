@@ -13,13 +13,14 @@ struct PageHead {
   std::string heading;  // the question that the page answers
 };
 
-// What a page draws, and so which scripts it holds: plotly; and three.js with plots and player of a scene's runs.
+// What a page draws, and so which scripts it holds: plotly; and three.js with plots and player of a
+// scene's runs.
 enum class Pictures { kPlots, kPlotsAndRig };
 
 // Template values of the page's frame: those of its head, "version", "css" and "scripts" (those of
 // others, `data` in a script element, what pages share, then `script`).
-nlohmann::json page_frame(const PageHead& head, std::string_view script,
-                          const nlohmann::json& data, Pictures pictures = Pictures::kPlots);
+nlohmann::json page_frame(const PageHead& head, std::string_view script, const nlohmann::json& data,
+                          Pictures pictures = Pictures::kPlots);
 
 // The page, with the partials that pages share: head, foot, cards, map, figures.
 std::string fill_page(std::string_view html, const nlohmann::json& values);

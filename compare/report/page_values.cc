@@ -78,8 +78,9 @@ json answer_values(const SceneComparison& c) {
   std::size_t side = 0;
   for (const AnswerRow& row : answer(c)) {
     const ThreeErrors errors = three_errors(c, ++side);
-    rows.push_back({{"errors", {error_values(errors.contact), error_values(errors.step),
-                                error_values(errors.modes.value_or(LargestError()))}},
+    rows.push_back({{"errors",
+                     {error_values(errors.contact), error_values(errors.step),
+                      error_values(errors.modes.value_or(LargestError()))}},
                     {"contact", row.contact},
                     {"question", row.question},
                     {"tone", tone(row.trust)},

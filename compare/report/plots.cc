@@ -22,12 +22,16 @@ using Values = std::vector<double>;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 bool touches(const ShownRuns& s, const Trajectory&) { return s.scene->first().contact.has_value(); }
-bool rubs(const ShownRuns& s, const Trajectory&) { return s.scene->first().contact && s.scene->first().contact->friction > 0.0; }
+bool rubs(const ShownRuns& s, const Trajectory&) {
+  return s.scene->first().contact && s.scene->first().contact->friction > 0.0;
+}
 bool has_currents(const ShownRuns&, const Trajectory& t) { return t.has("current_1"); }
 bool has_control(const ShownRuns&, const Trajectory& t) { return t.has("control_x"); }
 bool has_torsion(const ShownRuns&, const Trajectory& t) { return t.has("torsion_1"); }
 bool has_ring_speed(const ShownRuns&, const Trajectory& t) { return t.has("ring_speed"); }
-bool has_measured_force(const ShownRuns& s, const Trajectory&) { return s.measured && !s.measured->forces.empty(); }
+bool has_measured_force(const ShownRuns& s, const Trajectory&) {
+  return s.measured && !s.measured->forces.empty();
+}
 bool is_compared(const ShownRuns& s, const Trajectory&) { return s.runs.size() > 1; }
 bool turns(const ShownRuns&, const Trajectory& t) { return mean_spin(t) != 0.0; }
 bool is_sampled(const ShownRuns&, const Trajectory& t) { return t.rows() >= kLeastSpectrumRows; }
@@ -35,44 +39,59 @@ bool has_motor(const ShownRuns&, const Trajectory& t) { return t.has("motor_torq
 
 constexpr PlotKind kKinds[] = {
     {"gap", "Gap", "µm", "0: contact; below 0: penetration", "wide", PlotOver::kTime, touches},
-    {"gap_rate", "Gap rate", "mm/s", "what control brings to 0 (paper, Fig. 8)", "", PlotOver::kTime, touches},
-    {"rotor_x", "Rotor", "µm", "along x; dotted, where there is control: without it (paper, Fig. 9)", ""},
+    {"gap_rate", "Gap rate", "mm/s", "what control brings to 0 (paper, Fig. 8)", "",
+     PlotOver::kTime, touches},
+    {"rotor_x", "Rotor", "µm",
+     "along x; dotted, where there is control: without it (paper, Fig. 9)", ""},
     {"normal_force", "Normal force", "N",
-     "of lasting contact; impulses of the rigid law's impacts are below", "", PlotOver::kTime, touches},
+     "of lasting contact; impulses of the rigid law's impacts are below", "", PlotOver::kTime,
+     touches},
     {"sample_force", "Force of a sample", "N",
-     "what the force sensor sees: of every run averaged over the record's samples, impacts included", "wide",
-     PlotOver::kTime, has_measured_force},
-    {"friction_force", "Friction force", "N", "on the rotor, along the ring", "", PlotOver::kTime, touches},
-    {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", "", PlotOver::kImpacts, touches},
-    {"friction_impacts", "Friction of impacts", "mN s", "size of the tangential impulse of each", "",
-     PlotOver::kImpacts, rubs},
+     "what the force sensor sees: of every run averaged over the record's samples, impacts "
+     "included",
+     "wide", PlotOver::kTime, has_measured_force},
+    {"friction_force", "Friction force", "N", "on the rotor, along the ring", "", PlotOver::kTime,
+     touches},
+    {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", "",
+     PlotOver::kImpacts, touches},
+    {"friction_impacts", "Friction of impacts", "mN s", "size of the tangential impulse of each",
+     "", PlotOver::kImpacts, rubs},
     {"normal_law", "Normal contact law", "m/s",
-     "gap rates before and after each impact; dashed: the restitution where friction has no part", "square",
-     PlotOver::kLaw, touches},
+     "gap rates before and after each impact; dashed: the restitution where friction has no part",
+     "square", PlotOver::kLaw, touches},
     {"friction_law", "Friction law", "",
-     "of each impact, tangential over friction times normal impulse (paper, Fig. 5); dashed: Coulomb's", "square",
-     PlotOver::kLaw, rubs},
+     "of each impact, tangential over friction times normal impulse (paper, Fig. 5); dashed: "
+     "Coulomb's",
+     "square", PlotOver::kLaw, rubs},
     {"spin", "Spin speed", "rpm", "what friction takes from the drive", ""},
     {"ring_speed", "Ring speed", "rpm", "what friction and drag make of the ring that turns", "",
      PlotOver::kTime, has_ring_speed},
-    {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", "", PlotOver::kTime, has_torsion},
-    {"control", "Control force", "N", "magnitude of the actuators' force on the ring", "", PlotOver::kTime, has_control},
+    {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", "", PlotOver::kTime,
+     has_torsion},
+    {"control", "Control force", "N", "magnitude of the actuators' force on the ring", "",
+     PlotOver::kTime, has_control},
     {"current", "Coil current", "A", "magnitude of the control currents of the two axes", "",
      PlotOver::kTime, has_currents},
-    {"actuator", "Actuator", "N", "force of axis 1 over its current, on the characteristic F(s, i) (paper, Fig. 3)",
-     "square", PlotOver::kPath, has_currents},
-    {"motor", "Motor", "N m", "torque over speed; dashed: the motor's characteristic (paper, Fig. 6)", "square",
+    {"actuator", "Actuator", "N",
+     "force of axis 1 over its current, on the characteristic F(s, i) (paper, Fig. 3)", "square",
+     PlotOver::kPath, has_currents},
+    {"motor", "Motor", "N m",
+     "torque over speed; dashed: the motor's characteristic (paper, Fig. 6)", "square",
      PlotOver::kPath, has_motor},
-    {"orbit", "Orbits", "µm", "rotor solid, ring dotted; the last turns, or the time zoomed to", "square",
-     PlotOver::kTurns},
-    {"relative", "Rotor in the ring", "µm", "relative to the ring's centre; dashed: the clearance", "square",
-     PlotOver::kTurns, touches},
-    {"residual", "Away from the first run", "µm", "distance of a run's rotor from the first run's; in chaos it grows to the orbit's size",
-     "", PlotOver::kTime, is_compared},
-    {"spectrum", "Full spectrum", "µm", "of the second half: forward whirl above 0 Hz, backward below; dashed: the spin", "",
+    {"orbit", "Orbits", "µm", "rotor solid, ring dotted; the last turns, or the time zoomed to",
+     "square", PlotOver::kTurns},
+    {"relative", "Rotor in the ring", "µm", "relative to the ring's centre; dashed: the clearance",
+     "square", PlotOver::kTurns, touches},
+    {"residual", "Away from the first run", "µm",
+     "distance of a run's rotor from the first run's; in chaos it grows to the orbit's size", "",
+     PlotOver::kTime, is_compared},
+    {"spectrum", "Full spectrum", "µm",
+     "of the second half: forward whirl above 0 Hz, backward below; dashed: the spin", "",
      PlotOver::kWhirl, is_sampled},
-    {"waterfall", "Waterfall", "µm", "the full spectrum over the run, of the first run shown", "", PlotOver::kWhirl, is_sampled},
-    {"poincare", "Poincaré points", "µm", "the rotor once a turn, second half: a point is synchronous, a cloud chaos", "square",
+    {"waterfall", "Waterfall", "µm", "the full spectrum over the run, of the first run shown", "",
+     PlotOver::kWhirl, is_sampled},
+    {"poincare", "Poincaré points", "µm",
+     "the rotor once a turn, second half: a point is synchronous, a cloud chaos", "square",
      PlotOver::kWhirl, turns},
 };
 
@@ -87,12 +106,16 @@ json impact_data(const Trajectory& trajectory, double friction) {
     before.push_back(impact.gap_rate_before);
     after.push_back(impact.gap_rate_after);
     slip.push_back(impact.slip_after);
-    share.push_back(friction > 0.0 ? impact.friction_impulse / (friction * impact.normal_impulse) : 0.0);
+    share.push_back(friction > 0.0 ? impact.friction_impulse / (friction * impact.normal_impulse)
+                                   : 0.0);
   }
   const auto kept = thin(normal, 0, normal.size(), kPlotBuckets);
-  return {{"t", picked(t, kept, 8)},          {"y", picked(normal, kept, 5)},
-          {"friction", picked(tangential, kept, 5)}, {"before", picked(before, kept, 5)},
-          {"after", picked(after, kept, 5)},  {"slip", picked(slip, kept, 5)},
+  return {{"t", picked(t, kept, 8)},
+          {"y", picked(normal, kept, 5)},
+          {"friction", picked(tangential, kept, 5)},
+          {"before", picked(before, kept, 5)},
+          {"after", picked(after, kept, 5)},
+          {"slip", picked(slip, kept, 5)},
           {"share", picked(share, kept, 5)}};
 }
 
@@ -109,12 +132,18 @@ json motor_data(const scene::Scene& scene, const Trajectory& run) {
 
 const char* to_string(PlotOver over) {
   switch (over) {
-    case PlotOver::kTime: return "time";
-    case PlotOver::kImpacts: return "impacts";
-    case PlotOver::kLaw: return "law";
-    case PlotOver::kPath: return "path";
-    case PlotOver::kTurns: return "turns";
-    case PlotOver::kWhirl: return "whirl";
+    case PlotOver::kTime:
+      return "time";
+    case PlotOver::kImpacts:
+      return "impacts";
+    case PlotOver::kLaw:
+      return "law";
+    case PlotOver::kPath:
+      return "path";
+    case PlotOver::kTurns:
+      return "turns";
+    case PlotOver::kWhirl:
+      return "whirl";
   }
   return "";
 }
@@ -141,9 +170,10 @@ std::vector<Window> plot_windows(const ShownRuns& shown) {
 std::vector<PlotKind> plot_kinds(const ShownRuns& shown) {
   std::vector<PlotKind> kinds;
   for (const PlotKind& kind : kKinds) {
-    const bool has_data = std::any_of(shown.runs.begin(), shown.runs.end(), [&](const ShownRun& run) {
-      return run.trajectory->rows() > 0 && (!kind.shown || kind.shown(shown, *run.trajectory));
-    });
+    const bool has_data =
+        std::any_of(shown.runs.begin(), shown.runs.end(), [&](const ShownRun& run) {
+          return run.trajectory->rows() > 0 && (!kind.shown || kind.shown(shown, *run.trajectory));
+        });
     if (has_data) kinds.push_back(kind);
   }
   return kinds;
@@ -157,15 +187,20 @@ json plot_data(const ShownRuns& shown) {
   const double limit = shown_frequency(shown);
   for (const ShownRun& run : shown.runs) {
     const bool has_rows = machine && run.trajectory->rows() > 0;
-    sides.push_back({{"label", run.label},
-                     {"end", run.trajectory->end},
-                     {"status", to_string(run.trajectory->status)},
-                     {"tracks", packed_run_json(has_rows ? pack_run(scene, *machine, *run.trajectory) : PackedRun())},
-                     {"whirl", whirl_data(*run.trajectory, &run == &shown.runs.front() ? nullptr : shown.runs.front().trajectory, limit)},
-                     {"impacts", impact_data(*run.trajectory, contact ? contact->friction : 0.0)}});
+    sides.push_back(
+        {{"label", run.label},
+         {"end", run.trajectory->end},
+         {"status", to_string(run.trajectory->status)},
+         {"tracks",
+          packed_run_json(has_rows ? pack_run(scene, *machine, *run.trajectory) : PackedRun())},
+         {"whirl",
+          whirl_data(*run.trajectory,
+                     &run == &shown.runs.front() ? nullptr : shown.runs.front().trajectory, limit)},
+         {"impacts", impact_data(*run.trajectory, contact ? contact->friction : 0.0)}});
   }
   for (std::size_t k = 0; k < shown.runs.size(); ++k) {
-    if (json force = sampled_force(shown, k); !force.is_null()) sides[k]["tracks"]["force"] = std::move(force);
+    if (json force = sampled_force(shown, k); !force.is_null())
+      sides[k]["tracks"]["force"] = std::move(force);
   }
   if (shown.measured && machine) sides.push_back(measured_side(shown, limit));
   json spans = json::array();
@@ -174,19 +209,21 @@ json plot_data(const ShownRuns& shown) {
   }
   json uncontrolled = nullptr;
   if (shown.uncontrolled && shown.uncontrolled->rows() > 0 && machine) {
-    uncontrolled = {{"rotor", track_json(pack_run(scene, *machine, *shown.uncontrolled).at("rotor"))}};
+    uncontrolled = {
+        {"rotor", track_json(pack_run(scene, *machine, *shown.uncontrolled).at("rotor"))}};
   }
-  return {{"name", scene.name},
-          {"actuator", actuator_curves(scene)},
-          {"motor", shown.runs.empty() ? json() : motor_data(scene, *shown.runs.front().trajectory)},
-          {"spin", shown.runs.empty() ? 0.0 : mean_spin(*shown.runs.front().trajectory)},
-          {"clearance", contact ? contact->clearance : 0.0},
-          {"restitution", contact ? contact->restitution : 0.0},
-          {"uncontrolled", uncontrolled},
-          {"windows", spans},
-          {"first_window", 0},
-          {"rig", machine ? rig_values(scene, *machine) : json()},
-          {"sides", sides}};
+  return {
+      {"name", scene.name},
+      {"actuator", actuator_curves(scene)},
+      {"motor", shown.runs.empty() ? json() : motor_data(scene, *shown.runs.front().trajectory)},
+      {"spin", shown.runs.empty() ? 0.0 : mean_spin(*shown.runs.front().trajectory)},
+      {"clearance", contact ? contact->clearance : 0.0},
+      {"restitution", contact ? contact->restitution : 0.0},
+      {"uncontrolled", uncontrolled},
+      {"windows", spans},
+      {"first_window", 0},
+      {"rig", machine ? rig_values(scene, *machine) : json()},
+      {"sides", sides}};
 }
 
 json plot_values(const ShownRuns& shown) {

@@ -19,9 +19,9 @@ struct Window {
 // any run); the last two turns. Without a contact the whole and the end alone.
 std::vector<Window> plot_windows(const ShownRuns& shown);
 
-// What a plot is drawn over, and how plots.js draws it: a series over time; each impact a point, over time or on a
-// law; a path on the characteristic of what drives the run; the place over the last turns; whirl, which no window
-// changes.
+// What a plot is drawn over, and how plots.js draws it: a series over time; each impact a point,
+// over time or on a law; a path on the characteristic of what drives the run; the place over the
+// last turns; whirl, which no window changes.
 enum class PlotOver { kTime, kImpacts, kLaw, kPath, kTurns, kWhirl };
 const char* to_string(PlotOver over);  // "time", "impacts", "law", "path", "turns", "whirl"
 
@@ -40,7 +40,8 @@ std::vector<PlotKind> plot_kinds(const ShownRuns& shown);
 
 inline constexpr std::size_t kPlotBuckets = 600;  // of a run's impacts: 1200 points
 
-// For the scripts: windows, runs as tracks (pack/packed_run.h), impacts on their laws, the drawn rig.
+// For the scripts: windows, runs as tracks (pack/packed_run.h), impacts on their laws, the drawn
+// rig.
 nlohmann::json plot_data(const ShownRuns& shown);
 // For the templates: {{plots}}, {{windows}} and {{legend}} of plots.html.
 nlohmann::json plot_values(const ShownRuns& shown);

@@ -12,7 +12,9 @@ namespace {
 
 using nlohmann::json;
 
-double number(const json& value) { return value.is_null() ? 0.0 : rounded(value.get<double>(), kDigits); }
+double number(const json& value) {
+  return value.is_null() ? 0.0 : rounded(value.get<double>(), kDigits);
+}
 
 json plot_point(const json& point) {
   const json &step = point.at("step"), &wall = point.at("wall_ms");
@@ -31,7 +33,8 @@ json plot_point(const json& point) {
 // Tolerances of one engine are one series (series.h).
 bool belongs(const json& point, const json& series) {
   return point.at("engine") == series.at("engine") &&
-         (point.at("step").is_null() ? series.at("setting") == "" : point.at("setting") == series.at("setting"));
+         (point.at("step").is_null() ? series.at("setting") == ""
+                                     : point.at("setting") == series.at("setting"));
 }
 
 std::string family_of(const json& scene, const json& engine) {
@@ -48,7 +51,8 @@ json precision_plots(const json& scene) {
   for (const json& series : scene.at("series")) {
     json points = json::array();
     for (const json& point : scene.at("points")) {
-      if (belongs(point, series) && !point.at("position_error").is_null()) points.push_back(plot_point(point));
+      if (belongs(point, series) && !point.at("position_error").is_null())
+        points.push_back(plot_point(point));
     }
     const json& order = series.at("order");
     all.push_back({{"engine", series.at("engine")},

@@ -1,13 +1,14 @@
-// What the plots of a bench (page/bench.js) show, from its JSON (compare/bench/json.h): from a bench that has just run
-// and from one that was kept.
+// What the plots of a bench (page/bench.js) show, from its JSON (compare/bench/json.h): from a
+// bench that has just run and from one that was kept.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace rotorub {
 
-// scene: a member of "scenes" of bench_json. {"clearance", "series": [{"engine", "setting", "family", "order" or null,
-// "points": [{"step" (0: none), "label", "error", "limit" (0: none), "ms", "low", "high", "outcome"}]}]}, errors in m.
+// scene: a member of "scenes" of bench_json. {"clearance", "series": [{"engine", "setting",
+// "family", "order" or null, "points": [{"step" (0: none), "label", "error", "limit" (0: none),
+// "ms", "low", "high", "outcome"}]}]}, errors in m.
 nlohmann::json precision_plots(const nlohmann::json& scene);
 
 }  // namespace rotorub

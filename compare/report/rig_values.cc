@@ -45,7 +45,10 @@ json contact_values(const renders::Machine& machine) {
 json magnet_values(const scene::Scene& scene, const renders::Machine& machine) {
   if (!scene.magnetic_bearing || !machine.magnetic_bearing) return nullptr;
   const renders::DrawnMagneticBearing& magnet = *machine.magnetic_bearing;
-  return {{"z", magnet.z}, {"bore", magnet.bore}, {"outer", magnet.outer}, {"half_width", magnet.half_width}};
+  return {{"z", magnet.z},
+          {"bore", magnet.bore},
+          {"outer", magnet.outer},
+          {"half_width", magnet.half_width}};
 }
 
 }  // namespace
@@ -58,7 +61,8 @@ std::optional<renders::Machine> drawn_machine(const ShownRuns& shown) {
     if (scene.rotor.geometry) lines = modal_rotor(scene).lines;
     const renders::Playback playback(*run.trajectory);
     const std::array<const renders::Playback*, 1> runs = {&playback};
-    return renders::make_machine(scene, lines, runs, playback.start(), playback.end(), std::nullopt);
+    return renders::make_machine(scene, lines, runs, playback.start(), playback.end(),
+                                 std::nullopt);
   }
   return std::nullopt;
 }
@@ -81,7 +85,8 @@ json rig_values(const scene::Scene& scene, const renders::Machine& machine) {
           {"bearings", scene.rotor.geometry ? json(machine.bearings) : json::array()},
           {"contact", contact_values(machine)},
           {"magnetic_bearing", magnet_values(scene, machine)},
-          {"motor", scene.drive && scene.rotor.geometry && machine.motor ? json(*machine.motor) : json()},
+          {"motor",
+           scene.drive && scene.rotor.geometry && machine.motor ? json(*machine.motor) : json()},
           {"ring_moves", !machine.support.fixed},
           {"ring_turns", machine.ring_turns},
           {"actuators", scene.first().stator.has_value() && scene.first().actuator.has_value()}};

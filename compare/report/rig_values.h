@@ -12,8 +12,9 @@ namespace rotorub {
 // The machine of the first run that has rows, magnified for that one; nothing where none has.
 std::optional<renders::Machine> drawn_machine(const ShownRuns& shown);
 
-// {"magnification", "section_magnification" (of a view that goes with the ring), ...}: the members of renders::Machine by their names, lengths in
-// drawing units (`unit` of them to a metre). Parts that the scene does not have are null, false or [].
+// {"magnification", "section_magnification" (of a view that goes with the ring), ...}: the members
+// of renders::Machine by their names, lengths in drawing units (`unit` of them to a metre). Parts
+// that the scene does not have are null, false or [].
 nlohmann::json rig_values(const scene::Scene& scene, const renders::Machine& machine);
 
 }  // namespace rotorub

@@ -20,8 +20,11 @@ constexpr int kWhirlShapes = 4;  // of either sense
 
 RotorSection rotor_section(const scene::Scene& scene) {
   RotorSection section;
-  section.values = {{"has_campbell", false}, {"has_shapes", false}, {"beyond", ""},
-                    {"speed", fmt::format("{:.5g} rpm", std::abs(scene.rotor.speed) * kRpm)}, {"refusal", ""}};
+  section.values = {{"has_campbell", false},
+                    {"has_shapes", false},
+                    {"beyond", ""},
+                    {"speed", fmt::format("{:.5g} rpm", std::abs(scene.rotor.speed) * kRpm)},
+                    {"refusal", ""}};
   try {
     const Campbell campbell = campbell_of(scene, analyse_free_rotor(scene, {}));
     section.data = modes_plots(scene, campbell.analysis, campbell.range, campbell.branches);

@@ -1,5 +1,5 @@
-// The report's section on the free rotor: Campbell diagram with the scene's speed, and whirl shapes at that speed
-// (modes_page.h).
+// The report's section on the free rotor: Campbell diagram with the scene's speed, and whirl shapes
+// at that speed (modes_page.h).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,8 +9,10 @@
 namespace rotorub {
 
 struct RotorSection {
-  nlohmann::json data;    // for the script page/campbell.js; null where the rotor has no whirl to show
-  nlohmann::json values;  // for the template rotor.html: "has_campbell", "has_shapes", "beyond", "speed", "refusal"
+  nlohmann::json
+      data;  // for the script page/campbell.js; null where the rotor has no whirl to show
+  nlohmann::json values;  // for the template rotor.html: "has_campbell", "has_shapes", "beyond",
+                          // "speed", "refusal"
 };
 RotorSection rotor_section(const scene::Scene& scene);
 

@@ -14,7 +14,8 @@ double rounded(double value, int digits) {
   return short_value;
 }
 
-nlohmann::json picked(const std::vector<double>& values, const std::vector<std::size_t>& which, int digits) {
+nlohmann::json picked(const std::vector<double>& values, const std::vector<std::size_t>& which,
+                      int digits) {
   nlohmann::json out = nlohmann::json::array();
   for (const std::size_t i : which) out.push_back(rounded(values[i], digits));
   return out;

@@ -12,6 +12,7 @@ inline constexpr int kDigits = 6;
 // The value to so many significant digits.
 double rounded(double value, int digits);
 // Those of the values, each rounded.
-nlohmann::json picked(const std::vector<double>& values, const std::vector<std::size_t>& which, int digits);
+nlohmann::json picked(const std::vector<double>& values, const std::vector<std::size_t>& which,
+                      int digits);
 
 }  // namespace rotorub

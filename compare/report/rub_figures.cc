@@ -33,24 +33,30 @@ struct RubFigure {
 };
 
 const std::array kRubFigures = {
-    RubFigure{kLinearAttractors, "", "what is stable by its eigenvalues, and so may coexist", true, false,
-           [](const RubPoint& p) { return json(attractors_text(p.attractors())); }},
-    RubFigure{kLinearGrowth, "1/s", "synchronous rub, of its least stable pair: below 0 it is stable",
-           false, true, [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, growth); }},
-    RubFigure{"linear: rub, frequency", "Hz", "synchronous rub, of that pair, seen from the turning frame", false,
-           false, [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, pair_frequency); }},
+    RubFigure{kLinearAttractors, "", "what is stable by its eigenvalues, and so may coexist", true,
+              false, [](const RubPoint& p) { return json(attractors_text(p.attractors())); }},
+    RubFigure{kLinearGrowth, "1/s",
+              "synchronous rub, of its least stable pair: below 0 it is stable", false, true,
+              [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, growth); }},
+    RubFigure{"linear: rub, frequency", "Hz",
+              "synchronous rub, of that pair, seen from the turning frame", false, false,
+              [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, pair_frequency); }},
     RubFigure{"linear: rub, normal force", "N", "synchronous rub", false, false,
-           [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, force); }},
-    RubFigure{"linear: whip, growth rate", "1/s", "backward whip that slips, load left out: below 0 it is stable",
-           false, true, [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, growth); }},
+              [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, force); }},
+    RubFigure{"linear: whip, growth rate", "1/s",
+              "backward whip that slips, load left out: below 0 it is stable", false, true,
+              [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, growth); }},
     RubFigure{"linear: whip, whirl", "Hz", "backward whip, its speed", false, false,
-           [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, whirl); }},
+              [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, whirl); }},
     RubFigure{"linear: whip, normal force", "N", "backward whip", false, false,
-           [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, force); }},
-    RubFigure{"linear: rolling, normal force", "N", "backward rolling at the spin's pace, load left out", false,
-           false, [](const RubPoint& p) { return of_leading<RubKind::kRolling>(p, force); }},
+              [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, force); }},
+    RubFigure{"linear: rolling, normal force", "N",
+              "backward rolling at the spin's pace, load left out", false, false,
+              [](const RubPoint& p) { return of_leading<RubKind::kRolling>(p, force); }},
     RubFigure{"linear: free orbit", "", "of the clearance, without contact", false, false,
-           [](const RubPoint& p) { return p.orbit ? map_number(*p.orbit / p.clearance) : json(nullptr); }},
+              [](const RubPoint& p) {
+                return p.orbit ? map_number(*p.orbit / p.clearance) : json(nullptr);
+              }},
 };
 
 }  // namespace

@@ -32,10 +32,10 @@ json cards_of(const RubMap& map) {
   };
   add(rub::kForcedRub, "Synchronous rub stable", "the rotor slides round in step with its load");
   add(rub::kBackwardWhip, "Backward whip stable", "it slides round against the spin");
-  add(rub::kRollingRub, "Rolling possible", "once there, it rolls round against the spin, and presses hard");
-  cards.push_back(map_card("Nothing stable but rolling",
-                       share(met[0] + met[rub::kRollingRub], map),
-                       "a rotor that does not roll bounces for ever"));
+  add(rub::kRollingRub, "Rolling possible",
+      "once there, it rolls round against the spin, and presses hard");
+  cards.push_back(map_card("Nothing stable but rolling", share(met[0] + met[rub::kRollingRub], map),
+                           "a rotor that does not roll bounces for ever"));
   return cards;
 }
 
@@ -48,16 +48,19 @@ json rub_map_plots(const RubMap& map) {
 }
 
 std::string rub_map_page(const scene::Scene& scene, const RubMap& map) {
-  return map_page(
-      scene,
-      {"lasting rubs", "Which rubs last, and where?",
-       "Steady rubs of rotor and ring over spin speed and friction, each judged by the eigenvalues of its "
-       "small perturbations with contact kept. The spin is held, and each load keeps its ratio to it. Where "
-       "several are stable, the start decides; where only rolling is, a rotor that does not roll bounces. A "
-       "stable rub may still be out of reach: these maps know nothing of impacts.",
-       "--rub-map",
-       {kLinearAttractors, kLinearGrowth}},
-      cards_of(map), rub_map_plots(map), nullptr);
+  return map_page(scene,
+                  {"lasting rubs",
+                   "Which rubs last, and where?",
+                   "Steady rubs of rotor and ring over spin speed and friction, each judged by the "
+                   "eigenvalues of its "
+                   "small perturbations with contact kept. The spin is held, and each load keeps "
+                   "its ratio to it. Where "
+                   "several are stable, the start decides; where only rolling is, a rotor that "
+                   "does not roll bounces. A "
+                   "stable rub may still be out of reach: these maps know nothing of impacts.",
+                   "--rub-map",
+                   {kLinearAttractors, kLinearGrowth}},
+                  cards_of(map), rub_map_plots(map), nullptr);
 }
 
 }  // namespace rotorub

@@ -1,5 +1,5 @@
-// The page of `rotorub modes --rub-map`: one HTML file with everything in it. Maps over spin speed and friction
-// of what is stable, how fast it decays or grows, and how hard it presses.
+// The page of `rotorub modes --rub-map`: one HTML file with everything in it. Maps over spin speed
+// and friction of what is stable, how fast it decays or grows, and how hard it presses.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

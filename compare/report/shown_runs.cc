@@ -14,7 +14,8 @@ ShownRuns shown_runs(const SceneComparison& comparison) {
 
 ShownRuns shown_runs(const StoredRun& run, const std::optional<StoredRun>& shadow) {
   const Trajectory& t = run.trajectory;
-  ShownRuns shown{&run.scene, {{t.engine == "mujoco" ? t.contact_model : "native", &t}}, nullptr, nullptr};
+  ShownRuns shown{
+      &run.scene, {{t.engine == "mujoco" ? t.contact_model : "native", &t}}, nullptr, nullptr};
   if (shadow) shown.runs.push_back({"shadow", &shadow->trajectory});
   return shown;
 }

@@ -19,7 +19,7 @@ struct ShownRun {
 
 struct ShownRuns {
   const scene::Scene* scene = nullptr;
-  std::vector<ShownRun> runs;               // the first two are compared first
+  std::vector<ShownRun> runs;                // the first two are compared first
   const MeasuredRun* measured = nullptr;     // laid beside them; null: none
   const Trajectory* uncontrolled = nullptr;  // the first run with a passive bearing; null: none
 };

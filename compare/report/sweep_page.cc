@@ -85,7 +85,9 @@ json keys_of(const sweep::Study& study, bool grid) {
   for (const Vary& vary : study.vary) {
     const Unit unit = shown(vary.unit);
     const bool even = vary.values.empty() && vary.spacing == sweep::Spacing::kLinear;
-    keys.push_back({{"name", vary.key}, {"unit", unit.name}, {"even", even},
+    keys.push_back({{"name", vary.key},
+                    {"unit", unit.name},
+                    {"even", even},
                     {"log", vary.spacing == sweep::Spacing::kLog}});
     if (grid) keys.back()["values"] = grid_values(vary, unit.per_si);
   }
@@ -155,8 +157,10 @@ json cards_of(sweep::Store& store) {
   return json::array(
       {card("Points", ok == all ? "good" : "bad", fmt::format("{} of {} ran to their end", ok, all),
             others.empty() ? "none failed" : others),
-       card("Attractors", "", attractors.size() == 1 ? std::string("the same everywhere")
-                                 : fmt::format("{} kinds", attractors.size()), kinds),
+       card("Attractors", "",
+            attractors.size() == 1 ? std::string("the same everywhere")
+                                   : fmt::format("{} kinds", attractors.size()),
+            kinds),
        card("Largest peak force", "", peak ? fmt::format("{:.4g} N", *peak) : "none",
             peak ? fmt::format("point {}", peak_point) : "")});
 }
@@ -200,23 +204,27 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
           field(row, static_cast<int>(keys + 3 + k), shown(columns[k].unit).per_si));
     }
   });
-  return {{"kind", grid ? "grid" : "marks"}, {"keys", keys_of(study, grid)},
-          {"figures", figures_json()},       {"values", values},
-          {"columns", figures},              {"status", status},
-          {"statuses", statuses.words()},    {"every", every}};
+  return {{"kind", grid ? "grid" : "marks"},
+          {"keys", keys_of(study, grid)},
+          {"figures", figures_json()},
+          {"values", values},
+          {"columns", figures},
+          {"status", status},
+          {"statuses", statuses.words()},
+          {"every", every}};
 }
 
 json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store, const sweep::Study& study) {
   json plots = sweep_plots(scenes, store, study);
   const sweep::LinearMap linear = sweep::linear_map(scenes);
-  const bool has_linear = linear.any() && plots["kind"] == "grid" &&
-                          plots["status"].size() == linear.points.size();
+  const bool has_linear =
+      linear.any() && plots["kind"] == "grid" && plots["status"].size() == linear.points.size();
   if (has_linear) add_linear(linear, plots);
   return {{"name", study.scene.stem().string()},
           {"cards", cards_of(store)},
-          {"maps", has_linear
-                       ? figure_choices({"attractor", "peak_force", kLinearAttractors, kLinearGrowth})
-                       : figure_choices({"attractor", "peak_force"})},
+          {"maps", has_linear ? figure_choices(
+                                    {"attractor", "peak_force", kLinearAttractors, kLinearGrowth})
+                              : figure_choices({"attractor", "peak_force"})},
           {"linear", has_linear},
           {"linear_refused", linear.refused},
           {"plots", std::move(plots)}};
@@ -227,7 +235,8 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
   const json& plots = kept.at("plots");
   json values = page_frame({kept.at("name"), "sweep", "What does it do, and where?"},
                            std::string(sweep_js()) + std::string(map_page_js()), plots);
-  for (const char* name : {"maps", "cards", "linear", "linear_refused"}) values[name] = kept.at(name);
+  for (const char* name : {"maps", "cards", "linear", "linear_refused"})
+    values[name] = kept.at(name);
   json headings = json::array();
   for (const Vary& vary : study.vary) headings.push_back({{"key", vary.key}, {"unit", vary.unit}});
   values["two"] = study.vary.size() > 1;

@@ -14,7 +14,8 @@ namespace rotorub {
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const sweep::Study& study, const nlohmann::json& kept);
 
-// The same for a report that shows it too (beside.h): "name", "cards", "maps" of the template and "plots".
+// The same for a report that shows it too (beside.h): "name", "cards", "maps" of the template and
+// "plots".
 nlohmann::json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store,
                           const sweep::Study& study);
 

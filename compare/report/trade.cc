@@ -20,7 +20,8 @@ Trade trade_of(const Side& native) {
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (time[i] < from) continue;
     trade.orbit = std::max(trade.orbit, std::hypot(x[i], y[i]));
-    if (driven) square += std::pow(t.column("control_x")[i], 2) + std::pow(t.column("control_y")[i], 2);
+    if (driven)
+      square += std::pow(t.column("control_x")[i], 2) + std::pow(t.column("control_y")[i], 2);
     ++rows;
   }
   if (rows > 0) trade.actuator_force = std::sqrt(square / static_cast<double>(rows));

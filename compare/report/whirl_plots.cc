@@ -32,7 +32,8 @@ double start_of_the_settled(const Trajectory& run) {
 // As many as the run has rows in between.
 std::size_t samples_between(const Trajectory& run, double from, double to) {
   const Values& t = run.column("t");
-  const auto rows = std::upper_bound(t.begin(), t.end(), to) - std::lower_bound(t.begin(), t.end(), from);
+  const auto rows =
+      std::upper_bound(t.begin(), t.end(), to) - std::lower_bound(t.begin(), t.end(), from);
   return std::min(static_cast<std::size_t>(rows), kMostSamples);
 }
 
@@ -45,13 +46,15 @@ json spectrum_json(const Trajectory& run, double limit) {
   return spectrum_data(even_orbit(run, from, to, count), h, limit);
 }
 
-// The largest amplitude of each column's frequencies, a byte for what lies within kDecades of the largest of all.
+// The largest amplitude of each column's frequencies, a byte for what lies within kDecades of the
+// largest of all.
 json waterfall_json(const Trajectory& run, double limit, double longest_turn) {
   const double from = run.column("t").front(), to = run.column("t").back();
   const std::size_t count = samples_between(run, from, to);
   if (count < kLeastSpectrumRows) return nullptr;
   const double h = (to - from) / static_cast<double>(count - 1);
-  // Eight turns tell frequencies of an eighth of the spin apart; a short run has a quarter of itself.
+  // Eight turns tell frequencies of an eighth of the spin apart; a short run has a quarter of
+  // itself.
   const auto wanted = static_cast<std::size_t>(8.0 * longest_turn / h);
   const std::size_t stretch = std::clamp<std::size_t>(wanted, 16, count / 4);
   const Waterfall w = waterfall(even_orbit(run, from, to, count), h, stretch);
@@ -75,15 +78,17 @@ json waterfall_json(const Trajectory& run, double limit, double longest_turn) {
   std::string levels;
   for (const double a : cell) {
     const double share = a > 0.0 ? (std::log10(a) - low) / kDecades : 0.0;
-    levels += static_cast<char>(static_cast<unsigned char>(std::lround(255.0 * std::clamp(share, 0.0, 1.0))));
+    levels += static_cast<char>(
+        static_cast<unsigned char>(std::lround(255.0 * std::clamp(share, 0.0, 1.0))));
   }
-  return {{"t", {rounded(from + w.time.front(), 6), rounded(from + w.time.back(), 6)}},
-          {"f", {rounded(lowest, 6), rounded(lowest + apart * static_cast<double>(columns * each), 6)}},
-          {"rows", w.time.size()},
-          {"columns", columns},
-          {"low", rounded(low, 4)},
-          {"high", rounded(high, 4)},
-          {"levels", base64(levels)}};
+  return {
+      {"t", {rounded(from + w.time.front(), 6), rounded(from + w.time.back(), 6)}},
+      {"f", {rounded(lowest, 6), rounded(lowest + apart * static_cast<double>(columns * each), 6)}},
+      {"rows", w.time.size()},
+      {"columns", columns},
+      {"low", rounded(low, 4)},
+      {"high", rounded(high, 4)},
+      {"levels", base64(levels)}};
 }
 
 json poincare_json(const Trajectory& run) {
@@ -110,8 +115,9 @@ json residual_json(const Trajectory& run, const Trajectory& first) {
       ++j;
     } else {
       times.push_back(t[i]);
-      distance.push_back(kMicro * std::hypot(run.column("rotor_x")[i] - first.column("rotor_x")[j],
-                                             run.column("rotor_y")[i] - first.column("rotor_y")[j]));
+      distance.push_back(kMicro *
+                         std::hypot(run.column("rotor_x")[i] - first.column("rotor_x")[j],
+                                    run.column("rotor_y")[i] - first.column("rotor_y")[j]));
       ++i, ++j;
     }
   }
@@ -122,7 +128,8 @@ json residual_json(const Trajectory& run, const Trajectory& first) {
 
 // s, of the spin; of a rotor that hardly turns a twentieth of the run.
 double turn_of(const Trajectory& run) {
-  const double span = run.column("t").back() - run.column("t").front(), spin = std::abs(mean_spin(run));
+  const double span = run.column("t").back() - run.column("t").front(),
+               spin = std::abs(mean_spin(run));
   return spin * span > 1.0 ? 1.0 / spin : 0.05 * span;
 }
 
@@ -148,7 +155,8 @@ json spectrum_data(const std::vector<std::complex<double>>& z, double h, double 
   const auto first = std::lower_bound(s.frequency.begin(), s.frequency.end(), -limit);
   const auto last = std::upper_bound(first, s.frequency.end(), limit);
   Values y(s.amplitude.size());
-  std::transform(s.amplitude.begin(), s.amplitude.end(), y.begin(), [](double a) { return kMicro * a; });
+  std::transform(s.amplitude.begin(), s.amplitude.end(), y.begin(),
+                 [](double a) { return kMicro * a; });
   const auto kept = thin(y, static_cast<std::size_t>(first - s.frequency.begin()),
                          static_cast<std::size_t>(last - s.frequency.begin()), kSpectrumBuckets);
   return {{"f", picked(s.frequency, kept, 6)}, {"y", picked(y, kept, 4)}};
@@ -156,7 +164,10 @@ json spectrum_data(const std::vector<std::complex<double>>& z, double h, double 
 
 json whirl_data(const Trajectory& run, const Trajectory* first, double limit) {
   if (run.rows() < 2) {
-    return {{"spectrum", nullptr}, {"waterfall", nullptr}, {"poincare", nullptr}, {"residual", nullptr}};
+    return {{"spectrum", nullptr},
+            {"waterfall", nullptr},
+            {"poincare", nullptr},
+            {"residual", nullptr}};
   }
   return {{"spectrum", spectrum_json(run, limit)},
           {"waterfall", waterfall_json(run, limit, turn_of(run))},

@@ -1,5 +1,5 @@
-// What the page's plots of whirl show: full spectrum, waterfall and Poincare points of each run, and how far each is
-// from the first.
+// What the page's plots of whirl show: full spectrum, waterfall and Poincare points of each run,
+// and how far each is from the first.
 #pragma once
 
 #include <complex>
@@ -11,17 +11,18 @@
 
 namespace rotorub {
 
-// Hz, how far to either side spectra are shown: 8 times the fastest mean spin; of a rotor at rest 160 over the run.
+// Hz, how far to either side spectra are shown: 8 times the fastest mean spin; of a rotor at rest
+// 160 over the run.
 double shown_frequency(const ShownRuns& shown);
 
 // Hz, over the whole run, signed; 0 for a rotor at rest or without rows.
 double mean_spin(const Trajectory& run);
 inline constexpr std::size_t kLeastSpectrumRows = 64;
 
-// Of a run: {"spectrum": {"f": [Hz], "y": [um]}, "waterfall": {"t": [s, s], "f": [Hz, Hz], "rows", "columns",
-// "low", "high" (log10 um), "levels": base64 of a byte a cell, rows from the first time, columns from the lowest
-// frequency}, "poincare": {"x", "y"} um, "residual": {"t", "y"} um or null}. Null members where a run is too short.
-// `limit`: shown_frequency.
+// Of a run: {"spectrum": {"f": [Hz], "y": [um]}, "waterfall": {"t": [s, s], "f": [Hz, Hz], "rows",
+// "columns", "low", "high" (log10 um), "levels": base64 of a byte a cell, rows from the first time,
+// columns from the lowest frequency}, "poincare": {"x", "y"} um, "residual": {"t", "y"} um or
+// null}. Null members where a run is too short. `limit`: shown_frequency.
 nlohmann::json whirl_data(const Trajectory& run, const Trajectory* first, double limit);
 
 // "spectrum" of it: of z (m) at even times h (s) apart, to `limit` (Hz) on either side.

@@ -10,7 +10,8 @@ namespace rotorub::hdf5 {
 namespace {
 
 Column column_of(const ColumnMeaning& meaning, std::span<const double> numbers) {
-  return {std::string(meaning.name), std::string(meaning.unit), std::string(meaning.meaning), numbers};
+  return {std::string(meaning.name), std::string(meaning.unit), std::string(meaning.meaning),
+          numbers};
 }
 
 Table series_of(const Trajectory& t) {
@@ -18,7 +19,8 @@ Table series_of(const Trajectory& t) {
   for (const rotorub::Column& c : t.series) {
     Column column{c.name, c.unit, std::string(series_column(c.name).meaning), c.values};
     if (contact_of_column(c.name).second == "mode") {
-      for (const Mode mode : {Mode::kFree, Mode::kSlide, Mode::kStick}) column.words.emplace_back(to_string(mode));
+      for (const Mode mode : {Mode::kFree, Mode::kSlide, Mode::kStick})
+        column.words.emplace_back(to_string(mode));
       column.which.assign(c.values.begin(), c.values.end());
     }
     table.columns.push_back(std::move(column));
@@ -29,12 +31,14 @@ Table series_of(const Trajectory& t) {
 // values: one list a column; the last is there where there are several contacts.
 Table impacts_of(const Trajectory& t, std::array<std::vector<double>, 9>& values) {
   for (const Impact& i : t.impacts) {
-    const double row[] = {i.t, i.normal_impulse, i.friction_impulse, i.gap_rate_before,
-                          i.gap_rate_after, i.slip_before, i.slip_after, i.energy_change, i.contact + 1.0};
+    const double row[] = {
+        i.t,           i.normal_impulse, i.friction_impulse, i.gap_rate_before, i.gap_rate_after,
+        i.slip_before, i.slip_after,     i.energy_change,    i.contact + 1.0};
     for (std::size_t k = 0; k < values.size(); ++k) values[k].push_back(row[k]);
   }
   Table table{"impacts", {}};
-  for (const ColumnMeaning& c : impact_columns(t.contacts > 1)) table.columns.push_back(column_of(c, values[table.columns.size()]));
+  for (const ColumnMeaning& c : impact_columns(t.contacts > 1))
+    table.columns.push_back(column_of(c, values[table.columns.size()]));
   return table;
 }
 
@@ -46,8 +50,8 @@ Table events_of(const Trajectory& t, std::vector<double>& times, std::vector<dou
     which.push_back(static_cast<int>(event.kind));
   }
   Table table{"events", {column_of(event_columns()[0], times), column_of(event_columns()[1], {})}};
-  for (const EventKind kind :
-       {EventKind::kImpact, EventKind::kSlide, EventKind::kStick, EventKind::kLiftOff, EventKind::kReverse}) {
+  for (const EventKind kind : {EventKind::kImpact, EventKind::kSlide, EventKind::kStick,
+                               EventKind::kLiftOff, EventKind::kReverse}) {
     table.columns[1].words.emplace_back(to_string(kind));
   }
   table.columns[1].which = std::move(which);
@@ -56,7 +60,8 @@ Table events_of(const Trajectory& t, std::vector<double>& times, std::vector<dou
 }
 
 // What depends on the machine's speed is no result.
-void add_attributes(const nlohmann::json& object, const std::string& prefix, std::vector<Attribute>& all) {
+void add_attributes(const nlohmann::json& object, const std::string& prefix,
+                    std::vector<Attribute>& all) {
   for (const auto& [key, value] : object.items()) {
     if (key == "wall_s" || key == "us_per_step" || value.is_null()) continue;
     if (value.is_object()) {
@@ -73,7 +78,8 @@ void add_attributes(const nlohmann::json& object, const std::string& prefix, std
 
 }  // namespace
 
-std::string run_file(ImageOf image_of, const scene::Scene& scene, const std::string& scene_text, const Trajectory& t) {
+std::string run_file(ImageOf image_of, const scene::Scene& scene, const std::string& scene_text,
+                     const Trajectory& t) {
   Content content;
   add_attributes(summary_json(scene, t), "", content.attributes);
   content.attributes.push_back({"scene_text", scene_text});

@@ -1,5 +1,5 @@
-// The folder of a run: series.csv, impacts.csv, events.csv, columns.json (what their columns are), scene.toml and
-// summary.json.
+// The folder of a run: series.csv, impacts.csv, events.csv, columns.json (what their columns are),
+// scene.toml and summary.json.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,8 @@ namespace rotorub {
 void write_run(const std::filesystem::path& folder, const scene::Scene& scene,
                const Trajectory& trajectory, hdf5::ImageOf hdf5 = nullptr);
 
-// A folder that is not that of a run, or whose files have been changed since. what() names file and line.
+// A folder that is not that of a run, or whose files have been changed since. what() names file and
+// line.
 class BrokenRun : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -33,8 +34,8 @@ struct StoredRun {
 // Reads what write_run wrote. Throws BrokenRun, or scene::SceneError, for anything else.
 StoredRun read_run(const std::filesystem::path& folder);
 
-// That the series is one to draw: has the columns that the contract promises, in ascending times, and no value that
-// is none. Throws BrokenRun naming file, column and line.
+// That the series is one to draw: has the columns that the contract promises, in ascending times,
+// and no value that is none. Throws BrokenRun naming file, column and line.
 void check_series(const Trajectory& trajectory, const std::string& file);
 
 // Folder, within that of a MuJoCo run, of the native model that ran alongside ([mujoco] shadow): a

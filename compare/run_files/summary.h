@@ -19,7 +19,8 @@ nlohmann::json run_numbers_json(const Trajectory& trajectory);
 // Its keys; "above_modes.contact_share": within another.
 std::span<const ColumnMeaning> summary_keys();
 
-// {"<file>": [{"name", "unit", "meaning"}, ...], ...} in the order of the columns, each by its name and with its unit.
+// {"<file>": [{"name", "unit", "meaning"}, ...], ...} in the order of the columns, each by its name
+// and with its unit.
 nlohmann::ordered_json run_columns_json(const Trajectory& trajectory);
 
 }  // namespace rotorub

@@ -19,7 +19,9 @@ using std::numbers::pi;
 constexpr double kYoung = 210e9, kDensity = 7850.0;  // steel
 
 // To a few significant digits: what a person would write.
-double rounded(double value, int digits) { return std::strtod(scene::number_text(value, digits).c_str(), nullptr); }
+double rounded(double value, int digits) {
+  return std::strtod(scene::number_text(value, digits).c_str(), nullptr);
+}
 
 // The largest of ..., 1, 2, 5, 10, ... that is not above the value.
 double rounded_down(double value) {
@@ -64,7 +66,8 @@ StarterSizes sizes_of(const Starter& starter) {
   s.modal_stiffness = rounded(shaft_stiffness, 4);
   s.modal_damping = rounded(2.0 * 0.01 * std::sqrt(s.modal_mass * s.modal_stiffness), 3);
 
-  // The ring: three quarters of the disc's mass, its own frequency a little above the speed, damping ratio 0.27.
+  // The ring: three quarters of the disc's mass, its own frequency a little above the speed,
+  // damping ratio 0.27.
   s.ring_mass = rounded(0.75 * m, 3);
   s.ring_stiffness = rounded(1.35 * s.ring_mass * omega * omega, 2);
   s.ring_damping = rounded(0.54 * std::sqrt(s.ring_mass * s.ring_stiffness), 2);
@@ -114,7 +117,8 @@ std::string starter_scene(const Starter& starter) {
     probe.eccentricity = unbalance;
     probe.load = load;
     const double size = orbit(starter, probe);
-    if (!(size > 0.0) || !std::isfinite(size)) refuse(starter, "no load moves this rotor at the contact");
+    if (!(size > 0.0) || !std::isfinite(size))
+      refuse(starter, "no load moves this rotor at the contact");
     return size;
   };
   const double small = kSmall * clearance;
@@ -125,8 +129,9 @@ std::string starter_scene(const Starter& starter) {
   const double by_load = answer(0.0, small_load) / small_load;
   sizes.load = rounded((rig ? 4.0 : 2.0) * clearance / by_load, 2);
   sizes.force_limit = rounded(4.0 * sizes.load, 2);
-  sizes.step =
-      std::min(sizes.step, rounded_down(2.0 * pi / highest_frequency(make_model(read_back(starter, sizes))) / 38.0));
+  sizes.step = std::min(
+      sizes.step,
+      rounded_down(2.0 * pi / highest_frequency(make_model(read_back(starter, sizes))) / 38.0));
   read_back(starter, sizes);
   return starter_text(starter, sizes);
 }

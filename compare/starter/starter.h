@@ -1,8 +1,9 @@
 // The scene that `rotorub init` writes: one that runs at once, with a word on every value.
 //
-// Its sizes follow from six that are asked for, so that any of them can be changed and the machine stays one: the
-// shaft's stiffness 48 E I / L^3, the bearings stiffer by a fixed factor, the ring in proportion to the disc and the
-// speed. The load is found by the native model: a free orbit of a few clearances, so that the rotor touches.
+// Its sizes follow from six that are asked for, so that any of them can be changed and the machine
+// stays one: the shaft's stiffness 48 E I / L^3, the bearings stiffer by a fixed factor, the ring
+// in proportion to the disc and the speed. The load is found by the native model: a free orbit of a
+// few clearances, so that the rotor touches.
 #pragma once
 
 #include <string>
@@ -12,7 +13,7 @@ namespace rotorub {
 enum class StarterForm {
   kGeometry,  // a shaft with disc, sleeve and two bearings, which loses a blade
   kModal,     // the same as a Jeffcott rotor: one mode
-  kRig,       // the reference rig: torsion, motor, magnetic exciter, actuator, room for a controller
+  kRig,  // the reference rig: torsion, motor, magnetic exciter, actuator, room for a controller
 };
 
 // A value as the user wrote it, and in SI.

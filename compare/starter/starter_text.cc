@@ -20,7 +20,8 @@ std::string number(double value) {
   std::string text = scene::number_text(value, 6);
   for (const char* filler : {"e+0", "e+", "e-0"}) {
     const std::size_t at = text.find(filler);
-    if (at != std::string::npos) text.replace(at, std::string_view(filler).size(), filler[1] == '-' ? "e-" : "e");
+    if (at != std::string::npos)
+      text.replace(at, std::string_view(filler).size(), filler[1] == '-' ? "e-" : "e");
   }
   return text;
 }
@@ -38,15 +39,17 @@ std::string value(const char* key, double number_, const std::string& comment) {
 
 std::string head(const Starter& starter) {
   const std::string what =
-      starter.form == StarterForm::kRig
-          ? "A test rig: a shaft with a disc, driven by a motor; a magnetic exciter drives it into its auxiliary\n"
-            "# bearing, whose ring an actuator can move."
-      : starter.form == StarterForm::kModal
-          ? "A Jeffcott rotor, by its one mode: it loses a part of a blade and rubs in its auxiliary bearing."
-          : "A shaft with a disc on two bearings: it loses a part of a blade and rubs in its auxiliary bearing.";
+      starter.form == StarterForm::kRig ? "A test rig: a shaft with a disc, driven by a motor; a "
+                                          "magnetic exciter drives it into its auxiliary\n"
+                                          "# bearing, whose ring an actuator can move."
+      : starter.form == StarterForm::kModal ? "A Jeffcott rotor, by its one mode: it loses a part "
+                                              "of a blade and rubs in its auxiliary bearing."
+                                            : "A shaft with a disc on two bearings: it loses a "
+                                              "part of a blade and rubs in its auxiliary bearing.";
   return fmt::format(
       "# {0}\n"
-      "# Written by `rotorub init`; every value is there to be changed. Plain numbers are in SI, a speed without a\n"
+      "# Written by `rotorub init`; every value is there to be changed. Plain numbers are in SI, a "
+      "speed without a\n"
       "# unit in rad/s; a text may have a unit: \"0.5 mm\", \"3000 rpm\", \"20 kN/mm\".\n"
       "#\n"
       "#     rotorub run {1}        the motion: series, impacts, summary\n"
@@ -55,13 +58,16 @@ std::string head(const Starter& starter) {
       "#     rotorub render {1}     a film of it\n"
       "#     rotorub check {1}      every engine against the rules at the end\n"
       "#\n"
-      "# `rotorub schema` prints all tables and keys as a JSON schema, with which an editor completes and checks.\n\n",
+      "# `rotorub schema` prints all tables and keys as a JSON schema, with which an editor "
+      "completes and checks.\n\n",
       what, scene::printable(starter.file));
 }
 
 std::string run_table(const StarterSizes& s) {
   return "[run]\n" + value("end", s.end, "s") +
-         value("step", s.step, "s, of MuJoCo and of `--integrator verlet`; the default, event, has none") + "\n";
+         value("step", s.step,
+               "s, of MuJoCo and of `--integrator verlet`; the default, event, has none") +
+         "\n";
 }
 
 std::string shaft(const Starter& starter, const StarterSizes& s) {
@@ -70,76 +76,94 @@ std::string shaft(const Starter& starter, const StarterSizes& s) {
          value("speed", written(starter.speed),
                rig ? "of the spin at t = 0" : "of the spin; held, as there is no [drive]") +
          value("length", written(starter.length), "of the shaft; stations count from its end") +
-         value("E", "\"210 GPa\"", "steel") + value("nu", "0.3", "") + value("rho", "7850.0", "kg/m^3") +
+         value("E", "\"210 GPa\"", "steel") + value("nu", "0.3", "") +
+         value("rho", "7850.0", "kg/m^3") +
          value("modes", "8", "bending modes kept; sizes of impacts depend on them") +
          value("damping_ratio", "0.01", "of each mode") +
-         "\n[[rotor.section]]             # pieces of the shaft, from 0 to its length\n" + "from = 0.0\n" +
-         value("to", written(starter.length), "") + value("diameter", written(starter.diameter), "") +
+         "\n[[rotor.section]]             # pieces of the shaft, from 0 to its length\n" +
+         "from = 0.0\n" + value("to", written(starter.length), "") +
+         value("diameter", written(starter.diameter), "") +
          "\n[[rotor.disc]]                # the disc\n" + value("z", s.disc_station, "m, station") +
-         value("mass", written(starter.disc_mass), "") + value("Jt", s.disc_Jt, "kg m^2, about a diameter") +
+         value("mass", written(starter.disc_mass), "") +
+         value("Jt", s.disc_Jt, "kg m^2, about a diameter") +
          value("Jp", s.disc_Jp, "kg m^2, about the shaft") +
          value("eccentricity", s.eccentricity, "m: an orbit of a tenth of the clearance") +
-         "# unbalance = \"30 g mm\"      # in place of eccentricity; or balance_grade = \"G 6.3\"\n" +
-         "\n[[rotor.disc]]                # the sleeve at the contact: without a mass a rigid impact has no limit\n" +
-         value("z", s.contact_station, "m") + value("mass", s.sleeve_mass, "kg") + value("Jt", s.sleeve_Jt, "") +
-         value("Jp", s.sleeve_Jp, "") + "\n[[rotor.bearing]]\n" + value("z", s.first_bearing, "m") +
+         "# unbalance = \"30 g mm\"      # in place of eccentricity; or balance_grade = \"G "
+         "6.3\"\n" +
+         "\n[[rotor.disc]]                # the sleeve at the contact: without a mass a rigid "
+         "impact has no limit\n" +
+         value("z", s.contact_station, "m") + value("mass", s.sleeve_mass, "kg") +
+         value("Jt", s.sleeve_Jt, "") + value("Jp", s.sleeve_Jp, "") + "\n[[rotor.bearing]]\n" +
+         value("z", s.first_bearing, "m") +
          value("stiffness", s.bearing_stiffness, "N/m; [x, y] where the planes differ") +
-         "# damping = 100                # N s/m; oil films: cross_stiffness, table_speed; out of line: offset\n" +
-         "\n[[rotor.bearing]]\n" +
-         value("z", s.last_bearing, "m") + value("stiffness", s.bearing_stiffness, "N/m") + "\n";
+         "# damping = 100                # N s/m; oil films: cross_stiffness, table_speed; out of "
+         "line: offset\n" +
+         "\n[[rotor.bearing]]\n" + value("z", s.last_bearing, "m") +
+         value("stiffness", s.bearing_stiffness, "N/m") + "\n";
 }
 
 std::string one_mode(const Starter& starter, const StarterSizes& s) {
-  return "[rotor]\n" + value("speed", written(starter.speed), "of the spin; held, as there is no [drive]") +
+  return "[rotor]\n" +
+         value("speed", written(starter.speed), "of the spin; held, as there is no [drive]") +
          fmt::format(
-             "\n# A disc of {} in the middle of a steel shaft, {} long and {} in diameter: 48 E I / L^3, the mass "
+             "\n# A disc of {} in the middle of a steel shaft, {} long and {} in diameter: 48 E I "
+             "/ L^3, the mass "
              "with\n"
              "# 17/35 of the shaft's. Lists: one value a mode.\n",
              starter.disc_mass.text, starter.length.text, starter.diameter.text) +
          "[rotor.modal]\n" + value("mass", "[" + number(s.modal_mass) + "]", "kg") +
          value("stiffness", "[" + number(s.modal_stiffness) + "]", "N/m") +
-         value("damping", "[" + number(s.modal_damping) + "]", "N s/m: a damping ratio of 0.01") + "\n" +
-         "[[force]]                     # the residual unbalance\n" + value("kind", "\"unbalance\"", "") +
-         value("static_moment", s.eccentricity, "kg m, mass times eccentricity: an orbit of a tenth of the clearance") +
+         value("damping", "[" + number(s.modal_damping) + "]", "N s/m: a damping ratio of 0.01") +
+         "\n" + "[[force]]                     # the residual unbalance\n" +
+         value("kind", "\"unbalance\"", "") +
+         value("static_moment", s.eccentricity,
+               "kg m, mass times eccentricity: an orbit of a tenth of the clearance") +
          "\n";
 }
 
 std::string motor(const Starter& starter, const StarterSizes& s) {
   return "[rotor.torsion]\n" + value("modes", "1", "elastic torsion") + "\n[drive]\n" +
-         value("kind", "\"linear\"", "T = gain (speed - Omega)") + value("gain", s.motor_gain, "N m s") +
-         value("speed", written(starter.speed), "") + value("station", "0.0", "m, where the motor sits") +
+         value("kind", "\"linear\"", "T = gain (speed - Omega)") +
+         value("gain", s.motor_gain, "N m s") + value("speed", written(starter.speed), "") +
+         value("station", "0.0", "m, where the motor sits") +
          value("inertia", s.motor_inertia, "kg m^2, of its rotor") + "\n";
 }
 
 std::string load(const Starter& starter, const StarterSizes& s) {
   const bool modal = starter.form == StarterForm::kModal;
   if (starter.form == StarterForm::kRig) {
-    return "[[force]]                     # the magnetic exciter: a free orbit of four clearances\n" +
+    return "[[force]]                     # the magnetic exciter: a free orbit of four "
+           "clearances\n" +
            value("kind", "\"rotating\"", "") + value("amplitude", s.load, "N") +
-           value("frequency", written(starter.speed), "negative: backward") + value("on", s.on, "s") +
-           value("station", s.exciter_station, "m") + "\n";
+           value("frequency", written(starter.speed), "negative: backward") +
+           value("on", s.on, "s") + value("station", s.exciter_station, "m") + "\n";
   }
   return "[[force]]                     # the blade: a free orbit of two clearances\n" +
          value("kind", "\"unbalance\"", "") +
          value("static_moment", s.load, "kg m, of the mass that is missing from then on") +
-         value("on", s.on, "s, when it goes") + (modal ? "" : value("station", s.disc_station, "m")) + "\n";
+         value("on", s.on, "s, when it goes") +
+         (modal ? "" : value("station", s.disc_station, "m")) + "\n";
 }
 
 std::string bearing(const Starter& starter, const StarterSizes& s) {
   const bool modal = starter.form == StarterForm::kModal;
   return "[contact]\n" + (modal ? "" : value("station", s.contact_station, "m")) +
-         value("radius", s.radius, "m, of the rotor there") + value("clearance", written(starter.clearance), "radial") +
+         value("radius", s.radius, "m, of the rotor there") +
+         value("clearance", written(starter.clearance), "radial") +
          value("friction", written(starter.friction), "Coulomb") +
          value("restitution", "0.5", "of an impact: 0 plastic, 1 elastic") +
-         "\n[stator]                      # the ring of the auxiliary bearing; without this table it is fixed\n" +
+         "\n[stator]                      # the ring of the auxiliary bearing; without this table "
+         "it is fixed\n" +
          value("mass", s.ring_mass, "kg") + value("damping", s.ring_damping, "N s/m") +
          value("stiffness", s.ring_stiffness, "N/m") + "\n";
 }
 
 // What can move the ring, ready to be switched on.
 std::string active_ring(const StarterSizes& s) {
-  return "[actuator]\n" + value("force_limit", s.force_limit, "N, on each of the two axes at 45 degrees") +
-         "\n# A sliding-mode controller brings the ring to the rotor before it strikes. To switch it on, uncomment:\n" +
+  return "[actuator]\n" +
+         value("force_limit", s.force_limit, "N, on each of the two axes at 45 degrees") +
+         "\n# A sliding-mode controller brings the ring to the rotor before it strikes. To switch "
+         "it on, uncomment:\n" +
          "#[controller]\n#kind = \"sliding\"\n" + value("#on", s.on, "s") +
          value("#gap_time", "\"8 ms\"", "in which the gap is closed") +
          value("#preload", "\"10 N\"", "that the lasting contact then carries") + "\n";
@@ -148,8 +172,9 @@ std::string active_ring(const StarterSizes& s) {
 std::string rules(const Starter& starter) {
   return "[[check]]                     # rules of `rotorub check`, on every native engine\n" +
          value("metric", "\"impacts\"", "") + value("min", "1", "") +
-         value("why", "\"The load is large enough for the rotor to touch.\"", "") + "\n[[check]]\n" +
-         value("metric", "\"max_penetration\"", "") + value("max", number(starter.clearance.value), "m") +
+         value("why", "\"The load is large enough for the rotor to touch.\"", "") +
+         "\n[[check]]\n" + value("metric", "\"max_penetration\"", "") +
+         value("max", number(starter.clearance.value), "m") +
          value("why", "\"A rigid contact lets nothing in, at a finite step only a little.\"", "");
 }
 

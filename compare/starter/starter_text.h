@@ -10,7 +10,8 @@ namespace rotorub {
 // SI.
 struct StarterSizes {
   double end = 0.0, step = 0.0, on = 0.0;  // s; on: the load
-  double first_bearing = 0.0, last_bearing = 0.0, contact_station = 0.0, disc_station = 0.0, exciter_station = 0.0;
+  double first_bearing = 0.0, last_bearing = 0.0, contact_station = 0.0, disc_station = 0.0,
+         exciter_station = 0.0;
   double bearing_stiffness = 0.0;
   double disc_Jt = 0.0, disc_Jp = 0.0, eccentricity = 0.0;
   double radius = 0.0, sleeve_mass = 0.0, sleeve_Jt = 0.0, sleeve_Jp = 0.0;

@@ -39,9 +39,11 @@ std::string question_of(const std::string& label) {
 std::string evidence_of(const SceneComparison& c, const Side& side) {
   if (side.label != to_string(scene::ContactModel::kRigid)) return "";
   if (c.own || c.scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
-    return "rigid shares the contact law with native, the rotor it does not: what agrees is evidence of the rotor.";
+    return "rigid shares the contact law with native, the rotor it does not: what agrees is "
+           "evidence of the rotor.";
   }
-  return "rigid shares law and step with native verlet: agreement says that it was put in right. That it is right, "
+  return "rigid shares law and step with native verlet: agreement says that it was put in right. "
+         "That it is right, "
          "closed forms, Siconos, ODE and MuJoCo's own rotor say (README, Evidence).";
 }
 
@@ -66,8 +68,8 @@ std::vector<AnswerRow> answer(const SceneComparison& c) {
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const Side& side = c.sides[k + 1];
     const SideDifference& d = c.differences[k];
-    rows.push_back({side.label, question_of(side.label), d.trust, reason(c, side, d), side.timing.median, d.decides,
-                    evidence_of(c, side)});
+    rows.push_back({side.label, question_of(side.label), d.trust, reason(c, side, d),
+                    side.timing.median, d.decides, evidence_of(c, side)});
   }
   return rows;
 }
@@ -84,7 +86,8 @@ std::string whose_verdict(const SceneComparison& c) {
 std::vector<std::string> own_notes(const SceneComparison& c) {
   if (!c.own) return {};
   std::vector<std::string> notes{
-      "Native is a twin made from the mjModel of this machine: linear, for small motions about qpos0. " +
+      "Native is a twin made from the mjModel of this machine: linear, for small motions about "
+      "qpos0. " +
       std::string(c.twin_limits.empty() ? "It leaves nothing out that was found."
                                         : "It leaves out:")};
   for (const std::string& limit : c.twin_limits) notes.push_back(limit + ".");

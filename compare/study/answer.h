@@ -16,7 +16,8 @@ struct AnswerRow {
   std::string why;           // half a sentence
   double us_per_step = 0.0;  // median; 0: not timed
   bool decides = false;      // the exit code
-  std::string evidence;      // a sentence: what agreement says, where the two share more than the scene; else empty
+  std::string evidence;      // a sentence: what agreement says, where the two share more than the
+                             // scene; else empty
 };
 
 // In the order of the sides.

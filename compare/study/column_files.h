@@ -1,5 +1,6 @@
-// What stands in the files that the commands write, for readers: names, units, meanings, signs. Written beside the
-// data as columns.json, and as tables in compare/study/README.md, which a test holds to this.
+// What stands in the files that the commands write, for readers: names, units, meanings, signs.
+// Written beside the data as columns.json, and as tables in compare/study/README.md, which a test
+// holds to this.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -21,7 +21,8 @@ ShadowColumn shadow_column(Runner& runner, const Side& native,
   }
   if (!column.side) return column;
   if (column.side->trajectory.status != Status::kOk) {
-    column.absent = std::string("it ended early (") + to_string(column.side->trajectory.status) + "): " + column.side->trajectory.message;
+    column.absent = std::string("it ended early (") + to_string(column.side->trajectory.status) +
+                    "): " + column.side->trajectory.message;
     column.side.reset();
     return column;
   }

@@ -30,13 +30,16 @@ Divergence first_to_part(const Twins& twins, Divergence none) {
 }
 
 SideDifference side_difference(const Side& native, const Side& other, const Repeatability& natives,
-                               const Repeatability& others, const CompareOptions& options, double threshold) {
+                               const Repeatability& others, const CompareOptions& options,
+                               double threshold) {
   SideDifference d;
   d.decides = other.label == to_string(options.contact);
   for (std::size_t k = 0; k < figures().size(); ++k) {
     const Figure& f = figures()[k];
-    d.figures.push_back({judged(f, natives.samples[k], others.samples[k], options.tolerance, natives.replay_floor[k]),
-                         natives.floor[k], natives.replay_floor[k], split(native.limits[k], other.limits[k])});
+    d.figures.push_back({judged(f, natives.samples[k], others.samples[k], options.tolerance,
+                                natives.replay_floor[k]),
+                         natives.floor[k], natives.replay_floor[k],
+                         split(native.limits[k], other.limits[k])});
   }
   const bool ended_well =
       native.trajectory.status == Status::kOk && other.trajectory.status == Status::kOk;

@@ -10,7 +10,7 @@ namespace rotorub {
 
 // Of each figure among a run and its twins.
 struct Repeatability {
-  std::vector<FigureSample> samples;        // as figures()
+  std::vector<FigureSample> samples;  // as figures()
   std::vector<double> floor;          // largest |deviation| of a twin
   std::vector<double> replay_floor;   // see replay_floor(); 0 but in replay
 };
@@ -22,6 +22,7 @@ Divergence first_to_part(const Twins& twins, Divergence none);
 
 // All but the reasons. `threshold`: m, beyond which two runs have parted.
 SideDifference side_difference(const Side& native, const Side& other, const Repeatability& natives,
-                               const Repeatability& others, const CompareOptions& options, double threshold);
+                               const Repeatability& others, const CompareOptions& options,
+                               double threshold);
 
 }  // namespace rotorub

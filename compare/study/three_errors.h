@@ -1,4 +1,5 @@
-// What a contact model's figures are off by, by whose fault: contact model, step, bending modes kept.
+// What a contact model's figures are off by, by whose fault: contact model, step, bending modes
+// kept.
 #pragma once
 
 #include <optional>
@@ -15,9 +16,10 @@ struct LargestError {
 };
 
 struct ThreeErrors {
-  LargestError contact;               // what remains as the step goes to 0 (split.h)
-  LargestError step;                  // what vanishes with it, MuJoCo's less the native one's
-  std::optional<LargestError> modes;  // of the modes kept (model_error.h), the same on both sides; none: not asked for
+  LargestError contact;  // what remains as the step goes to 0 (split.h)
+  LargestError step;     // what vanishes with it, MuJoCo's less the native one's
+  std::optional<LargestError>
+      modes;  // of the modes kept (model_error.h), the same on both sides; none: not asked for
 };
 
 // `side`: of the comparison's, >= 1.

@@ -30,7 +30,8 @@ Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajector
   } else {
     for (std::size_t k = 0; k < count && !stopped(); ++k) {
       run(k);
-      if (parameters.progress) parameters.progress(static_cast<double>(k + 1) / static_cast<double>(count));
+      if (parameters.progress)
+        parameters.progress(static_cast<double>(k + 1) / static_cast<double>(count));
     }
   }
   if (stopped()) return {};

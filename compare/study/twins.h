@@ -1,5 +1,5 @@
-// Runs whose starts are a few units in the last place apart: how well the motion repeats itself, which no comparison can be
-// better than.
+// Runs whose starts are a few units in the last place apart: how well the motion repeats itself,
+// which no comparison can be better than.
 #pragma once
 
 #include <atomic>
@@ -32,8 +32,8 @@ struct Twins {
 // +1, -1, +2, -2, ...
 int twin_ulps(int index);
 
-// They run on all processors, where they may; the result does not depend on how many there are. An interrupt leaves
-// both lists empty. `threshold`: m, beyond which two runs have parted.
+// They run on all processors, where they may; the result does not depend on how many there are. An
+// interrupt leaves both lists empty. `threshold`: m, beyond which two runs have parted.
 Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajectory& original,
                 double threshold, const TwinParameters& parameters);
 

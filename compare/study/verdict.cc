@@ -69,14 +69,16 @@ std::string contact_sentence(const Side& native, const Side& other) {
   const double b = other.metrics.lasting_fraction;
   if (b < a - kOftenEnough) {
     return fmt::format(
-        "{} chatters: in lasting contact {} of the time instead of {}, with a force scatter of {:.0f} % of "
+        "{} chatters: in lasting contact {} of the time instead of {}, with a force scatter of "
+        "{:.0f} % of "
         "the mean (rigid law: {:.0f} %)",
         other.label, time_share(b), time_share(a), percent(scatter(other.metrics)),
         percent(scatter(native.metrics)));
   }
   if (b > a + kOftenEnough) {
     return fmt::format(
-        "{} stays in contact longer: {} of the time instead of {}, because a soft contact damps small bounces",
+        "{} stays in contact longer: {} of the time instead of {}, because a soft contact damps "
+        "small bounces",
         other.label, time_share(b), time_share(a));
   }
   return {};
@@ -86,20 +88,21 @@ std::string contact_sentence(const Side& native, const Side& other) {
 std::string impact_sentence(const SideDifference& d) {
   const FigureDifference &mean = of(d, "mean_force"), &blow = of(d, "window_impulse");
   if (mean.verdict == FigureVerdict::kOutside || blow.verdict != FigureVerdict::kOutside) return {};
-  return fmt::format("the mean force is right ({}), single impacts are not: the largest gives {} N s where the rigid law gives {}",
-                     difference_text(mean), short_number(blow.other), short_number(blow.native));
+  return fmt::format(
+      "the mean force is right ({}), single impacts are not: the largest gives {} N s where the "
+      "rigid law gives {}",
+      difference_text(mean), short_number(blow.other), short_number(blow.native));
 }
 
 // Whose fault the worst judged figure is.
 std::string split_sentence(const FigureDifference& f, double tolerance) {
   const Split& s = f.split;
   if (s.difference == 0.0) return {};
-  const std::string what =
-      fmt::format("{} ({})", f.figure->label, difference_text(f));
+  const std::string what = fmt::format("{} ({})", f.figure->label, difference_text(f));
   if (!s.valid) {
     if (std::abs(f.deviation) <= tolerance) return {};
-    return fmt::format("how much of the difference in {} is the step's cannot be determined: {}", what,
-                       s.reason);
+    return fmt::format("how much of the difference in {} is the step's cannot be determined: {}",
+                       what, s.reason);
   }
   const double gap = std::abs(s.model_gap);
   const double step = std::abs(s.step_error - s.native_step_error);
@@ -147,7 +150,8 @@ std::string twins_sentence(const SceneComparison& c, const SideDifference& d) {
 }
 
 std::string open_loop_sentence(const SceneComparison& c, const SideDifference& d) {
-  const std::string apart = scattered(c, d, [](const FigureDifference& f) { return f.replay_floor; });
+  const std::string apart =
+      scattered(c, d, [](const FigureDifference& f) { return f.replay_floor; });
   if (apart.empty()) return {};
   return fmt::format(
       "the open loop does not hold the motion: commands of the native model's own loop, replayed "

@@ -31,7 +31,8 @@ std::vector<PointResult> BatchRun::run(const std::vector<std::int64_t>& points) 
       const bool alike = made.scene.auxiliary.size() == 1;  // lanes have one contact
       if (study_.engine == EngineKind::kNative && has_ensemble(integrator) && alike) {
         together[integrator].push_back(std::move(made));
-      } else if (auto result = run_single(point, made.scene, *engine_of(study_, made.scene), interrupt_)) {
+      } else if (auto result =
+                     run_single(point, made.scene, *engine_of(study_, made.scene), interrupt_)) {
         out.push_back(std::move(*result));
       }
     } catch (const scene::SceneError& error) {
@@ -48,25 +49,27 @@ std::vector<PointResult> BatchRun::run(const std::vector<std::int64_t>& points) 
 
 std::int64_t batch_size(const Study& study) {
   // Where each point says its integrator, any of them may be one with ensembles.
-  const bool together = study.engine == EngineKind::kNative &&
-                        (!study.integrator || has_ensemble(*study.integrator));
+  const bool together =
+      study.engine == EngineKind::kNative && (!study.integrator || has_ensemble(*study.integrator));
   return together ? kEnsemblePoints : 1;
 }
 
-std::vector<PointResult> run_points(const Study& study, std::int64_t count, const SceneOfPoint& scene_at,
+std::vector<PointResult> run_points(const Study& study, std::int64_t count,
+                                    const SceneOfPoint& scene_at,
                                     const std::atomic<bool>& interrupt) {
   std::vector<PointResult> all(static_cast<std::size_t>(count));
   for (PointResult& result : all) result.status.clear();
   const BatchRun batch(study, scene_at, interrupt);
   const std::int64_t size = batch_size(study);
-  in_parallel(static_cast<std::size_t>((count + size - 1) / size), &interrupt, {}, [&](std::size_t k) {
-    const std::int64_t begin = static_cast<std::int64_t>(k) * size;
-    std::vector<std::int64_t> points(static_cast<std::size_t>(std::min(size, count - begin)));
-    std::iota(points.begin(), points.end(), begin);
-    for (PointResult& result : batch.run(points)) {
-      all[static_cast<std::size_t>(result.point)] = std::move(result);
-    }
-  });
+  in_parallel(
+      static_cast<std::size_t>((count + size - 1) / size), &interrupt, {}, [&](std::size_t k) {
+        const std::int64_t begin = static_cast<std::int64_t>(k) * size;
+        std::vector<std::int64_t> points(static_cast<std::size_t>(std::min(size, count - begin)));
+        std::iota(points.begin(), points.end(), begin);
+        for (PointResult& result : batch.run(points)) {
+          all[static_cast<std::size_t>(result.point)] = std::move(result);
+        }
+      });
   return all;
 }
 

@@ -1,4 +1,5 @@
-// Some points of a study at once: those that can go into ensembles do, the others run by themselves.
+// Some points of a study at once: those that can go into ensembles do, the others run by
+// themselves.
 #pragma once
 
 #include <atomic>
@@ -11,7 +12,8 @@
 
 namespace rotorub::sweep {
 
-using SceneOfPoint = std::function<scene::Scene(std::int64_t point)>;  // thread safe; throws scene::SceneError
+using SceneOfPoint =
+    std::function<scene::Scene(std::int64_t point)>;  // thread safe; throws scene::SceneError
 
 class BatchRun {
  public:
@@ -29,9 +31,10 @@ class BatchRun {
 // Points that are run together: enough to fill ensembles, or one.
 std::int64_t batch_size(const Study& study);
 
-// All points of a native study from 0 to count - 1, on all processors, in their order; `interrupt`: those that are
-// missing then have no status.
-std::vector<PointResult> run_points(const Study& study, std::int64_t count, const SceneOfPoint& scene_at,
+// All points of a native study from 0 to count - 1, on all processors, in their order; `interrupt`:
+// those that are missing then have no status.
+std::vector<PointResult> run_points(const Study& study, std::int64_t count,
+                                    const SceneOfPoint& scene_at,
                                     const std::atomic<bool>& interrupt);
 
 }  // namespace rotorub::sweep

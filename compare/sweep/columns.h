@@ -1,4 +1,5 @@
-// What the columns of results.csv are: columns.json beside it, and the table in compare/sweep/README.md.
+// What the columns of results.csv are: columns.json beside it, and the table in
+// compare/sweep/README.md.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -17,14 +17,12 @@ std::string quoted_name(const std::string& name) { return doubled(name, '"'); }
 std::string quoted_text(const std::string& text) { return doubled(text, '\''); }
 
 void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
-void Statement::Finalize::operator()(sqlite3_stmt* statement) const {
-  sqlite3_finalize(statement);
-}
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 Database::Database(const std::filesystem::path& file, Mode mode) : file_(file.string()) {
   sqlite3* opened = nullptr;
-  const int flags = mode == Mode::kRead ? SQLITE_OPEN_READWRITE
-                                        : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  const int flags =
+      mode == Mode::kRead ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   const int code = sqlite3_open_v2(file_.c_str(), &opened, flags, nullptr);
   database_.reset(opened);
   if (code != SQLITE_OK) fail(code);
@@ -42,8 +40,8 @@ void Database::fail(int code) const {
   const int kind = code & 0xff;
   const bool busy = kind == SQLITE_BUSY || kind == SQLITE_LOCKED;
   const std::string why = database_ ? sqlite3_errmsg(database_.get()) : sqlite3_errstr(code);
-  throw DatabaseError(
-      file_ + ": " + (busy ? "another sweep is at work on it (" + why + ")" : why), busy);
+  throw DatabaseError(file_ + ": " + (busy ? "another sweep is at work on it (" + why + ")" : why),
+                      busy);
 }
 
 void Database::execute(const std::string& sql) {
@@ -101,8 +99,8 @@ double Statement::number(int column) const {
 }
 std::string Statement::text(int column) const {
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
-  return text ? std::string(text, static_cast<std::size_t>(
-                                      sqlite3_column_bytes(statement_.get(), column)))
+  return text ? std::string(
+                    text, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column)))
               : std::string();
 }
 

@@ -67,8 +67,7 @@ class Exchange {
 // The threads; joined, whatever happens.
 class Workers {
  public:
-  Workers(int count, const std::function<void()>& work, Exchange& exchange,
-          std::atomic<bool>& stop)
+  Workers(int count, const std::function<void()>& work, Exchange& exchange, std::atomic<bool>& stop)
       : exchange_(exchange), stop_(stop) {
     for (int k = 0; k < count; ++k) {
       exchange.enter();

@@ -19,8 +19,8 @@ StudyIdentity identity_of(const PointScenes& scenes) {
 
 void keep_study(const std::filesystem::path& folder, const PointScenes& scenes) {
   std::filesystem::create_directories(folder);
-  const std::pair<const char*, const std::string&> files[] = {
-      {kStudyFile, scenes.study().text}, {kSceneFile, scenes.scene_text()}};
+  const std::pair<const char*, const std::string&> files[] = {{kStudyFile, scenes.study().text},
+                                                              {kSceneFile, scenes.scene_text()}};
   for (const auto& [name, text] : files) {
     if (is_other(folder / name, text) && !result_files(folder).empty()) {
       throw StoreMismatch((folder / name).string() +

@@ -13,7 +13,8 @@ inline constexpr const char* kStudyFile = "study.toml";
 inline constexpr const char* kSceneFile = "scene.toml";
 inline constexpr const char* kCsvFile = "results.csv";
 inline constexpr const char* kPageFile = "sweep.html";
-inline constexpr const char* kDataFile = "sweep.json";  // what the page draws, for a report beside it
+inline constexpr const char* kDataFile =
+    "sweep.json";  // what the page draws, for a report beside it
 
 StudyIdentity identity_of(const PointScenes& scenes);
 

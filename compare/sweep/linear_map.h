@@ -1,5 +1,5 @@
-// The linear map of a study: for each of its points, which lasting rubs there are and which are stable, by
-// eigenvalues (native_model/rub/rub_map.h). No run is needed for it.
+// The linear map of a study: for each of its points, which lasting rubs there are and which are
+// stable, by eigenvalues (native_model/rub/rub_map.h). No run is needed for it.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ struct LinearMap {
   bool any() const;
 };
 
-// Of a grid over contact.friction and at least one other key, and not too many values of the others: the rotor
-// is assembled once for each of these. Otherwise without points.
+// Of a grid over contact.friction and at least one other key, and not too many values of the
+// others: the rotor is assembled once for each of these. Otherwise without points.
 LinearMap linear_map(const PointScenes& scenes);
 
 inline constexpr std::int64_t kMostSystems = 1000;

@@ -23,7 +23,8 @@ const char* attractor(const Figures& f) { return to_string(f.settled.attractor);
 const ResultColumn kColumns[] = {
     {"end", Type::kNumber, "s", "time reached", member<&Figures::end>, nullptr},
     {"steps", Type::kWhole, "", "steps of the integrator", member<&Figures::steps>, nullptr},
-    {"first_touch", Type::kNumber, "s", "first contact; of an ensemble the beginning of its step; empty: never touched",
+    {"first_touch", Type::kNumber, "s",
+     "first contact; of an ensemble the beginning of its step; empty: never touched",
      member<&Figures::first_touch>, nullptr},
     {"impacts", Type::kWhole, "", "impacts that close faster than 0.1 mm/s",
      member<&Figures::impacts>, nullptr},
@@ -37,12 +38,14 @@ const ResultColumn kColumns[] = {
     {"impulse_total", Type::kNumber, "N s", "all normal impulse", member<&Figures::impulse_total>,
      nullptr},
     {"attractor", Type::kWord, "",
-     "what the last fifth of the run is: no contact, chattering, resting, synchronous rub, forward rub, "
-     "backward whip, rolling or unknown; from 41 rows evenly spaced over it", nullptr, attractor},
+     "what the last fifth of the run is: no contact, chattering, resting, synchronous rub, forward "
+     "rub, "
+     "backward whip, rolling or unknown; from 41 rows evenly spaced over it",
+     nullptr, attractor},
     {"contact_share", Type::kNumber, "", "share of the last fifth's rows in contact",
      last<&Settled::contact_share>, nullptr},
-    {"whirl_frequency", Type::kNumber, "rad/s",
-     "mean whirl over the last fifth, forward positive", last<&Settled::whirl_frequency>, nullptr},
+    {"whirl_frequency", Type::kNumber, "rad/s", "mean whirl over the last fifth, forward positive",
+     last<&Settled::whirl_frequency>, nullptr},
     {"spin_speed", Type::kNumber, "rad/s", "mean spin speed over the last fifth",
      last<&Settled::spin_speed>, nullptr},
     {"peak_impulse", Type::kNumber, "N s", "largest normal impulse of one impact",
@@ -51,7 +54,8 @@ const ResultColumn kColumns[] = {
      member<&Figures::friction_work>, nullptr},
     {"max_penetration", Type::kNumber, "m", "deepest penetration",
      member<&Figures::max_penetration>, nullptr},
-    {"energy_residual", Type::kNumber, "", "imbalance of the energy over the largest energy met; single runs",
+    {"energy_residual", Type::kNumber, "",
+     "imbalance of the energy over the largest energy met; single runs",
      member<&Figures::energy_residual>, nullptr},
 };
 

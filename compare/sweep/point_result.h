@@ -13,15 +13,15 @@ namespace rotorub::sweep {
 
 // Figures of a run that went to its end. An ensemble keeps no balance of the energy.
 struct Figures {
-  double end = 0.0;                   // s
+  double end = 0.0;  // s
   std::int64_t steps = 0;
-  std::optional<double> first_touch;  // s; nothing: never
-  std::int64_t impacts = 0;           // counted ones
-  double contact_fraction = 0.0;      // of the time from first touch
-  double mean_force = 0.0;            // N, over the time from first touch
-  double peak_force = 0.0;            // N, largest impulse of a step / step
-  double impulse_total = 0.0;         // N s
-  Settled settled;                    // over the last fifth
+  std::optional<double> first_touch;      // s; nothing: never
+  std::int64_t impacts = 0;               // counted ones
+  double contact_fraction = 0.0;          // of the time from first touch
+  double mean_force = 0.0;                // N, over the time from first touch
+  double peak_force = 0.0;                // N, largest impulse of a step / step
+  double impulse_total = 0.0;             // N s
+  Settled settled;                        // over the last fifth
   std::optional<double> peak_impulse;     // N s, largest of one impact
   std::optional<double> friction_work;    // J, <= 0
   std::optional<double> max_penetration;  // m
@@ -44,8 +44,8 @@ struct ResultColumn {
   enum class Type { kNumber, kWhole, kWord };
   const char* name;
   Type type;
-  const char* unit;     // SI; "": none
-  const char* meaning;  // one sentence
+  const char* unit;                                 // SI; "": none
+  const char* meaning;                              // one sentence
   std::optional<double> (*number)(const Figures&);  // kNumber, kWhole
   const char* (*word)(const Figures&);              // kWord
 };

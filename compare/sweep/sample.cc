@@ -35,7 +35,9 @@ Sample::Sample(const Study& study) : study_(&study) {
       size_ = 1;
       for (const Vary& vary : study.vary) size_ *= vary.count;
       break;
-    case SampleKind::kList: size_ = study.vary.front().count; break;
+    case SampleKind::kList:
+      size_ = study.vary.front().count;
+      break;
     case SampleKind::kLatinHypercube:
       size_ = study.runs;
       for (std::size_t k = 0; k < study.vary.size(); ++k) {
@@ -64,8 +66,12 @@ std::vector<Value> Sample::at(std::int64_t index) const {
         values[k] = grid_value(vary, rest % vary.count);
         rest /= vary.count;
         break;
-      case SampleKind::kList: values[k] = vary.values[static_cast<std::size_t>(index)]; break;
-      case SampleKind::kLatinHypercube: values[k] = cell_value(k, index); break;
+      case SampleKind::kList:
+        values[k] = vary.values[static_cast<std::size_t>(index)];
+        break;
+      case SampleKind::kLatinHypercube:
+        values[k] = cell_value(k, index);
+        break;
     }
   }
   return values;

@@ -10,12 +10,12 @@
 namespace rotorub::sweep {
 
 struct SlurmJob {
-  std::filesystem::path program;       // absolute, as the nodes see them all
+  std::filesystem::path program;  // absolute, as the nodes see them all
   std::filesystem::path study, folder;
   int tasks = 1;                       // shards
   int jobs = 1;                        // processors of a task, and threads
   std::vector<std::string> overrides;  // --set
-  bool allow_library = false;          // the tasks may open the scene's library, as the user said here
+  bool allow_library = false;  // the tasks may open the scene's library, as the user said here
 };
 
 inline constexpr const char* kSlurmFile = "sweep.sbatch";

@@ -21,9 +21,12 @@ std::map<std::string, std::string> read_meta(Database& database, const std::stri
 
 const char* sql_type(ResultColumn::Type type) {
   switch (type) {
-    case ResultColumn::Type::kNumber: return "REAL";
-    case ResultColumn::Type::kWhole: return "INTEGER";
-    case ResultColumn::Type::kWord: return "TEXT";
+    case ResultColumn::Type::kNumber:
+      return "REAL";
+    case ResultColumn::Type::kWhole:
+      return "INTEGER";
+    case ResultColumn::Type::kWord:
+      return "TEXT";
   }
   return "";
 }

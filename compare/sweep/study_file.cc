@@ -37,17 +37,19 @@ const TomlNode& table_of(const TomlNode& root, const std::string& name, const To
   const TomlNode* node = root.find(name);
   if (node == nullptr) return none;
   if (node->kind == Kind::kTable) return *node;
-  diagnostics.push_back({node->file, node->line, name,
-                         fmt::format("expected one table [{}], got {}", name,
-                                     kind_name(node->kind))});
+  diagnostics.push_back(
+      {node->file, node->line, name,
+       fmt::format("expected one table [{}], got {}", name, kind_name(node->kind))});
   return none;
 }
 
 // Why a value cannot stand in one field of a row, and behind `key =`; empty: it can.
 std::string unfit(const TomlNode& node) {
-  if (node.kind == Kind::kTable) return "expected a value, got a table; a [[vary]] for each of its keys varies them";
+  if (node.kind == Kind::kTable)
+    return "expected a value, got a table; a [[vary]] for each of its keys varies them";
   if (node.kind == Kind::kDate) return "expected a value of a scene, got a date or time";
-  const bool broken = std::any_of(node.text.begin(), node.text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  const bool broken = std::any_of(node.text.begin(), node.text.end(),
+                                  [](unsigned char c) { return c < 0x20 || c == 0x7f; });
   if (broken) return "expected a text on one line, without control characters";
   for (const TomlNode& item : node.items) {
     if (std::string reason = unfit(item); !reason.empty()) return reason;
@@ -75,7 +77,8 @@ void read_values(const StudyTable& table, const TomlNode& node, const scene::Key
   }
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const std::string name = "values[" + std::to_string(i) + "]";
-    if (const std::string reason = unfit(node.items[i]); !reason.empty()) table.fail("values", name + ": " + reason);
+    if (const std::string reason = unfit(node.items[i]); !reason.empty())
+      table.fail("values", name + ": " + reason);
     vary.values.push_back(value_of(table, node.items[i], name, key));
   }
   vary.count = static_cast<std::int64_t>(vary.values.size());

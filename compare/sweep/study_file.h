@@ -22,13 +22,13 @@ enum class Spacing { kLinear, kLog };
 
 // Either values, or the range [from, to].
 struct Vary {
-  std::string key;             // "contact.friction", "force[0].amplitude"
+  std::string key;                // "contact.friction", "force[0].amplitude"
   std::vector<std::string> also;  // further keys that get the same value
-  std::vector<Value> values;   // empty: the range
-  double from = 0.0, to = 0.0; // SI
-  std::int64_t count = 0;      // >= 1: of a grid, of values or over the range
+  std::vector<Value> values;      // empty: the range
+  double from = 0.0, to = 0.0;    // SI
+  std::int64_t count = 0;         // >= 1: of a grid, of values or over the range
   Spacing spacing = Spacing::kLinear;
-  std::string unit;            // SI, for headings; empty: none
+  std::string unit;  // SI, for headings; empty: none
 };
 
 enum class SampleKind { kGrid, kLatinHypercube, kList };
@@ -38,9 +38,9 @@ enum class EngineKind { kNative, kMujoco };
 struct Study {
   std::filesystem::path scene;  // absolute, or from the current folder
   SampleKind kind = SampleKind::kGrid;
-  std::int64_t runs = 0;        // of a Latin hypercube, >= 1
-  std::uint64_t seed = 0;       // of a Latin hypercube
-  std::vector<Vary> vary;       // one or more
+  std::int64_t runs = 0;   // of a Latin hypercube, >= 1
+  std::uint64_t seed = 0;  // of a Latin hypercube
+  std::vector<Vary> vary;  // one or more
   EngineKind engine = EngineKind::kNative;
   std::optional<scene::Integrator> integrator;  // default: that of the point's scene
   std::optional<scene::ContactModel> contact;   // of MuJoCo; default: that of the point's scene

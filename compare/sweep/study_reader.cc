@@ -96,8 +96,10 @@ std::optional<double> StudyTable::number(const TomlNode& value, const std::strin
                                          const scene::Quantity& quantity) const {
   std::string reason;
   switch (value.kind) {
-    case Kind::kFaulty: return std::nullopt;
-    case Kind::kInteger: return static_cast<double>(value.integer);
+    case Kind::kFaulty:
+      return std::nullopt;
+    case Kind::kInteger:
+      return static_cast<double>(value.integer);
     case Kind::kFloat:
       if (std::isfinite(value.number)) return value.number;
       reason = "is not finite; expected " + std::string(quantity.name);
@@ -135,8 +137,9 @@ const scene::Key* scene_key(std::string_view path, std::string& reason) {
   const std::string_view meant = scene::nearest(plain, known);
   reason = fmt::format("`{}` is no key of a scene", scene::printable(path));
   if (!meant.empty()) reason += fmt::format(", did you mean `{}`?", meant);
-  reason += "; accepted: table.key or table[element].key, as contact.friction or "
-            "force[0].amplitude (mjcf/README.md lists them)";
+  reason +=
+      "; accepted: table.key or table[element].key, as contact.friction or "
+      "force[0].amplitude (mjcf/README.md lists them)";
   return nullptr;
 }
 

@@ -15,7 +15,7 @@ namespace rotorub::sweep {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kStoreEvery = 100ms;           // a transaction waits for the disk
+constexpr auto kStoreEvery = 100ms;  // a transaction waits for the disk
 
 // The batches of the shard, handed out in order.
 class Work {
@@ -69,7 +69,8 @@ bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& opti
   std::optional<MujocoInPlace> mujoco;
   if (scenes.study().engine == EngineKind::kMujoco) mujoco.emplace();
 
-  const BatchRun batch(scenes.study(), [&](std::int64_t point) { return scenes.at(point); }, stop);
+  const BatchRun batch(
+      scenes.study(), [&](std::int64_t point) { return scenes.at(point); }, stop);
   const auto loop = [&] {
     while (!stop) {
       const auto points = work.next();

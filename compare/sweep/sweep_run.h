@@ -10,7 +10,7 @@
 namespace rotorub::sweep {
 
 struct SweepOptions {
-  int jobs = 1;                                  // threads, >= 1
+  int jobs = 1;  // threads, >= 1
   Shard shard;
   const std::atomic<bool>* interrupt = nullptr;  // true: stop; what is done is stored
   // Of the shard's `of` points so many are stored, and so many of those by this call.

@@ -8,7 +8,8 @@
 
 namespace rotorub {
 
-CoefficientTable::CoefficientTable(const std::vector<double>& speed, const std::array<std::vector<double>, 8>& values)
+CoefficientTable::CoefficientTable(const std::vector<double>& speed,
+                                   const std::array<std::vector<double>, 8>& values)
     : speeds_(speed) {
   for (std::size_t k = 0; k < values.size(); ++k) {
     given_[k] = !values[k].empty();
@@ -17,9 +18,8 @@ CoefficientTable::CoefficientTable(const std::vector<double>& speed, const std::
     for (const double value : values[k]) largest_[k] = std::max(largest_[k], std::abs(value));
   }
   // Curves through equal points are equal.
-  isotropic_ = std::all_of(speed.begin(), speed.end(), [this](double at_speed) {
-    return rotorub::isotropic(at(at_speed));
-  });
+  isotropic_ = std::all_of(speed.begin(), speed.end(),
+                           [this](double at_speed) { return rotorub::isotropic(at(at_speed)); });
 }
 
 BearingCoefficients<double> CoefficientTable::at(double speed) const {
@@ -47,8 +47,10 @@ std::optional<BearingFilm<double>> film_of(const scene::ShaftBearing& b) {
   film.offset_x = b.offset.x();
   film.offset_y = b.offset.y();
   if (b.follows_speed()) {
-    film.tables.push_back(std::make_shared<CoefficientTable>(b.table_speed, scene::coefficient_lists(b)));
-    film.constant = {b.stiffness.x(), 0.0, 0.0, b.stiffness.y(), b.damping.x(), 0.0, 0.0, b.damping.y()};
+    film.tables.push_back(
+        std::make_shared<CoefficientTable>(b.table_speed, scene::coefficient_lists(b)));
+    film.constant = {b.stiffness.x(), 0.0, 0.0, b.stiffness.y(),
+                     b.damping.x(),   0.0, 0.0, b.damping.y()};
   } else {
     film.constant = {0.0, b.cross_stiffness.x(), b.cross_stiffness.y(), 0.0,
                      0.0, b.cross_damping.x(),   b.cross_damping.y(),   0.0};

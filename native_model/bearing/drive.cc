@@ -31,14 +31,17 @@ Drive::Drive(const scene::Drive& drive, double start) : drive_(drive), start_(st
 
 double Drive::torque(double speed) const {
   switch (drive_.kind) {
-    case scene::DriveKind::kFree: return 0.0;
-    case scene::DriveKind::kLinear: return drive_.gain * (drive_.speed - speed);
+    case scene::DriveKind::kFree:
+      return 0.0;
+    case scene::DriveKind::kLinear:
+      return drive_.gain * (drive_.speed - speed);
     case scene::DriveKind::kKloss:
       return kloss(drive_, 1.0 - speed / drive_.synchronous_speed);
     case scene::DriveKind::kSpeedControlled:
       assert(false);
       return 0.0;
-    case scene::DriveKind::kTable: break;
+    case scene::DriveKind::kTable:
+      break;
   }
   return table_.value(speed);
 }
@@ -58,12 +61,15 @@ double Drive::torque(double t, double angle, double speed) const {
 
 double Drive::slope(double speed) const {
   switch (drive_.kind) {
-    case scene::DriveKind::kFree: return 0.0;
+    case scene::DriveKind::kFree:
+      return 0.0;
     case scene::DriveKind::kLinear:
-    case scene::DriveKind::kSpeedControlled: return -drive_.gain;
+    case scene::DriveKind::kSpeedControlled:
+      return -drive_.gain;
     case scene::DriveKind::kKloss:
       return kloss_slope(drive_, 1.0 - speed / drive_.synchronous_speed);
-    case scene::DriveKind::kTable: break;
+    case scene::DriveKind::kTable:
+      break;
   }
   return table_.slope(speed);
 }

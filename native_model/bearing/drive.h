@@ -17,9 +17,10 @@ namespace rotorub {
 //   T = clamp(gain (ref - Omega) + clamp(integral_gain (a_ref - a))), clamped at +- torque_limit,
 //   ref = start + sign(speed - start) acceleration t, until it has come to `speed`,
 //
-// a_ref the integral of ref and a that of Omega, from 0 on. a is the angle that the motor has turned by: a
-// coordinate that there is anyhow, so that the integrator needs no state of its own. What is left behind while the
-// torque is at its limit is made up for later; as the integral's part is limited too, by torque_limit/gain at most.
+// a_ref the integral of ref and a that of Omega, from 0 on. a is the angle that the motor has
+// turned by: a coordinate that there is anyhow, so that the integrator needs no state of its own.
+// What is left behind while the torque is at its limit is made up for later; as the integral's part
+// is limited too, by torque_limit/gain at most.
 class Drive {
  public:
   // start: rad/s, the rotor's speed at t = 0; used by speed_controlled.

@@ -29,9 +29,10 @@ class Slopes {
   Slopes(const ContactMatrix& without, std::span<const ImpactLaw> laws)
       : expected(without), laws_(laws) {}
 
-  // dy/dp at p by trials. Of a passive system they are symmetric and positive but for round-off; what
-  // a constraint holds still moves by a little.
-  void find(ContactResponse& response, const ContactVector& p, const ContactVector& y, double size) {
+  // dy/dp at p by trials. Of a passive system they are symmetric and positive but for round-off;
+  // what a constraint holds still moves by a little.
+  void find(ContactResponse& response, const ContactVector& p, const ContactVector& y,
+            double size) {
     const Eigen::Index n = p.size(), rows = rows_of(p, laws_);
     a = expected;
     std::array<bool, 3 * kMaxContacts> tried{};

@@ -1,7 +1,7 @@
 // The laws of rigid_law.h and coupled_law.h where other constraints act on the same bodies. The
-// response of the step to the contacts' impulses p = (normal, friction) of each is then no matrix, but
-// a map y(p) = (gap rate, slip) of each at its end: monotone and piecewise smooth, known by trying it
-// alone. Newton's iteration:
+// response of the step to the contacts' impulses p = (normal, friction) of each is then no matrix,
+// but a map y(p) = (gap rate, slip) of each at its end: monotone and piecewise smooth, known by
+// trying it alone. Newton's iteration:
 //   G = dy/dp at p by trials,   p <- solution of the laws for the line y(p) + G (p' - p)
 // until the line meets what the next trial finds. Compression, (17), and expansion, (18)-(19), are
 // two such problems, one after the other.
@@ -17,8 +17,8 @@ namespace rotorub {
 class ContactResponse {
  public:
   virtual ~ContactResponse() = default;
-  // y at the end of the step, m/s (or m/s^2, with forces for impulses), with what the law adds to the
-  // gap rates: a gap over the step, a reference.
+  // y at the end of the step, m/s (or m/s^2, with forces for impulses), with what the law adds to
+  // the gap rates: a gap over the step, a reference.
   virtual ContactVector at(const ContactVector& p) = 0;
   // How far y may be off, in its unit: the tolerance of what finds it.
   virtual double accuracy() const = 0;

@@ -12,11 +12,11 @@
 namespace rotorub {
 namespace {
 
-constexpr int kMostTried = 3;        // contacts whose cases are all tried: it tells how many motions
-constexpr int kMostTriedBlind = 5;   // where no better guess leads to a solution
+constexpr int kMostTried = 3;       // contacts whose cases are all tried: it tells how many motions
+constexpr int kMostTriedBlind = 5;  // where no better guess leads to a solution
 constexpr int kSweeps = 2000;
 constexpr double kCaseRoundOff = 1e-11;  // of the rates and impulses in question
-constexpr double kSingular = 1e-12;  // pivots below this share of the largest count as 0
+constexpr double kSingular = 1e-12;      // pivots below this share of the largest count as 0
 constexpr double kSameMotion = 1e-8;
 
 enum class Friction { kLow, kHigh, kStick };
@@ -55,7 +55,8 @@ class CoupledProblem {
     const double rates = kCaseRoundOff * (rate_ + largest * a_.cwiseAbs().maxCoeff());
     const double impulses = kCaseRoundOff * largest;
     for (int i = 0; i < n_; ++i) {
-      if (!in_set(cases[static_cast<std::size_t>(i)], set(i), i, out, rates, impulses)) return false;
+      if (!in_set(cases[static_cast<std::size_t>(i)], set(i), i, out, rates, impulses))
+        return false;
     }
     return true;
   }
@@ -185,24 +186,24 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
     Cases found{};
     for (int i = 0; i < n; ++i) {
       const ContactMatrix own = a.block(2 * i, 2 * i, 2, 2);
-      const ContactVector rest = b.segment(2 * i, 2) + a.middleRows(2 * i, 2) * p -
-                                 own * p.segment(2 * i, 2);
+      const ContactVector rest =
+          b.segment(2 * i, 2) + a.middleRows(2 * i, 2) * p - own * p.segment(2 * i, 2);
       const std::span<const ContactSet> set = sets.subspan(static_cast<std::size_t>(i), 1);
       const CoupledSolution s = by_cases(CoupledProblem(own, rest, set));
       if (s.solutions == 0) return {};
       p.segment(2 * i, 2) = s.p;
       Case& c = found[static_cast<std::size_t>(i)];
       c.at_least = s.p[0] <= set[0].least_normal;
-      c.friction = s.sticks[0] ? Friction::kStick
+      c.friction = s.sticks[0]                    ? Friction::kStick
                    : s.p[1] <= set[0].low(s.p[0]) ? Friction::kLow
                                                   : Friction::kHigh;
       if (!distinct(c, set[0])) c.friction = Friction::kLow;
     }
-    const bool known = k > 0 && std::equal(found.begin(), found.begin() + n, cases.begin(),
-                                           [](const Case& x, const Case& y) {
-                                             return x.at_least == y.at_least &&
-                                                    x.friction == y.friction;
-                                           });
+    const bool known =
+        k > 0 && std::equal(found.begin(), found.begin() + n, cases.begin(),
+                            [](const Case& x, const Case& y) {
+                              return x.at_least == y.at_least && x.friction == y.friction;
+                            });
     cases = found;
     if (known && k % 8 != 0) continue;  // the same cases were no solution
     if (problem.meets(cases, out)) {
@@ -219,8 +220,8 @@ bool moves_both_ways(const ContactMatrix& a) {
 
 // One contact with Coulomb's set that can move both ways: coulomb.h has it in closed form.
 bool is_plain(const ContactMatrix& a, std::span<const ContactSet> sets) {
-  return sets.size() == 1 && sets[0].least_normal == 0.0 && sets[0].side == 0.0 && sets[0].slides == 0.0 &&
-         moves_both_ways(a);
+  return sets.size() == 1 && sets[0].least_normal == 0.0 && sets[0].side == 0.0 &&
+         sets[0].slides == 0.0 && moves_both_ways(a);
 }
 
 CoupledSolution one_plain(const ContactMatrix& a, const ContactVector& b, const ContactSet& set) {

@@ -25,9 +25,10 @@
 
 namespace rotorub {
 
-// (normal, friction) of each contact in turn; with disc_law.h (normal, friction, friction along the axis).
-// No memory but their own.
-using ContactVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3 * kMaxContacts, 1>;
+// (normal, friction) of each contact in turn; with disc_law.h (normal, friction, friction along the
+// axis). No memory but their own.
+using ContactVector =
+    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3 * kMaxContacts, 1>;
 using ContactMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
                                     3 * kMaxContacts, 3 * kMaxContacts>;
 
@@ -35,9 +36,9 @@ using ContactMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eige
 struct ContactSet {
   double friction = 0.0;      // mu >= 0
   double least_normal = 0.0;  // n, N s
-  double side = 0.0;          // +1, -1: the friction begun in compression goes on to this side; 0: none
-  double floor = 0.0;         // with a side: least friction to it, N s, >= 0
-  double slides = 0.0;        // +1, -1: it slides so, whatever y_T is (an acceleration); 0: y_T decides
+  double side = 0.0;    // +1, -1: the friction begun in compression goes on to this side; 0: none
+  double floor = 0.0;   // with a side: least friction to it, N s, >= 0
+  double slides = 0.0;  // +1, -1: it slides so, whatever y_T is (an acceleration); 0: y_T decides
 
   double low(double normal) const {
     if (slides != 0.0) return -slides * friction * normal;
@@ -52,10 +53,10 @@ struct ContactSet {
 ContactSet expansion_set(const ImpactLaw& law, double normal, double friction);
 
 struct CoupledSolution {
-  // Of distinct motions; 0: none (or none was found, of more than kMostTried contacts), above 1: L is
-  // the first.
+  // Of distinct motions; 0: none (or none was found, of more than kMostTried contacts), above 1: L
+  // is the first.
   int solutions = 0;
-  ContactVector p, y;                     // L, and a L + b
+  ContactVector p, y;                       // L, and a L + b
   std::array<bool, kMaxContacts> sticks{};  // y_T = 0 within the set
 };
 

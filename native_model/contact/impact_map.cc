@@ -36,8 +36,8 @@ ImpactResult solve_impact(const ImpactInput& in, const ImpactLaw& law) {
     return solve_impact(g, w.normal.dot(in.velocity), w.tangential.dot(in.velocity), law);
   }
   const Rows c = rows(in, in.velocity, in.compression_time);
-  ImpactResult r = compress(
-      phase(in, w, c, in.velocity + in.acceleration * in.compression_time), law);
+  ImpactResult r =
+      compress(phase(in, w, c, in.velocity + in.acceleration * in.compression_time), law);
   const Eigen::Vector3d compressed =
       in.velocity + in.acceleration * in.compression_time +
       in.admittance * (w.normal * r.normal_compression + w.tangential * r.friction_compression);

@@ -11,7 +11,7 @@ struct Impact {
   double gap_rate_before = 0.0, gap_rate_after = 0.0;   // m/s
   double slip_before = 0.0, slip_after = 0.0;           // m/s
   double energy_change = 0.0;                           // J, of the system, <= 0
-  int contact = 0;  // which of several, from 0
+  int contact = 0;                                      // which of several, from 0
 };
 inline constexpr double kCountedGapRate = -1e-4;  // m/s: an impact counts below this
 inline bool counts(const Impact& impact) { return impact.gap_rate_before < kCountedGapRate; }

@@ -4,7 +4,7 @@ namespace rotorub {
 
 Delassus delassus(const Eigen::Matrix3d& a, const Eigen::Vector2d& e, double r) {
   // W_N = (-e_x, -e_y, 0), W_T = (-e_y, e_x, r) in contact space.
-  const double ax = a(0, 0) * e.x() + a(0, 1) * e.y();   // A e_r
+  const double ax = a(0, 0) * e.x() + a(0, 1) * e.y();  // A e_r
   const double ay = a(1, 0) * e.x() + a(1, 1) * e.y();
   const double az = a(2, 0) * e.x() + a(2, 1) * e.y();
   const double tx = -a(0, 0) * e.y() + a(0, 1) * e.x() + a(0, 2) * r;  // A W_T

@@ -29,8 +29,8 @@ struct ContactPoint {
 // Under this distance (m) the centres coincide and there is no normal.
 inline constexpr double kNoNormal = 1e-15;
 
-inline ContactPoint contact_kinematics(const Eigen::Vector2d& d, const Eigen::Vector2d& dv, double spin,
-                                double radius, double clearance) {
+inline ContactPoint contact_kinematics(const Eigen::Vector2d& d, const Eigen::Vector2d& dv,
+                                       double spin, double radius, double clearance) {
   ContactPoint p;
   p.d = d;
   p.dv = dv;

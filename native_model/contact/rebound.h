@@ -1,15 +1,15 @@
 // What follows an impact: flight, or lasting contact. Decided once, for every engine.
 //
 // Loads and the circle's curvature press with a = -gddot_N, so that the flight after a rebound of
-// the speed v lasts 2 v / a. A flight that is over too soon does not count: the impact has restitution 0, and
-// contact lasts. An accumulation of impacts ends so. Too soon is
+// the speed v lasts 2 v / a. A flight that is over too soon does not count: the impact has
+// restitution 0, and contact lasts. An accumulation of impacts ends so. Too soon is
 // - before the impact itself is, of one that takes time;
 // - within a fixed step, of an impact that is located in its step;
 // - within two, where it is not: the step's end then tells its speed with up to the fall of a whole
 // step, a h.
 //   Then bounces of v = eps_N v + a h keep themselves going for ever: an impact that takes no
-//   more than that from its speed has no restitution either (but for long flights, and without any loss there
-//   is no accumulation).
+//   more than that from its speed has no restitution either (but for long flights, and without any
+//   loss there is no accumulation).
 #pragma once
 
 #include <Eigen/Core>

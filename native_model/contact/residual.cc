@@ -11,7 +11,7 @@ namespace {
 double graph_distance(double u, double force, double lower, double upper, double u_scale,
                       double f_scale) {
   const double outside = std::max({0.0, lower - force, force - upper}) / f_scale;
-  const double to_axis = std::hypot(u / u_scale, outside);                         // u = 0
+  const double to_axis = std::hypot(u / u_scale, outside);  // u = 0
   const double to_lower = std::hypot(std::min(0.0, u) / u_scale, (force - lower) / f_scale);
   const double to_upper = std::hypot(std::max(0.0, u) / u_scale, (force - upper) / f_scale);
   return std::min({to_axis, to_lower, to_upper});
@@ -41,12 +41,11 @@ ImpactResidual impact_residual(const ImpactRecord& r) {
   const double excess = ne - r.restitution * nc;
   const double poisson = min_map(n_e / v, excess / p);
   const double s = tc < 0.0 ? -1.0 : 1.0;
-  const double floor = tc == 0.0 ? -r.friction * ne
-                                 : r.restitution * r.tangential_restitution * std::abs(tc);
-  out.expansion =
-      std::max(poisson, graph_distance(s * t_e, s * te, floor, r.friction * ne, v, p));
-  const double work = 0.5 * ((nc + ne) * (r.gap_rate_before + n_e) +
-                             (tc + te) * (r.slip_before + t_e));
+  const double floor =
+      tc == 0.0 ? -r.friction * ne : r.restitution * r.tangential_restitution * std::abs(tc);
+  out.expansion = std::max(poisson, graph_distance(s * t_e, s * te, floor, r.friction * ne, v, p));
+  const double work =
+      0.5 * ((nc + ne) * (r.gap_rate_before + n_e) + (tc + te) * (r.slip_before + t_e));
   out.energy_gain = work / (v * p);
   return out;
 }

@@ -6,10 +6,10 @@ namespace rotorub {
 
 // The laws of one impact in momenta and velocities, (15)-(19); symmetric matrix with G_NT.
 struct ImpactRecord {
-  double g_nn, g_nt, g_tt;                           // 1/kg
-  double gap_rate_before, slip_before;               // m/s
-  double normal_compression, friction_compression;   // N s
-  double normal_expansion, friction_expansion;       // N s
+  double g_nn, g_nt, g_tt;                          // 1/kg
+  double gap_rate_before, slip_before;              // m/s
+  double normal_compression, friction_compression;  // N s
+  double normal_expansion, friction_expansion;      // N s
   double friction, restitution, tangential_restitution;
 };
 

@@ -1,5 +1,5 @@
-// The commands of another run, to be given again: what the actuator was commanded, piece by piece, in
-// the place of a controller. The one that is driven by them does not close the loop.
+// The commands of another run, to be given again: what the actuator was commanded, piece by piece,
+// in the place of a controller. The one that is driven by them does not close the loop.
 #pragma once
 
 #include <Eigen/Core>

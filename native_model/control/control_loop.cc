@@ -8,8 +8,15 @@ namespace rotorub {
 namespace {
 
 // What is remembered, before what the sensors and the law do.
-enum LoopMemory : std::size_t { kRuns, kOnTime, kOnGap, kOnGapRate, kTouch, kOutputs = kTouch + kTouchState,
-                                kSingle = kOutputs + kMostOutputs };
+enum LoopMemory : std::size_t {
+  kRuns,
+  kOnTime,
+  kOnGap,
+  kOnGapRate,
+  kTouch,
+  kOutputs = kTouch + kTouchState,
+  kSingle = kOutputs + kMostOutputs
+};
 
 }  // namespace
 

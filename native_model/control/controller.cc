@@ -29,14 +29,19 @@ std::shared_ptr<const Controller> make_controller(const scene::Scene& scene, con
       // Magnets pull by their bias: without a command that balances it they are no passive bearing.
       if (c.stiffness == 0.0 && c.damping == 0.0 && plant.current_limit == 0.0) return nullptr;
       return std::make_shared<EmulatedSupport>(c.stiffness, c.damping);
-    case scene::ControllerKind::kSliding: return tracking<SlidingController>(scene, plant);
-    case scene::ControllerKind::kCrossCoupled: return std::make_shared<CrossCoupled>(c);
-    case scene::ControllerKind::kTwoPhase: return tracking<TwoPhase>(scene, plant);
-    case scene::ControllerKind::kPd: return std::make_shared<TrackingPd>(c, plant);
+    case scene::ControllerKind::kSliding:
+      return tracking<SlidingController>(scene, plant);
+    case scene::ControllerKind::kCrossCoupled:
+      return std::make_shared<CrossCoupled>(c);
+    case scene::ControllerKind::kTwoPhase:
+      return tracking<TwoPhase>(scene, plant);
+    case scene::ControllerKind::kPd:
+      return std::make_shared<TrackingPd>(c, plant);
     case scene::ControllerKind::kLqr:
       return std::make_shared<StateFeedback>(quadratic_design(scene, *plant.linear));
     case scene::ControllerKind::kLqg:
-      return std::make_shared<OutputFeedback>(quadratic_design(scene, *plant.linear), plant.force_limit);
+      return std::make_shared<OutputFeedback>(quadratic_design(scene, *plant.linear),
+                                              plant.force_limit);
     case scene::ControllerKind::kLibrary:
       if (libraries_left_out()) return std::make_shared<UnopenedLibrary>();
       return std::make_shared<LibraryController>(scene, plant);

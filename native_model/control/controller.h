@@ -19,16 +19,17 @@ struct LinearPlant;  // linear_plant.h
 
 // What a controller sees at time t. Vectors in the fixed frame, contact plane.
 struct Measurement {
-  double t = 0.0;                                  // s
-  std::int64_t sample = 0;                         // number of the sample; 0 for a continuous law
-  Eigen::Vector2d rotor{0.0, 0.0};                 // m, rotor centre at the contact, from the ring's middle at rest
-  Eigen::Vector2d rotor_velocity{0.0, 0.0};        // m/s
-  Eigen::Vector2d rotor_acceleration{0.0, 0.0};    // m/s^2, of the model without contact force
-  Eigen::Vector2d stator{0.0, 0.0};                // m, ring centre, from its middle at rest
-  Eigen::Vector2d stator_velocity{0.0, 0.0};       // m/s
-  double spin_angle = 0.0;                         // rad
-  double spin_speed = 0.0;                         // rad/s
-  Eigen::Vector2d current{0.0, 0.0};               // A, of the actuator's axes; 0 without magnets
+  double t = 0.0;           // s
+  std::int64_t sample = 0;  // number of the sample; 0 for a continuous law
+  Eigen::Vector2d rotor{0.0,
+                        0.0};  // m, rotor centre at the contact, from the ring's middle at rest
+  Eigen::Vector2d rotor_velocity{0.0, 0.0};      // m/s
+  Eigen::Vector2d rotor_acceleration{0.0, 0.0};  // m/s^2, of the model without contact force
+  Eigen::Vector2d stator{0.0, 0.0};              // m, ring centre, from its middle at rest
+  Eigen::Vector2d stator_velocity{0.0, 0.0};     // m/s
+  double spin_angle = 0.0;                       // rad
+  double spin_speed = 0.0;                       // rad/s
+  Eigen::Vector2d current{0.0, 0.0};             // A, of the actuator's axes; 0 without magnets
   // The model's coordinates and their rates, whatever the sensors show.
   const double *q = nullptr, *v = nullptr;
 };
@@ -42,16 +43,16 @@ struct SwitchOn {
 
 // What a controller knows, or thinks to know, of the plant.
 struct Plant {
-  double clearance = 0.0;                        // m
-  Eigen::Vector2d stator_mass{1.0, 1.0};         // kg
-  Eigen::Vector2d stator_damping{0.0, 0.0};      // N s/m
-  Eigen::Vector2d stator_stiffness{0.0, 0.0};    // N/m
+  double clearance = 0.0;                      // m
+  Eigen::Vector2d stator_mass{1.0, 1.0};       // kg
+  Eigen::Vector2d stator_damping{0.0, 0.0};    // N s/m
+  Eigen::Vector2d stator_stiffness{0.0, 0.0};  // N/m
   // 1/kg, >= 0, of the rotor at the contact: what a force there adds to its acceleration. It is of
   // the same modes as Measurement::rotor_acceleration, which does not know the contact's force.
   Eigen::Vector2d rotor_mobility{0.0, 0.0};
   double force_limit = std::numeric_limits<double>::infinity();  // N, on each axis of the actuator
-  double current_limit = 0.0;                    // A, of magnets; 0: none
-  double coil_lag = 0.0;                         // s, of magnets
+  double current_limit = 0.0;                                    // A, of magnets; 0: none
+  double coil_lag = 0.0;                                         // s, of magnets
   std::shared_ptr<const LinearPlant> linear = nullptr;  // of the laws that are designed on it
 };
 
@@ -80,8 +81,8 @@ class Controller {
                                   double* state) const = 0;
   virtual bool commands_currents() const { return false; }
 
-  // What a law shows of itself beside its command: names, units, and the values after command() at the same
-  // measurement, as many.
+  // What a law shows of itself beside its command: names, units, and the values after command() at
+  // the same measurement, as many.
   struct Output {
     std::string_view name, unit;
   };
@@ -91,8 +92,8 @@ class Controller {
 
   // True where command() reads rotor_acceleration (it costs a model evaluation).
   virtual bool needs_rotor_acceleration() const { return false; }
-  // The law linearised as a spring and a damper on the ring, upper bounds: what a step that takes the
-  // command explicitly must resolve. N/m, N s/m.
+  // The law linearised as a spring and a damper on the ring, upper bounds: what a step that takes
+  // the command explicitly must resolve. N/m, N s/m.
   struct Gains {
     double stiffness = 0.0, damping = 0.0;
   };
@@ -104,8 +105,8 @@ class Controller {
 // Bound on the outputs of a law.
 inline constexpr std::size_t kMostOutputs = 4;
 
-// Null for an absent table and for a passive one that emulates nothing. Throws scene::SceneError for
-// what the law refuses.
+// Null for an absent table and for a passive one that emulates nothing. Throws scene::SceneError
+// for what the law refuses.
 std::shared_ptr<const Controller> make_controller(const scene::Scene& scene, const Plant& plant);
 
 }  // namespace rotorub

@@ -9,8 +9,8 @@ double CrossCoupled::gain(double spin_speed) const {
   const double at = std::abs(spin_speed);
   if (gain_.size() == 1 || at <= speed_.front()) return gain_.front();
   if (at >= speed_.back()) return gain_.back();
-  const auto next = static_cast<std::size_t>(
-      std::upper_bound(speed_.begin(), speed_.end(), at) - speed_.begin());
+  const auto next =
+      static_cast<std::size_t>(std::upper_bound(speed_.begin(), speed_.end(), at) - speed_.begin());
   const double share = (at - speed_[next - 1]) / (speed_[next] - speed_[next - 1]);
   return (1.0 - share) * gain_[next - 1] + share * gain_[next];
 }

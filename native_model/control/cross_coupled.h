@@ -1,10 +1,12 @@
-// Cross-coupled feedback of the ring's velocity (paper, section 4), with a damping beside it (0: the paper's):
+// Cross-coupled feedback of the ring's velocity (paper, section 4), with a damping beside it (0:
+// the paper's):
 //
 //   u = -k(Omega) sign(Omega) e_z x q_f' - d q_f'
 //
-// The first does no work: it splits the ring's whirl into a forward and a backward one, as a gyroscope does, and
-// so moves the rub away from the frequencies that friction drives; with a large k it drives others. The second
-// widens the window between. k and d from the closed-loop eigenvalues: `rotorub modes --feedback-map`.
+// The first does no work: it splits the ring's whirl into a forward and a backward one, as a
+// gyroscope does, and so moves the rub away from the frequencies that friction drives; with a large
+// k it drives others. The second widens the window between. k and d from the closed-loop
+// eigenvalues: `rotorub modes --feedback-map`.
 #pragma once
 
 #include <vector>
@@ -19,8 +21,8 @@ class CrossCoupled final : public Controller {
       : gain_(settings.feedback), speed_(settings.feedback_speed), damping_(settings.damping) {}
   Eigen::Vector2d command(const Measurement& now, const SwitchOn&, double*) const override;
   Gains ring_gains() const override;
-  // k, N s/m, at a spin speed (rad/s, either sign): between the speeds of the table linear, beyond them
-  // constant.
+  // k, N s/m, at a spin speed (rad/s, either sign): between the speeds of the table linear, beyond
+  // them constant.
   double gain(double spin_speed) const;
 
  private:

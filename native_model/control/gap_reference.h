@@ -3,11 +3,12 @@
 //   g_d = g_0 H_0(s) + T g_0' H_1(s),   s = (t - on) / T in [0, 1],
 //
 // with the quintics of value and slope, r = 1 - s: H_0 = r^3 (1 + 3 s + 6 s^2) and
-// H_1 = r^3 s (1 + 3 s), whose first two derivatives are 0 at s = 1, and the second at s = 0 too. It
-// is never below 0 for T g_0' >= -2.5 g_0; a gap that closes faster is met at that slope. One that
-// opens is met at T g_0' <= 2.5 g_0, and 2.5 (delta_0 - g_0): as H_1 <= 0.198, the distance of the
-// centres delta_0 - g_d that is asked for never falls below half of that at switch-on. Beyond the
-// clearance it would be negative: no direction has it, and the ring would be held at the centre.
+// H_1 = r^3 s (1 + 3 s), whose first two derivatives are 0 at s = 1, and the second at s = 0 too.
+// It is never below 0 for T g_0' >= -2.5 g_0; a gap that closes faster is met at that slope. One
+// that opens is met at T g_0' <= 2.5 g_0, and 2.5 (delta_0 - g_0): as H_1 <= 0.198, the distance of
+// the centres delta_0 - g_d that is asked for never falls below half of that at switch-on. Beyond
+// the clearance it would be negative: no direction has it, and the ring would be held at the
+// centre.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +33,8 @@ inline GapReference gap_reference(const SwitchOn& on, double t, double time,
   const double gap = std::max(on.gap, 0.0);
   const double most = std::clamp(clearance - gap, 0.0, gap);
   const double slope = std::clamp(time * on.gap_rate, -2.5 * gap, 2.5 * most);
-  if (slope == 0.0) return {gap * value, gap * fall / time, gap * curve / (time * time), 1.0 - value};
+  if (slope == 0.0)
+    return {gap * value, gap * fall / time, gap * curve / (time * time), 1.0 - value};
   const double rise = cube * s * (1.0 + 3.0 * s);
   const double rise_rate = 1.0 - s * s * (18.0 - s * (32.0 - 15.0 * s));
   const double rise_curve = -s * (36.0 - s * (96.0 - 60.0 * s));

@@ -29,7 +29,8 @@ void refuse_lateness(const scene::Scene& scene, const Plant& plant, const Contro
   throw scene::SceneError(scene::placed(
       scene, {{"", 0, "controller.sample_time",
                "half of it, delay and coil_lag make the command " + number_text(lead) +
-                   " s late, and with these gains it would chatter beyond " + number_text(most) + " s; accepted: " +
+                   " s late, and with these gains it would chatter beyond " + number_text(most) +
+                   " s; accepted: " +
                    (sample > 0.0 ? "at most " + number_text(sample) + " s, or " + less : less)}}));
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kRoom = 512;             // bytes of a reason
+constexpr std::size_t kRoom = 512;              // bytes of a reason
 constexpr std::size_t kLargestState = 1 << 20;  // numbers
 constexpr const char* kKey = "controller.library";
 constexpr const char* kPath = "ROTORUB_CONTROLLER_PATH";
@@ -64,8 +64,8 @@ bool is_allowed(const fs::path& file, const std::vector<fs::path>& open_folders)
 }
 
 // The first that is there and allowed.
-fs::path found_in(const scene::Scene& scene, const std::vector<fs::path>& folders, const fs::path& name,
-                  const std::vector<fs::path>& open_folders) {
+fs::path found_in(const scene::Scene& scene, const std::vector<fs::path>& folders,
+                  const fs::path& name, const std::vector<fs::path>& open_folders) {
   std::string looked;
   fs::path refused;
   for (const fs::path& folder : folders) {
@@ -81,8 +81,10 @@ fs::path found_in(const scene::Scene& scene, const std::vector<fs::path>& folder
   }
   if (refused.empty()) refuse(scene, kKey, "not found: looked for " + looked);
   refuse(scene, kKey,
-         refused.string() + " is not opened: a scene must not run code by itself; if you trust this one, say "
-         "--allow-library (Python: allow_library=True), or set " + kPath + " to its folder");
+         refused.string() +
+             " is not opened: a scene must not run code by itself; if you trust this one, say "
+             "--allow-library (Python: allow_library=True), or set " +
+             kPath + " to its folder");
 }
 
 // What the library says, ended by 0 or not.
@@ -114,8 +116,11 @@ std::shared_ptr<void> opened(const scene::Scene& scene, const fs::path& path) {
 }
 
 // What the library gives, of this ABI and complete.
-const rotorub_controller* functions_of(const scene::Scene& scene, const fs::path& path, void* library) {
-  const auto refuse_it = [&](const std::string& why) { refuse(scene, kKey, path.string() + ": " + why); };
+const rotorub_controller* functions_of(const scene::Scene& scene, const fs::path& path,
+                                       void* library) {
+  const auto refuse_it = [&](const std::string& why) {
+    refuse(scene, kKey, path.string() + ": " + why);
+  };
   const auto get =
       reinterpret_cast<rotorub_controller_get_function>(dlsym(library, ROTORUB_CONTROLLER_SYMBOL));
   if (get == nullptr) refuse_it("no function " ROTORUB_CONTROLLER_SYMBOL " (rotorub/controller.h)");
@@ -125,8 +130,10 @@ const rotorub_controller* functions_of(const scene::Scene& scene, const fs::path
     refuse_it("is of controller ABI " + std::to_string(functions->abi) +
               "; accepted: " + std::to_string(ROTORUB_CONTROLLER_ABI));
   }
-  if (functions->create == nullptr || functions->step == nullptr) refuse_it("has no create() or no step()");
-  if (functions->command > ROTORUB_CURRENT) refuse_it("commands neither ROTORUB_FORCE nor ROTORUB_CURRENT");
+  if (functions->create == nullptr || functions->step == nullptr)
+    refuse_it("has no create() or no step()");
+  if (functions->command > ROTORUB_CURRENT)
+    refuse_it("commands neither ROTORUB_FORCE nor ROTORUB_CURRENT");
   return functions;
 }
 
@@ -160,7 +167,8 @@ fs::path controller_library(const scene::Scene& scene) {
   const fs::path name = scene.first().controller->library;
   const char* path = std::getenv(kPath);
   const std::vector<fs::path> open_folders = folders_of(path == nullptr ? "" : path);
-  std::vector<fs::path> folders = scene.folder ? std::vector<fs::path>{*scene.folder} : scene_folders;
+  std::vector<fs::path> folders =
+      scene.folder ? std::vector<fs::path>{*scene.folder} : scene_folders;
   folders.insert(folders.end(), open_folders.begin(), open_folders.end());
   if (folders.empty()) {
     refuse(scene, kKey,
@@ -170,27 +178,32 @@ fs::path controller_library(const scene::Scene& scene) {
   if (!name.is_absolute()) return found_in(scene, folders, name, open_folders);
   // Of an MJCF, whose paths are absolute or none, setting the variable allows them.
   const bool model = !scene.folder && path != nullptr;
-  return found_in(scene, {""}, name, model ? std::vector<fs::path>{name.parent_path()} : open_folders);
+  return found_in(scene, {""}, name,
+                  model ? std::vector<fs::path>{name.parent_path()} : open_folders);
 }
 
 // Delegating: what create() made is destroyed even where the controller is refused after it.
 LibraryController::LibraryController(const scene::Scene& scene, const Plant& plant)
     : LibraryController(scene, controller_library(scene)) {
   if (functions_->command == ROTORUB_CURRENT && plant.current_limit <= 0.0) {
-    refuse(scene, kKey,
-           name_ + " commands currents; accepted with [actuator] kind = \"electromagnet\" or \"table\"");
+    refuse(
+        scene, kKey,
+        name_ +
+            " commands currents; accepted with [actuator] kind = \"electromagnet\" or \"table\"");
   }
   create(scene, plant);
   if (functions_->state_size != nullptr) state_size_ = functions_->state_size(self_);
   if (state_size_ > kLargestState) {
-    refuse(scene, kKey, name_ + ": a state of " + std::to_string(state_size_) +
-                            " numbers; accepted: up to " + std::to_string(kLargestState));
+    refuse(scene, kKey,
+           name_ + ": a state of " + std::to_string(state_size_) + " numbers; accepted: up to " +
+               std::to_string(kLargestState));
   }
 }
 
 LibraryController::LibraryController(const scene::Scene& scene, const fs::path& path)
     : library_(opened(scene, path)), functions_(functions_of(scene, path, library_.get())) {
-  name_ = functions_->name != nullptr ? scene::printable(functions_->name, 80) : path.filename().string();
+  name_ = functions_->name != nullptr ? scene::printable(functions_->name, 80)
+                                      : path.filename().string();
 }
 
 void LibraryController::create(const scene::Scene& scene, const Plant& plant) {
@@ -250,7 +263,8 @@ Eigen::Vector2d LibraryController::command(const Measurement& now, const SwitchO
   if (!std::isfinite(told[0]) || !std::isfinite(told[1])) {
     fail(now.t, "its command is not finite");
   }
-  const bool finite = std::all_of(state, state + state_size_, [](double x) { return std::isfinite(x); });
+  const bool finite =
+      std::all_of(state, state + state_size_, [](double x) { return std::isfinite(x); });
   if (!finite) fail(now.t, "its state is not finite");
   return {told[0], told[1]};
 }

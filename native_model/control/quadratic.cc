@@ -28,17 +28,22 @@ QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& p
   const Eigen::MatrixXd q = apart.transpose() * apart + travel.transpose() * travel;
   const Eigen::MatrixXd r = Eigen::Matrix2d::Identity() / (c.allowed_force * c.allowed_force);
   const auto cost = solve_riccati(a, b, q, r);
-  if (!cost) refuse(scene, "no feedback of the ring stabilises rotor and ring: a mode that grows is out of its reach");
+  if (!cost)
+    refuse(
+        scene,
+        "no feedback of the ring stabilises rotor and ring: a mode that grows is out of its reach");
   d.gain = riccati_gain(a, b, r, *cost);
   // The ring off its middle, the rotor at rest: what its springs ask for, by its own two rows.
   const Eigen::Index half = plant.a.rows() / 2;
   Eigen::VectorXd stand = Eigen::VectorXd::Zero(plant.a.rows());
   stand.segment(half - 2, 2) = -d.offset;
-  d.level = d.gain * stand - (plant.a * stand).tail(2).cwiseQuotient(plant.b.bottomRows(2).diagonal());
+  d.level =
+      d.gain * stand - (plant.a * stand).tail(2).cwiseQuotient(plant.b.bottomRows(2).diagonal());
   if (c.kind == scene::ControllerKind::kLqr) return d;
 
   const Eigen::MatrixXd w = d.plant.d * c.disturbance;
-  const Eigen::MatrixXd errors = Eigen::Matrix4d::Identity() * (c.measurement_error * c.measurement_error);
+  const Eigen::MatrixXd errors =
+      Eigen::Matrix4d::Identity() * (c.measurement_error * c.measurement_error);
   const auto spread = solve_riccati(a.transpose(), y.transpose(), w * w.transpose(), errors);
   if (!spread) refuse(scene, "the positions do not show a mode that grows");
   const Eigen::MatrixXd inner = y * *spread * y.transpose() + errors;
@@ -58,13 +63,15 @@ Eigen::Vector2d StateFeedback::command(const Measurement& now, const SwitchOn&, 
   return u;
 }
 
-Eigen::Vector2d OutputFeedback::command(const Measurement& now, const SwitchOn&, double* state) const {
+Eigen::Vector2d OutputFeedback::command(const Measurement& now, const SwitchOn&,
+                                        double* state) const {
   Eigen::Map<Eigen::VectorXd> x(state, design_.plant.a.rows());
   Eigen::Vector4d y;
   y << now.rotor + design_.offset, now.stator;
   x += design_.filter * (y - design_.plant.c * x);
   const Eigen::Vector2d asked = design_.level - design_.gain * x;
-  const Eigen::Vector2d u = from_axes(to_axes(asked).cwiseMin(force_limit_).cwiseMax(-force_limit_));
+  const Eigen::Vector2d u =
+      from_axes(to_axes(asked).cwiseMin(force_limit_).cwiseMax(-force_limit_));
   x = (design_.plant.a * x + design_.plant.b * u).eval();
   return u;
 }

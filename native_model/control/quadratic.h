@@ -1,21 +1,22 @@
-// LQR and LQG: the feedback u = -K x of rotor and ring without contact that is least in the sum over the
-// samples of
+// LQR and LQG: the feedback u = -K x of rotor and ring without contact that is least in the sum
+// over the samples of
 //
 //   |q_r - q_f|^2 / e_0^2 + |q_f|^2 / s_0^2 + |u|^2 / u_0^2,
 //
-// e_0, s_0, u_0: what is allowed of the rotor's distance from the ring's centre, of the ring's travel and of
-// the force (Bryson's rule). It keeps the ring about the rotor, so that they do not touch. K by the discrete
-// Riccati equation (numerics/riccati.h);
+// e_0, s_0, u_0: what is allowed of the rotor's distance from the ring's centre, of the ring's
+// travel and of the force (Bryson's rule). It keeps the ring about the rotor, so that they do not
+// touch. K by the discrete Riccati equation (numerics/riccati.h);
 //
-// all counted from where the ring stands about the rotor at rest: off its own middle by -o, o = contact.offset, held
-// there by u_s = -K_f o against its springs. So u = u_s - K (x - x_s).
+// all counted from where the ring stands about the rotor at rest: off its own middle by -o, o =
+// contact.offset, held there by u_s = -K_f o against its springs. So u = u_s - K (x - x_s).
 //
-// LQR knows the whole state, which no sensor shows: the best that a linear law can do. LQG estimates it from
-// the measured positions of rotor and ring by a stationary Kalman filter,
+// LQR knows the whole state, which no sensor shows: the best that a linear law can do. LQG
+// estimates it from the measured positions of rotor and ring by a stationary Kalman filter,
 //
 //   x_k = x_k- + L (y_k - C x_k-),   x_{k+1}- = A x_k + B u_k,
 //
-// for forces d (N, standard deviation) on rotor and ring at the contact and errors r (m) of the positions.
+// for forces d (N, standard deviation) on rotor and ring at the contact and errors r (m) of the
+// positions.
 #pragma once
 
 #include "native_model/control/controller.h"
@@ -25,9 +26,9 @@ namespace rotorub {
 
 // Throws scene::SceneError where the Riccati equation has no stabilising solution.
 struct QuadraticDesign {
-  LinearPlant plant;       // sampled
-  Eigen::MatrixXd gain;    // K, 2 x n
-  Eigen::MatrixXd filter;  // L, n x 4; empty: LQR
+  LinearPlant plant;                 // sampled
+  Eigen::MatrixXd gain;              // K, 2 x n
+  Eigen::MatrixXd filter;            // L, n x 4; empty: LQR
   Eigen::Vector2d offset{0.0, 0.0};  // m, o, which the measured positions of the rotor count from
   Eigen::Vector2d level{0.0, 0.0};   // N, u_s + K x_s: u = level - K x
 };

@@ -15,10 +15,20 @@ constexpr std::size_t kChannels = 14;
 using Channels = std::array<double, kChannels>;
 
 Channels channels_of(const Measurement& m) {
-  return {m.rotor.x(),           m.rotor.y(),           m.stator.x(),          m.stator.y(),
-          m.rotor_velocity.x(),  m.rotor_velocity.y(),  m.stator_velocity.x(), m.stator_velocity.y(),
-          m.spin_angle,          m.spin_speed,          m.current.x(),         m.current.y(),
-          m.rotor_acceleration.x(), m.rotor_acceleration.y()};
+  return {m.rotor.x(),
+          m.rotor.y(),
+          m.stator.x(),
+          m.stator.y(),
+          m.rotor_velocity.x(),
+          m.rotor_velocity.y(),
+          m.stator_velocity.x(),
+          m.stator_velocity.y(),
+          m.spin_angle,
+          m.spin_speed,
+          m.current.x(),
+          m.current.y(),
+          m.rotor_acceleration.x(),
+          m.rotor_acceleration.y()};
 }
 
 void set_channels(const double* c, Measurement& m) {
@@ -53,9 +63,9 @@ double rounded(double x, double resolution) {
 }  // namespace
 
 double noise(int seed, std::int64_t sample, int channel) {
-  const std::uint64_t at = mixed(mixed(static_cast<std::uint64_t>(seed)) ^
-                                 mixed(static_cast<std::uint64_t>(sample) * 64u +
-                                       static_cast<std::uint64_t>(channel)));
+  const std::uint64_t at =
+      mixed(mixed(static_cast<std::uint64_t>(seed)) ^
+            mixed(static_cast<std::uint64_t>(sample) * 64u + static_cast<std::uint64_t>(channel)));
   // Box and Muller 1958.
   return std::sqrt(-2.0 * std::log(uniform(mixed(at)))) *
          std::cos(2.0 * std::numbers::pi * uniform(mixed(at + 1u)));
@@ -73,8 +83,9 @@ std::size_t Sensors::memory_size() const {
 unsigned Sensors::measured() const {
   const auto bit = [](bool is, unsigned value) { return is ? value : 0u; };
   const bool velocity = settings_.velocity != scene::VelocitySensor::kNone;
-  return bit(settings_.rotor, ROTORUB_MEASURES_ROTOR) | bit(settings_.stator, ROTORUB_MEASURES_STATOR) |
-         bit(velocity, ROTORUB_MEASURES_VELOCITY) | bit(settings_.spin, ROTORUB_MEASURES_SPIN) |
+  return bit(settings_.rotor, ROTORUB_MEASURES_ROTOR) |
+         bit(settings_.stator, ROTORUB_MEASURES_STATOR) | bit(velocity, ROTORUB_MEASURES_VELOCITY) |
+         bit(settings_.spin, ROTORUB_MEASURES_SPIN) |
          bit(settings_.current, ROTORUB_MEASURES_CURRENT);
 }
 

@@ -19,8 +19,8 @@ SlidingController::SlidingController(const scene::Controller& settings, const Pl
   damping_ = settings.tracking_damping.value_or(critical);
 }
 
-// Within the layer s = edot + psi e is driven by k/phi: e'' = -(psi + k/phi) edot - psi (k/phi) e. An adaptive layer
-// keeps k/phi at psi.
+// Within the layer s = edot + psi e is driven by k/phi: e'' = -(psi + k/phi) edot - psi (k/phi) e.
+// An adaptive layer keeps k/phi at psi.
 Controller::Gains SlidingController::ring_gains() const {
   const double mass = plant_.stator_mass.maxCoeff(), psi = settings_.bandwidth;
   const double slope = adapts() ? psi : settings_.switching_gain / settings_.boundary_layer;
@@ -51,8 +51,8 @@ void SlidingController::output(const Measurement& now, const SwitchOn& on, const
   values[1] = adapts() ? state[0] : settings_.boundary_layer;
 }
 
-// What is known of the plant along e_r, m/s^2: the rotor's contact-free acceleration and the whirl, and what
-// the ring's own spring and damper do to it (-f of (25)).
+// What is known of the plant along e_r, m/s^2: the rotor's contact-free acceleration and the whirl,
+// and what the ring's own spring and damper do to it (-f of (25)).
 double SlidingController::forward(const Measurement& now, const RadialError& r) const {
   const Eigen::Vector2d own = plant_.stator_stiffness.cwiseProduct(now.stator) +
                               plant_.stator_damping.cwiseProduct(now.stator_velocity);
@@ -91,7 +91,8 @@ Eigen::Vector2d SlidingController::command(const Measurement& now, const SwitchO
     const Eigen::Vector2d ring{e_r.dot(now.stator_velocity), e_t.dot(now.stator_velocity)};
     filter(known, ring, means);
     known = means[kForward];
-    damped = -damping_ * ((ring.x() - means[kRadial]) * e_r + (ring.y() - means[kTangential]) * e_t);
+    damped =
+        -damping_ * ((ring.x() - means[kRadial]) * e_r + (ring.y() - means[kTangential]) * e_t);
   }
   const double switching = gain * std::clamp(surface(*r) / layer, -1.0, 1.0);
   const double radial = known + r->wanted.acceleration - psi * r->rate - switching;

@@ -5,23 +5,24 @@
 //   s = edot + psi e
 //   u = M_f (-f + qddot_fd - psi edot - k sat(s / phi)),   M_f f = -D_f qdot_f - K_f q_f
 //
-// With the gap closed a small preload P presses the ring on the rotor: tracking alone would leave the
-// two grazing, without a force to speak of. It comes in as the reference falls. The rotor's
-// acceleration is that without contact force, and a force lambda takes lambda w_r from it (w_r, w_f:
-// mobilities e_r . M^-1 e_r of rotor and ring). In lasting contact both accelerate alike,
+// With the gap closed a small preload P presses the ring on the rotor: tracking alone would leave
+// the two grazing, without a force to speak of. It comes in as the reference falls. The rotor's
+// acceleration is that without contact force, and a force lambda takes lambda w_r from it (w_r,
+// w_f: mobilities e_r . M^-1 e_r of rotor and ring). In lasting contact both accelerate alike,
 //   qddot_r - lambda w_r = qddot_r - u_P w_f + lambda w_f,
 // so the actuator gives u_P = P (1 + w_r / w_f), and lambda = P. With u_P = P it would be
 // P / (1 + w_r / w_f): a force that falls without end with the modes that the model keeps.
 //
-// The layer of (27), `adaptive`: phi' + psi phi = k and psi phi in the place of k, so that within it the error
-// has the double pole psi whatever k is, and phi comes to k / psi. The state is phi.
+// The layer of (27), `adaptive`: phi' + psi phi = k and psi phi in the place of k, so that within
+// it the error has the double pole psi whatever k is, and phi comes to k / psi. The state is phi.
 //
 // Sampled, what is known of the plant comes late by tau: the feed-forward of a mode's acceleration,
-// -M_f omega^2 q(t - tau), is a negative damping M_f omega^2 tau, at 1.5 kHz and 10 us more than any bearing has,
-// and the contact chatters. So a sampled law takes the mean of it in the frame of the whirl, where what is
-// steady stands still (`filter_time`, standard one turn), and gives back the damping of all that does not stand
-// still there, which the law would cancel and friction needs: -d (q_f' - mean) (`tracking_damping`, standard
-// the ring's critical one). A continuous law is the equations above.
+// -M_f omega^2 q(t - tau), is a negative damping M_f omega^2 tau, at 1.5 kHz and 10 us more than
+// any bearing has, and the contact chatters. So a sampled law takes the mean of it in the frame of
+// the whirl, where what is steady stands still (`filter_time`, standard one turn), and gives back
+// the damping of all that does not stand still there, which the law would cancel and friction
+// needs: -d (q_f' - mean) (`tracking_damping`, standard the ring's critical one). A continuous law
+// is the equations above.
 //
 // (25) and (28) add accelerations to forces; the law above has the one unit. The error is radial
 // by construction, so only the normal direction is driven: e_r . qddot_fd follows from the rotor's

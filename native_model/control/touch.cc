@@ -12,7 +12,10 @@ SeenGap seen_gap(const Measurement& now, double clearance) {
 }
 
 bool touched(const Measurement& now, double clearance, double* state) {
-  enum : std::size_t { kDue, kRate };  // when the gap seen last would close, s (0: never), and its rate
+  enum : std::size_t {
+    kDue,
+    kRate
+  };  // when the gap seen last would close, s (0: never), and its rate
   const SeenGap seen = seen_gap(now, clearance);
   const bool due = state[kDue] > 0.0 && now.t >= state[kDue] && seen.rate > state[kRate];
   state[kDue] = seen.rate < 0.0 ? now.t - seen.gap / seen.rate : 0.0;

@@ -1,6 +1,7 @@
-// Whether rotor and ring have touched since the sample before, from what the sensors show: the gap is closed
-// now (to 1e-5 of the clearance, so that contact that lasts already when a trigger is armed is a touch at once, in
-// every engine alike), or it would have closed on its way from the last sample to this one, at the rate that it had.
+// Whether rotor and ring have touched since the sample before, from what the sensors show: the gap
+// is closed now (to 1e-5 of the clearance, so that contact that lasts already when a trigger is
+// armed is a touch at once, in every engine alike), or it would have closed on its way from the
+// last sample to this one, at the rate that it had.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,8 @@ Eigen::Vector2d TrackingPd::command(const Measurement& now, const SwitchOn& on, 
   if (!r) return {0.0, 0.0};
   const double preload = settings_.preload * preload_share(plant_, r->e_r) * r->wanted.share;
   return turned_ahead(
-      -(settings_.stiffness * r->error + settings_.damping * r->rate + preload) * r->e_r, *r, lead_);
+      -(settings_.stiffness * r->error + settings_.damping * r->rate + preload) * r->e_r, *r,
+      lead_);
 }
 
 }  // namespace rotorub

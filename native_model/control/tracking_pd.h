@@ -1,5 +1,5 @@
-// A spring and a damper between the ring and the place at which it would have the wanted gap, along the
-// line of centres (radial_tracking.h):
+// A spring and a damper between the ring and the place at which it would have the wanted gap, along
+// the line of centres (radial_tracking.h):
 //
 //   u = -(stiffness e + damping e' + P (1 + w_r / w_f) (1 - g_d / g_0)) e_r,
 //

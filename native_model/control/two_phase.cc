@@ -6,7 +6,14 @@
 namespace rotorub {
 namespace {
 
-enum State : std::size_t { kHandedOver, kTime, kLeftX, kLeftY, kTouchSeen, kTrack = kTouchSeen + kTouchState };
+enum State : std::size_t {
+  kHandedOver,
+  kTime,
+  kLeftX,
+  kLeftY,
+  kTouchSeen,
+  kTrack = kTouchSeen + kTouchState
+};
 
 }  // namespace
 

@@ -1,6 +1,6 @@
-// The paper's own law: sliding mode brings the ring to the rotor (sliding.h), and after the first small
-// impact cross-coupled feedback takes over (cross_coupled.h). At the hand-over, t_h, what the first law asked
-// and the second does not fades out, so that the force does not jump:
+// The paper's own law: sliding mode brings the ring to the rotor (sliding.h), and after the first
+// small impact cross-coupled feedback takes over (cross_coupled.h). At the hand-over, t_h, what the
+// first law asked and the second does not fades out, so that the force does not jump:
 //
 //   u = u_cross(t) + (u_track(t_h) - u_cross(t_h)) (1 - H((t - t_h) / T_h)),
 //

@@ -127,7 +127,8 @@ ContactPoint contact_point(const Model& m, const double* q, const double* v, std
   const double radius = at.contact ? at.contact->radius : 0.0;
   const double clearance = at.contact ? at.contact->clearance : 0.0;
   const eq::Pair<double> d = eq::separation(m, at, q), rate = eq::relative(m, at, v);
-  return contact_kinematics({d.x, d.y}, {rate.x, rate.y}, eq::contact_spin(m, at, v), radius, clearance);
+  return contact_kinematics({d.x, d.y}, {rate.x, rate.y}, eq::contact_spin(m, at, v), radius,
+                            clearance);
 }
 
 Eigen::Vector3d contact_acceleration(const Model& m, const double* a, std::size_t k) {
@@ -215,8 +216,8 @@ double switching_work(const Model& m, double from, double to, const double* q, c
     if (u.on <= from || u.on > to) continue;
     const double angle = spin_angle(m, to, q) + u.phase;
     const Eigen::Vector2d rate = at_station(l, u.shape, v);
-    work += v[l.phi()] * u.static_moment *
-            (std::cos(angle) * rate.y() - std::sin(angle) * rate.x());
+    work +=
+        v[l.phi()] * u.static_moment * (std::cos(angle) * rate.y() - std::sin(angle) * rate.x());
   }
   return work;
 }

@@ -10,10 +10,10 @@
 
 namespace rotorub {
 
-double spin_angle(const Model& model, double t, const double* q);   // rad, phi, without torsion
-double spin_speed(const Model& model, const double* v);             // rad/s, Omega, without torsion
-// rad/s, Omega_c - (R/r) Omega_r, with torsion; Omega_r of a ring that turns. `contact`: the number of the
-// auxiliary bearing, here and below.
+double spin_angle(const Model& model, double t, const double* q);  // rad, phi, without torsion
+double spin_speed(const Model& model, const double* v);            // rad/s, Omega, without torsion
+// rad/s, Omega_c - (R/r) Omega_r, with torsion; Omega_r of a ring that turns. `contact`: the number
+// of the auxiliary bearing, here and below.
 double contact_spin(const Model& model, const double* v, std::size_t contact = 0);
 
 // N m, of the drive on the rotor; 0 without one.
@@ -38,7 +38,8 @@ void solve_mass(const Model& model, double t, const double* q, const double* f, 
 void solve_mass(const Model& model, const double* diagonal, double t, const double* q,
                 const double* f, double* a);
 
-// In the contact plane, m: the rotor's centre; how far the ring is from where it is at rest; both of velocities too.
+// In the contact plane, m: the rotor's centre; how far the ring is from where it is at rest; both
+// of velocities too.
 Eigen::Vector2d rotor_point(const Model& model, const double* q, std::size_t contact = 0);
 Eigen::Vector2d stator_point(const Model& model, const double* q, std::size_t contact = 0);
 // m: the ring's centre, and the rotor's from it.
@@ -50,8 +51,8 @@ ContactPoint contact_point(const Model& model, const double* q, const double* v,
 // (ddot', contact_spin') of the generalized accelerations a.
 Eigen::Vector3d contact_acceleration(const Model& model, const double* a, std::size_t contact = 0);
 
-// Contact-space admittance A = J M^-1 J^T (1/kg ...) of a contact, 3 x 3, J: (relative x, relative y,
-// contact_spin) = J qdot.
+// Contact-space admittance A = J M^-1 J^T (1/kg ...) of a contact, 3 x 3, J: (relative x, relative
+// y, contact_spin) = J qdot.
 Eigen::Matrix3d contact_admittance(const Model& model, double t, const double* q,
                                    std::size_t contact = 0);
 // Of the first with another diagonal in the place of the masses.
@@ -60,13 +61,14 @@ Eigen::Matrix3d contact_admittance(const Model& model, const double* diagonal, d
 // J_i M^-1 J_j^T of two contacts; i = j: as above.
 Eigen::Matrix3d contact_admittance(const Model& model, const double* diagonal, double t,
                                    const double* q, std::size_t i, std::size_t j);
-// f += J^T p, p: impulse or force on the rotor (x, y) and torque on it about z; the ring has -x, -y and
-// where it turns -R/r of the torque.
+// f += J^T p, p: impulse or force on the rotor (x, y) and torque on it about z; the ring has -x, -y
+// and where it turns -R/r of the torque.
 void add_contact_load(const Model& model, const Eigen::Vector3d& p, double* f,
                       std::size_t contact = 0);
 
 // Kinetic and elastic energy, J, and the power of all forces that are not the contact's nor the
-// diagonal or station springs', W; of integrators and coils neither. ring_forces: of the actuators, N.
+// diagonal or station springs', W; of integrators and coils neither. ring_forces: of the actuators,
+// N.
 double energy(const Model& model, double t, const double* q, const double* v);
 double external_power(const Model& model, double t, const double* q, const double* v,
                       std::span<const Eigen::Vector2d> ring_forces);
@@ -74,8 +76,8 @@ inline double external_power(const Model& model, double t, const double* q, cons
                              const Eigen::Vector2d& first_ring) {
   return external_power(model, t, q, v, std::span(&first_ring, 1));
 }
-// J: what the energy gains at (q, v) by the blades lost in (from, to], where the spin is free: no velocity
-// jumps, and with a blade goes its part of the energy. Work of the outside in the balance.
+// J: what the energy gains at (q, v) by the blades lost in (from, to], where the spin is free: no
+// velocity jumps, and with a blade goes its part of the energy. Work of the outside in the balance.
 double switching_work(const Model& model, double from, double to, const double* q, const double* v);
 // What external_power has beyond (f + stiffness q) . v, for callers that hold f already.
 double extra_power(const Model& model, double t, const double* q, const double* v);

@@ -39,10 +39,11 @@ ROTORUB_INLINE Pair<T> at_station(int n, const Shape& shape, const T* q) {
 }
 
 template <class M>
-inline constexpr bool has_run_time_layout = std::is_same_v<std::remove_cvref_t<decltype(M::layout)>, Layout>;
+inline constexpr bool has_run_time_layout =
+    std::is_same_v<std::remove_cvref_t<decltype(M::layout)>, Layout>;
 
-// Where the coordinates of an auxiliary bearing's ring begin, kAbsent: nowhere. Of a layout that the
-// compiler knows so is this.
+// Where the coordinates of an auxiliary bearing's ring begin, kAbsent: nowhere. Of a layout that
+// the compiler knows so is this.
 template <class M, class B>
 ROTORUB_INLINE int ring_of([[maybe_unused]] const M& m, [[maybe_unused]] const B& at) {
   if constexpr (has_run_time_layout<M>) {
@@ -60,8 +61,8 @@ ROTORUB_INLINE int ring_angle_of(const M&, [[maybe_unused]] const B& at) {
   }
 }
 
-// Of the centres in the contact plane, ring to rotor: the relative velocity, or displacement from rest.
-// `at`: the auxiliary bearing, here and below; without it the first.
+// Of the centres in the contact plane, ring to rotor: the relative velocity, or displacement from
+// rest. `at`: the auxiliary bearing, here and below; without it the first.
 template <class M, class B, class T = typename M::Scalar>
 ROTORUB_INLINE Pair<T> relative(const M& m, const B& at, const T* q) {
   Pair<T> d = at_station(m.layout.modes, at.shape, q);
@@ -99,7 +100,8 @@ ROTORUB_INLINE bool turns_at_contact(const M& m) {
   return m.layout.torsion || m.layout.ring_spin;
 }
 
-// Of contact_spin what is not the rigid spin: torsion, less the ring's turning; of accelerations too.
+// Of contact_spin what is not the rigid spin: torsion, less the ring's turning; of accelerations
+// too.
 template <class M, class B, class T = typename M::Scalar>
 ROTORUB_INLINE T turning_at_contact(const M& m, const B& at, const T* v) {
   T sum{};

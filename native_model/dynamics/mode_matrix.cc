@@ -19,10 +19,12 @@ template <>
 Eigen::MatrixXd ModeMatrix::dense(int n) const {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   switch (kind_) {
-    case Kind::kAbsent: return Eigen::MatrixXd::Zero(n, n);
+    case Kind::kAbsent:
+      return Eigen::MatrixXd::Zero(n, n);
     case Kind::kDiagonal:
       return Eigen::Map<const Eigen::VectorXd>(values_.data(), n).asDiagonal();
-    case Kind::kFull: return Eigen::Map<const RowMajor>(values_.data(), n, n);
+    case Kind::kFull:
+      return Eigen::Map<const RowMajor>(values_.data(), n, n);
   }
   return {};
 }

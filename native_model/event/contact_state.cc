@@ -64,7 +64,8 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
   ContactDecisions decisions{};
   const CoupledSolution s = solve_coupled(g, pressed, std::span(sets).first(n));
   if (s.solutions != 1) {
-    decisions[0] = {status_of(s.solutions), {},
+    decisions[0] = {status_of(s.solutions),
+                    {},
                     s.solutions == 0 ? "the contact forces have no solution (Painleve)"
                                      : "the contact forces have several solutions (Painleve)"};
     return decisions;

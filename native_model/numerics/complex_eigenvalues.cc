@@ -9,7 +9,8 @@ std::optional<std::vector<std::complex<double>>> complex_eigenvalues(const Eigen
   if (!A.allFinite()) return {};
   const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(A, false);
   if (solver.info() != Eigen::Success) return {};
-  return std::vector<std::complex<double>>(solver.eigenvalues().begin(), solver.eigenvalues().end());
+  return std::vector<std::complex<double>>(solver.eigenvalues().begin(),
+                                           solver.eigenvalues().end());
 }
 
 std::optional<EigenModes> complex_modes(const Eigen::MatrixXcd& A) {

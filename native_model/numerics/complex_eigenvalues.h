@@ -8,7 +8,8 @@
 
 namespace rotorub {
 
-// A: n x n, any; n = 0 gives an empty list. In no order. Nothing where the iteration does not converge.
+// A: n x n, any; n = 0 gives an empty list. In no order. Nothing where the iteration does not
+// converge.
 std::optional<std::vector<std::complex<double>>> complex_eigenvalues(const Eigen::MatrixXcd& A);
 
 // A v_j = s_j v_j, |v_j| = 1.

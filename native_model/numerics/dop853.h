@@ -46,9 +46,9 @@ class Dop853 {
     return error(tolerance);
   }
 
-  // After a trial, before its dense output: |f(a) - f(b)| / |a - b| in units of the tolerance, a and b the last stage
-  // and the end, which stand at one time: the size of the system's fastest rate where the step is at the border of
-  // its stability, and the component in which it shows.
+  // After a trial, before its dense output: |f(a) - f(b)| / |a - b| in units of the tolerance, a
+  // and b the last stage and the end, which stand at one time: the size of the system's fastest
+  // rate where the step is at the border of its stability, and the component in which it shows.
   struct Fastest {
     double rate = 0.0;
     int component = 0;
@@ -59,7 +59,8 @@ class Dop853 {
     for (int i = 0; i < size_; ++i) {
       if (std::isinf(tolerance[i])) continue;
       const auto k = static_cast<std::size_t>(i);
-      const double slope = (stage(dop853::kStages)[i] - stage(dop853::kStages - 1)[i]) / tolerance[i];
+      const double slope =
+          (stage(dop853::kStages)[i] - stage(dop853::kStages - 1)[i]) / tolerance[i];
       const double state = (end_[k] - work_[k]) / tolerance[i];
       slopes += slope * slope;
       states += state * state;
@@ -71,8 +72,8 @@ class Dop853 {
 
   const double* end() const { return end_.data(); }
 
-  // After a trial: the extra stages of its dense output. Its terms are found as they are asked for, which is
-  // to be done before advance() or another first slope. t: the step's start.
+  // After a trial: the extra stages of its dense output. Its terms are found as they are asked for,
+  // which is to be done before advance() or another first slope. t: the step's start.
   template <class F>
   void prepare_dense(F&& f, double t) {
     using namespace dop853;
@@ -113,13 +114,15 @@ class Dop853 {
   int size() const { return size_; }
 
  private:
-  // Sums over the stages go through the components in blocks, so that they stay in registers. The storage is
-  // padded to whole blocks, with zeros.
+  // Sums over the stages go through the components in blocks, so that they stay in registers. The
+  // storage is padded to whole blocks, with zeros.
   static constexpr int kBlock = 6;
   static constexpr int kNone = -1;
 
   double* stage(int s) { return stages_.data() + static_cast<std::ptrdiff_t>(s) * padded_; }
-  const double* stage(int s) const { return stages_.data() + static_cast<std::ptrdiff_t>(s) * padded_; }
+  const double* stage(int s) const {
+    return stages_.data() + static_cast<std::ptrdiff_t>(s) * padded_;
+  }
   double* dense_term(int d) { return dense_.data() + static_cast<std::ptrdiff_t>(d) * padded_; }
 
   // y = start + h sum of the row.

@@ -1,5 +1,5 @@
-// The points between which a sampled function rises or falls throughout, so that a search by signs misses no pair of
-// roots between two samples.
+// The points between which a sampled function rises or falls throughout, so that a search by signs
+// misses no pair of roots between two samples.
 #pragma once
 
 #include <algorithm>
@@ -13,29 +13,33 @@
 
 namespace rotorub {
 
-// Puts the extremes of f in [a, b] into x, y, ascending. Between its ends, by value and slope, a cubic is monotone if
-// no slope is against its rise or beyond three times it (Fritsch and Carlson 1980); else the interval is halved.
-// Brent's minimisation, from Boost.Math, finds an extreme between slopes of opposite sign.
+// Puts the extremes of f in [a, b] into x, y, ascending. Between its ends, by value and slope, a
+// cubic is monotone if no slope is against its rise or beyond three times it (Fritsch and Carlson
+// 1980); else the interval is halved. Brent's minimisation, from Boost.Math, finds an extreme
+// between slopes of opposite sign.
 template <class F>
-void find_extremes(F& f, double a, double f_a, double b, double f_b, std::vector<double>& x, std::vector<double>& y,
-                   int halvings = 6) {
+void find_extremes(F& f, double a, double f_a, double b, double f_b, std::vector<double>& x,
+                   std::vector<double>& y, int halvings = 6) {
   constexpr double kSlope = 1e-5;  // of the interval, for a slope
   constexpr double kFlat = 1e-9;   // of the values: round-off over the interval for a slope
   constexpr int kBits = std::numeric_limits<double>::digits / 2;
   const double size = kFlat * std::max(std::abs(f_a), std::abs(f_b)), rise = f_b - f_a;
-  const double left = (f(a + kSlope * (b - a)) - f_a) / kSlope, right = (f_b - f(b - kSlope * (b - a))) / kSlope;
+  const double left = (f(a + kSlope * (b - a)) - f_a) / kSlope,
+               right = (f_b - f(b - kSlope * (b - a))) / kSlope;
   if (!std::isfinite(rise) || !std::isfinite(left) || !std::isfinite(right)) return;
   if (std::max({std::abs(rise), std::abs(left), std::abs(right)}) <= size) return;
   if (left * right < 0.0) {
     const double sense = left > 0.0 ? -1.0 : 1.0;
     std::uintmax_t evaluations = 100;
-    const auto [place, value] =
-        boost::math::tools::brent_find_minima([&](double at) { return sense * f(at); }, a, b, kBits, evaluations);
+    const auto [place, value] = boost::math::tools::brent_find_minima(
+        [&](double at) { return sense * f(at); }, a, b, kBits, evaluations);
     x.push_back(place);
     y.push_back(sense * value);
     return;
   }
-  const auto monotone = [rise](double slope) { return slope * rise >= 0.0 && std::abs(slope) <= 3.0 * std::abs(rise); };
+  const auto monotone = [rise](double slope) {
+    return slope * rise >= 0.0 && std::abs(slope) <= 3.0 * std::abs(rise);
+  };
   if ((monotone(left) && monotone(right)) || halvings == 0) return;
   const double middle = 0.5 * (a + b), f_middle = f(middle);
   find_extremes(f, a, f_a, middle, f_middle, x, y, halvings - 1);

@@ -20,11 +20,11 @@ namespace rotorub::lanes {
 // fix it.
 template <int W>
 struct Raw;
-#define ROTORUB_RAW(W)                                                                       \
-  template <>                                                                                \
-  struct Raw<W> {                                                                            \
-    typedef double Value __attribute__((vector_size(8 * W), aligned(8 * W)));                \
-    typedef std::int64_t Mask __attribute__((vector_size(8 * W), aligned(8 * W)));           \
+#define ROTORUB_RAW(W)                                                             \
+  template <>                                                                      \
+  struct Raw<W> {                                                                  \
+    typedef double Value __attribute__((vector_size(8 * W), aligned(8 * W)));      \
+    typedef std::int64_t Mask __attribute__((vector_size(8 * W), aligned(8 * W))); \
   }
 ROTORUB_RAW(2);
 ROTORUB_RAW(4);
@@ -79,9 +79,9 @@ struct Allocator {
   template <class U>
   Allocator(const Allocator<U>&) {}  // NOLINT: allocators convert
   T* allocate(std::size_t n) {
-    return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64}));
+    return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64}));
   }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+  void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{64}); }
   bool operator==(const Allocator&) const { return true; }
 };
 template <class T>

@@ -51,9 +51,12 @@ class Arnoldi {
   using Vector = typename ShiftedInverse<Matrix>::Vector;
 
   Arnoldi(ShiftedInverse<Matrix> inverse, Index size, Index most)
-      : inverse_(std::move(inverse)), V_(size, most + kStarts), H_(Matrix::Zero(most + kStarts, most)) {
-    // Of real equations one start in each half of the coordinates: where two planes know nothing of each other each
-    // has its own, and an eigenvalue that both have is found twice. None is orthogonal to a mode by symmetry.
+      : inverse_(std::move(inverse)),
+        V_(size, most + kStarts),
+        H_(Matrix::Zero(most + kStarts, most)) {
+    // Of real equations one start in each half of the coordinates: where two planes know nothing of
+    // each other each has its own, and an eigenvalue that both have is found twice. None is
+    // orthogonal to a mode by symmetry.
     const Index all = size / 2, part = all / kStarts;
     for (Index start = 0; start < kStarts; ++start) {
       Vector z = Vector::Zero(size);
@@ -102,8 +105,8 @@ class Arnoldi {
   Index columns_ = 0, done_ = 0;
 };
 
-// The eigenvalues that the columns so far tell, from the nearest to the shift on to the first that they do not: less
-// a few, so that none is passed over that shows late.
+// The eigenvalues that the columns so far tell, from the nearest to the shift on to the first that
+// they do not: less a few, so that none is passed over that shows late.
 template <class Matrix>
 std::optional<LowestModes> found(const Arnoldi<Matrix>& arnoldi, double shift) {
   constexpr double kAccuracy = 1e-11;
@@ -115,9 +118,11 @@ std::optional<LowestModes> found(const Arnoldi<Matrix>& arnoldi, double shift) {
       (arnoldi.rest().template cast<std::complex<double>>() * modes->vectors).colwise().norm();
   std::vector<Index> order(static_cast<std::size_t>(theta.size()));
   std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return std::abs(theta[a]) > std::abs(theta[b]); });
-  const auto bad = std::find_if(order.begin(), order.end(),
-                                [&](Index k) { return !(missing[k] <= kAccuracy * std::abs(theta[k])); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return std::abs(theta[a]) > std::abs(theta[b]); });
+  const auto bad = std::find_if(order.begin(), order.end(), [&](Index k) {
+    return !(missing[k] <= kAccuracy * std::abs(theta[k]));
+  });
   const auto known = static_cast<std::size_t>(bad - order.begin());
   order.resize(known - std::min(known, kMargin));
 
@@ -127,7 +132,8 @@ std::optional<LowestModes> found(const Arnoldi<Matrix>& arnoldi, double shift) {
   const double radius = 1.0 / std::abs(theta[order.back()]) - shift;
   const auto value = [&](Index k) { return shift + 1.0 / theta[k]; };
   std::erase_if(order, [&](Index k) { return std::abs(value(k)) > radius; });
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return std::abs(value(a)) < std::abs(value(b)); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return std::abs(value(a)) < std::abs(value(b)); });
   const auto count = static_cast<Index>(order.size());
   const Index half = arnoldi.basis().rows() / 2;
   lowest.values.resize(count);
@@ -142,8 +148,8 @@ std::optional<LowestModes> found(const Arnoldi<Matrix>& arnoldi, double shift) {
 }
 
 template <class Matrix>
-std::optional<LowestModes> search(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W, double shift,
-                                  Index guess, const Enough& enough) {
+std::optional<LowestModes> search(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W,
+                                  double shift, Index guess, const Enough& enough) {
   const Index size = 2 * W.size(), most = size / 2, first = 2 * guess + 12;
   if (first > most || !B.allFinite() || !C.allFinite()) return {};
   Arnoldi<Matrix> arnoldi(ShiftedInverse<Matrix>(B, C, W, shift), size, most);
@@ -158,13 +164,15 @@ std::optional<LowestModes> search(const Matrix& B, const Matrix& C, const Eigen:
 
 }  // namespace
 
-std::optional<LowestModes> lowest_modes(const Eigen::MatrixXd& B, const Eigen::MatrixXd& C, const Eigen::VectorXd& W,
-                                        double shift, Index guess, const Enough& enough) {
+std::optional<LowestModes> lowest_modes(const Eigen::MatrixXd& B, const Eigen::MatrixXd& C,
+                                        const Eigen::VectorXd& W, double shift, Index guess,
+                                        const Enough& enough) {
   return search(B, C, W, shift, guess, enough);
 }
 
 std::optional<LowestModes> lowest_modes(const Eigen::MatrixXcd& B, const Eigen::MatrixXcd& C,
-                                        const Eigen::VectorXd& W, double shift, Index guess, const Enough& enough) {
+                                        const Eigen::VectorXd& W, double shift, Index guess,
+                                        const Enough& enough) {
   return search(B, C, W, shift, guess, enough);
 }
 

@@ -39,7 +39,8 @@ std::size_t interval(const std::vector<double>& x, double at) {
 
 }  // namespace
 
-MonotoneCubic::MonotoneCubic(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y_(std::move(y)) {
+MonotoneCubic::MonotoneCubic(std::vector<double> x, std::vector<double> y)
+    : x_(std::move(x)), y_(std::move(y)) {
   assert(x_.size() >= 2 && x_.size() == y_.size());
   tangent_ = monotone_tangents(x_, y_);
 }
@@ -50,8 +51,8 @@ double MonotoneCubic::value(double x) const {
   const std::size_t i = interval(x_, x);
   const double h = x_[i + 1] - x_[i], s = (x - x_[i]) / h;
   const double s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * y_[i] + (s3 - 2 * s2 + s) * h * tangent_[i] + (3 * s2 - 2 * s3) * y_[i + 1] +
-         (s3 - s2) * h * tangent_[i + 1];
+  return (2 * s3 - 3 * s2 + 1) * y_[i] + (s3 - 2 * s2 + s) * h * tangent_[i] +
+         (3 * s2 - 2 * s3) * y_[i + 1] + (s3 - s2) * h * tangent_[i + 1];
 }
 
 double MonotoneCubic::slope(double x) const {

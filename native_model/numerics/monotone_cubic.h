@@ -1,6 +1,6 @@
-// The piecewise cubic of Fritsch and Carlson, "Monotone piecewise cubic interpolation", SIAM J. Numer. Anal. 17
-// (1980), through the points of a table: once differentiable, and no overshoot between two points. Beyond the ends
-// the value there is held.
+// The piecewise cubic of Fritsch and Carlson, "Monotone piecewise cubic interpolation", SIAM J.
+// Numer. Anal. 17 (1980), through the points of a table: once differentiable, and no overshoot
+// between two points. Beyond the ends the value there is held.
 #pragma once
 
 #include <vector>

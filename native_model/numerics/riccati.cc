@@ -14,8 +14,8 @@ std::optional<Eigen::MatrixXd> solve_riccati(const Eigen::MatrixXd& a, const Eig
   Eigen::MatrixXd ak = a, g = b * r.llt().solve(b.transpose()), h = q;
   for (int round = 0; round < kMostRounds; ++round) {
     const Eigen::PartialPivLU<Eigen::MatrixXd> w(one + g * h);
-    const Eigen::MatrixXd wa = w.solve(ak);                            // (1 + G H)^-1 A
-    const Eigen::MatrixXd wg = w.solve(g);                             // (1 + G H)^-1 G
+    const Eigen::MatrixXd wa = w.solve(ak);  // (1 + G H)^-1 A
+    const Eigen::MatrixXd wg = w.solve(g);   // (1 + G H)^-1 G
     const Eigen::MatrixXd grown_h = h + ak.transpose() * h * wa;
     const Eigen::MatrixXd grown_g = g + ak * wg * ak.transpose();
     const double change = (grown_h - h).norm();

@@ -10,8 +10,9 @@
 
 namespace rotorub {
 
-// The stabilising solution, symmetric. Q symmetric, positive semi-definite; R symmetric, positive definite.
-// Nothing where there is none (a mode that costs nothing or that u does not reach does not decay).
+// The stabilising solution, symmetric. Q symmetric, positive semi-definite; R symmetric, positive
+// definite. Nothing where there is none (a mode that costs nothing or that u does not reach does
+// not decay).
 std::optional<Eigen::MatrixXd> solve_riccati(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
                                              const Eigen::MatrixXd& q, const Eigen::MatrixXd& r);
 

@@ -4,8 +4,8 @@
 namespace rotorub {
 
 // kNoSolution, kAmbiguous: the contact laws have none or several (Painleve). kOutOfRange: rotor or
-// ring beyond what holds it. kControllerFailed: the user's law reported a failure, threw, or returned
-// what is no number.
+// ring beyond what holds it. kControllerFailed: the user's law reported a failure, threw, or
+// returned what is no number.
 enum class Status {
   kOk,
   kDiverged,

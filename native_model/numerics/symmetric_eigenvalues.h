@@ -1,6 +1,6 @@
 // Eigenvalues of symmetric matrices. Eigen's solvers take long to compile: they are compiled here
-// alone. All matrices n x n, n > 0; of A and B the lower triangle is read. Nothing where the iteration does not
-// converge or gives what is not finite.
+// alone. All matrices n x n, n > 0; of A and B the lower triangle is read. Nothing where the
+// iteration does not converge or gives what is not finite.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,6 +19,7 @@ std::optional<Eigen::VectorXd> symmetric_eigenvalues(const Eigen::MatrixXd& A);
 
 // A v = s B v, B positive definite (the caller's word).
 std::optional<SymmetricModes> symmetric_modes(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-std::optional<Eigen::VectorXd> symmetric_eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+std::optional<Eigen::VectorXd> symmetric_eigenvalues(const Eigen::MatrixXd& A,
+                                                     const Eigen::MatrixXd& B);
 
 }  // namespace rotorub

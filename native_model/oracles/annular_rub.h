@@ -20,9 +20,9 @@ struct Support {
 };
 
 struct AnnularRub {
-  double force;                  // N, lambda >= 0
-  std::complex<double> rotor;    // m, z e^{-i Om t}
-  std::complex<double> stator;   // m, ring's centre, likewise
+  double force;                 // N, lambda >= 0
+  std::complex<double> rotor;   // m, z e^{-i Om t}
+  std::complex<double> stator;  // m, ring's centre, likewise
 };
 
 // frequency: Om, rad/s; load: U, N, > 0. Empty where the rub does not exist.

@@ -13,8 +13,7 @@ struct Roots {
 
 Roots roots(const BackwardWhip& w) {
   const double d = w.damping;
-  const double root =
-      std::sqrt(d * d + 4.0 * w.friction * w.friction * w.mass * w.stiffness);
+  const double root = std::sqrt(d * d + 4.0 * w.friction * w.friction * w.mass * w.stiffness);
   return {(d + root) / (2.0 * w.friction * w.mass), (d - root) / (2.0 * w.friction * w.mass)};
 }
 

@@ -12,9 +12,10 @@ struct BackwardWhip {
   double friction;                  // mu > 0
   double clearance;                 // m
 
-  double natural_frequency() const;      // rad/s, omega_0
-  double growth_threshold() const;       // rad/s
-  // nu(t) from nu(0) = start, while sliding lasts; start above the growth threshold: before blow_up.
+  double natural_frequency() const;  // rad/s, omega_0
+  double growth_threshold() const;   // rad/s
+  // nu(t) from nu(0) = start, while sliding lasts; start above the growth threshold: before
+  // blow_up.
   double whirl_speed(double start, double t) const;  // rad/s
   double blow_up(double start) const;                // s, infinity below the threshold
   double normal_force(double nu) const;              // N, m delta_0 (nu^2 - omega_0^2)

@@ -12,11 +12,11 @@ class Billiard {
   // clearance: m, > 0. Start inside the circle, velocity not zero.
   Billiard(double clearance, const Eigen::Vector2d& position, const Eigen::Vector2d& velocity);
 
-  double first_impact() const { return first_; }    // s
+  double first_impact() const { return first_; }     // s
   double chord_time() const { return chord_time_; }  // s, between impacts
-  int impacts_until(double t) const;                // impacts in (0, t]
-  Eigen::Vector2d position(double t) const;         // m
-  Eigen::Vector2d velocity(double t) const;         // m/s
+  int impacts_until(double t) const;                 // impacts in (0, t]
+  Eigen::Vector2d position(double t) const;          // m
+  Eigen::Vector2d velocity(double t) const;          // m/s
 
  private:
   struct Flight {

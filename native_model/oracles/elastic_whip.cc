@@ -42,7 +42,8 @@ Polynomial demand(const Support& s, double mu) {
 // By falling real part, of a pair the one with Im < 0 first.
 std::vector<Complex> eigenvalues_of(const Eigen::MatrixXd& a) {
   const auto values = real_eigenvalues(a);
-  if (!values) throw std::invalid_argument("ElasticWhip: its numbers lie too many orders of magnitude apart");
+  if (!values)
+    throw std::invalid_argument("ElasticWhip: its numbers lie too many orders of magnitude apart");
   return *values;
 }
 

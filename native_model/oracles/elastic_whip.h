@@ -32,8 +32,8 @@ struct WhirlInterval {
   double from, to;
 };
 
-// Roots and eigenvalues throw std::invalid_argument where no iteration finds them: numbers that are not finite,
-// or lie too many orders of magnitude apart.
+// Roots and eigenvalues throw std::invalid_argument where no iteration finds them: numbers that are
+// not finite, or lie too many orders of magnitude apart.
 struct ElasticWhip {
   Support rotor, ring;  // of both planes; damping > 0 in one of them
   double clearance;     // m, delta_0 > 0

@@ -6,10 +6,10 @@
 namespace rotorub::oracle {
 
 struct PlanarImpact {
-  double g_nn, g_tt;             // 1/kg, > 0
-  double friction;               // mu
-  double restitution;            // eps_N
-  double tangential_restitution; // eps_T
+  double g_nn, g_tt;              // 1/kg, > 0
+  double friction;                // mu
+  double restitution;             // eps_N
+  double tangential_restitution;  // eps_T
 
   double compression(double normal_velocity) const;  // N s, L_NC of a closing velocity < 0
   bool sticks(double normal_velocity, double slip) const;

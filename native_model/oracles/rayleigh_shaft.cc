@@ -16,8 +16,7 @@ struct Quadratic {
 Quadratic quadratic(const RayleighShaft& shaft, int n, double speed) {
   const double lambda = n * std::numbers::pi / shaft.length;
   const double tilt = shaft.inertia() / shaft.area() * lambda * lambda;  // r^2 lambda^2
-  const double stiffness =
-      shaft.E * shaft.inertia() / (shaft.rho * shaft.area()) * fourth(lambda);
+  const double stiffness = shaft.E * shaft.inertia() / (shaft.rho * shaft.area()) * fourth(lambda);
   return {1.0 + tilt, speed * tilt, stiffness};
 }
 

@@ -4,18 +4,19 @@
 //   J_r Omega_r' = -R lambda_T - c_r Omega_r,   J Omega' = r lambda_T           (a free spin)
 //
 //   sliding under a constant normal force N, lambda_T = -s mu N, s the sign of the slip:
-//     Omega_r(t) = Omega_inf + (Omega_r(0) - Omega_inf) e^{-c_r t / J_r},  Omega_inf = s mu N R / c_r
-//   without drag R J Omega + r J_r Omega_r never changes, whatever the bending does; rolling with the
-//   centres at rest, r Omega = R Omega_r:
+//     Omega_r(t) = Omega_inf + (Omega_r(0) - Omega_inf) e^{-c_r t / J_r},  Omega_inf = s mu N R /
+//     c_r
+//   without drag R J Omega + r J_r Omega_r never changes, whatever the bending does; rolling with
+//   the centres at rest, r Omega = R Omega_r:
 //     surface speed = (R J Omega + r J_r Omega_r) / (J R / r + J_r r / R)
 #pragma once
 
 namespace rotorub::oracle {
 
 struct TurningRing {
-  double inertia;       // kg m^2, J_r > 0
-  double drag;          // N m s, c_r >= 0
-  double bore_radius;   // m, R > 0
+  double inertia;      // kg m^2, J_r > 0
+  double drag;         // N m s, c_r >= 0
+  double bore_radius;  // m, R > 0
 };
 
 // rad/s, Omega_r after the time t (s, >= 0) of sliding: friction torque that drives the ring

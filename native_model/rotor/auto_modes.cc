@@ -13,8 +13,8 @@
 namespace rotorub {
 namespace {
 
-// Something that the kept modes must know: of a sum over modes that rises to its value of all modes the sum, or its
-// inverse, which falls.
+// Something that the kept modes must know: of a sum over modes that rises to its value of all modes
+// the sum, or its inverse, which falls.
 struct Quantity {
   std::string name;
   Eigen::VectorXd sums;  // over the first k modes, k = 1 to N
@@ -90,11 +90,11 @@ std::string digits(double value) {
   const Quantity& q = worst(all, kMostAutoModes);
   const double left = q.left_out(kMostAutoModes);
   const std::string most_modes = std::to_string(kMostAutoModes);
-  std::string reason = "\"auto\" finds no number of modes up to " + most_modes + ": with " +
-                       most_modes + " " + q.name + " is still " + digits(100.0 * left) +
-                       " % off that of all " + std::to_string(q.sums.size()) +
-                       " modes of the mesh for " + std::to_string(modes.kept) + ", and modes_tolerance is " +
-                       digits(100.0 * scene.rotor.geometry->modes_tolerance) + " %. ";
+  std::string reason =
+      "\"auto\" finds no number of modes up to " + most_modes + ": with " + most_modes + " " +
+      q.name + " is still " + digits(100.0 * left) + " % off that of all " +
+      std::to_string(q.sums.size()) + " modes of the mesh for " + std::to_string(modes.kept) +
+      ", and modes_tolerance is " + digits(100.0 * scene.rotor.geometry->modes_tolerance) + " %. ";
   if (q.name.find("mass") != std::string::npos) {
     reason +=
         "The effective mass of a station without a mass of its own falls without end, the more "

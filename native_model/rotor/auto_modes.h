@@ -16,7 +16,8 @@ inline constexpr int kMostAutoModes = 50;
 //   - the effective mass at the contact, 1 / (u M^-1 u^T),
 //   - the static flexibility u K^-1 u^T at contact, bearings, forces and magnetic bearing.
 // `with_modes`: the shaft with n modes kept. Throws scene::SceneError where there is no such number
-// up to kMostAutoModes: the effective mass of a station without a mass of its own falls without end.
+// up to kMostAutoModes: the effective mass of a station without a mass of its own falls without
+// end.
 RotorModes fewest_modes(const scene::Scene& scene,
                         const std::function<RotorModes(int)>& with_modes);
 

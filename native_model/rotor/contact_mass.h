@@ -1,6 +1,6 @@
-// What a rigid impact meets: the effective mass of the shaft at the contact, 1 / (u M^-1 u^T), u the
-// mode values there. With more modes kept it falls without end unless a mass sits at the station
-// (a sleeve): the largest impact falls with it, the mean force of a rub hardly does.
+// What a rigid impact meets: the effective mass of the shaft at the contact, 1 / (u M^-1 u^T), u
+// the mode values there. With more modes kept it falls without end unless a mass sits at the
+// station (a sleeve): the largest impact falls with it, the mean force of a rub hardly does.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,8 @@ struct ContactMass {
   bool truncated() const { return kept > 1.1 * mesh; }
 };
 
-// Of a rotor in geometry form with a contact; otherwise none. Solves the shaft's eigenvalue problem.
+// Of a rotor in geometry form with a contact; otherwise none. Solves the shaft's eigenvalue
+// problem.
 std::optional<ContactMass> contact_mass(const scene::Scene& scene);
 
 }  // namespace rotorub

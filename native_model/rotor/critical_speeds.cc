@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/numerics/extremes.h"
+#include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/numerics/root.h"
 #include "native_model/numerics/symmetric_eigenvalues.h"
 #include "native_model/rotor/campbell.h"
@@ -70,7 +70,8 @@ std::vector<double> of_constant_springs(const WhirlSystem& system) {
     speeds = synchronous_speeds(system.stiffness_x, inertia);
   } else {
     // (x, -i y) ~ e^{i Omega t}: 1 + [0 G; G^T 0].
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * n, 2 * n), A = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * n, 2 * n),
+                    A = Eigen::MatrixXd::Identity(2 * n, 2 * n);
     K.topLeftCorner(n, n) = system.stiffness_x;
     K.bottomRightCorner(n, n) = system.stiffness_y;
     A.topRightCorner(n, n) = system.gyroscopic;
@@ -102,9 +103,11 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
   const bool follows = std::any_of(system.films.begin(), system.films.end(),
                                    [](const WhirlFilm& film) { return film.law.follows(); });
   if (!follows) return of_constant_springs(with_springs_at(system, 0.0));
-  // Each speed is critical with the springs that it has itself: the k-th critical speed of springs at a speed, less
-  // that speed, is 0. Beyond the tables the springs stay.
-  const auto at = [&](double speed) { return of_constant_springs(with_springs_at(system, sense * speed)); };
+  // Each speed is critical with the springs that it has itself: the k-th critical speed of springs
+  // at a speed, less that speed, is 0. Beyond the tables the springs stay.
+  const auto at = [&](double speed) {
+    return of_constant_springs(with_springs_at(system, sense * speed));
+  };
   constexpr int kParts = 8;  // of the way between two points of a table
   constexpr double kAccuracy = 1e-14;
   const std::vector<double> points = table_speeds(system, sense);
@@ -126,7 +129,8 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
       for (std::size_t i = 0; i + 1 < missed.size(); ++i) {
         if (!(missed[i] * missed[i + 1] < 0.0)) continue;
         const double accuracy = kAccuracy * end;
-        all_found.push_back(root(miss, at_speed[i], at_speed[i + 1], missed[i], missed[i + 1], accuracy).first);
+        all_found.push_back(
+            root(miss, at_speed[i], at_speed[i + 1], missed[i], missed[i + 1], accuracy).first);
       }
     }
     low = high;

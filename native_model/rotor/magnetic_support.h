@@ -1,4 +1,5 @@
-// A magnetic bearing as the linear theory of the rotor has it: a spring and a damper at its station.
+// A magnetic bearing as the linear theory of the rotor has it: a spring and a damper at its
+// station.
 #pragma once
 
 #include "native_model/scene/scene.h"
@@ -11,8 +12,8 @@ struct MagneticSupport {
   double damping = 0.0;    // N s/m, k_i D
   // N/m, >= 0: the spring that the modes are found with. Geometry form: that of a feedback, however
   // soon it fails, so that a shaft on one other bearing has modes. Whoever uses the modes adds what
-  // the bearing does beyond it, so that nothing but the modes kept depends on this choice; damping ratios
-  // are of the modes without it (OwnModes).
+  // the bearing does beyond it, so that nothing but the modes kept depends on this choice; damping
+  // ratios are of the modes without it (OwnModes).
   double held = 0.0;
 };
 MagneticSupport magnetic_support(const scene::Scene& scene);  // zeros without a magnetic bearing

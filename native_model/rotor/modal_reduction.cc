@@ -163,10 +163,12 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
     rotor.bearing_dampers.push_back({shape_at(bearing.z), bearing.damping});
   }
   for (const scene::ShaftBearing& bearing : geometry.bearings) {
-    if (auto film = film_of(bearing)) rotor.films.push_back({shape_at(bearing.z), std::move(*film)});
+    if (auto film = film_of(bearing))
+      rotor.films.push_back({shape_at(bearing.z), std::move(*film)});
     if (bearing.offset.isZero(0.0)) continue;
     const ModeShape at = shape_at(bearing.z);
-    if (rotor.pull_x.size() == 0) rotor.pull_x = rotor.pull_y = Eigen::VectorXd::Zero(rotor.modes());
+    if (rotor.pull_x.size() == 0)
+      rotor.pull_x = rotor.pull_y = Eigen::VectorXd::Zero(rotor.modes());
     rotor.pull_x += bearing.stiffness.x() * bearing.offset.x() * at.x;
     rotor.pull_y += bearing.stiffness.y() * bearing.offset.y() * at.y;
   }

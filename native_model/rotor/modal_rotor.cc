@@ -28,10 +28,12 @@ TorsionModes modal_form_torsion(const scene::Scene& scene) {
   const std::size_t n = torsion.inertia.size();
   std::vector<Eigen::VectorXd> contacts;
   for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
-    contacts.push_back(values(bearing.contact ? bearing.contact->torsion_shape : std::vector<double>{}, n, 1.0));
+    contacts.push_back(
+        values(bearing.contact ? bearing.contact->torsion_shape : std::vector<double>{}, n, 1.0));
   }
   return {values(torsion.inertia, n, 0.0), values(torsion.stiffness, n, 0.0),
-          values(torsion.damping, n, 0.0), values(torsion.drive_shape, n, 0.0), std::move(contacts)};
+          values(torsion.damping, n, 0.0), values(torsion.drive_shape, n, 0.0),
+          std::move(contacts)};
 }
 
 // Modal form: what the scene states, copied.
@@ -49,7 +51,8 @@ ModalRotor modal_form(const scene::Scene& scene) {
              values(or_else(modal.stiffness_y, modal.stiffness), n, 0.0),
              values(or_else(modal.damping_y, modal.damping), n, 0.0)};
   for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
-    rotor.contacts.push_back(shape(bearing.contact ? bearing.contact->shape : std::vector<double>{}));
+    rotor.contacts.push_back(
+        shape(bearing.contact ? bearing.contact->shape : std::vector<double>{}));
   }
   rotor.gyroscopic = values(modal.gyroscopic, n, 0.0).asDiagonal();
   rotor.internal_xx = rotor.internal_xy = rotor.internal_yy =

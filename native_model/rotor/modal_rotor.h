@@ -53,11 +53,12 @@ struct DiscUnbalance {
 // Torsion about z: rotation at a station = rigid spin + sum of shape_k theta_k; shape 1 at the
 // contact. With a drive: free-free modes. Without: those of a shaft held at the motor's station.
 struct TorsionModes {
-  Eigen::VectorXd inertia;        // kg m^2, > 0
-  Eigen::VectorXd stiffness;      // N m/rad, > 0
-  Eigen::VectorXd damping;        // N m s/rad, >= 0
-  Eigen::VectorXd drive_shape;    // 1, at the motor
-  std::vector<Eigen::VectorXd> contacts;  // 1, at each contact; at the first 1, or 0 for a node there
+  Eigen::VectorXd inertia;      // kg m^2, > 0
+  Eigen::VectorXd stiffness;    // N m/rad, > 0
+  Eigen::VectorXd damping;      // N m s/rad, >= 0
+  Eigen::VectorXd drive_shape;  // 1, at the motor
+  std::vector<Eigen::VectorXd>
+      contacts;  // 1, at each contact; at the first 1, or 0 for a node there
 };
 // Of a rotor without elastic torsion.
 inline TorsionModes no_torsion(std::size_t contacts) {
@@ -73,7 +74,7 @@ struct ModeLines {
 struct ModalRotor {
   PlaneModes x, y;
   std::vector<ModeShape> contacts;  // of each auxiliary bearing; of the first 1 or 0 for each mode
-  Eigen::MatrixXd gyroscopic;  // kg, n x n, g: rows x modes, columns y modes
+  Eigen::MatrixXd gyroscopic;       // kg, n x n, g: rows x modes, columns y modes
   Eigen::MatrixXd internal_xx, internal_xy, internal_yy;  // N s/m, n x n, rotating damping D_i
   std::vector<StationDamper> bearing_dampers;
   std::vector<StationFilm> films;

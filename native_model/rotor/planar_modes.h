@@ -15,8 +15,8 @@ struct PlanarModes {
 // Throws RotorNotSolvable (refusal.h) where a matrix is not positive definite to working precision.
 PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
 
-// The same of a stiffness that may leave a rigid motion free, of frequency 0. reference: rad/s, > 0, about
-// the lowest frequency there is.
+// The same of a stiffness that may leave a rigid motion free, of frequency 0. reference: rad/s, >
+// 0, about the lowest frequency there is.
 PlanarModes free_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
                        double reference);
 

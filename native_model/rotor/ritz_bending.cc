@@ -32,7 +32,8 @@ std::pair<double, double> supports(const scene::RotorGeometry& geometry, int pla
 // M, G and the gravity load of the shaft itself, by Gauss quadrature exact for every product.
 void add_shaft(const scene::RotorGeometry& geometry, RitzBending& ritz) {
   for (const ShaftElement& element : ritz.basis.mesh()) {
-    const GaussRule rule = gauss_legendre(element.functions + 2 + (element.tapered() ? kTaperDegree / 2 : 0));
+    const GaussRule rule =
+        gauss_legendre(element.functions + 2 + (element.tapered() ? kTaperDegree / 2 : 0));
     for (int i = 0; i < rule.node.size(); ++i) {
       const double z = element.from + 0.5 * element.length() * (1.0 + rule.node[i]);
       const double dz = 0.5 * element.length() * rule.weight[i];
@@ -77,7 +78,9 @@ std::vector<ShaftElement> bending_mesh(const scene::RotorGeometry& geometry,
   // Bending wave: E I k^4 = rho A omega^2.
   return shaft_mesh(geometry, nodes, [&](const ShaftElement& element) {
     // Of a cone where the wave is shortest: A / I is largest at an end.
-    const auto slenderness = [&](double z) { return element.area(z) / (geometry.E * element.inertia(z)); };
+    const auto slenderness = [&](double z) {
+      return element.area(z) / (geometry.E * element.inertia(z));
+    };
     const double most = std::max(slenderness(element.from), slenderness(element.to));
     return std::sqrt(std::sqrt(omega * omega * geometry.rho * most));
   });

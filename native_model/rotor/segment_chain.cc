@@ -61,7 +61,8 @@ std::vector<double> nodes(const std::vector<double>& stations, int count) {
   return result;
 }
 
-// A cone is so many short cylinders, which converge with the square of their length, as the segments do.
+// A cone is so many short cylinders, which converge with the square of their length, as the
+// segments do.
 constexpr int kConePieces = 32;
 
 // Calls add(length, middle, A, I) for each piece of constant section of the range.

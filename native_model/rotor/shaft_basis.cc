@@ -31,7 +31,8 @@ Eigen::MatrixXd inertia_integral(const std::vector<ShaftElement>& mesh, int firs
       }
     } else {
       for (int k = 0; k < n; ++k) {
-        sum(at + k, at + k) = factor * element.inertia(element.from) * element.length() / (2 * k + 1);
+        sum(at + k, at + k) =
+            factor * element.inertia(element.from) * element.length() / (2 * k + 1);
       }
     }
     at += n;

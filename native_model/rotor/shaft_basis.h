@@ -3,8 +3,8 @@
 // The curvature (bending) or the twist per length (torsion) is, in every element, a sum of Legendre
 // polynomials; deflection and angle are its integrals. With m functions in an element the bending
 // space is that of the C1 finite elements of degree m + 1 (m = 2: Hermite cubics). The stiffness of
-// a shaft of cylinders is then exactly diagonal, and rigid motion is stored apart from it: neither very short
-// elements nor very stiff bearings cost digits.
+// a shaft of cylinders is then exactly diagonal, and rigid motion is stored apart from it: neither
+// very short elements nor very stiff bearings cost digits.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,8 +26,8 @@ class BendingBasis {
 
   Eigen::RowVectorXd deflection(double z) const;  // 1, u
   Eigen::RowVectorXd slope(double z) const;       // 1/m, u_z
-  // int I u_zz u_zz' (size x size): m^4 / m^3 per squared coordinate, to be multiplied by E. Diagonal but for
-  // cones, each of which has a block.
+  // int I u_zz u_zz' (size x size): m^4 / m^3 per squared coordinate, to be multiplied by E.
+  // Diagonal but for cones, each of which has a block.
   Eigen::MatrixXd curvature_integral() const;
 
  private:

@@ -37,18 +37,22 @@ int functions_needed(double wave_length_ratio) {
             "max_frequency"}});
 }
 
-// On a cone the solution is a wave times what the section's change makes of it. Elements are so short that neither
-// diameter nor wall changes by more than this share in one: the cone's tip, where I = 0, is 2 / kMostTaper + 1 = 9 half
-// lengths away from the middle, and Legendre coefficients fall by 9 + sqrt(80) = 18 each.
+// On a cone the solution is a wave times what the section's change makes of it. Elements are so
+// short that neither diameter nor wall changes by more than this share in one: the cone's tip,
+// where I = 0, is 2 / kMostTaper + 1 = 9 half lengths away from the middle, and Legendre
+// coefficients fall by 9 + sqrt(80) = 18 each.
 constexpr double kMostTaper = 0.25;
 constexpr int kTaperFunctions = 6;
 
 // Into how many parts a span of a section must be cut for that.
 double taper_parts(const scene::ShaftSection& section, double from, double to) {
   if (!section.tapered()) return 1.0;
-  const auto parts = [](double a, double b) { return std::ceil(std::abs(a - b) / (kMostTaper * std::min(a, b))); };
+  const auto parts = [](double a, double b) {
+    return std::ceil(std::abs(a - b) / (kMostTaper * std::min(a, b)));
+  };
   const auto wall = [&](double z) { return section.outer_at(z) - section.inner_at(z); };
-  return std::max({1.0, parts(section.outer_at(from), section.outer_at(to)), parts(wall(from), wall(to))});
+  return std::max(
+      {1.0, parts(section.outer_at(from), section.outer_at(to)), parts(wall(from), wall(to))});
 }
 
 }  // namespace
@@ -59,7 +63,8 @@ double ShaftElement::area(double z) const {
 }
 
 double ShaftElement::inertia(double z) const {
-  const double o2 = section.outer_at(z) * section.outer_at(z), i2 = section.inner_at(z) * section.inner_at(z);
+  const double o2 = section.outer_at(z) * section.outer_at(z),
+               i2 = section.inner_at(z) * section.inner_at(z);
   return std::numbers::pi / 64.0 * (o2 * o2 - i2 * i2);
 }
 
@@ -91,7 +96,8 @@ std::vector<ShaftElement> shaft_mesh(
         ShaftElement element = whole;
         element.from = cuts[i] + span * part / count;
         element.to = part + 1 == count ? cuts[i + 1] : cuts[i] + span * (part + 1) / count;
-        element.functions = functions_needed(k * element.length()) + (section.tapered() ? kTaperFunctions : 0);
+        element.functions =
+            functions_needed(k * element.length()) + (section.tapered() ? kTaperFunctions : 0);
         mesh.push_back(element);
       }
     }

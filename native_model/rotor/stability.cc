@@ -31,7 +31,8 @@ double highest(const std::vector<Complex>& values) {
 
 double growth_of(const Complex& s) { return s.real() / std::abs(s); }
 
-// Nothing can grow: no rotating damping, no oil film, and no negative stiffness left in either plane.
+// Nothing can grow: no rotating damping, no oil film, and no negative stiffness left in either
+// plane.
 bool passive(const WhirlSystem& system) {
   const auto holds = [](const Eigen::MatrixXd& K) {
     constexpr double kRoundOff = 1e-14;
@@ -39,14 +40,16 @@ bool passive(const WhirlSystem& system) {
     if (!values) throw RotorNotSolvable("no eigenvalues can be found");
     return values->minCoeff() >= -kRoundOff * values->maxCoeff();
   };
-  return system.films.empty() && system.internal_xy.isZero(0.0) && holds(system.stiffness_x) && holds(system.stiffness_y);
+  return system.films.empty() && system.internal_xy.isZero(0.0) && holds(system.stiffness_x) &&
+         holds(system.stiffness_y);
 }
 
 // The kept modes at a speed, rigid ones left out.
 struct Sample {
-  double speed = 0.0;     // rad/s, its size
-  std::vector<Complex> s; // of planes that differ Im s >= 0: a mode may change its sense on the way
-  double growth = -1.0;   // largest Re s / |s|: > 0 where one grows
+  double speed = 0.0;  // rad/s, its size
+  std::vector<Complex>
+      s;                 // of planes that differ Im s >= 0: a mode may change its sense on the way
+  double growth = -1.0;  // largest Re s / |s|: > 0 where one grows
   bool grows() const { return growth > kGrows; }
 };
 
@@ -93,7 +96,9 @@ class StabilitySearch {
     for (std::size_t i = 0; i < a.s.size(); ++i) {
       for (std::size_t j = 0; j < b.s.size(); ++j) all.push_back({std::abs(a.s[i] - b.s[j]), i, j});
     }
-    std::stable_sort(all.begin(), all.end(), [](const Candidate& x, const Candidate& y) { return x.distance < y.distance; });
+    std::stable_sort(all.begin(), all.end(), [](const Candidate& x, const Candidate& y) {
+      return x.distance < y.distance;
+    });
     std::vector<bool> left(a.s.size()), right(b.s.size());
     std::vector<Pair> pairs;
     for (const Candidate& c : all) {
@@ -104,8 +109,8 @@ class StabilitySearch {
     return pairs;
   }
 
-  // The share of the interval to divide it at: where first two whirls have the same frequency, as there they may drive
-  // each other, but not at its ends, which are known; else the middle.
+  // The share of the interval to divide it at: where first two whirls have the same frequency, as
+  // there they may drive each other, but not at its ends, which are known; else the middle.
   static double dividing(const std::vector<Pair>& pairs) {
     constexpr double kEnd = 0.02;
     double share = 1.0;
@@ -121,25 +126,29 @@ class StabilitySearch {
     return share < 1.0 ? share : 0.5;
   }
 
-  // A mode's damping may come to 0 between two neighbours of a, m, b, the left or the right ones: its growth at m
-  // stands off the straight line from a to b by e, and their parabola goes no higher than e above the higher end.
-  // Where one grows at b: before it does.
-  static bool may_grow(const std::vector<Pair>& pairs, const Sample& a, const Sample& m, const Sample& b, bool left) {
+  // A mode's damping may come to 0 between two neighbours of a, m, b, the left or the right ones:
+  // its growth at m stands off the straight line from a to b by e, and their parabola goes no
+  // higher than e above the higher end. Where one grows at b: before it does.
+  static bool may_grow(const std::vector<Pair>& pairs, const Sample& a, const Sample& m,
+                       const Sample& b, bool left) {
     const double share = (m.speed - a.speed) / (b.speed - a.speed);
     return std::any_of(pairs.begin(), pairs.end(), [&](const Pair& pair) {
       const Complex guess = (1.0 - share) * pair.first + share * pair.second;
-      const auto middle = std::min_element(m.s.begin(), m.s.end(), [&](const Complex& x, const Complex& y) {
-        return std::abs(x - guess) < std::abs(y - guess);
-      });
+      const auto middle =
+          std::min_element(m.s.begin(), m.s.end(), [&](const Complex& x, const Complex& y) {
+            return std::abs(x - guess) < std::abs(y - guess);
+          });
       if (middle == m.s.end()) return false;
-      const double from = growth_of(pair.first), at_m = growth_of(*middle), to = growth_of(pair.second);
+      const double from = growth_of(pair.first), at_m = growth_of(*middle),
+                   to = growth_of(pair.second);
       const double off = std::abs(at_m - ((1.0 - share) * from + share * to));
       const double higher = left ? std::max(from, at_m) : b.grows() ? at_m : std::max(at_m, to);
       return higher + off > kGrows;
     });
   }
 
-  // Zero of growth between a stable and an unstable speed: Ridders' method, which keeps the bracket.
+  // Zero of growth between a stable and an unstable speed: Ridders' method, which keeps the
+  // bracket.
   double crossing(const Sample& before, const Sample& after) const {
     constexpr double kAccuracy = 1e-10;
     constexpr int kSteps = 60;
@@ -157,7 +166,8 @@ class StabilitySearch {
       const double value = at(middle).growth - none;
       const double root = std::sqrt(value * value - low * high);
       const bool usable = low < 0.0 && high > 0.0 && root > 0.0;
-      const double better = middle - half * value / root;  // low < 0: towards the stable side if > 0
+      const double better =
+          middle - half * value / root;  // low < 0: towards the stable side if > 0
       narrow(middle, value);
       if (!usable || !(better > stable && better < unstable)) continue;
       const double best = at(better).growth - none;
@@ -178,7 +188,8 @@ double stability_bound(const WhirlSystem& system) {
   if (passive(system)) return std::numeric_limits<double>::infinity();
   constexpr double kBound = 20.0;
   double bound = kBound * highest(whirl_eigenvalues(system, 0.0));
-  for (const double sense : {1.0, -1.0}) bound = std::max(bound, table_speeds(system, sense).back());
+  for (const double sense : {1.0, -1.0})
+    bound = std::max(bound, table_speeds(system, sense).back());
   return bound;
 }
 

@@ -23,7 +23,8 @@ void for_each_inertia(const scene::Scene& scene, const std::vector<ShaftElement>
                       const Add& add) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   for (const ShaftElement& element : mesh) {
-    const GaussRule rule = gauss_legendre(element.functions + 1 + (element.tapered() ? kTaperDegree / 2 : 0));
+    const GaussRule rule =
+        gauss_legendre(element.functions + 1 + (element.tapered() ? kTaperDegree / 2 : 0));
     for (int i = 0; i < rule.node.size(); ++i) {
       const double z = element.from + 0.5 * element.length() * (1.0 + rule.node[i]);
       add(z, geometry.rho * 2.0 * element.inertia(z) * 0.5 * element.length() * rule.weight[i]);
@@ -110,7 +111,8 @@ TorsionModes torsion_modes(const scene::Scene& scene) {
   const std::vector<double> stations = line_stations(solution.basis.mesh());
   const Eigen::Index n = wanted;
   TorsionModes result{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n),
-                      Eigen::VectorXd(n), std::vector<Eigen::VectorXd>(scene.auxiliary.size(), Eigen::VectorXd(n))};
+                      Eigen::VectorXd(n),
+                      std::vector<Eigen::VectorXd>(scene.auxiliary.size(), Eigen::VectorXd(n))};
   for (Eigen::Index j = 0; j < n; ++j) {
     const Eigen::VectorXd mode = solution.modes.shape.col(j);  // of unit inertia
     const auto angle = [&](double z) { return solution.basis.angle(z).dot(mode); };

@@ -60,7 +60,8 @@ double shift_of(const Eigen::VectorXd& W) { return 0.05 * W.minCoeff(); }
 
 std::vector<Whirl> with_rates(const LowestModes& modes) {
   std::vector<Whirl> all;
-  for (Eigen::Index j = 0; j < modes.values.size(); ++j) all.push_back({modes.values[j], modes.rates.col(j)});
+  for (Eigen::Index j = 0; j < modes.values.size(); ++j)
+    all.push_back({modes.values[j], modes.rates.col(j)});
   return all;
 }
 // Of all of them: of a first-order form whose state ends with q'.
@@ -70,11 +71,12 @@ LowestModes all_of(std::optional<EigenModes> modes) {
 }
 
 void sort_by_size(std::vector<Whirl>& all) {
-  std::stable_sort(all.begin(), all.end(), [](const Whirl& a, const Whirl& b) { return std::abs(a.s) < std::abs(b.s); });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Whirl& a, const Whirl& b) { return std::abs(a.s) < std::abs(b.s); });
 }
 
-// The lowest by |s|, which overdamping does not make small: as many of each sense, since the spin lowers backward
-// whirl and lifts the other. Each eigenvalue is one whirl.
+// The lowest by |s|, which overdamping does not make small: as many of each sense, since the spin
+// lowers backward whirl and lifts the other. Each eigenvalue is one whirl.
 std::vector<Whirl> lowest_of_each_sense(std::vector<Whirl> all, std::size_t kept) {
   constexpr double kReal = 1e-9;  // |Im s| / |s| of an overdamped mode, which has no sense
   sort_by_size(all);
@@ -123,10 +125,12 @@ std::vector<Whirl> anisotropic_whirls(const WhirlSystem& system, double speed) {
   for (Whirl& whirl : with_rates(*part)) {
     const Complex s = whirl.s;
     if (s.imag() < 0.0) continue;
-    if (s.imag() > 0.0 && !forward(whirl.rates.head(n), whirl.rates.tail(n))) whirl.s = std::conj(s);
+    if (s.imag() > 0.0 && !forward(whirl.rates.head(n), whirl.rates.tail(n)))
+      whirl.s = std::conj(s);
     (s.imag() > 0.0 ? all : real).push_back(std::move(whirl));
   }
-  std::sort(real.begin(), real.end(), [](const Whirl& a, const Whirl& b) { return a.s.real() > b.s.real(); });
+  std::sort(real.begin(), real.end(),
+            [](const Whirl& a, const Whirl& b) { return a.s.real() > b.s.real(); });
   for (std::size_t i = 0; i < real.size(); i += 2) all.push_back(std::move(real[i]));
   sort_by_size(all);
   const auto most = 2 * static_cast<std::size_t>(system.kept);
@@ -137,7 +141,8 @@ std::vector<Whirl> anisotropic_whirls(const WhirlSystem& system, double speed) {
 }  // namespace
 
 std::vector<Whirl> whirls(const WhirlSystem& system, double speed) {
-  std::vector<Whirl> all = system.isotropic ? isotropic_whirls(system, speed) : anisotropic_whirls(system, speed);
+  std::vector<Whirl> all =
+      system.isotropic ? isotropic_whirls(system, speed) : anisotropic_whirls(system, speed);
   sort_by_frequency(all);
   return all;
 }

@@ -28,7 +28,8 @@ Turns turns_of(const WhirlSystem& system, const Whirl& whirl) {
 }
 
 // Larger half-axes, with the sign of the own turn's part in phase with `phase`.
-Eigen::VectorXd signed_axes(const Eigen::VectorXcd& own, const Eigen::VectorXcd& other, Complex phase) {
+Eigen::VectorXd signed_axes(const Eigen::VectorXcd& own, const Eigen::VectorXcd& other,
+                            Complex phase) {
   Eigen::VectorXd axes(own.size());
   for (Eigen::Index k = 0; k < own.size(); ++k) {
     const double size = std::abs(own[k]);
@@ -38,7 +39,8 @@ Eigen::VectorXd signed_axes(const Eigen::VectorXcd& own, const Eigen::VectorXcd&
   return axes;
 }
 
-Eigen::MatrixXd deflections(const BendingBasis& basis, const Eigen::VectorXd& z, const Eigen::MatrixXd& phi) {
+Eigen::MatrixXd deflections(const BendingBasis& basis, const Eigen::VectorXd& z,
+                            const Eigen::MatrixXd& phi) {
   Eigen::MatrixXd u(z.size(), phi.cols());
   for (Eigen::Index k = 0; k < z.size(); ++k) u.row(k) = basis.deflection(z[k]) * phi;
   return u;
@@ -46,8 +48,8 @@ Eigen::MatrixXd deflections(const BendingBasis& basis, const Eigen::VectorXd& z,
 
 }  // namespace
 
-std::vector<WhirlShape> whirl_shapes(const scene::Scene& scene, const WhirlSystem& system, double speed,
-                                     const ModeShapes& along) {
+std::vector<WhirlShape> whirl_shapes(const scene::Scene& scene, const WhirlSystem& system,
+                                     double speed, const ModeShapes& along) {
   const RotorModes modes = rotor_modes(scene);
   Eigen::VectorXd stations(static_cast<Eigen::Index>(along.stations.size()));
   for (std::size_t k = 0; k < along.stations.size(); ++k) {

@@ -18,7 +18,8 @@ bool same_planes(const WhirlSystem& s) {
          s.internal_xx == s.internal_yy && s.internal_xx == s.internal_xy &&
          s.gyroscopic == s.gyroscopic.transpose() &&
          std::all_of(s.films.begin(), s.films.end(), [](const WhirlFilm& film) {
-           return isotropic(film.law.constant) && (!film.law.follows() || film.law.tables.front()->isotropic());
+           return isotropic(film.law.constant) &&
+                  (!film.law.follows() || film.law.tables.front()->isotropic());
          });
 }
 
@@ -117,13 +118,14 @@ WhirlSystem modal_system(const scene::Scene& scene) {
 
 }  // namespace
 
-// x + i y: r'' + (D + N - i Omega G) r' + (K - i Omega N) r = 0, and of a film with k_xx = k_yy, k_xy = -k_yx
-// (k_xx - i k_xy) r.
+// x + i y: r'' + (D + N - i Omega G) r' + (K - i Omega N) r = 0, and of a film with k_xx = k_yy,
+// k_xy = -k_yx (k_xx - i k_xy) r.
 WhirlMatrices isotropic_matrices(const WhirlSystem& system, double speed) {
   using Complex = std::complex<double>;
   const Complex turn(0.0, speed);
-  WhirlMatrices m{(system.damping_x + system.internal_xx).cast<Complex>() - turn * system.gyroscopic,
-                  system.stiffness_x.cast<Complex>() - turn * system.internal_xx};
+  WhirlMatrices m{
+      (system.damping_x + system.internal_xx).cast<Complex>() - turn * system.gyroscopic,
+      system.stiffness_x.cast<Complex>() - turn * system.internal_xx};
   for (const WhirlFilm& film : system.films) {
     const BearingCoefficients<double> c = film.law.at(speed);
     const Eigen::MatrixXcd uu = (film.station * film.station.transpose()).cast<Complex>();
@@ -138,8 +140,8 @@ PlanesMatrices planes_matrices(const WhirlSystem& system, double speed) {
   PlanesMatrices m{Eigen::MatrixXd(2 * n, 2 * n), Eigen::MatrixXd(2 * n, 2 * n)};
   m.damping << system.damping_x + system.internal_xx, speed * system.gyroscopic,
       -speed * system.gyroscopic.transpose(), system.damping_y + system.internal_yy;
-  m.stiffness << system.stiffness_x, speed * system.internal_xy, -speed * system.internal_xy.transpose(),
-      system.stiffness_y;
+  m.stiffness << system.stiffness_x, speed * system.internal_xy,
+      -speed * system.internal_xy.transpose(), system.stiffness_y;
   for (const WhirlFilm& film : system.films) {
     const BearingCoefficients<double> c = film.law.at(speed);
     const Eigen::MatrixXd uu = film.station * film.station.transpose();

@@ -36,7 +36,8 @@ struct WhirlSystem {
   Eigen::Index size() const { return stiffness_x.rows(); }
 };
 
-// q'' + damping q' + stiffness q = 0 at a speed: both planes, 2 n, or of planes that are the same x + i y, n.
+// q'' + damping q' + stiffness q = 0 at a speed: both planes, 2 n, or of planes that are the same x
+// + i y, n.
 struct WhirlMatrices {
   Eigen::MatrixXcd damping, stiffness;
 };

@@ -21,7 +21,8 @@ bool in_step(const RubSystem& s, const SteadyRub& rub) {
   return rub.kind == RubKind::kForced && std::abs(rub.whirl - s.speed) <= 1e-9 * std::abs(s.speed);
 }
 
-// The coordinates of an enlarged perturbation: n modes of both planes, then the ring, spin and torsion.
+// The coordinates of an enlarged perturbation: n modes of both planes, then the ring, spin and
+// torsion.
 struct Places {
   Index modes, half, phi, theta, all;
   bool spin;
@@ -80,11 +81,12 @@ void add_spin(Perturbation& p, const Places& at, const RubSystem& s, const Drive
   const double omega = s.speed;
   put(p.mass, at, at.phi, kI * U);
   put(p.rates, at, at.phi,
-      rub.whirl * (s.gyroscopic.cast<Complex>() * rub.rotor) - kI * (s.internal.cast<Complex>() * rub.rotor) -
-          2.0 * omega * U);
+      rub.whirl * (s.gyroscopic.cast<Complex>() * rub.rotor) -
+          kI * (s.internal.cast<Complex>() * rub.rotor) - 2.0 * omega * U);
   put(p.springs, at, at.phi, -kI * (omega * omega * U + f));
   put_moment(p.mass, at, at.phi, U);
-  put_moment(p.rates, at, at.phi, -2.0 * kI * omega * U);  // Im((-2 i Omega U)^H a') = 2 Omega Re(U^H a')
+  put_moment(p.rates, at, at.phi,
+             -2.0 * kI * omega * U);  // Im((-2 i Omega U)^H a') = 2 Omega Re(U^H a')
   put_moment(p.springs, at, at.phi, -omega * omega * U);
   p.springs(at.phi, at.phi) += omega * omega * U.dot(rub.rotor).real();
 }
@@ -107,9 +109,11 @@ void add_friction(Perturbation& p, const Places& at, const RubSystem& s, const D
 
 // Directions and angles that may be any.
 int free_angles(const DriveTrain& train, const RubSystem& s, const SteadyRub& rub) {
-  if (rub.kind == RubKind::kRolling) return train.motor ? 1 : 0;  // both together; held, theta brings it back
+  if (rub.kind == RubKind::kRolling)
+    return train.motor ? 1 : 0;  // both together; held, theta brings it back
   if (rub.kind == RubKind::kWhip) return train.motor ? 2 : 1;
-  // Of loads that turn with the spin everything may be turned together, of others the spin alone; of both nothing.
+  // Of loads that turn with the spin everything may be turned together, of others the spin alone;
+  // of both nothing.
   const bool with_spin = !s.unbalance.isZero(0.0) || !train.locked.isZero(0.0);
   return train.motor && !(with_spin && train.fixed) ? 1 : 0;
 }
@@ -124,16 +128,24 @@ bool can_roll(const Complex& h, double mu) {
 DriveTrain drive_train(const scene::Scene& scene) {
   const Model m = make_model(scene);
   if (m.drive_follows()) {
-    throw scene::SceneError(scene::placed(
-        scene, {{"", 0, "drive.kind",
-                 "no lasting rub can be analysed with a torque that depends on time and angle; accepted are free, "
-                 "linear, kloss and table"}}));
+    throw scene::SceneError(
+        scene::placed(scene, {{"", 0, "drive.kind",
+                               "no lasting rub can be analysed with a torque that depends on time "
+                               "and angle; accepted are free, "
+                               "linear, kloss and table"}}));
   }
-  const auto torsion = [&](const Eigen::VectorXd& all) { return all.segment(m.layout.theta(), m.layout.torsion); };
-  DriveTrain train{m.drive, m.layout.spin ? m.mass[m.layout.phi()] : 0.0,
-                   torsion(m.mass), torsion(m.damping), torsion(m.stiffness),
+  const auto torsion = [&](const Eigen::VectorXd& all) {
+    return all.segment(m.layout.theta(), m.layout.torsion);
+  };
+  DriveTrain train{m.drive,
+                   m.layout.spin ? m.mass[m.layout.phi()] : 0.0,
+                   torsion(m.mass),
+                   torsion(m.damping),
+                   torsion(m.stiffness),
                    m.first().torsion_shape.head(m.layout.torsion),
-                   Eigen::VectorXd::Zero(m.layout.torsion), Eigen::VectorXcd::Zero(m.layout.modes), false};
+                   Eigen::VectorXd::Zero(m.layout.torsion),
+                   Eigen::VectorXcd::Zero(m.layout.modes),
+                   false};
   if (m.drive) train.at_motor = m.drive_shape.head(m.layout.torsion);
   for (const AppliedForce& force : m.forces) {
     if (force.kind == scene::ForceKind::kRotating) train.fixed = true;
@@ -143,7 +155,8 @@ DriveTrain drive_train(const scene::Scene& scene) {
   return train;
 }
 
-std::vector<Complex> driven_eigenvalues(const RubSystem& s, const DriveTrain& train, const SteadyRub& rub) {
+std::vector<Complex> driven_eigenvalues(const RubSystem& s, const DriveTrain& train,
+                                        const SteadyRub& rub) {
   assert(rub.kind != RubKind::kForced || s.unbalance.isZero(0.0) || in_step(s, rub));
   const Places at(s, train);
   Perturbation p = enlarged(perturbation(s, rub), at.all);
@@ -164,7 +177,8 @@ double torque_taken(const RubSystem& s, const SteadyRub& rub) {
   return torque;
 }
 
-std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTrain& train, double top) {
+std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTrain& train,
+                                          double top) {
   std::vector<DrivenRolling> all;
   if (!train.motor || top == 0.0) return all;
   const double ratio = system.radius / system.clearance, sense = std::copysign(1.0, top);
@@ -174,7 +188,8 @@ std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTr
   const auto balance = [&](double size) {
     const double speed = sense * size;
     const Complex at = h(speed);
-    return train.motor->torque(speed) - system.radius * system.clearance * at.imag() / std::norm(at);
+    return train.motor->torque(speed) -
+           system.radius * system.clearance * at.imag() / std::norm(at);
   };
   std::vector<double> sizes;
   std::vector<Complex> poles = joined_eigenvalues(system);

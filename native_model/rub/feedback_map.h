@@ -1,6 +1,7 @@
-// What cross-coupled feedback (control/cross_coupled.h) does to the rub that lasts: a rule for k(Omega). At each
-// spin speed and k the forced rub of the scene's friction is found with the ring's closed loop in it, and its least
-// stable pair. The k under which that pair decays fastest is the rule; where no rub lasts there is no rule.
+// What cross-coupled feedback (control/cross_coupled.h) does to the rub that lasts: a rule for
+// k(Omega). At each spin speed and k the forced rub of the scene's friction is found with the
+// ring's closed loop in it, and its least stable pair. The k under which that pair decays fastest
+// is the rule; where no rub lasts there is no rule.
 #pragma once
 
 #include <functional>
@@ -28,7 +29,7 @@ struct FeedbackChoice {
 
 struct FeedbackMap {
   std::vector<double> speeds, feedbacks;  // both ascending
-  std::vector<FeedbackPoint> points;  // the feedback runs fastest
+  std::vector<FeedbackPoint> points;      // the feedback runs fastest
   const FeedbackPoint& at(std::size_t speed, std::size_t feedback) const {
     return points[speed * feedbacks.size() + feedback];
   }
@@ -36,8 +37,8 @@ struct FeedbackMap {
   std::vector<std::optional<FeedbackChoice>> rule() const;
 };
 
-// Asserts a ring. Its coupling is replaced. progress: the share done, once a speed, may throw. Throws
-// RotorNotSolvable.
+// Asserts a ring. Its coupling is replaced. progress: the share done, once a speed, may throw.
+// Throws RotorNotSolvable.
 FeedbackMap feedback_map(const RubSystem& system, const std::vector<double>& speeds,
                          const std::vector<double>& feedbacks,
                          const std::function<void(double share)>& progress = {});

@@ -67,7 +67,8 @@ Eigen::MatrixXd complement(const Eigen::MatrixXd& directions) {
 Perturbation perturbation(const RubSystem& s, const SteadyRub& rub) {
   const Joint j = joint(s, rub.whirl);
   const Eigen::Index n = j.mass.size();
-  Perturbation p{Eigen::MatrixXd::Zero(2 * n, 2 * n), real_form(j.rates), real_form(j.springs), {}, {}};
+  Perturbation p{
+      Eigen::MatrixXd::Zero(2 * n, 2 * n), real_form(j.rates), real_form(j.springs), {}, {}};
   p.mass.diagonal() << j.mass, j.mass;
   if (rub.kind == RubKind::kRolling) {  // c^T a = b, and the force points anywhere
     p.constraint = Eigen::MatrixXd::Zero(2, 2 * n);
@@ -81,8 +82,8 @@ Perturbation perturbation(const RubSystem& s, const SteadyRub& rub) {
   const Eigen::VectorXcd push = Complex(1.0, rub.friction) * j.normal.cast<Complex>();
   p.push = real_form(push);
   // The force turns with the contact: eps = Im(c^T a - b) / delta_0.
-  p.springs.rightCols(n) +=
-      (rub.normal_force / s.clearance) * real_form(Eigen::VectorXcd(kI * push)) * j.normal.transpose();
+  p.springs.rightCols(n) += (rub.normal_force / s.clearance) *
+                            real_form(Eigen::VectorXcd(kI * push)) * j.normal.transpose();
   return p;
 }
 
@@ -90,7 +91,8 @@ std::vector<Complex> eigenvalues(const Perturbation& p) {
   const Eigen::Index n = p.mass.rows();
   // Coordinates of unit mass, y = root^-T u.
   const Eigen::LLT<Eigen::MatrixXd> root(p.mass);
-  if (root.info() != Eigen::Success) throw RotorNotSolvable("no eigenvalues of its rub can be found");
+  if (root.info() != Eigen::Success)
+    throw RotorNotSolvable("no eigenvalues of its rub can be found");
   const Eigen::MatrixXd scale = root.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
   const Eigen::MatrixXd K = scale * p.springs * scale.transpose();
   const Eigen::MatrixXd B = scale * p.rates * scale.transpose();
@@ -101,9 +103,10 @@ std::vector<Complex> eigenvalues(const Perturbation& p) {
   const Eigen::MatrixXd met = C * F;
   // Unbalance makes friction move the normal: beyond some friction the force would pull (Painleve).
   if (!(met.determinant() > 0.0)) throw RotorNotSolvable("no eigenvalues of its rub can be found");
-  const Eigen::MatrixXd along = Z.transpose() - (Z.transpose() * F) * Eigen::MatrixXd(met.inverse()) * C;
-  const auto values =
-      real_eigenvalues(state_matrix(Eigen::MatrixXd(along * B * Z), Eigen::MatrixXd(along * K * Z)));
+  const Eigen::MatrixXd along =
+      Z.transpose() - (Z.transpose() * F) * Eigen::MatrixXd(met.inverse()) * C;
+  const auto values = real_eigenvalues(
+      state_matrix(Eigen::MatrixXd(along * B * Z), Eigen::MatrixXd(along * K * Z)));
   if (!values) throw RotorNotSolvable("no eigenvalues of its rub can be found");
   return *values;
 }

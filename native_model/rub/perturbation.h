@@ -2,9 +2,9 @@
 //
 //   M y'' + B y' + K y + F l = 0,  C y = 0
 //
-// y: the real parts of (a, b), then their imaginary parts, in the frame of rub_stability.h; further coordinates
-// may follow (driven_rub.h). l: the change of the contact's force, along e_r while it slides and along e_r and e_t
-// while it rolls.
+// y: the real parts of (a, b), then their imaginary parts, in the frame of rub_stability.h; further
+// coordinates may follow (driven_rub.h). l: the change of the contact's force, along e_r while it
+// slides and along e_r and e_t while it rolls.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,8 +36,8 @@ void leave_out_smallest(std::vector<Complex>& values, int count);
 Eigen::MatrixXcd rotor_rates(const RubSystem& system);
 Eigen::MatrixXcd rotor_springs(const RubSystem& system);
 
-// [0, w 1; -C/w, -B] of q'' + B q' + C q = 0, with the state (w q, q'): entries of both halves are then of the
-// size of a frequency.
+// [0, w 1; -C/w, -B] of q'' + B q' + C q = 0, with the state (w q, q'): entries of both halves are
+// then of the size of a frequency.
 template <class Matrix>
 Matrix state_matrix(const Matrix& B, const Matrix& C) {
   const Eigen::Index n = B.rows();

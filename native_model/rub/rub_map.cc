@@ -5,7 +5,8 @@
 namespace rotorub::rub {
 namespace {
 
-// Without load the free rotor stands in the middle; of loads of several frequencies it draws no circle.
+// Without load the free rotor stands in the middle; of loads of several frequencies it draws no
+// circle.
 std::optional<double> orbit_of(const RubSystem& system, const std::vector<RotatingLoad>& loads) {
   if (loads.empty()) return 0.0;
   if (loads.size() > 1) return {};
@@ -52,7 +53,13 @@ RubStudy::RubStudy(const RubSystem& system)
 RubPoint RubStudy::at(double friction) const {
   RubSystem system = system_;
   system.friction = friction;
-  RubPoint point{system.speed, friction, system.clearance, orbit_, free_, {}, backward_.rolling_ranges(friction)};
+  RubPoint point{system.speed,
+                 friction,
+                 system.clearance,
+                 orbit_,
+                 free_,
+                 {},
+                 backward_.rolling_ranges(friction)};
   const auto add = [&](SteadyRub rub) {
     const Stability stability = stability_of(rub_eigenvalues(system, rub));
     point.rubs.push_back({std::move(rub), stability});

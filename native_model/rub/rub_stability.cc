@@ -28,7 +28,8 @@ std::vector<Complex> quadratic(const Eigen::MatrixXd& M, const Eigen::MatrixXcd&
   if (root.info() != Eigen::Success) fail();
   const Eigen::MatrixXcd inverse =
       root.matrixL().solve(Eigen::MatrixXd::Identity(M.rows(), M.rows())).cast<Complex>();
-  const Eigen::MatrixXcd b = inverse * B * inverse.transpose(), c = inverse * C * inverse.transpose();
+  const Eigen::MatrixXcd b = inverse * B * inverse.transpose(),
+                         c = inverse * C * inverse.transpose();
   auto values = complex_eigenvalues(state_matrix(b, c));
   if (!values) fail();
   sort_by_growth(*values);

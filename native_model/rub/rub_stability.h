@@ -1,17 +1,17 @@
 // Small perturbations of rotor and ring: apart, joined, and about a lasting rub.
 //
-// About a rub, in its frame: r = (rho + a) e^{i nu t}, z = (w + b) e^{i nu t}, e_r real. Contact holds,
-// c^T a - b = i delta_0 eps (the direction turns by eps); the friction keeps its sense; l is the change of
-// the normal force:
+// About a rub, in its frame: r = (rho + a) e^{i nu t}, z = (w + b) e^{i nu t}, e_r real. Contact
+// holds, c^T a - b = i delta_0 eps (the direction turns by eps); the friction keeps its sense; l is
+// the change of the normal force:
 //
 //   M a'' + (D + N - i Omega G + 2 i nu M) a' + D_r(nu) a + c (1 + i tau) (l + i lambda eps) = 0
 //   M_f b'' + (D_f + 2 i nu M_f) b' + D_s(nu) b - (1 + i tau) (l + i lambda eps) = 0
 //   Re(c^T a - b) = 0
 //
-// l is eliminated by the second derivative of the constraint. 4 n + 2 eigenvalues (a fixed ring: 4 n - 2),
-// of a whip one less: its direction is free, and that zero is left out. Their imaginary parts are seen from the
-// turning frame.
-// Rolling contact holds the whole relative centre: rotor and ring move as one, in 2 n complex eigenvalues.
+// l is eliminated by the second derivative of the constraint. 4 n + 2 eigenvalues (a fixed ring: 4
+// n - 2), of a whip one less: its direction is free, and that zero is left out. Their imaginary
+// parts are seen from the turning frame. Rolling contact holds the whole relative centre: rotor and
+// ring move as one, in 2 n complex eigenvalues.
 #pragma once
 
 #include <vector>
@@ -20,11 +20,12 @@
 
 namespace rotorub::rub {
 
-// All three: rad/s as s of e^{s t}, by falling real part; of a complex system each is one whirl, Im s > 0
-// forward. Throw RotorNotSolvable (rotor/refusal.h) where the iteration does not converge.
-std::vector<Complex> free_eigenvalues(const RubSystem& system);    // rotor without contact, 2 n
-std::vector<Complex> ring_eigenvalues(const RubSystem& system);    // ring alone, 2; a fixed one: none
-std::vector<Complex> joined_eigenvalues(const RubSystem& system);  // rotor centre held to the ring's, 2 n or 2 n - 2
+// All three: rad/s as s of e^{s t}, by falling real part; of a complex system each is one whirl, Im
+// s > 0 forward. Throw RotorNotSolvable (rotor/refusal.h) where the iteration does not converge.
+std::vector<Complex> free_eigenvalues(const RubSystem& system);  // rotor without contact, 2 n
+std::vector<Complex> ring_eigenvalues(const RubSystem& system);  // ring alone, 2; a fixed one: none
+std::vector<Complex> joined_eigenvalues(
+    const RubSystem& system);  // rotor centre held to the ring's, 2 n or 2 n - 2
 
 // In the turning frame; of rolling those of the joined system, seen from there.
 std::vector<Complex> rub_eigenvalues(const RubSystem& system, const SteadyRub& rub);

@@ -9,16 +9,16 @@
 #include "native_model/control/cross_coupled.h"
 #include "native_model/rotor/magnetic_support.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/scene/text.h"
 #include "native_model/scene/record.h"
+#include "native_model/scene/text.h"
 #include "native_model/system/model.h"
 #include "native_model/system/model_checks.h"
 
 namespace rotorub::rub {
 namespace {
 
-
-[[noreturn]] void refuse(const scene::Scene& scene, const std::string& key, const std::string& why) {
+[[noreturn]] void refuse(const scene::Scene& scene, const std::string& key,
+                         const std::string& why) {
   throw scene::SceneError(
       scene::placed(scene, {{"", 0, key, "no lasting rub can be analysed: " + why}}));
 }
@@ -26,15 +26,17 @@ namespace {
 bool differ(const scene::PlanePair& pair) { return pair.x() != pair.y(); }
 
 bool crosses(const scene::Controller& c) {
-  return c.kind == scene::ControllerKind::kCrossCoupled || c.kind == scene::ControllerKind::kTwoPhase;
+  return c.kind == scene::ControllerKind::kCrossCoupled ||
+         c.kind == scene::ControllerKind::kTwoPhase;
 }
 
 // Linear: it works without a limit for ever, or has failed.
 void check_feedback(const scene::Scene& scene, const scene::BearingControl& control) {
   if (control.fails_at == 0.0) return;
   if (control.fails_at < scene::kNever) {
-    refuse(scene, "magnetic_bearing.control.fails_at",
-           "before and after are two machines; accepted are 0 (it has failed) and never (left out)");
+    refuse(
+        scene, "magnetic_bearing.control.fails_at",
+        "before and after are two machines; accepted are 0 (it has failed) and never (left out)");
   }
   if (control.integral > 0.0) {
     refuse(scene, "magnetic_bearing.control.integral",
@@ -56,7 +58,8 @@ void check(const scene::Scene& scene) {
   if (scene.first().stator) {
     if (scene.first().stator->spin) {
       refuse(scene, "stator.spin",
-             "its speed would have to be found with the rub, sliding or rolling; accepted is a ring that "
+             "its speed would have to be found with the rub, sliding or rolling; accepted is a "
+             "ring that "
              "does not turn");
     }
     if (differ(scene.first().stator->mass)) refuse(scene, "stator.mass", planes);
@@ -71,7 +74,8 @@ void check(const scene::Scene& scene) {
     }
     if (force.kind == scene::ForceKind::kChirp || force.kind == scene::ForceKind::kPulse) {
       refuse(scene, "force[" + std::to_string(k) + "].kind",
-             "under a force that passes no whirl is steady; accepted are rotating and synchronous ones");
+             "under a force that passes no whirl is steady; accepted are rotating and synchronous "
+             "ones");
     }
   }
   if (scene.gravity && !scene.gravity->acceleration.isZero(0.0)) {
@@ -81,25 +85,31 @@ void check(const scene::Scene& scene) {
     const scene::ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
     const std::string path = scene::list_element("rotor.bearing", i);
     if (!bearing.offset.isZero(0.0)) {
-      refuse(scene, path + ".offset", "a bearing off the line bends the shaft one way, so no whirl is steady; accepted is 0");
+      refuse(
+          scene, path + ".offset",
+          "a bearing off the line bends the shaft one way, so no whirl is steady; accepted is 0");
     }
     if (bearing.follows_speed() || bearing.crosses()) {
       refuse(scene, path + (bearing.follows_speed() ? ".table_speed" : ".cross_stiffness"),
-             "the analysis has springs and dashpots alone; accepted are bearings without tables and crosses");
+             "the analysis has springs and dashpots alone; accepted are bearings without tables "
+             "and crosses");
     }
   }
   if (!scene.first().contact->offset.isZero(0.0)) {
-    refuse(scene, "contact.offset", "the ring is out of the middle of the whirl, and none is steady; accepted is 0");
+    refuse(scene, "contact.offset",
+           "the ring is out of the middle of the whirl, and none is steady; accepted is 0");
   }
   if (scene.magnetic_bearing && scene.magnetic_bearing->control) {
     check_feedback(scene, *scene.magnetic_bearing->control);
   }
-  if (scene.first().controller && scene.first().controller->kind != scene::ControllerKind::kPassive &&
+  if (scene.first().controller &&
+      scene.first().controller->kind != scene::ControllerKind::kPassive &&
       !crosses(*scene.first().controller)) {
     refuse(scene, "controller.kind", "accepted are passive, cross_coupled and two_phase");
   }
   if (scene.first().actuator && scene.first().actuator->kind != scene::ActuatorKind::kIdeal) {
-    refuse(scene, "actuator.kind", "the magnets' forces are not linear; accepted is an ideal actuator");
+    refuse(scene, "actuator.kind",
+           "the magnets' forces are not linear; accepted is an ideal actuator");
   }
 }
 

@@ -1,17 +1,19 @@
-// A rotor on its ring as seen from a frame that turns: both planes alike, so that one complex equation in
-// r = x + i y holds them, at a spin speed Omega that is held. n modes, c: their values at the contact.
+// A rotor on its ring as seen from a frame that turns: both planes alike, so that one complex
+// equation in r = x + i y holds them, at a spin speed Omega that is held. n modes, c: their values
+// at the contact.
 //
 //   M r'' + (D + N - i Omega G) r' + (K - i Omega N) r = f(t) - c lambda (1 + i tau) e^{i psi}
 //   M_f z'' + (D_f + i k) z' + K_f z = lambda (1 + i tau) e^{i psi}         (a fixed ring: z = 0)
 //   c^T r - z = delta_0 e^{i psi} in contact
 //
 // D: external damping with the bearings', N: rotating damping, K with a magnetic bearing's negative
-// stiffness; tau = mu sign(slip), slip = r Omega + delta_0 psi'. f: loads that turn, each at one speed.
+// stiffness; tau = mu sign(slip), slip = r Omega + delta_0 psi'. f: loads that turn, each at one
+// speed.
 //
-// What is left out: the drive's yielding and torsion (the spin is held; constant friction does not feed back
-// on torsion), when a force switches on and off (each acts for ever), the actuator's limits. A passive
-// controller's spring and damper belong to the ring, and so does cross-coupled feedback (of `two_phase`
-// what follows the hand-over), without sampling and sensors.
+// What is left out: the drive's yielding and torsion (the spin is held; constant friction does not
+// feed back on torsion), when a force switches on and off (each acts for ever), the actuator's
+// limits. A passive controller's spring and damper belong to the ring, and so does cross-coupled
+// feedback (of `two_phase` what follows the hand-over), without sampling and sensors.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,45 +37,47 @@ struct Ring {
 
 // Force load e^{i frequency t} on the modes.
 struct RotatingLoad {
-  double frequency;      // rad/s, backward negative
+  double frequency;       // rad/s, backward negative
   Eigen::VectorXcd load;  // N, n
 };
 
 struct RubSystem {
-  double speed = 0.0;                     // rad/s, Omega, either sign
-  Eigen::VectorXd mass;                   // kg, n
-  Eigen::MatrixXd stiffness;              // N/m, n x n
-  Eigen::MatrixXd damping, internal;      // N s/m, n x n, external and rotating
-  Eigen::MatrixXd gyroscopic;             // kg, n x n
-  Eigen::VectorXd contact;                // c, of each mode at the contact; where the modes are scaled 1 or 0
-  std::optional<Ring> ring;               // nothing: fixed to the base
-  double clearance = 0.0, radius = 0.0;   // m, delta_0 and r
-  double friction = 0.0;                  // mu
-  std::vector<RotatingLoad> forces;       // as the scene states them
-  Eigen::VectorXcd unbalance;             // kg m, n: load unbalance Omega^2 at frequency Omega
+  double speed = 0.0;                 // rad/s, Omega, either sign
+  Eigen::VectorXd mass;               // kg, n
+  Eigen::MatrixXd stiffness;          // N/m, n x n
+  Eigen::MatrixXd damping, internal;  // N s/m, n x n, external and rotating
+  Eigen::MatrixXd gyroscopic;         // kg, n x n
+  Eigen::VectorXd contact;   // c, of each mode at the contact; where the modes are scaled 1 or 0
+  std::optional<Ring> ring;  // nothing: fixed to the base
+  double clearance = 0.0, radius = 0.0;  // m, delta_0 and r
+  double friction = 0.0;                 // mu
+  std::vector<RotatingLoad> forces;      // as the scene states them
+  Eigen::VectorXcd unbalance;            // kg m, n: load unbalance Omega^2 at frequency Omega
   Eigen::Index modes() const { return mass.size(); }
 };
 
-// Throws scene::SceneError as make_model does, and where no whirl can be steady or the equations above do
-// not hold: no contact, a ring that turns, planes that differ, constant loads, a controller other than these, magnets.
+// Throws scene::SceneError as make_model does, and where no whirl can be steady or the equations
+// above do not hold: no contact, a ring that turns, planes that differ, constant loads, a
+// controller other than these, magnets.
 RubSystem rub_system(const scene::Scene& scene);
 
-// At another spin speed: every force keeps its ratio to the spin (one in step with it, as an unbalance, stays
-// so); from a rotor at rest the forces keep their frequency.
+// At another spin speed: every force keeps its ratio to the spin (one in step with it, as an
+// unbalance, stays so); from a rotor at rest the forces keep their frequency.
 RubSystem at_speed(RubSystem system, double speed);
 
 // Forces and unbalance, those of one frequency (to 1e-9) together; loads of 0 are left out.
 std::vector<RotatingLoad> rotating_loads(const RubSystem& system);
 
-// D_r(nu) = K + nu Omega G - nu^2 M + i nu D + i (nu - Omega) N, n x n, N/m; nu in rad/s, forward positive.
+// D_r(nu) = K + nu Omega G - nu^2 M + i nu D + i (nu - Omega) N, n x n, N/m; nu in rad/s, forward
+// positive.
 Eigen::MatrixXcd dynamic_stiffness(const RubSystem& system, double nu);
-// D_r(nu)^-1 load, m: the rotor's modes under a load that turns at nu, N, n values. Not finite at an undamped
-// resonance.
+// D_r(nu)^-1 load, m: the rotor's modes under a load that turns at nu, N, n values. Not finite at
+// an undamped resonance.
 Eigen::VectorXcd response(const RubSystem& system, double nu, const Eigen::VectorXcd& load);
 // D_s(nu) = K_f - nu^2 M_f + i nu (D_f + i k), N/m. Asserts a ring.
 Complex ring_stiffness(const RubSystem& system, double nu);
-// H(nu) = c^T D_r^-1 c + 1 / D_s, m/N: the relative centre for a force that turns at nu. Not finite at an
-// undamped resonance.
+// H(nu) = c^T D_r^-1 c + 1 / D_s, m/N: the relative centre for a force that turns at nu. Not finite
+// at an undamped resonance.
 Complex compliance(const RubSystem& system, double nu);
 
 }  // namespace rotorub::rub

@@ -137,7 +137,8 @@ std::vector<double> BackwardCompliance::edges(double mu) const {
   for (std::size_t k = 0; k + 1 < nu_.size(); ++k) {
     const double left = excess(asked_[k]), right = excess(asked_[k + 1]);
     if (!(left * right <= 0.0) || (left == 0.0 && k > 0) || (left == 0.0 && right == 0.0)) continue;
-    const auto [lo, hi] = root([&](double nu) { return asked(nu) - given; }, nu_[k], nu_[k + 1], left, right);
+    const auto [lo, hi] =
+        root([&](double nu) { return asked(nu) - given; }, nu_[k], nu_[k + 1], left, right);
     const double nu = 0.5 * (lo + hi);
     if (at(nu).real() < 0.0) roots.push_back(nu);
   }
@@ -155,7 +156,8 @@ std::vector<std::pair<double, double>> BackwardCompliance::rolling_ranges(double
   if (ends.empty()) return ranges;
   ends.push_back(std::numeric_limits<double>::infinity());
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    const double inside = std::isfinite(ends[k + 1]) ? 0.5 * (ends[k] + ends[k + 1]) : 2.0 * ends[k];
+    const double inside =
+        std::isfinite(ends[k + 1]) ? 0.5 * (ends[k] + ends[k + 1]) : 2.0 * ends[k];
     if (rolls(inside, mu)) ranges.emplace_back(ends[k], ends[k + 1]);
   }
   return ranges;

@@ -1,6 +1,6 @@
-// The lasting rubs of a rotor in its ring that stand still in a frame turning at nu: with the contact's
-// direction as the real axis, (1 + i tau) lambda the force of the rotor on the ring, a(nu) the deflection at
-// the contact that the load alone would give, and H(nu) of rub_system.h
+// The lasting rubs of a rotor in its ring that stand still in a frame turning at nu: with the
+// contact's direction as the real axis, (1 + i tau) lambda the force of the rotor on the ring,
+// a(nu) the deflection at the contact that the load alone would give, and H(nu) of rub_system.h
 //
 //   a e^{-i psi_0} = delta_0 + lambda (1 + i tau) H(nu)
 //
@@ -10,7 +10,8 @@
 //             lambda = -delta_0 Re H / |H|^2                                     (Black 1968)
 //   rolling   no load, nu = -r Omega / delta_0, no slip: tau = -Im H / Re H, |tau| <= mu, Re H < 0
 //
-// Whip and rolling leave the load out: it makes them beat. Existence is not stability (rub_stability.h).
+// Whip and rolling leave the load out: it makes them beat. Existence is not stability
+// (rub_stability.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -41,24 +42,26 @@ std::vector<SteadyRub> forced_rubs(const RubSystem& system, const RotatingLoad& 
 // |a|, m: the free orbit at the contact. Infinite at an undamped resonance.
 double free_orbit(const RubSystem& system, const RotatingLoad& load);
 
-// rad/s, ascending, from `low` to `top`: evenly in the logarithm, and about each resonance (poles: s of e^{s t}) in
-// steps that double from a quarter of its half width.
+// rad/s, ascending, from `low` to `top`: evenly in the logarithm, and about each resonance (poles:
+// s of e^{s t}) in steps that double from a quarter of its half width.
 std::vector<double> resonance_points(const std::vector<Complex>& poles, double low, double top);
 
-// H(nu) against the spin over all nu > 0 that matter, on points that stand close about each resonance, and at each
-// extreme of the friction asked for, so that no two zeros between two of them are missed. Shared by all frictions.
+// H(nu) against the spin over all nu > 0 that matter, on points that stand close about each
+// resonance, and at each extreme of the friction asked for, so that no two zeros between two of
+// them are missed. Shared by all frictions.
 class BackwardCompliance {
  public:
-  // Points up to 20 times the highest frequency of rotor and ring, or the speed of rolling. Holds the system
-  // without its loads. Throws RotorNotSolvable (rotor/refusal.h) as free_eigenvalues does.
+  // Points up to 20 times the highest frequency of rotor and ring, or the speed of rolling. Holds
+  // the system without its loads. Throws RotorNotSolvable (rotor/refusal.h) as free_eigenvalues
+  // does.
   explicit BackwardCompliance(const RubSystem& system);
 
-  // nu > 0 of Im H + tau Re H = 0 with Re H < 0 (|tau| = mu, the sign of a spin faster than rolling),
-  // ascending: where friction mu is just enough for rolling contact. Empty without spin. A fold, where two roots
-  // are born, is one root.
+  // nu > 0 of Im H + tau Re H = 0 with Re H < 0 (|tau| = mu, the sign of a spin faster than
+  // rolling), ascending: where friction mu is just enough for rolling contact. Empty without spin.
+  // A fold, where two roots are born, is one root.
   std::vector<double> edges(double mu) const;
-  // nu in [first, second] where a whirl against the spin can roll: Re H < 0 and |tau| <= mu; the last may
-  // reach to infinity.
+  // nu in [first, second] where a whirl against the spin can roll: Re H < 0 and |tau| <= mu; the
+  // last may reach to infinity.
   std::vector<std::pair<double, double>> rolling_ranges(double mu) const;
   // Slipping whips, slower than rolling, by rising |nu|.
   std::vector<SteadyRub> whips(double mu) const;

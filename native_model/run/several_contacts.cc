@@ -161,7 +161,7 @@ class SeveralRun {
       f.friction_impulse += hit.friction_impulse;
       f.friction_work += work;
       recorder_.count_at(static_cast<std::size_t>(hit.contact), hit.t, step_, hit.normal_impulse,
-               hit.friction_impulse, work);
+                         hit.friction_impulse, work);
       recorder_.add(hit);
       recorder_.add(Event{hit.t, EventKind::kImpact, hit.contact});
     }

@@ -21,8 +21,10 @@ bool remembers(const Controller& c) {
     case ControllerKind::kTwoPhase:
     case ControllerKind::kLqr:
     case ControllerKind::kLqg:
-    case ControllerKind::kLibrary: return true;
-    default: return c.layer == BoundaryLayer::kAdaptive;
+    case ControllerKind::kLibrary:
+      return true;
+    default:
+      return c.layer == BoundaryLayer::kAdaptive;
   }
 }
 
@@ -65,7 +67,8 @@ void check_measured(const Checker& check, const Controller& c) {
 void check_sensors(const Checker& check, const Controller& c) {
   if (c.sample_time <= 0.0) {
     if (check.given("controller.sensors")) {
-      check.fail("controller.sensors", std::string(kSampledOnly) + "a continuous law is shown the truth");
+      check.fail("controller.sensors",
+                 std::string(kSampledOnly) + "a continuous law is shown the truth");
     }
     return;
   }
@@ -80,7 +83,8 @@ void check_sensors(const Checker& check, const Controller& c) {
 void check_trigger(const Checker& check, const Controller& c) {
   const auto refuse = [&](const char* key, const std::string& reason) { check.fail(key, reason); };
   const char* const key = "controller.trigger";
-  if (c.sample_time <= 0.0) refuse(key, std::string(kSampledOnly) + "it is looked for at the samples");
+  if (c.sample_time <= 0.0)
+    refuse(key, std::string(kSampledOnly) + "it is looked for at the samples");
   if (!check.given("contact")) refuse(key, "needs [contact]: there is no gap");
   if (!c.sensors.rotor || !c.sensors.stator) {
     refuse(key, "needs controller.sensors.rotor and .stator: it looks at the gap");

@@ -34,7 +34,8 @@ std::string held_by_magnets(const Scene& scene, const MagneticBearing& magnetic)
   if (!scene.rotor.modal) return {};
   const RotorModal& modal = *scene.rotor.modal;
   for (std::size_t k = 0; k < modal.stiffness.size(); ++k) {
-    const bool touched = magnetic.shape.empty() || (k < magnetic.shape.size() && magnetic.shape[k] != 0.0);
+    const bool touched =
+        magnetic.shape.empty() || (k < magnetic.shape.size() && magnetic.shape[k] != 0.0);
     const bool free_y = k < modal.stiffness_y.size() && modal.stiffness_y[k] == 0.0;
     if (!touched || !(modal.stiffness[k] == 0.0 || free_y)) continue;
     return "mode " + std::to_string(k + 1) + ", whose stiffness is 0, in plane " +
@@ -52,16 +53,16 @@ void check_magnetic_bearing(const Checker& check) {
   if (const auto modes = check.bending_modes()) {
     check.list_length("magnetic_bearing.shape", magnetic->shape, *modes, "bending mode");
   }
-  if (!magnetic->control ||
-      !check.sound({"magnetic_bearing.negative_stiffness",
-                           "magnetic_bearing.control.force_per_current",
-                           "magnetic_bearing.control.proportional"})) {
+  if (!magnetic->control || !check.sound({"magnetic_bearing.negative_stiffness",
+                                          "magnetic_bearing.control.force_per_current",
+                                          "magnetic_bearing.control.proportional"})) {
     return;
   }
   const BearingControl& control = *magnetic->control;
   if (control.integral > 0.0 && control.proportional == 0.0) {
     check.fail("magnetic_bearing.control.integral",
-               "needs magnetic_bearing.control.proportional, whose force the integrator replaces within P / I");
+               "needs magnetic_bearing.control.proportional, whose force the integrator replaces "
+               "within P / I");
   }
   const double magnets = control.force_per_current * control.proportional;
   const double against = magnetic->negative_stiffness;
@@ -69,10 +70,10 @@ void check_magnetic_bearing(const Checker& check) {
   const std::string held = held_by_magnets(check.scene, *magnetic);
   if (held.empty()) return;
   check.fail("magnetic_bearing.control.proportional",
-             "times force_per_current is " + number_text(magnets) + " N/m, and negative_stiffness takes " +
-                 number_text(against) + " N/m of it: " + number_text(against - magnets) +
-                 " N/m too little to hold " + held +
-                 ", which nothing else holds; accepted: more than " +
+             "times force_per_current is " + number_text(magnets) +
+                 " N/m, and negative_stiffness takes " + number_text(against) +
+                 " N/m of it: " + number_text(against - magnets) + " N/m too little to hold " +
+                 held + ", which nothing else holds; accepted: more than " +
                  number_text(against / control.force_per_current) + " A/m");
 }
 

@@ -64,8 +64,8 @@ void check_forces(const Checker& check) {
     if (!check.given(path + ".off")) {
       check.fail(path, "kind \"" + kind + "\" needs `off`, the time at which it is over");
     } else if (force.off == force.on) {
-      check.fail(path + ".off", "must be after `on` = " + number_text(force.on) + " s: a " + kind +
-                                    " takes time");
+      check.fail(path + ".off",
+                 "must be after `on` = " + number_text(force.on) + " s: a " + kind + " takes time");
     }
   }
 }
@@ -83,7 +83,9 @@ void check_ring(const Checker& check) {
   for (const char* key : {"initial.stator", "initial.stator_velocity"}) {
     if (!check.given(key) || check.index > 0) continue;
     if (check.given("contact[0]")) {
-      check.fail(key, "is not known beside [[contact]]; accepted: position and velocity in each [contact.stator]");
+      check.fail(key,
+                 "is not known beside [[contact]]; accepted: position and velocity in each "
+                 "[contact.stator]");
     } else if (!has_ring) {
       check.fail(key, "needs [stator]: the ring is fixed and stays at [0, 0]");
     }
@@ -112,8 +114,7 @@ void check_force_table(const Checker& check, const Actuator& actuator) {
   if (sound && !(current.front() < 0.0 && current.back() > 0.0)) {
     refuse("actuator.table_current", "must reach from below 0 to above 0");
   }
-  if (!sound || !check.given("actuator.table_force") ||
-      !check.sound({"actuator.table_force"})) {
+  if (!sound || !check.given("actuator.table_force") || !check.sound({"actuator.table_force"})) {
     return;
   }
   const std::vector<double>& force = actuator.table_force;
@@ -125,7 +126,8 @@ void check_force_table(const Checker& check, const Actuator& actuator) {
   }
   const double most = std::min(-current.front(), current.back());
   if (check.sound({"actuator.current_limit"}) && actuator.current_limit > most) {
-    check.fail("actuator.current_limit", "must be within the table, at most " + number_text(most) + " A");
+    check.fail("actuator.current_limit",
+               "must be within the table, at most " + number_text(most) + " A");
   }
 }
 
@@ -146,7 +148,8 @@ void check_actuator(const Checker& check, const Actuator& actuator) {
   }
   const bool limited = check.given("actuator.voltage_limit");
   if (limited && !check.given("actuator.inductance")) {
-    check.fail("actuator.voltage_limit", "needs actuator.inductance: inductance di/dt = u - resistance i");
+    check.fail("actuator.voltage_limit",
+               "needs actuator.inductance: inductance di/dt = u - resistance i");
   }
   for (const char* key : {"actuator.inductance", "actuator.resistance"}) {
     if (!limited && check.given(key)) {
@@ -168,8 +171,7 @@ void check_initial_lists(const Checker& check) {
     }
   }
   const auto torsion_list = [&](const char* path, const std::vector<double>& list) {
-    if (check.given(path) && check.given("rotor") &&
-        !check.given("rotor.torsion")) {
+    if (check.given(path) && check.given("rotor") && !check.given("rotor.torsion")) {
       check.fail(path, "needs [rotor.torsion]: the rotor has no torsion modes");
     } else if (const auto modes = check.torsion_modes()) {
       check.list_length(path, list, *modes, "torsion mode");
@@ -185,14 +187,16 @@ void check_initial_gap(const Checker& check) {
   const Scene& scene = check.scene;
   const AuxiliaryBearing& bearing = check.bearing();
   if (!scene.rotor.modal || !bearing.contact ||
-      !check.sound({"contact.clearance", "contact.shape", "initial.x", "initial.y", "initial.stator"})) {
+      !check.sound(
+          {"contact.clearance", "contact.shape", "initial.x", "initial.y", "initial.stator"})) {
     return;
   }
   Eigen::Vector2d offset{0.0, 0.0};
   if (bearing.stator) offset -= bearing.stator->position;
   const std::vector<double>& shape = bearing.contact->shape;
   const auto add = [&shape](const std::vector<double>& modes, double& sum) {
-    for (std::size_t i = 0; i < modes.size(); ++i) sum += (i < shape.size() ? shape[i] : 1.0) * modes[i];
+    for (std::size_t i = 0; i < modes.size(); ++i)
+      sum += (i < shape.size() ? shape[i] : 1.0) * modes[i];
   };
   add(scene.initial.x, offset.x());
   add(scene.initial.y, offset.y());
@@ -200,10 +204,10 @@ void check_initial_gap(const Checker& check) {
   if (offset.norm() > clearance * (1.0 + kGapTolerance)) {
     const char* key = check.given("initial.x")   ? "initial.x"
                       : check.given("initial.y") ? "initial.y"
-                                                        : "initial.stator";
+                                                 : "initial.stator";
     check.fail(key, "the rotor starts outside the ring, " + number_text(offset.norm()) +
-                        " m from its centre; expected at most " + check.place("contact.clearance") + " = " +
-                        number_text(clearance) + " m");
+                        " m from its centre; expected at most " + check.place("contact.clearance") +
+                        " = " + number_text(clearance) + " m");
   }
 }
 
@@ -224,21 +228,23 @@ void check_mujoco(const Checker& check) {
         scene.mujoco.rotor != MujocoRotor::kSegments) {
       continue;
     }
-    check.fail(list_element("force", i) + ".kind",
-               "with a [drive] \"unbalance\" changes how spin and bending are coupled, and MuJoCo's "
-               "rigid segments keep their masses; accepted: mujoco.rotor = \"modal\", or no [drive]");
+    check.fail(
+        list_element("force", i) + ".kind",
+        "with a [drive] \"unbalance\" changes how spin and bending are coupled, and MuJoCo's "
+        "rigid segments keep their masses; accepted: mujoco.rotor = \"modal\", or no [drive]");
   }
   for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
     const ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
     if (scene.mujoco.rotor != MujocoRotor::kSegments) break;
-    const char* key = bearing.follows_speed()                     ? ".table_speed"
-                      : !bearing.cross_stiffness.isZero(0.0)      ? ".cross_stiffness"
-                      : !bearing.cross_damping.isZero(0.0)        ? ".cross_damping"
-                      : !bearing.offset.isZero(0.0)               ? ".offset"
-                                                                  : nullptr;
+    const char* key = bearing.follows_speed()                ? ".table_speed"
+                      : !bearing.cross_stiffness.isZero(0.0) ? ".cross_stiffness"
+                      : !bearing.cross_damping.isZero(0.0)   ? ".cross_damping"
+                      : !bearing.offset.isZero(0.0)          ? ".offset"
+                                                             : nullptr;
     if (key == nullptr) continue;
     check.fail(list_element("rotor.bearing", i) + key,
-               "MuJoCo's rigid segments stand on springs and dashpots alone; accepted: mujoco.rotor = \"modal\"");
+               "MuJoCo's rigid segments stand on springs and dashpots alone; accepted: "
+               "mujoco.rotor = \"modal\"");
   }
   if (scene.mujoco.rotor == MujocoRotor::kSegments && scene.rotor.modal) {
     check.fail("mujoco.rotor",
@@ -251,12 +257,16 @@ void check_mujoco(const Checker& check) {
 void check_contact_shapes(const Checker& check) {
   if (!check.bearing().contact) return;
   const Contact& contact = *check.bearing().contact;
-  const auto one = [&](const char* key, const std::vector<double>& shape, std::optional<std::size_t> modes,
-                       const char* of) {
+  const auto one = [&](const char* key, const std::vector<double>& shape,
+                       std::optional<std::size_t> modes, const char* of) {
     if (modes) check.list_length(key, shape, *modes, of);
-    if (check.index > 0 || std::all_of(shape.begin(), shape.end(), [](double s) { return s == 1.0; })) return;
-    check.fail(key, "must be 1 for each mode, as the modes are scaled to 1 at the first contact; accepted: "
-                    "modes scaled so, or another contact first");
+    if (check.index > 0 ||
+        std::all_of(shape.begin(), shape.end(), [](double s) { return s == 1.0; }))
+      return;
+    check.fail(
+        key,
+        "must be 1 for each mode, as the modes are scaled to 1 at the first contact; accepted: "
+        "modes scaled so, or another contact first");
   };
   one("contact.shape", contact.shape, check.bending_modes(), "bending mode");
   one("contact.torsion_shape", contact.torsion_shape, check.torsion_modes(), "torsion mode");
@@ -266,13 +276,17 @@ void check_contact_shapes(const Checker& check) {
 void check_list(const Checker& check) {
   for (std::size_t k = 0; k < check.index; ++k) {
     if (check.scene.name_of(k) != check.scene.name_of(check.index)) continue;
-    check.fail("contact.name", "is the name of " + list_element("contact", k) + " too; accepted: one of its own");
+    check.fail("contact.name",
+               "is the name of " + list_element("contact", k) + " too; accepted: one of its own");
   }
   if (check.scene.auxiliary.size() < 2 || !check.bearing().contact) return;
   for (const char* key : {"contact.compression_time", "contact.expansion_time"}) {
     const Contact& c = *check.bearing().contact;
-    if ((key == std::string("contact.expansion_time") ? c.expansion_time : c.compression_time) == 0.0) continue;
-    check.fail(key, "an impact that takes time is known of one contact alone; accepted beside others: 0");
+    if ((key == std::string("contact.expansion_time") ? c.expansion_time : c.compression_time) ==
+        0.0)
+      continue;
+    check.fail(
+        key, "an impact that takes time is known of one contact alone; accepted beside others: 0");
   }
 }
 

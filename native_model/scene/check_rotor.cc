@@ -37,7 +37,7 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
     const double end = section.end_diameter.value_or(section.diameter);
     if (section.tapered() &&
         check.sound({path + ".diameter", path + ".inner_diameter", path + ".end_diameter",
-                            path + ".end_inner_diameter"}) &&
+                     path + ".end_inner_diameter"}) &&
         section.end_inner_diameter.value_or(section.inner_diameter) >= end) {
       check.fail(path + (section.end_inner_diameter ? ".end_inner_diameter" : ".end_diameter"),
                  "the bore at `to` must be below the outer diameter there, " + metres(end));
@@ -45,7 +45,8 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
     if (check.sound({path + ".end_diameter", "rotor.length"}) && end < kThinnest * shaft.length &&
         section.diameter >= kThinnest * shaft.length) {
       check.fail(path + ".end_diameter",
-                 "too thin for a shaft: expected at least a millionth of rotor.length = " + metres(shaft.length));
+                 "too thin for a shaft: expected at least a millionth of rotor.length = " +
+                     metres(shaft.length));
     }
     if (check.sound({path + ".diameter", "rotor.length"}) &&
         section.diameter < kThinnest * shaft.length) {
@@ -91,10 +92,10 @@ void check_geometry(const Checker& check, const RotorGeometry& shaft) {
     check.fail("rotor.max_frequency", "give `modes` or `max_frequency`, not both");
   }
   if (!record.given("rotor.modes") && !record.given("rotor.max_frequency")) {
-    check.fail("rotor.modes", "missing: expected `modes` (a whole number >= 1, or \"auto\") or `max_frequency`");
+    check.fail("rotor.modes",
+               "missing: expected `modes` (a whole number >= 1, or \"auto\") or `max_frequency`");
   }
-  if (record.given("rotor.modes_tolerance") && !shaft.auto_modes &&
-      record.sound({"rotor.modes"})) {
+  if (record.given("rotor.modes_tolerance") && !shaft.auto_modes && record.sound({"rotor.modes"})) {
     check.fail("rotor.modes_tolerance", "belongs to modes = \"auto\"");
   }
   if (record.given("rotor.nu") && record.given("rotor.G")) {

@@ -42,9 +42,10 @@ struct Checker {
   std::optional<std::size_t> torsion_modes() const;
 };
 
-void check_rotor(const Checker& check);    // [rotor] and its tables
-void check_bearing(const Checker& check);  // [contact], [stator], [actuator] of one auxiliary bearing
-void check_control(const Checker& check);  // its [controller] and the tables below
+void check_rotor(const Checker& check);  // [rotor] and its tables
+void check_bearing(
+    const Checker& check);  // [contact], [stator], [actuator] of one auxiliary bearing
+void check_control(const Checker& check);           // its [controller] and the tables below
 void check_magnetic_bearing(const Checker& check);  // [magnetic_bearing] and its control
 void check_parts(const Checker& check);             // everything else
 

@@ -1,4 +1,5 @@
-// The contact models of MuJoCo's side and their words: in scene files, options, columns and reports.
+// The contact models of MuJoCo's side and their words: in scene files, options, columns and
+// reports.
 #pragma once
 
 #include <algorithm>

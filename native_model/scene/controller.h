@@ -7,10 +7,19 @@
 
 namespace rotorub::scene {
 
-enum class ControllerKind { kPassive, kSliding, kCrossCoupled, kTwoPhase, kPd, kLqr, kLqg, kLibrary };
+enum class ControllerKind {
+  kPassive,
+  kSliding,
+  kCrossCoupled,
+  kTwoPhase,
+  kPd,
+  kLqr,
+  kLqg,
+  kLibrary
+};
 
-// How a sampled controller comes by the velocities of rotor and ring: measured, from the positions of
-// two samples, or not at all.
+// How a sampled controller comes by the velocities of rotor and ring: measured, from the positions
+// of two samples, or not at all.
 enum class VelocitySensor { kMeasured, kDifference, kNone };
 
 // What a sampled controller is shown. Noise: standard deviation of each number, independent of all
@@ -54,16 +63,16 @@ struct Controller {
   std::string library;              // file, beside the scene's or absolute
   std::vector<ConfigEntry> config;  // what it is given
   // sliding mode with boundary layer (22)-(29), tracking q_fd = r_rotor - (delta_0 - g_d) e_r
-  double bandwidth = 1500.0;      // 1/s, psi, > 0
-  double boundary_layer = 0.03;   // m/s, phi, > 0
+  double bandwidth = 1500.0;                       // 1/s, psi, > 0
+  double boundary_layer = 0.03;                    // m/s, phi, > 0
   BoundaryLayer layer = BoundaryLayer::kConstant;  // adaptive: (27), phi' + psi phi = k
   double switching_gain = 120.0;  // m/s^2, k, >= 0: bound on the unknown acceleration
   double gap_time = 0.008;        // s, > 0: the gap reference falls smoothly to 0 in this time
   // With the gap reference at 0 the normal force of the lasting contact. 0 leaves the two grazing.
-  double preload = 20.0;            // N, >= 0
-  double mass_error = 0.0;          // > -1: by this share the law takes the ring for heavier than it is
+  double preload = 20.0;    // N, >= 0
+  double mass_error = 0.0;  // > -1: by this share the law takes the ring for heavier than it is
   // Sampled: mean of the feed-forward in the frame of the whirl; standard: one turn of the spin
-  std::optional<double> filter_time;       // s, >= 0
+  std::optional<double> filter_time;  // s, >= 0
   // and damping of the ring's velocity about its mean there; standard: the ring's critical one
   std::optional<double> tracking_damping;  // N s/m, >= 0
   // passive: an extra spring and damper emulated through the actuator; pd: of the tracking error

@@ -19,8 +19,10 @@ constexpr double kPointMassTolerance = 1e-9;
 // The disc with mass, Jt, Jp and eccentricity, whatever its words. The speed is the rotor's.
 Disc in_numbers(Disc disc, double rho, double speed) {
   if (disc.diameter && disc.thickness) {
-    const double outer = *disc.diameter, inner = disc.inner_diameter.value_or(0.0), h = *disc.thickness;
-    disc.mass = disc.rho.value_or(rho) * std::numbers::pi / 4.0 * (outer * outer - inner * inner) * h;
+    const double outer = *disc.diameter, inner = disc.inner_diameter.value_or(0.0),
+                 h = *disc.thickness;
+    disc.mass =
+        disc.rho.value_or(rho) * std::numbers::pi / 4.0 * (outer * outer - inner * inner) * h;
     disc.Jp = disc.mass / 8.0 * (outer * outer + inner * inner);
     disc.Jt = 0.5 * disc.Jp + disc.mass * h * h / 12.0;
   }
@@ -44,34 +46,40 @@ void check_size(const Checker& check, const std::string& path, const Disc& disc)
                  {".Jp", "a moment of inertia in kg m^2, >= 0"}};
   for (const auto& number : numbers) {
     if (dimensions && given(number.key)) {
-      check.fail(path + number.key, "follows from `diameter` and `thickness`; give one or the other");
-    } else if (!dimensions && !given(number.key)) {
       check.fail(path + number.key,
-                 std::string("missing: expected ") + number.expected + ", or `diameter` and `thickness` of the disc");
+                 "follows from `diameter` and `thickness`; give one or the other");
+    } else if (!dimensions && !given(number.key)) {
+      check.fail(path + number.key, std::string("missing: expected ") + number.expected +
+                                        ", or `diameter` and `thickness` of the disc");
     }
   }
   for (const char* key : {".diameter", ".thickness"}) {
     if (dimensions && !given(key)) check.fail(path + key, "missing: expected a length in m, > 0");
   }
   for (const char* key : {".inner_diameter", ".rho"}) {
-    if (!dimensions && given(key)) check.fail(path + key, "belongs to a disc with `diameter` and `thickness`");
+    if (!dimensions && given(key))
+      check.fail(path + key, "belongs to a disc with `diameter` and `thickness`");
   }
   if (disc.diameter && disc.inner_diameter && *disc.inner_diameter >= *disc.diameter) {
-    check.fail(path + ".inner_diameter", "must be below `diameter`, " + number_text(*disc.diameter) + " m");
+    check.fail(path + ".inner_diameter",
+               "must be below `diameter`, " + number_text(*disc.diameter) + " m");
   }
 }
 
-void check_unbalance(const Checker& check, const std::string& path, const Disc& disc, const Disc& whole) {
+void check_unbalance(const Checker& check, const std::string& path, const Disc& disc,
+                     const Disc& whole) {
   const auto given = [&](const char* key) { return check.given(path + key); };
   const char* first = nullptr;
   for (const char* key : {".eccentricity", ".unbalance", ".balance_grade"}) {
     if (!given(key)) continue;
     if (first != nullptr) {
-      check.fail(path + key, std::string("says the same as `") + (first + 1) + "`; give one of them");
+      check.fail(path + key,
+                 std::string("says the same as `") + (first + 1) + "`; give one of them");
     }
     first = first == nullptr ? key : first;
   }
-  if (disc.unbalance && *disc.unbalance > 0.0 && whole.mass == 0.0 && check.sound({path + ".mass"})) {
+  if (disc.unbalance && *disc.unbalance > 0.0 && whole.mass == 0.0 &&
+      check.sound({path + ".mass"})) {
     check.fail(path + ".unbalance", "needs a mass > 0, of which it is the eccentricity's moment");
   }
   if (given(".balance_speed") && !given(".balance_grade")) {
@@ -79,10 +87,13 @@ void check_unbalance(const Checker& check, const std::string& path, const Disc& 
   }
   if (!given(".balance_grade")) return;
   if (!balance_quality(disc.balance_grade)) {
-    check.fail(path + ".balance_grade", "expected a grade of ISO 21940-11 in mm/s, as \"G 2.5\", got '" +
-                                            printable(disc.balance_grade) + "'");
-  } else if (!disc.balance_speed && check.scene.rotor.speed == 0.0 && check.sound({"rotor.speed"})) {
-    check.fail(path + ".balance_grade", "is an eccentricity times a speed, and rotor.speed is 0; give `balance_speed`");
+    check.fail(path + ".balance_grade",
+               "expected a grade of ISO 21940-11 in mm/s, as \"G 2.5\", got '" +
+                   printable(disc.balance_grade) + "'");
+  } else if (!disc.balance_speed && check.scene.rotor.speed == 0.0 &&
+             check.sound({"rotor.speed"})) {
+    check.fail(path + ".balance_grade",
+               "is an eccentricity times a speed, and rotor.speed is 0; give `balance_speed`");
   }
 }
 
@@ -93,13 +104,13 @@ void check_inertia(const Checker& check, const std::string& path, const Disc& di
   }
   // Where the spin is free, less makes the mass matrix indefinite: energy out of nothing.
   const double least = disc.mass * disc.eccentricity * disc.eccentricity;
-  if (check.scene.drive &&
-      check.sound({path + ".mass", path + ".Jp", path + ".eccentricity"}) &&
+  if (check.scene.drive && check.sound({path + ".mass", path + ".Jp", path + ".eccentricity"}) &&
       disc.Jp < least * (1.0 - kPointMassTolerance)) {
     check.fail(path + ".Jp",
                "with [drive] the spin is free, and a disc whose mass is out of "
                "centre by its eccentricity has at least mass eccentricity^2 = " +
-                   number_text(least) + " kg m^2 about the shaft, got " + number_text(disc.Jp) + " kg m^2");
+                   number_text(least) + " kg m^2 about the shaft, got " + number_text(disc.Jp) +
+                   " kg m^2");
   }
 }
 
@@ -128,7 +139,8 @@ void check_discs(const Checker& check, const RotorGeometry& shaft) {
 }
 
 void complete_discs(Rotor& rotor) {
-  for (Disc& disc : rotor.geometry->discs) disc = in_numbers(disc, rotor.geometry->rho, rotor.speed);
+  for (Disc& disc : rotor.geometry->discs)
+    disc = in_numbers(disc, rotor.geometry->rho, rotor.speed);
 }
 
 }  // namespace rotorub::scene

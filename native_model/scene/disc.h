@@ -8,8 +8,9 @@
 
 namespace rotorub::scene {
 
-// m/s, of "G 2.5" or "G2.5", which is 2.5 mm/s: eccentricity times angular speed (ISO 21940-11:2016, table 1; any
-// number > 0 is taken, not the standard's steps alone). Nothing: no such text.
+// m/s, of "G 2.5" or "G2.5", which is 2.5 mm/s: eccentricity times angular speed (ISO
+// 21940-11:2016, table 1; any number > 0 is taken, not the standard's steps alone). Nothing: no
+// such text.
 std::optional<double> balance_quality(std::string_view grade);
 
 // Cross-checks of [[rotor.disc]].

@@ -33,10 +33,10 @@ std::size_t end_of_text(std::string_view text, std::size_t at) {
 
 int line_of_too_deep_key(std::string_view text) {
   std::vector<int> outer(1, 0);  // dots of the keys that lead to each open array or inline table
-  int run = 0;                   // dots since the last mark: of a key, if `=` or a header's ] follows
-  bool value = false;            // behind an `=`, until the statement's end
+  int run = 0;         // dots since the last mark: of a key, if `=` or a header's ] follows
+  bool value = false;  // behind an `=`, until the statement's end
   int line = 1;
-  int keys = 0;                  // dots of the keys that lead here
+  int keys = 0;  // dots of the keys that lead here
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'' || c == '#') {

@@ -65,8 +65,8 @@ std::optional<TomlNode> plain_number(std::string_view text) {
   const bool leading =
       plain && digits[0] != '.' && (digits[0] != '0' || digits.substr(1, 1) == ".");
   const std::size_t point = digits.find('.');
-  if (!leading || point == digits.npos || point + 1 >= digits.size() ||
-      digits[point + 1] < '0' || digits[point + 1] > '9') {
+  if (!leading || point == digits.npos || point + 1 >= digits.size() || digits[point + 1] < '0' ||
+      digits[point + 1] > '9') {
     return std::nullopt;
   }
   TomlNode node;
@@ -203,7 +203,8 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
     if (node == nullptr) return "cannot be set: " + path + " " + reason;
   }
   if (removing) {
-    if (node == &root && steps.back().key == "rotor") return "cannot be removed: every scene has a [rotor]";
+    if (node == &root && steps.back().key == "rotor")
+      return "cannot be removed: every scene has a [rotor]";
     remove(*node, steps.back());
     return {};
   }
@@ -222,8 +223,11 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
 
 // contact.friction of several contacts is that of all of them.
 std::string apply_to_each(TomlNode& root, std::vector<Step> steps, std::string_view text) {
-  TomlNode* list = steps.front().key == "contact" && steps.size() > 1 && !steps[1].is_index ? root.find("contact") : nullptr;
-  if (list == nullptr || list->kind != Kind::kArray || list->items.empty()) return apply(root, steps, text);
+  TomlNode* list = steps.front().key == "contact" && steps.size() > 1 && !steps[1].is_index
+                       ? root.find("contact")
+                       : nullptr;
+  if (list == nullptr || list->kind != Kind::kArray || list->items.empty())
+    return apply(root, steps, text);
   steps.insert(steps.begin() + 1, Step{{}, 0, true});
   std::string reason;
   for (std::size_t i = 0; i < list->items.size() && reason.empty(); ++i) {

@@ -7,7 +7,8 @@
 
 namespace rotorub::scene {
 
-void Record::note(const std::string& path, const TomlNode& node, bool sound, const std::string& written) {
+void Record::note(const std::string& path, const TomlNode& node, bool sound,
+                  const std::string& written) {
   marks_[path] = {node.file, node.line, sound, true, written == path ? std::string() : written};
 }
 
@@ -19,10 +20,12 @@ bool Record::given(std::string_view path) const {
 std::string Record::place(std::string_view key, std::size_t bearing) const {
   const std::string_view root = key.substr(0, key.find('.'));
   const bool is_contact = root == "contact";
-  if (!is_contact && root != "stator" && root != "actuator" && root != "controller") return std::string(key);
+  if (!is_contact && root != "stator" && root != "actuator" && root != "controller")
+    return std::string(key);
   const std::string element = list_element("contact", bearing);
   if (!given(element)) return std::string(key);
-  return is_contact ? element + std::string(key.substr(root.size())) : element + "." + std::string(key);
+  return is_contact ? element + std::string(key.substr(root.size()))
+                    : element + "." + std::string(key);
 }
 
 bool Record::sound(std::initializer_list<std::string> paths) const {
@@ -50,7 +53,8 @@ std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagn
   for (Diagnostic& d : diagnostics) {
     if (!d.file.empty()) continue;
     if (scene.record) {
-      d = scene.record->diagnostic(scene.record->place(d.key, scene.first_index), std::move(d.reason));
+      d = scene.record->diagnostic(scene.record->place(d.key, scene.first_index),
+                                   std::move(d.reason));
     } else if (!scene.name.empty()) {
       d.file = scene.name + ".toml";
     }

@@ -15,9 +15,10 @@ namespace rotorub::scene {
 
 class Record {
  public:
-  // `path` stands at `node` ("force[0].amplitude", "contact"); sound: its value can be used. written: the
-  // path with the key's other name, if that is the one in the file.
-  void note(const std::string& path, const TomlNode& node, bool sound, const std::string& written = {});
+  // `path` stands at `node` ("force[0].amplitude", "contact"); sound: its value can be used.
+  // written: the path with the key's other name, if that is the one in the file.
+  void note(const std::string& path, const TomlNode& node, bool sound,
+            const std::string& written = {});
   // A required key that is not there.
   void note_missing(const std::string& path) { marks_[path] = {{}, 0, false, false}; }
 

@@ -49,8 +49,8 @@ std::string meaning_text(const Key& key) {
 
 std::string row(const Key& key) {
   const std::string also = key.also.empty() ? "" : ", `" + std::string(key.also) + "`";
-  return "| `" + std::string(key.name) + "`" + also + " | " + type_text(key) + " | " + key.range.text() +
-         " | " + (key.required() ? "required" : key.fallback) + " | " +
+  return "| `" + std::string(key.name) + "`" + also + " | " + type_text(key) + " | " +
+         key.range.text() + " | " + (key.required() ? "required" : key.fallback) + " | " +
          meaning_text(key) + " |\n";
 }
 

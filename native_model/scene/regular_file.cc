@@ -10,7 +10,8 @@ namespace rotorub::scene {
 std::string regular_file_text(const std::filesystem::path& file) {
   std::error_code none;
   const std::filesystem::file_status status = std::filesystem::status(file, none);
-  if (std::filesystem::is_directory(status)) throw std::runtime_error("is a folder; expected a file");
+  if (std::filesystem::is_directory(status))
+    throw std::runtime_error("is a folder; expected a file");
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     throw std::runtime_error("is a device or a pipe; expected a file");
   }

@@ -53,7 +53,9 @@ struct ShaftSection {
   bool tapered() const { return end_diameter || end_inner_diameter; }
   // Outer and inner diameter, m, at z in [from, to].
   double outer_at(double z) const { return between(diameter, end_diameter.value_or(diameter), z); }
-  double inner_at(double z) const { return between(inner_diameter, end_inner_diameter.value_or(inner_diameter), z); }
+  double inner_at(double z) const {
+    return between(inner_diameter, end_inner_diameter.value_or(inner_diameter), z);
+  }
 
  private:
   double between(double first, double last, double z) const {
@@ -69,7 +71,8 @@ struct Disc {
   double eccentricity = 0.0;  // m, >= 0, of the centre of mass
   double phase = 0.0;         // rad, of the eccentricity from the rotor-fixed x axis
 
-  // Other words for mass, Jt, Jp and for eccentricity, which have them after reading (scene/disc.h).
+  // Other words for mass, Jt, Jp and for eccentricity, which have them after reading
+  // (scene/disc.h).
   std::optional<double> diameter{}, inner_diameter{}, thickness{};  // m
   std::optional<double> rho{};                                      // kg/m^3
   std::optional<double> unbalance{};                                // kg m
@@ -86,10 +89,12 @@ struct ShaftBearing {
   Eigen::Vector2d cross_damping{0.0, 0.0};    // N s/m, c_xy, c_yx
   Eigen::Vector2d offset{0.0, 0.0};           // m, where it stands off the line x = y = 0
 
-  // The coefficients over the speed of rotation, in place of the four above: rad/s, ascending; each as long or empty.
+  // The coefficients over the speed of rotation, in place of the four above: rad/s, ascending; each
+  // as long or empty.
   std::vector<double> table_speed{};
   std::vector<double> table_kxx{}, table_kxy{}, table_kyx{}, table_kyy{};  // N/m; kyy empty: as kxx
-  std::vector<double> table_cxx{}, table_cxy{}, table_cyx{}, table_cyy{};  // N s/m; cyy empty: as cxx
+  std::vector<double> table_cxx{}, table_cxy{}, table_cyx{},
+      table_cyy{};  // N s/m; cyy empty: as cxx
 
   bool follows_speed() const { return !table_speed.empty(); }
   bool crosses() const { return !cross_stiffness.isZero(0.0) || !cross_damping.isZero(0.0); }
@@ -138,8 +143,8 @@ struct Rotor {
   double speed = 0.0;                     // rad/s, Omega at t = 0; constant without [drive]
   std::optional<RotorGeometry> geometry;  // exactly one of geometry and modal
   std::optional<RotorModal> modal;
-  // Beside `modal`, which then is for pictures alone: the rotor as it is, of a machine without a scene
-  // file (plugin/twin/native_twin.h).
+  // Beside `modal`, which then is for pictures alone: the rotor as it is, of a machine without a
+  // scene file (plugin/twin/native_twin.h).
   std::shared_ptr<const ModalRotor> assembled;
   std::optional<Torsion> torsion;
 };
@@ -157,22 +162,24 @@ struct Drive {
   std::vector<double> table_speed;   // table: rad/s, ascending, at least 2
   std::vector<double> table_torque;  // table: N m
   // speed_controlled: PI on the motor's speed, its reference rising from rotor.speed to `speed`
-  double integral_gain = 0.0;                                      // N m, >= 0, per rad left behind
-  double torque_limit = std::numeric_limits<double>::infinity();   // N m, > 0
-  double acceleration = std::numeric_limits<double>::infinity();   // rad/s^2, > 0; infinity: at once
-  double station = 0.0;              // m, geometry form
+  double integral_gain = 0.0;                                     // N m, >= 0, per rad left behind
+  double torque_limit = std::numeric_limits<double>::infinity();  // N m, > 0
+  double acceleration = std::numeric_limits<double>::infinity();  // rad/s^2, > 0; infinity: at once
+  double station = 0.0;                                           // m, geometry form
   double inertia = 0.0;  // kg m^2, >= 0, geometry form: of the motor's rotor at `station`
 };
 
 // ---------------------------------------------------------------- [[force]], [magnetic_bearing]
 enum class ForceKind { kRotating, kConstant, kSynchronous, kChirp, kPulse, kUnbalance };
 
-// Acts for on <= t < off, rising linearly from 0 over [on, on + ramp]. amplitude (cos a, sin a) with
+// Acts for on <= t < off, rising linearly from 0 over [on, on + ramp]. amplitude (cos a, sin a)
+// with
 //   rotating:    a = frequency t + phase, t absolute
-//   synchronous: a = phi + phase, phi the spin's angle; an outer force, without a torque on the spin
-//   chirp:       a' from `frequency` at `on` to `frequency_end` at `off`, linearly in time; a = phase at `on`
-// constant: vector; pulse: vector sin(pi (t - on)/(off - on)). unbalance: no outer force but a mass out
-// of the axis from `on` for ever (a blade is lost), as rotor.disc's eccentricity.
+//   synchronous: a = phi + phase, phi the spin's angle; an outer force, without a torque on the
+//   spin chirp:       a' from `frequency` at `on` to `frequency_end` at `off`, linearly in time; a
+//   = phase at `on`
+// constant: vector; pulse: vector sin(pi (t - on)/(off - on)). unbalance: no outer force but a mass
+// out of the axis from `on` for ever (a blade is lost), as rotor.disc's eccentricity.
 struct Force {
   ForceKind kind = ForceKind::kRotating;
   double amplitude = 0.0;            // N; turned by pi if negative
@@ -190,19 +197,19 @@ struct Force {
 
 // The feedback of a magnetic bearing on each of x and y: bearing/magnetic_feedback.h.
 struct BearingControl {
-  double force_per_current = 0.0;  // N/A, k_i > 0
-  double proportional = 0.0;       // A/m, P >= 0
-  double integral = 0.0;           // A/(m s), I >= 0, needs P > 0
-  double derivative = 0.0;         // A s/m, D >= 0
+  double force_per_current = 0.0;                                  // N/A, k_i > 0
+  double proportional = 0.0;                                       // A/m, P >= 0
+  double integral = 0.0;                                           // A/(m s), I >= 0, needs P > 0
+  double derivative = 0.0;                                         // A s/m, D >= 0
   double current_limit = std::numeric_limits<double>::infinity();  // A, > 0, on each axis
   double fails_at = kNever;  // s, >= 0: no current and no negative stiffness from then on
 };
 
 // Adds the force + negative_stiffness * deflection at its station, and what `control` does.
 struct MagneticBearing {
-  double station = 0.0;             // m, geometry form
-  std::vector<double> shape;        // modal form: mode values at the station, default all 1
-  double negative_stiffness = 0.0;  // N/m, >= 0
+  double station = 0.0;                     // m, geometry form
+  std::vector<double> shape;                // modal form: mode values at the station, default all 1
+  double negative_stiffness = 0.0;          // N/m, >= 0
   std::optional<BearingControl> control{};  // absent: it holds nothing
 };
 
@@ -224,8 +231,8 @@ struct Contact {
 
 // ---------------------------------------------------------------- [stator], [actuator]
 // The ring turns about its axis, as the inner ring of an auxiliary ball bearing does: J Omega_r' =
-// torque of the contact - drag Omega_r. Dry friction of the balls is left out: it would hold the ring
-// still up to a torque, a second set-valued law beside the contact's.
+// torque of the contact - drag Omega_r. Dry friction of the balls is left out: it would hold the
+// ring still up to a torque, a second set-valued law beside the contact's.
 struct RingSpin {
   double inertia = 0.0;  // kg m^2, > 0, polar, of all that turns with the ring
   double drag = 0.0;     // N m s, >= 0, viscous, to the base
@@ -234,10 +241,10 @@ struct RingSpin {
 
 // The ring of the auxiliary bearing; absent: fixed to the base.
 struct Stator {
-  PlanePair mass{0.0, 0.0};       // kg, > 0
-  PlanePair damping{0.0, 0.0};    // N s/m, >= 0
-  PlanePair stiffness{0.0, 0.0};  // N/m, >= 0, mechanical spring to the base, always acting
-  std::optional<RingSpin> spin{};  // absent: the ring does not turn
+  PlanePair mass{0.0, 0.0};            // kg, > 0
+  PlanePair damping{0.0, 0.0};         // N s/m, >= 0
+  PlanePair stiffness{0.0, 0.0};       // N/m, >= 0, mechanical spring to the base, always acting
+  std::optional<RingSpin> spin{};      // absent: the ring does not turn
   Eigen::Vector2d position{0.0, 0.0};  // m, at t = 0, from where it is at rest
   Eigen::Vector2d velocity{0.0, 0.0};  // m/s, at t = 0
 };
@@ -260,13 +267,14 @@ struct Actuator {
   std::vector<double> table_force{};     // N, position by position, one for each current
   // both
   double current_limit = 0.0;  // A, of |i|, > 0, at most bias_current or the table's; 0: that much
-  // The coil's current follows the one asked for: lag di/dt = asked - i, as far as |di/dt| is allowed and the
-  // amplifier's voltage reaches: L di/dt = u - R i, |u| <= voltage_limit.
+  // The coil's current follows the one asked for: lag di/dt = asked - i, as far as |di/dt| is
+  // allowed and the amplifier's voltage reaches: L di/dt = u - R i, |u| <= voltage_limit.
   double coil_lag = 0.0;                                                // s, >= 0; 0: at once
   double current_rate_limit = std::numeric_limits<double>::infinity();  // A/s, > 0, needs coil_lag
-  double voltage_limit = std::numeric_limits<double>::infinity();  // V, > 0, needs coil_lag and inductance
-  double inductance = 0.0;                                         // H, > 0, L of an axis
-  double resistance = 0.0;                                         // Ohm, >= 0, R of an axis
+  double voltage_limit =
+      std::numeric_limits<double>::infinity();  // V, > 0, needs coil_lag and inductance
+  double inductance = 0.0;                      // H, > 0, L of an axis
+  double resistance = 0.0;                      // Ohm, >= 0, R of an axis
 };
 
 // ---------------------------------------------------------------- [[contact]]
@@ -307,10 +315,10 @@ struct Mujoco {
   ContactModel contact = ContactModel::kRigid;
   MujocoIntegrator integrator = MujocoIntegrator::kEuler;
   MujocoSolver solver = MujocoSolver::kNewton;
-  double solref_stiffness = 0.0;     // 1/s^2, > 0: direct solref K (0: mjcf/soft_contact.h)
-  double solref_damping = 0.0;       // 1/s, > 0: direct solref B (0: that of contact.restitution)
-  double friction_reference = 0.0;   // 1/s, > 0: B_t of the cone's friction rows (0: MuJoCo's, B)
-  bool shadow = false;            // the native model runs alongside, in user sensors
+  double solref_stiffness = 0.0;    // 1/s^2, > 0: direct solref K (0: mjcf/soft_contact.h)
+  double solref_damping = 0.0;      // 1/s, > 0: direct solref B (0: that of contact.restitution)
+  double friction_reference = 0.0;  // 1/s, > 0: B_t of the cone's friction rows (0: MuJoCo's, B)
+  bool shadow = false;              // the native model runs alongside, in user sensors
 };
 
 // ---------------------------------------------------------------- the whole
@@ -323,8 +331,8 @@ struct Scene {
   std::optional<Drive> drive;
   std::vector<Force> forces;
   std::optional<MagneticBearing> magnetic_bearing;
-  // One at least: [contact], [stator], [actuator] and [controller] at the top of a file, which may all
-  // be absent, or those of its [[contact]] in their order; at most kMaxContacts.
+  // One at least: [contact], [stator], [actuator] and [controller] at the top of a file, which may
+  // all be absent, or those of its [[contact]] in their order; at most kMaxContacts.
   std::vector<AuxiliaryBearing> auxiliary = std::vector<AuxiliaryBearing>(1);
   AuxiliaryBearing& first() { return auxiliary.front(); }
   const AuxiliaryBearing& first() const { return auxiliary.front(); }

@@ -80,7 +80,9 @@ struct Key {
   Key& otherwise(std::string_view text);  // optional, with this default
   Key& optional();                        // optional; the default is the member's own
 
-  bool is_called(std::string_view word) const { return word == name || (!also.empty() && word == also); }
+  bool is_called(std::string_view word) const {
+    return word == name || (!also.empty() && word == also);
+  }
   bool required() const { return fallback.empty(); }
   std::string_view default_word() const;  // kWord; empty: required
   bool belongs_to(Form to_form) const { return form == Form::kEither || form == to_form; }
@@ -112,7 +114,8 @@ struct Table {
 std::span<const Table> tables();
 // "contact.stator" is [stator] below a [[contact]].
 const Table* find_table(std::string_view path);
-// Of the parts of an auxiliary bearing that stand below each [[contact]]: [stator], [controller.sensors].
+// Of the parts of an auxiliary bearing that stand below each [[contact]]: [stator],
+// [controller.sensors].
 bool is_part_of_contact(const Table& table);
 
 // The rows.

@@ -19,7 +19,8 @@ Table drive() {
            "no torque; T = `gain` (`speed` - Omega); asynchronous motor, T = 2 T_b s "
            "s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; a table; PI control of the speed "
            "at the motor, T = `gain` (ref - Omega) + `integral_gain` (integral of ref - Omega), "
-           "sum and integral each within `torque_limit`, ref from `rotor.speed` to `speed` at `acceleration`"),
+           "sum and integral each within `torque_limit`, ref from `rotor.speed` to `speed` at "
+           "`acceleration`"),
        key<&Drive::gain>("gain", kAngularDamping, "torque per speed")
            .at_least(0)
            .of({"linear", "speed_controlled"}),
@@ -46,7 +47,8 @@ Table drive() {
            .of({"kloss"}),
        key<&Drive::table_speed>("table_speed", kSpin, "ascending, two or more").of({"table"}),
        key<&Drive::table_torque>("table_torque", kTorque, "one for each speed").of({"table"}),
-       key<&Drive::station>("station", kLength, "of the motor").or_called("z")
+       key<&Drive::station>("station", kLength, "of the motor")
+           .or_called("z")
            .at_least(0)
            .in(Form::kGeometry)
            .optional(),
@@ -57,50 +59,49 @@ Table drive() {
 }
 
 Table force() {
-  return {"force",
-          true,
-          Form::kEither,
-          "Forces on the rotor. Each acts for `on` <= t < `off` and rises linearly over `ramp`.",
-          "none",
-          [](Scene& scene) -> void* { return &scene.forces.emplace_back(); },
-          {word<&Force::kind>(
-               "kind", {"rotating", "constant", "synchronous", "chirp", "pulse", "unbalance"},
-               "`amplitude` (cos(w t + `phase`), sin(w t + `phase`)) with t absolute and w "
-               "= `frequency`; `vector`; turning with the spin at phi + `phase`, an outer force "
-               "without a torque on the spin; turning ever faster, from `frequency` at `on` to "
-               "`frequency_end` at `off`; a half-sine of `vector` from `on` to `off`; a mass that is "
-               "out of the axis from `on` for ever, as a disc's eccentricity: a blade is lost"),
-           key<&Force::amplitude>("amplitude", kForce, "size; turned by pi if negative")
-               .of({"rotating", "synchronous", "chirp"}),
-           key<&Force::frequency>("frequency", kSpin, "negative: backward")
-               .of({"rotating", "chirp"}),
-           key<&Force::frequency_end>("frequency_end", kSpin, "at `off`, linear in time")
-               .of({"chirp"}),
-           key<&Force::static_moment>("static_moment", kStaticMoment, "mass times eccentricity")
-               .at_least(0)
-               .of({"unbalance"}),
-           key<&Force::phase>("phase", kAngle,
-                              "direction from the x axis at t = 0, of a chirp at `on`; from the "
-                              "rotor's own x axis where it turns with the spin")
-               .of({"rotating", "synchronous", "chirp", "unbalance"})
-               .optional(),
-           key<&Force::vector>("vector", kForce, "fixed in space; of a pulse its peak")
-               .of({"constant", "pulse"}),
-           key<&Force::on>("on", kTime, "acts from here").optional(),
-           key<&Force::off>("off", kTime,
-                            "acts up to here, not before `on`; chirp and pulse need it")
-               .of({"rotating", "constant", "synchronous", "chirp", "pulse"})
-               .otherwise("never"),
-           key<&Force::ramp>("ramp", kTime, "rise from 0 after `on`")
-               .at_least(0)
-               .of({"rotating", "constant", "synchronous", "chirp"})
-               .optional(),
-           key<&Force::shape>("shape", kPure, "value of each bending mode at the station")
-               .in(Form::kModal)
-               .otherwise("all 1"),
-           key<&Force::station>("station", kLength, "along the shaft").or_called("z")
-               .at_least(0)
-               .in(Form::kGeometry)}};
+  return {
+      "force",
+      true,
+      Form::kEither,
+      "Forces on the rotor. Each acts for `on` <= t < `off` and rises linearly over `ramp`.",
+      "none",
+      [](Scene& scene) -> void* { return &scene.forces.emplace_back(); },
+      {word<&Force::kind>(
+           "kind", {"rotating", "constant", "synchronous", "chirp", "pulse", "unbalance"},
+           "`amplitude` (cos(w t + `phase`), sin(w t + `phase`)) with t absolute and w "
+           "= `frequency`; `vector`; turning with the spin at phi + `phase`, an outer force "
+           "without a torque on the spin; turning ever faster, from `frequency` at `on` to "
+           "`frequency_end` at `off`; a half-sine of `vector` from `on` to `off`; a mass that is "
+           "out of the axis from `on` for ever, as a disc's eccentricity: a blade is lost"),
+       key<&Force::amplitude>("amplitude", kForce, "size; turned by pi if negative")
+           .of({"rotating", "synchronous", "chirp"}),
+       key<&Force::frequency>("frequency", kSpin, "negative: backward").of({"rotating", "chirp"}),
+       key<&Force::frequency_end>("frequency_end", kSpin, "at `off`, linear in time").of({"chirp"}),
+       key<&Force::static_moment>("static_moment", kStaticMoment, "mass times eccentricity")
+           .at_least(0)
+           .of({"unbalance"}),
+       key<&Force::phase>("phase", kAngle,
+                          "direction from the x axis at t = 0, of a chirp at `on`; from the "
+                          "rotor's own x axis where it turns with the spin")
+           .of({"rotating", "synchronous", "chirp", "unbalance"})
+           .optional(),
+       key<&Force::vector>("vector", kForce, "fixed in space; of a pulse its peak")
+           .of({"constant", "pulse"}),
+       key<&Force::on>("on", kTime, "acts from here").optional(),
+       key<&Force::off>("off", kTime, "acts up to here, not before `on`; chirp and pulse need it")
+           .of({"rotating", "constant", "synchronous", "chirp", "pulse"})
+           .otherwise("never"),
+       key<&Force::ramp>("ramp", kTime, "rise from 0 after `on`")
+           .at_least(0)
+           .of({"rotating", "constant", "synchronous", "chirp"})
+           .optional(),
+       key<&Force::shape>("shape", kPure, "value of each bending mode at the station")
+           .in(Form::kModal)
+           .otherwise("all 1"),
+       key<&Force::station>("station", kLength, "along the shaft")
+           .or_called("z")
+           .at_least(0)
+           .in(Form::kGeometry)}};
 }
 
 Table magnetic_bearing() {
@@ -116,7 +117,8 @@ Table magnetic_bearing() {
            key<&MagneticBearing::shape>("shape", kPure, "value of each bending mode at the station")
                .in(Form::kModal)
                .otherwise("all 1"),
-           key<&MagneticBearing::station>("station", kLength, "along the shaft").or_called("z")
+           key<&MagneticBearing::station>("station", kLength, "along the shaft")
+               .or_called("z")
                .at_least(0)
                .in(Form::kGeometry)}};
 }
@@ -138,8 +140,9 @@ Table bearing_control() {
           {key<&BearingControl::force_per_current>("force_per_current", kForcePerCurrent, "k_i")
                .above(0),
            key<&BearingControl::proportional>("proportional", kCurrentPerLength, "P").at_least(0),
-           key<&BearingControl::integral>("integral", kCurrentPerLengthTime,
-                                          "I; at the limit it takes back what is cut off; needs `proportional`")
+           key<&BearingControl::integral>(
+               "integral", kCurrentPerLengthTime,
+               "I; at the limit it takes back what is cut off; needs `proportional`")
                .at_least(0)
                .optional(),
            key<&BearingControl::derivative>("derivative", kCurrentPerVelocity, "D")
@@ -188,19 +191,23 @@ Table initial() {
       "State at t = 0. The spin speed is `rotor.speed`.",
       "all 0",
       [](Scene& scene) -> void* { return &scene; },
-      {key<&Scene::initial, &Initial::steady>("steady", kPure,
-                             "on the steady free orbit; not beside x, y, vx, vy, stator and "
-                             "stator_velocity (A steady start)")
+      {key<&Scene::initial, &Initial::steady>(
+           "steady", kPure,
+           "on the steady free orbit; not beside x, y, vx, vy, stator and "
+           "stator_velocity (A steady start)")
            .optional(),
        key<&Scene::initial, &Initial::x>("x", kLength, modal).otherwise("0"),
        key<&Scene::initial, &Initial::y>("y", kLength, modal).otherwise("0"),
        key<&Scene::initial, &Initial::vx>("vx", kVelocity, modal).otherwise("0"),
        key<&Scene::initial, &Initial::vy>("vy", kVelocity, modal).otherwise("0"),
-       key<&Scene::initial, &Initial::spin_angle>("spin_angle", kAngle, "of the rotor's own x axis").optional(),
+       key<&Scene::initial, &Initial::spin_angle>("spin_angle", kAngle, "of the rotor's own x axis")
+           .optional(),
        key<&Scene::initial, &Initial::torsion>("torsion", kAngle, "torsion modes").otherwise("0"),
-       key<&Scene::initial, &Initial::torsion_speed>("torsion_speed", kSpin, "torsion modes").otherwise("0"),
+       key<&Scene::initial, &Initial::torsion_speed>("torsion_speed", kSpin, "torsion modes")
+           .otherwise("0"),
        start_of_ring<&Stator::position>("stator", kLength, "position of the ring; needs [stator]"),
-       start_of_ring<&Stator::velocity>("stator_velocity", kVelocity, "of the ring; needs [stator]")}};
+       start_of_ring<&Stator::velocity>("stator_velocity", kVelocity,
+                                        "of the ring; needs [stator]")}};
 }
 
 Table mujoco() {
@@ -219,10 +226,11 @@ Table mujoco() {
                                   "pieces that the segment rotor's shaft is cut into")
                .between(2, 200)
                .optional(),
-           word<&Mujoco::contact>("contact", contact_words<std::vector<std::string_view>>(),
-                                  "rigid impulses by the plugin; MuJoCo's soft normal contact with "
-                                  "Coulomb friction by the plugin; MuJoCo's own friction cone; the same with its "
-                                  "normal reference corrected for sliding, so that it obeys Coulomb's law")
+           word<&Mujoco::contact>(
+               "contact", contact_words<std::vector<std::string_view>>(),
+               "rigid impulses by the plugin; MuJoCo's soft normal contact with "
+               "Coulomb friction by the plugin; MuJoCo's own friction cone; the same with its "
+               "normal reference corrected for sliding, so that it obeys Coulomb's law")
                .optional(),
            word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, "of MuJoCo")
                .optional(),
@@ -232,13 +240,14 @@ Table mujoco() {
                                           "K of the soft contact (direct solref)")
                .above(0)
                .otherwise("chosen from the step, and for the cones from the scene's speeds"),
-           key<&Mujoco::solref_damping>("solref_damping", kRate, "B of the soft contact (direct solref)")
+           key<&Mujoco::solref_damping>("solref_damping", kRate,
+                                        "B of the soft contact (direct solref)")
                .above(0)
                .otherwise("that which bounces with contact.restitution"),
-           key<&Mujoco::friction_reference>(
-               "friction_reference", kRate,
-               "B_t, with which the friction rows of contact model cone brake the slip (solreffriction of MuJoCo 2.3.7 "
-               "and later)")
+           key<&Mujoco::friction_reference>("friction_reference", kRate,
+                                            "B_t, with which the friction rows of contact model "
+                                            "cone brake the slip (solreffriction of MuJoCo 2.3.7 "
+                                            "and later)")
                .above(0)
                .otherwise("that of the normal row, as MuJoCo has it"),
            key<&Mujoco::shadow>("shadow", kPure,

@@ -36,23 +36,24 @@ Key modes() {
 }
 
 Table run() {
-  return {
-      "run",
-      false,
-      Form::kEither,
-      "How long, how finely and what to write.",
-      "the defaults",
-      [](Scene& scene) -> void* { return &scene.run; },
-      {key<&Run::end>("end", kTime, "end of the run, which starts at 0").above(0).optional(),
-       key<&Run::step>("step", kTime, "step of `paper` and of MuJoCo").above(0).optional(),
-       word<&Run::integrator>("integrator", {"event", "paper", "verlet", "literal"}, "of the native engine").optional(),
-       key<&Run::output_step>("output_step", kTime, "spacing of the rows of the series")
-           .above(0)
-           .otherwise("`end` / 1000"),
-       key<&Run::output_times>("output_times", kTime,
-                               "further exact times of rows, in any order, each at most `end`")
-           .at_least(0)
-           .otherwise("none")}};
+  return {"run",
+          false,
+          Form::kEither,
+          "How long, how finely and what to write.",
+          "the defaults",
+          [](Scene& scene) -> void* { return &scene.run; },
+          {key<&Run::end>("end", kTime, "end of the run, which starts at 0").above(0).optional(),
+           key<&Run::step>("step", kTime, "step of `paper` and of MuJoCo").above(0).optional(),
+           word<&Run::integrator>("integrator", {"event", "paper", "verlet", "literal"},
+                                  "of the native engine")
+               .optional(),
+           key<&Run::output_step>("output_step", kTime, "spacing of the rows of the series")
+               .above(0)
+               .otherwise("`end` / 1000"),
+           key<&Run::output_times>("output_times", kTime,
+                                   "further exact times of rows, in any order, each at most `end`")
+               .at_least(0)
+               .otherwise("none")}};
 }
 
 Table rotor() {
@@ -76,11 +77,11 @@ Table rotor() {
        shaft<&RotorGeometry::G>("G", kPressure, "shear modulus; not beside `nu`")
            .above(0)
            .otherwise("`E` / (2 (1 + `nu`))"),
-       shaft<&RotorGeometry::rho>("rho", kDensity, "density").above(0),
-       modes(),
+       shaft<&RotorGeometry::rho>("rho", kDensity, "density").above(0), modes(),
        shaft<&RotorGeometry::modes_tolerance>(
            "modes_tolerance", kPure,
-           "with `modes = \"auto\"`: how far effective mass at the contact and static flexibility at "
+           "with `modes = \"auto\"`: how far effective mass at the contact and static flexibility "
+           "at "
            "contact, bearings and forces may be off those of all modes of the mesh, as a share")
            .above(0)
            .below(1)
@@ -113,76 +114,95 @@ Table section() {
            key<&ShaftSection::inner_diameter>("inner_diameter", kLength, "bore, below `diameter`")
                .at_least(0)
                .optional(),
-           key<&ShaftSection::end_diameter>("end_diameter", kLength,
-                                            "of a cone: the outer diameter at `to`, `diameter` that at `from`")
+           key<&ShaftSection::end_diameter>(
+               "end_diameter", kLength,
+               "of a cone: the outer diameter at `to`, `diameter` that at `from`")
                .above(0)
                .otherwise("`diameter`"),
-           key<&ShaftSection::end_inner_diameter>("end_inner_diameter", kLength, "the bore at `to`, below `end_diameter`")
+           key<&ShaftSection::end_inner_diameter>("end_inner_diameter", kLength,
+                                                  "the bore at `to`, below `end_diameter`")
                .at_least(0)
                .otherwise("`inner_diameter`")}};
 }
 
 Table disc() {
-  return {"rotor.disc",
-          true,
-          Form::kGeometry,
-          "Rigid discs on the shaft.",
-          "none",
-          [](Scene& scene) -> void* { return &geometry(scene).discs.emplace_back(); },
-          {key<&Disc::z>("z", kLength, "along the shaft").or_called("station").at_least(0),
-           key<&Disc::mass>("mass", kMass, "").at_least(0).otherwise(kByDimensions),
-           key<&Disc::Jt>("Jt", kInertia, "moment of inertia about a diameter").at_least(0).otherwise(kByDimensions),
-           key<&Disc::Jp>("Jp", kInertia, "moment of inertia about the shaft, at most 2 `Jt`")
-               .at_least(0)
-               .otherwise(kByDimensions),
-           key<&Disc::diameter>("diameter", kLength, "of a solid disc, whose `mass`, `Jt` and `Jp` follow")
-               .above(0)
-               .otherwise("the three are given"),
-           key<&Disc::inner_diameter>("inner_diameter", kLength, "its bore, below `diameter`: the shaft's part is the shaft's")
-               .at_least(0)
-               .otherwise("0"),
-           key<&Disc::thickness>("thickness", kLength, "along the shaft; needed with `diameter`")
-               .above(0)
-               .otherwise("the three are given"),
-           key<&Disc::rho>("rho", kDensity, "of the disc with a `diameter`").above(0).otherwise("`rotor.rho`"),
-           key<&Disc::eccentricity>("eccentricity", kLength, "of the centre of mass")
-               .at_least(0)
-               .optional(),
-           key<&Disc::unbalance>("unbalance", kStaticMoment, "mass times eccentricity, in its place")
-               .at_least(0)
-               .otherwise("by `eccentricity`"),
-           key<&Disc::balance_grade>("balance_grade", kPure,
-                                     "of ISO 21940-11 in its place, as \"G 2.5\": an eccentricity of 2.5 mm/s over "
-                                     "`balance_speed`")
-               .otherwise("by `eccentricity`"),
-           key<&Disc::balance_speed>("balance_speed", kSpin, "of `balance_grade`, the fastest in service")
-               .above(0)
-               .otherwise("`rotor.speed`"),
-           key<&Disc::phase>("phase", kAngle, "of the eccentricity, from the rotor's own x axis")
-               .optional()}};
+  return {
+      "rotor.disc",
+      true,
+      Form::kGeometry,
+      "Rigid discs on the shaft.",
+      "none",
+      [](Scene& scene) -> void* { return &geometry(scene).discs.emplace_back(); },
+      {key<&Disc::z>("z", kLength, "along the shaft").or_called("station").at_least(0),
+       key<&Disc::mass>("mass", kMass, "").at_least(0).otherwise(kByDimensions),
+       key<&Disc::Jt>("Jt", kInertia, "moment of inertia about a diameter")
+           .at_least(0)
+           .otherwise(kByDimensions),
+       key<&Disc::Jp>("Jp", kInertia, "moment of inertia about the shaft, at most 2 `Jt`")
+           .at_least(0)
+           .otherwise(kByDimensions),
+       key<&Disc::diameter>("diameter", kLength,
+                            "of a solid disc, whose `mass`, `Jt` and `Jp` follow")
+           .above(0)
+           .otherwise("the three are given"),
+       key<&Disc::inner_diameter>("inner_diameter", kLength,
+                                  "its bore, below `diameter`: the shaft's part is the shaft's")
+           .at_least(0)
+           .otherwise("0"),
+       key<&Disc::thickness>("thickness", kLength, "along the shaft; needed with `diameter`")
+           .above(0)
+           .otherwise("the three are given"),
+       key<&Disc::rho>("rho", kDensity, "of the disc with a `diameter`")
+           .above(0)
+           .otherwise("`rotor.rho`"),
+       key<&Disc::eccentricity>("eccentricity", kLength, "of the centre of mass")
+           .at_least(0)
+           .optional(),
+       key<&Disc::unbalance>("unbalance", kStaticMoment, "mass times eccentricity, in its place")
+           .at_least(0)
+           .otherwise("by `eccentricity`"),
+       key<&Disc::balance_grade>(
+           "balance_grade", kPure,
+           "of ISO 21940-11 in its place, as \"G 2.5\": an eccentricity of 2.5 mm/s over "
+           "`balance_speed`")
+           .otherwise("by `eccentricity`"),
+       key<&Disc::balance_speed>("balance_speed", kSpin,
+                                 "of `balance_grade`, the fastest in service")
+           .above(0)
+           .otherwise("`rotor.speed`"),
+       key<&Disc::phase>("phase", kAngle, "of the eccentricity, from the rotor's own x axis")
+           .optional()}};
 }
 
 Table bearing() {
   return {"rotor.bearing",
           true,
           Form::kGeometry,
-          "Linear bearings between shaft and base, as springs and dashpots, or by the eight coefficients of an oil film.",
+          "Linear bearings between shaft and base, as springs and dashpots, or by the eight "
+          "coefficients of an oil film.",
           "none",
           [](Scene& scene) -> void* { return &geometry(scene).bearings.emplace_back(); },
           {key<&ShaftBearing::z>("z", kLength, "along the shaft").or_called("station").at_least(0),
-           planes<&ShaftBearing::stiffness>("stiffness", kStiffness, "").at_least(0).otherwise("by `table_kxx`"),
+           planes<&ShaftBearing::stiffness>("stiffness", kStiffness, "")
+               .at_least(0)
+               .otherwise("by `table_kxx`"),
            planes<&ShaftBearing::damping>("damping", kDamping, "").at_least(0).optional(),
-           key<&ShaftBearing::cross_stiffness>("cross_stiffness", kStiffness,
-                                               "[k_xy, k_yx], across the planes: -k_xy y on x, -k_yx x on y")
+           key<&ShaftBearing::cross_stiffness>(
+               "cross_stiffness", kStiffness,
+               "[k_xy, k_yx], across the planes: -k_xy y on x, -k_yx x on y")
                .optional(),
-           key<&ShaftBearing::cross_damping>("cross_damping", kDamping, "[c_xy, c_yx], alike").optional(),
-           key<&ShaftBearing::offset>("offset", kLength, "where it stands off the line of the others: its alignment")
+           key<&ShaftBearing::cross_damping>("cross_damping", kDamping, "[c_xy, c_yx], alike")
                .optional(),
-           key<&ShaftBearing::table_speed>("table_speed", kSpin,
-                                           "ascending, two or more: the coefficients follow the speed, by a smooth "
-                                           "curve through the points, held beyond the ends")
+           key<&ShaftBearing::offset>("offset", kLength,
+                                      "where it stands off the line of the others: its alignment")
+               .optional(),
+           key<&ShaftBearing::table_speed>(
+               "table_speed", kSpin,
+               "ascending, two or more: the coefficients follow the speed, by a smooth "
+               "curve through the points, held beyond the ends")
                .otherwise("`stiffness` and the others at every speed"),
-           key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "one for each speed").otherwise("needed with `table_speed`"),
+           key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "one for each speed")
+               .otherwise("needed with `table_speed`"),
            key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "alike").otherwise("0"),
            key<&ShaftBearing::table_kyx>("table_kyx", kStiffness, "alike").otherwise("0"),
            key<&ShaftBearing::table_kyy>("table_kyy", kStiffness, "alike").otherwise("`table_kxx`"),

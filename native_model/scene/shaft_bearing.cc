@@ -23,10 +23,13 @@ constexpr TableKey kTableKeys[] = {
 void check_table(const Checker& check, const std::string& path, const ShaftBearing& bearing) {
   const auto given = [&](const std::string& key) { return check.given(path + key); };
   for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
-    if (given(key)) check.fail(path + key, "not beside `table_speed`, whose tables give it; accepted: one of the two");
+    if (given(key))
+      check.fail(path + key,
+                 "not beside `table_speed`, whose tables give it; accepted: one of the two");
   }
   if (!given(".table_kxx")) {
-    check.fail(path + ".table_kxx", "missing: expected a list of stiffnesses in N/m, one for each speed");
+    check.fail(path + ".table_kxx",
+               "missing: expected a list of stiffnesses in N/m, one for each speed");
   }
   if (!check.sound({path + ".table_speed"})) return;
   const std::vector<double>& speed = bearing.table_speed;
@@ -43,7 +46,8 @@ bool sound(const ShaftBearing& bearing) {
   const std::size_t n = bearing.table_speed.size();
   const bool ascends = std::adjacent_find(bearing.table_speed.begin(), bearing.table_speed.end(),
                                           std::greater_equal<>()) == bearing.table_speed.end();
-  return n >= 2 && ascends && std::all_of(std::begin(kTableKeys), std::end(kTableKeys), [&](const TableKey& key) {
+  return n >= 2 && ascends &&
+         std::all_of(std::begin(kTableKeys), std::end(kTableKeys), [&](const TableKey& key) {
            return (bearing.*key.list).empty() || (bearing.*key.list).size() == n;
          });
 }
@@ -70,11 +74,13 @@ void check_bearings(const Checker& check, const RotorGeometry& shaft) {
       continue;
     }
     for (const TableKey& key : kTableKeys) {
-      if (check.given(path + key.name)) check.fail(path + key.name, "needs `table_speed`, which it is over");
+      if (check.given(path + key.name))
+        check.fail(path + key.name, "needs `table_speed`, which it is over");
     }
     if (!check.given(path + ".stiffness")) {
       const Key& key = *find_table("rotor.bearing")->find("stiffness");
-      check.fail(path + ".stiffness", "missing: expected " + key.expected() + ", or tables over `table_speed`");
+      check.fail(path + ".stiffness",
+                 "missing: expected " + key.expected() + ", or tables over `table_speed`");
     }
   }
 }

@@ -1,4 +1,5 @@
-// A shaft bearing in its words: springs and dashpots, across the planes too, or tables over the speed.
+// A shaft bearing in its words: springs and dashpots, across the planes too, or tables over the
+// speed.
 #pragma once
 
 #include <array>
@@ -17,7 +18,8 @@ std::array<std::vector<double>, 8> coefficient_lists(const ShaftBearing& bearing
 // N/m, of each plane at a speed, rad/s; 0 where a table's is negative.
 PlanePair stiffness_at(const ShaftBearing& bearing, double speed);
 
-// stiffness, damping and the crosses of those with tables, at the rotor's speed; of a scene that was found sound.
+// stiffness, damping and the crosses of those with tables, at the rotor's speed; of a scene that
+// was found sound.
 void complete_bearings(Rotor& rotor);
 
 }  // namespace rotorub::scene

@@ -16,7 +16,8 @@
 #define TOML_HEADER_ONLY 1
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
-// A letter from U+00A0 to U+0499 where a key or value should begin comes to places that it promises never to come to.
+// A letter from U+00A0 to U+0499 where a key or value should begin comes to places that it promises
+// never to come to.
 #include <toml++/impl/preprocessor.h>
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false
@@ -32,7 +33,7 @@ namespace {
 constexpr std::string_view kFaultyMark = "\x01 faulty";
 constexpr std::string_view kFaultyText = "\"\\u0001 faulty\"";
 constexpr std::size_t kLongestDescription = 200;  // bytes of what the library says
-constexpr int kMostSyntaxErrors = 20;  // then the reading stops
+constexpr int kMostSyntaxErrors = 20;             // then the reading stops
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
@@ -40,8 +41,7 @@ int line_of(const toml::node& node) { return static_cast<int>(node.source().begi
 TomlNode converted(const toml::node& node, FileName file, bool mended);
 
 // The library sorts by name; the file's order is restored from the positions.
-void convert_entries(const toml::table& table, FileName file, bool mended,
-                     TomlNode& result) {
+void convert_entries(const toml::table& table, FileName file, bool mended, TomlNode& result) {
   std::vector<std::tuple<unsigned, unsigned, std::string, const toml::node*>> order;
   for (const auto& [key, value] : table) {
     const toml::source_position at = key.source().begin;
@@ -106,7 +106,8 @@ std::string header_path(const std::string& line) {
   const std::string header = trimmed_line(line);
   const std::size_t begin = header.find_first_not_of("[ ");
   const std::size_t end = header.find(']');
-  return begin < end && end != std::string::npos ? trimmed_line(header.substr(begin, end - begin)) : "";
+  return begin < end && end != std::string::npos ? trimmed_line(header.substr(begin, end - begin))
+                                                 : "";
 }
 
 // The key of a line `key = value`; empty if it is not one.
@@ -213,7 +214,8 @@ std::optional<TomlNode> parse_toml(std::string_view text, const std::string& fil
     for (const std::string& line : lines) remaining += line;
     if (const int line = line_of_too_deep_key(remaining); line > 0) {
       const std::string most = std::to_string(kDeepestKey);
-      diagnostics.push_back({file, line, {}, "a key of more than " + most + " dots; accepted: up to " + most});
+      diagnostics.push_back(
+          {file, line, {}, "a key of more than " + most + " dots; accepted: up to " + most});
       return std::nullopt;
     }
     const toml::parse_result parsed = toml::parse(remaining, file);

@@ -117,8 +117,7 @@ class UnitParser {
   Unit parse() {
     const Unit unit = parse_product(0);
     skip_space();
-    if (error_.empty() && !rest_.empty())
-      fail("unexpected '" + printable(rest_) + "' in the unit");
+    if (error_.empty() && !rest_.empty()) fail("unexpected '" + printable(rest_) + "' in the unit");
     return unit;
   }
   const std::string& error() const { return error_; }

@@ -33,7 +33,8 @@ bool TableReader::read_value(const Key& key, const TomlNode& node, const std::st
     case ValueType::kNumber:
       return read_number(key, node, path, value.number);
     case ValueType::kWhole:
-      if (node.kind == Kind::kString && std::find(key.words.begin(), key.words.end(), node.text) != key.words.end()) {
+      if (node.kind == Kind::kString &&
+          std::find(key.words.begin(), key.words.end(), node.text) != key.words.end()) {
         value.text = node.text;
         return true;
       }

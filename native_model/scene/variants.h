@@ -14,8 +14,7 @@ class Variants {
  public:
   // `overrides` hold for all of them. Throws SceneError for what cannot be read as TOML or applied;
   // whether it is a scene is asked of each variant, which may give what the text leaves out.
-  explicit Variants(const std::filesystem::path& file,
-                    std::span<const std::string> overrides = {});
+  explicit Variants(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
   // The scene with `changes` (overrides.h) on top, as read_scene gives it. Throws SceneError.
   // with_text: Scene::text is that of the variant (MuJoCo's plugin reads it); else it is empty.

@@ -22,10 +22,10 @@ class ContactKernel : public LoadKernel<M> {
   using Base = LoadKernel<M>;
 
  public:
+  using Base::fail;
   using typename Base::Centre;
   using typename Base::Mask;
   using typename Base::T;
-  using Base::fail;
   static constexpr int kLanes = Base::kLanes;
 
   ContactKernel(const M& m, const std::vector<const Model*>& models, double h)
@@ -69,8 +69,8 @@ class ContactKernel : public LoadKernel<M> {
   }
 
  protected:
-  using Base::change_, Base::coupled_, Base::free_, Base::h_, Base::iterates_,
-      Base::layout, Base::m_, Base::make, Base::solve, Base::start_;
+  using Base::change_, Base::coupled_, Base::free_, Base::h_, Base::iterates_, Base::layout,
+      Base::m_, Base::make, Base::solve, Base::start_;
   using typename Base::Coordinates;
 
   // The step's beginning.

@@ -136,7 +136,8 @@ struct LaneGroup {
       r.peak_impact = work.totals.peak_impact[l];
       r.friction_work = work.totals.friction_work[l];
       if (models[lane]->first().contact) {
-        const double depth = std::sqrt(work.totals.farthest[l]) - models[lane]->first().contact->clearance;
+        const double depth =
+            std::sqrt(work.totals.farthest[l]) - models[lane]->first().contact->clearance;
         r.max_penetration = std::max(0.0, depth);
       }
       for (std::size_t i = 0; i < v.size(); ++i) {
@@ -249,12 +250,12 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
                                   " of the ensemble has other parts than run 0");
     }
     if (models_[i].auxiliary.size() > 1) {
-      throw std::invalid_argument("run " + std::to_string(i) + " of the ensemble has several contacts; run it by itself");
+      throw std::invalid_argument("run " + std::to_string(i) +
+                                  " of the ensemble has several contacts; run it by itself");
     }
     const auto& c = models_[i].first().contact;
     const bool sampled = models_[i].first().controller && models_[i].first().sample_time > 0.0;
-    if ((integrator == scene::Integrator::kPaper || sampled) && c &&
-        c->impact_time() > 0.0) {
+    if ((integrator == scene::Integrator::kPaper || sampled) && c && c->impact_time() > 0.0) {
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has impacts that take time, which need the "
                                   "integrator event, or verlet without a sampled controller");

@@ -16,17 +16,18 @@ namespace rotorub {
 // What is kept of each run.
 struct EnsembleRun {
   Status status = Status::kOk;
-  double first_touch = -1.0;       // s, begin of the step; -1: never touched
-  double contact_steps = 0.0;  // with a normal impulse; an impact that takes time: those of its duration
+  double first_touch = -1.0;  // s, begin of the step; -1: never touched
+  double contact_steps =
+      0.0;  // with a normal impulse; an impact that takes time: those of its duration
   // `verlet`: the end lies in the middle of a step in lasting contact, half of which counts.
   bool ends_in_contact = false;
-  std::int64_t impacts = 0;    // with gap_rate_before < kCountedGapRate
-  double impulse_total = 0.0;  // N s
-  double peak_impulse = 0.0;   // N s, largest of one step, were its force that of a whole one
-  double peak_impact = 0.0;    // N s, largest of one impact
-  double friction_work = 0.0;  // J, <= 0
+  std::int64_t impacts = 0;      // with gap_rate_before < kCountedGapRate
+  double impulse_total = 0.0;    // N s
+  double peak_impulse = 0.0;     // N s, largest of one step, were its force that of a whole one
+  double peak_impact = 0.0;      // N s, largest of one impact
+  double friction_work = 0.0;    // J, <= 0
   double max_penetration = 0.0;  // m
-  std::vector<double> q, v;    // at the end, nq each
+  std::vector<double> q, v;      // at the end, nq each
   double contact_fraction(double end, double step) const;
   double mean_force(double end) const;  // N, from first touch to the end
 };
@@ -36,8 +37,8 @@ struct EnsembleLook {
   std::size_t run = 0;
   std::int64_t k = 0;
   const double *q = nullptr, *v = nullptr;  // nq each
-  double normal_force = 0.0;                // N, of the step that ended there; of impacts: of one under way
-  std::int64_t impacts = 0;                 // counted ones so far
+  double normal_force = 0.0;  // N, of the step that ended there; of impacts: of one under way
+  std::int64_t impacts = 0;   // counted ones so far
 };
 struct EnsembleWatch {
   std::vector<std::int64_t> steps;                // k, ascending, in [0, the last step]

@@ -72,11 +72,14 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
   internal_xx = matrix<T>(all, [](const Model& m) { return m.internal_xx; });
   internal_xy = matrix<T>(all, [](const Model& m) { return m.internal_xy; });
   internal_yy = matrix<T>(all, [](const Model& m) { return m.internal_yy; });
-  bearing = {shape<T>(all, [](const Model& m) -> const ModeShape& { return m.first().shape; }),
-             side_by_side<T>(all, [](const Model& m) -> const Eigen::VectorXd& { return m.first().torsion_shape; }),
-             plane<T>(all, [](const Model& m) -> const Eigen::Vector2d& { return m.first().ring_offset; }),
-             number<T>(all, [](const Model& m) { return m.first().ring_ratio; }), first.first().ring,
-             first.first().ring_angle};
+  bearing = {
+      shape<T>(all, [](const Model& m) -> const ModeShape& { return m.first().shape; }),
+      side_by_side<T>(
+          all, [](const Model& m) -> const Eigen::VectorXd& { return m.first().torsion_shape; }),
+      plane<T>(all, [](const Model& m) -> const Eigen::Vector2d& { return m.first().ring_offset; }),
+      number<T>(all, [](const Model& m) { return m.first().ring_ratio; }),
+      first.first().ring,
+      first.first().ring_angle};
   for (std::size_t i = 0; i < first.dampers.size(); ++i) {
     const auto of = [i](const Model& m) -> const StationDamper& { return m.dampers[i]; };
     dampers.push_back(
@@ -94,8 +97,8 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
     for (const Model* m : all) {
       if (of(*m).law.follows()) law.tables.push_back(of(*m).law.tables.front());
     }
-    films.push_back(
-        {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }), std::move(law)});
+    films.push_back({shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
+                     std::move(law)});
   }
   for (std::size_t i = 0; i < first.springs.size(); ++i) {
     const auto of = [i](const Model& m) -> const StationSpring& { return m.springs[i]; };
@@ -139,11 +142,12 @@ bool same_structure(const Model& a, const Model& b) {
     std::vector<bool> films;
     for (const StationFilm& film : m.films) films.push_back(film.law.follows());
     const Layout& l = m.layout;
-    return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils, forces, films, m.springs.size(),
-                      m.feedback.has_value(), m.dampers.size(), m.unbalances.size(), m.weight.size(),
-                      m.drive ? static_cast<int>(m.drive->kind()) : -1, m.auxiliary.size(), m.first().contact.has_value(),
-                      m.first().magnets.has_value(), m.gyroscopic.absent(), m.internal_xx.absent(),
-                      m.internal_yy.absent(), m.first().commanded());
+    return std::tuple(
+        l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils, forces, films,
+        m.springs.size(), m.feedback.has_value(), m.dampers.size(), m.unbalances.size(),
+        m.weight.size(), m.drive ? static_cast<int>(m.drive->kind()) : -1, m.auxiliary.size(),
+        m.first().contact.has_value(), m.first().magnets.has_value(), m.gyroscopic.absent(),
+        m.internal_xx.absent(), m.internal_yy.absent(), m.first().commanded());
   };
   return structure(a) == structure(b);
 }

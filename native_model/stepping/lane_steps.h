@@ -18,9 +18,9 @@ struct LaneTotals {
   using T = lanes::Lane<W>;
   T first_touch = lanes::all<T>(-1.0);
   T contact_steps{}, impulse_total{}, peak_impulse{};
-  T friction_work{};            // J
-  T farthest{};                 // m^2, |d|^2 at the end of a step in contact: no other leaves the ring
-  double peak_impact[W] = {};   // N s, of one impact
+  T friction_work{};  // J
+  T farthest{};       // m^2, |d|^2 at the end of a step in contact: no other leaves the ring
+  double peak_impact[W] = {};  // N s, of one impact
   std::int64_t impacts[W] = {};
 };
 

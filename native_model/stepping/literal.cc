@@ -97,8 +97,7 @@ void LiteralStepper::touch(double t, FixedStep& out) {
   const double pressed = pressing(e_r, free, acceleration, c.clearance);
   const Delassus g = delassus(contact_admittance(m, t, q()), e_r, c.radius);
   if (!lasted && rebound_outlives_steps(h_, c.restitution, closing, pressed)) {
-    const ImpactResult r = solve_impact(g, -closing, rates_along(e_r, c.radius, free).y(),
-                                        c.law());
+    const ImpactResult r = solve_impact(g, -closing, rates_along(e_r, c.radius, free).y(), c.law());
     out.status = r.status;
     if (r.status != Status::kOk) return;
     out.normal_impulse = r.normal();
@@ -106,7 +105,8 @@ void LiteralStepper::touch(double t, FixedStep& out) {
     push(t, e_r, r.normal(), r.friction());
     return record(t, e_r, out);
   }
-  const CoulombSolution s = solve_coulomb(g, gap / h_, rates_along(e_r, c.radius, free).y(), c.friction);
+  const CoulombSolution s =
+      solve_coulomb(g, gap / h_, rates_along(e_r, c.radius, free).y(), c.friction);
   out.status = status_of(s.solutions);
   if (out.status != Status::kOk) return;
   out.normal_impulse = s.normal;

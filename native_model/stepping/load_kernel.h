@@ -5,9 +5,9 @@
 // p the contact's impulse (contact_kernel.h), for one run (M = Model) or for many (M = LaneModel),
 // of any size or of a known one (sized_model.h). With A = M + h/2 D (velocity_matrix.h) the linear
 // part is solved at once, v+ = v- + A^-1 (h F(q, v-) + J^T p); what depends on velocities beyond
-// that (free spin with gyroscopics or unbalance, a motor's curve, coils, integrators, a magnetic bearing at its
-// limit) is iterated. What a model
-// lacks costs nothing. All inline: whoever calls it chooses the instruction set.
+// that (free spin with gyroscopics or unbalance, a motor's curve, coils, integrators, a magnetic
+// bearing at its limit) is iterated. What a model lacks costs nothing. All inline: whoever calls it
+// chooses the instruction set.
 #pragma once
 
 #include <cmath>
@@ -47,7 +47,8 @@ class LoadKernel {
     for (const Model* model : models) switches_ = switches_ || feedback_switches(*model);
     bool follows = false;  // bearings the spin, where that is free
     for (const auto& film : first.films) follows = follows || (layout().spin && film.law.follows());
-    iterates_ = turns || curve || follows || switches_ || layout().integrals > 0 || layout().coils > 0;
+    iterates_ =
+        turns || curve || follows || switches_ || layout().integrals > 0 || layout().coils > 0;
     magnetic_ = first.first().magnets.has_value();
     for (int i = 0; iterates_ && i < layout().nq(); ++i) {
       const auto c = static_cast<std::size_t>(i);
@@ -222,8 +223,8 @@ class LoadKernel {
       whole += mass[i] * end[i] * end[i];
       free[i] = lanes::select(open_ > zero, better, free[i]);
     }
-    // To 1e-10 of the change, as the next round would gain as much again; or to round-off, of the velocities or,
-    // of a rotor that rests under its load, of the forces in balance.
+    // To 1e-10 of the change, as the next round would gain as much again; or to round-off, of the
+    // velocities or, of a rotor that rests under its load, of the forces in balance.
     const T enough = lanes::all<T>(1e-20) * size + lanes::all<T>(1e-30) * whole + balanced_;
     open_ = lanes::select(moved > enough, open_, zero);
     if (++rounds_ < kMostRounds) return lanes::any(open_ > zero);
@@ -297,7 +298,8 @@ class LoadKernel {
   // Coordinates; velocities before the step, at its start, without contact.
   Coordinates q_ = make(*m_), v_ = make(*m_), start_ = make(*m_), free_ = make(*m_);
   Coordinates f_ = make(*m_), change_ = make(*m_);
-  // Of a deflection q_i the least energy that a step can tell, (1e-15 h k_i)^2/m_i q_i^2; their sum at q_k.
+  // Of a deflection q_i the least energy that a step can tell, (1e-15 h k_i)^2/m_i q_i^2; their sum
+  // at q_k.
   Coordinates round_off_ = make(*m_);
   T balanced_{};
 

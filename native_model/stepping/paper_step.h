@@ -88,8 +88,9 @@ class PaperKernel : public ContactKernel<M> {
     this->push(middle_.data(), middle_.data(), ex, ey, (delta - c) / nn, T{}, outside);
   }
 
-  // Poisson's law in one lane where the contact closes. Without a flight after it (contact/rebound.h)
-  // the middle closes the gap, by the least change in the norm of M, and contact lasts.
+  // Poisson's law in one lane where the contact closes. Without a flight after it
+  // (contact/rebound.h) the middle closes the gap, by the least change in the norm of M, and
+  // contact lasts.
   ROTORUB_SLOW void collide(int lane, std::int64_t k) {
     const Model& m = lane_model(*this->m_, lane);
     const ContactParameters& c = *m.first().contact;

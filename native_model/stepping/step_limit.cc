@@ -31,7 +31,8 @@ double bending(const Model& m, int plane) {
     const Eigen::VectorXd &shape = plane == 0 ? film.shape.x : film.shape.y,
                           &other = plane == 0 ? film.shape.y : film.shape.x;
     const BearingCoefficients<double> c = largest(film.law);
-    // What the rows of the plane have of both planes, and of their damping nothing: that is in the step's matrix.
+    // What the rows of the plane have of both planes, and of their damping nothing: that is in the
+    // step's matrix.
     const auto row = shape.cwiseAbs().cwiseQuotient(mass);
     const double own = plane == 0 ? c[0] : c[3], cross = plane == 0 ? c[1] : c[2];
     most += row.maxCoeff() * (own * shape.cwiseAbs().sum() + cross * other.cwiseAbs().sum());

@@ -56,7 +56,8 @@ class SteppedLoads {
     for (Load& load : loads_) {
       if (load.kind != scene::ForceKind::kSynchronous) continue;
       const T angle = phi + load.phase;
-      for (int lane = 0; lane < lanes::kWidth<T>; ++lane) point(load, lane, lanes::get(angle, lane));
+      for (int lane = 0; lane < lanes::kWidth<T>; ++lane)
+        point(load, lane, lanes::get(angle, lane));
       load.x = load.share * load.amplitude * load.cosine;
       load.y = load.share * load.amplitude * load.sine;
     }

@@ -26,7 +26,8 @@ class VerletImpacts : public ContactKernel<M> {
   VerletImpacts(const M& m, const std::vector<const Model*>& models, double h)
       : Base(m, models, h) {
     if (!this->contact_) return;
-    for (const Model* model : models) takes_time_ = takes_time_ || model->first().contact->impact_time() > 0.0;
+    for (const Model* model : models)
+      takes_time_ = takes_time_ || model->first().contact->impact_time() > 0.0;
     for (const Model* model : models) {
       if (takes_time_) lasting_.emplace_back(*model);
     }
@@ -98,7 +99,8 @@ class VerletImpacts : public ContactKernel<M> {
     // The loads by the velocities just before and just after.
     for (int i = 0; i < nq; ++i) at[i] = v[i] + late * a[i];
     // A continuous controller sees the jump too.
-    const bool follows = m.first().controller && m.first().sample_time == 0.0 && t >= m.first().control_on;
+    const bool follows =
+        m.first().controller && m.first().sample_time == 0.0 && t >= m.first().control_on;
     const auto command = [&] { return follows ? control_command(m, t, q, at) : u; };
     Eigen::Vector2d told = command();
     smooth_force(m, t, q, at, told, before);
@@ -162,7 +164,8 @@ class VerletImpacts : public ContactKernel<M> {
       at[i] = lanes::get(this->q_[static_cast<std::size_t>(i)], lane) + theta * h * v[i];
       rates[i] = v[i] + late * a[i];
     }
-    const bool follows = m.first().controller && m.first().sample_time == 0.0 && t >= m.first().control_on;
+    const bool follows =
+        m.first().controller && m.first().sample_time == 0.0 && t >= m.first().control_on;
     const Eigen::Vector2d held{lanes::get(this->command_x, lane),
                                lanes::get(this->command_y, lane)};
     FiniteImpact& impact = lasting_[static_cast<std::size_t>(lane)];

@@ -1,7 +1,7 @@
-// Lasting contact in a step of `verlet` in which a load or the command jumps. In flight the mean over
-// the step is all that counts. The contact's force is not part of the mean load: it ends, or its friction
-// turns, where the load does. So the step's velocities are those that the loads before and the loads
-// after would give had they held all along, each for its share s of the step,
+// Lasting contact in a step of `verlet` in which a load or the command jumps. In flight the mean
+// over the step is all that counts. The contact's force is not part of the mean load: it ends, or
+// its friction turns, where the load does. So the step's velocities are those that the loads before
+// and the loads after would give had they held all along, each for its share s of the step,
 //
 //   v_{k+1/2} = s v_before + (1 - s) v_after,   (N, T) likewise,
 //
@@ -25,8 +25,7 @@ class VerletJumps : public VerletImpacts<M> {
   using typename Base::T;
   static constexpr int kLanes = Base::kLanes;
 
-  VerletJumps(const M& m, const std::vector<const Model*>& models, double h)
-      : Base(m, models, h) {
+  VerletJumps(const M& m, const std::vector<const Model*>& models, double h) : Base(m, models, h) {
     for (const Model* model : models) {
       const double first = next_switch(*model, 0.0, std::numeric_limits<double>::infinity());
       switched_ = switched_ || std::isfinite(first);
@@ -90,8 +89,7 @@ class VerletJumps : public VerletImpacts<M> {
     for (int i = 0; i < nq; ++i) mean_after_[at(i)] = this->after_[at(i)];
     const Contact first = part(was, true, lanes::all<T>(begin), middle);
     for (int i = 0; i < nq; ++i) sum_[at(i)] = share * this->after_[at(i)];
-    const Contact last =
-        part({was.in_contact, first.slip_sign}, false, middle, lanes::all<T>(end));
+    const Contact last = part({was.in_contact, first.slip_sign}, false, middle, lanes::all<T>(end));
     const T rest = one - share;
     for (int i = 0; i < nq; ++i) sum_[at(i)] += rest * this->after_[at(i)];
 

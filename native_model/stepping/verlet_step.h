@@ -7,7 +7,8 @@
 //      half a kick.
 //   2. The straight path q_k + h v_f stays in the ring: done.
 //   3. It leaves the circle, out of flight: Poisson's law where it does (verlet_impacts.h).
-//   4. Lasting contact: the step ends on the circle (contact/lasting_contact.h); where a load or the
+//   4. Lasting contact: the step ends on the circle (contact/lasting_contact.h); where a load or
+//   the
 //      command jumps within it, verlet_jumps.h.
 #pragma once
 
@@ -70,7 +71,8 @@ class VerletKernel : public VerletJumps<M> {
     this->was_first_ = this->first_ > 0.0;
     if (this->takes_time_) this->find_lasting();
     if (this->contact_) {
-      const double end = time_of(k) + 0.5 * this->h_, begin = this->was_first_ ? time_of(k) : end - this->h_;
+      const double end = time_of(k) + 0.5 * this->h_,
+                   begin = this->was_first_ ? time_of(k) : end - this->h_;
       const typename Base::Before was{this->in_contact, this->slip_sign};
       const bool jumps = this->jumps(begin, end);
       this->kick_ = this->was_first_ ? 0.5 : 1.0;

@@ -57,7 +57,8 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
   };
   // Without a lag magnets turn currents into forces at once: it is forces that have a mean.
   const bool forces = bearing().magnets && bearing().coil == kAbsent;
-  const Eigen::Vector2d s = forces ? to_axes(stator_point(m, q, bearing_)) : Eigen::Vector2d::Zero();
+  const Eigen::Vector2d s =
+      forces ? to_axes(stator_point(m, q, bearing_)) : Eigen::Vector2d::Zero();
   const auto acts = [&](const Eigen::Vector2d& command) -> Eigen::Vector2d {
     if (!forces) return command;
     const ForceLaw& law = *bearing().magnets->law;
@@ -85,7 +86,8 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
   } else {
     // A load that is switched jumps in a command that feeds the loads forward.
     if (bearing().control_on > begin) until(bearing().control_on);
-    for (double instant = next_switch(m, from, end); from < end; instant = next_switch(m, from, end)) {
+    for (double instant = next_switch(m, from, end); from < end;
+         instant = next_switch(m, from, end)) {
       const double last = std::nextafter(instant, begin);
       take(instant < end ? std::clamp(t, from, last) : std::max(t, from));
       until(instant);

@@ -9,18 +9,19 @@
 
 namespace rotorub {
 
-// The command of a continuous controller at (t, q, v): the force on the ring, N, fixed frame, limited
-// on each axis; with magnets the currents of the two axes, A, whose forces come nearest to that force
-// at the ring's place (feedback linearisation). 0 before the controller is on and for passive
-// bearings. Recorded commands (CommandRecord) are given as they are. `bearing`: the number of the auxiliary
-// bearing, here and below.
+// The command of a continuous controller at (t, q, v): the force on the ring, N, fixed frame,
+// limited on each axis; with magnets the currents of the two axes, A, whose forces come nearest to
+// that force at the ring's place (feedback linearisation). 0 before the controller is on and for
+// passive bearings. Recorded commands (CommandRecord) are given as they are. `bearing`: the number
+// of the auxiliary bearing, here and below.
 Eigen::Vector2d control_command(const Model& model, double t, const double* q, const double* v,
                                 std::size_t bearing = 0);
 
-// The same of a sampled one, once a sample, in order. memory: Model::loop's; current: of the magnets'
-// axes now, A. Throws ControllerError.
+// The same of a sampled one, once a sample, in order. memory: Model::loop's; current: of the
+// magnets' axes now, A. Throws ControllerError.
 Eigen::Vector2d control_sample(const Model& model, double t, const double* q, const double* v,
-                               const Eigen::Vector2d& current, double* memory, std::size_t bearing = 0);
+                               const Eigen::Vector2d& current, double* memory,
+                               std::size_t bearing = 0);
 
 // What the actuator does at (q, v) under `command`.
 struct ActuatorState {
@@ -36,8 +37,8 @@ ActuatorState actuator_state(const Model& model, const double* q, const double* 
 void control_outputs(const Model& model, double t, const double* q, const double* v, double* values,
                      std::size_t bearing = 0);
 
-// f(t, q, v, commands), nq values: all loads but the contacts'. commands: of each auxiliary bearing; of those that
-// are not there 0. No allocation.
+// f(t, q, v, commands), nq values: all loads but the contacts'. commands: of each auxiliary
+// bearing; of those that are not there 0. No allocation.
 void smooth_force(const Model& model, double t, const double* q, const double* v,
                   std::span<const Eigen::Vector2d> commands, double* f);
 inline void smooth_force(const Model& model, double t, const double* q, const double* v,
@@ -45,8 +46,9 @@ inline void smooth_force(const Model& model, double t, const double* q, const do
   smooth_force(model, t, q, v, std::span(&first_command, 1), f);
 }
 
-// The load on a coil's coordinate beyond -i: the current asked for, brought so near to the present one that its
-// rate, load - i over the lag, keeps within the limit and needs no more than the voltage. A.
+// The load on a coil's coordinate beyond -i: the current asked for, brought so near to the present
+// one that its rate, load - i over the lag, keeps within the limit and needs no more than the
+// voltage. A.
 double coil_load(const MagneticActuator& magnets, double asked, double current);
 
 // A force with its part along each axis of the actuator limited. N.

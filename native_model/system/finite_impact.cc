@@ -25,11 +25,13 @@ double FiniteImpact::power(double t, const double* q, const double* v,
 
 Eigen::Vector2d FiniteImpact::rates(const double* v) const {
   const Eigen::Vector2d w = rotor_point(*model_, v) - stator_point(*model_, v);
-  return rates_along(e_r_, model_->first().contact->radius, {w.x(), w.y(), contact_spin(*model_, v)});
+  return rates_along(e_r_, model_->first().contact->radius,
+                     {w.x(), w.y(), contact_spin(*model_, v)});
 }
 
 double FiniteImpact::duration(std::size_t phase) const {
-  return phase == 0 ? model_->first().contact->compression_time : model_->first().contact->expansion_time;
+  return phase == 0 ? model_->first().contact->compression_time
+                    : model_->first().contact->expansion_time;
 }
 
 Eigen::Vector2d FiniteImpact::phase_force(std::size_t phase) const {

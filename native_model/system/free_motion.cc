@@ -107,12 +107,14 @@ void add_force(const scene::Scene& scene, const Model& m, const AppliedForce& f,
   using scene::ForceKind;
   if (f.on > 0.0 || f.off <= 0.0) return;
   if (f.kind == ForceKind::kPulse && f.on < 0.0) {
-    refuse_steady(scene, "a [[force]] of kind pulse is under way at t = 0, and no orbit is steady; "
-                         "accepted: one that begins at 0 or later");
+    refuse_steady(scene,
+                  "a [[force]] of kind pulse is under way at t = 0, and no orbit is steady; "
+                  "accepted: one that begins at 0 or later");
   }
   if (f.ramp > 0.0 && f.on < 0.0 && f.on + f.ramp > 0.0) {
-    refuse_steady(scene, "a [[force]] is still rising at t = 0, and no orbit is steady; accepted: one "
-                         "that begins to rise at 0 or later, or has risen by then");
+    refuse_steady(scene,
+                  "a [[force]] is still rising at t = 0, and no orbit is steady; accepted: one "
+                  "that begins to rise at 0 or later, or has risen by then");
   }
   if (f.kind == ForceKind::kPulse || f.envelope(0.0) == 0.0) return;
   if (f.kind == ForceKind::kConstant) return loads.add(0.0, f.shape, f.vector.x(), f.vector.y());
@@ -142,8 +144,8 @@ std::vector<Load> loads_of(const scene::Scene& scene, const Model& m) {
 // Nothing grows: an orbit that nothing comes back to is no steady one.
 void check_stability(const scene::Scene& scene, const Model& m, const Bending& b) {
   constexpr double kScatter = 1e-9;  // of the largest eigenvalue
-  // States (w q, q', j) of unit mass, w each coordinate's own frequency, j's unit one in which it acts as
-  // it is acted upon: no number is far from the others.
+  // States (w q, q', j) of unit mass, w each coordinate's own frequency, j's unit one in which it
+  // acts as it is acted upon: no number is far from the others.
   const Eigen::Index n = b.mass.size(), stored = b.station.cols();
   const Eigen::VectorXd root = b.mass.cwiseSqrt(), inverse = root.cwiseInverse();
   const Eigen::MatrixXd k = inverse.asDiagonal() * b.stiffness * inverse.asDiagonal();
@@ -168,9 +170,10 @@ void check_stability(const scene::Scene& scene, const Model& m, const Bending& b
   for (const Phasor& s : *values) size = std::max(size, std::abs(s));
   const Phasor first = values->front();
   if (first.real() <= kScatter * size) return;
-  refuse_steady(scene, "the free rotor is unstable at " + scene::number_text(m.speed) + " rad/s, a motion at " +
-                           scene::number_text(std::abs(first.imag())) + " rad/s grows with " +
-                           scene::number_text(first.real()) + " 1/s; accepted: a stable one, or false");
+  refuse_steady(scene, "the free rotor is unstable at " + scene::number_text(m.speed) +
+                           " rad/s, a motion at " + scene::number_text(std::abs(first.imag())) +
+                           " rad/s grows with " + scene::number_text(first.real()) +
+                           " 1/s; accepted: a stable one, or false");
 }
 
 // Phasor amplitudes of one frequency: Q (m, 2 n), and what an integrator holds (A).
@@ -181,9 +184,10 @@ struct Answer {
 Answer answer(const scene::Scene& scene, const Bending& b, const Load& load) {
   constexpr double kSingular = 1e-12;
   const double nu = load.frequency;
-  // Rows and columns by the size that their terms have: away from resonance the diagonal is about 1.
-  Eigen::VectorXd scale = b.stiffness.diagonal().cwiseAbs() + nu * nu * b.mass +
-                          nu * b.damping.diagonal().cwiseAbs();
+  // Rows and columns by the size that their terms have: away from resonance the diagonal is
+  // about 1.
+  Eigen::VectorXd scale =
+      b.stiffness.diagonal().cwiseAbs() + nu * nu * b.mass + nu * b.damping.diagonal().cwiseAbs();
   for (double& x : scale) x = x > 0.0 ? 1.0 / std::sqrt(x) : 1.0;
   Eigen::MatrixXcd z = b.stiffness.cast<Phasor>();
   z += Phasor(0.0, nu) * b.damping.cast<Phasor>();
@@ -199,17 +203,19 @@ Answer answer(const scene::Scene& scene, const Bending& b, const Load& load) {
     z.topRightCorner(n, stored) = (station / unit).cast<Phasor>();
     z.bottomLeftCorner(stored, n) = (station / unit).transpose().cast<Phasor>();
     // F = k_i j: i nu F / (k_i I) - station^T q = 0.
-    z.bottomRightCorner(stored, stored).diagonal().setConstant(
-        Phasor(0.0, -nu / (b.force_per_current * b.integral * unit * unit)));
+    z.bottomRightCorner(stored, stored)
+        .diagonal()
+        .setConstant(Phasor(0.0, -nu / (b.force_per_current * b.integral * unit * unit)));
   }
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
   // Against the scale, not against z itself: both planes may be in resonance.
   const double size = z.cwiseAbs().colwise().sum().maxCoeff();
   if (!(lu.rcond() * size > kSingular)) {
-    refuse_steady(scene, nu == 0.0 ? "nothing holds the rotor against a constant force or its weight"
-                                   : "a force turns at " + scene::number_text(nu) +
-                                         " rad/s, where the free rotor has a resonance without "
-                                         "damping: its orbit has no bound");
+    refuse_steady(scene, nu == 0.0
+                             ? "nothing holds the rotor against a constant force or its weight"
+                             : "a force turns at " + scene::number_text(nu) +
+                                   " rad/s, where the free rotor has a resonance without "
+                                   "damping: its orbit has no bound");
   }
   Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + stored);
   right.head(n) = scale.asDiagonal() * load.load;
@@ -225,7 +231,8 @@ Eigen::Vector2d current_amplitude(const Model& m, double frequency, const Answer
   const MagneticFeedback<double>& law = m.feedback->law;
   const Phasor gain(law.proportional, frequency * law.derivative);
   const auto of = [&](const Eigen::VectorXd& shape, int plane) {
-    return std::abs(gain * shape.cast<Phasor>().dot(answer.q.segment(plane * n, n)) + answer.stored[plane]);
+    return std::abs(gain * shape.cast<Phasor>().dot(answer.q.segment(plane * n, n)) +
+                    answer.stored[plane]);
   };
   return {of(m.feedback->shape.x, 0), of(m.feedback->shape.y, 1)};
 }

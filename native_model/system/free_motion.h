@@ -1,4 +1,5 @@
-// The periodic answer of the free rotor to all that acts at t = 0 (steady_orbit.h has the equations).
+// The periodic answer of the free rotor to all that acts at t = 0 (steady_orbit.h has the
+// equations).
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +12,11 @@
 namespace rotorub {
 
 struct FreeMotion {
-  Eigen::VectorXd q, v;                 // 2 n: m, m/s, at t = 0
-  Eigen::Vector2d stored{0.0, 0.0};     // A, what a magnetic bearing's integrator holds at t = 0
-  Eigen::Vector2d current{0.0, 0.0};    // A, the most of its current on each axis: the sum over all frequencies
-  OrbitSize orbit{};                    // of the rotor's centre at the contact, m
+  Eigen::VectorXd q, v;              // 2 n: m, m/s, at t = 0
+  Eigen::Vector2d stored{0.0, 0.0};  // A, what a magnetic bearing's integrator holds at t = 0
+  Eigen::Vector2d current{
+      0.0, 0.0};      // A, the most of its current on each axis: the sum over all frequencies
+  OrbitSize orbit{};  // of the rotor's centre at the contact, m
 };
 
 // At the speed model.speed. Throws scene::SceneError, key initial.steady, where there is none.

@@ -3,10 +3,11 @@
 //
 // Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k |
 //                       x, y of each ring that moves | angle of each ring that turns |
-//                       two of a magnetic bearing's integrator (their rates are the currents that it holds) |
-//                       charges of two coils of each ring with a coil lag (their rates are the currents)
-// Equations:            M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T          (9), (20)
-// M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
+//                       two of a magnetic bearing's integrator (their rates are the currents that
+//                       it holds) | charges of two coils of each ring with a coil lag (their rates
+//                       are the currents)
+// Equations:            M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T          (9),
+// (20) M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,9 +24,9 @@
 #include "native_model/control/command_record.h"
 #include "native_model/control/control_loop.h"
 #include "native_model/control/controller.h"
+#include "native_model/dynamics/mode_matrix.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
-#include "native_model/dynamics/mode_matrix.h"
 
 namespace rotorub {
 
@@ -36,13 +37,13 @@ inline constexpr std::size_t kMaxUnbalances = 32;
 
 // Where each part of q begins; a part that is absent has length 0.
 struct Layout {
-  int modes = 0;    // n, bending modes in each plane
-  int spin = 0;     // 1 with a drive, else 0
-  int torsion = 0;  // elastic torsion modes
-  int stator = 0;   // 2 for each ring that moves
+  int modes = 0;      // n, bending modes in each plane
+  int spin = 0;       // 1 with a drive, else 0
+  int torsion = 0;    // elastic torsion modes
+  int stator = 0;     // 2 for each ring that moves
   int ring_spin = 0;  // 1 for each ring that turns
   int integrals = 0;  // 2 with a magnetic bearing's integrator, else 0
-  int coils = 0;    // 2 for each ring whose currents lag
+  int coils = 0;      // 2 for each ring whose currents lag
   int x() const { return 0; }
   int y() const { return modes; }
   int phi() const { return 2 * modes; }
@@ -60,7 +61,8 @@ struct Layout {
 };
 
 // A load of [[force]] through the mode values of its station; Scene::Force has the formulas. Times:
-// on <= t < off. Not of kind unbalance; with the spin held not synchronous, as that is one that rotates.
+// on <= t < off. Not of kind unbalance; with the spin held not synchronous, as that is one that
+// rotates.
 struct AppliedForce {
   scene::ForceKind kind;
   double amplitude, frequency, phase;  // N, rad/s, rad
@@ -98,20 +100,22 @@ struct MagneticActuator {
   double coil_lag = 0.0;                // s, >= 0
   double current_rate_limit = 0.0;      // A/s, > 0, infinity: none
   // V, > 0, infinity: none, then neither of the others counts; H, > 0; Ohm, >= 0.
-  double voltage_limit = std::numeric_limits<double>::infinity(), inductance = 1.0, resistance = 0.0;
+  double voltage_limit = std::numeric_limits<double>::infinity(), inductance = 1.0,
+         resistance = 0.0;
 };
 
 inline constexpr int kAbsent = -1;
 
 // One auxiliary bearing: the contact at a station, the ring there, and what moves the ring.
 struct AuxiliaryBearing {
-  std::string name;                           // in messages
-  ModeShape shape;                            // n each; 1 or 0 of the first contact
-  Eigen::VectorXd torsion_shape;              // torsion, mode values at the station
-  std::optional<ContactParameters> contact;   // absent: rotor and ring do not meet
-  Eigen::Vector2d ring_offset{0.0, 0.0};      // m, of the ring's middle at rest
-  double ring_ratio = 1.0;                    // the contact's surface_ratio(); used where the ring turns
-  // Where its parts begin in q; kAbsent of a ring that is fixed, does not turn, has no coils that lag.
+  std::string name;                          // in messages
+  ModeShape shape;                           // n each; 1 or 0 of the first contact
+  Eigen::VectorXd torsion_shape;             // torsion, mode values at the station
+  std::optional<ContactParameters> contact;  // absent: rotor and ring do not meet
+  Eigen::Vector2d ring_offset{0.0, 0.0};     // m, of the ring's middle at rest
+  double ring_ratio = 1.0;  // the contact's surface_ratio(); used where the ring turns
+  // Where its parts begin in q; kAbsent of a ring that is fixed, does not turn, has no coils that
+  // lag.
   int ring = kAbsent, ring_angle = kAbsent, coil = kAbsent;
 
   std::shared_ptr<const Controller> controller;  // null: passive
@@ -121,11 +125,11 @@ struct AuxiliaryBearing {
   // Commands of another run in the controller's place: then there is none (see replayed).
   std::shared_ptr<const CommandRecord> recorded;
   bool commanded() const { return controller || recorded; }
-  double force_limit = 0.0;                      // N, on each axis of an ideal actuator
-  std::optional<MagneticActuator> magnets;       // absent: ideal actuator
+  double force_limit = 0.0;                 // N, on each axis of an ideal actuator
+  std::optional<MagneticActuator> magnets;  // absent: ideal actuator
 
-  // Contact-space admittance J M^-1 J^T of (relative x, relative y, spin), 1/kg, 1/kg, 1/(kg m^2), spin that of
-  // contact_spin (dynamics/dynamics.h); constant unless coupled_mass().
+  // Contact-space admittance J M^-1 J^T of (relative x, relative y, spin), 1/kg, 1/kg, 1/(kg m^2),
+  // spin that of contact_spin (dynamics/dynamics.h); constant unless coupled_mass().
   Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();
 
   bool moves() const { return ring != kAbsent; }
@@ -141,32 +145,32 @@ struct Model {
   Eigen::VectorXd damping;    // nq, diagonal, inertial frame
 
   // Rotor terms beyond the diagonal; absent where the scene has none.
-  ModeMatrix gyroscopic;                                // kg
-  ModeMatrix internal_xx, internal_xy, internal_yy;     // N s/m, rotating damping
-  std::vector<StationDamper> dampers;                   // bearings
-  std::vector<StationSpring> springs;                   // magnetic bearing
-  std::optional<StationFeedback> feedback;              // of one: what it does beyond its spring
-  std::vector<StationFilm> films;                       // bearings that cross the planes or follow the speed
+  ModeMatrix gyroscopic;                             // kg
+  ModeMatrix internal_xx, internal_xy, internal_yy;  // N s/m, rotating damping
+  std::vector<StationDamper> dampers;                // bearings
+  std::vector<StationSpring> springs;                // magnetic bearing
+  std::optional<StationFeedback> feedback;           // of one: what it does beyond its spring
+  std::vector<StationFilm> films;  // bearings that cross the planes or follow the speed
   std::vector<AppliedForce> forces;
-  std::vector<DiscUnbalance> unbalances;                // eccentric discs, blades that are lost
-  Eigen::VectorXd gravity_mass;                         // nq, kg, load per unit acceleration
-  Eigen::VectorXd pull;                                 // nq or empty, N, of bearings off the line
-  Eigen::VectorXd weight;                               // nq or empty, N, gravity and pull
+  std::vector<DiscUnbalance> unbalances;  // eccentric discs, blades that are lost
+  Eigen::VectorXd gravity_mass;           // nq, kg, load per unit acceleration
+  Eigen::VectorXd pull;                   // nq or empty, N, of bearings off the line
+  Eigen::VectorXd weight;                 // nq or empty, N, gravity and pull
 
   // Spin. Without a drive phi = spin_angle + speed t.
-  double speed = 0.0;                  // rad/s at t = 0
-  double spin_angle = 0.0;             // rad at t = 0
+  double speed = 0.0;       // rad/s at t = 0
+  double spin_angle = 0.0;  // rad at t = 0
   std::optional<Drive> drive;
-  Eigen::VectorXd drive_shape;         // torsion, mode values at the motor
-  double drive_angle = 0.0;            // rad, of the motor at t = 0
+  Eigen::VectorXd drive_shape;  // torsion, mode values at the motor
+  double drive_angle = 0.0;     // rad, of the motor at t = 0
 
   // In the order of the scene; one at least, whose contact may be absent.
   std::vector<AuxiliaryBearing> auxiliary = std::vector<AuxiliaryBearing>(1);
   AuxiliaryBearing& first() { return auxiliary.front(); }
   const AuxiliaryBearing& first() const { return auxiliary.front(); }
 
-  Eigen::VectorXd q0, v0;                        // initial state
-  std::optional<ModeLines> lines;                // deflection lines for pictures
+  Eigen::VectorXd q0, v0;          // initial state
+  std::optional<ModeLines> lines;  // deflection lines for pictures
 
   // Unbalance couples spin and bending where the spin is free.
   bool coupled_mass() const { return layout.spin == 1 && !unbalances.empty(); }

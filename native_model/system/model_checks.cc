@@ -122,40 +122,50 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
                     : at.moves() && !model.q0.segment<2>(at.ring).isZero(0.0)
                         ? (scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator")
                         : "contact.offset";
-  refuse(with_bearing_alone(scene, k), {{"", 0, key,
-                  "the rotor starts outside the ring, " + scene::number_text(delta) +
-                      " m from its centre; accepted: at most contact.clearance = " +
-                      scene::number_text(clearance) + " m"}});
+  refuse(with_bearing_alone(scene, k),
+         {{"", 0, key,
+           "the rotor starts outside the ring, " + scene::number_text(delta) +
+               " m from its centre; accepted: at most contact.clearance = " +
+               scene::number_text(clearance) + " m"}});
 }
 
 void check_initial_ring(const scene::Scene& scene, std::size_t k) {
   const scene::AuxiliaryBearing& at = scene.auxiliary[k];
-  if (!at.stator || !at.actuator || at.actuator->kind != scene::ActuatorKind::kElectromagnet) return;
+  if (!at.stator || !at.actuator || at.actuator->kind != scene::ActuatorKind::kElectromagnet)
+    return;
   const double start = to_axes(at.stator->position).cwiseAbs().maxCoeff();
   if (start < at.actuator->air_gap) return;
-  refuse(with_bearing_alone(scene, k), {{"", 0, scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator",
-                  "is " + scene::number_text(start) +
-                      " m along an axis of the actuator; accepted: less than actuator.air_gap = " +
-                      scene::number_text(at.actuator->air_gap) + " m"}});
+  refuse(with_bearing_alone(scene, k),
+         {{"", 0, scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator",
+           "is " + scene::number_text(start) +
+               " m along an axis of the actuator; accepted: less than actuator.air_gap = " +
+               scene::number_text(at.actuator->air_gap) + " m"}});
 }
 
-void refuse_several_contacts(const scene::Scene& scene, const std::string& who, const std::string& accepted) {
+void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
+                             const std::string& accepted) {
   if (scene.auxiliary.size() < 2) return;
-  refuse(scene, {{"", 0, "contact[1]", who + " knows one contact; accepted with several: the native integrator " + accepted}});
+  refuse(scene,
+         {{"", 0, "contact[1]",
+           who + " knows one contact; accepted with several: the native integrator " + accepted}});
 }
 
 void refuse_several_in_mujoco(const scene::Scene& scene) {
   if (scene.auxiliary.size() < 2) return;
   if (scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
-    refuse(scene, {{"", 0, "mujoco.rotor",
-                    "MuJoCo's modal chain carries one contact; accepted with several: \"segments\""}});
+    refuse(scene,
+           {{"", 0, "mujoco.rotor",
+             "MuJoCo's modal chain carries one contact; accepted with several: \"segments\""}});
   }
-  if (scene.mujoco.shadow) refuse(scene, {{"", 0, "mujoco.shadow", "the shadow has one contact; accepted with several: false"}});
+  if (scene.mujoco.shadow)
+    refuse(scene,
+           {{"", 0, "mujoco.shadow", "the shadow has one contact; accepted with several: false"}});
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const bool driven = scene.auxiliary[k].actuator || scene.auxiliary[k].controller;
     if (!driven) continue;
-    refuse(with_bearing_alone(scene, k), {{"", 0, scene.auxiliary[k].actuator ? "actuator" : "controller",
-                                           "in MuJoCo the rings of several contacts are passive; accepted: none"}});
+    refuse(with_bearing_alone(scene, k),
+           {{"", 0, scene.auxiliary[k].actuator ? "actuator" : "controller",
+             "in MuJoCo the rings of several contacts are passive; accepted: none"}});
   }
 }
 
@@ -166,12 +176,13 @@ void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {
   if (knows && !sampled) return;
   const auto check = [&](const char* key, double time) {
     if (time <= 0.0) return;
-    refuse(scene, {{"", 0, key,
-                    knows ? "an impact that takes time, under a controller with a sample_time, needs "
-                            "the integrator event; accepted here: 0, or controller.sample_time = 0"
-                          : "an impact that takes time needs the integrator event or verlet, or "
-                            "rigid of a modal chain in MuJoCo without a shadow and without a "
-                            "coil_lag; accepted with anything else: 0"}});
+    refuse(scene,
+           {{"", 0, key,
+             knows ? "an impact that takes time, under a controller with a sample_time, needs "
+                     "the integrator event; accepted here: 0, or controller.sample_time = 0"
+                   : "an impact that takes time needs the integrator event or verlet, or "
+                     "rigid of a modal chain in MuJoCo without a shadow and without a "
+                     "coil_lag; accepted with anything else: 0"}});
   };
   check("contact.compression_time", scene.first().contact->compression_time);
   check("contact.expansion_time", scene.first().contact->expansion_time);

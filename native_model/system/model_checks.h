@@ -27,14 +27,16 @@ void check_spin_inertia(const scene::Scene& scene, const Model& model);
 void check_initial_lists(const scene::Scene& scene, const Layout& layout);
 // A mode with a node at the contact moves the contact point by nothing: that is known only now.
 void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_t bearing);
-// `paper`, `literal` and MuJoCo's own step solve an impact in no time. `verlet` knows impacts that take
-// time (kUnsampled), but not samples of a controller within one: loads and command are held over it.
+// `paper`, `literal` and MuJoCo's own step solve an impact in no time. `verlet` knows impacts that
+// take time (kUnsampled), but not samples of a controller within one: loads and command are held
+// over it.
 enum class FiniteImpacts { kNone, kUnsampled };
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted);
 // `who` knows one contact; `accepted`: the native integrators that know more.
 void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
                              const std::string& accepted = "event or verlet");
-// MuJoCo's side of several contacts is a segment rotor with rings that nothing drives, without a shadow.
+// MuJoCo's side of several contacts is a segment rotor with rings that nothing drives, without a
+// shadow.
 void refuse_several_in_mujoco(const scene::Scene& scene);
 // Within an electromagnet's core there is no start.
 void check_initial_ring(const scene::Scene& scene, std::size_t bearing);

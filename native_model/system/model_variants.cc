@@ -11,8 +11,8 @@ Model without_coils(Model model) {
   const int kept = model.layout.coil();
   model.layout.coils = 0;
   for (AuxiliaryBearing& bearing : model.auxiliary) bearing.coil = kAbsent;
-  for (auto* vector : {&model.mass, &model.stiffness, &model.damping, &model.gravity_mass,
-                       &model.q0, &model.v0}) {
+  for (auto* vector :
+       {&model.mass, &model.stiffness, &model.damping, &model.gravity_mass, &model.q0, &model.v0}) {
     vector->conservativeResize(kept);
   }
   if (model.weight.size() > 0) model.weight.conservativeResize(kept);

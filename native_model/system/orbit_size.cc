@@ -31,7 +31,8 @@ double largest_of(const F& f, double period, int looks) {
   return std::max(most, f(0.5 * (low + high)));
 }
 
-// rad/s: all parts turn at whole multiples of it; nothing: there is none, or it is that of a single part.
+// rad/s: all parts turn at whole multiples of it; nothing: there is none, or it is that of a single
+// part.
 std::optional<double> base(const std::vector<OrbitPart>& turning) {
   if (turning.size() < 2) return {};
   for (int divisor = 1; divisor <= OrbitSize::kHighest; ++divisor) {

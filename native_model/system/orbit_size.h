@@ -16,9 +16,9 @@ struct OrbitSize {
   Eigen::Vector2d centre{0.0, 0.0};  // m
   std::vector<OrbitPart> parts;
 
-  // m: the most of |d| over all time, to 1e-6. Frequencies in the ratio of whole numbers up to kHighest come
-  // back, and one period is looked through. Others meet in every phase sooner or later: it is the largest over
-  // directions u of centre . u + sum |a_j . u|.
+  // m: the most of |d| over all time, to 1e-6. Frequencies in the ratio of whole numbers up to
+  // kHighest come back, and one period is looked through. Others meet in every phase sooner or
+  // later: it is the largest over directions u of centre . u + sum |a_j . u|.
   double largest() const;
 
   static constexpr int kHighest = 24;

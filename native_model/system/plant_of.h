@@ -6,8 +6,8 @@
 
 namespace rotorub {
 
-// At the spin speed `speed` (rad/s), held; spin, torsion, an angle of the ring and coils are left out.
-// Asserts a ring and a contact.
+// At the spin speed `speed` (rad/s), held; spin, torsion, an angle of the ring and coils are left
+// out. Asserts a ring and a contact.
 LinearPlant plant_of(const Model& model, std::size_t bearing, double speed);
 
 }  // namespace rotorub

@@ -29,16 +29,18 @@ double rows(const scene::Run& run) {
 void find_steps(const scene::Run& run, double step, std::vector<scene::Diagnostic>& wrong) {
   if (run.end / step <= kMostSteps) return;
   wrong.push_back({"", 0, "run.step",
-                   rough_text(run.end / step) + " steps of " + rough_text(step) + " s to run.end = " +
-                       rough_text(run.end) + " s; accepted: at most " + rough_text(kMostSteps) + " steps, of " +
-                       rough_text(run.end / kMostSteps) + " s or more"});
+                   rough_text(run.end / step) + " steps of " + rough_text(step) +
+                       " s to run.end = " + rough_text(run.end) + " s; accepted: at most " +
+                       rough_text(kMostSteps) + " steps, of " + rough_text(run.end / kMostSteps) +
+                       " s or more"});
 }
 
 void find_samples(const scene::Scene& scene, std::vector<scene::Diagnostic>& wrong) {
   const double time = scene.first().controller ? scene.first().controller->sample_time : 0.0;
   if (!(time > 0.0) || scene.run.end / time <= kMostSteps) return;
   wrong.push_back({"", 0, "controller.sample_time",
-                   rough_text(scene.run.end / time) + " samples to run.end = " + rough_text(scene.run.end) +
+                   rough_text(scene.run.end / time) +
+                       " samples to run.end = " + rough_text(scene.run.end) +
                        " s; accepted: at most " + rough_text(kMostSteps) + " samples, one in " +
                        rough_text(scene.run.end / kMostSteps) + " s"});
 }
@@ -46,16 +48,19 @@ void find_samples(const scene::Scene& scene, std::vector<scene::Diagnostic>& wro
 // An integrator that chooses its steps follows every turn of a load.
 void find_turns(const scene::Scene& scene, std::vector<scene::Diagnostic>& wrong) {
   const auto look = [&](const std::string& key, double frequency, double from, double to) {
-    const double turns = std::abs(frequency) * (std::min(to, scene.run.end) - std::max(from, 0.0)) / (2.0 * std::numbers::pi);
+    const double turns = std::abs(frequency) * (std::min(to, scene.run.end) - std::max(from, 0.0)) /
+                         (2.0 * std::numbers::pi);
     if (!(turns > kMostSteps)) return;
-    wrong.push_back({"", 0, key, rough_text(turns) + " turns to run.end = " + rough_text(scene.run.end) +
-                                     " s; accepted: at most " + rough_text(kMostSteps)});
+    wrong.push_back({"", 0, key,
+                     rough_text(turns) + " turns to run.end = " + rough_text(scene.run.end) +
+                         " s; accepted: at most " + rough_text(kMostSteps)});
   };
   for (std::size_t k = 0; k < scene.forces.size(); ++k) {
     const scene::Force& f = scene.forces[k];
     const std::string path = scene::list_element("force", k);
     if (f.kind == scene::ForceKind::kRotating) look(path + ".frequency", f.frequency, f.on, f.off);
-    if (f.kind == scene::ForceKind::kChirp) look(path + ".frequency_end", f.frequency_end, f.on, f.off);
+    if (f.kind == scene::ForceKind::kChirp)
+      look(path + ".frequency_end", f.frequency_end, f.on, f.off);
   }
 }
 

@@ -1,4 +1,5 @@
-// Whether a run can be done at all: its steps, samples of its controller and the rows of its series, before the first step.
+// Whether a run can be done at all: its steps, samples of its controller and the rows of its
+// series, before the first step.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,8 @@ inline constexpr double kMostSteps = 1e10;
 // Numbers of a series: 2 GB of memory, 5 GB of text.
 inline constexpr double kMostSeriesValues = 2.5e8;
 
-// Throws scene::SceneError for a run of more than kMostSteps of `fixed_step`, s, or samples of its controller.
+// Throws scene::SceneError for a run of more than kMostSteps of `fixed_step`, s, or samples of its
+// controller.
 void check_steps(const scene::Scene& scene, double fixed_step);
 
 // Throws scene::SceneError for a run that is too large. fixed_step: s, absent for an integrator

@@ -1,5 +1,6 @@
-// The command of a controller that is asked once a sample (Model::loop), with all that it remembers: of the
-// fixed steps' hold and of the event integrator. The plugin keeps the same memory in mjData.userdata.
+// The command of a controller that is asked once a sample (Model::loop), with all that it
+// remembers: of the fixed steps' hold and of the event integrator. The plugin keeps the same memory
+// in mjData.userdata.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,8 +21,8 @@ class SampledCommand {
   // As before the first sample.
   void clear();
   // The actuator's command (system/actuation.h) at the sample at t (s); once a sample, in order.
-  // held: its last command, which stands where the law fails. shown: the currents that the sensors see, A;
-  // null: those of the state.
+  // held: its last command, which stands where the law fails. shown: the currents that the sensors
+  // see, A; null: those of the state.
   Eigen::Vector2d take(double t, const double* q, const double* v, const Eigen::Vector2d& held,
                        const Eigen::Vector2d* shown = nullptr);
 

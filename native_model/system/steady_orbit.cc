@@ -17,7 +17,8 @@ namespace {
 // The orbit is that of the linear law: the sum of all frequencies' amplitudes keeps the limit.
 void check_current(const scene::Scene& scene, const StationFeedback& feedback, double most) {
   if (feedback.law.fails_at <= 0.0 || most <= feedback.law.current_limit) return;
-  refuse_steady(scene, "the steady free orbit asks the magnetic bearing for up to " + scene::number_text(most) +
+  refuse_steady(scene, "the steady free orbit asks the magnetic bearing for up to " +
+                           scene::number_text(most) +
                            " A, beyond magnetic_bearing.control.current_limit = " +
                            scene::number_text(feedback.law.current_limit) +
                            " A, where its law is not linear; accepted: a larger limit, or false");
@@ -90,9 +91,10 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
   if (!m.first().contact) return;
   const double largest = orbit.largest(), clearance = m.first().contact->clearance;
   if (largest < clearance) return;
-  refuse_steady(scene, "the steady free orbit touches: it comes to " + scene::number_text(largest) +
-                           " m from the middle of the ring; accepted: less than contact.clearance = " +
-                           scene::number_text(clearance) + " m, or false and a start of your own");
+  refuse_steady(scene,
+                "the steady free orbit touches: it comes to " + scene::number_text(largest) +
+                    " m from the middle of the ring; accepted: less than contact.clearance = " +
+                    scene::number_text(clearance) + " m, or false and a start of your own");
 }
 
 namespace {
@@ -129,7 +131,8 @@ Model with_loads_of(Model m, double t) {
 
 FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
   m.speed = speed;
-  // The model's forces are the scene's but for unbalances (model.cc); what turns with a spin that is held rotates there.
+  // The model's forces are the scene's but for unbalances (model.cc); what turns with a spin that
+  // is held rotates there.
   auto force = m.forces.begin();
   for (const scene::Force& given : scene.forces) {
     if (given.kind == scene::ForceKind::kUnbalance) continue;
@@ -137,7 +140,8 @@ FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
     ++force;
   }
   try {
-    const Eigen::Vector2d ring = m.layout.stator ? ring_at_rest(scene, m) : Eigen::Vector2d(0.0, 0.0);
+    const Eigen::Vector2d ring =
+        m.layout.stator ? ring_at_rest(scene, m) : Eigen::Vector2d(0.0, 0.0);
     FreeOrbit free{0.0, {}};
     for (const double t : changes(m)) {
       OrbitSize orbit = free_motion(scene, with_loads_of(m, t)).orbit;

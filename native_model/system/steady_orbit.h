@@ -1,19 +1,20 @@
-// The steady free orbit, on which `[initial] steady` starts: the periodic answer of rotor and ring to all that
-// acts at t = 0, without contact, the controller off, at the spin speed Omega of t = 0. With q the bending
-// coordinates of both planes (2 n),
+// The steady free orbit, on which `[initial] steady` starts: the periodic answer of rotor and ring
+// to all that acts at t = 0, without contact, the controller off, at the spin speed Omega of t = 0.
+// With q the bending coordinates of both planes (2 n),
 //
 //   M q'' + C q' + K q = w + sum_j Re(F_j e^{i nu_j t}),   q = K^-1 w + sum_j Re(Q_j e^{i nu_j t}),
 //   (K - nu^2 M + i nu C) Q = F,
 //
-// C: damping, bearings' dampers, rotating damping, Omega G; K: with the circulatory part of rotating damping and
-// the magnetic bearing. Planes that differ make forward and backward parts of one force; they come by themselves.
-// A force that turns at nu, either sign: F = A e^{i phase} (1, -i) through its station, unbalance with A =
-// m e Omega^2 at nu = Omega. Weight and constant forces: nu = 0.
+// C: damping, bearings' dampers, rotating damping, Omega G; K: with the circulatory part of
+// rotating damping and the magnetic bearing. Planes that differ make forward and backward parts of
+// one force; they come by themselves. A force that turns at nu, either sign: F = A e^{i phase} (1,
+// -i) through its station, unbalance with A = m e Omega^2 at nu = Omega. Weight and constant
+// forces: nu = 0.
 //
-// The ring hangs in its spring under weight and the pull of magnets without a command; nothing else moves it.
-// With a drive the orbit is that of the speed held, torsion at rest under the motor's torque there (unless the
-// scene gives it). Forces count where they act in full at t = 0, a chirp by its frequency then; one that begins
-// to rise, and a pulse, come later.
+// The ring hangs in its spring under weight and the pull of magnets without a command; nothing else
+// moves it. With a drive the orbit is that of the speed held, torsion at rest under the motor's
+// torque there (unless the scene gives it). Forces count where they act in full at t = 0, a chirp
+// by its frequency then; one that begins to rise, and a pulse, come later.
 #pragma once
 
 #include <optional>
@@ -24,15 +25,16 @@
 
 namespace rotorub {
 
-// Adds the orbit at t = 0 to q0 and v0; all else of the model is as it will be. Throws scene::SceneError, key
-// initial.steady, where there is none: the free rotor is unstable, resonance without damping, nothing that
-// holds it against a constant force, a ring that its magnets pull away, a ramp or pulse under way; or where it
-// touches, with its size.
+// Adds the orbit at t = 0 to q0 and v0; all else of the model is as it will be. Throws
+// scene::SceneError, key initial.steady, where there is none: the free rotor is unstable, resonance
+// without damping, nothing that holds it against a constant force, a ring that its magnets pull
+// away, a ramp or pulse under way; or where it touches, with its size.
 void add_steady_orbit(const scene::Scene& scene, Model& model);
 
-// How far the rotor's centre goes from the ring's at the contact on that orbit, at another spin speed (rad/s,
-// either sign), whether it would touch or not: the response to unbalance and all else that acts, of all sets of loads
-// that come to act together in full the one that takes it furthest. A pulse passes and counts for nothing.
+// How far the rotor's centre goes from the ring's at the contact on that orbit, at another spin
+// speed (rad/s, either sign), whether it would touch or not: the response to unbalance and all else
+// that acts, of all sets of loads that come to act together in full the one that takes it furthest.
+// A pulse passes and counts for nothing.
 struct FreeOrbit {
   std::optional<double> largest;  // m; empty: there is no such orbit
   std::string refused;            // why, without a full stop

@@ -1,6 +1,6 @@
-// The largest normal impulse within a window of time: what the contact gives at once, however an engine spreads it.
-// An impact is one number under the rigid law and some twenty steps of force under a soft one; its force averaged over
-// a step is a number of the step alone.
+// The largest normal impulse within a window of time: what the contact gives at once, however an
+// engine spreads it. An impact is one number under the rigid law and some twenty steps of force
+// under a soft one; its force averaged over a step is a number of the step alone.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace rotorub {
 
-// Steps of a scene: a soft contact that is as stiff as its step allows bounces in 16 (mjcf/soft_contact.h).
+// Steps of a scene: a soft contact that is as stiff as its step allows bounces in 16
+// (mjcf/soft_contact.h).
 inline constexpr double kWindowSteps = 20.0;
 
 class ImpulseWindow {

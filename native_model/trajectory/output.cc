@@ -16,7 +16,8 @@ namespace {
 // 17 significant digits: reads back to the same bits.
 void append(std::string& text, double value) {
   char buffer[40];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 17);
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 17);
   text.append(buffer, end.ptr);
 }
 
@@ -31,7 +32,8 @@ void append_row(std::string& text, std::initializer_list<double> values) {
 
 std::string header(std::span<const ColumnMeaning> columns) {
   std::string text;
-  for (const ColumnMeaning& column : columns) text += (text.empty() ? "" : ",") + std::string(column.name);
+  for (const ColumnMeaning& column : columns)
+    text += (text.empty() ? "" : ",") + std::string(column.name);
   return text + '\n';
 }
 
@@ -100,9 +102,11 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
   const auto fail = [&](const char* what, int error) {
     if (aside) fs::remove(written, none);
     const std::error_code code(error, std::generic_category());
-    const std::string said = "cannot " + std::string(what) + " " + file.string() + ": " + code.message();
+    const std::string said =
+        "cannot " + std::string(what) + " " + file.string() + ": " + code.message();
     // A place that takes no file was badly chosen; one that is full was not.
-    if (error != ENOSPC && error != EDQUOT && error != EIO && error != EFBIG) throw UnwritablePlace(said);
+    if (error != ENOSPC && error != EDQUOT && error != EIO && error != EFBIG)
+      throw UnwritablePlace(said);
     throw std::runtime_error(said);
   };
   if (fs::is_directory(file, none)) fail("write", EISDIR);

@@ -13,7 +13,8 @@ namespace rotorub {
 void write_series(const Trajectory& trajectory, const std::filesystem::path& file);
 void write_impacts(const Trajectory& trajectory, const std::filesystem::path& file);
 void write_events(const Trajectory& trajectory, const std::filesystem::path& file);
-// A file cannot be made where it was asked for: there is no such folder, or it may not be written to.
+// A file cannot be made where it was asked for: there is no such folder, or it may not be written
+// to.
 class UnwritablePlace : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -29,7 +29,8 @@ std::string machine() {
   std::array<char, 256> name{};
   gethostname(name.data(), name.size() - 1);
   std::error_code none;
-  const std::string whole = std::string(name.data()) + fs::read_symlink("/proc/self/ns/pid", none).string();
+  const std::string whole =
+      std::string(name.data()) + fs::read_symlink("/proc/self/ns/pid", none).string();
   return scene::text_hash(whole).substr(0, 8);
 }
 
@@ -47,7 +48,9 @@ pid_t writer_of(const std::string& part, const std::string& name) {
   pid_t process = 0;
   const char* last = part.data() + part.size();
   const auto [end, error] = std::from_chars(part.data() + mark.size(), last, process);
-  const bool ours = end == last || std::string_view(end, static_cast<std::size_t>(last - end)).starts_with("-" + machine());
+  const bool ours =
+      end == last ||
+      std::string_view(end, static_cast<std::size_t>(last - end)).starts_with("-" + machine());
   return error == std::errc() && ours && process > 0 ? process : 0;
 }
 
@@ -69,9 +72,11 @@ fs::path part_of(const fs::path& file) {
   for (int attempt = 0;; ++attempt) {
     fs::path part = file;
     part += mark + random_name();
-    const int made = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    const int made =
+        ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (made >= 0) ::close(made);
-    if (made >= 0 || errno != EEXIST || attempt == kMostAttempts) return part;  // who opens it learns why it cannot be
+    if (made >= 0 || errno != EEXIST || attempt == kMostAttempts)
+      return part;  // who opens it learns why it cannot be
   }
 }
 
@@ -82,7 +87,8 @@ void check_writable(const fs::path& folder) {
   const bool is_folder = fs::is_directory(there, none);
   if (is_folder && access(there.c_str(), W_OK | X_OK) == 0) return;
   const int error = is_folder ? errno : ENOTDIR;
-  throw fs::filesystem_error("cannot write to", folder, std::error_code(error, std::generic_category()));
+  throw fs::filesystem_error("cannot write to", folder,
+                             std::error_code(error, std::generic_category()));
 }
 
 }  // namespace rotorub

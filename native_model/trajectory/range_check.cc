@@ -13,10 +13,13 @@ std::string text(double value) { return scene::number_text(value, 3); }
 
 }  // namespace
 
-std::optional<std::string> out_of_range(const Model& m, const double* q, std::optional<double> given) {
+std::optional<std::string> out_of_range(const Model& m, const double* q,
+                                        std::optional<double> given) {
   for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
     const AuxiliaryBearing& at = m.auxiliary[k];
-    const auto ring = [&] { return m.auxiliary.size() > 1 ? "ring " + at.name : std::string("ring"); };
+    const auto ring = [&] {
+      return m.auxiliary.size() > 1 ? "ring " + at.name : std::string("ring");
+    };
     if (at.magnets && at.moves()) {
       const double reach = at.magnets->law->reach();
       const double s = to_axes(stator_point(m, q, k)).cwiseAbs().maxCoeff();

@@ -101,8 +101,8 @@ void Recorder::count_contact(double normal_impulse, double friction_impulse, dou
   s.peak_force = std::max(s.peak_force, force);
 }
 
-void Recorder::count_at(std::size_t contact, double begin, double h, double normal_impulse, double friction_impulse,
-                        double friction_work) {
+void Recorder::count_at(std::size_t contact, double begin, double h, double normal_impulse,
+                        double friction_impulse, double friction_work) {
   ContactStatistics& own = statistics_.contacts[contact];
   if (own.first_touch < 0.0) own.first_touch = begin;
   own.contact_time += h;

@@ -59,13 +59,15 @@ class Recorder {
   double penetration() const { return penetration_; }  // m, of the last snapshot, >= 0
   void add(const Impact& impact);
   void add(const Event& event);
-  // What one of several contacts did over h (s) from `begin` (s) on, N s and J; and its gap at a row or a step's end.
-  void count_at(std::size_t contact, double begin, double h, double normal_impulse, double friction_impulse,
-                double friction_work);
+  // What one of several contacts did over h (s) from `begin` (s) on, N s and J; and its gap at a
+  // row or a step's end.
+  void count_at(std::size_t contact, double begin, double h, double normal_impulse,
+                double friction_impulse, double friction_work);
   void watch_gap(std::size_t contact, double gap);
-  // In the figures of all what a further contact did over a step that step() counts; `both`: the first pressed too.
-  void count_beside(double begin, double h, double normal_impulse, double friction_impulse, double friction_work,
-                    bool both);
+  // In the figures of all what a further contact did over a step that step() counts; `both`: the
+  // first pressed too.
+  void count_beside(double begin, double h, double normal_impulse, double friction_impulse,
+                    double friction_work, bool both);
   // For engines with dense output of their own: the next wanted time (infinity: none left), a row
   // at exactly that time, and the statistics.
   double next_time() const;

@@ -8,34 +8,50 @@ namespace rotorub {
 
 const char* to_string(Mode mode) {
   switch (mode) {
-    case Mode::kFree: return "free";
-    case Mode::kSlide: return "slide";
-    case Mode::kStick: return "stick";
+    case Mode::kFree:
+      return "free";
+    case Mode::kSlide:
+      return "slide";
+    case Mode::kStick:
+      return "stick";
   }
   return "";
 }
 
 const char* to_string(EventKind kind) {
   switch (kind) {
-    case EventKind::kImpact: return "impact";
-    case EventKind::kSlide: return "slide";
-    case EventKind::kStick: return "stick";
-    case EventKind::kLiftOff: return "lift_off";
-    case EventKind::kReverse: return "reverse";
+    case EventKind::kImpact:
+      return "impact";
+    case EventKind::kSlide:
+      return "slide";
+    case EventKind::kStick:
+      return "stick";
+    case EventKind::kLiftOff:
+      return "lift_off";
+    case EventKind::kReverse:
+      return "reverse";
   }
   return "";
 }
 
 const char* to_string(Status status) {
   switch (status) {
-    case Status::kOk: return "ok";
-    case Status::kDiverged: return "diverged";
-    case Status::kNoSolution: return "no_solution";
-    case Status::kAmbiguous: return "ambiguous";
-    case Status::kStepTooLarge: return "step_too_large";
-    case Status::kOutOfRange: return "out_of_range";
-    case Status::kControllerFailed: return "controller_failed";
-    case Status::kInterrupted: return "interrupted";
+    case Status::kOk:
+      return "ok";
+    case Status::kDiverged:
+      return "diverged";
+    case Status::kNoSolution:
+      return "no_solution";
+    case Status::kAmbiguous:
+      return "ambiguous";
+    case Status::kStepTooLarge:
+      return "step_too_large";
+    case Status::kOutOfRange:
+      return "out_of_range";
+    case Status::kControllerFailed:
+      return "controller_failed";
+    case Status::kInterrupted:
+      return "interrupted";
   }
   return "";
 }

@@ -36,38 +36,40 @@ const char* to_string(Status status);
 
 // Of one of several contacts.
 struct ContactStatistics {
-  double first_touch = -1.0;      // s; -1: never touched
-  double contact_time = 0.0;      // s with normal force > 0
-  double impulse_total = 0.0;     // N s, normal
-  double friction_impulse = 0.0;  // N s, signed
-  double friction_work = 0.0;     // J, <= 0
+  double first_touch = -1.0;                                   // s; -1: never touched
+  double contact_time = 0.0;                                   // s with normal force > 0
+  double impulse_total = 0.0;                                  // N s, normal
+  double friction_impulse = 0.0;                               // N s, signed
+  double friction_work = 0.0;                                  // J, <= 0
   double least_gap = std::numeric_limits<double>::infinity();  // m
-  double max_penetration = 0.0;   // m
+  double max_penetration = 0.0;                                // m
 };
 
 // Figures gathered over every step, whatever the spacing of the series.
 struct Statistics {
-  double first_touch = -1.0;        // s; -1: never touched
+  double first_touch = -1.0;  // s; -1: never touched
   // s in which some contact has a normal force > 0; an impact of a fixed step: one step
   double contact_time = 0.0;
-  double impact_time = 0.0;         // s of it that are impacts: their steps, or soft contacts shorter than the window
-  double impulse_total = 0.0;       // N s, normal
-  double friction_impulse = 0.0;    // N s, signed
-  double friction_work = 0.0;       // J, <= 0
-  double max_penetration = 0.0;     // m
-  double least_gap = std::numeric_limits<double>::infinity();  // m, of rows and ends of steps; infinity: no contact
-  double penetration_square = 0.0;  // m^2 s, integral of penetration^2
-  double force_square = 0.0;        // N^2 s, integral of (impulse of the step / step)^2 in contact
-  double peak_force = 0.0;          // N, largest impulse of a step / step
-  double window_impulse = 0.0;      // N s, largest normal impulse within the window (impulse_window.h)
-  double gap_rate_square = 0.0;     // m^2/s, integral of gap_rate^2 from first touch
-  double energy_start = 0.0;        // J
-  double energy_end = 0.0;          // J
-  double external_work = 0.0;       // J, of all forces that are not springs or contact
-  double contact_work = 0.0;        // J
-  double energy_scale = 0.0;        // J, largest energy met; of a contact at the end: N delta_0
+  double impact_time =
+      0.0;  // s of it that are impacts: their steps, or soft contacts shorter than the window
+  double impulse_total = 0.0;                                  // N s, normal
+  double friction_impulse = 0.0;                               // N s, signed
+  double friction_work = 0.0;                                  // J, <= 0
+  double max_penetration = 0.0;                                // m
+  double least_gap = std::numeric_limits<double>::infinity();  // m, of rows and ends of steps;
+                                                               // infinity: no contact
+  double penetration_square = 0.0;                             // m^2 s, integral of penetration^2
+  double force_square = 0.0;     // N^2 s, integral of (impulse of the step / step)^2 in contact
+  double peak_force = 0.0;       // N, largest impulse of a step / step
+  double window_impulse = 0.0;   // N s, largest normal impulse within the window (impulse_window.h)
+  double gap_rate_square = 0.0;  // m^2/s, integral of gap_rate^2 from first touch
+  double energy_start = 0.0;     // J
+  double energy_end = 0.0;       // J
+  double external_work = 0.0;    // J, of all forces that are not springs or contact
+  double contact_work = 0.0;     // J
+  double energy_scale = 0.0;     // J, largest energy met; of a contact at the end: N delta_0
   std::vector<ContactStatistics> contacts;  // of each where there are several, else empty
-  double energy_residual() const;   // |E_end - E_start - works| / scale, 0 for a scale of 0
+  double energy_residual() const;           // |E_end - E_start - works| / scale, 0 for a scale of 0
 };
 
 class MissingColumn : public std::runtime_error {
@@ -79,8 +81,8 @@ struct Trajectory {
   double step = 0.0;                              // s; `event`: 0
   std::size_t contacts = 1;                       // auxiliary bearings of the model
   std::int64_t steps = 0;
-  double wall_s = 0.0;                            // integration alone
-  double end = 0.0;                               // s, reached
+  double wall_s = 0.0;  // integration alone
+  double end = 0.0;     // s, reached
   std::vector<Column> series;
   std::vector<Impact> impacts;
   std::vector<Event> events;
@@ -92,8 +94,8 @@ struct Trajectory {
   // Throws MissingColumn: a series may come from a file.
   const std::vector<double>& column(const std::string& name) const;
   bool has(const std::string& name) const;
-  double contact_fraction() const;   // from first touch to the end, 0 when never touched
-  double mean_force() const;         // N, impulse_total / (end - first touch)
+  double contact_fraction() const;  // from first touch to the end, 0 when never touched
+  double mean_force() const;        // N, impulse_total / (end - first touch)
 };
 
 }  // namespace rotorub

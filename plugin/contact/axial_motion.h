@@ -28,8 +28,8 @@ inline Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius) {
   return {1.0, radius * e_r.y(), -radius * e_r.x()};
 }
 
-// The axis of a round rotor (cylinder, capsule; other shapes have none) is tilted from its ring's by 60 degrees or more
-// in qpos0: it lies in it as no disc does.
+// The axis of a round rotor (cylinder, capsule; other shapes have none) is tilted from its ring's
+// by 60 degrees or more in qpos0: it lies in it as no disc does.
 bool lies_across(const mjModel* m, const ContactPair& pair);
 
 }  // namespace rotorub::plugin

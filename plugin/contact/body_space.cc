@@ -74,7 +74,7 @@ ContactPlace contact_place(const ContactPair& pair, const mjData* d) {
 }
 
 Eigen::Vector2d turning_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
-                            const mjData* d) {
+                           const mjData* d) {
   mjtNum rotor[3], ring[3];
   point_turning(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, rotor);
   point_turning(m, d, m->geom_bodyid[pair.ring_geom], place.ring_point, ring);
@@ -86,8 +86,8 @@ Eigen::Vector2d turning_of(const ContactPair& pair, const ContactPlace& place, c
   return a;
 }
 
-BodySpace::BodySpace(const ContactPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
-                   const StepMatrix& matrix, BodyRows rows)
+BodySpace::BodySpace(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
+                     mjData* d, const StepMatrix& matrix, BodyRows rows)
     : ContactSpace(m, d, matrix), m_(m), rows_(rows), room_(d) {
   jacobian_ = room_.numbers(3 * nv_);
   std::fill_n(jacobian_, 3 * nv_, 0.0);
@@ -99,7 +99,8 @@ BodySpace::BodySpace(const ContactPair& pair, const ContactPlace& place, const m
 }
 
 // As mj_jac, of the degrees of freedom that move the body alone.
-void BodySpace::add_body(const mjtNum* axes, const mjtNum* point, int body, double sign, double spin) {
+void BodySpace::add_body(const mjtNum* axes, const mjtNum* point, int body, double sign,
+                         double spin) {
   mjtNum arm[3], turn[3];
   mju_sub3(arm, point, d_->subtree_com + 3 * m_->body_rootid[body]);
   for (int i = last_dof(m_, body); i >= 0; i = m_->dof_parentid[i]) {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "native_model/contact/disc_law.h"
 #include "plugin/actuators.h"
 #include "plugin/contact/constraint_probe.h"
-#include "native_model/contact/disc_law.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
@@ -24,13 +24,16 @@ struct ConeRows {
 };
 
 bool is_pyramid(const mjModel* m, const mjContact& c) { return c.dim > 1 && mj_isPyramidal(m); }
-int row_count(const mjModel* m, const mjContact& c) { return is_pyramid(m, c) ? 2 * (c.dim - 1) : c.dim; }
+int row_count(const mjModel* m, const mjContact& c) {
+  return is_pyramid(m, c) ? 2 * (c.dim - 1) : c.dim;
+}
 
-// y_N and z of the contact for y of its rows: direction 0 is the normal. A pyramid has two edges a tangent, of
-// y_N +- z_i.
+// y_N and z of the contact for y of its rows: direction 0 is the normal. A pyramid has two edges a
+// tangent, of y_N +- z_i.
 double along(const mjModel* m, const ConeRows& rows, const mjtNum* y, int direction) {
   const mjtNum* own = y + rows.first;
-  if (!is_pyramid(m, *rows.contact)) return direction == 0 ? own[0] : rows.contact->friction[direction - 1] * own[direction];
+  if (!is_pyramid(m, *rows.contact))
+    return direction == 0 ? own[0] : rows.contact->friction[direction - 1] * own[direction];
   const int edge = direction == 0 ? 0 : 2 * (direction - 1);
   return 0.5 * (own[edge] + (direction == 0 ? 1.0 : -1.0) * own[edge + 1]);
 }
@@ -63,21 +66,25 @@ void shift_reference(const mjModel* m, mjData* d, const ConeRows& rows, double b
   for (int i = 0; i < shifted; ++i) d->efc_aref[rows.first + i] -= by;
 }
 
-// The reference of a contact on its ring, as the head of cone_correction.h says. False: the step leaves the gap open, and
-// the contact exerts nothing.
-bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curvature, const mjtNum* free) {
+// The reference of a contact on its ring, as the head of cone_correction.h says. False: the step
+// leaves the gap open, and the contact exerts nothing.
+bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curvature,
+                 const mjtNum* free) {
   constexpr double kResting = -1e12;  // m/s^2
   const double h = m->opt.timestep, late = m->opt.integrator == mjINT_RK4 ? 0.0 : 0.5 * h;
   const mjtNum* kbip = d->efc_KBIP + 4 * rows.first;
   const double gap = d->efc_pos[rows.first];
-  // The velocity of a semi-implicit step is that of half a step ago: on a circle it points outward by h/2 v_t^2 / delta.
+  // The velocity of a semi-implicit step is that of half a step ago: on a circle it points outward
+  // by h/2 v_t^2 / delta.
   const double rate = along(m, rows, d->efc_vel, 0);
   const double stays = gap + h * (rate + h * (along(m, rows, free, 0) - curvature));
   if (gap > 0.0 && stays > 0.0) {
     shift_reference(m, d, rows, -kResting);
     return false;
   }
-  shift_reference(m, d, rows, kbip[0] * kbip[2] * d->efc_margin[rows.first] - curvature * (1.0 - late * kbip[1]));
+  shift_reference(
+      m, d, rows,
+      kbip[0] * kbip[2] * d->efc_margin[rows.first] - curvature * (1.0 - late * kbip[1]));
   return true;
 }
 
@@ -107,7 +114,8 @@ class OwnCones {
       for (Eigen::Index j = 0; j <= i; ++j) {
         a(i, j) = a(j, i) = mju_dot(columns_ + i * nv_, solved_ + j * nv_, nv_);
       }
-      b[i] = mju_dot(columns_ + i * nv_, d_->qacc_smooth, nv_) - along(m_, of(i), d_->efc_aref, direction(i));
+      b[i] = mju_dot(columns_ + i * nv_, d_->qacc_smooth, nv_) -
+             along(m_, of(i), d_->efc_aref, direction(i));
       a(i, i) += softness(i);
     }
     std::array<DiscSet, kMaxContacts> sets{};
@@ -134,7 +142,8 @@ class OwnCones {
       const double mobility = mju_dot(columns_ + i * nv_, solved_ + i * nv_, nv_);
       mj_mulJacVec(m_, d_, product, solved_ + i * nv_);
       for (int row = 0; row < d_->nefc; ++row) {
-        if (!is_own(row) && product[row] * product[row] > kApart * mobility * diagonal[row]) return true;
+        if (!is_own(row) && product[row] * product[row] > kApart * mobility * diagonal[row])
+          return true;
       }
     }
     return false;
@@ -143,11 +152,14 @@ class OwnCones {
  private:
   static constexpr double kApart = 1e-20;  // squared cosine of two rows that do not meet
 
-  const ConeRows& of(Eigen::Index i) const { return contacts_[static_cast<std::size_t>(i / kDirections)]; }
+  const ConeRows& of(Eigen::Index i) const {
+    return contacts_[static_cast<std::size_t>(i / kDirections)];
+  }
   static int direction(Eigen::Index i) { return static_cast<int>(i % kDirections); }
 
-  // MuJoCo's solver starts from the accelerations that these forces give. PGS, which moves one force at a time, else finds
-  // no way from 0: neither the normal force nor the friction is worth having without the other.
+  // MuJoCo's solver starts from the accelerations that these forces give. PGS, which moves one
+  // force at a time, else finds no way from 0: neither the normal force nor the friction is worth
+  // having without the other.
   void start_from(const ContactVector& p) {
     for (int dof = 0; dof < nv_; ++dof) {
       double change = 0.0;
@@ -165,8 +177,9 @@ class OwnCones {
     return mu * mu * r[k];
   }
   bool is_own(int row) const {
-    return std::any_of(contacts_.begin(), contacts_.end(),
-                       [row](const ConeRows& c) { return row >= c.first && row < c.first + c.count; });
+    return std::any_of(contacts_.begin(), contacts_.end(), [row](const ConeRows& c) {
+      return row >= c.first && row < c.first + c.count;
+    });
   }
 
   const mjModel* m_;
@@ -177,8 +190,8 @@ class OwnCones {
   mjtNum *columns_, *solved_;
 };
 
-// MuJoCo's solver is asked what |z| comes of the shifts, and is given that, by secants. Contracts by itself while
-// mu^2 A_TT < A_NN; the secant ends where it does not.
+// MuJoCo's solver is asked what |z| comes of the shifts, and is given that, by secants. Contracts
+// by itself while mu^2 A_TT < A_NN; the secant ends where it does not.
 void ask_solver(const mjModel* m, mjData* d, std::span<ConeRows> contacts) {
   constexpr int kMostAsked = 12;
   constexpr double kSettled = 1e-7;  // of the shift
@@ -201,7 +214,8 @@ void ask_solver(const mjModel* m, mjData* d, std::span<ConeRows> contacts) {
       ConeRows& c = contacts[k];
       now.push_back({c.shift, lift(m, c, y)});
       const Answer& answer = now.back();
-      settled = settled && std::abs(answer.lift - answer.shift) <= kSettled * std::max(answer.lift, answer.shift);
+      settled = settled && std::abs(answer.lift - answer.shift) <=
+                               kSettled * std::max(answer.lift, answer.shift);
       c.shift = answer.lift;
       if (last.empty() || answer.shift == last[k].shift) continue;
       const double slope = (answer.lift - last[k].lift) / (answer.shift - last[k].shift);
@@ -231,8 +245,9 @@ void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> 
     if (c.contact->dim >= 3) cones.push_back(rows);
   }
   if (cones.empty()) return;
-  bool exact = cones.size() <= kMaxContacts && !mj_isPyramidal(m) &&
-               std::all_of(cones.begin(), cones.end(), [](const ConeRows& c) { return c.slides_only(); });
+  bool exact =
+      cones.size() <= kMaxContacts && !mj_isPyramidal(m) &&
+      std::all_of(cones.begin(), cones.end(), [](const ConeRows& c) { return c.slides_only(); });
   if (cones.size() <= kMaxContacts) {
     OwnCones own(m, d, cones);
     exact = own.solve() && exact && !own.is_coupled();

@@ -26,8 +26,8 @@ template <typename Free>
 Eigen::Vector3d look(TouchingPair& s, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
   const bool before = s.entry(d)[kMode] != 0.0;
-  const bool lasts = before && !flight_outlives(2.0 * m->opt.timestep,
-                                                s.point.gap_rate, s.curvature - a.x());
+  const bool lasts =
+      before && !flight_outlives(2.0 * m->opt.timestep, s.point.gap_rate, s.curvature - a.x());
   s.touches = s.point.gap < 0.0 || lasts;
   return s.base + a;
 }

@@ -30,8 +30,8 @@ class CoupledContacts::Response final : public ContactResponse {
   const ContactSubset& subset_;
 };
 
-CoupledContacts::CoupledContacts(const mjModel* m, mjData* d, std::span<CoupledMember* const> members,
-                                 ConstraintProbe* probe)
+CoupledContacts::CoupledContacts(const mjModel* m, mjData* d,
+                                 std::span<CoupledMember* const> members, ConstraintProbe* probe)
     : d_(d), members_(members), probe_(probe), h_(m->opt.timestep) {
   for (Closing& c : contacts_) c.lasting = c.sudden = Eigen::Vector3d::Zero();
   for (const CoupledMember* at : members) {
@@ -162,7 +162,8 @@ bool CoupledContacts::solve(const ContactSubset& s, std::array<bool, kMaxContact
   return true;
 }
 
-bool CoupledContacts::solve_held(const ContactSubset& s, const ContactMatrix& a, const ContactVector& free,
+bool CoupledContacts::solve_held(const ContactSubset& s, const ContactMatrix& a,
+                                 const ContactVector& free,
                                  std::array<bool, kMaxContacts>& sticks) {
   std::array<double, kMaxContacts> frictions{};
   std::array<ImpactLaw, kMaxContacts> laws{};

@@ -66,8 +66,8 @@ class CoupledContacts {
   void find_ends();
   // (gap rate + offset, slip, and that along the axis) of a subset.
   ContactVector rates(const ContactSubset& s) const;
-  // Puts the impulses of the subset; which of them stick. False: no solution, or several, which is then the
-  // status of their results.
+  // Puts the impulses of the subset; which of them stick. False: no solution, or several, which is
+  // then the status of their results.
   bool solve(const ContactSubset& s, std::array<bool, kMaxContacts>& sticks);
   // What was found of a step without a solution is its status.
   void give_none();

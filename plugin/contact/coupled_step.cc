@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "plugin/contact/axial_motion.h"
 #include "plugin/contact/constraint_probe.h"
+#include "plugin/contact/coupled_contacts.h"
 #include "plugin/contact/memory.h"
 #include "plugin/load_cells.h"
-#include "plugin/contact/axial_motion.h"
-#include "plugin/contact/coupled_contacts.h"
 #include "plugin/passes.h"
 
 namespace rotorub::plugin {
@@ -182,7 +182,8 @@ void note_results(const CoupledStep& step, const mjModel* m, mjData* d,
     warned = warned || memory.warned();
     if (members[i]->held) held = members[i];
     memory.note(step.result(i), m->opt.timestep);
-    if (members[i]->axial) note_contact(d, members[i]->data, step.result(i).e_r, step.axial(i) / m->opt.timestep);
+    if (members[i]->axial)
+      note_contact(d, members[i]->data, step.result(i).e_r, step.axial(i) / m->opt.timestep);
   }
   if (!step.converged() && held && !warned) warn_unsolved(m, d, *held->space);
 }
@@ -205,11 +206,12 @@ void apply_coupled_step(const mjModel* m, mjData* d, std::span<CoupledMember* co
     at->step.was_in_contact = memory.was_in_contact(at->step.d.norm(), at->contact->clearance);
   }
   if (!contact_enabled(m)) {
-    for (const CoupledMember* at : members) ContactMemory(d, at->data, at->step.h).note({}, at->step.h);
+    for (const CoupledMember* at : members)
+      ContactMemory(d, at->data, at->step.h).note({}, at->step.h);
     return;
   }
-  const bool held = std::any_of(members.begin(), members.end(),
-                                [](const CoupledMember* at) { return at->held; });
+  const bool held =
+      std::any_of(members.begin(), members.end(), [](const CoupledMember* at) { return at->held; });
   std::optional<ConstraintProbe> probe;
   if (held) {
     mj_fwdAcceleration(m, d);

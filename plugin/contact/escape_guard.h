@@ -1,6 +1,7 @@
-// Under `rigid` no rotor is deeper in its ring than a start put it: where one is, the step is too long for its motion, or
-// something moves rotor or ring that the contact does not see. That is said once, and `rotorub_active` is 0 meanwhile.
-// What it knows stands beside the Status of the contact laws, in kContactStatus.
+// Under `rigid` no rotor is deeper in its ring than a start put it: where one is, the step is too
+// long for its motion, or something moves rotor or ring that the contact does not see. That is said
+// once, and `rotorub_active` is 0 meanwhile. What it knows stands beside the Status of the contact
+// laws, in kContactStatus.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -18,7 +19,9 @@ class EscapeGuard {
   explicit EscapeGuard(mjtNum* entry) : state_(entry + kContactStatus) {}
 
   // Of the number in kContactStatus.
-  static Status status_in(double number) { return static_cast<Status>(static_cast<int>(number) % kWasInside); }
+  static Status status_in(double number) {
+    return static_cast<Status>(static_cast<int>(number) % kWasInside);
+  }
   Status status() const { return status_in(*state_); }
   void set_status(Status status) { set(bits() - bits() % kWasInside + static_cast<int>(status)); }
   bool is_outside() const { return (bits() & kIsOutside) != 0; }
@@ -33,8 +36,10 @@ class EscapeGuard {
     set((bits() & ~kIsOutside) | (inside ? kWasInside : 0) | (escaped ? kIsOutside : 0));
     if (!escaped || (bits() & kWasTold)) return;
     set(bits() | kWasTold);
-    warn(message("rotorub: the rotor is {} m deep in its ring at t = {} s, with a clearance of {} m: the step is too long "
-                 "for this motion, or rotor or ring is moved by what the contact does not see; rotorub_active is 0 while "
+    warn(message("rotorub: the rotor is {} m deep in its ring at t = {} s, with a clearance of {} "
+                 "m: the step is too long "
+                 "for this motion, or rotor or ring is moved by what the contact does not see; "
+                 "rotorub_active is 0 while "
                  "that lasts",
                  -gap, time, clearance)
              .c_str());

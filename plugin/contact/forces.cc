@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugin/contact/find_contact.h"
 #include "plugin/contact/escape_guard.h"
+#include "plugin/contact/find_contact.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -26,8 +26,9 @@ ContactForces rigid_forces(const mjtNum* entry) {
   return out;
 }
 
-// Within the surface of the cone, where MuJoCo's regularisation lets nothing stick in full: of its pyramid
-// all edges of the two tangents then carry, of its ellipse |T| < mu N. force: along the contact's frame.
+// Within the surface of the cone, where MuJoCo's regularisation lets nothing stick in full: of its
+// pyramid all edges of the two tangents then carry, of its ellipse |T| < mu N. force: along the
+// contact's frame.
 bool within_cone(const mjModel* m, const mjData* d, const mjContact& contact, const mjtNum* force) {
   const mjtNum* edges = d->efc_force + contact.efc_address;
   if (mj_isPyramidal(m)) return *std::min_element(edges, edges + 4) > 0.0;

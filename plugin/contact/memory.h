@@ -6,8 +6,8 @@
 
 #include <mujoco/mujoco.h>
 
-#include "plugin/contact/escape_guard.h"
 #include "native_model/contact/rigid_law.h"
+#include "plugin/contact/escape_guard.h"
 #include "plugin/load_cells.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"
@@ -29,8 +29,8 @@ class ContactMemory {
     if (!next) EscapeGuard(entry_).begin();
   }
 
-  // Whether contact lasted over the step before. It ends on the circle: a centre `delta` from the ring's that is inside
-  // it was written since.
+  // Whether contact lasted over the step before. It ends on the circle: a centre `delta` from the
+  // ring's that is inside it was written since.
   bool was_in_contact(double delta, double clearance) const {
     constexpr double kOnCircle = 0.01;  // of the clearance, that a step may leave open
     return was_in_contact() && delta > (1.0 - kOnCircle) * clearance;

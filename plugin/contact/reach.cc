@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugin/mujoco_versions.h"
 #include "plugin/contact/body_space.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -47,7 +47,7 @@ double change(const mjModel* m, mjData* d) {
 }  // namespace
 
 Eigen::Vector3d rates_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
-                          const mjData* d) {
+                         const mjData* d) {
   Eigen::Vector3d rates(0.0, 0.0, 0.0);
   const auto add = [&](int body, const mjtNum* point, double sign, double spin) {
     // Rotation, then translation of the point of the body at its tree's centre of mass.
@@ -81,9 +81,8 @@ bool Reach::may_reach(const ContactPair& pair) {
   const double speed = rates_of(pair, place, m_, d_).head<2>().norm();
   if (!(gap > h * speed)) return true;
   if (change_ < 0.0) change_ = change(m_, d_);
-  const double mobile =
-      mobility(m_, d_, pair.rotor_geom, d_->geom_xpos + 3 * pair.rotor_geom) +
-      mobility(m_, d_, pair.ring_geom, place.ring_point);
+  const double mobile = mobility(m_, d_, pair.rotor_geom, d_->geom_xpos + 3 * pair.rotor_geom) +
+                        mobility(m_, d_, pair.ring_geom, place.ring_point);
   return !(gap > h * (speed + h * std::sqrt(mobile) * change_));
 }
 

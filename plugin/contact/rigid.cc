@@ -3,14 +3,14 @@
 #include <array>
 #include <optional>
 
-#include "plugin/contact/constraint_probe.h"
 #include "native_model/contact/coupled_law.h"
+#include "plugin/contact/body_space.h"
+#include "plugin/contact/constraint_probe.h"
+#include "plugin/contact/coupled_step.h"
 #include "plugin/contact/memory.h"
+#include "plugin/contact/reach.h"
 #include "plugin/contact/rigid_step.h"
 #include "plugin/contact/smooth_force.h"
-#include "plugin/contact/coupled_step.h"
-#include "plugin/contact/body_space.h"
-#include "plugin/contact/reach.h"
 #include "plugin/passes.h"
 
 namespace rotorub::plugin {
@@ -38,9 +38,10 @@ void apply_one(const ContactPair& pair, const mjModel* m, mjData* d) {
 
 using Group = std::array<CoupledMember*, kMaxContacts>;
 
-// Those of `all` that the first one left moves with, by way of others too; taken off `left`. Bodies of
-// one tree, or held by constraints.
-std::size_t take_group(std::span<CoupledMember> all, std::array<bool, kMaxContacts>& left, Group& group) {
+// Those of `all` that the first one left moves with, by way of others too; taken off `left`. Bodies
+// of one tree, or held by constraints.
+std::size_t take_group(std::span<CoupledMember> all, std::array<bool, kMaxContacts>& left,
+                       Group& group) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < all.size() && count == 0; ++i) {
     if (!left[i]) continue;

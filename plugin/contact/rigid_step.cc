@@ -16,8 +16,8 @@ void add_impulses(const RigidResult& r, const RigidStep& step, const ContactPara
   space.add(load, r.impact, d->qfrc_passive);
 }
 
-// A rotor that can neither slip nor spin (one slide) has G_TT = 0: a trace of it, that of a spin that
-// nothing is asked of, leaves the 2x2 problem solvable.
+// A rotor that can neither slip nor spin (one slide) has G_TT = 0: a trace of it, that of a spin
+// that nothing is asked of, leaves the 2x2 problem solvable.
 Eigen::Matrix3d with_spin(Eigen::Matrix3d admittance, double radius) {
   constexpr double kTrace = 1e-12;
   if (admittance(2, 2) == 0.0) {

@@ -3,15 +3,15 @@
 
 #include <mujoco/mujoco.h>
 
-#include "plugin/contact/contact_space.h"
 #include "native_model/contact/rigid_law.h"
+#include "plugin/contact/contact_space.h"
 
 namespace rotorub::plugin {
 
 // Adds the step's impulses to d->qfrc_passive, as forces over the step, and notes them (memory.h).
-// `data`: index of the contact's memory (user_data.h). step: h, d and start; `start` may hold a spin that is no degree of freedom. After
-// update_smooth_force. Where constraints of MuJoCo's solver act on the same bodies, contact and
-// constraints are solved together (constraint_probe.h).
+// `data`: index of the contact's memory (user_data.h). step: h, d and start; `start` may hold a
+// spin that is no degree of freedom. After update_smooth_force. Where constraints of MuJoCo's
+// solver act on the same bodies, contact and constraints are solved together (constraint_probe.h).
 void apply_rigid_step(const mjModel* m, mjData* d, const ContactSpace& space, RigidStep& step,
                       const ContactParameters& contact, int data = 0);
 

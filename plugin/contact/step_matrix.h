@@ -1,8 +1,10 @@
 // The matrix H of MuJoCo's step, v' = v + h H^-1 f, block by block of the kinematic trees:
 //   dampers explicit (RK4, or disabled)   M
 //   Euler                                 M + h B,      B the joints' dampers
-//   implicit, implicitfast                M - h dF/dv,  F(v) actuators, dampers of joints and tendons, fluid,
-//                                         bias forces: MuJoCo's own derivative, which need not be symmetric
+//   implicit, implicitfast                M - h dF/dv,  F(v) actuators, dampers of joints and
+//   tendons, fluid,
+//                                         bias forces: MuJoCo's own derivative, which need not be
+//                                         symmetric
 // An impulse that is to meet the contact laws at the end of the step has to pass through it.
 #pragma once
 

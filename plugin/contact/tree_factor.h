@@ -1,5 +1,5 @@
-// M and a diagonal = L^T D L of single kinematic trees: M is of blocks, one a tree, and the degrees of freedom
-// of a tree follow each other. What is not in the trees of rotor and ring costs nothing.
+// M and a diagonal = L^T D L of single kinematic trees: M is of blocks, one a tree, and the degrees
+// of freedom of a tree follow each other. What is not in the trees of rotor and ring costs nothing.
 #pragma once
 
 #include <mujoco/mujoco.h>

@@ -8,7 +8,6 @@
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "plugin/actuators.h"
@@ -33,7 +32,9 @@ std::size_t slot_size(const Model& model, const Model& plant) {
 }
 
 // Currents that lag are activations, MuJoCo's to integrate.
-bool lags(const Model& model) { return model.first().magnets && model.first().magnets->coil_lag > 0.0; }
+bool lags(const Model& model) {
+  return model.first().magnets && model.first().magnets->coil_lag > 0.0;
+}
 
 // The plant that the step moves. Where currents lag the force on the ring is MuJoCo's; where MuJoCo
 // has disabled actuation there is none, nor a controller that answers an impact within the step.
@@ -142,7 +143,8 @@ double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, do
   return before;
 }
 
-void watch_the_ring(const Model& model, const mjModel* m, mjData* d, const Coordinates& state, bool anew) {
+void watch_the_ring(const Model& model, const mjModel* m, mjData* d, const Coordinates& state,
+                    bool anew) {
   EscapeGuard guard(d->userdata);
   if (anew) guard.begin();
   // An impact that takes time goes deep.
@@ -241,7 +243,8 @@ void note(mjData* d, const FixedStep& r, double kick) {
   entry[kSlipAfter] = last.slip_after;
 }
 
-// The normal of the forces. To a blow within the step the rotor has gone on with the velocities `v` of now.
+// The normal of the forces. To a blow within the step the rotor has gone on with the velocities `v`
+// of now.
 void note_place(const Config& config, const mjData* d, const Coordinates& state, const double* v) {
   const double until = d->userdata[kImpact] != 0.0 ? d->userdata[kImpactTime] - d->time : 0.0;
   double q[kMaxCoordinates];
@@ -314,15 +317,16 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   ++worker.next;
   worker.save(entry + kVerletSingle + n + worker.slot());
 
-  // The passive force that makes it MuJoCo's step, by MuJoCo's own mass matrix: its links weigh little, but so may
-  // what they carry.
+  // The passive force that makes it MuJoCo's step, by MuJoCo's own mass matrix: its links weigh
+  // little, but so may what they carry.
   StackFrame room(d);
   const auto all = static_cast<int>(m->nv);
   mjtNum* change = room.numbers(all);
   mjtNum* momentum = room.numbers(all);
   mju_zero(change, all);
   const double* v = worker.stepper.v_half();
-  for (int i = 0; i < n; ++i) change[config.dof_address[static_cast<std::size_t>(i)]] = v[i] - state.v()[i];
+  for (int i = 0; i < n; ++i)
+    change[config.dof_address[static_cast<std::size_t>(i)]] = v[i] - state.v()[i];
   mj_mulM(m, d, momentum, change);
   for (int i = 0; i < n; ++i) {
     const int dof = config.dof_address[static_cast<std::size_t>(i)];

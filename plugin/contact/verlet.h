@@ -23,18 +23,20 @@ int verlet_data_size(const Model& model);
 // Where the memory of the sampled controller stands (Config::loop_data).
 int verlet_loop_data(const Config& config);
 
-// Writes ctrl of the scene's controller, adds to d->qfrc_passive and sets the userdata entries of the
-// contact. Called in mjcb_control. mju_error for RK4.
+// Writes ctrl of the scene's controller, adds to d->qfrc_passive and sets the userdata entries of
+// the contact. Called in mjcb_control. mju_error for RK4.
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
 
-// J, of a native step on the coordinates: of the contact, and of all forces but springs and contact.
+// J, of a native step on the coordinates: of the contact, and of all forces but springs and
+// contact.
 struct StepWorks {
   double contact = 0.0, external = 0.0;
 };
 // The steps that this thread takes from here on tell their works there; null: nobody asks.
 void tell_works(StepWorks* to);
 
-// The velocities of the time of the forward pass done last (nq values), before an impact of its step.
+// The velocities of the time of the forward pass done last (nq values), before an impact of its
+// step.
 const double* velocities_of_pass(const Config& config, const mjData* d);
 
 }  // namespace rotorub::plugin

@@ -1,7 +1,8 @@
-// A ball that slides on a floor in MuJoCo alone, without rotorub's library: how much of the time it is in contact, with
-// which force, and how friction brakes it. As MuJoCo has it; with a friction reference B_t of its own (in the XML
-// of MuJoCo 2.3.7 and later: <pair solreffriction="0 -1"/>); and with the cone corrected for sliding by the callback
-// below, which may be copied into any program. Right are 100 %, 9.81 N and 4.905 m/s^2.
+// A ball that slides on a floor in MuJoCo alone, without rotorub's library: how much of the time it
+// is in contact, with which force, and how friction brakes it. As MuJoCo has it; with a friction
+// reference B_t of its own (in the XML of MuJoCo 2.3.7 and later: <pair solreffriction="0 -1"/>);
+// and with the cone corrected for sliding by the callback below, which may be copied into any
+// program. Right are 100 %, 9.81 N and 4.905 m/s^2.
 //
 //   g++ -std=c++20 -O2 sliding_contact.cc -lmujoco -o sliding_contact && ./sliding_contact
 #include <mujoco/mujoco.h>
@@ -10,10 +11,11 @@
 #include <cstdio>
 #include <vector>
 
-// Coulomb's law for MuJoCo's elliptic cone: mjcb_control = coulomb_cones. The cone lifts what slides by |z|,
-// z_i = mu_i (a + R f - a_ref)_i of the friction rows; the normal reference is lowered by as much (de Saxce and Feng
-// 1998). |z| is not known before the solution: MuJoCo's solver is asked for it, four times. Enough while
-// mu^2 A_TT < A_NN, A the mobilities at the contact; rotorub's plugin has no such limit (rotorub_cone_coulomb_pair).
+// Coulomb's law for MuJoCo's elliptic cone: mjcb_control = coulomb_cones. The cone lifts what
+// slides by |z|, z_i = mu_i (a + R f - a_ref)_i of the friction rows; the normal reference is
+// lowered by as much (de Saxce and Feng 1998). |z| is not known before the solution: MuJoCo's
+// solver is asked for it, four times. Enough while mu^2 A_TT < A_NN, A the mobilities at the
+// contact; rotorub's plugin has no such limit (rotorub_cone_coulomb_pair).
 void coulomb_cones(const mjModel* m, mjData* d) {
   const std::vector<mjtNum> reference(d->efc_aref, d->efc_aref + d->nefc);
   std::vector<mjtNum> y(reference.size());
@@ -29,7 +31,8 @@ void coulomb_cones(const mjModel* m, mjData* d) {
       mjtNum squares = 0.0;
       for (int k = 1; k < contact.dim; ++k) {
         const int t = row + k;
-        const mjtNum z = contact.friction[k - 1] * (y[t] + d->efc_R[t] * d->efc_force[t] - d->efc_aref[t]);
+        const mjtNum z =
+            contact.friction[k - 1] * (y[t] + d->efc_R[t] * d->efc_force[t] - d->efc_aref[t]);
         squares += z * z;
       }
       d->efc_aref[row] = reference[row] - std::sqrt(squares);
@@ -79,8 +82,10 @@ void slide(const mjModel* m, const char* name, mjfGeneric callback, mjtNum speed
     force += f[0] / steps;
     highest = std::fmax(highest, d->qpos[2]);
   }
-  std::printf("%5.1f m/s  %-26s contact %5.1f %%  force %6.3f N  brakes with %6.4f m/s^2  hops %5.2f mm\n", speed, name,
-              100.0 * touching / steps, force, (speed - d->qvel[0]) / (steps * m->opt.timestep), 1e3 * highest);
+  std::printf(
+      "%5.1f m/s  %-26s contact %5.1f %%  force %6.3f N  brakes with %6.4f m/s^2  hops %5.2f mm\n",
+      speed, name, 100.0 * touching / steps, force,
+      (speed - d->qvel[0]) / (steps * m->opt.timestep), 1e3 * highest);
   mj_deleteData(d);
 }
 

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "mjcf/names.h"
-#include "native_model/scene/contact_models.h"
 #include "native_model/contact/coupled_law.h"
+#include "native_model/scene/contact_models.h"
+#include "plugin/contact/axial_motion.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
-#include "plugin/contact/axial_motion.h"
 #include "plugin/own/own_names.h"
 #include "plugin/own/pair_rules.h"
 #include "plugin/user_data.h"
@@ -52,8 +52,8 @@ double half_length(const mjModel* m, int geom, double otherwise) {
   }
 }
 
-// Of numbered contacts each has all that the first has: 0 is not taken for a number that may have been
-// meant for all.
+// Of numbered contacts each has all that the first has: 0 is not taken for a number that may have
+// been meant for all.
 void check_series(const mjModel* m, const PairName& name) {
   if (name.suffix.empty()) return;
   const PairName first{name.prefix, ""};
@@ -62,7 +62,8 @@ void check_series(const mjModel* m, const PairName& name) {
     refuse(message("<custom><numeric name=\"{}\">", name.of(key)),
            message("missing, but {} is given; accepted: a number for each contact", first.of(key)));
   }
-  if (!custom_text(m, name.of(names::kContactText)) && custom_text(m, first.of(names::kContactText))) {
+  if (!custom_text(m, name.of(names::kContactText)) &&
+      custom_text(m, first.of(names::kContactText))) {
     refuse(text_element(name.of(names::kContactText).c_str()),
            message("missing, but {} is given; accepted: a contact model for each contact",
                    first.of(names::kContactText)));
@@ -93,13 +94,13 @@ ContactPair make_pair(const mjModel* m, const PairName& name) {
   p.friction_reference = number(names::kOwnFrictionReference, 0.0, kCoefficient);
   if (p.friction_reference > 0.0 && p.law != scene::ContactModel::kCone) {
     refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnFrictionReference)),
-           message("contact model {} has none; accepted: contact model cone", scene::to_string(p.law)));
+           message("contact model {} has none; accepted: contact model cone",
+                   scene::to_string(p.law)));
   }
   p.pair = find_pair(m, p.rotor_geom, p.ring_geom);
-  p.reach = half_length(m, p.rotor_geom, 0.0) +
-            (own_number(m, name.of(names::kOwnWidth))
-                 ? 0.5 * number(names::kOwnWidth, 0.0, kLength)
-                 : half_length(m, p.ring_geom, 1e300));
+  p.reach = half_length(m, p.rotor_geom, 0.0) + (own_number(m, name.of(names::kOwnWidth))
+                                                     ? 0.5 * number(names::kOwnWidth, 0.0, kLength)
+                                                     : half_length(m, p.ring_geom, 1e300));
   p.given = own_numbers(m, p);
   p.sensors = contact_sensors(m, name.prefix, name.suffix);
   p.axial = slides_along_axis(m, p);
@@ -118,7 +119,8 @@ bool share_tree(const mjModel* m, const ContactPair& a, const ContactPair& b) {
 }
 
 // Two contacts on one machine.
-void check_beside(const mjModel* m, const ContactPair& a, const ContactPair& b, const PairName& name) {
+void check_beside(const mjModel* m, const ContactPair& a, const ContactPair& b,
+                  const PairName& name) {
   if (a.pair == b.pair) {
     refuse(text_element(name.of(names::kOwnRotorGeom).c_str()),
            message("{} has a contact already; accepted: one for two geoms", pair_element(m, b)));
@@ -144,8 +146,9 @@ std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair) {
 
 bool same_motion(const Config& config, const mjModel* m) {
   return !config.own ||
-         std::all_of(config.pairs.begin(), config.pairs.end(),
-                     [m](const ContactPair& p) { return p.axial == slides_along_axis(m, p) && !lies_across(m, p); });
+         std::all_of(config.pairs.begin(), config.pairs.end(), [m](const ContactPair& p) {
+           return p.axial == slides_along_axis(m, p) && !lies_across(m, p);
+         });
 }
 
 void map_own_contacts(const mjModel* m, Config& config) {
@@ -171,7 +174,8 @@ void map_own_contacts(const mjModel* m, Config& config) {
     refuse("<custom>", message("{} contacts; accepted: up to {} in a model",
                                static_cast<int>(config.pairs.size()), kMaxContacts));
   }
-  config.memory_size = kUserDataSingle + kPairEntries * std::max(static_cast<int>(config.pairs.size()) - 1, 0);
+  config.memory_size =
+      kUserDataSingle + kPairEntries * std::max(static_cast<int>(config.pairs.size()) - 1, 0);
   const int needed = config.memory + config.memory_size;
   if (m->nuserdata < needed) {
     refuse(message("<size nuserdata=\"{}\">", count(m->nuserdata)),

@@ -12,8 +12,9 @@
 // and once in the model
 //   numeric  rotorub_userdata                          index in mjData.userdata of the first of our
 //                                                      entries; default 0
-// Every other name with rotorub_ in it is refused. Lengths, mu and eps are those of the scene file's
-// [contact]. The ring's axis is the z axis of its geom; the rotor is where its geom's centre is.
+// Every other name with rotorub_ in it is refused. Lengths, mu and eps are those of the scene
+// file's [contact]. The ring's axis is the z axis of its geom; the rotor is where its geom's centre
+// is.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -24,13 +25,15 @@
 
 namespace rotorub::plugin {
 
-// Fills own, pairs, memory and memory_size, and the contact of the config with the first pair. Throws
-// ConfigError.
+// Fills own, pairs, memory and memory_size, and the contact of the config with the first pair.
+// Throws ConfigError.
 void map_own_contacts(const mjModel* m, Config& config);
 
-// ContactPair::given of now: what a contact takes from them, or was held against, changes with them.
+// ContactPair::given of now: what a contact takes from them, or was held against, changes with
+// them.
 std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair);
-// Whether rotors and rings of m, of the config's fingerprint, move along their axes as in the config.
+// Whether rotors and rings of m, of the config's fingerprint, move along their axes as in the
+// config.
 bool same_motion(const Config& config, const mjModel* m);
 
 }  // namespace rotorub::plugin

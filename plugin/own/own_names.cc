@@ -15,10 +15,10 @@ namespace {
 namespace names = mjcf_names;
 
 constexpr const char* kTexts[] = {names::kContactText, names::kOwnRotorGeom, names::kOwnRingGeom};
-constexpr const char* kNumbers[] = {names::kOwnClearance,   names::kOwnRadius,
-                                    names::kOwnFriction,    names::kOwnRestitution,
-                                    names::kOwnTangential,  names::kOwnFrictionReference, names::kOwnWidth,
-                                    names::kOwnUserData};
+constexpr const char* kNumbers[] = {names::kOwnClearance,  names::kOwnRadius,
+                                    names::kOwnFriction,   names::kOwnRestitution,
+                                    names::kOwnTangential, names::kOwnFrictionReference,
+                                    names::kOwnWidth,      names::kOwnUserData};
 
 bool is_ours(std::string_view name) { return name.find(names::kOwnMark) != name.npos; }
 
@@ -67,9 +67,10 @@ void check(const std::string& name, std::span<const char* const> keys, const cha
   const std::vector<std::string> known = all_of(keys, pairs);
   const std::vector<std::string_view> views(known.begin(), known.end());
   const std::string_view meant = scene::nearest(name, views);
-  refuse(message("<custom><{} name=\"{}\">", kind, name),
-         message("unknown{}; accepted: {}",
-                 meant.empty() ? "" : message(", did you mean \"{}\"?", meant), scene::join(views)));
+  refuse(
+      message("<custom><{} name=\"{}\">", kind, name),
+      message("unknown{}; accepted: {}",
+              meant.empty() ? "" : message(", did you mean \"{}\"?", meant), scene::join(views)));
 }
 
 void check_names(const mjModel* m, const std::vector<PairName>& pairs) {
@@ -83,7 +84,8 @@ void check_names(const mjModel* m, const std::vector<PairName>& pairs) {
     if (is_key(name, names::kOwnConeCoulombPair, of)) return;  // of any ending
     check(name, kTexts, "text", pairs);
   });
-  for_each_number(m, [&](const std::string& name, mjtNum) { check(name, kNumbers, "numeric", pairs); });
+  for_each_number(
+      m, [&](const std::string& name, mjtNum) { check(name, kNumbers, "numeric", pairs); });
 }
 
 bool is_number(const std::string& suffix) {
@@ -109,7 +111,8 @@ std::vector<PairName> own_pair_names(const mjModel* m) {
     }
   });
   check_names(m, pairs.empty() ? std::vector<PairName>{{}} : pairs);
-  if (pairs.empty() && corrected_pairs(m).empty()) pairs.emplace_back();  // other names of ours: its geoms are missing
+  if (pairs.empty() && corrected_pairs(m).empty())
+    pairs.emplace_back();  // other names of ours: its geoms are missing
   return pairs;
 }
 
@@ -137,7 +140,10 @@ std::vector<int> corrected_pairs(const mjModel* m) {
     if (pair < 0) pair = mj_name2id(m, mjOBJ_PAIR, said);
     if (pair < 0) refuse(text_element(name.c_str()), message("no <pair> is called \"{}\"", said));
     if (m->pair_dim[pair] < 3) {
-      refuse(text_element(name.c_str()), message("<pair name=\"{}\"> has no friction to correct; accepted: condim=\"3\" or more", said));
+      refuse(
+          text_element(name.c_str()),
+          message("<pair name=\"{}\"> has no friction to correct; accepted: condim=\"3\" or more",
+                  said));
     }
     pairs.push_back(pair);
   });
@@ -156,9 +162,10 @@ int own_geom(const mjModel* m, const PairName& pair, const char* text) {
   const int literal = mj_name2id(m, mjOBJ_GEOM, said);
   int id = mj_name2id(m, mjOBJ_GEOM, pair.of(said).c_str());
   if (id >= 0 && literal >= 0 && id != literal && is_number(pair.suffix)) {
-    refuse(element, message("both geoms, \"{}\" and \"{}\", are there: which is meant? Accepted: \"{}\", "
-                            "or a number with no geom that ends with it",
-                            said, pair.of(said), pair.of(said)));
+    refuse(element,
+           message("both geoms, \"{}\" and \"{}\", are there: which is meant? Accepted: \"{}\", "
+                   "or a number with no geom that ends with it",
+                   said, pair.of(said), pair.of(said)));
   }
   if (id < 0) id = literal;
   if (id < 0) refuse(element, message("no geom is called \"{}\"", said));

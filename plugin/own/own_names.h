@@ -23,14 +23,15 @@ struct PairName {
 // A name in <custom> has the mark rotorub_ in it.
 bool has_own_names(const mjModel* m);
 
-// The contacts whose geoms are named, in the order of the file. Throws ConfigError for a name that is
-// of none of them.
+// The contacts whose geoms are named, in the order of the file. Throws ConfigError for a name that
+// is of none of them.
 std::vector<PairName> own_pair_names(const mjModel* m);
 
 // Of a model with a scene's text: those that it may not have beside it. Throws ConfigError.
 void refuse_own_names(const mjModel* m);
 
-// The <pair>s that are named to be corrected for sliding, in the order of the file. Throws ConfigError.
+// The <pair>s that are named to be corrected for sliding, in the order of the file. Throws
+// ConfigError.
 std::vector<int> corrected_pairs(const mjModel* m);
 
 // The number of that name, or null.
@@ -40,8 +41,8 @@ const mjtNum* own_number(const mjModel* m, const std::string& name);
 // Throws ConfigError.
 int own_geom(const mjModel* m, const PairName& pair, const char* text);
 
-// Where our block in mjData.userdata begins: rotorub_userdata, one value in the whole model; else 0.
-// Throws ConfigError.
+// Where our block in mjData.userdata begins: rotorub_userdata, one value in the whole model; else
+// 0. Throws ConfigError.
 int own_memory(const mjModel* m);
 
 }  // namespace rotorub::plugin

@@ -4,12 +4,11 @@
 
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
-#include "plugin/message.h"
 #include "plugin/contact/axial_motion.h"
+#include "plugin/message.h"
 
 namespace rotorub::plugin {
 namespace {
-
 
 namespace names = mjcf_names;
 
@@ -39,17 +38,19 @@ void check_cone(const mjModel* m, const PairName& name, const ContactPair& p) {
                             names::kFrictionForceScaled}) {
     const std::string sensor = name.of(force);
     const int id = mj_name2id(m, mjOBJ_SENSOR, sensor.c_str());
-    if (id < 0 || m->sensor_type[id] != mjSENS_USER || m->sensor_needstage[id] == mjSTAGE_ACC) continue;
-    refuse(message("<user name=\"{}\">", sensor),
-           "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
+    if (id < 0 || m->sensor_type[id] != mjSENS_USER || m->sensor_needstage[id] == mjSTAGE_ACC)
+      continue;
+    refuse(
+        message("<user name=\"{}\">", sensor),
+        "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
   }
   const double mu = p.contact.friction, given = m->pair_friction[5 * p.pair];
   if (mu > 0.0 && m->pair_dim[p.pair] < 3) {
     refuse(pair_element(m, p), "contact model cone with friction: accepted: condim=\"3\" or more");
   }
   if (m->pair_dim[p.pair] >= 3 && std::abs(given - mu) > 1e-9 + mjMINMU) {
-    refuse(pair_element(m, p), message("friction is {}, {} is {}; accepted: one value in both", given,
-                                       name.of(names::kOwnFriction), mu));
+    refuse(pair_element(m, p), message("friction is {}, {} is {}; accepted: one value in both",
+                                       given, name.of(names::kOwnFriction), mu));
   }
   const double along = m->pair_friction[5 * p.pair + 1];
   if (p.axial && std::abs(along - mu) > 1e-9 + mjMINMU) {
@@ -65,10 +66,12 @@ void check_cone(const mjModel* m, const PairName& name, const ContactPair& p) {
 void refuse_mocap(const mjModel* m, int geom) {
   const int root = m->body_rootid[m->geom_bodyid[geom]];
   if (m->body_mocapid[root] < 0) return;
-  refuse(message("<body name=\"{}\" mocap=\"true\">", m->names + m->name_bodyadr[root]),
-         message("moves geom \"{}\" of a contact without a velocity; contact model rigid accepts: a body "
-                 "with joints, driven by actuators or by a weld to the mocap body",
-                 m->names + m->name_geomadr[geom]));
+  refuse(
+      message("<body name=\"{}\" mocap=\"true\">", m->names + m->name_bodyadr[root]),
+      message(
+          "moves geom \"{}\" of a contact without a velocity; contact model rigid accepts: a body "
+          "with joints, driven by actuators or by a weld to the mocap body",
+          m->names + m->name_geomadr[geom]));
 }
 
 // `rigid` has its friction from <custom> alone. What a pair says of none is one of its geoms'.
@@ -77,8 +80,9 @@ void refuse_other_friction(const mjModel* m, const PairName& name, const Contact
   const auto from = [&](int geom) { return given == m->geom_friction[3 * geom]; };
   if (m->pair_dim[p.pair] < 3 || from(p.rotor_geom) || from(p.ring_geom)) return;
   if (std::abs(given - mu) <= 1e-9 + mjMINMU) return;
-  refuse(pair_element(m, p), message("friction is {}, {} is {}; accepted: one value in both, or none here",
-                                     given, name.of(names::kOwnFriction), mu));
+  refuse(pair_element(m, p),
+         message("friction is {}, {} is {}; accepted: one value in both, or none here", given,
+                 name.of(names::kOwnFriction), mu));
 }
 
 }  // namespace
@@ -93,7 +97,8 @@ std::string pair_element(const mjModel* m, const ContactPair& pair) {
 void check_pair(const mjModel* m, const PairName& name, const ContactPair& p) {
   if (lies_across(m, p)) {
     refuse(message("<geom name=\"{}\">", m->names + m->name_geomadr[p.rotor_geom]),
-           message("its axis stands across that of its ring, geom \"{}\", in qpos0; accepted: tilted by less than 60 "
+           message("its axis stands across that of its ring, geom \"{}\", in qpos0; accepted: "
+                   "tilted by less than 60 "
                    "degrees",
                    m->names + m->name_geomadr[p.ring_geom]));
   }
@@ -105,9 +110,10 @@ void check_pair(const mjModel* m, const PairName& name, const ContactPair& p) {
     refuse_mocap(m, p.ring_geom);
     refuse_other_friction(m, name, p);
     if (kept_out >= 10.0 * p.contact.clearance) return;
-    refuse(element,
-           "contact model rigid keeps the contact from MuJoCo's solver: accepted: gap above margin by "
-           "at least ten clearances");
+    refuse(
+        element,
+        "contact model rigid keeps the contact from MuJoCo's solver: accepted: gap above margin by "
+        "at least ten clearances");
   }
   if (m->pair_gap[p.pair] != 0.0) refuse(element, "accepted: gap=\"0\"");
   if (p.law == scene::ContactModel::kCoulomb) {

@@ -1,5 +1,5 @@
-// What the <pair> of a user's own model must say, so that MuJoCo's solver does the contact law's share
-// and no more.
+// What the <pair> of a user's own model must say, so that MuJoCo's solver does the contact law's
+// share and no more.
 #pragma once
 
 #include <mujoco/mujoco.h>

@@ -1,5 +1,5 @@
-#include "plugin/mujoco_versions.h"
 #include "plugin/own/user_block.h"
+#include "plugin/mujoco_versions.h"
 
 #include <bit>
 #include <cstdint>
@@ -46,11 +46,12 @@ void seal_block(const Config& config, const mjData* d) {
 void refuse_clash(const Config& config, const mjModel* m) {
   // mju_error may leave by longjmp: nothing with a destructor here.
   static thread_local char words[500];
-  std::snprintf(words, sizeof words,
-                "rotorub: mjData.userdata[%d] to [%d] hold what the contacts remember, and somebody else "
-                "has written there (nuserdata is %d); accepted: another place, by <custom><numeric "
-                "name=\"rotorub_userdata\" data=\"...\"/>, the index of the first",
-                config.memory, config.memory + config.memory_size - 1, count(m->nuserdata));
+  std::snprintf(
+      words, sizeof words,
+      "rotorub: mjData.userdata[%d] to [%d] hold what the contacts remember, and somebody else "
+      "has written there (nuserdata is %d); accepted: another place, by <custom><numeric "
+      "name=\"rotorub_userdata\" data=\"...\"/>, the index of the first",
+      config.memory, config.memory + config.memory_size - 1, count(m->nuserdata));
   raise_error(words);
 }
 

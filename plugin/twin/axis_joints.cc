@@ -16,16 +16,19 @@ constexpr double kParallel = 1e-9;  // of directions, 1 or m
 
 bool turns(const MatrixXd& jacobian, int dof) { return std::abs(jacobian(5, dof)) > kParallel; }
 
-// A hinge before a slide carries the slide's axis round with it: the machine is no linear one in its coordinates.
-void refuse_turned_axes(const mjModel* m, int dof, int geom, const std::string& body, Probe& probe) {
+// A hinge before a slide carries the slide's axis round with it: the machine is no linear one in
+// its coordinates.
+void refuse_turned_axes(const mjModel* m, int dof, int geom, const std::string& body,
+                        Probe& probe) {
   const MatrixXd before = probe.geom_jacobian(geom);
   probe.pose(0.5 * std::numbers::pi * VectorXd::Unit(m->nv, dof));
   const MatrixXd after = probe.geom_jacobian(geom);
   probe.pose(VectorXd::Zero(m->nv));
   for (int i = 0; i < m->nv; ++i) {
     if ((after - before).col(i).cwiseAbs().maxCoeff() <= kParallel) continue;
-    refuse(joint_of_dof(m, dof), "turns the axis of " + joint_of_dof(m, i) + ", for a twin; accepted: a hinge after the " +
-                                 body + "'s other joints");
+    refuse(joint_of_dof(m, dof), "turns the axis of " + joint_of_dof(m, i) +
+                                     ", for a twin; accepted: a hinge after the " + body +
+                                     "'s other joints");
   }
 }
 
@@ -35,16 +38,19 @@ AxisJoint find(const mjModel* m, int geom, const std::string& body, Probe& probe
   for (int i = 0; i < m->nv; ++i) {
     if (!turns(j, i)) continue;
     if (m->jnt_type[m->dof_jntid[i]] != mjJNT_HINGE) {
-      refuse(joint_of_dof(m, i), "turns the " + body + ", for a twin; accepted: one hinge about its axis");
+      refuse(joint_of_dof(m, i),
+             "turns the " + body + ", for a twin; accepted: one hinge about its axis");
     }
     const double off = j.col(i).head<2>().norm() + j.col(i).segment<2>(3).norm();
     if (off > kParallel) {
-      refuse(joint_of_dof(m, i), "turns the " + body +
-                                 " about another axis than that of the ring's geom through its centre, for a "
-                                 "twin; accepted: that axis");
+      refuse(joint_of_dof(m, i),
+             "turns the " + body +
+                 " about another axis than that of the ring's geom through its centre, for a "
+                 "twin; accepted: that axis");
     }
     if (found.dof >= 0) {
-      refuse(joint_of_dof(m, i), "a second joint about the " + body + "'s axis, for a twin; accepted: one");
+      refuse(joint_of_dof(m, i),
+             "a second joint about the " + body + "'s axis, for a twin; accepted: one");
     }
     found = {i, j(5, i) > 0.0 ? 1.0 : -1.0};
   }
@@ -71,7 +77,8 @@ AxisJoint find_ring_turn(const mjModel* m, const Config& config, Probe& probe) {
   return found;
 }
 
-std::vector<Eccentricity> find_unbalance(const mjModel* m, const AxisJoint& spin, const Probe& probe) {
+std::vector<Eccentricity> find_unbalance(const mjModel* m, const AxisJoint& spin,
+                                         const Probe& probe) {
   constexpr double kNone = 1e-12;  // kg m
   std::vector<Eccentricity> all;
   if (spin.dof < 0) return all;
@@ -85,8 +92,8 @@ std::vector<Eccentricity> find_unbalance(const mjModel* m, const AxisJoint& spin
     const Eigen::Vector3d arm = probe.axes() * (centre - foot);
     const double moment = m->body_mass[body] * arm.norm();
     if (moment <= kNone) continue;
-    all.push_back({probe.jacobian(foot, turning).topRows<2>(), moment,
-                   std::atan2(arm.y(), arm.x())});
+    all.push_back(
+        {probe.jacobian(foot, turning).topRows<2>(), moment, std::atan2(arm.y(), arm.x())});
   }
   return all;
 }

@@ -1,5 +1,5 @@
-// The joints of a user's own machine that turn rotor and ring about the contact's axis, and the unbalance of what
-// the rotor's turns.
+// The joints of a user's own machine that turn rotor and ring about the contact's axis, and the
+// unbalance of what the rotor's turns.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -18,9 +18,9 @@ struct AxisJoint {
   double sense = 1.0;  // -1: its axis is against z
 };
 
-// Those of rotor and ring. Both throw ConfigError naming a joint that turns its body otherwise than one hinge
-// about the axis through its centre does, that turns the axes of the body's other joints, or both bodies. The
-// probe comes back in the pose of qpos0.
+// Those of rotor and ring. Both throw ConfigError naming a joint that turns its body otherwise than
+// one hinge about the axis through its centre does, that turns the axes of the body's other joints,
+// or both bodies. The probe comes back in the pose of qpos0.
 AxisJoint find_spin(const mjModel* m, const Config& config, Probe& probe);
 AxisJoint find_ring_turn(const mjModel* m, const Config& config, Probe& probe);
 
@@ -32,6 +32,7 @@ struct Eccentricity {
 };
 
 // Of all bodies that turn with the spin.
-std::vector<Eccentricity> find_unbalance(const mjModel* m, const AxisJoint& spin, const Probe& probe);
+std::vector<Eccentricity> find_unbalance(const mjModel* m, const AxisJoint& spin,
+                                         const Probe& probe);
 
 }  // namespace rotorub::plugin

@@ -15,9 +15,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kTurns = 4;            // angles of the rotor that means are of
-constexpr double kNudge = 1e-5;      // m, rad
-constexpr double kSlow = 1.0;        // rad/s, where the rotor stands still
+constexpr int kTurns = 4;        // angles of the rotor that means are of
+constexpr double kNudge = 1e-5;  // m, rad
+constexpr double kSlow = 1.0;    // rad/s, where the rotor stands still
 constexpr int kTorques = 9;
 
 // Means over a turn.
@@ -80,13 +80,13 @@ void fill_mass(const Turned& turned, Probe& probe, LinearMachine& machine) {
   // Each row and column in its own unit.
   const VectorXd scale = machine.mass.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd even = 0.25 * (at[0] + at[2] - at[1] - at[3]);
-  machine.uneven_inertia =
-      (scale.asDiagonal() * even * scale.asDiagonal()).cwiseAbs().maxCoeff();
+  machine.uneven_inertia = (scale.asDiagonal() * even * scale.asDiagonal()).cwiseAbs().maxCoeff();
   // b, the bending column of the spin, by the eccentric masses at angle 0.
   VectorXd b = VectorXd::Zero(scale.size());
   for (const Eccentricity& e : machine.unbalance) {
-    b += machine.spin.sense * e.static_moment * (-std::sin(e.phase) * e.jacobian.row(0).transpose() +
-                                    std::cos(e.phase) * e.jacobian.row(1).transpose());
+    b += machine.spin.sense * e.static_moment *
+         (-std::sin(e.phase) * e.jacobian.row(0).transpose() +
+          std::cos(e.phase) * e.jacobian.row(1).transpose());
   }
   b[machine.spin.dof] = 0.0;
   VectorXd met = 0.5 * (at[0] - at[2]).col(machine.spin.dof);
@@ -118,8 +118,7 @@ void fill_ring_drag(const mjData* start, Turned& turned, LinearMachine& machine)
   const int turn = machine.ring_turn.dof;
   if (turn < 0) return;
   const auto nv = machine.force.size();
-  const double speed =
-      std::max({std::abs(start->qvel[turn]), std::abs(machine.speed), kSlow});
+  const double speed = std::max({std::abs(start->qvel[turn]), std::abs(machine.speed), kSlow});
   const VectorXd turning = speed * VectorXd::Unit(nv, turn);
   const double torque = turned.force(VectorXd::Zero(nv), turning)[turn] - machine.force[turn];
   machine.bent_drag = std::abs(torque + machine.damping(turn, turn) * speed);
@@ -148,8 +147,9 @@ void fill_bent(const mjModel* m, const Config& config, Turned& turned, Probe& pr
     }
     probe.pose(q);
     const MatrixXd change = probe.mass() - mass;
-    machine.bent_mass = std::max(
-        machine.bent_mass, (scale.asDiagonal() * change * scale.asDiagonal()).cwiseAbs().maxCoeff());
+    machine.bent_mass =
+        std::max(machine.bent_mass,
+                 (scale.asDiagonal() * change * scale.asDiagonal()).cwiseAbs().maxCoeff());
     const Eigen::Vector2d place = probe.apart() - machine.apart - relative * q;
     machine.bent_contact = std::max(machine.bent_contact, place.norm() / clearance);
   }

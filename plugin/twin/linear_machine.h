@@ -26,18 +26,19 @@ struct LinearMachine {
   // 2 x nv, centres of rotor and ring in the contact's axes (x and y of the ring's geom).
   Eigen::MatrixXd rotor, ring;
   Eigen::Vector2d gravity{0.0, 0.0};  // m/s^2, across the rotor's axis, in the contact's axes
-  Eigen::Vector2d apart{0.0, 0.0};  // m, the rotor's centre from the ring's in that pose
+  Eigen::Vector2d apart{0.0, 0.0};    // m, the rotor's centre from the ring's in that pose
   std::vector<Eccentricity> unbalance;
   // Torque of the drive at speeds from 0 to twice `speed`, N m; empty without a spin.
   double speed = 0.0;  // rad/s, that G and the torques are of
   std::vector<double> torque;
 
   // Shares of what the means leave out.
-  double uneven_inertia = 0.0;  // of the mass matrix: a rotor that is no body of revolution
+  double uneven_inertia = 0.0;   // of the mass matrix: a rotor that is no body of revolution
   double uneven_coupling = 0.0;  // of the coupling of spin and bending: more than unbalance
   // At one clearance of deflection: of the mass matrix, of the springs, of the contact's place.
   double bent_mass = 0.0, bent_stiffness = 0.0, bent_contact = 0.0;
-  double bent_drag = 0.0;  // N m, what the drag on the ring leaves of a linear one, at its speed or the rotor's
+  double bent_drag =
+      0.0;  // N m, what the drag on the ring leaves of a linear one, at its speed or the rotor's
 };
 
 // m: the model of an own config. `start`: where controls and the rotor's speed are taken from.

@@ -21,7 +21,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kNegligible = 1e-9;  // share of a whole, of what differences leave
-constexpr double kFree = 1e-6;  // (rad/s)^2 and rad/s^2 of what turns freely, of what differences leave
+constexpr double kFree =
+    1e-6;  // (rad/s)^2 and rad/s^2 of what turns freely, of what differences leave
 
 std::vector<double> list(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
@@ -31,8 +32,12 @@ bool is_none(double part, double whole) { return std::abs(part) <= kNegligible *
 class Maker {
  public:
   Maker(const mjModel* m, const Config& config, const mjData* start)
-      : m_(m), config_(config), start_(start), machine_(linear_machine(m, config, start)),
-        planes_(part_planes(m, machine_)), n_(planes_.x.mass.size()) {}
+      : m_(m),
+        config_(config),
+        start_(start),
+        machine_(linear_machine(m, config, start)),
+        planes_(part_planes(m, machine_)),
+        n_(planes_.x.mass.size()) {}
 
   NativeTwin make() {
     const Layout l = layout();
@@ -54,8 +59,9 @@ class Maker {
     fill_scene(l);
     twin_.limits = twin_limits(m_, machine_, planes_);
     if (config_.pairs.front().axial) {
-      twin_.limits.push_back("friction along the ring's axis, and its work, are MuJoCo's alone; the twin's acts round "
-                             "the ring");
+      twin_.limits.push_back(
+          "friction along the ring's axis, and its work, are MuJoCo's alone; the twin's acts round "
+          "the ring");
     }
     return std::move(twin_);
   }
@@ -74,7 +80,8 @@ class Maker {
   // meet: a pose with the rotor beside it is a deflection that the springs do not feel.
   void fill_plane(const TwinPlane& plane, int at, int row, PlaneModes& modes, VectorXd& load) {
     modes = {plane.mass, plane.stiffness, VectorXd::Zero(n_)};
-    const MatrixXd d = plane.shapes.transpose() * machine_.damping(plane.dofs, plane.dofs) * plane.shapes;
+    const MatrixXd d =
+        plane.shapes.transpose() * machine_.damping(plane.dofs, plane.dofs) * plane.shapes;
     const MatrixXd even = 0.5 * (d + d.transpose());
     const MatrixXd beside = even - MatrixXd(even.diagonal().asDiagonal());
     if (beside.cwiseAbs().maxCoeff() <= kNegligible * even.cwiseAbs().maxCoeff()) {
@@ -84,7 +91,8 @@ class Maker {
     }
     const VectorXd compliance = plane.contact.cwiseQuotient(plane.mass);
     const VectorXd offset = machine_.apart[row] / compliance.dot(plane.contact) * compliance;
-    load = plane.shapes.transpose() * machine_.force(plane.dofs) + plane.stiffness.cwiseProduct(offset);
+    load = plane.shapes.transpose() * machine_.force(plane.dofs) +
+           plane.stiffness.cwiseProduct(offset);
     twin_.coordinates(Eigen::seqN(at, n_), plane.dofs) = plane.inverse;
     twin_.offset.segment(at, n_) = offset;
   }
@@ -147,16 +155,20 @@ class Maker {
     refuse_spring(turn, "ring");
     const double inertia = machine_.mass(turn, turn), drag = machine_.damping(turn, turn);
     if (std::abs(machine_.force[turn]) > kFree * inertia) {
-      refuse(joint_of(turn), "turns the ring by " + text(machine_.force[turn]) +
-                                 " N m at rest, for a twin; accepted: nothing but the rub and a drag");
+      refuse(joint_of(turn),
+             "turns the ring by " + text(machine_.force[turn]) +
+                 " N m at rest, for a twin; accepted: nothing but the rub and a drag");
     }
     if (m_->dof_frictionloss[turn] > 0.0) {
-      refuse(joint_of(turn), "loses " + text(m_->dof_frictionloss[turn]) +
-                                 " N m to dry friction as the ring turns, for a twin; accepted: frictionloss=\"0\"");
+      refuse(
+          joint_of(turn),
+          "loses " + text(m_->dof_frictionloss[turn]) +
+              " N m to dry friction as the ring turns, for a twin; accepted: frictionloss=\"0\"");
     }
     if (drag < 0.0 || machine_.bent_drag > kFree * inertia) {
-      refuse(joint_of(turn), "has a drag that is negative or not linear in its speed, for a twin; accepted: a "
-                             "damping >= 0");
+      refuse(joint_of(turn),
+             "has a drag that is negative or not linear in its speed, for a twin; accepted: a "
+             "damping >= 0");
     }
     twin_.coordinates(l.ring_angle(), turn) = machine_.ring_turn.sense;
     twin_.scene.first().stator->spin = scene::RingSpin{inertia, drag, 0.0};
@@ -171,9 +183,10 @@ class Maker {
     for (const Eccentricity& e : machine_.unbalance) {
       const VectorXd x = e.jacobian.row(0)(planes_.x.dofs).transpose();
       const VectorXd y = e.jacobian.row(1)(planes_.y.dofs).transpose();
-      rotor_.unbalances.push_back({{planes_.x.shapes.transpose() * x, planes_.y.shapes.transpose() * y},
-                                   e.static_moment,
-                                   e.phase});
+      rotor_.unbalances.push_back(
+          {{planes_.x.shapes.transpose() * x, planes_.y.shapes.transpose() * y},
+           e.static_moment,
+           e.phase});
     }
     fill_drive(twin_.scene.drive.emplace());
   }
@@ -181,13 +194,14 @@ class Maker {
   // T(Omega): linear where it is, else a table.
   void fill_drive(scene::Drive& drive) const {
     const std::vector<double>& torque = machine_.torque;
-    const double sense = machine_.spin.sense, step = 2.0 * machine_.speed / static_cast<double>(torque.size() - 1);
+    const double sense = machine_.spin.sense,
+                 step = 2.0 * machine_.speed / static_cast<double>(torque.size() - 1);
     double largest = 0.0, curved = 0.0;
     const double slope = (torque.back() - torque.front()) / (2.0 * machine_.speed);
     for (std::size_t k = 0; k < torque.size(); ++k) {
       largest = std::max(largest, std::abs(torque[k]));
-      curved = std::max(curved,
-                        std::abs(torque[k] - torque.front() - slope * step * static_cast<double>(k)));
+      curved = std::max(
+          curved, std::abs(torque[k] - torque.front() - slope * step * static_cast<double>(k)));
     }
     if (largest == 0.0) return;
     if (curved <= kNegligible * largest && slope < 0.0) {
@@ -266,9 +280,10 @@ void NativeTwin::read(const mjModel* m, const mjData* d, double* q, double* v) c
 
 NativeTwin make_native_twin(const mjModel* m, const Config& config, const mjData* start) {
   if (config.pairs.size() > 1) {
-    refuse("<custom>", message("{} contacts; the native model has one contact plane: accepted for a twin: "
-                               "one contact",
-                               static_cast<int>(config.pairs.size())));
+    refuse("<custom>",
+           message("{} contacts; the native model has one contact plane: accepted for a twin: "
+                   "one contact",
+                   static_cast<int>(config.pairs.size())));
   }
   return Maker(m, config, start).make();
 }

@@ -1,6 +1,6 @@
-// A native model of a user's own machine (own/own_config.h), from mjModel alone: the rotor's modes, its
-// ring (which may turn), drive, unbalance and loads, linear about the pose of qpos0; contact and laws are those of the
-// plugin's names. The machine's cross-validation needs no scene file.
+// A native model of a user's own machine (own/own_config.h), from mjModel alone: the rotor's modes,
+// its ring (which may turn), drive, unbalance and loads, linear about the pose of qpos0; contact
+// and laws are those of the plugin's names. The machine's cross-validation needs no scene file.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -19,8 +19,8 @@ struct NativeTwin {
   // filled but for the step.
   scene::Scene scene;
 
-  // The native coordinates of MuJoCo's: coordinates (qpos - qpos0) + offset, as tangent vectors; rates
-  // without the offset. nq x nv, nq.
+  // The native coordinates of MuJoCo's: coordinates (qpos - qpos0) + offset, as tangent vectors;
+  // rates without the offset. nq x nv, nq.
   Eigen::MatrixXd coordinates;
   Eigen::VectorXd offset;
   void read(const mjModel* m, const mjData* d, double* q, double* v) const;
@@ -29,8 +29,8 @@ struct NativeTwin {
   std::vector<std::string> limits;
 };
 
-// `start`: the state of t = 0, whose controls are held. Throws ConfigError naming what cannot be in a
-// twin, scene::SceneError for a start outside the ring.
+// `start`: the state of t = 0, whose controls are held. Throws ConfigError naming what cannot be in
+// a twin, scene::SceneError for a start outside the ring.
 NativeTwin make_native_twin(const mjModel* m, const Config& config, const mjData* start);
 
 }  // namespace rotorub::plugin

@@ -77,9 +77,10 @@ std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine, const
   }
   if (ring.empty()) return ring;
   if (ring.size() != 2) {
-    refuse(joint_of_dof(m, ring.front()),
-           "is one of " + text(static_cast<int>(ring.size())) +
-               " that move the ring, for a twin; accepted: two, along x and y of its geom, or none");
+    refuse(
+        joint_of_dof(m, ring.front()),
+        "is one of " + text(static_cast<int>(ring.size())) +
+            " that move the ring, for a twin; accepted: two, along x and y of its geom, or none");
   }
   if (moves(machine.ring, 0, ring[1])) std::swap(ring[0], ring[1]);
   for (int k = 0; k < 2; ++k) {
@@ -91,34 +92,39 @@ std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine, const
     }
     for (int other = 0; other < m->nv; ++other) {
       if (other == dof || !links.linked(dof, other)) continue;
-      refuse(joint_of_dof(m, dof), "acts on " + joint_of_dof(m, other) +
-                                   ", for a twin; accepted: a ring whose two joints act on nothing else");
+      refuse(joint_of_dof(m, dof),
+             "acts on " + joint_of_dof(m, other) +
+                 ", for a twin; accepted: a ring whose two joints act on nothing else");
     }
   }
   return ring;
 }
 
-// What turns rotor or ring acts on nothing else at rest, and a ring that turns moves too (scene::Stator).
+// What turns rotor or ring acts on nothing else at rest, and a ring that turns moves too
+// (scene::Stator).
 void refuse_linked_turns(const mjModel* m, const LinearMachine& machine, const Links& links,
                          const std::vector<int>& ring, const std::vector<int>& others) {
   const int spin = machine.spin.dof, turn = machine.ring_turn.dof;
   if (spin >= 0) {
     for (const int i : others) {
       if (!links.linked(spin, i)) continue;
-      refuse(joint_of_dof(m, spin), "acts on " + joint_of_dof(m, i) +
-                                    " at rest, for a twin; accepted: a spin that bending meets by "
-                                    "unbalance alone");
+      refuse(joint_of_dof(m, spin),
+             "acts on " + joint_of_dof(m, i) +
+                 " at rest, for a twin; accepted: a spin that bending meets by "
+                 "unbalance alone");
     }
   }
   if (turn < 0) return;
   if (ring.empty()) {
     refuse(joint_of_dof(m, turn),
-           "turns a ring that does not move, for a twin; accepted: a ring with joints along x and y as well");
+           "turns a ring that does not move, for a twin; accepted: a ring with joints along x and "
+           "y as well");
   }
   for (int i = 0; i < m->nv; ++i) {
     if (i == turn || !links.linked(turn, i)) continue;
-    refuse(joint_of_dof(m, turn), "acts on " + joint_of_dof(m, i) +
-                                  ", for a twin; accepted: a ring whose turning acts on nothing else");
+    refuse(joint_of_dof(m, turn),
+           "acts on " + joint_of_dof(m, i) +
+               ", for a twin; accepted: a ring whose turning acts on nothing else");
   }
 }
 
@@ -159,7 +165,8 @@ void pad(TwinPlane& plane, Eigen::Index modes) {
   plane.shapes.rightCols(more).setZero();
   plane.inverse.conservativeResize(modes, n);
   plane.inverse.bottomRows(more).setZero();
-  for (auto* list : {&plane.mass, &plane.stiffness, &plane.contact}) list->conservativeResize(modes);
+  for (auto* list : {&plane.mass, &plane.stiffness, &plane.contact})
+    list->conservativeResize(modes);
   plane.mass.tail(more).setOnes();
   plane.stiffness.tail(more).setZero();
   plane.contact.tail(more).setZero();
@@ -180,7 +187,8 @@ TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
   std::vector<int> of[2], rest;
   while (!left.empty()) {
     const std::vector<int> group = links.group(left.front(), left);
-    std::erase_if(left, [&](int i) { return std::find(group.begin(), group.end(), i) != group.end(); });
+    std::erase_if(left,
+                  [&](int i) { return std::find(group.begin(), group.end(), i) != group.end(); });
     int joint[2] = {-1, -1};
     for (const int i : group) {
       for (int k = 0; k < 2; ++k) {
@@ -188,10 +196,11 @@ TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
       }
     }
     if (joint[0] >= 0 && joint[1] >= 0) {
-      refuse(joint_of_dof(m, joint[0]),
-             "moves with " + joint_of_dof(m, joint[1]) +
-                 ", and they move the rotor in both planes of the ring's geom, for a twin; accepted: "
-                 "planes that do not act on each other (a round geom may be turned about its axis)");
+      refuse(
+          joint_of_dof(m, joint[0]),
+          "moves with " + joint_of_dof(m, joint[1]) +
+              ", and they move the rotor in both planes of the ring's geom, for a twin; accepted: "
+              "planes that do not act on each other (a round geom may be turned about its axis)");
     }
     std::vector<int>& to = joint[0] >= 0 ? of[0] : joint[1] >= 0 ? of[1] : rest;
     to.insert(to.end(), group.begin(), group.end());

@@ -1,5 +1,5 @@
-// The two bending planes of a linear machine: which degrees of freedom move with the contact's x, which
-// with its y, and the undamped modes of each.
+// The two bending planes of a linear machine: which degrees of freedom move with the contact's x,
+// which with its y, and the undamped modes of each.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +26,8 @@ struct TwinPlanes {
 };
 
 // Throws ConfigError naming the joint where the planes do not part: a joint that moves the rotor in
-// both, rotor and ring together, or the ring beside its two slides; a turning that acts on another joint.
+// both, rotor and ring together, or the ring beside its two slides; a turning that acts on another
+// joint.
 TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine);
 
 }  // namespace rotorub::plugin

@@ -1,5 +1,6 @@
-// A user's own machine put into any pose, and what MuJoCo says of it there: its mass matrix, its smooth forces,
-// where the geoms of the contact are and how they move. Axes are those of the ring's geom in the pose of qpos0.
+// A user's own machine put into any pose, and what MuJoCo says of it there: its mass matrix, its
+// smooth forces, where the geoms of the contact are and how they move. Axes are those of the ring's
+// geom in the pose of qpos0.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -13,8 +14,8 @@ namespace rotorub::plugin {
 
 class Probe {
  public:
-  // m and config must outlive it. `start`: where controls and activations are taken from. Throws ConfigError
-  // where there is no memory.
+  // m and config must outlive it. `start`: where controls and activations are taken from. Throws
+  // ConfigError where there is no memory.
   Probe(const mjModel* m, const Config& config, const mjData* start);
 
   // qpos0 moved by q, nv tangent coordinates, at rest.

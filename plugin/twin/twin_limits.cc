@@ -53,8 +53,8 @@ std::vector<std::string> twin_limits(const mjModel* m, const LinearMachine& mach
   if (bent > kSaid) {
     all.push_back("deflections are not small: at one clearance the masses change by " +
                   percent(machine.bent_mass) + ", the springs' forces by " +
-                  percent(machine.bent_stiffness) + ", the gap by " + percent(machine.bent_contact) +
-                  " of the clearance; the twin keeps them");
+                  percent(machine.bent_stiffness) + ", the gap by " +
+                  percent(machine.bent_contact) + " of the clearance; the twin keeps them");
   }
   if (machine.uneven_inertia > kSaid) {
     all.push_back("the rotor is no body of revolution: its masses change by " +
@@ -73,7 +73,8 @@ std::vector<std::string> twin_limits(const mjModel* m, const LinearMachine& mach
   }
   add_constraints(m, machine, planes, all);
   for (const int dof : planes.ignored) {
-    all.push_back(joint_element(m, m->dof_jntid[dof]) + " moves nothing in the contact's plane; left out");
+    all.push_back(joint_element(m, m->dof_jntid[dof]) +
+                  " moves nothing in the contact's plane; left out");
   }
   return all;
 }

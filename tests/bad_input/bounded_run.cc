@@ -48,7 +48,8 @@ std::string beginning(const std::string& file) {
 
 }  // namespace
 
-Ended bounded_run(const std::filesystem::path& folder, std::vector<std::string> words, const Limits& limits) {
+Ended bounded_run(const std::filesystem::path& folder, std::vector<std::string> words,
+                  const Limits& limits) {
   const pid_t process = fork();
   if (process == 0) become(folder, words, limits);
   int status = 0;

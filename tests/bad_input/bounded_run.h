@@ -8,19 +8,22 @@
 namespace rotorub::test {
 
 struct Limits {
-  // Of the processor, so that a busy machine makes no fault; on the clock a program that waits ends later.
+  // Of the processor, so that a busy machine makes no fault; on the clock a program that waits ends
+  // later.
   int processor_s = 10, clock_s = 90;
-  std::size_t memory = std::size_t{6} << 30u;    // bytes of addresses
+  std::size_t memory = std::size_t{6} << 30u;     // bytes of addresses
   std::size_t file_size = std::size_t{1} << 28u;  // bytes
 };
 
 struct Ended {
-  int code = -1;          // exit code; -1: none
-  int signal = 0;         // what ended it; SIGXCPU and SIGALRM: its limits of time
-  std::string out, err;   // the first 16 MiB of each
+  int code = -1;         // exit code; -1: none
+  int signal = 0;        // what ended it; SIGXCPU and SIGALRM: its limits of time
+  std::string out, err;  // the first 16 MiB of each
 };
 
-// In `folder`, with standard output and standard error in files beside it (`folder` + ".out", ".err").
-Ended bounded_run(const std::filesystem::path& folder, std::vector<std::string> words, const Limits& limits = {});
+// In `folder`, with standard output and standard error in files beside it (`folder` + ".out",
+// ".err").
+Ended bounded_run(const std::filesystem::path& folder, std::vector<std::string> words,
+                  const Limits& limits = {});
 
 }  // namespace rotorub::test

@@ -52,11 +52,18 @@ Command of_scene(Random& random) {
       {Words{"run", kScene, "-o", "out"} + kShort, {0, 2, 3}, kScene},
       {Words{"run", kScene, "-o", "out", "--integrator", "event"} + kShort, {0, 2, 3}, kScene},
       {Words{"run", kScene, "-o", "out", "--integrator", "verlet"} + kShort, {0, 2, 3}, kScene},
-      {Words{"run", kScene, "-o", "out", "--integrator", "paper", "--json"} + kShort, {0, 2, 3}, kScene},
+      {Words{"run", kScene, "-o", "out", "--integrator", "paper", "--json"} + kShort,
+       {0, 2, 3},
+       kScene},
       {Words{"run", kScene, "-o", "out", "--integrator", "literal"} + kShort, {0, 2, 3}, kScene},
       {Words{"run", kScene, "-o", "out", "--engine", "mujoco"} + kShort, {0, 2, 3}, kScene},
-      {Words{"run", kScene, "-o", "out", "--engine", "mujoco", "--contact", "cone"} + kShort, {0, 2, 3}, kScene},
-      {Words{"run", kScene, "-o", "out", "--engine", "mujoco", "--contact", "coulomb", "--json"} + kShort, {0, 2, 3}, kScene},
+      {Words{"run", kScene, "-o", "out", "--engine", "mujoco", "--contact", "cone"} + kShort,
+       {0, 2, 3},
+       kScene},
+      {Words{"run", kScene, "-o", "out", "--engine", "mujoco", "--contact", "coulomb", "--json"} +
+           kShort,
+       {0, 2, 3},
+       kScene},
       {{"modes", kScene}, {0, 2, 3}, kScene},
       {{"modes", kScene, "--json"}, {0, 2, 3}, kScene},
       {{"mjcf", kScene}, {0, 2}, kScene},
@@ -69,9 +76,12 @@ Command of_scene(Random& random) {
 
 // Every value of a scene can be given on the command line.
 Case of_override(Random& random, const fs::path& folder) {
-  constexpr std::array kKeys{"run.end", "run.step", "run.output_step", "rotor.speed", "rotor.modal.mass", "rotor.modal.stiffness",
-                             "contact.clearance", "contact.friction", "contact.restitution", "contact", "stator.mass", "stator",
-                             "controller.kind", "force[0].frequency", "force[7]", "initial.x", "gravity.vector", "rotor"};
+  constexpr std::array kKeys{"run.end",           "run.step",           "run.output_step",
+                             "rotor.speed",       "rotor.modal.mass",   "rotor.modal.stiffness",
+                             "contact.clearance", "contact.friction",   "contact.restitution",
+                             "contact",           "stator.mass",        "stator",
+                             "controller.kind",   "force[0].frequency", "force[7]",
+                             "initial.x",         "gravity.vector",     "rotor"};
   const std::string& text = random.of(shipped().texts);
   write(folder / kScene, text);
   std::string set = std::string(random.of(kKeys)) + "=" + odd_value(random);
@@ -83,17 +93,23 @@ Case of_override(Random& random, const fs::path& folder) {
 
 Case of_study(Random& random, const fs::path& folder) {
   static const std::string study =
-      "scene = \"scene.toml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nfrom = 0.05\nto = 0.3\n"
-      "count = 3\n[[vary]]\nkey = \"rotor.speed\"\nvalues = [\"20 Hz\", 200.0]\n[run]\nintegrator = \"verlet\"\n";
+      "scene = \"scene.toml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = "
+      "\"contact.friction\"\nfrom = 0.05\nto = 0.3\n"
+      "count = 3\n[[vary]]\nkey = \"rotor.speed\"\nvalues = [\"20 Hz\", 200.0]\n[run]\nintegrator "
+      "= \"verlet\"\n";
   write(folder / kScene, random.of(shipped().texts));
   std::string what;
   write(folder / "study.toml", mutated(study, {}, random, what));
-  return {{{"sweep", "study.toml", "-o", "out", "--jobs", "1", "--set", "run.end=1e-3"}, {0, 2, 3}, ".toml"}, what};
+  return {{{"sweep", "study.toml", "-o", "out", "--jobs", "1", "--set", "run.end=1e-3"},
+           {0, 2, 3},
+           ".toml"},
+          what};
 }
 
 // The files of a run, as somebody's editor left them.
 Case of_run_folder(Random& random, const fs::path& folder) {
-  constexpr std::array kFiles{"series.csv", "impacts.csv", "events.csv", "summary.json", "scene.toml"};
+  constexpr std::array kFiles{"series.csv", "impacts.csv", "events.csv", "summary.json",
+                              "scene.toml"};
   static const std::string& ring = shipped().texts[0];
   write(folder / kScene, ring);
   bounded_run(folder, {ROTORUB_BINARY, "run", kScene, "-o", "kept", "--end", "2ms", "--quiet"});

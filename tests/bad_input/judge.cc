@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kInput = "kept/";            // what the command was given, mutated
+constexpr const char* kInput = "kept/";              // what the command was given, mutated
 constexpr std::size_t kLongestMessage = 16u << 10u;  // bytes
 
 // Line by line as it stands: what `printable` changes is what a terminal obeys, or no UTF-8.
@@ -71,7 +71,8 @@ void judge_file(const fs::path& file, const std::string& name, std::vector<std::
   const std::string extension = file.extension().string();
   if (name.find(".part") != std::string::npos) wrong.push_back("half a file is left: " + name);
   if (extension == ".csv" && has_no_number(text_of(file))) wrong.push_back("no number in " + name);
-  if (extension == ".xml" && has_no_number(without_custom(text_of(file)))) wrong.push_back("no number in " + name);
+  if (extension == ".xml" && has_no_number(without_custom(text_of(file))))
+    wrong.push_back("no number in " + name);
   if (extension != ".json") return;
   const std::string text = text_of(file);
   if (!nlohmann::json::accept(text)) wrong.push_back("no JSON: " + name);
@@ -101,26 +102,35 @@ bool names_the_place(const std::string& message, const std::string& input) {
 
 }  // namespace
 
-std::vector<std::string> faults(const Command& command, const Ended& ended, const fs::path& folder) {
+std::vector<std::string> faults(const Command& command, const Ended& ended,
+                                const fs::path& folder) {
   std::vector<std::string> wrong;
   if (ended.signal == SIGXCPU || ended.signal == SIGALRM) {
-    wrong.push_back(std::string("did not end in its ") + (ended.signal == SIGALRM ? "time" : "processor time"));
+    wrong.push_back(std::string("did not end in its ") +
+                    (ended.signal == SIGALRM ? "time" : "processor time"));
   } else if (ended.signal != 0) {
     wrong.push_back(std::string("ended by a signal: ") + strsignal(ended.signal));
-  } else if (std::find(command.codes.begin(), command.codes.end(), ended.code) == command.codes.end()) {
+  } else if (std::find(command.codes.begin(), command.codes.end(), ended.code) ==
+             command.codes.end()) {
     wrong.push_back("exit code " + std::to_string(ended.code));
   }
   if (ended.code > 1 && ended.err.empty()) wrong.push_back("failed without a word");
-  if (ended.code == 1 && ended.err.empty() && ended.out.empty()) wrong.push_back("failed without a word");
-  if (ended.code == 2 && !names_the_place(ended.err, command.input)) wrong.push_back("a refusal names no place");
+  if (ended.code == 1 && ended.err.empty() && ended.out.empty())
+    wrong.push_back("failed without a word");
+  if (ended.code == 2 && !names_the_place(ended.err, command.input))
+    wrong.push_back("a refusal names no place");
   if (ended.code == 2 && !ended.out.empty()) wrong.push_back("a refusal on standard output");
-  if (ended.err.size() > kLongestMessage) wrong.push_back("a message of " + std::to_string(ended.err.size()) + " bytes");
+  if (ended.err.size() > kLongestMessage)
+    wrong.push_back("a message of " + std::to_string(ended.err.size()) + " bytes");
   if (ended.err.find("bad_alloc") != std::string::npos) wrong.push_back("memory ran out");
   if (!shows_plainly(ended.err)) wrong.push_back("standard error has what a terminal obeys");
   if (!shows_plainly(ended.out)) wrong.push_back("standard output has what a terminal obeys");
-  const bool json = std::find(command.words.begin(), command.words.end(), "--json") != command.words.end();
-  if (json && ended.code == 0 && !nlohmann::json::accept(ended.out)) wrong.push_back("no JSON on standard output");
-  if (has_no_number(without_strings(without_custom(ended.out)))) wrong.push_back("no number on standard output");
+  const bool json =
+      std::find(command.words.begin(), command.words.end(), "--json") != command.words.end();
+  if (json && ended.code == 0 && !nlohmann::json::accept(ended.out))
+    wrong.push_back("no JSON on standard output");
+  if (has_no_number(without_strings(without_custom(ended.out))))
+    wrong.push_back("no number on standard output");
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = fs::relative(entry.path(), folder).string();
     if (!entry.is_regular_file() || name.starts_with(kInput)) continue;

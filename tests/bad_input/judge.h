@@ -16,10 +16,11 @@ struct Command {
   std::string input;  // the file that a refusal names, or "--set"
 };
 
-// All that is wrong with how the command ended and with the files below `folder` (but for those of its input,
-// kept/); empty: nothing. An exit code of
-// its contract; a failure that says why, a refusal with file and line or key; nothing that a terminal obeys, no
-// message without end; no number in a result that is none; no file half written.
-std::vector<std::string> faults(const Command& command, const Ended& ended, const std::filesystem::path& folder);
+// All that is wrong with how the command ended and with the files below `folder` (but for those of
+// its input, kept/); empty: nothing. An exit code of its contract; a failure that says why, a
+// refusal with file and line or key; nothing that a terminal obeys, no message without end; no
+// number in a result that is none; no file half written.
+std::vector<std::string> faults(const Command& command, const Ended& ended,
+                                const std::filesystem::path& folder);
 
 }  // namespace rotorub::test

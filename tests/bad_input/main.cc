@@ -30,7 +30,8 @@ bool try_case(std::uint64_t number, const fs::path& folder) {
   const Ended ended = bounded_run(folder, words);
   const auto wrong = faults(c.command, ended, folder);
   if (wrong.empty()) return true;
-  std::cout << "case " << number << ":" << spoken(c.command) << "\n  (" << rotorub::scene::printable(c.what, 300) << ")\n";
+  std::cout << "case " << number << ":" << spoken(c.command) << "\n  ("
+            << rotorub::scene::printable(c.what, 300) << ")\n";
   for (const std::string& fault : wrong) std::cout << "  " << fault << "\n";
   std::cout << "  said: " << rotorub::scene::printable(ended.err, 400) << std::endl;
   return false;

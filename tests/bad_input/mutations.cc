@@ -14,19 +14,77 @@ struct Span {
   bool empty() const { return begin == end; }
 };
 
-constexpr std::array kNumbers{"0",     "-0.0",   "-1",     "1",      "1e-3",    "-1e-3",  "1e3",   "1e6",    "1e9",
-                              "1e12",  "1e17",   "2.1e17", "1e30",   "-1e30",   "1e154",  "1e200", "1e308",  "-1e308",
-                              "1e400", "1e-30",  "1e-308", "5e-324", "nan",     "-nan",   "inf",   "-inf",   "9223372036854775807",
-                              "99999999999999999999", "0x7fffffffffffffff", "0.1", "0.999999999", "1.0000000001", "1e-12", "7", "64", "300"};
-constexpr std::array kUnits{"mm", "um", "m", "s", "ms", "us", "Hz", "rpm", "rad/s", "deg", "N", "kN", "kg", "g", "N/m", "N s/m",
-                            "parsec", "%", "kg m^2", "", " ", "m/", "/s", "^2", "m^99", "mm mm mm"};
-constexpr std::array kTypes{"true", "\"text\"", "[1.0, 2.0]", "[]", "[[1.0]]", "{a = 1}", "{}", "1979-05-27", "[1, \"a\"]",
-                            "07:32:00", "[nan]", "[[]]", "[1, 2, 3, 4, 5, 6, 7, 8, 9]", "\"\"", "'''", "\"\"\"", "none"};
-// Colour, title of the window, cursor; a mark that turns the direction of writing, a control of eight bits.
-constexpr std::array kCodes{"\x1b[31m", "\x1b]0;title\x07", "\x1b[2J", "\r\x1b[K", "\xe2\x80\xae", "\xc2\x9b" "31m", "\x7f", "\b\b\b"};
+constexpr std::array kNumbers{"0",
+                              "-0.0",
+                              "-1",
+                              "1",
+                              "1e-3",
+                              "-1e-3",
+                              "1e3",
+                              "1e6",
+                              "1e9",
+                              "1e12",
+                              "1e17",
+                              "2.1e17",
+                              "1e30",
+                              "-1e30",
+                              "1e154",
+                              "1e200",
+                              "1e308",
+                              "-1e308",
+                              "1e400",
+                              "1e-30",
+                              "1e-308",
+                              "5e-324",
+                              "nan",
+                              "-nan",
+                              "inf",
+                              "-inf",
+                              "9223372036854775807",
+                              "99999999999999999999",
+                              "0x7fffffffffffffff",
+                              "0.1",
+                              "0.999999999",
+                              "1.0000000001",
+                              "1e-12",
+                              "7",
+                              "64",
+                              "300"};
+constexpr std::array kUnits{"mm",     "um", "m",  "s",  "ms", "us",  "Hz",    "rpm",     "rad/s",
+                            "deg",    "N",  "kN", "kg", "g",  "N/m", "N s/m", "parsec",  "%",
+                            "kg m^2", "",   " ",  "m/", "/s", "^2",  "m^99",  "mm mm mm"};
+constexpr std::array kTypes{"true",
+                            "\"text\"",
+                            "[1.0, 2.0]",
+                            "[]",
+                            "[[1.0]]",
+                            "{a = 1}",
+                            "{}",
+                            "1979-05-27",
+                            "[1, \"a\"]",
+                            "07:32:00",
+                            "[nan]",
+                            "[[]]",
+                            "[1, 2, 3, 4, 5, 6, 7, 8, 9]",
+                            "\"\"",
+                            "'''",
+                            "\"\"\"",
+                            "none"};
+// Colour, title of the window, cursor; a mark that turns the direction of writing, a control of
+// eight bits.
+constexpr std::array kCodes{"\x1b[31m",
+                            "\x1b]0;title\x07",
+                            "\x1b[2J",
+                            "\r\x1b[K",
+                            "\xe2\x80\xae",
+                            "\xc2\x9b"
+                            "31m",
+                            "\x7f",
+                            "\b\b\b"};
 
 bool is_number_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' || c == '+' || c == '_';
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' || c == '+' ||
+         c == '_';
 }
 
 // Words that start as a number does, but not in a comment or a key.
@@ -59,7 +117,9 @@ std::vector<Span> lines(const std::string& text) {
   return all;
 }
 
-std::string part(const std::string& text, Span span) { return text.substr(span.begin, span.end - span.begin); }
+std::string part(const std::string& text, Span span) {
+  return text.substr(span.begin, span.end - span.begin);
+}
 
 void replace(std::string& text, Span span, const std::string& with) {
   text.replace(span.begin, span.end - span.begin, with);
@@ -86,7 +146,9 @@ std::vector<Span> tables(const std::string& text) {
 }
 
 // Where a mutation finds nothing to change it leaves the text alone.
-Span one_of(const std::vector<Span>& all, Random& random) { return all.empty() ? Span{} : random.of(all); }
+Span one_of(const std::vector<Span>& all, Random& random) {
+  return all.empty() ? Span{} : random.of(all);
+}
 
 void set_value(std::string& text, Random& random, const std::string& value) {
   const Span line = one_of(assignments(text), random);
@@ -103,7 +165,8 @@ void number(std::string& text, Random& random) {
 void scaled_number(std::string& text, Random& random) {
   const Span place = one_of(numbers(text), random);
   if (place.empty()) return;
-  constexpr std::array kScales{"e3", "e-3", "e6", "e-6", "e12", "e-12", "e30", "e-30", "e150", "e300"};
+  constexpr std::array kScales{"e3",   "e-3", "e6",   "e-6",  "e12",
+                               "e-12", "e30", "e-30", "e150", "e300"};
   std::string digits = part(text, place);
   digits.resize(std::min(digits.find_first_of("eE"), digits.size()));
   replace(text, place, (random.below(4) == 0 ? "-" : "") + digits + random.of(kScales));
@@ -122,21 +185,29 @@ void long_text(std::string& text, Random& random) {
 void escape_code(std::string& text, Random& random) {
   const std::string code = random.of(kCodes);
   switch (random.below(4)) {
-    case 0: return set_value(text, random, "\"\\u001b[31m\\u202e\"");  // as TOML allows it
-    case 1: return set_value(text, random, "\"" + code + "\"");
-    case 2: return void(text.insert(random.below(text.size() + 1), "\n\"\\u001b[31mkey\" = 1\n"));
-    default: text.insert(random.below(text.size() + 1), code);
+    case 0:
+      return set_value(text, random, "\"\\u001b[31m\\u202e\"");  // as TOML allows it
+    case 1:
+      return set_value(text, random, "\"" + code + "\"");
+    case 2:
+      return void(text.insert(random.below(text.size() + 1), "\n\"\\u001b[31mkey\" = 1\n"));
+    default:
+      text.insert(random.below(text.size() + 1), code);
   }
 }
 
-void delete_line(std::string& text, Random& random) { replace(text, one_of(lines(text), random), ""); }
+void delete_line(std::string& text, Random& random) {
+  replace(text, one_of(lines(text), random), "");
+}
 
 void duplicate_line(std::string& text, Random& random) {
   const Span line = one_of(lines(text), random);
   text.insert(line.end, part(text, line));
 }
 
-void delete_table(std::string& text, Random& random) { replace(text, one_of(tables(text), random), ""); }
+void delete_table(std::string& text, Random& random) {
+  replace(text, one_of(tables(text), random), "");
+}
 
 void duplicate_table(std::string& text, Random& random) {
   text += "\n" + part(text, one_of(tables(text), random));
@@ -173,9 +244,11 @@ void list_length(std::string& text, Random& random) {
   }
   const Span at = one_of(commas, random);
   if (at.empty()) return;
-  if (random.below(2) == 0) return void(text.insert(at.begin, std::string(", ") + random.of(kNumbers)));
+  if (random.below(2) == 0)
+    return void(text.insert(at.begin, std::string(", ") + random.of(kNumbers)));
   std::size_t begin = at.begin;  // the item before it goes
-  while (begin > 0 && text[begin - 1] != ',' && text[begin - 1] != '[' && text[begin - 1] != '\n') --begin;
+  while (begin > 0 && text[begin - 1] != ',' && text[begin - 1] != '[' && text[begin - 1] != '\n')
+    --begin;
   replace(text, {begin, text[at.begin] == ',' ? at.end : at.begin}, "");
 }
 
@@ -189,13 +262,15 @@ void overwrite_bytes(std::string& text, Random& random) {
 
 void insert_bytes(std::string& text, Random& random) {
   std::string bytes;
-  for (std::size_t n = 1 + random.below(64); n > 0; --n) bytes += static_cast<char>(random.below(256));
+  for (std::size_t n = 1 + random.below(64); n > 0; --n)
+    bytes += static_cast<char>(random.below(256));
   text.insert(random.below(text.size() + 1), bytes);
 }
 
 void nest(std::string& text, Random& random) {
   const std::size_t depth = std::size_t{1} << (1 + random.below(14));
-  constexpr std::array<std::pair<const char*, const char*>, 2> kBrackets{{{"[", "]"}, {"{a = ", "}"}}};
+  constexpr std::array<std::pair<const char*, const char*>, 2> kBrackets{
+      {{"[", "]"}, {"{a = ", "}"}}};
   const auto& [open, close] = random.of(kBrackets);
   std::string value;
   for (std::size_t i = 0; i < depth; ++i) value += open;
@@ -219,12 +294,24 @@ struct Named {
   std::size_t weight;
 };
 constexpr std::array kMutations{
-    Named{"number", number, 12},           Named{"scaled number", scaled_number, 8}, Named{"unit", unit, 4},
-    Named{"type", type, 4},                Named{"long text", long_text, 1},         Named{"escape code", escape_code, 3},
-    Named{"deleted line", delete_line, 4}, Named{"line twice", duplicate_line, 1},   Named{"deleted table", delete_table, 3},
-    Named{"table twice", duplicate_table, 2}, Named{"swapped lines", swap_lines, 2}, Named{"misspelt", misspell, 1},
-    Named{"length of a list", list_length, 3}, Named{"cut", truncate, 1},            Named{"bytes", overwrite_bytes, 1},
-    Named{"inserted bytes", insert_bytes, 1}, Named{"nesting", nest, 1},             Named{"line ends", other_lines, 1},
+    Named{"number", number, 12},
+    Named{"scaled number", scaled_number, 8},
+    Named{"unit", unit, 4},
+    Named{"type", type, 4},
+    Named{"long text", long_text, 1},
+    Named{"escape code", escape_code, 3},
+    Named{"deleted line", delete_line, 4},
+    Named{"line twice", duplicate_line, 1},
+    Named{"deleted table", delete_table, 3},
+    Named{"table twice", duplicate_table, 2},
+    Named{"swapped lines", swap_lines, 2},
+    Named{"misspelt", misspell, 1},
+    Named{"length of a list", list_length, 3},
+    Named{"cut", truncate, 1},
+    Named{"bytes", overwrite_bytes, 1},
+    Named{"inserted bytes", insert_bytes, 1},
+    Named{"nesting", nest, 1},
+    Named{"line ends", other_lines, 1},
 };
 
 const Named& one_of_all(Random& random) {
@@ -242,14 +329,19 @@ const Named& one_of_all(Random& random) {
 
 std::string odd_value(Random& random) {
   switch (random.below(4)) {
-    case 0: return random.of(kTypes);
-    case 1: return std::string(random.of(kNumbers)) + " " + random.of(kUnits);
-    case 2: return random.of(kCodes);
-    default: return random.of(kNumbers);
+    case 0:
+      return random.of(kTypes);
+    case 1:
+      return std::string(random.of(kNumbers)) + " " + random.of(kUnits);
+    case 2:
+      return random.of(kCodes);
+    default:
+      return random.of(kNumbers);
   }
 }
 
-std::string mutated(std::string text, std::span<const std::string> donors, Random& random, std::string& what) {
+std::string mutated(std::string text, std::span<const std::string> donors, Random& random,
+                    std::string& what) {
   constexpr std::array<std::size_t, 5> kHowMany{1, 1, 1, 2, 3};
   for (std::size_t n = random.of(kHowMany); n > 0; --n) {
     what += what.empty() ? "" : ", ";

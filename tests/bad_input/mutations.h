@@ -8,8 +8,8 @@
 
 namespace rotorub::test {
 
-// One to three mutations. `donors`: other texts of the kind, whose tables and words may be mixed in.
-// `what`: in words, for whoever looks at a fault.
+// One to three mutations. `donors`: other texts of the kind, whose tables and words may be mixed
+// in. `what`: in words, for whoever looks at a fault.
 std::string mutated(std::string text, std::span<const std::string> donors, Random& random,
                     std::string& what);
 

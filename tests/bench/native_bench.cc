@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "native_model/stepping/ensemble.h"
 #include "native_model/event/driver.h"
+#include "native_model/stepping/ensemble.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/bench/machines.h"
@@ -58,7 +58,8 @@ void ensemble_steps(benchmark::State& state, const Model& model, scene::Integrat
   const std::int64_t steps = std::lround(0.1 / kStep);
   std::vector<Model> models(kRuns, model);
   for (std::size_t i = 0; i < kRuns; ++i) {
-    if (models[i].first().contact) models[i].first().contact->friction *= 1.0 + 0.01 * static_cast<double>(i);
+    if (models[i].first().contact)
+      models[i].first().contact->friction *= 1.0 + 0.01 * static_cast<double>(i);
   }
   Ensemble ensemble(models, kStep, integrator, set);
   for (auto _ : state) benchmark::DoNotOptimize(ensemble.run(steps));
@@ -80,7 +81,8 @@ void register_all() {
        {"bench_ring", "bench_billiard", "bench_drop", "paper_passive", "paper_sliding"}) {
     // The controller is the caller's: not in the step.
     scene::Scene scene = bench::shipped(name);
-    if (name.starts_with("paper")) scene.forces[0].on = 0.0, scene.initial.steady = false;  // contact within 0.1 s
+    if (name.starts_with("paper"))
+      scene.forces[0].on = 0.0, scene.initial.steady = false;  // contact within 0.1 s
     const Model model = make_model(scene);
     add("paper/" + name, [=](benchmark::State& s) { fixed_steps<PaperStepper>(s, model); });
     add("verlet/" + name, [=](benchmark::State& s) { fixed_steps<VerletStepper>(s, model); });

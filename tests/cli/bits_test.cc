@@ -46,11 +46,11 @@ TEST(CliBits, AreThoseOfAnOlderProcessor) {
 
 // A shaft's modes, and the MJCF that is made of them.
 TEST(CliBits, OfModesAndMjcfAreThoseOfAnOlderProcessor) {
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"mjcf", shipped("paper_passive")},
-           {"mjcf", shipped("paper_passive"), "--set", "mujoco.rotor=segments", "--set",
-            "rotor.modes=2"},
-           {"modes", shipped("paper_passive"), "--json"}}) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"mjcf", shipped("paper_passive")},
+                                             {"mjcf", shipped("paper_passive"), "--set",
+                                              "mujoco.rotor=segments", "--set", "rotor.modes=2"},
+                                             {"modes", shipped("paper_passive"), "--json"}}) {
     const Folder folder;
     const Outcome here = folder.run(arguments);
     EXPECT_EQ(here.code, 0) << here.err;

@@ -28,13 +28,15 @@ void write(const Folder& folder, const std::string& file, const std::string& rul
 // What `compare --with` reads is what --json prints.
 TEST(CliCheck, KeepsItsCasesForAReport) {
   const Folder folder;
-  write(folder, "drop.toml", "[[check]]\nmetric = \"mean_force\"\nmax = 1e9\nwhy = \"it is light\"\n");
+  write(folder, "drop.toml",
+        "[[check]]\nmetric = \"mean_force\"\nmax = 1e9\nwhy = \"it is light\"\n");
   const Outcome done = folder.run({"check", "drop.toml", "--json", "-o", "kept"});
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_EQ(json::parse(folder.text("kept/check.json")), json::parse(done.out));
   const Outcome nothing = folder.run({"compare", "drop.toml", "--with", "nowhere", "-o", "out"});
   EXPECT_EQ(nothing.code, 2);
-  EXPECT_TRUE(contains(nothing.err, "--with nowhere: no bench.json, check.json or sweep.json")) << nothing.err;
+  EXPECT_TRUE(contains(nothing.err, "--with nowhere: no bench.json, check.json or sweep.json"))
+      << nothing.err;
   EXPECT_FALSE(folder.has("out"));
 }
 

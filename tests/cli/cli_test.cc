@@ -35,8 +35,8 @@ TEST(Cli, HelpAndVersionAreDone) {
   EXPECT_EQ(version.code, 0);
   EXPECT_TRUE(contains(version.out, ROTORUB_VERSION));
   // Built with and loaded: the tests' own headers and library are those of the program.
-  EXPECT_TRUE(contains(version.out, "MuJoCo: headers " + plugin::version_text(mjVERSION_HEADER) + ", run time " +
-                                        mj_versionString() + ")"))
+  EXPECT_TRUE(contains(version.out, "MuJoCo: headers " + plugin::version_text(mjVERSION_HEADER) +
+                                        ", run time " + mj_versionString() + ")"))
       << version.out;
 }
 
@@ -194,7 +194,8 @@ TEST(CliRun, AnInterruptKeepsPartialResults) {
 TEST(CliRun, SummarySaysWhatTheModesAreWorth) {
   const Folder folder;
   const auto summary = [&](const std::string& scene, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"run", shipped(scene), "--end", "5ms", "--json", "-o", "out"};
+    std::vector<std::string> arguments{"run",    shipped(scene), "--end", "5ms",
+                                       "--json", "-o",           "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome done = folder.run(arguments);
     EXPECT_EQ(done.code, 0) << done.err;

@@ -25,9 +25,10 @@ TEST(CliCompare, UnknownModesAndTolerancesAreRefused) {
 // The native side under the commands that MuJoCo used; where there are none, that is said.
 TEST(CliCompare, ReplaysTheCommands) {
   const Folder folder;
-  const std::vector<std::string> base{"compare", shipped("bench_ring"), "--mode", "replay",
-                                      "--end",   "0.02",                "--no-video", "--twins",
-                                      "2",       "-o",                  "out"};
+  const std::vector<std::string> base{
+      "compare", shipped("bench_ring"), "--mode",  "replay", "--end",
+      "0.02",    "--no-video",          "--twins", "2",      "-o",
+      "out"};
   const Outcome none = folder.run(base);
   EXPECT_EQ(none.code, 0) << none.out << none.err;
   EXPECT_TRUE(contains(none.out, "Replay equals lockstep here: no controller")) << none.out;
@@ -48,8 +49,9 @@ TEST(CliCompare, ReplaysTheCommands) {
 // The exit code is by the contacts of the model that decides, one by one.
 TEST(CliCompare, ResyncJudgesContactByContact) {
   const Folder folder;
-  std::vector<std::string> call{"compare", shipped("bench_billiard"), "--mode", "resync",
-                                "--end",   "0.05", "--no-video", "-o", "out"};
+  std::vector<std::string> call{
+      "compare", shipped("bench_billiard"), "--mode", "resync", "--end", "0.05", "--no-video", "-o",
+      "out"};
   const Outcome rigid = folder.run(call);
   EXPECT_EQ(rigid.code, 0) << rigid.out << rigid.err;
   EXPECT_TRUE(contains(rigid.out, "onset")) << rigid.out;
@@ -128,7 +130,8 @@ TEST(CliCompare, LeavesSeriesJsonAndReport) {
   for (const std::string scene : {"bench_ring", "bench_drop"}) {
     EXPECT_TRUE(contains(done.out, scene));
     for (const std::string side : {"native", "coulomb", "cone"}) {
-      for (const std::string file : {"series.csv", "impacts.csv", "events.csv", "summary.json", "columns.json"}) {
+      for (const std::string file :
+           {"series.csv", "impacts.csv", "events.csv", "summary.json", "columns.json"}) {
         EXPECT_TRUE(folder.has("out/" + scene + "/" + side + "/" + file)) << scene << side << file;
       }
     }
@@ -136,7 +139,8 @@ TEST(CliCompare, LeavesSeriesJsonAndReport) {
   const json compared = json::parse(folder.text("out/compare.json"));
   EXPECT_EQ(compared.at("scenes").size(), 2U);
   // What the metrics are stands beside them.
-  for (const json& key : json::parse(folder.text("out/columns.json")).at("compare.json runs.*.metrics")) {
+  for (const json& key :
+       json::parse(folder.text("out/columns.json")).at("compare.json runs.*.metrics")) {
     json value = compared.at("scenes")[0].at("runs").at("native").at("metrics");
     std::istringstream path(key.at("name").get<std::string>());
     for (std::string part; std::getline(path, part, '.');) value = json(value).at(part);
@@ -145,7 +149,8 @@ TEST(CliCompare, LeavesSeriesJsonAndReport) {
   expect_whole_files(folder);
 }
 
-// With films: files beside the page, MuJoCo's beside the native run, which it links to; none is inside.
+// With films: files beside the page, MuJoCo's beside the native run, which it links to; none is
+// inside.
 TEST(CliCompareLong, TheReportLinksTheFilms) {
   const Folder folder;
   const Outcome done = folder.run({"compare", shipped("bench_ring"), "--end", "0.02", "-o", "out"});
@@ -163,8 +168,8 @@ TEST(CliCompareLong, TheReportLinksTheFilms) {
 // Beside the verdicts; without --tune the page says how it is found.
 TEST(CliCompareLong, TheSettingToUseStandsBesideTheVerdicts) {
   const Folder folder;
-  const std::vector<std::string> arguments{"compare", shipped("bench_ring"), "--end", "0.02", "--no-video", "--twins", "0",
-                                           "-o", "out"};
+  const std::vector<std::string> arguments{
+      "compare", shipped("bench_ring"), "--end", "0.02", "--no-video", "--twins", "0", "-o", "out"};
   ASSERT_LE(folder.run(arguments).code, 1);
   EXPECT_TRUE(contains(folder.text("out/report.html"), "rotorub tune "));
   auto tuned = arguments;
@@ -176,9 +181,11 @@ TEST(CliCompareLong, TheSettingToUseStandsBesideTheVerdicts) {
   const std::string setting = first_line(done.out.substr(at + 16));
   EXPECT_TRUE(contains(setting, " us a step")) << setting;
   EXPECT_TRUE(contains(folder.text("out/report.html"), setting)) << setting;
-  const Outcome alone = folder.run({"tune", shipped("bench_ring"), "--end", "0.02", "--twins", "0", "--json"});
+  const Outcome alone =
+      folder.run({"tune", shipped("bench_ring"), "--end", "0.02", "--twins", "0", "--json"});
   const json trusted = json::parse(alone.out).at("trusted");
-  EXPECT_TRUE(setting.starts_with(trusted.at("contact").get<std::string>())) << "as tune itself says: " << setting;
+  EXPECT_TRUE(setting.starts_with(trusted.at("contact").get<std::string>()))
+      << "as tune itself says: " << setting;
 }
 
 TEST(CliCompareLong, AnInterruptIs130) {

@@ -12,10 +12,15 @@ namespace {
 
 const std::string kLibraries = ROTORUB_LIBRARIES;
 
-std::vector<std::string> run_with(const std::string& library, const std::vector<std::string>& more) {
-  std::vector<std::string> all{"run", shipped("paper_sliding"), "--controller", kLibraries + "/" + library,
-                               "--set", "controller.sample_time=\"50 us\"", "--set", "rotor.modes=2",
-                               "--end", "5 ms", "-o", "out", "--json"};
+std::vector<std::string> run_with(const std::string& library,
+                                  const std::vector<std::string>& more) {
+  std::vector<std::string> all{"run",          shipped("paper_sliding"),
+                               "--controller", kLibraries + "/" + library,
+                               "--set",        "controller.sample_time=\"50 us\"",
+                               "--set",        "rotor.modes=2",
+                               "--end",        "5 ms",
+                               "-o",           "out",
+                               "--json"};
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -37,9 +42,10 @@ TEST(CliController, ALibraryTakesThePlaceOfTheScenes) {
 TEST(CliController, AFailureIsExit3WithNameAndTime) {
   const Folder folder;
   for (const char* engine : {"native", "mujoco"}) {
-    const Outcome done = folder.run(run_with(
-        "faulty_controller.so", {"--engine", engine, "--set", "controller.config.fault=\"nan\"", "--set",
-                                 "controller.config.at=0.002", "--set", "controller.on=0"}));
+    const Outcome done =
+        folder.run(run_with("faulty_controller.so",
+                            {"--engine", engine, "--set", "controller.config.fault=\"nan\"",
+                             "--set", "controller.config.at=0.002", "--set", "controller.on=0"}));
     EXPECT_EQ(done.code, 3) << done.err;
     EXPECT_TRUE(contains(done.err, "controller_failed")) << done.err;
     EXPECT_TRUE(contains(done.err, "faulty at t = 0.002")) << done.err;
@@ -57,7 +63,8 @@ TEST(CliController, WhatCannotBeLoadedIsExit2) {
   EXPECT_TRUE(contains(other.err, "controller.library")) << other.err;
 }
 
-// ------------------------------------------------------------------ a scene, or results, from elsewhere
+// ------------------------------------------------------------------ a scene, or results, from
+// elsewhere
 class CliForeignLibrary : public testing::Test {
  protected:
   CliForeignLibrary() {
@@ -73,8 +80,9 @@ class CliForeignLibrary : public testing::Test {
 
 TEST_F(CliForeignLibrary, IsNotOpenedUnasked) {
   const std::vector<std::vector<std::string>> commands{
-      {"run", "scene.toml"},   {"run", "scene.toml", "--engine", "mujoco"}, {"compare", "scene.toml"},
-      {"bench", "scene.toml"}, {"check", "scene.toml"},                     {"tune", "scene.toml", "--tolerance", "1%"},
+      {"run", "scene.toml"},     {"run", "scene.toml", "--engine", "mujoco"},
+      {"compare", "scene.toml"}, {"bench", "scene.toml"},
+      {"check", "scene.toml"},   {"tune", "scene.toml", "--tolerance", "1%"},
       {"render", "scene.toml"}};
   for (const auto& command : commands) {
     const Outcome done = folder_.run(command);
@@ -87,7 +95,8 @@ TEST_F(CliForeignLibrary, IsNotOpenedUnasked) {
 
 TEST_F(CliForeignLibrary, IsNotOpenedByASweep) {
   std::ofstream(folder_.path() / "study.toml")
-      << "scene = \"scene.toml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1, 0.2]\n";
+      << "scene = \"scene.toml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = "
+         "\"contact.friction\"\nvalues = [0.1, 0.2]\n";
   const Outcome done = folder_.run({"sweep", "study.toml", "-o", "out"});
   EXPECT_EQ(done.code, 2) << done.err;
   EXPECT_TRUE(contains(done.err, "evil.so")) << done.err;
@@ -106,11 +115,11 @@ TEST_F(CliForeignLibrary, IsNoMatterOfShowing) {
   std::filesystem::copy_file(folder_.path() / "scene.toml", folder_.path() / "results/scene.toml",
                              std::filesystem::copy_options::overwrite_existing);
   std::filesystem::copy_file(folder_.path() / "evil.so", folder_.path() / "results/evil.so");
-  for (const auto& command : std::vector<std::vector<std::string>>{
-           {"modes", "scene.toml"},
-           {"mjcf", "scene.toml", "-o", "scene.xml"},
-           {"plot", "results"},
-           {"render", "results", "--png", "--size", "320x180"}}) {
+  for (const auto& command :
+       std::vector<std::vector<std::string>>{{"modes", "scene.toml"},
+                                             {"mjcf", "scene.toml", "-o", "scene.xml"},
+                                             {"plot", "results"},
+                                             {"render", "results", "--png", "--size", "320x180"}}) {
     const Outcome done = folder_.run(command);
     EXPECT_EQ(done.code, 0) << command.front() << ": " << done.err;
     EXPECT_FALSE(opened()) << command.front();
@@ -135,8 +144,9 @@ TEST(CliModes, GivesThePlantOfAController) {
 TEST(CliModes, MapsTheFeedbackThatCalmsARub) {
   const Folder folder;
   const std::string scene = shipped("paper_cross_coupled");
-  const std::vector<std::string> asked{"modes", scene, "--feedback-map", "--set", "rotor.modes=2",
-                                       "--speeds", "40Hz:60Hz:3", "--feedbacks", "0:4000:9"};
+  const std::vector<std::string> asked{"modes",       scene,           "--feedback-map",
+                                       "--set",       "rotor.modes=2", "--speeds",
+                                       "40Hz:60Hz:3", "--feedbacks",   "0:4000:9"};
   const Outcome table = folder.run(asked);
   ASSERT_EQ(table.code, 0) << table.err;
   EXPECT_TRUE(contains(table.out, "N s/m")) << table.out;

@@ -21,12 +21,12 @@ std::vector<std::string> comparison(const std::vector<std::string>& more) {
   return call;
 }
 
-// A run's own series as measured by another clock: t + 0.25 s, in ms, x and y as sensors see them that stand a quarter
-// turn on (x' = y, y' = -x).
+// A run's own series as measured by another clock: t + 0.25 s, in ms, x and y as sensors see them
+// that stand a quarter turn on (x' = y, y' = -x).
 void write_measurement(const Folder& folder, const std::string& name) {
   EXPECT_EQ(folder
-                .run({"run", shipped("bench_ring"), "--integrator", "event", "--end", "0.05", "--set",
-                      "run.output_step=50us", "-o", "rig", "-q"})
+                .run({"run", shipped("bench_ring"), "--integrator", "event", "--end", "0.05",
+                      "--set", "run.output_step=50us", "-o", "rig", "-q"})
                 .code,
             0);
   std::istringstream series(folder.text("rig/series.csv"));
@@ -60,16 +60,17 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
     EXPECT_TRUE(all.at("columns").at("rotor_x").at("runs").contains(run)) << run;
     EXPECT_TRUE(all.at("figures").at("rotor_rms").at("runs").contains(run)) << run;
   }
-  EXPECT_LT(all.at("columns").at("rotor_x").at("runs").at("native").at("share").get<double>(), 1e-3);
+  EXPECT_LT(all.at("columns").at("rotor_x").at("runs").at("native").at("share").get<double>(),
+            1e-3);
   EXPECT_TRUE(json::parse(folder.text("out/columns.json")).contains("compare.json measured"));
   const std::string page = folder.text("out/report.html");
-  for (const char* part :
-       {"The measured run", "id=\"scene-1-measured\"", "data-side=\"measured\"", "href=\"#scene-1-measured\""}) {
+  for (const char* part : {"The measured run", "id=\"scene-1-measured\"", "data-side=\"measured\"",
+                           "href=\"#scene-1-measured\""}) {
     EXPECT_TRUE(contains(page, part)) << part;
   }
 
-  const Outcome told =
-      folder.run(comparison({"--measured", "rig.csv", "--measured-shift", "-249.9ms", "--measured-angle", "90deg"}));
+  const Outcome told = folder.run(comparison(
+      {"--measured", "rig.csv", "--measured-shift", "-249.9ms", "--measured-angle", "90deg"}));
   EXPECT_TRUE(contains(told.out, "shift -249.900000 ms as given")) << told.out;
   EXPECT_TRUE(contains(told.out, "+90.000° as given")) << told.out;
 }
@@ -78,7 +79,8 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
 TEST(CliMeasured, IsInNoPageWithoutOne) {
   const Folder folder;
   EXPECT_LE(folder.run(comparison({})).code, 1);
-  EXPECT_TRUE(json::parse(folder.text("out/compare.json")).at("scenes")[0].at("measured").is_null());
+  EXPECT_TRUE(
+      json::parse(folder.text("out/compare.json")).at("scenes")[0].at("measured").is_null());
   EXPECT_FALSE(contains(folder.text("out/report.html"), "The measured run"));
 }
 

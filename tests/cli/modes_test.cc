@@ -94,8 +94,8 @@ TEST(CliModesPage, RefusesWhatMakesNoDiagram) {
 
 TEST(CliModesRubs, MapOnTheTerminalInJsonAndAsAPage) {
   const Folder folder;
-  const std::vector<std::string> map{"modes", shipped("bench_whip"), "--rub-map", "--speeds", "40Hz:60Hz:3",
-                                     "--frictions", "0.1:0.25:4"};
+  const std::vector<std::string> map{"modes",       shipped("bench_whip"), "--rub-map", "--speeds",
+                                     "40Hz:60Hz:3", "--frictions",         "0.1:0.25:4"};
   const Outcome shown = folder.run(map);
   ASSERT_EQ(shown.code, 0) << shown.err;
   EXPECT_TRUE(contains(shown.out, "      0.2 |VVV")) << shown.out;
@@ -118,10 +118,10 @@ TEST(CliModesRubs, AreToldWithTheWhirl) {
 
 TEST(CliModesRubs, RefusesWhatMakesNoMap) {
   const Folder folder;
-  for (const char* range : {"10Hz", "10Hz:20Hz", "20Hz:10Hz:3", "10Hz:20Hz:1", "10Hz:20Hz:3:4", "1m:2m:3",
-                            "10Hz:20Hz:x", "-10Hz:20Hz:3"}) {
-    const Outcome refused = folder.run(
-        {"modes", shipped("bench_whip"), "--rub-map", std::string("--speeds=") + range});
+  for (const char* range : {"10Hz", "10Hz:20Hz", "20Hz:10Hz:3", "10Hz:20Hz:1", "10Hz:20Hz:3:4",
+                            "1m:2m:3", "10Hz:20Hz:x", "-10Hz:20Hz:3"}) {
+    const Outcome refused =
+        folder.run({"modes", shipped("bench_whip"), "--rub-map", std::string("--speeds=") + range});
     EXPECT_EQ(refused.code, 2) << range;
     EXPECT_TRUE(contains(refused.err, "--speeds")) << refused.err;
   }
@@ -130,7 +130,8 @@ TEST(CliModesRubs, RefusesWhatMakesNoMap) {
   const Outcome refused = folder.run({"modes", shipped("paper_sliding"), "--rub-map"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_TRUE(contains(refused.err, "paper_sliding.toml")) << refused.err;
-  EXPECT_EQ(folder.run({"modes", shipped("bench_whip"), "--rub-map", "--set", "rotor.speed=0"}).code, 2)
+  EXPECT_EQ(
+      folder.run({"modes", shipped("bench_whip"), "--rub-map", "--set", "rotor.speed=0"}).code, 2)
       << "no speed about which to draw it";
   EXPECT_TRUE(folder.files().empty());
 }

@@ -39,25 +39,28 @@ TEST(CliOutput, LostOfLongerWorkToo) {
   const std::string ring = shipped("bench_ring"), drop = shipped("bench_drop");
   ASSERT_EQ(folder.run({"run", drop, "--end", "1ms", "-o", "kept", "-q"}).code, 0);
   std::ofstream(folder.path() / "study.toml")
-      << "scene = \"" << drop << "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1]\n"
+      << "scene = \"" << drop
+      << "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1]\n"
       << "[run]\nend = 1e-3\n";
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"check", drop, "--set", "run.end=1e-3"},
-                                             {"check", drop, "--set", "run.end=1e-3", "--json"},
-                                             {"sweep", "study.toml", "-o", "one"},
-                                             {"sweep", "study.toml", "-o", "two", "--json"},
-                                             {"plot", "kept"},
-                                             {"plot", "kept", "--json"},
-                                             {"render", "kept", "--png", "--size", "320x180", "-o", "a.png"},
-                                             {"compare", drop, "--end", "1ms", "--no-video", "--twins", "0"},
-                                             {"tune", drop, "--end", "1ms", "--steps", "100us", "--twins", "0"},
-                                             {"bench", drop, "--set", "run.end=1e-3", "--engines", "native-event",
-                                              "--steps", "100us", "--repeats", "1"}}) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"check", drop, "--set", "run.end=1e-3"},
+           {"check", drop, "--set", "run.end=1e-3", "--json"},
+           {"sweep", "study.toml", "-o", "one"},
+           {"sweep", "study.toml", "-o", "two", "--json"},
+           {"plot", "kept"},
+           {"plot", "kept", "--json"},
+           {"render", "kept", "--png", "--size", "320x180", "-o", "a.png"},
+           {"compare", drop, "--end", "1ms", "--no-video", "--twins", "0"},
+           {"tune", drop, "--end", "1ms", "--steps", "100us", "--twins", "0"},
+           {"bench", drop, "--set", "run.end=1e-3", "--engines", "native-event", "--steps", "100us",
+            "--repeats", "1"}}) {
     const Outcome lost = folder.run(arguments, kFullDevice);
     EXPECT_EQ(lost.code, 3) << testing::PrintToString(arguments) << lost.err;
-    EXPECT_NE(lost.err.find("standard output"), std::string::npos) << testing::PrintToString(arguments) << lost.err;
+    EXPECT_NE(lost.err.find("standard output"), std::string::npos)
+        << testing::PrintToString(arguments) << lost.err;
   }
-  for (const char* command : {"run", "compare", "modes", "mjcf", "render", "bench", "sweep", "check", "tune", "plot"}) {
+  for (const char* command :
+       {"run", "compare", "modes", "mjcf", "render", "bench", "sweep", "check", "tune", "plot"}) {
     EXPECT_EQ(folder.run({command, "--help"}, kFullDevice).code, 3) << command;
   }
 }

@@ -1,4 +1,5 @@
-// Where nothing can be written is a mistake of who named the place: exit code 2, said before the work begins.
+// Where nothing can be written is a mistake of who named the place: exit code 2, said before the
+// work begins.
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 
@@ -34,7 +35,8 @@ void expect_all_refused(const Folder& folder, const std::string& place) {
   ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "1ms", "-o", "kept", "-q"}).code, 0);
   std::ofstream(folder.path() / "study.toml")
       << "scene = \"" << shipped("bench_ring")
-      << "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nfrom = 0.1\nto = 0.2\ncount = 1000\n";
+      << "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nfrom = 0.1\nto = "
+         "0.2\ncount = 1000\n";
   const auto before = folder.files();
   for (const Arguments& arguments : writers(place)) {
     SCOPED_TRACE(testing::PrintToString(arguments));
@@ -50,8 +52,9 @@ void expect_all_refused(const Folder& folder, const std::string& place) {
 // `ulimit -f` of 4 KiB.
 TEST(CliPlaces, WhereFilesMayNotGrow) {
   const Folder folder;
-  const std::string command = "cd " + folder.path().string() + " && ulimit -f 4 && " + ROTORUB_BINARY + " run " +
-                              shipped("bench_ring") + " -o out >said 2>&1";
+  const std::string command = "cd " + folder.path().string() + " && ulimit -f 4 && " +
+                              ROTORUB_BINARY + " run " + shipped("bench_ring") +
+                              " -o out >said 2>&1";
   const int status = std::system(("bash -c '" + command + "'").c_str());
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 3);
@@ -65,14 +68,16 @@ TEST(CliPlaces, BelowAFile) {
   expect_all_refused(folder, "file/below");
 }
 
-// A folder without the right to write. To root every folder is open, but not a file system mounted read-only.
+// A folder without the right to write. To root every folder is open, but not a file system mounted
+// read-only.
 TEST(CliPlaces, WithoutTheRight) {
   const Folder folder;
   const auto closed = folder.path() / "closed";
   std::filesystem::create_directory(closed);
   const bool mounted = getuid() == 0;
   if (!mounted) {
-    std::filesystem::permissions(closed, std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    std::filesystem::permissions(
+        closed, std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
   } else if (mount("none", closed.c_str(), "tmpfs", MS_RDONLY, nullptr) != 0) {
     GTEST_SKIP() << "root here, who may write anywhere, and nothing can be mounted";
   }

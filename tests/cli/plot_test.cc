@@ -31,8 +31,9 @@ TEST(CliPlot, WritesThePageOfARun) {
 
 TEST(CliPlot, HasTheShadowBesideARunOfMujoco) {
   const Folder folder;
-  const Outcome run = folder.run({"run", shipped("bench_ring"), "--engine", "mujoco", "--contact", "cone", "--end",
-                                  "0.02", "--set", "mujoco.shadow=true", "-o", "out"});
+  const Outcome run =
+      folder.run({"run", shipped("bench_ring"), "--engine", "mujoco", "--contact", "cone", "--end",
+                  "0.02", "--set", "mujoco.shadow=true", "-o", "out"});
   ASSERT_EQ(run.code, 0) << run.err;
   const Outcome done = folder.run({"plot", "out", "--json"});
   ASSERT_EQ(done.code, 0) << done.err;
@@ -71,15 +72,21 @@ TEST(CliPlot, RefusesASeriesThatIsNone) {
     EXPECT_FALSE(folder.has("out/plot.html"));
     return done.err;
   };
-  EXPECT_TRUE(contains(refusal(good, "gap_rate", "gap_rape"), "out/series.csv: has no column `gap_rate`"));
+  EXPECT_TRUE(
+      contains(refusal(good, "gap_rate", "gap_rape"), "out/series.csv: has no column `gap_rate`"));
   EXPECT_TRUE(contains(refusal(good, "\n0,", "\n5,"), "out/series.csv:3: the times do not ascend"));
   EXPECT_TRUE(contains(refusal(good, "\n0,", "\nnan,"), "out/series.csv:2: t = nan"));
-  EXPECT_TRUE(contains(refusal(good, "\n0,", "\nzero,"), "out/series.csv:2: `zero` is not a number"));
+  EXPECT_TRUE(
+      contains(refusal(good, "\n0,", "\nzero,"), "out/series.csv:2: `zero` is not a number"));
 }
 
 TEST(CliPlot, NamesAColumnOfTheModesThatIsMissing) {
   const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("paper_passive"), "--set", "rotor.modes=2", "--end", "0.001", "-o", "out"}).code, 0);
+  ASSERT_EQ(folder
+                .run({"run", shipped("paper_passive"), "--set", "rotor.modes=2", "--end", "0.001",
+                      "-o", "out"})
+                .code,
+            0);
   std::string text = folder.text("out/series.csv");
   text.replace(text.find(",vx_1"), 5, ",vx_7");
   std::ofstream(folder.path() / "out/series.csv") << text;

@@ -61,10 +61,14 @@ TEST(CliRefusal, OfMoreRowsThanMemoryHolds) {
 
 TEST(CliRefusal, OfMoreSamplesThanCanBeTaken) {
   const Folder folder;
-  for (const Arguments& engine : {Arguments{"--integrator", "event"}, Arguments{"--engine", "mujoco"}}) {
-    Arguments arguments{"run", shipped("paper_sliding_sampled"), "--set", "controller.sample_time=1e-18"};
+  for (const Arguments& engine :
+       {Arguments{"--integrator", "event"}, Arguments{"--engine", "mujoco"}}) {
+    Arguments arguments{"run", shipped("paper_sliding_sampled"), "--set",
+                        "controller.sample_time=1e-18"};
     arguments.insert(arguments.end(), engine.begin(), engine.end());
-    expect_refused(folder, arguments, {"--set: controller.sample_time: ", " samples to run.end", "at most 1e+10 samples"});
+    expect_refused(
+        folder, arguments,
+        {"--set: controller.sample_time: ", " samples to run.end", "at most 1e+10 samples"});
   }
 }
 
@@ -148,32 +152,42 @@ TEST(CliRefusal, ShowsNoEscapeCodesOfFiles) {
   const auto write = [&](const std::string& file, const std::string& text) {
     std::ofstream(folder.path() / file) << text;
   };
-  const std::string code = "\x1b]0;title\x07", quoted = "\\u001b]0;title\\u0007", drop = shipped("bench_drop");
+  const std::string code = "\x1b]0;title\x07", quoted = "\\u001b]0;title\\u0007",
+                    drop = shipped("bench_drop");
   ASSERT_EQ(folder.run({"run", drop, "--end", "1ms", "-o", "kept"}).code, 0);
   const std::string series = folder.text("kept/series.csv");
   write("kept/series.csv", series + code + std::string(1 << 20, 'x') + "\n");
   std::filesystem::copy(folder.path() / "kept", folder.path() / "broken");
   write("broken/series.csv", series);
   write("broken/summary.json", "{\"scene\": \"a\", " + code + std::string(1 << 20, 'x'));
-  write("key.toml", "scene = \"" + drop + "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"" + quoted + "\"\nvalues = [1]\n");
+  write("key.toml", "scene = \"" + drop + "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"" +
+                        quoted + "\"\nvalues = [1]\n");
   write("scene_name.toml", "scene = \"" + quoted + std::string(1 << 20, 'x') + "\"\n");
   write("kind.toml", "[sample]\nkind = \"" + quoted + "\"\n");
   write("machine.xml", "<mujoco><" + code + "/></mujoco>");
-  write("texts.xml", "<mujoco><custom><text name=\"rotorub_contact\" data=\"" + std::string("\xe2\x80\xae") +
-                         std::string(1 << 20, 'x') + "\"/></custom></mujoco>");
+  write("texts.xml", "<mujoco><custom><text name=\"rotorub_contact\" data=\"" +
+                         std::string("\xe2\x80\xae") + std::string(1 << 20, 'x') +
+                         "\"/></custom></mujoco>");
   for (const Arguments& arguments :
-       {Arguments{"plot", "kept"}, Arguments{"render", "kept"}, Arguments{"plot", "broken"}, Arguments{"render", "broken"},
-        Arguments{"sweep", "key.toml"}, Arguments{"sweep", "scene_name.toml"}, Arguments{"sweep", "kind.toml"},
-        Arguments{"sweep", "key.toml", "--shard", code}, Arguments{"compare", "machine.xml", "--no-video"},
-        Arguments{"compare", "texts.xml", "--no-video"}, Arguments{"run", drop, "--controller", code},
+       {Arguments{"plot", "kept"}, Arguments{"render", "kept"}, Arguments{"plot", "broken"},
+        Arguments{"render", "broken"}, Arguments{"sweep", "key.toml"},
+        Arguments{"sweep", "scene_name.toml"}, Arguments{"sweep", "kind.toml"},
+        Arguments{"sweep", "key.toml", "--shard", code},
+        Arguments{"compare", "machine.xml", "--no-video"},
+        Arguments{"compare", "texts.xml", "--no-video"},
+        Arguments{"run", drop, "--controller", code},
         Arguments{"run", shipped("paper_sliding"), "--set", "controller.kind=library", "--set",
-                  "controller.library=\"" + quoted + std::string(100000, 'x') + "\"", "--set", "controller.sample_time=1e-4"},
+                  "controller.library=\"" + quoted + std::string(100000, 'x') + "\"", "--set",
+                  "controller.sample_time=1e-4"},
         Arguments{"tune", drop, "--tolerance", code}, Arguments{"bench", drop, "--engines", code},
-        Arguments{"bench", drop, "--steps", code}, Arguments{"render", drop, "--size", code}, Arguments{code + std::string(100000, 'x')}}) {
-    SCOPED_TRACE(testing::PrintToString(Arguments(arguments.begin(), arguments.begin() + (arguments.size() > 1 ? 2 : 0))));
+        Arguments{"bench", drop, "--steps", code}, Arguments{"render", drop, "--size", code},
+        Arguments{code + std::string(100000, 'x')}}) {
+    SCOPED_TRACE(testing::PrintToString(
+        Arguments(arguments.begin(), arguments.begin() + (arguments.size() > 1 ? 2 : 0))));
     const Outcome refused = folder.run(arguments);
     EXPECT_EQ(refused.code, 2) << refused.err.substr(0, 1000);
-    EXPECT_EQ(refused.err.find_first_of("\x1b\x07"), std::string::npos) << refused.err.substr(0, 1000);
+    EXPECT_EQ(refused.err.find_first_of("\x1b\x07"), std::string::npos)
+        << refused.err.substr(0, 1000);
     EXPECT_EQ(refused.err.find("\xe2\x80\xae"), std::string::npos) << refused.err.substr(0, 1000);
     EXPECT_NE(refused.err, "");
     EXPECT_LT(refused.err.size(), 4096u) << refused.err.substr(0, 1000);

@@ -22,7 +22,8 @@ Words quick_render(const Words& more) {
 std::pair<int, int> png_size(const std::string& png) {
   const auto number = [&png](std::size_t at) {
     int value = 0;
-    for (std::size_t k = at; k < at + 4; ++k) value = 256 * value + static_cast<unsigned char>(png[k]);
+    for (std::size_t k = at; k < at + 4; ++k)
+      value = 256 * value + static_cast<unsigned char>(png[k]);
     return value;
   };
   return {number(16), number(20)};
@@ -30,13 +31,16 @@ std::pair<int, int> png_size(const std::string& png) {
 
 TEST(CliRender, SameSceneSameBytesOfAPicture) {
   const Folder folder;
-  const Outcome done = folder.run(quick_render({"--png", "--size", "320x180", "--at", "5 ms", "--json"}));
+  const Outcome done =
+      folder.run(quick_render({"--png", "--size", "320x180", "--at", "5 ms", "--json"}));
   ASSERT_EQ(done.code, 0) << done.err;
   const json made = json::parse(done.out);
   EXPECT_EQ(made.at("file"), "bench_ring.png");
   EXPECT_EQ(made.at("t"), 5e-3);
-  ASSERT_EQ(folder.run(quick_render({"-o", "again.png", "--size", "320x180", "--at", "0.005"})).code, 0);
-  ASSERT_EQ(folder.run(quick_render({"-o", "later.png", "--size", "320x180", "--at", "0.0045"})).code, 0);
+  ASSERT_EQ(
+      folder.run(quick_render({"-o", "again.png", "--size", "320x180", "--at", "0.005"})).code, 0);
+  ASSERT_EQ(
+      folder.run(quick_render({"-o", "later.png", "--size", "320x180", "--at", "0.0045"})).code, 0);
   const std::string picture = folder.text("bench_ring.png");
   EXPECT_EQ(png_size(picture), (std::pair{320, 180}));
   EXPECT_EQ(picture, folder.text("again.png"));
@@ -113,8 +117,7 @@ TEST(CliRender, ScenesAreChangedRunsAreNot) {
 TEST(CliRender, RunsOfOneSceneSideBySide) {
   const Folder folder;
   const auto run = [&](const std::string& scene, const Words& more) {
-    const Outcome done =
-        folder.run(with({"run", shipped(scene), "--end", "5ms", "--quiet"}, more));
+    const Outcome done = folder.run(with({"run", shipped(scene), "--end", "5ms", "--quiet"}, more));
     ASSERT_EQ(done.code, 0) << done.err;
   };
   run("bench_ring", {"-o", "native"});
@@ -132,12 +135,16 @@ TEST(CliRender, RunsOfOneSceneSideBySide) {
   }
 }
 
-// A broken folder is the user's mistake; a run that did not end well is filmed as far as it came, and says so.
+// A broken folder is the user's mistake; a run that did not end well is filmed as far as it came,
+// and says so.
 TEST(CliRender, TellsOfRunsThatAreBrokenOrEndedEarly) {
   const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"}).code, 0);
+  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"}).code,
+            0);
   const Words picture = {"render", "out", "--png", "--size", "320x180", "--quiet", "-o", "one.png"};
-  const auto put = [&](const char* file, const std::string& text) { std::ofstream(folder.path() / file) << text; };
+  const auto put = [&](const char* file, const std::string& text) {
+    std::ofstream(folder.path() / file) << text;
+  };
   const std::string summary = folder.text("out/summary.json");
   std::string stopped = summary;
   const std::string ok = "\"status\": \"ok\"";
@@ -146,7 +153,8 @@ TEST(CliRender, TellsOfRunsThatAreBrokenOrEndedEarly) {
   put("out/summary.json", stopped);
   const Outcome early = folder.run(picture);
   EXPECT_EQ(early.code, 0) << early.err;
-  EXPECT_TRUE(contains(early.err, "rotorub: out: ended at 0.005 s of 0.005 s: diverged")) << early.err;
+  EXPECT_TRUE(contains(early.err, "rotorub: out: ended at 0.005 s of 0.005 s: diverged"))
+      << early.err;
   EXPECT_TRUE(folder.has("one.png"));
 
   put("out/summary.json", summary);
@@ -161,7 +169,8 @@ TEST(CliRenderLong, WritesAFilm) {
   const Folder folder;
   ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"}).code,
             0);
-  const Outcome done = folder.run({"render", "out", "--from", "4ms", "--slow", "500", "-o", "film.mp4", "--json"});
+  const Outcome done =
+      folder.run({"render", "out", "--from", "4ms", "--slow", "500", "-o", "film.mp4", "--json"});
   ASSERT_EQ(done.code, 0) << done.err;
   const json made = json::parse(done.out);
   EXPECT_EQ(made.at("file"), "film.mp4");

@@ -60,7 +60,8 @@ class SlurmCluster {
     }
     write_key();
     std::ofstream(conf()) << configuration();
-    // Looked for otherwise, and missed in a bare root without /sys: nothing here uses control groups.
+    // Looked for otherwise, and missed in a bare root without /sys: nothing here uses control
+    // groups.
     std::ofstream(at("cgroup.conf")) << "CgroupPlugin=cgroup/v1\n";
     munged_.emplace(
         std::vector<std::string>{place_of("munged"), "--foreground", "--force",

@@ -14,8 +14,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const std::vector<std::string> kLongRun{"run",  shipped("bench_ring"), "--integrator", "paper", "--end", "1e5", "--set",
-                                        "run.output_step=0.1", "-o", "out"};
+const std::vector<std::string> kLongRun{
+    "run",   shipped("bench_ring"), "--integrator", "paper", "--end", "1e5",
+    "--set", "run.output_step=0.1", "-o",           "out"};
 
 // As a shell tells them: 128 and the signal.
 TEST(CliStop, ASignalKeepsPartialResults) {
@@ -33,8 +34,10 @@ TEST(CliStop, ASignalKeepsPartialResults) {
 
 TEST(CliStop, AFilmIsNotLeftHalfMade) {
   const Folder folder;
-  Program program(folder.path(), {"render", shipped("bench_ring"), "--end", "0.1", "-o", "film.mp4"});
-  for (int tries = 0; tries < 300 && folder.files().empty(); ++tries) std::this_thread::sleep_for(20ms);
+  Program program(folder.path(),
+                  {"render", shipped("bench_ring"), "--end", "0.1", "-o", "film.mp4"});
+  for (int tries = 0; tries < 300 && folder.files().empty(); ++tries)
+    std::this_thread::sleep_for(20ms);
   EXPECT_EQ(folder.files().size(), 1u) << "it is being made";
   program.interrupt(SIGTERM);
   EXPECT_EQ(program.wait().code, 143);
@@ -50,11 +53,14 @@ pid_t ended_process(const Folder& folder) {
 
 TEST(CliStop, TheNextRunRemovesWhatAKilledOneLeft) {
   const Folder folder;
-  const std::string ended = std::to_string(ended_process(folder)), running = std::to_string(getpid());
+  const std::string ended = std::to_string(ended_process(folder)),
+                    running = std::to_string(getpid());
   std::filesystem::create_directory(folder.path() / "out");
-  const std::vector<std::string> stale{"out/series.csv.part-" + ended, "out/summary.json.part-" + ended,
-                                       "drop.xml.part-" + ended, "film.png.part-" + ended};
-  const std::vector<std::string> others{"out/series.csv.part-" + running, "out/notes.part-" + ended, "out/series.csv.part-x"};
+  const std::vector<std::string> stale{"out/series.csv.part-" + ended,
+                                       "out/summary.json.part-" + ended, "drop.xml.part-" + ended,
+                                       "film.png.part-" + ended};
+  const std::vector<std::string> others{"out/series.csv.part-" + running, "out/notes.part-" + ended,
+                                        "out/series.csv.part-x"};
   for (const auto& files : {stale, others}) {
     for (const std::string& file : files) std::ofstream(folder.path() / file) << "half";
   }
@@ -63,16 +69,19 @@ TEST(CliStop, TheNextRunRemovesWhatAKilledOneLeft) {
   ASSERT_EQ(folder.run({"mjcf", drop, "-o", "drop.xml"}).code, 0);
   ASSERT_EQ(folder.run({"render", "out", "--png", "--size", "320x180", "-o", "film.png"}).code, 0);
   for (const std::string& file : stale) EXPECT_FALSE(folder.has(file)) << file;
-  for (const std::string& file : others) EXPECT_TRUE(folder.has(file)) << file << " is somebody else's";
+  for (const std::string& file : others)
+    EXPECT_TRUE(folder.has(file)) << file << " is somebody else's";
 }
 
 // Killed at whatever moment: the run after it leaves whole files alone.
 TEST(CliStop, AKilledFilmLeavesNothingAfterTheNext) {
   const Folder folder;
-  const std::vector<std::string> render{"render", shipped("bench_ring"), "--end", "20ms", "--size", "320x180",
-                                        "--slow", "50", "-o", "film.mp4"};
+  const std::vector<std::string> render{
+      "render",  shipped("bench_ring"), "--end", "20ms", "--size", "320x180", "--slow", "50", "-o",
+      "film.mp4"};
   Program program(folder.path(), render);
-  for (int tries = 0; tries < 300 && folder.files().empty(); ++tries) std::this_thread::sleep_for(20ms);
+  for (int tries = 0; tries < 300 && folder.files().empty(); ++tries)
+    std::this_thread::sleep_for(20ms);
   EXPECT_EQ(program.kill_and_wait().code, 128 + SIGKILL);
   EXPECT_EQ(folder.run(render).code, 0);
   EXPECT_EQ(folder.files(), std::vector<std::string>{"film.mp4"});
@@ -85,8 +94,9 @@ TEST(CliStop, AnEncoderThatHangsIsAFailureThatIsSaid) {
   std::ofstream(folder.path() / "bin/ffmpeg") << "#!/bin/sh\nexec sleep 1000\n";
   std::filesystem::permissions(folder.path() / "bin/ffmpeg", std::filesystem::perms::owner_all);
   const std::string path = (folder.path() / "bin").string() + ":" + std::getenv("PATH");
-  const Outcome hung = folder.run({"render", shipped("bench_ring"), "--end", "20ms", "--slow", "50", "-o", "film.mp4"},
-                                  {{{"PATH", path}}});
+  const Outcome hung = folder.run(
+      {"render", shipped("bench_ring"), "--end", "20ms", "--slow", "50", "-o", "film.mp4"},
+      {{{"PATH", path}}});
   EXPECT_EQ(hung.code, 3);
   EXPECT_NE(hung.err.find("film.mp4: ffmpeg hangs"), std::string::npos) << hung.err;
   EXPECT_EQ(folder.files(), std::vector<std::string>{"bin/ffmpeg"});

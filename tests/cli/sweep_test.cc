@@ -44,8 +44,8 @@ TEST(Sweep, LeavesTableDatabasePageAndStudy) {
   EXPECT_EQ(summary.at("status").at("ok"), 6);
   EXPECT_EQ(folder.files(),
             (std::vector<std::string>{"out/columns.json", "out/results.csv", "out/results.sqlite",
-                                      "out/scene.toml", "out/study.toml", "out/sweep.html", "out/sweep.json",
-                                      "study.toml"}));
+                                      "out/scene.toml", "out/study.toml", "out/sweep.html",
+                                      "out/sweep.json", "study.toml"}));
   EXPECT_EQ(folder.text("out/study.toml"), text);
   EXPECT_EQ(lines(folder.text("out/results.csv")), 7);
   // Again: nothing is left to do, and nothing changes.
@@ -89,14 +89,18 @@ TEST(Sweep, FailuresAreRows) {
 // They could stand neither behind `key =` nor on one line of the results.
 TEST(Sweep, TablesAndBrokenLinesAreNoValues) {
   const Folder folder;
-  for (const std::string values : {"[{a = 1}, 0.1]", "[[{a = 1}]]", "[1979-05-27]", "[\"a\\nb\"]"}) {
+  for (const std::string values :
+       {"[{a = 1}, 0.1]", "[[{a = 1}]]", "[1979-05-27]", "[\"a\\nb\"]"}) {
     for (const std::string key : {"controller.kind", "initial.x", "stator"}) {
       write_study(folder, "study.toml",
-                  "scene = \"" + shipped("bench_ring") + "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"" + key +
+                  "scene = \"" + shipped("bench_ring") +
+                      "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"" + key +
                       "\"\nvalues = " + values + "\n");
       const Outcome refused = folder.run({"sweep", "study.toml", "-o", "out"});
       EXPECT_EQ(refused.code, 2) << values;
-      EXPECT_NE(refused.err.find("study.toml:6: vary[0].values: values[0]: expected a "), std::string::npos) << refused.err;
+      EXPECT_NE(refused.err.find("study.toml:6: vary[0].values: values[0]: expected a "),
+                std::string::npos)
+          << refused.err;
       EXPECT_FALSE(folder.has("out"));
     }
   }
@@ -104,10 +108,13 @@ TEST(Sweep, TablesAndBrokenLinesAreNoValues) {
 
 TEST(Sweep, ASceneThatIsNotThereIsTheStudysMistake) {
   const Folder folder;
-  write_study(folder, "study.toml", "scene = \"nowhere.toml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"run.end\"\nvalues = [1]\n");
+  write_study(folder, "study.toml",
+              "scene = \"nowhere.toml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = "
+              "\"run.end\"\nvalues = [1]\n");
   const Outcome refused = folder.run({"sweep", "study.toml", "-o", "out"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("study.toml:1: scene: nowhere.toml: cannot be read: No such file"), std::string::npos)
+  EXPECT_NE(refused.err.find("study.toml:1: scene: nowhere.toml: cannot be read: No such file"),
+            std::string::npos)
       << refused.err;
 }
 

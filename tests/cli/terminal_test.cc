@@ -47,7 +47,8 @@ const std::vector<std::string> kShortRun{"run", shipped("bench_drop"), "--end", 
 
 TEST(CliTerminal, OutcomesHaveColoursThere) {
   Terminal terminal;
-  EXPECT_TRUE(contains(terminal.shown(kShortRun, {{"TERM", "xterm"}, {"NO_COLOR", ""}}), "\033[1;32mok\033[0m"));
+  EXPECT_TRUE(contains(terminal.shown(kShortRun, {{"TERM", "xterm"}, {"NO_COLOR", ""}}),
+                       "\033[1;32mok\033[0m"));
 }
 
 TEST(CliTerminal, NobodyElseGetsColours) {
@@ -78,13 +79,15 @@ TEST(CliTerminal, HelpOfACommand) {
 
 TEST(CliTerminal, HelpFitsEightyColumns) {
   const Folder folder;
-  for (const char* command : {"", "run", "compare", "modes", "mjcf", "render", "bench", "sweep", "check", "tune", "plot", "init"}) {
+  for (const char* command : {"", "run", "compare", "modes", "mjcf", "render", "bench", "sweep",
+                              "check", "tune", "plot", "init"}) {
     std::vector<std::string> words{"help"};
     if (*command) words.push_back(command);
     std::istringstream help(folder.run(words).out);
     int lines = 0;
     for (std::string line; std::getline(help, line); ++lines) {
-      const auto wide = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xc0) != 0x80; });
+      const auto wide =
+          std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xc0) != 0x80; });
       EXPECT_LE(wide, 80) << command << ": " << line;
     }
     EXPECT_GT(lines, 8) << command;

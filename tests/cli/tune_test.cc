@@ -54,11 +54,13 @@ TEST(CliTune, JudgesAsCompareDoes) {
   const json sides = json::parse(folder.text("out/compare.json"))["scenes"][0]["differences"];
   int seen = 0;
   for (const json& s : all["settings"]) {
-    const bool as_it_comes = s["solref_stiffness"].is_null() && s["solref_damping"].is_null() && s["friction_reference"].is_null();
+    const bool as_it_comes = s["solref_stiffness"].is_null() && s["solref_damping"].is_null() &&
+                             s["friction_reference"].is_null();
     if (!as_it_comes || s["integrator"] != "euler" || s["solver"] != "newton") continue;
     const json& figures = sides.at(s["contact"].get<std::string>()).at("figures");
     for (const auto& [key, error] : s["errors"].items()) {
-      EXPECT_NEAR(error.get<double>(), figures.at(key).at("deviation").get<double>(), 1e-9) << s["contact"] << " " << key;
+      EXPECT_NEAR(error.get<double>(), figures.at(key).at("deviation").get<double>(), 1e-9)
+          << s["contact"] << " " << key;
       ++seen;
     }
   }

@@ -30,12 +30,13 @@ struct Sensors {
 inline std::vector<double> instants(const Sensors& sensors) {
   std::vector<double> t;
   const auto count = static_cast<std::size_t>((sensors.to - sensors.from) * sensors.rate);
-  for (std::size_t k = 0; k < count; ++k) t.push_back(sensors.from + static_cast<double>(k) / sensors.rate);
+  for (std::size_t k = 0; k < count; ++k)
+    t.push_back(sensors.from + static_cast<double>(k) / sensors.rate);
   return t;
 }
 
-// The text of a record of a run whose rows are the samples: nothing between rows is made up. ring: with its columns;
-// empty(row): the places of that row are holes.
+// The text of a record of a run whose rows are the samples: nothing between rows is made up. ring:
+// with its columns; empty(row): the places of that row are holes.
 inline std::string record_text(const Trajectory& run, const Sensors& sensors,
                                const std::function<bool(std::size_t)>& empty = {}) {
   std::mt19937 bits(sensors.seed);
@@ -45,18 +46,22 @@ inline std::string record_text(const Trajectory& run, const Sensors& sensors,
   std::string text = "t [ms], rotor_x [um], rotor_y [um], ring_x [um], ring_y [um], gap [um]\n";
   for (std::size_t i = 0; i < run.rows(); ++i) {
     const auto place = [&](const char* x, const char* y) {
-      return back * std::complex<double>(run.column(x)[i], run.column(y)[i]) + std::complex<double>(noise(), noise());
+      return back * std::complex<double>(run.column(x)[i], run.column(y)[i]) +
+             std::complex<double>(noise(), noise());
     };
-    const auto held = [&](double v) { return sensors.limit > 0.0 ? std::clamp(v, -sensors.limit, sensors.limit) : v; };
-    const std::complex<double> rotor = place("rotor_x", "rotor_y"), ring = place("stator_x", "stator_y");
+    const auto held = [&](double v) {
+      return sensors.limit > 0.0 ? std::clamp(v, -sensors.limit, sensors.limit) : v;
+    };
+    const std::complex<double> rotor = place("rotor_x", "rotor_y"),
+                               ring = place("stator_x", "stator_y");
     text += fmt::format("{:.17g}", 1e3 * (run.column("t")[i] - sensors.shift));
     if (empty && empty(i)) {
       text += ",,,,,\n";
       continue;
     }
-    text +=
-        fmt::format(",{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", 1e6 * held(rotor.real()), 1e6 * held(rotor.imag()),
-                    1e6 * ring.real(), 1e6 * ring.imag(), 1e6 * (run.column("gap")[i] + noise()));
+    text += fmt::format(",{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", 1e6 * held(rotor.real()),
+                        1e6 * held(rotor.imag()), 1e6 * ring.real(), 1e6 * ring.imag(),
+                        1e6 * (run.column("gap")[i] + noise()));
   }
   return text;
 }

@@ -1,4 +1,5 @@
-// The scene's text in an MJCF's <custom> is another's to write: the plugin takes it, or refuses it with what is wrong.
+// The scene's text in an MJCF's <custom> is another's to write: the plugin takes it, or refuses it
+// with what is wrong.
 
 #include <mujoco/mujoco.h>
 
@@ -22,15 +23,16 @@ namespace {
 // A rotor with its ring, and that with magnets and a controller.
 mjModel* load(const char* name) {
   char error[1000] = "";
-  mjModel* model = mj_loadXML((std::string(ROTORUB_MJCF_DIR) + "/" + name).c_str(), nullptr, error, sizeof error);
+  mjModel* model = mj_loadXML((std::string(ROTORUB_MJCF_DIR) + "/" + name).c_str(), nullptr, error,
+                              sizeof error);
   if (!model) on_error(error);
   return model;
 }
 
 // Kept to the end, which comes by exit().
 const std::vector<mjModel*>& models() {
-  static const auto* all =
-      new std::vector<mjModel*>{load("bench_ring.xml"), load("paper_sliding.xml"), load("touchdown.xml")};
+  static const auto* all = new std::vector<mjModel*>{
+      load("bench_ring.xml"), load("paper_sliding.xml"), load("touchdown.xml")};
   return *all;
 }
 

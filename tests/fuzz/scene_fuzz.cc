@@ -1,5 +1,5 @@
-// A scene's text is a scene, or refused with what is wrong: never a crash, and never a message that a terminal
-// obeys or that has no end.
+// A scene's text is a scene, or refused with what is wrong: never a crash, and never a message that
+// a terminal obeys or that has no end.
 
 #include <cstdint>
 #include <string_view>

@@ -1,5 +1,5 @@
-// The <pair> of each contact model, in the terms of either MuJoCo: before 3.9 seen below margin and solved below
-// margin - gap, since then seen below margin + gap and solved below margin.
+// The <pair> of each contact model, in the terms of either MuJoCo: before 3.9 seen below margin and
+// solved below margin - gap, since then seen below margin + gap and solved below margin.
 #include "mjcf/contact_pair.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,8 @@ TEST(ContactPair, MeansTheSameInEveryMujoco) {
     for (const MujocoVersion& version : {kOld, kLastOld, kNew}) {
       const ContactPair pair = contact_pair(model, kClearance, kMu, soft, version);
       const Reach r = reach(pair, version);
-      const bool rigid = model == scene::ContactModel::kRigid, cone = model == scene::ContactModel::kCone;
+      const bool rigid = model == scene::ContactModel::kRigid,
+                 cone = model == scene::ContactModel::kCone;
       EXPECT_EQ(pair.condim, cone ? 3 : 1);
       EXPECT_EQ(pair.friction, kMu);
       EXPECT_EQ(pair.soft.stiffness, 4e8);

@@ -67,8 +67,8 @@ vx = [0.1]
   EXPECT_LT(d->qvel[1], 0.0);
 }
 
-// MuJoCo's default cone is a pyramid, whose rows are edges and no components: what the sensors say is what
-// the contact exchanges. Pressed to a ring that stands, 100 N, slipping.
+// MuJoCo's default cone is a pyramid, whose rows are edges and no components: what the sensors say
+// is what the contact exchanges. Pressed to a ring that stands, 100 N, slipping.
 TEST_F(ConeContact, OfAPyramidTheForcesAreThoseThatAct) {
   const std::string text = R"(
 [run]

@@ -6,8 +6,8 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/actuation.h"
 #include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -49,9 +49,9 @@ TEST_F(ControlTest, NothingBeforeItIsOn) {
 
 TEST_F(ControlTest, HeldBetweenSamples) {
   const double sample = 2e-4;
-  const ModelPointer m = load(mjcf(shipped(
-      "paper_sliding", {"controller.on=0.0", "controller.sample_time=2e-4", "force[0].on=0.0", "initial.steady=false",
-                        "rotor.modes=2"})));
+  const ModelPointer m = load(
+      mjcf(shipped("paper_sliding", {"controller.on=0.0", "controller.sample_time=2e-4",
+                                     "force[0].on=0.0", "initial.steady=false", "rotor.modes=2"})));
   const DataPointer d = start(m.get());
   int changes = 0;
   Eigen::Vector2d last(NAN, NAN);
@@ -80,8 +80,8 @@ TEST_F(ControlTest, PassiveBearingObeysTheUser) {
 }
 
 TEST_F(ControlTest, KeepsToTheForceLimit) {
-  const ModelPointer m =
-      load(mjcf(shipped("paper_sliding", {"controller.on=0.0", "actuator.force_limit=10.0", "rotor.modes=2"})));
+  const ModelPointer m = load(mjcf(shipped(
+      "paper_sliding", {"controller.on=0.0", "actuator.force_limit=10.0", "rotor.modes=2"})));
   const DataPointer d = start(m.get());
   d->qpos[0] = 3e-4;
   mj_forward(m.get(), d.get());

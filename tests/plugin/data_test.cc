@@ -13,8 +13,9 @@ namespace {
 
 // A sampled controller that is on from the start: the plugin's memory is in use.
 scene::Scene controlled() {
-  return shipped("paper_sliding", {"controller.on=0.0", "controller.sample_time=1e-4",
-                                   "force[0].on=0.0", "initial.steady=false", "contact.clearance=0.1 mm", "rotor.modes=2"});
+  return shipped("paper_sliding",
+                 {"controller.on=0.0", "controller.sample_time=1e-4", "force[0].on=0.0",
+                  "initial.steady=false", "contact.clearance=0.1 mm", "rotor.modes=2"});
 }
 
 class DataTest : public MujocoTest, public ::testing::WithParamInterface<const char*> {

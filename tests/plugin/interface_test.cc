@@ -20,7 +20,8 @@ scene::Scene controlled(const std::string& rotor, const std::string& contact,
                         const std::string& on = "0.0") {
   return shipped("paper_sliding",
                  {"mujoco={rotor=\"" + rotor + "\", segments=6, contact=\"" + contact + "\"}",
-                  "controller.on=" + on, "force[0].on=0.0", "initial.steady=false", "contact.clearance=\"0.1 mm\""});
+                  "controller.on=" + on, "force[0].on=0.0", "initial.steady=false",
+                  "contact.clearance=\"0.1 mm\""});
 }
 
 using Look = void (*)(const mjModel*, mjData*);
@@ -92,7 +93,8 @@ TEST_P(Between, CallsChangeNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Models, Between,
                          ::testing::Combine(::testing::Values("modal", "segments"),
-                                            ::testing::Values("rigid", "coulomb", "cone", "cone-coulomb")));
+                                            ::testing::Values("rigid", "coulomb", "cone",
+                                                              "cone-coulomb")));
 
 // Without a solver there is no warm start either.
 TEST_F(Interface, ForwardBeforeEachStepChangesNothingOfRigid) {

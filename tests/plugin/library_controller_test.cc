@@ -1,4 +1,5 @@
-// The user's own controller in MuJoCo: the same library, the same commands as natively, its state in mjData.
+// The user's own controller in MuJoCo: the same library, the same commands as natively, its state
+// in mjData.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +35,8 @@ class LibraryControllerTest : public MujocoTest {
                                        "controller.library=" + library,
                                        "controller.on=0",
                                        "controller.sample_time=1e-4",
-                                       "force[0].on=0", "initial.steady=false",
+                                       "force[0].on=0",
+                                       "initial.steady=false",
                                        "actuator.force_limit=none"};
     overrides.insert(overrides.end(), more.begin(), more.end());
     scene::Scene s = shipped("paper_sliding", overrides);
@@ -61,14 +63,15 @@ Measurement shown_of(const double* state) {
   return m;
 }
 
-// Noise, delay and rounding on: what MuJoCo's law was shown, sample by sample, shown to a law of the native
-// side gives the same commands and the same state, to the bit.
+// Noise, delay and rounding on: what MuJoCo's law was shown, sample by sample, shown to a law of
+// the native side gives the same commands and the same state, to the bit.
 TEST_F(LibraryControllerTest, TheSameMeasurementsGiveTheSameCommandsToTheBit) {
   for (const char* contact : {"rigid", "coulomb"}) {
-    const scene::Scene s = scene("recording_controller.so",
-                                 {std::string("mujoco.contact=") + contact,
-                                  "controller.sensors={delay=2e-4, position_noise=1e-6, velocity_noise=1e-3, "
-                                  "position_resolution=1e-7}"});
+    const scene::Scene s =
+        scene("recording_controller.so",
+              {std::string("mujoco.contact=") + contact,
+               "controller.sensors={delay=2e-4, position_noise=1e-6, velocity_noise=1e-3, "
+               "position_resolution=1e-7}"});
     const Model model = make_model(s);
     const ModelPointer m = load(mjcf(s));
     const DataPointer d = start(m.get());
@@ -89,7 +92,8 @@ TEST_F(LibraryControllerTest, TheSameMeasurementsGiveTheSameCommandsToTheBit) {
           model.first().controller->command(shown_of(state), {}, native.data());
       ASSERT_EQ(told.x(), state[kTold]) << contact << " " << k;
       ASSERT_EQ(told.y(), state[kTold + 1]) << contact << " " << k;
-      for (std::size_t i = 0; i < kRecordingState; ++i) ASSERT_EQ(native[i], state[i]) << contact << " " << i;
+      for (std::size_t i = 0; i < kRecordingState; ++i)
+        ASSERT_EQ(native[i], state[i]) << contact << " " << i;
     }
     EXPECT_EQ(samples, 150) << contact;
   }
@@ -124,8 +128,9 @@ TEST_F(LibraryControllerTest, RunsOnSeveralThreads) {
 // mju_error is thrown by this fixture.
 TEST_F(LibraryControllerTest, AFailureIsAnErrorWithNameAndTime) {
   for (const char* contact : {"rigid", "coulomb"}) {
-    const scene::Scene s = scene("faulty_controller.so", {"controller.config={fault=\"throw\", at=0.004}",
-                                                          std::string("mujoco.contact=") + contact});
+    const scene::Scene s =
+        scene("faulty_controller.so", {"controller.config={fault=\"throw\", at=0.004}",
+                                       std::string("mujoco.contact=") + contact});
     const ModelPointer m = load(mjcf(s));
     const DataPointer d = start(m.get());
     try {
@@ -148,7 +153,8 @@ TEST_F(LibraryControllerTest, AModelDoesNotLoadCodeByItself) {
     plugin::make_config(m.get());
     FAIL() << "loaded";
   } catch (const plugin::ConfigError& error) {
-    EXPECT_NE(std::string(error.what()).find("ROTORUB_CONTROLLER_PATH"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("ROTORUB_CONTROLLER_PATH"), std::string::npos)
+        << error.what();
   }
 }
 

@@ -1,5 +1,5 @@
-// The step's linearisation in lasting contact against the native linear theory of the rub: seen from the
-// frame that turns with it, the eigenvalues of A are those of rub/rub_stability.h.
+// The step's linearisation in lasting contact against the native linear theory of the rub: seen
+// from the frame that turns with it, the eigenvalues of A are those of rub/rub_stability.h.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -27,7 +27,8 @@ bool by_imaginary(const Complex& a, const Complex& b) {
   return a.imag() != b.imag() ? a.imag() < b.imag() : a.real() < b.real();
 }
 
-// Pairs (x, y) of degrees of freedom: rotor and ring; each turns with the frame, and so do their rates.
+// Pairs (x, y) of degrees of freedom: rotor and ring; each turns with the frame, and so do their
+// rates.
 Eigen::MatrixXd frame_turn(const mjModel* m, double angle) {
   const auto dof = [m](const std::string& joint) {
     return m->jnt_dofadr[mj_name2id(m, mjOBJ_JOINT, joint.c_str())];
@@ -90,8 +91,8 @@ TEST_F(LinearRub, HasTheEigenvaluesOfTheNativeTheory) {
 TEST_F(LinearRub, InFlightIsTheFreeMachine) {
   const plugin::Hooks hooks;
   char error[1000] = "";
-  const ModelPointer m(
-      mj_loadXML((std::string(ROTORUB_MJCF_DIR) + "/examples/own_model.xml").c_str(), nullptr, error, 1000));
+  const ModelPointer m(mj_loadXML(
+      (std::string(ROTORUB_MJCF_DIR) + "/examples/own_model.xml").c_str(), nullptr, error, 1000));
   ASSERT_TRUE(m) << error;
   const DataPointer d = start(m.get());
   const plugin::LinearSystem system = plugin::linearise(m.get(), d.get(), 1e-6);

@@ -78,7 +78,9 @@ std::vector<Case> cases() {
       {"ring mass", {"stator.mass=0.2"}, [](mjModel* m) { set_ring_mass(m, 0.2); }},
       {"rotor mass",
        {"rotor.modal.mass=[3.0]"},
-       [](mjModel* m) { m->dof_armature[dof_of(m, "x_1")] = m->dof_armature[dof_of(m, "y_1")] = 3.0; }},
+       [](mjModel* m) {
+         m->dof_armature[dof_of(m, "x_1")] = m->dof_armature[dof_of(m, "y_1")] = 3.0;
+       }},
       {"inertia",
        {"rotor.modal.inertia=2e-3"},
        [](mjModel* m) { m->dof_armature[dof_of(m, "spin")] = 2e-3; }},
@@ -89,7 +91,9 @@ std::vector<Case> cases() {
        }},
       {"damping",
        {"rotor.modal.damping=[80.0]"},
-       [](mjModel* m) { m->dof_damping[dof_of(m, "x_1")] = m->dof_damping[dof_of(m, "y_1")] = 80.0; }},
+       [](mjModel* m) {
+         m->dof_damping[dof_of(m, "x_1")] = m->dof_damping[dof_of(m, "y_1")] = 80.0;
+       }},
       {"one plane of the ring",
        {"stator.stiffness=[1e5, 2e5]"},
        [](mjModel* m) { m->jnt_stiffness[joint(m, "ring_y")] = 2e5; }},
@@ -146,7 +150,8 @@ TEST_F(ModelParameters, ARingThatTurnsHasTheInertiaAndDragOfItsJoint) {
 
 // A stranger's figure: with a ring of 0.2 kg instead of 1 the rebound ratio was 4.46.
 TEST_F(ModelParameters, ALighterRingGainsNoEnergy) {
-  const ModelPointer m = load(mjcf(shipped("bench_ring", {"force=none", "contact.friction=0.0", "stator.damping=0.0"})));
+  const ModelPointer m = load(
+      mjcf(shipped("bench_ring", {"force=none", "contact.friction=0.0", "stator.damping=0.0"})));
   set_ring_mass(m.get(), 0.2);
   set_constants(m.get());
   const DataPointer d = start(m.get());
@@ -222,8 +227,8 @@ TEST_F(ModelStructure, WhatNoLongerCarriesTheModesIsRefusedAtLoad) {
                  "<body name=\"rotor\">: quat");
   expect_refused("name=\"actuator_1\" tendon=\"axis_1\"",
                  "name=\"actuator_1\" gear=\"2\" tendon=\"axis_1\"", "gear");
-  expect_refused("name=\"actuator_1\" tendon=\"axis_1\"",
-                 "name=\"actuator_1\" tendon=\"axis_2\"", "accepted: tendon=\"axis_1\"");
+  expect_refused("name=\"actuator_1\" tendon=\"axis_1\"", "name=\"actuator_1\" tendon=\"axis_2\"",
+                 "accepted: tendon=\"axis_1\"");
   expect_refused("<joint joint=\"ring_x\" coef=\"-0.70", "<joint joint=\"ring_x\" coef=\"0.70",
                  "<fixed name=\"axis_2\">");
   expect_refused("mass=\"1e-12\"", "mass=\"0.3\"", "[[rotor.disc]]");

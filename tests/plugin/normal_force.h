@@ -13,8 +13,8 @@
 
 namespace rotorub::test {
 
-// The force of an annular rub is to be met at a step of 1e-5; MuJoCo's implicit damping alone, d times the
-// velocity of half a step away, makes 6.5e-5 of it.
+// The force of an annular rub is to be met at a step of 1e-5; MuJoCo's implicit damping alone, d
+// times the velocity of half a step away, makes 6.5e-5 of it.
 inline constexpr double kForce = 1e-4;
 inline constexpr double kScatter = 1e-3;
 
@@ -38,8 +38,8 @@ inline NormalForce normal_force(const scene::Scene& scene, int steps) {
     sum += force;
     squares += force * force;
     if (force > 0.0) ++out.steps_in_contact;
-    EXPECT_NEAR(sensor(m.get(), d.get(), names::kFrictionForce), -scene.first().contact->friction * force,
-                1e-9 * force);
+    EXPECT_NEAR(sensor(m.get(), d.get(), names::kFrictionForce),
+                -scene.first().contact->friction * force, 1e-9 * force);
   }
   out.mean = sum / steps;
   out.deviation = std::sqrt(std::max(0.0, squares / steps - out.mean * out.mean));

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "mjcf/writer.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/numerics/matrix_functions.h"
 #include "native_model/run/run_native.h"
 #include "native_model/system/actuation.h"
-#include "native_model/dynamics/dynamics.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"

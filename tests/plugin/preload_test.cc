@@ -113,7 +113,8 @@ TEST_P(Preload, TestspeedGivesTheBitsOfALinkedRun) {
   const std::string wanted = linked(document, kTestspeedSteps);
   const std::vector<std::string> one = testspeed(document, kTestspeedSteps, 1, true);
   EXPECT_EQ(one.back(), wanted);
-  EXPECT_NE(testspeed(document, kTestspeedSteps, 1, false).back(), wanted) << "the plugin did nothing";
+  EXPECT_NE(testspeed(document, kTestspeedSteps, 1, false).back(), wanted)
+      << "the plugin did nothing";
 }
 
 TEST_P(Preload, TwoThreadsGiveTheBitsOfOne) {

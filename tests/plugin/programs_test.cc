@@ -31,7 +31,8 @@ class Programs : public MujocoTest {
   }
   ~Programs() override { fs::remove_all(folder_); }
 
-  // The line that an mjData of the program leaves after kProgramSteps steps from time 0 (step_log.cc).
+  // The line that an mjData of the program leaves after kProgramSteps steps from time 0
+  // (step_log.cc).
   std::string logged(const std::string& document, const std::string& program,
                      const std::string& arguments, bool plugin) const {
     const fs::path xml = folder_ / "scene.xml", log = folder_ / "log";
@@ -45,8 +46,8 @@ class Programs : public MujocoTest {
                                 ROTORUB_SOURCE_DIR + "/tests/support/until_logged " + log.string() +
                                 " env LD_PRELOAD=" + libraries +
                                 " ROTORUB_STEP_LOG_FILE=" + log.string() +
-                                " ROTORUB_STEP_LOG_AT=" + std::to_string(kProgramSteps) + " " + program +
-                                " " + xml.string() + " " + arguments + " > out.txt 2>&1";
+                                " ROTORUB_STEP_LOG_AT=" + std::to_string(kProgramSteps) + " " +
+                                program + " " + xml.string() + " " + arguments + " > out.txt 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::ifstream in(log);
     std::string line;

@@ -8,9 +8,9 @@
 #include <cstdio>
 
 #include "mjcf/writer.h"
-#include "native_model/run/run_native.h"
-#include "native_model/rotor/campbell.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/rotor/campbell.h"
+#include "native_model/run/run_native.h"
 #include "plugin/coordinates.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/linearised.h"
@@ -196,12 +196,12 @@ TEST_F(SegmentsTest, TorsionConverges) {
 // The rig before its rub: gravity, unbalance, a rotating force, the drive and torsion, in time.
 TEST_F(SegmentsTest, FollowsTheNativeOrbit) {
   const auto difference = [](int segments) {
-    const scene::Scene scene =
-        shipped("paper_passive",
-                {"mujoco={rotor=\"segments\", segments=" + std::to_string(segments) + "}",
-                 "run.step=2e-6", "run.end=0.05", "contact.clearance=\"5 mm\"", "force[0].on=0.0", "initial.steady=false",
-                 "force[0].amplitude=20.0", "rotor.speed=\"49 Hz\"", "rotor.modes=4",
-                 "rotor.disc[0].eccentricity=\"200 um\"", "gravity={acceleration=[0.0, -9.81]}"});
+    const scene::Scene scene = shipped(
+        "paper_passive",
+        {"mujoco={rotor=\"segments\", segments=" + std::to_string(segments) + "}", "run.step=2e-6",
+         "run.end=0.05", "contact.clearance=\"5 mm\"", "force[0].on=0.0", "initial.steady=false",
+         "force[0].amplitude=20.0", "rotor.speed=\"49 Hz\"", "rotor.modes=4",
+         "rotor.disc[0].eccentricity=\"200 um\"", "gravity={acceleration=[0.0, -9.81]}"});
     const ModelPointer m = load(mjcf(scene));
     const plugin::Config config = plugin::make_config(m.get());
     EXPECT_EQ(plugin::segment_step_refusal(*config.segments, scene.run.step), "");
@@ -244,13 +244,15 @@ TEST_F(SegmentsTest, ModalChainOfManyModesLoads) {
 TEST_F(SegmentsTest, HaveTheSmallestEccentricity) {
   constexpr double kPhase = 0.3;
   for (const double e : {1e-9, 0.5e-6, 1e-6, 5e-6}) {
-    const ModelPointer m = load(mjcf(rotor(
-        10, {"rotor.disc[0].eccentricity=" + std::to_string(e * 1e9) + "e-9", "rotor.disc[0].phase=0.3"})));
+    const ModelPointer m =
+        load(mjcf(rotor(10, {"rotor.disc[0].eccentricity=" + std::to_string(e * 1e9) + "e-9",
+                             "rotor.disc[0].phase=0.3"})));
     const DataPointer d = start(m.get());
     mj_forward(m.get(), d.get());
     double largest = 0.0;
     for (int b = 1; b < m->nbody; ++b) {
-      const double x = d->xipos[3 * b] - d->xpos[3 * b], y = d->xipos[3 * b + 1] - d->xpos[3 * b + 1];
+      const double x = d->xipos[3 * b] - d->xpos[3 * b],
+                   y = d->xipos[3 * b + 1] - d->xpos[3 * b + 1];
       if (std::hypot(x, y) <= largest) continue;
       largest = std::hypot(x, y);
       EXPECT_NEAR(std::atan2(y, x), kPhase, 1e-6) << e;

@@ -1,4 +1,5 @@
-// The native model beside MuJoCo's under the actuator: the user's commands, coils that lag, the force of a magnet.
+// The native model beside MuJoCo's under the actuator: the user's commands, coils that lag, the
+// force of a magnet.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +17,8 @@ namespace names = mjcf_names;
 
 // Without a controller in the scene the user's commands drive both.
 TEST_F(Shadow, PassiveBearingFollowsTheUsersCommands) {
-  const scene::Scene scene = shadowed("paper_passive", {"force[0].on=0.0", "initial.steady=false", "rotor.modes=2"});
+  const scene::Scene scene =
+      shadowed("paper_passive", {"force[0].on=0.0", "initial.steady=false", "rotor.modes=2"});
   const ModelPointer m = load(mjcf(scene));
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
@@ -40,8 +42,9 @@ TEST_F(Shadow, PassiveBearingFollowsTheUsersCommands) {
 // Coils that lag are coordinates of the native model that MuJoCo's has not.
 TEST_F(Shadow, CarriesTheCoils) {
   const scene::Scene scene =
-      shadowed("paper_magnetic", {"actuator.coil_lag=1e-4", "actuator.current_rate_limit=5000",
-                                  "force[0].on=0.0", "initial.steady=false", "controller.on=0.002", "rotor.modes=2"});
+      shadowed("paper_magnetic",
+               {"actuator.coil_lag=1e-4", "actuator.current_rate_limit=5000", "force[0].on=0.0",
+                "initial.steady=false", "controller.on=0.002", "rotor.modes=2"});
   constexpr int kSteps = 2000;
   const Trajectory native = every_step(scene, kSteps);
   ASSERT_EQ(native.status, Status::kOk);
@@ -58,8 +61,8 @@ TEST_F(Shadow, CarriesTheCoils) {
 // What a magnet without a controller gives is known from MuJoCo: the user's current, the bias and
 // the lag are in it.
 TEST_F(Shadow, TakesTheMagnetsForceFromMujoco) {
-  const ModelPointer m =
-      load(mjcf(shadowed("paper_magnetic", {"controller=none", "actuator.coil_lag=1e-4", "rotor.modes=2"})));
+  const ModelPointer m = load(mjcf(
+      shadowed("paper_magnetic", {"controller=none", "actuator.coil_lag=1e-4", "rotor.modes=2"})));
   const DataPointer d = start(m.get());
   double apart = 0.0, moved = 0.0;
   for (int k = 0; k < 2000; ++k) {

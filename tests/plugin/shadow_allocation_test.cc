@@ -19,8 +19,8 @@ TEST_F(ShadowAllocation, NoneInAStepAfterTheFirst) {
   ::operator delete(::operator new(64));
   ASSERT_EQ(allocations - begun, 1);
   const plugin::Hooks hooks;
-  const std::vector<std::string> early = {"force[0].on=0.0", "initial.steady=false", "contact.clearance=0.1 mm",
-                                          "rotor.modes=2"};
+  const std::vector<std::string> early = {"force[0].on=0.0", "initial.steady=false",
+                                          "contact.clearance=0.1 mm", "rotor.modes=2"};
   for (const char* name : {"paper_passive", "paper_sliding", "bench_ring"}) {
     SCOPED_TRACE(name);
     const std::string scene = name;

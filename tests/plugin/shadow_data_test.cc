@@ -24,8 +24,8 @@ class ShadowData : public MujocoTest {
   ShadowData()
       : model_(
             load(mjcf(shadowed("paper_sliding", {"controller.on=0.0", "controller.sample_time=1e-4",
-                                                 "force[0].on=0.0", "initial.steady=false", "contact.clearance=0.1 mm",
-                                                 "rotor.modes=2"})))),
+                                                 "force[0].on=0.0", "initial.steady=false",
+                                                 "contact.clearance=0.1 mm", "rotor.modes=2"})))),
         config_(plugin::make_config(model_.get())) {}
   void steps(mjData* d, int count) const {
     for (int k = 0; k < count; ++k) mj_step(model_.get(), d);
@@ -162,8 +162,8 @@ TEST_F(ShadowData, AnEditStartsItAnewWithAWord) {
     const plugin::Config config = plugin::make_config(m.get());
     EXPECT_NEAR(entry(config, d.get(), plugin::kShadowOrigin), changed, 1e-12) << edit;
     EXPECT_EQ(entry(config, d.get(), plugin::kShadowSteps), 100.0) << edit;
-    // Both differ by the start's velocity, half a step old: about 1e-6 m. The old stiffness would move it by
-    // dk x t^2 / (2 m) = 1.2e-5 m.
+    // Both differ by the start's velocity, half a step old: about 1e-6 m. The old stiffness would
+    // move it by dk x t^2 / (2 m) = 1.2e-5 m.
     const Eigen::Vector2d here(d->qpos[m->jnt_qposadr[joint]], 0.0);
     EXPECT_NEAR(shadow_of(config, d.get())[0], here.x(), 3e-6) << edit;
     EXPECT_EQ(warnings, 1) << edit;

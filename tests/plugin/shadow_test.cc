@@ -9,9 +9,9 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/stepping/stepper.h"
-#include "native_model/run/run_native.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/run/run_native.h"
+#include "native_model/stepping/stepper.h"
 #include "tests/plugin/shadow.h"
 
 namespace rotorub::test {
@@ -88,14 +88,15 @@ TEST_P(ShadowBits, AreThoseOfANativeRun) {
 
 // Long enough for impacts, lasting contact and, in paper_sliding, the controller (on at 0.1 s).
 INSTANTIATE_TEST_SUITE_P(Scenes, ShadowBits,
-                         ::testing::Values(ShadowCase{"bench_ring", 0.03}, ShadowCase{"paper_passive", 0.2},
+                         ::testing::Values(ShadowCase{"bench_ring", 0.03},
+                                           ShadowCase{"paper_passive", 0.2},
                                            ShadowCase{"paper_sliding", 0.15},
                                            ShadowCase{"paper_magnetic", 0.12}),
                          [](const auto& which) { return std::string(which.param.name); });
 
 TEST_F(Shadow, LeavesMujocosMotionToTheBit) {
-  const std::vector<std::string> early = {"force[0].on=0.0", "initial.steady=false", "contact.clearance=0.1 mm",
-                                          "rotor.modes=2"};
+  const std::vector<std::string> early = {"force[0].on=0.0", "initial.steady=false",
+                                          "contact.clearance=0.1 mm", "rotor.modes=2"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.end(), early.begin(), early.end());
     return more;
@@ -169,8 +170,8 @@ TEST_F(Shadow, AgreesWithRigidToFirstOrder) {
 // The segment rotor is another model: its shadow starts where its modes are and stays near.
 TEST_F(Shadow, RunsBesideSegments) {
   const scene::Scene scene =
-      shadowed("paper_passive", {"mujoco.rotor=segments", "mujoco.segments=12", "force[0].on=0.0", "initial.steady=false",
-                                 "rotor.modes=2"});
+      shadowed("paper_passive", {"mujoco.rotor=segments", "mujoco.segments=12", "force[0].on=0.0",
+                                 "initial.steady=false", "rotor.modes=2"});
   const ModelPointer m = load(mjcf(scene));
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());

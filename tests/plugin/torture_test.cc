@@ -19,7 +19,8 @@ namespace {
 
 constexpr int kScenes = 10;
 
-// Two contacts on one shaft, in a user's own model, which has its own entries of userdata before ours.
+// Two contacts on one shaft, in a user's own model, which has its own entries of userdata before
+// ours.
 std::string pairs(const char* contact) {
   TwoRings x;
   x.contact = contact;
@@ -27,8 +28,7 @@ std::string pairs(const char* contact) {
   x.ring_mass = 1.0;
   x.clearance[1] = 4e-4;
   x.custom = "<numeric name=\"rotorub_userdata\" data=\"11\"/>";
-  x.constraints =
-      "<keyframe><key name=\"start\" qvel=\"0.3 0.1 0.5 1 100 0 0 0 0\"/></keyframe>";
+  x.constraints = "<keyframe><key name=\"start\" qvel=\"0.3 0.1 0.5 1 100 0 0 0 0\"/></keyframe>";
   return document(x);
 }
 
@@ -42,13 +42,16 @@ const std::array<std::string, kScenes>& documents() {
       mjcf(shipped("bench_ring", {"mujoco.contact=\"cone\"", "contact.friction=0.3"})),
       mjcf(shipped("bench_billiard", {"mujoco.contact=\"rigid\""})),
       mjcf(shipped("paper_sliding",
-                   {"controller.on=0.0", "controller.sample_time=1e-4", "force[0].on=0.0", "initial.steady=false",
-                    "contact.clearance=\"0.1 mm\"", "rotor.modes=2", "mujoco.contact=\"rigid\""})),
-      mjcf(
-          shipped("paper_passive", {"mujoco={rotor=\"segments\", segments=10, contact=\"coulomb\"}",
-                                    "force[0].on=0.0", "initial.steady=false", "contact.clearance=\"0.1 mm\"", "rotor.modes=2"})),
-      mjcf(shadowed("paper_sliding", {"controller.on=0.0", "controller.sample_time=1e-4",
-                                      "force[0].on=0.0", "initial.steady=false", "contact.clearance=\"0.1 mm\"", "rotor.modes=2"})),
+                   {"controller.on=0.0", "controller.sample_time=1e-4", "force[0].on=0.0",
+                    "initial.steady=false", "contact.clearance=\"0.1 mm\"", "rotor.modes=2",
+                    "mujoco.contact=\"rigid\""})),
+      mjcf(shipped(
+          "paper_passive",
+          {"mujoco={rotor=\"segments\", segments=10, contact=\"coulomb\"}", "force[0].on=0.0",
+           "initial.steady=false", "contact.clearance=\"0.1 mm\"", "rotor.modes=2"})),
+      mjcf(shadowed("paper_sliding",
+                    {"controller.on=0.0", "controller.sample_time=1e-4", "force[0].on=0.0",
+                     "initial.steady=false", "contact.clearance=\"0.1 mm\"", "rotor.modes=2"})),
       mjcf(shadowed("bench_ring", {"mujoco.contact=\"coulomb\""})),
       R"(<mujoco><size nuserdata="30"/><worldbody><geom type="plane" size="1 1 1"/>
            <body pos="0 0 1"><freejoint/><geom type="capsule" size="0.1 0.2"/></body>

@@ -16,8 +16,8 @@
 #include "mjcf/writer.h"
 #include "native_model/trajectory/output.h"
 #include "tests/plugin/own/two_rings.h"
-#include "tests/support/mujoco_fixture.h"
 #include "tests/support/mujoco_document.h"
+#include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
 namespace {
@@ -40,7 +40,8 @@ class Program : public MujocoTest {
   ~Program() override { fs::remove_all(folder_); }
 
   // The program's lines for a case.
-  std::string said(const std::string& document, const std::string& what, int steps = kCallbackSteps) const {
+  std::string said(const std::string& document, const std::string& what,
+                   int steps = kCallbackSteps) const {
     const fs::path xml = folder_ / "scene.xml", out = folder_ / "out";
     write_whole(xml, for_this_mujoco(document));
     const std::string name = linked_ ? "rotorub_user_program_linked" : "rotorub_user_program";
@@ -125,12 +126,14 @@ std::string two_rings(const std::string& contact) {
   x.contact = contact;
   x.friction = 0.15;
   x.ring_mass = 1.0;
-  x.sensors = "<user name=\"rotorub_active\" objtype=\"body\" objname=\"shaft\" datatype=\"real\" "
-              "needstage=\"pos\" dim=\"1\"/>";
+  x.sensors =
+      "<user name=\"rotorub_active\" objtype=\"body\" objname=\"shaft\" datatype=\"real\" "
+      "needstage=\"pos\" dim=\"1\"/>";
   x.constraints = "<keyframe><key name=\"start\" qvel=\"0.3 0.1 0 1 100 0 0 0 0\"/></keyframe>";
   std::string text = document(x);
-  for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"disc\"", mjcf_names::kRotorContact},
-                                 {"\"ring\"", mjcf_names::kRingContact}}) {
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"\"disc\"", mjcf_names::kRotorContact},
+        {"\"ring\"", mjcf_names::kRingContact}}) {
     for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + 1)) {
       text.replace(at, from.size(), "\"" + to + "\"");
     }
@@ -145,7 +148,8 @@ TEST_P(UserCallbacks, FindBothContactsOfAShaft) {
     EXPECT_EQ(plain.active, 1.0);
     EXPECT_GT(plain.touching, 0.0) << contact;
     EXPECT_LT(plain.penetration, contact[0] == 'r' ? 0.01 : 20.0);
-    for (const std::string what : {"control", "chained_passive", "threads", "reset_always", "null"}) {
+    for (const std::string what :
+         {"control", "chained_passive", "threads", "reset_always", "null"}) {
       const Line line = run(document, what);
       EXPECT_EQ(line.state, plain.state) << contact << " " << what;
       EXPECT_EQ(line.active, 1.0) << contact << " " << what;
@@ -241,8 +245,8 @@ TEST_F(PreloadedProgram, DifferencesKeepTimeAndMemory) {
 INSTANTIATE_TEST_SUITE_P(Programs, UserCallbacks, ::testing::Bool(),
                          [](const auto& of) { return of.param ? "Linked" : "Preloaded"; });
 
-// A load cell of the user's below the ring. Of `rigid` the model has no sensor of the acceleration stage: preloaded
-// it has the rub's forces, and mj_contactForce too; linked it is refused.
+// A load cell of the user's below the ring. Of `rigid` the model has no sensor of the acceleration
+// stage: preloaded it has the rub's forces, and mj_contactForce too; linked it is refused.
 TEST_P(UserCallbacks, ALoadCellHasTheForces) {
   for (const char* contact : {"rigid", "coulomb"}) {
     const std::string document = with_cell(bench(contact));
@@ -257,9 +261,11 @@ TEST_P(UserCallbacks, ALoadCellHasTheForces) {
     EXPECT_NEAR(told_normal, 121.7, 5.0) << text;
     // Within MuJoCo's regularisation.
     EXPECT_NEAR(normal, told_normal, 1e-3 * told_normal) << contact;
-    const double linked_friction = contact == std::string("coulomb") && linked_ ? 0.0 : told_friction;
+    const double linked_friction =
+        contact == std::string("coulomb") && linked_ ? 0.0 : told_friction;
     EXPECT_NEAR(std::abs(tangent), std::abs(linked_friction), 1e-6) << contact;
-    EXPECT_NEAR(std::hypot(x, y), std::hypot(told_normal, told_friction), 1e-3 * told_normal) << contact;
+    EXPECT_NEAR(std::hypot(x, y), std::hypot(told_normal, told_friction), 1e-3 * told_normal)
+        << contact;
   }
 }
 

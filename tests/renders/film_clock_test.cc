@@ -57,8 +57,8 @@ TEST(FilmClock, ManyImpactsShareHalfOfTheFilm) {
   EXPECT_EQ(clock.impacts().size(), 6U);
   EXPECT_EQ(clock.impacts().front(), strikes.front().t) << "the first touch";
   EXPECT_NEAR(clock.slow(strikes[350].t), clock.slowest(), 1e-9 * clock.slowest()) << "the hardest";
-  // 8 s for 0.2 s would be 40 throughout; half of the film for impacts leaves 20 for the rest, and a
-  // little more where they overlap or reach beyond the film.
+  // 8 s for 0.2 s would be 40 throughout; half of the film for impacts leaves 20 for the rest, and
+  // a little more where they overlap or reach beyond the film.
   EXPECT_GE(clock.base(), 20.0);
   EXPECT_LT(clock.base(), 30.0);
 }

@@ -171,7 +171,8 @@ TEST(Frame, RunsSideBySideAreDrawnAlike) {
   for (int row = 40; row < twice.height; ++row) {
     for (int column = 0; column < 480; ++column) {
       for (int k = 0; k < 3; ++k) {
-        ASSERT_EQ(twice.pixel(column, row)[k], twice.pixel(column + 480, row)[k]) << column << ' ' << row;
+        ASSERT_EQ(twice.pixel(column, row)[k], twice.pixel(column + 480, row)[k])
+            << column << ' ' << row;
       }
     }
   }

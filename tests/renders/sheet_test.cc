@@ -33,7 +33,9 @@ struct Drawing {
 };
 
 // Smooth edges keep the area: 1 %, of 8-bit shades.
-void expect_area(const Drawing& drawing, double area) { EXPECT_NEAR(drawing.ink(), area, 0.01 * area); }
+void expect_area(const Drawing& drawing, double area) {
+  EXPECT_NEAR(drawing.ink(), area, 0.01 * area);
+}
 
 TEST(Sheet, ShapesHaveTheirAreas) {
   constexpr double kHalfCircle = std::numbers::pi;
@@ -106,7 +108,9 @@ TEST(Font, HasTheLettersOfUnits) {
 
 TEST(Font, ReadsUtf8) {
   EXPECT_EQ(characters("aµ▲"), (std::vector<char32_t>{U'a', U'µ', U'▲'}));
-  EXPECT_EQ(characters("\xff" "a\xc2"), (std::vector<char32_t>{0xFFFD, U'a', 0xFFFD}));
+  EXPECT_EQ(characters("\xff"
+                       "a\xc2"),
+            (std::vector<char32_t>{0xFFFD, U'a', 0xFFFD}));
 }
 
 TEST(Unrolled, ABounceOfThreeMicrometresIsSeen) {
@@ -120,8 +124,8 @@ TEST(Unrolled, ABounceOfThreeMicrometresIsSeen) {
 
 TEST(Unrolled, PenetrationGoesDownByTheSameLaw) {
   const UnrolledView view(kClearance, 20e-6);
-  EXPECT_NEAR(view.height_of(-1e-6) - view.height_of(0.0), view.height_of(0.0) - view.height_of(1e-6),
-              1e-12);
+  EXPECT_NEAR(view.height_of(-1e-6) - view.height_of(0.0),
+              view.height_of(0.0) - view.height_of(1e-6), 1e-12);
   EXPECT_GT(view.height_of(-20e-6), view.height_of(-1e-6));
   EXPECT_LE(view.height_of(-20e-6), 1.0);
 }

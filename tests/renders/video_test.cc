@@ -184,7 +184,8 @@ TEST(Video, EncoderThatHangsIsEnded) {
       video.finish();
       FAIL() << "waited for an encoder that hangs";
     } catch (const std::runtime_error& error) {
-      EXPECT_NE(std::string(error.what()).find("film.mp4: ffmpeg hangs"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("film.mp4: ffmpeg hangs"), std::string::npos)
+          << error.what();
     }
     EXPECT_EQ(folder.entries(), 1u) << "bin alone";
   }

@@ -9,7 +9,7 @@ struct Jeffcott {
   double mass = 2.0, damping = 0.0, stiffness = 0.0;  // kg, N s/m, N/m
   double clearance = 0.5e-3, radius = 0.05;           // m
   double friction = 0.0, restitution = 0.0;
-  double speed = 0.0;                                 // rad/s, prescribed
+  double speed = 0.0;  // rad/s, prescribed
 };
 
 // A modal scene with [contact], prescribed speed, fixed ring, from rest at the centre.

@@ -9,12 +9,14 @@
 
 namespace rotorub::test {
 
-inline scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
+inline scene::Scene shipped(const std::string& name,
+                            const std::vector<std::string>& overrides = {}) {
   return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
 }
 
 // `step`: s; `event` has none.
-inline Trajectory run_with(const scene::Scene& scene, scene::Integrator integrator, double step = 1e-5) {
+inline Trajectory run_with(const scene::Scene& scene, scene::Integrator integrator,
+                           double step = 1e-5) {
   NativeOptions options;
   options.integrator = integrator;
   options.step = step;

@@ -22,9 +22,9 @@ inline double rotor_error(const Trajectory& a, const Trajectory& b) {
   return most;
 }
 
-// Largest error over all rows, m: of the rotor's place, the ring's, and of the angles of the spin and
-// of a ring that turns as arcs of `radius` (0: left out). Rows should stand at ends of steps: between them an impact is
-// interpolated at first order.
+// Largest error over all rows, m: of the rotor's place, the ring's, and of the angles of the spin
+// and of a ring that turns as arcs of `radius` (0: left out). Rows should stand at ends of steps:
+// between them an impact is interpolated at first order.
 inline double trajectory_error(const Trajectory& a, const Trajectory& b, double radius = 0.0) {
   const auto point = [&](const char* x, const char* y, std::size_t k) {
     return std::hypot(a.column(x)[k] - b.column(x)[k], a.column(y)[k] - b.column(y)[k]);
@@ -35,8 +35,8 @@ inline double trajectory_error(const Trajectory& a, const Trajectory& b, double 
     if (a.has("ring_angle") && b.has("ring_angle")) {
       turn = std::max(turn, std::abs(a.column("ring_angle")[k] - b.column("ring_angle")[k]));
     }
-    most = std::max({most, point("rotor_x", "rotor_y", k), point("stator_x", "stator_y", k),
-                     radius * turn});
+    most = std::max(
+        {most, point("rotor_x", "rotor_y", k), point("stator_x", "stator_y", k), radius * turn});
   }
   return most;
 }

@@ -1,5 +1,5 @@
-// The parts that a machine may have, each as overrides of a small base scene: in geometry form (a shaft with two
-// modes) and in modal form (one mode).
+// The parts that a machine may have, each as overrides of a small base scene: in geometry form (a
+// shaft with two modes) and in modal form (one mode).
 #pragma once
 
 #include <string>
@@ -145,11 +145,16 @@ inline std::vector<Part> pair_parts() {
       {"rotor.bearing[0].damping=[900.0,600.0]", "rotor.bearing[1].damping=500.0"}, {});
   add("bearing_offset", "bearing_offset", {"rotor.bearing[0].offset=[0.06e-3,-0.03e-3]"}, {});
   add("crossed_bearings", "film",
-      {"rotor.bearing[0].cross_stiffness=[4e6,-3e6]", "rotor.bearing[1].cross_damping=[200.0,-150.0]"}, {});
-  // A steady bearing between the others, whose coefficients change much within the run of a free spin.
+      {"rotor.bearing[0].cross_stiffness=[4e6,-3e6]",
+       "rotor.bearing[1].cross_damping=[200.0,-150.0]"},
+      {});
+  // A steady bearing between the others, whose coefficients change much within the run of a free
+  // spin.
   add("film_tables", "film",
-      {"rotor.bearing[2]={z=0.45,offset=[0.0,0.03e-3],table_speed=[295.0,305.0,320.0],table_kxx=[2e5,3e5,2.5e5],"
-       "table_kxy=[1e5,2e5,2.2e5],table_kyx=[-1.5e5,-2e5,-1e5],table_cxx=[90.0,60.0,70.0],table_cxy=[10.0,15.0,20.0]}"},
+      {"rotor.bearing[2]={z=0.45,offset=[0.0,0.03e-3],table_speed=[295.0,305.0,320.0],table_kxx=["
+       "2e5,3e5,2.5e5],"
+       "table_kxy=[1e5,2e5,2.2e5],table_kyx=[-1.5e5,-2e5,-1e5],table_cxx=[90.0,60.0,70.0],table_"
+       "cxy=[10.0,15.0,20.0]}"},
       {});
 
   // What drives it.
@@ -168,7 +173,8 @@ inline std::vector<Part> pair_parts() {
   add("speed_controlled", "drive",
       {"drive={kind='speed_controlled',gain=0.6,integral_gain=12.0,speed=340.0,acceleration=4000.0,"
        "inertia=2e-3}"},
-      {"drive={kind='speed_controlled',gain=0.6,integral_gain=12.0,speed=340.0,acceleration=4000.0}"});
+      {"drive={kind='speed_controlled',gain=0.6,integral_gain=12.0,speed=340.0,acceleration=4000."
+       "0}"});
 
   // Ring and magnets.
   add_both(

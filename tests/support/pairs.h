@@ -1,4 +1,5 @@
-// Any two parts of a machine as a scene. Every scene carries its text, so that MuJoCo can run it too.
+// Any two parts of a machine as a scene. Every scene carries its text, so that MuJoCo can run it
+// too.
 #pragma once
 
 #include <string>

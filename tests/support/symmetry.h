@@ -1,8 +1,9 @@
-// The same machine seen in a mirror, or turned: every vector, sense of rotation and pair (x, y) of a scene as
-// overrides of its text, so that every engine reads the other machine from the file.
+// The same machine seen in a mirror, or turned: every vector, sense of rotation and pair (x, y) of
+// a scene as overrides of its text, so that every engine reads the other machine from the file.
 //
-// R of the plane: kMirrored (x, y) -> (x, -y), which turns all rotation round; kTurned (x, y) -> (-y, x). Both are
-// exact in floating point, and both map the actuator's axes at 45 degrees onto each other.
+// R of the plane: kMirrored (x, y) -> (x, -y), which turns all rotation round; kTurned (x, y) ->
+// (-y, x). Both are exact in floating point, and both map the actuator's axes at 45 degrees onto
+// each other.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,10 +23,12 @@ enum class Symmetry { kMirrored, kTurned };
 class Transformed {
  public:
   // Of the scene as it was read.
-  Transformed(const scene::Scene& scene, Symmetry symmetry) : mirrored_(symmetry == Symmetry::kMirrored) {
+  Transformed(const scene::Scene& scene, Symmetry symmetry)
+      : mirrored_(symmetry == Symmetry::kMirrored) {
     rotor(scene.rotor);
     if (scene.drive) drive(*scene.drive);
-    for (std::size_t k = 0; k < scene.forces.size(); ++k) force(scene.forces[k], "force[" + std::to_string(k) + "].");
+    for (std::size_t k = 0; k < scene.forces.size(); ++k)
+      force(scene.forces[k], "force[" + std::to_string(k) + "].");
     if (scene.first().contact) vector("contact.offset", scene.first().contact->offset);
     if (scene.first().stator) stator(*scene.first().stator);
     if (scene.gravity) vector("gravity.acceleration", scene.gravity->acceleration);
@@ -50,7 +53,9 @@ class Transformed {
     for (const double v : values) list += (list.size() > 1 ? "," : "") + text(v);
     return list + "]";
   }
-  void set(const std::string& key, const std::string& value) { overrides_.push_back(key + "=" + value); }
+  void set(const std::string& key, const std::string& value) {
+    overrides_.push_back(key + "=" + value);
+  }
   // What is 0 stays out: it may belong to a part that the scene has not.
   void number(const std::string& key, double value) {
     if (value != 0.0) set(key, text(value));
@@ -63,20 +68,24 @@ class Transformed {
     if (!mirrored_ && v.x() != v.y()) set(key, text({v.y(), v.x()}));
   }
   // The direction of an angle in the plane.
-  double direction(double angle) const { return mirrored_ ? -angle : angle + 0.5 * std::numbers::pi; }
+  double direction(double angle) const {
+    return mirrored_ ? -angle : angle + 0.5 * std::numbers::pi;
+  }
 
   void rotor(const scene::Rotor& rotor) {
     number("rotor.speed", sense() * rotor.speed);
     if (const auto& modal = rotor.modal; modal && !mirrored_ && !modal->mass_y.empty()) {
-      for (const auto& [name, x, y] : {std::tuple{"mass", &modal->mass, &modal->mass_y},
-                                       std::tuple{"stiffness", &modal->stiffness, &modal->stiffness_y},
-                                       std::tuple{"damping", &modal->damping, &modal->damping_y}}) {
+      for (const auto& [name, x, y] :
+           {std::tuple{"mass", &modal->mass, &modal->mass_y},
+            std::tuple{"stiffness", &modal->stiffness, &modal->stiffness_y},
+            std::tuple{"damping", &modal->damping, &modal->damping_y}}) {
         set(std::string("rotor.modal.") + name, text(*y));
         set(std::string("rotor.modal.") + name + "_y", text(*x));
       }
     }
     if (!rotor.geometry) return;
-    // The rotor's own marks: in a mirror they are on the other side; turned, the spin's angle turns with it.
+    // The rotor's own marks: in a mirror they are on the other side; turned, the spin's angle turns
+    // with it.
     for (std::size_t k = 0; mirrored_ && k < rotor.geometry->discs.size(); ++k) {
       number("rotor.disc[" + std::to_string(k) + "].phase", -rotor.geometry->discs[k].phase);
     }
@@ -90,7 +99,8 @@ class Transformed {
     vector(at + "offset", b.offset);
     // R K R': the cross terms change their sign, and places where it is turned.
     const auto cross = [&](const std::string& key, const Eigen::Vector2d& c) {
-      if (!c.isZero(0.0)) set(at + key, mirrored_ ? text({-c.x(), -c.y()}) : text({-c.y(), -c.x()}));
+      if (!c.isZero(0.0))
+        set(at + key, mirrored_ ? text({-c.x(), -c.y()}) : text({-c.y(), -c.x()}));
     };
     cross("cross_stiffness", b.cross_stiffness);
     cross("cross_damping", b.cross_damping);
@@ -124,7 +134,9 @@ class Transformed {
     const auto lists = [&](const char* x_key, const char* y_key, const std::vector<double>& x,
                            const std::vector<double>& y) {
       std::vector<double> new_x, new_y;
-      const auto at = [](const std::vector<double>& list, std::size_t k) { return k < list.size() ? list[k] : 0.0; };
+      const auto at = [](const std::vector<double>& list, std::size_t k) {
+        return k < list.size() ? list[k] : 0.0;
+      };
       for (std::size_t k = 0; k < std::max(x.size(), y.size()); ++k) {
         const Eigen::Vector2d v = of({at(x, k), at(y, k)});
         new_x.push_back(v.x());

@@ -1,6 +1,6 @@
-// What MuJoCo's contact models make of a rub: `cone_figures SCENE.toml [CONTACT] [KEY=VALUE...] [diagexact]` runs the scene
-// with contact model `cone`, or CONTACT, and prints one line, against the native `event`. Built for MuJoCo 2.2.2 and for
-// today's: a table of the README.
+// What MuJoCo's contact models make of a rub: `cone_figures SCENE.toml [CONTACT] [KEY=VALUE...]
+// [diagexact]` runs the scene with contact model `cone`, or CONTACT, and prints one line, against
+// the native `event`. Built for MuJoCo 2.2.2 and for today's: a table of the README.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -25,10 +25,10 @@ namespace {
 using namespace rotorub;
 
 struct Figures {
-  double contact = 0.0;      // share of the time from the first touch
-  double mean = 0.0;         // N, from then on
-  double scatter = 0.0;      // N, standard deviation over the steps
-  double error = 0.0;        // m, largest of the rotor's position
+  double contact = 0.0;  // share of the time from the first touch
+  double mean = 0.0;     // N, from then on
+  double scatter = 0.0;  // N, standard deviation over the steps
+  double error = 0.0;    // m, largest of the rotor's position
   double us_per_step = 0.0;
 };
 
@@ -79,7 +79,8 @@ Figures step_through(const mjModel* m, double end, const std::vector<double>& ti
   return out;
 }
 
-int figures(const std::string& file, bool exact, const std::string& contact, std::vector<std::string> overrides) {
+int figures(const std::string& file, bool exact, const std::string& contact,
+            std::vector<std::string> overrides) {
   overrides.push_back("mujoco.contact=" + contact);
   const scene::Scene scene = scene::read_scene(file, overrides);
   std::vector<double> times;
@@ -97,11 +98,13 @@ int figures(const std::string& file, bool exact, const std::string& contact, std
   if (!m) throw std::runtime_error(error);
   if (exact) set_exact_diagonal(m);
   const Figures f = step_through(m, scene.run.end, times, reference);
-  std::printf("%-22s MuJoCo %-7s %-8s%-10s contact %6.2f %% (%6.2f %%)  force %10.4f N (%10.4f N) +- %10.4f N  "
-              "error %9.3e m  %5.2f us\n",
-              scene.name.c_str(), mj_versionString(), contact.c_str(), exact ? "diagexact" : "", 100.0 * f.contact,
-              100.0 * reference.contact_fraction(), f.mean, reference.mean_force(), f.scatter,
-              f.error, f.us_per_step);
+  std::printf(
+      "%-22s MuJoCo %-7s %-8s%-10s contact %6.2f %% (%6.2f %%)  force %10.4f N (%10.4f N) +- "
+      "%10.4f N  "
+      "error %9.3e m  %5.2f us\n",
+      scene.name.c_str(), mj_versionString(), contact.c_str(), exact ? "diagexact" : "",
+      100.0 * f.contact, 100.0 * reference.contact_fraction(), f.mean, reference.mean_force(),
+      f.scatter, f.error, f.us_per_step);
   mj_deleteModel(m);
   return 0;
 }
@@ -110,7 +113,8 @@ int figures(const std::string& file, bool exact, const std::string& contact, std
 
 int main(int argc, char** argv) {
   try {
-    if (argc < 2) throw std::invalid_argument("cone_figures SCENE.toml [CONTACT] [KEY=VALUE...] [diagexact]");
+    if (argc < 2)
+      throw std::invalid_argument("cone_figures SCENE.toml [CONTACT] [KEY=VALUE...] [diagexact]");
     bool exact = false;
     std::string contact = "cone";
     std::vector<std::string> overrides;

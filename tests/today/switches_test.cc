@@ -1,5 +1,5 @@
-// What MuJoCo of today does otherwise in a step: mjcb_control left out, its own threads, sleep, islands, the
-// exact diagonal; and the plugin in a program that loads it as Python does.
+// What MuJoCo of today does otherwise in a step: mjcb_control left out, its own threads, sleep,
+// islands, the exact diagonal; and the plugin in a program that loads it as Python does.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -47,7 +47,8 @@ TEST_F(Switches, DisabledActuationChangesNothing) {
     const std::vector<double> found = state_after(m.get(), kSteps);
     for (std::size_t i = 0; i < found.size(); ++i) {
       // The reference of a soft contact is passed on in another variable.
-      const double bound = std::string(contact) == "rigid" ? 0.0 : 1e-9 * (1.0 + std::abs(wanted[i]));
+      const double bound =
+          std::string(contact) == "rigid" ? 0.0 : 1e-9 * (1.0 + std::abs(wanted[i]));
       EXPECT_NEAR(found[i], wanted[i], bound) << contact << " " << i;
     }
     const DataPointer d = start(m.get());
@@ -114,7 +115,8 @@ TEST_F(Switches, SleepIsRefusedWhereItWouldTakeTheRotor) {
   EXPECT_EQ(state_after(m.get(), 1000), wanted);
 }
 
-// Islands, MuJoCo's own threads and the exact diagonal: the answer is the same, to the bit with `rigid`.
+// Islands, MuJoCo's own threads and the exact diagonal: the answer is the same, to the bit with
+// `rigid`.
 TEST_F(Switches, IslandsThreadsAndDiagonal) {
   for (const char* contact : {"rigid", "coulomb"}) {
     const ModelPointer m = load(bench(contact));
@@ -128,7 +130,8 @@ TEST_F(Switches, IslandsThreadsAndDiagonal) {
     EXPECT_EQ(run(3), wanted) << contact;
     const auto near = [&](const std::vector<double>& found, const char* what) {
       for (std::size_t i = 0; i < found.size(); ++i) {
-        const double bound = std::string(contact) == "rigid" ? 0.0 : 1e-7 * (1.0 + std::abs(wanted[i]));
+        const double bound =
+            std::string(contact) == "rigid" ? 0.0 : 1e-7 * (1.0 + std::abs(wanted[i]));
         EXPECT_NEAR(found[i], wanted[i], bound) << contact << " " << what << " " << i;
       }
     };
@@ -140,13 +143,14 @@ TEST_F(Switches, IslandsThreadsAndDiagonal) {
   }
 }
 
-// 0: the contact is there, also after mj_resetCallbacks (mujoco.set_mjcb_control(None) and the like).
+// 0: the contact is there, also after mj_resetCallbacks (mujoco.set_mjcb_control(None) and the
+// like).
 int run_as_python() {
   const char* file = ROTORUB_PLUGIN;
   mj_loadPluginLibrary(file);
   char error[1000] = "";
-  mjModel* m = mj_loadXML(ROTORUB_SOURCE_DIR "/mjcf/examples/own_model.xml", nullptr, error,
-                          sizeof error);
+  mjModel* m =
+      mj_loadXML(ROTORUB_SOURCE_DIR "/mjcf/examples/own_model.xml", nullptr, error, sizeof error);
   if (!m) return 2;
   mjData* d = mj_makeData(m);
   d->qvel[0] = 1.0;

@@ -18,10 +18,10 @@
 namespace rotorub::test {
 
 struct Testspeed {
-  bool today = true;        // else the system's, 2.2.2
+  bool today = true;  // else the system's, 2.2.2
   bool plugin = true;
-  int threads = 1;          // rollouts side by side
-  int engine_threads = 0;   // today's: MuJoCo's own pool of a rollout
+  int threads = 1;               // rollouts side by side
+  int engine_threads = 0;        // today's: MuJoCo's own pool of a rollout
   std::string plugin_file = {};  // another one than of this MuJoCo
 };
 
@@ -51,13 +51,14 @@ class TestspeedTest : public ::testing::Test {
     if (how.plugin) preload = file + ":" + preload;
     const std::string n = std::to_string(steps), t = std::to_string(how.threads);
     const std::string program =
-        how.today ? std::string(ROTORUB_TODAY) + "/bin/testspeed --noisestd=0 --nstep=" + n +
-                        " --nthread=" + t +
-                        " --nenginethread=" + std::to_string(how.engine_threads) + " " + xml.string()
-                  : "mujoco-testspeed " + xml.string() + " " + n + " " + t + " 0";
-    const std::string command = "cd " + folder_.string() +
-                                " && ROTORUB_FINAL_STATE_FILE=" + states.string() +
-                                " LD_PRELOAD=" + preload + " " + program + " > out.txt 2>&1 < /dev/null";
+        how.today
+            ? std::string(ROTORUB_TODAY) + "/bin/testspeed --noisestd=0 --nstep=" + n +
+                  " --nthread=" + t + " --nenginethread=" + std::to_string(how.engine_threads) +
+                  " " + xml.string()
+            : "mujoco-testspeed " + xml.string() + " " + n + " " + t + " 0";
+    const std::string command =
+        "cd " + folder_.string() + " && ROTORUB_FINAL_STATE_FILE=" + states.string() +
+        " LD_PRELOAD=" + preload + " " + program + " > out.txt 2>&1 < /dev/null";
     status_ = std::system(command.c_str());
     std::vector<std::vector<double>> all;
     std::ifstream in(states);

@@ -55,8 +55,7 @@ class Versions : public TestspeedTest, public ::testing::WithParamInterface<Case
 
 TEST_P(Versions, GiveTheSameRun) {
   const std::vector<double> now = last(document_of(GetParam(), built_for()), kSteps);
-  const std::vector<double> then =
-      last(document_of(GetParam(), kOld), kSteps, {.today = false});
+  const std::vector<double> then = last(document_of(GetParam(), kOld), kSteps, {.today = false});
   ASSERT_EQ(now.size(), then.size());
   double most = 0.0;
   for (std::size_t i = 0; i < 1 + now.size() / 2; ++i) {
@@ -83,7 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Case{"bench_ring", "rigid", 0.0}, Case{"bench_billiard", "rigid", 0.0},
                       Case{"bench_annular_rigid", "rigid", 0.0},
                       Case{"bench_annular_elastic", "rigid", 0.0}, Case{"bench_whip", "rigid", 0.0},
-                      Case{"paper_sliding", "rigid", kRoundOff}, Case{"paper_magnetic", "rigid", kRoundOff},
+                      Case{"paper_sliding", "rigid", kRoundOff},
+                      Case{"paper_magnetic", "rigid", kRoundOff},
                       Case{"own_model", "rigid", kRoundOff}, Case{"bench_ring", "coulomb", kSolver},
                       Case{"bench_annular_elastic", "coulomb", kSolver},
                       Case{"bench_whip", "coulomb", kSolver}));
@@ -94,7 +94,8 @@ class OtherVersion : public TestspeedTest {};
 TEST_F(OtherVersion, IsRefused) {
   const std::string document = document_of({"bench_ring", "rigid", 0.0}, built_for());
   run(document, 100, {.plugin_file = ROTORUB_SYSTEM_LIBS "/librotorub_mujoco.so"});
-  EXPECT_NE(said_.find("built for MuJoCo 2.2.2, and the program has another one"), std::string::npos)
+  EXPECT_NE(said_.find("built for MuJoCo 2.2.2, and the program has another one"),
+            std::string::npos)
       << said_;
   EXPECT_NE(status_, 0);
 }

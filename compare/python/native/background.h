@@ -10,7 +10,8 @@
 
 namespace rotorub::python {
 
-// work(interrupt) on a thread of its own; its exception is thrown on. KeyboardInterrupt where a signal came.
+// work(interrupt) on a thread of its own; its exception is thrown on. KeyboardInterrupt where a
+// signal came.
 template <class Result>
 Result in_background(const std::function<Result(const std::atomic<bool>&)>& work) {
   namespace py = pybind11;

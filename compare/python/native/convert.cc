@@ -35,16 +35,18 @@ std::string value_text(const py::handle& value, const std::string& key, bool in_
   if (PyFloat_Check(value.ptr())) return fmt::format("{}", value.cast<double>());
   if (py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value)) {
     std::string text;
-    for (const py::handle& element : value) text += (text.empty() ? "" : ", ") + value_text(element, key, true);
+    for (const py::handle& element : value)
+      text += (text.empty() ? "" : ", ") + value_text(element, key, true);
     return "[" + text + "]";
   }
-  if (PyIndex_Check(value.ptr())) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
+  if (PyIndex_Check(value.ptr()))
+    return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
   if (py::hasattr(value, "__float__")) {
     return fmt::format("{}", py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>());
   }
-  throw py::type_error(
-      fmt::format("{}: a {} is no value of a scene; accepted are numbers, flags, strings, lists of them, None", key,
-                  py::str(py::type::of(value).attr("__name__")).cast<std::string>()));
+  throw py::type_error(fmt::format(
+      "{}: a {} is no value of a scene; accepted are numbers, flags, strings, lists of them, None",
+      key, py::str(py::type::of(value).attr("__name__")).cast<std::string>()));
 }
 
 // Nothing: a path.
@@ -79,9 +81,14 @@ py::dict series_dict(const Trajectory& t) {
 }
 
 py::dict impacts_dict(const Trajectory& t) {
-  static constexpr double Impact::*kMembers[] = {&Impact::t, &Impact::normal_impulse, &Impact::friction_impulse,
-                                                 &Impact::gap_rate_before, &Impact::gap_rate_after,
-                                                 &Impact::slip_before, &Impact::slip_after, &Impact::energy_change};
+  static constexpr double Impact::*kMembers[] = {&Impact::t,
+                                                 &Impact::normal_impulse,
+                                                 &Impact::friction_impulse,
+                                                 &Impact::gap_rate_before,
+                                                 &Impact::gap_rate_after,
+                                                 &Impact::slip_before,
+                                                 &Impact::slip_after,
+                                                 &Impact::energy_change};
   py::dict all;
   std::size_t k = 0;
   for (const ColumnMeaning& column : impact_columns(false)) {
@@ -105,8 +112,8 @@ py::dict events_dict(const Trajectory& t) {
     which.push_back(static_cast<int>(event.kind));
   }
   std::vector<std::string> words;
-  for (const EventKind kind :
-       {EventKind::kImpact, EventKind::kSlide, EventKind::kStick, EventKind::kLiftOff, EventKind::kReverse}) {
+  for (const EventKind kind : {EventKind::kImpact, EventKind::kSlide, EventKind::kStick,
+                               EventKind::kLiftOff, EventKind::kReverse}) {
     words.emplace_back(to_string(kind));
   }
   py::dict all;
@@ -125,7 +132,9 @@ py::array_t<double> array_of(const std::vector<double>& values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-py::object parsed_json(const std::string& text) { return py::module_::import("json").attr("loads")(text); }
+py::object parsed_json(const std::string& text) {
+  return py::module_::import("json").attr("loads")(text);
+}
 
 std::vector<std::string> overrides_of(const py::object& changes) {
   std::vector<std::string> all;
@@ -138,7 +147,8 @@ std::vector<std::string> overrides_of(const py::object& changes) {
     return all;
   }
   if (py::isinstance<py::str>(changes) || !py::isinstance<py::sequence>(changes)) {
-    throw py::type_error("overrides: accepted are a dict of keys and values, or a list of \"table.key=value\"");
+    throw py::type_error(
+        "overrides: accepted are a dict of keys and values, or a list of \"table.key=value\"");
   }
   return changes.cast<std::vector<std::string>>();
 }
@@ -148,8 +158,8 @@ scene::Scene scene_of(const py::object& scene, const std::vector<std::string>& o
   return scene::read_scene(path_of(scene), overrides);
 }
 
-std::function<scene::Scene(const std::vector<std::string>&)> points_of(const py::object& scene,
-                                                                      const std::vector<std::string>& overrides) {
+std::function<scene::Scene(const std::vector<std::string>&)> points_of(
+    const py::object& scene, const std::vector<std::string>& overrides) {
   if (const auto text = text_of(scene)) {
     return [text = *text, overrides](const std::vector<std::string>& changes) {
       std::vector<std::string> all = overrides;
@@ -158,7 +168,9 @@ std::function<scene::Scene(const std::vector<std::string>&)> points_of(const py:
     };
   }
   const auto variants = std::make_shared<scene::Variants>(path_of(scene), overrides);
-  return [variants](const std::vector<std::string>& changes) { return variants->scene(changes, false); };
+  return [variants](const std::vector<std::string>& changes) {
+    return variants->scene(changes, false);
+  };
 }
 
 py::dict run_dict(const scene::Scene& scene, const Trajectory& t) {

@@ -14,8 +14,9 @@
 
 namespace rotorub::python {
 
-// "key=value" of each: a dict of keys and values (numbers, flags, strings, lists of these, None: takes the part away),
-// or a list of such strings as after --set. Throws py::type_error for anything else.
+// "key=value" of each: a dict of keys and values (numbers, flags, strings, lists of these, None:
+// takes the part away), or a list of such strings as after --set. Throws py::type_error for
+// anything else.
 std::vector<std::string> overrides_of(const pybind11::object& changes);
 
 // A path (os.PathLike, or a string of one line), or the text of a scene (a string of several).
@@ -25,8 +26,8 @@ scene::Scene scene_of(const pybind11::object& scene, const std::vector<std::stri
 std::function<scene::Scene(const std::vector<std::string>& changes)> points_of(
     const pybind11::object& scene, const std::vector<std::string>& overrides);
 
-// {"series", "impacts", "events": {column: array}, "columns": {file: {column: {"unit", "meaning"}}}, "scene_text",
-// "summary"}: what rotorub.read() has of a folder.
+// {"series", "impacts", "events": {column: array}, "columns": {file: {column: {"unit",
+// "meaning"}}}, "scene_text", "summary"}: what rotorub.read() has of a folder.
 pybind11::dict run_dict(const scene::Scene& scene, const Trajectory& trajectory);
 
 // {"point", ..., figures}: arrays in the order of the points; NaN and "" where there is none.

@@ -1,4 +1,5 @@
-// The Python module rotorub_native: scenes and studies run in the process itself, by the native model.
+// The Python module rotorub_native: scenes and studies run in the process itself, by the native
+// model.
 
 #include <fmt/format.h>
 #include <pybind11/pybind11.h>
@@ -30,7 +31,8 @@ std::optional<scene::Integrator> integrator_of(const std::optional<std::string>&
   for (const scene::Integrator one : {kEvent, kVerlet, kPaper, kLiteral}) {
     if (*name == to_string(one)) return one;
   }
-  throw py::value_error(fmt::format("integrator: {}; accepted are event, verlet, paper, literal", *name));
+  throw py::value_error(
+      fmt::format("integrator: {}; accepted are event, verlet, paper, literal", *name));
 }
 
 // What a call sets beside its overrides: seconds, or a string with a unit.
@@ -53,8 +55,9 @@ struct OpenedLibraries {
   OpenedLibraries& operator=(const OpenedLibraries&) = delete;
 };
 
-py::dict run(const py::object& scene, const py::object& overrides, const std::optional<std::string>& integrator,
-             const py::object& step, const py::object& end, std::optional<std::vector<double>> output_times,
+py::dict run(const py::object& scene, const py::object& overrides,
+             const std::optional<std::string>& integrator, const py::object& step,
+             const py::object& end, std::optional<std::vector<double>> output_times,
              bool may_open) {
   const OpenedLibraries opened(may_open);
   const scene::Scene made = scene_of(scene, with_run(overrides, step, end));
@@ -68,9 +71,9 @@ py::dict run(const py::object& scene, const py::object& overrides, const std::op
   return run_dict(made, trajectory);
 }
 
-py::dict sweep_points(const py::object& scene, const std::vector<py::object>& points, const py::object& overrides,
-                      const std::optional<std::string>& integrator, const py::object& step, const py::object& end,
-                      bool may_open) {
+py::dict sweep_points(const py::object& scene, const std::vector<py::object>& points,
+                      const py::object& overrides, const std::optional<std::string>& integrator,
+                      const py::object& step, const py::object& end, bool may_open) {
   const OpenedLibraries opened(may_open);
   const Words common = with_run(overrides, step, end);
   std::vector<Words> changes;
@@ -78,23 +81,27 @@ py::dict sweep_points(const py::object& scene, const std::vector<py::object>& po
   sweep::Study study;
   study.integrator = integrator_of(integrator);
   const auto scene_at = points_of(scene, common);
-  const auto results = in_background<std::vector<sweep::PointResult>>([&](const std::atomic<bool>& interrupt) {
-    return sweep::run_points(
-        study, static_cast<std::int64_t>(changes.size()),
-        [&](std::int64_t k) { return scene_at(changes[static_cast<std::size_t>(k)]); }, interrupt);
-  });
+  const auto results =
+      in_background<std::vector<sweep::PointResult>>([&](const std::atomic<bool>& interrupt) {
+        return sweep::run_points(
+            study, static_cast<std::int64_t>(changes.size()),
+            [&](std::int64_t k) { return scene_at(changes[static_cast<std::size_t>(k)]); },
+            interrupt);
+      });
   return points_dict(results);
 }
 
 // The varied values of each point, before the figures.
-py::dict study_dict(const sweep::PointScenes& scenes, const std::vector<sweep::PointResult>& results) {
+py::dict study_dict(const sweep::PointScenes& scenes,
+                    const std::vector<sweep::PointResult>& results) {
   py::dict all;
   const auto& vary = scenes.study().vary;
   for (std::size_t k = 0; k < vary.size(); ++k) {
     py::list values;
     for (const sweep::PointResult& result : results) {
       const sweep::Value value = scenes.sample().at(result.point)[k];
-      values.append(value.number ? py::object(py::float_(*value.number)) : py::object(py::str(value.text)));
+      values.append(value.number ? py::object(py::float_(*value.number))
+                                 : py::object(py::str(value.text)));
     }
     all[vary[k].key.c_str()] = py::module_::import("numpy").attr("array")(values);
   }
@@ -104,21 +111,24 @@ py::dict study_dict(const sweep::PointScenes& scenes, const std::vector<sweep::P
 
 py::dict study(const py::object& file, const py::object& overrides, bool may_open) {
   const OpenedLibraries opened(may_open);
-  const sweep::Study read = sweep::read_study(py::module_::import("os").attr("fspath")(file).cast<std::string>());
+  const sweep::Study read =
+      sweep::read_study(py::module_::import("os").attr("fspath")(file).cast<std::string>());
   if (read.engine != sweep::EngineKind::kNative) {
-    throw py::value_error("run.engine: rotorub_native runs the native model; rotorub sweep runs studies in MuJoCo");
+    throw py::value_error(
+        "run.engine: rotorub_native runs the native model; rotorub sweep runs studies in MuJoCo");
   }
   const sweep::PointScenes scenes(read, overrides_of(overrides));
   scenes.check();
-  const auto results = in_background<std::vector<sweep::PointResult>>([&](const std::atomic<bool>& interrupt) {
-    return sweep::run_points(
-        read, scenes.sample().size(), [&](std::int64_t k) { return scenes.at(k); }, interrupt);
-  });
+  const auto results =
+      in_background<std::vector<sweep::PointResult>>([&](const std::atomic<bool>& interrupt) {
+        return sweep::run_points(
+            read, scenes.sample().size(), [&](std::int64_t k) { return scenes.at(k); }, interrupt);
+      });
   return study_dict(scenes, results);
 }
 
-// Raises SceneError, a ValueError whose `diagnostics` is a list of {"file", "line", "key", "reason"}; `file`, `line`,
-// `key` and `reason` are those of the first.
+// Raises SceneError, a ValueError whose `diagnostics` is a list of {"file", "line", "key",
+// "reason"}; `file`, `line`, `key` and `reason` are those of the first.
 void raise(const py::object& type, const scene::SceneError& error) {
   py::list all;
   for (const scene::Diagnostic& d : error.diagnostics()) {
@@ -142,9 +152,12 @@ void raise(const py::object& type, const scene::SceneError& error) {
 
 PYBIND11_MODULE(rotorub_native, module) {
   namespace own = rotorub::python;
-  module.doc() = "Runs scenes and studies of rotorub by the native model, in the process itself (compare/python/README.md).";
+  module.doc() =
+      "Runs scenes and studies of rotorub by the native model, in the process itself "
+      "(compare/python/README.md).";
   module.attr("__version__") = rotorub::program_version();
-  static py::object scene_error = py::exception<rotorub::scene::SceneError>(module, "SceneError", PyExc_ValueError);
+  static py::object scene_error =
+      py::exception<rotorub::scene::SceneError>(module, "SceneError", PyExc_ValueError);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
@@ -153,16 +166,24 @@ PYBIND11_MODULE(rotorub_native, module) {
     }
   });
   const auto none = py::none();
-  module.def("run", &own::run, py::arg("scene"), py::arg("overrides") = none, py::kw_only(), py::arg("integrator") = none,
-             py::arg("step") = none, py::arg("end") = none, py::arg("output_times") = none, py::arg("allow_library") = false,
-             "Runs a scene, a path or a text of several lines: a dict with series, impacts and events (arrays by column), "
-             "columns (units and meanings), scene_text and summary.\n\noverrides: {\"contact.friction\": 0.2}; step, end: "
-             "seconds, or a string with a unit; output_times: rows of the series, s, ascending; allow_library: the library that "
+  module.def("run", &own::run, py::arg("scene"), py::arg("overrides") = none, py::kw_only(),
+             py::arg("integrator") = none, py::arg("step") = none, py::arg("end") = none,
+             py::arg("output_times") = none, py::arg("allow_library") = false,
+             "Runs a scene, a path or a text of several lines: a dict with series, impacts and "
+             "events (arrays by column), "
+             "columns (units and meanings), scene_text and summary.\n\noverrides: "
+             "{\"contact.friction\": 0.2}; step, end: "
+             "seconds, or a string with a unit; output_times: rows of the series, s, ascending; "
+             "allow_library: the library that "
              "the scene names as its controller is opened, code that you trust.");
-  module.def("sweep", &own::sweep_points, py::arg("scene"), py::arg("points"), py::arg("overrides") = none, py::kw_only(),
-             py::arg("integrator") = none, py::arg("step") = none, py::arg("end") = none, py::arg("allow_library") = false,
-             "Runs a scene once for each dict of overrides, on all processors: arrays by the columns of results.csv. A "
+  module.def("sweep", &own::sweep_points, py::arg("scene"), py::arg("points"),
+             py::arg("overrides") = none, py::kw_only(), py::arg("integrator") = none,
+             py::arg("step") = none, py::arg("end") = none, py::arg("allow_library") = false,
+             "Runs a scene once for each dict of overrides, on all processors: arrays by the "
+             "columns of results.csv. A "
              "point that fails says so in status and reason; its figures are NaN.");
-  module.def("study", &own::study, py::arg("file"), py::arg("overrides") = none, py::kw_only(), py::arg("allow_library") = false,
-             "Runs all points of a study (compare/sweep/README.md), on all processors: as sweep, with the varied keys.");
+  module.def("study", &own::study, py::arg("file"), py::arg("overrides") = none, py::kw_only(),
+             py::arg("allow_library") = false,
+             "Runs all points of a study (compare/sweep/README.md), on all processors: as sweep, "
+             "with the varied keys.");
 }

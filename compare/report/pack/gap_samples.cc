@@ -18,7 +18,8 @@ void put(Samples& samples, double t, double gap, double rate) {
 std::vector<Impact> counted_impacts(const Trajectory& run) {
   std::vector<Impact> impacts;
   std::copy_if(run.impacts.begin(), run.impacts.end(), std::back_inserter(impacts), counts);
-  std::stable_sort(impacts.begin(), impacts.end(), [](const Impact& a, const Impact& b) { return a.t < b.t; });
+  std::stable_sort(impacts.begin(), impacts.end(),
+                   [](const Impact& a, const Impact& b) { return a.t < b.t; });
   return impacts;
 }
 
@@ -42,7 +43,8 @@ Samples gap_samples(const Trajectory& run, double least, double share) {
     }
     put(samples, t[i], gap[i], rate[i]);
   }
-  for (const double g : samples.value[0]) samples.tolerance.push_back(std::max(least, share * std::abs(g)));
+  for (const double g : samples.value[0])
+    samples.tolerance.push_back(std::max(least, share * std::abs(g)));
   return samples;
 }
 

@@ -60,10 +60,13 @@ class RunPacker {
     return std::all_of(names.begin(), names.end(),
                        [&](const std::string& name) { return run_.has(name); });
   }
-  void add(const std::string& name, TrackKind kind, Columns values, Columns rates, Values tolerance) {
-    packed_[name] = pack(kind, {run_.column("t"), std::move(values), std::move(rates), std::move(tolerance)});
+  void add(const std::string& name, TrackKind kind, Columns values, Columns rates,
+           Values tolerance) {
+    packed_[name] =
+        pack(kind, {run_.column("t"), std::move(values), std::move(rates), std::move(tolerance)});
   }
-  void add_even(const std::string& name, TrackKind kind, Columns values, Columns rates, double tolerance) {
+  void add_even(const std::string& name, TrackKind kind, Columns values, Columns rates,
+                double tolerance) {
     const double least = kLeastShare * largest(lengths(values));
     const double bound = std::max({tolerance, least, 1e-300});
     add(name, kind, std::move(values), std::move(rates), Values(rows(), bound));
@@ -77,13 +80,16 @@ class RunPacker {
   void add_places() {
     add_even("rotor", TrackKind::kHermite, columns({"rotor_x", "rotor_y"}),
              columns({"rotor_vx", "rotor_vy"}), place_tolerance(scene_));
-    if (scene_.first().stator || (scene_.first().contact && !scene_.first().contact->offset.isZero(0.0))) {
+    if (scene_.first().stator ||
+        (scene_.first().contact && !scene_.first().contact->offset.isZero(0.0))) {
       add_even("ring", TrackKind::kHermite, columns({"stator_x", "stator_y"}),
                columns({"stator_vx", "stator_vy"}), place_tolerance(scene_));
     }
     if (scene_.first().contact) {
-      packed_["gap"] = pack(TrackKind::kHermite, gap_samples(run_, gap_tolerance(scene_.first().contact->clearance), kShare),
-                            run_.contact_model == "rigid");
+      packed_["gap"] =
+          pack(TrackKind::kHermite,
+               gap_samples(run_, gap_tolerance(scene_.first().contact->clearance), kShare),
+               run_.contact_model == "rigid");
     }
   }
 
@@ -102,9 +108,11 @@ class RunPacker {
   }
 
   void add_angles() {
-    add_even("spin", TrackKind::kHermite, columns({"spin_angle"}), columns({"spin_speed"}), kAngleTolerance);
+    add_even("spin", TrackKind::kHermite, columns({"spin_angle"}), columns({"spin_speed"}),
+             kAngleTolerance);
     if (has({"ring_angle", "ring_speed"})) {
-      add_even("ring_spin", TrackKind::kHermite, columns({"ring_angle"}), columns({"ring_speed"}), kAngleTolerance);
+      add_even("ring_spin", TrackKind::kHermite, columns({"ring_angle"}), columns({"ring_speed"}),
+               kAngleTolerance);
     }
     if (!run_.has("torsion_1")) return;
     // The twist at the contact: each torsion mode is 1 there.
@@ -167,8 +175,8 @@ class RunPacker {
     packed_["impacts"] = pack(TrackKind::kHold, samples);
   }
 
-  static constexpr double kSteps = 4.0;           // a quantum of 1: whole numbers
-  static constexpr double kImpulseShare = 4e-5;   // of the largest impulse: a quantum of 1e-5
+  static constexpr double kSteps = 4.0;          // a quantum of 1: whole numbers
+  static constexpr double kImpulseShare = 4e-5;  // of the largest impulse: a quantum of 1e-5
   const scene::Scene& scene_;
   const renders::Machine& machine_;
   const Trajectory& run_;

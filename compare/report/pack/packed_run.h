@@ -12,10 +12,12 @@
 namespace rotorub {
 
 // What a reader gets back of a run, at each of its rows, is off by no more than:
-//   places   1 um, and 1 / 200 of the clearance where that is less, of rotor, ring, and the bent shaft anywhere
-//   gap      30 nm (less where the clearance is: see gap_tolerance) or 1 % of it, whichever is more: a bounce of
+//   places   1 um, and 1 / 200 of the clearance where that is less, of rotor, ring, and the bent
+//   shaft anywhere gap      30 nm (less where the clearance is: see gap_tolerance) or 1 % of it,
+//   whichever is more: a bounce of
 //            3 um is seen
-//   forces   1 % of the force itself, or of the mean over the rows where there is one, whichever is more;
+//   forces   1 % of the force itself, or of the mean over the rows where there is one, whichever is
+//   more;
 //            so are currents, motor torque and torsion
 //   angles   2 mrad
 //   speeds   1 % of the range that the run's spin, or ring, goes through
@@ -26,12 +28,12 @@ inline constexpr double kAngleTolerance = 2e-3;  // rad
 using PackedRun = std::map<std::string, Track>;
 
 // By name, each only where scene and run have it:
-//   rotor (x, y at the contact, m), ring (x, y), gap (m; in the rigid law with a knot at every impact),
-//   bend_1, bend_2, ... (modal coordinates x_k, y_k, where the scene gives the shaft's shape),
-//   spin, ring_spin (angles, rad), spin_speed, ring_speed (rad/s), torsion (rad, at the contact),
-//   normal, friction (N, of lasting contact, as the series), mode (a Mode),
-//   control (x, y, N, on the ring), current (of axes 1 and 2, A), motor_torque (N m),
-//   impacts (normal, friction impulse, N s; held, one knot an impact that counts).
+//   rotor (x, y at the contact, m), ring (x, y), gap (m; in the rigid law with a knot at every
+//   impact), bend_1, bend_2, ... (modal coordinates x_k, y_k, where the scene gives the shaft's
+//   shape), spin, ring_spin (angles, rad), spin_speed, ring_speed (rad/s), torsion (rad, at the
+//   contact), normal, friction (N, of lasting contact, as the series), mode (a Mode), control (x,
+//   y, N, on the ring), current (of axes 1 and 2, A), motor_torque (N m), impacts (normal, friction
+//   impulse, N s; held, one knot an impact that counts).
 // `machine`: the scene's, whose modes say how far each moves the shaft.
 PackedRun pack_run(const scene::Scene& scene, const renders::Machine& machine,
                    const Trajectory& trajectory);

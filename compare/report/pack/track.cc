@@ -13,10 +13,11 @@ namespace {
 
 using Integers = std::vector<std::int64_t>;
 
-constexpr double kTicks = 1073741824.0;    // of a run, 2^30: half a nanosecond for half a second
-constexpr double kMostQuanta = 1e15;       // of a value: whole numbers that a double still tells apart
-constexpr double kQuantumShare = 0.25;     // of the least tolerance
-constexpr double kRateSpan = 1.0 / 256.0;  // of the run: over so long a rate's quantum moves a value by one
+constexpr double kTicks = 1073741824.0;  // of a run, 2^30: half a nanosecond for half a second
+constexpr double kMostQuanta = 1e15;    // of a value: whole numbers that a double still tells apart
+constexpr double kQuantumShare = 0.25;  // of the least tolerance
+constexpr double kRateSpan =
+    1.0 / 256.0;  // of the run: over so long a rate's quantum moves a value by one
 
 // Cubic Hermite over h, at share s of it: values a, b and rates da, db at the ends.
 double hermite(double a, double da, double b, double db, double h, double s) {
@@ -35,7 +36,9 @@ double largest(const std::vector<std::vector<double>>& columns) {
   return most;
 }
 
-std::int64_t whole_ticks(double t, double start, double tick) { return std::llround((t - start) / tick); }
+std::int64_t whole_ticks(double t, double start, double tick) {
+  return std::llround((t - start) / tick);
+}
 
 // The samples as whole numbers, and what a reader would make of any two of them as neighbours.
 class Quantised {
@@ -90,7 +93,8 @@ class Quantised {
     const auto h = static_cast<double>(ticks_[b] - ticks_[a]);
     const double s = static_cast<double>(ticks_[i] - ticks_[a]) / h;
     if (kind_ == TrackKind::kHermite) {
-      const double y = hermite(value(c, a), rate(c, a), value(c, b), rate(c, b), h * track_.tick, s);
+      const double y =
+          hermite(value(c, a), rate(c, a), value(c, b), rate(c, b), h * track_.tick, s);
       return track_.floored ? lifted(y, value(c, a), value(c, b)) : y;
     }
     return (1.0 - s) * value(c, a) + s * value(c, b);
@@ -128,9 +132,12 @@ std::vector<std::size_t> knots_of(TrackKind kind, const Quantised& q, std::size_
 
 const char* to_string(TrackKind kind) {
   switch (kind) {
-    case TrackKind::kLinear: return "linear";
-    case TrackKind::kHermite: return "hermite";
-    case TrackKind::kHold: return "hold";
+    case TrackKind::kLinear:
+      return "linear";
+    case TrackKind::kHermite:
+      return "hermite";
+    case TrackKind::kHold:
+      return "hold";
   }
   return "";
 }
@@ -160,10 +167,11 @@ Track pack(TrackKind kind, const Samples& samples, bool floored) {
 }
 
 nlohmann::json track_json(const Track& track) {
-  return {{"kind", to_string(track.kind)},   {"floored", track.floored}, {"knots", track.knots},
-          {"components", track.components},  {"start", track.start},
-          {"tick", track.tick},              {"quantum", track.quantum},
-          {"rate_quantum", track.rate_quantum}, {"data", base64(track.bytes)}};
+  return {{"kind", to_string(track.kind)}, {"floored", track.floored},
+          {"knots", track.knots},          {"components", track.components},
+          {"start", track.start},          {"tick", track.tick},
+          {"quantum", track.quantum},      {"rate_quantum", track.rate_quantum},
+          {"data", base64(track.bytes)}};
 }
 
 UnpackedTrack::UnpackedTrack(const Track& track)
@@ -194,7 +202,8 @@ double UnpackedTrack::at(double t, std::size_t component) const {
   const auto h = static_cast<double>(ticks_[i + 1] - ticks_[i]);
   const double s = static_cast<double>(now - ticks_[i]) / h;
   if (kind_ == TrackKind::kLinear) return (1.0 - s) * y[i] + s * y[i + 1];
-  const double between = hermite(y[i], rate_[component][i], y[i + 1], rate_[component][i + 1], h * tick_, s);
+  const double between =
+      hermite(y[i], rate_[component][i], y[i + 1], rate_[component][i + 1], h * tick_, s);
   return floored_ ? lifted(between, y[i], y[i + 1]) : between;
 }
 

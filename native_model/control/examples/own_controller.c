@@ -1,11 +1,12 @@
-/* A controller of one's own: it brings the ring to the rotor and holds it there, by measured positions alone.
+/* A controller of one's own: it brings the ring to the rotor and holds it there, by measured
+ * positions alone.
  *
  * Along the line of centres, gap g and wanted gap g_d (from the gap at the start smoothly to 0):
  *   e = g - g_d,   u = -(stiffness e + damping de/dt + integral of e + preload) e_r
- * Closed, the two whirl with the spin, and friction makes them part again. Seen from the frame that turns with the
- * shaft a synchronous whirl stands still, so that a damper there leaves it alone and takes all else:
- *   u = -ring_damping R(phi) d/dt (R(-phi) q_f)
- * Rates come from filters, as no velocity is measured:  dx/dt ~ bandwidth (x - x_filtered).
+ * Closed, the two whirl with the spin, and friction makes them part again. Seen from the frame that
+ * turns with the shaft a synchronous whirl stands still, so that a damper there leaves it alone and
+ * takes all else: u = -ring_damping R(phi) d/dt (R(-phi) q_f) Rates come from filters, as no
+ * velocity is measured:  dx/dt ~ bandwidth (x - x_filtered).
  *
  *   cc -shared -fPIC -I <prefix>/include/rotorub own_controller.c -o own_controller.so -lm
  */
@@ -43,8 +44,9 @@ static int create(const rotorub_setup* setup, void** self, char* reason, size_t 
   const struct {
     const char* key;
     double* value;
-  } keys[] = {{"stiffness", &l->stiffness}, {"damping", &l->damping},   {"integral", &l->integral},
-              {"bandwidth", &l->bandwidth}, {"gap_time", &l->gap_time}, {"preload", &l->preload},
+  } keys[] = {{"stiffness", &l->stiffness},      {"damping", &l->damping},
+              {"integral", &l->integral},        {"bandwidth", &l->bandwidth},
+              {"gap_time", &l->gap_time},        {"preload", &l->preload},
               {"ring_damping", &l->ring_damping}};
   const size_t count = sizeof keys / sizeof *keys;
   l->gap_time = 0.008;
@@ -56,7 +58,8 @@ static int create(const rotorub_setup* setup, void** self, char* reason, size_t 
     while (k < count && strcmp(setup->config[i].key, keys[k].key) != 0) ++k;
     if (k == count || setup->config[i].text != NULL) {
       snprintf(reason, room,
-               "%s: accepted are the numbers stiffness, damping, integral, bandwidth, gap_time, preload, "
+               "%s: accepted are the numbers stiffness, damping, integral, bandwidth, gap_time, "
+               "preload, "
                "ring_damping",
                setup->config[i].key);
       free(l);
@@ -64,9 +67,11 @@ static int create(const rotorub_setup* setup, void** self, char* reason, size_t 
     }
     *keys[k].value = setup->config[i].number;
   }
-  const unsigned positions = ROTORUB_MEASURES_ROTOR | ROTORUB_MEASURES_STATOR | ROTORUB_MEASURES_SPIN;
+  const unsigned positions =
+      ROTORUB_MEASURES_ROTOR | ROTORUB_MEASURES_STATOR | ROTORUB_MEASURES_SPIN;
   if ((setup->measured & positions) != positions || l->clearance <= 0.0) {
-    snprintf(reason, room, "it needs a contact, the positions of rotor and ring, and the spin's angle");
+    snprintf(reason, room,
+             "it needs a contact, the positions of rotor and ring, and the spin's angle");
     free(l);
     return 1;
   }
@@ -103,15 +108,21 @@ static int step(const void* self, const rotorub_measurement* now, double* state,
   const double a = l->ring_damping * rate_of(l, turned[0], &state[RING_X]);
   const double b = l->ring_damping * rate_of(l, turned[1], &state[RING_Y]);
   state[SUM] += l->sample_time * error;
-  const double push =
-      l->stiffness * error + l->damping * rate + l->integral * state[SUM] + l->preload * (1.0 - r * r * r);
+  const double push = l->stiffness * error + l->damping * rate + l->integral * state[SUM] +
+                      l->preload * (1.0 - r * r * r);
   command[0] = (delta > 0.0 ? -push * x / delta : 0.0) - (cosine * a - sine * b);
   command[1] = (delta > 0.0 ? -push * y / delta : 0.0) - (sine * a + cosine * b);
   return 0;
 }
 
 const rotorub_controller* rotorub_controller_get(void) {
-  static const rotorub_controller controller = {
-      ROTORUB_CONTROLLER_ABI, ROTORUB_FORCE, "own_controller", create, free, state_size, NULL, step};
+  static const rotorub_controller controller = {ROTORUB_CONTROLLER_ABI,
+                                                ROTORUB_FORCE,
+                                                "own_controller",
+                                                create,
+                                                free,
+                                                state_size,
+                                                NULL,
+                                                step};
   return &controller;
 }

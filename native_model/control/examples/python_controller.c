@@ -1,11 +1,12 @@
 /* A controller written in Python: [controller.config] names a module, in the folder `path`, with
  *
- *   def create(setup):            # a dict: sample_time, clearance, config, ...; returns what step() is given
- *   def state_size(law): ...      # numbers of the state; may be absent: 0
- *   def step(law, now, state):    # now: a dict; state: a memoryview of floats, to be changed in place
+ *   def create(setup):            # a dict: sample_time, clearance, config, ...; returns what
+ * step() is given def state_size(law): ...      # numbers of the state; may be absent: 0 def
+ * step(law, now, state):    # now: a dict; state: a memoryview of floats, to be changed in place
  *       return ux, uy             # N, the force on the ring
  *
- * Every step takes the interpreter's lock: it is right on several threads, and no faster than on one.
+ * Every step takes the interpreter's lock: it is right on several threads, and no faster than on
+ * one.
  *
  *   cc -shared -fPIC -I <prefix>/include/rotorub $(pkg-config --cflags python3-embed) \
  *     python_controller.c -o python_controller.so $(pkg-config --libs python3-embed) */
@@ -54,7 +55,8 @@ static PyObject* config_of(const rotorub_setup* setup) {
   PyObject* config = PyDict_New();
   for (size_t i = 0; config != NULL && i < setup->entries; ++i) {
     const rotorub_entry* e = &setup->config[i];
-    PyObject* value = e->text != NULL ? PyUnicode_FromString(e->text) : PyFloat_FromDouble(e->number);
+    PyObject* value =
+        e->text != NULL ? PyUnicode_FromString(e->text) : PyFloat_FromDouble(e->number);
     if (value == NULL || PyDict_SetItemString(config, e->key, value) != 0) Py_CLEAR(config);
     Py_XDECREF(value);
   }
@@ -83,11 +85,11 @@ static int load(const rotorub_setup* setup, law* l) {
   PyObject* module = PyImport_ImportModule(name);
   if (module == NULL) return 1;
   PyObject* config = config_of(setup);
-  PyObject* told = Py_BuildValue("{s:d,s:d,s:I,s:(dd),s:(dd),s:(dd),s:O}", "sample_time", setup->sample_time,
-                                 "clearance", setup->clearance, "measured", setup->measured, "stator_mass",
-                                 setup->stator_mass[0], setup->stator_mass[1], "stator_damping",
-                                 setup->stator_damping[0], setup->stator_damping[1], "stator_stiffness",
-                                 setup->stator_stiffness[0], setup->stator_stiffness[1], "config", config);
+  PyObject* told = Py_BuildValue(
+      "{s:d,s:d,s:I,s:(dd),s:(dd),s:(dd),s:O}", "sample_time", setup->sample_time, "clearance",
+      setup->clearance, "measured", setup->measured, "stator_mass", setup->stator_mass[0],
+      setup->stator_mass[1], "stator_damping", setup->stator_damping[0], setup->stator_damping[1],
+      "stator_stiffness", setup->stator_stiffness[0], setup->stator_stiffness[1], "config", config);
   Py_XDECREF(config);
   if (told != NULL) l->law = PyObject_CallMethod(module, "create", "O", told);
   Py_XDECREF(told);
@@ -147,10 +149,11 @@ static int step(const void* self, const rotorub_measurement* now, double* state,
       "{s:d,s:L,s:(dd),s:(dd),s:(dd),s:(dd),s:d,s:d,s:(dd)}", "t", now->t, "sample",
       (long long)now->sample, "rotor", now->rotor[0], now->rotor[1], "rotor_velocity",
       now->rotor_velocity[0], now->rotor_velocity[1], "stator", now->stator[0], now->stator[1],
-      "stator_velocity", now->stator_velocity[0], now->stator_velocity[1], "spin_angle", now->spin_angle,
-      "spin_speed", now->spin_speed, "current", now->current[0], now->current[1]);
-  PyObject* told =
-      view != NULL && shown != NULL ? PyObject_CallFunctionObjArgs(l->step, l->law, shown, view, NULL) : NULL;
+      "stator_velocity", now->stator_velocity[0], now->stator_velocity[1], "spin_angle",
+      now->spin_angle, "spin_speed", now->spin_speed, "current", now->current[0], now->current[1]);
+  PyObject* told = view != NULL && shown != NULL
+                       ? PyObject_CallFunctionObjArgs(l->step, l->law, shown, view, NULL)
+                       : NULL;
   const int good = told != NULL && PyArg_ParseTuple(told, "dd", &command[0], &command[1]);
   const int bad = good ? 0 : failed(reason, room);
   Py_XDECREF(told);
@@ -167,7 +170,13 @@ static int step(const void* self, const rotorub_measurement* now, double* state,
 }
 
 const rotorub_controller* rotorub_controller_get(void) {
-  static const rotorub_controller controller = {
-      ROTORUB_CONTROLLER_ABI, ROTORUB_FORCE, "python_controller", create, destroy, state_size, NULL, step};
+  static const rotorub_controller controller = {ROTORUB_CONTROLLER_ABI,
+                                                ROTORUB_FORCE,
+                                                "python_controller",
+                                                create,
+                                                destroy,
+                                                state_size,
+                                                NULL,
+                                                step};
   return &controller;
 }

@@ -40,8 +40,8 @@ TEST(BenchEngines, AreChosenByNameOrFamily) {
     return all;
   };
   EXPECT_EQ(names("native-verlet"), std::vector<std::string>{"native-verlet"});
-  EXPECT_EQ(names("mujoco"),
-            (std::vector<std::string>{"mujoco-rigid", "mujoco-coulomb", "mujoco-cone", "mujoco-cone-coulomb"}));
+  EXPECT_EQ(names("mujoco"), (std::vector<std::string>{"mujoco-rigid", "mujoco-coulomb",
+                                                       "mujoco-cone", "mujoco-cone-coulomb"}));
   EXPECT_EQ(names("native, mujoco-cone").size(), 4u);
   const auto all = names("");
   for (const char* name : {"native-event", "native-paper", "penalty", "penalty-per-axis"}) {

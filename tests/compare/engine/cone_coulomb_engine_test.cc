@@ -1,6 +1,6 @@
-// Contact model `cone-coulomb` in rubs whose force is known: MuJoCo's cone corrected for sliding keeps the contact, with
-// the right force and without scatter, where the cone itself is thrown open; and with a friction reference of its own
-// the cone does so within the borders of theory.md.
+// Contact model `cone-coulomb` in rubs whose force is known: MuJoCo's cone corrected for sliding
+// keeps the contact, with the right force and without scatter, where the cone itself is thrown
+// open; and with a friction reference of its own the cone does so within the borders of theory.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,7 +44,8 @@ Rubbing rubbing(scene::Scene scene, scene::ContactModel contact, double step) {
     out.contact += normal[k] > 0.0 ? 1.0 / n : 0.0;
     friction += t.column("friction_force")[k] / n;
   }
-  for (std::size_t k = from; k < normal.size(); ++k) squares += (normal[k] - out.mean) * (normal[k] - out.mean);
+  for (std::size_t k = from; k < normal.size(); ++k)
+    squares += (normal[k] - out.mean) * (normal[k] - out.mean);
   out.scatter = std::sqrt(squares / n);
   out.friction = friction / out.mean;
   out.whirl = whirl_speed(t, t.rows() - 1);
@@ -55,17 +56,21 @@ struct Exact {
   double force, whirl;  // N, rad/s
 };
 Exact exact(const scene::Scene& s) {
-  if (s.name == "bench_whip") return {244.8444, -501.9257};  // tests/native_model/oracles: where the whirl ends
+  if (s.name == "bench_whip")
+    return {244.8444, -501.9257};  // tests/native_model/oracles: where the whirl ends
   const scene::RotorModal& m = *s.rotor.modal;
   const oracle::Support rotor{m.mass[0], m.damping[0], m.stiffness[0]};
   const double c = s.first().contact->clearance, mu = s.first().contact->friction;
   const double load = s.forces[0].amplitude, frequency = s.forces[0].frequency;
-  if (!s.first().stator) return {oracle::annular_rub(rotor, c, mu, load, frequency).value().force, frequency};
-  const oracle::Support ring{s.first().stator->mass.x(), s.first().stator->damping.x(), s.first().stator->stiffness.x()};
+  if (!s.first().stator)
+    return {oracle::annular_rub(rotor, c, mu, load, frequency).value().force, frequency};
+  const oracle::Support ring{s.first().stator->mass.x(), s.first().stator->damping.x(),
+                             s.first().stator->stiffness.x()};
   return {oracle::annular_rub(rotor, ring, c, mu, load, frequency).value().force, frequency};
 }
 
-constexpr const char* kRubs[] = {"bench_whip", "bench_ring", "bench_annular_elastic", "bench_annular_rigid"};
+constexpr const char* kRubs[] = {"bench_whip", "bench_ring", "bench_annular_elastic",
+                                 "bench_annular_rigid"};
 
 void expect_near(const Rubbing& r, const Exact& exact, double share) {
   EXPECT_NEAR(r.mean, exact.force, share * exact.force);
@@ -92,7 +97,8 @@ TEST(ConeCoulomb, AtACoarseStepToo) {
   }
 }
 
-// paper_sliding: 10.02 N; what is missing is theory.md's r = v_c^2 / (delta K), MuJoCo's rows being without curvature.
+// paper_sliding: 10.02 N; what is missing is theory.md's r = v_c^2 / (delta K), MuJoCo's rows being
+// without curvature.
 TEST(ConeCoulomb, CarriesWhatTheControllerAsksFor) {
   const Rubbing r = rubbing(shipped("paper_sliding"), scene::ContactModel::kConeCoulomb, 1e-5);
   EXPECT_NEAR(r.run.mean_force(), 10.02, 0.03 * 10.02);
@@ -100,19 +106,23 @@ TEST(ConeCoulomb, CarriesWhatTheControllerAsksFor) {
   EXPECT_LT(r.scatter, 0.1);
 }
 
-// Theory.md (48), of a rub that circles at the exact whirl with gap 0; the ring's friction opposes the spin.
+// Theory.md (48), of a rub that circles at the exact whirl with gap 0; the ring's friction opposes
+// the spin.
 double border(const scene::Scene& s, double step) {
   const Exact rub = exact(s);
   const double c = s.first().contact->clearance, speed = rub.whirl * c;
   const double slip = s.first().contact->radius * s.rotor.speed + speed;
   const double damping = soft_contact(s, scene::ContactModel::kCone, step).damping;
-  return speed * speed / c * (1.0 - 0.5 * damping * step) / (s.first().contact->friction * std::abs(slip));
+  return speed * speed / c * (1.0 - 0.5 * damping * step) /
+         (s.first().contact->friction * std::abs(slip));
 }
 
-// The border of a constant friction reference, 19.7/s for the ring and 20.4/s for the whip: shut below, open above.
+// The border of a constant friction reference, 19.7/s for the ring and 20.4/s for the whip: shut
+// below, open above.
 TEST(FrictionReference, KeepsTheContactBelowItsBorder) {
   const auto contact = [](const char* name, const char* reference) {
-    const scene::Scene scene = shipped(name, {std::string("mujoco.friction_reference=") + reference});
+    const scene::Scene scene =
+        shipped(name, {std::string("mujoco.friction_reference=") + reference});
     return rubbing(scene, scene::ContactModel::kCone, 1e-5);
   };
   for (const char* name : kRubs) {
@@ -122,7 +132,9 @@ TEST(FrictionReference, KeepsTheContactBelowItsBorder) {
   for (const char* name : kRubs) {
     SCOPED_TRACE(name);
     const double predicted = border(shipped(name), 1e-5);
-    const auto at = [&](double share) { return contact(name, std::to_string(share * predicted).c_str()); };
+    const auto at = [&](double share) {
+      return contact(name, std::to_string(share * predicted).c_str());
+    };
     EXPECT_GT(at(0.75).contact, 1.0 - 1e-9) << predicted;
     EXPECT_LT(at(1.5).contact, 0.92) << predicted;
   }

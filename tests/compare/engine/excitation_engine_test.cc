@@ -1,6 +1,6 @@
-// Forces that follow the spin, sweep, strike and begin as a blade is lost, a motor under speed control, and the
-// steady start, in MuJoCo against `event`: `rigid` with the square of the step, the models with MuJoCo's own
-// step, the shadow and the segment rotor to what those keep.
+// Forces that follow the spin, sweep, strike and begin as a blade is lost, a motor under speed
+// control, and the steady start, in MuJoCo against `event`: `rigid` with the square of the step,
+// the models with MuJoCo's own step, the shadow and the segment rotor to what those keep.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,8 @@ scene::Scene rig(const std::string& force, std::vector<std::string> more = {}) {
 
 const std::string kLocked = "kind='synchronous',amplitude=150.0,phase=0.4,on=1.2345e-3";
 const std::string kChirp =
-    "kind='chirp',amplitude=180.0,frequency='20 Hz',frequency_end='90 Hz',phase=0.4,on=1.2345e-3,off=0.0312345";
+    "kind='chirp',amplitude=180.0,frequency='20 Hz',frequency_end='90 "
+    "Hz',phase=0.4,on=1.2345e-3,off=0.0312345";
 const std::string kPulse = "kind='pulse',vector=[1500.0,800.0],on=1.2345e-3,off=6.5432e-3";
 const std::string kBlade = "kind='unbalance',static_moment=2e-3,phase=0.4,on=1.2345e-3";
 
@@ -57,7 +58,8 @@ TEST_P(Excitations, RigidFollowsEvent) {
   EXPECT_LT(c.errors.back(), 1e-7) << c.text();
 }
 
-// MuJoCo's own step, `coulomb`, without a touch: of order 1, less the scatter of a switch within a step.
+// MuJoCo's own step, `coulomb`, without a touch: of order 1, less the scatter of a switch within a
+// step.
 TEST_P(Excitations, MujocosOwnStepFollowsEvent) {
   const scene::Scene scene = rig(GetParam(), {"contact.clearance=0.05", "run.end=0.03"});
   const Trajectory exact = event(scene);
@@ -100,10 +102,10 @@ TEST(ExcitationSegments, WithADriveABladeIsRefused) {
 
 // ---------------------------------------------------------------- speed control
 TEST(SpeedControlEngine, RunsUpAsTheNativeMotor) {
-  const std::vector<std::string> drive{
-      "rotor.speed='10 Hz'",
-      "drive={kind='speed_controlled',gain=0.3,integral_gain=4.0,speed='30 Hz',acceleration='800 Hz/s',"
-      "torque_limit=15.0,inertia=2e-3,station=0.0}"};
+  const std::vector<std::string> drive{"rotor.speed='10 Hz'",
+                                       "drive={kind='speed_controlled',gain=0.3,integral_gain=4.0,"
+                                       "speed='30 Hz',acceleration='800 Hz/s',"
+                                       "torque_limit=15.0,inertia=2e-3,station=0.0}"};
   const scene::Scene scene = rig(kLocked, drive);
   const Trajectory exact = event(scene);
   const Trajectory rigid = mujoco_run(scene, scene::ContactModel::kRigid, 5e-6);
@@ -122,7 +124,8 @@ TEST(SpeedControlEngine, RunsUpAsTheNativeMotor) {
 }
 
 // ---------------------------------------------------------------- steady start
-// The rig as it runs before its magnetic bearing comes on, held at its speed: radius and speed of the orbit stay.
+// The rig as it runs before its magnetic bearing comes on, held at its speed: radius and speed of
+// the orbit stay.
 double unrest(const scene::Scene& scene, const Trajectory& t) {
   const double period = 1.0 / 50.0;
   double most = 0.0, size = 0.0;
@@ -140,16 +143,16 @@ double unrest(const scene::Scene& scene, const Trajectory& t) {
 }
 
 TEST(SteadyStartEngine, HoldsInMujoco) {
-  const std::vector<std::string> more{"drive=none",           "rotor.torsion=none",
-                                      "run.end=0.1",          "run.output_step=1e-3",
-                                      "force[0].on=1.0",
-                                      "gravity={acceleration=[0.0,-9.81]}"};
+  const std::vector<std::string> more{"drive=none",      "rotor.torsion=none",
+                                      "run.end=0.1",     "run.output_step=1e-3",
+                                      "force[0].on=1.0", "gravity={acceleration=[0.0,-9.81]}"};
   const scene::Scene scene = shipped("paper_passive", more);
   EXPECT_LT(unrest(scene, mujoco_run(scene, scene::ContactModel::kRigid, 1e-5)), 2e-3);
   EXPECT_LT(unrest(scene, mujoco_run(scene, scene::ContactModel::kCoulomb, 1e-5)), 1e-2);
   // From rest the same is far from steady.
-  const scene::Scene rest = shipped("paper_passive", {"drive=none", "rotor.torsion=none", "run.end=0.1",
-                                                      "run.output_step=1e-3", "force[0].on=1.0", "initial.steady=false"});
+  const scene::Scene rest =
+      shipped("paper_passive", {"drive=none", "rotor.torsion=none", "run.end=0.1",
+                                "run.output_step=1e-3", "force[0].on=1.0", "initial.steady=false"});
   EXPECT_GT(unrest(rest, mujoco_run(rest, scene::ContactModel::kRigid, 1e-5)), 0.3);
 }
 

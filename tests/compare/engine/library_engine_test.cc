@@ -15,7 +15,8 @@ namespace rotorub::test {
 namespace {
 
 // The libraries that are opened here are the tests' own.
-[[maybe_unused]] const bool library_engine_trusts = (set_scene_libraries(SceneLibraries::kAllowed), true);
+[[maybe_unused]] const bool library_engine_trusts =
+    (set_scene_libraries(SceneLibraries::kAllowed), true);
 
 scene::Scene library_scene(const std::string& library, const std::vector<std::string>& more) {
   std::vector<std::string> overrides{"rotor.modes=2",
@@ -25,7 +26,8 @@ scene::Scene library_scene(const std::string& library, const std::vector<std::st
                                      "controller.library=" + library,
                                      "controller.on=0",
                                      "controller.sample_time=1e-4",
-                                     "force[0].on=0", "initial.steady=false",
+                                     "force[0].on=0",
+                                     "initial.steady=false",
                                      "actuator.force_limit=none"};
   overrides.insert(overrides.end(), more.begin(), more.end());
   scene::Scene s = shipped("paper_sliding", overrides);
@@ -35,9 +37,9 @@ scene::Scene library_scene(const std::string& library, const std::vector<std::st
 
 // Delay and noise on, nothing rounded, no touch: one trajectory.
 TEST(LibraryEngine, ClosedLoopIsTheNativeOneUpToTheFirstTouch) {
-  const scene::Scene s = library_scene(
-      "recording_controller.so", {"controller.sensors={delay=2e-4, position_noise=1e-6}",
-                                  "run.output_step=1e-4", "contact.clearance=0.01"});
+  const scene::Scene s = library_scene("recording_controller.so",
+                                       {"controller.sensors={delay=2e-4, position_noise=1e-6}",
+                                        "run.output_step=1e-4", "contact.clearance=0.01"});
   NativeOptions options;
   options.integrator = scene::Integrator::kVerlet;
   const Trajectory native = run_native(s, options),

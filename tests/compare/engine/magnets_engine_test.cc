@@ -38,9 +38,10 @@ TEST(MagnetsEngine, ConvergesToTheNativeRun) {
 
 // The sliding law on its way to the rotor, which the voltage holds back.
 TEST(MagnetsEngine, TheVoltageLimitIsTheSameOnBothSides) {
-  const scene::Scene scene = shipped(
-      "paper_magnetic", {"run.end=0.106", "rotor.modes=2", "actuator.coil_lag=1e-4", "actuator.voltage_limit=5",
-                         "actuator.inductance=20 mH", "actuator.resistance=2 Ohm"});
+  const scene::Scene scene =
+      shipped("paper_magnetic", {"run.end=0.106", "rotor.modes=2", "actuator.coil_lag=1e-4",
+                                 "actuator.voltage_limit=5", "actuator.inductance=20 mH",
+                                 "actuator.resistance=2 Ohm"});
   const Trajectory native = run_native(scene);
   ASSERT_EQ(native.status, Status::kOk) << native.message;
   MujocoOptions options;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "native_model/scene/diagnostic.h"
 #include "native_model/run/run_native.h"
+#include "native_model/scene/diagnostic.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -160,9 +160,9 @@ TEST(MujocoEngine, RefusesWhatIsNotOffered) {
   EXPECT_THROW(run_mujoco(scene), std::invalid_argument);
 }
 
-// The balance of soft contacts is taken at MuJoCo's staggered times. What it misses of a run that never
-// touches falls with the square of the step, and does not grow as the run goes on: far from resonance the
-// load does thousands of times the energy that the orbit holds.
+// The balance of soft contacts is taken at MuJoCo's staggered times. What it misses of a run that
+// never touches falls with the square of the step, and does not grow as the run goes on: far from
+// resonance the load does thousands of times the energy that the orbit holds.
 TEST(MujocoEngine, TheBalanceOfAFreeRunFallsWithTheSquareOfTheStepAndDoesNotGrow) {
   constexpr double kRate = 2.0e4;  // 1/s^2, twice what is found
   const std::vector<std::string> free = {"contact.clearance=40mm", "drive=none",
@@ -204,12 +204,13 @@ TEST(MujocoEngine, TheBalanceOfRigidIsThatOfVerlet) {
 
 // A load and a command that jump within a step and open a lasting contact.
 TEST(MujocoEngine, RigidIsVerletWhereLoadsAndCommandsJumpInContact) {
-  for (const char* jump : {"force[0].off=20.0075e-3",
-                           "controller={kind=\"passive\",stiffness=2e6,damping=10.0,on=20.003e-3}"}) {
+  for (const char* jump :
+       {"force[0].off=20.0075e-3",
+        "controller={kind=\"passive\",stiffness=2e6,damping=10.0,on=20.003e-3}"}) {
     const scene::Scene scene = shipped(
         "bench_ring", {"drive=none", "rotor.speed=300.0", "initial.x=[0.5e-3]", "stator.mass=20.0",
-                       "force[0]={kind=\"constant\",vector=[100.0,0.0]}", "rotor.modal.stiffness=[2e4]",
-                       "run.end=30ms", jump});
+                       "force[0]={kind=\"constant\",vector=[100.0,0.0]}",
+                       "rotor.modal.stiffness=[2e4]", "run.end=30ms", jump});
     NativeOptions verlet;
     verlet.integrator = scene::Integrator::kVerlet;
     const Trajectory native = run_native(scene, verlet), t = run_mujoco(scene);

@@ -26,8 +26,8 @@ int counted(const Trajectory& t) {
                                         [](const Impact& impact) { return counts(impact); }));
 }
 
-// Inertias that are no more than a thousand times that of MuJoCo's links: the step is still the native one, and the
-// state that MuJoCo comes to the one it was sent to.
+// Inertias that are no more than a thousand times that of MuJoCo's links: the step is still the
+// native one, and the state that MuJoCo comes to the one it was sent to.
 TEST(RigidEngine, KnowsTheStateOfAPartThatWeighsLittle) {
   for (const double inertia : {9.5e-8, 7e-8, 1e-9}) {
     const std::string size = std::to_string(inertia * 1e9) + "e-9";

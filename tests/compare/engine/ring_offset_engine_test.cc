@@ -1,4 +1,5 @@
-// A ring off the line, in MuJoCo: a machine moved with its ring is the same machine, by every contact model.
+// A ring off the line, in MuJoCo: a machine moved with its ring is the same machine, by every
+// contact model.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -12,12 +13,15 @@ namespace rotorub::test {
 namespace {
 
 TEST(RingOffsetEngine, AMachineMovedIsTheSameMachine) {
-  const std::vector<std::string> plain = {"run.end=0.02", "stator={mass=1.0,stiffness=1e5,damping=100.0}"};
+  const std::vector<std::string> plain = {"run.end=0.02",
+                                          "stator={mass=1.0,stiffness=1e5,damping=100.0}"};
   std::vector<std::string> moved = plain;
-  moved.insert(moved.end(), {"contact.offset=[2.5e-4,-1.25e-4]", "initial.x=[2.5e-4]", "initial.y=[-1.25e-4]"});
+  moved.insert(moved.end(),
+               {"contact.offset=[2.5e-4,-1.25e-4]", "initial.x=[2.5e-4]", "initial.y=[-1.25e-4]"});
   const scene::Scene there = scene::parse_scene(kThrown, "thrown.toml", moved);
   const scene::Scene here = scene::parse_scene(kThrown, "thrown.toml", plain);
-  for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb, scene::ContactModel::kCone}) {
+  for (const auto contact :
+       {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb, scene::ContactModel::kCone}) {
     const Trajectory a = mujoco_run(there, contact, 1e-5), b = mujoco_run(here, contact, 1e-5);
     ASSERT_EQ(a.status, Status::kOk) << a.message;
     EXPECT_FALSE(b.impacts.empty());

@@ -16,8 +16,12 @@ namespace {
 // matter at its impacts.
 scene::Scene rub(int segments, const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides = {
-      "mujoco={rotor=\"segments\", segments=" + std::to_string(segments) + "}", "run.step=5e-6",
-      "run.end=0.3", "contact.friction=0.1", "rotor.modes=5", "rotor.torsion.modes=3"};
+      "mujoco={rotor=\"segments\", segments=" + std::to_string(segments) + "}",
+      "run.step=5e-6",
+      "run.end=0.3",
+      "contact.friction=0.1",
+      "rotor.modes=5",
+      "rotor.torsion.modes=3"};
   overrides.insert(overrides.end(), more.begin(), more.end());
   return shipped("paper_passive", overrides);
 }
@@ -67,7 +71,8 @@ TEST(SegmentRub, SurvivesItsFirstImpacts) {
 // The ring stands off the line: the segments meet it when the beam does, which is another time.
 TEST(SegmentRub, MeetsARingOffTheLineWhereItIs) {
   const double centred = run_native(rub(20, {"run.end=0.11"})).impacts.at(0).t;
-  for (const char* offset : {"contact.offset=[2.2e-4,-1.1e-4]", "contact.offset=[-2.2e-4,1.1e-4]"}) {
+  for (const char* offset :
+       {"contact.offset=[2.2e-4,-1.1e-4]", "contact.offset=[-2.2e-4,1.1e-4]"}) {
     const scene::Scene scene = rub(20, {"run.end=0.11", offset});
     const double native = run_native(scene).impacts.at(0).t;
     EXPECT_GT(std::abs(native - centred), 3e-4) << offset;

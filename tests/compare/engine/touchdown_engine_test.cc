@@ -1,4 +1,5 @@
-// A levitated rotor drops into its ring: MuJoCo against the native `event` and `verlet` integrators.
+// A levitated rotor drops into its ring: MuJoCo against the native `event` and `verlet`
+// integrators.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -64,8 +65,9 @@ TEST(TouchdownEngine, SoftContactsSeeTheSameBearing) {
 
 // What the integrator holds is in MuJoCo's state: modes, segments and soft contacts have it.
 TEST(TouchdownEngine, TheIntegratorIsTheSameInMujoco) {
-  const std::vector<std::string> more = {"magnetic_bearing.control.integral=2e5", "initial.steady=false",
-                                         "magnetic_bearing.control.fails_at=1.0", "contact.clearance=0.02"};
+  const std::vector<std::string> more = {
+      "magnetic_bearing.control.integral=2e5", "initial.steady=false",
+      "magnetic_bearing.control.fails_at=1.0", "contact.clearance=0.02"};
   const scene::Scene scene = touchdown(0.025, more);
   const Trajectory exact = native(scene, scene::Integrator::kEvent);
   const Trajectory verlet = native(scene, scene::Integrator::kVerlet);
@@ -76,12 +78,14 @@ TEST(TouchdownEngine, TheIntegratorIsTheSameInMujoco) {
   const double fine = rotor_error(mujoco_run(scene, scene::ContactModel::kCoulomb, 2.5e-6), exact);
   EXPECT_LT(fine, 0.3 * coarse);
   // The integrator matters: without it the rotor is elsewhere by far more than all of these.
-  const Trajectory without = native(touchdown(0.025, {"initial.steady=false", "contact.clearance=0.02",
-                                                      "magnetic_bearing.control.fails_at=1.0"}),
-                                    scene::Integrator::kEvent);
+  const Trajectory without =
+      native(touchdown(0.025, {"initial.steady=false", "contact.clearance=0.02",
+                               "magnetic_bearing.control.fails_at=1.0"}),
+             scene::Integrator::kEvent);
   EXPECT_GT(rotor_error(without, exact), 1e-5);
   auto chain = more;
-  chain.insert(chain.end(), {"rotor.modes=6", "mujoco.rotor=segments", "mujoco.segments=12", "run.step=2e-6"});
+  chain.insert(chain.end(),
+               {"rotor.modes=6", "mujoco.rotor=segments", "mujoco.segments=12", "run.step=2e-6"});
   const scene::Scene segmented = touchdown(0.025, chain);
   const Trajectory segments = mujoco_run(segmented, scene::ContactModel::kRigid, 2e-6);
   EXPECT_LT(rotor_error(segments, native(segmented, scene::Integrator::kEvent)), 2e-6);

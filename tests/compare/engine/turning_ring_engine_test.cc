@@ -1,5 +1,5 @@
-// A ring that turns, [stator.spin], in MuJoCo: spun up by a rub whose force is known, on the modal chain
-// and under the segment rotor, and beside its shadow.
+// A ring that turns, [stator.spin], in MuJoCo: spun up by a rub whose force is known, on the modal
+// chain and under the segment rotor, and beside its shadow.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,8 +32,8 @@ Rub rub() {
       {m.mass[0], m.damping[0], m.stiffness[0]},
       {ring.mass.x(), ring.damping.x(), ring.stiffness.x()}, plain.first().contact->clearance,
       plain.first().contact->friction, plain.forces[0].amplitude, plain.forces[0].frequency);
-  const double torque =
-      plain.first().contact->friction * exact.value().force * (plain.first().contact->radius + plain.first().contact->clearance);
+  const double torque = plain.first().contact->friction * exact.value().force *
+                        (plain.first().contact->radius + plain.first().contact->clearance);
   const std::string spin = "stator.spin={inertia=" + std::to_string(kInertia) +
                            ",drag=" + std::to_string(torque / 60.0) +
                            ",speed=" + std::to_string(kStart) + "}";
@@ -42,8 +42,9 @@ Rub rub() {
 }
 
 double largest_miss(const Rub& r, const Trajectory& t) {
-  const oracle::TurningRing ring{kInertia, r.scene.first().stator->spin->drag,
-                                 r.scene.first().contact->radius + r.scene.first().contact->clearance};
+  const oracle::TurningRing ring{
+      kInertia, r.scene.first().stator->spin->drag,
+      r.scene.first().contact->radius + r.scene.first().contact->clearance};
   double most = 0.0;
   for (std::size_t k = 0; k < t.rows(); ++k) {
     const double exact = oracle::ring_speed(ring, r.torque, kStart, t.column("t")[k]);
@@ -82,11 +83,11 @@ TEST(TurningRingEngine, TheConeSpinsItUpToo) {
 
 // Impacts and a lasting rub on the rig cut into segments, against the native beam.
 TEST(TurningRingEngine, TheSegmentRotorTurnsItAsTheNativeBeamDoes) {
-  const scene::Scene scene = shipped(
-      "paper_passive",
-      {"mujoco={rotor=\"segments\", segments=12}", "run.step=1e-5", "run.end=0.02",
-       "force[0].on=0.0", "initial.steady=false", "contact.friction=0.1", "rotor.modes=5", "rotor.torsion.modes=3",
-       "stator.spin={inertia=2e-4,drag=1e-4}"});
+  const scene::Scene scene =
+      shipped("paper_passive",
+              {"mujoco={rotor=\"segments\", segments=12}", "run.step=1e-5", "run.end=0.02",
+               "force[0].on=0.0", "initial.steady=false", "contact.friction=0.1", "rotor.modes=5",
+               "rotor.torsion.modes=3", "stator.spin={inertia=2e-4,drag=1e-4}"});
   const Trajectory native = run_native(scene);
   const double exact = native.column("ring_speed").back();
   ASSERT_GT(exact, 5.0);

@@ -1,5 +1,6 @@
-// What stands behind the native model and MuJoCo's contact models: pair by pair, what the two share, and how far apart
-// they are. Agreement of two that share a part says nothing of that part. Printed as the README's table by
+// What stands behind the native model and MuJoCo's contact models: pair by pair, what the two
+// share, and how far apart they are. Agreement of two that share a part says nothing of that part.
+// Printed as the README's table by
 //
 //   build/bin/test_compare_evidence --gtest_brief=1
 #include <gtest/gtest.h>
@@ -30,10 +31,10 @@ struct Apart {
 
 struct Pair {
   const char* name;
-  const char* both;   // what the two share: of this their agreement says nothing
+  const char* both;  // what the two share: of this their agreement says nothing
   const char* scene;
   std::function<std::optional<Apart>()> apart;  // none: one of the two is not here
-  Apart limit;        // twice what was met, or more where chance has its part
+  Apart limit;  // twice what was met, or more where chance has its part
 };
 
 void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.name; }
@@ -49,10 +50,12 @@ Trajectory mujoco(const scene::Scene& scene, scene::ContactModel contact) {
 }
 
 Apart between(const Trajectory& a, const Trajectory& b, double clearance) {
-  return {bench::position_distance(a, b) / clearance, std::abs(a.mean_force() / b.mean_force() - 1.0)};
+  return {bench::position_distance(a, b) / clearance,
+          std::abs(a.mean_force() / b.mean_force() - 1.0)};
 }
 
-// ---------------------------------------------------------------- the bench of impacts and a lasting rub
+// ---------------------------------------------------------------- the bench of impacts and a
+// lasting rub
 scene::Scene ring() { return shipped("bench_ring", {"run.step=1e-5"}); }
 
 const Trajectory& ring_by_event() {
@@ -60,7 +63,9 @@ const Trajectory& ring_by_event() {
   return t;
 }
 
-std::optional<Apart> on_the_ring(const Trajectory& t) { return between(t, ring_by_event(), ring().first().contact->clearance); }
+std::optional<Apart> on_the_ring(const Trajectory& t) {
+  return between(t, ring_by_event(), ring().first().contact->clearance);
+}
 
 std::optional<Apart> peer_on_the_ring(const std::string& name) {
   for (const peers::Peer& peer : peers::all_peers()) {
@@ -90,9 +95,9 @@ std::optional<Apart> event_and_whip() {
 
 // A lasting rub of the reference rig; the native side has the beam's modes, MuJoCo 20 rigid bodies.
 std::optional<Apart> segments_and_event() {
-  const scene::Scene scene =
-      shipped("paper_passive", {"mujoco={rotor=\"segments\", segments=20}", "run.step=5e-6", "run.end=0.3",
-                                "contact.friction=0.1", "rotor.modes=5", "rotor.torsion.modes=3"});
+  const scene::Scene scene = shipped(
+      "paper_passive", {"mujoco={rotor=\"segments\", segments=20}", "run.step=5e-6", "run.end=0.3",
+                        "contact.friction=0.1", "rotor.modes=5", "rotor.torsion.modes=3"});
   const Trajectory bodies = mujoco(scene, scene::ContactModel::kRigid), native = run_event(scene);
   const double size = std::hypot(native.column("rotor_x").back(), native.column("rotor_y").back());
   const double other = std::hypot(bodies.column("rotor_x").back(), bodies.column("rotor_y").back());
@@ -102,21 +107,58 @@ std::optional<Apart> segments_and_event() {
 
 std::optional<Apart> rigid_and_verlet() {
   const Trajectory native = run_with(ring(), scene::Integrator::kVerlet, kStep);
-  return between(mujoco(ring(), scene::ContactModel::kRigid), native, ring().first().contact->clearance);
+  return between(mujoco(ring(), scene::ContactModel::kRigid), native,
+                 ring().first().contact->clearance);
 }
 
-// ---------------------------------------------------------------- the table; a contact model more is a line more
+// ---------------------------------------------------------------- the table; a contact model more
+// is a line more
 const Pair kPairs[] = {
-    {"`rigid` and `verlet`", "model, law and step: says that it was put in right", "`bench_ring`", rigid_and_verlet, {1e-13, 1e-13}},
-    {"`verlet` and `event`", "model and law; not the integration, nor how an impact is found", "`bench_ring`",
-     [] { return on_the_ring(run_with(ring(), scene::Integrator::kVerlet, kStep)); }, {3e-5, 2e-6}},
-    {"`rigid` on segments and `event`", "law and step; the rotor is MuJoCo's rigid bodies", "the rig at a friction of 0.1", segments_and_event, {0.02, 0.016}},
-    {"closed form and `event`", "the scene; no code", "`bench_whip`, its end", event_and_whip, {1e-8, 1e-8}},
-    {"Siconos and `event`", "equations of the free rotor, gap and normal; nothing of the law or its solution", "`bench_ring`", [] { return peer_on_the_ring("siconos"); }, {5e-3, 2e-4}},
-    {"ODE and `event`", "equations of the free rotor, gap and normal; nothing of the law or its solution", "`bench_ring`", [] { return peer_on_the_ring("ode"); }, {1.3e-2, 3e-4}},
-    {"`coulomb` and `event`", "modes, gap and normal, friction by slip; the normal force is MuJoCo's", "`bench_ring`", mujoco_on_the_ring(scene::ContactModel::kCoulomb), {4e-2, 3e-4}},
-    {"`cone-coulomb` and `event`", "modes, gap and normal; the law is MuJoCo's solver's, its references by the plugin", "`bench_ring`", mujoco_on_the_ring(scene::ContactModel::kConeCoulomb), {8e-2, 6e-4}},
-    {"`cone` and `event`", "modes, gap and normal; nothing of the law", "`bench_ring`", mujoco_on_the_ring(scene::ContactModel::kCone), {1.4, 0.05}},
+    {"`rigid` and `verlet`",
+     "model, law and step: says that it was put in right",
+     "`bench_ring`",
+     rigid_and_verlet,
+     {1e-13, 1e-13}},
+    {"`verlet` and `event`",
+     "model and law; not the integration, nor how an impact is found",
+     "`bench_ring`",
+     [] { return on_the_ring(run_with(ring(), scene::Integrator::kVerlet, kStep)); },
+     {3e-5, 2e-6}},
+    {"`rigid` on segments and `event`",
+     "law and step; the rotor is MuJoCo's rigid bodies",
+     "the rig at a friction of 0.1",
+     segments_and_event,
+     {0.02, 0.016}},
+    {"closed form and `event`",
+     "the scene; no code",
+     "`bench_whip`, its end",
+     event_and_whip,
+     {1e-8, 1e-8}},
+    {"Siconos and `event`",
+     "equations of the free rotor, gap and normal; nothing of the law or its solution",
+     "`bench_ring`",
+     [] { return peer_on_the_ring("siconos"); },
+     {5e-3, 2e-4}},
+    {"ODE and `event`",
+     "equations of the free rotor, gap and normal; nothing of the law or its solution",
+     "`bench_ring`",
+     [] { return peer_on_the_ring("ode"); },
+     {1.3e-2, 3e-4}},
+    {"`coulomb` and `event`",
+     "modes, gap and normal, friction by slip; the normal force is MuJoCo's",
+     "`bench_ring`",
+     mujoco_on_the_ring(scene::ContactModel::kCoulomb),
+     {4e-2, 3e-4}},
+    {"`cone-coulomb` and `event`",
+     "modes, gap and normal; the law is MuJoCo's solver's, its references by the plugin",
+     "`bench_ring`",
+     mujoco_on_the_ring(scene::ContactModel::kConeCoulomb),
+     {8e-2, 6e-4}},
+    {"`cone` and `event`",
+     "modes, gap and normal; nothing of the law",
+     "`bench_ring`",
+     mujoco_on_the_ring(scene::ContactModel::kCone),
+     {1.4, 0.05}},
 };
 
 class Evidence : public MujocoTest, public testing::WithParamInterface<Pair> {};
@@ -125,7 +167,8 @@ TEST_P(Evidence, IsAsFarApartAsSaid) {
   const Pair& pair = GetParam();
   const std::optional<Apart> apart = pair.apart();
   if (!apart) GTEST_SKIP() << pair.name << ": not here";
-  std::printf("| %s | %s | %s | %.1e | %.1e |\n", pair.name, pair.both, pair.scene, apart->position, apart->force);
+  std::printf("| %s | %s | %s | %.1e | %.1e |\n", pair.name, pair.both, pair.scene, apart->position,
+              apart->force);
   EXPECT_LT(apart->position, pair.limit.position);
   EXPECT_LT(apart->force, pair.limit.force);
 }

@@ -26,7 +26,8 @@ const scene::Scene& rig() {
 
 std::vector<double> every(double apart, double end) {
   std::vector<double> t;
-  for (double k = 0.0; k * apart <= end * (1.0 + 1e-12); k += 1.0) t.push_back(std::min(end, k * apart));
+  for (double k = 0.0; k * apart <= end * (1.0 + 1e-12); k += 1.0)
+    t.push_back(std::min(end, k * apart));
   return t;
 }
 
@@ -60,8 +61,9 @@ Alignment aligned(const Sensors& sensors, const AlignmentOptions& options = {}) 
 
 double turned(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
-// Without noise what is left is the cubic between rows 10 us apart, and at the jump of a speed v within a row no
-// more than v 10 us / 4, some um at 200 impacts of 0.15 s: far below a thousandth of a sample at the rig's speeds.
+// Without noise what is left is the cubic between rows 10 us apart, and at the jump of a speed v
+// within a row no more than v 10 us / 4, some um at 200 impacts of 0.15 s: far below a thousandth
+// of a sample at the rig's speeds.
 TEST(Alignment, FindsTheClockAndTheFrame) {
   for (const double rate : {20e3, 51.2e3}) {
     for (const double shift : {0.0, 12.3456789e-3, -7.7e-3, 1234.567890123}) {
@@ -84,11 +86,12 @@ TEST(Alignment, FindsTheClockAndTheFrame) {
   }
 }
 
-// The error that it states is the error that it makes: over seeds, squares of error / stated follow chi^2 with as many
-// freedoms; 99.9 % of it lies between the bounds.
+// The error that it states is the error that it makes: over seeds, squares of error / stated follow
+// chi^2 with as many freedoms; 99.9 % of it lies between the bounds.
 TEST(Alignment, StatesTheErrorThatNoiseMakes) {
   constexpr int kSeeds = 40;
-  constexpr double kLow = 17.9 / kSeeds, kHigh = 73.4 / kSeeds;  // 0.1 % and 99.9 % of chi^2 with 40
+  constexpr double kLow = 17.9 / kSeeds,
+                   kHigh = 73.4 / kSeeds;  // 0.1 % and 99.9 % of chi^2 with 40
   double shift = 0.0, angle = 0.0;
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     Sensors sensors;
@@ -108,7 +111,8 @@ TEST(Alignment, StatesTheErrorThatNoiseMakes) {
   EXPECT_LT(angle, kHigh);
 }
 
-// What is beyond the limit is left out, and does not pull: with the clipped samples in, the fit is off by more.
+// What is beyond the limit is left out, and does not pull: with the clipped samples in, the fit is
+// off by more.
 TEST(Alignment, ClippedSamplesDoNotPull) {
   Sensors sensors;
   sensors.shift = -2.2e-3;
@@ -125,7 +129,8 @@ TEST(Alignment, ClippedSamplesDoNotPull) {
   EXPECT_GT(std::abs(naive.angle - sensors.angle), 1e-3);
 }
 
-// Another integrator is another run: as far as it parts from the first the shift may go, and no further.
+// Another integrator is another run: as far as it parts from the first the shift may go, and no
+// further.
 TEST(Alignment, HoldsAgainstAnotherIntegrator) {
   Sensors sensors;
   sensors.shift = 5.5e-3;
@@ -145,7 +150,8 @@ TEST(Alignment, TakesWhatItIsTold) {
   EXPECT_EQ(told.angle, 0.3);
   EXPECT_FALSE(told.shift_found);
   EXPECT_EQ(told.angle_from, AngleFrom::kGiven);
-  EXPECT_GT(told.residual.value(), 100.0 * free.residual.value()) << "0.2 ms off is a bad fit, and it says so";
+  EXPECT_GT(told.residual.value(), 100.0 * free.residual.value())
+      << "0.2 ms off is a bad fit, and it says so";
   EXPECT_NEAR(aligned(sensors, {.shift = 2e-3, .angle = {}}).angle, 0.3, 1e-5);
   EXPECT_NEAR(aligned(sensors, {.shift = {}, .angle = 0.3}).shift, 2e-3, 1e-3 / sensors.rate);
 }
@@ -201,14 +207,15 @@ Trajectory circle(double radius) {
   });
 }
 
-// On a circle a turn of the frame is a shift: the frame is taken as the scene's, and the turns look alike.
+// On a circle a turn of the frame is a shift: the frame is taken as the scene's, and the turns look
+// alike.
 TEST(Alignment, SaysWhatACircleDoesNotTell) {
   const Trajectory run = circle(1e-4);
   std::string text = "t [s],rotor_x [m],rotor_y [m]\n";
   for (int k = 0; k < 1200; ++k) {
     const double t = 0.031 + k / 20e3;
-    text +=
-        fmt::format("{:.17g},{:.17g},{:.17g}\n", t - 7.3e-3, 1e-4 * std::cos(kWhirl * t), 1e-4 * std::sin(kWhirl * t));
+    text += fmt::format("{:.17g},{:.17g},{:.17g}\n", t - 7.3e-3, 1e-4 * std::cos(kWhirl * t),
+                        1e-4 * std::sin(kWhirl * t));
   }
   const MeasuredRecord record = parse_measured(text, "circle.csv");
   const Alignment a = align(record, SampledRun(run), {});
@@ -217,20 +224,24 @@ TEST(Alignment, SaysWhatACircleDoesNotTell) {
   EXPECT_NEAR(std::remainder(a.shift - 7.3e-3, 0.02), 0.0, 1e-8);
   ASSERT_TRUE(a.next);
   EXPECT_TRUE(a.ambiguous());
-  EXPECT_NEAR(std::remainder(a.next->shift - a.shift, 0.02), 0.0, 1.0 / 20e3) << "another whole turn";
+  EXPECT_NEAR(std::remainder(a.next->shift - a.shift, 0.02), 0.0, 1.0 / 20e3)
+      << "another whole turn";
   EXPECT_NE(alignment_text(a).find("ambiguous"), std::string::npos);
   EXPECT_NE(alignment_text(a).find("circle"), std::string::npos);
 }
 
-// So near to a circle that a turn makes up for a shift but for a percent of its effect; what is left tells them apart
-// all the same. With noise within its own error. What dies away makes every instant its own.
+// So near to a circle that a turn makes up for a shift but for a percent of its effect; what is
+// left tells them apart all the same. With noise within its own error. What dies away makes every
+// instant its own.
 TEST(Alignment, TellsShiftAndTurnApartNearACircle) {
   const auto whirl = [](double t) {
-    return 1e-4 * (std::polar(1.0, kWhirl * t) + std::polar(0.03 * std::exp(-10.0 * t), -0.37 * kWhirl * t));
+    return 1e-4 * (std::polar(1.0, kWhirl * t) +
+                   std::polar(0.03 * std::exp(-10.0 * t), -0.37 * kWhirl * t));
   };
   const Trajectory run = hand_made(20001, 1e-5, [&](double t) {
     constexpr double kStep = 1e-7;
-    const std::complex<double> z = whirl(t), rate = (whirl(t + kStep) - whirl(t - kStep)) / (2.0 * kStep);
+    const std::complex<double> z = whirl(t),
+                               rate = (whirl(t + kStep) - whirl(t - kStep)) / (2.0 * kStep);
     Row row;
     row.x = z.real();
     row.y = z.imag();
@@ -246,7 +257,8 @@ TEST(Alignment, TellsShiftAndTurnApartNearACircle) {
       const double t = 0.031 + k / 20e3;
       const std::complex<double> z = whirl(t) * std::polar(1.0, -25.0 * kDegree);
       const double ex = noise > 0.0 ? error(bits) : 0.0, ey = noise > 0.0 ? error(bits) : 0.0;
-      text += fmt::format("{:.17g},{:.17g},{:.17g}\n", t - 12.3456e-3, z.real() + ex, z.imag() + ey);
+      text +=
+          fmt::format("{:.17g},{:.17g},{:.17g}\n", t - 12.3456e-3, z.real() + ex, z.imag() + ey);
     }
     const Alignment a = align(parse_measured(text, "near.csv"), SampledRun(run), {});
     EXPECT_EQ(a.angle_from, AngleFrom::kFound) << noise;
@@ -268,25 +280,30 @@ TEST(Alignment, RefusesWhatIsNoRecordOfTheRun) {
     align(noise, SampledRun(native()), {});
     ADD_FAILURE() << "is taken";
   } catch (const MeasuredError& error) {
-    EXPECT_NE(std::string(error.what()).find("no shift makes the record like the native run"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("no shift makes the record like the native run"),
+              std::string::npos)
         << error.what();
     EXPECT_NE(std::string(error.what()).find("--measured-shift"), std::string::npos);
   }
-  EXPECT_NO_THROW(align(noise, SampledRun(native()), {.shift = 0.0, .angle = {}})) << "as told, however bad";
+  EXPECT_NO_THROW(align(noise, SampledRun(native()), {.shift = 0.0, .angle = {}}))
+      << "as told, however bad";
 
   try {
     align(record_of(seen(sensors), sensors), SampledRun(native()), {.shift = 10.0, .angle = {}});
     ADD_FAILURE() << "is taken";
   } catch (const MeasuredError& error) {
-    EXPECT_NE(std::string(error.what()).find("0 samples in common"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("0 samples in common"), std::string::npos)
+        << error.what();
   }
 }
 
 TEST(Alignment, HasAShiftToFindOnlyWhereSomethingMoves) {
   std::string text = "t [s],rotor_x [m],rotor_y [m]\n";
   for (int k = 0; k < 100; ++k) text += fmt::format("{},0,0\n", k * 1e-3);
-  EXPECT_THROW(align(parse_measured(text, "still.csv"), SampledRun(circle(1e-4)), {}), MeasuredError);
-  const Alignment a = align(parse_measured(text, "still.csv"), SampledRun(circle(1e-4)), {.shift = 0.01, .angle = {}});
+  EXPECT_THROW(align(parse_measured(text, "still.csv"), SampledRun(circle(1e-4)), {}),
+               MeasuredError);
+  const Alignment a = align(parse_measured(text, "still.csv"), SampledRun(circle(1e-4)),
+                            {.shift = 0.01, .angle = {}});
   EXPECT_TRUE(a.by.empty());
   EXPECT_FALSE(a.correlation);
 }

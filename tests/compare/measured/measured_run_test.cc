@@ -22,7 +22,8 @@ namespace {
 
 // From rest: a steady circle has no instant of its own.
 scene::Scene short_rig() {
-  return shipped("paper_passive", {"run.end=0.1", "run.step=1e-5", "run.output_step=1e-4", "initial.steady=false"});
+  return shipped("paper_passive",
+                 {"run.end=0.1", "run.step=1e-5", "run.output_step=1e-4", "initial.steady=false"});
 }
 
 const MeasuredFigure& figure_of(const MeasuredRun& run, const std::string& key) {
@@ -48,7 +49,8 @@ TEST(MeasuredRun, AThousandTimesTheOrbitIsAnotherUnit) {
       if (!c.name.starts_with("rotor_x") && !c.name.starts_with("rotor_y")) continue;
       for (double& x : c.values) x *= factor;
     }
-    const auto file = std::filesystem::temp_directory_path() / fmt::format("rotorub-other-unit-{}.csv", getpid());
+    const auto file =
+        std::filesystem::temp_directory_path() / fmt::format("rotorub-other-unit-{}.csv", getpid());
     write_series(other, file);
     const MeasuredRecord record = read_measured(file);
     std::filesystem::remove(file);
@@ -56,17 +58,19 @@ TEST(MeasuredRun, AThousandTimesTheOrbitIsAnotherUnit) {
       lay_in(record, {}, scene, {{"native", &run}});
       ADD_FAILURE() << factor;
     } catch (const MeasuredError& error) {
-      EXPECT_NE(std::string(error.what()).find("is its unit right?"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("is its unit right?"), std::string::npos)
+          << error.what();
     }
   }
 }
 
-// The run's own series.csv as the measurement: the file's numbers read back to the same bits, so that what is left is
-// round-off of the fit.
+// The run's own series.csv as the measurement: the file's numbers read back to the same bits, so
+// that what is left is round-off of the fit.
 TEST(MeasuredRun, ARunsOwnSeriesLeavesNothing) {
   const scene::Scene scene = short_rig();
   const Trajectory run = run_event(scene);
-  const auto file = std::filesystem::temp_directory_path() / fmt::format("rotorub-own-series-{}.csv", getpid());
+  const auto file =
+      std::filesystem::temp_directory_path() / fmt::format("rotorub-own-series-{}.csv", getpid());
   write_series(run, file);
   const MeasuredRecord record = read_measured(file);
   std::filesystem::remove(file);
@@ -103,15 +107,17 @@ TEST(MeasuredRun, FiguresAreThoseOfTheMotion) {
   std::string text = "t [ms], rotor_x [um], rotor_y [um], gap [um]\n";
   for (int k = 0; k < 1500; ++k) {
     const double t = 0.02 + k / kRate, held = 0.95 * kRadius;
-    text +=
-        fmt::format("{:.17g},{:.17g},{:.17g},{}\n", 1e3 * t, 1e6 * std::clamp(kRadius * std::cos(w * t), -held, held),
-                    1e6 * kRadius * std::sin(w * t), k == 70 ? 2.0 : 300.0);
+    text += fmt::format("{:.17g},{:.17g},{:.17g},{}\n", 1e3 * t,
+                        1e6 * std::clamp(kRadius * std::cos(w * t), -held, held),
+                        1e6 * kRadius * std::sin(w * t), k == 70 ? 2.0 : 300.0);
   }
   const scene::Scene scene = short_rig();  // clearance 0.5 mm
-  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0}, scene, {{"native", &run}});
+  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0}, scene,
+                               {{"native", &run}});
 
   EXPECT_EQ(figure_of(m, "rotor_frequency").bound, Bound::kNone);
-  for (const double f : {figure_of(m, "rotor_frequency").measured, figure_of(m, "rotor_frequency").runs.front()}) {
+  for (const double f :
+       {figure_of(m, "rotor_frequency").measured, figure_of(m, "rotor_frequency").runs.front()}) {
     EXPECT_NEAR(f, -kHertz, 0.1 / 0.15) << "a tenth of the resolution";
   }
   EXPECT_NEAR(figure_of(m, "rotor_amplitude").runs.front(), kRadius, 0.02 * kRadius);
@@ -119,7 +125,8 @@ TEST(MeasuredRun, FiguresAreThoseOfTheMotion) {
   EXPECT_EQ(largest.bound, Bound::kAtLeast);
   EXPECT_NEAR(largest.runs.front(), kRadius, 0.02 * kRadius);
   EXPECT_NEAR(figure_of(m, "least_gap").measured, 2e-6, 1e-12);
-  EXPECT_NEAR(figure_of(m, "contact_fraction").measured, 1.0 / 1500.0, 1e-9) << "one sample below 5 um";
+  EXPECT_NEAR(figure_of(m, "contact_fraction").measured, 1.0 / 1500.0, 1e-9)
+      << "one sample below 5 um";
   EXPECT_EQ(figure_of(m, "contact_fraction").runs.front(), 0.0);
   const ColumnFit& x = column_of(m, "rotor_x");
   EXPECT_GT(x.clipped, 200u);
@@ -140,16 +147,18 @@ TEST(MeasuredRun, AnAxisAloneHasItsRms) {
   });
   std::string text = "t [s],rotor_x [um]\n";
   for (int k = 0; k < 1600; ++k)
-    text += fmt::format("{},{}\n", 5e-5 * k, 100.0 * std::sin(2.0 * std::numbers::pi * 50.0 * 5e-5 * k));
-  const MeasuredRun m =
-      lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = {}}, short_rig(), {{"native", &run}});
+    text += fmt::format("{},{}\n", 5e-5 * k,
+                        100.0 * std::sin(2.0 * std::numbers::pi * 50.0 * 5e-5 * k));
+  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = {}},
+                               short_rig(), {{"native", &run}});
   ASSERT_EQ(m.figures.size(), 1u);
   EXPECT_NEAR(figure_of(m, "rotor_x_rms").measured, 100e-6 / std::sqrt(2.0), 1e-9)
       << "four whole turns, whatever the zero";
   EXPECT_NEAR(figure_of(m, "rotor_x_rms").runs.front(), 100e-6 / std::sqrt(2.0), 1e-9);
 }
 
-// A force beyond the sensor's limit: what is summed up or largest is a bound, and the run's is not cut.
+// A force beyond the sensor's limit: what is summed up or largest is a bound, and the run's is not
+// cut.
 TEST(MeasuredRun, AClippedForceIsABound) {
   const auto force = [](double t) { return std::max(0.0, 50.0 * std::sin(400.0 * t) * (1.0 + t)); };
   const Trajectory run = hand_made(10001, 1e-5, [&](double t) {
@@ -161,14 +170,16 @@ TEST(MeasuredRun, AClippedForceIsABound) {
   for (int k = 0; k < 1900; ++k)
     text += fmt::format("{:.17g},{:.17g}\n", 5e-5 * (k + 1), std::min(40.0, force(5e-5 * (k + 1))));
   const scene::Scene scene = short_rig();
-  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = {}}, scene, {{"native", &run}});
+  const MeasuredRun m =
+      lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = {}}, scene, {{"native", &run}});
   EXPECT_GT(column_of(m, "force").clipped, 100u);
   for (const char* key : {"mean_force", "peak_force"}) {
     EXPECT_EQ(figure_of(m, key).bound, Bound::kAtLeast) << key;
     EXPECT_GT(figure_of(m, key).runs.front(), figure_of(m, key).measured) << key;
   }
   EXPECT_EQ(figure_of(m, "peak_force").measured, 40.0);
-  EXPECT_LT(column_of(m, "force").runs.front().rms, 0.05) << "a mean over 50 us of a sine is near its value";
+  EXPECT_LT(column_of(m, "force").runs.front().rms, 0.05)
+      << "a mean over 50 us of a sine is near its value";
   EXPECT_EQ(measured_value(figure_of(m, "peak_force")), "≥ 40");
 }
 
@@ -185,7 +196,8 @@ TEST(MeasuredRun, AForceIsAveragedOverItsSample) {
   hit.normal_impulse = 0.02;
   run.impacts = {hit};
   std::string text = "t [ms], force [N]\n";
-  for (int k = 0; k < 900; ++k) text += fmt::format("{:.17g},{}\n", 5.0 + 0.1 * k, k == 450 ? 203.0 : 3.0);
+  for (int k = 0; k < 900; ++k)
+    text += fmt::format("{:.17g},{}\n", 5.0 + 0.1 * k, k == 450 ? 203.0 : 3.0);
   const scene::Scene scene = short_rig();
   const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {}, scene, {{"native", &run}});
   EXPECT_EQ(m.alignment.by, std::vector<std::string>{"force"});
@@ -196,7 +208,8 @@ TEST(MeasuredRun, AForceIsAveragedOverItsSample) {
   EXPECT_NEAR(figure_of(m, "mean_force").measured, figure_of(m, "mean_force").runs.front(), 1e-6);
 }
 
-// Over a whole run the samples' forces add up to what the run says it gave, but for the trapezium over rows.
+// Over a whole run the samples' forces add up to what the run says it gave, but for the trapezium
+// over rows.
 TEST(MeasuredRun, NoMomentumIsLostBetweenSamples) {
   const scene::Scene scene = short_rig();
   NativeOptions options;
@@ -213,7 +226,8 @@ TEST(MeasuredRun, NoMomentumIsLostBetweenSamples) {
   EXPECT_NEAR(sum, run.statistics.impulse_total, 2e-3 * run.statistics.impulse_total);
 }
 
-// Like with like: noise and another clock change what is measured, not what the runs show at its samples.
+// Like with like: noise and another clock change what is measured, not what the runs show at its
+// samples.
 TEST(MeasuredRun, HoldsEveryRunAtTheSameSamples) {
   const scene::Scene scene = short_rig();
   Sensors sensors;
@@ -228,10 +242,12 @@ TEST(MeasuredRun, HoldsEveryRunAtTheSameSamples) {
   options.output_times->clear();
   for (int k = 0; k <= 10000; ++k) options.output_times->push_back(k * 1e-5);
   const Trajectory native = run_native(scene, options);
-  const MeasuredRun m = lay_in(record_of(seen, sensors), {}, scene, {{"native", &native}, {"again", &native}});
+  const MeasuredRun m =
+      lay_in(record_of(seen, sensors), {}, scene, {{"native", &native}, {"again", &native}});
   EXPECT_EQ(m.labels, (std::vector<std::string>{"native", "again"}));
   for (const ColumnFit& c : m.columns) {
-    // rms of n normal numbers: within 5 / sqrt(2 n) of their deviation, and what the fit is off by is less.
+    // rms of n normal numbers: within 5 / sqrt(2 n) of their deviation, and what the fit is off by
+    // is less.
     const double room = 5.0 / std::sqrt(2.0 * static_cast<double>(c.good)) + 0.03;
     EXPECT_NEAR(c.runs[0].rms / sensors.noise, 1.0, room) << c.what->name;
     EXPECT_EQ(c.runs[0].rms, c.runs[1].rms) << c.what->name;
@@ -261,7 +277,8 @@ TEST(MeasuredRun, SaysWhatItLeavesOut) {
 
   std::string nothing = "t [ms], current_1 [A]\n";
   for (int k = 0; k < 20; ++k) nothing += fmt::format("{},1\n", k);
-  EXPECT_THROW(lay_in(parse_measured(nothing, "m.csv"), {}, scene, {{"native", &run}}), MeasuredError);
+  EXPECT_THROW(lay_in(parse_measured(nothing, "m.csv"), {}, scene, {{"native", &run}}),
+               MeasuredError);
 }
 
 // A frequency beyond the sample rate is none: it is left out, with the reason.
@@ -277,14 +294,16 @@ TEST(MeasuredRun, AFrequencyNeedsASampleRate) {
   });
   std::string text = "t [ms], rotor_x [um], rotor_y [um]\n";
   for (int k = 0; k < 80; ++k)
-    text += fmt::format("{},{},{}\n", 2.0 * k, 100.0 * std::cos(w * 2e-3 * k), 100.0 * std::sin(w * 2e-3 * k));
-  const MeasuredRun m =
-      lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0}, short_rig(), {{"native", &run}});
+    text += fmt::format("{},{},{}\n", 2.0 * k, 100.0 * std::cos(w * 2e-3 * k),
+                        100.0 * std::sin(w * 2e-3 * k));
+  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0},
+                               short_rig(), {{"native", &run}});
   EXPECT_THROW(figure_of(m, "rotor_frequency"), std::out_of_range);
   EXPECT_NE(m.remarks.back().find("sample rate"), std::string::npos) << m.remarks.back();
 }
 
-void collect_keys(const nlohmann::json& object, const std::string& prefix, std::set<std::string>& keys) {
+void collect_keys(const nlohmann::json& object, const std::string& prefix,
+                  std::set<std::string>& keys) {
   for (const auto& [key, value] : object.items()) {
     const bool named = (prefix == "columns." || prefix == "columns.<name>.runs.");
     const std::string name = prefix + (named ? (prefix == "columns." ? "<name>" : "<run>") : key);
@@ -310,12 +329,14 @@ TEST(MeasuredRun, KeysAreDocumented) {
   NativeOptions options;
   options.integrator = scene::Integrator::kEvent;
   options.output_times = instants(sensors);
-  const MeasuredRun m = lay_in(record_of(run_native(scene, options), sensors), {}, scene, {{"native", &run}});
+  const MeasuredRun m =
+      lay_in(record_of(run_native(scene, options), sensors), {}, scene, {{"native", &run}});
   std::set<std::string> found, documented;
   collect_keys(measured_json(m), "", found);
   for (const ColumnMeaning& key : measured_keys()) documented.insert(std::string(key.name));
   for (const std::string& key : found) EXPECT_TRUE(documented.contains(key)) << key;
-  for (const std::string& key : documented) EXPECT_TRUE(found.contains(key) || key.starts_with("figures.")) << key;
+  for (const std::string& key : documented)
+    EXPECT_TRUE(found.contains(key) || key.starts_with("figures.")) << key;
   EXPECT_LE(widest_line(measured_table(m)), 80u);
 }
 

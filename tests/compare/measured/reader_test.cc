@@ -10,21 +10,24 @@ namespace rotorub {
 namespace {
 
 // kLeastSamples lines, the first of which stands in `first`.
-std::string with_lines(const std::string& header, const std::string& first, const std::string& separator = ",") {
+std::string with_lines(const std::string& header, const std::string& first,
+                       const std::string& separator = ",") {
   std::string text = header + "\n" + first + "\n";
   for (std::size_t k = 1; k < kLeastSamples; ++k) text += std::to_string(k) + separator + "1\n";
   return text;
 }
 
 TEST(MeasuredReader, TakesUnitsToSiAndKeepsHoles) {
-  std::string text = "# rig 2\n t [ms], \"rotor_x [µm]\", rotor_y (mm), force [kN], spin_speed [rpm]\n\n";
+  std::string text =
+      "# rig 2\n t [ms], \"rotor_x [µm]\", rotor_y (mm), force [kN], spin_speed [rpm]\n\n";
   for (int k = 0; k < 20; ++k)
     text += k == 3 ? "1.5,,0.25,,\n" : std::to_string(0.5 * k) + ", +12.5, -0.25 ,1e-3,3000\n";
   const MeasuredRecord r = parse_measured(text, "rig.csv");
   ASSERT_EQ(r.t.size(), 20u);
   EXPECT_DOUBLE_EQ(r.t[2], 1e-3);
   EXPECT_DOUBLE_EQ(r.interval, 0.5e-3);
-  const MeasuredColumn *x = r.find("rotor_x"), *y = r.find("rotor_y"), *f = r.find("force"), *n = r.find("spin_speed");
+  const MeasuredColumn *x = r.find("rotor_x"), *y = r.find("rotor_y"), *f = r.find("force"),
+                       *n = r.find("spin_speed");
   ASSERT_TRUE(x && y && f && n);
   EXPECT_DOUBLE_EQ(x->value[0], 12.5e-6);
   EXPECT_DOUBLE_EQ(y->value[0], -0.25e-3);
@@ -44,7 +47,9 @@ TEST(MeasuredReader, TakesTheWaysOfOtherPrograms) {
   EXPECT_DOUBLE_EQ(german.t[1], 1.5);
   EXPECT_DOUBLE_EQ(german.find("ring_x")->value[0], 1.25e-3);
 
-  EXPECT_DOUBLE_EQ(parse_measured(with_lines("t [s]\tgap [um]", "0\t2", "\t"), "a.csv").find("gap")->value[0], 2e-6);
+  EXPECT_DOUBLE_EQ(
+      parse_measured(with_lines("t [s]\tgap [um]", "0\t2", "\t"), "a.csv").find("gap")->value[0],
+      2e-6);
 }
 
 // Its columns have no units; what is not compared is named, what is none of its is refused.
@@ -72,33 +77,43 @@ TEST(MeasuredReader, RefusesWithLineColumnReasonAndWhatIsAccepted) {
   const std::vector<Refused> all = {
       {"empty file", "", 0, "", "is empty", "a header and a line a sample"},
       {"comments alone", "# nothing\n", 0, "", "is empty", "accepted"},
-      {"no time", with_lines("time [s],gap [um]", "0,1"), 1, "time", "no such column", "accepted are t, rotor_x"},
-      {"unknown column", with_lines("t [s],rotorx [um]", "0,1"), 1, "rotorx", "did you mean rotor_x?",
+      {"no time", with_lines("time [s],gap [um]", "0,1"), 1, "time", "no such column",
        "accepted are t, rotor_x"},
-      {"column twice", with_lines("t [s],ring_x [um],stator_x [um]", "0,1,1"), 1, "stator_x", "stands twice",
+      {"unknown column", with_lines("t [s],rotorx [um]", "0,1"), 1, "rotorx",
+       "did you mean rotor_x?", "accepted are t, rotor_x"},
+      {"column twice", with_lines("t [s],ring_x [um],stator_x [um]", "0,1,1"), 1, "stator_x",
+       "stands twice", "accepted is once"},
+      {"time twice", with_lines("t [s],t [ms],gap [um]", "0,1,1"), 1, "t", "stands twice",
        "accepted is once"},
-      {"time twice", with_lines("t [s],t [ms],gap [um]", "0,1,1"), 1, "t", "stands twice", "accepted is once"},
       {"no name", with_lines("t [s],[um]", "0,1"), 1, "column 2", "has no name", "accepted are t"},
       {"unit of another quantity", with_lines("t [s],gap [N]", "0,1"), 1, "gap", "length", "mm"},
       {"no such unit", with_lines("t [s],gap [furlong]", "0,1"), 1, "gap", "furlong", "mm"},
-      {"a bracket that is open", with_lines("t [s],gap [mm", "0,1"), 1, "gap", "not closed", "rotor_x [um]"},
-      {"words behind the unit", with_lines("t [s],gap [mm] p-p", "0,1"), 1, "gap", "not closed", "rotor_x [um]"},
+      {"a bracket that is open", with_lines("t [s],gap [mm", "0,1"), 1, "gap", "not closed",
+       "rotor_x [um]"},
+      {"words behind the unit", with_lines("t [s],gap [mm] p-p", "0,1"), 1, "gap", "not closed",
+       "rotor_x [um]"},
       {"empty unit", with_lines("t [s],gap []", "0,1"), 1, "gap", "no unit", "m, mm, um"},
-      {"one without a unit", with_lines("t [s],gap", "0,1"), 1, "gap", "has no unit, which other columns have",
-       "gap [m]"},
+      {"one without a unit", with_lines("t [s],gap", "0,1"), 1, "gap",
+       "has no unit, which other columns have", "gap [m]"},
       {"time alone", with_lines("t [s]", "0"), 1, "", "nothing measured", "accepted are"},
-      {"a word", with_lines(good, "0,high"), 2, "gap [um]", "`high` is not a number", "an empty field is a gap"},
-      {"nan", with_lines(good, "0,nan"), 2, "gap [um]", "`nan` is not a number", "an empty field is a gap"},
-      {"inf", with_lines(good, "0,-inf"), 2, "gap [um]", "`-inf` is not a number", "an empty field is a gap"},
-      {"a unit in a field", with_lines(good, "0,1 um"), 2, "gap [um]", "`1 um` is not a number alone",
-       "units stand in the header"},
+      {"a word", with_lines(good, "0,high"), 2, "gap [um]", "`high` is not a number",
+       "an empty field is a gap"},
+      {"nan", with_lines(good, "0,nan"), 2, "gap [um]", "`nan` is not a number",
+       "an empty field is a gap"},
+      {"inf", with_lines(good, "0,-inf"), 2, "gap [um]", "`-inf` is not a number",
+       "an empty field is a gap"},
+      {"a unit in a field", with_lines(good, "0,1 um"), 2, "gap [um]",
+       "`1 um` is not a number alone", "units stand in the header"},
       {"too large", with_lines(good, "0,1e300"), 2, "gap [um]", "too large", ""},
       {"hexadecimal", with_lines(good, "0,0x1p3"), 2, "gap [um]", "is not a number", ""},
-      {"no time in a line", with_lines(good, ",1"), 2, "t", "is empty", "accepted is a time in every line"},
+      {"no time in a line", with_lines(good, ",1"), 2, "t", "is empty",
+       "accepted is a time in every line"},
       {"ragged", with_lines(good, "0,1,2"), 2, "", "3 fields where the header has 2", ""},
-      {"decimal comma between commas", with_lines(good, "0,1,5"), 2, "", "3 fields where the header has 2", ""},
+      {"decimal comma between commas", with_lines(good, "0,1,5"), 2, "",
+       "3 fields where the header has 2", ""},
       {"both marks", "t [s];gap [um]\n0,5;1.5\n", 2, "gap [um]", "decimal point", "one of the two"},
-      {"time stands", with_lines(good, "1,1"), 3, "t", "is not after the time of the line before", "ascend"},
+      {"time stands", with_lines(good, "1,1"), 3, "t", "is not after the time of the line before",
+       "ascend"},
       {"too few", "t [s],gap [um]\n0,1\n1,1\n", 0, "", "2 samples, too few", "16 or more"},
       {"UTF-16", std::string("\xFF\xFEt\0", 4), 0, "", "is UTF-16", "accepted is text in UTF-8"},
       {"binary", std::string("t [s]\0gap", 9), 0, "", "is no text", "accepted is text in UTF-8"},

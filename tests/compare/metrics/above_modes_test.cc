@@ -84,9 +84,9 @@ TEST(AboveModes, IsAskedOfShaftsAlone) {
 TEST(AboveModes, AWhipOutrunsTheOneModeOfItsShaft) {
   const auto share = [](int modes) {
     scene::Scene s = test::shipped(
-        "paper_passive", {"rotor.modes=" + std::to_string(modes), "force=none",
-                          "rotor.disc[0].eccentricity=0", "contact.friction=0.6",
-                          "contact.restitution=0", "stator.stiffness=1e7", "run.end=0.05"});
+        "paper_passive",
+        {"rotor.modes=" + std::to_string(modes), "force=none", "rotor.disc[0].eccentricity=0",
+         "contact.friction=0.6", "contact.restitution=0", "stator.stiffness=1e7", "run.end=0.05"});
     for (auto* list : {&s.initial.x, &s.initial.vx, &s.initial.vy}) {
       list->assign(static_cast<std::size_t>(modes), 0.0);
     }

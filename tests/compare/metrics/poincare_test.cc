@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-// A circle of radius 1 by `whirl` turns a turn of the spin, in the rows of a run of 1 s at `spin` Hz.
+// A circle of radius 1 by `whirl` turns a turn of the spin, in the rows of a run of 1 s at `spin`
+// Hz.
 Trajectory circling(double spin, double whirl, std::size_t rows = 20001) {
   Trajectory t;
   std::vector<double> time, angle, x, y;
@@ -22,7 +23,8 @@ Trajectory circling(double spin, double whirl, std::size_t rows = 20001) {
     x.push_back(std::cos(whirl * angle.back()));
     y.push_back(std::sin(whirl * angle.back()));
   }
-  t.series = {{"t", "s", time}, {"rotor_x", "m", x}, {"rotor_y", "m", y}, {"spin_angle", "rad", angle}};
+  t.series = {
+      {"t", "s", time}, {"rotor_x", "m", x}, {"rotor_y", "m", y}, {"spin_angle", "rad", angle}};
   return t;
 }
 

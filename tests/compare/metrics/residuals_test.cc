@@ -93,8 +93,7 @@ TEST(ContactResiduals, SeesSlidingWithTooLittleFriction) {
 }
 
 TEST(ContactResiduals, SeesFrictionThatDrives) {
-  EXPECT_NEAR(with([](Row& row) { row.friction = -row.friction; }).power, kRub.friction,
-              kResidual);
+  EXPECT_NEAR(with([](Row& row) { row.friction = -row.friction; }).power, kRub.friction, kResidual);
 }
 
 TEST(ContactResiduals, SlowSlipMayHaveAnyFrictionInTheCone) {

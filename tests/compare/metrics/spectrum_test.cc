@@ -32,11 +32,11 @@ double at(const FullSpectrum& s, double frequency) {
 }
 
 TEST(FullSpectrum, TellsForwardFromBackwardWhirl) {
-  const FullSpectrum s = full_spectrum(
-      sampled([](double t) {
-        return Complex(5.0, -7.0) + circle(2.0, 50.0, t) + circle(0.5, -120.0, t);
-      }),
-      kSampling);
+  const FullSpectrum s =
+      full_spectrum(sampled([](double t) {
+                      return Complex(5.0, -7.0) + circle(2.0, 50.0, t) + circle(0.5, -120.0, t);
+                    }),
+                    kSampling);
   ASSERT_EQ(s.frequency.size(), kSamples);
   EXPECT_EQ(s.frequency.front(), -500.0);
   EXPECT_EQ(s.frequency.back(), 499.0);
@@ -59,7 +59,8 @@ TEST(FullSpectrum, TakesAnEllipseApart) {
 }
 
 TEST(FullSpectrum, LosesLittleBetweenItsFrequencies) {
-  const FullSpectrum s = full_spectrum(sampled([](double t) { return circle(1.0, 60.5, t); }), kSampling);
+  const FullSpectrum s =
+      full_spectrum(sampled([](double t) { return circle(1.0, 60.5, t); }), kSampling);
   EXPECT_GT(at(s, 60.0), 0.84);
   EXPECT_LT(at(s, 60.0), 0.86);
   EXPECT_NEAR(at(s, 60.0), at(s, 61.0), 1e-3);
@@ -68,7 +69,8 @@ TEST(FullSpectrum, LosesLittleBetweenItsFrequencies) {
 
 TEST(FullSpectrum, TakesAnyLength) {
   for (const std::size_t count : {2U, 3U, 7U, 1001U}) {
-    const FullSpectrum s = full_spectrum(sampled([](double t) { return circle(1.0, 9.0, t); }, count), kSampling);
+    const FullSpectrum s =
+        full_spectrum(sampled([](double t) { return circle(1.0, 9.0, t); }, count), kSampling);
     ASSERT_EQ(s.frequency.size(), count);
     ASSERT_EQ(s.amplitude.size(), count);
     for (const double a : s.amplitude) EXPECT_TRUE(std::isfinite(a));
@@ -78,8 +80,9 @@ TEST(FullSpectrum, TakesAnyLength) {
 
 // A sweep at 100 Hz/s, backward: each stretch peaks where the sweep is in its middle.
 TEST(Waterfall, FollowsASweep) {
-  const Waterfall w = waterfall(
-      sampled([](double t) { return std::polar(1.0, -kFullTurn * 50.0 * t * t); }, 4000), kSampling, 200);
+  const Waterfall w =
+      waterfall(sampled([](double t) { return std::polar(1.0, -kFullTurn * 50.0 * t * t); }, 4000),
+                kSampling, 200);
   ASSERT_EQ(w.frequency.size(), 200U);
   ASSERT_EQ(w.time.size(), 77U);
   EXPECT_DOUBLE_EQ(w.time.front(), 0.1);

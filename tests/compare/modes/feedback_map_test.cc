@@ -23,8 +23,8 @@ FeedbackPoint point(double speed, double feedback, double growth) {
   return p;
 }
 
-// Stable at k = 0, and from 200 to 300 with the best at 300, at the first speed; nowhere at the second,
-// where with k = 100 none lasts.
+// Stable at k = 0, and from 200 to 300 with the best at 300, at the first speed; nowhere at the
+// second, where with k = 100 none lasts.
 rub::FeedbackMap made_by_hand() {
   rub::FeedbackMap map{{100.0, 200.0}, {0.0, 100.0, 200.0, 300.0, 400.0}, {}};
   const double growths[] = {-1.0, 2.0, -3.0, -4.0, 1.0};
@@ -42,7 +42,8 @@ TEST(FeedbackMap, TheRuleIsTheFastestDecayAndItsStableStretch) {
   ASSERT_EQ(rule.size(), 2U);
   ASSERT_TRUE(rule[0].has_value());
   EXPECT_EQ(rule[0]->point->feedback, 300.0);
-  EXPECT_EQ(rule[0]->from, 200.0) << "the stretch about it, without the k = 0 beyond an unstable one";
+  EXPECT_EQ(rule[0]->from, 200.0)
+      << "the stretch about it, without the k = 0 beyond an unstable one";
   EXPECT_EQ(rule[0]->to, 300.0);
   EXPECT_FALSE(rule[1].has_value());
 }
@@ -78,7 +79,8 @@ TEST(FeedbackMap, ItsKeysAreAScenes) {
 // At each of its speeds the shipped k makes the rub decay nearly as fast as the best of a grid.
 TEST(FeedbackMap, TheShippedScenesFollowTheRule) {
   const scene::Scene scene = shipped("paper_cross_coupled");
-  EXPECT_EQ(scene.first().controller->feedback, shipped("paper_two_phase").first().controller->feedback);
+  EXPECT_EQ(scene.first().controller->feedback,
+            shipped("paper_two_phase").first().controller->feedback);
   const rub::RubSystem system = rub::rub_system(scene);
   for (std::size_t i = 0; i < scene.first().controller->feedback.size(); ++i) {
     const std::vector<double> speed{scene.first().controller->feedback_speed[i]};

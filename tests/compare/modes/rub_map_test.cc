@@ -33,7 +33,8 @@ TEST(RubJson, OfTheWhip) {
   EXPECT_EQ(whip.at("joined").size(), 2U);
   const std::string table = rub_table(rubs.at[0]);
   EXPECT_NE(table.find("-501.9257"), std::string::npos) << table;
-  EXPECT_NE(table.find("380.9469 to 501.9257 rad/s, above 1465.431 rad/s"), std::string::npos) << table;
+  EXPECT_NE(table.find("380.9469 to 501.9257 rad/s, above 1465.431 rad/s"), std::string::npos)
+      << table;
 }
 
 // A point about which nothing can move has no growth rate, not minus infinity.
@@ -46,7 +47,8 @@ TEST(RubJson, HasNumbersOrNull) {
   EXPECT_EQ(rub_table(rubs.at[0]).find("inf"), std::string::npos);
 }
 
-// Torsion and the motor: each rub once more, and the rolling that the motor keeps; none of it where both are held.
+// Torsion and the motor: each rub once more, and the rolling that the motor keeps; none of it where
+// both are held.
 TEST(RubJson, WhereTorsionAndTheSpeedGiveWay) {
   const scene::Scene scene = shipped("paper_rolling");
   const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed}).front();
@@ -55,16 +57,20 @@ TEST(RubJson, WhereTorsionAndTheSpeedGiveWay) {
   const json& rolling = point.at("driven_rolling").back();
   EXPECT_EQ(rolling.at("stable"), true);
   EXPECT_NEAR(rolling.at("speed").get<double>(), 196.09, 0.01);
-  EXPECT_NEAR(rolling.at("torque").get<double>(), 0.5 * (scene.drive->speed - rolling.at("speed").get<double>()), 1e-6);
+  EXPECT_NEAR(rolling.at("torque").get<double>(),
+              0.5 * (scene.drive->speed - rolling.at("speed").get<double>()), 1e-6);
   const std::string table = rub_table(rubs.at[0]);
   EXPECT_NE(table.find("at a speed that the motor keeps"), std::string::npos) << table;
 
-  EXPECT_FALSE(rub_json(analyse_rubs(shipped("bench_whip"), {314.0}).front().at.at(0)).contains("driven"));
+  EXPECT_FALSE(
+      rub_json(analyse_rubs(shipped("bench_whip"), {314.0}).front().at.at(0)).contains("driven"));
   const scene::Scene follows = shipped("run_up");  // its torque depends on time too
-  EXPECT_FALSE(rub_json(analyse_rubs(follows, {follows.rotor.speed}).front().at.at(0)).contains("driven"));
+  EXPECT_FALSE(
+      rub_json(analyse_rubs(follows, {follows.rotor.speed}).front().at.at(0)).contains("driven"));
 }
 
-// Each while the others are open: what the scene with that contact alone has, its modes scaled there.
+// Each while the others are open: what the scene with that contact alone has, its modes scaled
+// there.
 TEST(RubAnalyses, OfSeveralContactsAreThoseOfEachAlone) {
   const scene::Scene one = shipped("bench_whip");
   scene::Scene two = one;
@@ -74,12 +80,15 @@ TEST(RubAnalyses, OfSeveralContactsAreThoseOfEachAlone) {
   const std::vector<RubAnalyses> rubs = analyse_rubs(two, {one.rotor.speed});
   ASSERT_EQ(rubs.size(), 2u);
   EXPECT_EQ(rubs[1].contact, "other end");
-  // A mode of -0.5 at the contact is one of four times the mass, stiffness and damping that is 1 there.
+  // A mode of -0.5 at the contact is one of four times the mass, stiffness and damping that is 1
+  // there.
   scene::Scene scaled = one;
   scaled.rotor.modal->mass = scaled.rotor.modal->mass_y = {4.0 * one.rotor.modal->mass[0]};
-  scaled.rotor.modal->stiffness = scaled.rotor.modal->stiffness_y = {4.0 * one.rotor.modal->stiffness[0]};
+  scaled.rotor.modal->stiffness =
+      scaled.rotor.modal->stiffness_y = {4.0 * one.rotor.modal->stiffness[0]};
   scaled.rotor.modal->damping = scaled.rotor.modal->damping_y = {4.0 * one.rotor.modal->damping[0]};
-  for (const auto& [found, of] : {std::pair(&rubs[0], &one), std::pair(&rubs[1], static_cast<const scene::Scene*>(&scaled))}) {
+  for (const auto& [found, of] : {std::pair(&rubs[0], &one),
+                                  std::pair(&rubs[1], static_cast<const scene::Scene*>(&scaled))}) {
     const RubAnalyses exact = analyse_rubs(*of, {one.rotor.speed}).front();
     ASSERT_EQ(found->at.size(), 1u) << found->refused;
     ASSERT_EQ(found->at[0].point.rubs.size(), exact.at[0].point.rubs.size());
@@ -118,7 +127,8 @@ class RubMapOfTheWhip : public testing::Test {
 
 TEST_F(RubMapOfTheWhip, AsAPicture) {
   const std::string picture = rub_map_picture("whip", map);
-  EXPECT_NE(picture.find("     0.25 |OOO\n      0.2 |VVV\n      0.1 |OOO\n"), std::string::npos) << picture;
+  EXPECT_NE(picture.find("     0.25 |OOO\n      0.2 |VVV\n      0.1 |OOO\n"), std::string::npos)
+      << picture;
   EXPECT_NE(picture.find("V  no contact + backward whip + rolling"), std::string::npos) << picture;
   EXPECT_EQ(picture.find("synchronous"), std::string::npos) << "only what occurs is explained";
 }

@@ -34,7 +34,8 @@ Trajectory own_run(const std::shared_ptr<const OwnMachine>& machine, scene::Cont
   return t;
 }
 
-// The run-up of the shipped machine into its rub: MuJoCo's `rigid` comes to the twin as its step falls.
+// The run-up of the shipped machine into its rub: MuJoCo's `rigid` comes to the twin as its step
+// falls.
 TEST(OwnMachine, ConvergesToItsTwin) {
   const auto machine = std::make_shared<const OwnMachine>(kOwn, until(0.05));
   EXPECT_EQ(machine->scene().name, "own_model");
@@ -42,18 +43,22 @@ TEST(OwnMachine, ConvergesToItsTwin) {
   const Trajectory native = run_native(machine->scene(), {});
   ASSERT_EQ(native.status, Status::kOk) << native.message;
   ASSERT_GT(native.impacts.size(), 3U);
-  const double coarse = test::rotor_error(own_run(machine, scene::ContactModel::kRigid, 1e-5), native);
-  const double fine = test::rotor_error(own_run(machine, scene::ContactModel::kRigid, 2.5e-6), native);
+  const double coarse =
+      test::rotor_error(own_run(machine, scene::ContactModel::kRigid, 1e-5), native);
+  const double fine =
+      test::rotor_error(own_run(machine, scene::ContactModel::kRigid, 2.5e-6), native);
   EXPECT_LT(coarse, 5e-6);
   EXPECT_LT(fine, 0.35 * coarse);
 }
 
-// A ring that turns: the rub speeds the rotor up and the ring down. Of first order, as own models are.
+// A ring that turns: the rub speeds the rotor up and the ring down. Of first order, as own models
+// are.
 TEST(OwnMachine, ConvergesToItsTwinInARingThatTurns) {
   test::Machine x;
   x.friction = 0.15;
   x.ring_geoms = R"(<joint name="turn" type="hinge" axis="0 0 1" damping="2e-3"/>)";
-  x.constraints = R"(<keyframe><key name="start" qpos="5e-4 0 0 0 0 0" qvel="0 0.4 100 0 0 314"/></keyframe>)";
+  x.constraints =
+      R"(<keyframe><key name="start" qpos="5e-4 0 0 0 0 0" qvel="0 0.4 100 0 0 314"/></keyframe>)";
   const std::string file = ::testing::TempDir() + "/turning_ring.xml";
   std::ofstream(file) << test::document(x);
   const auto machine = std::make_shared<const OwnMachine>(file, until(0.02));
@@ -68,7 +73,8 @@ TEST(OwnMachine, ConvergesToItsTwinInARingThatTurns) {
   for (int k = 0; k < 2; ++k) {
     const Trajectory t = own_run(machine, scene::ContactModel::kRigid, k == 0 ? 1e-5 : 2.5e-6);
     error[k] = test::rotor_error(t, native);
-    for (const char* speed : {"spin_speed", "ring_speed"}) EXPECT_NEAR(last(t, speed), last(native, speed), 0.1);
+    for (const char* speed : {"spin_speed", "ring_speed"})
+      EXPECT_NEAR(last(t, speed), last(native, speed), 0.1);
   }
   EXPECT_LT(error[1], 0.35 * error[0]);
   EXPECT_LT(error[1], 5e-6);
@@ -83,7 +89,8 @@ TEST(OwnMachine, HasEveryContactModel) {
     const Trajectory t = own_run(machine, contact, 1e-5);
     // The cone chatters in this rub, and its mean is that of its bounces.
     const double share = contact == scene::ContactModel::kCone ? 0.3 : 1e-3;
-    EXPECT_NEAR(t.mean_force(), native.mean_force(), share * native.mean_force()) << to_string(contact);
+    EXPECT_NEAR(t.mean_force(), native.mean_force(), share * native.mean_force())
+        << to_string(contact);
     EXPECT_GT(t.statistics.max_penetration, 0.0);
   }
 }

@@ -7,9 +7,9 @@
 
 #include "compare/bench/json.h"
 #include "compare/report/page.h"
+#include "native_model/scene/reader.h"
 #include "tests/compare/bench/made_points.h"
 #include "tests/compare/hand_made.h"
-#include "native_model/scene/reader.h"
 
 namespace rotorub {
 namespace {
@@ -42,7 +42,8 @@ json kept_bench() {
   bench::SceneBench b;
   b.scene = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml");
   b.reference.source = "made up";
-  b.reference.trajectory = test::hand_made(101, 1e-3, [](double t) { return test::sliding({}, t); });
+  b.reference.trajectory =
+      test::hand_made(101, 1e-3, [](double t) { return test::sliding({}, t); });
   b.engines = {test::made_engine("native-event", bench::Family::kNative),
                test::made_engine("mujoco-rigid", bench::Family::kMujoco)};
   b.points = {test::made_point("native-event", std::nullopt, 1e-7, 2e-3, "tolerance 1e-6"),
@@ -53,7 +54,8 @@ json kept_bench() {
   return bench::bench_json({"made-up processor", 2, "avx2", "g++ 12", "2.2.2"}, {b}, {});
 }
 
-const char* const kMap = R"({"name": "ring", "cards": [], "maps": [{"first": "f", "which": "first"}], "plots": {
+const char* const kMap =
+    R"({"name": "ring", "cards": [], "maps": [{"first": "f", "which": "first"}], "plots": {
   "kind": "grid", "keys": [{"name": "k", "unit": "", "even": true, "log": false, "values": [1, 2]}],
   "figures": [{"name": "f", "unit": "N", "meaning": "m", "word": false}], "values": [[0, 1]],
   "columns": [[3, 4]], "status": [0, 0], "statuses": ["ok"], "every": 1}})";
@@ -96,7 +98,8 @@ TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
   put("x/bench.json", "{");
   EXPECT_NE(refusal().find("x/bench.json"), std::string::npos) << refusal();
   EXPECT_NE(refusal().find("rotorub bench -o DIR"), std::string::npos) << refusal();
-  put("x/bench.json", R"({"machine": {"processor": "p", "instructions": "i"}, "scenes": [{"scene": 1}]})");
+  put("x/bench.json",
+      R"({"machine": {"processor": "p", "instructions": "i"}, "scenes": [{"scene": 1}]})");
   EXPECT_NE(refusal().find("x/bench.json"), std::string::npos) << refusal();
   std::filesystem::remove(top / "x/bench.json");
   // A list that is shorter than the others would be drawn beside wrong points.

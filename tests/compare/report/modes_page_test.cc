@@ -101,14 +101,17 @@ TEST(ModesPlots, DrawTorsionAndTheWhirlAtTheScenesSpeed) {
   const json plots = plots_of(s);
   ASSERT_EQ(plots["campbell"]["torsion"].size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_NEAR(plots["campbell"]["torsion"][k].get<double>() / (analysis.torsion[k].frequency * kHz), 1.0, kDrawn);
+    EXPECT_NEAR(
+        plots["campbell"]["torsion"][k].get<double>() / (analysis.torsion[k].frequency * kHz), 1.0,
+        kDrawn);
   }
   // Each sense counts its own modes, and each is drawn 1 high.
   const json& whirl = plots["shapes"].at("whirl");
   ASSERT_EQ(whirl.size(), 6u);
   for (const json& mode : whirl) {
     double highest = 0.0;
-    for (const json& value : mode.at("shape")) highest = std::max(highest, std::abs(value.get<double>()));
+    for (const json& value : mode.at("shape"))
+      highest = std::max(highest, std::abs(value.get<double>()));
     EXPECT_EQ(highest, 1.0) << mode.at("sense") << mode.at("number");
   }
   EXPECT_EQ(whirl[4].at("number"), 3);

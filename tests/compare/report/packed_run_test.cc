@@ -49,8 +49,10 @@ void expect_places(const Packed& p, const std::string& track, const char* x, con
   EXPECT_LE(worst, kPlaceTolerance * kRound) << track;
 }
 
-// 1 % of the force, or of the mean over the rows that have one: said here in other words than the packer's.
-void expect_forces(const Packed& p, const std::string& track, const std::vector<std::string>& names) {
+// 1 % of the force, or of the mean over the rows that have one: said here in other words than the
+// packer's.
+void expect_forces(const Packed& p, const std::string& track,
+                   const std::vector<std::string>& names) {
   const UnpackedTrack unpacked(p.tracks.at(track));
   const auto& t = p.run.column("t");
   std::vector<double> force(t.size()), error(t.size());
@@ -82,8 +84,10 @@ void expect_shaft(const Packed& p) {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(p.machine.z.size()), y = x;
     for (std::size_t k = 0; k < modes.size(); ++k) {
       const std::string n = std::to_string(k + 1);
-      x += p.machine.modes_x.col(static_cast<Eigen::Index>(k)) * (modes[k].at(t[i], 0) - p.run.column("x_" + n)[i]);
-      y += p.machine.modes_y.col(static_cast<Eigen::Index>(k)) * (modes[k].at(t[i], 1) - p.run.column("y_" + n)[i]);
+      x += p.machine.modes_x.col(static_cast<Eigen::Index>(k)) *
+           (modes[k].at(t[i], 0) - p.run.column("x_" + n)[i]);
+      y += p.machine.modes_y.col(static_cast<Eigen::Index>(k)) *
+           (modes[k].at(t[i], 1) - p.run.column("y_" + n)[i]);
     }
     worst = std::max(worst, (x.array().square() + y.array().square()).maxCoeff());
   }
@@ -103,7 +107,8 @@ void expect_gap(const Packed& p) {
 void expect_modes(const Packed& p) {
   const UnpackedTrack unpacked(p.tracks.at("mode"));
   const auto& t = p.run.column("t");
-  for (std::size_t i = 0; i < t.size(); ++i) ASSERT_EQ(unpacked.at(t[i], 0), p.run.column("mode")[i]) << t[i];
+  for (std::size_t i = 0; i < t.size(); ++i)
+    ASSERT_EQ(unpacked.at(t[i], 0), p.run.column("mode")[i]) << t[i];
 }
 
 void expect_all(const Packed& p) {
@@ -130,7 +135,8 @@ TEST(PackedRun, KeepsABouncingRotor) {
   const Packed p = packed_run(*native_engine(scene::Integrator::kEvent), scene);
   ASSERT_GT(p.run.impacts.size(), 50U);
   expect_all(p);
-  EXPECT_LT(bytes(p.tracks), p.run.rows() * p.run.series.size() * 8 / 20) << "a twentieth of the rows";
+  EXPECT_LT(bytes(p.tracks), p.run.rows() * p.run.series.size() * 8 / 20)
+      << "a twentieth of the rows";
 }
 
 // A controlled ring, and the cone's chatter: forces that are there for a step at a time.
@@ -152,7 +158,8 @@ TEST(PackedRun, KeepsCurrents) {
 
 // A clearance of 10 nm: what is fine is said by the scene.
 TEST(PackedRun, KeepsATinyClearance) {
-  const Packed p = packed_run(*native_engine(scene::Integrator::kEvent), test::shipped("hard/tiny_clearance"));
+  const Packed p =
+      packed_run(*native_engine(scene::Integrator::kEvent), test::shipped("hard/tiny_clearance"));
   expect_all(p);
   const UnpackedTrack rotor(p.tracks.at("rotor"));
   const auto& t = p.run.column("t");
@@ -178,7 +185,8 @@ TEST(PackedRun, MayEndEarly) {
   EXPECT_TRUE(pack_run(scene, p.machine, run).empty());
 }
 
-// With rows of half a millisecond bounces lie between them: the gap touches 0 at each, and rises in between.
+// With rows of half a millisecond bounces lie between them: the gap touches 0 at each, and rises in
+// between.
 TEST(PackedRun, ShowsBouncesBetweenRows) {
   const scene::Scene scene = test::shipped("bench_drop");
   RunRequest request;
@@ -191,7 +199,8 @@ TEST(PackedRun, ShowsBouncesBetweenRows) {
     const Impact &a = p.run.impacts[i], &b = p.run.impacts[i + 1];
     if (!counts(a) || !counts(b)) continue;
     EXPECT_NEAR(gap.at(a.t, 0), 0.0, 2.0 * fine) << a.t;
-    const double height = 0.25 * a.gap_rate_after * (b.t - a.t);  // of a parabola that leaves at this rate
+    const double height =
+        0.25 * a.gap_rate_after * (b.t - a.t);  // of a parabola that leaves at this rate
     if (height < 1e-6) continue;
     ++arcs;
     EXPECT_NEAR(gap.at(0.5 * (a.t + b.t), 0), height, 0.05 * height + 2.0 * fine) << a.t;
@@ -201,7 +210,8 @@ TEST(PackedRun, ShowsBouncesBetweenRows) {
 
 // Nor does a cubic between coarse rows let the rigid rotor into the ring.
 TEST(PackedRun, NeverPenetratesBetweenRowsOfTheRigidLaw) {
-  const scene::Scene scene = test::shipped("paper_magnetic", {"run.end=0.115", "run.output_step=5e-4"});
+  const scene::Scene scene =
+      test::shipped("paper_magnetic", {"run.end=0.115", "run.output_step=5e-4"});
   RunRequest request;
   request.output_times = output_times(scene.run);
   const Packed p = packed(scene, native_engine(scene::Integrator::kEvent)->run(scene, request));
@@ -216,7 +226,8 @@ TEST(PackedRun, HasNothingThatTheSceneHasNot) {
   const scene::Scene billiard = test::shipped("bench_billiard", {"run.end=0.02"});
   const Packed p = packed_run(*native_engine(scene::Integrator::kEvent), billiard);
   ASSERT_FALSE(billiard.first().stator);
-  for (const char* name : {"ring", "bend_1", "control", "current", "torsion", "ring_spin", "motor_torque"}) {
+  for (const char* name :
+       {"ring", "bend_1", "control", "current", "torsion", "ring_spin", "motor_torque"}) {
     EXPECT_FALSE(p.tracks.contains(name)) << name;
   }
   const nlohmann::json rig = rig_values(p.scene, p.machine);

@@ -25,7 +25,9 @@ TEST(RotorSection, IsOfTheScenesSpeed) {
   const json& operating = section.data.at("campbell").at("operating");
   ASSERT_EQ(operating.size(), spectrum.modes.size());
   for (std::size_t k = 0; k < operating.size(); ++k) {
-    EXPECT_NEAR(operating[k].at("frequency").get<double>() / (kHz * std::abs(spectrum.modes[k].frequency)), 1.0, 1e-6);
+    EXPECT_NEAR(
+        operating[k].at("frequency").get<double>() / (kHz * std::abs(spectrum.modes[k].frequency)),
+        1.0, 1e-6);
     EXPECT_EQ(operating[k].at("sense"), spectrum.modes[k].frequency > 0.0 ? "forward" : "backward");
   }
   const json& shapes = section.data.at("shapes");

@@ -137,7 +137,9 @@ key = "contact.friction"
 values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
 )");
   EXPECT_FALSE(sweep::linear_map(*scenes).any());
-  EXPECT_EQ(sweep_page(*scenes, *store, study, sweep_json(*scenes, *store, study)).find("without any run"), std::string::npos);
+  EXPECT_EQ(sweep_page(*scenes, *store, study, sweep_json(*scenes, *store, study))
+                .find("without any run"),
+            std::string::npos);
 }
 
 // What a report reads later is what its own page shows.

@@ -42,8 +42,9 @@ TEST(Template, ReadsMembers) { EXPECT_EQ(fill_template("{{a.b}}", {{"a", {{"b", 
 
 TEST(Template, FillsPartialsWhereTheyStand) {
   const Partials partials = {{"row", "[{{a}}{{>end}}]"}, {"end", "!"}};
-  EXPECT_EQ(fill_template("{{#rows}}{{>row}}{{/rows}}", {{"rows", {{{"a", 1}}, {{"a", 2}}}}}, partials),
-            "[1!][2!]");
+  EXPECT_EQ(
+      fill_template("{{#rows}}{{>row}}{{/rows}}", {{"rows", {{{"a", 1}}, {{"a", 2}}}}}, partials),
+      "[1!][2!]");
   EXPECT_THROW(fill_template("{{>row}}", json::object()), std::logic_error);
 }
 

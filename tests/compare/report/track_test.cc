@@ -49,7 +49,16 @@ Samples circle(double w, double spacing, std::size_t n, double start) {
 }
 
 TEST(WholeNumbers, ComeBack) {
-  const std::vector<std::int64_t> numbers = {0, 63, -64, 64, -65, 8191, 8192, -1, std::int64_t{1} << 40, 5,
+  const std::vector<std::int64_t> numbers = {0,
+                                             63,
+                                             -64,
+                                             64,
+                                             -65,
+                                             8191,
+                                             8192,
+                                             -1,
+                                             std::int64_t{1} << 40,
+                                             5,
                                              std::numeric_limits<std::int64_t>::max() / 2,
                                              std::numeric_limits<std::int64_t>::min() / 2};
   std::string bytes = "x";
@@ -92,8 +101,8 @@ TEST(Track, IsWithinItsToleranceAtEverySample) {
   }
 }
 
-// The error of a cubic Hermite over h is h^4 max |f''''| / 384, of a line h^2 max |f''| / 8: what the least number of
-// knots follows from.
+// The error of a cubic Hermite over h is h^4 max |f''''| / 384, of a line h^2 max |f''| / 8: what
+// the least number of knots follows from.
 TEST(Track, HasFewKnotsWhereItIsSmooth) {
   const double w = 314.0;
   Samples s = circle(w, 1e-5, 50001, 0.0);
@@ -106,7 +115,8 @@ TEST(Track, HasFewKnotsWhereItIsSmooth) {
   s.rate.clear();
   const Track line = pack(TrackKind::kLinear, s);
   EXPECT_LE(worst(s, line), 1.0);
-  EXPECT_LE(static_cast<double>(line.knots), 1.5 * span / std::sqrt(8.0 * 1e-6 / (5e-4 * w * w)) + 2.0);
+  EXPECT_LE(static_cast<double>(line.knots),
+            1.5 * span / std::sqrt(8.0 * 1e-6 / (5e-4 * w * w)) + 2.0);
   EXPECT_GT(line.knots, 3 * cubic.knots);
 }
 
@@ -142,7 +152,8 @@ TEST(Track, HoldsFromItsSampleOn) {
 
 // Of a run that diverged: what cannot be distinguished need not be, but it must not overflow.
 TEST(Track, MayBeHuge) {
-  const Samples s{{0.0, 1e-5, 2e-5}, {{1e-9, 1.0, -1e300}}, {{0.0, 1e5, 1e305}}, {3e-8, 1e-2, 1e298}};
+  const Samples s{
+      {0.0, 1e-5, 2e-5}, {{1e-9, 1.0, -1e300}}, {{0.0, 1e5, 1e305}}, {3e-8, 1e-2, 1e298}};
   const UnpackedTrack track(pack(TrackKind::kHermite, s));
   EXPECT_NEAR(track.at(2e-5, 0), -1e300, 1e298);
   EXPECT_TRUE(std::isfinite(track.at(1e-5, 0)));

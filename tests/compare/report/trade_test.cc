@@ -1,4 +1,5 @@
-// The report's figures beyond series: what control trades, the characteristics, the laws of each impact.
+// The report's figures beyond series: what control trades, the characteristics, the laws of each
+// impact.
 #include "compare/report/trade.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,8 @@ TEST(Characteristics, AreTheLawsOwn) {
   const double target = 100.0 * std::numbers::pi;
   EXPECT_NEAR(motor["y"].front().get<double>(), 0.5 * (target - 300.0), 1e-4);
   EXPECT_NEAR(motor["x"].back().get<double>(), 320.0 * 30.0 / std::numbers::pi, 0.01);
-  EXPECT_TRUE(motor_curve(figure_scene("run_up"), 300.0, 320.0).is_null()) << "it follows its reference";
+  EXPECT_TRUE(motor_curve(figure_scene("run_up"), 300.0, 320.0).is_null())
+      << "it follows its reference";
 }
 
 // Of a run that slides through all its impacts each lies on Coulomb's law and on Poisson's.
@@ -81,7 +83,8 @@ TEST(ImpactPlots, LieOnTheLawsThatTheyAreOf) {
                 1e-4 * impacts["y"][k].get<double>());
   }
   std::string kinds;
-  for (const PlotKind& kind : plot_kinds(shown_runs(c))) kinds += std::string(kind.key) + ":" + to_string(kind.over) + " ";
+  for (const PlotKind& kind : plot_kinds(shown_runs(c)))
+    kinds += std::string(kind.key) + ":" + to_string(kind.over) + " ";
   EXPECT_NE(kinds.find("friction_law:law"), std::string::npos) << kinds;
   EXPECT_NE(kinds.find("motor:path"), std::string::npos) << kinds;
   EXPECT_EQ(kinds.find("actuator:"), std::string::npos) << kinds;
@@ -93,12 +96,14 @@ TEST(ImpactPlots, ShowTheRunWithoutControl) {
   options.timing_repeats = 1;
   options.twins = 1;
   options.modes_ladder = false;
-  const SceneComparison c = compare_scene(
-      figure_scene("bench_ring", {"run.end=0.006", "controller.kind=passive", "controller.stiffness=5e4",
-                                  "controller.damping=100", "controller.on=0.005"}),
-      options);
+  const SceneComparison c =
+      compare_scene(figure_scene("bench_ring", {"run.end=0.006", "controller.kind=passive",
+                                                "controller.stiffness=5e4",
+                                                "controller.damping=100", "controller.on=0.005"}),
+                    options);
   ASSERT_TRUE(c.uncontrolled);
-  EXPECT_FALSE(c.uncontrolled->has("control_x") && c.uncontrolled->column("control_x").back() != 0.0);
+  EXPECT_FALSE(c.uncontrolled->has("control_x") &&
+               c.uncontrolled->column("control_x").back() != 0.0);
   EXPECT_FALSE(plot_data(shown_runs(c))["uncontrolled"]["rotor"].empty());
 }
 

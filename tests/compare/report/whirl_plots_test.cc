@@ -27,7 +27,7 @@ Trajectory whirling(double spin = 40.0, std::size_t rows = 4001) {
     angle.push_back(with);
   }
   Trajectory run;
-  run.series = {{"t", "s", t},          {"rotor_x", "m", x},      {"rotor_y", "m", y},
+  run.series = {{"t", "s", t},           {"rotor_x", "m", x},     {"rotor_y", "m", y},
                 {"rotor_vx", "m/s", vx}, {"rotor_vy", "m/s", vy}, {"spin_angle", "rad", angle}};
   return run;
 }
@@ -36,12 +36,14 @@ TEST(WhirlPlots, TheSpectrumPeaksAtTheWhirl) {
   const Trajectory run = whirling();
   EXPECT_NEAR(mean_spin(run), 40.0, 1e-9);
   const json spectrum = whirl_data(run, nullptr, 320.0).at("spectrum");
-  const auto f = spectrum.at("f").get<std::vector<double>>(), y = spectrum.at("y").get<std::vector<double>>();
+  const auto f = spectrum.at("f").get<std::vector<double>>(),
+             y = spectrum.at("y").get<std::vector<double>>();
   ASSERT_EQ(f.size(), y.size());
   EXPECT_GE(f.front(), -320.0);
   EXPECT_LE(f.back(), 320.0);
   const auto peak = std::max_element(y.begin(), y.end());
-  EXPECT_NEAR(f[static_cast<std::size_t>(peak - y.begin())], -100.0, 1.1) << "the second half: 2 Hz apart";
+  EXPECT_NEAR(f[static_cast<std::size_t>(peak - y.begin())], -100.0, 1.1)
+      << "the second half: 2 Hz apart";
   EXPECT_GT(*peak, 0.84 * 20.0);
   EXPECT_LE(*peak, 20.01);
 }
@@ -55,7 +57,8 @@ TEST(WhirlPlots, TheWaterfallHasNoEmptyColumns) {
   EXPECT_LE(high, 330.0);
   // 8 turns of 25 ms: 5 Hz apart, and as wide a column.
   EXPECT_NEAR((high - low) / columns, 5.0, 0.05);
-  EXPECT_EQ(w.at("levels").get<std::string>().size(), static_cast<std::size_t>((rows * columns + 2) / 3 * 4));
+  EXPECT_EQ(w.at("levels").get<std::string>().size(),
+            static_cast<std::size_t>((rows * columns + 2) / 3 * 4));
   EXPECT_NEAR(w.at("high").get<double>(), std::log10(20.0), 0.08);
 }
 

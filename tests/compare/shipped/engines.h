@@ -27,7 +27,8 @@ inline std::vector<NamedEngine> engines() {
   using scene::ContactModel;
   using scene::Integrator;
   std::vector<NamedEngine> all;
-  for (const Integrator i : {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper, Integrator::kLiteral}) {
+  for (const Integrator i :
+       {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper, Integrator::kLiteral}) {
     all.push_back({native_engine(i), "", kRoundOff});
   }
   all.push_back({mujoco_engine(ContactModel::kRigid), "", kRoundOff});
@@ -41,15 +42,17 @@ inline std::vector<NamedEngine> engines() {
 inline std::vector<std::string> scenes_of(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(ROTORUB_MJCF_DIR + folder)) {
-    if (entry.path().extension() == ".toml") names.push_back(folder + "/" + entry.path().stem().string());
+    if (entry.path().extension() == ".toml")
+      names.push_back(folder + "/" + entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
   return names;
 }
 
 // Nothing where the engine refuses the scene.
-inline std::optional<Trajectory> run(const NamedEngine& e, const std::string& name, std::vector<std::string> overrides,
-                              int ulps = 0, double step = kStep) {
+inline std::optional<Trajectory> run(const NamedEngine& e, const std::string& name,
+                                     std::vector<std::string> overrides, int ulps = 0,
+                                     double step = kStep) {
   if (*e.override_ != 0) overrides.emplace_back(e.override_);
   RunRequest request;
   request.step = step;

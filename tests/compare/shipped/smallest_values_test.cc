@@ -1,5 +1,5 @@
-// Every number of every shipped scene at its smallest legal value, one at a time, by every engine: each run ends
-// well or says why not, stays finite and in its ring, and engines of one law agree.
+// Every number of every shipped scene at its smallest legal value, one at a time, by every engine:
+// each run ends well or says why not, stays finite and in its ring, and engines of one law agree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,8 @@ struct GivenKey {
   const scene::Key* key;
 };
 
-// The keys that stand in the scene's file and have a smallest value, but for those of the run itself.
+// The keys that stand in the scene's file and have a smallest value, but for those of the run
+// itself.
 std::vector<GivenKey> bounded_keys(const std::string& name) {
   std::ifstream file(std::string(ROTORUB_MJCF_DIR) + name + ".toml");
   const std::regex header(R"(^\s*\[(\[?)([\w.]+)\]\]?.*)"), entry(R"(^\s*(\w+)\s*=.*)");
@@ -40,8 +41,10 @@ std::vector<GivenKey> bounded_keys(const std::string& name) {
       if (path == "run" || path.starts_with("check") || path.starts_with("mujoco")) table = nullptr;
     } else if (table && std::regex_match(line, match, entry)) {
       const scene::Key* key = table->find(match[1].str());
-      const bool number = key && (key->type == scene::ValueType::kNumber || key->type == scene::ValueType::kPlanes);
-      if (number && std::isfinite(key->range.low)) keys.push_back({path + "." + std::string(key->name), key});
+      const bool number =
+          key && (key->type == scene::ValueType::kNumber || key->type == scene::ValueType::kPlanes);
+      if (number && std::isfinite(key->range.low))
+        keys.push_back({path + "." + std::string(key->name), key});
     }
   }
   return keys;
@@ -70,11 +73,11 @@ std::vector<std::string> scenes_with_cases() {
 }
 
 constexpr std::size_t kEvent = 0, kVerlet = 1, kRigid = 4;  // of engines()
-constexpr double kSameScheme = 1e-6;                        // of the clearance: `rigid` is `verlet`'s step
-constexpr double kSamePhysics = 1e-2;                       // of the clearance, at a coarse step
+constexpr double kSameScheme = 1e-6;   // of the clearance: `rigid` is `verlet`'s step
+constexpr double kSamePhysics = 1e-2;  // of the clearance, at a coarse step
 
-// The smallest value itself, or one not far above: 1e-7 in SI, of a time 10 us, half a step, as below that MuJoCo's
-// own sum of steps is no longer a time.
+// The smallest value itself, or one not far above: 1e-7 in SI, of a time 10 us, half a step, as
+// below that MuJoCo's own sum of steps is no longer a time.
 std::string smallest(const scene::Key& key) {
   const double above = key.quantity.unit == "s" ? 1e-5 : 1e-7;
   return scene::number_text(key.range.low + (key.range.low_open ? above : 0.0));
@@ -103,7 +106,8 @@ TEST_P(LongSmallestValues, RunAlikeOrSayWhyNot) {
       const std::string what = override_ + ", " + e.engine->name() + " " + e.override_;
       EXPECT_EQ(t->status == Status::kOk, t->message.empty()) << what << ": " << t->message;
       for (const Column& column : t->series) {
-        for (const double v : column.values) ASSERT_TRUE(std::isfinite(v)) << what << ": " << column.name;
+        for (const double v : column.values)
+          ASSERT_TRUE(std::isfinite(v)) << what << ": " << column.name;
       }
     }
     const auto ended = [&](std::size_t i) { return runs[i] && runs[i]->status == Status::kOk; };
@@ -121,9 +125,12 @@ TEST_P(LongSmallestValues, RunAlikeOrSayWhyNot) {
       const double apart = rotor_error(*runs[kEvent], *runs[kVerlet]);
       if (apart < kSamePhysics * clearance) continue;
       const auto finer = run(all_engines[kVerlet], GetParam(), overrides, 0, kStep / 16);
-      EXPECT_TRUE(rotor_error(*runs[kEvent], *finer) < 0.25 * apart || scatter(kEvent) > 1e-9 * clearance)
-          << override_ << ": event and verlet are " << apart / clearance << " clearances apart, at a 16th of the step "
-          << rotor_error(*runs[kEvent], *finer) / clearance << ", twins " << scatter(kEvent) / clearance;
+      EXPECT_TRUE(rotor_error(*runs[kEvent], *finer) < 0.25 * apart ||
+                  scatter(kEvent) > 1e-9 * clearance)
+          << override_ << ": event and verlet are " << apart / clearance
+          << " clearances apart, at a 16th of the step "
+          << rotor_error(*runs[kEvent], *finer) / clearance << ", twins "
+          << scatter(kEvent) / clearance;
     }
   }
 }

@@ -49,7 +49,8 @@ TEST_P(LongSymmetry, EveryEngineSeesTheSameMachine) {
   }
   const std::vector<std::string> plain{"run.end=" +
                                        std::to_string(std::min(whole->run.end, 0.115))};
-  const double clearance = whole->first().contact->clearance, radius = whole->first().contact->radius;
+  const double clearance = whole->first().contact->clearance,
+               radius = whole->first().contact->radius;
   for (const Symmetry symmetry : {Symmetry::kMirrored, Symmetry::kTurned}) {
     const Transformed by(*whole, symmetry);
     std::vector<std::string> overrides = plain;

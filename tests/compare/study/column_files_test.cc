@@ -1,6 +1,6 @@
+#include "compare/study/column_files.h"
 #include "compare/figures/json.h"
 #include "compare/run_files/summary.h"
-#include "compare/study/column_files.h"
 
 #include <gtest/gtest.h>
 
@@ -19,13 +19,17 @@ namespace {
 
 using nlohmann::json;
 
-scene::Scene shipped_scene(const std::string& name, std::vector<std::string> overrides = {"run.end=1e-3"}) {
+scene::Scene shipped_scene(const std::string& name,
+                           std::vector<std::string> overrides = {"run.end=1e-3"}) {
   return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
 }
 
-Trajectory short_run(const scene::Scene& scene) { return native_engine(scene::Integrator::kVerlet)->run(scene, {}); }
+Trajectory short_run(const scene::Scene& scene) {
+  return native_engine(scene::Integrator::kVerlet)->run(scene, {});
+}
 
-// Between the marks stands what the program says; ROTORUB_UPDATE_REFERENCE=1 in the environment writes it instead.
+// Between the marks stands what the program says; ROTORUB_UPDATE_REFERENCE=1 in the environment
+// writes it instead.
 void expect_in_readme(const std::string& file, const std::string& text) {
   const std::string path = std::string(ROTORUB_SOURCE_DIR) + "/" + file;
   std::stringstream content;
@@ -47,9 +51,10 @@ TEST(ColumnFiles, StandInTheReadmesAsTheProgramHasThem) {
   expect_in_readme("compare/sweep/README.md", sweep::sweep_columns_markdown() + "\n");
 }
 
-const std::string kTwoRings = std::string(ROTORUB_SOURCE_DIR) + "/tests/native_model/event/two_rings/moving.toml";
+const std::string kTwoRings =
+    std::string(ROTORUB_SOURCE_DIR) + "/tests/native_model/event/two_rings/moving.toml";
 const std::vector<std::string> kShort{"run.end=2e-5", "run.step=1e-5", "run.output_step=1e-5",
-                                           "run.output_times=none"};
+                                      "run.output_times=none"};
 
 // Leaves of an object, as "contact_mass.kept", "contacts[].name".
 void collect(const json& object, const std::string& prefix, std::set<std::string>& keys) {
@@ -90,7 +95,8 @@ TEST(ColumnFiles, NameTheKeysOfSummaryAndMetrics) {
   EXPECT_EQ(metrics, names_of(metric_keys()));
 }
 
-// Each column of a run by its own name, in the order of the file, with the unit that the recorder gave it.
+// Each column of a run by its own name, in the order of the file, with the unit that the recorder
+// gave it.
 TEST(ColumnFiles, NameEveryColumnOfEveryShippedScene) {
   std::set<std::string_view> met;
   std::vector<std::filesystem::path> files{kTwoRings};
@@ -130,7 +136,8 @@ TEST(ColumnFiles, NumberedColumnsAreToldApart) {
 // A sentence a figure in SI, whatever unit it is shown in.
 TEST(ColumnFiles, FiguresAreInSi) {
   const std::set<std::string_view> units{"", "s", "m", "m/s", "N", "N s", "J", "rad/s"};
-  for (const ColumnMeaning& key : metric_keys()) EXPECT_TRUE(units.contains(key.unit)) << key.name << ": " << key.unit;
+  for (const ColumnMeaning& key : metric_keys())
+    EXPECT_TRUE(units.contains(key.unit)) << key.name << ": " << key.unit;
 }
 
 }  // namespace

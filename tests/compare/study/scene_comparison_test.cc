@@ -1,5 +1,5 @@
-#include "compare/base/json.h"
 #include "compare/study/scene_comparison.h"
+#include "compare/base/json.h"
 
 #include <gtest/gtest.h>
 

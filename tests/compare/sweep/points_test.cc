@@ -99,8 +99,9 @@ TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
   }
 }
 
-// What a run watches of its impacts, its friction and its depth, of points that bounce, slide and stick. Sums
-// over some thousand steps agree to round-off; the depth of lasting contact is round-off itself.
+// What a run watches of its impacts, its friction and its depth, of points that bounce, slide and
+// stick. Sums over some thousand steps agree to round-off; the depth of lasting contact is
+// round-off itself.
 TEST(EnsemblePoints, HaveTheImpactsFrictionAndDepthOfARun) {
   constexpr double kRoundOff = 1e-11, kDepth = 1e-15;  // relative; m
   const StudyFolder folder;
@@ -134,8 +135,7 @@ step = "20 us"
       ASSERT_TRUE(a.peak_impulse && a.friction_work && a.max_penetration);
       EXPECT_NEAR(*a.peak_impulse, *b.peak_impulse, kRoundOff * *b.peak_impulse);
       EXPECT_NEAR(*a.friction_work, *b.friction_work, kRoundOff * std::abs(*b.friction_work));
-      EXPECT_NEAR(*a.max_penetration, *b.max_penetration,
-                  kRoundOff * *b.max_penetration + kDepth);
+      EXPECT_NEAR(*a.max_penetration, *b.max_penetration, kRoundOff * *b.max_penetration + kDepth);
       EXPECT_EQ(*a.peak_impulse > 0.0, many.point != 4) << "1 N never touches";
       EXPECT_EQ(*a.friction_work < 0.0, many.point != 4);
       deepest = std::max(deepest, *b.max_penetration);

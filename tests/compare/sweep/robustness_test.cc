@@ -1,6 +1,7 @@
-// How robust the laws are: every eighth point of the shipped studies (mjcf/studies/robustness_*.toml), against the
-// passive bearing at the same point. The shares of all 200 points stand in mjcf/README.md; the bounds here leave
-// room for what 25 points scatter (two standard deviations of a share of 90 % are 12 %).
+// How robust the laws are: every eighth point of the shipped studies
+// (mjcf/studies/robustness_*.toml), against the passive bearing at the same point. The shares of
+// all 200 points stand in mjcf/README.md; the bounds here leave room for what 25 points scatter
+// (two standard deviations of a share of 90 % are 12 %).
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -39,7 +40,8 @@ std::vector<std::optional<Point>> points_of(const std::string& law) {
       sweep::read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/robustness_" + law + ".toml");
   const sweep::PointScenes scenes(study, {});
   std::vector<std::optional<Point>> all;
-  for (std::int64_t i = 0; i < scenes.sample().size(); i += kEvery) all.push_back(point_of(scenes, i));
+  for (std::int64_t i = 0; i < scenes.sample().size(); i += kEvery)
+    all.push_back(point_of(scenes, i));
   return all;
 }
 

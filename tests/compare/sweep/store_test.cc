@@ -154,8 +154,10 @@ TEST(SlurmScript, KeepsAPathOnItsLine) {
   job.study = "/tmp/a\ntouch owned\n/it's\\.toml";
   job.folder = "/tmp/out\r\nrm x";
   const std::string script = sweep::slurm_script(job);
-  for (const char* command : {"\ntouch owned", "\nrm x"}) EXPECT_EQ(script.find(command), std::string::npos) << script;
-  EXPECT_NE(script.find(R"($'/tmp/a\x0atouch owned\x0a/it\'s\\.toml')"), std::string::npos) << script;
+  for (const char* command : {"\ntouch owned", "\nrm x"})
+    EXPECT_EQ(script.find(command), std::string::npos) << script;
+  EXPECT_NE(script.find(R"($'/tmp/a\x0atouch owned\x0a/it\'s\\.toml')"), std::string::npos)
+      << script;
 }
 
 TEST(Slurm, TheScriptQuotesWhatTheUserNamed) {

@@ -14,7 +14,8 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST(Study, OfTheContract) {
   const StudyFolder folder;
-  std::filesystem::copy_file(ROTORUB_MJCF_DIR "/bench_ring.toml", folder.path() / "bench_ring.toml");
+  std::filesystem::copy_file(ROTORUB_MJCF_DIR "/bench_ring.toml",
+                             folder.path() / "bench_ring.toml");
   const Study study = folder.study(R"(scene = "bench_ring.toml"
 [sample]
 kind = "grid"

@@ -48,7 +48,8 @@ TEST(Choice, APeakThatIsOffIsNotTrustedHoweverGoodTheMean) {
 }
 
 TEST(Choice, TheNearestIsThatOfTheAverages) {
-  const Choice choice = choose({made(ContactModel::kCone, 1e-3, 1.0, -0.99, 1.3), made(ContactModel::kCone, 5e-4, 1.0, 0.066, 4.0),
+  const Choice choice = choose({made(ContactModel::kCone, 1e-3, 1.0, -0.99, 1.3),
+                                made(ContactModel::kCone, 5e-4, 1.0, 0.066, 4.0),
                                 made(ContactModel::kCone, 2e-4, 1.0, 0.35, 0.0)});
   EXPECT_EQ(choice.nearest, 1U);
   EXPECT_EQ(choice.best_by_contact, std::vector<std::size_t>{1});

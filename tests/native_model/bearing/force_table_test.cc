@@ -53,7 +53,8 @@ TEST(ForceTable, GoesThroughItsPoints) {
   const ForceTable table(g);
   for (std::size_t a = 0; a < g.position.size(); ++a) {
     for (std::size_t b = 0; b < g.current.size(); ++b) {
-      EXPECT_NEAR(table.force(g.position[a], g.current[b]), g.force[a * g.current.size() + b], 1e-9);
+      EXPECT_NEAR(table.force(g.position[a], g.current[b]), g.force[a * g.current.size() + b],
+                  1e-9);
     }
   }
 }

@@ -10,7 +10,6 @@
 namespace rotorub::test {
 namespace {
 
-
 class Given final : public ContactResponse {
  public:
   explicit Given(std::function<Eigen::Vector2d(const Eigen::Vector2d&)> y) : y_(std::move(y)) {}

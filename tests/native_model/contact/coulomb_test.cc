@@ -29,8 +29,7 @@ TEST(Coulomb, StickByHand) {
 TEST(Coulomb, SlideByHandBothWays) {
   for (const double sign : {1.0, -1.0}) {
     const CoulombSolution s = solve_coulomb({1.0, 0.0, 0.0, 2.0}, -1.0, sign * 5.0, 0.5);
-    EXPECT_EQ(s.contact_case,
-              sign > 0 ? ContactCase::kSlidePositive : ContactCase::kSlideNegative);
+    EXPECT_EQ(s.contact_case, sign > 0 ? ContactCase::kSlidePositive : ContactCase::kSlideNegative);
     EXPECT_DOUBLE_EQ(s.normal, 1.0);
     EXPECT_DOUBLE_EQ(s.friction, -sign * 0.5) << "friction opposes the slip";
   }
@@ -54,8 +53,8 @@ TEST(Coulomb, RandomCoupledProblemsSatisfyTheLaws) {
     ASSERT_EQ(s.solutions, 1);
     const double y_n = nn * s.normal + nt * s.friction + b_n;
     const double y_t = nt * s.normal + tt * s.friction + b_t;
-    const double scale = std::max({std::abs(b_n), std::abs(b_t), std::abs(nn * s.normal),
-                                   std::abs(tt * s.friction)});
+    const double scale = std::max(
+        {std::abs(b_n), std::abs(b_t), std::abs(nn * s.normal), std::abs(tt * s.friction)});
     const ContactResidual r = contact_residual(y_n, s.normal, s.friction, y_t, mu, scale,
                                                scale / std::min(nn, tt), scale);
     ASSERT_LT(r.complementarity, kRoundOff) << k;

@@ -1,5 +1,5 @@
-// Several contacts that act on the same bodies: against closed forms, an enumeration that knows nothing
-// of the solver's cases, and a residual that shares no code with it.
+// Several contacts that act on the same bodies: against closed forms, an enumeration that knows
+// nothing of the solver's cases, and a residual that shares no code with it.
 #include "native_model/contact/coupled_law.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,6 @@
 
 namespace rotorub::test {
 namespace {
-
 
 // Bodies at random, seen by n contacts: G = W^T M^-1 W, positive semidefinite of the given rank.
 ContactMatrix random_system(std::mt19937& random, int contacts, int freedoms) {
@@ -47,9 +46,9 @@ double residual(const ContactMatrix& a, const ContactVector& b, const std::vecto
   return worst / (p.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff() / a.trace());
 }
 
-// The classical linear complementarity problem of two contacts with friction (Glocker), by brute force:
-// y_T = y_T^+ - y_T^-, z = (L_N, mu L_N + L_T, y_T^-) >= 0, w = (y_N, y_T^+, mu L_N - L_T) >= 0, z w = 0:
-// of each pair one is zero; all 2^6 choices.
+// The classical linear complementarity problem of two contacts with friction (Glocker), by brute
+// force: y_T = y_T^+ - y_T^-, z = (L_N, mu L_N + L_T, y_T^-) >= 0, w = (y_N, y_T^+, mu L_N - L_T)
+// >= 0, z w = 0: of each pair one is zero; all 2^6 choices.
 std::vector<ContactVector> by_lcp(const ContactMatrix& a, const ContactVector& b, double mu) {
   const int n = static_cast<int>(b.size()) / 2;
   Eigen::MatrixXd nn(n, n), nt(n, n), tn(n, n), tt(n, n);
@@ -121,13 +120,12 @@ TEST(CoupledLaw, TwoContactsAreTheLinearComplementarityProblem) {
     several += s.solutions != 1 ? 1 : 0;
     if (all.empty()) continue;
     pressed += s.p[0] > 0.0 && s.p[2] > 0.0 ? 1 : 0;
-    const double nearest =
-        (*std::min_element(all.begin(), all.end(),
-                           [&](const auto& x, const auto& y) {
-                             return (x - s.p).norm() < (y - s.p).norm();
-                           }) -
-         s.p)
-            .norm();
+    const double nearest = (*std::min_element(all.begin(), all.end(),
+                                              [&](const auto& x, const auto& y) {
+                                                return (x - s.p).norm() < (y - s.p).norm();
+                                              }) -
+                            s.p)
+                               .norm();
     EXPECT_LT(nearest, 1e-8 * (1.0 + s.p.norm())) << k;
     EXPECT_LT(residual(a, b, sets, s.p), 1e-12) << k;
   }

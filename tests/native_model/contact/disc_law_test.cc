@@ -13,7 +13,6 @@
 namespace rotorub::test {
 namespace {
 
-
 ContactMatrix random_bodies(std::mt19937& random, int contacts, int freedoms) {
   std::normal_distribution<double> normal;
   Eigen::MatrixXd w(freedoms, 3 * contacts);

@@ -40,10 +40,13 @@ TEST(ImpactPhase, AnImpulsesWorkIsItsEnergy) {
   const Eigen::Vector2d e_r{1.0, 0.0}, before{0.4, 0.3};
   const double mass = 2.0, normal = 1.2, friction = -0.25;
   const Eigen::Vector2d after = before + Eigen::Vector2d(-normal, friction) / mass;
-  const auto rates = [&](const Eigen::Vector2d& v) { return rates_along(e_r, 0.0, {v.x(), v.y(), 0.0}); };
+  const auto rates = [&](const Eigen::Vector2d& v) {
+    return rates_along(e_r, 0.0, {v.x(), v.y(), 0.0});
+  };
   const ImpulseWork work = impulse_work(normal, friction, rates(before), rates(after));
   EXPECT_NEAR(work.total(), 0.5 * mass * (after.squaredNorm() - before.squaredNorm()), kLastDigit);
-  EXPECT_NEAR(work.friction, 0.5 * mass * (after.y() * after.y() - before.y() * before.y()), kLastDigit);
+  EXPECT_NEAR(work.friction, 0.5 * mass * (after.y() * after.y() - before.y() * before.y()),
+              kLastDigit);
   EXPECT_LT(work.friction, 0.0) << "friction brakes";
 }
 

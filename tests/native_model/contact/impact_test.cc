@@ -37,8 +37,7 @@ TEST(Impact, PlanarOracleSweep) {
         for (const double eps_t : {0.0, 0.4, 1.0}) {
           const oracle::PlanarImpact exact{0.5, 3.0, mu, eps_n, eps_t};
           if (!exact.sticks(-0.8, slip) && eps_t != 0.0) continue;
-          const ImpactResult r =
-              solve_impact({0.5, 0.0, 0.0, 3.0}, -0.8, slip, {mu, eps_n, eps_t});
+          const ImpactResult r = solve_impact({0.5, 0.0, 0.0, 3.0}, -0.8, slip, {mu, eps_n, eps_t});
           ASSERT_EQ(r.status, Status::kOk);
           EXPECT_NEAR(r.gap_rate, exact.normal_after(-0.8), kClosedForm);
           EXPECT_NEAR(r.slip, exact.slip_after(-0.8, slip), kClosedForm * 40.0)

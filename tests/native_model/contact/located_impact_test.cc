@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kCircle = 0.5e-3;  // m
 
-// A whirl whose bounces have become so low that the step's chord begins a trifle outside: it leads in, and
-// comes out within the step. It was taken for a flight, and the rotor went on outside, with an impact
-// every few steps for ever instead of lasting contact.
+// A whirl whose bounces have become so low that the step's chord begins a trifle outside: it leads
+// in, and comes out within the step. It was taken for a flight, and the rotor went on outside, with
+// an impact every few steps for ever instead of lasting contact.
 TEST(LocatedImpact, AChordThatBeginsOutsideIsNoFlight) {
   FlightStep s;
   s.h = 5e-7;

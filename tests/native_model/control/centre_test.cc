@@ -1,5 +1,5 @@
-// A tracking law that is switched on near the centre, where the normal turns by half a turn at once, does
-// not hold the ring there.
+// A tracking law that is switched on near the centre, where the normal turns by half a turn at
+// once, does not hold the ring there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +11,7 @@
 namespace rotorub {
 namespace {
 
-constexpr const char* kLaw =
-    "gap_time=TIME,bandwidth=400.0,boundary_layer=0.1,switching_gain=60.0";
+constexpr const char* kLaw = "gap_time=TIME,bandwidth=400.0,boundary_layer=0.1,switching_gain=60.0";
 
 // From x (m) at the velocity (m/s), in `bench_ring` on a force of that frequency.
 struct Passage {
@@ -22,11 +21,11 @@ struct Passage {
 scene::Scene passing(const Passage& p) {
   std::string law = kLaw;
   law.replace(law.find("TIME"), 4, p.time);
-  return test::shipped(
-      "bench_ring", {"actuator={force_limit=3000.0}", "run.end=0.15", "run.output_step=20us",
-                     "controller={" + p.law + "," + law + "}", "initial.x=[" + p.x + "]",
-                     "initial.vx=[" + p.vx + "]", "initial.vy=[" + p.vy + "]",
-                     "force[0].frequency=\"" + p.frequency + " Hz\""});
+  return test::shipped("bench_ring",
+                       {"actuator={force_limit=3000.0}", "run.end=0.15", "run.output_step=20us",
+                        "controller={" + p.law + "," + law + "}", "initial.x=[" + p.x + "]",
+                        "initial.vx=[" + p.vx + "]", "initial.vy=[" + p.vy + "]",
+                        "force[0].frequency=\"" + p.frequency + " Hz\""});
 }
 
 // s: the longest time for which the centres are together while the law acts.

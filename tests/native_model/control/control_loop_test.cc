@@ -1,4 +1,5 @@
-// A sampled controller as it is run: when its trigger lets it in, what it is told of that, its state.
+// A sampled controller as it is run: when its trigger lets it in, what it is told of that, its
+// state.
 #include "native_model/control/control_loop.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,8 @@ Measurement approach(int k, double speed) {
 
 struct Trial {
   explicit Trial(std::optional<scene::Trigger> trigger)
-      : law(std::make_shared<Probe>()), loop(law, {}, trigger, kLoopSample, kLoopClearance),
+      : law(std::make_shared<Probe>()),
+        loop(law, {}, trigger, kLoopSample, kLoopClearance),
         memory(loop.memory_size(), 0.0) {}
   // The first sample with a command; -1: none up to `samples`.
   int first(int samples, double speed) {
@@ -52,7 +54,8 @@ struct Trial {
 
 TEST(ControlLoop, WithoutATriggerItRunsAtOnceAndKeepsItsState) {
   Trial run(std::nullopt);
-  EXPECT_EQ(run.loop.sample(approach(3, 0.1), run.memory.data()).x(), 11.0) << "start() is asked once";
+  EXPECT_EQ(run.loop.sample(approach(3, 0.1), run.memory.data()).x(), 11.0)
+      << "start() is asked once";
   EXPECT_EQ(run.loop.sample(approach(4, 0.1), run.memory.data()).x(), 12.0);
   EXPECT_DOUBLE_EQ(run.law->seen.t, 3 * kLoopSample);
   EXPECT_DOUBLE_EQ(run.law->seen.gap, kLoopClearance - 1e-6 - 3e-5);
@@ -66,8 +69,10 @@ TEST(ControlLoop, TheStateIsTheCallersAlone) {
   const std::vector<double> copy = run.memory;
   const Eigen::Vector2d next = run.loop.sample(approach(1, 0.1), run.memory.data());
   run.memory = copy;
-  EXPECT_EQ(run.loop.sample(approach(1, 0.1), run.memory.data()), next) << "put back, it does it again";
-  EXPECT_EQ(run.loop.sample(approach(1, 0.1), other.data()).x(), 11.0) << "another array, another run";
+  EXPECT_EQ(run.loop.sample(approach(1, 0.1), run.memory.data()), next)
+      << "put back, it does it again";
+  EXPECT_EQ(run.loop.sample(approach(1, 0.1), other.data()).x(), 11.0)
+      << "another array, another run";
 }
 
 // The gap is 499 um - 10 um k at 0.1 m/s.
@@ -103,7 +108,8 @@ TEST(ControlLoop, TriggersByTouchAlsoBetweenTwoSamples) {
   EXPECT_FALSE(run.loop.sample(back, run.memory.data()).isZero(0.0));
 }
 
-// Contact that lasts leaves the gap at round-off of either sign; armed in it, the trigger is let in at once.
+// Contact that lasts leaves the gap at round-off of either sign; armed in it, the trigger is let in
+// at once.
 TEST(ControlLoop, TriggersAtOnceInLastingContact) {
   scene::Trigger trigger;
   trigger.touch = true;

@@ -9,10 +9,10 @@
 
 #include "native_model/control/emulated_support.h"
 #include "native_model/control/sliding.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/actuation.h"
-#include "native_model/dynamics/dynamics.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
 
@@ -162,8 +162,9 @@ double time_apart(const Trajectory& t) {
   return (1.0 - t.contact_fraction()) * (t.end - t.statistics.first_touch);
 }
 
-// The more modes, the less the rotor weighs at the contact: 1.2 kg with 2, 0.30 kg with 12. Where the
-// law gives the actuator the preload itself, the contact keeps 10.4 N of 20 N with 2, 3.3 N with 12.
+// The more modes, the less the rotor weighs at the contact: 1.2 kg with 2, 0.30 kg with 12. Where
+// the law gives the actuator the preload itself, the contact keeps 10.4 N of 20 N with 2, 3.3 N
+// with 12.
 TEST(SlidingController, ForceDoesNotHangOnTheModesOfItsPlant) {
   for (const int modes : {2, 6, 10}) {
     SCOPED_TRACE(modes);

@@ -35,7 +35,8 @@ void expect_smooth(const SwitchOn& on, double from) {
     ASSERT_NEAR(now.rate, (after.gap - before.gap) / (2 * h), 1e-6 * speed) << t;
     ASSERT_NEAR(now.acceleration, (after.rate - before.rate) / (2 * h), 2e-3 * acceleration) << t;
     // No jump anywhere: the third derivative is bounded by 60 g0 / T^3 and 36 rate / T^2.
-    ASSERT_LT(std::abs(after.acceleration - before.acceleration), 330.0 * h / kTime * acceleration) << t;
+    ASSERT_LT(std::abs(after.acceleration - before.acceleration), 330.0 * h / kTime * acceleration)
+        << t;
   }
 }
 

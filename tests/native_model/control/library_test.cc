@@ -1,4 +1,5 @@
-// A controller of the user's own: found, loaded, told, refused, and ended with a word where it fails.
+// A controller of the user's own: found, loaded, told, refused, and ended with a word where it
+// fails.
 #include "native_model/control/library.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,8 @@ damping = 50.0
 x = [1e-4]
 [controller]
 kind = "library"
-library = ")" + library + R"("
+library = ")" +
+         library + R"("
 sample_time = "0.5 ms"
 [controller.config]
 )" + config;
@@ -97,7 +99,8 @@ TEST(Library, TellsItsStateAndIsAskedOnceASample) {
 }
 
 TEST(Library, EveryIntegratorGivesTheSameCommands) {
-  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator :
+       {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
     scene::Scene s = read("faulty_controller.so");
     s.run.integrator = integrator;
     s.run.output_step = 1e-4;
@@ -107,7 +110,8 @@ TEST(Library, EveryIntegratorGivesTheSameCommands) {
     for (std::size_t row = 1; row < 100; ++row) {
       if (row % 5 == 0) continue;  // at a sample before or after it
       EXPECT_NEAR(y[row], static_cast<double>(row / 5), 1e-12) << t.integrator << " " << row;
-      EXPECT_NEAR(x[row], 101.0 + static_cast<double>(row / 5), 1e-12) << t.integrator << " " << row;
+      EXPECT_NEAR(x[row], 101.0 + static_cast<double>(row / 5), 1e-12)
+          << t.integrator << " " << row;
     }
   }
 }
@@ -117,10 +121,12 @@ TEST(Library, RefusalsNameKeyAndReason) {
   const fs::path none = fs::path(testing::TempDir()) / "no_library.so";
   std::ofstream(none) << "not a library";
   expect_said(refusal(read(none.string())), {"controller.library", "no_library.so"});
-  expect_said(refusal(read("other_abi_controller.so")), {"controller.library", "4711", "accepted: 1"});
+  expect_said(refusal(read("other_abi_controller.so")),
+              {"controller.library", "4711", "accepted: 1"});
   expect_said(refusal(read("odd_controller.so")), {"controller.library", "neither ROTORUB_FORCE"});
   expect_said(refusal(read("current_controller.so")), {"controller.library", "commands currents"});
-  expect_said(refusal(read("faulty_controller.so", "fault = \"huge\"")), {"controller.library", "state of"});
+  expect_said(refusal(read("faulty_controller.so", "fault = \"huge\"")),
+              {"controller.library", "state of"});
   expect_said(refusal(read("faulty_controller.so", "fault = \"create\"\nat = 2.5")),
               {"controller.config", "faulty refuses: it does not like the number 2.5"});
   expect_said(refusal(read("faulty_controller.so", "fault = \"throw in create\"")),
@@ -139,16 +145,19 @@ TEST(Library, IsRefusedWithoutASampleTimeAndConfigByOtherKinds) {
   };
   EXPECT_EQ(parse({}), "");
   expect_said(parse({"controller.sample_time=0"}), {"controller.sample_time", "> 0"});
-  expect_said(parse({"controller.config.gain=true"}), {"controller.config.gain", "finite number or a text"});
+  expect_said(parse({"controller.config.gain=true"}),
+              {"controller.config.gain", "finite number or a text"});
   expect_said(parse({"controller.config.gain=nan"}), {"controller.config.gain", "finite"});
   EXPECT_EQ(parse({"controller.kind=passive"}), "") << "its config goes with its kind";
   expect_said(parse({"controller.kind=passive", "controller.config.gain=2"}),
               {"controller.config", "belongs to kind = \"library\""});
 }
 
-// Of every integrator: the run ends at the sample that failed, with the name, the time, and what it has.
+// Of every integrator: the run ends at the sample that failed, with the name, the time, and what it
+// has.
 void expect_end(const std::string& fault, const std::string& word) {
-  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator :
+       {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
     scene::Scene s = read("faulty_controller.so", "fault = \"" + fault + "\"\nat = 0.004");
     s.run.integrator = integrator;
     const Trajectory t = run_native(s);
@@ -169,7 +178,8 @@ TEST(Library, AThrownErrorEndsTheRun) { expect_end("throw", "thrown in step"); }
 TEST(Library, AThrownNumberEndsTheRun) { expect_end("throw a number", "threw"); }
 
 TEST(Library, FailureAtTheFirstSampleIsARunToo) {
-  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator :
+       {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
     scene::Scene s = read("faulty_controller.so", "fault = \"step\"");
     s.run.integrator = integrator;
     const Trajectory t = run_native(s);
@@ -182,7 +192,9 @@ TEST(Library, FailureAtTheFirstSampleIsARunToo) {
 
 class Environment {
  public:
-  Environment(const char* name, const std::string& value) : name_(name) { setenv(name, value.c_str(), 1); }
+  Environment(const char* name, const std::string& value) : name_(name) {
+    setenv(name, value.c_str(), 1);
+  }
   ~Environment() { unsetenv(name_); }
 
  private:
@@ -203,13 +215,15 @@ TEST(LibraryPath, IsLookedUpInTheFoldersOfTheVariable) {
   const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere:" + kLibraries.string());
   EXPECT_EQ(controller_library(s), kLibraries / "faulty_controller.so");
   s.first().controller->library = "nowhere.so";
-  expect_said(refusal(s), {"not found", "/nowhere/nowhere.so", (kLibraries / "nowhere.so").string()});
+  expect_said(refusal(s),
+              {"not found", "/nowhere/nowhere.so", (kLibraries / "nowhere.so").string()});
 }
 
 TEST(LibraryPath, OfASceneIsBesideIt) {
   const fs::path folder = fs::path(testing::TempDir()) / "beside";
   fs::create_directories(folder);
-  fs::copy_file(kLibraries / "faulty_controller.so", folder / "mine.so", fs::copy_options::overwrite_existing);
+  fs::copy_file(kLibraries / "faulty_controller.so", folder / "mine.so",
+                fs::copy_options::overwrite_existing);
   std::ofstream(folder / "own.toml") << text("mine.so");
   EXPECT_EQ(refusal(scene::read_scene(folder / "own.toml")), "");
 }
@@ -225,8 +239,9 @@ TEST_F(LibraryGate, WhatASceneNamesIsNotOpenedUnasked) {
   for (const std::string& library :
        {std::string("current_controller.so"), (kLibraries / "current_controller.so").string(),
         "../" + kLibraries.filename().string() + "/current_controller.so"}) {
-    expect_said(refusal(read(library)), {"controller.library", "current_controller.so is not opened", "--allow-library",
-                                         "ROTORUB_CONTROLLER_PATH"});
+    expect_said(refusal(read(library)),
+                {"controller.library", "current_controller.so is not opened", "--allow-library",
+                 "ROTORUB_CONTROLLER_PATH"});
   }
 }
 
@@ -245,7 +260,8 @@ TEST_F(LibraryGate, OrItsFolder) {
   EXPECT_EQ(refusal(elsewhere), "") << "found there too";
   const fs::path below = fs::path(testing::TempDir()) / "gate" / "below";
   fs::create_directories(below);
-  fs::copy_file(kLibraries / "faulty_controller.so", below / "mine.so", fs::copy_options::overwrite_existing);
+  fs::copy_file(kLibraries / "faulty_controller.so", below / "mine.so",
+                fs::copy_options::overwrite_existing);
   scene::Scene above = read("below/../below/mine.so");
   above.folder = below.parent_path().string();
   EXPECT_NE(refusal(above), "") << "not in that folder";
@@ -261,10 +277,10 @@ TEST_F(LibraryGate, WhatShowsASceneOpensNone) {
 // ------------------------------------------------------------------ the examples
 
 TEST(OwnController, BringsTheRingToTheRotorByPositionsAlone) {
-  scene::Scene s = read("own_controller.so",
-                        "stiffness = 4e5\ndamping = 400\npreload = 20\nbandwidth = 8000\n",
-                        {"run.end=0.05", "controller.sample_time=20us", "initial.x=[4e-4]",
-                         "controller.sensors.velocity=none", "stator.damping=300"});
+  scene::Scene s =
+      read("own_controller.so", "stiffness = 4e5\ndamping = 400\npreload = 20\nbandwidth = 8000\n",
+           {"run.end=0.05", "controller.sample_time=20us", "initial.x=[4e-4]",
+            "controller.sensors.velocity=none", "stator.damping=300"});
   s.forces.push_back({});
   s.forces.back().amplitude = 60.0;
   s.forces.back().frequency = s.rotor.speed;
@@ -275,16 +291,18 @@ TEST(OwnController, BringsTheRingToTheRotorByPositionsAlone) {
 }
 
 TEST(OwnController, RefusesAWordThatItDoesNotKnow) {
-  expect_said(refusal(read("own_controller.so", "stifness = 1")), {"controller.config", "stifness", "accepted"});
-  expect_said(refusal(read("own_controller.so", "", {"controller.sensors.rotor=false"})), {"positions"});
+  expect_said(refusal(read("own_controller.so", "stifness = 1")),
+              {"controller.config", "stifness", "accepted"});
+  expect_said(refusal(read("own_controller.so", "", {"controller.sensors.rotor=false"})),
+              {"positions"});
 }
 
 TEST(PythonController, CommandsWhatItsLawSays) {
   if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
   const std::string examples = std::string(ROTORUB_SOURCE_DIR) + "/native_model/control/examples";
-  const Model m = make_model(read("python_controller.so",
-                                  "module = \"tracking_law\"\npath = \"" + examples +
-                                      "\"\nstiffness = 2e5\ndamping = 300\n"));
+  const Model m =
+      make_model(read("python_controller.so", "module = \"tracking_law\"\npath = \"" + examples +
+                                                  "\"\nstiffness = 2e5\ndamping = 300\n"));
   std::vector<double> memory(m.first().loop->memory_size(), 0.0);
   Eigen::VectorXd q = Eigen::VectorXd::Zero(m.nq()), v = q;
   const int ring = m.layout.ring();
@@ -312,8 +330,8 @@ def step(law, now, state):
         raise ValueError("no more")
     return 1.0, 2.0
 )";
-  const Trajectory t = run_native(read("python_controller.so",
-                                       "module = \"broken_law\"\npath = \"" + folder.string() + "\"\n"));
+  const Trajectory t = run_native(read(
+      "python_controller.so", "module = \"broken_law\"\npath = \"" + folder.string() + "\"\n"));
   EXPECT_EQ(t.status, Status::kControllerFailed);
   expect_said(t.message, {"python_controller", "0.002", "ValueError: no more"});
   expect_said(refusal(read("python_controller.so", "module = \"no_such_law\"\n")),

@@ -1,4 +1,5 @@
-// The linear laws against their closed-loop poles, as whole runs: what is released decays as they say.
+// The linear laws against their closed-loop poles, as whole runs: what is released decays as they
+// say.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -191,9 +192,11 @@ TEST(Lqg, ARunIsItsClosedLoopAndTheEstimateComesToTheState) {
   EXPECT_LT((x - guess).norm(), 0.05 * furthest);
 }
 
-// A ring whose middle is off the rotor's line goes to the rotor and stays about it, held against its springs.
+// A ring whose middle is off the rotor's line goes to the rotor and stays about it, held against
+// its springs.
 TEST(LqrLqg, StandAboutTheRotorWhereTheRingIsOffset) {
-  for (const scene::ControllerKind kind : {scene::ControllerKind::kLqr, scene::ControllerKind::kLqg}) {
+  for (const scene::ControllerKind kind :
+       {scene::ControllerKind::kLqr, scene::ControllerKind::kLqg}) {
     scene::Scene s = quadratic_scene(kind);
     s.first().contact->offset = {2e-4, -1e-4};
     s.run.end = 1.0;

@@ -57,7 +57,8 @@ TEST(Sensors, WhatIsNotMeasuredIsZeroAndSaidSo) {
   EXPECT_EQ(m.stator_velocity, truth(0).stator_velocity);
   EXPECT_EQ(m.spin_speed, 0.0);
   EXPECT_TRUE(m.current.isZero(0.0));
-  EXPECT_EQ(Sensors(s, kSensorSample).measured(), unsigned{ROTORUB_MEASURES_STATOR | ROTORUB_MEASURES_VELOCITY});
+  EXPECT_EQ(Sensors(s, kSensorSample).measured(),
+            unsigned{ROTORUB_MEASURES_STATOR | ROTORUB_MEASURES_VELOCITY});
 }
 
 TEST(Sensors, RoundToTheResolution) {
@@ -120,7 +121,8 @@ TEST(Sensors, VelocitiesFromTheShownPositions) {
   const auto all = shown(s, 4);
   EXPECT_TRUE(all[0].rotor_velocity.isZero(0.0)) << "nothing to differ from";
   for (std::size_t k = 1; k < all.size(); ++k) {
-    EXPECT_LT((all[k].rotor_velocity - (all[k].rotor - all[k - 1].rotor) / kSensorSample).norm(), 1e-12);
+    EXPECT_LT((all[k].rotor_velocity - (all[k].rotor - all[k - 1].rotor) / kSensorSample).norm(),
+              1e-12);
     EXPECT_LT((all[k].rotor_velocity - truth(0).rotor_velocity).norm(), 1.5e-6 / kSensorSample);
   }
   s.delay = kSensorSample;

@@ -1,5 +1,5 @@
-// The sliding law: the error dynamics that it promises, on a ring that a rotor on a prescribed orbit is put
-// before.
+// The sliding law: the error dynamics that it promises, on a ring that a rotor on a prescribed
+// orbit is put before.
 #include "native_model/control/sliding.h"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,8 @@ class Loop {
       const Eigen::Vector2d own = plant_.stator_stiffness.cwiseProduct(m.stator) +
                                   plant_.stator_damping.cwiseProduct(m.stator_velocity);
       Eigen::VectorXd dy(4);
-      dy << m.stator_velocity, (law_.command(m, kOn, nullptr) - own).cwiseQuotient(plant_.stator_mass);
+      dy << m.stator_velocity,
+          (law_.command(m, kOn, nullptr) - own).cwiseQuotient(plant_.stator_mass);
       return dy;
     };
     return test::runge_kutta(rate, from, end, static_cast<int>((end - from) / 2e-6) + 1, start);
@@ -184,7 +185,8 @@ TEST(SlidingForce, TurnsWithTheWorld) {
        {&n.rotor, &n.rotor_velocity, &n.rotor_acceleration, &n.stator, &n.stator_velocity}) {
     *v = turn * *v;
   }
-  EXPECT_LT((law.command(n, kOn, nullptr) - turn * law.command(m, kOn, nullptr)).norm(), 1e-12 * law.command(m, kOn, nullptr).norm());
+  EXPECT_LT((law.command(n, kOn, nullptr) - turn * law.command(m, kOn, nullptr)).norm(),
+            1e-12 * law.command(m, kOn, nullptr).norm());
 }
 
 TEST(SlidingForce, CentresTogetherAskForNothing) {
@@ -193,7 +195,8 @@ TEST(SlidingForce, CentresTogetherAskForNothing) {
     Measurement m = orbit(0.103);
     m.stator = m.rotor = {0.0, 0.0};
     m.rotor.x() = delta;
-    EXPECT_EQ(law.command(m, kOn, nullptr), Eigen::Vector2d(0.0, 0.0)) << delta << ": no direction to track";
+    EXPECT_EQ(law.command(m, kOn, nullptr), Eigen::Vector2d(0.0, 0.0))
+        << delta << ": no direction to track";
   }
 }
 

@@ -1,4 +1,5 @@
-// The two-phase law: each phase is the law that it is made of, and the force does not jump between them.
+// The two-phase law: each phase is the law that it is made of, and the force does not jump between
+// them.
 #include "native_model/control/two_phase.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,8 @@ Plant two_phase_plant() {
   return p;
 }
 
-// The rotor closes on the ring at 0.1 m/s, touches at t = 2 ms and comes back at half of it; the ring moves.
+// The rotor closes on the ring at 0.1 m/s, touches at t = 2 ms and comes back at half of it; the
+// ring moves.
 Measurement at(int k) {
   const double t = k * kPhaseSample, touch = 0.002;
   Measurement m;
@@ -63,7 +65,8 @@ TEST(TwoPhase, TracksFirstThenCrossesAndTheForceDoesNotJump) {
       EXPECT_EQ(u, track.command(m, on, nullptr)) << k << ": sliding up to the touch";
     }
     if (k > 101 + 200) {
-      EXPECT_LT((u - cross.command(m, on, nullptr)).norm(), 1e-12) << k << ": cross-coupled after it";
+      EXPECT_LT((u - cross.command(m, on, nullptr)).norm(), 1e-12)
+          << k << ": cross-coupled after it";
     }
     const double change = (u - last).norm();
     if (k > 0 && k < 99) in_tracking = std::max(in_tracking, change);
@@ -71,8 +74,8 @@ TEST(TwoPhase, TracksFirstThenCrossesAndTheForceDoesNotJump) {
     last = u;
   }
   EXPECT_GT(in_tracking, 0.0);
-  // From the force left over, some hundred N, to nothing in 200 samples, 1.9 times the mean at most; and
-  // the feedback's own.
+  // From the force left over, some hundred N, to nothing in 200 samples, 1.9 times the mean at
+  // most; and the feedback's own.
   EXPECT_LT(largest_change, 10.0);
 }
 
@@ -82,7 +85,8 @@ TEST(TwoPhase, WithoutATouchItGoesOnTracking) {
   std::vector<double> state(law.state_size(), 0.0);
   law.start(state.data());
   for (int k = 0; k < 95; ++k) {
-    EXPECT_EQ(law.command(at(k), {0.0, 2e-4, -0.1}, state.data()), track.command(at(k), {0.0, 2e-4, -0.1}, nullptr));
+    EXPECT_EQ(law.command(at(k), {0.0, 2e-4, -0.1}, state.data()),
+              track.command(at(k), {0.0, 2e-4, -0.1}, nullptr));
   }
 }
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/actuation.h"
 #include "tests/support/jeffcott.h"
 
 namespace rotorub {
@@ -52,8 +52,8 @@ TEST(AppliedForce, RotatesWithAbsoluteTime) {
   EXPECT_LT(g.at(1e-3, 0.0).y(), 0.0);
 }
 
-// Locked to the spin, it is where the spin is; a chirp begins in its phase and its frequency, and its angle
-// grows by the mean of both frequencies; a pulse is 0 at both ends.
+// Locked to the spin, it is where the spin is; a chirp begins in its phase and its frequency, and
+// its angle grows by the mean of both frequencies; a pulse is 0 at both ends.
 TEST(AppliedForce, OfTheKindsThatFollowAndPass) {
   AppliedForce f{scene::ForceKind::kSynchronous, 2.0, 0.0, 0.5, {9.0, 9.0}, 0.1, 0.3, 0.0, {}};
   EXPECT_EQ(f.at(0.2, 4.0), Eigen::Vector2d(2.0 * std::cos(4.5), 2.0 * std::sin(4.5)));

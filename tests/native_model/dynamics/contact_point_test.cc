@@ -5,8 +5,8 @@
 #include <cmath>
 #include <memory>
 
-#include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/actuation.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
 #include "tests/support/runge_kutta.h"
@@ -76,7 +76,8 @@ TEST(ContactLoad, DoesTheVirtualPowerOfGapRateAndSlip) {
       const ContactPoint p = contact_point(m, s.q.data(), v.data());
       const auto power = [&](double normal, double friction) {
         Eigen::VectorXd f = Eigen::VectorXd::Zero(m.nq());
-        add_contact_load(m, contact_load(p.e_r, m.first().contact->radius, normal, friction), f.data());
+        add_contact_load(m, contact_load(p.e_r, m.first().contact->radius, normal, friction),
+                         f.data());
         return f.dot(v);
       };
       EXPECT_NEAR(power(3.0, 0.0), 3.0 * p.gap_rate, 1e-12) << "W_N^T v = gdot_N";

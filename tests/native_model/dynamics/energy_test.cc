@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/actuation.h"
 #include "tests/support/machine.h"
 #include "tests/support/runge_kutta.h"
 
@@ -109,7 +109,8 @@ double power_by_hand(const Model& m, const State& s) {
   };
   double power = m.weight.dot(s.v) - s.v.dot(m.damping.cwiseProduct(s.v)) +
                  kActuator.dot(s.v.segment<2>(l.ring()));
-  for (const AppliedForce& f : m.forces) power += f.at(s.t, spin_angle(m, s.t, s.q.data())).dot(at(f.shape, s.v));
+  for (const AppliedForce& f : m.forces)
+    power += f.at(s.t, spin_angle(m, s.t, s.q.data())).dot(at(f.shape, s.v));
   for (const StationDamper& d : m.dampers) {
     const Eigen::Vector2d v = at(d.shape, s.v);
     power -= d.damping.dot(v.cwiseProduct(v));

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/actuation.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
 

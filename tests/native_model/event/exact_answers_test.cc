@@ -7,11 +7,11 @@
 #include <complex>
 #include <numbers>
 
-#include "native_model/run/run_native.h"
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/oracles/backward_whip.h"
 #include "native_model/oracles/billiard.h"
 #include "native_model/oracles/drop.h"
+#include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -19,9 +19,9 @@
 namespace rotorub {
 namespace {
 
-using test::shipped;
 using test::Jeffcott;
 using test::make_scene;
+using test::shipped;
 
 Trajectory run(const scene::Scene& scene) {
   NativeOptions options;
@@ -75,10 +75,11 @@ TEST(EventBenchRing, ThePublishedStates) {
   const Trajectory t = run(scene);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   const double digits = 2e-15;  // the published ones are given to 1e-13 relative
-  EXPECT_LT((rotor(t, row_at(t, 0.02)) - Eigen::Vector2d(3.200529602935e-4, -1.197270224039e-3))
-                .norm(), digits);
-  EXPECT_LT((rotor(t, t.rows() - 1) - Eigen::Vector2d(5.15768981628e-4, -2.036936721118e-3))
-                .norm(), digits);
+  EXPECT_LT(
+      (rotor(t, row_at(t, 0.02)) - Eigen::Vector2d(3.200529602935e-4, -1.197270224039e-3)).norm(),
+      digits);
+  EXPECT_LT((rotor(t, t.rows() - 1) - Eigen::Vector2d(5.15768981628e-4, -2.036936721118e-3)).norm(),
+            digits);
   EXPECT_NEAR(t.column("normal_force").back(), 121.7020407, 5e-8);
   const double published[] = {4.0601e-3, 7.5981e-3, 8.9758e-3, 9.5869e-3, 9.8768e-3};
   for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(t.impacts[k].t, published[k], 6e-8);
@@ -109,8 +110,7 @@ void expect_on(const Trajectory& t, const oracle::AnnularRub& exact, double freq
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_EQ(t.contact_fraction(), 1.0);
   for (std::size_t k = 0; k < t.rows(); ++k) {
-    const std::complex<double> z =
-        exact.rotor * std::polar(1.0, frequency * t.column("t")[k]);
+    const std::complex<double> z = exact.rotor * std::polar(1.0, frequency * t.column("t")[k]);
     ASSERT_NEAR(t.column("rotor_x")[k], z.real(), 1e-10 * clearance);
     ASSERT_NEAR(t.column("rotor_y")[k], z.imag(), 1e-10 * clearance);
     ASSERT_NEAR(t.column("normal_force")[k], exact.force, 1e-10 * exact.force);
@@ -119,9 +119,8 @@ void expect_on(const Trajectory& t, const oracle::AnnularRub& exact, double freq
 
 TEST(EventAnnularRub, OnAFixedRing) {
   const Rub r;
-  const auto exact =
-      oracle::annular_rub({r.rotor.mass, r.rotor.damping, r.rotor.stiffness}, r.rotor.clearance,
-                          r.rotor.friction, r.load, r.frequency);
+  const auto exact = oracle::annular_rub({r.rotor.mass, r.rotor.damping, r.rotor.stiffness},
+                                         r.rotor.clearance, r.rotor.friction, r.load, r.frequency);
   ASSERT_TRUE(exact);
   scene::Scene scene = make_scene(r.rotor);
   test::add_rotating_force(scene, r.load, r.frequency);
@@ -132,9 +131,9 @@ TEST(EventAnnularRub, OnAFixedRing) {
 
 TEST(EventAnnularRub, OnAnElasticRing) {
   const Rub r;
-  const auto exact = oracle::annular_rub({r.rotor.mass, r.rotor.damping, r.rotor.stiffness},
-                                         {1.0, 200.0, 1e5}, r.rotor.clearance, r.rotor.friction,
-                                         r.load, r.frequency);
+  const auto exact =
+      oracle::annular_rub({r.rotor.mass, r.rotor.damping, r.rotor.stiffness}, {1.0, 200.0, 1e5},
+                          r.rotor.clearance, r.rotor.friction, r.load, r.frequency);
   ASSERT_TRUE(exact);
   scene::Scene scene = make_scene(r.rotor);
   test::add_ring(scene, 1.0, 200.0, 1e5);
@@ -146,7 +145,11 @@ TEST(EventAnnularRub, OnAnElasticRing) {
 
 // Backward whip: the Riccati equation while sliding, then rolling at nu = Omega r / delta_0.
 TEST(EventWhip, GrowsByTheRiccatiEquationUntilItRolls) {
-  const Jeffcott j{.mass = 2.0, .damping = 5.0, .stiffness = 2e5, .radius = 0.02, .friction = 0.2,
+  const Jeffcott j{.mass = 2.0,
+                   .damping = 5.0,
+                   .stiffness = 2e5,
+                   .radius = 0.02,
+                   .friction = 0.2,
                    .speed = 200.0};
   const oracle::BackwardWhip exact{j.mass, j.damping, j.stiffness, j.friction, j.clearance};
   const double start = 1.3 * exact.growth_threshold();
@@ -196,8 +199,11 @@ TEST(EventFree, InternalDampingThreshold) {
   const double omega = std::sqrt(1e5), external = 8.0, internal = 20.0;
   const double threshold = omega * (1.0 + external / internal);
   for (const double factor : {0.98, 1.02}) {
-    scene::Scene scene = make_scene({.mass = 2.0, .damping = external, .stiffness = 2e5,
-                                     .clearance = 1.0, .speed = factor * threshold});
+    scene::Scene scene = make_scene({.mass = 2.0,
+                                     .damping = external,
+                                     .stiffness = 2e5,
+                                     .clearance = 1.0,
+                                     .speed = factor * threshold});
     scene.rotor.modal->internal_damping = {internal};
     scene.initial.x = {1e-4};
     scene.initial.vy = {omega * 1e-4};

@@ -139,8 +139,9 @@ TEST(FiniteImpact, SpreadsItsForceOverTheBins) {
   EXPECT_NEAR(t.statistics.peak_force, mass * v / 1e-3, 1e-6);
 }
 
-// 400 N for good: Poisson's law would return a share of what the loads compress, and above some restitution
-// bounce without end. Contact comes to rest, with the impacts of a series that falls off with eps_N.
+// 400 N for good: Poisson's law would return a share of what the loads compress, and above some
+// restitution bounce without end. Contact comes to rest, with the impacts of a series that falls
+// off with eps_N.
 TEST(FiniteImpact, ALoadedContactComesToRest) {
   constexpr double kForce = 400.0;
   for (const double eps : {0.3, 0.49, 0.51, 0.8, 0.95}) {

@@ -1,4 +1,5 @@
-// A run that its explicit steps would take for ever ends with what holds them up; a short one goes on.
+// A run that its explicit steps would take for ever ends with what holds them up; a short one goes
+// on.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,5 @@
-// What a contact can do: overrides of the modal base (tests/support/pair_parts.h), each with a predicate on the
-// reference that says that it was done.
+// What a contact can do: overrides of the modal base (tests/support/pair_parts.h), each with a
+// predicate on the reference that says that it was done.
 #pragma once
 
 #include <string>

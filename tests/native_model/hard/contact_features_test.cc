@@ -1,4 +1,5 @@
-// What a contact can do (rebound, stick, lift off, reverse), by the fixed-step schemes against `event`.
+// What a contact can do (rebound, stick, lift off, reverse), by the fixed-step schemes against
+// `event`.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -7,9 +7,9 @@
 #include <functional>
 #include <limits>
 
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
-#include "native_model/dynamics/dynamics.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/machine.h"
 
@@ -190,8 +190,8 @@ TEST(HardEnsemble, SwitchedForcesAndTorsion) {
   });
 }
 
-// Every kind of force, on and off at another time in each lane, with the spin held and free; a blade that is
-// lost changes the mass matrix of one lane after the other.
+// Every kind of force, on and off at another time in each lane, with the spin held and free; a
+// blade that is lost changes the mass matrix of one lane after the other.
 TEST(HardEnsemble, EveryKindOfForce) {
   for (const bool driven : {false, true}) {
     SCOPED_TRACE(driven);

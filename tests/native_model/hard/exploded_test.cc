@@ -48,8 +48,8 @@ TEST(HardExploded, AnEmulatedSpringBeyondTheStepIsRefusedWithTheLimit) {
 }
 
 TEST(HardExploded, RotatingDampingOfAnySizeIsImplicit) {
-  const scene::Scene scene = with(
-      "bench_ring", {"rotor.modal.internal_damping=[4.05e5]", "contact.clearance=5mm", "run.end=0.1"});
+  const scene::Scene scene = with("bench_ring", {"rotor.modal.internal_damping=[4.05e5]",
+                                                 "contact.clearance=5mm", "run.end=0.1"});
   const Trajectory exact = test::run_event(scene);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   for (const scene::Integrator integrator : kFixed) {
@@ -61,9 +61,10 @@ TEST(HardExploded, RotatingDampingOfAnySizeIsImplicit) {
 }
 
 TEST(HardExploded, AStrongDriveOnTorsionIsImplicit) {
-  const scene::Scene scene = with(
-      "bench_ring", {"rotor.torsion={inertia=[4e-4],stiffness=[60.0],damping=[0.01],drive_shape=[-1.0]}",
-                     "drive.gain=100.0", "run.end=20ms"});
+  const scene::Scene scene =
+      with("bench_ring",
+           {"rotor.torsion={inertia=[4e-4],stiffness=[60.0],damping=[0.01],drive_shape=[-1.0]}",
+            "drive.gain=100.0", "run.end=20ms"});
   const Trajectory exact = test::run_event(scene);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   for (const scene::Integrator integrator : kFixed) {
@@ -88,9 +89,10 @@ TEST(HardExploded, AFlightThroughTheRingEndsOrIsHeld) {
 }
 
 TEST(HardExploded, AnUnstableMagnetLeavesItsAirGap) {
-  const scene::Scene scene = with(
-      "bench_ring", {R"(actuator={kind="electromagnet",force_constant=1e-4,bias_current=3.0,air_gap=1e-3})",
-                     "stator.stiffness=1e3", "initial.stator=[1e-5,0]", "run.end=0.2"});
+  const scene::Scene scene =
+      with("bench_ring",
+           {R"(actuator={kind="electromagnet",force_constant=1e-4,bias_current=3.0,air_gap=1e-3})",
+            "stator.stiffness=1e3", "initial.stator=[1e-5,0]", "run.end=0.2"});
   for (const scene::Integrator integrator :
        {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
     const Trajectory t = run_with(scene, integrator);
@@ -100,8 +102,9 @@ TEST(HardExploded, AnUnstableMagnetLeavesItsAirGap) {
   }
 }
 
-// A balance of the energy that does not close tells of the order of a scheme, and is no reason either: a
-// motor that holds the speed within a step, a row within an impact, a rotor that is at rest.
+// A balance of the energy that does not close tells of the order of a scheme, and is no reason
+// either: a motor that holds the speed within a step, a row within an impact, a rotor that is at
+// rest.
 TEST(HardExploded, ABalanceThatDoesNotCloseEndsNoRun) {
   const scene::Scene stiff =
       with("bench_ring", {"drive.gain=10.0", "rotor.modal.inertia=1e-5", "run.end=0.1"});

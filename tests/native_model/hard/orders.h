@@ -1,4 +1,5 @@
-// The order of a fixed-step scheme by its errors against `event` over a ladder of steps; what schemes refuse.
+// The order of a fixed-step scheme by its errors against `event` over a ladder of steps; what
+// schemes refuse.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -36,7 +37,8 @@ inline std::vector<double> steps() {
 }
 
 // ---------------------------------------------------------------- what is refused
-// A part, or a pair, that a scheme refuses, with the words that its message must hold. Empty: none is.
+// A part, or a pair, that a scheme refuses, with the words that its message must hold. Empty: none
+// is.
 struct Refusal {
   Integrator integrator;
   const char* part;
@@ -45,7 +47,8 @@ struct Refusal {
 };
 inline constexpr const char* kTakesTime = "an impact that takes time needs the integrator event";
 // A sample of a controller that falls into an impact: loads and command are held over it.
-inline constexpr const char* kSampled = "under a controller with a sample_time, needs the integrator event";
+inline constexpr const char* kSampled =
+    "under a controller with a sample_time, needs the integrator event";
 inline constexpr std::array<Refusal, 2> kRefused{
     {{Integrator::kPaper, "finite_impacts", nullptr, kTakesTime},
      {Integrator::kVerlet, "finite_impacts", "sampled_support", kSampled}}};
@@ -102,7 +105,8 @@ inline Trajectory reference(const scene::Scene& scene) {
 
 inline constexpr double kArm = 0.02;  // m, of the spin's error where there is no contact
 
-inline Convergence converge(const scene::Scene& scene, Integrator integrator, const Trajectory& exact) {
+inline Convergence converge(const scene::Scene& scene, Integrator integrator,
+                            const Trajectory& exact) {
   Convergence c;
   for (const double step : steps()) {
     const Trajectory t = run_fixed(scene, integrator, step);

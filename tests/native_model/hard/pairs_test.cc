@@ -25,8 +25,8 @@ TEST_P(LongPairs, VerletIsOfSecondOrder) {
   expect_order(pairs_from(GetParam()), Integrator::kVerlet, kVerletOrder);
 }
 
-// The ensemble is `paper` or `verlet` run by run, whatever the parts: what converges there converges
-// here.
+// The ensemble is `paper` or `verlet` run by run, whatever the parts: what converges there
+// converges here.
 TEST_P(LongPairs, EnsembleIsRunByRun) {
   constexpr double kRounding = 1e-15;  // m: rows are interpolated, also at the end of a step
   for (const Pair& pair : pairs_from(GetParam())) {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "native_model/stepping/stepper.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/stepping/stepper.h"
 #include "tests/native_model/hard/random_scenes.h"
 #include "tests/native_model/hard/rules.h"
 
@@ -40,7 +40,8 @@ Worst worst_of(const Model& model, double step, std::int64_t steps) {
     slip_scale = std::max(slip_scale, std::abs(p.slip));
     if (normal == 0.0) continue;
     if (done.reversed) continue;  // friction is the mean of both signs
-    // Of the next middle; linearised along e_r where a step is too coarse for a point of the circle.
+    // Of the next middle; linearised along e_r where a step is too coarse for a point of the
+    // circle.
     const Eigen::Vector3d moved = contact_admittance(model, implicit.data(), 0.0, middle.data()) *
                                   contact_load(p.e_r, c.radius, normal, friction);
     const Eigen::Vector2d free = p.dv - moved.head<2>();

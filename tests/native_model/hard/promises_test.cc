@@ -1,5 +1,5 @@
-// What the laws promise on the reference rig (8 modes, sleeve, friction 0.3): against the passive bearing, from
-// the first touch to the end, sampled and with a lag as a real amplifier has them.
+// What the laws promise on the reference rig (8 modes, sleeve, friction 0.3): against the passive
+// bearing, from the first touch to the end, sampled and with a lag as a real amplifier has them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,15 +70,16 @@ TEST(LongPromises, ContinuousSlidingIsSoft) { expect_soft(figures("paper_sliding
 TEST(LongPromises, SampledSlidingIsSoft) {
   for (const char* sample : {"20us", "100us"}) {
     SCOPED_TRACE(sample);
-    expect_soft(figures("paper_sliding", {std::string("controller.sample_time=") + sample,
-                                          "controller.preload=30"}),
+    expect_soft(figures("paper_sliding",
+                        {std::string("controller.sample_time=") + sample, "controller.preload=30"}),
                 1.0);
   }
 }
 
 // As late as it may be, and what is refused beyond: 1/w_c = 178.5 us.
 TEST(LongPromises, TheSampleTimeThatIsNeededIsTold) {
-  expect_soft(figures("paper_sliding", {"controller.sample_time=300us", "controller.preload=30"}), 2.0);
+  expect_soft(figures("paper_sliding", {"controller.sample_time=300us", "controller.preload=30"}),
+              2.0);
   try {
     figures("paper_sliding", {"controller.sample_time=400us", "controller.preload=30"});
     FAIL() << "not refused";
@@ -89,11 +90,13 @@ TEST(LongPromises, TheSampleTimeThatIsNeededIsTold) {
   }
 }
 
-// The paper's thesis: the earlier it is switched on before the touch (107 ms), the smaller the largest impact.
+// The paper's thesis: the earlier it is switched on before the touch (107 ms), the smaller the
+// largest impact.
 TEST(LongPromises, LeadTimeIsWhatSoftensTheTouch) {
   double last = 0.0;
   for (const char* on : {"103ms", "105ms", "107ms", "112ms"}) {
-    const double peak = figures("paper_sliding", {std::string("controller.on=") + on, "run.end=0.15"}).peak;
+    const double peak =
+        figures("paper_sliding", {std::string("controller.on=") + on, "run.end=0.15"}).peak;
     EXPECT_GT(peak, 1.2 * last) << on;
     last = peak;
   }
@@ -102,8 +105,8 @@ TEST(LongPromises, LeadTimeIsWhatSoftensTheTouch) {
 
 // Positions alone, rounded and late: the law of the example (examples/own_controller.c).
 TEST(LongPromises, AControllerOfOnesOwnFromPositionsAlone) {
-  const Figures f = figures("examples/own_controller",
-                            {std::string("controller.library=") + ROTORUB_LIBRARIES + "/own_controller.so"});
+  const Figures f = figures("examples/own_controller", {std::string("controller.library=") +
+                                                        ROTORUB_LIBRARIES + "/own_controller.so"});
   EXPECT_LE(f.impacts, passive().impacts / 50.0);
   EXPECT_LE(f.peak, passive().peak / 3.0);
   EXPECT_LE(f.rate, passive().rate / 10.0);
@@ -111,12 +114,13 @@ TEST(LongPromises, AControllerOfOnesOwnFromPositionsAlone) {
   EXPECT_LT(f.open_until, 0.12);
 }
 
-// The quadratic laws keep the ring about the rotor, which is another way out: nothing touches. What it takes is
-// force: the ring is carried on the whole orbit.
+// The quadratic laws keep the ring about the rotor, which is another way out: nothing touches. What
+// it takes is force: the ring is carried on the whole orbit.
 TEST(LongPromises, QuadraticLawsAvoidTheRub) {
   for (const char* kind : {"lqr", "lqg"}) {
     SCOPED_TRACE(kind);
-    const Figures f = figures("paper_passive", {std::string("controller.kind=") + kind, "controller.sample_time=50us"});
+    const Figures f = figures(
+        "paper_passive", {std::string("controller.kind=") + kind, "controller.sample_time=50us"});
     EXPECT_EQ(f.impacts, 0.0);
     EXPECT_EQ(f.force, 0.0);
   }
@@ -140,9 +144,12 @@ TEST(LongPromises, CrossCoupledFeedbackStopsTheBouncing) {
   }
 }
 
-// The eigenvalues of the forced rub say which feedback does (rub/feedback_map.h): with 1,000 N s/m it grows.
+// The eigenvalues of the forced rub say which feedback does (rub/feedback_map.h): with 1,000 N s/m
+// it grows.
 TEST(LongPromises, FeedbackOutsideTheWindowDoesNot) {
-  const Figures f = figures("paper_cross_coupled", {"controller.feedback=[1000]", "controller.feedback_speed=[0]", "controller.damping=0"});
+  const Figures f = figures(
+      "paper_cross_coupled",
+      {"controller.feedback=[1000]", "controller.feedback_speed=[0]", "controller.damping=0"});
   EXPECT_GT(f.impacts, 300.0);
   EXPECT_GT(f.open_until, 0.49);
 }
@@ -157,7 +164,8 @@ TEST(LongPromises, TheTwoPhaseLawIsSoftAndHoldsTheOrbit) {
   EXPECT_NEAR(f.force, cross.force, 0.1 * cross.force);
 }
 
-// Magnets that are told nothing pull by their bias; `passive` balances that, and is the mechanical bearing.
+// Magnets that are told nothing pull by their bias; `passive` balances that, and is the mechanical
+// bearing.
 TEST(LongPromises, MagnetsAsAPassiveBearingAreOne) {
   const auto run = [](const std::string& name) {
     const scene::Scene s = scene::read_scene(

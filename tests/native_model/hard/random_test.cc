@@ -41,9 +41,9 @@ TEST(HardRandom, PaperKeepsEveryRule) {
     SCOPED_TRACE("scene " + std::to_string(k));
     if (t.status != Status::kOk) {
       // A flight of more than the clearance in a step may end outside, with a word.
-      EXPECT_TRUE(t.status == Status::kOutOfRange ||
-                  (may_jam(scene) &&
-                   (t.status == Status::kNoSolution || t.status == Status::kAmbiguous)))
+      EXPECT_TRUE(
+          t.status == Status::kOutOfRange ||
+          (may_jam(scene) && (t.status == Status::kNoSolution || t.status == Status::kAmbiguous)))
           << t.message;
       test::expect_refused_or_finite(t);
       continue;

@@ -63,7 +63,8 @@ TEST(HardMassRatio, RingFromATenThousandthToTenThousandRotors) {
     SCOPED_TRACE(ratio);
     scene::Scene scene = ring_scene(0.03);
     const double m = 2.0 * ratio, k = m * 1e5;  // the same natural frequency throughout
-    scene.first().stator = scene::Stator{{m, m}, {0.3 * std::sqrt(k * m), 0.3 * std::sqrt(k * m)}, {k, k}};
+    scene.first().stator =
+        scene::Stator{{m, m}, {0.3 * std::sqrt(k * m), 0.3 * std::sqrt(k * m)}, {k, k}};
     expect_both_sound(scene, 1e-5);
   }
 }

@@ -1,4 +1,5 @@
-// Three parts of a machine at a time, by the fixed-step schemes against `event` (pairs_test.cc has any two).
+// Three parts of a machine at a time, by the fixed-step schemes against `event` (pairs_test.cc has
+// any two).
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,5 @@
-// A ring that turns, [stator.spin], by whole runs against what is exact: momentum, closed forms of the
-// spin-up, its limits, and what becomes of a whip.
+// A ring that turns, [stator.spin], by whole runs against what is exact: momentum, closed forms of
+// the spin-up, its limits, and what becomes of a whip.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,8 +23,8 @@ using test::run_with;
 using scene::Integrator;
 
 // No two numbers alike.
-constexpr double kRadius = 0.05, kClearance = 0.5e-3;   // m
-constexpr double kBore = kRadius + kClearance;          // m, R
+constexpr double kRadius = 0.05, kClearance = 0.5e-3;           // m
+constexpr double kBore = kRadius + kClearance;                  // m, R
 constexpr double kSpinInertia = 1.3e-3, kRingInertia = 4.1e-4;  // kg m^2
 
 // A rotor with a free spin thrown at a ring that turns; no damper and no load: nothing has a moment
@@ -121,13 +121,16 @@ Rub annular(const scene::RingSpin& spin) {
   const scene::RotorModal& m = *s.rotor.modal;
   const auto exact = oracle::annular_rub(
       {m.mass[0], m.damping[0], m.stiffness[0]},
-      {s.first().stator->mass.x(), s.first().stator->damping.x(), s.first().stator->stiffness.x()}, s.first().contact->clearance,
-      s.first().contact->friction, s.forces[0].amplitude, s.forces[0].frequency);
+      {s.first().stator->mass.x(), s.first().stator->damping.x(), s.first().stator->stiffness.x()},
+      s.first().contact->clearance, s.first().contact->friction, s.forces[0].amplitude,
+      s.forces[0].frequency);
   rub.force = exact.value().force;
   return rub;
 }
 
-double bore(const scene::Scene& s) { return s.first().contact->radius + s.first().contact->clearance; }
+double bore(const scene::Scene& s) {
+  return s.first().contact->radius + s.first().contact->clearance;
+}
 
 // Drag holds the ring well below rolling.
 TEST(TurningRing, ARubUnderAConstantForceSpinsItUpAsTheClosedFormSays) {
@@ -152,7 +155,8 @@ TEST(TurningRing, ARubUnderAConstantForceSpinsItUpAsTheClosedFormSays) {
   test::expect_sound_event(rub.scene, event);
   // Of second order, and of first.
   const auto ratio = [&](Integrator integrator) {
-    return miss(run_with(rub.scene, integrator, 1e-4)) / miss(run_with(rub.scene, integrator, 1e-5));
+    return miss(run_with(rub.scene, integrator, 1e-4)) /
+           miss(run_with(rub.scene, integrator, 1e-5));
   };
   EXPECT_GT(ratio(Integrator::kVerlet), 80.0);
   EXPECT_GT(ratio(Integrator::kPaper), 8.0);
@@ -165,8 +169,8 @@ TEST(TurningRing, WithoutDragRollingBeginsWhenTheClosedFormSays) {
   const Rub rub = annular(spin);
   const scene::Scene& s = rub.scene;
   const double torque = s.first().contact->friction * rub.force * bore(s);
-  const double slip =
-      s.first().contact->radius * s.rotor.speed + s.first().contact->clearance * s.forces[0].frequency;
+  const double slip = s.first().contact->radius * s.rotor.speed +
+                      s.first().contact->clearance * s.forces[0].frequency;
   const double exact = slip / bore(s) * spin.inertia / torque;
   ASSERT_LT(exact, s.run.end);
   const Trajectory t = test::run_event(s);
@@ -181,7 +185,8 @@ TEST(TurningRing, OfEndlessInertiaIsTheRingThatDoesNotTurn) {
   scene::Scene heavy = thrown(), fixed = thrown();
   heavy.first().stator->spin = scene::RingSpin{1e12, 0.0, 0.0};
   fixed.first().stator->spin.reset();
-  for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
+  for (const Integrator integrator :
+       {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
     // Before chaos has grown what round-off differs by.
     heavy.run.end = fixed.run.end = 0.02;
     const Trajectory a = run_with(heavy, integrator), b = run_with(fixed, integrator);
@@ -196,7 +201,8 @@ TEST(TurningRing, OfNoInertiaIsARingWithoutFriction) {
   smooth.first().stator->spin.reset();
   smooth.first().contact->friction = 0.0;
   light.run.end = smooth.run.end = 0.02;
-  for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
+  for (const Integrator integrator :
+       {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
     const Trajectory a = run_with(light, integrator), b = run_with(smooth, integrator);
     ASSERT_EQ(a.status, Status::kOk) << a.message;
     EXPECT_GT(b.impacts.size(), 3u);

@@ -121,7 +121,8 @@ TEST(HardWhip, AboveTheEdgeItComesToRoll) {
   const scene::Scene scene = on_soft_ring(1020.5);
   const Trajectory t = test::run_event(scene);
   test::expect_sound_event(scene, t);
-  const double rolling = scene.first().contact->radius * scene.rotor.speed / scene.first().contact->clearance;
+  const double rolling =
+      scene.first().contact->radius * scene.rotor.speed / scene.first().contact->clearance;
   EXPECT_NEAR(rolling, 31415.927, 5e-4);
   EXPECT_EQ(static_cast<Mode>(t.column("mode").back()), Mode::kStick);
   EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -rolling, 1e-9 * rolling);

@@ -1,5 +1,6 @@
-// What shakes a rotor: locked to the spin, swept, a blow, a blade that is lost. One mode's answer is the
-// integral of its answer to a blow (Duhamel), here by quadrature of the force as the scene states it.
+// What shakes a rotor: locked to the spin, swept, a blow, a blade that is lost. One mode's answer
+// is the integral of its answer to a blow (Duhamel), here by quadrature of the force as the scene
+// states it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,8 +26,11 @@ constexpr double kSpeed = 250.0, kAngle = 0.3;  // rad/s, rad, at t = 0
 constexpr double kEnd = 0.1;
 
 scene::Scene oscillator() {
-  scene::Scene s = test::make_scene(
-      {.mass = kMass, .damping = kDamping, .stiffness = kStiffness, .clearance = 0.1, .speed = kSpeed});
+  scene::Scene s = test::make_scene({.mass = kMass,
+                                     .damping = kDamping,
+                                     .stiffness = kStiffness,
+                                     .clearance = 0.1,
+                                     .speed = kSpeed});
   s.rotor.modal->inertia = 1e-3;
   s.initial.spin_angle = kAngle;
   s.run.end = kEnd;
@@ -67,7 +71,8 @@ double error(const Trajectory& t, const std::function<Complex(double)>& exact) {
   return most;
 }
 
-// `event` to round-off, fixed steps with the square of the step although the force begins within one.
+// `event` to round-off, fixed steps with the square of the step although the force begins within
+// one.
 void expect_answer(const scene::Scene& s, const std::function<Complex(double)>& force) {
   const scene::Force& f = s.forces.front();
   const double off = f.kind == ForceKind::kUnbalance ? scene::kNever : f.off;
@@ -157,15 +162,15 @@ TEST(Excitation, APulseWithinAStepHasItsMomentum) {
 TEST(Excitation, LostBladeAtAHeldSpeed) {
   scene::Scene s = oscillator();
   s.forces = {force_of(ForceKind::kUnbalance, 0.0123456, scene::kNever)};
-  expect_answer(s, [](double t) {
-    return std::polar(4e-4 * kSpeed * kSpeed, kAngle + kSpeed * t + 0.7);
-  });
+  expect_answer(
+      s, [](double t) { return std::polar(4e-4 * kSpeed * kSpeed, kAngle + kSpeed * t + 0.7); });
 }
 
 // ---------------------------------------------------------------- a lost blade with a free spin
 // Coupled so tightly that (m e)^2 / m is 4 % of the spin's inertia.
 scene::Scene free_rotor(double on) {
-  scene::Scene s = test::make_scene({.mass = kMass, .stiffness = kStiffness, .clearance = 0.1, .speed = kSpeed});
+  scene::Scene s =
+      test::make_scene({.mass = kMass, .stiffness = kStiffness, .clearance = 0.1, .speed = kSpeed});
   s.rotor.modal->inertia = 1e-3;
   s.drive.emplace();
   s.initial.x = {1e-3};
@@ -184,8 +189,8 @@ struct Constants {
   double energy, momentum;
 };
 
-// J Omega + m (x y' - y x') + m e (x cos a + y sin a) Omega + m e (-sin a x' ... ): the moment about the axis of
-// all that moves, written from the place of the centre of mass.
+// J Omega + m (x y' - y x') + m e (x cos a + y sin a) Omega + m e (-sin a x' ... ): the moment
+// about the axis of all that moves, written from the place of the centre of mass.
 Constants constants(const Trajectory& t, std::size_t k, bool lost) {
   const double x = t.column("rotor_x")[k], y = t.column("rotor_y")[k];
   const double vx = t.column("rotor_vx")[k], vy = t.column("rotor_vy")[k];
@@ -193,8 +198,8 @@ Constants constants(const Trajectory& t, std::size_t k, bool lost) {
   const double u = lost ? 9e-3 : 0.0, c = u * std::cos(a), s = u * std::sin(a);
   const double energy = 0.5 * kMass * (vx * vx + vy * vy) + 0.5 * 1e-3 * spin * spin +
                         spin * (c * vy - s * vx) + 0.5 * kStiffness * (x * x + y * y);
-  const double momentum = 1e-3 * spin + kMass * (x * vy - y * vx) + (c * vy - s * vx) +
-                          spin * (x * c + y * s);
+  const double momentum =
+      1e-3 * spin + kMass * (x * vy - y * vx) + (c * vy - s * vx) + spin * (x * c + y * s);
   return {energy, momentum};
 }
 
@@ -215,7 +220,8 @@ TEST(LostBlade, KeepsEnergyAndMomentumBeforeAndAfter) {
     EXPECT_NEAR(now.momentum, same.momentum, 1e-11 * same.momentum) << time[k];
   }
   for (const char* name : {"rotor_x", "rotor_vx", "rotor_vy", "spin_speed"}) {
-    EXPECT_NEAR(t.column(name)[on], t.column(name)[on - 1], 1e-11 * std::abs(t.column(name)[on]) + 1e-15);
+    EXPECT_NEAR(t.column(name)[on], t.column(name)[on - 1],
+                1e-11 * std::abs(t.column(name)[on]) + 1e-15);
   }
   // It then does much: the spin gives to bending and takes back.
   double low = kSpeed, high = kSpeed;
@@ -267,7 +273,8 @@ TEST(LostBlade, FixedStepsConverge) {
   }
 }
 
-// `event` follows each turn: more of them than days of computing are refused beforehand, by the force.
+// `event` follows each turn: more of them than days of computing are refused beforehand, by the
+// force.
 TEST(Excitation, MoreTurnsThanCanBeFollowedAreRefused) {
   scene::Scene s = oscillator();
   s.forces.resize(2);
@@ -278,7 +285,8 @@ TEST(Excitation, MoreTurnsThanCanBeFollowedAreRefused) {
     run(s, scene::Integrator::kEvent);
     ADD_FAILURE() << "taken";
   } catch (const scene::SceneError& error) {
-    EXPECT_NE(std::string(error.what()).find("force[1].frequency"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("force[1].frequency"), std::string::npos)
+        << error.what();
     EXPECT_NE(std::string(error.what()).find("turns"), std::string::npos) << error.what();
   }
   EXPECT_EQ(run(s, scene::Integrator::kVerlet).status, Status::kOk);

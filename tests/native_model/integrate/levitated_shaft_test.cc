@@ -1,5 +1,5 @@
-// A shaft on one bearing, held by a magnetic one: its modes are found with the magnets' linear spring,
-// and nothing but the modes kept may depend on that.
+// A shaft on one bearing, held by a magnetic one: its modes are found with the magnets' linear
+// spring, and nothing but the modes kept may depend on that.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -96,8 +96,8 @@ std::string refusal(const scene::Scene& s) {
   return "";
 }
 
-// A bearing with the magnets' stiffness and damping in their place: the same motion, to round-off. Without
-// modal damping: magnets have none, a bearing's mode its share.
+// A bearing with the magnets' stiffness and damping in their place: the same motion, to round-off.
+// Without modal damping: magnets have none, a bearing's mode its share.
 TEST(LevitatedShaft, IsThatOnASpringAndADamper) {
   for (const char* start : {"initial.steady=true", "initial={vx=[0.02,0.01,0.0,0.0]}"}) {
     SCOPED_TRACE(start);
@@ -116,14 +116,13 @@ TEST(LevitatedShaft, IsThatOnASpringAndADamper) {
   }
 }
 
-// On two bearings of its own a shaft needs no magnets, and one whose magnets have failed at once is the
-// same shaft, but its modes are found with their spring. Both kinds of modal damping too.
+// On two bearings of its own a shaft needs no magnets, and one whose magnets have failed at once is
+// the same shaft, but its modes are found with their spring. Both kinds of modal damping too.
 TEST(LevitatedShaft, DoesNotHangOnTheSpringOfItsModes) {
   const std::string held = "[[rotor.bearing]]\nz = 0.57\nstiffness = 2e6\n";
   const auto error = [&](int modes) {
-    const std::vector<std::string> more = {
-        "run.end=0.01",
-        "contact.clearance=0.01", "rotor.modes=" + std::to_string(modes)};
+    const std::vector<std::string> more = {"run.end=0.01", "contact.clearance=0.01",
+                                           "rotor.modes=" + std::to_string(modes)};
     std::vector<std::string> failed = more;
     failed.push_back("magnetic_bearing.control.fails_at=0");
     const Trajectory without = run(parse(held, more)), with = run(parse(held + kMagnets, failed));
@@ -137,18 +136,20 @@ TEST(LevitatedShaft, DoesNotHangOnTheSpringOfItsModes) {
   EXPECT_LT(many, 1e-8);
 }
 
-// A rigid shaft falls about its bearing: psi'' = g integral(z dm) / J, J about the bearing. Its damping
-// ratio is of bending alone.
+// A rigid shaft falls about its bearing: psi'' = g integral(z dm) / J, J about the bearing. Its
+// damping ratio is of bending alone.
 TEST(LevitatedShaft, FallsAsAPendulumAboutItsBearing) {
   constexpr double kGravity = 9.81, kFails = 2e-3, kContact = 0.46, kPivot = 0.03;
-  scene::Scene s = parse(
-      kMagnets, {"rotor.E=2.1e17", "rotor.modes=3", "rotor.disc[0].eccentricity=0", "rotor.speed=0",
-                 "rotor.bearing[0].stiffness=1e15", "initial.steady=true",
-                 "magnetic_bearing.control.fails_at=2e-3"});
-  const double line = 7850.0 * std::numbers::pi * 0.009 * 0.009, tilt = 7850.0 * std::numbers::pi * std::pow(0.009, 4) / 4.0;
+  scene::Scene s =
+      parse(kMagnets, {"rotor.E=2.1e17", "rotor.modes=3", "rotor.disc[0].eccentricity=0",
+                       "rotor.speed=0", "rotor.bearing[0].stiffness=1e15", "initial.steady=true",
+                       "magnetic_bearing.control.fails_at=2e-3"});
+  const double line = 7850.0 * std::numbers::pi * 0.009 * 0.009,
+               tilt = 7850.0 * std::numbers::pi * std::pow(0.009, 4) / 4.0;
   const double a = -kPivot, b = 0.6 - kPivot, disc = 0.35 - kPivot;
   const double moment = line * (b * b - a * a) / 2.0 + 2.0 * disc;
-  const double inertia = line * (b * b * b - a * a * a) / 3.0 + tilt * (b - a) + 2.0 * disc * disc + 1.8e-3;
+  const double inertia =
+      line * (b * b * b - a * a * a) / 3.0 + tilt * (b - a) + 2.0 * disc * disc + 1.8e-3;
   const double arm = kContact - kPivot, magnet = 0.52 - kPivot;
   const double sag = arm * kGravity * moment / (3e5 * magnet * magnet);
   const double fall = kGravity * moment / inertia * arm;
@@ -168,7 +169,8 @@ TEST(LevitatedShaft, ThatHasFailedIsNoLongerHeld) {
   EXPECT_EQ(support.stiffness, 0.0);
   EXPECT_EQ(support.damping, 0.0);
   EXPECT_EQ(support.held, 3e5);
-  // One motion of each plane is left at a frequency of nearly 0, and the load meets no spring there.
+  // One motion of each plane is left at a frequency of nearly 0, and the load meets no spring
+  // there.
   const WhirlSpectrum spectrum = whirl_spectrum(whirl_system(s), 0.0);
   EXPECT_LT(std::abs(spectrum.modes[0].frequency), 1.0);
   EXPECT_GT(std::abs(spectrum.modes[4].frequency), 50.0);
@@ -182,10 +184,12 @@ TEST(LevitatedShaft, LastingRubsAreThoseOfALinearMachine) {
   EXPECT_LT((magnets.damping - bearing.damping).norm(), 1e-9 * bearing.damping.norm());
   for (const char* key : {"current_limit=2", "fails_at=0.1"}) {
     try {
-      rub::rub_system(parse(kMagnets, {"gravity=none", std::string("magnetic_bearing.control.") + key}));
+      rub::rub_system(
+          parse(kMagnets, {"gravity=none", std::string("magnetic_bearing.control.") + key}));
       ADD_FAILURE() << key;
     } catch (const scene::SceneError& error) {
-      EXPECT_NE(std::string(error.what()).find("no lasting rub can be analysed"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("no lasting rub can be analysed"),
+                std::string::npos);
     }
   }
 }
@@ -195,9 +199,9 @@ TEST(LevitatedShaft, RefusesWhatItCannotDo) {
   const std::string steady = refusal(
       parse(kMagnets, {"initial.steady=true", "magnetic_bearing.control.current_limit=0.1"}));
   EXPECT_NE(steady.find("current_limit = 0.1 A"), std::string::npos) << steady;
-  EXPECT_EQ(refusal(parse(kMagnets, {"initial.steady=true",
-                                     "magnetic_bearing.control.current_limit=2"})),
-            "");
+  EXPECT_EQ(
+      refusal(parse(kMagnets, {"initial.steady=true", "magnetic_bearing.control.current_limit=2"})),
+      "");
   // Nothing holds it from the start.
   const std::string failed =
       refusal(parse(kMagnets, {"initial.steady=true", "magnetic_bearing.control.fails_at=0"}));
@@ -205,7 +209,8 @@ TEST(LevitatedShaft, RefusesWhatItCannotDo) {
   // Beside the plain bearing it holds no tilt; without a control nothing.
   const std::string together = refusal(parse(kMagnets, {"magnetic_bearing.station=0.03"}));
   EXPECT_NE(together.find("free to move as a rigid body"), std::string::npos) << together;
-  const std::string alone = refusal(parse("[magnetic_bearing]\nstation = 0.5\nnegative_stiffness = 1e4\n"));
+  const std::string alone =
+      refusal(parse("[magnetic_bearing]\nstation = 0.5\nnegative_stiffness = 1e4\n"));
   EXPECT_NE(alone.find("beside a [magnetic_bearing] with a control"), std::string::npos) << alone;
 }
 

@@ -1,5 +1,5 @@
-// A magnetic bearing that holds the rotor by a feedback of its own, against exact answers: its linear
-// law, its current at the limit, the fall once it has failed.
+// A magnetic bearing that holds the rotor by a feedback of its own, against exact answers: its
+// linear law, its current at the limit, the fall once it has failed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,11 +22,11 @@ using test::run_with;
 
 using Complex = std::complex<double>;
 
-constexpr double kHeld = 2.0, kNegative = 1e5;                // kg, N/m
-constexpr double kForce = 80.0, kProportional = 4000.0;       // N/A, A/m
-constexpr double kDerivative = 2.0;                           // A s/m
-constexpr double kNet = kForce * kProportional - kNegative;   // N/m
-constexpr double kGravity = 9.81;                             // m/s^2
+constexpr double kHeld = 2.0, kNegative = 1e5;               // kg, N/m
+constexpr double kForce = 80.0, kProportional = 4000.0;      // N/A, A/m
+constexpr double kDerivative = 2.0;                          // A s/m
+constexpr double kNet = kForce * kProportional - kNegative;  // N/m
+constexpr double kGravity = 9.81;                            // m/s^2
 
 // A rigid mode that nothing else holds.
 scene::Scene levitated() {
@@ -50,8 +50,8 @@ double error(const Trajectory& t, const Exact& exact) {
   return most;
 }
 
-// `event` to `share` of `size`; fixed steps of order 2. (Where the force has a kink, what a step makes of it
-// depends on where in the step it falls: neighbours scatter.)
+// `event` to `share` of `size`; fixed steps of order 2. (Where the force has a kink, what a step
+// makes of it depends on where in the step it falls: neighbours scatter.)
 template <class Exact>
 void expect_motion(const scene::Scene& s, double size, double share, double order,
                    const Exact& exact) {
@@ -135,7 +135,8 @@ TEST(MagneticFeedback, AtTheLimitTheForceIsConstant) {
   ASSERT_LT(s.run.end, reached);
   for (const auto integrator :
        {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
-    EXPECT_LT(error(run_with(s, integrator), exact), 1e-12 * kStart) << static_cast<int>(integrator);
+    EXPECT_LT(error(run_with(s, integrator), exact), 1e-12 * kStart)
+        << static_cast<int>(integrator);
   }
   // Into the linear range: the current has a kink there, no jump.
   s.run.end = 0.006;
@@ -195,7 +196,8 @@ TEST(MagneticFeedback, FailsAndTheRotorFalls) {
   }
 }
 
-// Lanes beside each other have a limit and an instant of failure each; their bits are the run's alone.
+// Lanes beside each other have a limit and an instant of failure each; their bits are the run's
+// alone.
 TEST(MagneticFeedback, LanesAreTheRunsAlone) {
   constexpr double kStep = 1e-5;
   constexpr int kSteps = 2000;

@@ -23,10 +23,10 @@ using test::run_with;
 
 using Complex = std::complex<double>;
 
-constexpr double kHung = 2.0, kPull = 1e5, kPerAmpere = 80.0;        // kg, N/m, N/A
-constexpr double kP = 4000.0, kI = 6e4, kD = 2.0;                    // A/m, A/(m s), A s/m
-constexpr double kSpring = kPerAmpere * kP - kPull;                  // N/m
-constexpr double kWeight = kHung * 9.81;                             // N
+constexpr double kHung = 2.0, kPull = 1e5, kPerAmpere = 80.0;  // kg, N/m, N/A
+constexpr double kP = 4000.0, kI = 6e4, kD = 2.0;              // A/m, A/(m s), A s/m
+constexpr double kSpring = kPerAmpere * kP - kPull;            // N/m
+constexpr double kWeight = kHung * 9.81;                       // N
 
 scene::Scene integrating() {
   scene::Scene s = test::make_scene({.mass = kHung, .clearance = 0.5e-3});
@@ -38,20 +38,22 @@ scene::Scene integrating() {
   return s;
 }
 
-// The linear law's motion of one axis: (r, r', j) of m r'' + k_i D r' + (k_i P - k_s) r + k_i j = 0, j' = I r.
+// The linear law's motion of one axis: (r, r', j) of m r'' + k_i D r' + (k_i P - k_s) r + k_i j =
+// 0, j' = I r.
 class LinearMotion {
  public:
   LinearMotion(double r, double rate) {
     Eigen::Matrix3d a;
-    a << 0.0, 1.0, 0.0,                                                         //
-        -kSpring / kHung, -kPerAmpere * kD / kHung, -kPerAmpere / kHung,        //
+    a << 0.0, 1.0, 0.0,                                                   //
+        -kSpring / kHung, -kPerAmpere * kD / kHung, -kPerAmpere / kHung,  //
         kI, 0.0, 0.0;
     modes_ = real_modes(a).value();
     share_ = modes_.vectors.partialPivLu().solve(Eigen::Vector3cd(r, rate, 0.0));
   }
   double at(double t) const {
     Complex sum = 0.0;
-    for (int k = 0; k < 3; ++k) sum += modes_.vectors(0, k) * share_[k] * std::exp(modes_.values[k] * t);
+    for (int k = 0; k < 3; ++k)
+      sum += modes_.vectors(0, k) * share_[k] * std::exp(modes_.values[k] * t);
     return sum.real();
   }
 
@@ -109,14 +111,18 @@ TEST(MagneticIntegral, StartsOnItsSteadyOrbit) {
   constexpr double kTurns = 200.0, kSize = 30.0;  // rad/s, N
   scene::Scene s = integrating();
   s.gravity = scene::Gravity{{0.0, -kWeight / kHung}, {}};
-  s.forces = {{.kind = scene::ForceKind::kRotating, .amplitude = kSize, .frequency = kTurns, .shape = {1.0}}};
+  s.forces = {{.kind = scene::ForceKind::kRotating,
+               .amplitude = kSize,
+               .frequency = kTurns,
+               .shape = {1.0}}};
   s.initial.steady = true;
   const Complex stiffness = Complex(kSpring - kHung * kTurns * kTurns, kTurns * kPerAmpere * kD) +
                             kPerAmpere * kI / Complex(0.0, kTurns);
   const auto exact = [&](double t) { return kSize / stiffness * std::polar(1.0, kTurns * t); };
   const Trajectory t = run_event(s);
   EXPECT_LT(orbit_error(t, exact), 1e-12);
-  const Complex current = -(kP + Complex(0.0, kTurns * kD) + kI / Complex(0.0, kTurns)) * kSize / stiffness;
+  const Complex current =
+      -(kP + Complex(0.0, kTurns * kD) + kI / Complex(0.0, kTurns)) * kSize / stiffness;
   EXPECT_NEAR(t.column("bearing_current_x").front(), current.real(), 1e-12);
   EXPECT_NEAR(t.column("bearing_current_y").front(), current.imag() + kWeight / kPerAmpere, 1e-12);
 }
@@ -135,13 +141,14 @@ TEST(MagneticIntegral, TooMuchOfItHasNoSteadyOrbit) {
 
 // Against classical Runge-Kutta steps of its three equations, written down here once more.
 TEST(MagneticIntegral, TheLimitTakesBackWhatItCutsOff) {
-  static constexpr double kLimit = 0.3;                             // A
+  static constexpr double kLimit = 0.3;                      // A
   constexpr double kPush = 25.0, kOff = 0.05, kStep = 1e-6;  // N, s, s
   scene::Scene s = integrating();
   s.first().contact.reset();
   s.magnetic_bearing->negative_stiffness = 0.0;
   s.magnetic_bearing->control->current_limit = kLimit;
-  s.forces = {{.kind = scene::ForceKind::kConstant, .vector = {kPush, 0.0}, .off = kOff, .shape = {1.0}}};
+  s.forces = {
+      {.kind = scene::ForceKind::kConstant, .vector = {kPush, 0.0}, .off = kOff, .shape = {1.0}}};
   ASSERT_GT(kPush, kPerAmpere * kLimit);  // it is pushed away
   using Axis = std::array<double, 3>;
   const auto slope = [](const Axis& y, double force) {
@@ -168,7 +175,8 @@ TEST(MagneticIntegral, TheLimitTakesBackWhatItCutsOff) {
   double size = 0.0;
   for (const double x : exact) size = std::max(size, std::abs(x));
   ASSERT_GT(size, 1e-5);
-  for (std::size_t k = 0; k < exact.size(); ++k) EXPECT_NEAR(t.column("rotor_x")[k], exact[k], 1e-8 * size) << k;
+  for (std::size_t k = 0; k < exact.size(); ++k)
+    EXPECT_NEAR(t.column("rotor_x")[k], exact[k], 1e-8 * size) << k;
   for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
     const Trajectory stepped = run_with(s, integrator, 1e-5);
     EXPECT_LT(test::rotor_error(stepped, t), 1e-4 * size) << static_cast<int>(integrator);

@@ -18,8 +18,8 @@ namespace rotorub {
 namespace {
 
 constexpr double kRingMass = 1.0, kRingDamping = 200.0, kRingStiffness = 1e5;  // of the ring
-constexpr double kConstant = 3e-4, kBias = 3.0, kAirGap = 5e-3;    // of the magnets
-constexpr double kAddedStiffness = 8e4, kAddedDamping = 150.0;     // asked of them
+constexpr double kConstant = 3e-4, kBias = 3.0, kAirGap = 5e-3;                // of the magnets
+constexpr double kAddedStiffness = 8e4, kAddedDamping = 150.0;                 // asked of them
 constexpr double kMagnetStart = 1e-7, kMagnetEnd = 0.02;                       // m along axis 1, s
 
 scene::Actuator magnets(double lag) {
@@ -116,7 +116,8 @@ TEST(MagneticRing, TheVoltageLimitIsTheCoilsOwnExponential) {
     return most;
   };
   EXPECT_LT(error(scene::Integrator::kEvent, 1e-5), 1e-9);
-  for (const scene::Integrator integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const scene::Integrator integrator :
+       {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
     const double coarse = error(integrator, 2e-5), fine = error(integrator, 1e-5);
     EXPECT_LT(fine, 1e-2);
     EXPECT_LT(fine, 0.6 * coarse);
@@ -143,8 +144,9 @@ TEST(MagneticRing, TheBiasCurrentIsANegativeSpring) {
   const double decay = kRingDamping / (2.0 * kRingMass);
   const double omega = std::sqrt((kRingStiffness - k_s) / kRingMass - decay * decay);
   ASSERT_LT(k_s, kRingStiffness);
-  const double expected = kMagnetStart * std::exp(-decay * kMagnetEnd) *
-                          (std::cos(omega * kMagnetEnd) + decay / omega * std::sin(omega * kMagnetEnd));
+  const double expected =
+      kMagnetStart * std::exp(-decay * kMagnetEnd) *
+      (std::cos(omega * kMagnetEnd) + decay / omega * std::sin(omega * kMagnetEnd));
   EXPECT_NEAR(last(t).x(), expected, kNonlinearity * kMagnetStart);
   EXPECT_EQ(last(t).z(), 0.0);
 }
@@ -199,10 +201,11 @@ TEST(MagneticRub, OfATableIsThatOfItsLaw) {
 TEST(MagneticRub, ATableWithoutAnInverseIsRefused) {
   scene::Scene s = ring_alone(0.0, true);
   s.first().actuator = {.kind = scene::ActuatorKind::kTable,
-                .table_position = {-1e-3, -5e-4, 5e-4, 1e-3},
-                .table_current = {-2.0, -1.0, 1.0, 2.0}};
+                        .table_position = {-1e-3, -5e-4, 5e-4, 1e-3},
+                        .table_current = {-2.0, -1.0, 1.0, 2.0}};
   for (int k = 0; k < 4; ++k) {
-    for (const double force : {-1.0, 0.0, 100.0, 101.0}) s.first().actuator->table_force.push_back(force);
+    for (const double force : {-1.0, 0.0, 100.0, 101.0})
+      s.first().actuator->table_force.push_back(force);
   }
   try {
     make_model(s);

@@ -1,6 +1,6 @@
-// A run-up through the first critical speed: unbalance takes from the motor what damping takes from the orbit. A
-// strong motor passes; a weak one hangs below the resonance (Sommerfeld), where its torque is that of the steady
-// orbit, in closed form.
+// A run-up through the first critical speed: unbalance takes from the motor what damping takes from
+// the orbit. A strong motor passes; a weak one hangs below the resonance (Sommerfeld), where its
+// torque is that of the steady orbit, in closed form.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,13 +13,17 @@
 namespace rotorub {
 namespace {
 
-constexpr double kRotorMass = 2.0, kRotorStiffness = 2e5, kRotorDamping = 64.0;  // resonance at 316 rad/s, 5 %
-constexpr double kMoment = 6e-4;                                  // kg m
+constexpr double kRotorMass = 2.0, kRotorStiffness = 2e5,
+                 kRotorDamping = 64.0;  // resonance at 316 rad/s, 5 %
+constexpr double kMoment = 6e-4;        // kg m
 constexpr double kRunUpInertia = 2e-3, kRunUpTarget = 450.0, kRunUpStart = 250.0;
 
 scene::Scene machine(double gain) {
-  scene::Scene s = test::make_scene(
-      {.mass = kRotorMass, .damping = kRotorDamping, .stiffness = kRotorStiffness, .clearance = 0.1, .speed = kRunUpStart});
+  scene::Scene s = test::make_scene({.mass = kRotorMass,
+                                     .damping = kRotorDamping,
+                                     .stiffness = kRotorStiffness,
+                                     .clearance = 0.1,
+                                     .speed = kRunUpStart});
   s.rotor.modal->inertia = kRunUpInertia;
   s.drive.emplace();
   s.drive->kind = scene::DriveKind::kLinear;
@@ -38,7 +42,8 @@ scene::Scene machine(double gain) {
 // N m: d |r|^2 Omega, what the orbit at a held speed takes.
 double taken(double speed) {
   const double r = kMoment * speed * speed /
-                   std::abs(std::complex<double>(kRotorStiffness - kRotorMass * speed * speed, kRotorDamping * speed));
+                   std::abs(std::complex<double>(kRotorStiffness - kRotorMass * speed * speed,
+                                                 kRotorDamping * speed));
   return kRotorDamping * r * r * speed;
 }
 

@@ -1,5 +1,5 @@
-// A motor under speed control: with a rigid rotor its loop is linear within the limit, and its answer to the
-// ramp of the reference is known.
+// A motor under speed control: with a rigid rotor its loop is linear within the limit, and its
+// answer to the ramp of the reference is known.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,8 @@ constexpr double kInertia = 1e-2, kGain = 0.5, kIntegral = 20.0, kStart = 100.0,
 constexpr double kAcceleration = 1000.0, kRampEnd = 0.2;
 
 scene::Scene motor() {
-  scene::Scene s = test::make_scene({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = kStart});
+  scene::Scene s =
+      test::make_scene({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = kStart});
   s.rotor.modal->inertia = kInertia;
   s.initial.spin_angle = 0.7;
   s.drive.emplace();
@@ -35,10 +36,12 @@ scene::Scene motor() {
   return s;
 }
 
-// Lag e = a_ref - a of the angle: J e'' + k e' + k_i e = J ref', from rest; the answer to a step of ref'.
+// Lag e = a_ref - a of the angle: J e'' + k e' + k_i e = J ref', from rest; the answer to a step of
+// ref'.
 double lag(double t) {
   const double delta = 0.5 * kGain / kInertia;
-  const std::complex<double> omega = std::sqrt(std::complex<double>(kIntegral / kInertia - delta * delta));
+  const std::complex<double> omega =
+      std::sqrt(std::complex<double>(kIntegral / kInertia - delta * delta));
   const auto step = [&](double s) {
     if (s <= 0.0) return 0.0;
     const std::complex<double> decay =
@@ -58,7 +61,8 @@ double error(const Trajectory& t) {
   double most = 0.0;
   for (std::size_t k = 0; k < t.rows(); ++k) {
     const double time = t.column("t")[k];
-    most = std::max(most, std::abs(t.column("spin_angle")[k] - 0.7 - reference_angle(time) + lag(time)));
+    most = std::max(most,
+                    std::abs(t.column("spin_angle")[k] - 0.7 - reference_angle(time) + lag(time)));
   }
   return most;
 }
@@ -93,7 +97,8 @@ TEST(SpeedControl, TorqueIsAColumn) {
   EXPECT_FALSE(run_with(held, scene::Integrator::kEvent).has("motor_torque"));
 }
 
-// At its limit the speed rises by limit / J; then it makes up for the angle, by limit / gain too fast.
+// At its limit the speed rises by limit / J; then it makes up for the angle, by limit / gain too
+// fast.
 TEST(SpeedControl, GivesNoMoreThanItsLimit) {
   scene::Scene s = motor();
   s.drive->torque_limit = 4.0;

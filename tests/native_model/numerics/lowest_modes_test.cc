@@ -21,13 +21,14 @@ Enough at_least(Eigen::Index count) {
   return [count](const Eigen::VectorXcd& values) { return values.size() >= count; };
 }
 
-// s^2 + 2 zeta w s + w^2 of each coordinate by itself, stiff ones of 1e8 rad/s among them: two of each value, as of two
-// planes that are alike.
+// s^2 + 2 zeta w s + w^2 of each coordinate by itself, stiff ones of 1e8 rad/s among them: two of
+// each value, as of two planes that are alike.
 TEST(LowestModes, OfCoordinatesByThemselvesTwiceEach) {
   constexpr Eigen::Index kHalf = 60;
   constexpr double kZeta = 0.01;
   Eigen::VectorXd w(2 * kHalf);
-  for (Eigen::Index k = 0; k < kHalf; ++k) w[k] = w[kHalf + k] = 100.0 * std::pow(1.26, static_cast<double>(k));
+  for (Eigen::Index k = 0; k < kHalf; ++k)
+    w[k] = w[kHalf + k] = 100.0 * std::pow(1.26, static_cast<double>(k));
   const Eigen::MatrixXd B = (2.0 * kZeta * w).asDiagonal(), C = w.cwiseAbs2().asDiagonal();
   const auto found = lowest_modes(B, C, w, 5.0, 24, at_least(24));
   ASSERT_TRUE(found);
@@ -35,10 +36,13 @@ TEST(LowestModes, OfCoordinatesByThemselvesTwiceEach) {
   for (Eigen::Index j = 0; j < 24; ++j) {
     const Complex exact = w[j / 4] * Complex(-kZeta, std::sqrt(1.0 - kZeta * kZeta));
     const Complex s = found->values[j];
-    EXPECT_LT(std::abs(Complex(s.real(), std::abs(s.imag())) - exact), 1e-10 * std::abs(exact)) << j;
+    EXPECT_LT(std::abs(Complex(s.real(), std::abs(s.imag())) - exact), 1e-10 * std::abs(exact))
+        << j;
     // Nothing else moves.
     const Eigen::VectorXcd v = found->rates.col(j);
-    EXPECT_NEAR(std::norm(v[j / 4]) + std::norm(v[kHalf + j / 4]), v.squaredNorm(), 1e-12 * v.squaredNorm()) << j;
+    EXPECT_NEAR(std::norm(v[j / 4]) + std::norm(v[kHalf + j / 4]), v.squaredNorm(),
+                1e-12 * v.squaredNorm())
+        << j;
   }
 }
 
@@ -60,7 +64,8 @@ TEST(LowestModes, AreTheLowestOfAllOfThem) {
   std::vector<Complex> all = real_eigenvalues(A).value();
   std::sort(all.begin(), all.end(), [](Complex a, Complex b) { return std::abs(a) < std::abs(b); });
   for (Eigen::Index j = 0; j < 12; ++j) {
-    EXPECT_NEAR(std::abs(found->values[j]) / std::abs(all[static_cast<std::size_t>(j)]), 1.0, 1e-6) << j;
+    EXPECT_NEAR(std::abs(found->values[j]) / std::abs(all[static_cast<std::size_t>(j)]), 1.0, 1e-6)
+        << j;
   }
 }
 

@@ -19,7 +19,8 @@ MatrixXd random(int rows, int columns, std::mt19937& engine) {
 }
 
 // Written another way than the solver has it: with the inverse of P + ... nowhere.
-double residual(const MatrixXd& a, const MatrixXd& b, const MatrixXd& q, const MatrixXd& r, const MatrixXd& p) {
+double residual(const MatrixXd& a, const MatrixXd& b, const MatrixXd& q, const MatrixXd& r,
+                const MatrixXd& p) {
   const MatrixXd k = riccati_gain(a, b, r, p), closed = a - b * k;
   return (closed.transpose() * p * closed + k.transpose() * r * k + q - p).norm() / p.norm();
 }
@@ -29,7 +30,8 @@ TEST(Riccati, ScalarClosedForm) {
     const double b = 0.3, q = 2.0, r = 0.7;
     // b^2 p^2 + (r (1 - a^2) - q b^2) p - q r = 0
     const double linear = r * (1.0 - a * a) - q * b * b;
-    const double wanted = (-linear + std::sqrt(linear * linear + 4.0 * b * b * q * r)) / (2.0 * b * b);
+    const double wanted =
+        (-linear + std::sqrt(linear * linear + 4.0 * b * b * q * r)) / (2.0 * b * b);
     const auto one = [](double x) { return MatrixXd::Constant(1, 1, x); };
     const auto p = solve_riccati(one(a), one(b), one(q), one(r));
     ASSERT_TRUE(p);
@@ -53,7 +55,8 @@ TEST(Riccati, RandomSystemsHaveNoResidualAndDecay) {
   }
 }
 
-// The chain of one mass: the gain that is known for a double integrator with cheap control is deadbeat.
+// The chain of one mass: the gain that is known for a double integrator with cheap control is
+// deadbeat.
 TEST(Riccati, CheapControlOfADoubleIntegratorIsDeadbeat) {
   MatrixXd a(2, 2), b(2, 1);
   a << 1.0, 1.0, 0.0, 1.0;

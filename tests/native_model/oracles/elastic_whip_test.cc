@@ -107,9 +107,9 @@ TEST(ElasticWhip, MovesAsTheModelSays) {
     EXPECT_DOUBLE_EQ(w.friction, kStiff.friction_asked(nu));
     Eigen::VectorXd f(4);
     unactuated_force(model, 0.0, q.data(), v.data(), f.data());
-    add_contact_load(model,
-                     contact_load(p.e_r, model.first().contact->radius, w.force, -w.friction * w.force),
-                     f.data());
+    add_contact_load(
+        model, contact_load(p.e_r, model.first().contact->radius, w.force, -w.friction * w.force),
+        f.data());
     const Eigen::VectorXd inertia = -nu * nu * model.mass.cwiseProduct(q);
     EXPECT_LT((inertia - f).norm(), 1e-11 * inertia.norm()) << nu;
   }

@@ -33,8 +33,8 @@ TEST(TurningRing, WithoutDragTheSpeedGrowsEvenlyAndWithItTendsToABalance) {
   EXPECT_NEAR(ring_speed(nearly, 0.4, 3.0, 0.5), ring_speed(free, 0.4, 3.0, 0.5), 1e-7);
 }
 
-// An impulse P of friction, found from J (Omega' - Omega) = -r P, J_r (Omega_r' - Omega_r) = R P and
-// equal surface speeds.
+// An impulse P of friction, found from J (Omega' - Omega) = -r P, J_r (Omega_r' - Omega_r) = R P
+// and equal surface speeds.
 TEST(TurningRing, RollingSurfacesMeet) {
   const FreeSpin rotor{1e-3, 0.05, 314.0};
   const TurningRing ring{4e-4, 0.0, 0.0505};

@@ -33,7 +33,8 @@ scene::Scene automatic(scene::Scene s, double tolerance) {
   return s;
 }
 
-// Largest share by which n modes are off, of the mass that an impact meets and of what gives way under a load, each value from the matrices, none from modal sums.
+// Largest share by which n modes are off, of the mass that an impact meets and of what gives way
+// under a load, each value from the matrices, none from modal sums.
 double left_out(scene::Scene s, int n) {
   s.rotor.geometry->modes = n;
   const RotorModes modes = rotor_modes(s);

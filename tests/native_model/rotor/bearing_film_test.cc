@@ -1,5 +1,5 @@
-// Bearings that cross the planes, follow the speed or stand off the line, against closed forms: a shaft so stiff on
-// bearings so soft that it is a rigid body.
+// Bearings that cross the planes, follow the speed or stand off the line, against closed forms: a
+// shaft so stiff on bearings so soft that it is a rigid body.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,14 +52,19 @@ stiffness = 1e4
 damping = 20.0
 )";
 constexpr double kStiff = 1e-6;  // what the shaft's own flexibility may change
-constexpr double kRigidMass = 4.0 + 1.0 * 0.4 * 0.25 * 0.01 * M_PI, kTwoSprings = 2e4, kTwoDashpots = 40.0;
+constexpr double kRigidMass = 4.0 + 1.0 * 0.4 * 0.25 * 0.01 * M_PI, kTwoSprings = 2e4,
+                 kTwoDashpots = 40.0;
 
-scene::Scene rigid(const std::vector<std::string>& overrides) { return scene::parse_scene(kRigid, "rigid.toml", overrides); }
+scene::Scene rigid(const std::vector<std::string>& overrides) {
+  return scene::parse_scene(kRigid, "rigid.toml", overrides);
+}
 
 std::vector<std::string> crossed(double cross, double damping_cross = 0.0) {
   std::vector<std::string> all;
   for (const char* bearing : {"rotor.bearing[0]", "rotor.bearing[1]"}) {
-    const auto pair = [](double value) { return "=[" + std::to_string(value) + "," + std::to_string(-value) + "]"; };
+    const auto pair = [](double value) {
+      return "=[" + std::to_string(value) + "," + std::to_string(-value) + "]";
+    };
     all.push_back(bearing + (".cross_stiffness" + pair(0.5 * cross)));
     all.push_back(bearing + (".cross_damping" + pair(0.5 * damping_cross)));
   }
@@ -98,28 +103,34 @@ TEST(BearingFilm, CrossCoupledBearingsWhirlAsTheirClosedForm) {
 TEST(BearingFilm, TheBorderOfStability) {
   const double border = kTwoDashpots * std::sqrt(kTwoSprings / kRigidMass);
   for (const double share : {0.999, 1.001, -0.999, -1.001}) {
-    const std::vector<Complex> all = whirl_eigenvalues(whirl_system(rigid(crossed(share * border))), 100.0);
-    const Complex worst =
-        *std::max_element(all.begin(), all.end(), [](Complex a, Complex b) { return a.real() < b.real(); });
+    const std::vector<Complex> all =
+        whirl_eigenvalues(whirl_system(rigid(crossed(share * border))), 100.0);
+    const Complex worst = *std::max_element(
+        all.begin(), all.end(), [](Complex a, Complex b) { return a.real() < b.real(); });
     EXPECT_EQ(worst.real() > 0.0, std::abs(share) > 1.0) << share;
     EXPECT_EQ(worst.imag() > 0.0, share > 0.0) << share;
   }
 }
 
-// The run grows as the eigenvalue says, in its sense: the equations of motion are those of the spectrum.
+// The run grows as the eigenvalue says, in its sense: the equations of motion are those of the
+// spectrum.
 TEST(BearingFilm, ARunWhirlsAsTheEigenvalue) {
   const double cross = 4000.0;
   const auto [forward, backward] = translation(cross, 7.0);
   scene::Scene s = rigid(crossed(cross, 7.0));
   Model m = make_model(s);
   // One mode moves the middle as a whole, the other turns about it.
-  const int moves = std::abs(m.first().shape.x.size()) > 0 && m.stiffness[0] / m.mass[0] < m.stiffness[1] / m.mass[1] ? 0 : 1;
+  const int moves = std::abs(m.first().shape.x.size()) > 0 &&
+                            m.stiffness[0] / m.mass[0] < m.stiffness[1] / m.mass[1]
+                        ? 0
+                        : 1;
   s.initial.x = s.initial.y = s.initial.vx = s.initial.vy = {0.0, 0.0};
   const auto at = static_cast<std::size_t>(moves);
   s.initial.x[at] = 1e-4;
   s.initial.vx[at] = (1e-4 * forward).real();
   s.initial.vy[at] = (1e-4 * forward).imag();
-  for (const scene::Integrator integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
+  for (const scene::Integrator integrator :
+       {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
     NativeOptions options;
     options.integrator = integrator;
     options.step = 1e-5;
@@ -134,15 +145,19 @@ TEST(BearingFilm, ARunWhirlsAsTheEigenvalue) {
 
 constexpr const char* kTables =
     "={z=0.0,table_speed=[50.0,120.0,200.0],table_kxx=[8e3,1.1e4,1.5e4],table_kyy=[9e3,1e4,1.2e4],"
-    "table_kxy=[1e3,2e3,1e3],table_kyx=[-1e3,-1.5e3,-2e3],table_cxx=[30.0,20.0,10.0],table_cxy=[1.0,2.0,3.0]}";
+    "table_kxy=[1e3,2e3,1e3],table_kyx=[-1e3,-1.5e3,-2e3],table_cxx=[30.0,20.0,10.0],table_cxy=[1."
+    "0,2.0,3.0]}";
 
 // At a held speed it is the bearing with the coefficients of that speed.
 TEST(BearingFilm, ATableAtASpeedIsItsCoefficientsThere) {
-  const scene::Scene at_point = rigid({std::string("rotor.bearing[0]") + kTables, "rotor.speed=120.0"});
+  const scene::Scene at_point =
+      rigid({std::string("rotor.bearing[0]") + kTables, "rotor.speed=120.0"});
   const scene::Scene plain =
-      rigid({"rotor.bearing[0].stiffness=[1.1e4,1e4]", "rotor.bearing[0].damping=20.0", "rotor.speed=120.0",
-             "rotor.bearing[0].cross_stiffness=[2e3,-1.5e3]", "rotor.bearing[0].cross_damping=[2.0,0.0]"});
-  EXPECT_EQ(whirl_eigenvalues(whirl_system(at_point), 120.0), whirl_eigenvalues(whirl_system(plain), 120.0));
+      rigid({"rotor.bearing[0].stiffness=[1.1e4,1e4]", "rotor.bearing[0].damping=20.0",
+             "rotor.speed=120.0", "rotor.bearing[0].cross_stiffness=[2e3,-1.5e3]",
+             "rotor.bearing[0].cross_damping=[2.0,0.0]"});
+  EXPECT_EQ(whirl_eigenvalues(whirl_system(at_point), 120.0),
+            whirl_eigenvalues(whirl_system(plain), 120.0));
   scene::Scene thrown[] = {at_point, plain};
   std::vector<Trajectory> runs;
   for (scene::Scene& s : thrown) {
@@ -154,43 +169,55 @@ TEST(BearingFilm, ATableAtASpeedIsItsCoefficientsThere) {
     EXPECT_NEAR(runs[0].column(name).back(), runs[1].column(name).back(), 1e-13) << name;
   }
   // Elsewhere than at the speed of the scene: the spectrum at 200 rad/s has those of 200 rad/s.
-  const scene::Scene faster = rigid({std::string("rotor.bearing[0]") + kTables, "rotor.speed=200.0"});
-  const auto a = whirl_eigenvalues(whirl_system(at_point), 200.0), b = whirl_eigenvalues(whirl_system(faster), 200.0);
+  const scene::Scene faster =
+      rigid({std::string("rotor.bearing[0]") + kTables, "rotor.speed=200.0"});
+  const auto a = whirl_eigenvalues(whirl_system(at_point), 200.0),
+             b = whirl_eigenvalues(whirl_system(faster), 200.0);
   ASSERT_EQ(a.size(), b.size());
-  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_LT(std::abs(a[k] - b[k]), kStiff * std::abs(b[k]));
+  for (std::size_t k = 0; k < a.size(); ++k)
+    EXPECT_LT(std::abs(a[k] - b[k]), kStiff * std::abs(b[k]));
 }
 
 // A critical speed is one of the rotor whose springs are held at that speed's, and no other is.
 TEST(BearingFilm, CriticalSpeedsAreTheirOwnSpringsOnes) {
-  const std::string tables = "={z=0.0,table_speed=[20.0,60.0,90.0,150.0],table_kxx=[2e3,1e4,1.6e4,4e4]}";
-  const std::vector<double> speeds = critical_speeds(whirl_system(rigid({"rotor.bearing[0]" + tables})));
+  const std::string tables =
+      "={z=0.0,table_speed=[20.0,60.0,90.0,150.0],table_kxx=[2e3,1e4,1.6e4,4e4]}";
+  const std::vector<double> speeds =
+      critical_speeds(whirl_system(rigid({"rotor.bearing[0]" + tables})));
   ASSERT_FALSE(speeds.empty());
   for (const double speed : speeds) {
-    const scene::Scene there = rigid({"rotor.bearing[0]" + tables, "rotor.speed=" + std::to_string(speed)});
+    const scene::Scene there =
+        rigid({"rotor.bearing[0]" + tables, "rotor.speed=" + std::to_string(speed)});
     const double k = there.rotor.geometry->bearings[0].stiffness.x();
     scene::Scene plain = rigid({});
     plain.rotor.geometry->bearings[0].stiffness = {k, k};
     double least = 1e300;
-    for (const double other : critical_speeds(whirl_system(plain))) least = std::min(least, std::abs(other - speed));
+    for (const double other : critical_speeds(whirl_system(plain)))
+      least = std::min(least, std::abs(other - speed));
     EXPECT_LT(least, 1e-5) << speed;
   }
-  // Springs that stiffen as the square of the speed, or faster, leave no crossing: found none, invented none.
-  const std::vector<double> none = critical_speeds(whirl_system(
-      rigid({"rotor.bearing[0]={z=0.0,table_speed=[10.0,20.0,40.0,80.0,160.0],table_kxx=[1e4,4e4,1.6e5,6.4e5,2.56e6]}",
-             "rotor.bearing[1]={z=0.4,table_speed=[10.0,20.0,40.0,80.0,160.0],table_kxx=[1e4,4e4,1.6e5,6.4e5,2.56e6]}"})));
+  // Springs that stiffen as the square of the speed, or faster, leave no crossing: found none,
+  // invented none.
+  const std::vector<double> none =
+      critical_speeds(whirl_system(rigid({"rotor.bearing[0]={z=0.0,table_speed=[10.0,20.0,40.0,80."
+                                          "0,160.0],table_kxx=[1e4,4e4,1.6e5,6.4e5,2.56e6]}",
+                                          "rotor.bearing[1]={z=0.4,table_speed=[10.0,20.0,40.0,80."
+                                          "0,160.0],table_kxx=[1e4,4e4,1.6e5,6.4e5,2.56e6]}"})));
   for (const double speed : none) EXPECT_GT(speed, 160.0);
 }
 
-// Springs that rise with the speed, k = m (2 c Omega - c^2 + e^2) of both bearings together, make c - e and c + e critical.
+// Springs that rise with the speed, k = m (2 c Omega - c^2 + e^2) of both bearings together, make c
+// - e and c + e critical.
 TEST(BearingFilm, TwoCriticalSpeedsCloseTogetherAreFound) {
   constexpr double kMiddle = 122.0;
   for (const double e : {20.0, 2.0}) {
     const auto stiffness = [e](double speed) {
       return std::to_string(0.5 * kRigidMass * (2.0 * kMiddle * speed - kMiddle * kMiddle + e * e));
     };
-    const std::string table = "table_speed=[70.0,190.0],table_kxx=[" + stiffness(70.0) + "," + stiffness(190.0) + "]}";
-    const std::vector<double> found = critical_speeds(
-        whirl_system(rigid({"rotor.bearing[0]={z=0.0," + table, "rotor.bearing[1]={z=0.4," + table})));
+    const std::string table =
+        "table_speed=[70.0,190.0],table_kxx=[" + stiffness(70.0) + "," + stiffness(190.0) + "]}";
+    const std::vector<double> found = critical_speeds(whirl_system(
+        rigid({"rotor.bearing[0]={z=0.0," + table, "rotor.bearing[1]={z=0.4," + table})));
     for (const double exact : {kMiddle - e, kMiddle + e}) {
       double least = 1e300;
       for (const double speed : found) least = std::min(least, std::abs(speed - exact));
@@ -199,12 +226,14 @@ TEST(BearingFilm, TwoCriticalSpeedsCloseTogetherAreFound) {
   }
 }
 
-// Both bearings off by the same: the rotor rests there. One: its middle half of it, beside what weight bends.
+// Both bearings off by the same: the rotor rests there. One: its middle half of it, beside what
+// weight bends.
 TEST(BearingFilm, BearingsOffTheLineCarryTheRotorThere) {
   for (const bool film : {false, true}) {
-    std::vector<std::string> overrides{"rotor.bearing[0].offset=[\"30 um\",\"-20 um\"]",
-                                       "rotor.bearing[1].offset=[\"30 um\",\"-20 um\"]", "initial.steady=true",
-                                       "contact={station=0.2,radius=0.05,clearance=1e-3,friction=0.1,restitution=0.5}"};
+    std::vector<std::string> overrides{
+        "rotor.bearing[0].offset=[\"30 um\",\"-20 um\"]",
+        "rotor.bearing[1].offset=[\"30 um\",\"-20 um\"]", "initial.steady=true",
+        "contact={station=0.2,radius=0.05,clearance=1e-3,friction=0.1,restitution=0.5}"};
     if (film) {
       const std::vector<std::string> cross = crossed(1500.0);
       overrides.insert(overrides.end(), cross.begin(), cross.end());
@@ -237,19 +266,26 @@ std::string refusal(const std::vector<std::string>& overrides) {
 }
 
 TEST(BearingFilm, SlipsAreRefusedByName) {
-  const auto expect = [](const std::string& bearing, const std::string& key, const std::string& why) {
+  const auto expect = [](const std::string& bearing, const std::string& key,
+                         const std::string& why) {
     const std::string said = refusal({"rotor.bearing[0]=" + bearing});
     EXPECT_NE(said.find(key), std::string::npos) << said;
     EXPECT_NE(said.find(why), std::string::npos) << said;
   };
   expect("{z=0.0}", "rotor.bearing[0].stiffness", "missing: expected a stiffness in N/m");
   expect("{z=0.0,table_speed=[1.0,2.0]}", "rotor.bearing[0].table_kxx", "missing");
-  expect("{z=0.0,stiffness=1e4,table_kxy=[1.0,2.0]}", "rotor.bearing[0].table_kxy", "needs `table_speed`");
-  expect("{z=0.0,stiffness=1e4,table_speed=[1.0,2.0],table_kxx=[1.0,2.0]}", "rotor.bearing[0].stiffness", "one of the two");
-  expect("{z=0.0,table_speed=[2.0,1.0],table_kxx=[1.0,2.0]}", "rotor.bearing[0].table_speed", "ascending");
-  expect("{z=0.0,table_speed=[1.0],table_kxx=[1.0]}", "rotor.bearing[0].table_speed", "two speeds or more");
-  expect("{z=0.0,table_speed=[1.0,2.0],table_kxx=[1.0,2.0,3.0]}", "rotor.bearing[0].table_kxx", "expected 2 value(s)");
-  const std::string segments = refusal({"rotor.bearing[0].cross_stiffness=[1.0,0.0]", "mujoco.rotor=\"segments\""});
+  expect("{z=0.0,stiffness=1e4,table_kxy=[1.0,2.0]}", "rotor.bearing[0].table_kxy",
+         "needs `table_speed`");
+  expect("{z=0.0,stiffness=1e4,table_speed=[1.0,2.0],table_kxx=[1.0,2.0]}",
+         "rotor.bearing[0].stiffness", "one of the two");
+  expect("{z=0.0,table_speed=[2.0,1.0],table_kxx=[1.0,2.0]}", "rotor.bearing[0].table_speed",
+         "ascending");
+  expect("{z=0.0,table_speed=[1.0],table_kxx=[1.0]}", "rotor.bearing[0].table_speed",
+         "two speeds or more");
+  expect("{z=0.0,table_speed=[1.0,2.0],table_kxx=[1.0,2.0,3.0]}", "rotor.bearing[0].table_kxx",
+         "expected 2 value(s)");
+  const std::string segments =
+      refusal({"rotor.bearing[0].cross_stiffness=[1.0,0.0]", "mujoco.rotor=\"segments\""});
   EXPECT_NE(segments.find("cross_stiffness"), std::string::npos) << segments;
 }
 

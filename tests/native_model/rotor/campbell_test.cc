@@ -13,14 +13,13 @@
 namespace rotorub {
 namespace {
 
-using test::kBeam;
-using test::kTight;
 using test::jeffcott;
+using test::kBeam;
 using test::kShaft;
+using test::kTight;
 using test::miss;
 using test::pinned_shaft;
 using test::scene_of;
-
 
 constexpr double k4000Rpm = 4000.0 * std::numbers::pi / 30.0;
 

@@ -1,4 +1,5 @@
-// The effective mass at the contact: known for a shaft that is all sleeve, and falling with the modes.
+// The effective mass at the contact: known for a shaft that is all sleeve, and falling with the
+// modes.
 #include <gtest/gtest.h>
 
 #include "native_model/rotor/contact_mass.h"
@@ -27,8 +28,9 @@ TEST(ContactMass, FallsWithTheModesWithoutASleeve) {
 
 // A sleeve of 50 kg is what an impact meets, whatever the modes, once one of them is its own.
 TEST(ContactMass, OfAHeavySleeveIsTheSleeve) {
-  const scene::Scene scene = rig(
-      {"rotor.disc[1]={z=0.24,mass=50.0,Jt=1e-2,Jp=2e-2,eccentricity=0.0,phase=0.0}", "rotor.modes=12"});
+  const scene::Scene scene =
+      rig({"rotor.disc[1]={z=0.24,mass=50.0,Jt=1e-2,Jp=2e-2,eccentricity=0.0,phase=0.0}",
+           "rotor.modes=12"});
   const ContactMass mass = of(scene);
   EXPECT_NEAR(mass.mesh, 50.0, 1.0);
   EXPECT_NEAR(mass.kept, mass.mesh, 0.02 * mass.mesh);
@@ -36,8 +38,9 @@ TEST(ContactMass, OfAHeavySleeveIsTheSleeve) {
 }
 
 TEST(ContactMass, IsNotAskedOfModalData) {
-  EXPECT_FALSE(contact_mass(
-      scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/bench_ring.toml")).has_value());
+  EXPECT_FALSE(
+      contact_mass(scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/bench_ring.toml"))
+          .has_value());
 }
 
 }  // namespace

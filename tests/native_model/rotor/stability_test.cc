@@ -15,14 +15,13 @@
 namespace rotorub {
 namespace {
 
-using test::kBeam;
-using test::kTight;
 using test::jeffcott;
+using test::kBeam;
 using test::kShaft;
+using test::kTight;
 using test::miss;
 using test::pinned_shaft;
 using test::scene_of;
-
 
 TEST(CriticalSpeeds, RayleighShaft) {
   const std::vector<double> speeds = critical_speeds(whirl_system(scene_of(pinned_shaft(6))));
@@ -134,7 +133,8 @@ TEST(StabilityThreshold, FindsTheWindowsOfATable) {
     const WhirlSystem system = whirl_system(with_window(at, width, 5e6));
     const auto grows = [&](double speed) {
       double least = 1.0;
-      for (const WhirlMode& mode : whirl_spectrum(system, speed).modes) least = std::min(least, mode.damping_ratio);
+      for (const WhirlMode& mode : whirl_spectrum(system, speed).modes)
+        least = std::min(least, mode.damping_ratio);
       return least < 0.0;
     };
     ASSERT_TRUE(grows(at)) << at;
@@ -146,10 +146,12 @@ TEST(StabilityThreshold, FindsTheWindowsOfATable) {
     EXPECT_TRUE(grows(*threshold * (1.0 + 1e-7)));
     EXPECT_FALSE(grows(*threshold * (1.0 - 1e-7)));
   }
-  EXPECT_FALSE(stability_threshold(whirl_system(with_window(420.0, 8.0, 1e3)))) << "too weak a cross-coupling";
+  EXPECT_FALSE(stability_threshold(whirl_system(with_window(420.0, 8.0, 1e3))))
+      << "too weak a cross-coupling";
 }
 
-// Of unit mass, stable while c omega > k: between two points of the table k is ahead of c, at each of them it is not.
+// Of unit mass, stable while c omega > k: between two points of the table k is ahead of c, at each
+// of them it is not.
 TEST(StabilityThreshold, FindsAWindowBetweenTwoPointsOfATable) {
   WhirlSystem system = whirl_system(jeffcott(1.0, 1e5, 2.0));
   const std::vector<double> speed{0.0, 300.0, 330.0, 360.0, 2000.0};
@@ -163,7 +165,8 @@ TEST(StabilityThreshold, FindsAWindowBetweenTwoPointsOfATable) {
   system.films.push_back(film);
   const auto least = [&](double at) {
     double damping = 1.0;
-    for (const WhirlMode& mode : whirl_spectrum(system, at).modes) damping = std::min(damping, mode.damping_ratio);
+    for (const WhirlMode& mode : whirl_spectrum(system, at).modes)
+      damping = std::min(damping, mode.damping_ratio);
     return damping;
   };
   for (const double at : speed) ASSERT_GT(least(at), 0.0) << at;
@@ -176,7 +179,8 @@ TEST(StabilityThreshold, FindsAWindowBetweenTwoPointsOfATable) {
   EXPECT_NEAR(*found, *by_hand, 0.01);
 }
 
-// In the spin's own sense: a machine and its mirror image, which turns the other way, have one threshold.
+// In the spin's own sense: a machine and its mirror image, which turns the other way, have one
+// threshold.
 TEST(StabilityThreshold, OfTheMirrorImageIsTheSame) {
   scene::Scene s = test::anisotropic_rotor();
   s.rotor.geometry->damping_ratio = 0.005;

@@ -1,4 +1,5 @@
-// Cones: against published frequencies, against many short cylinders, and a cone that is a cylinder.
+// Cones: against published frequencies, against many short cylinders, and a cone that is a
+// cylinder.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,18 +17,22 @@ namespace {
 constexpr double kLength = 1.0, kE = 2.1e11, kRho = 7850.0, kTip = 0.02;  // m, Pa, kg/m^3, m
 
 scene::Scene shaft(const std::string& sections, const std::string& more = {}) {
-  return scene::parse_scene("[rotor]\nlength = 1.0\nE = 2.1e11\nnu = 0.3\nrho = 7850\nmodes = 4\n" + sections +
+  return scene::parse_scene("[rotor]\nlength = 1.0\nE = 2.1e11\nnu = 0.3\nrho = 7850\nmodes = 4\n" +
+                                sections +
                                 "[[rotor.bearing]]\nz = 0.0\nstiffness = 1e8\n"
-                                "[[rotor.bearing]]\nz = 1.0\nstiffness = 3e7\n" + more,
+                                "[[rotor.bearing]]\nz = 1.0\nstiffness = 3e7\n" +
+                                more,
                             "taper.toml");
 }
 
-std::string section(double from, double to, double first, double last, double bore = 0.0, double last_bore = 0.0) {
+std::string section(double from, double to, double first, double last, double bore = 0.0,
+                    double last_bore = 0.0) {
   const auto line = [](const char* name, double value) {
     return std::string(name) + " = " + scene::number_text(value, 17) + "\n";
   };
   return "[[rotor.section]]\n" + line("from", from) + line("to", to) + line("diameter", first) +
-         line("end_diameter", last) + line("inner_diameter", bore) + line("end_inner_diameter", last_bore);
+         line("end_diameter", last) + line("inner_diameter", bore) +
+         line("end_inner_diameter", last_bore);
 }
 
 Eigen::VectorXd frequencies(const scene::Scene& scene, int count) {
@@ -36,7 +41,8 @@ Eigen::VectorXd frequencies(const scene::Scene& scene, int count) {
 
 // Midpoint cylinders: their error falls with the square of their number; extrapolated twice.
 TEST(Taper, IsTheLimitOfShortCylinders) {
-  const std::string cone = section(0.0, 0.7, 0.06, 0.03, 0.01, 0.025) + section(0.7, 1.0, 0.03, 0.03, 0.0, 0.02);
+  const std::string cone =
+      section(0.0, 0.7, 0.06, 0.03, 0.01, 0.025) + section(0.7, 1.0, 0.03, 0.03, 0.0, 0.02);
   const Eigen::VectorXd exact = frequencies(shaft(cone), 4);
   const auto steps = [](int count) {
     std::string text;
@@ -53,7 +59,8 @@ TEST(Taper, IsTheLimitOfShortCylinders) {
     return frequencies(shaft(text), 4);
   };
   const Eigen::VectorXd a = steps(8), b = steps(16), c = steps(32);
-  const Eigen::VectorXd ab = (4.0 * b - a) / 3.0, bc = (4.0 * c - b) / 3.0, limit = (16.0 * bc - ab) / 15.0;
+  const Eigen::VectorXd ab = (4.0 * b - a) / 3.0, bc = (4.0 * c - b) / 3.0,
+                        limit = (16.0 * bc - ab) / 15.0;
   for (int k = 0; k < 4; ++k) {
     EXPECT_GT(std::abs(a[k] / exact[k] - 1.0), 1e-5) << k;
     EXPECT_NEAR(limit[k] / exact[k], 1.0, 1e-5) << k;  // a: up to 4e-3, c: 3e-4
@@ -63,18 +70,23 @@ TEST(Taper, IsTheLimitOfShortCylinders) {
 // A finer cut of the same cone, which changes the elements and nothing else: round-off.
 TEST(Taper, DoesNotHangOnTheElements) {
   const Eigen::VectorXd whole = frequencies(shaft(section(0.0, 1.0, 0.02, 0.08)), 4);
-  const Eigen::VectorXd cut = frequencies(
-      shaft(section(0.0, 0.3, 0.02, 0.038) + section(0.3, 0.5, 0.038, 0.05) + section(0.5, 1.0, 0.05, 0.08)), 4);
+  const Eigen::VectorXd cut =
+      frequencies(shaft(section(0.0, 0.3, 0.02, 0.038) + section(0.3, 0.5, 0.038, 0.05) +
+                        section(0.5, 1.0, 0.05, 0.08)),
+                  4);
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(cut[k] / whole[k], 1.0, 1e-9) << k;
 }
 
-// Free torsion of a cone from d to 2 d: with psi = r theta' r... the polar moment goes with the fourth power of
-// x = 1 + z / L, (x^4 theta')' + k^2 x^4 theta = 0, whose solutions are x^-3/2 J_{3/2}(k x) and Y_{3/2}, in sines
-// and cosines: theta = (A f + B g), f = (sin s - s cos s) / s^3, g = (cos s + s sin s) / s^3, s = k x.
+// Free torsion of a cone from d to 2 d: with psi = r theta' r... the polar moment goes with the
+// fourth power of x = 1 + z / L, (x^4 theta')' + k^2 x^4 theta = 0, whose solutions are x^-3/2
+// J_{3/2}(k x) and Y_{3/2}, in sines and cosines: theta = (A f + B g), f = (sin s - s cos s) / s^3,
+// g = (cos s + s sin s) / s^3, s = k x.
 TEST(Taper, TorsionOfACone) {
-  const scene::Scene scene = shaft(section(0.0, 1.0, kTip, 2.0 * kTip),
-                                   "[rotor.torsion]\nmodes = 2\n[drive]\nkind = \"free\"\nstation = 0.0\n");
-  // theta' = 0 at x = 1 and 2: of f' ~ (3 s cos s + (s^2 - 3) sin s) / s^4, g' ~ (3 s sin s - (s^2 - 3) cos s) / s^4.
+  const scene::Scene scene =
+      shaft(section(0.0, 1.0, kTip, 2.0 * kTip),
+            "[rotor.torsion]\nmodes = 2\n[drive]\nkind = \"free\"\nstation = 0.0\n");
+  // theta' = 0 at x = 1 and 2: of f' ~ (3 s cos s + (s^2 - 3) sin s) / s^4, g' ~ (3 s sin s - (s^2
+  // - 3) cos s) / s^4.
   const auto f = [](double s) { return 3.0 * s * std::cos(s) + (s * s - 3.0) * std::sin(s); };
   const auto g = [](double s) { return 3.0 * s * std::sin(s) - (s * s - 3.0) * std::cos(s); };
   const auto determinant = [&](double k) { return f(k) * g(2.0 * k) - f(2.0 * k) * g(k); };
@@ -90,7 +102,8 @@ TEST(Taper, TorsionOfACone) {
     EXPECT_NEAR(std::sqrt(modes.stiffness[n] / modes.inertia[n]) / (low * wave), 1.0, 1e-9) << n;
   }
   // rho pi / 32 int d^4 dz = rho pi / 32 d^4 L (2^5 - 1) / 5.
-  EXPECT_NEAR(spin_inertia(scene), kRho * std::numbers::pi / 32.0 * std::pow(kTip, 4) * 31.0 / 5.0, 1e-16);
+  EXPECT_NEAR(spin_inertia(scene), kRho * std::numbers::pi / 32.0 * std::pow(kTip, 4) * 31.0 / 5.0,
+              1e-16);
 }
 
 TEST(Taper, AConeThatIsACylinderIsOne) {

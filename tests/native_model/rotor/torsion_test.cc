@@ -55,7 +55,8 @@ TEST(Torsion, UniformFreeShaft) {
   const TorsionModes modes = torsion_modes(s);
   for (int n = 1; n <= 4; ++n) {
     // cos(n pi z / L): odd ones have a node at mid span.
-    EXPECT_NEAR(frequency(modes, n - 1) / (n * std::numbers::pi * wave_speed(g)), 1.0, kTorsionMesh);
+    EXPECT_NEAR(frequency(modes, n - 1) / (n * std::numbers::pi * wave_speed(g)), 1.0,
+                kTorsionMesh);
     EXPECT_EQ(modes.contacts.front()[n - 1], n % 2 == 0 ? 1.0 : 0.0);
     const double at_drive = n % 4 == 2 ? -1.0 : 1.0;
     EXPECT_NEAR(modes.drive_shape[n - 1], at_drive, 1e-8);

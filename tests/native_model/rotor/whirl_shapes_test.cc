@@ -12,12 +12,12 @@
 namespace rotorub {
 namespace {
 
-
 std::vector<WhirlShape> shapes_of(const scene::Scene& s, double speed) {
   return whirl_shapes(s, whirl_system(s), speed, mode_shapes(s).value());
 }
 
-// Rayleigh's shaft whirls in sines at every speed: its rotary and gyroscopic terms have the same shape.
+// Rayleigh's shaft whirls in sines at every speed: its rotary and gyroscopic terms have the same
+// shape.
 TEST(WhirlShapes, OfAPinnedShaftAreSinesAtAnySpeed) {
   const scene::Scene s = test::scene_of(test::pinned_shaft(3));
   const Eigen::VectorXd z = mode_shapes(s)->z;
@@ -28,7 +28,9 @@ TEST(WhirlShapes, OfAPinnedShaftAreSinesAtAnySpeed) {
       const double n = static_cast<double>(j / 2 + 1);
       EXPECT_EQ(shapes[j].roundness, 1.0);
       for (Eigen::Index i = 0; i < z.size(); ++i) {
-        EXPECT_NEAR(std::abs(shapes[j].shape[i]), std::abs(std::sin(n * std::numbers::pi * z[i])), 1e-6) << j << " at " << z[i];
+        EXPECT_NEAR(std::abs(shapes[j].shape[i]), std::abs(std::sin(n * std::numbers::pi * z[i])),
+                    1e-6)
+            << j << " at " << z[i];
       }
     }
   }
@@ -45,7 +47,8 @@ TEST(WhirlShapes, AtRestAreThePlanarModes) {
     for (const PlaneShapes* plane : {&planar.x, &planar.y}) {
       for (Eigen::Index j = 0; j < plane->frequency.size(); ++j) {
         if (std::abs(plane->frequency[j] / std::abs(whirl.mode.frequency) - 1.0) > 1e-6) continue;
-        const Eigen::VectorXd one_high = plane->shape.col(j) / plane->shape.col(j).cwiseAbs().maxCoeff();
+        const Eigen::VectorXd one_high =
+            plane->shape.col(j) / plane->shape.col(j).cwiseAbs().maxCoeff();
         nearest = std::min({nearest, (whirl.shape - one_high).cwiseAbs().maxCoeff(),
                             (whirl.shape + one_high).cwiseAbs().maxCoeff()});
       }
@@ -53,7 +56,8 @@ TEST(WhirlShapes, AtRestAreThePlanarModes) {
     EXPECT_LT(nearest, 1e-6) << whirl.mode.frequency;
     EXPECT_LT(whirl.roundness, 1e-6) << "a line";
   }
-  for (const WhirlShape& whirl : shapes_of(s, 300.0)) EXPECT_GT(whirl.roundness, 1e-3) << "an ellipse at speed";
+  for (const WhirlShape& whirl : shapes_of(s, 300.0))
+    EXPECT_GT(whirl.roundness, 1e-3) << "an ellipse at speed";
 }
 
 // Put into the modal rotor, whose matrices come another way: (K - w^2 M + w Omega G) q = 0.
@@ -75,7 +79,8 @@ TEST(WhirlShapes, SolveTheModalRotor) {
     EXPECT_LT(rest.head(6).norm(), 2e-3 * stiff.norm()) << w;
     if (j / 2 == 1) (w > 0.0 ? forward : backward) = whirl.at_stations[1];
   }
-  EXPECT_GT(std::abs(std::abs(forward) - std::abs(backward)), 1e-3) << "the spin bends either sense otherwise";
+  EXPECT_GT(std::abs(std::abs(forward) - std::abs(backward)), 1e-3)
+      << "the spin bends either sense otherwise";
 }
 
 // Damping turns the phase along the shaft, and no node makes a jump.
@@ -84,7 +89,8 @@ TEST(WhirlShapes, AreSmoothWithDamping) {
   s.rotor.geometry->bearings[0].damping = {300.0, 300.0};
   for (const WhirlShape& whirl : shapes_of(s, 250.0)) {
     for (Eigen::Index i = 1; i < whirl.shape.size(); ++i) {
-      EXPECT_LT(std::abs(whirl.shape[i] - whirl.shape[i - 1]), 0.2) << whirl.mode.frequency << " at " << i;
+      EXPECT_LT(std::abs(whirl.shape[i] - whirl.shape[i - 1]), 0.2)
+          << whirl.mode.frequency << " at " << i;
     }
   }
 }

@@ -1,5 +1,5 @@
-// The eigenvalues of a lasting rub by differences of the model's own right-hand side: contact and its kind are kept,
-// nothing is linearised by hand.
+// The eigenvalues of a lasting rub by differences of the model's own right-hand side: contact and
+// its kind are kept, nothing is linearised by hand.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -24,9 +24,10 @@ inline double nearest_to(const rub::Complex& s, const std::vector<rub::Complex>&
   return nearest;
 }
 
-// y' of y = (q, v): lambda keeps the relative acceleration on the circle, and where it rolls also the slip; else
-// friction is tau lambda, in one sense.
-inline Eigen::VectorXd kept_in_contact(const Model& m, const rub::SteadyRub& rub, const Eigen::VectorXd& y) {
+// y' of y = (q, v): lambda keeps the relative acceleration on the circle, and where it rolls also
+// the slip; else friction is tau lambda, in one sense.
+inline Eigen::VectorXd kept_in_contact(const Model& m, const rub::SteadyRub& rub,
+                                       const Eigen::VectorXd& y) {
   const Eigen::Index nq = m.nq();
   const Eigen::VectorXd q = y.head(nq), v = y.tail(nq);
   const ContactPoint p = contact_point(m, q.data(), v.data());
@@ -38,7 +39,8 @@ inline Eigen::VectorXd kept_in_contact(const Model& m, const rub::SteadyRub& rub
   // (e_r . d'', e_t . d'' + r Omega_c')
   const auto met = [&](const Eigen::VectorXd& a) {
     const Eigen::Vector3d at = contact_acceleration(m, a.data());
-    return Eigen::Vector2d(p.e_r.dot(at.head<2>()), p.e_t().dot(at.head<2>()) + m.first().contact->radius * at[2]);
+    return Eigen::Vector2d(p.e_r.dot(at.head<2>()),
+                           p.e_t().dot(at.head<2>()) + m.first().contact->radius * at[2]);
   };
   const auto push = [&](double normal, double friction) {
     Eigen::VectorXd f = Eigen::VectorXd::Zero(nq);
@@ -67,7 +69,8 @@ inline Eigen::VectorXd kept_in_contact(const Model& m, const rub::SteadyRub& rub
 }
 
 // What is 0 in contact: (gap, its rate, of rolling also the slip).
-inline Eigen::VectorXd off_contact(const Model& m, const rub::SteadyRub& rub, const Eigen::VectorXd& y) {
+inline Eigen::VectorXd off_contact(const Model& m, const rub::SteadyRub& rub,
+                                   const Eigen::VectorXd& y) {
   const ContactPoint p = contact_point(m, y.data(), y.data() + m.nq());
   Eigen::VectorXd off(rub.kind == rub::RubKind::kRolling ? 3 : 2);
   off.head<2>() << p.gap, p.gap_rate;
@@ -75,8 +78,9 @@ inline Eigen::VectorXd off_contact(const Model& m, const rub::SteadyRub& rub, co
   return off;
 }
 
-// Central differences in the frame that turns with the rub, and with the spin, of motions in contact: the others
-// only drift, and their repeated 0 would spoil what decays slowly. The model stands on the rub at t = 0.
+// Central differences in the frame that turns with the rub, and with the spin, of motions in
+// contact: the others only drift, and their repeated 0 would spoil what decays slowly. The model
+// stands on the rub at t = 0.
 inline std::vector<rub::Complex> by_differences(const Model& model, const rub::SteadyRub& rub) {
   const int n = model.layout.modes, nq = model.nq();
   Eigen::VectorXd y(2 * nq);
@@ -100,8 +104,9 @@ inline std::vector<rub::Complex> by_differences(const Model& model, const rub::S
   Eigen::MatrixXd jacobian(2 * nq, 2 * nq), gradient(conditions, 2 * nq);
   for (int i = 0; i < 2 * nq; ++i) {
     const bool angle = model.layout.turns(i % nq);
-    const double size = angle ? (i < nq ? 1.0 : model.speed)
-                              : (i < nq ? model.q0 : model.v0).head(2 * n).lpNorm<Eigen::Infinity>();
+    const double size = angle
+                            ? (i < nq ? 1.0 : model.speed)
+                            : (i < nq ? model.q0 : model.v0).head(2 * n).lpNorm<Eigen::Infinity>();
     const double h = 1e-5 * size;
     Eigen::VectorXd up = y, down = y;
     up[i] += h;

@@ -1,5 +1,5 @@
-// Lasting rubs with the spin free: against differences of the model's own right-hand side, what must not couple,
-// and whole runs of `event`.
+// Lasting rubs with the spin free: against differences of the model's own right-hand side, what
+// must not couple, and whole runs of `event`.
 #include "native_model/rub/driven_rub.h"
 
 #include <gtest/gtest.h>
@@ -39,8 +39,8 @@ void keep_speed(scene::Scene& s, double gain, double torque) {
   s.drive = drive;
 }
 
-// Three modes, gyroscopics, rotating damping, two torsion modes, a motor; loads: unbalance and a force locked to
-// the spin, or none.
+// Three modes, gyroscopics, rotating damping, two torsion modes, a motor; loads: unbalance and a
+// force locked to the spin, or none.
 scene::Scene driven_scene(bool elastic_ring, bool loaded, double sense = 1.0) {
   scene::Scene s = test::three_modes(elastic_ring);
   s.rotor.speed *= sense;
@@ -79,18 +79,21 @@ scene::Scene started_driven(scene::Scene s, const RubSystem& system, const Stead
   return s;
 }
 
-void expect_driven_as_differences(const scene::Scene& scene, const RubSystem& system, const SteadyRub& rub,
-                           std::size_t count) {
+void expect_driven_as_differences(const scene::Scene& scene, const RubSystem& system,
+                                  const SteadyRub& rub, std::size_t count) {
   const std::vector<Complex> found = driven_eigenvalues(system, drive_train(scene), rub);
   EXPECT_EQ(found.size(), count);
-  const std::vector<Complex> all = test::by_differences(make_model(started_driven(scene, system, rub)), rub);
+  const std::vector<Complex> all =
+      test::by_differences(make_model(started_driven(scene, system, rub)), rub);
   for (const Complex& s : found) {
-    EXPECT_LT(test::nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2) << to_string(rub.kind) << ' ' << s;
+    EXPECT_LT(test::nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2)
+        << to_string(rub.kind) << ' ' << s;
   }
 }
 
 TEST(DrivenRub, GrowsAsTheModelSays) {
-  for (const auto& [elastic, sense] : {std::pair{true, 1.0}, std::pair{false, 1.0}, std::pair{true, -1.0}}) {
+  for (const auto& [elastic, sense] :
+       {std::pair{true, 1.0}, std::pair{false, 1.0}, std::pair{true, -1.0}}) {
     SCOPED_TRACE(elastic ? "elastic ring" : "rigid ring");
     SCOPED_TRACE(sense);
     const std::size_t sliding = (elastic ? 14 : 10) + 2 * 3 - 1;  // spin and two torsion modes more
@@ -103,7 +106,8 @@ TEST(DrivenRub, GrowsAsTheModelSays) {
     system = rub_system(scene);
     const auto whips = BackwardCompliance(system).whips(scene.first().contact->friction);
     ASSERT_FALSE(whips.empty());
-    for (const SteadyRub& whip : whips) expect_driven_as_differences(scene, system, whip, sliding - 2 + 1);
+    for (const SteadyRub& whip : whips)
+      expect_driven_as_differences(scene, system, whip, sliding - 2 + 1);
   }
 }
 
@@ -126,7 +130,8 @@ TEST(DrivenRub, RollsAsTheModelSays) {
   }
 }
 
-// Without unbalance, loads locked to the spin, gyroscopics and rotating damping: what bends does not know what turns.
+// Without unbalance, loads locked to the spin, gyroscopics and rotating damping: what bends does
+// not know what turns.
 TEST(DrivenRub, SlidingGivesTorsionNoWayBack) {
   scene::Scene scene = driven_scene(true, false);
   scene.rotor.modal->gyroscopic = scene.rotor.modal->internal_damping = {0.0, 0.0, 0.0};
@@ -134,10 +139,13 @@ TEST(DrivenRub, SlidingGivesTorsionNoWayBack) {
   const RubSystem system = rub_system(scene);
   const DriveTrain train = drive_train(scene);
   const SteadyRub rub = forced_rubs(system, rotating_loads(system).front()).at(0);
-  const std::vector<Complex> found = driven_eigenvalues(system, train, rub), held = rub_eigenvalues(system, rub);
+  const std::vector<Complex> found = driven_eigenvalues(system, train, rub),
+                             held = rub_eigenvalues(system, rub);
   ASSERT_EQ(found.size(), held.size() + 5);
-  const double largest = std::abs(*std::max_element(
-      held.begin(), held.end(), [](const Complex& a, const Complex& b) { return std::abs(a) < std::abs(b); }));
+  const double largest =
+      std::abs(*std::max_element(held.begin(), held.end(), [](const Complex& a, const Complex& b) {
+        return std::abs(a) < std::abs(b);
+      }));
   for (const Complex& s : held) EXPECT_LT(test::nearest_to(s, found), 1e-9 * largest) << s;
 
   // The shaft alone: its motor and its torsion.
@@ -145,12 +153,14 @@ TEST(DrivenRub, SlidingGivesTorsionNoWayBack) {
   Eigen::VectorXd inertia(k + 1), motor(k + 1);
   inertia << train.inertia, train.torsion_inertia;
   motor << 1.0, train.at_motor;
-  Eigen::MatrixXd rates = 0.5 * motor * motor.transpose(), springs = Eigen::MatrixXd::Zero(k + 1, k + 1);
+  Eigen::MatrixXd rates = 0.5 * motor * motor.transpose(),
+                  springs = Eigen::MatrixXd::Zero(k + 1, k + 1);
   rates.diagonal().tail(k) += train.torsion_damping;
   springs.diagonal().tail(k) = train.torsion_stiffness;
   const Eigen::VectorXd mobility = inertia.cwiseInverse();
-  const auto shaft = real_eigenvalues(
-      state_matrix(Eigen::MatrixXd(mobility.asDiagonal() * rates), Eigen::MatrixXd(mobility.asDiagonal() * springs)));
+  const auto shaft =
+      real_eigenvalues(state_matrix(Eigen::MatrixXd(mobility.asDiagonal() * rates),
+                                    Eigen::MatrixXd(mobility.asDiagonal() * springs)));
   for (const Complex& s : shaft.value()) {
     if (std::abs(s) < 1e-6) continue;  // the angle, which may be any
     EXPECT_LT(test::nearest_to(s, found), 1e-9 * largest) << s;
@@ -170,11 +180,12 @@ TEST(DrivenRub, TorsionOfAHeldSpin) {
   EXPECT_EQ(found.size(), 12U + 4U);
   scene::Scene started = test::started_on(scene, rub);
   for (Eigen::Index k = 0; k < 2; ++k) {
-    started.initial.torsion.push_back(-train.at_contact[k] * system.radius * rub.friction * rub.normal_force /
-                                      train.torsion_stiffness[k]);
+    started.initial.torsion.push_back(-train.at_contact[k] * system.radius * rub.friction *
+                                      rub.normal_force / train.torsion_stiffness[k]);
   }
   const std::vector<Complex> all = test::by_differences(make_model(started), rub);
-  for (const Complex& s : found) EXPECT_LT(test::nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2) << s;
+  for (const Complex& s : found)
+    EXPECT_LT(test::nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2) << s;
 }
 
 TEST(DrivenRub, RefusesAMotorThatFollowsATimeTable) {

@@ -1,5 +1,5 @@
-// What torsion and a motor that gives way do to the reference rig's rubs, in whole runs: nothing while it slides, and
-// in backward rolling what the eigenvalues and the motor's balance say.
+// What torsion and a motor that gives way do to the reference rig's rubs, in whole runs: nothing
+// while it slides, and in backward rolling what the eigenvalues and the motor's balance say.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,9 @@ namespace {
 
 // Without force and unbalance, the spin held; `torsion` modes.
 scene::Scene unloaded_rig(int torsion) {
-  scene::Scene s = test::shipped("paper_passive", {"contact.friction=1.2", "drive=none", "rotor.disc[0].eccentricity=0",
-                                                   "initial.steady=false", "rotor.torsion.modes=" + std::to_string(torsion)});
+  scene::Scene s = test::shipped(
+      "paper_passive", {"contact.friction=1.2", "drive=none", "rotor.disc[0].eccentricity=0",
+                        "initial.steady=false", "rotor.torsion.modes=" + std::to_string(torsion)});
   s.forces.clear();
   return s;
 }
@@ -29,7 +30,8 @@ SteadyRub rolling_of(const scene::Scene& s) {
   return BackwardCompliance(rub_system(s)).rolling(s.first().contact->friction).value();
 }
 
-// Started on the rub, with the twist that its friction keeps in the shaft and `off` rad in the first mode.
+// Started on the rub, with the twist that its friction keeps in the shaft and `off` rad in the
+// first mode.
 scene::Scene twisted(const scene::Scene& s, const SteadyRub& rub, double off) {
   const DriveTrain train = drive_train(s);
   scene::Scene started = test::started_on(s, rub);
@@ -41,9 +43,10 @@ scene::Scene twisted(const scene::Scene& s, const SteadyRub& rub, double off) {
   return started;
 }
 
-// The exponents of torsion's first mode after a start 1e-7 rad off backward rolling. The first millisecond is left to
-// what decays fast.
-std::vector<Complex> measured(const scene::Scene& s, const SteadyRub& rub, double end, Eigen::Index count) {
+// The exponents of torsion's first mode after a start 1e-7 rad off backward rolling. The first
+// millisecond is left to what decays fast.
+std::vector<Complex> measured(const scene::Scene& s, const SteadyRub& rub, double end,
+                              Eigen::Index count) {
   scene::Scene started = twisted(s, rub, 1e-7);
   started.run.end = end;
   constexpr double kRow = 2e-4;
@@ -57,8 +60,8 @@ std::vector<Complex> measured(const scene::Scene& s, const SteadyRub& rub, doubl
   return test::exponents(off, kRow, count);
 }
 
-// The spin held without torsion, rolling is stable: -35 1/s. One torsion mode makes it grow: bending and torsion
-// exchange energy through a contact that does not slip.
+// The spin held without torsion, rolling is stable: -35 1/s. One torsion mode makes it grow:
+// bending and torsion exchange energy through a contact that does not slip.
 TEST(DrivenRuns, OneTorsionModeMakesRollingGrow) {
   const scene::Scene s = unloaded_rig(1);
   const RubSystem system = rub_system(s);
@@ -69,14 +72,17 @@ TEST(DrivenRuns, OneTorsionModeMakesRollingGrow) {
 
   const std::vector<Complex> found = measured(s, rub, 0.012, 4);
   EXPECT_NEAR(found.front().real(), expected.real(), 0.01 * expected.real());
-  EXPECT_NEAR(std::abs(found.front().imag()), std::abs(expected.imag()), 1e-3 * std::abs(expected.imag()));
+  EXPECT_NEAR(std::abs(found.front().imag()), std::abs(expected.imag()),
+              1e-3 * std::abs(expected.imag()));
 }
 
-// With the sleeve's own torsion mode kept, the fourth, it does not: what one mode shows is the truncation's.
+// With the sleeve's own torsion mode kept, the fourth, it does not: what one mode shows is the
+// truncation's.
 TEST(DrivenRuns, FourTorsionModesLetItDecay) {
   for (const int modes : {4, 8}) {
     const scene::Scene s = unloaded_rig(modes);
-    const std::vector<Complex> values = driven_eigenvalues(rub_system(s), drive_train(s), rolling_of(s));
+    const std::vector<Complex> values =
+        driven_eigenvalues(rub_system(s), drive_train(s), rolling_of(s));
     EXPECT_LT(values.front().real(), 0.0) << modes;
   }
 }
@@ -86,7 +92,8 @@ double apart(const Trajectory& a, const Trajectory& b, const std::string& column
   const std::vector<double> one = a.column(column), other = b.column(column);
   EXPECT_EQ(one.size(), other.size());
   double largest = 0.0;
-  for (std::size_t k = 0; k < one.size(); ++k) largest = std::max(largest, std::abs(one[k] - other[k]));
+  for (std::size_t k = 0; k < one.size(); ++k)
+    largest = std::max(largest, std::abs(one[k] - other[k]));
   return largest;
 }
 
@@ -98,10 +105,11 @@ Trajectory run_short(scene::Scene s) {
   return t;
 }
 
-// Growing at 14 1/s and swinging: the friction turns the shaft this way and that, and bending is none the wiser. In
-// rolling contact the arc of a twist, r theta, is bending's too.
+// Growing at 14 1/s and swinging: the friction turns the shaft this way and that, and bending is
+// none the wiser. In rolling contact the arc of a twist, r theta, is bending's too.
 TEST(DrivenRuns, SlidingIsBlindToTorsionRollingIsNot) {
-  scene::Scene rigid = test::shipped("paper_passive", {"drive=none", "rotor.torsion=none", "force[0].on=0", "initial.steady=false"});
+  scene::Scene rigid = test::shipped("paper_passive", {"drive=none", "rotor.torsion=none",
+                                                       "force[0].on=0", "initial.steady=false"});
   const RubSystem system = rub_system(rigid);
   RotatingLoad load = rotating_loads(system).front();
   load.load *= 1.001;
@@ -122,12 +130,13 @@ TEST(DrivenRuns, SlidingIsBlindToTorsionRollingIsNot) {
   EXPECT_GT(apart(run_short(stiff), run_short(twisted(rolls, rub, 1e-3)), "rotor_x"), 0.1 * arc);
 }
 
-// A soft motor leaves the border of sliding where it is, even where all the load is unbalance: what torsion and spin
-// give back to bending is a hundredth.
+// A soft motor leaves the border of sliding where it is, even where all the load is unbalance: what
+// torsion and spin give back to bending is a hundredth.
 TEST(DrivenRuns, AMotorThatGivesWayHardlyMovesTheBorderOfSliding) {
   const auto growths = [](const std::string& friction) {
     const scene::Scene s = test::shipped(
-        "paper_passive", {"contact.friction=" + friction, "drive.gain=0.001", "drive.inertia=0", "initial.steady=false",
+        "paper_passive", {"contact.friction=" + friction, "drive.gain=0.001", "drive.inertia=0",
+                          "initial.steady=false",
                           "force[0]={kind=\"unbalance\",static_moment=1.52e-3,station=0.42}"});
     const RubSystem system = rub_system(s);
     const SteadyRub rub = forced_rubs(system, rotating_loads(system).front()).at(0);
@@ -147,7 +156,9 @@ std::vector<DrivenRolling> kept_by_the_motor(const scene::Scene& s) {
   const auto all = driven_rolling(rub_system(s), drive_train(s), s.rotor.speed);
   for (const DrivenRolling& r : all) {
     EXPECT_NEAR(r.torque, Drive(*s.drive).torque(r.speed), 1e-6 * r.torque);
-    EXPECT_NEAR(r.rub.whirl * s.first().contact->clearance, -r.speed * s.first().contact->radius, 1e-9) << "locked to the spin";
+    EXPECT_NEAR(r.rub.whirl * s.first().contact->clearance, -r.speed * s.first().contact->radius,
+                1e-9)
+        << "locked to the spin";
   }
   return all;
 }
@@ -155,7 +166,8 @@ std::vector<DrivenRolling> kept_by_the_motor(const scene::Scene& s) {
 // At the rig's own friction, without force and unbalance.
 scene::Scene rolling_rig() {
   scene::Scene s = test::shipped(
-      "paper_rolling", {"contact.friction=0.3", "rotor.disc[0].eccentricity=0", "initial.steady=false"});
+      "paper_rolling",
+      {"contact.friction=0.3", "rotor.disc[0].eccentricity=0", "initial.steady=false"});
   s.forces.clear();
   return s;
 }
@@ -174,12 +186,13 @@ TEST(DrivenRuns, TheMirroredMotorKeepsTheMirroredRolling) {
     EXPECT_NEAR(there[k].rub.whirl, -here[k].rub.whirl, 1e-9 * std::abs(here[k].rub.whirl));
     EXPECT_NEAR(there[k].torque, -here[k].torque, 1e-7 * std::abs(here[k].torque));
     EXPECT_EQ(there[k].stability.stable, here[k].stability.stable);
-    EXPECT_NEAR(there[k].stability.growth, here[k].stability.growth, 1e-6 * std::abs(here[k].stability.growth) + 1e-6);
+    EXPECT_NEAR(there[k].stability.growth, here[k].stability.growth,
+                1e-6 * std::abs(here[k].stability.growth) + 1e-6);
   }
 }
 
-// Under a motor that asks for less and less speed two of the three rollings meet and are gone: until then both are told,
-// however close together.
+// Under a motor that asks for less and less speed two of the three rollings meet and are gone:
+// until then both are told, however close together.
 TEST(DrivenRuns, TwoRollingsAreToldUntilTheyMeet) {
   scene::Scene s = rolling_rig();
   const auto all_at = [&s](double speed) {
@@ -204,13 +217,15 @@ scene::Scene started_rolling(scene::Scene s, const DrivenRolling& kept, double o
   const DriveTrain train = drive_train(s);
   s = test::started_on(s, kept.rub);
   for (Eigen::Index k = 0; k < train.modes(); ++k) {
-    s.initial.torsion.push_back((train.at_motor[k] - train.at_contact[k]) * kept.torque / train.torsion_stiffness[k] +
+    s.initial.torsion.push_back((train.at_motor[k] - train.at_contact[k]) * kept.torque /
+                                    train.torsion_stiffness[k] +
                                 (k == 0 ? off : 0.0));
   }
   return s;
 }
 
-// Rolling that the motor keeps is there at a friction of 0.3, too: what a friction of 1 does is to lead there.
+// Rolling that the motor keeps is there at a friction of 0.3, too: what a friction of 1 does is to
+// lead there.
 TEST(DrivenRuns, RollingStaysWhereTheMotorKeepsIt) {
   for (const bool soft : {false, true}) {
     scene::Scene s = rolling_rig();
@@ -219,21 +234,23 @@ TEST(DrivenRuns, RollingStaysWhereTheMotorKeepsIt) {
     EXPECT_NEAR(kept.speed, soft ? 87.9 : 196.1, 0.05);
     EXPECT_TRUE(kept.stability.stable);
     const Trajectory t = run_short(started_rolling(s, kept, 0.0));
-    for (const double speed : t.column("spin_speed")) EXPECT_NEAR(speed, kept.speed, 1e-6 * kept.speed);
+    for (const double speed : t.column("spin_speed"))
+      EXPECT_NEAR(speed, kept.speed, 1e-6 * kept.speed);
     for (const double force : t.column("normal_force")) {
       EXPECT_NEAR(force, kept.rub.normal_force, 1e-5 * kept.rub.normal_force);
     }
   }
 }
 
-// Above the resonance at which the spin hangs the rub's torque falls with the speed: there it runs away from the
-// watershed, and before it swings back, spin, torsion and bending as one.
+// Above the resonance at which the spin hangs the rub's torque falls with the speed: there it runs
+// away from the watershed, and before it swings back, spin, torsion and bending as one.
 TEST(DrivenRuns, SpinAndBendingSwingAndRunAwayAsOne) {
   const scene::Scene s = rolling_rig();
   const RubSystem system = rub_system(s);
   const auto all = kept_by_the_motor(s);
   ASSERT_EQ(all.size(), 3U);
-  for (const auto& [kept, stable, end, count] : {std::tuple{all[1], false, 0.0115, 4}, std::tuple{all[2], true, 0.04, 12}}) {
+  for (const auto& [kept, stable, end, count] :
+       {std::tuple{all[1], false, 0.0115, 4}, std::tuple{all[2], true, 0.04, 12}}) {
     EXPECT_EQ(kept.stability.stable, stable);
     scene::Scene started = started_rolling(s, kept, 1e-7);
     constexpr double kRow = 1e-4;
@@ -247,12 +264,15 @@ TEST(DrivenRuns, SpinAndBendingSwingAndRunAwayAsOne) {
     off.erase(off.begin(), off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2));
     const Complex expected(kept.stability.growth, kept.stability.frequency);
     double nearest = 1e300;
-    for (const Complex& z : test::exponents(off, kRow, count)) nearest = std::min(nearest, std::abs(z - expected));
-    EXPECT_LT(nearest, 0.01 * std::abs(expected.real()) + 1e-4 * std::abs(expected.imag())) << expected;
+    for (const Complex& z : test::exponents(off, kRow, count))
+      nearest = std::min(nearest, std::abs(z - expected));
+    EXPECT_LT(nearest, 0.01 * std::abs(expected.real()) + 1e-4 * std::abs(expected.imag()))
+        << expected;
   }
 }
 
-// The whole story: it bounces, turns backward, rolls, and the spin falls to where the motor's line meets the rub's.
+// The whole story: it bounces, turns backward, rolls, and the spin falls to where the motor's line
+// meets the rub's.
 TEST(DrivenRuns, ThePassiveRigFallsIntoRolling) {
   const scene::Scene s = test::shipped("paper_rolling", {"run.end=0.3"});
   const double expected = kept_by_the_motor(s).back().speed;
@@ -267,7 +287,8 @@ TEST(DrivenRuns, ThePassiveRigFallsIntoRolling) {
 
 // Where the paper blames a speed that is not constant, a speed that is held does ten times worse.
 TEST(DrivenRuns, ASoftMotorSoftensRolling) {
-  scene::Scene held = test::shipped("paper_rolling", {"contact.friction=1.5", "drive=none", "run.end=0.2"});
+  scene::Scene held =
+      test::shipped("paper_rolling", {"contact.friction=1.5", "drive=none", "run.end=0.2"});
   scene::Scene soft = held;
   soft.drive = test::shipped("run_up_kloss").drive;
   const auto impulse = [](const scene::Scene& s) {

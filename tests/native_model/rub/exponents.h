@@ -12,9 +12,10 @@
 
 namespace rotorub::test {
 
-// Exponents s_j of x_k = sum c_j e^{s_j k step}, of `count` terms, by the matrix pencil: nothing is known of
-// them beforehand. By falling real part.
-inline std::vector<rub::Complex> exponents(const std::vector<double>& x, double step, Eigen::Index count) {
+// Exponents s_j of x_k = sum c_j e^{s_j k step}, of `count` terms, by the matrix pencil: nothing is
+// known of them beforehand. By falling real part.
+inline std::vector<rub::Complex> exponents(const std::vector<double>& x, double step,
+                                           Eigen::Index count) {
   const auto all = static_cast<Eigen::Index>(x.size()), wide = all / 2;
   Eigen::MatrixXd now(all - wide, wide), next(all - wide, wide);
   for (Eigen::Index i = 0; i < all - wide; ++i) {

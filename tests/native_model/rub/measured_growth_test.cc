@@ -1,5 +1,5 @@
-// The eigenvalues of forced rubs against whole runs of `event`: started a little off a rub, how fast does the
-// normal force come back to it, or leave?
+// The eigenvalues of forced rubs against whole runs of `event`: started a little off a rub, how
+// fast does the normal force come back to it, or leave?
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,12 +16,13 @@ namespace {
 
 struct Case {
   scene::Scene scene;
-  std::size_t root = 0;  // of the two rubs that may exist, by falling force
+  std::size_t root = 0;              // of the two rubs that may exist, by falling force
   double end = 0.05, step = 2.5e-4;  // s
   double off = 1e-4;                 // of the load
 };
 
-// Off the rub by what a slightly larger load does: in contact, and too little to be anything but linear.
+// Off the rub by what a slightly larger load does: in contact, and too little to be anything but
+// linear.
 void expect_measured(Case c, bool stable) {
   c.scene.run.end = c.end;
   c.scene.run.output_step = c.step;

@@ -1,5 +1,5 @@
-// Eigenvalues of lasting rubs: against the closed form of one mode, against differences of the model's own
-// right-hand side for several, and against the decay and growth of whole runs.
+// Eigenvalues of lasting rubs: against the closed form of one mode, against differences of the
+// model's own right-hand side for several, and against the decay and growth of whole runs.
 #include "native_model/rub/rub_stability.h"
 
 #include <gtest/gtest.h>
@@ -33,8 +33,8 @@ TEST(RubStability, WhipOfOneModeIsTheClosedForm) {
     ASSERT_EQ(found.size(), exact.size());
     double largest = 0.0;
     for (const Complex& s : found) largest = std::max(largest, std::abs(s));
-    // Round-off of an eigenvalue is that of the largest, times its condition: a slow one stands near the
-    // free direction's 0.
+    // Round-off of an eigenvalue is that of the largest, times its condition: a slow one stands
+    // near the free direction's 0.
     for (const Complex& s : exact) {
       EXPECT_LT(test::nearest_to(s, found), 1e-9 * largest) << mu << ' ' << s;
     }
@@ -61,7 +61,8 @@ TEST(RubStability, HopfBorderOfTheWhip) {
   // The lower edges are watersheds.
   EXPECT_FALSE(study.at(0.2).rubs.at(0).stability.stable);
   EXPECT_EQ(study.at(0.2).rubs.at(0).stability.frequency, 0.0);
-  EXPECT_EQ(study.at(0.2).attractors() & (kBackwardWhip | kRollingRub), kBackwardWhip | kRollingRub);
+  EXPECT_EQ(study.at(0.2).attractors() & (kBackwardWhip | kRollingRub),
+            kBackwardWhip | kRollingRub);
   EXPECT_EQ(study.at(0.244).attractors() & kBackwardWhip, 0U);
 }
 
@@ -70,9 +71,11 @@ void expect_as_differences(const scene::Scene& scene, const RubSystem& system, c
                            std::size_t count) {
   const std::vector<Complex> found = rub_eigenvalues(system, rub);
   EXPECT_EQ(found.size(), count);
-  const std::vector<Complex> all = test::by_differences(make_model(test::started_on(scene, rub)), rub);
+  const std::vector<Complex> all =
+      test::by_differences(make_model(test::started_on(scene, rub)), rub);
   for (const Complex& s : found) {
-    EXPECT_LT(test::nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2) << to_string(rub.kind) << ' ' << s;
+    EXPECT_LT(test::nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2)
+        << to_string(rub.kind) << ' ' << s;
   }
 }
 
@@ -90,7 +93,8 @@ TEST(RubStability, OfThreeModesGrowsAsTheModelSays) {
         expect_as_differences(scene, system, rub, all);
       }
       scene.forces.clear();
-      for (const SteadyRub& whip : BackwardCompliance(system).whips(scene.first().contact->friction)) {
+      for (const SteadyRub& whip :
+           BackwardCompliance(system).whips(scene.first().contact->friction)) {
         expect_as_differences(scene, system, whip, all - 1);
       }
     }

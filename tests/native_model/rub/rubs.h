@@ -11,8 +11,8 @@
 
 namespace rotorub::test {
 
-// Three modes with gyroscopics, rotating damping and a magnetic bearing, spin held at 50 Hz, a force in step
-// with it through mode values of its own.
+// Three modes with gyroscopics, rotating damping and a magnetic bearing, spin held at 50 Hz, a
+// force in step with it through mode values of its own.
 inline scene::Scene three_modes(bool elastic_ring) {
   scene::Scene s = make_scene({.friction = 0.2, .speed = 100.0 * std::numbers::pi});
   scene::RotorModal& r = *s.rotor.modal;

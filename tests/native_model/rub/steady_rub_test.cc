@@ -1,5 +1,5 @@
-// Lasting rubs of any number of modes: one mode against the closed forms, several put back into the model's
-// own right-hand side, which shares nothing with them.
+// Lasting rubs of any number of modes: one mode against the closed forms, several put back into the
+// model's own right-hand side, which shares nothing with them.
 #include "native_model/rub/steady_rub.h"
 
 #include <gtest/gtest.h>
@@ -61,8 +61,8 @@ TEST(SteadyRub, ForcedIsTheClosedForm) {
 }
 
 TEST(SteadyRub, ShippedRubsAreFound) {
-  for (const auto& [name, force] : {std::pair{"bench_annular_elastic", 121.7020404},
-                                    std::pair{"bench_ring", 121.7020407}}) {
+  for (const auto& [name, force] :
+       {std::pair{"bench_annular_elastic", 121.7020404}, std::pair{"bench_ring", 121.7020407}}) {
     const RubSystem system = rub_system(test::shipped(name));
     const auto rubs = forced_rubs(system, rotating_loads(system).front());
     ASSERT_EQ(rubs.size(), 1U) << name;
@@ -119,8 +119,9 @@ TEST(SteadyRub, EdgesAreThoseOfTheClosedForm) {
   EXPECT_GT(several, 20U);
 }
 
-// ---------------------------------------------------------------- the fold, where a pair of whips is born
-// Least friction of bench_whip's backward contact, and where: the digits are those of the polynomial's double root.
+// ---------------------------------------------------------------- the fold, where a pair of whips
+// is born Least friction of bench_whip's backward contact, and where: the digits are those of the
+// polynomial's double root.
 constexpr double kFold = 0.15510962126429, kFoldWhirl = 437.194917;
 
 TEST(SteadyRub, APairOfWhipsCloseTogetherIsFound) {
@@ -145,16 +146,19 @@ TEST(SteadyRub, TheFoldIsWhereThePairIsBorn) {
     ASSERT_EQ(above.size(), 3U) << hair;
     EXPECT_LT(-above[0].whirl, kFoldWhirl);
     EXPECT_GT(-above[1].whirl, kFoldWhirl);
-    EXPECT_NEAR(-0.5 * (above[0].whirl + above[1].whirl), kFoldWhirl, 1e-5 + 20.0 * hair) << "their mean moves with the excess";
+    EXPECT_NEAR(-0.5 * (above[0].whirl + above[1].whirl), kFoldWhirl, 1e-5 + 20.0 * hair)
+        << "their mean moves with the excess";
     EXPECT_EQ(backward.whips(kFold * (1.0 - hair)).size(), 1U) << hair;
     EXPECT_EQ(backward.rolling_ranges(kFold * (1.0 - hair)).size(), 1U) << hair;
   }
   const auto fold = backward.whips(kFold);
   ASSERT_EQ(fold.size(), 2U);
-  EXPECT_NEAR(-fold[0].whirl, kFoldWhirl, 1e-5) << "where a minimum is flat: to the root of round-off";
+  EXPECT_NEAR(-fold[0].whirl, kFoldWhirl, 1e-5)
+      << "where a minimum is flat: to the root of round-off";
 }
 
-// Folds of any rotor on any ring, damped lightly or not: found by the closed form's own least friction.
+// Folds of any rotor on any ring, damped lightly or not: found by the closed form's own least
+// friction.
 TEST(SteadyRub, NoFoldIsMissed) {
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -177,7 +181,8 @@ TEST(SteadyRub, NoFoldIsMissed) {
       const double fold = asked(0.5 * (low + high));
       ++folds;
       for (const double hair : {1e-4, 1e-8}) {
-        const auto above = backward.edges(fold * (1.0 + hair)), below = backward.edges(fold * (1.0 - hair));
+        const auto above = backward.edges(fold * (1.0 + hair)),
+                   below = backward.edges(fold * (1.0 - hair));
         EXPECT_EQ(above.size(), below.size() + 2) << k << ' ' << nu << ' ' << hair;
         EXPECT_EQ(above.size(), whip.slipping_whips(fold * (1.0 + 1e-4)).size()) << k << ' ' << nu;
       }
@@ -255,7 +260,8 @@ TEST(SteadyRub, TheShaftOfTheRigRubsWithForceAndUnbalanceTogether) {
 
 // ---------------------------------------------------------------- what exists, what is refused
 TEST(RubPoint, FreeOrbitWithinTheClearance) {
-  scene::Scene s = test::make_scene({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = kSpeed});
+  scene::Scene s =
+      test::make_scene({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = kSpeed});
   test::add_rotating_force(s, 1.0, kSpeed);
   const RubPoint point = RubStudy(rub_system(s)).at(0.1);
   const double exact = 1.0 / std::abs(Complex(2e5 - 2.0 * kSpeed * kSpeed, 40.0 * kSpeed));

@@ -75,7 +75,8 @@ TEST(Fuzz, NastyTextIsRefused) {
       "\xff\xfe",
       "\xef\xbb\xbf",
       "\xc3",
-      "a = 1\xc7\xbd" "2",  // letters of Latin scripts where none may stand
+      "a = 1\xc7\xbd"
+      "2",  // letters of Latin scripts where none may stand
       "\xc3\xa9 = 1",
       "a = \xc3\xa9",
       "a=1 b=2",

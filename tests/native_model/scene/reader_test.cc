@@ -11,7 +11,6 @@
 namespace rotorub::scene {
 namespace {
 
-
 std::filesystem::path shipped(const std::string& name) {
   return std::filesystem::path(ROTORUB_MJCF_DIR) / (name + ".toml");
 }
@@ -24,7 +23,8 @@ TEST(Reader, TakesLongLinesOfNumbers) {
   const std::vector<std::string> overrides{"run.output_times=" + times + "]"};
   const Scene scene = read_scene(shipped("bench_ring"), overrides);
   EXPECT_EQ(scene.run.output_times.size(), 1001U);
-  EXPECT_EQ(parse_scene(scene.text, "again.toml").run.output_times, scene.run.output_times) << "its own text";
+  EXPECT_EQ(parse_scene(scene.text, "again.toml").run.output_times, scene.run.output_times)
+      << "its own text";
   std::vector<Diagnostic> wrong;
   EXPECT_TRUE(parse_toml("table = " + square + "]\n", "table.toml", wrong));
   EXPECT_TRUE(wrong.empty());
@@ -33,12 +33,14 @@ TEST(Reader, TakesLongLinesOfNumbers) {
 TEST(Reader, RefusesAKeyThatIsTooDeep) {
   std::string deep = "a";
   for (int k = 0; k < 20000; ++k) deep += ".a";
-  for (const std::string& line : {deep + " = 1", "x = { " + deep + " = 1 }", "[" + deep + "]", "x = [1.5, { " + deep + " = 2.5 }]"}) {
+  for (const std::string& line : {deep + " = 1", "x = { " + deep + " = 1 }", "[" + deep + "]",
+                                  "x = [1.5, { " + deep + " = 2.5 }]"}) {
     try {
       parse_scene(line + "\n", "deep.toml");
       ADD_FAILURE() << line.substr(0, 20);
     } catch (const SceneError& error) {
-      EXPECT_EQ(error.diagnostics().front().reason, "a key of more than 1000 dots; accepted: up to 1000");
+      EXPECT_EQ(error.diagnostics().front().reason,
+                "a key of more than 1000 dots; accepted: up to 1000");
     }
   }
 }
@@ -107,8 +109,8 @@ TEST(Reader, FillsInTheDefaults) {
   EXPECT_EQ(scene.forces[0].off, kNever);
   EXPECT_EQ(scene.rotor.torsion->drive_shape, std::vector<double>{0.0});
   EXPECT_EQ(scene.first().contact->tangential_restitution, 0.0);
-  EXPECT_FALSE(scene.drive || scene.first().stator || scene.first().actuator || scene.first().controller || scene.gravity ||
-               scene.magnetic_bearing);
+  EXPECT_FALSE(scene.drive || scene.first().stator || scene.first().actuator ||
+               scene.first().controller || scene.gravity || scene.magnetic_bearing);
 }
 
 TEST(Reader, ReadsTheGeometryForm) {
@@ -204,8 +206,9 @@ TEST(Reader, ReadsTheShippedScenes) {
   EXPECT_EQ(magnets.air_gap, 5e-3);
   // But for the controller, and the step, the two are the same rig.
   const std::string& text = passive.text;
-  EXPECT_EQ(sliding.text.substr(sliding.text.find("[rotor]")).find(text.substr(text.find("[rotor]"))),
-            0u);
+  EXPECT_EQ(
+      sliding.text.substr(sliding.text.find("[rotor]")).find(text.substr(text.find("[rotor]"))),
+      0u);
 }
 
 TEST(Reader, HashesTheTextAlone) {

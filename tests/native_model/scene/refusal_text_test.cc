@@ -1,4 +1,5 @@
-// What a refusal of a scene says: all errors at once, one line each, short and printable; files that are no scene.
+// What a refusal of a scene says: all errors at once, one line each, short and printable; files
+// that are no scene.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -138,7 +139,8 @@ TEST(Refusal, OfAHundredFaultsIsEnough) {
     EXPECT_LT(message.size(), 16u << 10u);
     const auto lines = static_cast<std::size_t>(std::count(message.begin(), message.end(), '\n'));
     EXPECT_GT(lines, 50u);
-    EXPECT_TRUE(message.ends_with("and " + std::to_string(2'000 - lines) + " more")) << message.substr(message.size() - 200);
+    EXPECT_TRUE(message.ends_with("and " + std::to_string(2'000 - lines) + " more"))
+        << message.substr(message.size() - 200);
   }
 }
 

@@ -21,7 +21,8 @@ inline std::vector<Diagnostic> refusal(const std::string& text) {
   return {};
 }
 
-inline std::string replaced(std::string_view sample, const std::string& from, const std::string& to) {
+inline std::string replaced(std::string_view sample, const std::string& from,
+                            const std::string& to) {
   std::string text(sample);
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
@@ -58,6 +59,8 @@ inline std::string full(const std::string& from, const std::string& to) {
   return replaced(kFullModalScene, from, to);
 }
 inline std::string modal_and(const std::string& more) { return std::string(kModalSample) + more; }
-inline std::string geometry_and(const std::string& more) { return std::string(kGeometrySample) + more; }
+inline std::string geometry_and(const std::string& more) {
+  return std::string(kGeometrySample) + more;
+}
 
 }  // namespace rotorub::scene

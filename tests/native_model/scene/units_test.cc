@@ -9,7 +9,6 @@
 namespace rotorub::scene {
 namespace {
 
-
 struct Good {
   const char* text;
   Quantity quantity;

@@ -7,12 +7,12 @@
 #include <string>
 
 #include "native_model/bearing/force_table.h"
-#include "native_model/stepping/ensemble.h"
-#include "native_model/event/driver.h"
-#include "native_model/stepping/stepper.h"
-#include "native_model/scene/reader.h"
-#include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/event/driver.h"
+#include "native_model/scene/reader.h"
+#include "native_model/stepping/ensemble.h"
+#include "native_model/stepping/stepper.h"
+#include "native_model/system/actuation.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/counted_new.h"
 
@@ -46,8 +46,8 @@ scene::Scene soon_active(const std::string& name) {
   return scene;
 }
 
-constexpr const char* kScenes[] = {"bench_ring", "bench_billiard", "bench_drop", "paper_passive",
-                                   "paper_sliding",  "paper_magnetic"};
+constexpr const char* kScenes[] = {"bench_ring",    "bench_billiard", "bench_drop",
+                                   "paper_passive", "paper_sliding",  "paper_magnetic"};
 
 TEST_F(Allocation, NoneInAStepOfPaper) {
   for (const char* name : kScenes) {

@@ -1,4 +1,5 @@
-// A rotor that rests under its weight: its loads are in balance, and what round-off leaves of them is no motion.
+// A rotor that rests under its weight: its loads are in balance, and what round-off leaves of them
+// is no motion.
 #include <gtest/gtest.h>
 
 #include "tests/support/native_run.h"

@@ -17,7 +17,7 @@ namespace {
 constexpr double kLadder[] = {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6, 2.5e-6};
 constexpr double kJumpOrder = 1.9;
 constexpr double kWithImpacts = 1.7;  // which fall at random within their steps
-constexpr double kInstant = 0.02;  // s
+constexpr double kInstant = 0.02;     // s
 
 // A rotor that is pressed onto the ring from the start.
 constexpr const char* kPressed = R"(
@@ -115,8 +115,8 @@ TEST(VerletJump, AtTheEdgeOfAStep) {
   const double step = 1e-5;
   for (const int k : {1999, 2000, 2001, 2003}) {
     const double edge = (k + 0.5) * step;
-    for (const double at : {std::nextafter(edge, 0.0), edge, std::nextafter(edge, 1.0),
-                            k * step + 0.5 * step}) {
+    for (const double at :
+         {std::nextafter(edge, 0.0), edge, std::nextafter(edge, 1.0), k * step + 0.5 * step}) {
       scene::Scene scene = pressed({kRing});
       scene.forces[0].off = at;
       const Trajectory exact = test::run_event(scene);

@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "native_model/stepping/zero_order_hold.h"
-#include "native_model/stepping/stepper.h"
 #include "native_model/scene/reader.h"
+#include "native_model/stepping/stepper.h"
+#include "native_model/stepping/zero_order_hold.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {
@@ -47,8 +47,8 @@ std::vector<Case> cases() {
   return {{"bench_ring", {}},
           {"paper_passive", {"force[0].on=0.0", "initial.steady=false", "rotor.modes=2"}},
           {"paper_sliding",
-           {"force[0].on=0.0", "initial.steady=false", "controller.on=0.0", "controller.sample_time=1e-4",
-            "contact.clearance=0.1 mm", "rotor.modes=2"}}};
+           {"force[0].on=0.0", "initial.steady=false", "controller.on=0.0",
+            "controller.sample_time=1e-4", "contact.clearance=0.1 mm", "rotor.modes=2"}}};
 }
 
 TEST(PaperMemory, RestoredAtEveryStepItGivesTheBitsOfAnUninterruptedRun) {

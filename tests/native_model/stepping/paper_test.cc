@@ -8,11 +8,11 @@
 #include <complex>
 #include <numbers>
 
-#include "native_model/run/run_native.h"
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/oracles/backward_whip.h"
 #include "native_model/oracles/billiard.h"
 #include "native_model/oracles/drop.h"
+#include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -20,9 +20,9 @@
 namespace rotorub {
 namespace {
 
-using test::shipped;
 using test::Jeffcott;
 using test::make_scene;
+using test::shipped;
 
 Eigen::Vector2d rotor(const Trajectory& t, std::size_t row) {
   return {t.column("rotor_x")[row], t.column("rotor_y")[row]};
@@ -85,11 +85,11 @@ TEST(PaperDrop, BouncesToRest) {
 
 // A rotor started on the exact rub stays on it, and its force is the closed form's.
 TEST(PaperAnnularRub, HoldsTheClosedFormOnAFixedRing) {
-  const Jeffcott j{.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .friction = 0.15,
-                   .speed = 300.0};
+  const Jeffcott j{
+      .mass = 2.0, .damping = 40.0, .stiffness = 2e5, .friction = 0.15, .speed = 300.0};
   const double load = 150.0, frequency = 100.0 * std::numbers::pi;
-  const auto exact = oracle::annular_rub({j.mass, j.damping, j.stiffness}, j.clearance,
-                                         j.friction, load, frequency);
+  const auto exact = oracle::annular_rub({j.mass, j.damping, j.stiffness}, j.clearance, j.friction,
+                                         load, frequency);
   ASSERT_TRUE(exact);
   scene::Scene scene = make_scene(j);
   test::add_rotating_force(scene, load, frequency);
@@ -103,8 +103,7 @@ TEST(PaperAnnularRub, HoldsTheClosedFormOnAFixedRing) {
   EXPECT_EQ(t.contact_fraction(), 1.0);
   // (v_t h)^2 / (2 delta_0) of curvature a step and h of phase: far below 1e-6 at 1e-5.
   EXPECT_NEAR(t.column("normal_force").back(), exact->force, 1e-6 * exact->force);
-  const std::complex<double> z =
-      exact->rotor * std::polar(1.0, frequency * scene.run.end);
+  const std::complex<double> z = exact->rotor * std::polar(1.0, frequency * scene.run.end);
   const double second_order = std::pow(frequency * 1e-5, 2);  // (Om h)^2, of phase
   EXPECT_NEAR(t.column("rotor_x").back(), z.real(), second_order * j.clearance);
   EXPECT_NEAR(t.column("rotor_y").back(), z.imag(), second_order * j.clearance);
@@ -130,8 +129,8 @@ TEST(PaperBenchRing, ConvergesAtFirstOrderToThePublishedStates) {
   for (const double step : {1e-4, 1e-5, 1e-6}) {
     const Trajectory t = run(scene, step);
     const auto& times = t.column("t");
-    const auto at = static_cast<std::size_t>(
-        std::find(times.begin(), times.end(), 0.02) - times.begin());
+    const auto at =
+        static_cast<std::size_t>(std::find(times.begin(), times.end(), 0.02) - times.begin());
     const double error = (rotor(t, at) - early).norm();
     EXPECT_LT(error, 0.05 * step) << "5e-7 m at 1e-5";
     EXPECT_LT((rotor(t, t.rows() - 1) - late).norm(), 0.05 * step);
@@ -165,7 +164,8 @@ TEST(PaperStepperRefuses, AStepBeyondTheStabilityLimit) {
 
 // v dt > delta_0: the ring is left by no more than the step's own flight, and found again.
 TEST(PaperStepper, RecoversFromAStepLongerThanTheClearance) {
-  scene::Scene scene = make_scene({.mass = 1.0, .friction = 0.3, .restitution = 0.5, .speed = 500.0});
+  scene::Scene scene =
+      make_scene({.mass = 1.0, .friction = 0.3, .restitution = 0.5, .speed = 500.0});
   scene.initial.vx = {30.0};
   scene.initial.vy = {7.0};
   scene.run.end = 0.05;

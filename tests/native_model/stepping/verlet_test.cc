@@ -6,8 +6,8 @@
 #include <complex>
 #include <numbers>
 
-#include "native_model/run/run_native.h"
 #include "native_model/oracles/annular_rub.h"
+#include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -17,9 +17,9 @@
 namespace rotorub {
 namespace {
 
+using test::Convergence;
 using test::run_with;
 using test::shipped;
-using test::Convergence;
 
 // s; the rows of every scene here stand at whole numbers of each.
 constexpr double kSteps[] = {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6, 2.5e-6, 1e-6};
@@ -116,7 +116,8 @@ TEST(Verlet, AnnularRubOnARigidRing) {
   const auto rub = oracle::annular_rub({2.0, 40.0, 2e5}, 0.5e-3, 0.15, 150.0, kWhirl);
   ASSERT_TRUE(rub);
   const scene::Scene scene = rubbing(*rub);
-  ASSERT_LT(off_the_rub(run_with(scene, scene::Integrator::kEvent), *rub), 1e-13) << "is it stable?";
+  ASSERT_LT(off_the_rub(run_with(scene, scene::Integrator::kEvent), *rub), 1e-13)
+      << "is it stable?";
   expect_second_order(converge(scene, [&](const Trajectory& t) { return off_the_rub(t, *rub); }));
 }
 
@@ -125,7 +126,8 @@ TEST(Verlet, AnnularRubOnAnElasticRing) {
       oracle::annular_rub({2.0, 40.0, 2e5}, {1.0, 200.0, 1e5}, 0.5e-3, 0.15, 150.0, kWhirl);
   ASSERT_TRUE(rub);
   const scene::Scene scene = rubbing(*rub, true);
-  ASSERT_LT(off_the_rub(run_with(scene, scene::Integrator::kEvent), *rub), 1e-13) << "is it stable?";
+  ASSERT_LT(off_the_rub(run_with(scene, scene::Integrator::kEvent), *rub), 1e-13)
+      << "is it stable?";
   expect_second_order(converge(scene, [&](const Trajectory& t) { return off_the_rub(t, *rub); }));
 }
 
@@ -160,9 +162,9 @@ TEST(Verlet, FollowsTheWhipFromItsStart) {
 // As `event` has them: the same impulses, the contact time of their phases, a balance that closes,
 // and rows within them.
 TEST(Verlet, FollowsImpactsThatTakeTime) {
-  scene::Scene scene = shipped("bench_ring", {"contact.compression_time=1e-3",
-                                              "contact.expansion_time=5e-4", "run.end=0.02",
-                                              "run.output_step=1e-4"});
+  scene::Scene scene =
+      shipped("bench_ring", {"contact.compression_time=1e-3", "contact.expansion_time=5e-4",
+                             "run.end=0.02", "run.output_step=1e-4"});
   const Trajectory exact = run_with(scene, scene::Integrator::kEvent);
   const Trajectory t = verlet(scene, 1e-6);
   ASSERT_EQ(t.impacts.size(), exact.impacts.size());

@@ -18,12 +18,12 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 scene::Scene magnetic_scene(double coil_lag = 0.0, double rate = kNever) {
   scene::Scene s = test::machine_scene(true);
   s.first().actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
-                               .force_constant = 4e-4,
-                               .bias_current = 3.0,
-                               .air_gap = 5e-3,
-                               .current_limit = 2.0,
-                               .coil_lag = coil_lag,
-                               .current_rate_limit = rate};
+                                       .force_constant = 4e-4,
+                                       .bias_current = 3.0,
+                                       .air_gap = 5e-3,
+                                       .current_limit = 2.0,
+                                       .coil_lag = coil_lag,
+                                       .current_rate_limit = rate};
   s.first().controller = scene::Controller{};
   s.first().controller->stiffness = 8e4;
   s.first().controller->damping = 150.0;
@@ -129,8 +129,10 @@ TEST(Coils, TheirVoltageIsLimited) {
     solve_mass(m, s.t, s.q.data(), a.data(), a.data());
     return a.segment<2>(m.layout.coil());
   };
-  EXPECT_LT((rates(1.5, -2.0) - Eigen::Vector2d((12.0 - 0.8) / 0.01, (-12.0 + 2.2) / 0.01)).norm(), 1e-9);
-  EXPECT_LT((rates(-2.0, 2.0) - Eigen::Vector2d((-12.0 - 0.8) / 0.01, (12.0 + 2.2) / 0.01)).norm(), 1e-9);
+  EXPECT_LT((rates(1.5, -2.0) - Eigen::Vector2d((12.0 - 0.8) / 0.01, (-12.0 + 2.2) / 0.01)).norm(),
+            1e-9);
+  EXPECT_LT((rates(-2.0, 2.0) - Eigen::Vector2d((-12.0 - 0.8) / 0.01, (12.0 + 2.2) / 0.01)).norm(),
+            1e-9);
   EXPECT_LT((rates(0.5, -1.2) - Eigen::Vector2d(500.0, -500.0)).norm(), 1e-9) << "within the limit";
 }
 

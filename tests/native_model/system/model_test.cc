@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
-#include "native_model/dynamics/dynamics.h"
 #include "tests/native_model/rotor/rotors.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
@@ -100,7 +100,8 @@ TEST(Model, ModalFormIsCopied) {
 
 TEST(Model, InitialStateIsTheScenes) {
   scene::Scene s = test::machine_scene(true);
-  s.initial = {false, {1e-4, -2e-4}, {3e-5, 0.0}, {0.1, 0.2}, {0.3, 0.4}, 0.7, {0.01, 0.02}, {1.5, -2.5}};
+  s.initial = {false,      {1e-4, -2e-4}, {3e-5, 0.0},  {0.1, 0.2},
+               {0.3, 0.4}, 0.7,           {0.01, 0.02}, {1.5, -2.5}};
   s.first().stator->position = {1e-5, -3e-5};
   s.first().stator->velocity = {0.02, 0.03};
   const State state = initial_state(make_model(s));

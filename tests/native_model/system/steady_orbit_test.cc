@@ -1,5 +1,5 @@
-// [initial] steady: the start on the orbit that repeats itself. Closed forms of one mode; a shaft with all
-// that a linear rotor can have, whose orbit must come back after each period.
+// [initial] steady: the start on the orbit that repeats itself. Closed forms of one mode; a shaft
+// with all that a linear rotor can have, whose orbit must come back after each period.
 #include "native_model/system/steady_orbit.h"
 
 #include <gtest/gtest.h>
@@ -44,14 +44,15 @@ TEST(SteadyOrbit, IsJeffcottsUnderUnbalance) {
     blade.phase = 0.8;
     s.forces = {blade};
     const Model m = make_model(s);
-    const Complex exact = std::polar(4e-5 * speed * speed, 1.1) /
-                          Complex(2e5 - 2.0 * speed * speed, 40.0 * speed);
+    const Complex exact =
+        std::polar(4e-5 * speed * speed, 1.1) / Complex(2e5 - 2.0 * speed * speed, 40.0 * speed);
     expect_near(place(m), exact, 1e-15 * 0.5e-3);
     expect_near(rate(m), Complex(0.0, speed) * exact, 1e-15 * 0.2);
   }
 }
 
-// What the analysis says of the gap is what a run meets, of each integrator; over the whole steps of it.
+// What the analysis says of the gap is what a run meets, of each integrator; over the whole steps
+// of it.
 TEST(SteadyOrbit, TheLeastGapIsThatOfTheRun) {
   scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = 250.0});
   s.run.end = 0.1;
@@ -64,19 +65,22 @@ TEST(SteadyOrbit, TheLeastGapIsThatOfTheRun) {
   const Model model = make_model(s);
   const FreeOrbit orbit = free_orbit(s, model, 250.0);
   ASSERT_TRUE(orbit.largest);
-  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kPaper}) {
+  for (const auto integrator :
+       {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kPaper}) {
     NativeOptions options;
     options.integrator = integrator;
     options.step = 1e-6;
     const double gap = run_native(s, options).statistics.least_gap;
-    // Between two rows of a run by `event`, whose steps are a radian or so, the rotor comes nearer by
-    // orbit (nu dt)^2 / 8 at most.
+    // Between two rows of a run by `event`, whose steps are a radian or so, the rotor comes nearer
+    // by orbit (nu dt)^2 / 8 at most.
     EXPECT_GT(gap, 0.5e-3 - *orbit.largest - 1e-10);
-    EXPECT_LT(gap, 0.5e-3 - *orbit.largest + *orbit.largest * std::pow(250.0 * 1e-4, 2) / 8.0 + 1e-10);
+    EXPECT_LT(gap,
+              0.5e-3 - *orbit.largest + *orbit.largest * std::pow(250.0 * 1e-4, 2) / 8.0 + 1e-10);
   }
 }
 
-// A force that comes on later counts once it acts in full, and two that follow on each other never act together.
+// A force that comes on later counts once it acts in full, and two that follow on each other never
+// act together.
 TEST(SteadyOrbit, TheResponseKnowsWhatComesOnLater) {
   scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = 250.0});
   s.initial = {};
@@ -126,8 +130,8 @@ TEST(SteadyOrbit, AtAnotherSpeed) {
   EXPECT_EQ(none.refused.find("accepted"), std::string::npos);
 }
 
-// One round mode with everything round: D(nu) = k + nu Omega g - m nu^2 + i nu d + i (nu - Omega) d_i, and
-// the magnetic bearing's -k_m.
+// One round mode with everything round: D(nu) = k + nu Omega g - m nu^2 + i nu d + i (nu - Omega)
+// d_i, and the magnetic bearing's -k_m.
 TEST(SteadyOrbit, OfARoundRotorAtAnyFrequency) {
   const double speed = 500.0;
   for (const double nu : {500.0, -500.0, 120.0, -77.0}) {
@@ -163,8 +167,8 @@ TEST(SteadyOrbit, StaticLoadsAndWhatDoesNotActYet) {
   EXPECT_EQ(rate(m), Complex());
 }
 
-// A shaft with gyroscopics, bearings that differ in the planes with dampers, rotating damping, unbalance on two
-// discs, weight, a backward and a forward force.
+// A shaft with gyroscopics, bearings that differ in the planes with dampers, rotating damping,
+// unbalance on two discs, weight, a backward and a forward force.
 scene::Scene shaft() {
   return scene::parse_scene(R"(
 [run]
@@ -241,8 +245,8 @@ spin_angle = 0.2
                             "shaft.toml");
 }
 
-// Largest change of any coordinate against the first period's rows, as a share of the amplitude: the most that any
-// coordinate of its kind (place, speed) moves.
+// Largest change of any coordinate against the first period's rows, as a share of the amplitude:
+// the most that any coordinate of its kind (place, speed) moves.
 double unrest(const scene::Scene& s, scene::Integrator integrator, double step, int periods) {
   NativeOptions options;
   options.integrator = integrator;
@@ -257,8 +261,8 @@ double unrest(const scene::Scene& s, scene::Integrator integrator, double step, 
   EXPECT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_EQ(t.statistics.first_touch, -1.0);
   double change[2] = {}, size[2] = {};
-  for (const std::string name : {"x_1", "x_2", "x_3", "y_1", "y_2", "y_3", "vx_1", "vx_2", "vx_3", "vy_1",
-                           "vy_2", "vy_3", "stator_x", "stator_y"}) {
+  for (const std::string name : {"x_1", "x_2", "x_3", "y_1", "y_2", "y_3", "vx_1", "vx_2", "vx_3",
+                                 "vy_1", "vy_2", "vy_3", "stator_x", "stator_y"}) {
     const std::vector<double>& c = t.column(name);
     const int kind = name.front() == 'v' ? 1 : 0;
     for (std::size_t k = 0; k < c.size(); ++k) {
@@ -279,8 +283,9 @@ TEST(SteadyOrbit, OfAWholeShaftRepeatsItself) {
   EXPECT_GT(unrest(off, scene::Integrator::kEvent, 1e-5, 5), 1e-3);
 }
 
-// A fixed step has a steady orbit of its own, which comes to this one with the square of the step (paper
-// takes its loads at the middle of the step, so that away from contact it is of order 2 as well).
+// A fixed step has a steady orbit of its own, which comes to this one with the square of the step
+// (paper takes its loads at the middle of the step, so that away from contact it is of order 2 as
+// well).
 TEST(SteadyOrbit, FixedStepsComeToItWithTheSquareOfTheStep) {
   const scene::Scene s = shaft();
   for (const auto integrator : {scene::Integrator::kVerlet, scene::Integrator::kPaper}) {

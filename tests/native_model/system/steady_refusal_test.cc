@@ -1,4 +1,5 @@
-// What [initial] steady refuses: an orbit that touches, that nothing holds or bounds, or that is not there yet.
+// What [initial] steady refuses: an orbit that touches, that nothing holds or bounds, or that is
+// not there yet.
 #include <gtest/gtest.h>
 
 #include <cmath>

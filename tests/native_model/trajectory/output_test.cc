@@ -57,7 +57,8 @@ class OutputTest : public ::testing::Test {
 TEST_F(OutputTest, IsWrittenAsideUnderANameOfItsOwn) {
   const fs::path first = part_of(folder_ / "a.csv"), second = part_of(folder_ / "a.csv");
   EXPECT_NE(first, second);
-  EXPECT_TRUE(first.filename().string().starts_with("a.csv.part-" + std::to_string(::getpid()) + "-"));
+  EXPECT_TRUE(
+      first.filename().string().starts_with("a.csv.part-" + std::to_string(::getpid()) + "-"));
   for (const fs::path& part : {first, second}) EXPECT_TRUE(fs::is_regular_file(part)) << part;
 }
 
@@ -82,15 +83,18 @@ TEST_F(OutputTest, SeriesHeaderIsTheContracts) {
   test::add_ring(s, 1.0, 0.0, 1e5);
   s.first().controller = scene::Controller{};
   s.first().controller->kind = scene::ControllerKind::kSliding;
-  EXPECT_EQ(series_header(make_model(s)), kCommon + ",x_1,y_1,vx_1,vy_1,control_x,control_y,control_s,control_layer")
+  EXPECT_EQ(series_header(make_model(s)),
+            kCommon + ",x_1,y_1,vx_1,vy_1,control_x,control_y,control_s,control_layer")
       << "what the law shows of itself";
   s.first().actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
-                               .force_constant = 1e-4,
-                               .bias_current = 3.0,
-                               .air_gap = 5e-3,
-                               .coil_lag = 1e-4};
-  EXPECT_EQ(series_header(make_model(s)),
-            kCommon + ",x_1,y_1,vx_1,vy_1,control_x,control_y,current_1,current_2,control_s,control_layer");
+                                       .force_constant = 1e-4,
+                                       .bias_current = 3.0,
+                                       .air_gap = 5e-3,
+                                       .coil_lag = 1e-4};
+  EXPECT_EQ(
+      series_header(make_model(s)),
+      kCommon +
+          ",x_1,y_1,vx_1,vy_1,control_x,control_y,current_1,current_2,control_s,control_layer");
 }
 
 TEST_F(OutputTest, SeriesReadsBackToTheSameBits) {

@@ -16,9 +16,9 @@ scene::Scene in_magnets() {
   scene::Scene scene = test::make_scene({.mass = 2.0, .stiffness = 2e5});
   test::add_ring(scene, 1.0, 200.0, 1e4);
   scene.first().actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
-                                   .force_constant = 3e-5,
-                                   .bias_current = 3.0,
-                                   .air_gap = kAirGap};
+                                           .force_constant = 3e-5,
+                                           .bias_current = 3.0,
+                                           .air_gap = kAirGap};
   return scene;
 }
 

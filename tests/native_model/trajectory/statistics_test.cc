@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "native_model/system/actuation.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/actuation.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"

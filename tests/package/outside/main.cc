@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <exception>
 
-#include "native_model/scene/reader.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
 
 int main(int argc, char** argv) try {

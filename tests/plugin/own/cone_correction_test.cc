@@ -1,5 +1,6 @@
-// The correction of MuJoCo's friction cone for sliding (plugin/contact/cone_correction.h) on geoms of MuJoCo's own, as a
-// user names them: what slides brakes with mu g and stays down, whatever cone, solver and friction.
+// The correction of MuJoCo's friction cone for sliding (plugin/contact/cone_correction.h) on geoms
+// of MuJoCo's own, as a user names them: what slides brakes with mu g and stays down, whatever
+// cone, solver and friction.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +20,8 @@ constexpr double kGravity = 9.81;
 
 struct Slide {
   std::string body = R"(<geom name="body" type="sphere" size="0.1" mass="1"/>)";
-  std::string joints = R"(<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint type="slide" axis="0 0 1"/>)";
+  std::string joints =
+      R"(<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint type="slide" axis="0 0 1"/>)";
   double height = 0.1;  // m
   double friction = 0.5;
   int condim = 3;
@@ -33,10 +35,12 @@ std::string document(const Slide& s) {
   return R"(<mujoco><option timestep="0.001"/><size nuserdata="21"/>
 <worldbody><geom name="floor" type="plane" size="100 100 1"/>
 <body name="body" pos="0 0 )" +
-         std::to_string(s.height) + "\">" + s.joints + s.body + "</body>" + s.further + R"(</worldbody>
+         std::to_string(s.height) + "\">" + s.joints + s.body + "</body>" + s.further +
+         R"(</worldbody>
 <contact><pair name="sliding" geom1="floor" geom2="body" condim=")" +
-         std::to_string(s.condim) + "\" friction=\"" + mu + " " + mu + R"( 1e-5 1e-7 1e-7"/></contact>)" + s.elements +
-         "<custom>" + s.custom + "</custom></mujoco>";
+         std::to_string(s.condim) + "\" friction=\"" + mu + " " + mu +
+         R"( 1e-5 1e-7 1e-7"/></contact>)" + s.elements + "<custom>" + s.custom +
+         "</custom></mujoco>";
 }
 
 class ConeCorrection : public MujocoTest {
@@ -87,7 +91,8 @@ TEST_F(ConeCorrection, WhatSlidesBrakesWithMuG) {
       m->opt.iterations = 200;
       for (const double speed : {5.5, 10.0, 100.0}) {
         const Motion x = slid(m.get(), speed);
-        SCOPED_TRACE(std::to_string(cone) + " " + std::to_string(solver) + " " + std::to_string(speed));
+        SCOPED_TRACE(std::to_string(cone) + " " + std::to_string(solver) + " " +
+                     std::to_string(speed));
         EXPECT_GT(x.contact, 0.995);
         EXPECT_NEAR(x.force, kGravity, 2e-3 * kGravity);
         EXPECT_NEAR(x.lost, 0.5 * kGravity, 2e-3 * kGravity);
@@ -112,7 +117,8 @@ TEST_F(ConeCorrection, AcrossTheAxesToo) {
   }
 }
 
-// A sphere that may roll, with frictions where y_T of the step before would not do: mu^2 A_TT / A_NN = 3.5 mu^2 > 1.
+// A sphere that may roll, with frictions where y_T of the step before would not do: mu^2 A_TT /
+// A_NN = 3.5 mu^2 > 1.
 TEST_F(ConeCorrection, StrongFrictionAndARollingSphere) {
   for (const double friction : {0.2, 0.5, 0.8, 1.5}) {
     Slide s;
@@ -124,11 +130,13 @@ TEST_F(ConeCorrection, StrongFrictionAndARollingSphere) {
     const Motion x = slid(m.get(), speed, 0.0, 100);
     EXPECT_NEAR(x.lost, friction * kGravity * t, 0.02 * friction * kGravity * t) << friction;
     EXPECT_GT(x.contact, 0.97) << friction;
-    EXPECT_NEAR(slid(m.get(), 3.0, 0.0, 2000).lost, 3.0 * 2.0 / 7.0, 0.01) << friction << ": it rolls then";
+    EXPECT_NEAR(slid(m.get(), 3.0, 0.0, 2000).lost, 3.0 * 2.0 / 7.0, 0.01)
+        << friction << ": it rolls then";
   }
 }
 
-// Four corners share the load, each with the torsional friction of condim 4, or with rolling friction too.
+// Four corners share the load, each with the torsional friction of condim 4, or with rolling
+// friction too.
 TEST_F(ConeCorrection, ABoxOnFourCorners) {
   for (const int condim : {3, 4, 6}) {
     Slide s;
@@ -147,12 +155,16 @@ TEST_F(ConeCorrection, ABoxOnFourCorners) {
   }
 }
 
-// What else MuJoCo solves takes part: a second mass that is tied to the first, 1 kg each, and one rubs.
+// What else MuJoCo solves takes part: a second mass that is tied to the first, 1 kg each, and one
+// rubs.
 TEST_F(ConeCorrection, BesideConstraints) {
   Slide s;
-  s.joints = R"(<joint name="x" type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint type="slide" axis="0 0 1"/>)";
-  s.further = R"(<body pos="0 2 1"><joint name="tied" type="slide" axis="1 0 0"/><geom type="sphere" size="0.1" mass="1" contype="0" conaffinity="0"/></body>)";
-  s.elements = R"(<equality><joint joint1="x" joint2="tied" solimp="0.9999 0.9999 0.001"/></equality>)";
+  s.joints =
+      R"(<joint name="x" type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint type="slide" axis="0 0 1"/>)";
+  s.further =
+      R"(<body pos="0 2 1"><joint name="tied" type="slide" axis="1 0 0"/><geom type="sphere" size="0.1" mass="1" contype="0" conaffinity="0"/></body>)";
+  s.elements =
+      R"(<equality><joint joint1="x" joint2="tied" solimp="0.9999 0.9999 0.001"/></equality>)";
   const ModelPointer m = load(document(s));
   m->opt.cone = mjCONE_ELLIPTIC;
   const DataPointer d(mj_makeData(m.get()));
@@ -194,7 +206,8 @@ TEST_F(ConeCorrection, IsAFunctionOfTheState) {
 // Pairs that nobody named are MuJoCo's.
 TEST_F(ConeCorrection, LeavesOtherContactsAlone) {
   Slide s;
-  s.further = R"(<body pos="3 0 0.1"><freejoint/><geom name="other" type="sphere" size="0.1" mass="1"/></body>)";
+  s.further =
+      R"(<body pos="3 0 0.1"><freejoint/><geom name="other" type="sphere" size="0.1" mass="1"/></body>)";
   const std::string named = document(s);
   s.custom = "";
   const ModelPointer ours = load(named), theirs = load(document(s));
@@ -222,7 +235,8 @@ TEST_F(ConeCorrection, RefusesWhatIsNoPairWithFriction) {
 
 // The example, a program without any of ours: plugin/README.md has its table.
 TEST(SlidingContact, TheExampleShowsWhatTheConeDoesAndTheCure) {
-  const std::filesystem::path program = std::filesystem::path(ROTORUB_BINARY).parent_path() / "sliding_contact";
+  const std::filesystem::path program =
+      std::filesystem::path(ROTORUB_BINARY).parent_path() / "sliding_contact";
   std::FILE* pipe = ::popen(("cd /tmp && " + program.string()).c_str(), "r");
   ASSERT_TRUE(pipe);
   struct Row {
@@ -232,7 +246,9 @@ TEST(SlidingContact, TheExampleShowsWhatTheConeDoesAndTheCure) {
   char line[300];
   while (std::fgets(line, sizeof line, pipe)) {
     const std::string text = line;
-    const auto after = [&text](const char* word) { return std::stod(text.substr(text.find(word) + std::strlen(word))); };
+    const auto after = [&text](const char* word) {
+      return std::stod(text.substr(text.find(word) + std::strlen(word)));
+    };
     if (text.find("contact") == text.npos) continue;
     rows.push_back({after("contact"), after("force"), after("brakes with")});
   }
@@ -241,7 +257,8 @@ TEST(SlidingContact, TheExampleShowsWhatTheConeDoesAndTheCure) {
   const double right = 0.5 * kGravity;
   EXPECT_LT(rows[3].contact, 50.0) << "1 m/s, as it is";
   EXPECT_LT(rows[6].contact, 5.0) << "10 m/s, as it is";
-  // Below its lower border, theory.md (48): v' = -B_t v A / (A + R) = -d B_t v, d = 0.9 to 0.95 by default.
+  // Below its lower border, theory.md (48): v' = -B_t v A / (A + R) = -d B_t v, d = 0.9 to 0.95 by
+  // default.
   const double t = 0.183, mean = (1.0 - std::exp(-0.92 * t)) / t;
   EXPECT_NEAR(rows[4].braking, mean, 0.03 * mean) << "1 m/s, a constant friction reference";
   for (const Row& corrected : {rows[5], rows[8]}) {

@@ -1,6 +1,6 @@
 // The contact in a user's own model whose rotor or ring MuJoCo's constraints hold as well:
-// equalities, limits, friction loss, tendons, other contacts. A disc of 2 kg flies at 0.3 m/s along x
-// against a ring of 1 kg; what it leaves with is computed by hand.
+// equalities, limits, friction loss, tendons, other contacts. A disc of 2 kg flies at 0.3 m/s along
+// x against a ring of 1 kg; what it leaves with is computed by hand.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -117,9 +117,8 @@ TEST_F(HeldBodies, FrictionLossHoldsAPressedRing) {
     });
     // MuJoCo's friction loss creeps below its threshold by F R / B: R = 1e-4 / 1 kg, B = 100 / s.
     const double time = 5000 * kStep;
-    const double way = force < kLoss
-                           ? force * 1e-4 / 100.0 * time
-                           : 0.5 * (force - kLoss) / (kRotor + kRing) * time * time;
+    const double way = force < kLoss ? force * 1e-4 / 100.0 * time
+                                     : 0.5 * (force - kLoss) / (kRotor + kRing) * time * time;
     EXPECT_NEAR(d->qpos[kRingX], way, 0.2 * std::min(way, 2e-6) + 1e-3 * way) << force;
     EXPECT_NEAR(d->qpos[kX] - d->qpos[kRingX], 5e-4, 1e-9) << force;
     const double pressed = force < kLoss ? force : kLoss + (force - kLoss) / 3.0;
@@ -163,12 +162,12 @@ TEST_F(HeldBodies, FrictionIsOfTheImpulseThatTheHeldRingGives) {
   for (Machine x : {welded(), at_limit(), tendon_held()}) {
     x.friction = 0.15;
     const ModelPointer m = load(document(x));
-    const DataPointer slides =
-        blow(m.get(), 1, [](mjData* data) { data->qvel[kSpin] = 100.0; });
+    const DataPointer slides = blow(m.get(), 1, [](mjData* data) { data->qvel[kSpin] = 100.0; });
     const double impulse = (1.0 + kEps) * kRotor * kBlow;
     const double normal = sensor(m.get(), slides.get(), names::kNormalForce);
     EXPECT_NEAR(normal * kStep, impulse, 2.0 * kSoft * impulse);
-    EXPECT_NEAR(sensor(m.get(), slides.get(), names::kFrictionForce), -0.15 * normal, 1e-6 * normal);
+    EXPECT_NEAR(sensor(m.get(), slides.get(), names::kFrictionForce), -0.15 * normal,
+                1e-6 * normal);
     EXPECT_NEAR(slides->qvel[kSpin], 100.0 - 0.05 * 0.15 * impulse / 1e-3,
                 1e-3 * 0.05 * 0.15 * impulse / 1e-3);
     const DataPointer sticks = blow(m.get(), 1, [](mjData* data) { data->qvel[kSpin] = 0.1; });

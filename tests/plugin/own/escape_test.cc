@@ -1,4 +1,5 @@
-// What is deeper in its ring than a start put it is told once, and the contact no longer calls itself active.
+// What is deeper in its ring than a start put it is told once, and the contact no longer calls
+// itself active.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -68,7 +69,8 @@ TEST_F(Escape, OfAModelOfOnesOwn) {
 
 // No shipped scene, at its own step and at ten times that.
 TEST_F(Escape, IsNoMatterOfARub) {
-  for (const char* name : {"bench_ring", "bench_whip", "bench_billiard", "touchdown_ball_bearing", "blade_loss"}) {
+  for (const char* name :
+       {"bench_ring", "bench_whip", "bench_billiard", "touchdown_ball_bearing", "blade_loss"}) {
     for (const char* step : {"run.step=1e-5", "run.step=1e-4"}) {
       const ModelPointer m = load(mjcf(shipped(name, {step})));
       const DataPointer d = start(m.get());

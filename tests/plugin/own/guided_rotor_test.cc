@@ -18,12 +18,14 @@ class GuidedRotor : public MujocoTest {
  protected:
   enum { kX, kSpin };
   // In a ring that stands still, with or without a spin.
-  static std::string on_one_slide(const std::string& contact, double friction, const std::string& spin = "") {
+  static std::string on_one_slide(const std::string& contact, double friction,
+                                  const std::string& spin = "") {
     Machine x;
     x.contact = contact;
     x.friction = friction;
     x.ring_moves = false;
-    const std::string text = replaced(document(x), R"(<joint name="rotor_y" type="slide" axis="0 1 0"/>)", "");
+    const std::string text =
+        replaced(document(x), R"(<joint name="rotor_y" type="slide" axis="0 1 0"/>)", "");
     return replaced(text, R"(<joint name="spin" type="hinge" axis="0 0 1" />)", spin);
   }
 
@@ -48,12 +50,13 @@ TEST_F(GuidedRotor, ARotorOnOneSlideHasItsNormalForce) {
   }
 }
 
-// The disc's centre 10 um off its axis, at 1000 rad/s: held at the ring, the shaft goes to and fro by
-// x = delta_0 - e cos(phi), which takes N = F - m x''.
+// The disc's centre 10 um off its axis, at 1000 rad/s: held at the ring, the shaft goes to and fro
+// by x = delta_0 - e cos(phi), which takes N = F - m x''.
 TEST_F(GuidedRotor, ACentreThatGoesRoundIsFollowed) {
   for (const char* contact : {"rigid", "coulomb"}) {
     const std::string text =
-        replaced(on_one_slide(contact, 0.0, R"(<joint name="spin" type="hinge" axis="0 0 1" armature="100"/>)"),
+        replaced(on_one_slide(contact, 0.0,
+                              R"(<joint name="spin" type="hinge" axis="0 0 1" armature="100"/>)"),
                  "size=\"0.05 0.01\"", "size=\"0.05 0.01\" pos=\"1e-5 0 0\"");
     const ModelPointer m = load(text);
     const DataPointer d = start(m.get());
@@ -66,9 +69,10 @@ TEST_F(GuidedRotor, ACentreThatGoesRoundIsFollowed) {
       const double phi = d->qpos[kSpin];
       mj_step(m.get(), d.get());
       if (k < 500) continue;
-      const double x = kOff * kSpeed * kSpeed *
-                       (std::cos(phi) - kOff / kClearance * std::cos(2.0 * phi));
-      worst = std::max(worst, std::abs(sensor(m.get(), d.get(), "normal_force") - kForce + kMass * x));
+      const double x =
+          kOff * kSpeed * kSpeed * (std::cos(phi) - kOff / kClearance * std::cos(2.0 * phi));
+      worst =
+          std::max(worst, std::abs(sensor(m.get(), d.get(), "normal_force") - kForce + kMass * x));
     }
     EXPECT_LT(worst, 0.5) << contact;
   }

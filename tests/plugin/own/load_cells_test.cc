@@ -1,5 +1,5 @@
-// MuJoCo's force, torque and touch sensors beside a contact whose force is the plugin's: Newton's law of the rotor
-// says what they must read.
+// MuJoCo's force, torque and touch sensors beside a contact whose force is the plugin's: Newton's
+// law of the rotor says what they must read.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,7 +83,8 @@ TEST_F(LoadCells, BelowARingThatStands) {
       mjtNum force[6];
       plugin::contact_force(m.get(), d, 0, force);
       EXPECT_NEAR(force[0], normal, 1e-3 * normal);
-      EXPECT_NEAR(std::abs(force[1]), std::abs(sensor(m.get(), d, "friction_force")), 1e-9 * (1.0 + normal));
+      EXPECT_NEAR(std::abs(force[1]), std::abs(sensor(m.get(), d, "friction_force")),
+                  1e-9 * (1.0 + normal));
       EXPECT_NEAR(data(m.get(), d, "pad")[0], normal, 1e-3 * normal) << contact;
     });
   }
@@ -97,8 +98,8 @@ TEST_F(LoadCells, BelowARingThatARotorSlidesThrough) {
     x.friction = 0.2;
     x.ring_moves = false;
     const std::string y = "<joint name=\"rotor_y\" type=\"slide\" axis=\"0 1 0\"/>";
-    const ModelPointer m =
-        load(replaced(with_cells(x), y, y + "<joint name=\"lift\" type=\"slide\" axis=\"0 0 1\"/>"));
+    const ModelPointer m = load(
+        replaced(with_cells(x), y, y + "<joint name=\"lift\" type=\"slide\" axis=\"0 0 1\"/>"));
     const DataPointer d = start(m.get());
     d->qpos[0] = 5e-4;
     d->qvel[2] = 0.1;
@@ -109,7 +110,8 @@ TEST_F(LoadCells, BelowARingThatARotorSlidesThrough) {
       mj_step(m.get(), d.get());
       const mjtNum* cell = data(m.get(), d.get(), "cell");
       for (int i = 0; i < 3; ++i) {
-        EXPECT_NEAR(cell[i], kDiscMass * d->qacc[i] - d->qfrc_applied[i], 1e-7) << contact << " " << k << " " << i;
+        EXPECT_NEAR(cell[i], kDiscMass * d->qacc[i] - d->qfrc_applied[i], 1e-7)
+            << contact << " " << k << " " << i;
       }
       along = std::min(along, cell[2]);
       mjtNum force[6];
@@ -193,11 +195,13 @@ TEST_F(LoadCells, OfAGeneratedRingHaveTheRub) {
     for (const char* contact : {"rigid", "coulomb"}) {
       const std::vector<std::string> overrides{"mujoco.contact=\"" + std::string(contact) + "\""};
       const bool modal = rotor == std::string("modal");
-      std::string text = mjcf(modal ? shipped("bench_ring", overrides) : parsed(kSegmentRub, overrides));
+      std::string text =
+          mjcf(modal ? shipped("bench_ring", overrides) : parsed(kSegmentRub, overrides));
       text = replaced(text, "<body name=\"ring\">", "<body name=\"ring\"><site name=\"cell\"/>");
-      text = replaced(text, "<sensor>",
-                      "<sensor><force name=\"cell\" site=\"cell\"/><user name=\"later\" objtype=\"body\" "
-                      "objname=\"ring\" datatype=\"real\" needstage=\"acc\" dim=\"1\"/>");
+      text = replaced(
+          text, "<sensor>",
+          "<sensor><force name=\"cell\" site=\"cell\"/><user name=\"later\" objtype=\"body\" "
+          "objname=\"ring\" datatype=\"real\" needstage=\"acc\" dim=\"1\"/>");
       const ModelPointer m = load(text);
       const DataPointer d = start(m.get());
       int touched = 0;
@@ -209,7 +213,8 @@ TEST_F(LoadCells, OfAGeneratedRingHaveTheRub) {
         ++touched;
         const mjtNum* cell = data(m.get(), d.get(), "cell");
         const double whole = std::hypot(normal, friction);
-        ASSERT_NEAR(std::hypot(cell[0], cell[1]), whole, 1e-3 * whole) << rotor << " " << contact << " " << k;
+        ASSERT_NEAR(std::hypot(cell[0], cell[1]), whole, 1e-3 * whole)
+            << rotor << " " << contact << " " << k;
       }
       EXPECT_GT(touched, 1) << rotor << " " << contact;
     }
@@ -219,7 +224,8 @@ TEST_F(LoadCells, OfAGeneratedRingHaveTheRub) {
 TEST_F(LoadCells, AreRefusedWhereNothingIsCalledAfterThem) {
   Machine x;
   x.ring_geoms = kSites;
-  std::string text = replaced(document(x), "<sensor>", "<sensor><force name=\"cell\" site=\"cell\"/>");
+  std::string text =
+      replaced(document(x), "<sensor>", "<sensor><force name=\"cell\" site=\"cell\"/>");
   for (int i = 0; i < 2; ++i) text = replaced(text, "needstage=\"acc\"", "needstage=\"vel\"");
   std::string error;
   EXPECT_FALSE(try_load(text, error));
@@ -236,11 +242,15 @@ TEST_F(LoadCells, AreRefusedWhereNothingIsCalledAfterThem) {
 #if mjVERSION_HEADER >= 335
 TEST_F(LoadCells, ContactSensorsAreRefused) {
   Machine x;
-  const auto with = [&](const std::string& sensor) { return replaced(document(x), "<sensor>", "<sensor>" + sensor); };
+  const auto with = [&](const std::string& sensor) {
+    return replaced(document(x), "<sensor>", "<sensor>" + sensor);
+  };
   std::string error;
-  EXPECT_FALSE(try_load(with("<contact name=\"pad\" geom1=\"disc\" data=\"found force\"/>"), error));
+  EXPECT_FALSE(
+      try_load(with("<contact name=\"pad\" geom1=\"disc\" data=\"found force\"/>"), error));
   EXPECT_NE(error.find("<sensor name=\"pad\">"), std::string::npos) << error;
-  EXPECT_TRUE(try_load(with("<contact name=\"pad\" geom1=\"disc\" data=\"found dist\"/>"), error)) << error;
+  EXPECT_TRUE(try_load(with("<contact name=\"pad\" geom1=\"disc\" data=\"found dist\"/>"), error))
+      << error;
 }
 #endif
 

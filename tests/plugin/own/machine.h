@@ -1,5 +1,5 @@
-// A machine as a user writes it: a disc of 2 kg on two slides and a hinge in a ring of 1 kg on two slides,
-// without springs; what a test adds is given as MJCF.
+// A machine as a user writes it: a disc of 2 kg on two slides and a hinge in a ring of 1 kg on two
+// slides, without springs; what a test adds is given as MJCF.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -55,11 +55,13 @@ inline std::string document(const Machine& x) {
       </body>
     </body>
     <body name="ring">
-      )" + (x.ring_moves ? slides : "") +
+      )" +
+         (x.ring_moves ? slides : "") +
          R"(
       <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/>
       <geom name="bore" type="cylinder" size="0.06 0.01"/>
-      )" + x.ring_geoms +
+      )" +
+         x.ring_geoms +
          R"(
     </body>
     )" + x.bodies +
@@ -88,7 +90,8 @@ inline std::string document(const Machine& x) {
          std::to_string(x.friction) + R"("/>
     <numeric name="rotorub_restitution" data=")" +
          std::to_string(x.restitution) + R"("/>
-    )" + x.custom + R"(
+    )" + x.custom +
+         R"(
   </custom>
 </mujoco>)";
 }
@@ -96,9 +99,7 @@ inline std::string document(const Machine& x) {
 // Constraints as stiff as MuJoCo has them.
 inline const std::string kHard = " solimp=\"0.9999 0.9999 0.001\" ";
 
-inline std::string equality(const std::string& what) {
-  return "<equality>" + what + "</equality>";
-}
+inline std::string equality(const std::string& what) { return "<equality>" + what + "</equality>"; }
 inline Machine welded() {
   Machine x;
   x.constraints = equality("<weld body1=\"ring\"" + kHard + "/>");
@@ -116,8 +117,7 @@ inline Machine pinned() {
 }
 inline Machine at_limit() {
   Machine x;  // the ring stands 0.1 um in its limit
-  x.ring_joint =
-      "limited=\"true\" range=\"-1 -1e-7\" solimplimit=\"0.9999 0.9999 0.001\"";
+  x.ring_joint = "limited=\"true\" range=\"-1 -1e-7\" solimplimit=\"0.9999 0.9999 0.001\"";
   return x;
 }
 inline Machine at_tendon_limit() {
@@ -129,8 +129,9 @@ inline Machine at_tendon_limit() {
 }
 inline Machine tendon_held() {
   Machine x;
-  x.constraints = "<tendon><fixed name=\"rope\"><joint joint=\"ring_x\" coef=\"1\"/></fixed></tendon>" +
-                  equality("<tendon tendon1=\"rope\"" + kHard + "/>");
+  x.constraints =
+      "<tendon><fixed name=\"rope\"><joint joint=\"ring_x\" coef=\"1\"/></fixed></tendon>" +
+      equality("<tendon tendon1=\"rope\"" + kHard + "/>");
   return x;
 }
 inline Machine tied_to(double mass) {

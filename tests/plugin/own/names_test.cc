@@ -1,5 +1,5 @@
-// Several contacts in one model: how they are named, what is refused by name, whose sensors and whose
-// memory is whose.
+// Several contacts in one model: how they are named, what is refused by name, whose sensors and
+// whose memory is whose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,8 @@ namespace {
 
 class OwnNames : public MujocoTest {
  protected:
-  static std::string replaced_all(std::string text, const std::string& from, const std::string& to) {
+  static std::string replaced_all(std::string text, const std::string& from,
+                                  const std::string& to) {
     for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size())) {
       text.replace(at, from.size(), to);
     }
@@ -26,7 +27,8 @@ class OwnNames : public MujocoTest {
     EXPECT_EQ(try_load(text, why), nullptr) << named;
     EXPECT_NE(why.find(named), std::string::npos) << why;
   }
-  static std::string between(const std::string& text, const std::string& from, const std::string& to) {
+  static std::string between(const std::string& text, const std::string& from,
+                             const std::string& to) {
     const std::size_t begin = text.find(from) + from.size();
     return text.substr(begin, text.find(to, begin) - begin);
   }
@@ -70,7 +72,8 @@ TEST_F(OwnNames, AnyEndingNumbersAContact) {
 
 // Two machines side by side: each has the bits that it has alone.
 TEST_F(OwnNames, AttachedMachinesDoNotMeet) {
-  for (const auto& [one, other] : {std::pair<std::string, std::string>{"left_", "right_"}, {"a/", ""}}) {
+  for (const auto& [one, other] :
+       {std::pair<std::string, std::string>{"left_", "right_"}, {"a/", ""}}) {
     const ModelPointer both = load(attached(one, other)), alone = load(document(Machine{}));
     const DataPointer d = start(both.get()), e = start(alone.get());
     const auto push = [](mjtNum* force, mjtNum* speed, double by) {
@@ -101,7 +104,8 @@ TEST_F(OwnNames, WhatATextSaysMayBeTheAttachedName) {
   text = replaced(text, "name=\"left_rotorub_rotor_geom\" data=\"disc\"",
                   "name=\"left_rotorub_rotor_geom\" data=\"left_disc\"");
   load(text);
-  expect_refused(replaced(text, "data=\"left_disc\"", "data=\"disk\""), "no geom is called \"disk\"");
+  expect_refused(replaced(text, "data=\"left_disc\"", "data=\"disk\""),
+                 "no geom is called \"disk\"");
 }
 
 TEST_F(OwnNames, MisspeltNamesOfAFurtherContactAreRefused) {
@@ -110,7 +114,8 @@ TEST_F(OwnNames, MisspeltNamesOfAFurtherContactAreRefused) {
                  "did you mean \"rotorub_friction_2\"");
   expect_refused(replaced(good, "rotorub_clearance_2", "rotorub_clearence_2"),
                  "did you mean \"rotorub_clearance_2\"");
-  expect_refused(replaced(good, "rotorub_ring_geom_2", "rotorub_ring_goem_2"), "rotorub_ring_goem_2");
+  expect_refused(replaced(good, "rotorub_ring_geom_2", "rotorub_ring_goem_2"),
+                 "rotorub_ring_goem_2");
   const std::string attachment = attached("left_", "right_");
   expect_refused(replaced(attachment, "right_rotorub_friction", "rigth_rotorub_friction"),
                  "did you mean \"right_rotorub_friction\"");
@@ -124,8 +129,9 @@ TEST_F(OwnNames, EachContactHasItsOwnNumbers) {
   expect_refused(replaced(good, friction, ""), "rotorub_friction_2");
   expect_refused(replaced(good, "<text name=\"rotorub_contact_2\" data=\"rigid\"/>", ""),
                  "rotorub_contact_2");
-  expect_refused(replaced(good, "<numeric name=\"rotorub_clearance_2\" data=\"0.00050000000000000001\"/>", ""),
-                 "rotorub_clearance_2");
+  expect_refused(
+      replaced(good, "<numeric name=\"rotorub_clearance_2\" data=\"0.00050000000000000001\"/>", ""),
+      "rotorub_clearance_2");
 }
 
 TEST_F(OwnNames, OneContactForTwoGeoms) {
@@ -201,7 +207,8 @@ TEST_F(OwnUserData, AClashIsRefusedInTheSameStep) {
   const ModelPointer m = load(document(TwoRings{}));
   for (int at = 0; at < 34; ++at) {
     // Those of scenes alone, and the mark within a pass.
-    if (at != plugin::kConfigId && at != plugin::kBlockCheck && at < plugin::kFrictionForce) continue;
+    if (at != plugin::kConfigId && at != plugin::kBlockCheck && at < plugin::kFrictionForce)
+      continue;
     const DataPointer d = start(m.get());
     d->qvel[0] = 0.3;
     for (int k = 0; k < 10; ++k) mj_step(m.get(), d.get());
@@ -223,7 +230,9 @@ TEST_F(OwnUserData, PlacesThatCannotBeAreRefused) {
     x.custom = std::string("<numeric name=\"rotorub_userdata\" data=\"") + place + "\"/>";
     expect_refused(document(x), "rotorub_userdata");
   }
-  x.custom = "<numeric name=\"rotorub_userdata\" data=\"1\"/><numeric name=\"a_rotorub_userdata\" data=\"2\"/>";
+  x.custom =
+      "<numeric name=\"rotorub_userdata\" data=\"1\"/><numeric name=\"a_rotorub_userdata\" "
+      "data=\"2\"/>";
   expect_refused(document(x), "one value in the whole model");
 }
 
@@ -234,8 +243,10 @@ TEST_F(ScaledSensors, AreShares) {
   TwoRings x;
   x.clearance[1] = 3e-4;
   const auto user = [](const std::string& name, const std::string& data) {
-    return "<user name=\"" + name + "\" objtype=\"body\" objname=\"shaft\" datatype=\"real\" "
-           "needstage=\"pos\" dim=\"1\" " + data + "/>";
+    return "<user name=\"" + name +
+           "\" objtype=\"body\" objname=\"shaft\" datatype=\"real\" "
+           "needstage=\"pos\" dim=\"1\" " +
+           data + "/>";
   };
   x.sensors = user("gap_scaled", "") + user("gap_scaled_2", "") +
               user("normal_force_scaled", "user=\"200\"") +
@@ -255,7 +266,8 @@ TEST_F(ScaledSensors, AreShares) {
        {std::tuple{"normal_force", "normal_force_scaled", 200.0},
         std::tuple{"normal_force_2", "normal_force_scaled_2", 50.0},
         std::tuple{"friction_force", "friction_force_scaled", 10.0}}) {
-    EXPECT_DOUBLE_EQ(sensor(m.get(), d.get(), share), sensor(m.get(), d.get(), name) / unit) << name;
+    EXPECT_DOUBLE_EQ(sensor(m.get(), d.get(), share), sensor(m.get(), d.get(), name) / unit)
+        << name;
   }
   x.sensors = user("normal_force_scaled", "");
   expect_refused(document(x), "user=\"200\" for 200 N");

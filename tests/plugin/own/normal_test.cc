@@ -1,4 +1,5 @@
-// The normal of a step that reaches the ring, of rotor or ring that go round an axis: their path bends.
+// The normal of a step that reaches the ring, of rotor or ring that go round an axis: their path
+// bends.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +16,8 @@ double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
-RigidStep step_of(const Eigen::Vector2d& d, const Eigen::Vector2d& velocity, const Eigen::Vector2d& bend) {
+RigidStep step_of(const Eigen::Vector2d& d, const Eigen::Vector2d& velocity,
+                  const Eigen::Vector2d& bend) {
   RigidStep step;
   step.h = kStep;
   step.d = d;
@@ -37,13 +39,17 @@ TEST(ContactNormal, IsNoFurtherRoundThanTheArcOfTheStep) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   int reached = 0;
   for (int k = 0; k < 200000; ++k) {
-    const double speed = std::pow(10.0, 2.0 * unit(random) - 2.0), depth = std::pow(10.0, 4.0 * unit(random) - 10.0);
-    const Eigen::Vector2d bend = std::pow(10.0, 3.0 * unit(random) - 10.0) * Eigen::Vector2d(unit(random), unit(random));
-    const RigidStep step = step_of({kClearance - depth, 0.0}, speed * Eigen::Vector2d(unit(random), unit(random)), bend);
+    const double speed = std::pow(10.0, 2.0 * unit(random) - 2.0),
+                 depth = std::pow(10.0, 4.0 * unit(random) - 10.0);
+    const Eigen::Vector2d bend =
+        std::pow(10.0, 3.0 * unit(random) - 10.0) * Eigen::Vector2d(unit(random), unit(random));
+    const RigidStep step = step_of({kClearance - depth, 0.0},
+                                   speed * Eigen::Vector2d(unit(random), unit(random)), bend);
     if (!reaches_ring(step, kClearance)) continue;
     ++reached;
     const double path = (end_of(step) - step.d).norm();
-    ASSERT_LE(angle_between(contact_normal(step, kClearance), step.d), 1.6 * path / kClearance + 1e-9)
+    ASSERT_LE(angle_between(contact_normal(step, kClearance), step.d),
+              1.6 * path / kClearance + 1e-9)
         << step.free.transpose() << " bend " << bend.transpose();
   }
   EXPECT_GT(reached, 20000);

@@ -39,8 +39,8 @@ class Pairs : public MujocoTest {
   plugin::Hooks hooks_;
 };
 
-// A central hit: each ring takes half, nothing tilts. With tilt the impulses are unique; without they
-// are shared alike.
+// A central hit: each ring takes half, nothing tilts. With tilt the impulses are unique; without
+// they are shared alike.
 TEST_F(Pairs, ACentralHitDoesNotTilt) {
   for (const bool tilts : {true, false}) {
     TwoRings x;
@@ -83,7 +83,8 @@ TEST_F(Pairs, TwoRingsAreOneOfTwiceTheMass) {
       ASSERT_NEAR(d->qpos[kShaftX], e->qpos[kShaftX], soft ? 2e-5 : 1e-9) << contact << k;
       ASSERT_NEAR(d->qpos[kTiltY], 0.0, 1e-9) << contact << k;
     }
-    EXPECT_NEAR(d->qvel[kShaftSpin], e->qvel[kShaftSpin], 1e-3 * std::abs(100.0 - e->qvel[kShaftSpin]));
+    EXPECT_NEAR(d->qvel[kShaftSpin], e->qvel[kShaftSpin],
+                1e-3 * std::abs(100.0 - e->qvel[kShaftSpin]));
     EXPECT_LT(d->qvel[kShaftSpin], 99.0);
     const double normal = sensor(b.get(), e.get(), "normal_force");
     ASSERT_GT(normal, 10.0);
@@ -152,11 +153,13 @@ TEST_F(Pairs, RandomFlightsStayInTheirRings) {
       for (int n = 0; n < 1500; ++n) {
         if (!soft) mj_copyData(flies.get(), without.get(), d.get());
         mj_step(m.get(), d.get());
-        ASSERT_LT(depth(m.get(), d.get(), "disc", "ring", 5e-4), soft ? 5e-5 : 1e-6) << k << " " << n;
-        ASSERT_LT(depth(m.get(), d.get(), "far", "holder", 3e-4), soft ? 5e-5 : 1e-6) << k << " " << n;
+        ASSERT_LT(depth(m.get(), d.get(), "disc", "ring", 5e-4), soft ? 5e-5 : 1e-6)
+            << k << " " << n;
+        ASSERT_LT(depth(m.get(), d.get(), "far", "holder", 3e-4), soft ? 5e-5 : 1e-6)
+            << k << " " << n;
         if (soft) continue;
-        // The step that is taken and the one without contact, both with the masses of its pose. (A depth
-        // of nanometres is undone by a fifth a step.)
+        // The step that is taken and the one without contact, both with the masses of its pose. (A
+        // depth of nanometres is undone by a fifth a step.)
         mj_step(without.get(), flies.get());
         const double free = energy_of_step(without.get(), flies.get());
         ASSERT_LT(energy_of_step(m.get(), d.get()), free * (1.0 + 1e-6)) << k << " " << n;
@@ -169,7 +172,8 @@ TEST_F(Pairs, RandomFlightsStayInTheirRings) {
 TEST_F(Pairs, ConstraintsAreSolvedTogetherWithBoth) {
   TwoRings x;
   x.friction = 0.15;
-  x.bodies = R"(<body name="base"><freejoint/><inertial pos="0 0 0" mass="200" diaginertia="9 9 9"/></body>)";
+  x.bodies =
+      R"(<body name="base"><freejoint/><inertial pos="0 0 0" mass="200" diaginertia="9 9 9"/></body>)";
   x.constraints =
       "<equality><weld body1=\"shaft\" body2=\"base\" solimp=\"0.9999 0.9999 0.001\"/></equality>";
   x.ring_mass = 1.0;
@@ -184,8 +188,8 @@ TEST_F(Pairs, ConstraintsAreSolvedTogetherWithBoth) {
   EXPECT_NEAR(d->qvel[kShaftSpin + 1], impulse / 2.0, 3e-4 * kPairSpeed);
   EXPECT_NEAR(d->qvel[kShaftSpin + 3], impulse / 2.0, 3e-4 * kPairSpeed);
   EXPECT_NEAR(d->qvel[kTiltY], 0.0, 1e-6);
-  EXPECT_NEAR(sensor(m.get(), d.get(), "normal_force"),
-              sensor(m.get(), d.get(), "normal_force_2"), 1e-6 * impulse / kPairStep);
+  EXPECT_NEAR(sensor(m.get(), d.get(), "normal_force"), sensor(m.get(), d.get(), "normal_force_2"),
+              1e-6 * impulse / kPairStep);
 }
 
 // A lasting contact at one end takes part in the blow at the other.

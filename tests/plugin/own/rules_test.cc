@@ -45,12 +45,12 @@ TEST_F(OwnRules, MisspeltNamesAreRefusedWithASuggestion) {
 
 TEST_F(OwnRules, ASceneStandsAlone) {
   const std::string scene = mjcf(shipped("bench_ring"));
-  expect_refused(replaced(scene, "<custom>",
-                          "<custom><text name=\"rotorub_rotor_geom\" data=\"rotor\"/>"),
-                 "beside a scene's text");
-  expect_refused(replaced(scene, "<custom>",
-                          "<custom><numeric name=\"rotorub_friction\" data=\"0.3\"/>"),
-                 "accepted: the value in the scene");
+  expect_refused(
+      replaced(scene, "<custom>", "<custom><text name=\"rotorub_rotor_geom\" data=\"rotor\"/>"),
+      "beside a scene's text");
+  expect_refused(
+      replaced(scene, "<custom>", "<custom><numeric name=\"rotorub_friction\" data=\"0.3\"/>"),
+      "accepted: the value in the scene");
 }
 
 TEST_F(OwnRules, ThePairSaysWhatTheTextSays) {
@@ -58,7 +58,8 @@ TEST_F(OwnRules, ThePairSaysWhatTheTextSays) {
   soft.contact = "coulomb";
   load(document(soft));
   expect_refused(replaced(document(soft), "-10211.0255", "-1000"), "solref bounces with 0.9");
-  expect_refused(replaced(document(soft), "solref=\"-4e8 -10211.0255\"", ""), "solref bounces with 0.13");
+  expect_refused(replaced(document(soft), "solref=\"-4e8 -10211.0255\"", ""),
+                 "solref bounces with 0.13");
   soft.custom = "<numeric name=\"rotorub_tangential_restitution\" data=\"0.5\"/>";
   expect_refused(document(soft), "rotorub_tangential_restitution");
 
@@ -85,7 +86,8 @@ TEST_F(OwnRules, RigidRefusesAnotherFrictionInThePair) {
 TEST_F(OwnRules, RefuseARotorAcrossItsRing) {
   const std::string upright = document(Machine{});
   load(replaced(upright, "<geom name=\"disc\"", "<geom euler=\"30 0 0\" name=\"disc\""));
-  expect_refused(replaced(upright, "<geom name=\"disc\"", "<geom euler=\"90 0 0\" name=\"disc\""), "across that of its ring");
+  expect_refused(replaced(upright, "<geom name=\"disc\"", "<geom euler=\"90 0 0\" name=\"disc\""),
+                 "across that of its ring");
 }
 
 // Its motion is in no velocity: the contact would not see it.
@@ -95,9 +97,10 @@ TEST_F(OwnRules, RigidRefusesGeomsOfMocapBodies) {
   const std::string mocap =
       replaced(document(x), "<body name=\"ring\">", "<body name=\"ring\" mocap=\"true\">");
   expect_refused(mocap, "<body name=\"ring\" mocap=\"true\">");
-  const std::string child = replaced(replaced(document(Machine{}), "<body name=\"ring\">",
-                                              "<body name=\"base\" mocap=\"true\"><body name=\"ring\">"),
-                                     "size=\"0.06 0.01\"/>", "size=\"0.06 0.01\"/></body>");
+  const std::string child =
+      replaced(replaced(document(Machine{}), "<body name=\"ring\">",
+                        "<body name=\"base\" mocap=\"true\"><body name=\"ring\">"),
+               "size=\"0.06 0.01\"/>", "size=\"0.06 0.01\"/></body>");
   expect_refused(child, "<body name=\"base\" mocap=\"true\">");
   x = Machine{};
   x.bodies = "<body name=\"hand\" mocap=\"true\"/>";
@@ -154,19 +157,23 @@ TEST_F(OwnRules, ForcesAreToldAtTheStageThatIsAsked) {
   }
   Machine cone;
   cone.contact = "cone";
-  expect_refused(replaced(document(cone), "needstage=\"acc\"", "needstage=\"vel\""), "normal_force");
+  expect_refused(replaced(document(cone), "needstage=\"acc\"", "needstage=\"vel\""),
+                 "normal_force");
 }
 
 // MuJoCo of today clears the user sensors of a stage before it calls mjcb_sensor.
 TEST_F(OwnRules, SensorsOfEveryStageAreTold) {
   const auto told = [](const char* stage) {
     std::string text = document(Machine{});
-    const std::string sensors = text.substr(text.find("<sensor>"), text.find("</sensor>") - text.find("<sensor>"));
+    const std::string sensors =
+        text.substr(text.find("<sensor>"), text.find("</sensor>") - text.find("<sensor>"));
     std::string all = "<sensor>";
     for (const char* name : {names::kGap, names::kGapRate, names::kSlip, names::kNormalForce,
                              names::kFrictionForce, names::kActive}) {
-      all += std::string("<user name=\"") + name + "\" objtype=\"geom\" objname=\"disc\" datatype=\"real\" "
-             "needstage=\"" + stage + "\" dim=\"1\"/>";
+      all += std::string("<user name=\"") + name +
+             "\" objtype=\"geom\" objname=\"disc\" datatype=\"real\" "
+             "needstage=\"" +
+             stage + "\" dim=\"1\"/>";
     }
     const ModelPointer m = load(replaced(text, sensors, all));
     const DataPointer d = start(m.get());
@@ -184,7 +191,8 @@ TEST_F(OwnRules, SensorsOfEveryStageAreTold) {
   EXPECT_EQ(told("acc"), wanted);
 }
 
-// What <option> says for all contacts keeps out of `rigid`, and is refused where MuJoCo solves ours by it.
+// What <option> says for all contacts keeps out of `rigid`, and is refused where MuJoCo solves ours
+// by it.
 TEST_F(OwnRules, AnOverrideOfAllContactsIsNotTakenForThePair) {
   Machine x;
   const auto run = [](const ModelPointer& m) {
@@ -196,7 +204,8 @@ TEST_F(OwnRules, AnOverrideOfAllContactsIsNotTakenForThePair) {
   };
   const std::vector<double> wanted = run(load(document(x)));
   for (const char* margin : {"0", "1e-3", "2"}) {
-    x.option = std::string("o_margin=\"") + margin + "\"><flag override=\"enable\"/></option><option ";
+    x.option =
+        std::string("o_margin=\"") + margin + "\"><flag override=\"enable\"/></option><option ";
     EXPECT_EQ(run(load(document(x))), wanted) << margin;
   }
   for (const char* contact : {"coulomb", "cone"}) {
@@ -215,7 +224,8 @@ TEST_F(OwnRules, ModelsOfOtherSizesAreToldApart) {
     return sensor(m.get(), d.get(), names::kSlip);
   };
   EXPECT_DOUBLE_EQ(slip(document(Machine{})), 5.0);
-  EXPECT_DOUBLE_EQ(slip(replaced(document(Machine{}), "size=\"0.05 0.01\"", "size=\"0.04 0.01\"")), 4.0);
+  EXPECT_DOUBLE_EQ(slip(replaced(document(Machine{}), "size=\"0.05 0.01\"", "size=\"0.04 0.01\"")),
+                   4.0);
 }
 
 // Edited in mjModel, a size counts from the next pass on, collision included.
@@ -253,8 +263,8 @@ TEST_F(OwnRules, ApartAlongTheAxisTheyDoNotMeet) {
     x.contact = contact;
     const auto leaves = [&](const std::string& place, const std::string& custom) {
       x.custom = custom;
-      const ModelPointer m = load(
-          replaced(document(x), "<body name=\"shaft\">", "<body name=\"shaft\" pos=\"0 0 " + place + "\">"));
+      const ModelPointer m = load(replaced(document(x), "<body name=\"shaft\">",
+                                           "<body name=\"shaft\" pos=\"0 0 " + place + "\">"));
       const DataPointer d = start(m.get());
       d->qvel[0] = 0.3;
       for (int k = 0; k < 250; ++k) mj_step(m.get(), d.get());

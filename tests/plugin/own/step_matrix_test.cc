@@ -1,5 +1,5 @@
-// What MuJoCo's step takes implicitly in the velocities beside the joints' dampers: a blow must leave with the
-// restitution all the same, at any step.
+// What MuJoCo's step takes implicitly in the velocities beside the joints' dampers: a blow must
+// leave with the restitution all the same, at any step.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 
 class StepMatrix : public MujocoTest {
  protected:
-  // Of the first blow, along x: the closing rate of ring and rotor after the step over that which the step
-  // without a contact has.
+  // Of the first blow, along x: the closing rate of ring and rotor after the step over that which
+  // the step without a contact has.
   static double rebound(mjModel* m, double step, int rotor, int ring) {
     m->opt.timestep = step;
     const DataPointer d = start(m), without = start(m);
@@ -43,10 +43,12 @@ class StepMatrix : public MujocoTest {
                          "timestep=\"1e-5\" integrator=\"" + std::string(integrator) + "\""));
   }
 
-  static void expect_restitution(const std::string& text, const char* integrator, const char* what) {
+  static void expect_restitution(const std::string& text, const char* integrator,
+                                 const char* what) {
     const ModelPointer m = stepped(text, integrator);
     for (const double step : {1e-5, 1e-4}) {
-      EXPECT_NEAR(rebound(m.get(), step, 0, 3), kEps, 1e-9) << what << " " << integrator << " " << step;
+      EXPECT_NEAR(rebound(m.get(), step, 0, 3), kEps, 1e-9)
+          << what << " " << integrator << " " << step;
     }
   }
 
@@ -60,8 +62,9 @@ class StepMatrix : public MujocoTest {
 };
 
 TEST_F(StepMatrix, ABlowBesideAServoHasItsRestitution) {
-  for (const char* servo : {R"(<velocity name="servo" joint="ring_x" kv="2e4"/>)",
-                            R"(<general name="servo" joint="rotor_x" biastype="affine" biasprm="0 0 -2e4"/>)"}) {
+  for (const char* servo :
+       {R"(<velocity name="servo" joint="ring_x" kv="2e4"/>)",
+        R"(<general name="servo" joint="rotor_x" biastype="affine" biasprm="0 0 -2e4"/>)"}) {
     expect_restitution(with_actuator(servo), "implicit", servo);
   }
 }
@@ -79,8 +82,8 @@ TEST_F(StepMatrix, ABlowInAFluidHasItsRestitution) {
   expect_restitution(document(x), "implicit", "fluid");
 }
 
-// A shaft that turns fast about an axis that is none of its principal ones, in fixed rings: the bias forces'
-// derivative is not symmetric.
+// A shaft that turns fast about an axis that is none of its principal ones, in fixed rings: the
+// bias forces' derivative is not symmetric.
 TEST_F(StepMatrix, ABlowOfAGyroscopeHasItsRestitution) {
   const ModelPointer m = stepped(document(TwoRings{.rings = 1}), "implicit");
   m->opt.timestep = 1e-4;
@@ -136,7 +139,8 @@ TEST_F(StepMatrix, DampersOfEulerMayBePolynomialsAndActuators) {
 // A lasting contact is held as well: pressed with 500 N, beside a servo that pulls the ring away.
 TEST_F(StepMatrix, ARubBesideAServoIsHeld) {
   for (const double step : {1e-5, 1e-4}) {
-    const ModelPointer m = stepped(with_actuator(R"(<velocity name="servo" joint="ring_x" kv="2e4"/>)"), "implicit");
+    const ModelPointer m =
+        stepped(with_actuator(R"(<velocity name="servo" joint="ring_x" kv="2e4"/>)"), "implicit");
     m->opt.timestep = step;
     const DataPointer d = start(m.get());
     d->qpos[0] = 5e-4;
@@ -181,11 +185,13 @@ vx = [0.3]
 )";
 
 TEST_F(StepMatrix, AServoOnAGeneratedRingLeavesTheRestitution) {
-  const std::string servo = R"(<actuator><velocity name="servo" joint="ring_x" kv="2e4"/></actuator><sensor>)";
+  const std::string servo =
+      R"(<actuator><velocity name="servo" joint="ring_x" kv="2e4"/></actuator><sensor>)";
   const ModelPointer m = load(replaced(mjcf(parsed(kServoScene)), "<sensor>", servo));
   const int rotor = m->jnt_dofadr[mj_name2id(m.get(), mjOBJ_JOINT, "x_1")];
   const int ring = m->jnt_dofadr[mj_name2id(m.get(), mjOBJ_JOINT, "ring_x")];
-  for (const double step : {1e-5, 1e-4}) EXPECT_NEAR(rebound(m.get(), step, rotor, ring), kEps, 1e-9) << step;
+  for (const double step : {1e-5, 1e-4})
+    EXPECT_NEAR(rebound(m.get(), step, rotor, ring), kEps, 1e-9) << step;
 }
 
 TEST_F(StepMatrix, AServoBesideAConstraintLeavesTheRestitution) {
@@ -196,10 +202,11 @@ TEST_F(StepMatrix, AServoBesideAConstraintLeavesTheRestitution) {
 }
 
 TEST_F(StepMatrix, AServoOnTheRingOfASegmentRotorLeavesTheRestitution) {
-  const std::string servo = R"(<actuator><velocity name="servo" joint="ring_x" kv="2e4"/></actuator><sensor>)";
+  const std::string servo =
+      R"(<actuator><velocity name="servo" joint="ring_x" kv="2e4"/></actuator><sensor>)";
   const scene::Scene scene =
-      parsed(kSegmentRub, {"contact.friction=0.0", "mujoco.integrator=\"implicit\"", "stator.stiffness=0.0",
-                           "stator.damping=0.0"});
+      parsed(kSegmentRub, {"contact.friction=0.0", "mujoco.integrator=\"implicit\"",
+                           "stator.stiffness=0.0", "stator.damping=0.0"});
   const ModelPointer m = load(replaced(mjcf(scene), "<sensor>", servo));
   const DataPointer d = start(m.get()), without = start(m.get());
   // Closing rate after a step, as the sensor says at the next.

@@ -1,5 +1,5 @@
-// A rotor that tilts in its ring. The contact is that of its centre's circle: exact for a thin disc to
-// first order in the tilt. What is left out, by looking at the rotor's edge point by point.
+// A rotor that tilts in its ring. The contact is that of its centre's circle: exact for a thin disc
+// to first order in the tilt. What is left out, by looking at the rotor's edge point by point.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ constexpr double kTiltRadius = 0.05, kTiltClearance = 5e-4;
 
 class Tilt : public MujocoTest {
  protected:
-  // Gap of a rotor's two edges, `half` to either side of its centre, in an endless cylinder: the least
-  // distance of any of their points.
+  // Gap of a rotor's two edges, `half` to either side of its centre, in an endless cylinder: the
+  // least distance of any of their points.
   static double gap_of_edges(const mjModel* m, const mjData* d, double half) {
     const int disc = mj_name2id(m, mjOBJ_GEOM, "disc");
     const mjtNum *centre = d->geom_xpos + 3 * disc, *axes = d->geom_xmat + 9 * disc;
@@ -41,7 +41,8 @@ class Tilt : public MujocoTest {
 };
 
 // Thin: our gap is the smaller, by no more than r theta^2 / 2 (25 nm at 1 mrad, 2.5 um at 10 mrad).
-// Long: the edges come nearer by half the length times theta. Two contacts, one at each end, know that.
+// Long: the edges come nearer by half the length times theta. Two contacts, one at each end, know
+// that.
 TEST_F(Tilt, LeavesOutTheSquareOfTheTilt) {
   TwoRings x;
   x.rings = 1;

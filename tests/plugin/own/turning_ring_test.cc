@@ -1,5 +1,5 @@
-// A user's ring that turns (an auxiliary ball bearing): a hinge about the ring's axis with inertia and drag, by itself
-// or beside slides.
+// A user's ring that turns (an auxiliary ball bearing): a hinge about the ring's axis with inertia
+// and drag, by itself or beside slides.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 namespace rotorub::test {
 namespace {
 
-constexpr double kTurningRadius = 0.05, kTurningClearance = 5e-4, kBore = kTurningRadius + kTurningClearance, kMu = 0.15;
+constexpr double kTurningRadius = 0.05, kTurningClearance = 5e-4,
+                 kBore = kTurningRadius + kTurningClearance, kMu = 0.15;
 constexpr double kWhirl = 0.4, kRingSpeed = 314.0, kRotorSpeed = 100.0;
 
 // The floating machine, as a scene.
@@ -49,7 +50,8 @@ vy = [0.4]
 
 class OwnTurningRing : public MujocoTest {
  protected:
-  // Held at its centre, so that it can do nothing but turn, around a rotor whose spin hardly changes.
+  // Held at its centre, so that it can do nothing but turn, around a rotor whose spin hardly
+  // changes.
   enum Held { kX, kY, kSpin, kRing };
   static constexpr double kHeldInertia = 2e-3, kDrag = 4e-3, kRotorInertia = 100.0 + 1e-3;
   static ModelPointer held(const std::string& contact, double friction, double drag) {
@@ -58,8 +60,9 @@ class OwnTurningRing : public MujocoTest {
     x.friction = friction;
     x.spin = "armature=\"100\"";
     x.ring_moves = false;
-    x.ring_geoms = "<joint name=\"turn\" type=\"hinge\" axis=\"0 0 1\" armature=\"1e-3\" damping=\"" +
-                   std::to_string(drag) + "\"/>";
+    x.ring_geoms =
+        "<joint name=\"turn\" type=\"hinge\" axis=\"0 0 1\" armature=\"1e-3\" damping=\"" +
+        std::to_string(drag) + "\"/>";
     return load(document(x));
   }
 
@@ -137,7 +140,8 @@ TEST_F(OwnTurningRing, WithoutFrictionItMayTurnAsItLikes) {
       }
       EXPECT_NEAR(lowest, 20.0, 0.05) << contact << speed;
       EXPECT_NEAR(highest, 20.0, 0.05) << contact << speed;
-      EXPECT_NEAR(std::hypot(d->qpos[kX], d->qpos[kY]), kTurningClearance, 5e-8) << contact << speed;
+      EXPECT_NEAR(std::hypot(d->qpos[kX], d->qpos[kY]), kTurningClearance, 5e-8)
+          << contact << speed;
     }
   }
 }
@@ -205,8 +209,8 @@ TEST_F(OwnTurningRing, FollowsTheNativeAnswer) {
   }
 }
 
-// What friction gives the one it takes from the other, at one point: the bore's radius is its lever there,
-// to the gap of the step's begin.
+// What friction gives the one it takes from the other, at one point: the bore's radius is its lever
+// there, to the gap of the step's begin.
 TEST_F(OwnTurningRing, FrictionsMomentsBalance) {
   const ModelPointer m = floating("rigid", kMu);
   const DataPointer d = begin(m.get());

@@ -6,10 +6,10 @@
 //
 // CASE inverse: after STEPS, mj_forward and mj_inverse, prints the largest of qfrc_inverse less
 // applied and actuators' forces (N, N m). CASE differences: of A of mjd_transitionFD (eps 1e-8)
-// then the row of the first velocity: over the first position, over itself. CASE forces: of the force sensor "cell"
-// and mj_contactForce. Every other CASE prints
-// one line: calls of the user's callback, share of steps with rotorub_active 1, share of steps with
-// a normal force, largest penetration in um, then time, qpos and qvel as bits.
+// then the row of the first velocity: over the first position, over itself. CASE forces: of the
+// force sensor "cell" and mj_contactForce. Every other CASE prints one line: calls of the user's
+// callback, share of steps with rotorub_active 1, share of steps with a normal force, largest
+// penetration in um, then time, qpos and qvel as bits.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -179,7 +179,8 @@ void print_differences(const mjModel* m, int steps) {
   mj_deleteData(d);
 }
 
-// A load cell, MuJoCo's force of the only contact along normal and tangent, and what the sensors of the rub say.
+// A load cell, MuJoCo's force of the only contact along normal and tangent, and what the sensors of
+// the rub say.
 void print_forces(const mjModel* m, int steps) {
   mjData* d = stepped(m, steps);
   mjtNum force[6] = {0};

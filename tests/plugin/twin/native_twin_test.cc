@@ -20,14 +20,17 @@ namespace {
 
 using plugin::NativeTwin;
 
-// A rotor that can bend and tilt in a ring; `rotor` and `ring` are what a test says of their bodies.
+// A rotor that can bend and tilt in a ring; `rotor` and `ring` are what a test says of their
+// bodies.
 std::string machine(const std::string& rotor, const std::string& ring = "",
                     const std::string& more = "", const std::string& option = "gravity=\"0 0 0\"") {
   return R"(<mujoco><option timestep="1e-5" )" + option + R"(/>
   <size nuserdata="32"/>
   <worldbody>
-    )" + rotor + R"(
-    <body name="ring" pos="0 0 0.1">)" + ring + R"(<geom name="bore" type="box" size="0.06 0.06 0.01"
+    )" + rotor +
+         R"(
+    <body name="ring" pos="0 0 0.1">)" +
+         ring + R"(<geom name="bore" type="box" size="0.06 0.06 0.01"
       mass="1" contype="0" conaffinity="0"/></body>
   </worldbody>
   <contact><pair geom1="disc" geom2="bore" condim="1" margin="5e-6" gap="1"/></contact>
@@ -39,13 +42,15 @@ std::string machine(const std::string& rotor, const std::string& ring = "",
     <numeric name="rotorub_friction" data="0.15"/>
     <numeric name="rotorub_restitution" data="0.5"/>
   </custom>
-  )" + more + "</mujoco>";
+  )" + more +
+         "</mujoco>";
 }
 
 const std::string kDisc =
     R"(<geom name="disc" type="cylinder" size="0.05 0.01" pos="0 0 0.1" contype="0" conaffinity="0" mass="0"/>)";
 
-// A rigid rotor that tilts in its bearings: a shaft of 3 kg whose centre of mass lies below the contact.
+// A rigid rotor that tilts in its bearings: a shaft of 3 kg whose centre of mass lies below the
+// contact.
 std::string tilting(const std::string& spin, const std::string& more = "") {
   return machine(R"(<body name="shaft">
       <joint name="x" type="slide" axis="1 0 0" stiffness="3e5" damping="30"/>
@@ -54,11 +59,13 @@ std::string tilting(const std::string& spin, const std::string& more = "") {
       <joint name="tilt_y" type="hinge" axis="0 1 0" stiffness="3e3" damping="0.2"/>
       <inertial pos="0 0 0.02" mass="1" diaginertia="4e-3 4e-3 1e-3"/>
       <body name="wheel">
-        <joint name="spin" type="hinge" axis=")" + spin + R"("/>
+        <joint name="spin" type="hinge" axis=")" +
+                     spin + R"("/>
         <inertial pos="0 0 0.05" mass="2" diaginertia="6e-3 6e-3 1e-2"/>
         )" + kDisc + R"(
       </body>
-    </body>)", "", more);
+    </body>)",
+                 "", more);
 }
 
 using NativeTwinTest = MujocoTest;
@@ -91,12 +98,13 @@ TEST_F(NativeTwinTest, HasTheNumbersOfTheSceneThatSaysTheSame) {
   EXPECT_EQ(twin.scene.run.step, 1e-5);
 }
 
-// Gyroscopics, anisotropic bearings, tilt that moves the contact: against MuJoCo's own free motion, whose
-// error falls with its step.
+// Gyroscopics, anisotropic bearings, tilt that moves the contact: against MuJoCo's own free motion,
+// whose error falls with its step.
 TEST_F(NativeTwinTest, MovesAsMujocoWithoutContact) {
   for (const char* axis : {"0 0 1", "0 0 -1"}) {
     const std::string document = tilting(
-        axis, R"(<keyframe><key name="start" qpos="1e-5 2e-5 1e-4 -2e-4 0" qvel="1e-3 0 0.01 0.02 400"/></keyframe>)");
+        axis,
+        R"(<keyframe><key name="start" qpos="1e-5 2e-5 1e-4 -2e-4 0" qvel="1e-3 0 0.01 0.02 400"/></keyframe>)");
     const ModelPointer m = load(document);
     double error[2];
     for (int k = 0; k < 2; ++k) {
@@ -130,7 +138,8 @@ TEST_F(NativeTwinTest, StandsWhereTheSpringsHoldIt) {
       R"(<body name="shaft" pos="1e-4 -5e-5 0">
       <joint name="x" type="slide" axis="1 0 0" stiffness="3e5" damping="3000"/>
       <joint name="y" type="slide" axis="0 1 0" stiffness="4e5" damping="3000"/>
-      <inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 1e-3 1e-3"/>)" + kDisc + "</body>",
+      <inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 1e-3 1e-3"/>)" +
+          kDisc + "</body>",
       R"(<joint name="ring_x" type="slide" axis="1 0 0" stiffness="1e5" damping="800"/>
       <joint name="ring_y" type="slide" axis="0 -1 0" stiffness="1e5" damping="800"/>)",
       "", "gravity=\"9 -6 0\"");
@@ -168,36 +177,49 @@ TEST_F(NativeTwinTest, SaysWhatItLeavesOut) {
   const std::string friction = R"(<numeric name="rotorub_friction" data="0.15"/>)";
   const NativeTwin lifted = twin_of(machine(R"(<body name="shaft">
       <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint name="lift" type="slide" axis="0 0 1"/>
-      <inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 1e-3 1e-3"/>)" + kDisc + "</body>"));
+      <inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 1e-3 1e-3"/>)" +
+                                            kDisc + "</body>"));
   ASSERT_EQ(lifted.limits.size(), 2u);
-  EXPECT_NE(lifted.limits[0].find("\"lift\"> moves nothing in the contact's plane"), std::string::npos);
+  EXPECT_NE(lifted.limits[0].find("\"lift\"> moves nothing in the contact's plane"),
+            std::string::npos);
   EXPECT_NE(lifted.limits[1].find("friction along the ring's axis"), std::string::npos);
   ASSERT_FALSE(tilting_far.limits.empty());
   EXPECT_NE(tilting_far.limits[0].find("not small"), std::string::npos) << tilting_far.limits[0];
 }
 
 TEST_F(NativeTwinTest, RefusesByTheJointsName) {
-  const std::string slides = R"(<joint name="x" type="slide" axis="1 0 0"/><joint name="y" type="slide" axis="0 1 0"/>)";
+  const std::string slides =
+      R"(<joint name="x" type="slide" axis="1 0 0"/><joint name="y" type="slide" axis="0 1 0"/>)";
   const auto body = [&](const std::string& joints) {
     return "<body name=\"shaft\">" + joints +
            R"(<inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 2e-3 3e-3"/>)" + kDisc + "</body>";
   };
   const std::string ring = R"(<joint name="ring_x" type="slide" axis="1 0 0"/>)";
   EXPECT_NE(twin_refusal(machine(body(slides), ring)).find("ring_x"), std::string::npos);
-  EXPECT_NE(twin_refusal(machine(body(R"(<joint name="skew" type="slide" axis="1 1 0"/><joint name="y" type="slide" axis="0 1 0"/>)")))
-                .find("skew"),
+  EXPECT_NE(
+      twin_refusal(
+          machine(body(
+              R"(<joint name="skew" type="slide" axis="1 1 0"/><joint name="y" type="slide" axis="0 1 0"/>)")))
+          .find("skew"),
+      std::string::npos);
+  EXPECT_NE(twin_refusal(machine(body(R"(<joint name="free" type="free"/>)"))).find("free"),
             std::string::npos);
-  EXPECT_NE(twin_refusal(machine(body(R"(<joint name="free" type="free"/>)"))).find("free"), std::string::npos);
-  EXPECT_NE(twin_refusal(machine(body(slides), R"(<joint name="turn" type="hinge" axis="0 0 1"/>)")).find("turn"),
+  EXPECT_NE(twin_refusal(machine(body(slides), R"(<joint name="turn" type="hinge" axis="0 0 1"/>)"))
+                .find("turn"),
             std::string::npos);
-  EXPECT_NE(twin_refusal(machine(body(R"(<joint name="x" type="slide" axis="1 0 0"/>)"))).find("along y"),
-            std::string::npos);
-  EXPECT_NE(twin_refusal(machine(body(slides + R"(<joint name="spin" type="hinge" axis="0 0 1" stiffness="3"/>)")))
-                .find("spin"),
-            std::string::npos);
+  EXPECT_NE(
+      twin_refusal(machine(body(R"(<joint name="x" type="slide" axis="1 0 0"/>)"))).find("along y"),
+      std::string::npos);
+  EXPECT_NE(
+      twin_refusal(
+          machine(body(slides + R"(<joint name="spin" type="hinge" axis="0 0 1" stiffness="3"/>)")))
+          .find("spin"),
+      std::string::npos);
   // Before the slides it carries their axes round: the rotor's springs would turn with it.
-  const std::string early = twin_refusal(machine(body(R"(<joint name="early" type="hinge" axis="0 0 1"/>)" + slides)));
-  EXPECT_NE(early.find("\"early\">: turns the axis of <joint name=\"x\">"), std::string::npos) << early;
+  const std::string early =
+      twin_refusal(machine(body(R"(<joint name="early" type="hinge" axis="0 0 1"/>)" + slides)));
+  EXPECT_NE(early.find("\"early\">: turns the axis of <joint name=\"x\">"), std::string::npos)
+      << early;
 }
 
 // The native model has one contact plane.

@@ -1,5 +1,5 @@
-// The native twin of a user's own machine whose ring turns, an auxiliary ball bearing: its numbers, its free
-// turning against the closed form, and what has no twin. (Its rub: tests/compare/own.)
+// The native twin of a user's own machine whose ring turns, an auxiliary ball bearing: its numbers,
+// its free turning against the closed form, and what has no twin. (Its rub: tests/compare/own.)
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,8 +63,8 @@ TEST_F(TwinOfATurningRing, SpinsDownAsTheClosedFormAndAsMujoco) {
   }
   EXPECT_LT(std::abs(t.column("ring_speed").back()), 0.5 * kSpeed) << "it has slowed down";
 
-  // MuJoCo's damping is implicit, c^2 h t / (2 J^2) = 2.4e-7 of the speed too much is left; its angle goes with the
-  // speeds of the steps' ends, h / 2 of what the speed changes by too far.
+  // MuJoCo's damping is implicit, c^2 h t / (2 J^2) = 2.4e-7 of the speed too much is left; its
+  // angle goes with the speeds of the steps' ends, h / 2 of what the speed changes by too far.
   const DataPointer d = start(m.get());
   for (int k = 0; k < 2000; ++k) mj_step(m.get(), d.get());
   const Model model = make_model(twin.scene);
@@ -94,7 +94,8 @@ TEST_F(TwinOfATurningRing, WhatItCannotTakeIsRefusedByName) {
   const std::string plain = document(turning("")), ring = "<body name=\"ring\">";
   const std::string centred = "<inertial pos=\"0 0 0\"";
   std::string eccentric = plain;
-  eccentric.replace(eccentric.find(centred, eccentric.find(ring)), centred.size(), "<inertial pos=\"1e-3 0 0\"");
+  eccentric.replace(eccentric.find(centred, eccentric.find(ring)), centred.size(),
+                    "<inertial pos=\"1e-3 0 0\"");
   expect_refused(eccentric, "<joint name=\"ring_y\">: acts on <joint name=\"turn\">");
   Machine geared = turning("");
   geared.constraints += R"(<tendon><fixed stiffness="1"><joint joint="turn" coef="1"/>
@@ -105,18 +106,22 @@ TEST_F(TwinOfATurningRing, WhatItCannotTakeIsRefusedByName) {
   motor.constraints = R"(<actuator><motor joint="turn"/></actuator>
     <keyframe><key name="start" ctrl="0.1"/></keyframe>)";
   expect_refused(document(motor), "0.1 N m at rest");
-  std::vector<std::string> drags{R"(biasprm="0 0 -0.01" forcelimited="true" forcerange="-0.1 0.1")"};
-  // Later releases read a positive number there as a damping ratio, of a stiffness that is not there.
+  std::vector<std::string> drags{
+      R"(biasprm="0 0 -0.01" forcelimited="true" forcerange="-0.1 0.1")"};
+  // Later releases read a positive number there as a damping ratio, of a stiffness that is not
+  // there.
   if (mj_version() < 300) drags.push_back(R"(biasprm="0 0 0.01")");
   for (const std::string& drag : drags) {
     Machine fed = turning("");
     fed.constraints +=
-        std::string(R"(<actuator><general joint="turn" biastype="affine" gainprm="0" )") + drag + "/></actuator>";
+        std::string(R"(<actuator><general joint="turn" biastype="affine" gainprm="0" )") + drag +
+        "/></actuator>";
     expect_refused(document(fed), "drag");
   }
 
   Machine two = turning("");
-  two.ring_geoms = R"(<joint name="first" type="hinge" axis="0 0 1" armature="1e-3"/>)" + two.ring_geoms;
+  two.ring_geoms =
+      R"(<joint name="first" type="hinge" axis="0 0 1" armature="1e-3"/>)" + two.ring_geoms;
   two.constraints = "";
   expect_refused(document(two), "second joint about the ring's axis");
 

@@ -12,7 +12,9 @@ inline plugin::NativeTwin twin_of(const mjModel* m) {
   const DataPointer d = start(m);
   return plugin::make_native_twin(m, plugin::make_config(m), d.get());
 }
-inline plugin::NativeTwin twin_of(const std::string& document) { return twin_of(load(document).get()); }
+inline plugin::NativeTwin twin_of(const std::string& document) {
+  return twin_of(load(document).get());
+}
 
 // Empty: there is one.
 inline std::string twin_refusal(const std::string& document) {

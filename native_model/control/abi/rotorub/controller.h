@@ -1,11 +1,12 @@
-/* A controller of one's own for rotorub: a shared library with one function, rotorub_controller_get.
- * The same library runs in the native model, in MuJoCo and in sweeps; C and C++, and whatever can
- * make a C function (examples: README.md, "Your own controller").
+/* A controller of one's own for rotorub: a shared library with one function,
+ * rotorub_controller_get. The same library runs in the native model, in MuJoCo and in sweeps; C and
+ * C++, and whatever can make a C function (examples: README.md, "Your own controller").
  *
  * One sampled step: at t = k sample_time the library is shown what the sensors measure, changes its
- * state, and tells a command that is held until the next sample. The state is a plain array that the
- * caller owns: it lives in mjData, is copied, put back and stepped on several threads. A step
- * must depend on its arguments alone: no static variable, no clock, no random number but from the state.
+ * state, and tells a command that is held until the next sample. The state is a plain array that
+ * the caller owns: it lives in mjData, is copied, put back and stepped on several threads. A step
+ * must depend on its arguments alone: no static variable, no clock, no random number but from the
+ * state.
  *
  * Vectors are x and y in the fixed frame, in the plane of the contact; SI units throughout. */
 #ifndef ROTORUB_CONTROLLER_H
@@ -23,8 +24,8 @@ extern "C" {
 
 /* What step() tells. */
 enum {
-  /* N: the force on the ring along x and y. The actuator gives it within its limits; magnets get the
-   * currents that make it at the ring's place. */
+  /* N: the force on the ring along x and y. The actuator gives it within its limits; magnets get
+   * the currents that make it at the ring's place. */
   ROTORUB_FORCE = 0,
   /* A: the currents of the two axes of the magnets, (1, 1)/sqrt 2 and (-1, 1)/sqrt 2. */
   ROTORUB_CURRENT = 1
@@ -61,15 +62,15 @@ typedef struct rotorub_entry {
 
 /* What create() is given; it is gone when create() returns. */
 typedef struct rotorub_setup {
-  uint32_t abi;         /* ROTORUB_CONTROLLER_ABI of the caller */
-  uint32_t measured;    /* bits */
-  double sample_time;   /* s, > 0 */
-  double clearance;     /* m, radial; 0: the scene has no contact */
-  double stator_mass[2];       /* kg, along x and y */
-  double stator_damping[2];    /* N s/m */
-  double stator_stiffness[2];  /* N/m */
-  double force_limit;   /* N, on each axis of an ideal actuator; infinity: none */
-  double current_limit; /* A, on each axis of magnets; 0: there are none */
+  uint32_t abi;               /* ROTORUB_CONTROLLER_ABI of the caller */
+  uint32_t measured;          /* bits */
+  double sample_time;         /* s, > 0 */
+  double clearance;           /* m, radial; 0: the scene has no contact */
+  double stator_mass[2];      /* kg, along x and y */
+  double stator_damping[2];   /* N s/m */
+  double stator_stiffness[2]; /* N/m */
+  double force_limit;         /* N, on each axis of an ideal actuator; infinity: none */
+  double current_limit;       /* A, on each axis of magnets; 0: there are none */
   size_t entries;
   const rotorub_entry* config;
 } rotorub_setup;

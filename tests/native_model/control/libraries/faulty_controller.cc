@@ -1,5 +1,5 @@
-// A controller that goes wrong as [controller.config] fault = "..." asks; else it commands (state, k): what
-// it has counted, and the number of the sample.
+// A controller that goes wrong as [controller.config] fault = "..." asks; else it commands (state,
+// k): what it has counted, and the number of the sample.
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -43,8 +43,8 @@ size_t state_size(const void* self) {
 
 void start(const void*, double* state) { state[0] = 100.0; }
 
-int step(const void* self, const rotorub_measurement* now, double* state, double command[2], char* reason,
-         size_t room) {
+int step(const void* self, const rotorub_measurement* now, double* state, double command[2],
+         char* reason, size_t room) {
   const Law& law = *static_cast<const Law*>(self);
   state[0] += 1.0;
   command[0] = state[0];

@@ -1,4 +1,5 @@
-/* A law with an integrator and a filter that also keeps, in its state, what it was shown last and what it told. */
+/* A law with an integrator and a filter that also keeps, in its state, what it was shown last and
+ * what it told. */
 #include <math.h>
 #include <stddef.h>
 
@@ -39,8 +40,8 @@ static int step(const void* self, const rotorub_measurement* now, double* state,
     const double error = now->rotor[k] - now->stator[k];
     state[SUM_X + k] += 1e-4 * error;
     state[FILTER_X + k] += 0.3 * (error - state[FILTER_X + k]);
-    command[k] = 4e4 * state[FILTER_X + k] + 1e5 * state[SUM_X + k] - 60.0 * now->stator_velocity[k] +
-                 2.0 * sin(now->spin_angle + (double)k);
+    command[k] = 4e4 * state[FILTER_X + k] + 1e5 * state[SUM_X + k] -
+                 60.0 * now->stator_velocity[k] + 2.0 * sin(now->spin_angle + (double)k);
     state[TOLD + k] = command[k];
   }
   return 0;
