@@ -257,7 +257,7 @@ Config make_config(const mjModel* m) {
   if (config.shadow) {
     config.shadow->data = needed;
     needed += names::shadow_data_size(ZeroOrderHold::memory_size(config.shadow->model),
-                                      PaperStepper::memory_size(config.shadow->model));
+                                      MidpointStepper::memory_size(config.shadow->model));
   }
   const int further_data = needed;
   needed += kPairEntries * static_cast<int>(scene.auxiliary.size() - 1);

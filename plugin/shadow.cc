@@ -26,7 +26,7 @@ struct Worker {
       : model(config.shadow->model), stepper(model, h), command(model) {}
 
   const Model model;
-  PaperStepper stepper;
+  MidpointStepper stepper;
   ZeroOrderHold command;
 };
 
@@ -154,7 +154,7 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
 }
 
 const double* shadow_state(const Config& config, const mjData* d) {
-  return PaperStepper::saved_q(d->userdata + config.shadow->data + stepper_begin(config));
+  return MidpointStepper::saved_q(d->userdata + config.shadow->data + stepper_begin(config));
 }
 
 }  // namespace rotorub::plugin

@@ -1,8 +1,8 @@
-// The shadow: the native model, run alongside by the stepping of `paper`, one step a MuJoCo step.
-// It starts from MuJoCo's state and then knows nothing of MuJoCo but the commands: a controller of
-// the scene closes its own loop; without one, the shadow is given the force that MuJoCo's actuators
-// exerted on the ring over the step. What it has goes to user sensors and ghost bodies; MuJoCo's
-// motion never depends on it.
+// The shadow: the native model, run alongside by the stepping of `midpoint`, one step a MuJoCo
+// step. It starts from MuJoCo's state and then knows nothing of MuJoCo but the commands: a
+// controller of the scene closes its own loop; without one, the shadow is given the force that
+// MuJoCo's actuators exerted on the ring over the step. What it has goes to user sensors and ghost
+// bodies; MuJoCo's motion never depends on it.
 //
 // All of its memory is in mjData.userdata (user_data.h). MuJoCo says nowhere that a step is done:
 // the first mjcb_passive at a later time is the sign.

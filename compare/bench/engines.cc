@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 
 #include "compare/bench/event_engine.h"
 #include "compare/peers/peers.h"
+#include "native_model/scene/old_words.h"
 
 namespace rotorub::bench {
 namespace {
@@ -100,7 +102,7 @@ std::vector<BenchEngine> make_engines() {
       event(),
       fixed_step(scene::Integrator::kVerlet,
                  "set-valued Poisson/Coulomb law, second-order fixed step through impacts"),
-      fixed_step(scene::Integrator::kPaper,
+      fixed_step(scene::Integrator::kMidpoint,
                  "set-valued Poisson/Coulomb law, first-order time stepping (Chavez, Ulbrich)"),
       mujoco(scene::ContactModel::kRigid, "the same law solved by the plugin in MuJoCo's step"),
       mujoco(scene::ContactModel::kCoulomb,
@@ -142,7 +144,9 @@ std::vector<BenchEngine> chosen_engines(const std::string& list) {
   std::istringstream entries(list);
   for (std::string name; std::getline(entries, name, ',');) {
     name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
-    names.push_back(name);
+    names.emplace_back(scene::current_word(name));
+    if (names.back() != name)
+      fmt::print(stderr, "note: {}\n", scene::old_word_note("--engines", name));
   }
   std::vector<BenchEngine> chosen;
   std::vector<bool> met(names.size(), false);

@@ -23,7 +23,7 @@ CheckEngine mujoco(scene::ContactModel contact, RuleEngine word) {
 const std::vector<CheckEngine>& check_engines() {
   static const std::vector<CheckEngine> all{
       native(scene::Integrator::kEvent, RuleEngine::kNativeEvent),
-      native(scene::Integrator::kPaper, RuleEngine::kNativePaper),
+      native(scene::Integrator::kMidpoint, RuleEngine::kNativeMidpoint),
       native(scene::Integrator::kVerlet, RuleEngine::kNativeVerlet),
       mujoco(scene::ContactModel::kRigid, RuleEngine::kMujocoRigid),
       mujoco(scene::ContactModel::kCoulomb, RuleEngine::kMujocoCoulomb),

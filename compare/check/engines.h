@@ -19,7 +19,7 @@ struct CheckEngine {
   std::shared_ptr<const Engine> engine;
 };
 
-// native-event, native-paper, native-verlet, and MuJoCo with each contact model. (`literal`
+// native-event, native-midpoint, native-verlet, and MuJoCo with each contact model. (`euler`
 // is a baseline that is there to be wrong by its step, and is not checked.)
 const std::vector<CheckEngine>& check_engines();
 

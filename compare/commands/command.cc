@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cassert>
 #include <filesystem>
+#include <set>
 
 #include "native_model/control/library.h"
 #include "native_model/scene/contact_models.h"
@@ -82,7 +83,15 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
   std::vector<std::string> overrides = overrides_of(options);
   if (!options.step.empty()) overrides.push_back("run.step=" + options.step);
   if (!options.end.empty()) overrides.push_back("run.end=" + options.end);
-  return scene::read_scene(file, overrides);
+  scene::Scene scene = scene::read_scene(file, overrides);
+  if (!options.quiet) {
+    // A study or a ladder reads its scene again and again.
+    static std::set<std::string> said;
+    for (const std::string& note : scene.notes) {
+      if (said.insert(file + note).second) fmt::print(stderr, "note: {}: {}\n", file, note);
+    }
+  }
+  return scene;
 }
 
 OwnRun own_run(const CommonOptions& options) {

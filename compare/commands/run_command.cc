@@ -24,6 +24,7 @@
 #include "compare/study/table.h"
 #include "native_model/rotor/contact_mass.h"
 #include "native_model/scene/contact_models.h"
+#include "native_model/scene/old_words.h"
 #include "native_model/scene/printable.h"
 #include "native_model/trajectory/part_file.h"
 
@@ -41,12 +42,7 @@ std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scen
           fmt::format("--contact {} belongs to --engine mujoco; the native engine accepts: rigid",
                       options.contact));
     }
-    const auto asked = options.integrator == "event"     ? scene::Integrator::kEvent
-                       : options.integrator == "paper"   ? scene::Integrator::kPaper
-                       : options.integrator == "verlet"  ? scene::Integrator::kVerlet
-                       : options.integrator == "literal" ? scene::Integrator::kLiteral
-                                                         : scene.run.integrator;
-    return native_engine(asked);
+    return native_engine(integrator_named(options.integrator).value_or(scene.run.integrator));
   }
   if (!options.integrator.empty()) {
     throw UsageError("--integrator belongs to --engine native; MuJoCo's is [mujoco] integrator");
@@ -91,7 +87,7 @@ void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene
   RunRequest request;
   request.interrupt = &interrupted();
   request.progress = [&](double share) { bar.show(share, kShadowFolder); };
-  const Trajectory trajectory = native_engine(scene::Integrator::kPaper)->run(scene, request);
+  const Trajectory trajectory = native_engine(scene::Integrator::kMidpoint)->run(scene, request);
   bar.clear();
   write_run(folder / kShadowFolder, scene, trajectory, hdf5);
   if (!quiet) fmt::print("its shadow written to {}\n", (folder / kShadowFolder).string());
@@ -135,13 +131,20 @@ int run(const RunArguments& options) {
 Command add_run_command(CLI::App& program) {
   auto options = std::make_shared<RunArguments>();
   CLI::App* app = program.add_subcommand("run", "Run one scene and write its series");
+  const auto today = [](const std::string& word) {
+    const std::string current(scene::current_word(word));
+    if (current != word)
+      fmt::print(stderr, "note: {}\n", scene::old_word_note("--integrator", word));
+    return current;
+  };
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
   app->add_option("--engine", options->engine, "native or mujoco")
       ->check(CLI::IsMember({"native", "mujoco"}))
       ->capture_default_str();
   app->add_option("--integrator", options->integrator,
-                  "Of the native engine: event, verlet, paper or literal")
-      ->check(CLI::IsMember({"event", "verlet", "paper", "literal"}));
+                  "Of the native engine: event, verlet, midpoint or euler")
+      ->transform(today)
+      ->check(CLI::IsMember({"event", "verlet", "midpoint", "euler"}));
   app->add_option("--contact", options->contact, "Of MuJoCo: how it solves the contact")
       ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()));
   add_run_options(*app, *options);

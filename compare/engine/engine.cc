@@ -93,14 +93,22 @@ const char* to_string(scene::Integrator integrator) {
   switch (integrator) {
     case scene::Integrator::kEvent:
       return "event";
-    case scene::Integrator::kPaper:
-      return "paper";
+    case scene::Integrator::kMidpoint:
+      return "midpoint";
     case scene::Integrator::kVerlet:
       return "verlet";
-    case scene::Integrator::kLiteral:
-      return "literal";
+    case scene::Integrator::kEuler:
+      return "euler";
   }
   return "";
+}
+
+std::optional<scene::Integrator> integrator_named(std::string_view name) {
+  using enum scene::Integrator;
+  for (const scene::Integrator one : {kEvent, kMidpoint, kVerlet, kEuler}) {
+    if (name == to_string(one)) return one;
+  }
+  return std::nullopt;
 }
 
 scene::Scene perturbed(const scene::Scene& scene, int ulps) {

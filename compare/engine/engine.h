@@ -34,7 +34,7 @@ struct RunRequest {
 class Engine {
  public:
   virtual ~Engine() = default;
-  // For columns and folders: "native-paper", "mujoco-coulomb".
+  // For columns and folders: "native-midpoint", "mujoco-coulomb".
   virtual std::string name() const = 0;
   // Failing numerics are a status of the result; scenes that the engine cannot run at all throw
   // std::runtime_error.
@@ -57,6 +57,8 @@ std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);
 std::unique_ptr<Engine> default_cone_engine();
 
 const char* to_string(scene::Integrator integrator);
+// Nothing where there is none of that name.
+std::optional<scene::Integrator> integrator_named(std::string_view name);
 
 // The scene with its initial state moved (see RunRequest::perturbation_ulps).
 scene::Scene perturbed(const scene::Scene& scene, int ulps);

@@ -59,7 +59,7 @@ struct Timing {
 // then the other contact models.
 struct Side {
   std::string label;      // "native", "coulomb", "cone"
-  std::string engine;     // "native-paper", "mujoco-coulomb"
+  std::string engine;     // "native-midpoint", "mujoco-coulomb"
   Trajectory trajectory;  // rows dense enough for plots, with the scene's output times
   Metrics metrics;
   std::vector<Extrapolation> limits;  // as figures(); figures that are not split: values alone

@@ -11,7 +11,7 @@ ShadowColumn shadow_column(Runner& runner, const Side& native,
   RunRequest request;
   request.commands = std::move(commands);
   // Impacts that take time are verlet's alone.
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     try {
       column.side = runner.shown({"shadow", native_engine(integrator), kNativeWork}, request);
       break;

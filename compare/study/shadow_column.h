@@ -1,7 +1,7 @@
 // The native stepper at MuJoCo's step, beside the reference and MuJoCo: what it is off by is the
 // step's doing, what MuJoCo is off beyond it the contact model's.
 //
-// It is the plugin's shadow (plugin/shadow.h): the stepping of `paper`, from the same start, one
+// It is the plugin's shadow (plugin/shadow.h): the stepping of `midpoint`, from the same start, one
 // step a MuJoCo step. Where a controller commands the actuator, it is driven by the commands that
 // MuJoCo's were given in the run that decides; the plugin's own shadow closes its own loop there.
 #pragma once

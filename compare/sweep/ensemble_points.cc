@@ -136,7 +136,7 @@ void run_group(const Group& group, scene::Integrator integrator, const std::atom
 }  // namespace
 
 bool has_ensemble(scene::Integrator integrator) {
-  return integrator == scene::Integrator::kPaper || integrator == scene::Integrator::kVerlet;
+  return integrator == scene::Integrator::kMidpoint || integrator == scene::Integrator::kVerlet;
 }
 
 std::vector<PointResult> run_ensembles(const std::vector<PointScene>& points,

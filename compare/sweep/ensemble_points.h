@@ -1,4 +1,4 @@
-// Points of the fixed steps `paper` and `verlet`, many at once in the vector registers of a core
+// Points of the fixed steps `midpoint` and `verlet`, many at once in the vector registers of a core
 // (native_model/stepping/ensemble.h). A point's figures do not depend on which points it is run
 // with.
 #pragma once

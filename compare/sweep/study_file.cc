@@ -226,7 +226,7 @@ void read_run(const TomlNode& node, Study& study, Diagnostics& diagnostics) {
   const StudyTable table(node, "run", {"engine", "integrator", "contact", "step", "end"},
                          diagnostics);
   constexpr std::array<std::string_view, 2> kEngines{"native", "mujoco"};
-  constexpr std::array<std::string_view, 4> kIntegrators{"event", "paper", "verlet", "literal"};
+  constexpr std::array<std::string_view, 4> kIntegrators{"event", "midpoint", "verlet", "euler"};
   static const auto kContacts = scene::contact_words<std::vector<std::string_view>>();
   if (table.word("engine", kEngines) == "mujoco") study.engine = EngineKind::kMujoco;
   const auto place = [](const auto& words, const std::string& word) {

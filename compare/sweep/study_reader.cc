@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "native_model/scene/old_words.h"
 #include "native_model/scene/printable.h"
 
 namespace rotorub::sweep {
@@ -67,7 +68,8 @@ std::optional<std::string> StudyTable::text(std::string_view key) const {
 
 std::optional<std::string> StudyTable::word(std::string_view key,
                                             std::span<const std::string_view> words) const {
-  const auto given = text(key);
+  auto given = text(key);
+  if (given) given = scene::current_word(*given);
   if (!given || std::find(words.begin(), words.end(), *given) != words.end()) return given;
   fail(key, fmt::format("`{}`; accepted: {}", scene::printable(*given), scene::join(words)));
   return std::nullopt;

@@ -8,7 +8,7 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/status_reason.h"
-#include "native_model/stepping/literal.h"
+#include "native_model/stepping/euler.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
@@ -224,12 +224,12 @@ Trajectory run_steps(const char* name, const Model& model, const scene::Run& sce
 
 Trajectory run_paper(const Model& model, const scene::Run& run, double step,
                      const NativeOptions& options) {
-  return run_steps<PaperStepper>("paper", model, run, step, options);
+  return run_steps<MidpointStepper>("midpoint", model, run, step, options);
 }
 
 Trajectory run_literal(const Model& model, const scene::Run& run, double step,
                        const NativeOptions& options) {
-  return run_steps<LiteralStepper>("literal", model, run, step, options);
+  return run_steps<EulerStepper>("euler", model, run, step, options);
 }
 
 // The state of t_k is known once step k is taken: the recorder is a step behind, and impacts of

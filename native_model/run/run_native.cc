@@ -68,9 +68,9 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
     return run_several_contacts(model, scene.run, step, options);
   }
   switch (integrator) {
-    case scene::Integrator::kPaper:
+    case scene::Integrator::kMidpoint:
       return run_paper(model, scene.run, step, options);
-    case scene::Integrator::kLiteral:
+    case scene::Integrator::kEuler:
       return run_literal(model, scene.run, step, options);
     default:
       return run_verlet(model, scene.run, step, options);

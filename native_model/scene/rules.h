@@ -16,7 +16,7 @@ namespace rotorub::scene {
 enum class RuleEngine {
   kNative,
   kNativeEvent,
-  kNativePaper,
+  kNativeMidpoint,
   kNativeVerlet,
   kMujoco,
   kMujocoRigid,

@@ -30,11 +30,11 @@ using PlanePair = Eigen::Vector2d;
 inline constexpr double kNever = 1e300;  // s, a switching time that is never reached
 
 // ---------------------------------------------------------------- [run]
-enum class Integrator { kEvent, kPaper, kVerlet, kLiteral };
+enum class Integrator { kEvent, kMidpoint, kVerlet, kEuler };
 
 struct Run {
   double end = 1.0;                            // s, > 0
-  double step = 1e-5;                          // s, > 0: fixed step of `paper` and of MuJoCo
+  double step = 1e-5;                          // s, > 0: fixed step of `midpoint` and of MuJoCo
   Integrator integrator = Integrator::kEvent;  // of the native engine
   std::optional<double> output_step;           // s, > 0; default end / 1000
   std::vector<double> output_times;            // s, in [0, end], ascending after reading
@@ -350,6 +350,8 @@ struct Scene {
   std::optional<std::string> folder;
   // Where its keys stand in the file (record.h), for what is found wrong later; null: made by hand.
   std::shared_ptr<const Record> record;
+  // What its user ought to know although it is accepted, a sentence each: words with a new name.
+  std::vector<std::string> notes;
 };
 
 // The scene with one of its auxiliary bearings; messages name that one's keys.

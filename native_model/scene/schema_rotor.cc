@@ -43,8 +43,8 @@ Table run() {
           "the defaults",
           [](Scene& scene) -> void* { return &scene.run; },
           {key<&Run::end>("end", kTime, "end of the run, which starts at 0").above(0).optional(),
-           key<&Run::step>("step", kTime, "step of `paper` and of MuJoCo").above(0).optional(),
-           word<&Run::integrator>("integrator", {"event", "paper", "verlet", "literal"},
+           key<&Run::step>("step", kTime, "step of `midpoint` and of MuJoCo").above(0).optional(),
+           word<&Run::integrator>("integrator", {"event", "midpoint", "verlet", "euler"},
                                   "of the native engine")
                .optional(),
            key<&Run::output_step>("output_step", kTime, "spacing of the rows of the series")

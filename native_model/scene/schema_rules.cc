@@ -22,7 +22,7 @@ Table rule_table() {
            "`largest.<column>`, `residual.<name>` or `count.<event>`; with `min`, `max` or both")
            .otherwise("none"),
        word<&Rule::engine>("engine",
-                           {"native", "native-event", "native-paper", "native-verlet", "mujoco",
+                           {"native", "native-event", "native-midpoint", "native-verlet", "mujoco",
                             "mujoco-rigid", "mujoco-coulomb", "mujoco-cone", "mujoco-cone-coulomb"},
                            "whose runs; `native` and `mujoco`: every one of them")
            .optional(),

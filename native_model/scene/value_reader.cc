@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "native_model/scene/old_words.h"
 #include "native_model/scene/printable.h"
 #include "native_model/scene/table_reader.h"
 #include "native_model/scene/text.h"
@@ -100,11 +101,12 @@ bool TableReader::read_whole(const Key& key, const TomlNode& node, const std::st
 
 bool TableReader::read_word(const Key& key, const TomlNode& node, const std::string& path,
                             int& index) {
+  const std::string_view word = node.kind == Kind::kString ? current_word(node.text) : "";
   for (std::size_t i = 0; i < key.words.size(); ++i) {
-    if (node.kind == Kind::kString && node.text == key.words[i]) {
-      index = static_cast<int>(i);
-      return true;
-    }
+    if (word.empty() || word != key.words[i]) continue;
+    if (word != node.text) scene_.notes.push_back(old_word_note(path, node.text));
+    index = static_cast<int>(i);
+    return true;
   }
   std::string reason = "expected " + key.expected() + got(node);
   const std::string_view meant = node.kind == Kind::kString ? nearest(node.text, key.words) : "";

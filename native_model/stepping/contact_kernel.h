@@ -1,7 +1,7 @@
 // The contact in a fixed step, for one run or for many: where the straight path of a step leaves
 // the circle, lasting contact goes on or an impact begins. Lasting contact ends the step on the
 // circle (contact/lasting_contact.h): sliding on as in the step before in all lanes at once,
-// anything else lane by lane. Impacts are the schemes' own (paper_step.h, verlet_step.h).
+// anything else lane by lane. Impacts are the schemes' own (midpoint_step.h, verlet_step.h).
 #pragma once
 
 #include "native_model/contact/circle.h"

@@ -202,7 +202,7 @@ void run_sized(const std::vector<Model>& models, double step, scene::Integrator 
   if (integrator == scene::Integrator::kVerlet) {
     run_groups<VerletKernel<M>, M, W>(models, step, steps, watch, out);
   } else {
-    run_groups<PaperKernel<M>, M, W>(models, step, steps, watch, out);
+    run_groups<MidpointKernel<M>, M, W>(models, step, steps, watch, out);
   }
 }
 
@@ -242,7 +242,7 @@ double EnsembleRun::mean_force(double end) const {
 Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator integrator,
                    InstructionSet set)
     : models_(std::move(models)), step_(step), integrator_(integrator), set_(set) {
-  assert(integrator == scene::Integrator::kPaper || integrator == scene::Integrator::kVerlet);
+  assert(integrator == scene::Integrator::kMidpoint || integrator == scene::Integrator::kVerlet);
   assert(set <= best_instruction_set());
   for (std::size_t i = 0; i < models_.size(); ++i) {
     if (!same_structure(models_.front(), models_[i])) {
@@ -255,7 +255,7 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
     }
     const auto& c = models_[i].first().contact;
     const bool sampled = models_[i].first().controller && models_[i].first().sample_time > 0.0;
-    if ((integrator == scene::Integrator::kPaper || sampled) && c && c->impact_time() > 0.0) {
+    if ((integrator == scene::Integrator::kMidpoint || sampled) && c && c->impact_time() > 0.0) {
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has impacts that take time, which need the "
                                   "integrator event, or verlet without a sampled controller");

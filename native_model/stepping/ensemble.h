@@ -54,10 +54,10 @@ InstructionSet best_instruction_set();  // of this processor
 class Ensemble {
  public:
   // All of the same structure (stepping/lane_model.h); throws std::invalid_argument naming the
-  // first that is not. Models are copied. step: s, > 0. integrator: kPaper or kVerlet. `set`: not
-  // beyond best_instruction_set().
+  // first that is not. Models are copied. step: s, > 0. integrator: kMidpoint or kVerlet. `set`:
+  // not beyond best_instruction_set().
   Ensemble(std::vector<Model> models, double step,
-           scene::Integrator integrator = scene::Integrator::kPaper,
+           scene::Integrator integrator = scene::Integrator::kMidpoint,
            InstructionSet set = best_instruction_set());
 
   // All runs from t = 0 over `steps` steps; controllers are evaluated run by run.

@@ -76,7 +76,7 @@ ROTORUB_INLINE void advance_all(LaneWork<Kernel, W>& group, double step, std::in
 }  // namespace
 
 #define ROTORUB_DEFINE(M)                                                             \
-  void advance(LaneWork<PaperKernel<M>, W>& group, double step, std::int64_t from,    \
+  void advance(LaneWork<MidpointKernel<M>, W>& group, double step, std::int64_t from, \
                std::int64_t count) {                                                  \
     advance_all(group, step, from, count);                                            \
   }                                                                                   \

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "native_model/stepping/paper_step.h"
+#include "native_model/stepping/midpoint_step.h"
 #include "native_model/stepping/verlet_step.h"
 
 namespace rotorub {
@@ -33,12 +33,12 @@ struct LaneWork {
 
 // `advance`: steps [from, from + count) of the group. `velocities_now`: VerletKernel::velocity_now.
 // What is done run by run is compiled elsewhere.
-#define ROTORUB_LANE_STEPS(W, ...)                                                             \
-  void advance(LaneWork<PaperKernel<__VA_ARGS__>, W>& group, double step, std::int64_t from,   \
-               std::int64_t count);                                                            \
-  void advance(LaneWork<VerletKernel<__VA_ARGS__>, W>& group, double step, std::int64_t from,  \
-               std::int64_t count);                                                            \
-  void velocities_now(VerletKernel<__VA_ARGS__>& kernel, std::int64_t k, lanes::Lane<W>* now); \
+#define ROTORUB_LANE_STEPS(W, ...)                                                              \
+  void advance(LaneWork<MidpointKernel<__VA_ARGS__>, W>& group, double step, std::int64_t from, \
+               std::int64_t count);                                                             \
+  void advance(LaneWork<VerletKernel<__VA_ARGS__>, W>& group, double step, std::int64_t from,   \
+               std::int64_t count);                                                             \
+  void velocities_now(VerletKernel<__VA_ARGS__>& kernel, std::int64_t k, lanes::Lane<W>* now);  \
   ROTORUB_RUN_BY_RUN(extern template, __VA_ARGS__)
 
 #define ROTORUB_RUN_BY_RUN(template_, ...)                                                  \
@@ -46,7 +46,7 @@ struct LaneWork {
   template_ void LoadKernel<__VA_ARGS__>::magnet_force(const T*, const T*, T*) const;       \
   template_ void ContactKernel<__VA_ARGS__>::press_lane(int, const Centre&, const Centre&); \
   template_ void ContactKernel<__VA_ARGS__>::forget_impacts();                              \
-  template_ void PaperKernel<__VA_ARGS__>::collide(int, std::int64_t);                      \
+  template_ void MidpointKernel<__VA_ARGS__>::collide(int, std::int64_t);                   \
   template_ void VerletImpacts<__VA_ARGS__>::find_lasting();                                \
   template_ void VerletImpacts<__VA_ARGS__>::show_lasting(int, std::int64_t, T*) const;     \
   template_ void VerletImpacts<__VA_ARGS__>::go_on_lasting(std::int64_t);                   \

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "native_model/stepping/paper_step.h"
+#include "native_model/stepping/midpoint_step.h"
 #include "native_model/stepping/verlet_step.h"
 
 namespace rotorub {
@@ -140,14 +140,14 @@ const double* Stepper::saved_q(const double* memory) {
   return memory + kBeforeState;
 }
 
-PaperStepper::PaperStepper(const Model& model, double step)
-    : PaperStepper(model, step, initial_state(model)) {}
-PaperStepper::PaperStepper(const Model& model, double step, const State& start)
-    : Stepper(Kernel::make<PaperKernel>(model, step, start)) {}
-std::size_t PaperStepper::memory_size(const Model& model) {
-  return Kernel::Of<PaperKernel, Model>(model, 1.0).memory_size();
+MidpointStepper::MidpointStepper(const Model& model, double step)
+    : MidpointStepper(model, step, initial_state(model)) {}
+MidpointStepper::MidpointStepper(const Model& model, double step, const State& start)
+    : Stepper(Kernel::make<MidpointKernel>(model, step, start)) {}
+std::size_t MidpointStepper::memory_size(const Model& model) {
+  return Kernel::Of<MidpointKernel, Model>(model, 1.0).memory_size();
 }
-const double* PaperStepper::v() const { return kernel_->v(); }
+const double* MidpointStepper::v() const { return kernel_->v(); }
 
 VerletStepper::VerletStepper(const Model& model, double step)
     : VerletStepper(model, step, initial_state(model)) {}

@@ -1,5 +1,5 @@
 // One run in fixed steps, by one of two schemes of the same equations:
-// - paper: the loads at the middle of the step, impacts not located; first order (paper_step.h);
+// - paper: the loads at the middle of the step, impacts not located; first order (midpoint_step.h);
 // - verlet: leapfrog with located impacts, second order (verlet_step.h).
 #pragma once
 
@@ -37,17 +37,17 @@ class Stepper {
   static const double* saved_q(const double* memory);
 
  protected:
-  struct Kernel;  // paper_step.h or verlet_step.h, of the model's size
+  struct Kernel;  // midpoint_step.h or verlet_step.h, of the model's size
   explicit Stepper(std::unique_ptr<Kernel> kernel);
   std::unique_ptr<Kernel> kernel_;
 };
 
-class PaperStepper : public Stepper {
+class MidpointStepper : public Stepper {
  public:
   // From the model's initial state, or from another, at its own time. step: s, > 0. The model must
   // outlive the stepper. The command is held over a step.
-  PaperStepper(const Model& model, double step);
-  PaperStepper(const Model& model, double step, const State& start);
+  MidpointStepper(const Model& model, double step);
+  MidpointStepper(const Model& model, double step, const State& start);
   static std::size_t memory_size(const Model& model);
 
   const double* v() const;  // of t_{k+1}
@@ -55,8 +55,8 @@ class PaperStepper : public Stepper {
 
 class VerletStepper : public Stepper {
  public:
-  // As PaperStepper. The command of step k is its mean over (t_k - step/2, t_k + step/2); forces of
-  // the result are those about t_k, impacts those between t_k and t_{k+1}.
+  // As MidpointStepper. The command of step k is its mean over (t_k - step/2, t_k + step/2); forces
+  // of the result are those about t_k, impacts those between t_k and t_{k+1}.
   VerletStepper(const Model& model, double step);
   VerletStepper(const Model& model, double step, const State& start);
   static std::size_t memory_size(const Model& model);

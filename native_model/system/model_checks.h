@@ -27,7 +27,7 @@ void check_spin_inertia(const scene::Scene& scene, const Model& model);
 void check_initial_lists(const scene::Scene& scene, const Layout& layout);
 // A mode with a node at the contact moves the contact point by nothing: that is known only now.
 void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_t bearing);
-// `paper`, `literal` and MuJoCo's own step solve an impact in no time. `verlet` knows impacts that
+// `midpoint`, `euler` and MuJoCo's own step solve an impact in no time. `verlet` knows impacts that
 // take time (kUnsampled), but not samples of a controller within one: loads and command are held
 // over it.
 enum class FiniteImpacts { kNone, kUnsampled };

@@ -1,6 +1,6 @@
-// The native integrators: whole runs of `event`, a step of `paper`, an ensemble per run and step,
-// what each part of a machine costs, and what a mode costs. Run with --benchmark_repetitions and
-// take the medians; README.md has a table.
+// The native integrators: whole runs of `event`, a step of `midpoint`, an ensemble per run and
+// step, what each part of a machine costs, and what a mode costs. Run with --benchmark_repetitions
+// and take the medians; README.md has a table.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -84,15 +84,16 @@ void register_all() {
     if (name.starts_with("paper"))
       scene.forces[0].on = 0.0, scene.initial.steady = false;  // contact within 0.1 s
     const Model model = make_model(scene);
-    add("paper/" + name, [=](benchmark::State& s) { fixed_steps<PaperStepper>(s, model); });
+    add("midpoint/" + name, [=](benchmark::State& s) { fixed_steps<MidpointStepper>(s, model); });
     add("verlet/" + name, [=](benchmark::State& s) { fixed_steps<VerletStepper>(s, model); });
     if (name == "paper_sliding") continue;  // as paper_passive, without its controller
     const char* sets[] = {"least", "avx2", "avx512"};
     for (const auto set :
          {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
       if (set > best_instruction_set()) continue;
-      for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
-        const std::string scheme = integrator == scene::Integrator::kPaper ? "paper" : "verlet";
+      for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+        const std::string scheme =
+            integrator == scene::Integrator::kMidpoint ? "midpoint" : "verlet";
         add("ensemble/" + scheme + "/" + sets[static_cast<int>(set)] + "/" + name,
             [=](benchmark::State& s) { ensemble_steps(s, model, integrator, set); });
       }
@@ -100,15 +101,15 @@ void register_all() {
   }
   for (const bench::Part& part : bench::parts()) {
     const Model model = part.make();
-    add(std::string("parts/paper/") + part.name,
-        [=](benchmark::State& s) { fixed_steps<PaperStepper>(s, model); });
+    add(std::string("parts/midpoint/") + part.name,
+        [=](benchmark::State& s) { fixed_steps<MidpointStepper>(s, model); });
     add(std::string("parts/event/") + part.name,
         [=](benchmark::State& s) { event_run(s, model, 0.1); });
   }
   for (const int n : {2, 4, 8, 16, 32, 64}) {
     const Model model = make_model(bench::with_modes(n));
-    add("modes/paper/" + std::to_string(n),
-        [=](benchmark::State& s) { fixed_steps<PaperStepper>(s, model); });
+    add("modes/midpoint/" + std::to_string(n),
+        [=](benchmark::State& s) { fixed_steps<MidpointStepper>(s, model); });
     add("modes/event/" + std::to_string(n), [=](benchmark::State& s) { event_run(s, model, 0.1); });
   }
 }

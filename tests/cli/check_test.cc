@@ -115,7 +115,7 @@ TEST(CliCheck, AViolatedRuleGivesOneAndSaysByHowMuch) {
 TEST(CliCheck, ARefusalThatDoesNotComeIsAViolation) {
   const Folder folder;
   write(folder, "drop.toml",
-        "[[check]]\nengine = \"native-paper\"\nexpect = \"refused\"\nwhy = \"w\"\n");
+        "[[check]]\nengine = \"native-midpoint\"\nexpect = \"refused\"\nwhy = \"w\"\n");
   EXPECT_EQ(folder.run({"check", "drop.toml"}).code, 1);
   EXPECT_EQ(folder.run({"check", "drop.toml", "--set", "check=none"}).code, 0);
 }

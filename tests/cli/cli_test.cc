@@ -48,7 +48,7 @@ TEST(CliRun, WritesTheContractsFiles) {
   for (const std::string engine : {"native", "mujoco"}) {
     const Folder folder;
     const Outcome done = folder.run({"run", shipped("bench_ring"), "--engine", engine, "--end",
-                                     "0.02", "--set", "run.integrator=paper", "-o", "out"});
+                                     "0.02", "--set", "run.integrator=midpoint", "-o", "out"});
     ASSERT_EQ(done.code, 0) << done.err;
     EXPECT_EQ(done.err, "");
     EXPECT_EQ(folder.files(),
@@ -93,16 +93,16 @@ TEST(CliRun, QuietSaysNothing) {
 
 TEST(CliRun, SaysWhereTheDefaultFolderIs) {
   const Folder folder;
-  const Outcome done = folder.run({"run", shipped("bench_drop"), "--integrator", "paper"});
+  const Outcome done = folder.run({"run", shipped("bench_drop"), "--integrator", "midpoint"});
   ASSERT_EQ(done.code, 0) << done.err;
-  EXPECT_TRUE(folder.has("runs/bench_drop-native-paper/summary.json"));
-  EXPECT_TRUE(contains(done.out, "runs/bench_drop-native-paper"));
+  EXPECT_TRUE(folder.has("runs/bench_drop-native-midpoint/summary.json"));
+  EXPECT_TRUE(contains(done.out, "runs/bench_drop-native-midpoint"));
 }
 
 TEST(CliRun, StepAndEndTakeUnits) {
   const Folder folder;
   const Outcome done = folder.run({"run", shipped("bench_drop"), "--step", "20us", "--end", "10 ms",
-                                   "--integrator", "paper", "--json", "-o", "out"});
+                                   "--integrator", "midpoint", "--json", "-o", "out"});
   ASSERT_EQ(done.code, 0) << done.err;
   const json summary = json::parse(done.out);
   EXPECT_DOUBLE_EQ(summary.at("step").get<double>(), 2e-5);
@@ -150,7 +150,7 @@ TEST(CliRun, OptionsOfTheOtherEngineAreRefused) {
   const Folder folder;
   EXPECT_EQ(folder.run({"run", shipped("bench_drop"), "--contact", "cone"}).code, 2);
   EXPECT_EQ(
-      folder.run({"run", shipped("bench_drop"), "--engine", "mujoco", "--integrator", "paper"})
+      folder.run({"run", shipped("bench_drop"), "--engine", "mujoco", "--integrator", "midpoint"})
           .code,
       2);
   EXPECT_TRUE(folder.files().empty());
@@ -165,7 +165,7 @@ TEST(CliRun, AFolderThatCannotBeMadeIsBadInput) {
 // A step beyond the stability of the fastest mode cannot work: exit code 3, said so.
 TEST(CliRun, ARunThatCannotBeSolvedIsThree) {
   const Folder folder;
-  const Outcome failed = folder.run({"run", shipped("bench_ring"), "--integrator", "paper",
+  const Outcome failed = folder.run({"run", shipped("bench_ring"), "--integrator", "midpoint",
                                      "--step", "0.1", "--end", "1", "-o", "out"});
   EXPECT_EQ(failed.code, 3);
   EXPECT_NE(failed.err, "");
@@ -175,7 +175,7 @@ TEST(CliRun, ARunThatCannotBeSolvedIsThree) {
 // Ctrl-C: what there is is kept, whole; exit code 130.
 TEST(CliRun, AnInterruptKeepsPartialResults) {
   const Folder folder;
-  Program program(folder.path(), {"run", shipped("bench_ring"), "--integrator", "paper", "--end",
+  Program program(folder.path(), {"run", shipped("bench_ring"), "--integrator", "midpoint", "--end",
                                   "1e5", "--set", "run.output_step=0.1", "-o", "out"});
   std::this_thread::sleep_for(std::chrono::seconds(1));
   program.interrupt();

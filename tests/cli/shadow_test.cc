@@ -21,14 +21,14 @@ TEST(CliShadow, MujocoRunsWriteItsFiles) {
   EXPECT_EQ(json::parse(run.out).at("engine"), "mujoco") << "one summary, and nothing else";
   const json summary = json::parse(folder.text("out/shadow/summary.json"));
   EXPECT_EQ(summary.at("engine"), "native");
-  EXPECT_EQ(summary.at("integrator"), "paper");
+  EXPECT_EQ(summary.at("integrator"), "midpoint");
   EXPECT_EQ(summary.at("step"), json::parse(run.out).at("step"));
   for (const char* file : {"series.csv", "impacts.csv", "events.csv"}) {
     EXPECT_TRUE(folder.has(std::string("out/shadow/") + file)) << file;
   }
   // What a native run writes.
   ASSERT_EQ(folder
-                .run({"run", shipped("bench_ring"), "--integrator", "paper", "--end", "20ms",
+                .run({"run", shipped("bench_ring"), "--integrator", "midpoint", "--end", "20ms",
                       "--quiet", "-o", "native"})
                 .code,
             0);

@@ -34,10 +34,10 @@ inline Eigen::Vector2d point(const mjModel* m, const mjData* d, const char* name
   return {p[0], p[1]};
 }
 
-// A native run of `paper` with a row at every step.
+// A native run of `midpoint` with a row at every step.
 inline Trajectory every_step(const scene::Scene& scene, int steps) {
   NativeOptions options;
-  options.integrator = scene::Integrator::kPaper;
+  options.integrator = scene::Integrator::kMidpoint;
   options.output_times.emplace();
   for (int k = 0; k <= steps; ++k) options.output_times->push_back(k * scene.run.step);
   scene::Scene own = scene;

@@ -175,7 +175,7 @@ TEST_F(Shadow, RunsBesideSegments) {
   const ModelPointer m = load(mjcf(scene));
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
-  PaperStepper native(config.model, scene.run.step);
+  MidpointStepper native(config.model, scene.run.step);
   double apart = 0.0, size = 0.0;
   bool touched = false;
   for (int k = 0; k < 3000; ++k) {
@@ -201,7 +201,7 @@ TEST_F(Shadow, StepsOnceAStepOfRungeKutta) {
   m->opt.integrator = mjINT_RK4;
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
-  PaperStepper native(config.model, scene.run.step);
+  MidpointStepper native(config.model, scene.run.step);
   for (int k = 0; k < 1500; ++k) {
     mj_step(m.get(), d.get());
     native.step(k);

@@ -17,6 +17,7 @@
 #include "compare/sweep/batch_run.h"
 #include "compare/sweep/point_scene.h"
 #include "native_model/control/library.h"
+#include "native_model/scene/old_words.h"
 
 namespace py = pybind11;
 
@@ -27,12 +28,9 @@ using Words = std::vector<std::string>;
 
 std::optional<scene::Integrator> integrator_of(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
-  using enum scene::Integrator;
-  for (const scene::Integrator one : {kEvent, kVerlet, kPaper, kLiteral}) {
-    if (*name == to_string(one)) return one;
-  }
+  if (const auto one = integrator_named(scene::current_word(*name))) return one;
   throw py::value_error(
-      fmt::format("integrator: {}; accepted are event, verlet, paper, literal", *name));
+      fmt::format("integrator: {}; accepted are event, verlet, midpoint, euler", *name));
 }
 
 // What a call sets beside its overrides: seconds, or a string with a unit.

@@ -4,7 +4,7 @@ page.precision = (() => {
   const {css, axes, layout} = page;
 
   // One colour a family's engine, one dash a setting.
-  const colors = {'native-event': '--native', 'native-verlet': '--good', 'native-paper': '--mode-5',
+  const colors = {'native-event': '--native', 'native-verlet': '--good', 'native-midpoint': '--mode-5',
     'mujoco-rigid': '--rigid', 'mujoco-coulomb': '--coulomb', 'mujoco-cone': '--cone',
     'mujoco-cone-coulomb': '--cone-coulomb'};
   const spare = ['--mode-1', '--mode-2', '--mode-3', '--mode-4', '--mode-6', '--soft'];

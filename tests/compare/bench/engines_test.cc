@@ -44,7 +44,7 @@ TEST(BenchEngines, AreChosenByNameOrFamily) {
                                                        "mujoco-cone", "mujoco-cone-coulomb"}));
   EXPECT_EQ(names("native, mujoco-cone").size(), 4u);
   const auto all = names("");
-  for (const char* name : {"native-event", "native-paper", "penalty", "penalty-per-axis"}) {
+  for (const char* name : {"native-event", "native-midpoint", "penalty", "penalty-per-axis"}) {
     EXPECT_NE(std::find(all.begin(), all.end(), name), all.end()) << name;
   }
   const std::string why = refusal([] { chosen_engines("native,bullet"); });

@@ -127,7 +127,7 @@ TEST(CheckCase, MujocoDecidesNothing) {
 TEST(CheckEngines, RulesAreOfTheirEngine) {
   const std::vector<Rule> all{at_most("steps", 1.0),
                               at_most("steps", 2.0, RuleEngine::kNativeEvent),
-                              at_most("steps", 3.0, RuleEngine::kNativePaper),
+                              at_most("steps", 3.0, RuleEngine::kNativeMidpoint),
                               at_most("steps", 4.0, RuleEngine::kMujocoRigid)};
   const auto limits = [&](RuleEngine word) {
     std::vector<double> found;

@@ -28,7 +28,7 @@ inline std::vector<NamedEngine> engines() {
   using scene::Integrator;
   std::vector<NamedEngine> all;
   for (const Integrator i :
-       {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper, Integrator::kLiteral}) {
+       {Integrator::kEvent, Integrator::kVerlet, Integrator::kMidpoint, Integrator::kEuler}) {
     all.push_back({native_engine(i), "", kRoundOff});
   }
   all.push_back({mujoco_engine(ContactModel::kRigid), "", kRoundOff});

@@ -171,7 +171,7 @@ TEST(ShadowColumn, IsTheNativeStepperAtMujocosStep) {
   const SceneComparison& c = replayed_ring();
   ASSERT_TRUE(c.shadow.side);
   const Trajectory& t = c.shadow.side->trajectory;
-  EXPECT_EQ(t.integrator, "paper");
+  EXPECT_EQ(t.integrator, "midpoint");
   EXPECT_EQ(t.step, c.scene.run.step);
   EXPECT_EQ(t.steps, c.sides[1].trajectory.steps);
   EXPECT_TRUE(c.shadow.driven);
@@ -183,7 +183,7 @@ TEST(ShadowColumn, IsTheNativeStepperAtMujocosStep) {
   EXPECT_NE(comparison_table(c).find("shadow: the native stepper (paper)"), std::string::npos);
 }
 
-// Impacts that take time are not `paper`'s.
+// Impacts that take time are not `midpoint`'s.
 TEST(ShadowColumn, IsVerletWhereImpactsTakeTime) {
   CompareOptions options;
   options.mode = CompareMode::kResync;

@@ -16,7 +16,7 @@ class RunDirectory : public testing::Test {
   RunDirectory() {
     scene_ = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
                                std::vector<std::string>{"run.end=0.02"});
-    run_ = native_engine(scene::Integrator::kPaper)->run(scene_, {});
+    run_ = native_engine(scene::Integrator::kMidpoint)->run(scene_, {});
   }
   ~RunDirectory() override { std::filesystem::remove_all(own_); }
 

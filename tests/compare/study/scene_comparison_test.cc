@@ -233,7 +233,7 @@ TEST(SceneComparison, AnInterruptKeepsWhatThereIs) {
   CompareOptions options;
   options.interrupt = &stop;
   const SceneComparison c =
-      compare_scene(bench_ring({"run.end=0.06", "run.integrator=paper"}), options);
+      compare_scene(bench_ring({"run.end=0.06", "run.integrator=midpoint"}), options);
   EXPECT_TRUE(c.interrupted);
   ASSERT_EQ(c.sides.size(), 1U);
   EXPECT_EQ(c.sides[0].trajectory.status, Status::kInterrupted);

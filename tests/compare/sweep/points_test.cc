@@ -55,7 +55,7 @@ TEST(EnsemblePoints, APointAmongOthersIsThePointAlone) {
   const StudyFolder folder;
   const Study study = folder.study(frictions("[0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6]"));
   const PointScenes scenes(study, {});
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     const auto points = all_points(scenes);
     const auto together = ordered(run_ensembles(points, integrator, kGoOn));
     ASSERT_EQ(together.size(), points.size());
@@ -67,7 +67,7 @@ TEST(EnsemblePoints, APointAmongOthersIsThePointAlone) {
   }
 }
 
-// `rotorub run` adds the same impulses of `paper` in the same order: the same bits. Its time in
+// `rotorub run` adds the same impulses of `midpoint` in the same order: the same bits. Its time in
 // contact is a sum of steps where the ensemble counts them, and `verlet` adds each impulse in two
 // halves: those figures agree to round-off. The first touch of `verlet` is that of its step.
 TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
@@ -75,7 +75,7 @@ TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
   const StudyFolder folder;
   const Study study = folder.study(frictions("[0.1, 0.3]"));
   const PointScenes scenes(study, {});
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     for (const PointResult& many : run_ensembles(all_points(scenes), integrator, kGoOn)) {
       const auto one =
           run_single(many.point, scenes.at(many.point), *native_engine(integrator), kGoOn);
@@ -89,7 +89,7 @@ TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
       EXPECT_NEAR(a.peak_force, b.peak_force, kRoundOff * b.peak_force);
       EXPECT_LE(*a.first_touch, *b.first_touch);
       EXPECT_NEAR(*a.first_touch, *b.first_touch, 20e-6);
-      if (integrator != scene::Integrator::kPaper) continue;
+      if (integrator != scene::Integrator::kMidpoint) continue;
       EXPECT_EQ(a.first_touch, b.first_touch);
       EXPECT_EQ(a.impulse_total, b.impulse_total);
       EXPECT_EQ(a.peak_force, b.peak_force);
@@ -125,7 +125,7 @@ step = "20 us"
 )");
   const PointScenes scenes(study, {});
   double deepest = 0.0;
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     for (const PointResult& many : run_ensembles(all_points(scenes), integrator, kGoOn)) {
       SCOPED_TRACE(many.point);
       const auto one =
@@ -141,7 +141,8 @@ step = "20 us"
       deepest = std::max(deepest, *b.max_penetration);
     }
   }
-  EXPECT_GT(deepest, 1e-9) << "`paper` goes into the ring, so that there is something to compare";
+  EXPECT_GT(deepest, 1e-9)
+      << "`midpoint` goes into the ring, so that there is something to compare";
 }
 
 // They are in contact as long as they take, with the force of that time.
@@ -213,11 +214,11 @@ end = "20 ms"
 )");
   const PointScenes scenes(study, {});
   const auto points = all_points(scenes);
-  const auto results = ordered(run_ensembles(points, scene::Integrator::kPaper, kGoOn));
+  const auto results = ordered(run_ensembles(points, scene::Integrator::kMidpoint, kGoOn));
   EXPECT_TRUE(results[0].ok());
   EXPECT_EQ(results[1].status, "step_too_large");
   const auto alone =
-      run_single(1, points[1].scene, *native_engine(scene::Integrator::kPaper), kGoOn);
+      run_single(1, points[1].scene, *native_engine(scene::Integrator::kMidpoint), kGoOn);
   EXPECT_EQ(results[1].reason, alone->reason);
   EXPECT_FALSE(alone->reason.empty());
 }

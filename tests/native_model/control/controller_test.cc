@@ -102,7 +102,7 @@ void expect_hold(scene::Integrator integrator) {
   for (std::size_t row = 0; row < 40; ++row) EXPECT_EQ(x[row], 0.0) << "before it is on";
 }
 
-TEST(SampledController, PaperHoldsBetweenSamples) { expect_hold(scene::Integrator::kPaper); }
+TEST(SampledController, MidpointHoldsBetweenSamples) { expect_hold(scene::Integrator::kMidpoint); }
 TEST(SampledController, EventHoldsBetweenSamples) { expect_hold(scene::Integrator::kEvent); }
 
 // The time of the first row with a command.
@@ -114,7 +114,7 @@ double first_command(const Trajectory& t) {
 
 TEST(SampledController, BothIntegratorsStartAtTheSameInstant) {
   // Switched on between two samples.
-  scene::Scene paper = sampled_scene(scene::Integrator::kPaper),
+  scene::Scene paper = sampled_scene(scene::Integrator::kMidpoint),
                event = sampled_scene(scene::Integrator::kEvent);
   paper.first().controller->on = event.first().controller->on = 0.0043;
   EXPECT_NEAR(first_command(run_native(paper)), first_command(run_native(event)), 1.01e-4);

@@ -100,7 +100,7 @@ TEST(Library, TellsItsStateAndIsAskedOnceASample) {
 
 TEST(Library, EveryIntegratorGivesTheSameCommands) {
   for (const auto integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     scene::Scene s = read("faulty_controller.so");
     s.run.integrator = integrator;
     s.run.output_step = 1e-4;
@@ -157,7 +157,7 @@ TEST(Library, IsRefusedWithoutASampleTimeAndConfigByOtherKinds) {
 // has.
 void expect_end(const std::string& fault, const std::string& word) {
   for (const auto integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     scene::Scene s = read("faulty_controller.so", "fault = \"" + fault + "\"\nat = 0.004");
     s.run.integrator = integrator;
     const Trajectory t = run_native(s);
@@ -179,7 +179,7 @@ TEST(Library, AThrownNumberEndsTheRun) { expect_end("throw a number", "threw"); 
 
 TEST(Library, FailureAtTheFirstSampleIsARunToo) {
   for (const auto integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     scene::Scene s = read("faulty_controller.so", "fault = \"step\"");
     s.run.integrator = integrator;
     const Trajectory t = run_native(s);

@@ -1,4 +1,4 @@
-// `paper` tends to `event` at first order: a tenth of the step, a tenth of the error.
+// `midpoint` tends to `event` at first order: a tenth of the step, a tenth of the error.
 #include <gtest/gtest.h>
 
 #include <cmath>

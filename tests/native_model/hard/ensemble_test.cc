@@ -25,7 +25,7 @@ struct Single {
 
 // The run alone, with its own loop: a command each step, or held between samples.
 Single alone(const Model& model, double step, std::int64_t steps) {
-  PaperStepper stepper(model, step);
+  MidpointStepper stepper(model, step);
   Single out;
   ZeroOrderHold hold(model);
   for (std::int64_t k = 0; k < steps; ++k) {
@@ -60,7 +60,7 @@ void expect_same_bits(const std::function<Model(int)>& make, std::int64_t steps 
   const std::vector<EnsembleRun> runs = Ensemble(models, step).run(steps);
   ASSERT_EQ(runs.size(), models.size());
   // Every instruction set that the machine has, and verlet beside: the same bits.
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     std::vector<EnsembleRun> least;
     for (const auto set :
          {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {

@@ -26,7 +26,7 @@ double error(const Trajectory& a, const Trajectory& b) {
   return most;
 }
 
-constexpr scene::Integrator kFixed[] = {scene::Integrator::kPaper, scene::Integrator::kVerlet};
+constexpr scene::Integrator kFixed[] = {scene::Integrator::kMidpoint, scene::Integrator::kVerlet};
 
 TEST(HardExploded, AnEmulatedSpringBeyondTheStepIsRefusedWithTheLimit) {
   const scene::Scene scene =
@@ -41,7 +41,7 @@ TEST(HardExploded, AnEmulatedSpringBeyondTheStepIsRefusedWithTheLimit) {
   // 2 / sqrt((1e9 + 1e5) / 1 kg) = 63 us.
   const scene::Scene stiff =
       with("bench_ring", {"controller={kind=\"passive\",stiffness=1e9}", "run.end=10ms"});
-  EXPECT_EQ(run_with(stiff, scene::Integrator::kPaper, 1e-4).status, Status::kStepTooLarge);
+  EXPECT_EQ(run_with(stiff, scene::Integrator::kMidpoint, 1e-4).status, Status::kStepTooLarge);
   const Trajectory exact = test::run_event(stiff);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   EXPECT_LT(error(exact, run_with(stiff, scene::Integrator::kVerlet, 1e-6)), 1e-5);
@@ -94,7 +94,7 @@ TEST(HardExploded, AnUnstableMagnetLeavesItsAirGap) {
            {R"(actuator={kind="electromagnet",force_constant=1e-4,bias_current=3.0,air_gap=1e-3})",
             "stator.stiffness=1e3", "initial.stator=[1e-5,0]", "run.end=0.2"});
   for (const scene::Integrator integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     const Trajectory t = run_with(scene, integrator);
     EXPECT_EQ(t.status, Status::kOutOfRange) << t.message;
     EXPECT_NE(t.message.find("air gap"), std::string::npos) << t.message;
@@ -117,10 +117,10 @@ TEST(HardExploded, ABalanceThatDoesNotCloseEndsNoRun) {
 
   const scene::Scene resting = with("bench_drop", {"initial.y=[-0.0005]"});
   for (const scene::Integrator integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     const Trajectory t = run_with(resting, integrator);
     EXPECT_EQ(t.status, Status::kOk) << t.message;
-    // Of the weight over the clearance; `paper` begins with a fall of one step.
+    // Of the weight over the clearance; `midpoint` begins with a fall of one step.
     EXPECT_LT(t.statistics.energy_residual(), 1e-5);
   }
 }

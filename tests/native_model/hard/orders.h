@@ -23,8 +23,8 @@ using scene::Integrator;
 // steps. 1 ms, where the rows and the samples are, is a whole number of each.
 inline constexpr int kStepsInAMillisecond[] = {20,  25,  30,  40,  60,   90,   135,
                                                200, 300, 450, 680, 1000, 1400, 2000};
-inline constexpr double kPaperOrder = 0.8;   // 1, less the scatter of impacts within their steps
-inline constexpr double kVerletOrder = 1.7;  // 2, likewise
+inline constexpr double kMidpointOrder = 0.8;  // 1, less the scatter of impacts within their steps
+inline constexpr double kVerletOrder = 1.7;    // 2, likewise
 // m: `event` and 30,000 steps of round-off come to 1e-14; what is judged stands well above, and is
 // five errors at least.
 inline constexpr double kFloor = 1e-13;
@@ -50,7 +50,7 @@ inline constexpr const char* kTakesTime = "an impact that takes time needs the i
 inline constexpr const char* kSampled =
     "under a controller with a sample_time, needs the integrator event";
 inline constexpr std::array<Refusal, 2> kRefused{
-    {{Integrator::kPaper, "finite_impacts", nullptr, kTakesTime},
+    {{Integrator::kMidpoint, "finite_impacts", nullptr, kTakesTime},
      {Integrator::kVerlet, "finite_impacts", "sampled_support", kSampled}}};
 
 // Where a scheme was measured short of that; the bound is set from what was measured.
@@ -63,9 +63,9 @@ inline constexpr std::array<Kink, 3> kKinks{{
     // Errors scatter by a factor of 30 between neighbouring steps: 1.66.
     {Integrator::kVerlet, "anisotropic_rotor", "switched_load", 1.5},
     // Flat over the five coarsest steps (0.62 over all), 0.93 over those below.
-    {Integrator::kPaper, "anisotropic_rotor", "lost_blade", 0.55},
+    {Integrator::kMidpoint, "anisotropic_rotor", "lost_blade", 0.55},
     // Flat over the two coarsest and about the middle steps: 0.74 over all.
-    {Integrator::kPaper, "bearing_offset", "lost_blade", 0.65},
+    {Integrator::kMidpoint, "bearing_offset", "lost_blade", 0.65},
 }};
 
 inline double least_order(Integrator integrator, const std::vector<Part>& parts, double least) {

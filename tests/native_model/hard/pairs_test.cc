@@ -17,22 +17,22 @@ namespace {
 
 class LongPairs : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(LongPairs, PaperIsOfFirstOrder) {
-  expect_order(pairs_from(GetParam()), Integrator::kPaper, kPaperOrder);
+TEST_P(LongPairs, MidpointIsOfFirstOrder) {
+  expect_order(pairs_from(GetParam()), Integrator::kMidpoint, kMidpointOrder);
 }
 
 TEST_P(LongPairs, VerletIsOfSecondOrder) {
   expect_order(pairs_from(GetParam()), Integrator::kVerlet, kVerletOrder);
 }
 
-// The ensemble is `paper` or `verlet` run by run, whatever the parts: what converges there
+// The ensemble is `midpoint` or `verlet` run by run, whatever the parts: what converges there
 // converges here.
 TEST_P(LongPairs, EnsembleIsRunByRun) {
   constexpr double kRounding = 1e-15;  // m: rows are interpolated, also at the end of a step
   for (const Pair& pair : pairs_from(GetParam())) {
     const scene::Scene scene = pair.scene();
     const Model model = make_model(scene);
-    for (const Integrator integrator : {Integrator::kPaper, Integrator::kVerlet}) {
+    for (const Integrator integrator : {Integrator::kMidpoint, Integrator::kVerlet}) {
       if (refused(integrator, pair.parts)) {
         EXPECT_THROW(Ensemble({model}, 1e-5, integrator), std::invalid_argument) << scene.name;
         continue;

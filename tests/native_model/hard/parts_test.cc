@@ -141,7 +141,7 @@ TEST(HardParts, InternalDampingCaughtByTheRing) {
 
 // Masses that differ between x and y couple N and T. Under mu > (a_x + a_y) / |a_x - a_y| sliding
 // one way has no force, or more than one: `event` says so. On impulses there always is a solution
-// (the slip is stopped at once), and `paper` takes it. Never NaN.
+// (the slip is stopped at once), and `midpoint` takes it. Never NaN.
 TEST(HardPainleve, SaidOnForcesSolvedOnImpulses) {
   int said = 0, solved = 0;
   for (const double mu : {0.5, 1.1, 1.5, 3.0, 10.0}) {

@@ -32,7 +32,7 @@ TEST(HardRandomLong, EventKeepsEveryRule) {
   EXPECT_GT(touched, kScenes / 2) << "the scenes must reach the ring";
 }
 
-TEST(HardRandom, PaperKeepsEveryRule) {
+TEST(HardRandom, MidpointKeepsEveryRule) {
   test::RandomScenes scenes(21);
   int solved = 0;
   for (int k = 0; k < kScenes; ++k) {

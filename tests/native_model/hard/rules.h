@@ -22,7 +22,7 @@ inline constexpr double kEnergy = 1e-9;  // energy residual of `event`: toleranc
 inline constexpr double kRoundOff = 1e-12;
 
 inline Trajectory run_paper(const scene::Scene& scene, double step) {
-  return run_with(scene, scene::Integrator::kPaper, step);
+  return run_with(scene, scene::Integrator::kMidpoint, step);
 }
 
 // One of the reference rig, with so few modes that a test is quick.
@@ -106,9 +106,9 @@ inline void expect_sound_event(const scene::Scene& scene, const Trajectory& t) {
   }
 }
 
-// Of a run of `paper`: its complementarity is of the midpoints (see paper_laws_test.cc); at the
-// rows the depth is bounded by what the curvature of the ring leaves in one step and by one step
-// of flight at first touch. fastest: m/s, relative speed that the scene cannot exceed.
+// Of a run of `midpoint`: its complementarity is of the midpoints (see midpoint_laws_test.cc); at
+// the rows the depth is bounded by what the curvature of the ring leaves in one step and by one
+// step of flight at first touch. fastest: m/s, relative speed that the scene cannot exceed.
 inline void expect_sound_paper(const scene::Scene& scene, const Trajectory& t, double step,
                                double fastest) {
   ASSERT_EQ(t.status, Status::kOk) << t.message;

@@ -50,7 +50,7 @@ void expect_both_orders(const scene::Scene& scene) {
   const Trajectory exact = run_event(scene);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   Table paper, verlet;
-  paper.judge("paper", converge(scene, Integrator::kPaper, exact), kPaperOrder);
+  paper.judge("midpoint", converge(scene, Integrator::kMidpoint, exact), kMidpointOrder);
   verlet.judge("verlet", converge(scene, Integrator::kVerlet, exact), kVerletOrder);
   EXPECT_FALSE(paper.short_of_order) << paper.text;
   EXPECT_FALSE(verlet.short_of_order) << verlet.text;
@@ -92,13 +92,13 @@ std::vector<Pair> coupled(const std::string& drive) {
 }
 
 TEST(LongTriple, UnbalanceOnAFreeSpinByPaper) {
-  expect_order(coupled("free_spin"), Integrator::kPaper, kPaperOrder);
+  expect_order(coupled("free_spin"), Integrator::kMidpoint, kMidpointOrder);
 }
 TEST(LongTriple, UnbalanceOnAFreeSpinByVerlet) {
   expect_order(coupled("free_spin"), Integrator::kVerlet, kVerletOrder);
 }
 TEST(LongTriple, UnbalanceOnAMotorByPaper) {
-  expect_order(coupled("kloss_drive"), Integrator::kPaper, kPaperOrder);
+  expect_order(coupled("kloss_drive"), Integrator::kMidpoint, kMidpointOrder);
 }
 TEST(LongTriple, UnbalanceOnAMotorByVerlet) {
   expect_order(coupled("kloss_drive"), Integrator::kVerlet, kVerletOrder);

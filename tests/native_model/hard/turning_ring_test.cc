@@ -75,7 +75,7 @@ TEST(TurningRing, AngularMomentumIsKeptThroughImpactsAndRubs) {
 // With a free spin friction turns the two against each other alone, whatever the bending does.
 TEST(TurningRing, BothSpinsKeepTheirSum) {
   for (const Integrator integrator :
-       {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper, Integrator::kLiteral}) {
+       {Integrator::kEvent, Integrator::kVerlet, Integrator::kMidpoint, Integrator::kEuler}) {
     const Trajectory t = run_with(thrown(), integrator);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     const auto &spin = t.column("spin_speed"), &ring = t.column("ring_speed");
@@ -159,8 +159,8 @@ TEST(TurningRing, ARubUnderAConstantForceSpinsItUpAsTheClosedFormSays) {
            miss(run_with(rub.scene, integrator, 1e-5));
   };
   EXPECT_GT(ratio(Integrator::kVerlet), 80.0);
-  EXPECT_GT(ratio(Integrator::kPaper), 8.0);
-  EXPECT_GT(ratio(Integrator::kLiteral), 8.0);
+  EXPECT_GT(ratio(Integrator::kMidpoint), 8.0);
+  EXPECT_GT(ratio(Integrator::kEuler), 8.0);
 }
 
 // Without drag the speed grows evenly until the surfaces roll: when, is known.
@@ -186,7 +186,7 @@ TEST(TurningRing, OfEndlessInertiaIsTheRingThatDoesNotTurn) {
   heavy.first().stator->spin = scene::RingSpin{1e12, 0.0, 0.0};
   fixed.first().stator->spin.reset();
   for (const Integrator integrator :
-       {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
+       {Integrator::kEvent, Integrator::kVerlet, Integrator::kMidpoint}) {
     // Before chaos has grown what round-off differs by.
     heavy.run.end = fixed.run.end = 0.02;
     const Trajectory a = run_with(heavy, integrator), b = run_with(fixed, integrator);
@@ -202,7 +202,7 @@ TEST(TurningRing, OfNoInertiaIsARingWithoutFriction) {
   smooth.first().contact->friction = 0.0;
   light.run.end = smooth.run.end = 0.02;
   for (const Integrator integrator :
-       {Integrator::kEvent, Integrator::kVerlet, Integrator::kPaper}) {
+       {Integrator::kEvent, Integrator::kVerlet, Integrator::kMidpoint}) {
     const Trajectory a = run_with(light, integrator), b = run_with(smooth, integrator);
     ASSERT_EQ(a.status, Status::kOk) << a.message;
     EXPECT_GT(b.impacts.size(), 3u);
@@ -233,7 +233,7 @@ TEST(TurningRing, EachLaneIsTheRunAlone) {
     scenes.back().first().contact->clearance = kClearance * (1.0 + 0.05 * k);  // its own R / r
     models.push_back(make_model(scenes.back()));
   }
-  for (const Integrator integrator : {Integrator::kVerlet, Integrator::kPaper}) {
+  for (const Integrator integrator : {Integrator::kVerlet, Integrator::kMidpoint}) {
     const auto runs = Ensemble(models, 1e-5, integrator).run(10000);
     for (std::size_t k = 0; k < runs.size(); ++k) {
       const Trajectory alone = run_with(scenes[k], integrator);

@@ -81,7 +81,7 @@ void expect_answer(const scene::Scene& s, const std::function<Complex(double)>& 
   for (double t = 0.0; t <= kEnd; t += 0.01) size = std::max(size, std::abs(exact(t)));
   ASSERT_GT(size, 1e-6);
   EXPECT_LT(error(run(s, scene::Integrator::kEvent), exact), 1e-11 * size);
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     test::Convergence c;
     for (const double step : {1e-4, 5e-5, 2e-5, 1e-5}) {
       c.steps.push_back(step);
@@ -151,7 +151,7 @@ TEST(Excitation, APulseWithinAStepHasItsMomentum) {
   s.forces = {force_of(ForceKind::kPulse, 0.0123456, 0.0123456 + 1e-6)};
   s.forces[0].vector *= 1e4;
   const double momentum = 2.0 / std::numbers::pi * 1e-6 * 2e6;
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     scene::Scene brief = s;
     brief.run.end = 0.0125;
     const Trajectory t = run(brief, integrator, 1e-4);
@@ -260,7 +260,7 @@ TEST(LostBlade, IsAnUnbalanceFromThenOn) {
 TEST(LostBlade, FixedStepsConverge) {
   const scene::Scene s = free_rotor(0.0123456);
   const Trajectory exact = run(s, scene::Integrator::kEvent);
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     test::Convergence c;
     for (const double step : {1e-4, 5e-5, 2e-5, 1e-5}) {
       const Trajectory t = run(s, integrator, step);

@@ -58,7 +58,7 @@ void expect_motion(const scene::Scene& s, double size, double share, double orde
   const Trajectory reference = run_event(s);
   EXPECT_LT(error(reference, exact), share * size);
   EXPECT_LT(reference.statistics.energy_residual(), 1e-9);
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     test::Convergence c;
     for (const double step : {2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6}) {
       c.steps.push_back(step);
@@ -134,7 +134,7 @@ TEST(MagneticFeedback, AtTheLimitTheForceIsConstant) {
   s.run.end = 0.005;
   ASSERT_LT(s.run.end, reached);
   for (const auto integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     EXPECT_LT(error(run_with(s, integrator), exact), 1e-12 * kStart)
         << static_cast<int>(integrator);
   }
@@ -154,7 +154,7 @@ TEST(MagneticFeedback, FixedStepsAreOfSecondOrderThroughLimitAndFailure) {
   s.magnetic_bearing->control->fails_at = 0.0312345678;
   const Trajectory reference = run_event(s);
   EXPECT_LT(reference.statistics.energy_residual(), 1e-10);
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     test::Convergence c;
     for (const double step : {2e-4, 1e-4, 5e-5, 2.5e-5, 1e-5}) {
       const Trajectory t = run_with(s, integrator, step);
@@ -189,7 +189,7 @@ TEST(MagneticFeedback, FailsAndTheRotorFalls) {
   EXPECT_NEAR(t.impacts[0].t, touch, 1e-9 * touch);
   EXPECT_NEAR(t.impacts[0].gap_rate_before, -std::sqrt(2.0 * kGravity * fall), 1e-9);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     const Trajectory stepped = run_with(s, integrator);
     ASSERT_FALSE(stepped.impacts.empty());
     EXPECT_NEAR(stepped.impacts[0].t, touch, 1e-5) << static_cast<int>(integrator);
@@ -215,14 +215,14 @@ TEST(MagneticFeedback, LanesAreTheRunsAlone) {
     const Trajectory t = run_with(s, scene::Integrator::kVerlet, kStep);
     ends.emplace_back(t.column("rotor_x").back(), t.column("rotor_y").back());
   }
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     const std::vector<EnsembleRun> runs = Ensemble(models, kStep, integrator).run(kSteps);
     for (std::size_t k = 0; k < models.size(); ++k) {
       const EnsembleRun alone = Ensemble({models[k]}, kStep, integrator).run(kSteps).front();
       ASSERT_EQ(runs[k].status, Status::kOk);
       EXPECT_EQ(runs[k].q, alone.q) << k;
       EXPECT_EQ(runs[k].v, alone.v) << k;
-      if (integrator == scene::Integrator::kPaper) continue;
+      if (integrator == scene::Integrator::kMidpoint) continue;
       EXPECT_NEAR(runs[k].q[0], ends[k].x(), 1e-15) << k;
       EXPECT_NEAR(runs[k].q[1], ends[k].y(), 1e-15) << k;
     }

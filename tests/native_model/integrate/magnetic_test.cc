@@ -117,18 +117,18 @@ TEST(MagneticRing, TheVoltageLimitIsTheCoilsOwnExponential) {
   };
   EXPECT_LT(error(scene::Integrator::kEvent, 1e-5), 1e-9);
   for (const scene::Integrator integrator :
-       {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+       {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     const double coarse = error(integrator, 2e-5), fine = error(integrator, 1e-5);
     EXPECT_LT(fine, 1e-2);
     EXPECT_LT(fine, 0.6 * coarse);
   }
 }
 
-TEST(MagneticRing, PaperConvergesToIt) {
+TEST(MagneticRing, MidpointConvergesToIt) {
   const double lag = 1e-3;
   const auto error = [&](double step) {
     NativeOptions options;
-    options.integrator = scene::Integrator::kPaper;
+    options.integrator = scene::Integrator::kMidpoint;
     options.step = step;
     return std::abs((last(run_native(ring_alone(lag, true), options)) - exact(lag)).x());
   };
@@ -232,7 +232,7 @@ TEST(MagneticRub, SaturationIsSolved) {
     s.first().actuator->coil_lag = lag;
     if (lag > 0.0) s.first().actuator->current_rate_limit = 1000.0;
     for (const scene::Integrator integrator :
-         {scene::Integrator::kEvent, scene::Integrator::kPaper}) {
+         {scene::Integrator::kEvent, scene::Integrator::kMidpoint}) {
       NativeOptions options;
       options.integrator = integrator;
       const Trajectory t = run_native(s, options);

@@ -70,7 +70,7 @@ double error(const Trajectory& t) {
 TEST(SpeedControl, IsALinearLoopWithinItsLimit) {
   ASSERT_GT(lag(kRampEnd), 0.4) << "it lags by more than what is asked of the angles below";
   EXPECT_LT(error(run_with(motor(), scene::Integrator::kEvent)), 1e-10);
-  for (const auto integrator : {scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     const double coarse = error(run_with(motor(), integrator, 1e-3));
     const double fine = error(run_with(motor(), integrator, 2e-4));
     EXPECT_LT(coarse, 0.05);
@@ -104,7 +104,7 @@ TEST(SpeedControl, GivesNoMoreThanItsLimit) {
   s.drive->torque_limit = 4.0;
   s.run.end = 6.0;
   for (const auto integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kPaper, scene::Integrator::kVerlet}) {
+       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     const Trajectory t = run_with(s, integrator, 1e-4);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     const std::vector<double>& speed = t.column("spin_speed");

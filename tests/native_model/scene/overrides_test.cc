@@ -30,11 +30,22 @@ TEST(Overrides, TakeTomlWordsAndUnits) {
   EXPECT_EQ(with({"run.end=100ms"}).run.end, 0.1);
   EXPECT_EQ(with({"run.end=\"100 ms\"", "run.output_times=[]"}).run.output_times.size(), 0u);
   EXPECT_EQ(with({"rotor.speed=60 Hz"}).rotor.speed, 120.0 * std::numbers::pi);
-  EXPECT_EQ(with({"run.integrator=paper"}).run.integrator, Integrator::kPaper);
+  EXPECT_EQ(with({"run.integrator=midpoint"}).run.integrator, Integrator::kMidpoint);
   EXPECT_TRUE(with({"mujoco.shadow=true"}).mujoco.shadow);
   EXPECT_FALSE(with({"mujoco.shadow=true", "mujoco.shadow=false"}).mujoco.shadow);
   EXPECT_EQ(with({"stator.mass=[1,2]"}).first().stator->mass, PlanePair(1.0, 2.0));
   EXPECT_EQ(with({"contact.friction=0.3", "contact.friction=0.4"}).first().contact->friction, 0.4);
+}
+
+TEST(Overrides, TakeWordsOfTheLastReleaseWithANote) {
+  const Scene midpoint = with({"run.integrator=paper"});
+  EXPECT_EQ(midpoint.run.integrator, Integrator::kMidpoint);
+  ASSERT_EQ(midpoint.notes.size(), 1u);
+  EXPECT_EQ(
+      midpoint.notes[0],
+      "run.integrator: \"paper\" is called \"midpoint\" now; the old word is accepted until 0.3");
+  EXPECT_EQ(with({"run.integrator=literal"}).run.integrator, Integrator::kEuler);
+  EXPECT_TRUE(with({"run.integrator=euler"}).notes.empty());
 }
 
 TEST(Overrides, ReachElementsMakeTablesAndAppend) {

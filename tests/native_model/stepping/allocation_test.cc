@@ -53,7 +53,7 @@ TEST_F(Allocation, NoneInAStepOfPaper) {
   for (const char* name : kScenes) {
     SCOPED_TRACE(name);
     const Model model = make_model(soon_active(name));
-    PaperStepper stepper(model, 1e-5);
+    MidpointStepper stepper(model, 1e-5);
     Eigen::Vector2d u{0.0, 0.0};
     bool touched = false;
     const std::int64_t before = allocations;

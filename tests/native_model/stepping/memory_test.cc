@@ -31,7 +31,7 @@ struct Loop {
   }
 
   const Model* model;
-  PaperStepper stepper;
+  MidpointStepper stepper;
   ZeroOrderHold command;
   double origin;
 };
@@ -51,7 +51,7 @@ std::vector<Case> cases() {
             "controller.sample_time=1e-4", "contact.clearance=0.1 mm", "rotor.modes=2"}}};
 }
 
-TEST(PaperMemory, RestoredAtEveryStepItGivesTheBitsOfAnUninterruptedRun) {
+TEST(MidpointMemory, RestoredAtEveryStepItGivesTheBitsOfAnUninterruptedRun) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     const Model model = make_model(shipped(c.name, c.overrides));
@@ -62,7 +62,7 @@ TEST(PaperMemory, RestoredAtEveryStepItGivesTheBitsOfAnUninterruptedRun) {
     constexpr std::int64_t kElsewhere = 700;
     for (std::int64_t k = 0; k < kElsewhere; ++k) other.step(k);
 
-    std::vector<double> memory(PaperStepper::memory_size(model), -1.0), elsewhere = memory;
+    std::vector<double> memory(MidpointStepper::memory_size(model), -1.0), elsewhere = memory;
     std::vector<double> held(ZeroOrderHold::memory_size(model));
     other.stepper.save(elsewhere.data());
     carried.stepper.save(memory.data());
@@ -89,7 +89,7 @@ TEST(PaperMemory, RestoredAtEveryStepItGivesTheBitsOfAnUninterruptedRun) {
 }
 
 // A machine that does not know the time by itself: later, all is the same but for round-off of t.
-TEST(PaperOrigin, TheStartsTimeIsTheForcesTime) {
+TEST(MidpointOrigin, TheStartsTimeIsTheForcesTime) {
   const scene::Scene scene = shipped("bench_ring", {});
   const double period = 0.02, tolerance = 1e-13;  // 50 Hz; m, of 2e-3 m
   const Model model = make_model(scene);
@@ -111,10 +111,10 @@ TEST(PaperOrigin, TheStartsTimeIsTheForcesTime) {
 }
 
 // The ring obeys a force that no controller of the model asked for.
-TEST(PaperStepper, PassiveRingObeysAForceGivenToIt) {
+TEST(MidpointStepper, PassiveRingObeysAForceGivenToIt) {
   const Model model = make_model(shipped("paper_passive", {}));
   ASSERT_EQ(model.first().controller, nullptr);
-  PaperStepper stepper(model, kStep);
+  MidpointStepper stepper(model, kStep);
   const int ring = model.layout.ring();
   stepper.step(0, {30.0, 0.0});
   const double implicit = model.mass[ring] + 0.5 * kStep * model.damping[ring];

@@ -66,7 +66,7 @@ TEST(SteadyOrbit, TheLeastGapIsThatOfTheRun) {
   const FreeOrbit orbit = free_orbit(s, model, 250.0);
   ASSERT_TRUE(orbit.largest);
   for (const auto integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kPaper}) {
+       {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kMidpoint}) {
     NativeOptions options;
     options.integrator = integrator;
     options.step = 1e-6;
@@ -288,7 +288,7 @@ TEST(SteadyOrbit, OfAWholeShaftRepeatsItself) {
 // well).
 TEST(SteadyOrbit, FixedStepsComeToItWithTheSquareOfTheStep) {
   const scene::Scene s = shaft();
-  for (const auto integrator : {scene::Integrator::kVerlet, scene::Integrator::kPaper}) {
+  for (const auto integrator : {scene::Integrator::kVerlet, scene::Integrator::kMidpoint}) {
     const double period = 2.0 * std::numbers::pi / 400.0;
     const double coarse = unrest(s, integrator, period / 700.0, 4);
     const double fine = unrest(s, integrator, period / 2800.0, 4);

@@ -1,4 +1,4 @@
-#include "native_model/stepping/literal.h"
+#include "native_model/stepping/euler.h"
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ Eigen::Vector3d rates(const Model& m, const Eigen::VectorXd& v) {
 
 }  // namespace
 
-FixedStep LiteralStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool works) {
+FixedStep EulerStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool works) {
   const Model& m = *model_;
   FixedStep out;
   const double t = static_cast<double>(k) * h_;
@@ -60,7 +60,7 @@ FixedStep LiteralStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool wo
   return out;
 }
 
-void LiteralStepper::push(double t, const Eigen::Vector2d& e_r, double normal, double friction) {
+void EulerStepper::push(double t, const Eigen::Vector2d& e_r, double normal, double friction) {
   const Model& m = *model_;
   f_.setZero();
   add_contact_load(m, contact_load(e_r, m.first().contact->radius, normal, friction), f_.data());
@@ -69,7 +69,7 @@ void LiteralStepper::push(double t, const Eigen::Vector2d& e_r, double normal, d
 }
 
 // One row of an impact; its impulses are those of the step.
-void LiteralStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out) {
+void EulerStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out) {
   const double radius = model_->first().contact->radius;
   const Eigen::Vector2d before = rates_along(e_r, radius, rates(*model_, free_));
   const Eigen::Vector2d after = rates_along(e_r, radius, rates(*model_, state_.v));
@@ -80,7 +80,7 @@ void LiteralStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out
   out.mode = Mode::kFree;
 }
 
-void LiteralStepper::touch(double t, FixedStep& out) {
+void EulerStepper::touch(double t, FixedStep& out) {
   const Model& m = *model_;
   const ContactParameters& c = *m.first().contact;
   const Eigen::Vector2d d = separation(m, q());

@@ -1,6 +1,6 @@
-// One step of `paper`: the loads act at the middle of the step, q_m = q + h/2 v, v+ from the forces
-// at (t + h/2, q_m), q+ = q_m + h/2 v+; the contact's normal is that at q_m and lasting contact
-// ends on the circle at the next middle (SHAKE on the midpoints). An impact is not located:
+// One step of `midpoint`: the loads act at the middle of the step, q_m = q + h/2 v, v+ from the
+// forces at (t + h/2, q_m), q+ = q_m + h/2 v+; the contact's normal is that at q_m and lasting
+// contact ends on the circle at the next middle (SHAKE on the midpoints). An impact is not located:
 // order 1.
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace rotorub {
 
 template <class M>
-class PaperKernel : public ContactKernel<M> {
+class MidpointKernel : public ContactKernel<M> {
   using Base = ContactKernel<M>;
 
  public:
@@ -23,7 +23,8 @@ class PaperKernel : public ContactKernel<M> {
   using typename Base::T;
   static constexpr int kLanes = Base::kLanes;
 
-  PaperKernel(const M& m, const std::vector<const Model*>& models, double h) : Base(m, models, h) {}
+  MidpointKernel(const M& m, const std::vector<const Model*>& models, double h)
+      : Base(m, models, h) {}
 
   // The state of the last step's middle that contact and loads saw, and its velocities.
   const T* middle() const { return middle_.data(); }

@@ -1,7 +1,7 @@
 // The time stepping of the paper to the letter, as a baseline: (10) an explicit Euler step of the
 // velocities, (11) q+ = q + h v+, (12)-(13) contact with the gap of q+ and the slip of v+
 // linearised about q, Poisson's law (15)-(19) where a contact closes. All loads, damping included,
-// are explicit. First order. `paper` (paper_step.h) is its better relative.
+// are explicit. First order. `midpoint` (midpoint_step.h) is its better relative.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,10 +12,10 @@
 
 namespace rotorub {
 
-class LiteralStepper {
+class EulerStepper {
  public:
-  // As PaperStepper.
-  LiteralStepper(const Model& model, double step)
+  // As MidpointStepper.
+  EulerStepper(const Model& model, double step)
       : model_(&model), h_(step), state_(initial_state(model)), free_(model.nq()), f_(model.nq()) {}
 
   FixedStep step(std::int64_t k, const Eigen::Vector2d& u, bool works);

@@ -30,12 +30,12 @@ Eigen::Vector2d rotor(const Trajectory& t, std::size_t row) {
 
 Trajectory run(const scene::Scene& scene, double step) {
   NativeOptions options;
-  options.integrator = scene::Integrator::kPaper;
+  options.integrator = scene::Integrator::kMidpoint;
   options.step = step;
   return run_native(scene, options);
 }
 
-TEST(PaperBilliard, KeepsSpeedAndAngularMomentumToRoundOff) {
+TEST(MidpointBilliard, KeepsSpeedAndAngularMomentumToRoundOff) {
   const Trajectory t = run(shipped("bench_billiard"), 1e-5);
   ASSERT_EQ(t.status, Status::kOk);
   const double constant = 1e-12;  // 20,000 steps of round-off
@@ -51,7 +51,7 @@ TEST(PaperBilliard, KeepsSpeedAndAngularMomentumToRoundOff) {
   }
 }
 
-TEST(PaperBilliard, ConvergesToTheChords) {
+TEST(MidpointBilliard, ConvergesToTheChords) {
   const scene::Scene scene = shipped("bench_billiard");
   const oracle::Billiard exact(0.5e-3, {1e-4, 0.0}, {0.3, 0.4});
   // Before the fourth impact; later the early impacts of a whole flight have added up.
@@ -70,7 +70,7 @@ TEST(PaperBilliard, ConvergesToTheChords) {
   EXPECT_EQ(exact.impacts_until(0.2), 101);
 }
 
-TEST(PaperDrop, BouncesToRest) {
+TEST(MidpointDrop, BouncesToRest) {
   const Trajectory t = run(shipped("bench_drop"), 1e-6);
   const oracle::Drop exact{0.5e-3, 9.81, 0.5};
   for (int k = 0; k < 3; ++k) {  // each bounce starts up to a step off and adds its own
@@ -84,7 +84,7 @@ TEST(PaperDrop, BouncesToRest) {
 }
 
 // A rotor started on the exact rub stays on it, and its force is the closed form's.
-TEST(PaperAnnularRub, HoldsTheClosedFormOnAFixedRing) {
+TEST(MidpointAnnularRub, HoldsTheClosedFormOnAFixedRing) {
   const Jeffcott j{
       .mass = 2.0, .damping = 40.0, .stiffness = 2e5, .friction = 0.15, .speed = 300.0};
   const double load = 150.0, frequency = 100.0 * std::numbers::pi;
@@ -109,7 +109,7 @@ TEST(PaperAnnularRub, HoldsTheClosedFormOnAFixedRing) {
   EXPECT_NEAR(t.column("rotor_y").back(), z.imag(), second_order * j.clearance);
 }
 
-TEST(PaperAnnularRub, SettlesOnTheClosedFormOnAnElasticRing) {
+TEST(MidpointAnnularRub, SettlesOnTheClosedFormOnAnElasticRing) {
   scene::Scene scene = shipped("bench_ring");
   const auto exact = oracle::annular_rub({2.0, 40.0, 2e5}, {1.0, 200.0, 1e5}, 0.5e-3, 0.15, 150.0,
                                          100.0 * std::numbers::pi);
@@ -120,7 +120,7 @@ TEST(PaperAnnularRub, SettlesOnTheClosedFormOnAnElasticRing) {
 }
 
 // Published positions at 0.02 s and 0.5 s (two independent solvers, 1e-13).
-TEST(PaperBenchRing, ConvergesAtFirstOrderToThePublishedStates) {
+TEST(MidpointBenchRing, ConvergesAtFirstOrderToThePublishedStates) {
   scene::Scene scene = shipped("bench_ring");
   scene.run.output_times = {0.02};
   const Eigen::Vector2d early{3.200529602935e-4, -1.197270224039e-3};
@@ -140,7 +140,7 @@ TEST(PaperBenchRing, ConvergesAtFirstOrderToThePublishedStates) {
   EXPECT_LT(finest, 0.05 * coarse) << "two decades of step, nearly two of error";
 }
 
-TEST(PaperWhip, GrowsAsTheRiccatiEquation) {
+TEST(MidpointWhip, GrowsAsTheRiccatiEquation) {
   const Jeffcott j{.mass = 2.0, .damping = 5.0, .stiffness = 2e5, .friction = 0.2, .speed = 2000.0};
   const oracle::BackwardWhip exact{j.mass, j.damping, j.stiffness, j.friction, j.clearance};
   const double start = 1.3 * exact.growth_threshold();
@@ -155,7 +155,7 @@ TEST(PaperWhip, GrowsAsTheRiccatiEquation) {
               2e-3);
 }
 
-TEST(PaperStepperRefuses, AStepBeyondTheStabilityLimit) {
+TEST(MidpointStepperRefuses, AStepBeyondTheStabilityLimit) {
   scene::Scene scene = make_scene({.mass = 1e-3, .stiffness = 1e9});
   const Trajectory t = run(scene, 1e-4);
   EXPECT_EQ(t.status, Status::kStepTooLarge);
@@ -163,7 +163,7 @@ TEST(PaperStepperRefuses, AStepBeyondTheStabilityLimit) {
 }
 
 // v dt > delta_0: the ring is left by no more than the step's own flight, and found again.
-TEST(PaperStepper, RecoversFromAStepLongerThanTheClearance) {
+TEST(MidpointStepper, RecoversFromAStepLongerThanTheClearance) {
   scene::Scene scene =
       make_scene({.mass = 1.0, .friction = 0.3, .restitution = 0.5, .speed = 500.0});
   scene.initial.vx = {30.0};

@@ -1,5 +1,5 @@
-// The laws of every single step of `paper`, with the multipliers' equations built anew: velocities
-// at the step's end against the gap of the next midpoint, (12), (13).
+// The laws of every single step of `midpoint`, with the multipliers' equations built anew:
+// velocities at the step's end against the gap of the next midpoint, (12), (13).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ Worst worst_of(const Model& model, double step, std::int64_t steps) {
   const int n = model.nq();
   const ContactParameters& c = *model.first().contact;
   const Eigen::VectorXd implicit = model.mass + 0.5 * step * model.damping;
-  PaperStepper stepper(model, step);
+  MidpointStepper stepper(model, step);
   Worst worst;
   double force = 1e-300, slip_scale = 1e-300;
   for (std::int64_t k = 0; k < steps; ++k) {
