@@ -129,7 +129,7 @@ CoupledSolution CoupledVerlet::solve_on_circles(std::span<const std::size_t> las
       effect(3 * n, 2 * n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    sets[at].friction = friction[at].given ? std::abs(friction[at].ratio) : contact(i).law.friction;
+    sets[at].friction = friction[at].given ? std::abs(friction[at].ratio) : friction[at].bound;
     if (friction[at].given) sets[at].slides = friction[at].ratio > 0.0 ? -1.0 : 1.0;
     for (Eigen::Index j = 0; j < n; ++j) {
       const Contact& c = contact(j);
@@ -178,7 +178,11 @@ bool CoupledVerlet::press(std::span<const std::size_t> lasting) {
     const Contact& c = contacts_[lasting[i]];
     before[i] = slip_of(c.e_r, c.law.radius, c.start);
     if (std::abs(before[i]) <= kNoSlip * c.law.radius * std::abs(c.start.z())) before[i] = 0.0;
-    if (before[i] != 0.0) friction[i] = {true, before[i] > 0.0 ? -c.law.friction : c.law.friction};
+    friction[i].bound = c.law.friction.at(before[i]);
+    if (before[i] != 0.0) {
+      friction[i].given = true;
+      friction[i].ratio = before[i] > 0.0 ? -friction[i].bound : friction[i].bound;
+    }
   }
   CoupledSolution s;
   std::array<bool, kMaxContacts> turns{}, turned{};
@@ -192,7 +196,7 @@ bool CoupledVerlet::press(std::span<const std::size_t> lasting) {
     for (std::size_t i = 0; i < n; ++i) {
       const Contact& c = contacts_[lasting[i]];
       const auto at = static_cast<Eigen::Index>(2 * i);
-      const double mu = c.law.friction, sign = before[i] > 0.0 ? 1.0 : -1.0;
+      const double mu = friction[i].bound, sign = before[i] > 0.0 ? 1.0 : -1.0;
       if (!turns[i] && friction[i].given && s.y[at + 1] * sign <= 0.0 && s.p[at] > 0.0) {
         // It would come to rest: does friction hold it?
         turns[i] = true;
@@ -202,7 +206,8 @@ bool CoupledVerlet::press(std::span<const std::size_t> lasting) {
         settled = false;
       } else if (turns[i] && !turned[i] && !s.sticks[i] && s.p[at] > 0.0) {
         turned[i] = true;
-        friction[i] = {true, mu * sign * (1.0 - 2.0 * c.slip_sign)};
+        friction[i].given = true;
+        friction[i].ratio = mu * sign * (1.0 - 2.0 * c.slip_sign);
         settled = false;
       }
     }

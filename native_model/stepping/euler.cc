@@ -105,8 +105,8 @@ void EulerStepper::touch(double t, FixedStep& out) {
     push(t, e_r, r.normal(), r.friction());
     return record(t, e_r, out);
   }
-  const CoulombSolution s =
-      solve_coulomb(g, gap / h_, rates_along(e_r, c.radius, free).y(), c.friction);
+  const double slip = rates_along(e_r, c.radius, free).y();
+  const CoulombSolution s = solve_coulomb(g, gap / h_, slip, c.friction.at(slip));
   out.status = status_of(s.solutions);
   if (out.status != Status::kOk) return;
   out.normal_impulse = s.normal;
