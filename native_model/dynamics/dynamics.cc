@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "native_model/dynamics/equations.h"
+#include "native_model/dynamics/loads.h"
 
 namespace rotorub {
 namespace {
@@ -31,23 +31,11 @@ struct Coupling {
 
 // All loads but the diagonal and the gyroscopic ones, and the weight.
 void add_loads(const Model& m, double t, const double* q, const double* v, double* f) {
-  const double omega = eq::spin_speed(m, v);
-  eq::add_rotating_damping(m, q, v, omega, f);
-  eq::add_dampers(m, v, f);
-  eq::add_films(m, omega, q, v, f);
-  eq::add_springs(m, q, f);
-  if (m.feedback) eq::add_feedback(m, t < m.feedback->law.fails_at ? 1.0 : 0.0, q, v, f);
-  for (const AppliedForce& force : m.forces) {
-    if (t < force.on || t >= force.off) continue;
-    const Eigen::Vector2d p = force.at(t, spin_angle(m, t, q));
-    eq::add_station_force(m.layout.modes, force.shape, p.x(), p.y(), f);
-  }
-  if (!m.unbalances.empty()) {
-    Angles at;
-    at.fill(m, t, q);
-    eq::add_unbalance(m, at, omega, f);
-  }
-  eq::add_drive(m, t, q, v, f);
+  Angles angles;
+  if (!m.unbalances.empty()) angles.fill(m, t, q);
+  const double working = m.feedback && t < m.feedback->law.fails_at ? 1.0 : 0.0;
+  const auto add_forces = [&](double* to) { eq::add_forces(m, t, q, to); };
+  eq::add_loads<eq::Gyroscopics::kLeftOut>(m, {t, working, angles}, q, v, add_forces, f);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "native_model/control/cross_coupled.h"
-#include "native_model/rotor/magnetic_support.h"
+#include "native_model/dynamics/linear_parts.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
@@ -156,22 +156,14 @@ RubSystem rub_system(const scene::Scene& scene) {
   RubSystem system;
   system.speed = scene.rotor.speed;
   system.mass = model.mass.head(n);
-  system.stiffness = model.stiffness.head(n).asDiagonal();
-  system.damping = model.damping.head(n).asDiagonal();
   system.internal = model.internal_xx.dense(n);
   system.gyroscopic = model.gyroscopic.dense(n);
-  for (const StationDamper& d : model.dampers) {
-    system.damping += d.damping.x() * d.shape.x * d.shape.x.transpose();
-  }
-  for (const StationSpring& s : model.springs) {
-    system.stiffness += s.stiffness.x() * s.shape.x * s.shape.x.transpose();
-  }
-  if (model.feedback) {
-    const MagneticSupport support = magnetic_support(scene);
-    const Eigen::VectorXd& u = model.feedback->shape.x;
-    system.stiffness += (support.stiffness - model.feedback->law.held) * u * u.transpose();
-    system.damping += support.damping * u * u.transpose();
-  }
+  // At rest nothing goes from one plane to the other; rotating damping is kept by itself.
+  Model resting = model;
+  resting.internal_xx = resting.internal_xy = resting.internal_yy = {};
+  const LinearParts parts = linear_parts(resting, 0.0);
+  system.stiffness = parts.stiffness.topLeftCorner(n, n);
+  system.damping = parts.damping.topLeftCorner(n, n);
   system.contact = model.first().shape.x;
   system.clearance = model.first().contact->clearance;
   system.radius = model.first().contact->radius;

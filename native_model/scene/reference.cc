@@ -50,8 +50,8 @@ std::string meaning_text(const Key& key) {
 std::string row(const Key& key) {
   const std::string also = key.also.empty() ? "" : ", `" + std::string(key.also) + "`";
   return "| `" + std::string(key.name) + "`" + also + " | " + type_text(key) + " | " +
-         key.range.text() + " | " + (key.required() ? "required" : key.fallback) + " | " +
-         meaning_text(key) + " |\n";
+         std::string(key.range.text) + " | " + (key.required() ? "required" : key.fallback) +
+         " | " + meaning_text(key) + " |\n";
 }
 
 }  // namespace

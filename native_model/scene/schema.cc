@@ -2,44 +2,26 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <cstdlib>
 
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub::scene {
-std::string Range::text() const {
-  const bool bounded_below = low > -std::numeric_limits<double>::infinity();
-  const bool bounded_above = high < std::numeric_limits<double>::infinity();
-  if (bounded_below && bounded_above) {
-    return std::string("in ") + (low_open ? "(" : "[") + number_text(low) + ", " +
-           number_text(high) + (high_open ? ")" : "]");
+
+Range::Range(std::string_view of_text) : text(of_text) {
+  // The number behind the first `mark` letters.
+  const auto number = [this](std::size_t mark) {
+    return std::strtod(std::string(text.substr(mark)).c_str(), nullptr);
+  };
+  if (text.starts_with("in ")) {
+    low = number(4);
+    high = number(text.find(',') + 1);
+    low_open = text[3] == '(';
+    high_open = text.back() == ')';
+  } else if (text.starts_with('>')) {
+    low_open = !text.starts_with(">=");
+    low = number(low_open ? 1 : 2);
   }
-  if (bounded_below) return (low_open ? "> " : ">= ") + number_text(low);
-  if (bounded_above) return (high_open ? "< " : "<= ") + number_text(high);
-  return {};
-}
-
-Key& Key::above(double low) {
-  range.low = low;
-  range.low_open = true;
-  return *this;
-}
-
-Key& Key::at_least(double low) {
-  range.low = low;
-  return *this;
-}
-
-Key& Key::below(double high) {
-  range.high = high;
-  range.high_open = true;
-  return *this;
-}
-
-Key& Key::between(double low, double high) {
-  range.low = low;
-  range.high = high;
-  return *this;
 }
 
 Key& Key::or_called(std::string_view other_name) {
@@ -52,22 +34,10 @@ Key& Key::in(Form of_form) {
   return *this;
 }
 
-Key& Key::of(std::vector<std::string_view> of_kinds) {
-  kinds = std::move(of_kinds);
-  return *this;
-}
-
 Key& Key::below_list() {
   listed_only = true;
   return *this;
 }
-
-Key& Key::otherwise(std::string_view text) {
-  fallback = text;
-  return *this;
-}
-
-Key& Key::optional() { return otherwise(standard); }
 
 std::string_view Key::default_word() const {
   if (required() || type != ValueType::kWord) return {};
@@ -79,7 +49,7 @@ bool Key::is_for(std::string_view kind) const {
 }
 
 std::string Key::expected() const {
-  const std::string bounds = range.text().empty() ? "" : ", " + range.text();
+  const std::string bounds = range.text.empty() ? "" : ", " + std::string(range.text);
   const std::string unit = quantity.unit == kPure.unit ? "" : " in " + std::string(quantity.unit);
   const std::string what = std::string(quantity.name) + unit + bounds;
   switch (type) {
@@ -105,6 +75,16 @@ std::string Key::expected() const {
     text += (i > 0 ? ", \"" : "\"") + std::string(words[i]) + "\"";
   }
   return text;
+}
+
+Table& Table::as_list() {
+  list = true;
+  return *this;
+}
+
+Table& Table::in(Form of_form) {
+  form = of_form;
+  return *this;
 }
 
 bool Table::is_for(std::string_view kind) const {

@@ -34,6 +34,11 @@ enum class ValueType {
 
 // Allowed numbers; of a pair or a list: each of them.
 struct Range {
+  // As rows and messages have it: "> 0", ">= 0", "in (-1, 0.5]", ""; "": any.
+  Range() = default;
+  explicit Range(std::string_view text);
+
+  std::string_view text;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false;   // low itself is refused
@@ -42,7 +47,6 @@ struct Range {
   bool contains(double value) const {
     return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
   }
-  std::string text() const;  // "> 0", "in [0, 1]"; empty: any
 };
 
 // What was read; the member that the type names is set.
@@ -69,16 +73,9 @@ struct Key {
   std::string fallback;                 // the default, in words; empty: the key is required
   bool listed_only = false;             // stands below [[contact]] alone
 
-  Key& above(double low);                 // > low
-  Key& at_least(double low);              // >= low
-  Key& below(double high);                // < high
-  Key& between(double low, double high);  // [low, high]
   Key& or_called(std::string_view other_name);
   Key& in(Form of_form);
   Key& below_list();  // listed_only
-  Key& of(std::vector<std::string_view> of_kinds);
-  Key& otherwise(std::string_view text);  // optional, with this default
-  Key& optional();                        // optional; the default is the member's own
 
   bool is_called(std::string_view word) const {
     return word == name || (!also.empty() && word == also);
@@ -92,8 +89,6 @@ struct Key {
 
 struct Table {
   std::string_view path;  // "rotor.disc"
-  bool list = false;      // [[path]]: any number of them
-  Form form = Form::kEither;
   std::string_view meaning;
   std::string_view when_absent;
   // Makes the part (list: one more) and returns it; null: the table is a rule (rules.h), which the
@@ -105,6 +100,11 @@ struct Table {
   // Of a table that takes any key: keeps a number or a text. Null: it takes `keys` alone.
   void (*store_any)(void* object, ConfigEntry entry) = nullptr;
   bool or_list = false;  // [path], or [[path]] with the parts of an auxiliary bearing below each
+  bool list = false;     // [[path]]: any number of them
+  Form form = Form::kEither;
+
+  Table& as_list();
+  Table& in(Form of_form);
 
   const Key* find(std::string_view name) const;  // by either of its names
   bool is_for(std::string_view kind) const;
@@ -218,9 +218,16 @@ std::string standard_text(const T& value) {
 
 }  // namespace detail
 
+// The default of a row.
+inline constexpr std::string_view kRequired{};           // none
+inline constexpr std::string_view kStandard = "member";  // what the member has in a new object
+
 // A key stored in the member that the pointers lead to; the type of value follows from the member.
+// `fallback`: the default in words, or one of the above; `kinds`: see Key.
 template <auto First, auto... Rest>
-Key key(std::string_view name, const Quantity& quantity, std::string_view meaning) {
+Key key(std::string_view name, const Quantity& quantity, std::string_view range,
+        std::string_view fallback, std::string_view meaning,
+        std::vector<std::string_view> kinds = {}) {
   using Object = typename detail::ClassOf<decltype(First)>::type;
   using Target =
       std::remove_reference_t<decltype(detail::resolve<First, Rest...>(std::declval<Object&>()))>;
@@ -229,8 +236,11 @@ Key key(std::string_view name, const Quantity& quantity, std::string_view meanin
   result.type = detail::type_of<Target>();
   result.quantity = quantity;
   result.meaning = meaning;
+  result.range = Range(range);
+  result.kinds = std::move(kinds);
   Object fresh;
   result.standard = detail::standard_text(detail::resolve<First, Rest...>(fresh));
+  result.fallback = fallback == kStandard ? result.standard : std::string(fallback);
   result.store = [](void* object, const Value& value) {
     detail::assign(detail::resolve<First, Rest...>(*static_cast<Object*>(object)), value);
   };
@@ -239,19 +249,23 @@ Key key(std::string_view name, const Quantity& quantity, std::string_view meanin
 
 // A number for both bending planes, or [x, y].
 template <auto Member>
-Key planes(std::string_view name, const Quantity& quantity, std::string_view meaning) {
-  Key result = key<Member>(name, quantity, meaning);
+Key planes(std::string_view name, const Quantity& quantity, std::string_view range,
+           std::string_view fallback, std::string_view meaning) {
+  Key result = key<Member>(name, quantity, range, fallback, meaning);
   result.type = ValueType::kPlanes;
   result.standard = result.standard.substr(1, result.standard.find(',') - 1);
+  if (fallback == kStandard) result.fallback = result.standard;
   return result;
 }
 
 // One of `words`, which stand in the order of the member's enum.
 template <auto Member>
-Key word(std::string_view name, std::vector<std::string_view> words, std::string_view meaning) {
-  Key result = key<Member>(name, kPure, meaning);
+Key word(std::string_view name, std::vector<std::string_view> words, std::string_view fallback,
+         std::string_view meaning, std::vector<std::string_view> kinds = {}) {
+  Key result = key<Member>(name, kPure, {}, fallback, meaning, std::move(kinds));
   result.words = std::move(words);
   result.standard = "`" + std::string(result.words[std::stoul(result.standard)]) + "`";
+  if (fallback == kStandard) result.fallback = result.standard;
   return result;
 }
 

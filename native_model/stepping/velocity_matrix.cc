@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "native_model/dynamics/equations.h"
+#include "native_model/dynamics/linear_parts.h"
 #include "native_model/stepping/lane_model.h"
 
 namespace rotorub {
@@ -21,27 +21,13 @@ void put_matrix(lanes::Array<T>& to, const Eigen::MatrixXd& from, int lane) {
 
 }  // namespace
 
-Eigen::MatrixXd linear_damping(const Model& given) {
-  const Model m = without_offsets(with_linear_feedback(given));
+Eigen::MatrixXd linear_damping(const Model& m) {
   const Layout& l = m.layout;
-  const int nq = l.nq();
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(nq);
+  const int bending = 2 * l.modes;
   Eigen::MatrixXd d = m.damping.asDiagonal();
-  Eigen::VectorXd f(nq);
-  for (int j = 0; j < 2 * l.modes; ++j) {
-    const Eigen::VectorXd v = Eigen::VectorXd::Unit(nq, j);
-    f.setZero();
-    equations::add_rotating_damping(m, rest.data(), v.data(), m.speed, f.data());
-    equations::add_dampers(m, v.data(), f.data());
-    equations::add_films(m, m.speed, rest.data(), v.data(), f.data());
-    if (m.feedback && m.feedback->law.fails_at > 0.0) {
-      equations::add_feedback(m, 1.0, rest.data(), v.data(), f.data());
-    }
-    equations::add_gyroscopic(m, m.speed, v.data(), f.data());
-    d.col(j) -= f;
-  }
+  d.topLeftCorner(bending, bending) = linear_parts(m, m.speed).damping;
   if (m.drive) {
-    Eigen::VectorXd at_motor = Eigen::VectorXd::Zero(nq);
+    Eigen::VectorXd at_motor = Eigen::VectorXd::Zero(l.nq());
     at_motor[l.phi()] = 1.0;
     at_motor.segment(l.theta(), l.torsion) = m.drive_shape;
     // A motor's curve may rise with the speed: then the iteration has it alone.

@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "native_model/dynamics/equations.h"
+#include "native_model/dynamics/linear_parts.h"
+#include "native_model/dynamics/loads.h"
 #include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/scene/text.h"
 #include "native_model/system/model_checks.h"
@@ -19,42 +20,18 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-// Bending of both planes at the speed of t = 0, with a magnetic bearing's integrator: the force
-// -force_per_current j at its stations, j' = integral station^T q of each plane.
-struct Bending {
-  Eigen::VectorXd mass;                // kg, 2 n
-  Eigen::MatrixXd stiffness, damping;  // N/m, N s/m, 2 n x 2 n
-  Eigen::MatrixXd station;             // 2 n x 2, or without an integrator that works 2 n x 0
+// With a magnetic bearing's integrator: the force -force_per_current j at its stations,
+// j' = integral station^T q of each plane.
+struct Bending : LinearParts {
+  Eigen::MatrixXd station;  // 2 n x 2, or without an integrator that works 2 n x 0
   double force_per_current = 0.0, integral = 0.0;  // N/A, A/(m s)
 };
 
-Bending bending(const Model& given) {
-  const Model m = without_offsets(with_linear_feedback(given));
+Bending bending(const Model& m) {
   const Layout& l = m.layout;
-  const int size = 2 * l.modes;
-  Bending b{m.mass.head(size), m.stiffness.head(size).asDiagonal(),
-            m.damping.head(size).asDiagonal(), Eigen::MatrixXd(size, 0)};
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(l.nq());
-  const double works = m.feedback && m.feedback->law.fails_at > 0.0 ? 1.0 : 0.0;
-  Eigen::VectorXd f(l.nq());
-  for (int j = 0; j < size; ++j) {
-    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(l.nq(), j);
-    f.setZero();
-    equations::add_rotating_damping(m, unit.data(), rest.data(), m.speed, f.data());
-    equations::add_springs(m, unit.data(), f.data());
-    equations::add_films(m, m.speed, unit.data(), rest.data(), f.data());
-    if (m.feedback) equations::add_feedback(m, works, unit.data(), rest.data(), f.data());
-    b.stiffness.col(j) -= f.head(size);
-    f.setZero();
-    equations::add_rotating_damping(m, rest.data(), unit.data(), m.speed, f.data());
-    equations::add_dampers(m, unit.data(), f.data());
-    equations::add_films(m, m.speed, rest.data(), unit.data(), f.data());
-    if (m.feedback) equations::add_feedback(m, works, rest.data(), unit.data(), f.data());
-    equations::add_gyroscopic(m, m.speed, unit.data(), f.data());
-    b.damping.col(j) -= f.head(size);
-  }
-  if (l.integrals == 0 || works == 0.0) return b;
-  b.station = Eigen::MatrixXd::Zero(size, 2);
+  Bending b{linear_parts(m, m.speed), Eigen::MatrixXd(2 * l.modes, 0)};
+  if (l.integrals == 0 || m.feedback->law.fails_at <= 0.0) return b;
+  b.station = Eigen::MatrixXd::Zero(2 * l.modes, 2);
   b.station.col(0).head(l.modes) = m.feedback->shape.x;
   b.station.col(1).tail(l.modes) = m.feedback->shape.y;
   b.force_per_current = m.feedback->law.force_per_current;

@@ -1,0 +1,59 @@
+// The list of the loads of (9), once: whoever integrates, steps, or asks for matrices takes it from
+// here. Templates over the model M, as in equations.h. The contact's and the actuator's forces are
+// beside it (equations.h, system/actuation.h), and so are the diagonal parts and the weight.
+#pragma once
+
+#include "native_model/dynamics/equations.h"
+
+namespace rotorub::equations {
+
+// All that is linear in (q, v) at a spin speed omega (rad/s) but the diagonal parts and the
+// gyroscopic moments: rotating damping, dashpots, films, springs, a magnetic bearing's law. (The
+// law is linear within its limit, films that stand off the line have a constant part.) working:
+// the share of the time for which that bearing has not failed, in [0, 1].
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_linear_loads(const M& m, const T& omega, const T& working, const T* q,
+                                     const T* v, T* f) {
+  add_rotating_damping(m, q, v, omega, f);
+  add_dampers(m, v, f);
+  add_films(m, omega, q, v, f);
+  add_springs(m, q, f);
+  if (m.feedback) add_feedback(m, working, q, v, f);
+}
+
+// Those of [[force]] at an instant; of one model alone.
+template <class M>
+void add_forces(const M& m, double t, const double* q, double* f) {
+  for (const AppliedForce& force : m.forces) {
+    if (t < force.on || t >= force.off) continue;
+    const Eigen::Vector2d p = force.at(t, spin_angle(m, t, q));
+    add_station_force(m.layout.modes, force.shape, p.x(), p.y(), f);
+  }
+}
+
+// What a list of loads is told of the instant beside (q, v).
+template <class T>
+struct LoadInstant {
+  double t;                     // s, of the motor's torque
+  T working;                    // as above
+  const DiscAngles<T>& angles;  // of the eccentric discs; read where there are any
+};
+
+// A right-hand side adds the gyroscopic moments last, a step among the others: the order is that of
+// the sum, and so of its last bits.
+enum class Gyroscopics { kAmong, kLeftOut };
+
+// f += all loads of the list. forces(f): adds those of [[force]], which a step averages over its
+// length.
+template <Gyroscopics kGyroscopics, class M, class Forces, class T = typename M::Scalar>
+ROTORUB_INLINE void add_loads(const M& m, const LoadInstant<T>& at, const T* q, const T* v,
+                              const Forces& forces, T* f) {
+  const T omega = spin_speed(m, v);
+  add_linear_loads(m, omega, at.working, q, v, f);
+  if constexpr (kGyroscopics == Gyroscopics::kAmong) add_gyroscopic(m, omega, v, f);
+  forces(f);
+  if (!m.unbalances.empty()) add_unbalance(m, at.angles, omega, f);
+  add_drive(m, at.t, q, v, f);
+}
+
+}  // namespace rotorub::equations
