@@ -1,58 +1,32 @@
 #include "compare/peers/peers.h"
 
-#include <fmt/format.h>
+#include <dlfcn.h>
 
-#include "compare/peers/module.h"
-#include "compare/peers/peer_engine.h"
-#include "compare/peers/penalty.h"
+#include "compare/base/module_file.h"
 
 namespace rotorub::peers {
 namespace {
 
-// sqrt(k/m) h that are tried. The stiffer law has the smaller penetration and the fewer steps a
-// bounce: which of them is best depends on the scene.
-constexpr double kExplicitFractions[] = {0.1, 0.5, 1.0, 1.5};
-constexpr double kImplicitFractions[] = {1.5, 5.0};
-
-PeerVariant variant(const std::string& name, const std::string& setting,
-                    const PenaltyParameters& parameters) {
-  const MakeStepper make = [parameters](const PlanarSystem& system, double step) {
-    return penalty_stepper(system, step, parameters);
-  };
-  return {setting, peer_engine(name, PeerContact::kSoft, make)};
-}
-
-Peer penalty(const std::string& name, PenaltyFriction friction, const std::string& what) {
-  Peer peer{name, what, "", {}};
-  PenaltyParameters parameters;
-  parameters.friction = friction;
-  const auto add = [&](const char* scheme, double fraction) {
-    parameters.step_fraction = fraction;
-    peer.variants.push_back(
-        variant(name, fmt::format("{}, sqrt(k/m)h {:g}", scheme, fraction), parameters));
-  };
-  for (const double fraction : kExplicitFractions) add("RK4", fraction);
-  if (friction == PenaltyFriction::kPerAxis) return peer;
-  parameters.scheme = PenaltyScheme::kImplicitMidpoint;
-  for (const double fraction : kImplicitFractions) add("implicit", fraction);
-  return peer;
+std::vector<Peer> loaded() {
+  const std::filesystem::path file = module_file("librotorub_peers.so");
+  std::string missing = "built without it; build the target rotorub_peers";
+  if (!file.empty()) {
+    void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const symbol = module ? dlsym(module, kPeersSymbol) : nullptr;
+    if (symbol) return reinterpret_cast<AllPeers>(symbol)();
+    const char* const why = dlerror();
+    missing = why ? why : "no reason given";
+  }
+  std::vector<Peer> none;
+  for (const char* name : {"siconos", "ode", "penalty", "penalty-per-axis"})
+    none.push_back({name, "", missing, {}});
+  return none;
 }
 
 }  // namespace
 
 const std::vector<Peer>& all_peers() {
-  static const std::vector<Peer> all{
-      module_peer("siconos",
-                  "Moreau-Jean time stepping, FrictionContact in 2D, NewtonImpactFrictionNSL; the "
-                  "relation of disc and ring is ours",
-                  "libsiconos-kernel-dev"),
-      module_peer("ode", "dWorldStep with one contact joint a step; its place and normal are ours",
-                  "libode-dev"),
-      penalty(
-          "penalty", PenaltyFriction::kTangential,
-          "spring, damper and smoothed friction, k by the step; RK4, or implicit midpoint rule"),
-      penalty("penalty-per-axis", PenaltyFriction::kPerAxis,
-              "the same with friction per axis, as ROSS's rubbing has it; RK4")};
+  static const std::vector<Peer> all = loaded();
   return all;
 }
 

@@ -15,7 +15,7 @@
 
 #include <memory>
 
-#include "compare/peers/stepper.h"
+#include "tests/bench/peers/stepper.h"
 
 namespace rotorub::peers {
 

@@ -1,8 +1,8 @@
 // From a scene to the planar system that peers are given.
 #pragma once
 
-#include "compare/peers/planar_system.h"
 #include "native_model/scene/scene.h"
+#include "tests/bench/peers/planar_system.h"
 
 namespace rotorub::peers {
 

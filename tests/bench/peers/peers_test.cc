@@ -8,10 +8,10 @@
 #include <cstdlib>
 
 #include "compare/bench/reference.h"
-#include "compare/peers/module.h"
-#include "compare/peers/penalty.h"
-#include "compare/peers/planar_scene.h"
 #include "native_model/scene/reader.h"
+#include "tests/bench/peers/module.h"
+#include "tests/bench/peers/penalty.h"
+#include "tests/bench/peers/planar_scene.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub::peers {

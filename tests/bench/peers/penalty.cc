@@ -1,4 +1,4 @@
-#include "compare/peers/penalty.h"
+#include "tests/bench/peers/penalty.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "compare/peers/module.h"
+#include "tests/bench/peers/module.h"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "compare/base/module_file.h"
-#include "compare/peers/peer_engine.h"
+#include "tests/bench/peers/peer_engine.h"
 
 namespace rotorub::peers {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "compare/engine/engine.h"
-#include "compare/peers/stepper.h"
+#include "tests/bench/peers/stepper.h"
 
 namespace rotorub::peers {
 

@@ -1,4 +1,4 @@
-#include "compare/peers/peer_engine.h"
+#include "tests/bench/peers/peer_engine.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "compare/engine/contact_episodes.h"
-#include "compare/peers/planar_scene.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/run_size.h"
 #include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"
+#include "tests/bench/peers/planar_scene.h"
 
 namespace rotorub::peers {
 namespace {

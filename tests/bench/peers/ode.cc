@@ -16,7 +16,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "compare/peers/stepper.h"
+#include "tests/bench/peers/stepper.h"
 
 namespace rotorub::peers {
 namespace {

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <string>
 
-#include "compare/peers/stepper.h"
+#include "tests/bench/peers/stepper.h"
 
 namespace rotorub::peers {
 namespace {

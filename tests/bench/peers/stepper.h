@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "compare/peers/planar_system.h"
+#include "tests/bench/peers/planar_system.h"
 
 namespace rotorub::peers {
 

@@ -1,4 +1,4 @@
-#include "compare/peers/planar_scene.h"
+#include "tests/bench/peers/planar_scene.h"
 
 #include <fmt/format.h>
 
