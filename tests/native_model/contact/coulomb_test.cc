@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include "tests/support/contact_residual.h"
 
-#include "native_model/contact/residual.h"
 
 namespace rotorub {
 namespace {

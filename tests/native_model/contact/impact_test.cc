@@ -6,8 +6,8 @@
 #include <random>
 
 #include "native_model/contact/impact_map.h"
-#include "native_model/contact/residual.h"
 #include "native_model/oracles/planar_impact.h"
+#include "tests/support/contact_residual.h"
 
 namespace rotorub {
 namespace {
