@@ -48,8 +48,8 @@ inline ContactPoint contact_kinematics(const Eigen::Vector2d& d, const Eigen::Ve
   return p;
 }
 
-// (gdot_N, gdot_T), m/s, of (ddot, contact spin) along the normal e_r of a touch, which the impulses
-// have.
+// (gdot_N, gdot_T), m/s, of (ddot, contact spin) along the normal e_r of a touch, which the
+// impulses have.
 inline Eigen::Vector2d rates_along(const Eigen::Vector2d& e_r, double radius,
                                    const Eigen::Vector3d& velocity) {
   const Eigen::Vector2d e_t{-e_r.y(), e_r.x()};

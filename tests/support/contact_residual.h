@@ -32,7 +32,7 @@ struct ContactResidual {
 // Distance of T from the multivalued -set of slip u: upper where u < 0, lower where u > 0, between
 // for u = 0, as the distance of (u, T) from the maximal monotone graph, both scaled.
 inline double graph_distance(double u, double force, double lower, double upper, double u_scale,
-                      double f_scale) {
+                             double f_scale) {
   const double outside = std::max({0.0, lower - force, force - upper}) / f_scale;
   const double to_axis = std::hypot(u / u_scale, outside);  // u = 0
   const double to_lower = std::hypot(std::min(0.0, u) / u_scale, (force - lower) / f_scale);
@@ -71,9 +71,9 @@ inline ImpactResidual impact_residual(const ImpactRecord& r) {
   return out;
 }
 
-inline ContactResidual contact_residual(double gap, double normal, double friction_force, double slip,
-                                 double mu, double gap_scale, double force_scale,
-                                 double slip_scale) {
+inline ContactResidual contact_residual(double gap, double normal, double friction_force,
+                                        double slip, double mu, double gap_scale,
+                                        double force_scale, double slip_scale) {
   return {min_map(gap / gap_scale, normal / force_scale),
           graph_distance(slip, friction_force, -mu * normal, mu * normal, slip_scale, force_scale)};
 }

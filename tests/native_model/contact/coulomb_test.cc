@@ -5,7 +5,6 @@
 #include <random>
 #include "tests/support/contact_residual.h"
 
-
 namespace rotorub {
 namespace {
 

@@ -11,9 +11,9 @@
 
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/contact_residual.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
-#include "tests/support/contact_residual.h"
 
 namespace rotorub::test {
 
