@@ -6,7 +6,7 @@
 #include "native_model/contact/circle.h"
 #include "native_model/contact/constrained_law.h"
 #include "native_model/contact/coulomb.h"
-#include "native_model/contact/impact_map.h"
+#include "native_model/contact/impact.h"
 #include "native_model/contact/rebound.h"
 
 namespace rotorub {

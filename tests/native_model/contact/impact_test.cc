@@ -1,11 +1,10 @@
-#include "native_model/contact/impact.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "native_model/contact/impact_map.h"
+#include "native_model/contact/impact.h"
 #include "native_model/oracles/planar_impact.h"
 #include "tests/support/contact_residual.h"
 
