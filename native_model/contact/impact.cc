@@ -103,9 +103,8 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
 
 void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
   if (r.status == Status::kNoSolution) return;
-  const Expansion e{
-      phase.matrix, phase.gap_rate, phase.slip,
-      expansion_set(law, phase.slip, r.normal_compression, r.friction_compression)};
+  const Expansion e{phase.matrix, phase.gap_rate, phase.slip,
+                    expansion_set(law, phase.slip, r.normal_compression, r.friction_compression)};
   Point p = e.at_least_normal();
   const bool closes = e.gap_rate(p) < 0.0;  // the least impulse leaves the bodies closing
   if (closes) {

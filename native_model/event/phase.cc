@@ -80,8 +80,9 @@ Phase::Accelerations Phase::accelerations(double t, const double* y,
     c.point = found.point;
     all.b.segment<2>(2 * i) << found.b.normal, found.b.tangential;
     all.scale[i] = scale_of(found, q, v);
+    if (n == 1) all.g = Eigen::Matrix2d{{found.b.g.nn, found.b.g.nt}, {found.b.g.tn, found.b.g.tt}};
   }
-  all.g = delassus(*model_, t, q, closed);
+  if (n > 1) all.g = delassus(*model_, t, q, closed);
   return all;
 }
 
