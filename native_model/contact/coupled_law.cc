@@ -48,7 +48,7 @@ class CoupledProblem {
 
   // The impulses of these cases; false where they are not in the sets.
   bool meets(const Cases& cases, CoupledSolution& out) const {
-    impulses(cases, out.p);
+    out.p = impulses(cases);
     if (!out.p.allFinite()) return false;
     out.y = a_ * out.p + b_;
     const double largest = std::max(out.p.cwiseAbs().maxCoeff(), impulse_);
@@ -62,44 +62,27 @@ class CoupledProblem {
   }
 
  private:
-  // L = given + columns z, z the impulses that the cases leave open; y = 0 for each of those.
-  void impulses(const Cases& cases, ContactVector& p) const {
-    ContactMatrix columns = ContactMatrix::Zero(2 * n_, 2 * n_);
-    ContactVector given = ContactVector::Zero(2 * n_);
-    std::array<int, 2 * kMaxContacts> rows{};
-    int count = 0;
+  ContactVector impulses(const Cases& cases) const {
+    CaseSystem s(2 * n_);
     for (int i = 0; i < n_; ++i) {
       const Case& c = cases[static_cast<std::size_t>(i)];
       const int normal = 2 * i, friction = normal + 1;
       if (c.at_least) {
-        given[normal] = set(i).least_normal;
+        s.given[normal] = set(i).least_normal;
       } else {
-        columns(normal, count) = 1.0;
+        s.free(normal);
       }
-      if (c.friction != Bound::kStick) {
-        const auto bound = [&](double l) {
-          return c.friction == Bound::kLow ? set(i).low(l) : set(i).high(l);
-        };
-        given[friction] = bound(given[normal]);
-        if (!c.at_least) columns(friction, count) = bound(1.0) - bound(0.0);
-      }
-      if (!c.at_least) rows[static_cast<std::size_t>(count++)] = normal;
       if (c.friction == Bound::kStick) {
-        columns(friction, count) = 1.0;
-        rows[static_cast<std::size_t>(count++)] = friction;
+        s.free(friction);
+        continue;
       }
+      const auto bound = [&](double l) {
+        return c.friction == Bound::kLow ? set(i).low(l) : set(i).high(l);
+      };
+      s.given[friction] = bound(s.given[normal]);
+      if (!c.at_least) s.bring(friction, bound(1.0) - bound(0.0));
     }
-    p = given;
-    if (count == 0) return;
-    const ContactVector free = a_ * given + b_;
-    const ContactMatrix carried = a_ * columns.leftCols(count);
-    ContactMatrix matrix(count, count);
-    ContactVector right(count);
-    for (int k = 0; k < count; ++k) {
-      matrix.row(k) = carried.row(rows[static_cast<std::size_t>(k)]);
-      right[k] = -free[rows[static_cast<std::size_t>(k)]];
-    }
-    p += columns.leftCols(count) * shared_solution(matrix, right);
+    return s.solve(a_, b_);
   }
 
   static bool in_set(const Case& c, const ContactSet& set, int i, CoupledSolution& s, double rates,
@@ -239,15 +222,6 @@ CoupledSolution one_plain(const ContactMatrix& a, const ContactVector& b, const 
 
 }  // namespace
 
-ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction) {
-  ContactSet set;
-  set.friction = law.friction.at(slip);
-  set.least_normal = law.restitution * normal;
-  set.side = friction > 0.0 ? 1.0 : friction < 0.0 ? -1.0 : 0.0;
-  set.floor = law.restitution * law.tangential_restitution * std::abs(friction);
-  return set;
-}
-
 ContactVector shared_solution(const ContactMatrix& matrix, const ContactVector& right) {
   const Eigen::PartialPivLU<ContactMatrix> lu(matrix);
   const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
@@ -256,6 +230,15 @@ ContactVector shared_solution(const ContactMatrix& matrix, const ContactVector& 
   least.setThreshold(kSingular);
   least.compute(matrix);
   return least.solve(right);
+}
+
+ContactVector CaseSystem::solve(const ContactMatrix& a, const ContactVector& b) const {
+  if (count == 0) return given;
+  const auto c = columns.leftCols(count);
+  const auto r = rows.leftCols(count);
+  const ContactMatrix matrix = r.transpose() * (a * c);
+  const ContactVector right = -(r.transpose() * (a * given + b));
+  return given + c * shared_solution(matrix, right);
 }
 
 CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,

@@ -32,26 +32,6 @@ using ContactVector =
 using ContactMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
                                     3 * kMaxContacts, 3 * kMaxContacts>;
 
-// The set of one contact.
-struct ContactSet {
-  double friction = 0.0;      // mu >= 0, of the law at the slip of the phase
-  double least_normal = 0.0;  // n, N s
-  double side = 0.0;    // +1, -1: the friction begun in compression goes on to this side; 0: none
-  double floor = 0.0;   // with a side: least friction to it, N s, >= 0
-  double slides = 0.0;  // +1, -1: it slides so, whatever y_T is (an acceleration); 0: y_T decides
-
-  double low(double normal) const {
-    if (slides != 0.0) return -slides * friction * normal;
-    return side > 0.0 ? floor : -friction * normal;
-  }
-  double high(double normal) const {
-    if (slides != 0.0) return -slides * friction * normal;
-    return side < 0.0 ? -floor : friction * normal;
-  }
-};
-// Of the expansion that follows a compression of L_NC, L_TC (impact.h), with the mu of `slip`.
-ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction);
-
 struct CoupledSolution {
   // Of distinct motions; 0: none (or none was found, of more than kMostTried contacts), above 1: L
   // is the first.
@@ -62,6 +42,24 @@ struct CoupledSolution {
 
 // matrix x = right; the least squares where the matrix is singular.
 ContactVector shared_solution(const ContactMatrix& matrix, const ContactVector& right);
+
+// Impulses whose cases are known: L = given + C z, with z so that R^T (a L + b) = 0. Each column of
+// C is what one unknown brings along, that of R the rate that is then 0.
+struct CaseSystem {
+  ContactMatrix columns, rows;  // C, R: the first `count` columns
+  ContactVector given;
+  Eigen::Index count = 0;
+
+  explicit CaseSystem(Eigen::Index n)
+      : columns(ContactMatrix::Zero(n, n)), rows(columns), given(ContactVector::Zero(n)) {}
+  // L_row is unknown, y_row = 0. `bring`(row, factor): so much of it beside.
+  void free(Eigen::Index row) {
+    columns(row, count) = rows(row, count) = 1.0;
+    ++count;
+  }
+  void bring(Eigen::Index row, double factor) { columns(row, count - 1) = factor; }
+  ContactVector solve(const ContactMatrix& a, const ContactVector& b) const;
+};
 
 // a: symmetric, positive semidefinite, of 2 x sets.size() rows; at most kMaxContacts sets.
 CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,

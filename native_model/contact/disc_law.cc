@@ -78,58 +78,42 @@ class DiscSystem {
     return cases;
   }
 
-  // The impulses of these cases, p = given + columns z with `rows` . y = 0; the directions of what
-  // slides follow its slip. False: not of cases that are linear.
+  // The impulses of these cases; the directions of what slides follow its slip. False: not of cases
+  // that are linear.
   bool polish(DiscCases& cases, ContactVector& p) const {
     for (int k = 0; k < kTurns; ++k) {
-      ContactMatrix columns = ContactMatrix::Zero(3 * n_, 3 * n_), rows = columns;
-      ContactVector given = ContactVector::Zero(3 * n_);
-      Eigen::Index count = 0;
+      CaseSystem system(3 * n_);
       for (Eigen::Index i = 0; i < n_; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        if (!add_case(cases[at], sets_[at], 3 * i, given, columns, rows, count)) return false;
+        if (!add_case(cases[at], sets_[at], 3 * i, system)) return false;
       }
-      const auto c = columns.leftCols(count);
-      const auto r = rows.leftCols(count);
-      p = given;
-      if (count > 0) {
-        const ContactMatrix matrix = r.transpose() * (a_ * c);
-        const ContactVector right = -(r.transpose() * (a_ * given + b_));
-        p += c * shared_solution(matrix, right);
-      }
+      p = system.solve(a_, b_);
       if (!p.allFinite()) return false;
       if (!turn(cases, a_ * p + b_)) return true;
     }
     return true;
   }
 
-  static bool add_case(const DiscCase& c, const DiscSet& set, Eigen::Index row,
-                       ContactVector& given, ContactMatrix& columns, ContactMatrix& rows,
-                       Eigen::Index& count) {
+  static bool add_case(const DiscCase& c, const DiscSet& set, Eigen::Index row, CaseSystem& s) {
     if (c.friction == DiscFriction::kCorner) return false;
-    const bool rim = c.friction == DiscFriction::kRim;
-    const Eigen::Vector2d by_normal =
-        rim ? Eigen::Vector2d(-set.friction * c.direction) : Eigen::Vector2d(0.0, 0.0);
-    given.segment<2>(row + 1) = c.friction == DiscFriction::kChord
-                                    ? Eigen::Vector2d(set.floor * set.side)
-                                    : Eigen::Vector2d(0.0, 0.0);
+    Eigen::Vector2d by_normal(0.0, 0.0), given(0.0, 0.0);
+    if (c.friction == DiscFriction::kRim) by_normal = -set.friction * c.direction;
+    if (c.friction == DiscFriction::kChord) given = set.floor * set.side;
     if (c.at_least) {
-      given[row] = set.least_normal;
-      given.segment<2>(row + 1) += set.least_normal * by_normal;
+      s.given[row] = set.least_normal;
+      given += set.least_normal * by_normal;
     } else {
-      columns(row, count) = rows(row, count) = 1.0;
-      columns.col(count).segment<2>(row + 1) = by_normal;
-      ++count;
+      s.free(row);
+      for (const Eigen::Index k : {0, 1}) s.bring(row + 1 + k, by_normal[k]);
     }
+    s.given.segment<2>(row + 1) = given;
     if (c.friction == DiscFriction::kStick) {
-      columns(row + 1, count) = rows(row + 1, count) = 1.0;
-      columns(row + 2, count + 1) = rows(row + 2, count + 1) = 1.0;
-      count += 2;
+      s.free(row + 1);
+      s.free(row + 2);
     } else if (c.friction == DiscFriction::kChord) {
       const Eigen::Vector2d along(-set.side.y(), set.side.x());
-      columns.col(count).segment<2>(row + 1) = along;
-      rows.col(count).segment<2>(row + 1) = along;
-      ++count;
+      s.columns.col(s.count).segment<2>(row + 1) = along;
+      s.rows.col(s.count++).segment<2>(row + 1) = along;
     }
     return true;
   }

@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "native_model/numerics/lanes.h"
+
 namespace rotorub {
 
 // T: double, or a vector of independent contacts (numerics/lanes.h).
@@ -22,6 +24,11 @@ struct FrictionOf {
 
   constexpr FrictionOf() = default;
   constexpr FrictionOf(const T& mu) : coefficient(mu) {}  // NOLINT: a number is Coulomb's law
+
+  // The law of one of several contacts.
+  void set(int lane, const FrictionOf<double>& law) {
+    lanes::set(coefficient, lane, law.coefficient);
+  }
 
   // mu at a slip (m/s) of either sign.
   [[gnu::always_inline]] inline T at(const T& /*slip*/) const { return coefficient; }

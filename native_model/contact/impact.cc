@@ -5,56 +5,83 @@
 namespace rotorub {
 namespace {
 
-// The expansion in the direction s = sign(L_TC): the least tangential impulse is `floor` (or
-// -mu L_N for the symmetric set), the greatest mu L_N.
+using Point = PlanarImpulse<double>;
+
 struct Expansion {
   Delassus a;
-  double b_n, b_t, mu;
-  double least_normal;  // eps_N L_NC
-  double floor;         // eps_N eps_T |L_TC|
-  bool symmetric;
+  double b_n, b_t;
+  ContactSet set;
 
-  double lower(double normal) const { return symmetric ? -mu * normal : floor; }
-
-  using Point = PlanarImpulse<double>;
   double gap_rate(Point p) const { return gap_rate_after(a, b_n, p); }
   double slip(Point p) const { return slip_after(a, b_t, p); }
+  bool within(Point p) const {
+    return p.friction >= set.low(p.normal) && p.friction <= set.high(p.normal);
+  }
 
-  // L_N = eps_N L_NC given: the tangential set is monotone, so the case is decided by its ends.
+  // L_N = n given: the tangential set is monotone, so the case is decided by its ends.
   Point at_least_normal() const {
-    const double n = least_normal;
-    const Point low{n, lower(n)}, high{n, mu * n};
+    const double n = set.least_normal;
+    const Point low{n, set.low(n)}, high{n, set.high(n)};
     if (slip(low) > 0.0) return low;
     if (slip(high) < 0.0) return high;
     return {n, -(a.tn * n + b_t) / a.tt};
   }
 
-  // gdot_NE = 0 with more than the least impulse. False: no case holds.
-  bool closed(Point& p, int& count) const {
-    count = 0;
+  // gdot_NE = 0 with more than the least impulse. Returns how many cases hold, the first in p.
+  int closed(Point& p) const {
+    int count = 0;
     const auto take = [&](Point candidate) {
-      if (candidate.normal < least_normal) return;
+      if (candidate.normal < set.least_normal) return;
       if (count++ == 0) p = candidate;
     };
-    if (symmetric) {
-      if (carried(a, mu) != 0.0) {
-        const double n = slide(a, b_n, mu);
-        if (const Point c{n, -mu * n}; slip(c) > 0.0) take(c);
-      }
-    } else if (const Point c{-(b_n + a.nt * floor) / a.nn, floor}; slip(c) > 0.0) {
-      take(c);
-    }
-    if (carried(a, -mu) != 0.0) {
-      const double n = slide(a, b_n, -mu);
-      if (const Point c{n, mu * n}; slip(c) < 0.0) take(c);
-    }
-    const Point stuck = stick(a, b_n, b_t);
-    if (stuck.friction >= lower(stuck.normal) && stuck.friction <= mu * stuck.normal) take(stuck);
-    return count > 0;
+    // On a bound L_T = c_0 + c_1 L_N.
+    const auto along = [&](double c_0, double c_1, double sign) {
+      const double carries = a.nn + a.nt * c_1;
+      if (carries == 0.0) return;
+      const double normal = -(b_n + a.nt * c_0) / carries;
+      if (const Point c{normal, c_0 + c_1 * normal}; sign * slip(c) > 0.0) take(c);
+    };
+    along(set.low(0.0), set.low(1.0) - set.low(0.0), 1.0);
+    along(set.high(0.0), set.high(1.0) - set.high(0.0), -1.0);
+    if (const Point stuck = stick(a, b_n, b_t); within(stuck)) take(stuck);
+    return count;
   }
 };
 
+struct Rows {
+  Eigen::Vector3d normal, tangential;
+};
+
+// W_N and W_T in contact space, plus tau What of the velocity at the start of the phase.
+Rows rows(const ImpactInput& in, const Eigen::Vector3d& velocity, double tau) {
+  const Eigen::Vector2d& e = in.e_r;
+  const Eigen::Vector2d t{-e.y(), e.x()};
+  Rows r{{-e.x(), -e.y(), 0.0}, {t.x(), t.y(), in.radius}};
+  if (tau == 0.0) return r;
+  const double whirl = t.dot(velocity.head<2>()), gap_rate = -e.dot(velocity.head<2>());
+  r.normal.head<2>() -= tau * whirl / in.delta * t;
+  r.tangential.head<2>() += tau * gap_rate / in.delta * t;
+  return r;
+}
+
+ImpactPhase phase(const ImpactInput& in, const Rows& w, const Rows& row,
+                  const Eigen::Vector3d& end_velocity) {
+  const Eigen::Vector3d an = in.admittance * w.normal, at = in.admittance * w.tangential;
+  return {{row.normal.dot(an), row.normal.dot(at), row.tangential.dot(an), row.tangential.dot(at)},
+          row.normal.dot(end_velocity),
+          row.tangential.dot(end_velocity)};
+}
+
 }  // namespace
+
+ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction) {
+  ContactSet set;
+  set.friction = law.friction.at(slip);
+  set.least_normal = law.restitution * normal;
+  set.side = friction > 0.0 ? 1.0 : friction < 0.0 ? -1.0 : 0.0;
+  set.floor = law.restitution * law.tangential_restitution * std::abs(friction);
+  return set;
+}
 
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   ImpactResult r;
@@ -76,41 +103,42 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
 
 void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
   if (r.status == Status::kNoSolution) return;
-  const double s = r.friction_compression < 0.0 ? -1.0 : 1.0;
-  Expansion e{phase.matrix, phase.gap_rate, s * phase.slip, law.friction.at(phase.slip), 0.0,
-              0.0,          false};
-  e.a.nt *= s;
-  e.a.tn *= s;
-  e.least_normal = law.restitution * r.normal_compression;
-  e.floor = law.restitution * law.tangential_restitution * std::abs(r.friction_compression);
-  e.symmetric = r.friction_compression == 0.0;
-
-  Expansion::Point p = e.at_least_normal();
-  bool closed = false;
-  if (e.gap_rate(p) < 0.0) {
-    // Round-off aside, the least impulse leaves the bodies closing: it takes more.
-    int count = 0;
-    Expansion::Point q{0.0, 0.0};
-    if (e.closed(q, count)) {
-      p = q;
-      closed = true;
-      if (count > 1) r.status = Status::kAmbiguous;
-    } else {
-      r.status = Status::kNoSolution;
-      return;
-    }
+  const Expansion e{phase.matrix, phase.gap_rate, phase.slip,
+                    expansion_set(law, phase.slip, r.normal_compression, r.friction_compression)};
+  Point p = e.at_least_normal();
+  const bool closes = e.gap_rate(p) < 0.0;  // the least impulse leaves the bodies closing
+  if (closes) {
+    const int count = e.closed(p);
+    if (count != 1) r.status = status_of(count);
+    if (count == 0) return;
   }
   r.normal_expansion = p.normal;
-  r.friction_expansion = s * p.friction;
-  r.gap_rate = closed ? 0.0 : e.gap_rate(p);
-  r.slip = s * e.slip(p);
-  const bool sticks = p.friction > e.lower(p.normal) && p.friction < e.mu * p.normal;
-  if (sticks) r.slip = 0.0;
+  r.friction_expansion = p.friction;
+  r.gap_rate = closes ? 0.0 : e.gap_rate(p);
+  const bool sticks = p.friction > e.set.low(p.normal) && p.friction < e.set.high(p.normal);
+  r.slip = sticks ? 0.0 : e.slip(p);
 }
 
 ImpactResult solve_impact(const Delassus& g, double gap_rate, double slip, const ImpactLaw& law) {
   ImpactResult r = compress({g, gap_rate, slip}, law);
   expand({g, r.gap_rate_compression, r.slip_compression}, law, r);
+  return r;
+}
+
+ImpactResult solve_impact(const ImpactInput& in, const ImpactLaw& law) {
+  const Rows w = rows(in, in.velocity, 0.0);
+  if (in.compression_time == 0.0 && in.expansion_time == 0.0) {
+    const Delassus g = delassus(in.admittance, in.e_r, in.radius);
+    return solve_impact(g, w.normal.dot(in.velocity), w.tangential.dot(in.velocity), law);
+  }
+  const Rows c = rows(in, in.velocity, in.compression_time);
+  ImpactResult r =
+      compress(phase(in, w, c, in.velocity + in.acceleration * in.compression_time), law);
+  const Eigen::Vector3d compressed =
+      in.velocity + in.acceleration * in.compression_time +
+      in.admittance * (w.normal * r.normal_compression + w.tangential * r.friction_compression);
+  const Rows e = rows(in, compressed, in.expansion_time);
+  expand(phase(in, w, e, compressed + in.acceleration * in.expansion_time), law, r);
   return r;
 }
 

@@ -21,6 +21,27 @@ struct ImpactLaw {
   double tangential_restitution = 0.0;  // eps_T in [0, 1]
 };
 
+// Where the impulses of one contact may lie: L_N >= n, L_T in [low(L_N), high(L_N)]. n = 0 and no
+// side is Coulomb's, of a compression; the expansion has another.
+struct ContactSet {
+  double friction = 0.0;      // mu >= 0, of the law at the slip of the phase
+  double least_normal = 0.0;  // n, N s
+  double side = 0.0;    // +1, -1: the friction begun in compression goes on to this side; 0: none
+  double floor = 0.0;   // with a side: least friction to it, N s, >= 0
+  double slides = 0.0;  // +1, -1: it slides so, whatever y_T is (an acceleration); 0: y_T decides
+
+  double low(double normal) const {
+    if (slides != 0.0) return -slides * friction * normal;
+    return side > 0.0 ? floor : -friction * normal;
+  }
+  double high(double normal) const {
+    if (slides != 0.0) return -slides * friction * normal;
+    return side < 0.0 ? -floor : friction * normal;
+  }
+};
+// Of the expansion that follows a compression of L_NC, L_TC (impact.h), with the mu of `slip`.
+ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction);
+
 // One phase: velocities at its end y = matrix L + velocity. With a finite duration tau the matrix
 // and the velocity hold the terms of (16): C_N = (W_N + What_N tau)^T M^-1 and so on.
 struct ImpactPhase {
@@ -47,5 +68,23 @@ void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& result
 
 // The classical, instantaneous law (tau_C = tau_E = 0): gap_rate and slip just before.
 ImpactResult solve_impact(const Delassus& g, double gap_rate, double slip, const ImpactLaw& law);
+
+// The law in contact space: from the relative velocity before to the impulses, with the compression
+// and expansion times of (15)-(19).
+struct ImpactInput {
+  Eigen::Matrix3d admittance;    // J M^-1 J^T
+  Eigen::Vector2d e_r;           // outward normal
+  double radius = 0.0;           // m
+  double delta = 0.0;            // m, distance of the centres
+  Eigen::Vector3d velocity;      // (ddot, Omega_c) before the impact
+  Eigen::Vector3d acceleration;  // of the same without contact; used over tau_C and tau_E only
+  double compression_time = 0.0, expansion_time = 0.0;  // s
+};
+
+// With tau = 0 the classical law. Otherwise the rows of (16): gdot_N at the end of a phase is
+// -e_r . ddot + What_N . (ddot tau), and
+//   What_N . Delta d = -(e_t . ddot) (e_t . Delta d) / delta,
+//   What_T . Delta d =  gdot_N (e_t . Delta d) / delta                                       (8)
+ImpactResult solve_impact(const ImpactInput& input, const ImpactLaw& law);
 
 }  // namespace rotorub

@@ -1,7 +1,20 @@
 // What is known of an impact, or with a soft contact of an episode of contact.
 #pragma once
 
+#include <Eigen/Core>
+
 namespace rotorub {
+
+// J, of an impulse between the rates (gdot_N, gdot_T) before and after it, which friction and
+// Poisson's law keep from being a gain.
+struct ImpulseWork {
+  double normal, friction;
+  double total() const { return normal + friction; }
+};
+inline ImpulseWork impulse_work(double normal, double friction, const Eigen::Vector2d& before,
+                                const Eigen::Vector2d& after) {
+  return {0.5 * normal * (before.x() + after.x()), 0.5 * friction * (before.y() + after.y())};
+}
 
 // Impulses on the rotor: normal >= 0, tangential signed along e_t. Speeds: gap rate (negative
 // closing) and slip gdot_T.

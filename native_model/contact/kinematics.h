@@ -48,6 +48,14 @@ inline ContactPoint contact_kinematics(const Eigen::Vector2d& d, const Eigen::Ve
   return p;
 }
 
+// (gdot_N, gdot_T), m/s, of (ddot, contact spin) along the normal e_r of a touch, which the
+// impulses have.
+inline Eigen::Vector2d rates_along(const Eigen::Vector2d& e_r, double radius,
+                                   const Eigen::Vector3d& velocity) {
+  const Eigen::Vector2d e_t{-e_r.y(), e_r.x()};
+  return {-e_r.dot(velocity.head<2>()), e_t.dot(velocity.head<2>()) + radius * velocity.z()};
+}
+
 // The 2x2 Delassus matrix of (N, T) for the normal e_r from the contact-space admittance A
 // (relative x, relative y, spin): W_N = (-e_r, 0), W_T = (e_t, r).
 Delassus delassus(const Eigen::Matrix3d& admittance, const Eigen::Vector2d& e_r, double radius);

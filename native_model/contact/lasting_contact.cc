@@ -17,7 +17,7 @@ class Solver {
         along_friction_(s.admittance * contact_load(e_, s.radius, 0.0, 1.0)) {}
 
   double slip(const Eigen::Vector3d& velocity) const {
-    return -e_.y() * velocity.x() + e_.x() * velocity.y() + s_.radius * velocity.z();
+    return rates_along(e_, s_.radius, velocity).y();
   }
 
   struct Candidate {

@@ -27,10 +27,10 @@ StepImpacts locate_impacts(const FlightStep& s, const ImpactLaw& law) {
     LocatedImpact& hit = out.impacts[static_cast<std::size_t>(out.count)];
     hit.theta = theta;
     hit.e_r = d.normalized();
-    const Eigen::Vector2d e_t{-hit.e_r.y(), hit.e_r.x()};
     const Eigen::Vector3d v = velocity + (theta - 0.5) * s.h * s.acceleration;
-    hit.gap_rate_before = -hit.e_r.dot(v.head<2>());
-    hit.slip_before = e_t.dot(v.head<2>()) + s.radius * v.z();
+    const Eigen::Vector2d rates = rates_along(hit.e_r, s.radius, v);
+    hit.gap_rate_before = rates.x();
+    hit.slip_before = rates.y();
     if (hit.gap_rate_before >= 0.0) {  // a touch
       out.closes = true;
       break;

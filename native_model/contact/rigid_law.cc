@@ -6,17 +6,11 @@
 #include "native_model/contact/circle.h"
 #include "native_model/contact/constrained_law.h"
 #include "native_model/contact/coulomb.h"
-#include "native_model/contact/impact_map.h"
+#include "native_model/contact/impact.h"
 #include "native_model/contact/rebound.h"
 
 namespace rotorub {
 namespace {
-
-Eigen::Vector2d tangent(const Eigen::Vector2d& e_r) { return {-e_r.y(), e_r.x()}; }
-
-double slip(const Eigen::Vector2d& e_r, double radius, const Eigen::Vector3d& velocity) {
-  return tangent(e_r).dot(velocity.head<2>()) + radius * velocity.z();
-}
 
 // The response along normal and tangent.
 class PlanarResponse final : public ContactResponse {
@@ -26,7 +20,7 @@ class PlanarResponse final : public ContactResponse {
                  double offset)
       : step_(step), e_r_(e_r), radius_(radius), impact_(impact), offset_(offset) {}
   ContactVector rates(const Eigen::Vector3d& v) const {
-    return Eigen::Vector2d(offset_ - e_r_.dot(v.head<2>()), slip(e_r_, radius_, v));
+    return rates_along(e_r_, radius_, v) + Eigen::Vector2d(offset_, 0.0);
   }
   ContactVector at(const ContactVector& p) override {
     return rates(step_.end(contact_load(e_r_, radius_, p[0], p[1]), impact_));
@@ -57,6 +51,13 @@ bool take(const ConstrainedContact& s, RigidResult& out) {
   return true;
 }
 
+void set_rates(const Eigen::Vector2d& before, const Eigen::Vector2d& after, RigidResult& out) {
+  out.gap_rate_before = before.x();
+  out.slip_before = before.y();
+  out.gap_rate_after = after.x();
+  out.slip_after = after.y();
+}
+
 void held_impact(const RigidStep& step, const ContactParameters& c, StepResponse& held,
                  RigidResult& out) {
   PlanarResponse response(held, out.e_r, c.radius, true, 0.0);
@@ -66,10 +67,7 @@ void held_impact(const RigidStep& step, const ContactParameters& c, StepResponse
       response, before, matrix_of(delassus(step.impact_admittance, out.e_r, c.radius)), {&law, 1});
   if (!take(s, out)) return;
   out.impact = true;
-  out.gap_rate_before = before[0];
-  out.slip_before = before[1];
-  out.gap_rate_after = s.y[0];
-  out.slip_after = s.y[1];
+  set_rates(before, s.y, out);
 }
 
 void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
@@ -93,10 +91,7 @@ void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out)
   out.friction = r.friction();
   const Eigen::Vector3d after =
       step.free + in.admittance * contact_load(out.e_r, c.radius, out.normal, out.friction);
-  out.gap_rate_before = -out.e_r.dot(step.free.head<2>());
-  out.gap_rate_after = -out.e_r.dot(after.head<2>());
-  out.slip_before = slip(out.e_r, c.radius, step.free);
-  out.slip_after = slip(out.e_r, c.radius, after);
+  set_rates(rates_along(out.e_r, c.radius, step.free), rates_along(out.e_r, c.radius, after), out);
 }
 
 void held_lasting(const RigidStep& step, const ContactParameters& c, StepResponse& held,
@@ -112,7 +107,7 @@ void held_lasting(const RigidStep& step, const ContactParameters& c, StepRespons
 
 // (12), (13): y_N = gap / h at the end of the step, y_T = slip there.
 void lasting(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
-  const double free = slip(out.e_r, c.radius, step.free);
+  const double free = rates_along(out.e_r, c.radius, step.free).y();
   const CoulombSolution s = solve_coulomb(delassus(step.lasting_admittance, out.e_r, c.radius),
                                           gap_over_step(step, c), free, c.friction.at(free));
   out.status = status_of(s.solutions);

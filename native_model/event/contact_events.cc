@@ -114,7 +114,7 @@ void EventIntegrator::impact_over_time(const ContactPoint& touch) {
     case EventImpact::Outcome::kInside:
       return change_to(0, {Mode::kFree, 1.0, Departure::kInside});
     case EventImpact::Outcome::kRests:
-      return decide_one({0, false}, Departure::kParting);
+      return decide(std::array{Resting{0, false}}, Departure::kParting);
   }
 }
 
@@ -154,19 +154,7 @@ void EventIntegrator::margin_reached(std::size_t k) {
   }
 }
 
-void EventIntegrator::decide_one(const Resting& resting, Departure parting) {
-  const std::size_t k = resting.contact;
-  const Phase::Contact c = phase_.contact(k, motion_.t, motion_.y.data());
-  force_scale_[k] = std::max(force_scale_[k], c.b.scale / c.b.g.nn);
-  const double slip = resting.slip_is_zero ? 0.0 : c.point.slip;
-  const ContactDecision d = select_contact_mode(
-      c.b, slip, model_->auxiliary[k].contact->friction.at(slip), parameters_.no_force, parting);
-  if (d.status != Status::kOk) return fail(d.status, d.reason);
-  change_to(k, d.next);
-}
-
 void EventIntegrator::decide(std::span<const Resting> resting, Departure parting) {
-  if (resting.size() == 1) return decide_one(resting.front(), parting);
   const std::size_t n = resting.size();
   std::array<double, kMaxContacts> slips{}, friction{};
   for (std::size_t i = 0; i < n; ++i) closed_[i].index = resting[i].contact;

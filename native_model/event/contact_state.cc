@@ -2,50 +2,28 @@
 
 #include <cmath>
 
-#include "native_model/contact/coulomb.h"
+#include "native_model/contact/planar_contact.h"
 
 namespace rotorub {
 
-ContactDecision select_contact_mode(const ContactAccelerations& b, double slip, double mu,
-                                    double no_force, Departure parting) {
-  // On an orbit as wide as the clearance the ring carries nothing but round-off, of either sign:
-  // lasting contact, next to without force.
-  const double none = no_force * b.scale;
-  const double normal = std::abs(b.normal) < none ? -none : b.normal;
-  const ContactState free{Mode::kFree, 1.0, parting};
+namespace {
 
-  if (slip != 0.0) {
-    const double sign = slip > 0.0 ? 1.0 : -1.0;
-    if (carried(b.g, mu * sign) <= 0.0) {
-      const bool closing = normal < 0.0;
-      return {closing ? Status::kNoSolution : Status::kAmbiguous, free,
-              closing ? "frictional jamming (Painleve): sliding pushes itself in, and the contact "
-                        "forces have no solution"
-                      : "frictional jamming (Painleve): sliding pushes itself in, and the contact "
-                        "forces have several solutions"};
-    }
-    return {Status::kOk, normal >= 0.0 ? free : ContactState{Mode::kSlide, sign}};
+// Of one that slides the case is known: it parts, or it slides on.
+ContactDecision sliding_alone(const Delassus& g, double normal, double slip, double mu,
+                              const ContactState& free) {
+  const double sign = slip > 0.0 ? 1.0 : -1.0;
+  if (carried(g, mu * sign) <= 0.0) {
+    const bool closing = normal < 0.0;
+    return {closing ? Status::kNoSolution : Status::kAmbiguous, free,
+            closing ? "frictional jamming (Painleve): sliding pushes itself in, and the contact "
+                      "forces have no solution"
+                    : "frictional jamming (Painleve): sliding pushes itself in, and the contact "
+                      "forces have several solutions"};
   }
-
-  const CoulombSolution s = solve_coulomb(b.g, normal, b.tangential, mu);
-  if (s.solutions == 0) {
-    return {Status::kNoSolution, free, "the contact forces have no solution (Painleve)"};
-  }
-  if (s.solutions > 1) {
-    return {Status::kAmbiguous, free, "the contact forces have several solutions (Painleve)"};
-  }
-  switch (s.contact_case) {
-    case ContactCase::kOpen:
-      break;
-    case ContactCase::kStick:
-      return {Status::kOk, {Mode::kStick, 0.0}};
-    case ContactCase::kSlidePositive:
-      return {Status::kOk, {Mode::kSlide, 1.0}};
-    case ContactCase::kSlideNegative:
-      return {Status::kOk, {Mode::kSlide, -1.0}};
-  }
-  return {Status::kOk, free};
+  return {Status::kOk, normal >= 0.0 ? free : ContactState{Mode::kSlide, sign}};
 }
+
+}  // namespace
 
 ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
                                       const ContactVector& scale, std::span<const double> slips,
@@ -56,12 +34,20 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
   std::array<ContactSet, kMaxContacts> sets{};
   for (std::size_t i = 0; i < n; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
+    // On an orbit as wide as the clearance the ring carries nothing but round-off, of either sign:
+    // lasting contact, next to without force.
     const double none = no_force * scale[at];
     if (std::abs(b[2 * at]) < none) pressed[2 * at] = -none;
     sets[i].friction = friction[i];
     sets[i].slides = slips[i] > 0.0 ? 1.0 : slips[i] < 0.0 ? -1.0 : 0.0;
   }
   ContactDecisions decisions{};
+  const ContactState free{Mode::kFree, 1.0, parting};
+  if (n == 1 && slips[0] != 0.0) {
+    const Delassus own{g(0, 0), g(0, 1), g(1, 0), g(1, 1)};
+    decisions[0] = sliding_alone(own, pressed[0], slips[0], friction[0], free);
+    return decisions;
+  }
   const CoupledSolution s = solve_coupled(g, pressed, std::span(sets).first(n));
   if (s.solutions != 1) {
     decisions[0] = {status_of(s.solutions),
@@ -74,7 +60,7 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
     const auto at = static_cast<Eigen::Index>(2 * i);
     ContactState& next = decisions[i].next;
     if (!(s.p[at] > 0.0)) {
-      next = {Mode::kFree, 1.0, parting};
+      next = free;
     } else if (sets[i].slides != 0.0) {
       next = {Mode::kSlide, sets[i].slides};
     } else if (s.sticks[i]) {

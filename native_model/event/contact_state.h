@@ -32,15 +32,11 @@ struct ContactDecision {
   const char* reason = "";  // of a status that is not ok
 };
 
-// On the circle with gap rate 0: free, sliding or sticking from here on. slip: m/s, exactly 0 where
-// it is known to be, and the set-valued friction law decides. mu: that of the slip. `parting`: how
-// a flight would begin. no_force: see EventParameters.
-ContactDecision select_contact_mode(const ContactAccelerations& b, double slip, double mu,
-                                    double no_force, Departure parting);
-
-// Several contacts on their circles with gap rate 0, solved together: b and scale as
-// Phase::Accelerations, slips as above. The decisions of all, in the order of b; a status that is
-// not ok is in the first.
+// Contacts on their circles with gap rate 0, solved together: free, sliding or sticking from here
+// on. b and scale as Phase::Accelerations; slips: m/s, exactly 0 where it is known to be, and the
+// set-valued friction law decides; friction: mu at the slip. `parting`: how a flight would begin.
+// no_force: see EventParameters. The decisions of all, in the order of b; a status that is not ok
+// is in the first.
 using ContactDecisions = std::array<ContactDecision, kMaxContacts>;
 ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
                                       const ContactVector& scale, std::span<const double> slips,

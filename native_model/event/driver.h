@@ -72,7 +72,6 @@ class EventIntegrator {
     bool slip_is_zero;
   };
   void decide(std::span<const Resting> resting, Departure parting);
-  void decide_one(const Resting& resting, Departure parting);
   void change_to(std::size_t contact, const ContactState& next);
   void first_touch(std::size_t contact);
   MarginScales margin_scales(std::size_t contact) const;

@@ -80,8 +80,9 @@ Phase::Accelerations Phase::accelerations(double t, const double* y,
     c.point = found.point;
     all.b.segment<2>(2 * i) << found.b.normal, found.b.tangential;
     all.scale[i] = scale_of(found, q, v);
+    if (n == 1) all.g = Eigen::Matrix2d{{found.b.g.nn, found.b.g.nt}, {found.b.g.tn, found.b.g.tt}};
   }
-  all.g = delassus(*model_, t, q, closed);
+  if (n > 1) all.g = delassus(*model_, t, q, closed);
   return all;
 }
 
@@ -124,32 +125,19 @@ void Phase::find_multipliers(double t, const double* y, std::span<ClosedContact>
     b.segment<2>(2 * i) << found.b.normal, found.b.tangential;
   }
   const ContactMatrix g = delassus(*model_, t, q, closed);
-  ContactMatrix columns = ContactMatrix::Zero(2 * n, 2 * n);
-  std::array<Eigen::Index, 2 * kMaxContacts> rows{};
-  Eigen::Index count = 0;
+  CaseSystem system(2 * n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::size_t k = closed[static_cast<std::size_t>(i)].index;
-    const ContactState& state = at_[k].state;
-    columns(2 * i, count) = 1.0;
-    if (state.mode == Mode::kSlide) {
-      const double slip = closed[static_cast<std::size_t>(i)].point.slip;
-      columns(2 * i + 1, count) =
-          -model_->auxiliary[k].contact->friction.at(slip) * state.slip_sign;
+    const ClosedContact& c = closed[static_cast<std::size_t>(i)];
+    const ContactState& state = at_[c.index].state;
+    system.free(2 * i);
+    if (state.mode == Mode::kStick) {
+      system.free(2 * i + 1);
+    } else {
+      const double mu = model_->auxiliary[c.index].contact->friction.at(c.point.slip);
+      system.bring(2 * i + 1, -mu * state.slip_sign);
     }
-    rows[static_cast<std::size_t>(count++)] = 2 * i;
-    if (state.mode != Mode::kStick) continue;
-    columns(2 * i + 1, count) = 1.0;
-    rows[static_cast<std::size_t>(count++)] = 2 * i + 1;
   }
-  const ContactMatrix carried = g * columns.leftCols(count);
-  ContactMatrix matrix(count, count);
-  ContactVector right(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Index row = rows[static_cast<std::size_t>(i)];
-    matrix.row(i) = carried.row(row);
-    right[i] = -b[row];
-  }
-  const ContactVector force = columns.leftCols(count) * shared_solution(matrix, right);
+  const ContactVector force = system.solve(g, b);
   for (Eigen::Index i = 0; i < n; ++i) {
     const ClosedContact& c = closed[static_cast<std::size_t>(i)];
     set_margins(c.index, force[2 * i], force[2 * i + 1], c.point.slip);

@@ -37,7 +37,7 @@ class ContactKernel : public LoadKernel<M> {
       const ContactParameters& c = *models[static_cast<std::size_t>(lane)]->first().contact;
       lanes::set(contact.clearance, lane, c.clearance);
       lanes::set(contact.radius, lane, c.radius);
-      lanes::set(contact.friction.coefficient, lane, c.friction.coefficient);
+      contact.friction.set(lane, c.friction);
       lanes::set(contact.restitution, lane, c.restitution);
     }
     if (!coupled_) respond();

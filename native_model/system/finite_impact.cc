@@ -1,14 +1,22 @@
 #include "native_model/system/finite_impact.h"
 
 #include <algorithm>
-#include <span>
 
-#include "native_model/contact/impact_map.h"
+#include "native_model/contact/impact.h"
 #include "native_model/contact/rebound.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 
 namespace rotorub {
+namespace {
+
+// to = from + tau a
+void load_phase(double tau, const std::vector<double>& acceleration, const double* from,
+                std::vector<double>& to) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i] + tau * acceleration[i];
+}
+
+}  // namespace
 
 FiniteImpact::FiniteImpact(const Model& model) : model_(&model), constraint_(model) {
   const auto n = static_cast<std::size_t>(model.nq());
@@ -71,10 +79,10 @@ Status FiniteImpact::begin(double t, const double* q, const double* v,
   middle_ = t + c.compression_time;
   end_ = middle_ + c.expansion_time;
 
-  load_phase(c.compression_time, acceleration_, v_, after_compression_);
+  load_phase(c.compression_time, acceleration_, v_.data(), after_compression_);
   constraint_.apply(t, q_.data(), after_compression_.data(), e_r_, impulse_[0], impulse_[1]);
   coordinates(middle_, room_.data());
-  load_phase(c.expansion_time, acceleration_, after_compression_, after_);
+  load_phase(c.expansion_time, acceleration_, after_compression_.data(), after_);
   constraint_.apply(middle_, room_.data(), after_.data(), e_r_, impulse_[2], impulse_[3]);
 
   record_ = {};
@@ -126,9 +134,10 @@ FiniteImpact::Part FiniteImpact::part(std::size_t phase, double dt) const {
   Part p{share * impulse_[2 * phase], share * impulse_[2 * phase + 1], {}, {}, 0.0};
   double *q = room_.data(), *v = room_v_.data();
   coordinates(t, q);
-  load_phase(dt, acceleration_, {from(phase), room_v_.size()}, room_v_);
-  add_load_work(dt, std::span(force_).first(static_cast<std::size_t>(m.layout.mechanical())),
-                from(phase), v, p.external_work);
+  load_phase(dt, acceleration_, from(phase), room_v_);
+  for (int i = 0; i < m.layout.mechanical(); ++i) {
+    p.external_work += 0.5 * dt * force_[static_cast<std::size_t>(i)] * (from(phase)[i] + v[i]);
+  }
   p.before = rates(v);
   constraint_.apply(t, q, v, e_r_, p.normal, p.friction);
   p.after = rates(v);

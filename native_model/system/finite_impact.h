@@ -1,15 +1,20 @@
-// An impact that takes compression and expansion times, (15)-(19): the loads of the touch act on,
-// velocities go straight from the begin of a phase to its end, coordinates with the velocity at its
-// end, q = q_t + tau_C qdot_C + tau_E qdot_E (contact/impact_phase.h). Steps of any kind read it
-// off.
+// An impact that takes compression and expansion times, (15)-(19). The loads of the touch act on;
+// in each phase of the time tau the velocities go straight from v_0 to
+//
+//   v_1 = v_0 + tau a + M^-1 W p,     p = (normal, friction) impulses, a of the loads of the touch,
+//
+// the coordinates with v_1, q = q_t + tau_C qdot_C + tau_E qdot_E. The work of a phase has three
+// parts: of the loads between v_0 and v_0 + tau a; of the impulse between v_0 + tau a and v_1; and,
+// since the path goes with v_1 and the springs are held, what the stored energy grows by along the
+// path at v_1. Steps of any kind read it off.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 #include <vector>
 
-#include "native_model/contact/impact_phase.h"
 #include "native_model/contact/impact_record.h"
+#include "native_model/contact/kinematics.h"
 #include "native_model/dynamics/constraint.h"
 #include "native_model/numerics/status.h"
 

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
-
-#include "native_model/contact/residual.h"
+#include "tests/support/contact_residual.h"
 
 namespace rotorub {
 namespace {

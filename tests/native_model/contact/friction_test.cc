@@ -23,11 +23,11 @@ TEST(Friction, ANumberIsCoulombsLaw) {
 TEST(Friction, OfLanesIsThatOfEach) {
   using T = lanes::Lane<2>;
   FrictionOf<T> both;
-  lanes::set(both.coefficient, 0, 0.1);
-  lanes::set(both.coefficient, 1, 0.4);
+  both.set(0, 0.1);
+  both.set(1, 0.4);
   const T slip = lanes::all<T>(0.7);
   for (const int lane : {0, 1}) {
-    const FrictionLaw own = both.coefficient[lane];
+    const FrictionLaw own = lane == 0 ? 0.1 : 0.4;
     EXPECT_EQ(both.at(slip)[lane], own.at(0.7));
   }
 }

@@ -1,13 +1,12 @@
-#include "native_model/contact/impact.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "native_model/contact/impact_map.h"
-#include "native_model/contact/residual.h"
+#include "native_model/contact/impact.h"
 #include "native_model/oracles/planar_impact.h"
+#include "tests/support/contact_residual.h"
 
 namespace rotorub {
 namespace {

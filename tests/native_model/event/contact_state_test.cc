@@ -10,9 +10,15 @@ namespace {
 constexpr double kMu = 0.5, kNoForce = 1e-10;
 const Delassus kPlain{1.0, 0.0, 0.0, 2.0};
 
-ContactDecision select(double normal, double tangential, double slip, double scale = 0.0) {
-  return select_contact_mode({kPlain, normal, tangential, scale}, slip, kMu, kNoForce,
-                             Departure::kParting);
+ContactDecision select(double normal, double tangential, double slip, double scale = 0.0,
+                       const Delassus& g = kPlain) {
+  ContactMatrix a(2, 2);
+  a << g.nn, g.nt, g.tn, g.tt;
+  const ContactVector b = Eigen::Vector2d(normal, tangential);
+  ContactVector scales(1);
+  scales << scale;
+  return select_contact_modes(a, b, scales, {&slip, 1}, {&kMu, 1}, kNoForce,
+                              Departure::kParting)[0];
 }
 
 TEST(ContactState, PartsWhereNothingPresses) {
@@ -53,15 +59,12 @@ TEST(ContactState, RoundOffOfEitherSignIsContactWithoutForce) {
 
 TEST(ContactState, JammingIsSaid) {
   // mu G_NT > G_NN for positive slip.
-  const ContactAccelerations b{{1.0, 3.0, 3.0, 10.0}, -1.0, 0.0};
-  const ContactDecision pressed = select_contact_mode(b, 0.1, kMu, kNoForce, Departure::kParting);
+  const Delassus jams{1.0, 3.0, 3.0, 10.0};
+  const ContactDecision pressed = select(-1.0, 0.0, 0.1, 0.0, jams);
   EXPECT_EQ(pressed.status, Status::kNoSolution);
   EXPECT_STRNE(pressed.reason, "");
-  ContactAccelerations parting = b;
-  parting.normal = 1.0;
-  EXPECT_EQ(select_contact_mode(parting, 0.1, kMu, kNoForce, Departure::kParting).status,
-            Status::kAmbiguous);
-  EXPECT_EQ(select_contact_mode(b, -0.1, kMu, kNoForce, Departure::kParting).status, Status::kOk);
+  EXPECT_EQ(select(1.0, 0.0, 0.1, 0.0, jams).status, Status::kAmbiguous);
+  EXPECT_EQ(select(-1.0, 0.0, -0.1, 0.0, jams).status, Status::kOk);
 }
 
 TEST(ContactState, ThePhaseEndsAtTheMarginThatIsReached) {

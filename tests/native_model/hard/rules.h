@@ -9,9 +9,9 @@
 #include <cmath>
 #include <string>
 
-#include "native_model/contact/residual.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/contact_residual.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 

@@ -1,15 +1,38 @@
-#include "native_model/contact/residual.h"
+// Checks of the contact laws that share no code with the solvers: how far given numbers are from
+// satisfying them. Scaled: 0 is exact, 1 is as wrong as the quantities are large.
+#pragma once
 
 #include <algorithm>
 #include <cmath>
 
 namespace rotorub {
-namespace {
+
+// The laws of one impact in momenta and velocities, (15)-(19); symmetric matrix with G_NT.
+struct ImpactRecord {
+  double g_nn, g_nt, g_tt;                          // 1/kg
+  double gap_rate_before, slip_before;              // m/s
+  double normal_compression, friction_compression;  // N s
+  double normal_expansion, friction_expansion;      // N s
+  double friction, restitution, tangential_restitution;
+};
+
+struct ImpactResidual {
+  double compression;  // complementarity and Coulomb at the end of compression
+  double expansion;    // Poisson and the tangential law at the end of expansion
+  double energy_gain;  // J over the energy scale, <= 0 for a dissipative impact
+};
+
+// Lasting contact: gap (m), normal force (N), friction force (N), slip (m/s) at one instant, with
+// the scales of gap, force and slip.
+struct ContactResidual {
+  double complementarity;  // max of violated signs and of gap x force, scaled
+  double coulomb;          // violation of |T| <= mu N, of T = -mu N sign(slip) where it slips
+};
 
 // Distance of T from the multivalued -set of slip u: upper where u < 0, lower where u > 0, between
 // for u = 0, as the distance of (u, T) from the maximal monotone graph, both scaled.
-double graph_distance(double u, double force, double lower, double upper, double u_scale,
-                      double f_scale) {
+inline double graph_distance(double u, double force, double lower, double upper, double u_scale,
+                             double f_scale) {
   const double outside = std::max({0.0, lower - force, force - upper}) / f_scale;
   const double to_axis = std::hypot(u / u_scale, outside);  // u = 0
   const double to_lower = std::hypot(std::min(0.0, u) / u_scale, (force - lower) / f_scale);
@@ -18,11 +41,9 @@ double graph_distance(double u, double force, double lower, double upper, double
 }
 
 // min-map of a complementary pair: 0 iff a, b >= 0 and ab = 0.
-double min_map(double a, double b) { return std::abs(std::min(a, b)); }
+inline double min_map(double a, double b) { return std::abs(std::min(a, b)); }
 
-}  // namespace
-
-ImpactResidual impact_residual(const ImpactRecord& r) {
+inline ImpactResidual impact_residual(const ImpactRecord& r) {
   const double nc = r.normal_compression, tc = r.friction_compression;
   const double ne = r.normal_expansion, te = r.friction_expansion;
   const double n_c = r.g_nn * nc + r.g_nt * tc + r.gap_rate_before;
@@ -50,9 +71,9 @@ ImpactResidual impact_residual(const ImpactRecord& r) {
   return out;
 }
 
-ContactResidual contact_residual(double gap, double normal, double friction_force, double slip,
-                                 double mu, double gap_scale, double force_scale,
-                                 double slip_scale) {
+inline ContactResidual contact_residual(double gap, double normal, double friction_force,
+                                        double slip, double mu, double gap_scale,
+                                        double force_scale, double slip_scale) {
   return {min_map(gap / gap_scale, normal / force_scale),
           graph_distance(slip, friction_force, -mu * normal, mu * normal, slip_scale, force_scale)};
 }
