@@ -7,7 +7,7 @@
 
 #include "native_model/contact/impact_map.h"
 #include "native_model/contact/residual.h"
-#include "native_model/oracles/planar_impact.h"
+#include "tests/support/oracles/planar_impact.h"
 
 namespace rotorub {
 namespace {
