@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/matrix_functions.h"
-#include "native_model/numerics/real_eigenvalues.h"
 #include "plugin/differences.h"
 
 namespace rotorub::plugin {

@@ -105,6 +105,45 @@ void to_native(const Segments& s, const Model& model, const mjtNum* from, Addres
   }
 }
 
+// Segments::bending.
+Model bending_loads(const scene::Scene& scene, const Model& model, const SegmentChain& chain,
+                    const SegmentMatrices& matrices) {
+  const auto shape = [&chain](double station) {
+    const Eigen::VectorXd row = chain.deflection(station).transpose();
+    return ModeShape{row, row};
+  };
+  Model loads;
+  Layout& l = loads.layout;
+  l.modes = static_cast<int>(chain.plane_size());
+  l.spin = model.layout.spin;
+  l.integrals = model.layout.integrals;
+  loads.speed = model.speed;
+  loads.spin_angle = model.spin_angle;
+  loads.mass = Eigen::VectorXd::Zero(l.nq());
+  loads.mass.tail(l.integrals) = model.mass.segment(model.layout.integral(), l.integrals);
+  loads.internal_xx = loads.internal_xy = loads.internal_yy = ModeMatrix(matrices.internal);
+  loads.forces = model.forces;  // in the scene's order, but for unbalances
+  auto force = loads.forces.begin();
+  for (const scene::Force& given : scene.forces) {
+    if (given.kind != scene::ForceKind::kUnbalance) {
+      (force++)->shape = shape(given.station);
+    } else if (given.static_moment != 0.0) {
+      loads.unbalances.push_back(
+          {shape(given.station), given.static_moment, given.phase, given.on});
+    }
+  }
+  if (!scene.magnetic_bearing) return loads;
+  const ModeShape at_magnets = shape(scene.magnetic_bearing->station);
+  if (model.feedback) {
+    loads.feedback = StationFeedback{at_magnets, model.feedback->law};
+    loads.feedback->law.held = 0.0;  // the chain has no such spring
+  } else {
+    const double k = scene.magnetic_bearing->negative_stiffness;
+    loads.springs.push_back({at_magnets, {-k, -k}});
+  }
+  return loads;
+}
+
 }  // namespace
 
 Segments make_segments(const scene::Scene& scene, const Model& model,
@@ -115,25 +154,12 @@ Segments make_segments(const scene::Scene& scene, const Model& model,
   map_joints(s, find);
   const SegmentMatrices m =
       segment_matrices(scene, s.chain, model.layout.modes, model.layout.torsion);
-  if (geometry.damping_ratio > 0.0 || geometry.internal_damping_ratio > 0.0) {
-    s.damping_x = m.damping_x + m.internal;
-    s.damping_y = m.damping_y + m.internal;
+  if (geometry.damping_ratio > 0.0) {
+    s.damping_x = m.damping_x;
+    s.damping_y = m.damping_y;
   }
-  if (geometry.internal_damping_ratio > 0.0) s.internal = m.internal;
+  s.bending = bending_loads(scene, model, s.chain, m);
   if (!m.torsion_damping.isZero(0.0)) s.torsion_damping = m.torsion_damping;
-  for (const scene::Force& force : scene.forces) {
-    const Eigen::RowVectorXd row = s.chain.deflection(force.station);
-    if (force.kind != scene::ForceKind::kUnbalance) {
-      s.force_rows.push_back(row);
-    } else {
-      s.lost.push_back({{}, force.static_moment, force.phase, force.on});
-      s.lost_rows.push_back(row);
-    }
-  }
-  if (scene.magnetic_bearing) {
-    s.magnet_row = s.chain.deflection(scene.magnetic_bearing->station);
-    s.magnet_stiffness = scene.magnetic_bearing->negative_stiffness;
-  }
   if (scene.drive) s.drive_node = s.chain.node_at(scene.drive->station);
   s.spin_share = m.spin_inertia / m.spin_inertia.sum();
   s.project_x = projection(m.shape_x, m.mass);

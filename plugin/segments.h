@@ -38,16 +38,14 @@ struct Segments {
   std::vector<JointAddress> spin;  // N + 1
 
   // Loads, in the chain's coordinates.
-  Eigen::MatrixXd damping_x, damping_y;        // external and rotating
-  Eigen::MatrixXd internal;                    // rotating; empty: none
-  Eigen::MatrixXd torsion_damping;             // empty: none
-  std::vector<Eigen::RowVectorXd> force_rows;  // of Model.forces, in their order
-  std::vector<Eigen::RowVectorXd> lost_rows;   // of [[force]] of kind unbalance
-  std::vector<DiscUnbalance> lost;             // the same, without shapes
-  Eigen::RowVectorXd magnet_row;               // deflection at the magnetic bearing; empty: none
-  double magnet_stiffness = 0.0;  // N/m, negative stiffness's size; of one without a feedback
-  int drive_node = -1;            // -1: speed held
-  Eigen::VectorXd spin_share;     // N + 1, J_k / sum J: mean spin
+  Eigen::MatrixXd damping_x, damping_y;  // external; empty: none
+  Eigen::MatrixXd torsion_damping;       // empty: none
+  // What the native list of loads (dynamics/loads.h) has in the place of the joints' own: rotating
+  // damping, forces, blades that are lost, the magnetic bearing. Its modes are the coordinates of a
+  // plane, its spin the mean one; then come the two of a magnetic bearing's integrator.
+  Model bending;
+  int drive_node = -1;         // -1: speed held
+  Eigen::VectorXd spin_share;  // N + 1, J_k / sum J: mean spin
 
   // Native modal coordinates of a state of the chain: the share of each mode kept, and the whole
   // deflection at the contacts, of which the first modes take what is not in the others.

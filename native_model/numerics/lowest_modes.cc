@@ -5,8 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "native_model/numerics/complex_eigenvalues.h"
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 
 namespace rotorub {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 
 namespace rotorub::oracle {
 namespace {

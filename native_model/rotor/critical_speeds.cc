@@ -9,10 +9,9 @@
 #include <optional>
 #include <utility>
 
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/extremes.h"
-#include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/numerics/root.h"
-#include "native_model/numerics/symmetric_eigenvalues.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/rotor/refusal.h"
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <optional>
 
-#include "native_model/numerics/symmetric_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub {

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "native_model/numerics/symmetric_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/root.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rotor/whirl_eigenvalues.h"
@@ -147,35 +148,15 @@ class StabilitySearch {
     });
   }
 
-  // Zero of growth between a stable and an unstable speed: Ridders' method, which keeps the
-  // bracket.
+  // Zero of growth between a stable and an unstable speed, from the unstable side.
   double crossing(const Sample& before, const Sample& after) const {
     constexpr double kAccuracy = 1e-10;
-    constexpr int kSteps = 60;
     // Beside a mode without damping: where one leaves round-off.
     const double none = before.growth > -kGrows ? kGrows : 0.0;
-    double stable = before.speed, unstable = after.speed, last = unstable;
-    double low = before.growth - none, high = after.growth - none;
-    const auto narrow = [&](double speed, double value) {
-      (value > 0.0 ? unstable : stable) = speed;
-      (value > 0.0 ? high : low) = value;
-    };
-    for (int step = 0; step < kSteps && unstable - stable > kAccuracy * unstable; ++step) {
-      const double half = 0.5 * (unstable - stable);
-      const double middle = stable + half;
-      const double value = at(middle).growth - none;
-      const double root = std::sqrt(value * value - low * high);
-      const bool usable = low < 0.0 && high > 0.0 && root > 0.0;
-      const double better =
-          middle - half * value / root;  // low < 0: towards the stable side if > 0
-      narrow(middle, value);
-      if (!usable || !(better > stable && better < unstable)) continue;
-      const double best = at(better).growth - none;
-      narrow(better, best);
-      if (best == 0.0 || std::abs(better - last) <= kAccuracy * better) return better;
-      last = better;
-    }
-    return unstable;
+    const auto excess = [&](double speed) { return at(speed).growth - none; };
+    return root(excess, before.speed, after.speed, before.growth - none, after.growth - none,
+                kAccuracy * after.speed)
+        .second;
   }
 
   const WhirlSystem& system_;

@@ -6,9 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "native_model/numerics/complex_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/lowest_modes.h"
-#include "native_model/numerics/real_eigenvalues.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub {
@@ -20,18 +19,6 @@ using Complex = std::complex<double>;
 // frequency, whatever the mode. A coordinate without a stiffness is left as it is.
 Eigen::VectorXd state_scale(const Eigen::MatrixXd& stiffness) {
   return stiffness.diagonal().unaryExpr([](double k) { return k > 0.0 ? std::sqrt(k) : 1.0; });
-}
-
-// v' = -C W^-1 (W q) - B v,  (W q)' = W v
-template <typename Matrix>
-Matrix state_matrix(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W) {
-  const Eigen::Index n = W.size();
-  Matrix A = Matrix::Zero(2 * n, 2 * n);
-  A.topRightCorner(n, n).diagonal() = W.template cast<typename Matrix::Scalar>();
-  A.bottomLeftCorner(n, n) =
-      -C * W.cwiseInverse().template cast<typename Matrix::Scalar>().asDiagonal();
-  A.bottomRightCorner(n, n) = -B;
-  return A;
 }
 
 // Sense of the orbit x = Re(x^ e^{st}), y = Re(y^ e^{st}), Im s > 0: the sign of its angular
@@ -103,7 +90,7 @@ std::vector<Whirl> isotropic_whirls(const WhirlSystem& system, double speed) {
     return lowest_of_each_sense(std::move(all), kept).size() == 2 * kept;
   };
   auto part = lowest_modes(B, C, W, shift_of(W), 2 * system.kept, enough);
-  if (!part) part = all_of(complex_modes(state_matrix(B, C, W)));
+  if (!part) part = all_of(complex_modes(first_order_form(B, C, W)));
   return lowest_of_each_sense(with_rates(*part), kept);
 }
 
@@ -119,7 +106,7 @@ std::vector<Whirl> anisotropic_whirls(const WhirlSystem& system, double speed) {
     return (values.imag().array() > 0.0).count() + real / 2 >= 2 * system.kept;
   };
   auto part = lowest_modes(B, C, W, shift_of(W), 4 * system.kept, enough);
-  if (!part) part = all_of(real_modes(state_matrix(B, C, W)));
+  if (!part) part = all_of(real_modes(first_order_form(B, C, W)));
 
   std::vector<Whirl> all, real;
   for (Whirl& whirl : with_rates(*part)) {

@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub::rub {
@@ -105,8 +105,8 @@ std::vector<Complex> eigenvalues(const Perturbation& p) {
   if (!(met.determinant() > 0.0)) throw RotorNotSolvable("no eigenvalues of its rub can be found");
   const Eigen::MatrixXd along =
       Z.transpose() - (Z.transpose() * F) * Eigen::MatrixXd(met.inverse()) * C;
-  const auto values = real_eigenvalues(
-      state_matrix(Eigen::MatrixXd(along * B * Z), Eigen::MatrixXd(along * K * Z)));
+  const Eigen::MatrixXd rates = along * B * Z, springs = along * K * Z;
+  const auto values = real_eigenvalues(first_order_form(rates, springs, frequency_scale(springs)));
   if (!values) throw RotorNotSolvable("no eigenvalues of its rub can be found");
   return *values;
 }

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <vector>
 
 #include "native_model/rub/rub_system.h"
@@ -35,20 +34,6 @@ void leave_out_smallest(std::vector<Complex>& values, int count);
 // The inertial frame's D + N - i Omega G, N s/m, and K - i Omega N, N/m, n x n.
 Eigen::MatrixXcd rotor_rates(const RubSystem& system);
 Eigen::MatrixXcd rotor_springs(const RubSystem& system);
-
-// [0, w 1; -C/w, -B] of q'' + B q' + C q = 0, with the state (w q, q'): entries of both halves are
-// then of the size of a frequency.
-template <class Matrix>
-Matrix state_matrix(const Matrix& B, const Matrix& C) {
-  const Eigen::Index n = B.rows();
-  const double largest = n > 0 ? C.cwiseAbs().maxCoeff() : 0.0;
-  const double w = largest > 0.0 ? std::sqrt(largest) : 1.0;
-  Matrix A = Matrix::Zero(2 * n, 2 * n);
-  A.topRightCorner(n, n).diagonal().setConstant(w);
-  A.bottomLeftCorner(n, n) = -C / w;
-  A.bottomRightCorner(n, n) = -B;
-  return A;
-}
 
 // Orthonormal, n x (n - m): what is normal to the m independent columns of `directions`, n x m.
 Eigen::MatrixXd complement(const Eigen::MatrixXd& directions);

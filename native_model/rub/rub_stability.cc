@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "native_model/numerics/complex_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rub/perturbation.h"
 
@@ -13,12 +13,6 @@ namespace rotorub::rub {
 namespace {
 
 [[noreturn]] void fail() { throw RotorNotSolvable("no eigenvalues of its rub can be found"); }
-
-void sort_by_growth(std::vector<Complex>& values) {
-  std::sort(values.begin(), values.end(), [](const Complex& a, const Complex& b) {
-    return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
-  });
-}
 
 // s of s^2 M + s B + C, M real and positive definite.
 std::vector<Complex> quadratic(const Eigen::MatrixXd& M, const Eigen::MatrixXcd& B,
@@ -30,9 +24,8 @@ std::vector<Complex> quadratic(const Eigen::MatrixXd& M, const Eigen::MatrixXcd&
       root.matrixL().solve(Eigen::MatrixXd::Identity(M.rows(), M.rows())).cast<Complex>();
   const Eigen::MatrixXcd b = inverse * B * inverse.transpose(),
                          c = inverse * C * inverse.transpose();
-  auto values = complex_eigenvalues(state_matrix(b, c));
+  const auto values = complex_eigenvalues(first_order_form(b, c, frequency_scale(c)));
   if (!values) fail();
-  sort_by_growth(*values);
   return *values;
 }
 

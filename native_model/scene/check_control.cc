@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 #include "native_model/scene/checker.h"
@@ -40,10 +39,7 @@ void check_feedback(const Checker& check, const Controller& c) {
     }
     return;
   }
-  if (std::adjacent_find(c.feedback_speed.begin(), c.feedback_speed.end(),
-                         std::greater_equal<>()) != c.feedback_speed.end()) {
-    check.fail("controller.feedback_speed", "must be strictly ascending");
-  }
+  check.ascending("controller.feedback_speed", c.feedback_speed);
   check.list_length("controller.feedback_speed", c.feedback_speed, c.feedback.size(),
                     "value of controller.feedback");
 }

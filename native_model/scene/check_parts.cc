@@ -41,9 +41,7 @@ void check_drive(const Checker& check, const Drive& drive) {
   }
   const std::vector<double>& speed = drive.table_speed;
   if (speed.size() < 2) check.fail("drive.table_speed", "expected two speeds or more");
-  if (std::adjacent_find(speed.begin(), speed.end(), std::greater_equal<>()) != speed.end()) {
-    check.fail("drive.table_speed", "must be strictly ascending");
-  }
+  check.ascending("drive.table_speed", speed);
   check.list_length("drive.table_torque", drive.table_torque, speed.size(),
                     "speed of drive.table_speed");
 }

@@ -37,6 +37,8 @@ struct Checker {
   // A list at `path`, if it is given, has `length` values; `of` says what counts them.
   void list_length(const std::string& path, const std::vector<double>& list, std::size_t length,
                    const std::string& of) const;
+  // A list, whether it is given or not, rises from value to value.
+  void ascending(const std::string& path, const std::vector<double>& list) const;
   // How many bending (torsion) modes there are, where the scene says so: not with max_frequency.
   std::optional<std::size_t> bending_modes() const;
   std::optional<std::size_t> torsion_modes() const;

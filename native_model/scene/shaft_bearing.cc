@@ -34,9 +34,7 @@ void check_table(const Checker& check, const std::string& path, const ShaftBeari
   if (!check.sound({path + ".table_speed"})) return;
   const std::vector<double>& speed = bearing.table_speed;
   if (speed.size() < 2) check.fail(path + ".table_speed", "expected two speeds or more");
-  if (std::adjacent_find(speed.begin(), speed.end(), std::greater_equal<>()) != speed.end()) {
-    check.fail(path + ".table_speed", "must be strictly ascending");
-  }
+  check.ascending(path + ".table_speed", speed);
   for (const TableKey& key : kTableKeys) {
     check.list_length(path + key.name, bearing.*key.list, speed.size(), "speed of table_speed");
   }

@@ -40,6 +40,8 @@ class TableReader {
                 const std::string& path, void* object);
   void refuse_unknown(const TomlNode& node, std::string_view table_path, const std::string& path);
 
+  // Keeps that another value is expected; false.
+  bool refuse(const Key& key, const TomlNode& node, const std::string& path);
   bool read_value(const Key& key, const TomlNode& node, const std::string& path, Value& value);
   bool read_number(const Key& key, const TomlNode& node, const std::string& path, double& number);
   bool read_whole(const Key& key, const TomlNode& node, const std::string& path, int& whole);

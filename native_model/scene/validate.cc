@@ -1,6 +1,7 @@
 #include "native_model/scene/validate.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "native_model/scene/checker.h"
 #include "native_model/scene/disc.h"
@@ -31,6 +32,11 @@ void Checker::list_length(const std::string& path, const std::vector<double>& li
   if (!given(path) || !sound({path}) || list.size() == length) return;
   fail(path, "expected " + std::to_string(length) + " value(s), one for each " + of + ", got " +
                  std::to_string(list.size()));
+}
+
+void Checker::ascending(const std::string& path, const std::vector<double>& list) const {
+  if (std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) != list.end())
+    fail(path, "must be strictly ascending");
 }
 
 std::optional<std::size_t> Checker::bending_modes() const {

@@ -28,6 +28,11 @@ std::string got(const TomlNode& node) {
 
 }  // namespace
 
+bool TableReader::refuse(const Key& key, const TomlNode& node, const std::string& path) {
+  fail(node, path, "expected " + key.expected() + got(node));
+  return false;
+}
+
 bool TableReader::read_value(const Key& key, const TomlNode& node, const std::string& path,
                              Value& value) {
   switch (key.type) {
@@ -91,10 +96,8 @@ bool TableReader::read_number(const Key& key, const TomlNode& node, const std::s
 
 bool TableReader::read_whole(const Key& key, const TomlNode& node, const std::string& path,
                              int& whole) {
-  if (node.kind != Kind::kInteger || !key.range.contains(static_cast<double>(node.integer))) {
-    fail(node, path, "expected " + key.expected() + got(node));
-    return false;
-  }
+  if (node.kind != Kind::kInteger || !key.range.contains(static_cast<double>(node.integer)))
+    return refuse(key, node, path);
   whole = static_cast<int>(node.integer);
   return true;
 }
@@ -117,20 +120,14 @@ bool TableReader::read_word(const Key& key, const TomlNode& node, const std::str
 
 bool TableReader::read_text(const Key& key, const TomlNode& node, const std::string& path,
                             std::string& text) {
-  if (node.kind != Kind::kString || node.text.empty()) {
-    fail(node, path, "expected " + key.expected() + got(node));
-    return false;
-  }
+  if (node.kind != Kind::kString || node.text.empty()) return refuse(key, node, path);
   text = node.text;
   return true;
 }
 
 bool TableReader::read_flag(const Key& key, const TomlNode& node, const std::string& path,
                             int& flag) {
-  if (node.kind != Kind::kBoolean) {
-    fail(node, path, "expected " + key.expected() + got(node));
-    return false;
-  }
+  if (node.kind != Kind::kBoolean) return refuse(key, node, path);
   flag = node.boolean ? 1 : 0;
   return true;
 }
@@ -157,10 +154,7 @@ bool TableReader::read_pair(const Key& key, const TomlNode& node, const std::str
 
 bool TableReader::read_list(const Key& key, const TomlNode& node, const std::string& path,
                             std::vector<double>& list) {
-  if (node.kind != Kind::kArray) {
-    fail(node, path, "expected " + key.expected() + got(node));
-    return false;
-  }
+  if (node.kind != Kind::kArray) return refuse(key, node, path);
   if (node.items.empty() && key.required()) {
     fail(node, path, "expected " + key.expected() + ", got an empty list");
     return false;

@@ -10,7 +10,7 @@
 
 #include "native_model/dynamics/linear_parts.h"
 #include "native_model/dynamics/loads.h"
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/scene/text.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/system/orbit_size.h"
@@ -131,10 +131,9 @@ void check_stability(const scene::Scene& scene, const Model& m, const Bending& b
   for (double& x : w) {
     if (x == 0.0) x = largest > 0.0 ? largest : 1.0;
   }
+  const Eigen::MatrixXd damping = inverse.asDiagonal() * b.damping * inverse.asDiagonal();
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n + stored, 2 * n + stored);
-  a.block(0, n, n, n) = w.asDiagonal();
-  a.block(n, 0, n, n) = -k * w.cwiseInverse().asDiagonal();
-  a.block(n, n, n, n) = -(inverse.asDiagonal() * b.damping * inverse.asDiagonal());
+  a.topLeftCorner(2 * n, 2 * n) = first_order_form(damping, k, w);
   if (stored > 0) {
     const Eigen::MatrixXd station = inverse.asDiagonal() * b.station;
     const double unit = std::sqrt(b.force_per_current * b.integral / w.maxCoeff());

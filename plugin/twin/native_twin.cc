@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "native_model/numerics/symmetric_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "plugin/message.h"
 #include "plugin/twin/linear_machine.h"

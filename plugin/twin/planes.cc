@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "native_model/numerics/symmetric_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "plugin/message.h"
 
 namespace rotorub::plugin {

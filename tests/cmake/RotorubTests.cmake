@@ -14,7 +14,7 @@ set(ROTORUB_TEST_DEFINITIONS
 
 # rotorub_test_support(): fixtures, comparisons and tolerances that several areas share (tests/support).
 function(rotorub_test_support)
-  file(GLOB sources CONFIGURE_DEPENDS "support/*.cc")
+  file(GLOB sources CONFIGURE_DEPENDS "support/*.cc" "support/oracles/*.cc")
   list(FILTER sources EXCLUDE REGEX "_test\\.cc$")
   add_library(rotorub_test_support STATIC ${sources})
   target_link_libraries(

@@ -10,7 +10,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/rub/rub_stability.h"
 #include "plugin/differences.h"
 #include "plugin/hooks.h"

@@ -8,7 +8,7 @@
 #include <complex>
 #include <vector>
 
-#include "native_model/numerics/complex_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "plugin/config.h"
 #include "tests/support/mujoco_fixture.h"
 

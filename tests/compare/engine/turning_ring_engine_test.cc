@@ -8,9 +8,9 @@
 
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/oracles/annular_rub.h"
-#include "native_model/oracles/turning_ring.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/oracles/turning_ring.h"
 #include "tests/support/order.h"
 
 namespace rotorub::test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "native_model/oracles/friswell_rotor.h"
+#include "tests/support/oracles/friswell_rotor.h"
 
 namespace rotorub {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "compare/base/units.h"
 #include "compare/report/web/scripts.h"
-#include "native_model/oracles/friswell_rotor.h"
+#include "tests/support/oracles/friswell_rotor.h"
 
 namespace rotorub {
 namespace {

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "native_model/contact/impact.h"
-#include "native_model/oracles/planar_impact.h"
 #include "tests/support/contact_residual.h"
+#include "tests/support/oracles/planar_impact.h"
 
 namespace rotorub {
 namespace {

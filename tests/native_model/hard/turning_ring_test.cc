@@ -8,10 +8,10 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/oracles/annular_rub.h"
-#include "native_model/oracles/turning_ring.h"
 #include "native_model/stepping/ensemble.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/native_run.h"
+#include "tests/support/oracles/turning_ring.h"
 #include "tests/support/order.h"
 #include "tests/support/whip.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"

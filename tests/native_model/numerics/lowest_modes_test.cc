@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 
 namespace rotorub {
 namespace {

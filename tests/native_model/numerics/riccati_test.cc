@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 
 namespace rotorub {
 namespace {

@@ -1,6 +1,6 @@
 // The whip's closed form against Runge-Kutta, first on its own equation, then on the polar
 // equations of the rotor that it comes from.
-#include "native_model/oracles/backward_whip.h"
+#include "tests/support/oracles/backward_whip.h"
 
 #include <gtest/gtest.h>
 

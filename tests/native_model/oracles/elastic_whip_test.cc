@@ -11,7 +11,7 @@
 #include <random>
 
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/runge_kutta.h"

@@ -1,6 +1,6 @@
 // The impact's closed form against Routh's: the impulse grows bit by bit, Coulomb's law holds at
 // every bit.
-#include "native_model/oracles/planar_impact.h"
+#include "tests/support/oracles/planar_impact.h"
 
 #include <gtest/gtest.h>
 

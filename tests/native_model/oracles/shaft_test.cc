@@ -6,8 +6,8 @@
 #include <complex>
 #include <numbers>
 
-#include "native_model/oracles/friswell_rotor.h"
-#include "native_model/oracles/rayleigh_shaft.h"
+#include "tests/support/oracles/friswell_rotor.h"
+#include "tests/support/oracles/rayleigh_shaft.h"
 
 namespace rotorub::oracle {
 namespace {

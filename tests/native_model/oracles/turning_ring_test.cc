@@ -1,5 +1,5 @@
 // The ring that turns, put back into the equations that its closed forms solve.
-#include "native_model/oracles/turning_ring.h"
+#include "tests/support/oracles/turning_ring.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "native_model/oracles/friswell_rotor.h"
-#include "native_model/oracles/rayleigh_shaft.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/scene/scene.h"
+#include "tests/support/oracles/friswell_rotor.h"
+#include "tests/support/oracles/rayleigh_shaft.h"
 
 namespace rotorub::test {
 

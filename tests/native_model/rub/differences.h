@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/rub/perturbation.h"
 #include "native_model/rub/steady_rub.h"
 #include "native_model/system/model.h"

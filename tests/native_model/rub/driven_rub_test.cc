@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/rub/perturbation.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/system/model.h"

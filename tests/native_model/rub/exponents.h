@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "native_model/numerics/real_eigenvalues.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/rub/rub_system.h"
 
 namespace rotorub::test {

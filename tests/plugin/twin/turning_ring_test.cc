@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "native_model/oracles/turning_ring.h"
 #include "native_model/run/run_native.h"
 #include "native_model/system/model.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/twin/twins.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/oracles/turning_ring.h"
 
 namespace rotorub::test {
 namespace {

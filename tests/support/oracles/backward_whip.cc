@@ -1,4 +1,4 @@
-#include "native_model/oracles/backward_whip.h"
+#include "tests/support/oracles/backward_whip.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "native_model/oracles/planar_impact.h"
+#include "tests/support/oracles/planar_impact.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "native_model/oracles/friswell_rotor.h"
+#include "tests/support/oracles/friswell_rotor.h"
 
 #include <numbers>
 

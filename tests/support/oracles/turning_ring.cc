@@ -1,4 +1,4 @@
-#include "native_model/oracles/turning_ring.h"
+#include "tests/support/oracles/turning_ring.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "native_model/oracles/rayleigh_shaft.h"
+#include "tests/support/oracles/rayleigh_shaft.h"
 
 #include <cmath>
 #include <numbers>
