@@ -3,6 +3,7 @@
 
 #include "mjcf/mujoco_version.h"
 #include "mjcf/soft_contact.h"
+#include "native_model/contact/friction.h"
 #include "native_model/scene/contact_models.h"
 
 namespace rotorub {
@@ -17,7 +18,7 @@ struct ContactPair {
 };
 
 // clearance: m, > 0; friction: mu >= 0. Nobody but `cone` has friction in MuJoCo's contact.
-ContactPair contact_pair(scene::ContactModel model, double clearance, double friction,
+ContactPair contact_pair(scene::ContactModel model, double clearance, const FrictionLaw& friction,
                          const SoftContact& soft, const MujocoVersion& target);
 
 }  // namespace rotorub

@@ -172,7 +172,7 @@ void take_contact(const mjModel* m, Model& model, const Config& config, std::siz
   AuxiliaryBearing& at = model.auxiliary[k];
   at.contact->radius = circle.radius;
   at.contact->clearance = circle.clearance;
-  at.contact->friction = friction;
+  at.contact->friction.coefficient = friction;
   at.ring_ratio = at.contact->surface_ratio();
 }
 
@@ -221,7 +221,7 @@ bool has_parameters(const Config& config, const mjModel* m) {
   for (std::size_t k = 0; model.first().contact && k < model.auxiliary.size(); ++k) {
     const ContactParameters& c = *model.auxiliary[k].contact;
     same = same && circle_of(config, m, k) == Circle{c.radius, c.clearance} &&
-           friction_of(config, m, k) == c.friction;
+           friction_of(config, m, k) == c.friction.coefficient;
   }
   if (model.first().controller) {
     same = same && limit_of(config, m, scene_limit(config)) == limit_in(model);

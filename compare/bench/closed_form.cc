@@ -48,7 +48,7 @@ bool is_plain(const scene::Scene& s) {
 bool is_free_mass(const scene::Scene& s) {
   const scene::RotorModal& m = *s.rotor.modal;
   return first(m.stiffness) == 0.0 && first(m.damping) == 0.0 && !s.first().stator &&
-         s.first().contact->friction == 0.0;
+         s.first().contact->friction.none();
 }
 
 std::optional<Form> billiard(const scene::Scene& s) {
@@ -94,18 +94,20 @@ std::optional<Form> annular(const scene::Scene& s) {
   const scene::RotorModal& m = *s.rotor.modal;
   const oracle::Support rotor{first(m.mass), first(m.damping), first(m.stiffness)};
   const scene::Contact& c = *s.first().contact;
+  if (!c.friction.is_constant()) return {};
+  const double mu = c.friction.coefficient;
   std::optional<oracle::AnnularRub> rub;
   const scene::Stator ring = s.first().stator.value_or(scene::Stator{});
   if (!s.first().stator) {
-    rub = oracle::annular_rub(rotor, c.clearance, c.friction, f.amplitude, f.frequency);
+    rub = oracle::annular_rub(rotor, c.clearance, mu, f.amplitude, f.frequency);
   } else {
     const scene::Stator& r = *s.first().stator;
     if (r.mass.x() != r.mass.y() || r.damping.x() != r.damping.y() ||
         r.stiffness.x() != r.stiffness.y()) {
       return {};
     }
-    rub = oracle::annular_rub(rotor, {r.mass.x(), r.damping.x(), r.stiffness.x()}, c.clearance,
-                              c.friction, f.amplitude, f.frequency);
+    rub = oracle::annular_rub(rotor, {r.mass.x(), r.damping.x(), r.stiffness.x()}, c.clearance, mu,
+                              f.amplitude, f.frequency);
   }
   if (!rub || c.radius * s.rotor.speed + c.clearance * f.frequency <= 0.0) return {};
   const double size = std::abs(rub->rotor), rate = f.frequency;

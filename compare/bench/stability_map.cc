@@ -44,7 +44,7 @@ StabilityMap stability_map(const SceneReader& reader, const scene::Scene& scene,
   StabilityMap map;
   map.steps.assign(std::begin(kSteps), std::end(kSteps));
   map.stiffnesses.assign(std::begin(kStiffnesses), std::end(kStiffnesses));
-  const double mu = scene.first().contact->friction;
+  const double mu = scene.first().contact->friction.constant("the stability map");
   map.frictions = mu > 0.0 ? std::vector{0.5 * mu, mu, 2.0 * mu} : std::vector{0.0};
   for (const Contact& contact : kContacts) map.engines.push_back(contact.name);
 

@@ -20,11 +20,12 @@ double largest_gain(const std::vector<Impact>& impacts) {
 }
 
 // |Lambda_T| - mu Lambda_N over Lambda_N, the largest; a pull counts as 1.
-double largest_impulse_residual(const std::vector<Impact>& impacts, double friction) {
+double largest_impulse_residual(const std::vector<Impact>& impacts, const FrictionLaw& friction) {
   double largest = 0.0;
   for (const Impact& i : impacts) {
     if (i.normal_impulse < 0.0) return 1.0;
-    const double beyond = std::abs(i.friction_impulse) - friction * i.normal_impulse;
+    const double mu = std::max(friction.sticking(), friction.at(i.slip_before));
+    const double beyond = std::abs(i.friction_impulse) - mu * i.normal_impulse;
     if (beyond > 0.0) largest = std::max(largest, beyond / std::max(i.normal_impulse, 1e-300));
   }
   return largest;

@@ -55,12 +55,13 @@ Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& fa
     raise(r.adhesion, -normal[i] / F);
 
     // Coulomb: |lambda_T| <= mu lambda_N; sliding: lambda_T = -mu lambda_N sign(gdot_T).
-    raise(r.cone, (std::abs(friction[i]) - facts.friction * pressed) / F);
+    const double mu = facts.friction.at(slip[i]);
+    raise(r.cone, (std::abs(friction[i]) - mu * pressed) / F);
     if (within_impact(points[i].t)) continue;
     raise(r.complementarity, std::max(0.0, gap) * pressed / (facts.clearance * F));
     raise(r.power, friction[i] * slip[i] / (F * v));
     if (pressed > 0.0 && std::abs(slip[i]) > kSlipThreshold * v) {
-      const double due = -facts.friction * pressed * (slip[i] > 0.0 ? 1.0 : -1.0);
+      const double due = -mu * pressed * (slip[i] > 0.0 ? 1.0 : -1.0);
       raise(r.sliding, std::abs(friction[i] - due) / F);
     }
   }

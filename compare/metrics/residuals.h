@@ -3,15 +3,16 @@
 #pragma once
 
 #include "compare/metrics/relative_motion.h"
+#include "native_model/contact/friction.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
 
 // What the laws need to know beside the series.
 struct ContactFacts {
-  double clearance = 0.0;    // m, delta_0, > 0
-  double radius = 0.0;       // m, r, > 0
-  double friction = 0.0;     // mu, >= 0
+  double clearance = 0.0;  // m, delta_0, > 0
+  double radius = 0.0;     // m, r, > 0
+  FrictionLaw friction{};
   double impact_time = 0.0;  // s, of an impact, compression and expansion
 };
 

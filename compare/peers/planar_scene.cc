@@ -95,7 +95,7 @@ PlanarSystem planar_system(const scene::Scene& scene) {
   for (const AppliedForce& f : m.forces) s.loads.push_back(planar(f));
   s.radius = m.first().contact->radius;
   s.clearance = m.first().contact->clearance;
-  s.friction = m.first().contact->friction;
+  s.friction = m.first().contact->friction.constant("the other engines");
   s.restitution = m.first().contact->restitution;
   return s;
 }

@@ -23,7 +23,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 
 bool touches(const ShownRuns& s, const Trajectory&) { return s.scene->first().contact.has_value(); }
 bool rubs(const ShownRuns& s, const Trajectory&) {
-  return s.scene->first().contact && s.scene->first().contact->friction > 0.0;
+  return s.scene->first().contact && !s.scene->first().contact->friction.none();
 }
 bool has_currents(const ShownRuns&, const Trajectory& t) { return t.has("current_1"); }
 bool has_control(const ShownRuns&, const Trajectory& t) { return t.has("control_x"); }
@@ -196,7 +196,7 @@ json plot_data(const ShownRuns& shown) {
          {"whirl",
           whirl_data(*run.trajectory,
                      &run == &shown.runs.front() ? nullptr : shown.runs.front().trajectory, limit)},
-         {"impacts", impact_data(*run.trajectory, contact ? contact->friction : 0.0)}});
+         {"impacts", impact_data(*run.trajectory, contact ? contact->friction.sticking() : 0.0)}});
   }
   for (std::size_t k = 0; k < shown.runs.size(); ++k) {
     if (json force = sampled_force(shown, k); !force.is_null())

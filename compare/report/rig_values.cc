@@ -74,7 +74,7 @@ json rig_values(const scene::Scene& scene, const renders::Machine& machine) {
           {"clearance", machine.clearance},
           {"gap_tolerance", gap_tolerance(machine.clearance)},
           {"radius", scene.first().contact ? scene.first().contact->radius : 0.0},
-          {"friction", scene.first().contact ? scene.first().contact->friction : 0.0},
+          {"friction", scene.first().contact ? scene.first().contact->friction.sticking() : 0.0},
           {"has_shape", scene.rotor.geometry.has_value()},
           {"z", numbers(machine.z)},
           {"span_radius", numbers(machine.span_radius)},

@@ -38,7 +38,7 @@ class Slopes {
     std::array<bool, 3 * kMaxContacts> tried{};
     for (Eigen::Index k = 0; k < n; ++k) {
       const bool friction = k % rows != 0;
-      if (friction && laws_[static_cast<std::size_t>(k / rows)].friction == 0.0) continue;
+      if (friction && laws_[static_cast<std::size_t>(k / rows)].friction.none()) continue;
       tried[static_cast<std::size_t>(k)] = true;
       ContactVector moved = p;
       moved[k] += size;
@@ -141,10 +141,7 @@ ConstrainedContact closed(ContactResponse& response, const ContactVector& free,
 
 ConstrainedContact solve_constrained(ContactResponse& response, const ContactVector& free,
                                      const ContactMatrix& expected,
-                                     std::span<const double> frictions) {
-  std::array<ImpactLaw, kMaxContacts> all{};
-  for (std::size_t i = 0; i < frictions.size(); ++i) all[i].friction = frictions[i];
-  const std::span<const ImpactLaw> laws(all.data(), frictions.size());
+                                     std::span<const ImpactLaw> laws) {
   Slopes line(expected, laws);
   return closed(response, free, laws, line);
 }

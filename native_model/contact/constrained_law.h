@@ -33,12 +33,12 @@ struct ConstrainedContact {
   std::array<bool, kMaxContacts> sticks{};
 };
 
-// Normal law with y_N >= 0 and Coulomb's, (12)-(13), one mu each. `free` is y(0), of two or three
-// numbers each (coupled_law.h); `expected` the matrix without the constraints, for the size of the
-// first trial.
+// Normal law with y_N >= 0 and Coulomb's, (12)-(13), the friction of `laws` alone. `free` is y(0),
+// of two or three numbers each (coupled_law.h); `expected` the matrix without the constraints, for
+// the size of the first trial.
 ConstrainedContact solve_constrained(ContactResponse& response, const ContactVector& free,
                                      const ContactMatrix& expected,
-                                     std::span<const double> frictions);
+                                     std::span<const ImpactLaw> laws);
 
 // Poisson's law, in no time. y: after the impact.
 ConstrainedContact solve_constrained_impact(ContactResponse& response, const ContactVector& free,

@@ -1,13 +1,14 @@
 // The constants of one contact.
 #pragma once
 
+#include "native_model/contact/friction.h"
 #include "native_model/contact/impact.h"
 
 namespace rotorub {
 
 struct ContactParameters {
-  double radius, clearance;                 // m
-  double friction;                          // mu
+  double radius, clearance;  // m
+  FrictionLaw friction;
   double restitution;                       // eps_N
   double tangential_restitution;            // eps_T
   double compression_time, expansion_time;  // s

@@ -19,16 +19,16 @@ constexpr double kCaseRoundOff = 1e-11;  // of the rates and impulses in questio
 constexpr double kSingular = 1e-12;      // pivots below this share of the largest count as 0
 constexpr double kSameMotion = 1e-8;
 
-enum class Friction { kLow, kHigh, kStick };
+enum class Bound { kLow, kHigh, kStick };
 struct Case {
   bool at_least = true;  // L_N = n; else y_N = 0
-  Friction friction = Friction::kLow;
+  Bound friction = Bound::kLow;
 };
 using Cases = std::array<Case, kMaxContacts>;
 
 // Which cases differ at all: without friction there is no sticking, and what is open has none.
 bool distinct(const Case& c, const ContactSet& set) {
-  if (c.friction == Friction::kLow) return true;
+  if (c.friction == Bound::kLow) return true;
   const bool one_bound = set.slides != 0.0 || (set.friction == 0.0 && set.floor == 0.0);
   return !one_bound && !(c.at_least && set.least_normal == 0.0);
 }
@@ -76,15 +76,15 @@ class CoupledProblem {
       } else {
         columns(normal, count) = 1.0;
       }
-      if (c.friction != Friction::kStick) {
+      if (c.friction != Bound::kStick) {
         const auto bound = [&](double l) {
-          return c.friction == Friction::kLow ? set(i).low(l) : set(i).high(l);
+          return c.friction == Bound::kLow ? set(i).low(l) : set(i).high(l);
         };
         given[friction] = bound(given[normal]);
         if (!c.at_least) columns(friction, count) = bound(1.0) - bound(0.0);
       }
       if (!c.at_least) rows[static_cast<std::size_t>(count++)] = normal;
-      if (c.friction == Friction::kStick) {
+      if (c.friction == Bound::kStick) {
         columns(friction, count) = 1.0;
         rows[static_cast<std::size_t>(count++)] = friction;
       }
@@ -112,13 +112,13 @@ class CoupledProblem {
     gap_rate = c.at_least ? std::max(gap_rate, 0.0) : 0.0;  // not round-off
     const double low = set.low(normal), high = set.high(normal);
     const bool one_bound = high - low <= impulses;
-    s.sticks[static_cast<std::size_t>(i)] = c.friction == Friction::kStick;
+    s.sticks[static_cast<std::size_t>(i)] = c.friction == Bound::kStick;
     switch (c.friction) {
-      case Friction::kLow:
+      case Bound::kLow:
         return one_bound || slip >= -rates;
-      case Friction::kHigh:
+      case Bound::kHigh:
         return slip <= rates;
-      case Friction::kStick:
+      case Bound::kStick:
         if (std::abs(slip) > rates || friction < low - impulses || friction > high + impulses) {
           return false;
         }
@@ -143,7 +143,7 @@ void for_each_combination(const CoupledProblem& problem, Cases& cases, int from,
     return;
   }
   for (const bool at_least : {true, false}) {
-    for (const Friction f : {Friction::kStick, Friction::kLow, Friction::kHigh}) {
+    for (const Bound f : {Bound::kStick, Bound::kLow, Bound::kHigh}) {
       const Case c{at_least, f};
       if (!distinct(c, problem.set(from))) continue;
       cases[static_cast<std::size_t>(from)] = c;
@@ -194,10 +194,10 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
       p.segment(2 * i, 2) = s.p;
       Case& c = found[static_cast<std::size_t>(i)];
       c.at_least = s.p[0] <= set[0].least_normal;
-      c.friction = s.sticks[0]                    ? Friction::kStick
-                   : s.p[1] <= set[0].low(s.p[0]) ? Friction::kLow
-                                                  : Friction::kHigh;
-      if (!distinct(c, set[0])) c.friction = Friction::kLow;
+      c.friction = s.sticks[0]                    ? Bound::kStick
+                   : s.p[1] <= set[0].low(s.p[0]) ? Bound::kLow
+                                                  : Bound::kHigh;
+      if (!distinct(c, set[0])) c.friction = Bound::kLow;
     }
     const bool known =
         k > 0 && std::equal(found.begin(), found.begin() + n, cases.begin(),
@@ -239,9 +239,9 @@ CoupledSolution one_plain(const ContactMatrix& a, const ContactVector& b, const 
 
 }  // namespace
 
-ContactSet expansion_set(const ImpactLaw& law, double normal, double friction) {
+ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction) {
   ContactSet set;
-  set.friction = law.friction;
+  set.friction = law.friction.at(slip);
   set.least_normal = law.restitution * normal;
   set.side = friction > 0.0 ? 1.0 : friction < 0.0 ? -1.0 : 0.0;
   set.floor = law.restitution * law.tangential_restitution * std::abs(friction);
@@ -282,9 +282,10 @@ CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
   for (std::size_t i = 0; i < laws.size(); ++i) {
     const auto at = rows * static_cast<Eigen::Index>(i);
     if (rows == 3) {
-      discs[i] = expansion_disc(laws[i], compressed[at], compressed.segment<2>(at + 1));
+      discs[i] = expansion_disc(laws[i], b.segment<2>(at + 1).norm(), compressed[at],
+                                compressed.segment<2>(at + 1));
     } else {
-      sets[i] = expansion_set(laws[i], compressed[at], compressed[at + 1]);
+      sets[i] = expansion_set(laws[i], b[at + 1], compressed[at], compressed[at + 1]);
     }
   }
   if (rows == 3) return solve_discs(a, b, std::span(discs).first(laws.size()));

@@ -34,7 +34,7 @@ using ContactMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eige
 
 // The set of one contact.
 struct ContactSet {
-  double friction = 0.0;      // mu >= 0
+  double friction = 0.0;      // mu >= 0, of the law at the slip of the phase
   double least_normal = 0.0;  // n, N s
   double side = 0.0;    // +1, -1: the friction begun in compression goes on to this side; 0: none
   double floor = 0.0;   // with a side: least friction to it, N s, >= 0
@@ -49,8 +49,8 @@ struct ContactSet {
     return side < 0.0 ? -floor : friction * normal;
   }
 };
-// Of the expansion that follows a compression of L_NC, L_TC (impact.h).
-ContactSet expansion_set(const ImpactLaw& law, double normal, double friction);
+// Of the expansion that follows a compression of L_NC, L_TC (impact.h), with the mu of `slip`.
+ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction);
 
 struct CoupledSolution {
   // Of distinct motions; 0: none (or none was found, of more than kMostTried contacts), above 1: L

@@ -27,8 +27,9 @@
 
 namespace rotorub {
 
-// Of the expansion that follows a compression of L_NC, L_TC.
-DiscSet expansion_disc(const ImpactLaw& law, double normal, const Eigen::Vector2d& friction);
+// Of the expansion that follows a compression of L_NC, L_TC, with the mu of `slip`.
+DiscSet expansion_disc(const ImpactLaw& law, double slip, double normal,
+                       const Eigen::Vector2d& friction);
 
 // a: symmetric, positive semidefinite, of 3 x sets.size() rows; at most kMaxContacts sets. A
 // tangential direction in which nothing moves has rows of 0. The number of distinct solutions is

@@ -58,7 +58,8 @@ struct Expansion {
 
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   ImpactResult r;
-  const CoulombSolution c = solve_coulomb(phase.matrix, phase.gap_rate, phase.slip, law.friction);
+  const CoulombSolution c =
+      solve_coulomb(phase.matrix, phase.gap_rate, phase.slip, law.friction.at(phase.slip));
   r.status = status_of(c.solutions);
   r.normal_compression = c.normal;
   r.friction_compression = c.friction;
@@ -76,7 +77,8 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
 void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
   if (r.status == Status::kNoSolution) return;
   const double s = r.friction_compression < 0.0 ? -1.0 : 1.0;
-  Expansion e{phase.matrix, phase.gap_rate, s * phase.slip, law.friction, 0.0, 0.0, false};
+  Expansion e{phase.matrix, phase.gap_rate, s * phase.slip, law.friction.at(phase.slip), 0.0,
+              0.0,          false};
   e.a.nt *= s;
   e.a.tn *= s;
   e.least_normal = law.restitution * r.normal_compression;

@@ -10,12 +10,13 @@
 #pragma once
 
 #include "native_model/contact/coulomb.h"
+#include "native_model/contact/friction.h"
 #include "native_model/numerics/status.h"
 
 namespace rotorub {
 
 struct ImpactLaw {
-  double friction = 0.0;                // mu >= 0
+  FrictionLaw friction{};
   double restitution = 0.0;             // eps_N in [0, 1]
   double tangential_restitution = 0.0;  // eps_T in [0, 1]
 };
@@ -38,7 +39,7 @@ struct ImpactResult {
   double friction() const { return friction_compression + friction_expansion; }
 };
 
-// The compression phase alone: fills the L_C and gdot_C.
+// The compression phase alone: fills the L_C and gdot_C. Each phase has the mu of phase.slip.
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law);
 // The expansion that follows `result`'s compression; phase.gap_rate and slip are those at the end
 // of the expansion without its impulses. Fills the rest.

@@ -43,13 +43,14 @@ class Solver {
 
   LastingResult solve() const {
     const double nn = -e_.dot(along_normal_.head<2>()), nt = -e_.dot(along_friction_.head<2>());
-    if (s_.friction * std::abs(nt) < nn) {
-      const LastingResult r = unique();
+    const double mu = s_.friction.at(slip(s_.start));
+    if (mu * std::abs(nt) < nn) {
+      const LastingResult r = unique(mu);
       if (r.solutions == 1) return r;
     }
     const Delassus g{nn, nt, slip(along_normal_), slip(along_friction_)};
     const CoulombSolution r =
-        solve_coulomb(g, (s_.clearance - end_.norm()) / s_.h, slip(s_.free), s_.friction);
+        solve_coulomb(g, (s_.clearance - end_.norm()) / s_.h, slip(s_.free), mu);
     return {r.normal, r.friction, r.contact_case, r.solutions};
   }
 
@@ -61,8 +62,8 @@ class Solver {
     return sign > 0.0 ? ContactCase::kSlidePositive : ContactCase::kSlideNegative;
   }
 
-  LastingResult unique() const {
-    const double before = slip(s_.start), mu = s_.friction;
+  LastingResult unique(double mu) const {
+    const double before = slip(s_.start);
     const Candidate rest = stick();
     constexpr double kRoundOff = 1e-10;  // of the surface's speed
     if (std::abs(before) <= kRoundOff * s_.radius * std::abs(s_.start.z()) || before == 0.0) {

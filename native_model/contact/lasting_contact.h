@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include "native_model/contact/coulomb.h"
+#include "native_model/contact/friction.h"
 
 namespace rotorub {
 
@@ -22,7 +23,8 @@ struct LastingStep {
   Eigen::Vector2d e_r{1.0, 0.0};  // outward normal: that of d, if the path leads out along it
   Eigen::Vector3d start, free;    // (m/s, m/s, rad/s): before the step, and without contact
   Eigen::Matrix3d admittance;     // A = J (M + h D/2)^-1 J^T
-  double clearance = 0.0, radius = 0.0, friction = 0.0;  // m, m, mu
+  double clearance = 0.0, radius = 0.0;  // m
+  FrictionLaw friction{};                // with the mu of the slip before the step
 };
 
 struct LastingResult {

@@ -104,17 +104,17 @@ void held_lasting(const RigidStep& step, const ContactParameters& c, StepRespons
   const double offset = gap_over_step(step, c) + out.e_r.dot(step.free.head<2>());
   PlanarResponse response(held, out.e_r, c.radius, false, offset);
   const ContactVector free = response.rates(step.free);
+  const ImpactLaw law = c.law();
   const ConstrainedContact s = solve_constrained(
-      response, free, matrix_of(delassus(step.lasting_admittance, out.e_r, c.radius)),
-      {&c.friction, 1});
+      response, free, matrix_of(delassus(step.lasting_admittance, out.e_r, c.radius)), {&law, 1});
   if (take(s, out)) out.mode = mode_of(out.normal, s.sticks[0]);
 }
 
 // (12), (13): y_N = gap / h at the end of the step, y_T = slip there.
 void lasting(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
-  const CoulombSolution s =
-      solve_coulomb(delassus(step.lasting_admittance, out.e_r, c.radius), gap_over_step(step, c),
-                    slip(out.e_r, c.radius, step.free), c.friction);
+  const double free = slip(out.e_r, c.radius, step.free);
+  const CoulombSolution s = solve_coulomb(delassus(step.lasting_admittance, out.e_r, c.radius),
+                                          gap_over_step(step, c), free, c.friction.at(free));
   out.status = status_of(s.solutions);
   if (out.status != Status::kOk) return;
   out.normal = s.normal;

@@ -158,9 +158,9 @@ void EventIntegrator::decide_one(const Resting& resting, Departure parting) {
   const std::size_t k = resting.contact;
   const Phase::Contact c = phase_.contact(k, motion_.t, motion_.y.data());
   force_scale_[k] = std::max(force_scale_[k], c.b.scale / c.b.g.nn);
-  const ContactDecision d =
-      select_contact_mode(c.b, resting.slip_is_zero ? 0.0 : c.point.slip,
-                          model_->auxiliary[k].contact->friction, parameters_.no_force, parting);
+  const double slip = resting.slip_is_zero ? 0.0 : c.point.slip;
+  const ContactDecision d = select_contact_mode(
+      c.b, slip, model_->auxiliary[k].contact->friction.at(slip), parameters_.no_force, parting);
   if (d.status != Status::kOk) return fail(d.status, d.reason);
   change_to(k, d.next);
 }
@@ -177,7 +177,7 @@ void EventIntegrator::decide(std::span<const Resting> resting, Departure parting
     const std::size_t k = closed[i].index;
     force_scale_[k] = std::max(force_scale_[k], all.scale[at] / all.g(2 * at, 2 * at));
     slips[i] = resting[i].slip_is_zero ? 0.0 : closed[i].point.slip;
-    friction[i] = model_->auxiliary[k].contact->friction;
+    friction[i] = model_->auxiliary[k].contact->friction.at(slips[i]);
   }
   const ContactDecisions decisions =
       select_contact_modes(all.g, all.b, all.scale, std::span(slips).first(n),

@@ -33,8 +33,8 @@ struct ContactDecision {
 };
 
 // On the circle with gap rate 0: free, sliding or sticking from here on. slip: m/s, exactly 0 where
-// it is known to be, and the set-valued friction law decides. `parting`: how a flight would begin.
-// no_force: see EventParameters.
+// it is known to be, and the set-valued friction law decides. mu: that of the slip. `parting`: how
+// a flight would begin. no_force: see EventParameters.
 ContactDecision select_contact_mode(const ContactAccelerations& b, double slip, double mu,
                                     double no_force, Departure parting);
 

@@ -200,8 +200,10 @@ void EventIntegrator::sample_controllers() {
 void EventIntegrator::fail_step() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (phase_.state(k).mode != Mode::kSlide) continue;
-    const Delassus g = phase_.contact(k, motion_.t, motion_.y.data()).b.g;
-    const double mu_sign = model_->auxiliary[k].contact->friction * phase_.state(k).slip_sign;
+    const Phase::Contact c = phase_.contact(k, motion_.t, motion_.y.data());
+    const Delassus& g = c.b.g;
+    const double mu_sign =
+        model_->auxiliary[k].contact->friction.at(c.point.slip) * phase_.state(k).slip_sign;
     if (std::abs(carried(g, mu_sign)) < 1e-3 * g.nn) {
       return fail(Status::kNoSolution,
                   "frictional jamming (Painleve): mu |G_NT| reaches G_NN, and the contact forces "

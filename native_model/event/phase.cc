@@ -91,17 +91,18 @@ void Phase::set_margins(std::size_t k, double normal, double friction, double sl
   if (at.state.mode == Mode::kSlide) {
     at.margins = {normal, at.state.slip_sign * slip};
   } else {
-    at.margins = {normal, model_->auxiliary[k].contact->friction * normal - std::abs(friction)};
+    const double mu = model_->auxiliary[k].contact->friction.sticking();
+    at.margins = {normal, mu * normal - std::abs(friction)};
   }
 }
 
 // The only one that is closed.
 void Phase::find_multiplier(std::size_t k, double t, const double* y, ContactPoint& point) {
   const Contact c = contact_of(k, t, y, y + model_->nq());
-  const double mu = model_->auxiliary[k].contact->friction;
   const ContactState& state = at_[k].state;
   PlanarImpulse<double> force{0.0, 0.0};
   if (state.mode == Mode::kSlide) {
+    const double mu = model_->auxiliary[k].contact->friction.at(c.point.slip);
     force.normal = slide(c.b.g, c.b.normal, mu * state.slip_sign);
     force.friction = -mu * state.slip_sign * force.normal;
   } else {
@@ -131,7 +132,9 @@ void Phase::find_multipliers(double t, const double* y, std::span<ClosedContact>
     const ContactState& state = at_[k].state;
     columns(2 * i, count) = 1.0;
     if (state.mode == Mode::kSlide) {
-      columns(2 * i + 1, count) = -model_->auxiliary[k].contact->friction * state.slip_sign;
+      const double slip = closed[static_cast<std::size_t>(i)].point.slip;
+      columns(2 * i + 1, count) =
+          -model_->auxiliary[k].contact->friction.at(slip) * state.slip_sign;
     }
     rows[static_cast<std::size_t>(count++)] = 2 * i;
     if (state.mode != Mode::kStick) continue;

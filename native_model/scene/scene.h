@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "native_model/contact/friction.h"
 #include "native_model/contact/most_contacts.h"
 #include "native_model/scene/controller.h"
 
@@ -215,9 +216,9 @@ struct MagneticBearing {
 
 // ---------------------------------------------------------------- [contact]
 struct Contact {
-  double radius = 0.0;                  // m, > 0, of the rotor at the contact
-  double clearance = 0.0;               // m, > 0, delta_0
-  double friction = 0.0;                // 1, >= 0, mu
+  double radius = 0.0;     // m, > 0, of the rotor at the contact
+  double clearance = 0.0;  // m, > 0, delta_0
+  FrictionLaw friction{};
   double restitution = 0.0;             // 1, [0, 1], eps_N
   double tangential_restitution = 0.0;  // 1, [0, 1], eps_T
   double compression_time = 0.0;        // s, >= 0, tau_C

@@ -25,7 +25,9 @@ Table contact() {
            .above(0),
        key<&AuxiliaryBearing::contact, &Contact::clearance>("clearance", kLength, "delta_0, radial")
            .above(0),
-       key<&AuxiliaryBearing::contact, &Contact::friction>("friction", kPure, "mu").at_least(0),
+       key<&AuxiliaryBearing::contact, &Contact::friction, &FrictionLaw::coefficient>("friction",
+                                                                                      kPure, "mu")
+           .at_least(0),
        key<&AuxiliaryBearing::contact, &Contact::restitution>("restitution", kPure, "eps_N, normal")
            .between(0, 1),
        key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>("tangential_restitution",

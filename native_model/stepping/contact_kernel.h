@@ -14,7 +14,8 @@ namespace rotorub {
 // The circle at which a step's path is stopped.
 template <class T>
 struct ContactNumbers {
-  T clearance{}, radius{}, friction{}, restitution{};
+  T clearance{}, radius{}, restitution{};
+  FrictionOf<T> friction{};
 };
 
 template <class M>
@@ -36,7 +37,7 @@ class ContactKernel : public LoadKernel<M> {
       const ContactParameters& c = *models[static_cast<std::size_t>(lane)]->first().contact;
       lanes::set(contact.clearance, lane, c.clearance);
       lanes::set(contact.radius, lane, c.radius);
-      lanes::set(contact.friction, lane, c.friction);
+      lanes::set(contact.friction.coefficient, lane, c.friction.coefficient);
       lanes::set(contact.restitution, lane, c.restitution);
     }
     if (!coupled_) respond();
@@ -246,7 +247,12 @@ class ContactKernel : public LoadKernel<M> {
     const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(h_);
     const T ex = normal_x_, ey = normal_y_;
     const T spin = equations::contact_spin(*m_, free_.data());
-    const T r = contact.radius, ratio = -contact.friction * last_sign_;
+    const T r = contact.radius;
+    // mu of the slip before the step, as in press_lane.
+    const Centre before = equations::relative(*m_, start_.data());
+    const T slip_before =
+        ex * before.y - ey * before.x + r * equations::contact_spin(*m_, start_.data());
+    const T ratio = -contact.friction.at(slip_before) * last_sign_;
     // Response to N with T = ratio N.
     const T lx = -ex - ey * ratio, ly = -ey + ex * ratio, lz = r * ratio;
     const auto& a = admittance_.a;

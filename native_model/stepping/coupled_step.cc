@@ -169,7 +169,7 @@ bool CoupledStep::press(std::span<const std::size_t> lasting) {
     const Contact& c = contacts_[lasting[i]];
     before[i] = slip(c, c.start);
     if (std::abs(before[i]) <= kNoSlip * c.law.radius * std::abs(c.start.z())) before[i] = 0.0;
-    friction[i].bound = c.law.friction;
+    friction[i].bound = c.law.friction.at(before[i]);
     if (before[i] != 0.0) {
       friction[i].given = true;
       friction[i].ratio = before[i] > 0.0 ? -friction[i].bound : friction[i].bound;

@@ -100,7 +100,7 @@ class CoupledStep : public FixedStepper, protected LoadKernel<Model> {
   // How the friction of a lasting contact is found: by the slip (Coulomb's set), or in a ratio to
   // the normal impulse.
   struct Friction {
-    double bound = 0.0;  // mu
+    double bound = 0.0;  // mu, of the slip before the step
     bool given = false;
     double ratio = 0.0;
   };

@@ -99,7 +99,7 @@ Status EulerStepper::solve_one(double t, Closing& c) const {
     c.friction = r.friction();
     return r.status;
   }
-  const CoulombSolution s = solve_coulomb(g, c.end, c.slip, law.friction);
+  const CoulombSolution s = solve_coulomb(g, c.end, c.slip, law.friction.at(c.slip));
   c.normal = s.normal;
   c.friction = s.friction;
   c.sticks = mode_of(s) == Mode::kStick;

@@ -46,7 +46,7 @@ struct TouchingPairs {
 // Those that touch, in the order of a vector of forces.
 struct Touching {
   std::array<TouchingPair*, kMaxContacts> at{};
-  std::array<double, kMaxContacts> frictions{};
+  std::array<ImpactLaw, kMaxContacts> laws{};  // their friction alone
   std::size_t count = 0;
   Eigen::Index rows = 2;  // 3 where one moves along its axis
   Eigen::Index row(std::size_t k) const { return rows * static_cast<Eigen::Index>(k); }
@@ -56,7 +56,7 @@ Touching touching(TouchingPairs& contacts) {
   Touching t;
   for (TouchingPair& s : contacts.span()) {
     if (!s.touches) continue;
-    t.frictions[t.count] = s.pair->contact.friction;
+    t.laws[t.count].friction = s.pair->contact.friction;
     t.at[t.count++] = &s;
     if (s.axial) t.rows = 3;
   }
@@ -140,12 +140,10 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   Touching t = touching(contacts);
   if (t.count == 0) return;
   ContactVector b(t.row(t.count));
-  std::array<ImpactLaw, kMaxContacts> laws{};
   for (std::size_t k = 0; k < t.count; ++k) {
     b.segment(t.row(k), t.rows) = free[k].head(t.rows);
-    laws[k].friction = t.frictions[k];
   }
-  const CoupledSolution s = solve_compression(matrix(t), b, std::span(laws).first(t.count));
+  const CoupledSolution s = solve_compression(matrix(t), b, std::span(t.laws).first(t.count));
   if (s.solutions > 0) put(t, s.p, s.sticks);
 }
 
@@ -180,8 +178,8 @@ void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData*
   if (t.count > 0) {
     ForceResponse response(probe, t);
     const ContactVector none = ContactVector::Zero(t.row(t.count));
-    const ConstrainedContact found = solve_constrained(response, response.at(none), matrix(t),
-                                                       std::span(t.frictions).first(t.count));
+    const ConstrainedContact found =
+        solve_constrained(response, response.at(none), matrix(t), std::span(t.laws).first(t.count));
     if (found.solved) put(t, found.p, found.sticks);
     note_status(t, found.converged, m, d);
     ContactVector forces = none;

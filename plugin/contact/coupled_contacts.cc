@@ -165,16 +165,12 @@ bool CoupledContacts::solve(const ContactSubset& s, std::array<bool, kMaxContact
 bool CoupledContacts::solve_held(const ContactSubset& s, const ContactMatrix& a,
                                  const ContactVector& free,
                                  std::array<bool, kMaxContacts>& sticks) {
-  std::array<double, kMaxContacts> frictions{};
   std::array<ImpactLaw, kMaxContacts> laws{};
-  for (std::size_t k = 0; k < s.count; ++k) {
-    laws[k] = members_[s.index[k]]->contact->law();
-    frictions[k] = laws[k].friction;
-  }
+  for (std::size_t k = 0; k < s.count; ++k) laws[k] = members_[s.index[k]]->contact->law();
   Response response(*this, s);
   const ConstrainedContact found =
       s.impact ? solve_constrained_impact(response, free, a, std::span(laws).first(s.count))
-               : solve_constrained(response, free, a, std::span(frictions).first(s.count));
+               : solve_constrained(response, free, a, std::span(laws).first(s.count));
   converged_ = converged_ && found.converged;
   if (!found.solved || !found.converged) set_status(s, Status::kNoSolution);
   sticks = found.sticks;

@@ -44,7 +44,7 @@ void check_cone(const mjModel* m, const PairName& name, const ContactPair& p) {
         message("<user name=\"{}\">", sensor),
         "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
   }
-  const double mu = p.contact.friction, given = m->pair_friction[5 * p.pair];
+  const double mu = p.contact.friction.coefficient, given = m->pair_friction[5 * p.pair];
   if (mu > 0.0 && m->pair_dim[p.pair] < 3) {
     refuse(pair_element(m, p), "contact model cone with friction: accepted: condim=\"3\" or more");
   }
@@ -76,7 +76,7 @@ void refuse_mocap(const mjModel* m, int geom) {
 
 // `rigid` has its friction from <custom> alone. What a pair says of none is one of its geoms'.
 void refuse_other_friction(const mjModel* m, const PairName& name, const ContactPair& p) {
-  const double mu = p.contact.friction, given = m->pair_friction[5 * p.pair];
+  const double mu = p.contact.friction.coefficient, given = m->pair_friction[5 * p.pair];
   const auto from = [&](int geom) { return given == m->geom_friction[3 * geom]; };
   if (m->pair_dim[p.pair] < 3 || from(p.rotor_geom) || from(p.ring_geom)) return;
   if (std::abs(given - mu) <= 1e-9 + mjMINMU) return;

@@ -59,7 +59,7 @@ void ensemble_steps(benchmark::State& state, const Model& model, scene::Integrat
   std::vector<Model> models(kRuns, model);
   for (std::size_t i = 0; i < kRuns; ++i) {
     if (models[i].first().contact)
-      models[i].first().contact->friction *= 1.0 + 0.01 * static_cast<double>(i);
+      models[i].first().contact->friction.coefficient *= 1.0 + 0.01 * static_cast<double>(i);
   }
   Ensemble ensemble(models, kStep, integrator, set);
   for (auto _ : state) benchmark::DoNotOptimize(ensemble.run(steps));

@@ -39,7 +39,7 @@ inline NormalForce normal_force(const scene::Scene& scene, int steps) {
     squares += force * force;
     if (force > 0.0) ++out.steps_in_contact;
     EXPECT_NEAR(sensor(m.get(), d.get(), names::kFrictionForce),
-                -scene.first().contact->friction * force, 1e-9 * force);
+                -scene.first().contact->friction.coefficient * force, 1e-9 * force);
   }
   out.mean = sum / steps;
   out.deviation = std::sqrt(std::max(0.0, squares / steps - out.mean * out.mean));

@@ -60,7 +60,7 @@ Exact exact(const scene::Scene& s) {
     return {244.8444, -501.9257};  // tests/native_model/oracles: where the whirl ends
   const scene::RotorModal& m = *s.rotor.modal;
   const oracle::Support rotor{m.mass[0], m.damping[0], m.stiffness[0]};
-  const double c = s.first().contact->clearance, mu = s.first().contact->friction;
+  const double c = s.first().contact->clearance, mu = s.first().contact->friction.coefficient;
   const double load = s.forces[0].amplitude, frequency = s.forces[0].frequency;
   if (!s.first().stator)
     return {oracle::annular_rub(rotor, c, mu, load, frequency).value().force, frequency};
@@ -85,7 +85,7 @@ TEST(ConeCoulomb, KeepsARubWithTheRightForce) {
     const scene::Scene scene = shipped(name);
     const Rubbing r = rubbing(scene, scene::ContactModel::kConeCoulomb, 1e-5);
     expect_near(r, exact(scene), 2e-3);
-    EXPECT_NEAR(std::abs(r.friction), scene.first().contact->friction, 1e-5);
+    EXPECT_NEAR(std::abs(r.friction), scene.first().contact->friction.coefficient, 1e-5);
   }
 }
 
@@ -114,7 +114,7 @@ double border(const scene::Scene& s, double step) {
   const double slip = s.first().contact->radius * s.rotor.speed + speed;
   const double damping = soft_contact(s, scene::ContactModel::kCone, step).damping;
   return speed * speed / c * (1.0 - 0.5 * damping * step) /
-         (s.first().contact->friction * std::abs(slip));
+         (s.first().contact->friction.coefficient * std::abs(slip));
 }
 
 // The border of a constant friction reference, 19.7/s for the ring and 20.4/s for the whip: shut

@@ -28,11 +28,12 @@ Rub rub() {
   const scene::Scene plain = shipped("bench_annular_elastic");
   const scene::RotorModal& m = *plain.rotor.modal;
   const scene::Stator& ring = *plain.first().stator;
-  const auto exact = oracle::annular_rub(
-      {m.mass[0], m.damping[0], m.stiffness[0]},
-      {ring.mass.x(), ring.damping.x(), ring.stiffness.x()}, plain.first().contact->clearance,
-      plain.first().contact->friction, plain.forces[0].amplitude, plain.forces[0].frequency);
-  const double torque = plain.first().contact->friction * exact.value().force *
+  const auto exact = oracle::annular_rub({m.mass[0], m.damping[0], m.stiffness[0]},
+                                         {ring.mass.x(), ring.damping.x(), ring.stiffness.x()},
+                                         plain.first().contact->clearance,
+                                         plain.first().contact->friction.coefficient,
+                                         plain.forces[0].amplitude, plain.forces[0].frequency);
+  const double torque = plain.first().contact->friction.coefficient * exact.value().force *
                         (plain.first().contact->radius + plain.first().contact->clearance);
   const std::string spin = "stator.spin={inertia=" + std::to_string(kInertia) +
                            ",drag=" + std::to_string(torque / 60.0) +

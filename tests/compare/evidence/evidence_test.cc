@@ -85,7 +85,7 @@ auto mujoco_on_the_ring(scene::ContactModel contact) {
 std::optional<Apart> event_and_whip() {
   const scene::Scene scene = shipped("bench_whip");
   const oracle::ElasticWhip whip = whip_of(scene);
-  const double nu = whip.slipping_whips(scene.first().contact->friction).at(1);
+  const double nu = whip.slipping_whips(scene.first().contact->friction.coefficient).at(1);
   const Trajectory t = run_event(scene);
   const oracle::CircularWhirl exact = whip.whirl(nu);
   const double size = std::hypot(t.column("rotor_x").back(), t.column("rotor_y").back());

@@ -120,7 +120,7 @@ values = ["50 Hz", "60 Hz"]
   for (std::size_t i = 0; i < 6; ++i) {
     ASSERT_TRUE(map.points[i]);
     const scene::Scene scene = scenes->at(static_cast<std::int64_t>(i));
-    EXPECT_EQ(map.points[i]->friction, scene.first().contact->friction) << i;
+    EXPECT_EQ(map.points[i]->friction, scene.first().contact->friction.coefficient) << i;
     EXPECT_EQ(map.points[i]->speed, scene.rotor.speed) << i;
     EXPECT_TRUE(map.points[i]->attractors() & rub::kForcedRub) << i;
   }

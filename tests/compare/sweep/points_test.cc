@@ -245,7 +245,7 @@ values = ["40 Hz", 12.5]
   const scene::Scene point = scenes.at(1);
   EXPECT_EQ(point.rotor.speed, 12.5);
   EXPECT_EQ(point.drive->speed, 12.5);
-  EXPECT_EQ(point.first().contact->friction, 0.2);
+  EXPECT_EQ(point.first().contact->friction.coefficient, 0.2);
   const std::string twice[] = {"rotor.speed=3"};
   EXPECT_THROW(PointScenes(study, twice), scene::SceneError);
 }
@@ -267,7 +267,7 @@ TEST(PointScenes, OfHighFriction) {
   EXPECT_NO_THROW(scenes.check());
   const scene::Scene point = scenes.at(2 * 15 + 14);
   EXPECT_DOUBLE_EQ(point.drive->gain, 1.0);
-  EXPECT_DOUBLE_EQ(point.first().contact->friction, 1.5);
+  EXPECT_DOUBLE_EQ(point.first().contact->friction.coefficient, 1.5);
   EXPECT_EQ(point.rotor.torsion->modes, 4);
 }
 

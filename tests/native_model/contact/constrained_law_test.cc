@@ -28,8 +28,8 @@ ContactMatrix matrix(double nn, double nt, double tn, double tt) {
 
 ConstrainedContact solve_frictionless(Given& response, const Eigen::Vector2d& free,
                                       const ContactMatrix& expected) {
-  constexpr double kNone = 0.0;
-  return solve_constrained(response, free, expected, {&kNone, 1});
+  const ImpactLaw none;
+  return solve_constrained(response, free, expected, {&none, 1});
 }
 
 // A line is the law's own 2x2 problem.

@@ -18,7 +18,7 @@ ImpactResidual residual(const Delassus& g, double gap_rate, double slip, const I
                         const ImpactResult& r) {
   return impact_residual({g.nn, g.nt, g.tt, gap_rate, slip, r.normal_compression,
                           r.friction_compression, r.normal_expansion, r.friction_expansion,
-                          law.friction, law.restitution, law.tangential_restitution});
+                          law.friction.coefficient, law.restitution, law.tangential_restitution});
 }
 
 TEST(Impact, StickByHand) {
@@ -63,7 +63,7 @@ TEST(Impact, RandomImpactsSatisfyTheLawsAndDissipate) {
     const ImpactResult r = solve_impact(g, gap_rate, slip, law);
     if (r.status != Status::kOk) {
       // Only a coupling beyond the friction cone can do without a single solution.
-      ASSERT_GE(law.friction * std::abs(nt), nn) << k;
+      ASSERT_GE(law.friction.coefficient * std::abs(nt), nn) << k;
       continue;
     }
     const ImpactResidual e = residual(g, gap_rate, slip, law, r);

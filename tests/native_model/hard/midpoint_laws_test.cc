@@ -54,8 +54,8 @@ Worst worst_of(const Model& model, double step, std::int64_t steps) {
     if (step * p.dv.norm() > kTurn * c.clearance || p.gap < -1e-3 * c.clearance) continue;
     ++worst.contacts;
     worst.sticks += done.mode == Mode::kStick ? 1 : 0;
-    const ContactResidual r =
-        contact_residual(gap, normal, friction, p.slip, c.friction, c.clearance, force, slip_scale);
+    const ContactResidual r = contact_residual(
+        gap, normal, friction, p.slip, c.friction.coefficient, c.clearance, force, slip_scale);
     worst.complementarity = std::max(worst.complementarity, r.complementarity);
     worst.coulomb = std::max(worst.coulomb, r.coulomb);
   }

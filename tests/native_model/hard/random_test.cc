@@ -10,7 +10,7 @@ namespace {
 constexpr int kScenes = 200;
 
 // Sliding that pushes itself in needs mu |G_NT| >= G_NN.
-bool may_jam(const scene::Scene& s) { return s.first().contact->friction > 0.5; }
+bool may_jam(const scene::Scene& s) { return s.first().contact->friction.coefficient > 0.5; }
 
 TEST(HardRandomLong, EventKeepsEveryRule) {
   test::RandomScenes scenes(20);

@@ -54,7 +54,7 @@ inline void expect_finite(const Trajectory& t) {
 // Impacts push, friction stays in its cone, and none gives energy.
 inline void expect_dissipative_impacts(const scene::Scene& scene, const Trajectory& t) {
   if (!scene.first().contact) return;
-  const double mu = scene.first().contact->friction;
+  const double mu = scene.first().contact->friction.coefficient;
   for (const Impact& i : t.impacts) {
     ASSERT_GE(i.normal_impulse, 0.0);
     ASSERT_LE(std::abs(i.friction_impulse), mu * i.normal_impulse * (1.0 + kRoundOff) + 1e-300);
@@ -71,7 +71,8 @@ inline void expect_in_cone(const scene::Scene& scene, const Trajectory& t) {
   const double scale = std::max(largest(normal), 1e-300);
   for (std::size_t k = 0; k < t.rows(); ++k) {
     ASSERT_GE(normal[k], 0.0);
-    ASSERT_LE(std::abs(friction[k]), scene.first().contact->friction * normal[k] + kLaws * scale);
+    ASSERT_LE(std::abs(friction[k]),
+              scene.first().contact->friction.coefficient * normal[k] + kLaws * scale);
   }
 }
 
@@ -96,9 +97,9 @@ inline void expect_sound_event(const scene::Scene& scene, const Trajectory& t) {
   const auto &normal = t.column("normal_force"), &friction = t.column("friction_force");
   const double force = std::max(largest(normal), 1e-9), speed = std::max(largest(slip), 1e-9);
   for (std::size_t k = 0; k < t.rows(); ++k) {
-    const ContactResidual r =
-        contact_residual(gap[k], normal[k], friction[k], slip[k], scene.first().contact->friction,
-                         scene.first().contact->clearance, force, speed);
+    const ContactResidual r = contact_residual(gap[k], normal[k], friction[k], slip[k],
+                                               scene.first().contact->friction.coefficient,
+                                               scene.first().contact->clearance, force, speed);
     ASSERT_LT(r.complementarity, kLaws) << "t = " << t.column("t")[k];
     if (static_cast<Mode>(mode[k]) != Mode::kFree) {
       ASSERT_LT(r.coulomb, kLaws) << "t = " << t.column("t")[k];

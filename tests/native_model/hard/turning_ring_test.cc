@@ -122,7 +122,7 @@ Rub annular(const scene::RingSpin& spin) {
   const auto exact = oracle::annular_rub(
       {m.mass[0], m.damping[0], m.stiffness[0]},
       {s.first().stator->mass.x(), s.first().stator->damping.x(), s.first().stator->stiffness.x()},
-      s.first().contact->clearance, s.first().contact->friction, s.forces[0].amplitude,
+      s.first().contact->clearance, s.first().contact->friction.coefficient, s.forces[0].amplitude,
       s.forces[0].frequency);
   rub.force = exact.value().force;
   return rub;
@@ -136,7 +136,8 @@ double bore(const scene::Scene& s) {
 TEST(TurningRing, ARubUnderAConstantForceSpinsItUpAsTheClosedFormSays) {
   scene::RingSpin spin{1e-3, 0.0, 3.0};
   const Rub first = annular(spin);
-  const double torque = first.scene.first().contact->friction * first.force * bore(first.scene);
+  const double torque =
+      first.scene.first().contact->friction.coefficient * first.force * bore(first.scene);
   spin.drag = torque / 60.0;  // ends near 60 rad/s
   const Rub rub = annular(spin);
   const oracle::TurningRing ring{spin.inertia, spin.drag, bore(rub.scene)};
@@ -168,7 +169,7 @@ TEST(TurningRing, WithoutDragRollingBeginsWhenTheClosedFormSays) {
   const scene::RingSpin spin{5e-4, 0.0, 0.0};
   const Rub rub = annular(spin);
   const scene::Scene& s = rub.scene;
-  const double torque = s.first().contact->friction * rub.force * bore(s);
+  const double torque = s.first().contact->friction.coefficient * rub.force * bore(s);
   const double slip = s.first().contact->radius * s.rotor.speed +
                       s.first().contact->clearance * s.forces[0].frequency;
   const double exact = slip / bore(s) * spin.inertia / torque;

@@ -22,7 +22,7 @@ TEST(HardWhip, TheShippedStartIsTheWhirlAt450) {
   const Model model = make_model(scene), exact = make_model(test::whirling(scene, 450.0));
   EXPECT_LT((model.q0 - exact.q0).norm(), 1e-15 * model.q0.norm());
   EXPECT_LT((model.v0 - exact.v0).norm(), 1e-15 * model.v0.norm());
-  EXPECT_TRUE(whip.rolls(450.0, scene.first().contact->friction));
+  EXPECT_TRUE(whip.rolls(450.0, scene.first().contact->friction.coefficient));
 }
 
 TEST(HardWhip, EventReachesTheWhip) {
@@ -33,7 +33,7 @@ TEST(HardWhip, EventReachesTheWhip) {
   EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -501.9257, 1e-6 * 502.0);
   EXPECT_NEAR(t.column("normal_force").back(), 244.8444, 1e-6 * 245.0);
   const ElasticWhip whip = test::whip_of(scene);
-  const double nu = whip.slipping_whips(scene.first().contact->friction)[1];
+  const double nu = whip.slipping_whips(scene.first().contact->friction.coefficient)[1];
   EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -nu, 1e-8 * nu);
   EXPECT_NEAR(t.column("normal_force").back(), whip.normal_force(nu), 1e-7 * 245.0);
 }

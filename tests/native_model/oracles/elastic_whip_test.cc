@@ -118,7 +118,7 @@ TEST(ElasticWhip, MovesAsTheModelSays) {
 // The motion with contact kept and slip > 0, in Cartesian coordinates with the model's right-hand
 // side: lambda keeps the relative acceleration on the circle. Nothing is linearised.
 Eigen::VectorXd kept_in_contact(const Model& m, const Eigen::VectorXd& y) {
-  const double mu = m.first().contact->friction;
+  const double mu = m.first().contact->friction.coefficient;
   const Eigen::Vector4d q = y.head(4), v = y.tail(4);
   const ContactPoint p = contact_point(m, q.data(), v.data());
   Eigen::Vector4d free, push = Eigen::Vector4d::Zero();

@@ -104,7 +104,8 @@ TEST(DrivenRub, GrowsAsTheModelSays) {
     for (const SteadyRub& rub : forced) expect_driven_as_differences(scene, system, rub, sliding);
     scene = driven_scene(elastic, false, sense);
     system = rub_system(scene);
-    const auto whips = BackwardCompliance(system).whips(scene.first().contact->friction);
+    const auto whips =
+        BackwardCompliance(system).whips(scene.first().contact->friction.coefficient);
     ASSERT_FALSE(whips.empty());
     for (const SteadyRub& whip : whips)
       expect_driven_as_differences(scene, system, whip, sliding - 2 + 1);
@@ -121,7 +122,8 @@ TEST(DrivenRub, RollsAsTheModelSays) {
       scene.rotor.speed = speed;
       keep_speed(scene, 0.5, 0.0);
       const RubSystem system = rub_system(scene);
-      const auto rolling = BackwardCompliance(system).rolling(scene.first().contact->friction);
+      const auto rolling =
+          BackwardCompliance(system).rolling(scene.first().contact->friction.coefficient);
       if (!rolling) continue;
       ++met;
       expect_driven_as_differences(scene, system, *rolling, (elastic ? 12 : 8) + 2 * 3 - 1);

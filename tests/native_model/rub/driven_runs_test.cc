@@ -27,7 +27,7 @@ scene::Scene unloaded_rig(int torsion) {
 }
 
 SteadyRub rolling_of(const scene::Scene& s) {
-  return BackwardCompliance(rub_system(s)).rolling(s.first().contact->friction).value();
+  return BackwardCompliance(rub_system(s)).rolling(s.first().contact->friction.coefficient).value();
 }
 
 // Started on the rub, with the twist that its friction keeps in the shaft and `off` rad in the

@@ -228,13 +228,13 @@ TEST(SteadyRub, OfThreeModesMovesAsTheModelSays) {
       scene::Scene quiet = scene;
       quiet.forces.clear();
       const BackwardCompliance backward(system);
-      const auto whips = backward.whips(scene.first().contact->friction);
+      const auto whips = backward.whips(scene.first().contact->friction.coefficient);
       ASSERT_FALSE(whips.empty());
       for (const SteadyRub& whip : whips) {
         EXPECT_LT(whip.whirl * turn, 0.0) << "against the spin";
         expect_motion(quiet, whip);
       }
-      const auto rolling = backward.rolling(scene.first().contact->friction);
+      const auto rolling = backward.rolling(scene.first().contact->friction.coefficient);
       ASSERT_TRUE(rolling);
       expect_motion(quiet, *rolling);
     }

@@ -56,8 +56,8 @@ TEST(ContactList, ReadsEachWithItsOwnRing) {
 TEST(ContactList, AKeyWithoutANumberIsThatOfAll) {
   const Scene all =
       two_with({"contact.friction=0.3", "contact[1].restitution=0.1", "contact[0].stator.mass=2"});
-  EXPECT_EQ(all.auxiliary[0].contact->friction, 0.3);
-  EXPECT_EQ(all.auxiliary[1].contact->friction, 0.3);
+  EXPECT_EQ(all.auxiliary[0].contact->friction.coefficient, 0.3);
+  EXPECT_EQ(all.auxiliary[1].contact->friction.coefficient, 0.3);
   EXPECT_EQ(all.auxiliary[0].contact->restitution, 0.6);
   EXPECT_EQ(all.auxiliary[1].contact->restitution, 0.1);
   EXPECT_EQ(all.auxiliary[0].stator->mass, PlanePair(2.0, 2.0));

@@ -159,7 +159,7 @@ TEST(Fuzz, OddTextSurvivesRewriting) {
   const std::vector<std::string> overrides = {"contact.friction=1e-320", "run.end=0x10"};
   const Scene first = parse_scene(text, "s.toml", overrides);
   const Scene again = parse_scene(first.text, "s.toml");
-  EXPECT_EQ(again.first().contact->friction, 1e-320);
+  EXPECT_EQ(again.first().contact->friction.coefficient, 1e-320);
   EXPECT_EQ(again.run.end, 16.0);
 }
 

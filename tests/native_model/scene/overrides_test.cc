@@ -24,9 +24,9 @@ std::vector<Diagnostic> override_refusal(const std::vector<std::string>& overrid
 }
 
 TEST(Overrides, TakeTomlWordsAndUnits) {
-  EXPECT_EQ(with({"contact.friction=0.3"}).first().contact->friction, 0.3);
-  EXPECT_EQ(with({" contact.friction = 0.3 "}).first().contact->friction, 0.3);
-  EXPECT_EQ(with({"contact.friction=30 %"}).first().contact->friction, 0.3);
+  EXPECT_EQ(with({"contact.friction=0.3"}).first().contact->friction.coefficient, 0.3);
+  EXPECT_EQ(with({" contact.friction = 0.3 "}).first().contact->friction.coefficient, 0.3);
+  EXPECT_EQ(with({"contact.friction=30 %"}).first().contact->friction.coefficient, 0.3);
   EXPECT_EQ(with({"run.end=100ms"}).run.end, 0.1);
   EXPECT_EQ(with({"run.end=\"100 ms\"", "run.output_times=[]"}).run.output_times.size(), 0u);
   EXPECT_EQ(with({"rotor.speed=60 Hz"}).rotor.speed, 120.0 * std::numbers::pi);
@@ -34,7 +34,9 @@ TEST(Overrides, TakeTomlWordsAndUnits) {
   EXPECT_TRUE(with({"mujoco.shadow=true"}).mujoco.shadow);
   EXPECT_FALSE(with({"mujoco.shadow=true", "mujoco.shadow=false"}).mujoco.shadow);
   EXPECT_EQ(with({"stator.mass=[1,2]"}).first().stator->mass, PlanePair(1.0, 2.0));
-  EXPECT_EQ(with({"contact.friction=0.3", "contact.friction=0.4"}).first().contact->friction, 0.4);
+  EXPECT_EQ(
+      with({"contact.friction=0.3", "contact.friction=0.4"}).first().contact->friction.coefficient,
+      0.4);
 }
 
 TEST(Overrides, TakeWordsOfTheLastReleaseWithANote) {
@@ -85,7 +87,7 @@ TEST(Overrides, LeaveATextThatGivesTheSameScene) {
                             "force[1].vector=[1e-300, 0.3]", "gravity={acceleration=[0,-9.81]}"});
   const Scene again = parse_scene(first.text, "scene.toml");
   EXPECT_EQ(again.text, first.text);
-  EXPECT_EQ(again.first().contact->friction, 0.1);
+  EXPECT_EQ(again.first().contact->friction.coefficient, 0.1);
   EXPECT_EQ(again.run.end, 0.7);
   EXPECT_EQ(again.forces[1].vector, Eigen::Vector2d(1e-300, 0.3));
   EXPECT_EQ(again.gravity->acceleration.y(), -9.81);

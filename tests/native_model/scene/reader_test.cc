@@ -73,7 +73,7 @@ TEST(Reader, FillsEveryFieldOfTheContractsExample) {
   ASSERT_TRUE(scene.first().contact);
   EXPECT_EQ(scene.first().contact->radius, 0.05);
   EXPECT_EQ(scene.first().contact->clearance, 0.5e-3);
-  EXPECT_EQ(scene.first().contact->friction, 0.15);
+  EXPECT_EQ(scene.first().contact->friction.coefficient, 0.15);
   EXPECT_EQ(scene.first().contact->restitution, 0.5);
   ASSERT_TRUE(scene.first().stator);
   EXPECT_EQ(scene.first().stator->mass, PlanePair(1.0, 1.0));         // one number: both planes
@@ -178,7 +178,7 @@ TEST(Reader, ReadsEveryDrive) {
 TEST(Reader, TakesALineEndingOrAByteOrderMarkFromOtherSystems) {
   std::string text = "\xef\xbb\xbf";
   for (char c : kModalSample) text += c == '\n' ? "\r\n" : std::string(1, c);
-  EXPECT_EQ(parse_scene(text, "scene.toml").first().contact->friction, 0.15);
+  EXPECT_EQ(parse_scene(text, "scene.toml").first().contact->friction.coefficient, 0.15);
 }
 
 TEST(Reader, ReadsTheShippedScenes) {

@@ -24,7 +24,9 @@ TEST(Variants, AreWhatReadSceneGives) {
     EXPECT_EQ(made.text, read.text) << change;
     EXPECT_EQ(made.name, read.name);
     EXPECT_EQ(made.rotor.speed, read.rotor.speed) << change;
-    EXPECT_EQ(made.first().contact->friction, read.first().contact->friction) << change;
+    EXPECT_EQ(made.first().contact->friction.coefficient,
+              read.first().contact->friction.coefficient)
+        << change;
     EXPECT_EQ(made.first().stator.has_value(), read.first().stator.has_value()) << change;
   }
 }
@@ -33,14 +35,14 @@ TEST(Variants, WithoutTextAreTheSameScene) {
   const std::vector<std::string> one{"contact.friction=0.25"};
   const Scene scene = Variants(kRing).scene(one, false);
   EXPECT_TRUE(scene.text.empty());
-  EXPECT_EQ(scene.first().contact->friction, 0.25);
+  EXPECT_EQ(scene.first().contact->friction.coefficient, 0.25);
 }
 
 TEST(Variants, EachIsRefusedByItself) {
   const Variants variants(kRing);
   const std::vector<std::string> bad{"contact.friction=-1"}, good{"contact.friction=0.5"};
   EXPECT_THROW(variants.scene(bad, false), SceneError);
-  EXPECT_EQ(variants.scene(good, false).first().contact->friction, 0.5);
+  EXPECT_EQ(variants.scene(good, false).first().contact->friction.coefficient, 0.5);
 }
 
 // The short way for plain decimal numbers takes nothing but those.
@@ -52,7 +54,7 @@ TEST(Variants, NumbersAreThoseOfToml) {
   }
   for (const char* text : {"0.15", "1.5e-1", "1.5E-1", ".15", "+0.15", "0.1_5"}) {
     const std::vector<std::string> change{std::string("contact.friction=") + text};
-    EXPECT_EQ(variants.scene(change, false).first().contact->friction, 0.15) << text;
+    EXPECT_EQ(variants.scene(change, false).first().contact->friction.coefficient, 0.15) << text;
   }
 }
 

@@ -135,7 +135,8 @@ TEST(Verlet, AnnularRubOnAnElasticRing) {
 // Where the whip settles; at 1e-5 the scheme is 1.2e-3 rad/s and 1.2e-3 N off.
 TEST(Verlet, SettlesOnTheWhip) {
   const scene::Scene scene = shipped("bench_whip");
-  const double nu = test::whip_of(scene).slipping_whips(scene.first().contact->friction)[1];
+  const double nu =
+      test::whip_of(scene).slipping_whips(scene.first().contact->friction.coefficient)[1];
   Convergence speed, force;
   for (const double step : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {
     const Trajectory t = verlet(scene, step);

@@ -93,7 +93,7 @@ TEST(Model, ModalFormIsCopied) {
   EXPECT_EQ(m.first().shape.x, Eigen::Vector2d(1.0, 1.0));
   EXPECT_EQ(m.first().torsion_shape, Eigen::Vector2d(1.0, 1.0));
   EXPECT_EQ(m.drive_shape, Eigen::Vector2d(0.3, -0.5));
-  EXPECT_EQ(m.first().contact->friction, 0.2);
+  EXPECT_EQ(m.first().contact->friction.coefficient, 0.2);
   EXPECT_EQ(m.springs.at(0).stiffness, Eigen::Vector2d(-3e4, -3e4));
   EXPECT_EQ(m.gyroscopic.kind(), ModeMatrix::Kind::kDiagonal);
 }

@@ -132,7 +132,7 @@ TEST_F(HeldGenerated, SegmentsAreSolvedBesideIt) {
   const DataPointer soft = strike(coulomb.get(), 3);
   EXPECT_EQ(last_warning, "");
   EXPECT_GT(soft->userdata[plugin::kNormalForce], 0.0);
-  const double mu = shipped("paper_passive").first().contact->friction;
+  const double mu = shipped("paper_passive").first().contact->friction.coefficient;
   EXPECT_NEAR(std::abs(soft->userdata[plugin::kFrictionForce]),
               mu * soft->userdata[plugin::kNormalForce],
               1e-9 * soft->userdata[plugin::kNormalForce]);
