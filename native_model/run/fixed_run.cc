@@ -1,6 +1,7 @@
 #include "native_model/run/fixed_run.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -8,9 +9,8 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/status_reason.h"
-#include "native_model/stepping/euler.h"
+#include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/step_limit.h"
-#include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/range_check.h"
@@ -27,282 +27,322 @@ CommandJump jump_of(const CommandRecord& told, double begin, double end) {
   return {(*next - begin) / (end - begin), told.mean(begin, *next), told.mean(*next, end)};
 }
 
-// A state that a run has come to, and its contact.
+// A state that a run has come to.
 struct Reached {
-  Reached(const Model& model, double time, const double* at, const double* rates)
-      : t(time), q(at), v(rates) {
-    if (model.first().contact) point = contact_point(model, q, v);
-  }
   double t;  // s
   const double *q, *v;
-  ContactPoint point;
 };
 
-// What every fixed-step run keeps beside its stepper.
+// The impacts of a step, kept beyond the next.
+struct Hits {
+  std::vector<Impact> impacts;
+  double work = 0.0, lasts = 0.0;  // J; s, of one that takes time
+  explicit Hits(std::size_t most) { impacts.reserve(most); }
+  void keep(const FixedStep& done) {
+    impacts.assign(done.impacts.begin(), done.impacts.end());
+    work = done.impact_work;
+    lasts = done.impact_time;
+  }
+};
+
 class FixedRun {
  public:
-  FixedRun(const Model& model, const scene::Run& run, double step, const NativeOptions& options)
+  FixedRun(scene::Integrator integrator, const Model& model, const scene::Run& run, double step,
+           const NativeOptions& options)
       : model_(model),
         options_(options),
+        contacts_(model.auxiliary.size()),
         step_(step),
         end_(run.end),
+        steps_(static_cast<std::int64_t>(std::ceil(end_ / step_ - 1e-9))),
         recorder_(model, options.output_times.value_or(output_times(run)), kWindowSteps * run.step),
+        stepper_(make_stepper(integrator, model, step)),
+        velocity_(static_cast<std::size_t>(model.nq())),
+        acceleration_(velocity_),
+        points_(contacts_),
+        others_(contacts_ - 1),
         message_(step_refusal(model, step)) {
+    for (std::size_t i = 0; i < contacts_; ++i) holds_.emplace_back(model, i);
     if (!message_.empty()) status_ = Status::kStepTooLarge;
+    if (contacts_ > 1) recorder_.statistics().contacts.resize(contacts_);
   }
 
-  std::int64_t steps() const { return static_cast<std::int64_t>(std::ceil(end_ / step_ - 1e-9)); }
-  double time(std::int64_t k) const { return static_cast<double>(k) * step_; }
-  bool good() const { return status_ == Status::kOk; }
-
-  // command: of `hold`, or recorded.
-  void begin(const Eigen::Vector2d& command, const ZeroOrderHold& hold) {
-    begin(command, hold, {}, 1.0);
-  }
-  void begin(const Eigen::Vector2d& command, const ZeroOrderHold& hold, const FixedStep& done,
-             double kick) {
-    Snapshot s = snapshot(0.0, model_.q0.data(), model_.v0.data(), done, kick);
-    s.actuator = actuator_state(model_, s.q, s.v, command);
-    s.actuator.outputs = hold.outputs();
-    recorder_.begin(s);
-    record_mode(0.0, done);
-  }
-
-  // What `done` did, from `begin` on, with the slip of `state`; `share`: of what it did.
-  void count(const FixedStep& done, double begin, const Reached& state, double share) {
-    StepFigures f;
-    f.h = done.impact_time > 0.0 ? done.impact_time : share * step_;
-    f.impact = !done.impacts.empty();
-    f.normal_impulse = share * done.normal_impulse;
-    f.friction_impulse = share * done.friction_impulse;
-    f.contact_work = share * done.contact_work;
-    f.external_work = share * done.external_work;
-    if (done.normal_impulse > 0.0) f.friction_work = share * friction_work(done, state);
-    recorder_.count(f, begin);
-  }
-
-  // The next state, with the forces of `done`, impulses over `kick` (s); `impact`: one since the
-  // last.
-  void advance(const Reached& state, const FixedStep& done, double kick, bool impact,
-               const Eigen::Vector2d& u, const ZeroOrderHold& hold) {
-    record_mode(state.t, done);
-    Snapshot s = snapshot(state.t, state.q, state.v, done, kick);
-    if (recorder_.row_due(state.t)) {
-      s.actuator = actuator_state(model_, state.q, state.v, u);
-      s.actuator.outputs = hold.outputs();
-    }
-    recorder_.advance(s, state.point, impact);
-    if (recorder_.penetration() == 0.0 && !model_.first().magnets) return;
-    if (const auto why = out_of_range(model_, state.q)) fail(Status::kOutOfRange, state.t, *why);
-  }
-
-  void add_impacts(const FixedStep& done) {
-    for (const Impact& impact : done.impacts) {
-      recorder_.add(impact);
-      recorder_.add(Event{impact.t, EventKind::kImpact});
-    }
-  }
-
-  void fail(Status status, double now) { fail(status, now, status_reason(status)); }
-  // The law's word names the time.
-  void listen(const ZeroOrderHold& hold) {
-    if (hold.failure().empty() || status_ != Status::kOk) return;
-    status_ = Status::kControllerFailed;
-    message_ = hold.failure();
-  }
-  void fail(Status status, double now, const std::string& why) {
-    if (status_ != Status::kOk) return;
-    status_ = status;
-    message_ = why + " at t = " + std::to_string(now) + " s";
-  }
-  void tick(std::int64_t k) {
-    if ((k & 0xfff) != 0) return;
-    if (options_.interrupt && options_.interrupt->load(std::memory_order_relaxed)) {
-      fail(Status::kInterrupted, time(k));
-    }
-    if (options_.progress) options_.progress(static_cast<double>(k) / static_cast<double>(steps()));
-  }
-
-  Trajectory finish(const char* integrator, std::int64_t taken, double reached, double wall) {
-    Trajectory out = recorder_.finish(good() ? end_ : reached);
+  Trajectory go(const char* name) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::int64_t taken = stepper_->leaps() ? leap() : walk();
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    Trajectory out = recorder_.finish(good() ? end_ : time(taken));
     out.engine = "native";
-    out.integrator = integrator;
+    out.integrator = name;
     out.contact_model = "rigid";
     out.step = step_;
     out.steps = taken;
-    out.wall_s = wall;
+    out.wall_s = wall.count();
     out.status = status_;
     out.message = message_;
     return out;
   }
 
  private:
-  // An impact's impulse is no force of lasting contact.
-  static Snapshot snapshot(double t, const double* q, const double* v, const FixedStep& done,
-                           double kick) {
-    const double scale = done.impacts.empty() ? 1.0 / kick : 0.0;
-    return {{scale * done.normal_impulse + done.impact_force.x(),
-             scale * done.friction_impulse + done.impact_force.y(),
-             done.mode,
-             {}},
-            t,
-            q,
-            v};
+  using Commands = std::array<Eigen::Vector2d, kMaxContacts>;
+  std::span<const Eigen::Vector2d> all(const Commands& of) const {
+    return std::span(of).first(contacts_);
   }
+  double time(std::int64_t k) const { return static_cast<double>(k) * step_; }
+  bool good() const { return status_ == Status::kOk; }
 
-  static double friction_work(const FixedStep& done, const Reached& state) {
-    if (done.impacts.empty()) return done.friction_impulse * state.point.slip;
-    double work = 0.0;
-    for (const Impact& hit : done.impacts) {
-      work += 0.5 * hit.friction_impulse * (hit.slip_before + hit.slip_after);
+  // Steps whose state is that of their end; the number of those taken.
+  std::int64_t walk() {
+    command_of_step(0);
+    begin({}, 1.0);
+    for (std::int64_t k = 0; k < steps_; ++k) {
+      command_of_step(k);
+      if (!good()) return k;
+      const FixedStep done = stepper_->step(k, all(command_), true);
+      if (done.status != Status::kOk) {
+        fail(done.status, time(k), status_reason(done.status));
+        return k;
+      }
+      add_impacts(done.impacts);
+      const Reached now = reach(time(k + 1), stepper_->q(), stepper_->v());
+      count_lasting(done, time(k), 1.0);
+      count_impacts(done.impacts, done.impact_work, step_, time(k));
+      advance(now, done, step_, !done.impacts.empty());
+      tick(k);
+      if (!good()) return k + 1;
     }
-    return work;
+    return steps_;
   }
 
-  void record_mode(double now, const FixedStep& done) {
-    if (done.reversed) recorder_.add(Event{now, EventKind::kReverse});
-    if (done.mode == mode_) return;
-    mode_ = done.mode;
-    recorder_.add(Event{now, mode_event(mode_)});
+  // The state of t_k is known once step k is taken: the recorder is a step behind, and impacts of
+  // step k belong to the next state. A last step beyond the end tells the velocities there; half of
+  // what its loads did about the end counts.
+  std::int64_t leap() {
+    Hits hits(contacts_ * contacts_ * StepImpacts::kMost);
+    std::int64_t k = 0;
+    for (; k <= steps_ && good(); ++k) {
+      const double t = time(k), kick = k == 0 ? 0.5 * step_ : step_;
+      command_about(k);
+      if (!good()) {
+        if (k == 0) begin({}, 1.0);
+        break;
+      }
+      const FixedStep done = stepper_->step(k, all(command_), true);
+      if (done.status != Status::kOk) {
+        fail(done.status, t, status_reason(done.status));
+        break;
+      }
+      stepper_->last_velocity(velocity_.data());
+      if (k == 0) begin(done, kick);
+      // Of a step half is done before t_k, half after; all of the first, half one after.
+      const Reached now = reach(t, stepper_->last_q(), velocity_.data());
+      if (k > 0) {
+        count_lasting(done, t, 0.5);
+        if (!hits.impacts.empty()) {
+          count_impacts(hits.impacts, hits.work, hits.lasts > 0.0 ? hits.lasts : step_,
+                        hits.impacts.front().t);
+        }
+        advance(now, done, kick, !hits.impacts.empty());
+      }
+      if (k < steps_) count_lasting(done, t, k == 0 ? 1.0 : 0.5);
+      hits.keep(done);
+      if (k < steps_) add_impacts(done.impacts);
+      tick(k);
+    }
+    return std::min(k, steps_);
+  }
+
+  // ------------------------------------------------------------------ commands
+  // Held over a step.
+  void command_of_step(std::int64_t k) {
+    const double t = time(k);
+    for (std::size_t i = 0; i < contacts_; ++i) {
+      const CommandRecord* recorded = model_.auxiliary[i].recorded.get();
+      command_[i] =
+          recorded ? recorded->mean(t, time(k + 1)) : holds_[i].at(t, stepper_->q(), stepper_->v());
+      shown_[i] = command_[i];
+      listen(holds_[i]);
+    }
+  }
+  // The mean over (t_k - h/2, t_k + h/2).
+  void command_about(std::int64_t k) {
+    const double t = time(k), end = t + 0.5 * step_, begin = k == 0 ? t : t - 0.5 * step_;
+    bool known = false;
+    for (std::size_t i = 0; i < contacts_; ++i) shown_[i] = holds_[i].held();
+    for (std::size_t i = 0; i < contacts_; ++i) {
+      command_[i] = holds_[i].held();
+      if (const CommandRecord* recorded = model_.auxiliary[i].recorded.get()) {
+        stepper_->jump(i, jump_of(*recorded, begin, end));
+        command_[i] = shown_[i] = recorded->mean(begin, end);
+        continue;
+      }
+      if (!holds_[i].listens(end)) continue;
+      if (!known) find_velocities(k);
+      known = true;
+      command_[i] =
+          holds_[i].mean(begin, t, end, stepper_->q(), velocity_.data(), acceleration_.data());
+      shown_[i] = holds_[i].held();
+      stepper_->jump(i, holds_[i].jump());
+      listen(holds_[i]);
+    }
+  }
+  // Those of t_k before step k, with the commands that held.
+  void find_velocities(std::int64_t k) {
+    stepper_->velocity_now(k, all(shown_), velocity_.data());
+    for (std::size_t j = 0; k > 0 && j < velocity_.size(); ++j) {
+      acceleration_[j] = 2.0 / step_ * (velocity_[j] - stepper_->v()[j]);
+    }
+  }
+  // The law's word names the time.
+  void listen(const ZeroOrderHold& hold) {
+    if (hold.failure().empty() || !good()) return;
+    status_ = Status::kControllerFailed;
+    message_ = hold.failure();
+  }
+
+  // ------------------------------------------------------------------ what is recorded
+  Reached reach(double t, const double* q, const double* v) {
+    for (std::size_t i = 0; i < contacts_; ++i) {
+      if (model_.auxiliary[i].contact) points_[i] = contact_point(model_, q, v, i);
+    }
+    return {t, q, v};
+  }
+
+  // Impulses over `kick`, s: an impact's is no force of lasting contact.
+  static ContactSnapshot contact_snapshot(const ContactStep& did, double kick) {
+    const double scale = 1.0 / kick;
+    return {scale * did.lasting.x() + did.impact_force.x(),
+            scale * did.lasting.y() + did.impact_force.y(),
+            did.mode,
+            {}};
+  }
+  Snapshot snapshot(const Reached& at, const FixedStep& done, double kick, bool row) {
+    const auto of = [&](std::size_t i) {
+      ContactSnapshot s;
+      if (i < 1 + done.others.size()) s = contact_snapshot(done.at(i), kick);
+      if (!row) return s;
+      s.actuator = actuator_state(model_, at.q, at.v, shown_[i], i);
+      s.actuator.outputs = holds_[i].outputs();
+      return s;
+    };
+    for (std::size_t i = 1; i < contacts_; ++i) others_[i - 1] = of(i);
+    return {of(0), at.t, at.q, at.v, others_};
+  }
+
+  void begin(const FixedStep& done, double kick) {
+    const Reached start{0.0, model_.q0.data(), model_.v0.data()};
+    recorder_.begin(snapshot(start, done, kick, true));
+    note_modes(0.0, done);
+  }
+
+  // The share of what lasting contact and the loads did over a step, from `begin` on.
+  void count_lasting(const FixedStep& done, double begin, double share) {
+    StepFigures f;
+    f.h = share * step_;
+    f.contact_work = share * (done.contact_work - done.impact_work);
+    f.external_work = share * done.external_work;
+    for (std::size_t i = 0; i < contacts_; ++i) {
+      const Eigen::Vector2d did = share * done.at(i).lasting;
+      if (!(did.x() > 0.0)) continue;
+      const double work = did.y() * points_[i].slip;
+      f.normal_impulse += did.x();
+      f.friction_impulse += did.y();
+      f.friction_work += work;
+      if (contacts_ > 1) recorder_.count_at(i, begin, f.h, did.x(), did.y(), work);
+    }
+    recorder_.count(f, begin);
+  }
+  void count_impacts(std::span<const Impact> impacts, double contact_work, double lasts,
+                     double begin) {
+    if (impacts.empty()) return;
+    StepFigures f;
+    f.h = lasts;
+    f.impact = true;
+    f.contact_work = contact_work;
+    for (const Impact& hit : impacts) {
+      const double work = 0.5 * hit.friction_impulse * (hit.slip_before + hit.slip_after);
+      f.normal_impulse += hit.normal_impulse;
+      f.friction_impulse += hit.friction_impulse;
+      f.friction_work += work;
+      if (contacts_ == 1) continue;
+      recorder_.count_at(static_cast<std::size_t>(hit.contact), hit.t, lasts, hit.normal_impulse,
+                         hit.friction_impulse, work);
+    }
+    recorder_.count(f, begin);
+  }
+  void add_impacts(std::span<const Impact> impacts) {
+    for (const Impact& hit : impacts) {
+      recorder_.add(hit);
+      recorder_.add(Event{hit.t, EventKind::kImpact, hit.contact});
+    }
+  }
+
+  // The next state, with the forces of `done`; `impact`: one since the last.
+  void advance(const Reached& now, const FixedStep& done, double kick, bool impact) {
+    note_modes(now.t, done);
+    recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_[0], impact);
+    for (std::size_t i = 0; contacts_ > 1 && i < contacts_; ++i) {
+      recorder_.watch_gap(i, points_[i].gap);
+    }
+    const bool inside = contacts_ == 1 && recorder_.penetration() == 0.0 && !model_.first().magnets;
+    if (inside) return;
+    if (const auto why = out_of_range(model_, now.q)) fail(Status::kOutOfRange, now.t, *why);
+  }
+  void note_modes(double t, const FixedStep& done) {
+    for (std::size_t i = 0; i < 1 + done.others.size(); ++i) {
+      const ContactStep& did = done.at(i);
+      const int contact = static_cast<int>(i);
+      if (did.reversed) recorder_.add(Event{t, EventKind::kReverse, contact});
+      if (did.mode == modes_[i]) continue;
+      modes_[i] = did.mode;
+      recorder_.add(Event{t, mode_event(did.mode), contact});
+    }
+  }
+
+  void fail(Status status, double t, const std::string& why) {
+    if (!good()) return;
+    status_ = status;
+    message_ = why + " at t = " + std::to_string(t) + " s";
+  }
+  void tick(std::int64_t k) {
+    if ((k & 0xfff) != 0) return;
+    if (options_.interrupt && options_.interrupt->load(std::memory_order_relaxed)) {
+      fail(Status::kInterrupted, time(k), status_reason(Status::kInterrupted));
+    }
+    if (options_.progress) options_.progress(static_cast<double>(k) / static_cast<double>(steps_));
+  }
+
+  static Commands none() {
+    Commands all;
+    all.fill(Eigen::Vector2d(0.0, 0.0));
+    return all;
   }
 
   const Model& model_;
   const NativeOptions& options_;
+  const std::size_t contacts_;
   double step_, end_;
+  std::int64_t steps_;
   Recorder recorder_;
+  std::unique_ptr<FixedStepper> stepper_;
+  std::vector<ZeroOrderHold> holds_;
+  Commands command_ = none(), shown_ = none();  // over the step; as they stand at the state's time
+  std::vector<double> velocity_, acceleration_;
+  std::vector<ContactPoint> points_;  // of the state reached last
+  std::vector<ContactSnapshot> others_;
+  std::array<Mode, kMaxContacts> modes_{};
   std::string message_;
   Status status_ = Status::kOk;
-  Mode mode_ = Mode::kFree;
 };
 
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 }  // namespace
 
-namespace {
-
-// Steps whose state is that of their end.
-template <class Stepper>
-Trajectory run_steps(const char* name, const Model& model, const scene::Run& scene_run, double step,
-                     const NativeOptions& options) {
-  FixedRun run(model, scene_run, step, options);
-  Stepper stepper(model, step);
-  ZeroOrderHold hold(model);
-  const CommandRecord* recorded = model.first().recorded.get();
-  const auto command = [&](std::int64_t k) -> Eigen::Vector2d {
-    const double t = run.time(k);
-    if (recorded) return recorded->mean(t, run.time(k + 1));
-    return hold.at(t, stepper.q(), stepper.v());
-  };
-  run.begin(command(0), hold);
-  run.listen(hold);
-  const std::int64_t steps = run.steps();
-  const auto start = Clock::now();
-  std::int64_t k = 0;
-  for (; k < steps && run.good(); ++k) {
-    const Eigen::Vector2d u = command(k);
-    run.listen(hold);
-    if (!run.good()) break;
-    const FixedStep done = stepper.step(k, u, true);
-    if (done.status != Status::kOk) {
-      run.fail(done.status, run.time(k));
-      break;
-    }
-    run.add_impacts(done);
-    const Reached state(model, run.time(k + 1), stepper.q(), stepper.v());
-    run.count(done, run.time(k), state, 1.0);
-    run.advance(state, done, step, !done.impacts.empty(), u, hold);
-    run.tick(k);
-  }
-  return run.finish(name, k, run.time(k), seconds_since(start));
-}
-
-}  // namespace
-
-Trajectory run_paper(const Model& model, const scene::Run& run, double step,
-                     const NativeOptions& options) {
-  return run_steps<MidpointStepper>("midpoint", model, run, step, options);
-}
-
-Trajectory run_literal(const Model& model, const scene::Run& run, double step,
-                       const NativeOptions& options) {
-  return run_steps<EulerStepper>("euler", model, run, step, options);
-}
-
-// The state of t_k is known once step k is taken: the recorder is a step behind, and impacts of
-// step k belong to the next state. A last step beyond the end tells the velocities there; half of
-// what its loads did about the end counts.
-Trajectory run_verlet(const Model& model, const scene::Run& scene_run, double step,
-                      const NativeOptions& options) {
-  FixedRun run(model, scene_run, step, options);
-  VerletStepper stepper(model, step);
-  ZeroOrderHold hold(model);
-  const auto nq = static_cast<std::size_t>(model.nq());
-  std::vector<double> v(nq), a(nq, 0.0);
-  const auto command = [&](std::int64_t k) -> Eigen::Vector2d {
-    const double t = run.time(k), end = t + 0.5 * step;
-    const double begin = k == 0 ? t : t - 0.5 * step;
-    if (model.first().recorded) {
-      stepper.jump(jump_of(*model.first().recorded, begin, end));
-      return model.first().recorded->mean(begin, end);
-    }
-    if (!hold.listens(end)) return hold.held();
-    stepper.velocity_now(k, hold.held(), v.data());
-    for (std::size_t i = 0; k > 0 && i < nq; ++i) a[i] = 2.0 / step * (v[i] - stepper.v_half()[i]);
-    const Eigen::Vector2d mean = hold.mean(begin, t, end, stepper.q(), v.data(), a.data());
-    stepper.jump(hold.jump());
-    return mean;
-  };
-  const std::int64_t steps = run.steps();
-  const auto start = Clock::now();
-  FixedStep hits;   // the last step, where it had impacts
-  ImpactList kept;  // its impacts
-  std::int64_t k = 0;
-  for (; k <= steps && run.good(); ++k) {
-    const double t = run.time(k);
-    const Eigen::Vector2d u = command(k), held = model.first().recorded ? u : hold.held();
-    run.listen(hold);
-    if (!run.good()) {
-      if (k == 0) run.begin(held, hold);
-      break;
-    }
-    FixedStep done = stepper.step(k, u, true);
-    if (done.status != Status::kOk) {
-      run.fail(done.status, t);
-      break;
-    }
-    stepper.last_velocity(v.data());
-    const FixedStep all = done;
-    if (!done.impacts.empty()) {
-      done = FixedStep{};
-      done.external_work = all.external_work;
-      done.impact_force = all.impact_force;
-    }
-    const double kick = k == 0 ? 0.5 * step : step;
-    if (k == 0) run.begin(held, hold, done, kick);
-    // Of a step half is done before t_k, half after; all of the first, half one after.
-    const Reached state(model, t, stepper.last_q(), v.data());
-    const auto half = [&] { run.count(done, t, state, k == 0 ? 1.0 : 0.5); };
-    if (k > 0) half();
-    if (k > 0) {
-      const bool impact = !hits.impacts.empty();
-      if (impact) run.count(hits, hits.impacts.front().t, state, 1.0);
-      run.advance(state, done, kick, impact, held, hold);
-    }
-    if (k < steps) half();
-    hits = all;
-    hits.external_work = 0.0;
-    kept.count = 0;
-    for (const Impact& hit : all.impacts) kept.add(hit);
-    hits.impacts = kept.view();
-    if (!all.impacts.empty() && k < steps) run.add_impacts(all);
-    run.tick(k);
-  }
-  const std::int64_t taken = std::min(k, steps);
-  return run.finish("verlet", taken, run.time(taken), seconds_since(start));
+Trajectory run_fixed(scene::Integrator integrator, const Model& model, const scene::Run& run,
+                     double step, const NativeOptions& options) {
+  const char* name = integrator == scene::Integrator::kVerlet     ? "verlet"
+                     : integrator == scene::Integrator::kMidpoint ? "midpoint"
+                                                                  : "euler";
+  return FixedRun(integrator, model, run, step, options).go(name);
 }
 
 }  // namespace rotorub

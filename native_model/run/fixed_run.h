@@ -1,4 +1,4 @@
-// Whole runs of the fixed steps: steps, controller, recorder, and the checks that end a run.
+// Whole runs of the fixed steps: steps, controllers, recorder, and the checks that end a run.
 #pragma once
 
 #include "native_model/run/run_native.h"
@@ -6,11 +6,8 @@
 
 namespace rotorub {
 
-Trajectory run_paper(const Model& model, const scene::Run& run, double step,
-                     const NativeOptions& options);
-Trajectory run_literal(const Model& model, const scene::Run& run, double step,
-                       const NativeOptions& options);
-Trajectory run_verlet(const Model& model, const scene::Run& run, double step,
-                      const NativeOptions& options);
+// integrator: kMidpoint, kEuler or kVerlet; step: s, > 0.
+Trajectory run_fixed(scene::Integrator integrator, const Model& model, const scene::Run& run,
+                     double step, const NativeOptions& options);
 
 }  // namespace rotorub

@@ -5,7 +5,6 @@
 
 #include "native_model/event/driver.h"
 #include "native_model/run/fixed_run.h"
-#include "native_model/run/several_contacts.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/system/run_size.h"
 #include "native_model/trajectory/recorder.h"
@@ -55,26 +54,13 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
   check_run_size(scene, model, step, times);
   refuse_finite_impacts(scene, integrator == scene::Integrator::kVerlet ? FiniteImpacts::kUnsampled
                                                                         : FiniteImpacts::kNone);
-  if (scene.auxiliary.size() > 1) {
-    if (integrator != scene::Integrator::kVerlet)
-      refuse_several_contacts(scene, "this integrator", "event or verlet");
-    for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
-      if (model.auxiliary[k].coil == kAbsent) continue;
-      refuse(with_bearing_alone(scene, k),
-             {{"", 0, "actuator.coil_lag",
-               "beside other contacts coils that lag need the integrator event; accepted "
-               "here: 0"}});
-    }
-    return run_several_contacts(model, scene.run, step, options);
+  for (std::size_t k = 0; model.auxiliary.size() > 1 && k < model.auxiliary.size(); ++k) {
+    if (model.auxiliary[k].coil == kAbsent) continue;
+    refuse(with_bearing_alone(scene, k),
+           {{"", 0, "actuator.coil_lag",
+             "beside other contacts coils that lag need the integrator event; accepted here: 0"}});
   }
-  switch (integrator) {
-    case scene::Integrator::kMidpoint:
-      return run_paper(model, scene.run, step, options);
-    case scene::Integrator::kEuler:
-      return run_literal(model, scene.run, step, options);
-    default:
-      return run_verlet(model, scene.run, step, options);
-  }
+  return run_fixed(integrator, model, scene.run, step, options);
 }
 
 }  // namespace rotorub

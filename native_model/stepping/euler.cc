@@ -1,121 +1,194 @@
 #include "native_model/stepping/euler.h"
 
 #include <cmath>
+#include <utility>
 
 #include "native_model/contact/impact.h"
 #include "native_model/contact/impact_record.h"
 #include "native_model/contact/rebound.h"
+#include "native_model/dynamics/closed_contacts.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 
 namespace rotorub {
 namespace {
 
-Eigen::Vector3d rates(const Model& m, const Eigen::VectorXd& v) {
-  const Eigen::Vector2d d = rotor_point(m, v.data()) - stator_point(m, v.data());
-  return {d.x(), d.y(), contact_spin(m, v.data())};  // of accelerations the first two alone
+// (ddot, spin); of accelerations the first two alone.
+Eigen::Vector3d rates(const Model& m, const Eigen::VectorXd& v, std::size_t contact) {
+  const Eigen::Vector2d d = rotor_point(m, v.data(), contact) - stator_point(m, v.data(), contact);
+  return {d.x(), d.y(), contact_spin(m, v.data(), contact)};
 }
 
 }  // namespace
 
-FixedStep EulerStepper::step(std::int64_t k, const Eigen::Vector2d& u, bool works) {
+EulerStepper::EulerStepper(const Model& model, double step)
+    : model_(&model),
+      h_(step),
+      state_(initial_state(model)),
+      free_(model.nq()),
+      f_(model.nq()),
+      done_(model.auxiliary.size()) {
+  hits_.reserve(done_.size());
+}
+
+FixedStep EulerStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) {
   const Model& m = *model_;
-  FixedStep out;
   const double t = static_cast<double>(k) * h_;
   const State start = state_;
   smooth_force(m, t, q(), v(), u, f_.data());
   solve_mass(m, t, q(), f_.data(), f_.data());
   free_ = start.v + h_ * f_;
   state_.v = free_;
-  if (m.first().contact) touch(t, out);
-  if (out.status == Status::kOk && !state_.v.allFinite()) out.status = Status::kDiverged;
+  hits_.clear();
+  std::fill(done_.begin(), done_.end(), ContactStep{});
+  const Status found = m.first().contact ? touch(t) : Status::kOk;
+  FixedStep out;
+  static_cast<ContactStep&>(out) = done_[0];
+  out.others = std::span(done_).subspan(1);
+  out.impacts = hits_;
+  out.status = found == Status::kOk && !state_.v.allFinite() ? Status::kDiverged : found;
   if (out.status != Status::kOk) {
     state_ = start;
     return out;
   }
   if (works) {
-    const Eigen::Vector2d ring = actuator_state(m, start.q.data(), start.v.data(), u).force;
+    std::array<Eigen::Vector2d, kMaxContacts> rings;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      rings[i] = actuator_state(m, start.q.data(), start.v.data(), u[i], i).force;
+    }
     const auto power = [&](const State& s, double at) {
-      return external_power(m, at, s.q.data(), s.v.data(), ring);
+      return external_power(m, at, s.q.data(), s.v.data(), std::span(rings).first(u.size()));
     };
     State end = state_;
     end.q += h_ * end.v;
     out.external_work = 0.5 * h_ * (power(start, t) + power(end, t + h_));
-    for (const Impact& hit : out.impacts) {
-      const double held = m.layout.spin ? 0.0 : m.first().contact->radius * m.speed;
-      out.contact_work += hit.energy_change - hit.friction_impulse * held;
+    for (const Impact& hit : hits_) {
+      const double radius = m.auxiliary[static_cast<std::size_t>(hit.contact)].contact->radius;
+      const double held = m.layout.spin ? 0.0 : radius * m.speed;
+      out.impact_work += hit.energy_change - hit.friction_impulse * held;
     }
-    if (out.impacts.empty() && out.normal_impulse > 0.0) {
-      const Eigen::Vector2d e_r = separation(m, q()).normalized();
-      const Eigen::Vector3d mean = 0.5 * (rates(m, start.v) + rates(m, state_.v));
-      Eigen::Vector3d of_coordinates = mean;
-      if (!m.layout.spin) of_coordinates.z() -= m.speed;
-      out.contact_work =
-          contact_load(e_r, m.first().contact->radius, out.normal_impulse, out.friction_impulse)
-              .dot(of_coordinates);
-    }
+    out.contact_work = out.impact_work + lasting_work(start);
   }
   state_.q += h_ * state_.v;
   state_.t = t + h_;
   return out;
 }
 
-void EulerStepper::push(double t, const Eigen::Vector2d& e_r, double normal, double friction) {
+double EulerStepper::lasting_work(const State& start) const {
   const Model& m = *model_;
+  double work = 0.0;
+  for (std::size_t i = 0; i < done_.size(); ++i) {
+    const Eigen::Vector2d& did = done_[i].lasting;
+    if (!(did.x() > 0.0)) continue;
+    const Eigen::Vector2d e_r = separation(m, q(), i).normalized();
+    const Eigen::Vector3d mean = 0.5 * (rates(m, start.v, i) + rates(m, state_.v, i));
+    Eigen::Vector3d of_coordinates = mean;
+    if (!m.layout.spin) of_coordinates.z() -= m.speed;
+    work += contact_load(e_r, m.auxiliary[i].contact->radius, did.x(), did.y()).dot(of_coordinates);
+  }
+  return work;
+}
+
+Status EulerStepper::solve_one(double t, Closing& c) const {
+  const Model& m = *model_;
+  const ContactParameters& law = *m.auxiliary[c.index].contact;
+  const Delassus g = delassus(contact_admittance(m, t, q(), c.index), c.e_r, law.radius);
+  if (c.impact) {
+    const ImpactResult r = solve_impact(g, c.gap_rate, c.slip, law.law());
+    c.normal = r.normal();
+    c.friction = r.friction();
+    return r.status;
+  }
+  const CoulombSolution s = solve_coulomb(g, c.end, c.slip, law.friction.at(c.slip));
+  c.normal = s.normal;
+  c.friction = s.friction;
+  c.sticks = mode_of(s) == Mode::kStick;
+  return status_of(s.solutions);
+}
+
+// Of several at once: those that rebound by their gap rates, the others by the gap of the step's
+// end, (12), and without restitution.
+Status EulerStepper::solve_all(double t, std::span<Closing> closing) const {
+  const Model& m = *model_;
+  const std::size_t n = closing.size();
+  std::array<ClosedContact, kMaxContacts> group{};
+  std::array<ImpactLaw, kMaxContacts> laws{};
+  ContactVector b(static_cast<Eigen::Index>(2 * n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const Closing& c = closing[i];
+    group[i].index = c.index;
+    group[i].point.e_r = c.e_r;
+    laws[i] = m.auxiliary[c.index].contact->law();
+    if (!c.impact) laws[i].restitution = laws[i].tangential_restitution = 0.0;
+    b.segment<2>(static_cast<Eigen::Index>(2 * i)) << (c.impact ? c.gap_rate : c.end), c.slip;
+  }
+  const CoupledSolution s = solve_coupled_impact(delassus(m, t, q(), std::span(group).first(n)), b,
+                                                 std::span(laws).first(n));
+  for (std::size_t i = 0; i < n && s.solutions == 1; ++i) {
+    closing[i].normal = s.p[static_cast<Eigen::Index>(2 * i)];
+    closing[i].friction = s.p[static_cast<Eigen::Index>(2 * i + 1)];
+    closing[i].sticks = s.sticks[i];
+  }
+  return status_of(s.solutions);
+}
+
+// The contacts over the step: state_.v from free_.
+Status EulerStepper::touch(double t) {
+  const Model& m = *model_;
+  std::array<Closing, kMaxContacts> closing{};
+  std::size_t n = 0;
+  const std::array<bool, kMaxContacts> lasted = std::exchange(in_contact_, {});
+  for (std::size_t i = 0; i < done_.size(); ++i) {
+    const ContactParameters& law = *m.auxiliary[i].contact;
+    const Eigen::Vector2d d = separation(m, q(), i);
+    const double delta = d.norm();
+    if (delta <= kNoNormal) continue;
+    Closing c;
+    c.index = i;
+    c.e_r = d / delta;
+    const Eigen::Vector3d free = rates(m, free_, i), acceleration = rates(m, f_, i);
+    const double closes = c.e_r.dot(free.head<2>());
+    // (12): the gap of the step's end, linearised about q.
+    const double gap = law.clearance - delta - h_ * closes;
+    if (gap >= 0.0) continue;
+    c.gap_rate = -closes;
+    c.slip = rates_along(c.e_r, law.radius, free).y();
+    c.end = gap / h_;
+    const double pressed = pressing(c.e_r, free, acceleration, law.clearance);
+    c.impact = !lasted[i] && rebound_outlives_steps(h_, law.restitution, closes, pressed);
+    closing[n++] = c;
+  }
+  if (n == 0) return Status::kOk;
+  const Status found =
+      n == 1 ? solve_one(t, closing[0]) : solve_all(t, std::span(closing).first(n));
+  if (found != Status::kOk) return found;
   f_.setZero();
-  add_contact_load(m, contact_load(e_r, m.first().contact->radius, normal, friction), f_.data());
+  for (const Closing& c : std::span(closing).first(n)) {
+    const double radius = m.auxiliary[c.index].contact->radius;
+    add_contact_load(m, contact_load(c.e_r, radius, c.normal, c.friction), f_.data(), c.index);
+  }
   solve_mass(m, t, q(), f_.data(), f_.data());
   state_.v += f_;
-}
-
-// One row of an impact; its impulses are those of the step.
-void EulerStepper::record(double t, const Eigen::Vector2d& e_r, FixedStep& out) {
-  const double radius = model_->first().contact->radius;
-  const Eigen::Vector2d before = rates_along(e_r, radius, rates(*model_, free_));
-  const Eigen::Vector2d after = rates_along(e_r, radius, rates(*model_, state_.v));
-  const ImpulseWork work = impulse_work(out.normal_impulse, out.friction_impulse, before, after);
-  hit_ = {t + h_,     out.normal_impulse, out.friction_impulse, before.x(), after.x(),
-          before.y(), after.y(),          work.total()};
-  out.impacts = {&hit_, 1};
-  out.mode = Mode::kFree;
-}
-
-void EulerStepper::touch(double t, FixedStep& out) {
-  const Model& m = *model_;
-  const ContactParameters& c = *m.first().contact;
-  const Eigen::Vector2d d = separation(m, q());
-  const bool lasted = in_contact_;
-  in_contact_ = false;
-  const double delta = d.norm();
-  if (delta <= kNoNormal) return;
-  const Eigen::Vector2d e_r = d / delta;
-  const Eigen::Vector3d free = rates(m, free_), acceleration = rates(m, f_);
-  // (12): the gap of the step's end, linearised about q.
-  const double gap = c.clearance - delta - h_ * e_r.dot(free.head<2>());
-  if (gap >= 0.0) return;
-  const double closing = e_r.dot(free.head<2>());
-  const double pressed = pressing(e_r, free, acceleration, c.clearance);
-  const Delassus g = delassus(contact_admittance(m, t, q()), e_r, c.radius);
-  if (!lasted && rebound_outlives_steps(h_, c.restitution, closing, pressed)) {
-    const ImpactResult r = solve_impact(g, -closing, rates_along(e_r, c.radius, free).y(), c.law());
-    out.status = r.status;
-    if (r.status != Status::kOk) return;
-    out.normal_impulse = r.normal();
-    out.friction_impulse = r.friction();
-    push(t, e_r, r.normal(), r.friction());
-    return record(t, e_r, out);
+  for (const Closing& c : std::span(closing).first(n)) {
+    ContactStep& did = done_[c.index];
+    did.normal_impulse = c.normal;
+    did.friction_impulse = c.friction;
+    if (!(c.normal > 0.0)) continue;
+    in_contact_[c.index] = !c.impact;
+    if (!c.impact && lasted[c.index]) {
+      did.lasting = {c.normal, c.friction};
+      did.mode = mode_of(c.normal, c.sticks);
+      continue;
+    }
+    // Where a contact closes without a rebound the impact is in the step's impulse.
+    const double radius = m.auxiliary[c.index].contact->radius;
+    const Eigen::Vector2d before = rates_along(c.e_r, radius, rates(m, free_, c.index));
+    const Eigen::Vector2d after = rates_along(c.e_r, radius, rates(m, state_.v, c.index));
+    const ImpulseWork work = impulse_work(c.normal, c.friction, before, after);
+    hits_.push_back({t + h_, c.normal, c.friction, before.x(), after.x(), before.y(), after.y(),
+                     work.total(), static_cast<int>(c.index)});
   }
-  const double slip = rates_along(e_r, c.radius, free).y();
-  const CoulombSolution s = solve_coulomb(g, gap / h_, slip, c.friction.at(slip));
-  out.status = status_of(s.solutions);
-  if (out.status != Status::kOk) return;
-  out.normal_impulse = s.normal;
-  out.friction_impulse = s.friction;
-  push(t, e_r, s.normal, s.friction);
-  in_contact_ = true;
-  out.mode = mode_of(s);
-  // Closed without a rebound: the impact is in the step's impulse.
-  if (!lasted) record(t, e_r, out);
+  return Status::kOk;
 }
 
 }  // namespace rotorub

@@ -5,35 +5,49 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <vector>
 
+#include "native_model/contact/coupled_law.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
 
-class EulerStepper {
+class EulerStepper : public FixedStepper {
  public:
-  // As MidpointStepper.
-  EulerStepper(const Model& model, double step)
-      : model_(&model), h_(step), state_(initial_state(model)), free_(model.nq()), f_(model.nq()) {}
+  // From the model's initial state. step: s, > 0. The model must outlive the stepper.
+  EulerStepper(const Model& model, double step);
 
-  FixedStep step(std::int64_t k, const Eigen::Vector2d& u, bool works);
-  const double* q() const { return state_.q.data(); }
-  const double* v() const { return state_.v.data(); }
+  FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) override;
+  const double* q() const override { return state_.q.data(); }
+  const double* v() const override { return state_.v.data(); }
 
  private:
-  void touch(double t, FixedStep& out);
-  void record(double t, const Eigen::Vector2d& e_r, FixedStep& out);
-  // v += M^-1 J^T of the impulses.
-  void push(double t, const Eigen::Vector2d& e_r, double normal, double friction);
+  // A contact that would be left by the step without it.
+  struct Closing {
+    std::size_t index = 0;
+    Eigen::Vector2d e_r{1.0, 0.0};
+    bool impact = false;  // with a rebound that outlives its steps (contact/rebound.h)
+    double gap_rate = 0.0, slip = 0.0;    // m/s, without contact
+    double end = 0.0;                     // m/s, the gap of the step's end over h
+    double normal = 0.0, friction = 0.0;  // N s
+    bool sticks = false;
+  };
+  Status touch(double t);
+  Status solve_one(double t, Closing& c) const;
+  Status solve_all(double t, std::span<Closing> closing) const;
+  double lasting_work(const State& start) const;
 
   const Model* model_;
   double h_;
   State state_;
   Eigen::VectorXd free_, f_;
-  Impact hit_;  // of the last step
-  bool in_contact_ = false;
+  std::array<bool, kMaxContacts> in_contact_{};
+  // Of the last step.
+  std::vector<ContactStep> done_;
+  std::vector<Impact> hits_;
 };
 
 }  // namespace rotorub

@@ -2,28 +2,23 @@
 
 #include <cassert>
 
+#include "native_model/stepping/coupled_midpoint.h"
+#include "native_model/stepping/coupled_verlet.h"
+#include "native_model/stepping/euler.h"
 #include "native_model/stepping/midpoint_step.h"
 #include "native_model/stepping/verlet_step.h"
 
 namespace rotorub {
 
-// What a kernel of any size offers; the last five are verlet's.
-struct Stepper::Kernel {
-  virtual ~Kernel() = default;
-  virtual FixedStep step(std::int64_t k, const Eigen::Vector2d& u, bool works) = 0;
+// What a kernel of any size offers beside.
+struct Stepper::Kernel : FixedStepper {
   virtual void begin(double t, const double* q, const double* v) = 0;
-  virtual const double* q() const = 0;
-  virtual const double* v() const = 0;
   virtual std::size_t memory_size() = 0;
   virtual void save(double* to) = 0;
   virtual void restore(const double* from) = 0;
   virtual void adopt(const double* q, const double* v) = 0;
   virtual void apply(const double* loads) = 0;
-  virtual void jump(const CommandJump&) { assert(false); }
-  virtual void velocity_now(std::int64_t, const Eigen::Vector2d&, double*) { assert(false); }
-  virtual const double* last_q() const { return nullptr; }
-  virtual void last_velocity(double*) const { assert(false); }
-  virtual double last_kick() const { return 1.0; }
+  virtual double last_kick() const = 0;
 
   template <template <class> class Scheme, class M>
   class Of;
@@ -37,10 +32,9 @@ class Stepper::Kernel::Of final : public Stepper::Kernel {
  public:
   Of(const Model& model, double h) : model_(model), kernel_(model_, {&model}, h) {}
 
-  FixedStep step(std::int64_t k, const Eigen::Vector2d& u, bool works) override {
-    kernel_.command_x = u.x();
-    kernel_.command_y = u.y();
-    kernel_.commanded = kernel_.commanded || !u.isZero(0.0);
+  FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) override {
+    command(u);
+    kernel_.commanded = kernel_.commanded || !u[0].isZero(0.0);
     const double sign = kernel_.slip_sign;
     kernel_.step(k);
     FixedStep out;
@@ -49,9 +43,12 @@ class Stepper::Kernel::Of final : public Stepper::Kernel {
     out.friction_impulse = kernel_.friction_impulse;
     if (kernel_.any_impact()) {
       out.impacts = kernel_.impacts[0].view();
-    } else if (kernel_.in_contact > 0.0) {
-      out.mode = kernel_.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
-      out.reversed = sign * kernel_.slip_sign < 0.0;
+    } else {
+      out.lasting = {out.normal_impulse, out.friction_impulse};
+      if (kernel_.in_contact > 0.0) {
+        out.mode = kernel_.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
+        out.reversed = sign * kernel_.slip_sign < 0.0;
+      }
     }
     if constexpr (kLate) {
       out.impact_time = kernel_.impact_time[0];
@@ -59,6 +56,7 @@ class Stepper::Kernel::Of final : public Stepper::Kernel {
     }
     if (works && out.status == Status::kOk) {
       out.contact_work = kernel_.contact_work_of_last();
+      if (kernel_.any_impact()) out.impact_work = out.contact_work;
       out.external_work = kernel_.external_work_of_last();
     }
     return out;
@@ -81,19 +79,17 @@ class Stepper::Kernel::Of final : public Stepper::Kernel {
   void adopt(const double* q, const double* v) override { kernel_.adopt(q, v); }
   void apply(const double* loads) override { kernel_.applied = loads; }
 
-  void jump(const CommandJump& command) override {
+  bool leaps() const override { return kLate; }
+  void jump(std::size_t, const CommandJump& command) override {
     if constexpr (kLate) kernel_.jump(0, command);
   }
-  void velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) override {
-    if constexpr (kLate) {
-      kernel_.command_x = held.x();
-      kernel_.command_y = held.y();
-      kernel_.velocity_now(k, v);
-    }
+  void velocity_now(std::int64_t k, std::span<const Eigen::Vector2d> held, double* v) override {
+    command(held);
+    if constexpr (kLate) kernel_.velocity_now(k, v);
   }
   const double* last_q() const override {
     if constexpr (kLate) return kernel_.last_q();
-    return nullptr;
+    return q();
   }
   void last_velocity(double* v) const override {
     if constexpr (kLate) kernel_.velocity_of_last(v);
@@ -104,6 +100,11 @@ class Stepper::Kernel::Of final : public Stepper::Kernel {
   }
 
  private:
+  void command(std::span<const Eigen::Vector2d> u) {
+    kernel_.command_x = u[0].x();
+    kernel_.command_y = u[0].y();
+  }
+
   static constexpr bool kLate = requires(const Scheme<M>& k) { k.last_q(); };
   // A copy where the layout is another than the model's own.
   std::conditional_t<std::is_same_v<M, Model>, const Model&, const M> model_;
@@ -113,7 +114,7 @@ class Stepper::Kernel::Of final : public Stepper::Kernel {
 template <template <class> class Scheme>
 std::unique_ptr<Stepper::Kernel> Stepper::Kernel::make(const Model& model, double h,
                                                        const State& start) {
-  assert(h > 0.0);
+  assert(h > 0.0 && model.auxiliary.size() == 1);
   std::unique_ptr<Kernel> kernel;
 #define ROTORUB_SIZE(L, unused)                                       \
   if (L::fits(model.layout)) {                                        \
@@ -129,7 +130,7 @@ std::unique_ptr<Stepper::Kernel> Stepper::Kernel::make(const Model& model, doubl
 Stepper::Stepper(std::unique_ptr<Kernel> kernel) : kernel_(std::move(kernel)) {}
 Stepper::~Stepper() = default;
 FixedStep Stepper::step(std::int64_t k, const Eigen::Vector2d& u, bool works) {
-  return kernel_->step(k, u, works);
+  return kernel_->step(k, std::span(&u, 1), works);
 }
 void Stepper::begin(double t, const double* q, const double* v) { kernel_->begin(t, q, v); }
 const double* Stepper::q() const { return kernel_->q(); }
@@ -158,13 +159,26 @@ std::size_t VerletStepper::memory_size(const Model& model) {
 }
 void VerletStepper::adopt(const double* q, const double* v) { kernel_->adopt(q, v); }
 void VerletStepper::apply(const double* loads) { kernel_->apply(loads); }
-void VerletStepper::jump(const CommandJump& command) { kernel_->jump(command); }
+void VerletStepper::jump(const CommandJump& command) { kernel_->jump(0, command); }
 const double* VerletStepper::v_half() const { return kernel_->v(); }
 void VerletStepper::velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) {
-  kernel_->velocity_now(k, held, v);
+  kernel_->velocity_now(k, std::span(&held, 1), v);
 }
 const double* VerletStepper::last_q() const { return kernel_->last_q(); }
 void VerletStepper::last_velocity(double* v) const { kernel_->last_velocity(v); }
 double VerletStepper::last_kick() const { return kernel_->last_kick(); }
+
+std::unique_ptr<FixedStepper> make_stepper(scene::Integrator integrator, const Model& model,
+                                           double step) {
+  const bool leaps = integrator == scene::Integrator::kVerlet;
+  if (integrator == scene::Integrator::kEuler) return std::make_unique<EulerStepper>(model, step);
+  if (model.auxiliary.size() > 1) {
+    if (leaps) return std::make_unique<CoupledVerlet>(model, step);
+    return std::make_unique<CoupledMidpoint>(model, step);
+  }
+  const State start = initial_state(model);
+  if (leaps) return Stepper::Kernel::make<VerletKernel>(model, step, start);
+  return Stepper::Kernel::make<MidpointKernel>(model, step, start);
+}
 
 }  // namespace rotorub

@@ -1,5 +1,7 @@
-// One run in fixed steps, by one of two schemes of the same equations:
-// - paper: the loads at the middle of the step, impacts not located; first order (midpoint_step.h);
+// One run of a model with one contact or none in fixed steps, by one of two schemes of the same
+// equations:
+// - midpoint: the loads at the middle of the step, impacts not located; first order
+//   (midpoint_step.h);
 // - verlet: leapfrog with located impacts, second order (verlet_step.h).
 #pragma once
 
@@ -18,9 +20,7 @@ class Stepper {
  public:
   ~Stepper();
 
-  // From t_k = t_0 + k step to t_{k+1}, t_0 the start's time, under the actuator's command u
-  // (system/actuation.h). k counts from 0, one by one. `works`: those of the result are wanted. No
-  // allocation. With a status the state stays where it was.
+  // FixedStepper::step, t_0 the start's time, under the actuator's command u (system/actuation.h).
   FixedStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0}, bool works = false);
 
   // As newly made, from another state (nq values each) at time t. No allocation.
@@ -37,6 +37,7 @@ class Stepper {
   static const double* saved_q(const double* memory);
 
  protected:
+  friend std::unique_ptr<FixedStepper> make_stepper(scene::Integrator, const Model&, double);
   struct Kernel;  // midpoint_step.h or verlet_step.h, of the model's size
   explicit Stepper(std::unique_ptr<Kernel> kernel);
   std::unique_ptr<Kernel> kernel_;
@@ -69,10 +70,8 @@ class VerletStepper : public Stepper {
   void jump(const CommandJump& command);
 
   const double* v_half() const;  // of t_{k+1/2}: what the next impact does to it is not in it
-  // Before step k: the velocities of t_k under the command that holds and the contact force of the
-  // step before.
+  // Of FixedStepper.
   void velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v);
-  // After step k: the state of t_k, velocities before an impact of the step.
   const double* last_q() const;
   void last_velocity(double* v) const;
   // The time that the last step's lasting forces are for, in steps: 1/2 for the first, else 1.
