@@ -44,7 +44,7 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
     r.works = works_;
     r.forces = plugin::contact_forces(config_, m_, data_.get());
     r.further.clear();
-    for (std::size_t k = 1; !config_.own && k < config_.pairs.size(); ++k) {
+    for (std::size_t k = 1; k < config_.pairs.size(); ++k) {
       r.further.push_back(plugin::contact_forces(config_.pairs[k], m_, data_.get()));
     }
     r.actuator = plugin::actuator_state(config_, m_, data_.get());

@@ -16,6 +16,7 @@
 #include "native_model/system/model.h"
 #include "native_model/system/run_size.h"
 #include "native_model/trajectory/impulse_window.h"
+#include "plugin/own/own_names.h"
 #include "plugin/twin/native_twin.h"
 
 namespace rotorub {
@@ -31,49 +32,54 @@ std::string text_of(const std::filesystem::path& file) {
   }
 }
 
-// The model's text rotorub_contact, which is of the length that the file gave it: all texts are put
-// where one more has room. The owner of what is returned must outlive the model.
+// The models' texts rotorub_contact, which are of the length that the file gave them: all texts are
+// put where more have room. The owner of what is returned must outlive the model.
 std::shared_ptr<void> say_contact(mjModel* m, const char* word) {
   struct Texts {
     std::vector<char> data;
     std::vector<int> address, size;
   };
-  const int id = mj_name2id(m, mjOBJ_TEXT, names::kContactText);
-  if (id < 0) {
-    throw std::runtime_error(std::string("<custom><text name=\"") + names::kContactText +
-                             "\">: missing; it is needed for another contact model than rigid");
-  }
   auto texts = std::make_shared<Texts>();
   texts->data.assign(m->text_data, m->text_data + m->ntextdata);
   texts->address.assign(m->text_adr, m->text_adr + m->ntext);
   texts->size.assign(m->text_size, m->text_size + m->ntext);
-  const auto at = static_cast<std::size_t>(id);
-  texts->address[at] = static_cast<int>(texts->data.size());
-  texts->size[at] = static_cast<int>(std::strlen(word)) + 1;
-  texts->data.insert(texts->data.end(), word, word + texts->size[at]);
+  for (const plugin::PairName& pair : plugin::own_pair_names(m)) {
+    const std::string name = pair.of(names::kContactText);
+    const int id = mj_name2id(m, mjOBJ_TEXT, name.c_str());
+    if (id < 0) {
+      throw std::runtime_error("<custom><text name=\"" + name +
+                               "\">: missing; it is needed for another contact model than rigid");
+    }
+    const auto at = static_cast<std::size_t>(id);
+    texts->address[at] = static_cast<int>(texts->data.size());
+    texts->size[at] = static_cast<int>(std::strlen(word)) + 1;
+    texts->data.insert(texts->data.end(), word, word + texts->size[at]);
+  }
   m->text_data = texts->data.data();
   m->text_adr = texts->address.data();
   m->text_size = texts->size.data();
   return texts;
 }
 
-// The sensors of the rub's forces at MuJoCo's last stage: `cone` finds them after the velocity
+// The sensors of the rubs' forces at MuJoCo's last stage: `cone` finds them after the velocity
 // stage, in which other models' may be filled.
 void ask_late(mjModel* m) {
-  for (const char* name : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
-                           names::kFrictionForceScaled}) {
-    const int sensor = mj_name2id(m, mjOBJ_SENSOR, name);
-    if (sensor >= 0 && m->sensor_type[sensor] == mjSENS_USER)
-      m->sensor_needstage[sensor] = mjSTAGE_ACC;
+  for (const plugin::PairName& pair : plugin::own_pair_names(m)) {
+    for (const char* name : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
+                             names::kFrictionForceScaled}) {
+      const int sensor = mj_name2id(m, mjOBJ_SENSOR, pair.of(name).c_str());
+      if (sensor >= 0 && m->sensor_type[sensor] == mjSENS_USER)
+        m->sensor_needstage[sensor] = mjSTAGE_ACC;
+    }
   }
 }
 
-// The pair as a generated file has it.
-void set_pair(mjModel* m, const plugin::Config& config, scene::ContactModel contact) {
-  const ContactParameters& c = *config.model.first().contact;
+// A pair as a generated file has it.
+void set_pair(mjModel* m, const plugin::ContactPair& own, scene::ContactModel contact) {
+  const ContactParameters& c = own.contact;
   const ContactPair pair = contact_pair(contact, c.clearance, c.friction,
                                         soft_contact(c.restitution, m->opt.timestep), built_for());
-  const int at = config.pair;
+  const int at = own.pair;
   m->pair_dim[at] = pair.condim;
   std::fill_n(m->pair_friction + 5 * at, 5, 0.0);
   std::fill_n(m->pair_friction + 5 * at, 2, pair.friction);
@@ -84,7 +90,6 @@ void set_pair(mjModel* m, const plugin::Config& config, scene::ContactModel cont
   solimp[0] = solimp[1] = pair.soft.impedance;
   m->pair_margin[at] = pair.margin;
   m->pair_gap[at] = pair.gap;
-  if (scene::is_cone(contact)) ask_late(m);
 }
 
 // As the file has it, its load cells told where a linked program can (plugin/load_cells.h).
@@ -155,7 +160,8 @@ MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step) const {
   m->opt.timestep = step;
   if (contact != contact_) {
     const plugin::Config own = plugin::make_config(m);
-    set_pair(m, own, contact);
+    for (const plugin::ContactPair& pair : own.pairs) set_pair(m, pair, contact);
+    if (scene::is_cone(contact)) ask_late(m);
     setup.keeps = say_contact(m, to_string(contact));
   }
   setup.config = std::make_unique<const plugin::Config>(plugin::make_config(m));

@@ -162,7 +162,7 @@ void map_own_contacts(const mjModel* m, Config& config) {
   }
   config.corrected_pairs = corrected_pairs(m);
   if (!config.pairs.empty()) {
-    // The first is the contact of a twin (plugin/twin), which has one.
+    // The first's axes are those of a twin (plugin/twin).
     const ContactPair& first = config.pairs.front();
     config.model.first().contact = first.contact;
     config.contact = first.law;

@@ -1,5 +1,6 @@
 #include "plugin/twin/axis_joints.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -58,44 +59,27 @@ AxisJoint find(const mjModel* m, int geom, const std::string& body, Probe& probe
   return found;
 }
 
-bool moves_with(const mjModel* m, int body, int ancestor) {
-  while (body > ancestor) body = m->body_parentid[body];
-  return body == ancestor;
-}
-
 }  // namespace
 
 AxisJoint find_spin(const mjModel* m, const Config& config, Probe& probe) {
-  return find(m, config.rotor_geom, "rotor", probe);
+  const AxisJoint spin = find(m, config.pairs.front().rotor_geom, "rotor", probe);
+  for (const ContactPair& pair : config.pairs) {
+    const AxisJoint other = find(m, pair.rotor_geom, "rotor", probe);
+    if (other.dof == spin.dof) continue;
+    refuse(
+        joint_of_dof(m, std::max(other.dof, spin.dof)),
+        "turns the rotor of one contact and not that of another, for a twin; accepted: one rotor "
+        "in all contacts");
+  }
+  return spin;
 }
 
-AxisJoint find_ring_turn(const mjModel* m, const Config& config, Probe& probe) {
-  const AxisJoint found = find(m, config.ring_geom, "ring", probe);
-  if (found.dof >= 0 && turns(probe.geom_jacobian(config.rotor_geom), found.dof)) {
+AxisJoint find_ring_turn(const mjModel* m, const ContactPair& pair, Probe& probe) {
+  const AxisJoint found = find(m, pair.ring_geom, "ring", probe);
+  if (found.dof >= 0 && turns(probe.geom_jacobian(pair.rotor_geom), found.dof)) {
     refuse(joint_of_dof(m, found.dof), "turns rotor and ring, for a twin; accepted: one of them");
   }
   return found;
-}
-
-std::vector<Eccentricity> find_unbalance(const mjModel* m, const AxisJoint& spin,
-                                         const Probe& probe) {
-  constexpr double kNone = 1e-12;  // kg m
-  std::vector<Eccentricity> all;
-  if (spin.dof < 0) return all;
-  const int joint = m->dof_jntid[spin.dof], turning = m->dof_bodyid[spin.dof];
-  const Eigen::Vector3d anchor = vector3(probe.data()->xanchor + 3 * joint);
-  const Eigen::Vector3d axis = vector3(probe.data()->xaxis + 3 * joint);
-  for (int body = turning; body < m->nbody; ++body) {
-    if (!moves_with(m, body, turning) || m->body_mass[body] == 0.0) continue;
-    const Eigen::Vector3d centre = vector3(probe.data()->xipos + 3 * body);
-    const Eigen::Vector3d foot = anchor + axis * axis.dot(centre - anchor);
-    const Eigen::Vector3d arm = probe.axes() * (centre - foot);
-    const double moment = m->body_mass[body] * arm.norm();
-    if (moment <= kNone) continue;
-    all.push_back(
-        {probe.jacobian(foot, turning).topRows<2>(), moment, std::atan2(arm.y(), arm.x())});
-  }
-  return all;
 }
 
 }  // namespace rotorub::plugin

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/twin/probe.h"
 
@@ -35,11 +36,12 @@ class Turned {
 
   VectorXd force(const VectorXd& q, const VectorXd& v) {
     VectorXd sum = VectorXd::Zero(nv_);
-    for (int k = 0; k < turns(); ++k) {
-      probe_.pose(q + turn(k));
-      sum += probe_.force(v);
-    }
+    for (int k = 0; k < turns(); ++k) sum += force_at(k, q, v);
     return sum / turns();
+  }
+  VectorXd force_at(int k, const VectorXd& q, const VectorXd& v) {
+    probe_.pose(q + turn(k));
+    return probe_.force(v);
   }
 
   // -df/dq and -df/dv, about velocities v.
@@ -69,7 +71,8 @@ class Turned {
 // M, its mean and what turns in it.
 void fill_mass(const Turned& turned, Probe& probe, LinearMachine& machine) {
   std::array<MatrixXd, kTurns> at;
-  MatrixXd sum = MatrixXd::Zero(machine.rotor.cols(), machine.rotor.cols());
+  const auto nv = turned.turn(0).size();
+  MatrixXd sum = MatrixXd::Zero(nv, nv);
   for (int k = 0; k < turned.turns(); ++k) {
     probe.pose(turned.turn(k));
     at[static_cast<std::size_t>(k)] = probe.mass();
@@ -81,18 +84,12 @@ void fill_mass(const Turned& turned, Probe& probe, LinearMachine& machine) {
   const VectorXd scale = machine.mass.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd even = 0.25 * (at[0] + at[2] - at[1] - at[3]);
   machine.uneven_inertia = (scale.asDiagonal() * even * scale.asDiagonal()).cwiseAbs().maxCoeff();
-  // b, the bending column of the spin, by the eccentric masses at angle 0.
-  VectorXd b = VectorXd::Zero(scale.size());
-  for (const Eccentricity& e : machine.unbalance) {
-    b += machine.spin.sense * e.static_moment *
-         (-std::sin(e.phase) * e.jacobian.row(0).transpose() +
-          std::cos(e.phase) * e.jacobian.row(1).transpose());
-  }
-  b[machine.spin.dof] = 0.0;
-  VectorXd met = 0.5 * (at[0] - at[2]).col(machine.spin.dof);
-  met[machine.spin.dof] = 0.0;
-  const VectorXd scaled = scale.cwiseProduct(met - b) * scale[machine.spin.dof];
-  machine.uneven_coupling = scaled.cwiseAbs().maxCoeff();
+  // A hinge against z sees b turn backward and its column with the other sign: that of the quarter
+  // turn is the same.
+  const int spin = machine.spin.dof;
+  machine.unbalance[0] = 0.5 * machine.spin.sense * (at[0] - at[2]).col(spin);
+  machine.unbalance[1] = 0.5 * (at[1] - at[3]).col(spin);
+  for (VectorXd& b : machine.unbalance) b[spin] = 0.0;
 }
 
 void fill_forces(const mjModel* m, const mjData* start, Turned& turned, LinearMachine& machine) {
@@ -103,6 +100,10 @@ void fill_forces(const mjModel* m, const mjData* start, Turned& turned, LinearMa
   machine.gyroscopic = MatrixXd::Zero(m->nv, m->nv);
   const int spin = machine.spin.dof;
   if (spin < 0) return;
+  for (int k = 0; k < kTurns; ++k) {
+    const double torque = turned.force_at(k, rest, rest)[spin] - machine.force[spin];
+    machine.unbalance_torque = std::max(machine.unbalance_torque, std::abs(torque));
+  }
   const double speed = start->qvel[spin];
   machine.speed = std::abs(speed) > kSlow ? speed : kSlow;
   const VectorXd spinning = machine.speed * VectorXd::Unit(m->nv, spin);
@@ -114,22 +115,23 @@ void fill_forces(const mjModel* m, const mjData* start, Turned& turned, LinearMa
 }
 
 // The ring's drag at the fastest that it may come to: its own speed, or what the rotor makes of it.
-void fill_ring_drag(const mjData* start, Turned& turned, LinearMachine& machine) {
-  const int turn = machine.ring_turn.dof;
+void fill_ring_drag(const mjData* start, Turned& turned, const LinearMachine& machine,
+                    LinearContact& contact) {
+  const int turn = contact.ring_turn.dof;
   if (turn < 0) return;
   const auto nv = machine.force.size();
   const double speed = std::max({std::abs(start->qvel[turn]), std::abs(machine.speed), kSlow});
   const VectorXd turning = speed * VectorXd::Unit(nv, turn);
   const double torque = turned.force(VectorXd::Zero(nv), turning)[turn] - machine.force[turn];
-  machine.bent_drag = std::abs(torque + machine.damping(turn, turn) * speed);
+  contact.bent_drag = std::abs(torque + machine.damping(turn, turn) * speed);
 }
 
-// How much a deflection of one clearance changes what is held constant.
-void fill_bent(const mjModel* m, const Config& config, Turned& turned, Probe& probe,
+// How much a deflection of one clearance at a contact changes what is held constant.
+void fill_bent(const ContactPair& pair, const LinearContact& contact, Turned& turned, Probe& probe,
                LinearMachine& machine) {
-  const double clearance = config.model.first().contact->clearance;
-  const VectorXd rest = VectorXd::Zero(m->nv);
-  const MatrixXd relative = machine.rotor - machine.ring;
+  const double clearance = pair.contact.clearance;
+  const VectorXd rest = VectorXd::Zero(machine.force.size());
+  const MatrixXd relative = contact.rotor - contact.ring;
   const VectorXd scale = machine.mass.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::LDLT<MatrixXd> factor(machine.mass);
   probe.pose(rest);
@@ -150,7 +152,7 @@ void fill_bent(const mjModel* m, const Config& config, Turned& turned, Probe& pr
     machine.bent_mass =
         std::max(machine.bent_mass,
                  (scale.asDiagonal() * change * scale.asDiagonal()).cwiseAbs().maxCoeff());
-    const Eigen::Vector2d place = probe.apart() - machine.apart - relative * q;
+    const Eigen::Vector2d place = probe.apart(pair) - contact.apart - relative * q;
     machine.bent_contact = std::max(machine.bent_contact, place.norm() / clearance);
   }
 }
@@ -160,20 +162,24 @@ void fill_bent(const mjModel* m, const Config& config, Turned& turned, Probe& pr
 LinearMachine linear_machine(const mjModel* m, const Config& config, const mjData* start) {
   Probe probe(m, config, start);
   LinearMachine machine;
-  machine.apart = probe.apart();
-  machine.rotor = probe.geom_jacobian(config.rotor_geom).topRows<2>();
-  machine.ring = probe.geom_jacobian(config.ring_geom).topRows<2>();
-  if (!(m->opt.disableflags & mjDSBL_GRAVITY)) {
-    machine.gravity = (probe.axes() * vector3(m->opt.gravity)).head<2>();
+  for (const ContactPair& pair : config.pairs) {
+    constexpr double kParallel = 1e-9;
+    if (std::abs(probe.along_axis(pair.ring_geom) - 1.0) > kParallel) {
+      refuse(message("<geom name=\"{}\">", m->names + m->name_geomadr[pair.ring_geom]),
+             "its z axis is not that of the first ring, for a twin; accepted: rings with one axis");
+    }
+    machine.contacts.push_back(
+        {find_ring_turn(m, pair, probe), probe.geom_jacobian(pair.rotor_geom).topRows<2>(),
+         probe.geom_jacobian(pair.ring_geom).topRows<2>(), probe.apart(pair)});
   }
-  machine.ring_turn = find_ring_turn(m, config, probe);
   machine.spin = find_spin(m, config, probe);
-  machine.unbalance = find_unbalance(m, machine.spin, probe);
   Turned turned(m, machine.spin.dof, probe);
   fill_mass(turned, probe, machine);
   fill_forces(m, start, turned, machine);
-  fill_ring_drag(start, turned, machine);
-  fill_bent(m, config, turned, probe, machine);
+  for (std::size_t k = 0; k < machine.contacts.size(); ++k) {
+    fill_ring_drag(start, turned, machine, machine.contacts[k]);
+    fill_bent(config.pairs[k], machine.contacts[k], turned, probe, machine);
+  }
   return machine;
 }
 

@@ -3,12 +3,15 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/modal_rotor.h"
+#include "native_model/scene/contact_models.h"
 #include "plugin/message.h"
 #include "plugin/twin/linear_machine.h"
 #include "plugin/twin/planes.h"
@@ -23,6 +26,7 @@ using Eigen::VectorXd;
 constexpr double kNegligible = 1e-9;  // share of a whole, of what differences leave
 constexpr double kFree =
     1e-6;  // (rad/s)^2 and rad/s^2 of what turns freely, of what differences leave
+constexpr double kNoUnbalance = 1e-12;  // kg m
 
 std::vector<double> list(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
@@ -46,19 +50,22 @@ class Maker {
     rotor_.force_shapes.push_back({VectorXd::Zero(n_), VectorXd::Zero(n_)});
     fill_plane(planes_.x, l.x(), 0, rotor_.x, rotor_.force_shapes[0].x);
     fill_plane(planes_.y, l.y(), 1, rotor_.y, rotor_.force_shapes[0].y);
-    rotor_.contacts = {{planes_.x.contact, planes_.y.contact}};
-    rotor_.torsion = no_torsion(1);
+    const std::size_t contacts = config_.pairs.size();
+    for (std::size_t k = 0; k < contacts; ++k) {
+      rotor_.contacts.push_back({planes_.x.contacts[k], planes_.y.contacts[k]});
+    }
+    rotor_.torsion = no_torsion(contacts);
     rotor_.gravity_x = rotor_.gravity_y = VectorXd::Zero(n_);
     rotor_.internal_xx = rotor_.internal_xy = rotor_.internal_yy = MatrixXd::Zero(n_, n_);
     const MatrixXd g = machine_.gyroscopic(planes_.x.dofs, planes_.y.dofs);
     rotor_.gyroscopic = machine_.spin.sense * planes_.x.shapes.transpose() * g * planes_.y.shapes;
     fill_load();
-    fill_ring(l);
-    fill_ring_turn(l);
+    fill_contacts(l);
     fill_spin(l);
     fill_scene(l);
     twin_.limits = twin_limits(m_, machine_, planes_);
-    if (config_.pairs.front().axial) {
+    if (std::any_of(config_.pairs.begin(), config_.pairs.end(),
+                    [](const ContactPair& pair) { return pair.axial; })) {
       twin_.limits.push_back(
           "friction along the ring's axis, and its work, are MuJoCo's alone; the twin's acts round "
           "the ring");
@@ -71,13 +78,14 @@ class Maker {
     Layout l;
     l.modes = static_cast<int>(n_);
     l.spin = machine_.spin.dof >= 0 ? 1 : 0;
-    l.stator = planes_.ring.empty() ? 0 : 2;
-    l.ring_spin = machine_.ring_turn.dof >= 0 ? 1 : 0;
+    for (const std::vector<int>& ring : planes_.rings) l.stator += static_cast<int>(ring.size());
+    for (const LinearContact& c : machine_.contacts) l.ring_spin += c.ring_turn.dof >= 0 ? 1 : 0;
     return l;
   }
 
-  // Modes, their dampers, constant loads and coordinates. The contact's zero is where the centres
-  // meet: a pose with the rotor beside it is a deflection that the springs do not feel.
+  // Modes, their dampers, constant loads and coordinates. Their zero is where the centres of the
+  // first contact meet: a pose with the rotor beside it is a deflection that the springs do not
+  // feel.
   void fill_plane(const TwinPlane& plane, int at, int row, PlaneModes& modes, VectorXd& load) {
     modes = {plane.mass, plane.stiffness, VectorXd::Zero(n_)};
     const MatrixXd d =
@@ -89,8 +97,10 @@ class Maker {
     } else {
       add_dampers(even, row);
     }
-    const VectorXd compliance = plane.contact.cwiseQuotient(plane.mass);
-    const VectorXd offset = machine_.apart[row] / compliance.dot(plane.contact) * compliance;
+    const VectorXd& contact = plane.contacts.front();
+    const VectorXd compliance = contact.cwiseQuotient(plane.mass);
+    const VectorXd offset =
+        machine_.contacts.front().apart[row] / compliance.dot(contact) * compliance;
     load = plane.shapes.transpose() * machine_.force(plane.dofs) +
            plane.stiffness.cwiseProduct(offset);
     twin_.coordinates(Eigen::seqN(at, n_), plane.dofs) = plane.inverse;
@@ -124,20 +134,47 @@ class Maker {
     }
   }
 
-  void fill_ring(const Layout& l) {
-    if (l.stator == 0) return;
-    scene::Stator& ring = twin_.scene.first().stator.emplace();
+  void fill_contacts(const Layout& l) {
+    scene::Scene& scene = twin_.scene;
+    scene.auxiliary.resize(config_.pairs.size());
+    int ring = l.ring(), angle = l.ring_angle();
+    for (std::size_t k = 0; k < config_.pairs.size(); ++k) {
+      const ContactParameters& c = config_.pairs[k].contact;
+      scene::Contact& contact = scene.auxiliary[k].contact.emplace();
+      contact.radius = c.radius;
+      contact.clearance = c.clearance;
+      contact.friction = c.friction;
+      contact.restitution = c.restitution;
+      contact.tangential_restitution = c.tangential_restitution;
+      if (k > 0) {
+        const Eigen::Vector2d zero(planes_.x.contacts[k].dot(twin_.offset.segment(l.x(), n_)),
+                                   planes_.y.contacts[k].dot(twin_.offset.segment(l.y(), n_)));
+        contact.offset = zero - machine_.contacts[k].apart;
+      }
+      if (!planes_.rings[k].empty()) fill_ring(k, std::exchange(ring, ring + 2));
+      if (machine_.contacts[k].ring_turn.dof >= 0) fill_ring_turn(k, angle++);
+    }
+  }
+
+  void fill_ring(std::size_t contact, int at) {
+    scene::Stator& ring = twin_.scene.auxiliary[contact].stator.emplace();
     Eigen::Vector2d weight;
     for (int k = 0; k < 2; ++k) {
-      const int dof = planes_.ring[static_cast<std::size_t>(k)];
-      const double a = machine_.ring(k, dof), square = a * a;
+      const int dof = planes_.rings[contact][static_cast<std::size_t>(k)];
+      const double a = machine_.contacts[contact].ring(k, dof), square = a * a;
       ring.mass[k] = machine_.mass(dof, dof) / square;
       ring.stiffness[k] = machine_.stiffness(dof, dof) / square;
       ring.damping[k] = machine_.damping(dof, dof) / square;
       weight[k] = machine_.force[dof] / a / ring.mass[k];
-      twin_.coordinates(l.ring() + k, dof) = a;
+      twin_.coordinates(at + k, dof) = a;
     }
-    if (!weight.isZero(0.0)) twin_.scene.gravity.emplace().acceleration = weight;
+    // The scene has one gravity, which here acts on rings alone.
+    std::optional<scene::Gravity>& gravity = twin_.scene.gravity;
+    if (!gravity) gravity.emplace().acceleration = weight;
+    if ((gravity->acceleration - weight).norm() <= kNegligible * weight.norm()) return;
+    refuse(joint_of(planes_.rings[contact].front()),
+           "carries another load for its mass than the first ring's, for a twin; accepted: rings "
+           "that gravity alone loads");
   }
 
   std::string joint_of(int dof) const { return joint_of_dof(m_, dof); }
@@ -149,9 +186,8 @@ class Maker {
   }
 
   // J Omega_r' = -c Omega_r and the contact's torque, nothing else (scene::RingSpin).
-  void fill_ring_turn(const Layout& l) {
-    if (l.ring_spin == 0) return;
-    const int turn = machine_.ring_turn.dof;
+  void fill_ring_turn(std::size_t contact, int at) {
+    const auto& [turn, sense] = machine_.contacts[contact].ring_turn;
     refuse_spring(turn, "ring");
     const double inertia = machine_.mass(turn, turn), drag = machine_.damping(turn, turn);
     if (std::abs(machine_.force[turn]) > kFree * inertia) {
@@ -165,13 +201,13 @@ class Maker {
           "loses " + text(m_->dof_frictionloss[turn]) +
               " N m to dry friction as the ring turns, for a twin; accepted: frictionloss=\"0\"");
     }
-    if (drag < 0.0 || machine_.bent_drag > kFree * inertia) {
+    if (drag < 0.0 || machine_.contacts[contact].bent_drag > kFree * inertia) {
       refuse(joint_of(turn),
              "has a drag that is negative or not linear in its speed, for a twin; accepted: a "
              "damping >= 0");
     }
-    twin_.coordinates(l.ring_angle(), turn) = machine_.ring_turn.sense;
-    twin_.scene.first().stator->spin = scene::RingSpin{inertia, drag, 0.0};
+    twin_.coordinates(at, turn) = sense;
+    twin_.scene.auxiliary[contact].stator->spin = scene::RingSpin{inertia, drag, 0.0};
   }
 
   void fill_spin(const Layout& l) {
@@ -180,15 +216,36 @@ class Maker {
     refuse_spring(spin, "rotor");
     twin_.coordinates(l.phi(), spin) = machine_.spin.sense;
     rotor_.spin_inertia = machine_.mass(spin, spin);
-    for (const Eccentricity& e : machine_.unbalance) {
-      const VectorXd x = e.jacobian.row(0)(planes_.x.dofs).transpose();
-      const VectorXd y = e.jacobian.row(1)(planes_.y.dofs).transpose();
-      rotor_.unbalances.push_back(
-          {{planes_.x.shapes.transpose() * x, planes_.y.shapes.transpose() * y},
-           e.static_moment,
-           e.phase});
-    }
+    fill_unbalance();
     fill_drive(twin_.scene.drive.emplace());
+  }
+
+  // An unbalance of phase 0 has b = -X sin phi in x and Y cos phi in y (dynamics/equations.h), one
+  // that leads it by a quarter turn the other two of the four that two angles give:
+  //
+  //   x + i x':  -b(90 degrees) - i b(0),      y + i y':  b(0) - i b(90 degrees)
+  //
+  // of each mode. Turned by the phase that most of it has they are real where one is enough.
+  void fill_unbalance() {
+    const VectorXd* b = machine_.unbalance;
+    const auto part = [](const TwinPlane& plane, const VectorXd& of) -> VectorXd {
+      return plane.shapes.transpose() * of(plane.dofs);
+    };
+    Eigen::VectorXcd all(2 * n_);
+    all.real() << -part(planes_.x, b[1]), part(planes_.y, b[0]);
+    all.imag() << -part(planes_.x, b[0]), -part(planes_.y, b[1]);
+    const double largest = all.cwiseAbs().maxCoeff();
+    if (largest <= kNoUnbalance) return;
+    const double phase = 0.5 * std::arg(all.cwiseProduct(all).sum());
+    for (const double turned : {phase, phase + 0.5 * std::numbers::pi}) {
+      const VectorXd shape = (all * std::polar(1.0, -turned)).real();
+      const double size = shape.cwiseAbs().maxCoeff();
+      if (size <= kNegligible * largest) continue;
+      const double sign = shape.sum() < 0.0 ? -1.0 : 1.0;
+      rotor_.unbalances.push_back({{sign / size * shape.head(n_), sign / size * shape.tail(n_)},
+                                   size,
+                                   sign < 0.0 ? turned + std::numbers::pi : turned});
+    }
   }
 
   // T(Omega): linear where it is, else a table.
@@ -224,13 +281,6 @@ class Maker {
     scene::Scene& scene = twin_.scene;
     scene.run.step = m_->opt.timestep;
     scene.mujoco.contact = config_.contact;
-    const ContactParameters& c = *config_.model.first().contact;
-    scene::Contact& contact = scene.first().contact.emplace();
-    contact.radius = c.radius;
-    contact.clearance = c.clearance;
-    contact.friction = c.friction;
-    contact.restitution = c.restitution;
-    contact.tangential_restitution = c.tangential_restitution;
     // The lists are what pictures and pages know of a rotor.
     scene::RotorModal& modal = scene.rotor.modal.emplace();
     modal.mass = list(rotor_.x.mass);
@@ -251,11 +301,14 @@ class Maker {
       initial.spin_angle = q[l.phi()];
       scene.rotor.speed = v[l.phi()];
     }
-    if (l.stator) {
-      scene.first().stator->position = q.segment<2>(l.ring());
-      scene.first().stator->velocity = v.segment<2>(l.ring());
+    int ring = l.ring(), angle = l.ring_angle();
+    for (scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+      if (!bearing.stator) continue;
+      bearing.stator->position = q.segment<2>(ring);
+      bearing.stator->velocity = v.segment<2>(ring);
+      ring += 2;
+      if (bearing.stator->spin) bearing.stator->spin->speed = v[angle++];
     }
-    if (l.ring_spin) scene.first().stator->spin->speed = v[l.ring_angle()];
   }
 
   const mjModel* m_;
@@ -279,11 +332,10 @@ void NativeTwin::read(const mjModel* m, const mjData* d, double* q, double* v) c
 }
 
 NativeTwin make_native_twin(const mjModel* m, const Config& config, const mjData* start) {
-  if (config.pairs.size() > 1) {
-    refuse("<custom>",
-           message("{} contacts; the native model has one contact plane: accepted for a twin: "
-                   "one contact",
-                   static_cast<int>(config.pairs.size())));
+  for (const ContactPair& pair : config.pairs) {
+    if (pair.law == config.contact) continue;
+    refuse("<custom>", message("contacts by {} and {}; accepted for a twin: one contact model",
+                               scene::to_string(config.contact), scene::to_string(pair.law)));
   }
   return Maker(m, config, start).make();
 }

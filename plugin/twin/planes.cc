@@ -3,11 +3,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string>
 
 #include "native_model/numerics/eigenvalues.h"
 #include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -16,6 +18,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kNone = 1e-8;  // share of the larger, of what differences leave
+
+bool is_in(const std::vector<int>& list, int dof) {
+  return std::find(list.begin(), list.end(), dof) != list.end();
+}
 
 // Which degrees of freedom act on each other, each pair in units of its own diagonal.
 class Links {
@@ -34,9 +40,7 @@ class Links {
     std::vector<int> all{first};
     for (std::size_t k = 0; k < all.size(); ++k) {
       for (const int other : among) {
-        if (linked(all[k], other) && std::find(all.begin(), all.end(), other) == all.end()) {
-          all.push_back(other);
-        }
+        if (linked(all[k], other) && !is_in(all, other)) all.push_back(other);
       }
     }
     std::sort(all.begin(), all.end());
@@ -64,14 +68,23 @@ bool moves(const MatrixXd& rows, int row, int dof) {
   return std::abs(rows(row, dof)) > kNone * rows.cwiseAbs().maxCoeff();
 }
 bool moves(const MatrixXd& rows, int dof) { return moves(rows, 0, dof) || moves(rows, 1, dof); }
+bool moves_rotor(const LinearMachine& machine, int row, int dof) {
+  return std::any_of(machine.contacts.begin(), machine.contacts.end(),
+                     [&](const LinearContact& c) { return moves(c.rotor, row, dof); });
+}
 
-// The ring's degrees of freedom: none, or two that move it in x and y and nothing else.
-std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine, const Links& links) {
+// A ring's degrees of freedom: none, or two that move it in x and y and nothing else.
+std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine,
+                           const LinearContact& contact, const Links& links) {
   std::vector<int> ring;
   for (int i = 0; i < m->nv; ++i) {
-    if (!moves(machine.ring, i)) continue;
-    if (moves(machine.rotor, i)) {
+    if (!moves(contact.ring, i)) continue;
+    if (moves_rotor(machine, 0, i) || moves_rotor(machine, 1, i)) {
       refuse(joint_of_dof(m, i), "moves rotor and ring, for a twin; accepted: one of them");
+    }
+    for (const LinearContact& other : machine.contacts) {
+      if (&other == &contact || !moves(other.ring, i)) continue;
+      refuse(joint_of_dof(m, i), "moves two rings, for a twin; accepted: joints of their own");
     }
     ring.push_back(i);
   }
@@ -82,13 +95,13 @@ std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine, const
         "is one of " + text(static_cast<int>(ring.size())) +
             " that move the ring, for a twin; accepted: two, along x and y of its geom, or none");
   }
-  if (moves(machine.ring, 0, ring[1])) std::swap(ring[0], ring[1]);
+  if (moves(contact.ring, 0, ring[1])) std::swap(ring[0], ring[1]);
   for (int k = 0; k < 2; ++k) {
     const int dof = ring[static_cast<std::size_t>(k)];
-    if (moves(machine.ring, 1 - k, dof) || !moves(machine.ring, k, dof)) {
+    if (moves(contact.ring, 1 - k, dof) || !moves(contact.ring, k, dof)) {
       refuse(joint_of_dof(m, dof),
-             "does not move the ring along x or y of its geom, for a twin; accepted: along one of "
-             "them (a round geom may be turned about its axis)");
+             "does not move the ring along x or y of the first ring's geom, for a twin; accepted: "
+             "along one of them (a round geom may be turned about its axis)");
     }
     for (int other = 0; other < m->nv; ++other) {
       if (other == dof || !links.linked(dof, other)) continue;
@@ -100,20 +113,20 @@ std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine, const
   return ring;
 }
 
-// What turns rotor or ring acts on nothing else at rest, and a ring that turns moves too
-// (scene::Stator).
-void refuse_linked_turns(const mjModel* m, const LinearMachine& machine, const Links& links,
-                         const std::vector<int>& ring, const std::vector<int>& others) {
-  const int spin = machine.spin.dof, turn = machine.ring_turn.dof;
-  if (spin >= 0) {
-    for (const int i : others) {
-      if (!links.linked(spin, i)) continue;
-      refuse(joint_of_dof(m, spin),
-             "acts on " + joint_of_dof(m, i) +
-                 " at rest, for a twin; accepted: a spin that bending meets by "
-                 "unbalance alone");
-    }
+// What turns the rotor acts on nothing else at rest,
+void refuse_linked_spin(const mjModel* m, int spin, const Links& links,
+                        const std::vector<int>& others) {
+  for (const int i : others) {
+    if (spin < 0 || !links.linked(spin, i)) continue;
+    refuse(joint_of_dof(m, spin), "acts on " + joint_of_dof(m, i) +
+                                      " at rest, for a twin; accepted: a spin that bending meets "
+                                      "by unbalance alone");
   }
+}
+
+// nor what turns a ring, and a ring that turns moves too (scene::Stator).
+void refuse_linked_turn(const mjModel* m, int turn, const Links& links,
+                        const std::vector<int>& ring) {
   if (turn < 0) return;
   if (ring.empty()) {
     refuse(joint_of_dof(m, turn),
@@ -135,19 +148,23 @@ TwinPlane modes_of(std::vector<int> dofs, const LinearMachine& machine, int row)
   const MatrixXd mass = machine.mass(dofs, dofs);
   const MatrixXd k = machine.stiffness(dofs, dofs);
   const MatrixXd even = 0.5 * (k + k.transpose());
-  const VectorXd contact = machine.rotor.row(row)(dofs).transpose();
   const std::optional<SymmetricModes> modes = symmetric_modes(even, mass);
   if (!modes) throw ConfigError("rotorub: the modes of its rotor are not found, for a twin");
-  plane.dofs = std::move(dofs);
   plane.shapes = modes->vectors;  // of modal mass 1
-  plane.contact = plane.shapes.transpose() * contact;
-  const double largest = plane.contact.cwiseAbs().maxCoeff();
+  for (const LinearContact& contact : machine.contacts) {
+    plane.contacts.push_back(plane.shapes.transpose() * contact.rotor.row(row)(dofs).transpose());
+  }
+  plane.dofs = std::move(dofs);
+  const VectorXd first = plane.contacts.front();
+  const double largest = first.cwiseAbs().maxCoeff();
   plane.mass = VectorXd::Ones(n);
   for (Eigen::Index j = 0; j < n; ++j) {
-    const double c = plane.contact[j];
-    const bool node = std::abs(c) <= kNone * largest;
-    plane.contact[j] = node ? 0.0 : 1.0;
-    if (node) continue;
+    const double c = first[j];
+    if (std::abs(c) <= kNone * largest) {
+      plane.contacts.front()[j] = 0.0;
+      continue;
+    }
+    for (VectorXd& at : plane.contacts) at[j] /= c;
     plane.shapes.col(j) /= c;
     plane.mass[j] = 1.0 / (c * c);
   }
@@ -165,11 +182,13 @@ void pad(TwinPlane& plane, Eigen::Index modes) {
   plane.shapes.rightCols(more).setZero();
   plane.inverse.conservativeResize(modes, n);
   plane.inverse.bottomRows(more).setZero();
-  for (auto* list : {&plane.mass, &plane.stiffness, &plane.contact})
-    list->conservativeResize(modes);
-  plane.mass.tail(more).setOnes();
-  plane.stiffness.tail(more).setZero();
-  plane.contact.tail(more).setZero();
+  const auto lengthen = [&](VectorXd& list, double value) {
+    list.conservativeResize(modes);
+    list.tail(more).setConstant(value);
+  };
+  lengthen(plane.mass, 1.0);
+  lengthen(plane.stiffness, 0.0);
+  for (VectorXd& at : plane.contacts) lengthen(at, 0.0);
 }
 
 }  // namespace
@@ -177,22 +196,25 @@ void pad(TwinPlane& plane, Eigen::Index modes) {
 TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
   const Links links(machine);
   TwinPlanes planes;
-  planes.ring = ring_dofs(m, machine, links);
-  std::vector<int> left;
-  for (int i = 0; i < m->nv; ++i) {
-    const bool ring = std::find(planes.ring.begin(), planes.ring.end(), i) != planes.ring.end();
-    if (i != machine.spin.dof && i != machine.ring_turn.dof && !ring) left.push_back(i);
+  std::vector<int> left(static_cast<std::size_t>(count(m->nv)));
+  std::iota(left.begin(), left.end(), 0);
+  for (const LinearContact& contact : machine.contacts) {
+    const std::vector<int>& ring = planes.rings.emplace_back(ring_dofs(m, machine, contact, links));
+    std::erase_if(left, [&](int i) { return i == contact.ring_turn.dof || is_in(ring, i); });
   }
-  refuse_linked_turns(m, machine, links, planes.ring, left);
+  std::erase(left, machine.spin.dof);
+  refuse_linked_spin(m, machine.spin.dof, links, left);
+  for (std::size_t k = 0; k < planes.rings.size(); ++k) {
+    refuse_linked_turn(m, machine.contacts[k].ring_turn.dof, links, planes.rings[k]);
+  }
   std::vector<int> of[2], rest;
   while (!left.empty()) {
     const std::vector<int> group = links.group(left.front(), left);
-    std::erase_if(left,
-                  [&](int i) { return std::find(group.begin(), group.end(), i) != group.end(); });
+    std::erase_if(left, [&](int i) { return is_in(group, i); });
     int joint[2] = {-1, -1};
     for (const int i : group) {
       for (int k = 0; k < 2; ++k) {
-        if (moves(machine.rotor, k, i)) joint[k] = i;
+        if (moves_rotor(machine, k, i)) joint[k] = i;
       }
     }
     if (joint[0] >= 0 && joint[1] >= 0) {
@@ -221,13 +243,14 @@ TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
       }
     }
   }
-  if (of[0].empty() || of[1].empty()) {
+  for (int k = 0; k < 2; ++k) {
+    TwinPlane& plane = k == 0 ? planes.x : planes.y;
+    if (!of[k].empty()) plane = modes_of(of[k], machine, k);
+    if (!of[k].empty() && !plane.contacts.front().isZero(0.0)) continue;
     throw ConfigError(
-        "rotorub: no joint moves the rotor along " + std::string(of[0].empty() ? "x" : "y") +
+        "rotorub: no joint moves the rotor along " + std::string(k == 0 ? "x" : "y") +
         " of the ring's geom; accepted, for a twin: a rotor that moves in both planes");
   }
-  planes.x = modes_of(of[0], machine, 0);
-  planes.y = modes_of(of[1], machine, 1);
   const Eigen::Index modes = std::max(planes.x.mass.size(), planes.y.mass.size());
   pad(planes.x, modes);
   pad(planes.y, modes);

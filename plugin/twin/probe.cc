@@ -10,7 +10,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 Probe::Probe(const mjModel* m, const Config& config, const mjData* start)
-    : m_(m), config_(config), d_(mj_makeData(m)) {
+    : m_(m), d_(mj_makeData(m)) {
   if (!d_) throw ConfigError("rotorub: no memory for mjData");
   std::copy_n(start->ctrl, m->nu, d_->ctrl);
   std::copy_n(start->act, m->na, d_->act);
@@ -50,21 +50,22 @@ VectorXd Probe::force(const VectorXd& v) {
 
 Eigen::Vector3d Probe::place(int geom) const { return axes_ * vector3(d_->geom_xpos + 3 * geom); }
 
-Eigen::Vector2d Probe::apart() const {
-  return (place(config_.rotor_geom) - place(config_.ring_geom)).head<2>();
+Eigen::Vector2d Probe::apart(const ContactPair& pair) const {
+  return (place(pair.rotor_geom) - place(pair.ring_geom)).head<2>();
 }
 
-MatrixXd Probe::jacobian(const Eigen::Vector3d& world, int body) const {
-  using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
-  Rows move(3, m_->nv), turn(3, m_->nv);
-  mj_jac(m_, d_.get(), move.data(), turn.data(), world.data(), body);
-  MatrixXd all(6, m_->nv);
-  all << axes_ * move, axes_ * turn;
-  return all;
+double Probe::along_axis(int geom) const {
+  const mjtNum* m = d_->geom_xmat + 9 * geom;
+  return axes_.row(2).dot(Eigen::RowVector3d(m[2], m[5], m[8]));
 }
 
 MatrixXd Probe::geom_jacobian(int geom) const {
-  return jacobian(vector3(d_->geom_xpos + 3 * geom), m_->geom_bodyid[geom]);
+  using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
+  Rows move(3, m_->nv), turn(3, m_->nv);
+  mj_jacGeom(m_, d_.get(), move.data(), turn.data(), geom);
+  MatrixXd all(6, m_->nv);
+  all << axes_ * move, axes_ * turn;
+  return all;
 }
 
 }  // namespace rotorub::plugin

@@ -1,6 +1,6 @@
 // A user's own machine put into any pose, and what MuJoCo says of it there: its mass matrix, its
-// smooth forces, where the geoms of the contact are and how they move. Axes are those of the ring's
-// geom in the pose of qpos0.
+// smooth forces, where the geoms of the contacts are and how they move. Axes are those of the first
+// ring's geom in the pose of qpos0.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -14,7 +14,7 @@ namespace rotorub::plugin {
 
 class Probe {
  public:
-  // m and config must outlive it. `start`: where controls and activations are taken from. Throws
+  // m must outlive it. `start`: where controls and activations are taken from. Throws
   // ConfigError where there is no memory.
   Probe(const mjModel* m, const Config& config, const mjData* start);
 
@@ -25,14 +25,14 @@ class Probe {
   // All forces but constraints and contacts, at velocities v; nv values, N and N m.
   Eigen::VectorXd force(const Eigen::VectorXd& v);
 
-  Eigen::Vector2d apart() const;  // m, the rotor's centre from the ring's
+  // m, the centre of a contact's rotor from its ring's.
+  Eigen::Vector2d apart(const ContactPair& pair) const;
 
-  // 6 x nv: of a point that moves with the body, then of its rotation.
-  Eigen::MatrixXd jacobian(const Eigen::Vector3d& world, int body) const;
-  Eigen::MatrixXd geom_jacobian(int geom) const;  // of its centre
+  // 6 x nv: of a geom's centre, then of its rotation.
+  Eigen::MatrixXd geom_jacobian(int geom) const;
 
-  const Eigen::Matrix3d& axes() const { return axes_; }  // rows: x, y, z in the world
-  const mjData* data() const { return d_.get(); }
+  // 1 where the z axis of a ring's geom is theirs, -1 where it is against it.
+  double along_axis(int geom) const;
 
  private:
   struct Delete {
@@ -42,9 +42,8 @@ class Probe {
   Eigen::Vector3d place(int geom) const;
 
   const mjModel* m_;
-  const Config& config_;
   std::unique_ptr<mjData, Delete> d_;
-  Eigen::Matrix3d axes_;
+  Eigen::Matrix3d axes_;  // rows: x, y, z in the world
 };
 
 // Three of MuJoCo's numbers.

@@ -8,7 +8,8 @@
 namespace rotorub::plugin {
 namespace {
 
-constexpr double kSaid = 1e-4;  // share from which on something is said
+constexpr double kSaid = 1e-4;      // share from which on something is said
+constexpr double kNoTorque = 1e-9;  // N m, of round-off
 
 std::string percent(double share) {
   char digits[32];
@@ -17,11 +18,13 @@ std::string percent(double share) {
 }
 
 bool takes_part(int dof, const LinearMachine& machine, const TwinPlanes& planes) {
-  if (dof == machine.spin.dof || dof == machine.ring_turn.dof) return true;
   const auto in = [dof](const std::vector<int>& list) {
     return std::find(list.begin(), list.end(), dof) != list.end();
   };
-  return in(planes.x.dofs) || in(planes.y.dofs) || in(planes.ring);
+  for (std::size_t k = 0; k < planes.rings.size(); ++k) {
+    if (in(planes.rings[k]) || dof == machine.contacts[k].ring_turn.dof) return true;
+  }
+  return dof == machine.spin.dof || in(planes.x.dofs) || in(planes.y.dofs);
 }
 
 // Constraints of MuJoCo's that a linear model has not.
@@ -60,16 +63,9 @@ std::vector<std::string> twin_limits(const mjModel* m, const LinearMachine& mach
     all.push_back("the rotor is no body of revolution: its masses change by " +
                   percent(machine.uneven_inertia) + " as it turns; the twin has their mean");
   }
-  if (machine.uneven_coupling > kSaid) {
-    all.push_back("spin and bending are coupled by more than unbalance (" +
-                  percent(machine.uneven_coupling) + " of the masses), which the twin has not");
-  }
-  double moment = 0.0;
-  for (const Eccentricity& e : machine.unbalance) moment += e.static_moment;
-  const double torque = moment * machine.gravity.norm();
-  if (torque > 0.0) {
-    all.push_back("the weight of the unbalance turns the rotor by up to " + text(torque) +
-                  " N m; the twin leaves that out");
+  if (machine.unbalance_torque > kNoTorque) {
+    all.push_back("the weight of the unbalance turns the rotor by up to " +
+                  text(machine.unbalance_torque) + " N m; the twin leaves that out");
   }
   add_constraints(m, machine, planes, all);
   for (const int dof : planes.ignored) {

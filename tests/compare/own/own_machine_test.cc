@@ -11,6 +11,7 @@
 #include "native_model/run/run_native.h"
 #include "plugin/config.h"
 #include "tests/plugin/own/machine.h"
+#include "tests/plugin/own/two_rings.h"
 #include "tests/support/order.h"
 
 namespace rotorub {
@@ -78,6 +79,42 @@ TEST(OwnMachine, ConvergesToItsTwinInARingThatTurns) {
   }
   EXPECT_LT(error[1], 0.35 * error[0]);
   EXPECT_LT(error[1], 5e-6);
+}
+
+// Two rings: MuJoCo's `rigid` solves both contacts at once, and so does the twin.
+TEST(OwnMachine, HasTheImpulsesOfEachOfTwoRings) {
+  test::TwoRings x;
+  x.friction = 0.15;
+  x.constraints =
+      R"(<keyframe><key name="start" qpos="0 0 0 0 0" qvel="0.3 0.05 0.5 2 200"/></keyframe>)";
+  const std::string file = ::testing::TempDir() + "/two_rings.xml";
+  // With 0.02 kg m^2 each ring would be at the other's centre of percussion.
+  std::ofstream(file) << test::replaced(test::document(x), R"(diaginertia="0.02 0.02 2e-3")",
+                                        R"(diaginertia="0.03 0.03 2e-3")");
+  // Later the whirl grows as v' = mu v^2 / delta_0, and each error with it.
+  const auto machine = std::make_shared<const OwnMachine>(file, until(0.012));
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  const Trajectory event = run_native(machine->scene(), options);
+  ASSERT_EQ(event.status, Status::kOk) << event.message;
+  options.integrator = scene::Integrator::kVerlet;
+  const Trajectory verlet = run_native(machine->scene(), options);
+  const Trajectory rigid = own_run(machine, scene::ContactModel::kRigid, 2.5e-6);
+  const Trajectory coulomb = own_run(machine, scene::ContactModel::kCoulomb, 2.5e-6);
+  for (const std::size_t k : {0U, 1U}) {
+    const auto expect_near = [&](const Trajectory& t, double share) {
+      SCOPED_TRACE(t.contact_model + " " + t.integrator);
+      const ContactStatistics &exact = event.statistics.contacts[k],
+                              &own = t.statistics.contacts[k];
+      EXPECT_NEAR(own.impulse_total, exact.impulse_total, share * exact.impulse_total) << k;
+      EXPECT_NEAR(own.friction_impulse, exact.friction_impulse, share * exact.impulse_total) << k;
+    };
+    ASSERT_GT(event.statistics.contacts[k].impulse_total, 0.2);
+    expect_near(verlet, 2e-3);
+    expect_near(rigid, 5e-3);
+    // Over steps from 10 to 0.5 us it scatters by 4 %, as its accumulation meets them.
+    expect_near(coulomb, 6e-2);
+  }
 }
 
 // The other contact models on the same file, which asks for one.

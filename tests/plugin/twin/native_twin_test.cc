@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -11,6 +12,7 @@
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/run_native.h"
 #include "native_model/system/model.h"
+#include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/plugin/twin/twins.h"
 #include "tests/support/mujoco_fixture.h"
@@ -98,37 +100,106 @@ TEST_F(NativeTwinTest, HasTheNumbersOfTheSceneThatSaysTheSame) {
   EXPECT_EQ(twin.scene.run.step, 1e-5);
 }
 
-// Gyroscopics, anisotropic bearings, tilt that moves the contact: against MuJoCo's own free motion,
-// whose error falls with its step.
+// A spindle of one body that tilts: all its unbalance is a mass of 10 g at the tool's end, 0.14 m
+// from the centre of mass of the body, which is a couple besides a force. `more`: other masses.
+std::string spindle(const std::string& speed, const std::string& more = "",
+                    const std::string& frame = "", const std::string& option = "gravity=\"0 0 0\"",
+                    const std::string& ring = "") {
+  return machine("<body name=\"shaft\" " + frame + R"(>
+      <joint name="x" type="slide" axis="1 0 0" stiffness="3e5" damping="30"/>
+      <joint name="y" type="slide" axis="0 1 0" stiffness="4e5" damping="40"/>
+      <joint name="tilt_x" type="hinge" axis="1 0 0" stiffness="2e3" damping="0.3"/>
+      <joint name="tilt_y" type="hinge" axis="0 1 0" stiffness="3e3" damping="0.2"/>
+      <inertial pos="0 0 0" mass="0.1" diaginertia="1e-4 1e-4 1e-4"/>
+      <body name="spindle">
+        <joint name="spin" type="hinge" axis="0 0 1"/>
+        <geom type="cylinder" size="0.03 0.05" mass="2" contype="0" conaffinity="0"/>
+        <geom type="sphere" size="0.002" pos="0.003 0.001 0.14" mass="0.01" contype="0"
+          conaffinity="0"/>)" +
+                     more + kDisc + "</body></body>",
+                 ring,
+                 "<keyframe><key name=\"start\" qvel=\"0 0 0 0 " + speed +
+                     (ring.empty() ? "" : " 0 0") + "\"/></keyframe>",
+                 option);
+}
+
+struct FreeMotion {
+  double error;      // m, largest distance of the two in the contact's plane
+  double amplitude;  // m, largest of MuJoCo's
+};
+
+// Of the twin by `event` against MuJoCo's own, over 0.02 s.
+FreeMotion free_motion(const std::string& document, double step) {
+  const ModelPointer m = load(document);
+  m->opt.timestep = step;
+  const NativeTwin twin = twin_of(m.get());
+  const int rows = 40, each = static_cast<int>(std::lround(5e-4 / step));
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  scene::Scene scene = twin.scene;
+  scene.run.end = 0.02;
+  scene.run.output_step = scene.run.end / rows;
+  const Model model = make_model(scene);
+  const Trajectory native = run_native(scene, options);
+  EXPECT_EQ(native.status, Status::kOk) << native.message;
+  EXPECT_TRUE(native.impacts.empty()) << "it must not touch";
+  const DataPointer d = start(m.get());
+  const int disc = mj_name2id(m.get(), mjOBJ_GEOM, "disc");
+  const int bore = mj_name2id(m.get(), mjOBJ_GEOM, "bore");
+  FreeMotion all{0.0, 0.0};
+  for (int row = 1; row <= rows; ++row) {
+    for (int i = 0; i < each; ++i) mj_step(m.get(), d.get());
+    mj_kinematics(m.get(), d.get());
+    mjtNum apart[3], here[3];
+    mju_sub3(apart, d->geom_xpos + 3 * disc, d->geom_xpos + 3 * bore);
+    mju_mulMatTVec(here, d->geom_xmat + 9 * bore, apart, 3, 3);
+    const auto at = [&](const char* column) {
+      return native.column(column)[static_cast<std::size_t>(row)];
+    };
+    const double x = at("rotor_x") - at("stator_x"), y = at("rotor_y") - at("stator_y");
+    all.error = std::max(all.error, std::hypot(x - here[0], y - here[1]));
+    all.amplitude = std::max(all.amplitude, std::hypot(here[0], here[1]));
+  }
+  return all;
+}
+
+// Against MuJoCo's own free motion, whose error falls with its step.
+void expect_free_motion(const std::string& document, double share = 0.02) {
+  const FreeMotion coarse = free_motion(document, 1e-5), fine = free_motion(document, 5e-6);
+  EXPECT_LT(coarse.error, share * coarse.amplitude);
+  EXPECT_GT(coarse.amplitude, 1e-6);
+  EXPECT_NEAR(coarse.error / fine.error, 2.0, 0.2);
+}
+
+// Gyroscopics, anisotropic bearings, tilt that moves the contact.
 TEST_F(NativeTwinTest, MovesAsMujocoWithoutContact) {
   for (const char* axis : {"0 0 1", "0 0 -1"}) {
-    const std::string document = tilting(
+    SCOPED_TRACE(axis);
+    expect_free_motion(tilting(
         axis,
-        R"(<keyframe><key name="start" qpos="1e-5 2e-5 1e-4 -2e-4 0" qvel="1e-3 0 0.01 0.02 400"/></keyframe>)");
-    const ModelPointer m = load(document);
-    double error[2];
-    for (int k = 0; k < 2; ++k) {
-      m->opt.timestep = k == 0 ? 1e-5 : 5e-6;
-      const NativeTwin twin = twin_of(m.get());
-      NativeOptions options;
-      options.integrator = scene::Integrator::kEvent;
-      scene::Scene scene = twin.scene;
-      scene.run.end = 0.02;
-      scene.run.output_times = {0.02};
-      const Model model = make_model(scene);
-      const Trajectory native = run_native(scene, options);
-      ASSERT_EQ(native.status, Status::kOk) << native.message;
-      const DataPointer d = start(m.get());
-      const int steps = k == 0 ? 2000 : 4000;
-      for (int i = 0; i < steps; ++i) mj_step(m.get(), d.get());
-      Eigen::VectorXd q(model.nq()), v(model.nq());
-      twin.read(m.get(), d.get(), q.data(), v.data());
-      const Eigen::Vector2d there = rotor_point(model, q.data());
-      const Eigen::Vector2d here(native.column("rotor_x").back(), native.column("rotor_y").back());
-      error[k] = (there - here).norm();
-    }
-    EXPECT_LT(error[0], 3e-7) << axis;
-    EXPECT_NEAR(error[0] / error[1], 2.0, 0.1) << axis;
+        R"(<keyframe><key name="start" qpos="1e-5 2e-5 1e-4 -2e-4 0" qvel="1e-3 0 0.01 0.02 400"/></keyframe>)"));
+  }
+}
+
+// Unbalance beside the centre of mass is a moment as well, by the body's products of inertia.
+TEST_F(NativeTwinTest, KnowsDynamicUnbalance) {
+  {
+    SCOPED_TRACE("at the tool's end");
+    expect_free_motion(spindle("400"));
+  }
+  {
+    SCOPED_TRACE("spinning the other way");
+    expect_free_motion(spindle("-400"));
+  }
+  {
+    SCOPED_TRACE("in two planes, a quarter turn apart");
+    expect_free_motion(spindle("400", R"(<geom type="sphere" size="0.002" pos="-0.001 0.004 -0.05"
+      mass="0.01" contype="0" conaffinity="0"/>)"));
+  }
+  {
+    SCOPED_TRACE("a couple alone");
+    expect_free_motion(spindle("400", R"(<geom type="sphere" size="0.002" pos="-0.003 -0.001 -0.14"
+      mass="0.01" contype="0" conaffinity="0"/>)"));
   }
 }
 
@@ -222,11 +293,72 @@ TEST_F(NativeTwinTest, RefusesByTheJointsName) {
       << early;
 }
 
-// The native model has one contact plane.
-TEST_F(NativeTwinTest, RefusesSeveralContacts) {
-  const std::string said = twin_refusal(document(TwoRings{}));
-  EXPECT_NE(said.find("2 contacts"), std::string::npos) << said;
-  EXPECT_NE(said.find("accepted for a twin: one contact"), std::string::npos) << said;
+// Each contact has its own mode shapes, ring and parameters.
+TEST_F(NativeTwinTest, HasEachContactAtItsStation) {
+  TwoRings x;
+  x.ring_mass = 3.0;
+  x.clearance[1] = 4e-4;
+  const NativeTwin twin = twin_of(document(x));
+  const Model model = make_model(twin.scene);
+  ASSERT_EQ(model.auxiliary.size(), 2U);
+  ASSERT_EQ(model.layout.stator, 4);
+  EXPECT_EQ(model.auxiliary[0].contact->clearance, 5e-4);
+  EXPECT_EQ(model.auxiliary[1].contact->clearance, 4e-4);
+  // 1/m + a b / J at stations a and b, 0.1 m on either side; at their own with the ring's 1/3 kg.
+  const auto admittance = [&](std::size_t i, std::size_t j) {
+    return contact_admittance(model, model.mass.data(), 0.0, model.q0.data(), i, j)(0, 0);
+  };
+  EXPECT_NEAR(admittance(0, 0), 0.5 + 0.01 / 0.02 + 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(admittance(1, 1), 0.5 + 0.01 / 0.02 + 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(admittance(0, 1), 0.5 - 0.01 / 0.02, 1e-12);
+}
+
+// Rings beside the line of the rotor: each contact's zero is its ring's centre.
+TEST_F(NativeTwinTest, HasRingsOffTheLine) {
+  const std::string holder = R"(<body name="holder" pos="0 0 0.1">)";
+  std::string text = document(TwoRings{});
+  const std::size_t at = text.find(holder);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, holder.size(), R"(<body name="holder" pos="1e-4 -2e-4 0.1">)");
+  const Model model = make_model(twin_of(text).scene);
+  const double* q = model.q0.data();
+  EXPECT_NEAR(separation(model, q, 0).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((separation(model, q, 1) - Eigen::Vector2d(-1e-4, 2e-4)).norm(), 0.0, 1e-15);
+}
+
+TEST_F(NativeTwinTest, RefusesContactsThatHaveNoPlaceBesideTheFirst) {
+  TwoRings x;
+  x.ring_mass = 1.0;
+  const std::string plain = document(x);
+  ASSERT_EQ(twin_refusal(plain), "");
+  // A ring that is turned over sees the rotor turn the other way.
+  const std::string turned = twin_refusal(
+      replaced(plain, R"(<body name="holder" )", R"(<body name="holder" euler="180 0 0" )"));
+  EXPECT_NE(turned.find("<geom name=\"holder\">: its z axis"), std::string::npos) << turned;
+  // One housing for both.
+  const std::string housing =
+      replaced(replaced(plain, R"(</body><body name="holder" pos="0 0 0.1")",
+                        R"(<body name="holder" pos="0 0 0.2")"),
+               "</worldbody>", "</body></worldbody>");
+  EXPECT_NE(twin_refusal(housing).find("moves two rings"), std::string::npos)
+      << twin_refusal(housing);
+  // The scene's gravity is one.
+  const std::string pushed =
+      replaced(plain, R"(<body name="holder" pos="0 0 0.1"><joint )",
+               R"(<body name="holder" pos="0 0 0.1"><joint stiffness="1e5" springref="1e-5" )");
+  EXPECT_NE(twin_refusal(pushed).find("another load"), std::string::npos) << twin_refusal(pushed);
+  x.friction = 0.15;
+  std::string cone =
+      replaced(replaced(document(x), R"(name="rotorub_contact_2" data="rigid")",
+                        R"(name="rotorub_contact_2" data="cone")"),
+               R"(geom2="holder" condim="1" margin="5e-6" gap="1")",
+               R"(geom2="holder" condim="3" friction="0.15 0.15 0 0 0" solref="-4e8 -10211.0255")");
+  const std::string early = "needstage=\"vel\"";
+  for (std::size_t at; (at = cone.find(early)) != cone.npos;) {
+    cone.replace(at, early.size(), "needstage=\"acc\"");
+  }
+  EXPECT_NE(twin_refusal(cone).find("contacts by rigid and cone"), std::string::npos)
+      << twin_refusal(cone);
 }
 
 }  // namespace
