@@ -12,3 +12,21 @@ function(rotorub_embed target name file)
                                                     SKIP_PRECOMPILE_HEADERS ON)
   target_sources(${target} PRIVATE "${unit}")
 endfunction()
+
+# rotorub_bundle(<target> <name> <entry>)
+#
+# Embeds a script with all modules that it imports, bundled and shortened by esbuild for a plain <script>: a page that
+# is opened as a file cannot load modules. A change of any script in the folder of <entry> is a change of the target.
+function(rotorub_bundle target name entry)
+  cmake_path(ABSOLUTE_PATH entry BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+  cmake_path(GET entry PARENT_PATH folder)
+  file(GLOB_RECURSE modules CONFIGURE_DEPENDS "${folder}/*.js")
+  set(bundle "${CMAKE_CURRENT_BINARY_DIR}/${name}.bundle.js")
+  add_custom_command(
+    OUTPUT "${bundle}"
+    COMMAND "${ROTORUB_WEB_DIR}/esbuild" "${entry}" --bundle --minify --format=iife --target=es2020 --charset=utf8 --log-level=warning
+            "--alias:three=${ROTORUB_WEB_DIR}/three.module.js" "--outfile=${bundle}"
+    DEPENDS ${modules} "${ROTORUB_WEB_DIR}/three.module.js" "${ROTORUB_WEB_DIR}/esbuild"
+    VERBATIM)
+  rotorub_embed(${target} ${name} "${bundle}")
+endfunction()

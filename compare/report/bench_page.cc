@@ -167,9 +167,8 @@ std::string bench_page(const Machine& machine, const std::vector<SceneBench>& be
     engines.push_back(
         {{"name", e.name}, {"what", e.missing.empty() ? e.what : "not here: " + e.missing}});
   }
-  json values =
-      page_frame({names, "speed against error", "Who is the fastest at a given error?"},
-                 std::string(bench_js()) + std::string(bench_page_js()), {{"scenes", plots}});
+  json values = page_frame({names, "speed against error", "Who is the fastest at a given error?"},
+                           {{"benches", plots}});
   values["scenes"] = scenes;
   values["engines"] = engines;
   values["has_restitution"] = !restitution.empty();

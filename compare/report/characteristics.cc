@@ -26,18 +26,18 @@ double shown_travel(const scene::Actuator& a) {
 
 }  // namespace
 
-json actuator_curves(const scene::Scene& scene) {
+json actuator_curves(const scene::Scene& scene, std::size_t bearing) {
   json curves = json::array();
   const Model model = make_model(scene);
-  if (!model.first().magnets) return curves;
-  const MagneticActuator& magnets = *model.first().magnets;
-  const double travel = shown_travel(*scene.first().actuator);
+  const auto& magnets = model.auxiliary[bearing].magnets;
+  if (!magnets) return curves;
+  const double travel = shown_travel(*scene.auxiliary[bearing].actuator);
   for (const double part : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
     json x = json::array(), y = json::array();
     for (int k = 0; k < kPoints; ++k) {
-      const double i = magnets.current_limit * (2.0 * k / (kPoints - 1) - 1.0);
+      const double i = magnets->current_limit * (2.0 * k / (kPoints - 1) - 1.0);
       x.push_back(rounded(i, 6));
-      y.push_back(rounded(magnets.law->force(part * travel, i), 6));
+      y.push_back(rounded(magnets->law->force(part * travel, i), 6));
     }
     curves.push_back(
         {{"name", fmt::format("s = {:.3g} mm", kMilli * part * travel)}, {"x", x}, {"y", y}});

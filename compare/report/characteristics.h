@@ -8,9 +8,9 @@
 
 namespace rotorub {
 
-// F(s, i) of one axis over its current, N over A, at five places of the ring: [{"name", "x", "y"}];
-// empty without magnets.
-nlohmann::json actuator_curves(const scene::Scene& scene);
+// F(s, i) of an axis of a bearing over its current, N over A, at five places of the ring: [{"name",
+// "x", "y"}]; empty without magnets.
+nlohmann::json actuator_curves(const scene::Scene& scene, std::size_t bearing);
 
 // The motor's torque over its speed between two speeds (rad/s), N m over rpm: {"x", "y"}; null
 // where it is no function of the speed alone, or there is none.

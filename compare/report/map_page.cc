@@ -51,8 +51,7 @@ json map_plots(const json& first, const json& second, const json& figures, const
 
 std::string map_page(const scene::Scene& scene, const MapPage& map, const json& cards,
                      const json& plots, const json& rule) {
-  json values = page_frame({scene.name, map.topic, map.heading},
-                           std::string(sweep_js()) + std::string(map_page_js()), plots);
+  json values = page_frame({scene.name, map.topic, map.heading}, {{"maps", {plots}}});
   values["lead"] = map.lead;
   values["option"] = map.option;
   values["maps"] = figure_choices(map.maps);

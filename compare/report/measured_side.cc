@@ -80,24 +80,17 @@ class SideMaker {
     add("control", {"control_x", "control_y"}, force_tolerance);
     add("current", {"current_1", "current_2"}, force_tolerance);
     add("spin_speed", {"spin_speed"}, force_tolerance);
-    const json none = json::array();
-    return {{"label", kMeasured},
-            {"measured", true},
-            {"status", to_string(Status::kOk)},
-            {"start", laid_.t.front()},
-            {"end", laid_.t.back()},
-            {"tracks", tracks_},
-            {"holes", holes_},
-            {"absent", absent()},
-            {"whirl", whirl(limit)},
-            {"impacts",
-             {{"t", none},
-              {"y", none},
-              {"friction", none},
-              {"before", none},
-              {"after", none},
-              {"slip", none},
-              {"share", none}}}};
+    // Impacts it has none, at any contact.
+    json impacts = json::array();
+    for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+      impacts.emplace_back();
+      for (const char* list : {"t", "y", "friction", "before", "after", "slip", "share"})
+        impacts.back()[list] = json::array();
+    }
+    return {{"label", kMeasured},       {"measured", true},      {"status", to_string(Status::kOk)},
+            {"start", laid_.t.front()}, {"end", laid_.t.back()}, {"tracks", tracks_},
+            {"holes", holes_},          {"absent", absent()},    {"whirl", whirl(limit)},
+            {"impacts", impacts}};
   }
 
  private:

@@ -189,8 +189,7 @@ std::string modes_page(const scene::Scene& scene, const RotorAnalysis& analysis,
                        const std::vector<WhirlBranch>& branches) {
   json values = page_frame({scene.name, "whirl of the free rotor",
                             "Where does it whirl, and where does it stay stable?"},
-                           std::string(campbell_js()) + std::string(modes_js()),
-                           modes_plots(scene, analysis, range, branches));
+                           {{"rotor", modes_plots(scene, analysis, range, branches)}});
   json spectra = json::array();
   for (const WhirlSpectrum& spectrum : analysis.spectra) {
     spectra.push_back(spectrum_values(spectrum));

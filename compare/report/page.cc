@@ -51,9 +51,7 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
     values["no_films"] = scene.no_films;
     values["setting"] = scene.setting;
     const ShownRuns shown = shown_runs(comparison);
-    values["legend"] = legend_values(shown);
-    values["plots"] = plot_values(shown);
-    values["windows"] = window_values(shown);
+    values.update(live_values(shown));
     RotorSection rotor = rotor_section(comparison.scene);
     values["rotor"] = std::move(rotor.values);
     plots.push_back(plot_data(shown));
@@ -65,11 +63,8 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
   const CompareMode mode =
       scenes.empty() ? CompareMode::kLockstep : scenes.front().comparison->mode;
-  const std::string script =
-      std::string(bench_js()) + std::string(sweep_js()) + std::string(report_js());
   json values = page_frame({names_of(scenes), fmt::format("{} comparison", to_string(mode)),
                             "Can MuJoCo's contact forces be trusted?"},
-                           script,
                            {{"scenes", plots},
                             {"trade", trade_data(comparisons)},
                             {"benches", beside.benches},

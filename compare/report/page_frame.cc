@@ -20,41 +20,21 @@ std::string for_script(std::string text) {
   return text;
 }
 
-std::string live_scripts() {
-  std::string scripts;
-  for (const std::string_view part :
-       {tracks_js(), pictures_js(), whirl_js(), campbell_js(), traces_js(), plots_js(), run_js(),
-        clock_js(), rig_parts_js(), rig_js(), section_js(), unrolled_js(), readings_js(),
-        player_js(), live_js()}) {
-    scripts += part;
-  }
-  return scripts;
-}
-
 }  // namespace
 
-nlohmann::json page_frame(const PageHead& head, std::string_view script, const nlohmann::json& data,
-                          Pictures pictures) {
+nlohmann::json page_frame(const PageHead& head, const nlohmann::json& data, Pictures pictures) {
   // Where there is a player, its own script starts plotly once the player is drawn.
   const bool live = pictures == Pictures::kPlotsAndRig;
   std::string scripts =
       live ? "<script id=\"plotly\" type=\"text/plain\">\n" : "<script id=\"plotly\">\n";
   scripts += plotly_js();
-  if (live) {
-    scripts += "\n</script>\n<script id=\"three\">\n";
-    scripts += three_js();
-  }
   scripts += "\n</script>\n<script id=\"data\" type=\"application/json\">";
   scripts += for_script(data.dump());
-  scripts += "</script>\n<script>\n";
-  scripts += page_js();
-  std::string css(report_css());
-  if (live) {
-    scripts += live_scripts();
-    css += player_css();
-  }
-  scripts += script;
+  scripts += "</script>\n<script id=\"scripts\">\n";
+  scripts += live ? report_js() : still_js();
   scripts += "\n</script>";
+  std::string css(report_css());
+  if (live) css += player_css();
   // The player's two sides.
   const nlohmann::json places = {{{"place", 0}, {"which", "first"}},
                                  {{"place", 1}, {"which", "second"}}};

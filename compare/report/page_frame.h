@@ -13,13 +13,15 @@ struct PageHead {
   std::string heading;  // the question that the page answers
 };
 
-// What a page draws, and so which scripts it holds: plotly; and three.js with plots and player of a
-// scene's runs.
+// What a page draws, and so which of the two bundles of scripts it holds (page/still.js,
+// page/report.js): plots that no clock moves; or also plots and player of a scene's runs.
 enum class Pictures { kPlots, kPlotsAndRig };
 
-// Template values of the page's frame: those of its head, "version", "css" and "scripts" (those of
-// others, `data` in a script element, what pages share, then `script`).
-nlohmann::json page_frame(const PageHead& head, std::string_view script, const nlohmann::json& data,
+// Template values of the page's frame: those of its head, "version", "css" and "scripts": plotly,
+// `data` in a script element, and the page's own. The scripts look in the data for "scenes" (live,
+// plots.h), "trade", "rotor" (modes_page.h), "benches" (precision_plots.h) and "maps"
+// (sweep_page.h), each where the page has a place for it.
+nlohmann::json page_frame(const PageHead& head, const nlohmann::json& data,
                           Pictures pictures = Pictures::kPlots);
 
 // The page, with the partials that pages share: head, foot, cards, map, figures.

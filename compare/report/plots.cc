@@ -7,11 +7,13 @@
 
 #include "compare/report/characteristics.h"
 #include "compare/report/measured_side.h"
+#include "compare/report/pack/gap_samples.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/rig_values.h"
 #include "compare/report/rounded.h"
 #include "compare/report/thin.h"
 #include "compare/report/whirl_plots.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 namespace {
@@ -21,85 +23,96 @@ using Values = std::vector<double>;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-bool touches(const ShownRuns& s, const Trajectory&) { return s.scene->first().contact.has_value(); }
-bool rubs(const ShownRuns& s, const Trajectory&) {
-  return s.scene->first().contact && !s.scene->first().contact->friction.none();
+bool has(const Trajectory& run, std::size_t contact, const char* column) {
+  return run.has(column_of_contact(contact, column));
 }
-bool has_currents(const ShownRuns&, const Trajectory& t) { return t.has("current_1"); }
-bool has_control(const ShownRuns&, const Trajectory& t) { return t.has("control_x"); }
-bool has_torsion(const ShownRuns&, const Trajectory& t) { return t.has("torsion_1"); }
-bool has_ring_speed(const ShownRuns&, const Trajectory& t) { return t.has("ring_speed"); }
-bool has_measured_force(const ShownRuns& s, const Trajectory&) {
+bool always(const ShownRuns&, const Trajectory&, std::size_t) { return true; }
+bool touches(const ShownRuns& s, const Trajectory&, std::size_t contact) {
+  return s.scene->auxiliary[contact].contact.has_value();
+}
+bool rubs(const ShownRuns& s, const Trajectory& t, std::size_t contact) {
+  return touches(s, t, contact) && !s.scene->auxiliary[contact].contact->friction.none();
+}
+template <const char* column>
+bool has_column(const ShownRuns&, const Trajectory& t, std::size_t contact) {
+  return has(t, contact, column);
+}
+constexpr char kCurrent[] = "current_1", kControl[] = "control_x", kTorsion[] = "torsion_1",
+               kRingSpeed[] = "ring_speed", kMotor[] = "motor_torque";
+bool has_measured_force(const ShownRuns& s, const Trajectory&, std::size_t) {
   return s.measured && !s.measured->forces.empty();
 }
-bool is_compared(const ShownRuns& s, const Trajectory&) { return s.runs.size() > 1; }
-bool turns(const ShownRuns&, const Trajectory& t) { return mean_spin(t) != 0.0; }
-bool is_sampled(const ShownRuns&, const Trajectory& t) { return t.rows() >= kLeastSpectrumRows; }
-bool has_motor(const ShownRuns&, const Trajectory& t) { return t.has("motor_torque"); }
+bool is_compared(const ShownRuns& s, const Trajectory&, std::size_t) { return s.runs.size() > 1; }
+bool turns(const ShownRuns&, const Trajectory& t, std::size_t) { return mean_spin(t) != 0.0; }
+bool is_sampled(const ShownRuns&, const Trajectory& t, std::size_t) {
+  return t.rows() >= kLeastSpectrumRows;
+}
 
+constexpr auto kRun = PlotOf::kRun, kContact = PlotOf::kContact;
 constexpr PlotKind kKinds[] = {
-    {"gap", "Gap", "µm", "0: contact; below 0: penetration", "wide", PlotOver::kTime, touches},
-    {"gap_rate", "Gap rate", "mm/s", "what control brings to 0 (paper, Fig. 8)", "",
-     PlotOver::kTime, touches},
+    {"gap", "Gap", "µm", "0: contact; below 0: penetration", "wide", "time", kContact, touches},
+    {"gap_rate", "Gap rate", "mm/s", "what control brings to 0 (paper, Fig. 8)", "", "time",
+     kContact, touches},
     {"rotor_x", "Rotor", "µm",
-     "along x; dotted, where there is control: without it (paper, Fig. 9)", ""},
+     "along x; dotted, where there is control: without it (paper, Fig. 9)", "", "time", kContact,
+     always},
     {"normal_force", "Normal force", "N",
-     "of lasting contact; impulses of the rigid law's impacts are below", "", PlotOver::kTime,
+     "of lasting contact; impulses of the rigid law's impacts are below", "", "time", kContact,
      touches},
     {"sample_force", "Force of a sample", "N",
      "what the force sensor sees: of every run averaged over the record's samples, impacts "
      "included",
-     "wide", PlotOver::kTime, has_measured_force},
-    {"friction_force", "Friction force", "N", "on the rotor, along the ring", "", PlotOver::kTime,
+     "wide", "time", kRun, has_measured_force},
+    {"friction_force", "Friction force", "N", "on the rotor, along the ring", "", "time", kContact,
      touches},
     {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", "",
-     PlotOver::kImpacts, touches},
+     "impacts", kContact, touches},
     {"friction_impacts", "Friction of impacts", "mN s", "size of the tangential impulse of each",
-     "", PlotOver::kImpacts, rubs},
+     "", "impacts", kContact, rubs},
     {"normal_law", "Normal contact law", "m/s",
      "gap rates before and after each impact; dashed: the restitution where friction has no part",
-     "square", PlotOver::kLaw, touches},
+     "square", "law", kContact, touches},
     {"friction_law", "Friction law", "",
      "of each impact, tangential over friction times normal impulse (paper, Fig. 5); dashed: "
      "Coulomb's",
-     "square", PlotOver::kLaw, rubs},
-    {"spin", "Spin speed", "rpm", "what friction takes from the drive", ""},
+     "square", "law", kContact, rubs},
+    {"spin", "Spin speed", "rpm", "what friction takes from the drive", "", "time", kRun, always},
     {"ring_speed", "Ring speed", "rpm", "what friction and drag make of the ring that turns", "",
-     PlotOver::kTime, has_ring_speed},
-    {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", "", PlotOver::kTime,
-     has_torsion},
-    {"control", "Control force", "N", "magnitude of the actuators' force on the ring", "",
-     PlotOver::kTime, has_control},
+     "time", kContact, has_column<kRingSpeed>},
+    {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", "", "time", kRun,
+     has_column<kTorsion>},
+    {"control", "Control force", "N", "magnitude of the actuators' force on the ring", "", "time",
+     kContact, has_column<kControl>},
     {"current", "Coil current", "A", "magnitude of the control currents of the two axes", "",
-     PlotOver::kTime, has_currents},
+     "time", kContact, has_column<kCurrent>},
     {"actuator", "Actuator", "N",
      "force of axis 1 over its current, on the characteristic F(s, i) (paper, Fig. 3)", "square",
-     PlotOver::kPath, has_currents},
+     "path", kContact, has_column<kCurrent>},
     {"motor", "Motor", "N m",
-     "torque over speed; dashed: the motor's characteristic (paper, Fig. 6)", "square",
-     PlotOver::kPath, has_motor},
+     "torque over speed; dashed: the motor's characteristic (paper, Fig. 6)", "square", "path",
+     kRun, has_column<kMotor>},
     {"orbit", "Orbits", "µm", "rotor solid, ring dotted; the last turns, or the time zoomed to",
-     "square", PlotOver::kTurns},
+     "square", "turns", kContact, always},
     {"relative", "Rotor in the ring", "µm", "relative to the ring's centre; dashed: the clearance",
-     "square", PlotOver::kTurns, touches},
+     "square", "turns", kContact, touches},
     {"residual", "Away from the first run", "µm",
      "distance of a run's rotor from the first run's; in chaos it grows to the orbit's size", "",
-     PlotOver::kTime, is_compared},
+     "time", kRun, is_compared},
     {"spectrum", "Full spectrum", "µm",
-     "of the second half: forward whirl above 0 Hz, backward below; dashed: the spin", "",
-     PlotOver::kWhirl, is_sampled},
+     "of the second half: forward whirl above 0 Hz, backward below; dashed: the spin", "", "whirl",
+     kRun, is_sampled},
     {"waterfall", "Waterfall", "µm", "the full spectrum over the run, of the first run shown", "",
-     PlotOver::kWhirl, is_sampled},
+     "whirl", kRun, is_sampled},
     {"poincare", "Poincaré points", "µm",
-     "the rotor once a turn, second half: a point is synchronous, a cloud chaos", "square",
-     PlotOver::kWhirl, turns},
+     "the rotor once a turn, second half: a point is synchronous, a cloud chaos", "square", "whirl",
+     kRun, turns},
 };
 
-// friction: of the contact, mu.
-json impact_data(const Trajectory& trajectory, double friction) {
+// The impacts of one contact. friction: its mu.
+json impact_data(const Trajectory& run, std::size_t contact, double friction) {
   Values t, normal, tangential, before, after, slip, share;
-  for (const Impact& impact : trajectory.impacts) {
-    if (!counts(impact) || impact.normal_impulse <= 0.0) continue;
+  for (const Impact& impact : counted_impacts(run, contact)) {
+    if (impact.normal_impulse <= 0.0) continue;
     t.push_back(impact.t);
     normal.push_back(1e3 * impact.normal_impulse);
     tangential.push_back(1e3 * std::abs(impact.friction_impulse));
@@ -119,6 +132,26 @@ json impact_data(const Trajectory& trajectory, double friction) {
           {"share", picked(share, kept, 5)}};
 }
 
+// A run as the scripts have it: of each contact its impacts.
+json side_data(const ShownRuns& shown, const ShownRun& run,
+               const std::optional<renders::Machine>& machine, double limit) {
+  const scene::Scene& scene = *shown.scene;
+  const Trajectory* first = shown.runs.front().trajectory;
+  json impacts = json::array();
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const auto& contact = scene.auxiliary[k].contact;
+    impacts.push_back(
+        impact_data(*run.trajectory, k, contact ? contact->friction.sticking() : 0.0));
+  }
+  return {{"label", run.label},
+          {"end", run.trajectory->end},
+          {"status", to_string(run.trajectory->status)},
+          {"tracks",
+           packed_run_json(machine ? pack_run(scene, *machine, *run.trajectory) : PackedRun())},
+          {"whirl", whirl_data(*run.trajectory, first == run.trajectory ? nullptr : first, limit)},
+          {"impacts", impacts}};
+}
+
 // The motor's characteristic about the speeds that the first run goes through.
 json motor_data(const scene::Scene& scene, const Trajectory& run) {
   const Values& speed = run.column("spin_speed");
@@ -129,24 +162,6 @@ json motor_data(const scene::Scene& scene, const Trajectory& run) {
 }
 
 }  // namespace
-
-const char* to_string(PlotOver over) {
-  switch (over) {
-    case PlotOver::kTime:
-      return "time";
-    case PlotOver::kImpacts:
-      return "impacts";
-    case PlotOver::kLaw:
-      return "law";
-    case PlotOver::kPath:
-      return "path";
-    case PlotOver::kTurns:
-      return "turns";
-    case PlotOver::kWhirl:
-      return "whirl";
-  }
-  return "";
-}
 
 std::vector<Window> plot_windows(const ShownRuns& shown) {
   const scene::Scene& scene = *shown.scene;
@@ -167,40 +182,29 @@ std::vector<Window> plot_windows(const ShownRuns& shown) {
   return windows;
 }
 
-std::vector<PlotKind> plot_kinds(const ShownRuns& shown) {
-  std::vector<PlotKind> kinds;
+std::vector<ShownPlot> plot_kinds(const ShownRuns& shown) {
+  std::vector<ShownPlot> plots;
+  const std::size_t contacts = shown.scene->auxiliary.size();
   for (const PlotKind& kind : kKinds) {
-    const bool has_data =
-        std::any_of(shown.runs.begin(), shown.runs.end(), [&](const ShownRun& run) {
-          return run.trajectory->rows() > 0 && (!kind.shown || kind.shown(shown, *run.trajectory));
-        });
-    if (has_data) kinds.push_back(kind);
+    for (std::size_t k = 0; k < (kind.of == PlotOf::kContact ? contacts : 1); ++k) {
+      if (std::any_of(shown.runs.begin(), shown.runs.end(), [&](const ShownRun& run) {
+            return run.trajectory->rows() > 0 && kind.shown(shown, *run.trajectory, k);
+          }))
+        plots.push_back({&kind, k});
+    }
   }
-  return kinds;
+  return plots;
 }
 
 json plot_data(const ShownRuns& shown) {
   const scene::Scene& scene = *shown.scene;
-  const auto& contact = scene.first().contact;
   const std::optional<renders::Machine> machine = drawn_machine(shown);
   json sides = json::array();
   const double limit = shown_frequency(shown);
   for (const ShownRun& run : shown.runs) {
-    const bool has_rows = machine && run.trajectory->rows() > 0;
-    sides.push_back(
-        {{"label", run.label},
-         {"end", run.trajectory->end},
-         {"status", to_string(run.trajectory->status)},
-         {"tracks",
-          packed_run_json(has_rows ? pack_run(scene, *machine, *run.trajectory) : PackedRun())},
-         {"whirl",
-          whirl_data(*run.trajectory,
-                     &run == &shown.runs.front() ? nullptr : shown.runs.front().trajectory, limit)},
-         {"impacts", impact_data(*run.trajectory, contact ? contact->friction.sticking() : 0.0)}});
-  }
-  for (std::size_t k = 0; k < shown.runs.size(); ++k) {
-    if (json force = sampled_force(shown, k); !force.is_null())
-      sides[k]["tracks"]["force"] = std::move(force);
+    json& side = sides.emplace_back(side_data(shown, run, machine, limit));
+    json force = sampled_force(shown, sides.size() - 1);
+    if (!force.is_null()) side["tracks"]["force"] = std::move(force);
   }
   if (shown.measured && machine) sides.push_back(measured_side(shown, limit));
   json spans = json::array();
@@ -212,46 +216,48 @@ json plot_data(const ShownRuns& shown) {
     uncontrolled = {
         {"rotor", track_json(pack_run(scene, *machine, *shown.uncontrolled).at("rotor"))}};
   }
-  return {
-      {"name", scene.name},
-      {"actuator", actuator_curves(scene)},
-      {"motor", shown.runs.empty() ? json() : motor_data(scene, *shown.runs.front().trajectory)},
-      {"spin", shown.runs.empty() ? 0.0 : mean_spin(*shown.runs.front().trajectory)},
-      {"clearance", contact ? contact->clearance : 0.0},
-      {"restitution", contact ? contact->restitution : 0.0},
-      {"uncontrolled", uncontrolled},
-      {"windows", spans},
-      {"first_window", 0},
-      {"rig", machine ? rig_values(scene, *machine) : json()},
-      {"sides", sides}};
+  const Trajectory* first = shown.runs.empty() ? nullptr : shown.runs.front().trajectory;
+  return {{"name", scene.name},
+          {"motor", first ? motor_data(scene, *first) : json()},
+          {"spin", first ? mean_spin(*first) : 0.0},
+          {"uncontrolled", uncontrolled},
+          {"windows", spans},
+          {"first_window", 0},
+          {"rig", machine ? rig_values(scene, *machine) : json()},
+          {"contacts", contacts_values(scene, machine)},
+          {"sides", sides}};
 }
 
-json plot_values(const ShownRuns& shown) {
-  json all = json::array();
-  for (const PlotKind& kind : plot_kinds(shown)) {
-    all.push_back({{"key", kind.key},
-                   {"title", kind.title},
-                   {"unit", kind.unit},
-                   {"text", kind.text},
-                   {"shape", kind.shape},
-                   {"over", to_string(kind.over)}});
+json live_values(const ShownRuns& shown) {
+  const scene::Scene& scene = *shown.scene;
+  const bool several = scene.auxiliary.size() > 1;
+  // Which of several contacts; nothing of the only one.
+  const auto where = [&](std::size_t contact) {
+    return several ? "contact " + scene.name_of(contact) : std::string();
+  };
+  json plots = json::array(), windows = json::array(), legend = json::array(),
+       contacts = json::array();
+  for (const auto& [kind, contact] : plot_kinds(shown)) {
+    plots.push_back({{"key", kind->key},
+                     {"title", kind->title},
+                     {"where", kind->of == PlotOf::kContact ? where(contact) : ""},
+                     {"contact", contact},
+                     {"unit", kind->unit},
+                     {"text", kind->text},
+                     {"shape", kind->shape},
+                     {"over", kind->over}});
   }
-  return all;
-}
-
-json window_values(const ShownRuns& shown) {
-  json all = json::array();
-  for (const Window& window : plot_windows(shown)) {
-    all.push_back({{"index", all.size()}, {"name", window.name}});
-  }
-  return all;
-}
-
-json legend_values(const ShownRuns& shown) {
-  json all = json::array();
-  for (const ShownRun& run : shown.runs) all.push_back({{"label", run.label}});
-  if (shown.measured) all.push_back({{"label", kMeasured}});
-  return all;
+  for (const Window& window : plot_windows(shown))
+    windows.push_back({{"index", windows.size()}, {"name", window.name}});
+  for (const ShownRun& run : shown.runs) legend.push_back({{"label", run.label}});
+  if (shown.measured) legend.push_back({{"label", kMeasured}});
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k)
+    contacts.push_back({{"index", k}, {"where", where(k)}});
+  return {{"plots", plots},
+          {"windows", windows},
+          {"legend", legend},
+          {"contacts", contacts},
+          {"several", several}};
 }
 
 }  // namespace rotorub

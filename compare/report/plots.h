@@ -19,11 +19,8 @@ struct Window {
 // any run); the last two turns. Without a contact the whole and the end alone.
 std::vector<Window> plot_windows(const ShownRuns& shown);
 
-// What a plot is drawn over, and how plots.js draws it: a series over time; each impact a point,
-// over time or on a law; a path on the characteristic of what drives the run; the place over the
-// last turns; whirl, which no window changes.
-enum class PlotOver { kTime, kImpacts, kLaw, kPath, kTurns, kWhirl };
-const char* to_string(PlotOver over);  // "time", "impacts", "law", "path", "turns", "whirl"
+// Whether a plot is of the whole run, or of each contact where there are several.
+enum class PlotOf { kRun, kContact };
 
 struct PlotKind {
   const char* key;
@@ -31,22 +28,28 @@ struct PlotKind {
   const char* unit;
   const char* text;   // what is to be seen, half a sentence
   const char* shape;  // class in the page: "", "wide", "square"
-  PlotOver over = PlotOver::kTime;
-  // Whether there is data for it; null: always.
-  bool (*shown)(const ShownRuns& shown, const Trajectory& trajectory) = nullptr;
+  // What it is drawn over, and how traces.js draws it: "time", a series; "impacts" and "law", each
+  // impact a point, over time or on a law; "path", on the characteristic of what drives the run;
+  // "turns", the place over the last turns; "whirl", which no window changes.
+  const char* over;
+  PlotOf of;
+  // Whether there is data for it, at this contact.
+  bool (*shown)(const ShownRuns& shown, const Trajectory& trajectory, std::size_t contact);
+};
+struct ShownPlot {
+  const PlotKind* kind;
+  std::size_t contact;
 };
 // Those that a run has data for.
-std::vector<PlotKind> plot_kinds(const ShownRuns& shown);
+std::vector<ShownPlot> plot_kinds(const ShownRuns& shown);
 
 inline constexpr std::size_t kPlotBuckets = 600;  // of a run's impacts: 1200 points
 
 // For the scripts: windows, runs as tracks (pack/packed_run.h), impacts on their laws, the drawn
 // rig.
 nlohmann::json plot_data(const ShownRuns& shown);
-// For the templates: {{plots}}, {{windows}} and {{legend}} of plots.html.
-nlohmann::json plot_values(const ShownRuns& shown);
-nlohmann::json window_values(const ShownRuns& shown);
-// {{legend}}: of every run that is drawn, its label.
-nlohmann::json legend_values(const ShownRuns& shown);
+// For the templates player.html and plots.html: {{plots}}, {{windows}}, {{legend}} of every run
+// that is drawn, {{contacts}}, and {{several}} of these.
+nlohmann::json live_values(const ShownRuns& shown);
 
 }  // namespace rotorub

@@ -3,6 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "compare/report/characteristics.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/rounded.h"
 #include "native_model/rotor/modal_rotor.h"
@@ -34,13 +35,6 @@ json disc_values(const renders::Machine& machine) {
   return out;
 }
 
-json contact_values(const renders::Machine& machine) {
-  if (!machine.contact) return nullptr;
-  return {{"z", machine.contact->z},
-          {"radius", machine.contact->rotor_radius},
-          {"half_width", machine.contact->half_width}};
-}
-
 // Nothing stands for a bearing that a force alone implies.
 json magnet_values(const scene::Scene& scene, const renders::Machine& machine) {
   if (!scene.magnetic_bearing || !machine.magnetic_bearing) return nullptr;
@@ -70,11 +64,6 @@ std::optional<renders::Machine> drawn_machine(const ShownRuns& shown) {
 json rig_values(const scene::Scene& scene, const renders::Machine& machine) {
   return {{"unit", machine.unit},
           {"magnification", machine.magnification},
-          {"section_magnification", renders::section_magnification(scene, 0.0)},
-          {"clearance", machine.clearance},
-          {"gap_tolerance", gap_tolerance(machine.clearance)},
-          {"radius", scene.first().contact ? scene.first().contact->radius : 0.0},
-          {"friction", scene.first().contact ? scene.first().contact->friction.sticking() : 0.0},
           {"has_shape", scene.rotor.geometry.has_value()},
           {"z", numbers(machine.z)},
           {"span_radius", numbers(machine.span_radius)},
@@ -83,13 +72,40 @@ json rig_values(const scene::Scene& scene, const renders::Machine& machine) {
           {"bow", numbers(machine.bow)},
           {"discs", disc_values(machine)},
           {"bearings", scene.rotor.geometry ? json(machine.bearings) : json::array()},
-          {"contact", contact_values(machine)},
           {"magnetic_bearing", magnet_values(scene, machine)},
           {"motor",
-           scene.drive && scene.rotor.geometry && machine.motor ? json(*machine.motor) : json()},
-          {"ring_moves", !machine.support.fixed},
-          {"ring_turns", machine.ring_turns},
-          {"actuators", scene.first().stator.has_value() && scene.first().actuator.has_value()}};
+           scene.drive && scene.rotor.geometry && machine.motor ? json(*machine.motor) : json()}};
+}
+
+json contacts_values(const scene::Scene& scene, const std::optional<renders::Machine>& machine) {
+  constexpr double kHalfWidth = 0.4;  // of the radius
+  const std::size_t count = scene.auxiliary.size();
+  json all = json::array();
+  for (std::size_t k = 0; k < count; ++k) {
+    const scene::AuxiliaryBearing& bearing = scene.auxiliary[k];
+    const scene::Contact contact = bearing.contact.value_or(scene::Contact());
+    const double unit = machine ? machine->unit : 1.0;
+    // A rotor of modal data has no stations: its contacts stand evenly along the plain bow.
+    const double z = scene.rotor.geometry
+                         ? contact.station * unit
+                         : static_cast<double>(k + 1) / static_cast<double>(count + 1);
+    all.push_back({{"name", count > 1 ? scene.name_of(k) : ""},
+                   {"touches", bearing.contact.has_value()},
+                   {"clearance", contact.clearance},
+                   {"restitution", contact.restitution},
+                   {"radius", contact.radius},
+                   {"gap_tolerance", gap_tolerance(contact.clearance)},
+                   {"section_magnification",
+                    renders::section_magnification(with_bearing_alone(scene, k), 0.0)},
+                   {"z", z},
+                   {"drawn_radius", contact.radius * unit},
+                   {"half_width", kHalfWidth * contact.radius * unit},
+                   {"ring_moves", bearing.stator.has_value()},
+                   {"ring_turns", bearing.stator && bearing.stator->spin},
+                   {"actuators", bearing.stator && bearing.actuator},
+                   {"actuator", actuator_curves(scene, k)}});
+  }
+  return all;
 }
 
 }  // namespace rotorub

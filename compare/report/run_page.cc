@@ -53,7 +53,7 @@ std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shado
   RotorSection rotor = rotor_section(run.scene);
   json plots = plot_data(shown);
   plots["rotor"] = std::move(rotor.data);
-  json values = page_frame({run.scene.name, "one run", run.scene.name}, report_js(),
+  json values = page_frame({run.scene.name, "one run", run.scene.name},
                            {{"scenes", {std::move(plots)}}}, Pictures::kPlotsAndRig);
   values["id"] = "run";
   values["rotor"] = std::move(rotor.values);
@@ -61,9 +61,7 @@ std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shado
   values["engine"] = engine_text(run.trajectory);
   values["ending"] = ending(run);
   values["ended_well"] = run.trajectory.status == Status::kOk;
-  values["legend"] = legend_values(shown);
-  values["plots"] = plot_values(shown);
-  values["windows"] = window_values(shown);
+  values.update(live_values(shown));
   values["conditions"] = facts(run, shadow);
   values["text"] = run.scene.text;
   return fill_page(run_html(), values);

@@ -233,8 +233,8 @@ json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store, const swe
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const sweep::Study& study, const json& kept) {
   const json& plots = kept.at("plots");
-  json values = page_frame({kept.at("name"), "sweep", "What does it do, and where?"},
-                           std::string(sweep_js()) + std::string(map_page_js()), plots);
+  json values =
+      page_frame({kept.at("name"), "sweep", "What does it do, and where?"}, {{"maps", {plots}}});
   for (const char* name : {"maps", "cards", "linear", "linear_refused"})
     values[name] = kept.at(name);
   json headings = json::array();

@@ -1,9 +1,8 @@
 // How the page looks: light and dark, narrow, on paper, without WebGL; one run, and runs that lack parts.
-'use strict';
-const fs = require('node:fs');
-const path = require('node:path');
-const {after, before, test} = require('node:test');
-const {assert, bring, folder, launch, open, rotorub, scene, seek, state} = require('./support.js');
+import fs from 'node:fs';
+import path from 'node:path';
+import {after, before, test} from 'node:test';
+import {assert, bring, folder, launch, open, rotorub, scene, seek, state} from './support.js';
 
 let browser;
 before(async () => {
@@ -16,7 +15,7 @@ before(async () => {
   for (const run of ['ring', 'billiard', 'free']) rotorub(['plot', run, '--quiet']);
   browser = await launch();
 });
-after(() => browser && browser.close());
+after(() => browser?.close());
 
 // How many colours a canvas shows, and its share of pixels that are not transparent.
 const colours = (page, selector) => page.evaluate((s) => {
@@ -81,7 +80,7 @@ test('light and dark have colours of their own', async () => {
     }
     await page.close();
   }
-  looks[0].forEach((light, k) => assert.notEqual(light, looks[1][k]));
+  for (const [k, light] of looks[0].entries()) assert.notEqual(light, looks[1][k]);
 });
 
 test('400 px are enough', async () => {

@@ -1,9 +1,8 @@
 // A measured run in the report: its section, its line in the plots, its place in the player.
-'use strict';
-const {after, before, test} = require('node:test');
-const fs = require('node:fs');
-const path = require('node:path');
-const {assert, bring, folder, launch, open, rotorub, scene, seek, series, state} = require('./support.js');
+import {after, before, test} from 'node:test';
+import fs from 'node:fs';
+import path from 'node:path';
+import {assert, bring, folder, launch, open, rotorub, scene, seek, series, state} from './support.js';
 
 const kShift = 0.125;      // s, added to the scene's times
 const kHole = [0.02, 0.03];  // s, of the scene: nothing is recorded
@@ -15,7 +14,7 @@ function record(file, columns) {
     const open = row.t > kHole[0] && row.t < kHole[1];
     return [1e3 * (Number(row.t) + kShift), ...columns.map(([, name, factor]) => (open ? '' : factor * row[name]))].join(',');
   });
-  fs.writeFileSync(path.join(folder, file), ['t [ms],' + columns.map(([head]) => head).join(','), ...lines].join('\n') + '\n');
+  fs.writeFileSync(path.join(folder, file), `${[`t [ms],${columns.map(([head]) => head).join(',')}`, ...lines].join('\n')}\n`);
 }
 
 before(async () => {
@@ -28,12 +27,12 @@ before(async () => {
   record('gap.csv', [['gap [um]', 'gap', 1e6]]);
   for (const name of ['whole', 'rotor', 'gap']) {
     rotorub(['compare', scene('bench_ring'), '--end', '0.06', '--twins', '0', '--no-modes-ladder', '--no-video', '--quiet',
-      '--measured', name + '.csv', '-o', name], [0, 1]);
+      '--measured', `${name}.csv`, '-o', name], [0, 1]);
   }
   browser = await launch();
   page = await open(browser, 'whole/report.html');
 });
-after(() => browser && browser.close());
+after(() => browser?.close());
 
 const trace = (p, key, name) => p.evaluate(([k, n]) => {
   const plot = document.querySelector(`.plot[data-plot="${k}"]`);
@@ -69,12 +68,12 @@ test('lies on the native run in every plot that it has data for, and is open whe
   }
   for (const key of ['gap_rate', 'spin']) {
     await drawn(page, key);
-    assert.ok(!await trace(page, key, 'measured'), key + ' is not measured');
+    assert.ok(!await trace(page, key, 'measured'), `${key} is not measured`);
   }
   const line = await trace(page, 'rotor_x', 'measured');
   let compared = 0;
   line.x.forEach((t, k) => {
-    assert.ok(line.y[k] === null || !(t > kHole[0] + 1e-4 && t < kHole[1] - 1e-4), 'a value in the hole, at ' + t);
+    assert.ok(line.y[k] === null || !(t > kHole[0] + 1e-4 && t < kHole[1] - 1e-4), `a value in the hole, at ${t}`);
     const row = rows.find((r) => Math.abs(r.t - t) < 2e-6);
     if (line.y[k] === null || !row) return;
     // Places in a page are held to 1 um.

@@ -1,10 +1,9 @@
 // The report's other parts in Chromium: contents list, names of figures and switches, the free rotor, results of other
 // commands beside the comparison.
-'use strict';
-const fs = require('node:fs');
-const path = require('node:path');
-const {after, before, test} = require('node:test');
-const {assert, folder, launch, open, rotorub, scene} = require('./support.js');
+import fs from 'node:fs';
+import path from 'node:path';
+import {after, before, test} from 'node:test';
+import {assert, folder, launch, open, rotorub, scene} from './support.js';
 
 let browser, page;
 before(async () => {
@@ -20,7 +19,7 @@ before(async () => {
   browser = await launch();
   page = await open(browser, 'report.html');
 });
-after(() => browser && browser.close());
+after(() => browser?.close());
 
 // Scrolls to a plot and waits until plotly has drawn it.
 async function drawn(selector) {
@@ -30,7 +29,7 @@ async function drawn(selector) {
     const plot = document.querySelector(s), {xaxis, yaxis} = plot._fullLayout;
     return {x: xaxis.range, y: yaxis.range, lines: (plot.layout.shapes || []).map((l) => [l.type, l.x0, l.x1]),
       traces: plot._fullData.map((d) => ({name: d.name, x: [...(d.x || [])], y: [...(d.y || [])], visible: d.visible,
-        dash: d.line && d.line.dash, symbol: d.marker && d.marker.symbol, mode: d.mode, text: d.text}))};
+        dash: d.line?.dash, symbol: d.marker?.symbol, mode: d.mode, text: d.text}))};
   }, selector);
 }
 
@@ -44,7 +43,7 @@ test('every link of the contents leads somewhere, by keyboard too', async () => 
   assert.equal(new Set(links.map((l) => l.href)).size, links.length);
   for (const part of ['#scene-1', '#scene-2-rotor', '#precision', '#cases', '#maps']) assert.ok(links.some((l) => l.href === part), part);
   // Every section of its own is in the list.
-  const ids = await page.evaluate(() => [...document.querySelectorAll('main [id]')].filter((e) => /SECTION|ARTICLE|DETAILS/.test(e.tagName) && !e.closest('svg')).map((e) => '#' + e.id));
+  const ids = await page.evaluate(() => [...document.querySelectorAll('main [id]')].filter((e) => /SECTION|ARTICLE|DETAILS/.test(e.tagName) && !e.closest('svg')).map((e) => `#${e.id}`));
   for (const id of ids) assert.ok(links.some((l) => l.href === id), `${id} is in the contents`);
   const last = page.locator('nav.contents a[href="#scene-2-figures"]');
   await last.focus();
@@ -56,7 +55,7 @@ test('figures, pictures and switches have names and states', async () => {
   const nameless = await page.evaluate(() => {
     const named = (e) => e.getAttribute('aria-label') || e.textContent.trim() || e.title;
     return [
-      ...[...document.querySelectorAll('.plot')].filter((p) => !p.closest('figure') || !p.closest('figure').querySelector('figcaption')).map((p) => p.dataset.plot || p.id),
+      ...[...document.querySelectorAll('.plot')].filter((p) => !p.closest('figure')?.querySelector('figcaption')).map((p) => p.dataset.plot || p.id),
       ...[...document.querySelectorAll('main canvas')].filter((c) => !c.getAttribute('aria-label')).map((c) => c.className),
       ...[...document.querySelectorAll('button, a, select')].filter((b) => !b.closest('.plot') && !named(b)).map((b) => b.outerHTML.slice(0, 80)),
       ...[...document.querySelectorAll('input')].filter((i) => !i.getAttribute('aria-label') && !i.closest('label')).map((i) => i.className),
@@ -78,7 +77,7 @@ test('Campbell: both senses by colour and dash, 1x, 2x, torsion, critical speeds
   assert.ok(of('forward').length >= 2 && of('backward').length >= 2);
   assert.ok(of('forward').every((t) => t.dash === 'solid') && of('backward').every((t) => t.dash === 'dash'));
   for (const times of [1, 2]) {
-    const [ray] = of(times + '×');
+    const [ray] = of(`${times}×`);
     assert.ok(Math.abs(ray.y[1] / ray.x[1] * 60 - times) < 1e-9, `${times}x`);
   }
   assert.deepEqual(of('critical speed')[0].x, rotor.critical);
@@ -89,7 +88,7 @@ test('Campbell: both senses by colour and dash, 1x, 2x, torsion, critical speeds
   // The marks of the operating point lie on the branches: linear between their points.
   const at = (t, n) => { const k = t.x.findIndex((v) => v >= n); return t.y[k - 1] + (n - t.x[k - 1]) / (t.x[k] - t.x[k - 1]) * (t.y[k] - t.y[k - 1]); };
   for (const sense of ['forward', 'backward']) {
-    const [marks] = of(sense + " at the scene's speed"), branches = of(sense).filter((t) => t.x[0] < rotor.running && t.x[t.x.length - 1] >= rotor.running);
+    const [marks] = of(`${sense} at the scene's speed`), branches = of(sense).filter((t) => t.x[0] < rotor.running && t.x[t.x.length - 1] >= rotor.running);
     assert.equal(marks.x.length, branches.length);
     for (const f of marks.y) assert.ok(branches.some((t) => Math.abs(at(t, rotor.running) / f - 1) < 1e-3), `${sense} at ${f} Hz`);
     assert.equal(marks.symbol, sense === 'forward' ? 'circle' : 'diamond-open');
@@ -115,15 +114,15 @@ test('whirl shapes at the speed of the scene; of a modal rotor a word instead', 
 
 test('speed against error from a kept bench', async () => {
   const bench = JSON.parse(fs.readFileSync(path.join(folder, 'with/bench/bench.json'))).scenes[0];
-  const {traces} = await drawn('[data-still="precision"]');
+  const {traces} = await drawn('[data-of="bench"][data-plot="precision"]');
   assert.equal(traces.length, bench.series.length);
   const verlet = bench.points.filter((p) => p.engine === 'native-verlet');
   const shown = traces.find((t) => t.name === 'native-verlet');
   assert.equal(shown.y.length, verlet.length);
-  shown.y.forEach((error, k) => assert.ok(Math.abs(error / verlet[k].position_error - 1) < 1e-5));
+  for (const [k, error] of shown.y.entries()) assert.ok(Math.abs(error / verlet[k].position_error - 1) < 1e-5);
   const event = traces.find((t) => t.name === 'native-event');
   assert.equal(event.x.length, 3, 'a series over the tolerances');
-  assert.ok((await drawn('[data-still="step"]')).traces.some((t) => /native-verlet \(\d/.test(t.name)), 'with its order');
+  assert.ok((await drawn('[data-of="bench"][data-plot="step"]')).traces.some((t) => /native-verlet \(\d/.test(t.name)), 'with its order');
 });
 
 test('hard cases from a kept check', async () => {
@@ -149,19 +148,19 @@ test('maps from a kept sweep, that change as on their own page', async () => {
 
 // Tables that are wider than their place.
 const cutOff = (of) => of.evaluate(() => [...document.querySelectorAll('.scroll > table')].filter((t) => t.offsetParent &&
-  t.scrollWidth > t.parentElement.clientWidth + 1).map((t) => t.textContent.trim().slice(0, 30) + ` ${t.scrollWidth} in ${t.parentElement.clientWidth}`));
+  t.scrollWidth > t.parentElement.clientWidth + 1).map((t) => `${t.textContent.trim().slice(0, 30)} ${t.scrollWidth} in ${t.parentElement.clientWidth}`));
 
 test('no table is cut off', async () => assert.deepEqual(await cutOff(page), []));
 
 test('prints with all of it', async () => {
   await page.emulateMedia({media: 'print'});
   await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
-  const left = await page.evaluate(() => [...document.querySelectorAll('.plot')].filter((p) => !p.querySelector('.main-svg')).map((p) => p.dataset.plot || p.dataset.still || p.id));
+  const left = await page.evaluate(() => [...document.querySelectorAll('.plot')].filter((p) => !p.querySelector('.main-svg')).map((p) => p.dataset.plot || p.id));
   assert.deepEqual(left, []);
   const out = await page.evaluate(() => [...document.querySelectorAll('.plot')].filter((p) => {
     const place = p.getBoundingClientRect(), picture = p.querySelector('.main-svg').getBoundingClientRect();
     return picture.right > place.right + 1 || picture.bottom > place.bottom + 1;
-  }).map((p) => p.dataset.plot || p.dataset.still || p.id || 'map'));
+  }).map((p) => p.dataset.plot || p.id || 'map'));
   assert.deepEqual(out, []);
   assert.deepEqual(await cutOff(page), []);
   await page.evaluate(() => dispatchEvent(new Event('afterprint')));

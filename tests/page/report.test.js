@@ -1,7 +1,6 @@
 // The report in Chromium: two scenes, four runs each.
-'use strict';
-const {after, before, test} = require('node:test');
-const {assert, bring, launch, open, rotorub, scene, seek, series, state} = require('./support.js');
+import {after, before, test} from 'node:test';
+import {assert, bring, launch, open, rotorub, scene, seek, series, state} from './support.js';
 
 let browser, page;
 before(async () => {
@@ -10,7 +9,7 @@ before(async () => {
   browser = await launch();
   page = await open(browser, 'report.html');
 });
-after(() => browser && browser.close());
+after(() => browser?.close());
 
 const near = (a, b, within, words) => assert.ok(Math.abs(a - b) <= within, `${words || ''} ${a} is not ${b} within ${within}`);
 
@@ -124,17 +123,17 @@ test('shows what the series say', async () => {
       });
       rows.forEach((row, i) => {
         const pose = poses[i], gap = Number(row.gap), gapOff = Math.max(31e-9, 0.0101 * Math.abs(gap));
-        near(pose.gap, gap, gapOff, label + ' gap at ' + row.t);
+        near(pose.gap, gap, gapOff, `${label} gap at ${row.t}`);
         // The rotor's place in the ring follows the gap, and so both tolerances add up.
         ['x', 'y'].forEach((axis, c) => {
-          near(pose.ring[c], row['stator_' + axis], 1.001e-6, 'ring');
-          near(pose.rotor[c], row['rotor_' + axis], 2.1e-6 + gapOff, 'rotor');
+          near(pose.ring[c], row[`stator_${axis}`], 1.001e-6, 'ring');
+          near(pose.rotor[c], row[`rotor_${axis}`], 2.1e-6 + gapOff, 'rotor');
         });
         assert.equal(pose.mode, row.mode);
         near(pose.spin, row.spin_angle, 2.001e-3, 'spin');
         // 1 % of the mean of the dense rows, which these few tell no better than to a factor.
-        near(pose.normal, row.normal_force, 0.0101 * Math.max(row.normal_force, 3 * mean), 'force at ' + row.t);
-        if (pose.control) near(pose.control[0], row.control_x, 0.0101 * Math.max(control(row), 3 * meanControl), 'control at ' + row.t);
+        near(pose.normal, row.normal_force, 0.0101 * Math.max(row.normal_force, 3 * mean), `force at ${row.t}`);
+        if (pose.control) near(pose.control[0], row.control_x, 0.0101 * Math.max(control(row), 3 * meanControl), `control at ${row.t}`);
       });
       await seek(page, rows[500].t, k);
       near((await state(page, k)).poses[place].gap, poses[500].gap, 0, 'what is shown');

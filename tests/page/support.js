@@ -1,15 +1,14 @@
 // Pages of the program in Debian's Chromium, driven as a reader would.
-'use strict';
-const assert = require('node:assert/strict');
-const {execFileSync} = require('node:child_process');
-const fs = require('node:fs');
-const os = require('node:os');
-const path = require('node:path');
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
 
-const top = path.resolve(__dirname, '../..');
-const {chromium} = require(path.join(top, 'build/npm/node_modules/playwright-core'));
+const top = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../..');
+const {chromium} = await import(path.join(top, 'build/npm/node_modules/playwright-core/index.mjs'));
 const program = process.env.ROTORUB_BINARY || path.join(top, 'build/bin/rotorub');
-const scene = (name) => path.join(top, 'mjcf', name + '.toml');
+const scene = (name) => path.join(top, 'mjcf', `${name}.toml`);
 
 // Runs the program in a folder of its own, which goes when the tests end; `codes`: what it may end with. Gives what it
 // printed, where it ended with 0.
@@ -35,10 +34,10 @@ function launch({webgl = true} = {}) {
 async function open(browser, file, {width = 1200, height = 1000, colorScheme = 'light'} = {}) {
   const page = await browser.newPage({viewport: {width, height}, colorScheme, reducedMotion: 'reduce'});
   page.said = [];
-  page.on('console', (message) => page.said.push(message.type() + ': ' + message.text()));
-  page.on('pageerror', (error) => page.said.push('error: ' + error.stack));
-  page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) page.said.push('request: ' + request.url()); });
-  await page.goto('file://' + path.join(folder, file));
+  page.on('console', (message) => page.said.push(`${message.type()}: ${message.text()}`));
+  page.on('pageerror', (error) => page.said.push(`error: ${error.stack}`));
+  page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) page.said.push(`request: ${request.url()}`); });
+  await page.goto(`file://${path.join(folder, file)}`);
   await page.waitForFunction(() => window.Plotly && document.querySelector('.plot.drawn, .player'));
   await page.waitForFunction(`page.players.every((p, k) => k > 0 || !p || p.firstDrawn)`);
   return page;
@@ -60,4 +59,4 @@ function series(file) {
   return lines.map((line) => Object.fromEntries(line.split(',').map((field, k) => [names[k], field])));
 }
 
-module.exports = {assert, bring, folder, launch, open, rotorub, scene, seek, series, state};
+export {assert, bring, folder, launch, open, rotorub, scene, seek, series, state, top};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "native_model/trajectory/columns.h"
+
 namespace rotorub {
 namespace {
 
@@ -15,23 +17,25 @@ void put(Samples& samples, double t, double gap, double rate) {
 
 }  // namespace
 
-std::vector<Impact> counted_impacts(const Trajectory& run) {
+std::vector<Impact> counted_impacts(const Trajectory& run, std::size_t contact) {
   std::vector<Impact> impacts;
-  std::copy_if(run.impacts.begin(), run.impacts.end(), std::back_inserter(impacts), counts);
+  std::copy_if(
+      run.impacts.begin(), run.impacts.end(), std::back_inserter(impacts),
+      [&](const Impact& i) { return counts(i) && i.contact == static_cast<int>(contact); });
   std::stable_sort(impacts.begin(), impacts.end(),
                    [](const Impact& a, const Impact& b) { return a.t < b.t; });
   return impacts;
 }
 
-Samples gap_samples(const Trajectory& run, double least, double share) {
+Samples gap_samples(const Trajectory& run, std::size_t contact, double least, double share) {
   const auto& t = run.column("t");
-  const auto& gap = run.column("gap");
-  const auto& rate = run.column("gap_rate");
+  const auto& gap = run.column(column_of_contact(contact, "gap"));
+  const auto& rate = run.column(column_of_contact(contact, "gap_rate"));
   Samples samples;
   samples.value.resize(1);
   samples.rate.resize(1);
   std::vector<Impact> impacts;
-  if (run.contact_model == "rigid") impacts = counted_impacts(run);
+  if (run.contact_model == "rigid") impacts = counted_impacts(run, contact);
   std::size_t next = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {
     // At an impact a row holds the state after it: the impact stands before the row.

@@ -1,12 +1,11 @@
 #include "compare/report/pack/packed_run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "compare/report/pack/gap_samples.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 namespace {
@@ -33,64 +32,58 @@ double largest(const Values& values) {
   return most;
 }
 
+// Columns of one contact, and the names of its tracks, are named alike.
 class RunPacker {
  public:
   RunPacker(const scene::Scene& scene, const renders::Machine& machine, const Trajectory& run)
-      : scene_(scene), machine_(machine), run_(run) {}
+      : scene_(scene), machine_(machine), run_(run), place_(place_tolerance(scene)) {}
 
   PackedRun packed() {
-    add_places();
+    add_even("spin", {"spin_angle"}, {"spin_speed"}, kAngleTolerance);
+    add_speed("spin_speed");
     add_bends();
-    add_angles();
-    add_speeds();
-    add_forces();
-    add_mode();
-    add_impacts();
+    add_twist();
+    add_forces("motor_torque", {"motor_torque"});
+    for (at_ = 0; at_ < scene_.auxiliary.size(); ++at_) add_contact(scene_.auxiliary[at_]);
     return std::move(packed_);
   }
 
  private:
-  std::size_t rows() const { return run_.rows(); }
-  Columns columns(const std::vector<std::string>& names) const {
-    Columns all;
-    for (const std::string& name : names) all.push_back(run_.column(name));
-    return all;
-  }
-  bool has(const std::vector<std::string>& names) const {
+  using Names = std::initializer_list<const char*>;
+
+  // Of the contact that is packed; of the first as of the run itself.
+  std::string own(const std::string& name) const { return column_of_contact(at_, name); }
+  bool has(Names names) const {
     return std::all_of(names.begin(), names.end(),
-                       [&](const std::string& name) { return run_.has(name); });
+                       [&](const char* name) { return run_.has(own(name)); });
+  }
+  Columns columns(Names names) const {
+    Columns all;
+    for (const char* name : names) all.push_back(run_.column(own(name)));
+    return all;
   }
   void add(const std::string& name, TrackKind kind, Columns values, Columns rates,
            Values tolerance) {
-    packed_[name] =
+    packed_[own(name)] =
         pack(kind, {run_.column("t"), std::move(values), std::move(rates), std::move(tolerance)});
   }
-  void add_even(const std::string& name, TrackKind kind, Columns values, Columns rates,
-                double tolerance) {
-    const double least = kLeastShare * largest(lengths(values));
+  // The tolerance everywhere the same; with rates a cubic, else straight.
+  void add_even(const std::string& name, Names values, Names rates, double tolerance) {
+    const Columns column = columns(values);
+    const double least = kLeastShare * largest(lengths(column));
     const double bound = std::max({tolerance, least, 1e-300});
-    add(name, kind, std::move(values), std::move(rates), Values(rows(), bound));
+    add(name, rates.size() > 0 ? TrackKind::kHermite : TrackKind::kLinear, column, columns(rates),
+        Values(run_.rows(), bound));
   }
-  void add_force(const std::string& name, const std::vector<std::string>& names) {
+  void add_forces(const std::string& name, Names names) {
     if (!has(names)) return;
     const Columns values = columns(names);
     add(name, TrackKind::kLinear, values, {}, force_tolerance(values));
   }
-
-  void add_places() {
-    add_even("rotor", TrackKind::kHermite, columns({"rotor_x", "rotor_y"}),
-             columns({"rotor_vx", "rotor_vy"}), place_tolerance(scene_));
-    if (scene_.first().stator ||
-        (scene_.first().contact && !scene_.first().contact->offset.isZero(0.0))) {
-      add_even("ring", TrackKind::kHermite, columns({"stator_x", "stator_y"}),
-               columns({"stator_vx", "stator_vy"}), place_tolerance(scene_));
-    }
-    if (scene_.first().contact) {
-      packed_["gap"] =
-          pack(TrackKind::kHermite,
-               gap_samples(run_, gap_tolerance(scene_.first().contact->clearance), kShare),
-               run_.contact_model == "rigid");
-    }
+  void add_speed(const char* name) {
+    const Values& speed = run_.column(own(name));
+    const auto [low, high] = std::minmax_element(speed.begin(), speed.end());
+    add_even(name, {name}, {}, kShare * (*high - *low));
   }
 
   // The modes share the tolerance of the shaft evenly: their errors add up at worst.
@@ -99,72 +92,64 @@ class RunPacker {
     for (Eigen::Index k = 0; k < modes; ++k) {
       const double reach = std::max(machine_.modes_x.col(k).cwiseAbs().maxCoeff(),
                                     machine_.modes_y.col(k).cwiseAbs().maxCoeff());
-      const auto n = k + 1;
-      add_even(fmt::format("bend_{}", n), TrackKind::kHermite,
-               columns({fmt::format("x_{}", n), fmt::format("y_{}", n)}),
-               columns({fmt::format("vx_{}", n), fmt::format("vy_{}", n)}),
-               place_tolerance(scene_) / (static_cast<double>(modes) * std::max(reach, 1e-12)));
+      const std::string n = std::to_string(k + 1);
+      const std::string x = "x_" + n, y = "y_" + n, vx = "vx_" + n, vy = "vy_" + n;
+      add_even("bend_" + n, {x.c_str(), y.c_str()}, {vx.c_str(), vy.c_str()},
+               place_ / (static_cast<double>(modes) * std::max(reach, 1e-12)));
     }
   }
 
-  void add_angles() {
-    add_even("spin", TrackKind::kHermite, columns({"spin_angle"}), columns({"spin_speed"}),
-             kAngleTolerance);
-    if (has({"ring_angle", "ring_speed"})) {
-      add_even("ring_spin", TrackKind::kHermite, columns({"ring_angle"}), columns({"ring_speed"}),
-               kAngleTolerance);
-    }
+  // The twist at the first contact: each torsion mode is 1 there.
+  void add_twist() {
     if (!run_.has("torsion_1")) return;
-    // The twist at the contact: each torsion mode is 1 there.
-    Values twist(rows(), 0.0);
-    for (int k = 1; run_.has(fmt::format("torsion_{}", k)); ++k) {
-      const Values& mode = run_.column(fmt::format("torsion_{}", k));
-      for (std::size_t i = 0; i < rows(); ++i) twist[i] += mode[i];
+    Values twist(run_.rows(), 0.0);
+    for (int k = 1; run_.has("torsion_" + std::to_string(k)); ++k) {
+      const Values& mode = run_.column("torsion_" + std::to_string(k));
+      for (std::size_t i = 0; i < twist.size(); ++i) twist[i] += mode[i];
     }
     const Values bound = force_tolerance({twist});
     add("torsion", TrackKind::kLinear, {std::move(twist)}, {}, bound);
   }
 
-  void add_speeds() {
-    for (const char* name : {"spin_speed", "ring_speed"}) {
-      if (!run_.has(name)) continue;
-      const Values& speed = run_.column(name);
-      if (speed.empty()) continue;
-      const auto [low, high] = std::minmax_element(speed.begin(), speed.end());
-      add_even(name, TrackKind::kLinear, {speed}, {}, kShare * (*high - *low));
+  void add_contact(const scene::AuxiliaryBearing& bearing) {
+    add_even("rotor", {"rotor_x", "rotor_y"}, {"rotor_vx", "rotor_vy"}, place_);
+    if (bearing.stator || (bearing.contact && !bearing.contact->offset.isZero(0.0)))
+      add_even("ring", {"stator_x", "stator_y"}, {"stator_vx", "stator_vy"}, place_);
+    if (has({"ring_angle", "ring_speed"})) {
+      add_even("ring_spin", {"ring_angle"}, {"ring_speed"}, kAngleTolerance);
+      add_speed("ring_speed");
     }
-  }
-
-  void add_forces() {
-    if (scene_.first().contact) {
-      add_force("normal", {"normal_force"});
-      add_force("friction", {"friction_force"});
-    }
-    add_force("control", {"control_x", "control_y"});
-    add_force("current", {"current_1", "current_2"});
-    add_force("motor_torque", {"motor_torque"});
+    add_forces("control", {"control_x", "control_y"});
+    add_forces("current", {"current_1", "current_2"});
+    if (!bearing.contact) return;
+    add_forces("normal", {"normal_force"});
+    add_forces("friction", {"friction_force"});
+    packed_[own("gap")] =
+        pack(TrackKind::kHermite,
+             gap_samples(run_, at_, gap_tolerance(bearing.contact->clearance), kShare),
+             run_.contact_model == "rigid");
+    add_mode();
+    add_impacts();
   }
 
   // A knot where it changes.
   void add_mode() {
-    if (!scene_.first().contact) return;
-    const Values& mode = run_.column("mode");
+    const Values& mode = run_.column(own("mode"));
     Samples samples;
     samples.value.resize(1);
-    for (std::size_t i = 0; i < rows(); ++i) {
+    for (std::size_t i = 0; i < mode.size(); ++i) {
       if (i > 0 && mode[i] == mode[i - 1]) continue;
       samples.t.push_back(run_.column("t")[i]);
       samples.value[0].push_back(mode[i]);
       samples.tolerance.push_back(kSteps);
     }
-    packed_["mode"] = pack(TrackKind::kHold, samples);
+    packed_[own("mode")] = pack(TrackKind::kHold, samples);
   }
 
   void add_impacts() {
-    if (!scene_.first().contact) return;
     Samples samples;
     samples.value.resize(2);
-    for (const Impact& impact : counted_impacts(run_)) {
+    for (const Impact& impact : counted_impacts(run_, at_)) {
       if (impact.normal_impulse <= 0.0) continue;
       samples.t.push_back(impact.t);
       samples.value[0].push_back(impact.normal_impulse);
@@ -172,7 +157,7 @@ class RunPacker {
     }
     const double most = std::max(largest(samples.value[0]), 1e-300);
     samples.tolerance.assign(samples.t.size(), kImpulseShare * most);
-    packed_["impacts"] = pack(TrackKind::kHold, samples);
+    packed_[own("impacts")] = pack(TrackKind::kHold, samples);
   }
 
   static constexpr double kSteps = 4.0;          // a quantum of 1: whole numbers
@@ -180,14 +165,20 @@ class RunPacker {
   const scene::Scene& scene_;
   const renders::Machine& machine_;
   const Trajectory& run_;
+  double place_;        // m
+  std::size_t at_ = 0;  // the contact that is packed
   PackedRun packed_;
 };
 
 }  // namespace
 
 double place_tolerance(const scene::Scene& scene) {
-  if (!scene.first().contact || scene.first().contact->clearance <= 0.0) return kPlaceTolerance;
-  return std::min(kPlaceTolerance, kClearanceShare * scene.first().contact->clearance);
+  double tolerance = kPlaceTolerance;
+  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+    if (!bearing.contact || bearing.contact->clearance <= 0.0) continue;
+    tolerance = std::min(tolerance, kClearanceShare * bearing.contact->clearance);
+  }
+  return tolerance;
 }
 
 double gap_tolerance(double clearance) {

@@ -28,17 +28,18 @@ inline constexpr double kAngleTolerance = 2e-3;  // rad
 using PackedRun = std::map<std::string, Track>;
 
 // By name, each only where scene and run have it:
-//   rotor (x, y at the contact, m), ring (x, y), gap (m; in the rigid law with a knot at every
-//   impact), bend_1, bend_2, ... (modal coordinates x_k, y_k, where the scene gives the shaft's
-//   shape), spin, ring_spin (angles, rad), spin_speed, ring_speed (rad/s), torsion (rad, at the
-//   contact), normal, friction (N, of lasting contact, as the series), mode (a Mode), control (x,
-//   y, N, on the ring), current (of axes 1 and 2, A), motor_torque (N m), impacts (normal, friction
-//   impulse, N s; held, one knot an impact that counts).
+//   bend_1, bend_2, ... (modal coordinates x_k, y_k, where the scene gives the shaft's shape), spin
+//   (rad), spin_speed (rad/s), torsion (rad, at the first contact), motor_torque (N m); and of each
+//   contact, those of the further ones with contact2_ and so on before the name: rotor (x, y, m),
+//   ring (x, y), gap (m; in the rigid law with a knot at every impact), ring_spin (rad), ring_speed
+//   (rad/s), normal, friction (N, of lasting contact, as the series), mode (a Mode), control (x, y,
+//   N, on the ring), current (of axes 1 and 2, A), impacts (normal, friction impulse, N s; held,
+//   one knot an impact that counts).
 // `machine`: the scene's, whose modes say how far each moves the shaft.
 PackedRun pack_run(const scene::Scene& scene, const renders::Machine& machine,
                    const Trajectory& trajectory);
 
-// m: kPlaceTolerance, and 1 / 200 of the scene's clearance where that is less.
+// m: kPlaceTolerance, and 1 / 200 of the least clearance where that is less.
 double place_tolerance(const scene::Scene& scene);
 // m: 30 nm, and 6e-5 of the clearance (m) where that is less.
 double gap_tolerance(double clearance);

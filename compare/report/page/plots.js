@@ -1,148 +1,152 @@
 // The plots of one scene, from its runs' tracks: sampled anew for every window, linked in time and legend, under the
 // cursor of the scene's clock. Each is drawn when it comes near the screen.
-'use strict';
-page.ScenePlots = (() => {
-  const {traces} = page;
+import {isPrinting, show, whenNear} from './page.js';
+import {css} from './style.js';
+import {sceneFigure} from './traces.js';
 
-  class ScenePlots {
-    // runs: page.Run, of scene.sides; seek(t): what a click asks for.
-    constructor(element, scene, runs, seek) {
-      Object.assign(this, {element, scene, runs, seek});
-      this.plots = [...element.querySelectorAll('.plot')];
-      this.hidden = new Set();
-      this.near = new Set();
-      this.quiet = false;
-      this.range = this.span(scene.first_window);
-      this.t = scene.windows[0].from;
-      element.querySelectorAll('[data-window]').forEach((button) => button.addEventListener('click',
-        () => this.show(this.span(Number(button.dataset.window)))));
-      element.querySelectorAll('.legend-item').forEach((button) => button.addEventListener('click',
-        () => this.toggle(button)));
-      this.plots.forEach((plot) => this.watch(plot));
-    }
-
-    watch(plot) {
-      new IntersectionObserver((entries) => {
-        const near = entries[entries.length - 1].isIntersecting;
-        if (!near) this.near.delete(plot);
-        if (!near || this.near.has(plot)) return;
-        this.near.add(plot);
-        // The cursor has gone on meanwhile.
-        if (window.Plotly && plot.stale !== false) this.draw(plot); else this.place(plot);
-      }, {rootMargin: '400px 0px'}).observe(plot);
-      // A click seeks; a drag is plotly's own, and zooms.
-      let down = null;
-      plot.addEventListener('pointerdown', (event) => { down = [event.clientX, event.clientY]; }, true);
-      window.addEventListener('pointerup', (event) => {
-        const from = down;
-        down = null;
-        if (from && Math.hypot(event.clientX - from[0], event.clientY - from[1]) < 4) this.clicked(plot, event);
-      }, true);
-    }
-
-    clicked(plot, event) {
-      const layout = plot._fullLayout;
-      if (!layout || !this.overTime(plot)) return;
-      const axis = layout.xaxis, x = event.clientX - plot.getBoundingClientRect().left - axis._offset;
-      if (x >= 0 && x <= axis._length) this.seek(axis.p2d(x));
-    }
-
-    overTime(plot) { return plot.dataset.over === 'time' || plot.dataset.over === 'impacts'; }
-    span(window) {
-      const {from, to} = this.scene.windows[window];
-      return [from, to];
-    }
-    // All turns of a run on top of each other show nothing: the last ones stand for it.
-    turns() {
-      const whole = this.scene.windows[0];
-      const all = this.range[0] <= whole.from && this.range[1] >= whole.to;
-      return all ? this.span(this.scene.windows.length - 1) : this.range;
-    }
-
-    draw(plot) {
-      const {plot: key, over} = plot.dataset;
-      const range = over === 'turns' ? this.turns() : this.range;
-      const {data, layout} = traces.of(this.scene, this.runs, key, over, range, this.hidden, plot.clientWidth);
-      data.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : trace.visible || true; });
-      const first = !plot.classList.contains('drawn');
-      plot.stale = false;
-      this.quiet = true;
-      page.show(plot, {data, layout});
-      this.quiet = false;
-      if (first) {
-        plot.classList.add('drawn');
-        plot.on('plotly_relayout', (change) => this.follow(plot, change));
-        plot.on('plotly_afterplot', () => this.place(plot));
-        plot.mark = plot.appendChild(document.createElement('i'));
-        plot.mark.className = this.overTime(plot) ? 'cursor' : 'cursor-dots';
-      }
-      this.place(plot);
-    }
-
-    drawAll() {
-      this.plots.forEach((plot) => { plot.stale = true; });
-      this.plots.filter((plot) => page.printing || this.near.has(plot)).forEach((plot) => this.draw(plot));
-      this.scene.windows.forEach((w, k) => {
-        const shown = Math.abs(w.from - this.range[0]) + Math.abs(w.to - this.range[1]) < 1e-9;
-        const button = this.element.querySelector(`[data-window="${k}"]`);
-        button.classList.toggle('on', shown);
-        button.setAttribute('aria-pressed', String(shown));
-      });
-    }
-
-    // ---------------------------------------------------------------- the cursor
-    cursor(t) {
-      this.t = t;
-      this.near.forEach((plot) => this.place(plot));
-    }
-
-    place(plot) {
-      const layout = plot._fullLayout;
-      if (!plot.mark || !layout || !layout.xaxis) return;
-      // For tests: the time that the plot is at.
-      plot.dataset.cursor = this.t;
-      if (plot.dataset.over === 'turns') this.placeDots(plot, layout);
-      if (!this.overTime(plot)) return;
-      const [from, to] = layout.xaxis.range, inside = this.t >= from && this.t <= to;
-      plot.mark.hidden = !inside;
-      plot.mark.style.cssText = `top:${layout._size.t}px;height:${layout._size.h}px;` +
-        `transform:translateX(${layout.xaxis._offset + layout.xaxis.d2p(this.t)}px)`;
-    }
-
-    // Where each run is now on its orbit.
-    placeDots(plot, layout) {
-      const shown = this.runs.filter((run) => run.has('rotor') && !this.hidden.has(run.label));
-      plot.mark.innerHTML = shown.map((run) => {
-        const {rotor, ring} = run.pose(this.t);
-        if (!run.within(this.t) || (plot.dataset.plot !== 'orbit' && !run.ringKnown)) return '';
-        const from = plot.dataset.plot === 'orbit' ? [0, 0] : ring;
-        const x = layout.xaxis.d2p(1e6 * (rotor[0] - from[0])), y = layout.yaxis.d2p(1e6 * (rotor[1] - from[1]));
-        const inside = x >= 0 && x <= layout.xaxis._length && y >= 0 && y <= layout.yaxis._length;
-        return inside ? `<b data-side="${run.label}" style="left:${layout.xaxis._offset + x}px;top:${layout.yaxis._offset + y}px;` +
-          `background:${page.css('--' + run.label)}"></b>` : '';
-      }).join('');
-    }
-
-    // Zooming one plot in time zooms all of them; a double click shows the whole run.
-    follow(plot, change) {
-      if (this.quiet || !this.overTime(plot)) return;
-      if (change['xaxis.autorange']) this.show(this.span(0));
-      const from = change['xaxis.range[0]'], to = change['xaxis.range[1]'];
-      if (from === undefined || to === undefined) return;
-      this.show([Math.max(this.scene.windows[0].from, from), Math.min(this.scene.windows[0].to, to)]);
-    }
-
-    show(range) {
-      this.range = range;
-      this.drawAll();
-    }
-
-    toggle(button) {
-      const side = button.dataset.side;
-      if (!this.hidden.delete(side)) this.hidden.add(side);
-      button.setAttribute('aria-pressed', String(!this.hidden.has(side)));
-      this.drawAll();
-    }
+export class ScenePlots {
+  // runs: of scene.sides, each with its contacts; seek(t): what a click asks for.
+  constructor(element, scene, runs, seek) {
+    Object.assign(this, {element, scene, runs, seek});
+    this.plots = [...element.querySelectorAll('.plot')];
+    this.hidden = new Set();
+    this.near = new Set();
+    this.quiet = false;
+    this.range = this.span(scene.first_window);
+    this.t = scene.windows[0].from;
+    const onClick = (selector, act) => {
+      for (const button of element.querySelectorAll(selector)) button.addEventListener('click', () => act(button));
+    };
+    onClick('[data-window]', (button) => this.show(this.span(Number(button.dataset.window))));
+    onClick('.legend-item', (button) => this.toggle(button));
+    for (const plot of this.plots) this.watch(plot);
   }
-  return ScenePlots;
-})();
+
+  watch(plot) {
+    whenNear(plot, (near) => {
+      if (!near) this.near.delete(plot);
+      if (!near || this.near.has(plot)) return;
+      this.near.add(plot);
+      // The cursor has gone on meanwhile.
+      if (window.Plotly && plot.stale !== false) this.draw(plot); else this.place(plot);
+    });
+    // A click seeks; a drag is plotly's own, and zooms.
+    let down = null;
+    plot.addEventListener('pointerdown', (event) => { down = [event.clientX, event.clientY]; }, true);
+    window.addEventListener('pointerup', (event) => {
+      const from = down;
+      down = null;
+      if (from && Math.hypot(event.clientX - from[0], event.clientY - from[1]) < 4) this.clicked(plot, event);
+    }, true);
+  }
+
+  clicked(plot, event) {
+    const layout = plot._fullLayout;
+    if (!layout || !this.overTime(plot)) return;
+    const axis = layout.xaxis, x = event.clientX - plot.getBoundingClientRect().left - axis._offset;
+    if (x >= 0 && x <= axis._length) this.seek(axis.p2d(x));
+  }
+
+  overTime(plot) { return plot.dataset.over === 'time' || plot.dataset.over === 'impacts'; }
+  span(window) {
+    const {from, to} = this.scene.windows[window];
+    return [from, to];
+  }
+  // All turns of a run on top of each other show nothing: the last ones stand for it.
+  turns() {
+    const whole = this.scene.windows[0];
+    const all = this.range[0] <= whole.from && this.range[1] >= whole.to;
+    return all ? this.span(this.scene.windows.length - 1) : this.range;
+  }
+
+  // The runs at the contact that a plot is of.
+  viewOf({dataset: {contact}}) {
+    const number = Number(contact || 0);
+    return {scene: this.scene, number, contact: this.scene.contacts[number], runs: this.runs.map((run) => run.contacts[number])};
+  }
+
+  draw(plot) {
+    const {plot: key, over} = plot.dataset;
+    const range = over === 'turns' ? this.turns() : this.range;
+    const {data, layout} = sceneFigure(this.viewOf(plot), key, over, range, this.hidden, plot.clientWidth);
+    data.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : trace.visible || true; });
+    const first = !plot.classList.contains('drawn');
+    plot.stale = false;
+    this.quiet = true;
+    show(plot, {data, layout});
+    this.quiet = false;
+    if (first) {
+      plot.classList.add('drawn');
+      plot.on('plotly_relayout', (change) => this.follow(plot, change));
+      plot.on('plotly_afterplot', () => this.place(plot));
+      plot.mark = plot.appendChild(document.createElement('i'));
+      plot.mark.className = this.overTime(plot) ? 'cursor' : 'cursor-dots';
+    }
+    this.place(plot);
+  }
+
+  drawAll() {
+    this.plots.forEach((plot) => { plot.stale = true; });
+    for (const plot of this.plots) if (isPrinting() || this.near.has(plot)) this.draw(plot);
+    this.scene.windows.forEach((w, k) => {
+      const shown = Math.abs(w.from - this.range[0]) + Math.abs(w.to - this.range[1]) < 1e-9;
+      const button = this.element.querySelector(`[data-window="${k}"]`);
+      button.classList.toggle('on', shown);
+      button.setAttribute('aria-pressed', String(shown));
+    });
+  }
+
+  // ---------------------------------------------------------------- the cursor
+  cursor(t) {
+    this.t = t;
+    for (const plot of this.near) this.place(plot);
+  }
+
+  place(plot) {
+    const layout = plot._fullLayout;
+    if (!plot.mark || !layout?.xaxis) return;
+    // For tests: the time that the plot is at.
+    plot.dataset.cursor = this.t;
+    if (plot.dataset.over === 'turns') this.placeDots(plot, layout);
+    if (!this.overTime(plot)) return;
+    const [from, to] = layout.xaxis.range, inside = this.t >= from && this.t <= to;
+    plot.mark.hidden = !inside;
+    plot.mark.style.cssText = `top:${layout._size.t}px;height:${layout._size.h}px;` +
+      `transform:translateX(${layout.xaxis._offset + layout.xaxis.d2p(this.t)}px)`;
+  }
+
+  // Where each run is now on its orbit.
+  placeDots(plot, layout) {
+    const shown = this.viewOf(plot).runs.filter((run) => run.has('rotor') && !this.hidden.has(run.label));
+    plot.mark.innerHTML = shown.map((run) => {
+      const {rotor, ring} = run.pose(this.t);
+      if (!run.within(this.t) || (plot.dataset.plot !== 'orbit' && !run.ringKnown)) return '';
+      const from = plot.dataset.plot === 'orbit' ? [0, 0] : ring;
+      const x = layout.xaxis.d2p(1e6 * (rotor[0] - from[0])), y = layout.yaxis.d2p(1e6 * (rotor[1] - from[1]));
+      const inside = x >= 0 && x <= layout.xaxis._length && y >= 0 && y <= layout.yaxis._length;
+      return inside ? `<b data-side="${run.label}" style="left:${layout.xaxis._offset + x}px;top:${layout.yaxis._offset + y}px;` +
+        `background:${css(`--${run.label}`)}"></b>` : '';
+    }).join('');
+  }
+
+  // Zooming one plot in time zooms all of them; a double click shows the whole run.
+  follow(plot, change) {
+    if (this.quiet || !this.overTime(plot)) return;
+    if (change['xaxis.autorange']) this.show(this.span(0));
+    const from = change['xaxis.range[0]'], to = change['xaxis.range[1]'];
+    if (from === undefined || to === undefined) return;
+    this.show([Math.max(this.scene.windows[0].from, from), Math.min(this.scene.windows[0].to, to)]);
+  }
+
+  show(range) {
+    this.range = range;
+    this.drawAll();
+  }
+
+  toggle(button) {
+    const side = button.dataset.side;
+    if (!this.hidden.delete(side)) this.hidden.add(side);
+    button.setAttribute('aria-pressed', String(!this.hidden.has(side)));
+    this.drawAll();
+  }
+}

@@ -1,173 +1,162 @@
 // What each plot of a scene shows, as plotly takes it: traces and layout.
-'use strict';
-page.traces = (() => {
-  const {css, axes, layout, titled, isFront, line, symbol} = page;
-  const {thinned} = page.tracks;
-  const kBuckets = 700;   // of a trace: two points each
-  const kTurn = 2 * Math.PI;
+import {Track} from './player/tracks.js';
+import {rotorFigure} from './rotor.js';
+import {opened, thinned} from './scales.js';
+import {axes, css, decades, isFront, layout, line, number, symbol, titled} from './style.js';
+import {isWhirl, whirlFigure} from './whirl.js';
 
-  // Of a trace that scatters over the whole picture dashes would be more scatter.
-  const kDashed = 900;  // points
-  // What scatters most lies behind, and the judged run thin on top of the native one.
-  const behindFirst = (runs) => [...runs.slice(2), ...runs.slice(0, 2)];
+const kBuckets = 700;   // of a trace: two points each
+const kTurn = 2 * Math.PI;
 
-  // Of a run: which track a plot over time is of, and its value in the plot's unit.
-  const component = (name, factor = 1, c = 0) => ({track: name, read: (run, t) => factor * run.tracks[name].at(t, c)});
-  const size = (name, factor = 1) => ({track: name, read: (run, t) => factor * run.tracks[name].length(t)});
-  const series = {
-    gap: component('gap', 1e6),
-    gap_rate: {track: 'gap', jumps: true, read: (run, t) => 1e3 * run.tracks.gap.rate(t)},
-    rotor_x: component('rotor', 1e6),
-    normal_force: component('normal'),
-    sample_force: component('force'),
-    friction_force: component('friction'),
-    spin: component('spin_speed', 60 / kTurn),
-    ring_speed: component('ring_speed', 60 / kTurn),
-    torsion: component('torsion', 1e3),
-    control: size('control'),
-    current: size('current'),
-  };
+// Of a trace that scatters over the whole picture dashes would be more scatter.
+const kDashed = 900;  // points
+// What scatters most lies behind, and the judged run thin on top of the native one.
+const behindFirst = (runs) => [...runs.slice(2), ...runs.slice(0, 2)];
 
-  function sampled(run, key, [from, to]) {
-    const {track, read, jumps} = series[key];
-    const t = run.tracks[track].instants(from, to, 2 * kBuckets, jumps);
-    return open(run, track, thinned(t, t.map((time) => read(run, time)), kBuckets));
+// Of a run: which track a plot over time is of, and its value in the plot's unit.
+const component = (name, factor = 1, c = 0) => ({track: name, read: (run, t) => factor * run.tracks[name].at(t, c)});
+const size = (name, factor = 1) => ({track: name, read: (run, t) => factor * run.tracks[name].length(t)});
+const series = {
+  gap: component('gap', 1e6),
+  gap_rate: {track: 'gap', jumps: true, read: (run, t) => 1e3 * run.tracks.gap.rate(t)},
+  rotor_x: component('rotor', 1e6),
+  normal_force: component('normal'),
+  sample_force: component('force'),
+  friction_force: component('friction'),
+  spin: component('spin_speed', 60 / kTurn),
+  ring_speed: component('ring_speed', 60 / kTurn),
+  torsion: component('torsion', 1e3),
+  control: size('control'),
+  current: size('current'),
+};
+
+function sampled(run, key, [from, to]) {
+  const {track, read, jumps} = series[key];
+  const t = run.tracks[track].instants(from, to, 2 * kBuckets, jumps);
+  return opened(thinned(t, t.map((time) => read(run, time)), kBuckets), run.holes?.[track]);
+}
+
+const has = (run, key) => run.has(series[key].track) && !(series[key].jumps && run.tracks[series[key].track].kind !== 'hermite');
+
+function timeTraces(runs, key, range) {
+  return behindFirst(runs).filter((run) => has(run, key)).map((run) => {
+    const {t, y} = sampled(run, key, range);
+    return {x: t, y, name: run.label, meta: run.label, type: 'scatter', mode: 'lines',
+      opacity: ['cone', 'cone-default'].includes(run.label) ? 0.6 : 1,
+      line: {...line(run.label), ...(t.length > kDashed ? {dash: 'solid'} : {})},
+      hovertemplate: `%{y:.5g}<extra>${run.label}</extra>`};
+  });
+}
+
+// The same run with a passive bearing, behind all others.
+function uncontrolledTraces({scene, number: contact}, key, range) {
+  if (!scene.uncontrolled || key !== 'rotor_x' || contact > 0) return [];
+  scene.passive = scene.passive || {tracks: {rotor: new Track(scene.uncontrolled.rotor)}};
+  const {t, y} = sampled(scene.passive, key, range);
+  return [{x: t, y, name: 'without control', meta: 'without control', type: 'scatter', mode: 'lines',
+    line: {color: css('--soft'), width: 1, dash: 'dot', simplify: false}, opacity: 0.7,
+    hovertemplate: '%{y:.5g}<extra>without control</extra>'}];
+}
+
+// Every impact a point. `law`: over what it is drawn.
+const laws = {
+  impacts: {x: 't', y: 'y', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
+  friction_impacts: {x: 't', y: 'friction', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
+  normal_law: {x: 'before', y: 'after', text: 'before %{x:.4g} m/s<br>after %{y:.4g} m/s'},
+  friction_law: {x: 'slip', y: 'share', text: 'slip after %{x:.4g} m/s<br>%{y:.4g} of friction times normal'},
+};
+function impactTraces(runs, key) {
+  const law = laws[key];
+  return runs.map(({label, points}) => ({x: points[law.x], y: points[law.y], name: label, meta: label, type: 'scatter', mode: 'markers',
+    marker: {color: css(`--${label}`), size: isFront(label) ? 5 : 6, opacity: 0.75, symbol: symbol(label)},
+    hovertemplate: `${law.text}<extra>${label}</extra>`}));
+}
+
+// The laws themselves: after = -eps before, and Coulomb's: against the slip, within +-1 where there is none.
+function lawShapes({contact, runs}, key) {
+  const dashed = {color: css('--soft'), width: 1, dash: 'dash'};
+  const all = runs.flatMap((run) => run.points[laws[key].x]);
+  const low = Math.min(0, ...all), high = Math.max(0, ...all);
+  const piece = (x0, y0, x1, y1) => ({type: 'line', x0, y0, x1, y1, line: dashed, layer: 'below'});
+  return key === 'normal_law' ? [piece(low, -contact.restitution * low, 0, 0)] :
+    [piece(low, 1, 0, 1), piece(0, 1, 0, -1), piece(0, -1, high, -1)];
+}
+
+// Of curves in the plane every instant of `track`, more where it would be coarse.
+function curve(run, track, range, read, label, width, dash) {
+  const times = run.tracks[track].instants(range[0], range[1], 2 * kBuckets);
+  const every = Math.ceil(times.length / (4 * kBuckets)), points = times.filter((_, k) => k % every === 0).map(read);
+  return {x: points.map((p) => p[0]), y: points.map((p) => p[1]), name: run.label, meta: run.label, type: 'scatter', mode: 'lines',
+    line: {...line(run.label, false), width, ...(dash ? {dash} : {})}, hovertemplate: `(%{x:.4g}, %{y:.4g})<extra>${run.label}${label}</extra>`};
+}
+const micro = ([x, y]) => [1e6 * x, 1e6 * y];
+const orbitTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor')).flatMap((run) => [
+  curve(run, 'rotor', range, (t) => micro(run.pose(t).rotor), ' rotor', isFront(run.label) ? 2.4 : 1.4, 'solid'),
+  ...(run.has('ring') ? [curve(run, 'ring', range, (t) => micro(run.pair('ring', t)), ' ring', isFront(run.label) ? 1.8 : 1, 'dot')] : [])]);
+const relativeTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor') && run.has('gap') && run.ringKnown).map((run) =>
+  curve(run, 'gap', range, (t) => { const p = run.pose(t); return micro([p.rotor[0] - p.ring[0], p.rotor[1] - p.ring[1]]); },
+    ' relative', isFront(run.label) ? 2.4 : 1.4));
+
+// A run's own points on the characteristic of what drives it. The first actuator axis is (1, 1) / sqrt 2.
+function pathTraces({scene, contact, runs}, key, range) {
+  const characteristics = key === 'motor' ? (scene.motor ? [{...scene.motor, name: 'characteristic'}] : []) : contact.actuator;
+  const dashed = characteristics.map((c) => ({x: c.x, y: c.y, name: c.name, meta: c.name, type: 'scatter', mode: 'lines',
+    line: {color: css('--soft'), width: 1, dash: 'dash'}, hovertemplate: `%{y:.4g}<extra>${c.name}</extra>`}));
+  const [track, read] = key === 'motor' ?
+    ['motor_torque', (run) => (t) => [run.value('spin_speed', t) * 60 / kTurn, run.value('motor_torque', t)]] :
+    ['current', (run) => (t) => { const [x, y] = run.pair('control', t); return [run.value('current', t), (x + y) * Math.SQRT1_2]; }];
+  return [...dashed, ...behindFirst(runs).filter((run) => run.has(track) && (key === 'motor' || run.has('control'))).map((run) =>
+    curve(run, track, range, read(run), '', isFront(run.label) ? 2.4 : 1.4))];
+}
+
+// The first two runs, native and the contact model that is judged, set the height of a force plot;
+// a run that leaves it says so, rather than flattening the others.
+export function heightFor(traces) {
+  const extent = (list) => list.reduce((e, trace) => trace.y.reduce(
+    (f, y) => [Math.min(f[0], y), Math.max(f[1], y)], e), [0, 0]);
+  const [low, high] = extent(traces.slice(-2));
+  const room = 0.08 * (high - low);
+  const range = [low < 0 ? low - room : -room, high > 0 ? high + room : room];
+  const notes = [];
+  for (const trace of traces.slice(0, -2)) {
+    const [least, most] = extent([trace]);
+    const far = Math.abs(least) > most ? least : most;
+    if (high === low || (least >= 3 * range[0] && most <= 3 * range[1])) continue;
+    notes.push({text: `${trace.name} reaches ${number(far, 3)} N`,
+      xref: 'paper', yref: 'paper', x: 0.01, y: far > 0 ? 1 : 0, xanchor: 'left',
+      yanchor: far > 0 ? 'top' : 'bottom', yshift: (far > 0 ? -18 : 18) * notes.length, showarrow: false, bgcolor: css('--paper'),
+      font: {color: trace.line.color, size: 12}});
   }
+  return notes.length ? {axis: {range}, notes} : {};
+}
 
-  // A line is open where a record has no samples.
-  function open(run, track, {t, y}) {
-    const holes = run.holes && run.holes[track] || [];
-    if (!holes.length) return {t, y};
-    const points = t.map((time, k) => [time, y[k]]).filter(([time]) => !holes.some(([from, to]) => time > from && time < to));
-    holes.forEach(([from, to]) => points.push([0.5 * (from + to), null]));
-    points.sort((a, b) => a[0] - b[0]);
-    return {t: points.map((p) => p[0]), y: points.map((p) => p[1])};
-  }
+function turnsPlot({contact, runs}, key, range) {
+  const r = 1e6 * contact.clearance;
+  const circle = {type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}};
+  const square = {automargin: false, constrain: 'domain'};
+  return {data: key === 'orbit' ? orbitTraces(runs, range) : relativeTraces(runs, range),
+    layout: layout({hovermode: 'closest', shapes: key === 'relative' && r > 0 ? [circle] : [],
+      xaxis: titled('x / µm', square), yaxis: titled('y / µm', {...square, scaleanchor: 'x'})})};
+}
+function timePlot(view, key, over, range) {
+  const impacts = over === 'impacts';
+  const data = impacts ? impactTraces(view.runs, key) : [...uncontrolledTraces(view, key, range), ...timeTraces(view.runs, key, range)];
+  const height = key.endsWith('_force') ? heightFor(data) : {};
+  return {data, layout: layout({hovermode: impacts ? 'closest' : 'x unified', annotations: height.notes || [],
+    xaxis: axes({title: {text: 't / s', standoff: 6}, range: range.slice(), hoverformat: '.6f'}), yaxis: axes(impacts ? decades : height.axis)})};
+}
 
-  const has = (run, key) => run.has(series[key].track) && !(series[key].jumps && run.tracks[series[key].track].kind !== 'hermite');
-
-  function timeTraces(runs, key, range) {
-    return behindFirst(runs).filter((run) => has(run, key)).map((run) => {
-      const {t, y} = sampled(run, key, range);
-      return {x: t, y, name: run.label, meta: run.label, type: 'scatter', mode: 'lines',
-        opacity: ['cone', 'cone-default'].includes(run.label) ? 0.6 : 1,
-        line: {...line(run.label), ...(t.length > kDashed ? {dash: 'solid'} : {})},
-        hovertemplate: '%{y:.5g}<extra>' + run.label + '</extra>'};
-    });
-  }
-
-  // The same run with a passive bearing, behind all others.
-  function uncontrolledTraces(scene, key, range) {
-    if (!scene.uncontrolled || key !== 'rotor_x') return [];
-    scene.passive = scene.passive || {tracks: {rotor: new page.tracks.Track(scene.uncontrolled.rotor)}};
-    const {t, y} = sampled(scene.passive, key, range);
-    return [{x: t, y, name: 'without control', meta: 'without control', type: 'scatter', mode: 'lines',
-      line: {color: css('--soft'), width: 1, dash: 'dot', simplify: false}, opacity: 0.7,
-      hovertemplate: '%{y:.5g}<extra>without control</extra>'}];
-  }
-
-  // Every impact a point. `law`: over what it is drawn.
-  const laws = {
-    impacts: {x: 't', y: 'y', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
-    friction_impacts: {x: 't', y: 'friction', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
-    normal_law: {x: 'before', y: 'after', text: 'before %{x:.4g} m/s<br>after %{y:.4g} m/s'},
-    friction_law: {x: 'slip', y: 'share', text: 'slip after %{x:.4g} m/s<br>%{y:.4g} of friction times normal'},
-  };
-  function impactTraces(scene, key) {
-    const law = laws[key];
-    return scene.sides.map((side) => ({x: side.impacts[law.x], y: side.impacts[law.y], name: side.label,
-      meta: side.label, type: 'scatter', mode: 'markers',
-      marker: {color: css('--' + side.label), size: side.label === 'native' ? 5 : 6, opacity: 0.75, symbol: symbol(side.label)},
-      hovertemplate: law.text + '<extra>' + side.label + '</extra>'}));
-  }
-
-  // The laws themselves: after = -eps before, and Coulomb's: against the slip, within +-1 where there is none.
-  function lawShapes(scene, key) {
-    const dashed = {color: css('--soft'), width: 1, dash: 'dash'};
-    const all = scene.sides.flatMap((side) => side.impacts[laws[key].x]);
-    const low = Math.min(0, ...all), high = Math.max(0, ...all);
-    const piece = (x0, y0, x1, y1) => ({type: 'line', x0, y0, x1, y1, line: dashed, layer: 'below'});
-    return key === 'normal_law' ? [piece(low, -scene.restitution * low, 0, 0)] :
-      [piece(low, 1, 0, 1), piece(0, 1, 0, -1), piece(0, -1, high, -1)];
-  }
-
-  // Of curves in the plane every instant of `track`, more where it would be coarse.
-  function curve(run, track, range, read, label, width, dash) {
-    const times = run.tracks[track].instants(range[0], range[1], 2 * kBuckets);
-    const every = Math.ceil(times.length / (4 * kBuckets)), points = times.filter((t, k) => k % every === 0).map(read);
-    return {x: points.map((p) => p[0]), y: points.map((p) => p[1]), name: run.label, meta: run.label, type: 'scatter', mode: 'lines',
-      line: {...line(run.label, false), width, ...(dash ? {dash} : {})}, hovertemplate: '(%{x:.4g}, %{y:.4g})<extra>' + run.label + label + '</extra>'};
-  }
-  const micro = ([x, y]) => [1e6 * x, 1e6 * y];
-  const orbitTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor')).flatMap((run) => [
-    curve(run, 'rotor', range, (t) => micro(run.pose(t).rotor), ' rotor', isFront(run.label) ? 2.4 : 1.4, 'solid'),
-    ...(run.has('ring') ? [curve(run, 'ring', range, (t) => micro(run.pair('ring', t)), ' ring', isFront(run.label) ? 1.8 : 1, 'dot')] : [])]);
-  const relativeTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor') && run.has('gap') && run.ringKnown).map((run) =>
-    curve(run, 'gap', range, (t) => { const p = run.pose(t); return micro([p.rotor[0] - p.ring[0], p.rotor[1] - p.ring[1]]); },
-      ' relative', isFront(run.label) ? 2.4 : 1.4));
-
-  // A run's own points on the characteristic of what drives it. The first actuator axis is (1, 1) / sqrt 2.
-  function pathTraces(scene, runs, key, range) {
-    const characteristics = key === 'motor' ? (scene.motor ? [{...scene.motor, name: 'characteristic'}] : []) : scene.actuator;
-    const dashed = characteristics.map((c) => ({x: c.x, y: c.y, name: c.name, meta: c.name, type: 'scatter', mode: 'lines',
-      line: {color: css('--soft'), width: 1, dash: 'dash'}, hovertemplate: '%{y:.4g}<extra>' + c.name + '</extra>'}));
-    const [track, read] = key === 'motor' ?
-      ['motor_torque', (run) => (t) => [run.value('spin_speed', t) * 60 / kTurn, run.value('motor_torque', t)]] :
-      ['current', (run) => (t) => { const [x, y] = run.pair('control', t); return [run.value('current', t), (x + y) * Math.SQRT1_2]; }];
-    return [...dashed, ...behindFirst(runs).filter((run) => run.has(track) && (key === 'motor' || run.has('control'))).map((run) =>
-      curve(run, track, range, read(run), '', isFront(run.label) ? 2.4 : 1.4))];
-  }
-
-  // The first two runs, native and the contact model that is judged, set the height of a force plot;
-  // a run that leaves it says so, rather than flattening the others.
-  function heightFor(traces) {
-    const extent = (list) => list.reduce((e, trace) => trace.y.reduce(
-      (f, y) => [Math.min(f[0], y), Math.max(f[1], y)], e), [0, 0]);
-    const [low, high] = extent(traces.slice(-2));
-    const room = 0.08 * (high - low);
-    const range = [low < 0 ? low - room : -room, high > 0 ? high + room : room];
-    const notes = [];
-    for (const trace of traces.slice(0, -2)) {
-      const [least, most] = extent([trace]);
-      const far = Math.abs(least) > most ? least : most;
-      if (high === low || (least >= 3 * range[0] && most <= 3 * range[1])) continue;
-      notes.push({text: trace.name + ' reaches ' + Number(far.toPrecision(3)).toLocaleString('en') + ' N',
-        xref: 'paper', yref: 'paper', x: 0.01, y: far > 0 ? 1 : 0, xanchor: 'left',
-        yanchor: far > 0 ? 'top' : 'bottom', yshift: (far > 0 ? -18 : 18) * notes.length, showarrow: false, bgcolor: css('--paper'),
-        font: {color: trace.line.color, size: 12}});
-    }
-    return notes.length ? {axis: {range}, notes} : {};
-  }
-
-  function turnsPlot(scene, runs, key, range) {
-    const r = 1e6 * scene.clearance;
-    const circle = {type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}};
-    const square = {automargin: false, constrain: 'domain'};
-    return {data: key === 'orbit' ? orbitTraces(runs, range) : relativeTraces(runs, range),
-      layout: layout({hovermode: 'closest', shapes: key === 'relative' && r > 0 ? [circle] : [],
-        xaxis: titled('x / µm', square), yaxis: titled('y / µm', {...square, scaleanchor: 'x'})})};
-  }
-  function timePlot(scene, runs, key, over, range) {
-    const impacts = over === 'impacts';
-    const data = impacts ? impactTraces(scene, key) : [...uncontrolledTraces(scene, key, range), ...timeTraces(runs, key, range)];
-    const height = key.endsWith('_force') ? heightFor(data) : {};
-    return {data, layout: layout({hovermode: impacts ? 'closest' : 'x unified', annotations: height.notes || [],
-      xaxis: axes({title: {text: 't / s', standoff: 6}, range: range.slice(), hoverformat: '.6f'}),
-      yaxis: axes(impacts ? {type: 'log', exponentformat: 'power', dtick: 1} : height.axis)})};
-  }
-
-  // hidden: labels of the runs that the reader has put away; width: px, of the plot.
-  function of(scene, runs, key, over, range, hidden, width) {
-    if (over === 'rotor') return page.rotor.of(scene.rotor, key, width);
-    if (page.whirl.keys.has(key)) return page.whirl.of(scene, key, range, hidden);
-    if (over === 'turns') return turnsPlot(scene, runs, key, range);
-    if (over === 'time' || over === 'impacts') return timePlot(scene, runs, key, over, range);
-    const law = over === 'law';
-    const titles = key === 'normal_law' ? ['before / (m/s)', 'after / (m/s)'] :
-      law ? ['slip after / (m/s)', 'tangential / (friction × normal)'] :
-        key === 'motor' ? ['speed / rpm', 'torque / N m'] : ['current / A', 'force / N'];
-    return {data: law ? impactTraces(scene, key) : pathTraces(scene, runs, key, range),
-      layout: layout({hovermode: 'closest', shapes: law ? lawShapes(scene, key) : [], xaxis: titled(titles[0]), yaxis: titled(titles[1])})};
-  }
-  return {of};
-})();
+// view: {scene, number, contact, runs}, at one of the scene's contacts. hidden: labels of the runs that the reader has
+// put away; width: px, of the plot.
+export function sceneFigure(view, key, over, range, hidden, width) {
+  if (over === 'rotor') return rotorFigure(view.scene.rotor, key, width);
+  if (isWhirl(key)) return whirlFigure(view.scene, key, range, hidden);
+  if (over === 'turns') return turnsPlot(view, key, range);
+  if (over === 'time' || over === 'impacts') return timePlot(view, key, over, range);
+  const law = over === 'law';
+  const titles = key === 'normal_law' ? ['before / (m/s)', 'after / (m/s)'] :
+    law ? ['slip after / (m/s)', 'tangential / (friction × normal)'] :
+      key === 'motor' ? ['speed / rpm', 'torque / N m'] : ['current / A', 'force / N'];
+  return {data: law ? impactTraces(view.runs, key) : pathTraces(view, key, range),
+    layout: layout({hovermode: 'closest', shapes: law ? lawShapes(view, key) : [], xaxis: titled(titles[0]), yaxis: titled(titles[1])})};
+}

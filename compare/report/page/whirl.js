@@ -1,69 +1,67 @@
 // Whirl as plotly takes it: full spectrum (forward above 0, backward below), waterfall, Poincaré points, and each
 // run's distance from the first.
-'use strict';
-page.whirl = (() => {
-  const {css, axes, layout, titled, shade, line, symbol} = page;
-  const low2high = ['#fcfdbf', '#feb078', '#f1605d', '#b73779', '#721f81', '#2c115f', '#000004'];
-  const trace = (side, x, y, more) => ({x, y, name: side.label, meta: side.label, type: 'scatter', mode: 'lines',
-    line: line(side.label), ...more});
-  const have = (scene, what) => [...scene.sides].reverse().filter((side) => side.whirl[what]);
+import {axes, css, decades, layout, line, scaleOfColours, shade, short, symbol, titled} from './style.js';
 
-  function spectrum(scene) {
-    const marks = [-1, 1].map((k) => ({type: 'line', x0: k * scene.spin, x1: k * scene.spin, y0: 0, y1: 1, yref: 'paper',
-      line: {color: css('--soft'), width: 1, dash: 'dash'}, layer: 'below'}));
-    return {data: have(scene, 'spectrum').map((side) => trace(side, side.whirl.spectrum.f, side.whirl.spectrum.y,
-      {hovertemplate: '%{x:.5g} Hz: %{y:.4g} µm<extra>' + side.label + '</extra>'})),
-    layout: layout({hovermode: 'closest', shapes: scene.spin ? marks : [],
-      annotations: scene.spin ? [-1, 1].map((k) => ({x: k * scene.spin, y: 1, yref: 'paper', yanchor: 'top', xshift: 16 * k, showarrow: false,
-        text: k > 0 ? '+1×' : '−1×', font: {size: 11, color: css('--soft')}})) : [],
-      xaxis: titled('backward   ←   whirl / Hz   →   forward'), yaxis: titled('µm', {type: 'log', exponentformat: 'power', dtick: 1})})};
-  }
+const low2high = ['#fcfdbf', '#feb078', '#f1605d', '#b73779', '#721f81', '#2c115f', '#000004'];
+const trace = (side, x, y, more) => ({x, y, name: side.label, meta: side.label, type: 'scatter', mode: 'lines',
+  line: line(side.label), ...more});
+const have = (scene, what) => [...scene.sides].reverse().filter((side) => side.whirl[what]);
 
-  // A pixel a cell, time upwards.
-  function picture(w) {
-    const canvas = document.createElement('canvas'), bytes = Uint8Array.from(atob(w.levels), (c) => c.charCodeAt(0));
-    canvas.width = w.columns;
-    canvas.height = w.rows;
-    const pen = canvas.getContext('2d'), image = pen.createImageData(w.columns, w.rows);
-    bytes.forEach((level, i) => {
-      const row = w.rows - 1 - Math.floor(i / w.columns);
-      image.data.set([...shade(level / 255, low2high), 255], 4 * (row * w.columns + (i % w.columns)));
-    });
-    pen.putImageData(image, 0, 0);
-    return canvas.toDataURL();
-  }
-  function waterfall(scene, hidden) {
-    const side = scene.sides.find((s) => s.whirl.waterfall && !hidden.has(s.label));
-    if (!side) return {data: [], layout: layout({})};
-    const w = side.whirl.waterfall, half = w.rows > 1 ? 0.5 * (w.t[1] - w.t[0]) / (w.rows - 1) : 0.5 * w.t[0];
-    const bottom = w.t[0] - half, top = w.t[1] + half;
-    const ticks = [0, 1, 2, 3, 4].map((k) => w.low + (k / 4) * (w.high - w.low));
-    return {data: [{x: [null], y: [null], type: 'scatter', mode: 'markers', showlegend: false, hoverinfo: 'skip',
-      marker: {color: [0], colorscale: page.scaleOfColours(low2high), cmin: w.low, cmax: w.high, showscale: true,
-        colorbar: {title: {text: 'µm'}, thickness: 12, outlinewidth: 0, tickvals: ticks, ticktext: ticks.map((v) => String(Number((10 ** v).toPrecision(2))))}}}],
-    layout: layout({hovermode: false, margin: {l: 56, r: 16, t: 24, b: 44},
-      images: [{source: picture(w), xref: 'x', yref: 'y', x: w.f[0], y: top, sizex: w.f[1] - w.f[0], sizey: top - bottom, sizing: 'stretch', layer: 'below'}],
-      annotations: [{text: side.label, xref: 'paper', yref: 'paper', x: 0, y: 1, xanchor: 'left', yanchor: 'bottom', showarrow: false, font: {color: css('--' + side.label), size: 12}}],
-      xaxis: titled('backward   ←   whirl / Hz   →   forward', {range: w.f.slice()}), yaxis: titled('t / s', {range: [bottom, top]})})};
-  }
+function spectrum(scene) {
+  const marks = [-1, 1].map((k) => ({type: 'line', x0: k * scene.spin, x1: k * scene.spin, y0: 0, y1: 1, yref: 'paper',
+    line: {color: css('--soft'), width: 1, dash: 'dash'}, layer: 'below'}));
+  return {data: have(scene, 'spectrum').map((side) => trace(side, side.whirl.spectrum.f, side.whirl.spectrum.y,
+    {hovertemplate: `%{x:.5g} Hz: %{y:.4g} µm<extra>${side.label}</extra>`})),
+  layout: layout({hovermode: 'closest', shapes: scene.spin ? marks : [],
+    annotations: scene.spin ? [-1, 1].map((k) => ({x: k * scene.spin, y: 1, yref: 'paper', yanchor: 'top', xshift: 16 * k, showarrow: false,
+      text: k > 0 ? '+1×' : '−1×', font: {size: 11, color: css('--soft')}})) : [],
+    xaxis: titled('backward   ←   whirl / Hz   →   forward'), yaxis: titled('µm', decades)})};
+}
 
-  function poincare(scene) {
-    return {data: have(scene, 'poincare').map((side) => ({...trace(side, side.whirl.poincare.x, side.whirl.poincare.y), mode: 'markers',
-      marker: {color: css('--' + side.label), size: side.label === 'native' ? 7 : 8, symbol: symbol(side.label), opacity: 0.8},
-      hovertemplate: '(%{x:.5g}, %{y:.5g}) µm<extra>' + side.label + '</extra>'})),
-    layout: layout({hovermode: 'closest', xaxis: titled('x / µm', {automargin: false, constrain: 'domain'}),
-      yaxis: titled('y / µm', {automargin: false, constrain: 'domain', scaleanchor: 'x'})})};
-  }
+// A pixel a cell, time upwards.
+function picture(w) {
+  const canvas = document.createElement('canvas'), bytes = Uint8Array.from(atob(w.levels), (c) => c.charCodeAt(0));
+  canvas.width = w.columns;
+  canvas.height = w.rows;
+  const pen = canvas.getContext('2d'), image = pen.createImageData(w.columns, w.rows);
+  bytes.forEach((level, i) => {
+    const row = w.rows - 1 - Math.floor(i / w.columns);
+    image.data.set([...shade(level / 255, low2high), 255], 4 * (row * w.columns + (i % w.columns)));
+  });
+  pen.putImageData(image, 0, 0);
+  return canvas.toDataURL();
+}
+function waterfall(scene, _range, hidden) {
+  const side = scene.sides.find((s) => s.whirl.waterfall && !hidden.has(s.label));
+  if (!side) return {data: [], layout: layout({})};
+  const w = side.whirl.waterfall, half = w.rows > 1 ? 0.5 * (w.t[1] - w.t[0]) / (w.rows - 1) : 0.5 * w.t[0];
+  const bottom = w.t[0] - half, top = w.t[1] + half;
+  const ticks = [0, 1, 2, 3, 4].map((k) => w.low + (k / 4) * (w.high - w.low));
+  return {data: [{x: [null], y: [null], type: 'scatter', mode: 'markers', showlegend: false, hoverinfo: 'skip',
+    marker: {color: [0], colorscale: scaleOfColours(low2high), cmin: w.low, cmax: w.high, showscale: true,
+      colorbar: {title: {text: 'µm'}, thickness: 12, outlinewidth: 0, tickvals: ticks, ticktext: ticks.map((v) => short(10 ** v, 2))}}}],
+  layout: layout({hovermode: false, margin: {l: 56, r: 16, t: 24, b: 44},
+    images: [{source: picture(w), xref: 'x', yref: 'y', x: w.f[0], y: top, sizex: w.f[1] - w.f[0], sizey: top - bottom, sizing: 'stretch', layer: 'below'}],
+    annotations: [{text: side.label, xref: 'paper', yref: 'paper', x: 0, y: 1, xanchor: 'left', yanchor: 'bottom', showarrow: false, font: {color: css(`--${side.label}`), size: 12}}],
+    xaxis: titled('backward   ←   whirl / Hz   →   forward', {range: w.f.slice()}), yaxis: titled('t / s', {range: [bottom, top]})})};
+}
 
-  function residual(scene, range) {
-    return {data: have(scene, 'residual').map((side) => trace(side, side.whirl.residual.t, side.whirl.residual.y.map((y) => y || null),
-      {hovertemplate: '%{y:.4g} µm<extra>' + side.label + '</extra>'})),
-    layout: layout({hovermode: 'x unified', xaxis: axes({title: {text: 't / s', standoff: 6}, range: range.slice(), hoverformat: '.6f'}),
-      yaxis: axes({type: 'log', exponentformat: 'power', dtick: 1})})};
-  }
+function poincare(scene) {
+  return {data: have(scene, 'poincare').map((side) => ({...trace(side, side.whirl.poincare.x, side.whirl.poincare.y), mode: 'markers',
+    marker: {color: css(`--${side.label}`), size: side.label === 'native' ? 7 : 8, symbol: symbol(side.label), opacity: 0.8},
+    hovertemplate: `(%{x:.5g}, %{y:.5g}) µm<extra>${side.label}</extra>`})),
+  layout: layout({hovermode: 'closest', xaxis: titled('x / µm', {automargin: false, constrain: 'domain'}),
+    yaxis: titled('y / µm', {automargin: false, constrain: 'domain', scaleanchor: 'x'})})};
+}
 
-  const keys = new Set(['spectrum', 'waterfall', 'poincare', 'residual']);
-  const of = (scene, key, range, hidden) => (key === 'spectrum' ? spectrum(scene) : key === 'waterfall' ? waterfall(scene, hidden) :
-    key === 'poincare' ? poincare(scene) : residual(scene, range));
-  return {keys, of};
-})();
+function residual(scene, range) {
+  return {data: have(scene, 'residual').map((side) => trace(side, side.whirl.residual.t, side.whirl.residual.y.map((y) => y || null),
+    {hovertemplate: `%{y:.4g} µm<extra>${side.label}</extra>`})),
+  layout: layout({hovermode: 'x unified', xaxis: axes({title: {text: 't / s', standoff: 6}, range: range.slice(), hoverformat: '.6f'}),
+    yaxis: axes(decades)})};
+}
+
+const figures = {spectrum, waterfall, poincare, residual};
+export const isWhirl = (key) => key in figures;
+// hidden: labels of the runs that are put away; range: of time.
+export const whirlFigure = (scene, key, range, hidden) => figures[key](scene, range, hidden);

@@ -170,7 +170,7 @@ TEST(ModesPage, HoldsAllItNeeds) {
   EXPECT_EQ(page.find("@import"), std::string::npos);
   EXPECT_EQ(page.find("{{"), std::string::npos) << "every name of the template filled";
   EXPECT_EQ(json::parse(part(page, "type=\"application/json\">", "</script>")),
-            plots_of(friswell()));
+            json({{"rotor", plots_of(friswell())}}));
 }
 
 TEST(ModesPage, SaysWhatTheModelSays) {

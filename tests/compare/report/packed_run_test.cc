@@ -3,12 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "compare/engine/engine.h"
+#include "compare/report/plots.h"
 #include "compare/report/rig_values.h"
 #include "compare/study/scene_comparison.h"
+#include "native_model/scene/reader.h"
+#include "native_model/trajectory/columns.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/native_run.h"
 
@@ -38,7 +43,10 @@ Packed packed_run(const Engine& engine, const scene::Scene& scene) {
   return packed(scene, engine.run(scene, request));
 }
 
-void expect_places(const Packed& p, const std::string& track, const char* x, const char* y) {
+std::string of(std::size_t contact, const char* name) { return column_of_contact(contact, name); }
+
+void expect_places(const Packed& p, const std::string& track, const std::string& x,
+                   const std::string& y) {
   const UnpackedTrack unpacked(p.tracks.at(track));
   const auto& t = p.run.column("t");
   double worst = 0.0;
@@ -94,33 +102,38 @@ void expect_shaft(const Packed& p) {
   EXPECT_LE(std::sqrt(worst), kPlaceTolerance * kRound);
 }
 
-void expect_gap(const Packed& p) {
-  const UnpackedTrack unpacked(p.tracks.at("gap"));
-  const double least = std::min(30e-9, 6e-5 * p.scene.first().contact->clearance);
+void expect_gap(const Packed& p, std::size_t contact = 0) {
+  const UnpackedTrack unpacked(p.tracks.at(of(contact, "gap")));
+  const double least = std::min(30e-9, 6e-5 * p.scene.auxiliary[contact].contact->clearance);
   const auto& t = p.run.column("t");
   for (std::size_t i = 0; i < t.size(); ++i) {
-    const double gap = p.run.column("gap")[i];
+    const double gap = p.run.column(of(contact, "gap"))[i];
     ASSERT_NEAR(unpacked.at(t[i], 0), gap, std::max(least, 0.01 * std::abs(gap)) * kRound) << t[i];
   }
 }
 
-void expect_modes(const Packed& p) {
-  const UnpackedTrack unpacked(p.tracks.at("mode"));
+void expect_modes(const Packed& p, std::size_t contact) {
+  const UnpackedTrack unpacked(p.tracks.at(of(contact, "mode")));
   const auto& t = p.run.column("t");
   for (std::size_t i = 0; i < t.size(); ++i)
-    ASSERT_EQ(unpacked.at(t[i], 0), p.run.column("mode")[i]) << t[i];
+    ASSERT_EQ(unpacked.at(t[i], 0), p.run.column(of(contact, "mode"))[i]) << t[i];
 }
 
 void expect_all(const Packed& p) {
-  expect_places(p, "rotor", "rotor_x", "rotor_y");
-  if (p.scene.first().stator) expect_places(p, "ring", "stator_x", "stator_y");
   if (p.scene.rotor.geometry) expect_shaft(p);
-  expect_gap(p);
-  expect_modes(p);
-  expect_forces(p, "normal", {"normal_force"});
-  expect_forces(p, "friction", {"friction_force"});
-  if (p.run.has("control_x")) expect_forces(p, "control", {"control_x", "control_y"});
-  if (p.run.has("current_1")) expect_forces(p, "current", {"current_1", "current_2"});
+  for (std::size_t k = 0; k < p.scene.auxiliary.size(); ++k) {
+    expect_places(p, of(k, "rotor"), of(k, "rotor_x"), of(k, "rotor_y"));
+    if (p.scene.auxiliary[k].stator)
+      expect_places(p, of(k, "ring"), of(k, "stator_x"), of(k, "stator_y"));
+    expect_gap(p, k);
+    expect_modes(p, k);
+    expect_forces(p, of(k, "normal"), {of(k, "normal_force")});
+    expect_forces(p, of(k, "friction"), {of(k, "friction_force")});
+    if (p.run.has(of(k, "control_x")))
+      expect_forces(p, of(k, "control"), {of(k, "control_x"), of(k, "control_y")});
+    if (p.run.has(of(k, "current_1")))
+      expect_forces(p, of(k, "current"), {of(k, "current_1"), of(k, "current_2")});
+  }
 }
 
 std::size_t bytes(const PackedRun& tracks) {
@@ -137,6 +150,52 @@ TEST(PackedRun, KeepsABouncingRotor) {
   expect_all(p);
   EXPECT_LT(bytes(p.tracks), p.run.rows() * p.run.series.size() * 8 / 20)
       << "a twentieth of the rows";
+}
+
+scene::Scene two_catchers(const std::vector<std::string>& overrides = {}) {
+  return scene::read_scene(
+      std::string(ROTORUB_SOURCE_DIR) + "/tests/compare/engine/two_catchers.toml", overrides);
+}
+
+// Each of two contacts has its places, its gap and its impacts, and none of the other's.
+TEST(PackedRun, KeepsEachContact) {
+  const scene::Scene scene = two_catchers();
+  const Packed p = packed_run(*native_engine(scene::Integrator::kEvent), scene);
+  expect_all(p);
+  const UnpackedTrack first(p.tracks.at("gap")), second(p.tracks.at("contact2_gap"));
+  for (const Impact& impact : p.run.impacts) {
+    if (!counts(impact)) continue;
+    EXPECT_NEAR((impact.contact == 0 ? first : second).at(impact.t, 0), 0.0, 1e-7) << impact.t;
+  }
+  const auto counted = [&](int contact) {
+    return static_cast<std::size_t>(
+        std::count_if(p.run.impacts.begin(), p.run.impacts.end(), [&](const Impact& i) {
+          return counts(i) && i.normal_impulse > 0.0 && i.contact == contact;
+        }));
+  };
+  ASSERT_GT(std::min(counted(0), counted(1)), 5U);
+  EXPECT_EQ(p.tracks.at("impacts").knots, counted(0));
+  EXPECT_EQ(p.tracks.at("contact2_impacts").knots, counted(1));
+  const nlohmann::json contacts = contacts_values(p.scene, p.machine);
+  ASSERT_EQ(contacts.size(), 2U);
+  EXPECT_EQ(contacts[1].at("name"), "free end");
+  EXPECT_DOUBLE_EQ(contacts[1].at("clearance"), 0.25e-3);
+  EXPECT_NEAR(contacts[1].at("z").get<double>(), 0.5 / 0.6, 1e-12) << "of the shaft's length";
+}
+
+// Its plots stand once for each contact, with its name, and those of the whole run once.
+TEST(PackedRun, PlotsOfEachContactAreNamed) {
+  const scene::Scene scene = two_catchers({"run.end=0.02"});
+  const Trajectory run = native_engine(scene::Integrator::kEvent)->run(scene, {});
+  const nlohmann::json live = live_values({&scene, {{"native", &run}}, nullptr});
+  std::map<std::string, std::vector<std::string>> where;
+  for (const auto& plot : live.at("plots")) where[plot.at("key")].push_back(plot.at("where"));
+  const std::vector<std::string> both{"contact drive end", "contact free end"};
+  for (const char* key : {"gap", "normal_force", "impacts", "friction_law", "relative"})
+    EXPECT_EQ(where[key], both) << key;
+  EXPECT_EQ(where["spin"], std::vector<std::string>{""});
+  EXPECT_EQ(live.at("contacts").size(), 2U);
+  EXPECT_EQ(live.at("several"), true);
 }
 
 // A controlled ring, and the cone's chatter: forces that are there for a step at a time.
@@ -231,8 +290,11 @@ TEST(PackedRun, HasNothingThatTheSceneHasNot) {
     EXPECT_FALSE(p.tracks.contains(name)) << name;
   }
   const nlohmann::json rig = rig_values(p.scene, p.machine);
-  EXPECT_FALSE(rig.at("ring_moves"));
-  EXPECT_FALSE(rig.at("actuators"));
+  const nlohmann::json contacts = contacts_values(p.scene, p.machine);
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(contacts[0].at("name"), "") << "the only one";
+  EXPECT_FALSE(contacts[0].at("ring_moves"));
+  EXPECT_FALSE(contacts[0].at("actuators"));
   EXPECT_TRUE(rig.at("motor").is_null());
   EXPECT_TRUE(rig.at("bearings").empty());
   EXPECT_TRUE(rig.at("magnetic_bearing").is_null());

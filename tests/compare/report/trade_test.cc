@@ -46,7 +46,7 @@ TEST(Trade, IsOfTheLastFifth) {
 
 TEST(Characteristics, AreTheLawsOwn) {
   const scene::Scene magnetic = figure_scene("paper_magnetic");
-  const nlohmann::json curves = actuator_curves(magnetic);
+  const nlohmann::json curves = actuator_curves(magnetic, 0);
   ASSERT_EQ(curves.size(), 5U);
   // F(0, i) = 4 k_m i_0 i / s_0^2 in the middle, exactly linear there.
   const double slope = 4.0 * 416.7e-6 * 3.0 / (5e-3 * 5e-3);
@@ -55,7 +55,7 @@ TEST(Characteristics, AreTheLawsOwn) {
     EXPECT_NEAR(curves[2]["y"][k].get<double>(), slope * i, 1e-3) << i;
   }
   EXPECT_EQ(curves[2]["x"].back(), 3.0);
-  EXPECT_TRUE(actuator_curves(figure_scene("paper_passive")).empty());
+  EXPECT_TRUE(actuator_curves(figure_scene("paper_passive"), 0).empty());
   const nlohmann::json motor = motor_curve(magnetic, 300.0, 320.0);
   const double target = 100.0 * std::numbers::pi;
   EXPECT_NEAR(motor["y"].front().get<double>(), 0.5 * (target - 300.0), 1e-4);
@@ -72,7 +72,7 @@ TEST(ImpactPlots, LieOnTheLawsThatTheyAreOf) {
   options.modes_ladder = false;
   const SceneComparison c = compare_scene(figure_scene("bench_ring", {"run.end=0.012"}), options);
   EXPECT_FALSE(c.uncontrolled) << "no controller";
-  const nlohmann::json impacts = plot_data(shown_runs(c))["sides"][0]["impacts"];
+  const nlohmann::json impacts = plot_data(shown_runs(c))["sides"][0]["impacts"][0];
   ASSERT_GE(impacts["t"].size(), 4U);
   for (std::size_t k = 0; k < impacts["t"].size(); ++k) {
     EXPECT_GT(impacts["slip"][k].get<double>(), 0.0);
@@ -83,8 +83,8 @@ TEST(ImpactPlots, LieOnTheLawsThatTheyAreOf) {
                 1e-4 * impacts["y"][k].get<double>());
   }
   std::string kinds;
-  for (const PlotKind& kind : plot_kinds(shown_runs(c)))
-    kinds += std::string(kind.key) + ":" + to_string(kind.over) + " ";
+  for (const ShownPlot& plot : plot_kinds(shown_runs(c)))
+    kinds += std::string(plot.kind->key) + ":" + plot.kind->over + " ";
   EXPECT_NE(kinds.find("friction_law:law"), std::string::npos) << kinds;
   EXPECT_NE(kinds.find("motor:path"), std::string::npos) << kinds;
   EXPECT_EQ(kinds.find("actuator:"), std::string::npos) << kinds;

@@ -1,44 +1,35 @@
 // The figures beside the pictures, of one instant, with their units.
-'use strict';
-page.Readings = (() => {
-  const {units} = page;
-  const pair = (values, unit) => values.map(unit).join(', ');
-  // Name and text of each; null where the run does not have it. Signs as in the series: see the page's plots.
-  const kinds = [
-    ['gap', (p, run) => p.gap === null ? null : units.gap(p.gap, run.finest)],
-    ['gap rate', (p) => p.gapRate === null ? null : units.speed(Math.abs(p.gapRate) < 1e-6 ? 0 : p.gapRate)],
-    ['force, a sample', (p) => p.force === null ? null : units.force(p.force)],
-    ['normal force', (p) => p.normal === null ? null : units.force(p.normal)],
-    ['friction force', (p) => p.friction === null ? null : units.force(p.friction)],
-    ['last impact', (p, run) => {
-      const k = run.impactsUntil(p.t);
-      return run.has('impacts') ? k > 0 ? units.impulse(run.impacts[k - 1].normal) : 'none yet' : null;
-    }],
-    ['control x, y', (p) => p.control && pair(p.control, units.force)],
-    ['current 1, 2', (p) => p.current && pair(p.current, units.current)],
-    ['spin', (p) => p.speed === null ? null : units.rpm(p.speed)],
-    ['ring’s spin', (p, run) => run.has('ring_speed') ? units.rpm(run.value('ring_speed', p.t)) : null],
-    ['rotor x, y', (p) => pair(p.rotor, units.length)],
-  ];
+import {units} from './units.js';
 
-  class Readings {
-    constructor(places) { this.places = places; }
-    show(shown) {
-      shown.forEach(({run, pose}, k) => {
-        const rows = !run.within(pose.t) ? [] : kinds.map(([name, text]) => [name, text(pose, run)]).filter(([, text]) => text !== null);
-        const list = this.places[k].querySelector('.readings');
-        if (list.children.length !== rows.length) {
-          list.innerHTML = rows.map(([name]) => `<div><dt>${name}</dt><dd></dd></div>`).join('');
-        }
-        rows.forEach(([name, text], r) => {
-          list.children[r].firstChild.textContent = name;
-          list.children[r].lastChild.textContent = text;
-        });
-        const mode = this.places[k].querySelector('.mode');
-        mode.textContent = !run.within(pose.t) ? 'no samples here' : pose.t > run.end + 1e-12 ? 'ended at ' + units.time(run.end) : pose.mode || '';
-        mode.className = 'mode ' + (pose.mode || '');
-      });
-    }
-  }
-  return Readings;
-})();
+const pair = (values, unit) => values.map(unit).join(', ');
+// Name and text of each; null where the run does not have it. Signs as in the series: see the page's plots. What is
+// not of a contact stands beside the first one alone.
+const kinds = [
+  ['gap', (p, run) => p.gap === null ? null : units.gap(p.gap, run.finest)],
+  ['gap rate', (p) => p.gapRate === null ? null : units.speed(Math.abs(p.gapRate) < 1e-6 ? 0 : p.gapRate)],
+  ['force, a sample', (p) => p.force === null ? null : units.force(p.force)],
+  ['normal force', (p) => p.normal === null ? null : units.force(p.normal)],
+  ['friction force', (p) => p.friction === null ? null : units.force(p.friction)],
+  ['last impact', (p, run) => {
+    const k = run.impactsUntil(p.t);
+    return run.has('impacts') ? k > 0 ? units.impulse(run.impacts[k - 1].normal) : 'none yet' : null;
+  }],
+  ['control x, y', (p) => p.control && pair(p.control, units.force)],
+  ['current 1, 2', (p) => p.current && pair(p.current, units.current)],
+  ['spin', (p, run) => p.speed === null || run.number > 0 ? null : units.rpm(p.speed)],
+  ['ring’s spin', (p, run) => run.has('ring_speed') ? units.rpm(run.value('ring_speed', p.t)) : null],
+  ['rotor x, y', (p) => pair(p.rotor, units.length)],
+];
+
+// Of a run at one of its contacts. places: {list, mode}, the elements.
+export function showReadings({list, mode}, run, pose) {
+  const inside = run.within(pose.t);
+  const rows = !inside ? [] : kinds.map(([name, text]) => [name, text(pose, run)]).filter(([, text]) => text !== null);
+  if (list.children.length !== rows.length) list.innerHTML = rows.map(([name]) => `<div><dt>${name}</dt><dd></dd></div>`).join('');
+  rows.forEach(([name, text], r) => {
+    list.children[r].firstChild.textContent = name;
+    list.children[r].lastChild.textContent = text;
+  });
+  mode.textContent = !inside ? 'no samples here' : pose.t > run.end + 1e-12 ? `ended at ${units.time(run.end)}` : pose.mode || '';
+  mode.className = `mode ${pose.mode || ''}`;
+}

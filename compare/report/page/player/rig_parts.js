@@ -1,9 +1,11 @@
-// The bodies of the rig, each as the scene gives it, and how they follow a pose.
-'use strict';
-page.rigParts = (values, {sides, cut}) => {
+// The bodies of the rig, each as the scene gives it, and how they follow the poses at its contacts.
+import * as THREE from 'three';
+
+// values, contacts: of the scene's data.
+export function rigParts(values, contacts, {sides, cut}) {
   const group = new THREE.Group(), painted = [], followers = [];
-  const {unit, z: stations, span_radius: radii, contact} = values;
-  const clearance = values.clearance * unit * values.magnification;
+  const {unit, z: stations, span_radius: radii} = values;
+  const bores = contacts.map((contact) => contact.drawn_radius + contact.clearance * unit * values.magnification);
 
   function body(geometry, color) {
     const material = new THREE.MeshLambertMaterial({side: THREE.DoubleSide});
@@ -90,7 +92,7 @@ page.rigParts = (values, {sides, cut}) => {
     turning.add(body(annulus(0.45 * radius, 1.01 * radius, 1.02 * half, [-0.16, 0.16]), '--mark'));
     group.add(turning);
     const axis = new THREE.Vector3(), x = new THREE.Vector3(1, 0, 0), tilt = new THREE.Quaternion(), spin = new THREE.Quaternion();
-    followers.push((line, pose) => {
+    followers.push((line, [pose]) => {
       const {place, slope} = lineAt(line, station);
       turning.position.set(station, place[0], place[1]);
       tilt.setFromUnitVectors(x, axis.set(1, slope[0], slope[1]).normalize());
@@ -99,13 +101,13 @@ page.rigParts = (values, {sides, cut}) => {
   }
   values.discs.forEach((disc) => {
     // A disc at the contact's station is the body that touches, drawn as that.
-    if (contact && Math.abs(disc.z - contact.z) < 1e-3 && disc.radius < 1.2 * contact.radius) return;
+    if (contacts.some((contact) => Math.abs(disc.z - contact.z) < 1e-3 && disc.radius < 1.2 * contact.drawn_radius)) return;
     onShaft(disc.z, disc.radius, disc.half_width, '--disc');
   });
-  if (contact) onShaft(contact.z, contact.radius, 1.25 * contact.half_width, '--rotor-body');
+  for (const contact of contacts) onShaft(contact.z, contact.drawn_radius, 1.25 * contact.half_width, '--rotor-body');
 
   // -------------------------------------------------- what holds it
-  const floor = Math.min(-0.16, ...values.discs.map((d) => -d.radius - 0.03), contact ? -contact.radius * 1.5 - clearance - 0.05 : 0);
+  const floor = Math.min(-0.16, ...values.discs.map((d) => -d.radius - 0.03), ...contacts.map(({drawn_radius: radius}, c) => -bores[c] - 0.5 * radius - 0.05), 0);
   values.bearings.forEach((station) => {
     const bore = 1.08 * Math.max(...radii);
     const ring = body(annulus(bore, 2.3 * bore, 0.016), '--housing');
@@ -130,30 +132,27 @@ page.rigParts = (values, {sides, cut}) => {
     group.add(magnet);
   }
 
-  // -------------------------------------------------- the ring, and the two axes that its actuators push along
-  if (contact) {
-    const bore = contact.radius + clearance, outer = bore + 0.45 * contact.radius;
+  // -------------------------------------------------- each ring, and the two axes that its actuators push along
+  contacts.forEach((contact, c) => {
+    const bore = bores[c], outer = bore + 0.45 * contact.drawn_radius;
     const ring = new THREE.Group();
     ring.add(body(annulus(bore, outer, contact.half_width, cut), '--ring-body'));
-    const mark = values.ring_turns ? body(annulus(bore, 1.01 * outer, 1.03 * contact.half_width, [-0.1, 0.1]), '--mark') : null;
+    const mark = contact.ring_turns ? body(annulus(bore, 1.01 * outer, 1.03 * contact.half_width, [-0.1, 0.1]), '--mark') : null;
     if (mark) ring.add(mark);
-    const push = [1.25 * Math.PI, 1.75 * Math.PI].map((angle) =>
+    const push = !contact.actuators ? [] : [1.25 * Math.PI, 1.75 * Math.PI].map((angle) =>
       ({angle, rod: body(new THREE.CylinderGeometry(0.006, 0.006, 0.07, 12).rotateX(angle), '--copper')}));
-    if (values.actuators) push.forEach(({rod}) => group.add(rod));
-    group.add(ring);
-    followers.push((line, pose, scale) => {
-      ring.position.set(contact.z, scale * pose.ring[0], scale * pose.ring[1]);
-      if (mark) mark.rotation.x = pose.ringSpin || 0;
-      push.forEach(({rod, angle}) => {
-        rod.position.set(contact.z, (outer + 0.035) * Math.cos(angle) + scale * pose.ring[0],
-          (outer + 0.035) * Math.sin(angle) + scale * pose.ring[1]);
-      });
+    group.add(ring, ...push.map(({rod}) => rod));
+    followers.push((_line, poses, scale) => {
+      const [y, z] = poses[c].ring.map((place) => scale * place);
+      ring.position.set(contact.z, y, z);
+      if (mark) mark.rotation.x = poses[c].ringSpin || 0;
+      for (const {rod, angle} of push) rod.position.set(contact.z, (outer + 0.035) * Math.cos(angle) + y, (outer + 0.035) * Math.sin(angle) + z);
     });
-  }
+  });
 
   return {
     group,
-    pose: (line, pose, scale) => followers.forEach((follow) => follow(line, pose, scale)),
-    paint: (css) => painted.forEach(({material, color}) => material.color.set(css(color))),
+    pose: (line, poses, scale) => { for (const follow of followers) follow(line, poses, scale); },
+    paint: (css) => { for (const {material, color} of painted) material.color.set(css(color)); },
   };
-};
+}

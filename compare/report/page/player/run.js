@@ -1,129 +1,147 @@
-// A run as the pictures ask for it: where everything is at a time, its impacts, its force scales.
-'use strict';
-page.Run = (() => {
-  const {Track} = page.tracks;
-  const kModes = ['free', 'slide', 'stick'];
+// A run as the pictures ask for it at one contact: where everything is at a time, its impacts, its force scales.
+import {countUntil} from '../scales.js';
+import {Track} from './tracks.js';
 
-  class Run {
-    constructor(side, scene) {
-      this.label = side.label;
-      this.status = side.status;
-      this.measured = Boolean(side.measured);
-      this.holes = side.holes || {};
-      this.absent = side.absent || '';
-      this.clearance = scene.clearance;
-      this.finest = scene.rig ? scene.rig.gap_tolerance : 0;
-      this.tracks = {};
-      for (const [name, packed] of Object.entries(side.tracks)) this.tracks[name] = new Track(packed);
-      // A ring that does not move is where it is without being measured.
-      this.ringKnown = !this.measured || 'ring' in this.tracks || Boolean(scene.rig && !scene.rig.ring_moves);
-      this.start = this.tracks.rotor ? this.tracks.rotor.time(0) : 0;
-      this.end = this.tracks.rotor ? this.tracks.rotor.time(this.tracks.rotor.knots - 1) : 0;
-      this.bends = [];
-      for (let k = 1; this.tracks['bend_' + k]; ++k) this.bends.push(this.tracks['bend_' + k]);
-    }
+const kModes = ['free', 'slide', 'stick'];
+// What a run has of each contact; of the further ones the names begin with contact2_, contact3_, ...
+const kOfEach = ['rotor', 'ring', 'gap', 'normal', 'friction', 'force', 'mode', 'impacts', 'control', 'current', 'ring_spin', 'ring_speed'];
 
-    // Whether there is anything of the rotor at t: a record may begin late, end early, and have holes.
-    within(t) {
-      if (!this.measured) return true;
-      return t >= this.start - 1e-9 && t <= this.end + 1e-9 && !(this.holes.rotor || []).some(([from, to]) => t > from && t < to);
-    }
-    has(name) { return name in this.tracks; }
-    value(name, t, c = 0) { return this.has(name) ? this.tracks[name].at(t, c) : null; }
-    pair(name, t) { return this.has(name) ? [this.tracks[name].at(t, 0), this.tracks[name].at(t, 1)] : null; }
+// The tracks as the contact of this number (from 0) has them.
+export function tracksAt(tracks, number) {
+  if (number === 0) return tracks;
+  const shared = Object.entries(tracks).filter(([name]) => !kOfEach.includes(name));
+  const own = kOfEach.map((name) => [name, tracks[`contact${number + 1}_${name}`]]).filter(([, track]) => track);
+  return Object.fromEntries([...shared, ...own]);
+}
 
-    // All of one instant, SI; null for what the run does not have. e: from the ring's centre to the rotor's, of length
-    // 1 (0, 0 where they coincide). The rotor's place in the ring follows the gap, which is the finer of the two.
-    pose(t) {
-      const ring = this.pair('ring', t) || [0, 0];
-      let rotor = this.pair('rotor', t);
-      const d = [rotor[0] - ring[0], rotor[1] - ring[1]], delta = Math.hypot(d[0], d[1]);
-      const e = delta > 0 ? [d[0] / delta, d[1] / delta] : [0, 0];
-      const gap = this.value('gap', t);
-      if (gap !== null && delta > 0 && !this.measured) {
-        const radius = this.clearance - gap;
-        rotor = [ring[0] + radius * e[0], ring[1] + radius * e[1]];
-      }
-      return {t, ring, rotor, e, angle: Math.atan2(d[1], d[0]), gap,
-        gapRate: this.has('gap') && !this.measured ? this.tracks.gap.rate(t) : null,
-        spin: this.value('spin', t), speed: this.value('spin_speed', t), ringSpin: this.value('ring_spin', t),
-        force: this.value('force', t), normal: this.value('normal', t), friction: this.value('friction', t),
-        mode: this.has('mode') ? kModes[Math.round(this.value('mode', t))] : null,
-        control: this.pair('control', t), current: this.pair('current', t)};
-    }
+// Of a side of the scene: at its first contact; `contacts` has it at each.
+export function runOf(side, scene) {
+  const tracks = Object.fromEntries(Object.entries(side.tracks).map(([name, packed]) => [name, new Track(packed)]));
+  const contacts = scene.contacts.map((contact, number) => new Run(side, contact, number, tracks));
+  for (const run of contacts) run.contacts = contacts;
+  return contacts[0];
+}
 
-    // {t, normal, friction, angle}, of every impact that counts, in order of time.
-    get impacts() {
-      if (!this.strikes) {
-        const track = this.tracks.impacts;
-        this.strikes = [];
-        for (let k = 0; track && k < track.knots; ++k) {
-          const t = track.time(k);
-          this.strikes.push({t, normal: track.values[0][k], friction: track.values[1][k], angle: this.pose(t).angle});
-        }
-      }
-      return this.strikes;
-    }
-    // How many impacts are at or before t.
-    impactsUntil(t) {
-      const all = this.impacts;
-      let low = 0, high = all.length;
-      while (low < high) {
-        const middle = (low + high) >> 1;
-        if (all[middle].t <= t) low = middle + 1; else high = middle;
-      }
-      return low;
-    }
-    get largestImpulse() { return this.impacts.reduce((most, i) => Math.max(most, i.normal), 0); }
-    // Times of the first impact and of those above a fifth of the largest; a tick after, where the rebound has begun.
-    get hardImpacts() {
-      const least = 0.2 * this.largestImpulse, tick = this.tracks.gap ? 2 * this.tracks.gap.packed.tick : 0;
-      return this.impacts.filter((i, k) => k === 0 || i.normal >= least).map((i) => i.t + tick);
-    }
-
-    // The force that 95 % of the knots in contact do not exceed, and the greatest of all.
-    get forces() {
-      if (!this.scale) {
-        const track = this.tracks.normal;
-        if (track) track.unpack();
-        const all = track ? Array.from(track.values[0]).filter((f) => f > 0).sort((a, b) => a - b) : [];
-        this.scale = {usual: all.length ? all[Math.floor(0.95 * (all.length - 1))] : 0, most: all.length ? all[all.length - 1] : 0};
-      }
-      return this.scale;
-    }
-    // Of control or current: the greatest length.
-    largest(name) {
-      const track = this.tracks[name];
-      if (!track) return 0;
-      track.unpack();
-      let most = 0;
-      for (let k = 0; k < track.knots; ++k) most = Math.max(most, Math.hypot(track.values[0][k], track.values[1][k]));
-      return most;
-    }
-
-    // Places of the rotor's centre from t - span to t, oldest first; n + 1 of them.
-    trail(t, span, n) {
-      const from = Math.max(t - span, this.tracks.rotor.time(0)), points = [];
-      for (let k = 0; k <= n; ++k) points.push(this.pose(from + (t - from) * k / n));
-      return points.filter((p) => this.within(p.t));
-    }
-
-    // Times in (from, to] at which the mark on the rotor passes +x: the keyphasor's pulses.
-    pulses(from, to) {
-      if (!this.has('spin')) return [];
-      const turn = 2 * Math.PI, spin = this.tracks.spin, times = [];
-      let a = from, fa = spin.at(from) / turn;
-      const steps = 200;
-      for (let k = 1; k <= steps; ++k) {
-        const b = from + (to - from) * k / steps, fb = spin.at(b) / turn;
-        if (Math.floor(fa) !== Math.floor(fb)) {
-          const whole = fb > fa ? Math.floor(fb) : Math.floor(fa);
-          times.push(a + (b - a) * (whole - fa) / (fb - fa));
-        }
-        a = b; fa = fb;
-      }
-      return times;
-    }
+export class Run {
+  constructor(side, contact, number, tracks) {
+    this.label = side.label;
+    this.status = side.status;
+    this.measured = Boolean(side.measured);
+    this.holes = side.holes || {};
+    this.absent = side.absent || '';
+    this.clearance = contact.clearance;
+    this.finest = contact.gap_tolerance;
+    this.number = number;
+    this.points = side.impacts[number];
+    this.tracks = tracksAt(tracks, number);
+    // A ring that does not move is where it is without being measured.
+    this.ringKnown = !this.measured || 'ring' in this.tracks || !contact.ring_moves;
+    this.start = this.tracks.rotor ? this.tracks.rotor.time(0) : 0;
+    this.end = this.tracks.rotor ? this.tracks.rotor.time(this.tracks.rotor.knots - 1) : 0;
+    this.bends = [];
+    for (let k = 1; this.tracks[`bend_${k}`]; ++k) this.bends.push(this.tracks[`bend_${k}`]);
   }
-  return Run;
-})();
+
+  // Whether there is anything of the rotor at t: a record may begin late, end early, and have holes.
+  within(t) {
+    if (!this.has('rotor') || !this.measured) return this.has('rotor');
+    return t >= this.start - 1e-9 && t <= this.end + 1e-9 && !(this.holes.rotor || []).some(([from, to]) => t > from && t < to);
+  }
+  has(name) { return name in this.tracks; }
+  value(name, t, c = 0) { return this.has(name) ? this.tracks[name].at(t, c) : null; }
+  pair(name, t) { return this.has(name) ? [this.tracks[name].at(t, 0), this.tracks[name].at(t, 1)] : null; }
+
+  // All of one instant, SI; null for what the run does not have. e: from the ring's centre to the rotor's, of length
+  // 1 (0, 0 where they coincide). The rotor's place in the ring follows the gap, which is the finer of the two.
+  pose(t) {
+    const ring = this.pair('ring', t) || [0, 0];
+    let rotor = this.pair('rotor', t) || ring;
+    const d = [rotor[0] - ring[0], rotor[1] - ring[1]], delta = Math.hypot(d[0], d[1]);
+    const e = delta > 0 ? [d[0] / delta, d[1] / delta] : [0, 0];
+    const gap = this.value('gap', t);
+    if (gap !== null && delta > 0 && !this.measured) {
+      const radius = this.clearance - gap;
+      rotor = [ring[0] + radius * e[0], ring[1] + radius * e[1]];
+    }
+    return {t, ring, rotor, e, angle: Math.atan2(d[1], d[0]), gap,
+      gapRate: this.has('gap') && !this.measured ? this.tracks.gap.rate(t) : null,
+      spin: this.value('spin', t), speed: this.value('spin_speed', t), ringSpin: this.value('ring_spin', t),
+      force: this.value('force', t), normal: this.value('normal', t), friction: this.value('friction', t),
+      mode: this.has('mode') ? kModes[Math.round(this.value('mode', t))] : null,
+      control: this.pair('control', t), current: this.pair('current', t)};
+  }
+
+  // {t, normal, friction, angle}, of every impact that counts, in order of time.
+  get impacts() {
+    if (!this.strikes) {
+      const track = this.tracks.impacts;
+      this.strikes = [];
+      for (let k = 0; track && k < track.knots; ++k) {
+        const t = track.time(k);
+        this.strikes.push({t, normal: track.values[0][k], friction: track.values[1][k], angle: this.pose(t).angle});
+      }
+    }
+    return this.strikes;
+  }
+  // How many impacts are at or before t.
+  impactsUntil(t) { return countUntil(this.impacts, t, (impact) => impact.t); }
+  // Those in (from, t].
+  impactsBetween(from, t) { return this.impacts.slice(this.impactsUntil(from), this.impactsUntil(t)); }
+  get largestImpulse() { return this.impacts.reduce((most, i) => Math.max(most, i.normal), 0); }
+  // Times of the first impact and of those above a fifth of the largest; a tick after, where the rebound has begun.
+  get hardImpacts() {
+    const least = 0.2 * this.largestImpulse, tick = this.tracks.gap ? 2 * this.tracks.gap.packed.tick : 0;
+    return this.impacts.filter((i, k) => k === 0 || i.normal >= least).map((i) => i.t + tick);
+  }
+
+  // The force that 95 % of the knots in contact do not exceed, and the greatest of all.
+  get forces() {
+    if (!this.scale) {
+      const track = this.tracks.normal;
+      if (track) track.unpack();
+      const all = track ? Array.from(track.values[0]).filter((f) => f > 0).sort((a, b) => a - b) : [];
+      this.scale = {usual: all.length ? all[Math.floor(0.95 * (all.length - 1))] : 0, most: all.length ? all[all.length - 1] : 0};
+    }
+    return this.scale;
+  }
+  // m: how far the rotor is in the ring at most.
+  get deepest() {
+    const track = this.tracks.gap;
+    if (!track) return 0;
+    track.unpack();
+    return track.values[0].reduce((most, gap) => Math.max(most, -gap), 0);
+  }
+  // Of control or current: the greatest length.
+  largest(name) {
+    const track = this.tracks[name];
+    if (!track) return 0;
+    track.unpack();
+    let most = 0;
+    for (let k = 0; k < track.knots; ++k) most = Math.max(most, Math.hypot(track.values[0][k], track.values[1][k]));
+    return most;
+  }
+
+  // Places of the rotor's centre from t - span to t, oldest first; n + 1 of them.
+  trail(t, span, n) {
+    const from = Math.max(t - span, this.tracks.rotor.time(0)), points = [];
+    for (let k = 0; k <= n; ++k) points.push(this.pose(from + (t - from) * k / n));
+    return points.filter((p) => this.within(p.t));
+  }
+
+  // Times in (from, to] at which the mark on the rotor passes +x: the keyphasor's pulses.
+  pulses(from, to) {
+    if (!this.has('spin')) return [];
+    const turn = 2 * Math.PI, spin = this.tracks.spin, times = [];
+    let a = from, fa = spin.at(from) / turn;
+    const steps = 200;
+    for (let k = 1; k <= steps; ++k) {
+      const b = from + (to - from) * k / steps, fb = spin.at(b) / turn;
+      if (Math.floor(fa) !== Math.floor(fb)) {
+        const whole = fb > fa ? Math.floor(fb) : Math.floor(fa);
+        times.push(a + (b - a) * (whole - fa) / (fb - fa));
+      }
+      a = b; fa = fb;
+    }
+    return times;
+  }
+}

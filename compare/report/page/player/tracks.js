@@ -1,141 +1,112 @@
 // Packed tracks (compare/report/pack/track.h): unpacked when first asked, read at any time.
-'use strict';
-page.tracks = (() => {
-  // Cubic Hermite over h at share s of it, and its rate.
-  const cubic = (a, da, b, db, h, s) =>
-    (1 - s) * (1 - s) * ((1 + 2 * s) * a + s * h * da) + s * s * ((3 - 2 * s) * b - (1 - s) * h * db);
-  const cubicRate = (a, da, b, db, h, s) =>
-    6 * s * (1 - s) * (b - a) / h + (1 - s) * (1 - 3 * s) * da + s * (3 * s - 2) * db;
+import {countUntil} from '../scales.js';
 
-  // Whole numbers: differences, zigzag, seven bits a byte. Times beyond 2^31 ticks forbid bit operations.
-  function column(bytes, place, count, unit) {
-    const numbers = new Float64Array(count);
-    let number = 0;
-    for (let k = 0; k < count; ++k) {
-      let zigzag = 0, scale = 1, byte;
-      do {
-        byte = bytes.charCodeAt(place.at++);
-        zigzag += (byte & 127) * scale;
-        scale *= 128;
-      } while (byte > 127);
-      number += zigzag % 2 ? -(zigzag + 1) / 2 : zigzag / 2;
-      numbers[k] = number * unit;
-    }
-    return numbers;
+// Cubic Hermite over h at share s of it, and its rate.
+const cubic = (a, da, b, db, h, s) =>
+  (1 - s) * (1 - s) * ((1 + 2 * s) * a + s * h * da) + s * s * ((3 - 2 * s) * b - (1 - s) * h * db);
+const cubicRate = (a, da, b, db, h, s) =>
+  6 * s * (1 - s) * (b - a) / h + (1 - s) * (1 - 3 * s) * da + s * (3 * s - 2) * db;
+
+// Whole numbers: differences, zigzag, seven bits a byte. Times beyond 2^31 ticks forbid bit operations.
+function column(bytes, place, count, unit) {
+  const numbers = new Float64Array(count);
+  let number = 0;
+  for (let k = 0; k < count; ++k) {
+    let zigzag = 0, scale = 1, byte;
+    do {
+      byte = bytes.charCodeAt(place.at++);
+      zigzag += (byte & 127) * scale;
+      scale *= 128;
+    } while (byte > 127);
+    number += zigzag % 2 ? -(zigzag + 1) / 2 : zigzag / 2;
+    numbers[k] = number * unit;
+  }
+  return numbers;
+}
+
+export class Track {
+  constructor(packed) {
+    this.packed = packed;
+    this.kind = packed.kind;
+    this.knots = packed.knots;
+    this.components = packed.components;
+    this.last = 0;
   }
 
-  class Track {
-    constructor(packed) {
-      this.packed = packed;
-      this.kind = packed.kind;
-      this.knots = packed.knots;
-      this.components = packed.components;
-      this.last = 0;
-    }
-
-    unpack() {
-      if (this.ticks) return;
-      const {data, components, quantum, rate_quantum: rateQuantum} = this.packed;
-      const bytes = atob(data), place = {at: 0};
-      const columns = (unit) => Array.from({length: components}, () => column(bytes, place, this.knots, unit));
-      this.ticks = column(bytes, place, this.knots, 1);
-      this.values = columns(quantum);
-      if (this.kind === 'hermite') this.rates = columns(rateQuantum);
-      this.packed.data = null;
-    }
-
-    // Of knot k, s.
-    time(k) {
-      this.unpack();
-      return this.packed.start + this.ticks[k] * this.packed.tick;
-    }
-
-    // A time in whole ticks, as the knots are: at a sample it is at the sample.
-    toTicks(t) { return Math.round((t - this.packed.start) / this.packed.tick); }
-
-    // The last knot at or before a time in ticks; -1: none.
-    before(ticks) {
-      this.unpack();
-      const all = this.ticks;
-      let low = 0, high = all.length;
-      if (all[this.last] <= ticks) {
-        if (this.last + 1 >= all.length || all[this.last + 1] > ticks) return this.last;
-        low = this.last + 1;
-      }
-      while (low < high) {
-        const middle = (low + high) >> 1;
-        if (all[middle] <= ticks) low = middle + 1; else high = middle;
-      }
-      if (low > 0) this.last = low - 1;
-      return low - 1;
-    }
-
-    at(t, c = 0) {
-      if (this.knots === 0) return 0;
-      const now = this.toTicks(t), k = this.before(now), y = this.values[c];
-      if (k < 0) return y[0];
-      if (this.kind === 'hold' || k + 1 === this.knots) return y[k];
-      const h = this.ticks[k + 1] - this.ticks[k], s = (now - this.ticks[k]) / h;
-      if (this.kind === 'linear') return (1 - s) * y[k] + s * y[k + 1];
-      const v = this.rates[c];
-      const between = cubic(y[k], v[k], y[k + 1], v[k + 1], h * this.packed.tick, s);
-      return this.packed.floored ? Math.max(between, Math.min(y[k], y[k + 1], 0)) : between;
-    }
-
-    // Per second, of a hermite track; at a jump after it.
-    rate(t, c = 0) {
-      if (this.knots === 0) return 0;
-      const now = this.toTicks(t), k = this.before(now), v = this.rates[c];
-      if (k < 0 || k + 1 === this.knots) return v[Math.max(k, 0)];
-      const h = this.ticks[k + 1] - this.ticks[k], y = this.values[c];
-      if (this.packed.floored && now > this.ticks[k] && this.at(t, c) === Math.min(y[k], y[k + 1], 0)) return 0;
-      return cubicRate(y[k], v[k], y[k + 1], v[k + 1], h * this.packed.tick, (now - this.ticks[k]) / h);
-    }
-
-    length(t) {
-      let square = 0;
-      for (let c = 0; c < this.components; ++c) square += this.at(t, c) ** 2;
-      return Math.sqrt(square);
-    }
-
-    // Times that a line through [from, to] needs to miss nothing: every knot (with `jumps` also a tick before it),
-    // and where the track is curved points in between.
-    instants(from, to, count, jumps = false) {
-      const first = Math.max(0, this.before(this.toTicks(from)) + 1);
-      const last = this.before(this.toTicks(to));
-      const start = Math.max(from, this.time(0)), end = Math.min(to, this.time(this.knots - 1));
-      const times = [start];
-      const parts = this.kind === 'hermite' ? Math.min(64, Math.max(1, Math.ceil(count / (last - first + 2)))) : 1;
-      const reach = (t) => {
-        const begin = times[times.length - 1];
-        for (let p = 1; p < parts; ++p) times.push(begin + (t - begin) * p / parts);
-        if (jumps) times.push(t - this.packed.tick);
-        times.push(t);
-      };
-      for (let k = first; k <= last; ++k) if (this.time(k) > start) reach(this.time(k));
-      if (end > times[times.length - 1]) reach(end);
-      return times;
-    }
+  unpack() {
+    if (this.ticks) return;
+    const {data, components, quantum, rate_quantum: rateQuantum} = this.packed;
+    const bytes = atob(data), place = {at: 0};
+    const columns = (unit) => Array.from({length: components}, () => column(bytes, place, this.knots, unit));
+    this.ticks = column(bytes, place, this.knots, 1);
+    this.values = columns(quantum);
+    if (this.kind === 'hermite') this.rates = columns(rateQuantum);
+    this.packed.data = null;
   }
 
-  // Least and greatest of each of `buckets` equal parts, in order: no spike is lost.
-  function thinned(t, y, buckets) {
-    const n = t.length;
-    if (n <= 2 * buckets + 2) return {t, y};
-    const kept = [0];
-    for (let b = 0; b < buckets; ++b) {
-      const begin = Math.floor(n * b / buckets), end = Math.floor(n * (b + 1) / buckets);
-      let low = begin, high = begin;
-      for (let i = begin; i < end; ++i) {
-        if (y[i] < y[low]) low = i;
-        if (y[i] > y[high]) high = i;
-      }
-      kept.push(Math.min(low, high));
-      if (low !== high) kept.push(Math.max(low, high));
-    }
-    kept.push(n - 1);
-    return {t: kept.map((i) => t[i]), y: kept.map((i) => y[i])};
+  // Of knot k, s.
+  time(k) {
+    this.unpack();
+    return this.packed.start + this.ticks[k] * this.packed.tick;
   }
 
-  return {Track, thinned};
-})();
+  // A time in whole ticks, as the knots are: at a sample it is at the sample.
+  toTicks(t) { return Math.round((t - this.packed.start) / this.packed.tick); }
+
+  // The last knot at or before a time in ticks; -1: none.
+  before(ticks) {
+    this.unpack();
+    const all = this.ticks;
+    if (all[this.last] <= ticks && (this.last + 1 >= all.length || all[this.last + 1] > ticks)) return this.last;
+    const count = countUntil(all, ticks);
+    if (count > 0) this.last = count - 1;
+    return count - 1;
+  }
+
+  at(t, c = 0) {
+    if (this.knots === 0) return 0;
+    const now = this.toTicks(t), k = this.before(now), y = this.values[c];
+    if (k < 0) return y[0];
+    if (this.kind === 'hold' || k + 1 === this.knots) return y[k];
+    const h = this.ticks[k + 1] - this.ticks[k], s = (now - this.ticks[k]) / h;
+    if (this.kind === 'linear') return (1 - s) * y[k] + s * y[k + 1];
+    const v = this.rates[c];
+    const between = cubic(y[k], v[k], y[k + 1], v[k + 1], h * this.packed.tick, s);
+    return this.packed.floored ? Math.max(between, Math.min(y[k], y[k + 1], 0)) : between;
+  }
+
+  // Per second, of a hermite track; at a jump after it.
+  rate(t, c = 0) {
+    if (this.knots === 0) return 0;
+    const now = this.toTicks(t), k = this.before(now), v = this.rates[c];
+    if (k < 0 || k + 1 === this.knots) return v[Math.max(k, 0)];
+    const h = this.ticks[k + 1] - this.ticks[k], y = this.values[c];
+    if (this.packed.floored && now > this.ticks[k] && this.at(t, c) === Math.min(y[k], y[k + 1], 0)) return 0;
+    return cubicRate(y[k], v[k], y[k + 1], v[k + 1], h * this.packed.tick, (now - this.ticks[k]) / h);
+  }
+
+  length(t) {
+    let square = 0;
+    for (let c = 0; c < this.components; ++c) square += this.at(t, c) ** 2;
+    return Math.sqrt(square);
+  }
+
+  // Times that a line through [from, to] needs to miss nothing: every knot (with `jumps` also a tick before it),
+  // and where the track is curved points in between.
+  instants(from, to, count, jumps = false) {
+    const first = Math.max(0, this.before(this.toTicks(from)) + 1);
+    const last = this.before(this.toTicks(to));
+    const start = Math.max(from, this.time(0)), end = Math.min(to, this.time(this.knots - 1));
+    const times = [start];
+    const parts = this.kind === 'hermite' ? Math.min(64, Math.max(1, Math.ceil(count / (last - first + 2)))) : 1;
+    const reach = (t) => {
+      const begin = times[times.length - 1];
+      for (let p = 1; p < parts; ++p) times.push(begin + (t - begin) * p / parts);
+      if (jumps) times.push(t - this.packed.tick);
+      times.push(t);
+    };
+    for (let k = first; k <= last; ++k) if (this.time(k) > start) reach(this.time(k));
+    if (end > times[times.length - 1]) reach(end);
+    return times;
+  }
+}

@@ -1,61 +1,31 @@
-// The maps of a sweep or of a linear analysis, in `element`: its figures with a list each, its bar of axes. A grid is a picture of one pixel a cell, with marks that cannot be seen
-// for the pointer; other points are marks of their own; one key is a curve. A figure may be "linear": computed
-// for every point, whether its run succeeded or not; and "signed": its colours part at 0.
-'use strict';
-page.maps = (element, data) => {
-  const {css, axes, layout, parts, shade, scaleOfColours} = page;
+// The maps of a sweep or of a linear analysis, in `element`: its figures with a list each, its bar of axes. A grid is a
+// picture of one pixel a cell, with marks that cannot be seen for the pointer; other points are marks of their own; one
+// key is a curve. A figure may be "linear": computed for every point, whether its run succeeded or not; and "signed":
+// its colours part at 0.
+import {show} from './page.js';
+import {colourScale, keyScale, kinds} from './scales.js';
+import {axes, css, layout, legendAbove, scaleOfColours, short} from './style.js';
+
+export function mapsOf(element, data) {
   const {keys, figures, columns, values, status, statuses} = data;
   const grid = data.kind === 'grid';
   const choice = {x: 0, y: Math.min(1, keys.length - 1), fixed: keys.map(() => 0)};
-  const low2high = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725'];
-  const below2above = ['#2166ac', '#92c5de', '#f7f7f7', '#f4a582', '#b2182b'];
-  const kinds = ['#4477aa', '#ee6677', '#228833', '#ccbb44', '#66ccee', '#aa3377', '#bbbbbb', '#997700'];
   const failed = '#7f7f7f';
   const isFailed = (f, i) => status[i] !== 0 && !figures[f].linear;
 
-  // ------------------------------------------------------------------ colours
-  // Numbers of several decades are distinguished by their logarithm.
-  function colours(column, chosen, signed) {
-    const given = chosen.map((i) => column[i]).filter((v) => v !== null);
-    if (given.some((v) => typeof v === 'string')) {
-      const words = [...new Set(column.filter((v) => v !== null))].sort();
-      return {words, of: (v) => parts(kinds[words.indexOf(v) % kinds.length])};
-    }
-    let low = Infinity, high = -Infinity;
-    given.forEach((v) => { low = Math.min(low, v); high = Math.max(high, v); });
-    if (!given.length) { low = 0; high = 1; }
-    const palette = signed ? below2above : low2high;
-    if (signed) { high = Math.max(Math.abs(low), Math.abs(high)); low = -high; }
-    const log = low > 0 && high > 100 * low;
-    const place = (v) => (log ? Math.log10(v) : v);
-    const span = place(high) - place(low) || 1;
-    return {log, palette, low: place(low), high: place(low) + span, place, of: (v) => shade((place(v) - place(low)) / span, palette)};
-  }
-
   // ------------------------------------------------------------------ axes
-  const title = (key) => key.name + (key.unit ? ' / ' + key.unit : '');
-  // Where a key's values stand: at themselves where they are even, else side by side.
-  function scaleOf(k) {
-    const key = keys[k];
-    if (!grid) return {at: (i) => values[k][i], axis: {type: key.log ? 'log' : undefined}};
-    const {values: list} = key, even = key.even && list.length > 1;
-    const first = even ? list[0] : 0, width = even ? (list[list.length - 1] - first) / (list.length - 1) : 1;
-    const at = (place) => first + width * place;
-    const every = Math.max(1, Math.ceil(list.length / 8)), ticks = list.map((_, i) => i).filter((i) => i % every === 0);
-    const named = even ? {} : {tickvals: ticks.map(at), ticktext: ticks.map((i) =>
-      (typeof list[i] === 'number' ? String(Number(list[i].toPrecision(3))) : list[i]))};
-    return {at, width, from: at(-0.5), to: at(list.length - 0.5), axis: named};
-  }
+  const title = (key) => key.name + (key.unit ? ` / ${key.unit}` : '');
+  const scaleOf = (k) => (grid ? keyScale(keys[k]) : {at: (i) => values[k][i], axis: {type: keys[k].log ? 'log' : undefined}});
   const axisOf = (k, range) => axes(Object.assign({title: {text: title(keys[k]), standoff: 6}, zeroline: false},
     scaleOf(k).axis, range ? {range} : {}));
 
-  const valueOf = (k, i) => (grid ? keys[k].values[values[k][i]] : values[k][i]);
-  const shown = (v) => (v === null ? '' : typeof v === 'number' ? String(Number(v.toPrecision(6))) : v);
+  const valueAt = (k, i) => (grid ? keys[k].values[values[k][i]] : values[k][i]);
+  const shown = (v) => (v === null ? '' : typeof v === 'number' ? short(v, 6) : v);
   function words(i, f) {
-    const lines = keys.map((key, k) => key.name + ' = ' + shown(valueOf(k, i)) + ' ' + key.unit);
+    const lines = keys.map((key, k) => `${key.name} = ${shown(valueAt(k, i))} ${key.unit}`);
     const what = columns[f][i] === null && isFailed(f, i) ? statuses[status[i]] :
-      figures[f].name + ' = ' + (columns[f][i] === null ? 'none' : shown(columns[f][i])) + ' ' + figures[f].unit;
-    return ['<b>' + what + '</b>', ...lines].join('<br>');
+      `${figures[f].name} = ${columns[f][i] === null ? 'none' : shown(columns[f][i])} ${figures[f].unit}`;
+    return [`<b>${what}</b>`, ...lines].join('<br>');
   }
 
   // Points of the maps: of a grid those whose other keys have the chosen values.
@@ -77,7 +47,7 @@ page.maps = (element, data) => {
     const ticks = {};
     if (colour.log) {
       const steps = Array.from({length: 6}, (_, k) => colour.low + (k / 5) * (colour.high - colour.low));
-      Object.assign(ticks, {tickvals: steps, ticktext: steps.map((v) => String(Number((10 ** v).toPrecision(2))))});
+      Object.assign(ticks, {tickvals: steps, ticktext: steps.map((v) => short(10 ** v, 2))});
     }
     return {colorscale: scaleOfColours(colour.palette), cmin: colour.low, cmax: colour.high, showscale: true,
       colorbar: Object.assign({title: {text: figure.unit}, thickness: 14, outlinewidth: 0}, ticks)};
@@ -91,7 +61,7 @@ page.maps = (element, data) => {
     const pen = canvas.getContext('2d');
     points.forEach((i) => {
       const at = values[choice.y][i];
-      pen.fillStyle = isFailed(f, i) ? failed : column[i] === null ? 'rgba(0,0,0,0)' : 'rgb(' + colour.of(column[i]).join() + ')';
+      pen.fillStyle = isFailed(f, i) ? failed : column[i] === null ? 'rgba(0,0,0,0)' : `rgb(${colour.of(column[i]).join()})`;
       pen.fillRect(values[choice.x][i], canvas.height - 1 - at, 1, 1);
     });
     return {source: canvas.toDataURL(), xref: 'x', yref: 'y', x: Math.min(x.from, x.to), y: Math.max(y.from, y.to),
@@ -99,18 +69,18 @@ page.maps = (element, data) => {
   }
 
   function drawMap(plot, f) {
-    const points = chosen(), column = columns[f], colour = colours(column, points, figures[f].signed);
+    const points = chosen(), column = columns[f], colour = colourScale(column, points, figures[f].signed);
     const x = scaleOf(choice.x), y = scaleOf(choice.y), anyFailed = points.some((i) => isFailed(f, i));
     const at = (scaleHere, k) => points.map((i) => scaleHere.at(grid ? values[k][i] : i));
     const marker = Object.assign({size: grid ? 6 : 9, opacity: grid ? 0 : 0.9, color: points.map((i) =>
       (isFailed(f, i) ? (colour.words || grid ? failed : null) : column[i] === null ? 'rgba(0,0,0,0)' :
-        colour.words ? 'rgb(' + colour.of(column[i]).join() + ')' : colour.place(column[i])))}, barOf(colour, figures[f]));
+        colour.words ? `rgb(${colour.of(column[i]).join()})` : colour.place(column[i])))}, barOf(colour, figures[f]));
     if (grid && !colour.words) marker.color = points.map((i) => (column[i] === null ? colour.low : colour.place(column[i])));
     const trace = {type: 'scatter', mode: 'markers', x: at(x, choice.x), y: at(y, choice.y), marker, showlegend: false,
       text: points.map((i) => words(i, f)), hovertemplate: '%{text}<extra></extra>'};
     const entries = legendOf(colour, anyFailed);
-    page.show(plot, {data: [trace, ...entries], layout: layout({hovermode: 'closest', hoverdistance: grid ? -1 : 20, showlegend: entries.length > 0,
-      legend: {orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}},
+    show(plot, {data: [trace, ...entries], layout: layout({hovermode: 'closest', hoverdistance: grid ? -1 : 20, showlegend: entries.length > 0,
+      legend: legendAbove(),
       margin: {l: 64, r: 24, t: 30, b: 48}, images: grid ? [picture(points, f, colour, x, y)] : [],
       xaxis: axisOf(choice.x, grid ? [x.from, x.to] : null), yaxis: axisOf(choice.y, grid ? [y.from, y.to] : null)})});
   }
@@ -121,8 +91,8 @@ page.maps = (element, data) => {
       x: points.map((i) => x.at(grid ? values[0][i] : i)), y: points.map((i) => columns[f][i]),
       text: points.map((i) => words(i, f)), hovertemplate: '%{text}<extra></extra>', line: {color: css('--native'), width: 1.5},
       marker: {color: css('--native'), size: 6}};
-    page.show(plot, {data: [trace], layout: layout({hovermode: 'closest', margin: {l: 64, r: 24, t: 10, b: 48}, xaxis: axisOf(0),
-      yaxis: axes({title: {text: figures[f].name + (figures[f].unit ? ' / ' + figures[f].unit : '')}})})});
+    show(plot, {data: [trace], layout: layout({hovermode: 'closest', margin: {l: 64, r: 24, t: 10, b: 48}, xaxis: axisOf(0),
+      yaxis: axes({title: {text: figures[f].name + (figures[f].unit ? ` / ${figures[f].unit}` : '')}})})});
   }
 
   // ------------------------------------------------------------------ what is chosen
@@ -134,9 +104,9 @@ page.maps = (element, data) => {
 
   function select(label, names, value, change) {
     const box = document.createElement('label'), list = document.createElement('select');
-    names.forEach((name, k) => list.add(new Option(name, k, false, k === value)));
+    names.forEach((name, k) => { list.add(new Option(name, k, false, k === value)); });
     list.addEventListener('change', () => change(Number(list.value)));
-    box.append(label + ' ', list);
+    box.append(`${label} `, list);
     return box;
   }
 
@@ -154,7 +124,7 @@ page.maps = (element, data) => {
     if (grid) {
       keys.forEach((key, k) => {
         if (k === choice.x || k === choice.y) return;
-        boxes.push(select(title(key) + ' =', key.values.map(shown), choice.fixed[k], (at) => { choice.fixed[k] = at; draw(); }));
+        boxes.push(select(`${title(key)} =`, key.values.map(shown), choice.fixed[k], (at) => { choice.fixed[k] = at; draw(); }));
       });
     }
     bar.replaceChildren(...boxes);
@@ -168,5 +138,5 @@ page.maps = (element, data) => {
     list.addEventListener('change', draw);
   });
   axesBar();
-  return {draw};
-};
+  return draw;
+}

@@ -1,0 +1,59 @@
+// The log-log plots of a bench as plotly takes them, from a scene's series (precision_plots.h).
+import {axes, css, layout, short} from './style.js';
+
+// One colour a family's engine, one dash a setting.
+const colors = {'native-event': '--native', 'native-verlet': '--good', 'native-midpoint': '--mode-5',
+  'mujoco-rigid': '--rigid', 'mujoco-coulomb': '--coulomb', 'mujoco-cone': '--cone',
+  'mujoco-cone-coulomb': '--cone-coulomb'};
+const spare = ['--mode-1', '--mode-2', '--mode-3', '--mode-4', '--mode-6', '--soft'];
+const dashes = ['solid', 'dash', 'dot', 'dashdot'];
+const symbols = {native: 'circle', mujoco: 'square', peer: 'diamond'};
+
+function style(scene, series) {
+  const others = [...new Set(scene.series.map(({engine}) => engine))].filter((name) => !colors[name]);
+  const settings = scene.series.filter(({engine}) => engine === series.engine);
+  const color = colors[series.engine] || spare[others.indexOf(series.engine) % spare.length];
+  return {color: css(color) || css('--soft'), dash: dashes[settings.indexOf(series) % dashes.length]};
+}
+
+const named = (series) => series.engine + (series.setting ? `, ${series.setting}` : '');
+const ms = (x) => `${short(x)} ms`;
+const text = (p) => (p.label ? `${p.label}<br>` : '') + 'error ' + p.error.toExponential(2) + ' m<br>' + ms(p.ms) +
+  ' (' + short(p.low) + ' to ' + short(p.high) + ')<br>' + p.outcome;
+
+function trace(scene, series, x, y, extra) {
+  const {color, dash} = style(scene, series);
+  const points = series.points.filter((p) => p[x] > 0 && p[y] > 0);
+  return Object.assign({type: 'scatter', mode: 'lines+markers', name: named(series), x: points.map((p) => p[x]), y: points.map((p) => p[y]),
+    text: points.map(text), hovertemplate: `%{text}<extra>${named(series)}</extra>`, line: {color, width: 1.8, dash},
+    marker: {size: 8, symbol: points.map((p) => symbols[series.family] + (p.outcome === 'ok' ? '' : '-open')), color}}, extra);
+}
+
+// Of many decades every third is named.
+function log(title, values) {
+  const given = values.filter((v) => v > 0), decades = Math.log10(Math.max(...given) / Math.min(...given));
+  return axes({type: 'log', title: {text: title, standoff: 6}, exponentformat: 'power', dtick: decades > 8 ? 3 : 1});
+}
+const valuesOf = (list, key) => list.flatMap((s) => s.points.map((p) => p[key]));
+
+// key: speed against error, error against step, MuJoCo's distance from its own limit.
+export function precision(scene, key) {
+  const stepped = scene.series.filter((s) => s.points.some((p) => p.step > 0));
+  const mujoco = scene.series.filter((s) => s.family === 'mujoco' && s.points.some((p) => p.limit > 0));
+  const line = (s, dash) => ({color: style(scene, s).color, width: 1.8, dash});
+  const figures = {
+    precision: () => [scene.series.map((s) => trace(scene, s, 'ms', 'error')),
+      log('time of the whole run / ms', valuesOf(scene.series, 'ms')), log('largest position error / m', valuesOf(scene.series, 'error'))],
+    step: () => [stepped.map((s) => trace(scene, s, 'step', 'error', {name: named(s) + (s.order === null ? '' : ` (${s.order.toFixed(2)})`)})),
+      log('step / s', valuesOf(stepped, 'step')), log('largest position error / m', valuesOf(stepped, 'error'))],
+    limit: () => [mujoco.flatMap((s) => [trace(scene, s, 'step', 'limit', {line: line(s, 'solid')}),
+      trace(scene, s, 'step', 'error', {name: 'to the reference', showlegend: false, line: line(s, 'dot')})]),
+    log('step / s', valuesOf(mujoco, 'step')), log('distance / m', valuesOf(mujoco, 'limit'))],
+  };
+  const [traces, x, y] = figures[key]();
+  return {data: traces, layout: layout({hovermode: 'closest', showlegend: true, margin: {l: 70, r: 12, t: 8, b: 46}, xaxis: x, yaxis: y,
+    legend: {orientation: 'h', x: 0, y: -0.2, font: {color: css('--ink'), size: 11}},
+    // The clearance: an error of that size is no result.
+    shapes: [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: scene.clearance, y1: scene.clearance,
+      line: {color: css('--bad'), width: 1, dash: 'dot'}}]})};
+}

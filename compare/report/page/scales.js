@@ -1,0 +1,70 @@
+// Scales of maps and of lines: which colour a value has, where a key's values stand, which points of a line are drawn.
+import {parts, shade, short} from './style.js';
+
+const low2high = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725'];
+const below2above = ['#2166ac', '#92c5de', '#f7f7f7', '#f4a582', '#b2182b'];
+export const kinds = ['#4477aa', '#ee6677', '#228833', '#ccbb44', '#66ccee', '#aa3377', '#bbbbbb', '#997700'];
+
+// Of the chosen values of a column. of(value): red, green, blue. Numbers of several decades are told apart by their
+// logarithm; words are of a kind each. signed: the colours part at 0.
+export function colourScale(column, chosen, signed) {
+  const given = chosen.map((i) => column[i]).filter((v) => v !== null);
+  if (given.some((v) => typeof v === 'string')) {
+    const words = [...new Set(column.filter((v) => v !== null))].sort();
+    return {words, of: (v) => parts(kinds[words.indexOf(v) % kinds.length])};
+  }
+  let low = given.length ? Infinity : 0, high = given.length ? -Infinity : 1;
+  for (const v of given) { low = Math.min(low, v); high = Math.max(high, v); }
+  if (signed) { high = Math.max(Math.abs(low), Math.abs(high)); low = -high; }
+  const palette = signed ? below2above : low2high, log = low > 0 && high > 100 * low;
+  const place = (v) => (log ? Math.log10(v) : v), span = place(high) - place(low) || 1;
+  return {log, palette, low: place(low), high: place(low) + span, place, of: (v) => shade((place(v) - place(low)) / span, palette)};
+}
+
+// Where the values of a grid's key stand: at themselves where they are even, else side by side.
+export function keyScale({values: list, even}) {
+  const itself = even && list.length > 1;
+  const first = itself ? list[0] : 0, width = itself ? (list[list.length - 1] - first) / (list.length - 1) : 1;
+  const at = (place) => first + width * place;
+  const every = Math.max(1, Math.ceil(list.length / 8)), ticks = list.map((_, i) => i).filter((i) => i % every === 0);
+  const named = itself ? {} : {tickvals: ticks.map(at), ticktext: ticks.map((i) => (typeof list[i] === 'number' ? short(list[i]) : list[i]))};
+  return {at, width, from: at(-0.5), to: at(list.length - 0.5), axis: named};
+}
+
+// How many of `all`, ascending, are at or before `value` (below it: those before).
+export function countUntil(all, value, of = (x) => x) {
+  let low = 0, high = all.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (of(all[middle]) <= value) low = middle + 1; else high = middle;
+  }
+  return low;
+}
+
+// Least and greatest of each of `buckets` equal parts, in order: no spike is lost.
+export function thinned(t, y, buckets) {
+  const n = t.length;
+  if (n <= 2 * buckets + 2) return {t, y};
+  const kept = [0];
+  for (let b = 0; b < buckets; ++b) {
+    const begin = Math.floor(n * b / buckets), end = Math.floor(n * (b + 1) / buckets);
+    let low = begin, high = begin;
+    for (let i = begin; i < end; ++i) {
+      if (y[i] < y[low]) low = i;
+      if (y[i] > y[high]) high = i;
+    }
+    kept.push(Math.min(low, high));
+    if (low !== high) kept.push(Math.max(low, high));
+  }
+  kept.push(n - 1);
+  return {t: kept.map((i) => t[i]), y: kept.map((i) => y[i])};
+}
+
+// A line {t, y} opened where there is nothing: holes [from, to].
+export function opened({t, y}, holes = []) {
+  if (!holes.length) return {t, y};
+  const points = t.map((time, k) => [time, y[k]]).filter(([time]) => !holes.some(([from, to]) => time > from && time < to));
+  for (const [from, to] of holes) points.push([0.5 * (from + to), null]);
+  points.sort((a, b) => a[0] - b[0]);
+  return {t: points.map((p) => p[0]), y: points.map((p) => p[1])};
+}

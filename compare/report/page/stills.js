@@ -1,0 +1,34 @@
+// Figures that no clock moves: of a bench, maps of a sweep or of a linear analysis, the free rotor. Each is drawn when
+// it comes near the screen. On pages of their own, and beside the comparison in the report.
+import {mapsOf} from './maps.js';
+import {data, isPrinting, show, whenNear} from './page.js';
+import {precision} from './precision.js';
+import {rotorFigure} from './rotor.js';
+
+// Of each kind of plot: data-of.
+const figures = {
+  bench: (plot) => precision(data.benches[plot.dataset.index], plot.dataset.plot),
+  rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth),
+};
+
+// Gives the function that draws all that is near the screen anew.
+export function stills() {
+  const of = (selector, drawOf) => [...document.querySelectorAll(selector)].map((element) => ({element, draw: drawOf(element)}));
+  const all = [...of('.plot[data-of]', (plot) => () => show(plot, figures[plot.dataset.of](plot))),
+    ...of('.map-set', (set) => mapsOf(set, data.maps[set.dataset.index]))];
+  function draw(one) {
+    one.stale = false;
+    one.draw();
+    one.element.classList.add('drawn');
+  }
+  for (const one of all) {
+    whenNear(one.element, (near) => {
+      one.near = near;
+      if (near && one.stale && window.Plotly) draw(one);
+    });
+  }
+  return () => {
+    for (const one of all) one.stale = true;
+    if (window.Plotly) all.filter((one) => one.near || isPrinting()).forEach(draw);
+  };
+}

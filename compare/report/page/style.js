@@ -1,0 +1,45 @@
+// Colours, plots in the page's style, and how one run is told from another. Asks the document for nothing until it is
+// called, so that what builds figures can be tried without a browser.
+
+// A custom property of the style sheet, kept until the theme changes.
+const colors = new Map();
+export const forgetColours = () => colors.clear();
+export function css(name) {
+  if (!colors.has(name)) colors.set(name, getComputedStyle(document.documentElement).getPropertyValue(name).trim());
+  return colors.get(name);
+}
+
+export const axes = (extra) => ({gridcolor: css('--hair'), zerolinecolor: css('--line'), linecolor: css('--line'),
+  tickcolor: css('--line'), ticks: 'outside', ticklen: 4, automargin: true, ...extra});
+export const titled = (text, extra) => axes({title: {text, standoff: 8}, ...extra});
+export const layout = (extra) => ({
+  paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', showlegend: false,
+  font: {family: getComputedStyle(document.body).fontFamily, size: 12, color: css('--soft')},
+  margin: {l: 56, r: 12, t: 8, b: 40}, hovermode: 'x unified',
+  hoverlabel: {bgcolor: css('--panel'), bordercolor: css('--line'), font: {color: css('--ink')}}, ...extra});
+export const legendAbove = (extra) => ({orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}, ...extra});
+// On a logarithmic axis.
+export const decades = {type: 'log', exponentformat: 'power', dtick: 1};
+
+// Red, green and blue of "#rrggbb", and of a share of the way through a palette of such colours.
+export const parts = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
+export function shade(share, palette) {
+  const place = Math.min(Math.max(share, 0), 1) * (palette.length - 1), first = Math.min(Math.floor(place), palette.length - 2);
+  const a = parts(palette[first]), b = parts(palette[first + 1]);
+  return a.map((part, k) => Math.round(part + (place - first) * (b[k] - part)));
+}
+export const scaleOfColours = (palette) => palette.map((color, k) => [k / (palette.length - 1), color]);
+
+// How a run is told from the others: its colour, and as a second cue dash, width and mark. Native is in front.
+const dashes = {native: 'solid', rigid: 'dash', coulomb: 'dashdot', cone: 'dot', 'cone-coulomb': 'longdashdot', 'cone-default': 'dot',
+  shadow: 'dash', measured: 'longdash'};
+const symbols = {native: 'circle', rigid: 'circle-open', coulomb: 'square-open', cone: 'triangle-up-open', 'cone-coulomb': 'triangle-down-open',
+  'cone-default': 'star-open', shadow: 'diamond-open', measured: 'x-open'};
+export const isFront = (label) => label === 'native';
+export const line = (label, front = isFront(label)) =>
+  ({color: css(`--${label}`), width: front ? 2.4 : 1.4, dash: dashes[label] || 'dot', simplify: false});
+export const symbol = (label) => symbols[label] || 'cross-open';
+
+// To so many significant digits, with thousands apart; to three as a tick of a colour bar.
+export const number = (value, digits) => Number(value.toPrecision(digits)).toLocaleString('en');
+export const short = (value, digits = 3) => String(Number(value.toPrecision(digits)));
