@@ -31,10 +31,6 @@ class Constraint {
   void project(double t, double* q, double* v, std::span<const Closed> closed);
 
   // Of the first contact, and of anything with t, q() and v().
-  void to_circle(double t, double* q, const double* v) {
-    const Closed first;
-    to_circles(t, q, v, std::span(&first, 1));
-  }
   void project(double t, double* q, double* v, Velocity velocity) {
     const Closed first{0, velocity};
     project(t, q, v, std::span(&first, 1));

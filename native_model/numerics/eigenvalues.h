@@ -48,11 +48,10 @@ Eigen::VectorXd frequency_scale(const Matrix& C) {
 // makes all entries of the size of one. B, C: n x n; W: n, not 0. The state ends with q'.
 template <class Matrix>
 Matrix first_order_form(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W) {
-  using Scalar = typename Matrix::Scalar;
   const Eigen::Index n = W.size();
   Matrix A = Matrix::Zero(2 * n, 2 * n);
-  A.topRightCorner(n, n).diagonal() = W.template cast<Scalar>();
-  A.bottomLeftCorner(n, n) = -C * W.cwiseInverse().template cast<Scalar>().asDiagonal();
+  A.topRightCorner(n, n).diagonal() = W.template cast<typename Matrix::Scalar>();
+  for (Eigen::Index j = 0; j < n; ++j) A.col(j).tail(n) = -C.col(j) / W[j];
   A.bottomRightCorner(n, n) = -B;
   return A;
 }

@@ -23,6 +23,16 @@ bool same_planes(const WhirlSystem& s) {
          });
 }
 
+// What holds the shaft at a station, in each plane; ux, uy: the values of its coordinates there.
+void add_support(const Eigen::VectorXd& ux, const Eigen::VectorXd& uy,
+                 const Eigen::Vector2d& stiffness, const Eigen::Vector2d& damping,
+                 WhirlSystem& system) {
+  system.stiffness_x += stiffness.x() * ux * ux.transpose();
+  system.stiffness_y += stiffness.y() * uy * uy.transpose();
+  system.damping_x += damping.x() * ux * ux.transpose();
+  system.damping_y += damping.y() * uy * uy.transpose();
+}
+
 // Untruncated: coordinates are all modes of the mean stiffness, of unit mass.
 WhirlSystem geometry_system(const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
@@ -34,6 +44,10 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
   const auto projected = [&](const Eigen::MatrixXd& matrix) {
     const Eigen::MatrixXd p = phi.transpose() * matrix * phi;
     return Eigen::MatrixXd(0.5 * (p + p.transpose()));
+  };
+
+  const auto values_at = [&](double z) -> Eigen::VectorXd {
+    return (ritz.basis.deflection(z) * phi).transpose();
   };
 
   WhirlSystem system;
@@ -67,19 +81,15 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
 
   // Dashpots of the bearings and the magnetic bearing, at their stations.
   for (const scene::ShaftBearing& bearing : geometry.bearings) {
-    const Eigen::RowVectorXd u = ritz.basis.deflection(bearing.z) * phi;
-    system.damping_x += bearing.damping.x() * u.transpose() * u;
-    system.damping_y += bearing.damping.y() * u.transpose() * u;
-    if (auto film = film_of(bearing)) system.films.push_back({u.transpose(), std::move(*film)});
+    const Eigen::VectorXd u = values_at(bearing.z);
+    add_support(u, u, {0.0, 0.0}, bearing.damping, system);
+    if (auto film = film_of(bearing)) system.films.push_back({u, std::move(*film)});
   }
   if (scene.magnetic_bearing) {
-    const Eigen::RowVectorXd u = ritz.basis.deflection(scene.magnetic_bearing->station) * phi;
+    const Eigen::VectorXd u = values_at(scene.magnetic_bearing->station);
     const MagneticSupport support = magnetic_support(scene);
-    const double stiffness = support.stiffness - support.held;
-    system.stiffness_x += stiffness * u.transpose() * u;
-    system.stiffness_y += stiffness * u.transpose() * u;
-    system.damping_x += support.damping * u.transpose() * u;
-    system.damping_y += support.damping * u.transpose() * u;
+    const double beside = support.stiffness - support.held;
+    add_support(u, u, {beside, beside}, {support.damping, support.damping}, system);
   }
   return system;
 }
@@ -108,10 +118,8 @@ WhirlSystem modal_system(const scene::Scene& scene) {
     const Eigen::VectorXd ux = rotor.magnetic_bearing_shape->x.cwiseProduct(sx);
     const Eigen::VectorXd uy = rotor.magnetic_bearing_shape->y.cwiseProduct(sy);
     const MagneticSupport support = magnetic_support(scene);
-    system.stiffness_x += support.stiffness * ux * ux.transpose();
-    system.stiffness_y += support.stiffness * uy * uy.transpose();
-    system.damping_x += support.damping * ux * ux.transpose();
-    system.damping_y += support.damping * uy * uy.transpose();
+    add_support(ux, uy, {support.stiffness, support.stiffness}, {support.damping, support.damping},
+                system);
   }
   return system;
 }

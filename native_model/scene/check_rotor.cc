@@ -42,18 +42,12 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
       check.fail(path + (section.end_inner_diameter ? ".end_inner_diameter" : ".end_diameter"),
                  "the bore at `to` must be below the outer diameter there, " + metres(end));
     }
-    if (check.sound({path + ".end_diameter", "rotor.length"}) && end < kThinnest * shaft.length &&
-        section.diameter >= kThinnest * shaft.length) {
-      check.fail(path + ".end_diameter",
-                 "too thin for a shaft: expected at least a millionth of rotor.length = " +
-                     metres(shaft.length));
-    }
-    if (check.sound({path + ".diameter", "rotor.length"}) &&
-        section.diameter < kThinnest * shaft.length) {
-      check.fail(path + ".diameter",
-                 "too thin for a shaft: expected at least a millionth of "
-                 "rotor.length = " +
-                     metres(shaft.length));
+    const bool begins = section.diameter >= kThinnest * shaft.length;
+    const std::string thinner = path + (begins ? ".end_diameter" : ".diameter");
+    if (check.sound({thinner, "rotor.length"}) &&
+        (begins ? end : section.diameter) < kThinnest * shaft.length) {
+      check.fail(thinner, "too thin for a shaft: expected at least a millionth of rotor.length = " +
+                              metres(shaft.length));
     }
     if (!check.sound({path + ".from", path + ".to"})) {
       sound = false;

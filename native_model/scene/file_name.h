@@ -1,8 +1,7 @@
-// The name of a file, as every value of a scene carries it: one copy for all of them, so that trees
+// The name of a file, as every value of a scene carries it: one copy in the process, so that trees
 // of values are copied at no cost.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -10,19 +9,17 @@ namespace rotorub::scene {
 
 class FileName {
  public:
-  FileName() = default;
-  FileName(std::string_view name) : name_(std::make_shared<const std::string>(name)) {}  // NOLINT
-  FileName(const std::string& name) : FileName(std::string_view(name)) {}                // NOLINT
-  FileName(const char* name) : FileName(std::string_view(name)) {}                       // NOLINT
-  const std::string& text() const {
-    static const std::string none;
-    return name_ ? *name_ : none;
-  }
-  operator const std::string&() const { return text(); }  // NOLINT
-  bool operator==(const FileName& other) const { return text() == other.text(); }
+  FileName() : FileName(std::string_view()) {}
+  FileName(std::string_view name) : name_(&kept(name)) {}                  // NOLINT: is a name
+  FileName(const std::string& name) : FileName(std::string_view(name)) {}  // NOLINT: is a name
+  FileName(const char* name) : FileName(std::string_view(name)) {}         // NOLINT: is a name
+  operator const std::string&() const { return *name_; }                   // NOLINT: is a name
+  bool operator==(const FileName& other) const { return name_ == other.name_; }
 
  private:
-  std::shared_ptr<const std::string> name_;  // null: no name
+  // From any thread; names are kept to the end of the process: there are few.
+  static const std::string& kept(std::string_view name);
+  const std::string* name_;
 };
 
 }  // namespace rotorub::scene

@@ -58,26 +58,7 @@ std::optional<std::vector<Step>> parse_path(std::string_view text) {
   return steps.front().is_index ? std::nullopt : std::optional(steps);
 }
 
-// A plain decimal number, as TOML and from_chars both read it: most of what a sweep sets.
-std::optional<TomlNode> plain_number(std::string_view text) {
-  const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
-  const bool plain = !digits.empty() && digits.find_first_not_of("0123456789.e-+") == digits.npos;
-  const bool leading =
-      plain && digits[0] != '.' && (digits[0] != '0' || digits.substr(1, 1) == ".");
-  const std::size_t point = digits.find('.');
-  if (!leading || point == digits.npos || point + 1 >= digits.size() || digits[point + 1] < '0' ||
-      digits[point + 1] > '9') {
-    return std::nullopt;
-  }
-  TomlNode node;
-  node.kind = Kind::kFloat;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), node.number);
-  const bool whole = status == std::errc() && end == text.data() + text.size();
-  return whole ? std::optional(std::move(node)) : std::nullopt;
-}
-
 TomlNode parse_value(std::string_view text) {
-  if (auto number = plain_number(text)) return std::move(*number);
   std::vector<Diagnostic> unread;
   const auto document = parse_toml("v = " + std::string(text), kOverrideFile, unread);
   if (document && unread.empty() && document->entries.size() == 1) {

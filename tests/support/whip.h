@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "native_model/oracles/elastic_whip.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
+#include "tests/support/oracles/elastic_whip.h"
 
 namespace rotorub::test {
 

@@ -15,9 +15,9 @@
 #include "compare/bench/reference.h"
 #include "compare/engine/mujoco_engine.h"
 #include "compare/peers/peers.h"
-#include "native_model/oracles/elastic_whip.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/native_run.h"
+#include "tests/support/oracles/elastic_whip.h"
 #include "tests/support/whip.h"
 
 namespace rotorub::test {

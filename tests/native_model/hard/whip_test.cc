@@ -7,8 +7,8 @@
 #include <complex>
 #include <vector>
 
-#include "native_model/oracles/elastic_whip.h"
 #include "tests/native_model/hard/rules.h"
+#include "tests/support/oracles/elastic_whip.h"
 #include "tests/support/whip.h"
 
 namespace rotorub {

@@ -1,6 +1,6 @@
 // The whip on an elastic ring: published figures, and the motion put back into the model's own
 // right-hand side, which shares nothing with the closed form.
-#include "native_model/oracles/elastic_whip.h"
+#include "tests/support/oracles/elastic_whip.h"
 
 #include <gtest/gtest.h>
 

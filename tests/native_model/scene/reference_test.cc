@@ -1,4 +1,4 @@
-#include "native_model/scene/reference.h"
+#include "tests/native_model/scene/reference.h"
 
 #include <gtest/gtest.h>
 

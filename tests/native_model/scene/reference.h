@@ -1,17 +1,22 @@
-#include "native_model/scene/reference.h"
+// The reference of the scene's tables and keys, from the schema.
+#pragma once
+
+#include <string>
 
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/schema.h"
 
 namespace rotorub::scene {
-namespace {
 
-std::string form_text(Form form) {
+inline constexpr const char* kReferenceBegin = "<!-- reference: begin (from the schema) -->\n";
+inline constexpr const char* kReferenceEnd = "<!-- reference: end -->\n";
+
+inline std::string form_text(Form form) {
   if (form == Form::kGeometry) return "geometry form";
   return form == Form::kModal ? "modal form" : "";
 }
 
-std::string type_text(const Key& key) {
+inline std::string type_text(const Key& key) {
   switch (key.type) {
     case ValueType::kNumber:
       return std::string(key.quantity.unit);
@@ -37,7 +42,7 @@ std::string type_text(const Key& key) {
 }
 
 // The quantity's name ("a force") is the meaning where no other is given.
-std::string meaning_text(const Key& key) {
+inline std::string meaning_text(const Key& key) {
   std::string text(key.meaning.empty() ? key.quantity.name : key.meaning);
   std::string limits;
   if (!key.kinds.empty()) limits = "`" + join(key.kinds) + "` only";
@@ -47,16 +52,16 @@ std::string meaning_text(const Key& key) {
   return limits.empty() ? text : text + " (" + limits + ")";
 }
 
-std::string row(const Key& key) {
+inline std::string row(const Key& key) {
   const std::string also = key.also.empty() ? "" : ", `" + std::string(key.also) + "`";
   return "| `" + std::string(key.name) + "`" + also + " | " + type_text(key) + " | " +
          std::string(key.range.text) + " | " + (key.required() ? "required" : key.fallback) +
          " | " + meaning_text(key) + " |\n";
 }
 
-}  // namespace
-
-std::string reference_markdown() {
+// Markdown: a section for every table with its keys, units, ranges, defaults and meanings. Stands
+// in mjcf/README.md between the marks above; a test holds the two together.
+inline std::string reference_markdown() {
   std::string text;
   for (const Table& table : tables()) {
     const std::string path(table.path);

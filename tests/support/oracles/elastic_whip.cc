@@ -1,4 +1,4 @@
-#include "native_model/oracles/elastic_whip.h"
+#include "tests/support/oracles/elastic_whip.h"
 
 #include <Eigen/LU>
 #include <algorithm>
