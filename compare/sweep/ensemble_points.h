@@ -19,8 +19,8 @@ struct PointScene {
 bool has_ensemble(scene::Integrator integrator);
 
 // The results in no order; those of an interrupt are missing. Points whose structures differ (other
-// parts, another step or end) come in ensembles of their own. One that fails is run again alone, so
-// that its row says when and why.
+// parts, another step or end) come in ensembles of their own; one of several contacts is run alone.
+// One that fails is run again alone, so that its row says when and why.
 std::vector<PointResult> run_ensembles(const std::vector<PointScene>& points,
                                        scene::Integrator integrator,
                                        const std::atomic<bool>& interrupt);

@@ -34,7 +34,7 @@ FixedStep CoupledMidpoint::step(std::int64_t k, std::span<const Eigen::Vector2d>
   last();
   std::copy(after_.begin(), after_.end(), free_end_.begin());
   if (status[0] == Status::kOk) collide(middle);
-  const FixedStep out = result(1.0, works);
+  const FixedStep out = result(1.0, after_, works);
   move(0.5 * h_);
   return out;
 }

@@ -247,12 +247,19 @@ void CoupledStep::last() {
     Contact& c = contacts_[i];
     c.lasts = c.lasts && c.normal > 0.0;
     if (!c.lasts) c.slip_sign = 0.0;
-    const Mode mode = !c.lasts ? Mode::kFree : c.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
-    done_[i] = {mode, signs[i] * c.slip_sign < 0.0, c.normal, c.friction, {c.normal, c.friction}};
+    note_lasting(i, signs[i]);
   }
 }
 
-FixedStep CoupledStep::result(double share, bool works) {
+// `sign`: of the slip, before the step.
+void CoupledStep::note_lasting(std::size_t contact, double sign) {
+  const Contact& c = contacts_[contact];
+  const Mode mode = !c.lasts ? Mode::kFree : c.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
+  done_[contact] = {mode,       sign * c.slip_sign < 0.0, c.normal,
+                    c.friction, {c.normal, c.friction},   {0.0, 0.0}};
+}
+
+FixedStep CoupledStep::result(double share, const Columns& end, bool works) {
   FixedStep out;
   static_cast<ContactStep&>(out) = done_[0];
   out.status = status[0];
@@ -261,8 +268,7 @@ FixedStep CoupledStep::result(double share, bool works) {
   if (!works || out.status != Status::kOk) return out;
   out.impact_work = impact_work();
   out.contact_work = lasting_work() + out.impact_work;
-  out.external_work =
-      share * external_work(seen_.data(), start_.data(), free_end_.data()) + late_work_;
+  out.external_work = share * external_work(seen_.data(), start_.data(), end.data()) + late_work_;
   return out;
 }
 

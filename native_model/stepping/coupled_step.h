@@ -55,6 +55,7 @@ class CoupledStep : public FixedStepper, protected LoadKernel<Model> {
   bool leaves(const Contact& c, const Eigen::Vector3d& velocity) const;
   // after_ from free_ at seen_, with what lasts of the contacts.
   void last();
+  void note_lasting(std::size_t contact, double sign);
   // to += A^-1 J^T p of all lasting contacts.
   void push(double* to) const;
   Eigen::Matrix3d admittance(std::size_t i, std::size_t j) const;
@@ -79,8 +80,8 @@ class CoupledStep : public FixedStepper, protected LoadKernel<Model> {
   bool strike(Blow& blow, double t, double at, const double* q, bool ends, Columns& load);
 
   // ------------------------------------------------------------------ the step's end
-  // What step k did; `share`: of the loads' impulse.
-  FixedStep result(double share, bool works);
+  // What step k did; the loads' impulse is `share` of a step's, between start_ and `end`.
+  FixedStep result(double share, const Columns& end, bool works);
   void move(double dt);
 
   // rad/s, of a machine that holds the speed and so works too.

@@ -7,6 +7,7 @@
 //      the next the rest, and what the loads that depend on velocities miss. A resting contact that
 //      it knocks open carries nothing from there on: the next step gives back (1/2 - theta) of its
 //      step impulse.
+//   4. Where a load or a command jumps within a step of lasting contact: as verlet_jumps.h.
 #pragma once
 
 #include "native_model/stepping/coupled_step.h"
@@ -20,13 +21,18 @@ class CoupledVerlet : public CoupledStep {
 
   FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) override;
   bool leaps() const override { return true; }
+  void jump(std::size_t contact, const CommandJump& command) override;
   void velocity_now(std::int64_t k, std::span<const Eigen::Vector2d> held, double* v) override;
   const double* last_q() const override { return seen_.data(); }
   void last_velocity(double* v) const override;
 
  private:
   bool rebounds(const Contact& c, double approach, double pressed) const override;
+  double begin_of(std::int64_t k) const;  // s, of its loads; they end at t_k + h/2
   void kick(std::int64_t k);
+  // coupled_jumps.cc
+  void split(double begin, double end, std::span<const Eigen::Vector2d> u);
+  void take_part(std::span<const Eigen::Vector2d> u, double begin, double end);
   // coupled_impacts.cc
   void collide(std::int64_t k);
   std::size_t next_touch(std::span<bool> closed, double& theta);
@@ -40,6 +46,10 @@ class CoupledVerlet : public CoupledStep {
   // Of an impact: velocities of the step's middle and accelerations; velocities and coordinates of
   // its instant; its load or jump; loads before and after.
   Columns velocity_, acceleration_, at_, there_, jump_, before_, missed_;
+  std::array<CommandJump, kMaxContacts> commands_{};  // of the step that comes
+  // The contacts before the step, and what its mean and its first part make of them.
+  std::vector<Contact> was_, mean_, part_;
+  Columns mean_after_, part_after_;
   std::array<Eigen::Vector2d, kMaxContacts> d_;  // m, of each contact at that instant
 };
 

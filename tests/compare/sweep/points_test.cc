@@ -99,6 +99,35 @@ TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
   }
 }
 
+// Points of several contacts are in no lane, and in every figure the run alone.
+TEST(EnsemblePoints, OfSeveralContactsAreTheirRuns) {
+  const StudyFolder folder;
+  const Study study = folder.study("scene = \"" + std::string(ROTORUB_SOURCE_DIR) +
+                                   R"(/tests/native_model/event/two_rings/rub.toml"
+[sample]
+kind = "grid"
+[[vary]]
+key = "contact.friction"
+values = [0.05, 0.2]
+[run]
+end = "30 ms"
+step = "20 us"
+)");
+  const PointScenes scenes(study, {});
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+    const auto points = ordered(run_ensembles(all_points(scenes), integrator, kGoOn));
+    ASSERT_EQ(points.size(), 2u);
+    for (const PointResult& many : points) {
+      const auto one =
+          run_single(many.point, scenes.at(many.point), *native_engine(integrator), kGoOn);
+      ASSERT_TRUE(one && many.ok()) << many.reason;
+      EXPECT_GT(many.figures->impacts, 0);
+      expect_same(many, *one);
+    }
+    EXPECT_NE(points[0].figures->friction_work, points[1].figures->friction_work);
+  }
+}
+
 // What a run watches of its impacts, its friction and its depth, of points that bounce, slide and
 // stick. Sums over some thousand steps agree to round-off; the depth of lasting contact is
 // round-off itself.

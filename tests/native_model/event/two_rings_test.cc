@@ -84,54 +84,6 @@ INSTANTIATE_TEST_SUITE_P(, TwoRings,
                                          "cylindrical"),
                          [](const auto& of) { return std::string(of.param); });
 
-// `verlet` of the same scenes: from 1e-4 s to 1e-5 s the error falls at least tenfold; of second
-// order it is until the ends of accumulations, which a fixed step puts elsewhere, are what is left.
-TEST_P(TwoRings, VerletConverges) {
-  scene::Scene scene = scene::read_scene(file(GetParam() + std::string(".toml")));
-  scene.run.output_step = 1e-3;
-  const Trajectory exact = test::run_event(scene);
-  const auto error = [&](double step) {
-    const Trajectory t = test::run_with(scene, scene::Integrator::kVerlet, step);
-    EXPECT_EQ(t.status, Status::kOk) << t.message;
-    EXPECT_EQ(t.rows(), exact.rows());
-    double most = 0.0;
-    for (const char* column : {"rotor_x", "rotor_y", "contact2_rotor_x", "contact2_rotor_y"}) {
-      for (std::size_t k = 0; k < t.rows(); ++k) {
-        most = std::max(most, std::abs(t.column(column)[k] - exact.column(column)[k]));
-      }
-    }
-    return most;
-  };
-  const double coarse = error(1e-4), fine = error(1e-5);
-  EXPECT_LT(coarse, 2e-6);
-  EXPECT_LT(fine, 2e-8);
-  EXPECT_LT(fine, 0.1 * coarse);
-}
-
-// Both ends at once on half the mode: what `verlet` of one contact gives.
-TEST(SeveralContacts, VerletOfACylindricalRubIsThatOfOneContact) {
-  const scene::Scene two = scene::read_scene(file("cylindrical.toml"));
-  scene::Scene one = two;
-  one.auxiliary.resize(1);
-  one.first().contact->shape.clear();
-  one.rotor.modal->mass = one.rotor.modal->mass_y = {two.rotor.modal->mass[0]};
-  one.rotor.modal->stiffness = one.rotor.modal->stiffness_y = {two.rotor.modal->stiffness[0]};
-  one.rotor.modal->damping = one.rotor.modal->damping_y = {two.rotor.modal->damping[0]};
-  one.rotor.modal->internal_damping = one.rotor.modal->gyroscopic = {0.0};
-  one.forces[0].shape = {1.0};
-  const Trajectory t = test::run_with(two, scene::Integrator::kVerlet, 2e-5);
-  const Trajectory exact = test::run_with(one, scene::Integrator::kVerlet, 2e-5);
-  ASSERT_EQ(t.rows(), exact.rows());
-  for (std::size_t k = 0; k < t.rows(); ++k) {
-    EXPECT_NEAR(t.column("rotor_x")[k], exact.column("rotor_x")[k], 1e-13);
-    EXPECT_NEAR(t.column("contact2_rotor_y")[k], exact.column("rotor_y")[k], 1e-13);
-    EXPECT_NEAR(2.0 * t.column("normal_force")[k], exact.column("normal_force")[k], 1e-6);
-  }
-  EXPECT_NEAR(t.statistics.impulse_total, exact.statistics.impulse_total, 1e-9);
-  EXPECT_NEAR(t.statistics.friction_work, exact.statistics.friction_work, 1e-9);
-  EXPECT_NEAR(t.statistics.energy_residual(), exact.statistics.energy_residual(), 1e-9);
-}
-
 // A rigid shaft: mode 1 its translation, mode 2 its tilt, 1 at the first contact and `tilt` at the
 // second.
 scene::Scene shaft(double mass, double tilt_mass, double tilt, const test::Jeffcott& of = {}) {

@@ -67,6 +67,25 @@ TEST_F(Allocation, NoneInAStepOfPaper) {
   }
 }
 
+TEST_F(Allocation, NoneInAStepOfSeveralContacts) {
+  const Model model = make_model(scene::read_scene(
+      std::string(ROTORUB_SOURCE_DIR) + "/tests/native_model/event/two_rings/moving.toml"));
+  for (const auto integrator :
+       {scene::Integrator::kMidpoint, scene::Integrator::kVerlet, scene::Integrator::kEuler}) {
+    const auto stepper = make_stepper(integrator, model, 1e-5);
+    const std::vector<Eigen::Vector2d> u(2, Eigen::Vector2d(0.0, 0.0));
+    bool touched[2] = {};
+    const std::int64_t before = allocations;
+    for (std::int64_t k = 0; k < 5000; ++k) {
+      const FixedStep done = stepper->step(k, u, true);
+      for (const std::size_t i : {0, 1}) touched[i] |= done.at(i).normal_impulse > 0.0;
+    }
+    const std::int64_t count = allocations - before;
+    EXPECT_EQ(count, 0);
+    EXPECT_TRUE(touched[0] && touched[1]);
+  }
+}
+
 // A run of `event` allocates where it begins and where its lists of impacts and events grow, which
 // doubles them: a number that does not depend on the steps. A run of four times the length, with
 // its events, may allocate for those doublings only.
