@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "native_model/contact/coupled_law.h"
-#include "native_model/contact/impact_phase.h"
+#include "native_model/contact/impact_record.h"
 #include "native_model/dynamics/closed_contacts.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kernel.h"
