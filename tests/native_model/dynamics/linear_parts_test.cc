@@ -11,7 +11,7 @@
 namespace rotorub {
 namespace {
 
-constexpr double kRoundOff = 1e-13;  // of the largest entry, after sums of a few terms
+constexpr double kOfSums = 1e-13;  // of the largest entry, after sums of a few terms
 
 // The machine with every linear load that a model knows, the spin held.
 Model machine_with_all() {
@@ -40,7 +40,7 @@ TEST(LinearParts, AreTheChangeOfTheLoadsWithTheState) {
   const Eigen::VectorXd linear =
       parts.stiffness * at.q.head(bending) + parts.damping * at.v.head(bending);
   EXPECT_GT(linear.norm(), 0.0);
-  EXPECT_LT((change + linear).norm(), kRoundOff * (linear.norm() + unloaded.norm()));
+  EXPECT_LT((change + linear).norm(), kOfSums * (linear.norm() + unloaded.norm()));
 }
 
 TEST(LinearParts, AreThoseOfTheWhirlAnalysis) {
@@ -53,11 +53,10 @@ TEST(LinearParts, AreThoseOfTheWhirlAnalysis) {
     const auto of_unit_mass = [&](const Eigen::MatrixXd& matrix) -> Eigen::MatrixXd {
       return inverse.asDiagonal() * matrix * inverse.asDiagonal();
     };
-    EXPECT_LT((of_unit_mass(parts.damping) - whirl.damping).norm(),
-              kRoundOff * whirl.damping.norm())
+    EXPECT_LT((of_unit_mass(parts.damping) - whirl.damping).norm(), kOfSums * whirl.damping.norm())
         << speed;
     EXPECT_LT((of_unit_mass(parts.stiffness) - whirl.stiffness).norm(),
-              kRoundOff * whirl.stiffness.norm())
+              kOfSums * whirl.stiffness.norm())
         << speed;
   }
 }
