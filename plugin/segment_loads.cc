@@ -41,14 +41,16 @@ void add_segment_loads(const Config& config, mjData* d) {
     f.segment(l.x(), l.modes) -= s.damping_x * v.segment(l.x(), l.modes);
     f.segment(l.y(), l.modes) -= s.damping_y * v.segment(l.y(), l.modes);
   }
-  const double omega = equations::spin_speed(bending, v.data());
+  // MuJoCo's spin, also where it is held: whoever linearises sets it.
+  const Eigen::VectorXd spin = gather(s.spin, &JointAddress::velocity, d->qvel);
+  const double omega = s.spin_share.dot(spin);
   const double working = bending.feedback && d->time < bending.feedback->law.fails_at ? 1.0 : 0.0;
   equations::add_linear_loads(bending, omega, working, q.data(), v.data(), f.data());
   equations::add_forces(bending, d->time, q.data(), f.data());
   // Blades that are lost; MuJoCo's bodies keep their masses.
   equations::DiscAngles<double> angles;
   angles.fill(bending, d->time, q.data());
-  equations::add_unbalance(bending, angles, omega, f.data());
+  equations::add_unbalance(bending, angles, equations::spin_speed(bending, v.data()), f.data());
   scatter(s.x, f.segment(l.x(), l.modes), d->qfrc_passive);
   scatter(s.y, f.segment(l.y(), l.modes), d->qfrc_passive);
   for (int k = 0; k < l.integrals; ++k) {
@@ -56,7 +58,6 @@ void add_segment_loads(const Config& config, mjData* d) {
   }
 
   if (s.torsion_damping.size() > 0) {
-    const Eigen::VectorXd spin = gather(s.spin, &JointAddress::velocity, d->qvel);
     scatter(s.spin, -(s.torsion_damping * spin), d->qfrc_passive);
   }
   if (s.drive_node >= 0 && model.drive) {

@@ -65,7 +65,7 @@ class Native(InFolder):
         self.assertEqual((error.file, error.line, error.key, error.reason), tuple(
             error.diagnostics[0][k] for k in ("file", "line", "key", "reason")))
         with self.assertRaisesRegex(ValueError, "accepted are event, verlet"):
-            rotorub_native.run(RING, integrator="euler")
+            rotorub_native.run(RING, integrator="rk4")
         with self.assertRaises(rotorub_native.SceneError):
             rotorub_native.run("no/such/scene.toml")
 

@@ -180,7 +180,7 @@ TEST(ShadowColumn, IsTheNativeStepperAtMujocosStep) {
   const auto mean = [](const std::vector<JudgedFigure>& f) { return std::abs(f[0].deviation); };
   EXPECT_GT(mean(c.shadow.figures), 0.0);
   EXPECT_LT(mean(c.shadow.figures), mean(c.differences[2].judged()));
-  EXPECT_NE(comparison_table(c).find("shadow: the native stepper (paper)"), std::string::npos);
+  EXPECT_NE(comparison_table(c).find("shadow: the native stepper (midpoint)"), std::string::npos);
 }
 
 // Impacts that take time are not `midpoint`'s.
