@@ -21,7 +21,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "native_model/trajectory/part_file.h"
+#include "native_model/trajectory/output.h"
 #include "renders/sheet.h"
 
 extern char** environ;

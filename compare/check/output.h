@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/base/palette.h"
-#include "compare/check/case.h"
+#include "compare/check/scene_check.h"
 
 namespace rotorub::check {
 

@@ -1,13 +1,62 @@
-// A scene on every engine.
+// `rotorub check`: a scene on every engine, each run judged by the scene's rules.
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "compare/check/case.h"
+#include "compare/check/verdict.h"
+#include "compare/engine/engine.h"
+#include "native_model/scene/rules.h"
+#include "native_model/trajectory/trajectory.h"
 
 namespace rotorub::check {
+
+struct CheckEngine {
+  std::string name;    // "native-event"
+  std::string column;  // of the table: "event"
+  scene::RuleEngine word = scene::RuleEngine::kNative;
+  bool native = false;      // decides the exit code
+  bool exact_rows = false;  // rows obey the laws to round-off: `event`
+  std::shared_ptr<const Engine> engine;
+};
+
+// native-event, native-midpoint, native-verlet, and MuJoCo with each contact model. (`euler`
+// is a baseline that is there to be wrong by its step, and is not checked.)
+const std::vector<CheckEngine>& check_engines();
+
+// The rules for this engine. Of MuJoCo, where the scene has none for it: those for every native
+// one, so that its results are measured by what they should be.
+std::vector<scene::Rule> rules_for(const CheckEngine& engine,
+                                   const std::vector<scene::Rule>& rules);
+
+// What a run left: a trajectory, or the refusal that kept it from beginning.
+struct Attempt {
+  std::optional<Trajectory> trajectory;
+  std::string refusal;  // where there is no trajectory
+};
+
+// A scene on an engine, judged.
+struct Case {
+  std::string scene, engine;
+  bool native = false;
+  std::vector<Verdict> verdicts;  // of each rule, those of every run first
+  Verdict deciding;               // the worst violation; else what the file limits first
+
+  Outcome outcome() const { return deciding.outcome; }
+};
+
+// `rules`: of this engine (rules_for). `reference`: for metrics that need one; null where it could
+// not be had, and then they are violated. Throws NoSuchMetric. A pure function of what the run
+// left.
+//
+// A refusal where the rules expect none is a violation natively; MuJoCo's is shown as it is. A
+// status without a message, and a run that diverged, are violations everywhere.
+Case judge(const scene::Scene& scene, const CheckEngine& engine,
+           const std::vector<scene::Rule>& rules, const Attempt& attempt,
+           const Trajectory* reference);
 
 // Its rules, each metric of a known name. Throws scene::SceneError with the rule's place.
 std::vector<scene::Rule> rules_of(const scene::Scene& scene);

@@ -7,6 +7,7 @@
 #include <limits>
 
 namespace rotorub::check {
+
 namespace {
 
 std::string rule_text(const std::string& metric, std::optional<double> min,
@@ -62,6 +63,79 @@ double excess(const Verdict& verdict) {
     return std::numeric_limits<double>::infinity();
   }
   return std::abs(*verdict.value - *verdict.limit) / std::max(std::abs(*verdict.limit), 1e-300);
+}
+
+namespace {
+
+// Largest share of its own work that an impact gives to the system instead of taking it; 0: none.
+double largest_gain(const std::vector<Impact>& impacts) {
+  double largest = 0.0;
+  for (const Impact& i : impacts) {
+    const double size =
+        std::abs(i.normal_impulse) * (std::abs(i.gap_rate_before) + std::abs(i.gap_rate_after)) +
+        std::abs(i.friction_impulse) * (std::abs(i.slip_before) + std::abs(i.slip_after));
+    if (i.energy_change > 0.0)
+      largest = std::max(largest, i.energy_change / std::max(size, 1e-300));
+  }
+  return largest;
+}
+
+// |Lambda_T| - mu Lambda_N over Lambda_N, the largest; a pull counts as 1.
+double largest_impulse_residual(const std::vector<Impact>& impacts, const FrictionLaw& friction) {
+  double largest = 0.0;
+  for (const Impact& i : impacts) {
+    if (i.normal_impulse < 0.0) return 1.0;
+    const double mu = std::max(friction.sticking(), friction.at(i.slip_before));
+    const double beyond = std::abs(i.friction_impulse) - mu * i.normal_impulse;
+    if (beyond > 0.0) largest = std::max(largest, beyond / std::max(i.normal_impulse, 1e-300));
+  }
+  return largest;
+}
+
+}  // namespace
+
+Verdict finite_verdict(const Trajectory& trajectory) {
+  Verdict verdict;
+  verdict.rule = "every value finite";
+  const auto fail = [&](const std::string& what) {
+    verdict.outcome = Outcome::kViolates;
+    verdict.reason = what + " is not finite";
+    return verdict;
+  };
+  for (const Column& column : trajectory.series) {
+    const auto finite = [](double x) { return std::isfinite(x); };
+    if (!std::all_of(column.values.begin(), column.values.end(), finite)) return fail(column.name);
+  }
+  for (const Impact& i : trajectory.impacts) {
+    if (!std::isfinite(i.t + i.normal_impulse + i.friction_impulse + i.gap_rate_before +
+                       i.gap_rate_after + i.slip_before + i.slip_after + i.energy_change)) {
+      return fail("an impact");
+    }
+  }
+  return verdict;
+}
+
+std::vector<Verdict> law_verdicts(const Trajectory& trajectory,
+                                  const std::optional<ContactFacts>& facts, bool exact_rows,
+                                  const LawLimits& limits) {
+  std::vector<Verdict> verdicts{finite_verdict(trajectory)};
+  if (!facts || verdicts.front().outcome != Outcome::kPass) return verdicts;
+  const auto add = [&](const char* metric, double value, double limit) {
+    verdicts.push_back(limited(metric, value, std::nullopt, limit));
+  };
+  const Residuals r = contact_residuals(trajectory, *facts);
+  add("impact energy gain", largest_gain(trajectory.impacts), limits.impact_gain);
+  add("impact cone", largest_impulse_residual(trajectory.impacts, facts->friction),
+      limits.impact_gain);
+  add("residual.adhesion", r.adhesion, limits.residual);
+  add("residual.cone", r.cone, limits.residual);
+  add("max_penetration", trajectory.statistics.max_penetration,
+      limits.penetration * facts->clearance);
+  if (exact_rows) {
+    add("residual.complementarity", r.complementarity, limits.residual);
+    add("residual.sliding", r.sliding, limits.residual);
+  }
+  return verdicts;
 }
 
 }  // namespace rotorub::check

@@ -21,7 +21,6 @@
 #include "compare/report/beside.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
-#include "native_model/trajectory/part_file.h"
 
 namespace rotorub {
 namespace {

@@ -25,7 +25,7 @@
 #include "native_model/scene/printable.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/units.h"
-#include "native_model/trajectory/part_file.h"
+#include "native_model/trajectory/output.h"
 
 namespace rotorub {
 namespace {

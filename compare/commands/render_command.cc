@@ -20,7 +20,7 @@
 #include "compare/study/scene_comparison.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/printable.h"
-#include "native_model/trajectory/part_file.h"
+#include "native_model/trajectory/output.h"
 #include "renders/film.h"
 
 namespace rotorub {

@@ -26,7 +26,7 @@
 #include "native_model/scene/contact_models.h"
 #include "native_model/scene/old_words.h"
 #include "native_model/scene/printable.h"
-#include "native_model/trajectory/part_file.h"
+#include "native_model/trajectory/output.h"
 
 namespace rotorub {
 namespace {

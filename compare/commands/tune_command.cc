@@ -20,7 +20,6 @@
 #include "compare/tune/table.h"
 #include "compare/tune/tune.h"
 #include "native_model/trajectory/output.h"
-#include "native_model/trajectory/part_file.h"
 
 namespace rotorub {
 namespace {

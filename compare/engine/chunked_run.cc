@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compare/engine/mujoco_messages.h"
+#include "compare/engine/mujoco_model.h"
 #include "plugin/control.h"
 #include "plugin/user_data.h"
 
@@ -42,20 +42,16 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
     if (failed_) break;
     StepResult& r = results_[done];
     r.works = works_;
-    r.forces = plugin::contact_forces(config_, m_, data_.get());
-    r.further.clear();
+    r.forces.assign(1, plugin::contact_forces(config_, m_, data_.get()));
     for (std::size_t k = 1; k < config_.pairs.size(); ++k) {
-      r.further.push_back(plugin::contact_forces(config_.pairs[k], m_, data_.get()));
+      r.forces.push_back(plugin::contact_forces(config_.pairs[k], m_, data_.get()));
     }
     r.actuator = plugin::actuator_state(config_, m_, data_.get());
     if (commands_) r.command = plugin::command_of_pass(config_, m_, data_.get());
-    const auto failing = std::find_if(r.further.begin(), r.further.end(),
+    const auto failing = std::find_if(r.forces.begin(), r.forces.end(),
                                       [](const auto& f) { return f.status != Status::kOk; });
-    const Status status = r.forces.status == Status::kOk && failing != r.further.end()
-                              ? failing->status
-                              : r.forces.status;
-    if (status != Status::kOk) {
-      contact_status_ = status;
+    if (failing != r.forces.end()) {
+      contact_status_ = failing->status;
       failed_ = true;
       break;
     }
@@ -89,8 +85,7 @@ StepResult ChunkedRun::last_half() {
   mj_forward(m_, data_.get());
   read_state(states_.data());
   std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), states_.data() + size());
-  return {plugin::contact_forces(config_, m_, data_.get()),
-          {},
+  return {{plugin::contact_forces(config_, m_, data_.get())},
           plugin::actuator_state(config_, m_, data_.get()),
           {0.0, 0.0},
           works_};

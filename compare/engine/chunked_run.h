@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/engine/mujoco_setup.h"
+#include "compare/engine/mujoco_engine.h"
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/config.h"
@@ -19,8 +19,7 @@ namespace rotorub {
 
 // What a step left behind: the state at its end and the forces that acted over it.
 struct StepResult {
-  plugin::ContactForces forces;
-  std::vector<plugin::ContactForces> further;  // of contacts beyond the first
+  std::vector<plugin::ContactForces> forces;  // of each contact
   ActuatorState actuator;
   Eigen::Vector2d command{0.0, 0.0};  // plugin/control.h, where it was asked for
   plugin::StepWorks works{};          // of native steps

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "compare/engine/mujoco_engine.h"
-#include "compare/engine/request_options.h"
 #include "native_model/run/run_native.h"
-#include "native_model/trajectory/impulse_window.h"
+#include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
+
 namespace {
 
 class NativeEngine final : public Engine {
@@ -18,9 +18,13 @@ class NativeEngine final : public Engine {
   std::string name() const override { return std::string("native-") + to_string(integrator_); }
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
     if (request.watch) throw std::invalid_argument("a native run has no step to watch");
-    auto options = options_of<NativeOptions>(request);
-    options.commands = request.commands;
+    NativeOptions options;
     options.integrator = integrator_;
+    options.step = request.step;
+    options.output_times = request.output_times;
+    options.progress = request.progress;
+    options.interrupt = request.interrupt;
+    options.commands = request.commands;
     return finite(run_native(perturbed(scene, request.perturbation_ulps), options));
   }
 
@@ -33,10 +37,10 @@ class MujocoEngine final : public Engine {
   explicit MujocoEngine(scene::ContactModel contact) : contact_(contact) {}
   std::string name() const override { return std::string("mujoco-") + to_string(contact_); }
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
-    MujocoOptions options = mujoco_options(request);
+    MujocoOptions options{request};
     options.contact = contact_;
     options.window = kWindowSteps * scene.run.step;
-    return finite(run_mujoco(perturbed(scene, request.perturbation_ulps), options));
+    return finite(run_mujoco(scene, options));
   }
 
  private:

@@ -1,7 +1,9 @@
 // One interface of everything that can run a scene: what compares and reports knows no engine.
 #pragma once
 
+#include <Eigen/Core>
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -9,13 +11,32 @@
 #include <string>
 #include <vector>
 
-#include "compare/engine/step_watch.h"
 #include "native_model/control/command_record.h"
 #include "native_model/scene/contact_models.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
+
+// What an onlooker sees of every step of a MuJoCo run: step k, from t = k h to t + h. MuJoCo's
+// Euler step is leapfrog: its velocities are those of half a step before its positions, and a force
+// of the step acts about t, from t - h/2 to t + h/2 (native_model/stepping/verlet_step.h).
+struct WatchedStep {
+  double t = 0.0, h = 0.0;  // s
+  // The state of t: nq values of the plugin's model (without coils). Velocities are those of t, the
+  // mean of those of the half steps beside it: of second order where no impact is between them.
+  const double* q = nullptr;
+  const double* v = nullptr;
+  Eigen::Vector2d current{0.0, 0.0};  // A, of the coils at t
+  // The actuator's command (system/actuation.h), and from when it acts, s.
+  Eigen::Vector2d command{0.0, 0.0};
+  double command_begin = 0.0;
+  double normal_impulse = 0.0;  // N s, of the step, >= 0
+  bool impact = false;          // that is an impact's, of a rigid law, with
+  double impact_time = 0.0;     // s
+  double gap_rate_after = 0.0;  // m/s
+};
+using StepWatch = std::function<void(const WatchedStep&)>;
 
 // How a run differs from what the scene says.
 struct RunRequest {

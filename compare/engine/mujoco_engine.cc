@@ -6,10 +6,8 @@
 
 #include "compare/engine/chunked_run.h"
 #include "compare/engine/engine.h"
-#include "compare/engine/mujoco_messages.h"
+#include "compare/engine/mujoco_model.h"
 #include "compare/engine/mujoco_record.h"
-#include "compare/engine/mujoco_setup.h"
-#include "compare/engine/watch_feed.h"
 #include "mjcf/writer.h"
 #include "native_model/control/library.h"
 #include "native_model/stepping/step_limit.h"
@@ -21,6 +19,7 @@
 #include "plugin/hooks.h"
 
 namespace rotorub {
+
 namespace {
 
 scene::Scene with_options(const scene::Scene& scene, const MujocoOptions& options) {
@@ -42,7 +41,7 @@ const char* contact_reason(Status status) {
 }  // namespace
 
 Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
-  const scene::Scene scene = with_options(given, options);
+  const scene::Scene scene = with_options(perturbed(given, options.perturbation_ulps), options);
   const bool lags = scene.first().actuator && scene.first().actuator->coil_lag > 0.0;
   const bool native =
       scene.mujoco.rotor == scene::MujocoRotor::kModal && !scene.mujoco.shadow && !lags;
@@ -70,6 +69,7 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
 
 Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
                       const MujocoOptions& options) {
+  if (options.commands) throw std::invalid_argument("MuJoCo takes no recorded commands");
   const MujocoMessages messages;
   const plugin::Hooks hooks;
   const plugin::Config& config = *setup.config;

@@ -2,13 +2,24 @@
 
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 
 #include "mjcf/names.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub {
-
 namespace {
+
+std::mutex messages_mutex;
+int living = 0;
+void (*previous_error)(const char*) = nullptr;
+void (*previous_warning)(const char*) = nullptr;
+thread_local std::vector<std::string> collected;
+
+// MuJoCo's C frames are unwound by the exception; its data are not used again after one.
+void on_error(const char* message) { throw MujocoError(message); }
+
+void on_warning(const char* message) { collected.emplace_back(message); }
 
 // By load(error, size).
 template <typename Load>
@@ -23,6 +34,23 @@ MujocoModel loaded(Load load) {
 }
 
 }  // namespace
+
+MujocoMessages::MujocoMessages() {
+  collected.clear();
+  const std::lock_guard<std::mutex> lock(messages_mutex);
+  if (living++ > 0) return;
+  previous_error = std::exchange(mju_user_error, on_error);
+  previous_warning = std::exchange(mju_user_warning, on_warning);
+}
+
+MujocoMessages::~MujocoMessages() {
+  const std::lock_guard<std::mutex> lock(messages_mutex);
+  if (--living > 0) return;
+  mju_user_error = previous_error;
+  mju_user_warning = previous_warning;
+}
+
+std::vector<std::string> MujocoMessages::warnings() const { return collected; }
 
 MujocoModel load_mjcf_file(const std::filesystem::path& file) {
   return loaded([name = file.string()](char* error, int size) {

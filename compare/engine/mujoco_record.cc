@@ -24,6 +24,18 @@ Impact impact_of(const plugin::ContactForces& f, double t, double h) {
   return i;
 }
 
+// Of an impact that is not located: when the gap at t closes at the rate before it, within the
+// step. The velocity that jumps is that of half a step ago.
+double impact_time(const plugin::ContactForces& f, double t, double h, double gap) {
+  return t + std::clamp(gap / std::max(-f.gap_rate_before, 1e-300), 0.0, h);
+}
+
+// An impact's impulse is no force of lasting contact.
+ContactSnapshot lasting(const plugin::ContactForces& f, const ActuatorState& actuator) {
+  const double share = f.impact ? 0.0 : 1.0;
+  return {share * f.normal, share * f.friction, f.mode, actuator};
+}
+
 }  // namespace
 
 MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times,
@@ -32,14 +44,13 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
       rigid_(rigid),
       step_(step),
       recorder_(model, std::move(times), window),
-      episodes_(recorder_),
       others_(model.auxiliary.size() - 1),
       middle_(static_cast<std::size_t>(model.nq())),
       half_(middle_) {
-  for (std::size_t k = 1; k < model.auxiliary.size(); ++k) {
-    further_.push_back({Mode::kFree, ContactEpisodes(recorder_, static_cast<int>(k)), {}});
+  for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
+    contacts_.push_back({Mode::kFree, ContactEpisodes(recorder_, static_cast<int>(k)), {}});
   }
-  if (!further_.empty()) recorder_.statistics().contacts.resize(model.auxiliary.size());
+  if (contacts_.size() > 1) recorder_.statistics().contacts.resize(model.auxiliary.size());
 }
 
 void MujocoRecord::begin(const double* q, const double* v) {
@@ -50,9 +61,8 @@ void MujocoRecord::begin(const double* q, const double* v) {
   ActuatorState acts = actuator_state(model_, q, v, lags ? Eigen::Vector2d(0.0, 0.0) : told);
   acts.outputs = hold.outputs();
   recorder_.begin({{0.0, 0.0, Mode::kFree, acts}, 0.0, q, v, others_});
-  point_ = contact_point(model_, q, v);
-  for (std::size_t k = 0; k < further_.size(); ++k)
-    further_[k].point = contact_point(model_, q, v, k + 1);
+  for (std::size_t k = 0; k < contacts_.size(); ++k)
+    contacts_[k].point = contact_point(model_, q, v, k);
   last_q_.assign(q, q + model_.nq());
   last_v_.assign(v, v + model_.nq());
 }
@@ -67,7 +77,7 @@ void MujocoRecord::begin(const double* q, const double* v) {
 // v_{k+1}.
 StepBalance MujocoRecord::balance_of_step(std::int64_t k, const double* q, const double* v,
                                           const StepResult& r) {
-  const double t = static_cast<double>(k) * step_;
+  const double t = time(k);
   StepBalance done;  // of the whole step, at its begin
   for (std::size_t i = 0; i < middle_.size(); ++i) {
     middle_[i] = 0.5 * (last_v_[i] + v[i]);
@@ -77,15 +87,11 @@ StepBalance MujocoRecord::balance_of_step(std::int64_t k, const double* q, const
   }
   done.external_work +=
       step_ * external_power(model_, t, last_q_.data(), middle_.data(), r.actuator.force);
-  if (model_.first().contact) {
-    const ContactPoint p = contact_point(model_, last_q_.data(), middle_.data());
-    done.contact_work =
-        step_ * (r.forces.normal * p.gap_rate + r.forces.friction * (p.slip - held(0)));
-  }
-  for (std::size_t i = 0; i < r.further.size(); ++i) {
-    const ContactPoint p = contact_point(model_, last_q_.data(), middle_.data(), i + 1);
-    const plugin::ContactForces& f = r.further[i];
-    done.contact_work += step_ * (f.normal * p.gap_rate + f.friction * (p.slip - held(i + 1)));
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    if (!model_.auxiliary[i].contact) continue;
+    const ContactPoint p = contact_point(model_, last_q_.data(), middle_.data(), i);
+    const plugin::ContactForces& f = r.forces[i];
+    done.contact_work += step_ * (f.normal * p.gap_rate + f.friction * (p.slip - held(i)));
   }
   const auto stored = [&](const std::vector<double>& rates) {
     return energy(model_, t, last_q_.data(), rates.data());
@@ -107,76 +113,65 @@ StepBalance MujocoRecord::balance_of_step(std::int64_t k, const double* q, const
 }
 
 void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const StepResult& r) {
-  const double t = static_cast<double>(k) * step_;
-  const ContactPoint after = contact_point(model_, q, v);
-  const double next = static_cast<double>(k + 1) * step_;
-  const plugin::ContactForces& f = r.forces;
-  const Impact impact = f.impact ? impact_of(f, impact_time(t, f, point_), step_) : Impact{};
-  if (model_.first().contact && rigid_) note_rigid(next, f, impact);
-  if (model_.first().contact && !rigid_) {
-    episodes_.step({t, step_, point_, after, f.normal, f.friction, f.mode});
-  }
-  for (std::size_t i = 1; i <= further_.size(); ++i) step_further(k, i, q, v, r);
-  if (!further_.empty() && f.normal > 0.0) {
-    const double slips = f.impact ? f.slip_before + f.slip_after : point_.slip + after.slip;
-    recorder_.count_at(0, t, step_, step_ * f.normal, step_ * f.friction,
-                       0.5 * step_ * f.friction * slips);
-  }
-  if (!further_.empty()) recorder_.watch_gap(0, after.gap);
+  const Impact impact = step_contact(k, 0, q, v, r);
+  for (std::size_t i = 1; i < contacts_.size(); ++i) step_contact(k, i, q, v, r);
   const StepBalance balance = balance_of_step(k, q, v, r);
-  // An impact's impulse is no force of lasting contact.
-  const double lasting = f.impact ? 0.0 : 1.0;
-  recorder_.step(
-      {{lasting * f.normal, lasting * f.friction, f.mode, r.actuator}, next, q, v, others_},
-      step_ * f.normal, step_ * f.friction, f.impact, f.impact ? &impact : nullptr, &balance);
-  point_ = after;
+  const plugin::ContactForces& f = r.forces.front();
+  recorder_.step({lasting(f, r.actuator), time(k + 1), q, v, others_}, step_ * f.normal,
+                 step_ * f.friction, f.impact, f.impact ? &impact : nullptr, &balance);
 }
 
-// A contact beyond the first, over step k.
-void MujocoRecord::step_further(std::int64_t k, std::size_t contact, const double* q,
-                                const double* v, const StepResult& r) {
-  Further& own = further_[contact - 1];
-  const plugin::ContactForces& f = r.further[contact - 1];
-  const double t = static_cast<double>(k) * step_, next = static_cast<double>(k + 1) * step_;
+// A contact over step k; its impact, if it has one.
+Impact MujocoRecord::step_contact(std::int64_t k, std::size_t contact, const double* q,
+                                  const double* v, const StepResult& r) {
+  AtContact& own = contacts_[contact];
+  const plugin::ContactForces& f = r.forces[contact];
+  const double t = time(k);
   const ContactPoint after = contact_point(model_, q, v, contact);
+  Impact impact =
+      f.impact ? impact_of(f, impact_time(f, t, step_, own.point.gap), step_) : Impact{};
+  impact.contact = static_cast<int>(contact);
   if (rigid_) {
-    Impact impact = f.impact ? impact_of(f, impact_time(t, f, own.point), step_) : Impact{};
-    impact.contact = static_cast<int>(contact);
-    note_rigid(next, f, impact, contact);
-  } else {
+    if (f.impact) {  // as the native side: one row an impact
+      recorder_.add(impact);
+      recorder_.add(Event{impact.t, EventKind::kImpact, impact.contact});
+    }
+    note_mode(time(k + 1), f.mode, contact);
+  } else if (model_.auxiliary[contact].contact) {
     own.episodes.step({t, step_, own.point, after, f.normal, f.friction, f.mode});
   }
-  const double lasting = f.impact ? 0.0 : 1.0;
-  others_[contact - 1] = {lasting * f.normal, lasting * f.friction, f.mode, {}};
-  if (f.normal > 0.0) {
-    const double slips = f.impact ? f.slip_before + f.slip_after : own.point.slip + after.slip;
-    const double normal = step_ * f.normal, friction = step_ * f.friction,
-                 work = 0.5 * friction * slips;
-    recorder_.count_at(contact, t, step_, normal, friction, work);
-    recorder_.count_beside(t, step_, normal, friction, work, r.forces.normal > 0.0);
+  if (contact > 0) others_[contact - 1] = lasting(f, {});
+  if (contacts_.size() > 1) {
+    if (f.normal > 0.0) {
+      const double slips = f.impact ? f.slip_before + f.slip_after : own.point.slip + after.slip;
+      const double normal = step_ * f.normal, friction = step_ * f.friction,
+                   work = 0.5 * friction * slips;
+      recorder_.count_at(contact, t, step_, normal, friction, work);
+      if (contact > 0) {
+        recorder_.count_beside(t, step_, normal, friction, work, r.forces.front().normal > 0.0);
+      }
+    }
+    recorder_.watch_gap(contact, after.gap);
   }
-  recorder_.watch_gap(contact, after.gap);
   own.point = after;
+  return impact;
 }
 
 void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
                                const StepResult& r, bool last) {
-  const double t = static_cast<double>(k) * step_;
-  const plugin::ContactForces& f = r.forces;
-  const bool lasting = !f.impact;
+  const double t = time(k);
+  const plugin::ContactForces& f = r.forces.front();
   const ContactPoint p = contact_point(model_, q, v);
-  note_mode(t, f.mode);
+  note_mode(t, f.mode, 0);
   if (k > 0) {
     if (impact_.normal_impulse > 0.0) count_impact();
-    recorder_.advance(
-        {{lasting ? f.normal : 0.0, lasting ? f.friction : 0.0, f.mode, r.actuator}, t, q, v}, p,
-        impact_.normal_impulse > 0.0);
+    recorder_.advance({lasting(f, r.actuator), t, q, v}, p, impact_.normal_impulse > 0.0);
   }
   StepFigures figures;
   figures.h = k == 0 || last ? 0.5 * step_ : step_;
   const double share = last ? 0.5 : 1.0;  // the first step's works are those of half a kick
   figures.external_work = share * r.works.external;
-  if (lasting && f.mode != Mode::kFree && f.normal > 0.0) {
+  if (!f.impact && f.mode != Mode::kFree && f.normal > 0.0) {
     figures.normal_impulse = figures.h * f.normal;
     figures.friction_impulse = figures.h * f.friction;
     figures.friction_work = figures.friction_impulse * p.slip;
@@ -193,7 +188,7 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
 }
 
 std::optional<std::string> MujocoRecord::lost(const double* q) const {
-  if (further_.empty() && recorder_.penetration() == 0.0 && !model_.first().magnets) return {};
+  if (contacts_.size() == 1 && recorder_.penetration() == 0.0 && !model_.first().magnets) return {};
   if (rigid_ || !model_.first().contact) return out_of_range(model_, q);
   // A soft ring holds as deep as it is thick, which no one says; no ring holds what is through it.
   return out_of_range(model_, q,
@@ -201,9 +196,8 @@ std::optional<std::string> MujocoRecord::lost(const double* q) const {
 }
 
 Trajectory MujocoRecord::finish(double end) {
-  if (!rigid_) episodes_.finish();
-  for (Further& own : further_) {
-    if (!rigid_) own.episodes.finish();
+  if (!rigid_) {
+    for (AtContact& own : contacts_) own.episodes.finish();
   }
   return recorder_.finish(end);
 }
@@ -228,27 +222,62 @@ void MujocoRecord::count_impact() {
 }
 
 void MujocoRecord::note_mode(double t, Mode mode, std::size_t contact) {
-  Mode& last = contact == 0 ? mode_ : further_[contact - 1].mode;
+  Mode& last = contacts_[contact].mode;
   if (mode == last) return;
   recorder_.add(Event{t, mode_event(mode), static_cast<int>(contact)});
   last = mode;
 }
 
-// As the native side: one row an impact. The velocity that jumps is that of half a step ago.
-void MujocoRecord::note_rigid(double next, const plugin::ContactForces& f, const Impact& impact,
-                              std::size_t contact) {
-  if (f.impact) {
-    recorder_.add(impact);
-    recorder_.add(Event{impact.t, EventKind::kImpact, impact.contact});
-  }
-  note_mode(next, f.mode, contact);
+WatchFeed::WatchFeed(const Model& model, double step, StepWatch watch)
+    : model_(model),
+      h_(step),
+      watch_(std::move(watch)),
+      lags_(model.first().magnets && model.first().magnets->coil_lag > 0.0) {}
+
+void WatchFeed::begin(const double* q, const double* v) {
+  if (!watch_) return;
+  q_.assign(q, q + model_.nq());
+  v_.assign(v, v + model_.nq());
+  mean_ = v_;
 }
 
-// When the gap at t closes at the rate before the impact, within the step.
-double MujocoRecord::impact_time(double t, const plugin::ContactForces& f,
-                                 const ContactPoint& point) const {
-  const double closing = point.gap / std::max(-f.gap_rate_before, 1e-300);
-  return t + std::clamp(closing, 0.0, step_);
+void WatchFeed::step(std::int64_t k, const double* q, const double* v, const StepResult& r) {
+  if (!watch_) return;
+  for (std::size_t i = 0; i < v_.size(); ++i) mean_[i] = k == 0 ? v_[i] : 0.5 * (v_[i] + v[i]);
+  tell(k, q_.data(), mean_.data(), h_, r);
+  std::copy_n(q, q_.size(), q_.begin());
+  std::copy_n(v, v_.size(), v_.begin());
+}
+
+void WatchFeed::native_step(std::int64_t k, const double* q, const double* v, const StepResult& r) {
+  if (!watch_) return;
+  tell(k, q, v, k == 0 ? 0.5 * h_ : h_, r);
+}
+
+// `kick`: s, that the step's forces are for.
+void WatchFeed::tell(std::int64_t k, const double* q, const double* v, double kick,
+                     const StepResult& r) {
+  const plugin::ContactForces& f = r.forces.front();
+  WatchedStep s;
+  s.t = static_cast<double>(k) * h_;
+  s.h = h_;
+  s.q = q;
+  s.v = v;
+  s.current = current_;
+  s.command = r.command;
+  // The current of a coil that lags follows from the step's begin on.
+  s.command_begin = k == 0 || lags_ ? s.t : s.t - 0.5 * h_;
+  s.normal_impulse = kick * f.normal;
+  s.impact = f.impact;
+  if (f.impact) {
+    s.gap_rate_after = f.gap_rate_after;
+    s.impact_time = f.impact_time;
+    if (s.impact_time == 0.0) {
+      s.impact_time = impact_time(f, s.t, h_, contact_point(model_, q, v).gap);
+    }
+  }
+  watch_(s);
+  current_ = r.actuator.current;
 }
 
 }  // namespace rotorub

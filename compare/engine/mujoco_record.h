@@ -1,4 +1,4 @@
-// Feeds the recorder that the native side uses with the steps of a MuJoCo run.
+// Who is handed the steps of a MuJoCo run: the recorder that the native side uses, and an onlooker.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,8 @@
 
 #include "compare/engine/chunked_run.h"
 #include "compare/engine/contact_episodes.h"
+#include "compare/engine/engine.h"
+#include "native_model/system/model.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
@@ -36,34 +38,51 @@ class MujocoRecord {
                               const StepResult& r);
   double held(std::size_t contact) const;
   void count_impact();
-  void note_mode(double t, Mode mode, std::size_t contact = 0);
-  void note_rigid(double next, const plugin::ContactForces& f, const Impact& impact,
-                  std::size_t contact = 0);
-  double impact_time(double t, const plugin::ContactForces& f, const ContactPoint& point) const;
-  void step_further(std::int64_t k, std::size_t contact, const double* q, const double* v,
-                    const StepResult& r);
+  void note_mode(double t, Mode mode, std::size_t contact);
+  Impact step_contact(std::int64_t k, std::size_t contact, const double* q, const double* v,
+                      const StepResult& r);
+  double time(std::int64_t k) const { return static_cast<double>(k) * step_; }  // s
 
   const Model& model_;
   bool rigid_;
   double step_;
-  Mode mode_ = Mode::kFree;
   Recorder recorder_;
-  ContactEpisodes episodes_;
-  ContactPoint point_;
-  // Of the contacts beyond the first.
-  struct Further {
+  struct AtContact {
     Mode mode = Mode::kFree;
     ContactEpisodes episodes;
     ContactPoint point{};
   };
-  std::vector<Further> further_;
-  std::vector<ContactSnapshot> others_;
+  std::vector<AtContact> contacts_;      // of each
+  std::vector<ContactSnapshot> others_;  // of those beyond the first
   // Of native steps, of the step before: its impact, and the impact's work on the coordinates.
   Impact impact_;
   double impact_work_ = 0.0;  // J
   // Of others: the state that the step began from, and what its forces did over the whole of it, J.
   std::vector<double> last_q_, last_v_, middle_, half_;
   StepBalance last_step_;
+};
+
+// What a watch is given (engine.h), of what the engine has.
+class WatchFeed {
+ public:
+  // No watch: nothing is done. The model must outlive it.
+  WatchFeed(const Model& model, double step, StepWatch watch);
+
+  void begin(const double* q, const double* v);  // the state of t = 0
+  // As MujocoRecord: the state at the step's end; of native steps that of its begin.
+  void step(std::int64_t k, const double* q, const double* v, const StepResult& result);
+  void native_step(std::int64_t k, const double* q, const double* v, const StepResult& result);
+
+ private:
+  void tell(std::int64_t k, const double* q, const double* v, double kick,
+            const StepResult& result);
+
+  const Model& model_;
+  double h_;  // s
+  StepWatch watch_;
+  bool lags_;
+  std::vector<double> q_, v_, mean_;
+  Eigen::Vector2d current_{0.0, 0.0};
 };
 
 }  // namespace rotorub

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "compare/metrics/interpolation.h"
+#include "compare/metrics/rows.h"
 
 namespace rotorub {
 namespace {

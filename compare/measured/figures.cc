@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/metrics/interpolation.h"
-#include "compare/metrics/spectrum.h"
+#include "compare/metrics/orbit.h"
+#include "compare/metrics/rows.h"
 
 namespace rotorub {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compare/metrics/fourier.h"
-#include "compare/metrics/interpolation.h"
+#include "compare/metrics/rows.h"
 
 namespace rotorub {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "compare/measured/clipping.h"
 #include "compare/measured/figures.h"
-#include "compare/metrics/spectrum.h"
+#include "compare/metrics/orbit.h"
 
 namespace rotorub {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "compare/metrics/interpolation.h"
+#include "compare/metrics/rows.h"
 
 namespace rotorub {
 

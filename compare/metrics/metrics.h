@@ -30,7 +30,7 @@ struct Metrics {
   double peak_impulse = 0.0;             // N s, largest of one impact
   std::optional<double> impact_impulse;  // N s, the same under a rigid law; none: a soft contact
                                          // has episodes, and no impacts
-  std::optional<double> window_impulse;  // N s, largest within the window (impulse_window.h); none:
+  std::optional<double> window_impulse;  // N s, largest within the window (recorder.h); none:
                                          // MuJoCo under a rigid law
   double gap_rate_rms = 0.0;             // m/s, from first touch
   double max_penetration = 0.0;          // m

@@ -1,11 +1,63 @@
 #include "compare/metrics/rows.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
+
+namespace {
+
+// Calls each(k, row, share, h): that the k-th time stands so far between row and the next, h later.
+template <class Each>
+void along(std::span<const double> rows, std::span<const double> t, Each each) {
+  assert(rows.size() >= 2);
+  std::size_t row = 0;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    // Mostly the next few rows.
+    if (row + 2 < rows.size() && rows[row + 1] <= t[k]) {
+      const auto from = rows.begin() + static_cast<std::ptrdiff_t>(row) + 1;
+      const auto next = std::upper_bound(from, rows.end() - 1, t[k]);
+      row = static_cast<std::size_t>(next - rows.begin()) - 1;
+    }
+    const double h = rows[row + 1] - rows[row];
+    // Two rows at one instant are a jump.
+    const double share = h > 0.0 ? (t[k] - rows[row]) / h : t[k] < rows[row] ? 0.0 : 1.0;
+    each(k, row, std::clamp(share, 0.0, 1.0), h);
+  }
+}
+
+}  // namespace
+
+std::vector<double> linear(std::span<const double> rows, std::span<const double> y,
+                           std::span<const double> t) {
+  std::vector<double> out(t.size());
+  along(rows, t, [&](std::size_t k, std::size_t row, double s, double) {
+    out[k] = s == 1.0 ? y[row + 1] : y[row] + s * (y[row + 1] - y[row]);
+  });
+  return out;
+}
+
+std::vector<double> cubic(std::span<const double> rows, std::span<const double> y,
+                          std::span<const double> rate, std::span<const double> t) {
+  std::vector<double> out(t.size());
+  along(rows, t, [&](std::size_t k, std::size_t row, double s, double h) {
+    const double r = 1.0 - s;
+    out[k] = r * r * ((1.0 + 2.0 * s) * y[row] + s * h * rate[row]) +
+             s * s * ((3.0 - 2.0 * s) * y[row + 1] - r * h * rate[row + 1]);
+  });
+  return out;
+}
+
+std::vector<double> even_times(double from, double to, std::size_t count) {
+  std::vector<double> t;
+  for (std::size_t k = 0; k < count; ++k) {
+    t.push_back(from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1));
+  }
+  return t;
+}
 
 std::vector<double> dense_times(const scene::Run& run, std::size_t rows) {
   const auto steps = static_cast<std::size_t>(std::ceil(run.end / run.step - 1e-9));

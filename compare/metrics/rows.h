@@ -1,13 +1,25 @@
-// The rows that a run is judged by.
+// The rows that a run is judged by, and values between them.
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
+
+// Values of y at the times t, which ascend; before the first row and after the last one the values
+// there. Two rows or more; rows ascend.
+std::vector<double> linear(std::span<const double> rows, std::span<const double> y,
+                           std::span<const double> t);
+// Hermite's cubic. rate: of y.
+std::vector<double> cubic(std::span<const double> rows, std::span<const double> y,
+                          std::span<const double> rate, std::span<const double> t);
+
+// count times from `from` to `to`, both included.
+std::vector<double> even_times(double from, double to, std::size_t count);
 
 inline constexpr std::size_t kRows = 50000;  // at most: every step, or every so many of them
 

@@ -4,8 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "compare/engine/mujoco_messages.h"
-#include "compare/engine/request_options.h"
+#include "compare/engine/mujoco_model.h"
 #include "mjcf/contact_pair.h"
 #include "mjcf/mujoco_version.h"
 #include "mjcf/names.h"
@@ -15,7 +14,7 @@
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model.h"
 #include "native_model/system/run_size.h"
-#include "native_model/trajectory/impulse_window.h"
+#include "native_model/trajectory/recorder.h"
 #include "plugin/own/own_names.h"
 #include "plugin/twin/native_twin.h"
 
@@ -115,7 +114,7 @@ class OwnEngine final : public Engine {
     scene::Scene scene = given;
     scene.run.step = request.step.value_or(given.run.step);
     check_steps(scene, scene.run.step);
-    MujocoOptions options = mujoco_options(request);
+    MujocoOptions options{request};
     options.window = kWindowSteps * given.run.step;
     return finite(run_mujoco(scene, machine_->setup(contact_, scene.run.step), options));
   }

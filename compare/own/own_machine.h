@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compare/engine/engine.h"
-#include "compare/engine/mujoco_setup.h"
+#include "compare/engine/mujoco_engine.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {

@@ -10,7 +10,7 @@
 #include "compare/base/format.h"
 #include "compare/measured/sampled_run.h"
 #include "compare/measured/table.h"
-#include "compare/metrics/interpolation.h"
+#include "compare/metrics/rows.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/plots.h"
 #include "compare/report/rounded.h"

@@ -6,8 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "compare/metrics/poincare.h"
-#include "compare/metrics/spectrum.h"
+#include "compare/metrics/orbit.h"
 #include "compare/report/base64.h"
 #include "compare/report/rounded.h"
 #include "compare/report/thin.h"

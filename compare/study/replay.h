@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "compare/engine/step_watch.h"
+#include "compare/engine/engine.h"
 #include "compare/study/comparison_runs.h"
 #include "native_model/control/command_record.h"
 #include "native_model/scene/scene.h"

@@ -9,14 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "compare/align/divergence.h"
-#include "compare/align/impacts.h"
 #include "compare/engine/engine.h"
 #include "compare/figures/figure.h"
 #include "compare/measured/measured_run.h"
+#include "compare/metrics/divergence.h"
+#include "compare/metrics/extrapolation.h"
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/rows.h"
-#include "compare/metrics/split.h"
 #include "compare/model_error/model_error.h"
 #include "compare/study/mode.h"
 #include "compare/study/resync.h"

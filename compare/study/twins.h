@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "compare/align/divergence.h"
 #include "compare/engine/engine.h"
+#include "compare/metrics/divergence.h"
 #include "compare/metrics/metrics.h"
 
 namespace rotorub {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "native_model/trajectory/part_file.h"
+#include "native_model/trajectory/output.h"
 
 namespace rotorub::sweep {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "compare/engine/mujoco_messages.h"
+#include "compare/engine/mujoco_model.h"
 #include "compare/sweep/batch_run.h"
 #include "compare/sweep/exchange.h"
 #include "plugin/hooks.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compare/engine/engine.h"
-#include "compare/metrics/split.h"
+#include "compare/metrics/extrapolation.h"
 
 namespace rotorub::tune {
 namespace {

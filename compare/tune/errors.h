@@ -22,7 +22,7 @@ struct ErrorParts {
   ErrorPart step;     // what vanishes with it
 };
 
-// By runs at the step, a half and a quarter of it (compare/metrics/split.h).
+// By runs at the step, a half and a quarter of it (compare/metrics/extrapolation.h).
 void split_errors(const Setting& setting, const Runner& run, References& references,
                   ErrorParts& parts);
 

@@ -1,26 +1,40 @@
 #include "native_model/dynamics/constraint.h"
 
-#include <array>
-
-#include "native_model/contact/kinematics.h"
-#include "native_model/dynamics/closed_contacts.h"
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
-namespace {
 
-using ClosedPoints = std::array<ClosedContact, kMaxContacts>;
-
-ClosedPoints points(const Model& m, const double* q, const double* v,
-                    std::span<const Constraint::Closed> closed) {
-  ClosedPoints found;
-  for (std::size_t i = 0; i < closed.size(); ++i) {
-    found[i] = {closed[i].contact, contact_point(m, q, v, closed[i].contact)};
+ContactMatrix delassus(const Model& m, double t, const double* q,
+                       std::span<const ClosedContact> closed) {
+  const auto n = static_cast<Eigen::Index>(closed.size());
+  // W_N and W_T in contact space, as in kinematics.h.
+  Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 2 * kMaxContacts> w(3, 2 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const ClosedContact& c = closed[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d &e = c.point.e_r, e_t = c.point.e_t();
+    w.col(2 * i) << -e.x(), -e.y(), 0.0;
+    w.col(2 * i + 1) << e_t.x(), e_t.y(), m.auxiliary[c.index].contact->radius;
   }
-  return found;
+  ContactMatrix g(2 * n, 2 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const Eigen::Matrix3d a =
+          contact_admittance(m, m.mass.data(), t, q, closed[static_cast<std::size_t>(i)].index,
+                             closed[static_cast<std::size_t>(j)].index);
+      const Eigen::Matrix2d block = w.middleCols<2>(2 * i).transpose() * a * w.middleCols<2>(2 * j);
+      g.block<2, 2>(2 * i, 2 * j) = block;
+      g.block<2, 2>(2 * j, 2 * i) = block.transpose();
+    }
+  }
+  return g;
 }
 
-}  // namespace
+ContactList<ClosedContact> closed_points(const Model& m, const double* q, const double* v,
+                                         std::span<const Constraint::Closed> closed) {
+  ContactList<ClosedContact> found;
+  for (const auto& c : closed) found.push_back({c.contact, contact_point(m, q, v, c.contact)});
+  return found;
+}
 
 Constraint::Constraint(const Model& model)
     : model_(&model), change_(static_cast<std::size_t>(model.nq())) {}
@@ -54,8 +68,8 @@ void Constraint::to_circles(double t, double* q, const double* v, std::span<cons
   if (closed.size() == 1) return one_to_circle(t, q, v, closed.front().contact);
   const auto n = static_cast<Eigen::Index>(closed.size());
   for (int k = 0; k < 2 && n > 0; ++k) {
-    const ClosedPoints at = points(*model_, q, v, closed);
-    const ContactMatrix g = delassus(*model_, t, q, std::span(at).first(closed.size()));
+    const ContactList<ClosedContact> at = closed_points(*model_, q, v, closed);
+    const ContactMatrix g = delassus(*model_, t, q, at);
     ContactMatrix normal(n, n);
     ContactVector gap(n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -63,7 +77,7 @@ void Constraint::to_circles(double t, double* q, const double* v, std::span<cons
       for (Eigen::Index j = 0; j < n; ++j) normal(i, j) = g(2 * i, 2 * j);
     }
     const ContactVector p = shared_solution(normal, gap);
-    for (std::size_t i = 0; i < closed.size(); ++i) {
+    for (std::size_t i = 0; i < at.size(); ++i) {
       solve(t, q, contact_load(at[i].point.e_r, 0.0, p[static_cast<Eigen::Index>(i)], 0.0),
             at[i].index);
       for (std::size_t j = 0; j < change_.size(); ++j) q[j] += change_[j];
@@ -89,33 +103,21 @@ void Constraint::project_one(double t, double* q, double* v, const Closed& close
   apply(t, q, v, p.e_r, l.normal, l.friction, k);
 }
 
+// Unknown is the impulse along each rate that is to be 0.
 void Constraint::project_several(double t, double* q, double* v, std::span<const Closed> closed) {
-  const ClosedPoints at = points(*model_, q, v, closed);
-  const ContactMatrix g = delassus(*model_, t, q, std::span(at).first(closed.size()));
-  // The rates that are to be 0, of g's rows.
-  std::array<Eigen::Index, 2 * kMaxContacts> rows{};
-  ContactVector rates(g.rows());
-  Eigen::Index count = 0;
-  for (std::size_t i = 0; i < closed.size(); ++i) {
+  const ContactList<ClosedContact> at = closed_points(*model_, q, v, closed);
+  const auto rows = static_cast<Eigen::Index>(2 * at.size());
+  CaseSystem system(rows);
+  ContactVector rates(rows);
+  for (std::size_t i = 0; i < at.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(2 * i);
-    const auto add = [&](Eigen::Index which, double rate) {
-      rows[static_cast<std::size_t>(count)] = which;
-      rates[count++] = -rate;
-    };
-    if (closed[i].velocity != Velocity::kKept) add(row, at[i].point.gap_rate);
-    if (closed[i].velocity == Velocity::kStuck) add(row + 1, at[i].point.slip);
+    rates.segment<2>(row) << at[i].point.gap_rate, at[i].point.slip;
+    if (closed[i].velocity != Velocity::kKept) system.free(row);
+    if (closed[i].velocity == Velocity::kStuck) system.free(row + 1);
   }
-  if (count == 0) return;
-  ContactMatrix matrix(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    for (Eigen::Index j = 0; j < count; ++j) {
-      matrix(i, j) = g(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
-    }
-  }
-  const ContactVector solved = shared_solution(matrix, rates.head(count));
-  ContactVector p = ContactVector::Zero(g.rows());
-  for (Eigen::Index i = 0; i < count; ++i) p[rows[static_cast<std::size_t>(i)]] = solved[i];
-  for (std::size_t i = 0; i < closed.size(); ++i) {
+  if (system.count == 0) return;
+  const ContactVector p = system.solve(delassus(*model_, t, q, at), rates);
+  for (std::size_t i = 0; i < at.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(2 * i);
     apply(t, q, v, at[i].point.e_r, p[row], p[row + 1], at[i].index);
   }

@@ -1,14 +1,27 @@
-// Impulses of the contacts on the coordinates, and the way back onto the constraints that round-off
-// and the step's error leave: the least change in the norm of M.
+// Contacts that are closed at the same time: the matrix through which they act on each other, their
+// impulses on the coordinates, and the way back onto the constraints that round-off and the step's
+// error leave, by the least change in the norm of M.
 #pragma once
 
 #include <Eigen/Core>
 #include <span>
 #include <vector>
 
+#include "native_model/contact/coupled_law.h"
+#include "native_model/contact/kinematics.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
+
+struct ClosedContact {
+  std::size_t index = 0;  // of the auxiliary bearing
+  ContactPoint point{};   // at the configuration in question
+};
+
+// Delassus's matrix G = W^T M^-1 W of all of them, rows and columns (normal, friction) of each in
+// turn; 1/kg.
+ContactMatrix delassus(const Model& model, double t, const double* q,
+                       std::span<const ClosedContact> closed);
 
 class Constraint {
  public:
@@ -30,25 +43,6 @@ class Constraint {
   // The same; then the velocities.
   void project(double t, double* q, double* v, std::span<const Closed> closed);
 
-  // Of the first contact, and of anything with t, q() and v().
-  void project(double t, double* q, double* v, Velocity velocity) {
-    const Closed first{0, velocity};
-    project(t, q, v, std::span(&first, 1));
-  }
-  template <class Motion>
-  void apply(Motion& motion, const Eigen::Vector2d& e_r, double normal, double friction,
-             std::size_t contact = 0) {
-    apply(motion.t, motion.q(), motion.v(), e_r, normal, friction, contact);
-  }
-  template <class Motion>
-  void project(Motion& motion, Velocity velocity) {
-    project(motion.t, motion.q(), motion.v(), velocity);
-  }
-  template <class Motion>
-  void project(Motion& motion, std::span<const Closed> closed) {
-    project(motion.t, motion.q(), motion.v(), closed);
-  }
-
  private:
   void solve(double t, const double* q, const Eigen::Vector3d& load, std::size_t contact);
   void one_to_circle(double t, double* q, const double* v, std::size_t contact);
@@ -58,5 +52,9 @@ class Constraint {
   const Model* model_;
   std::vector<double> change_;
 };
+
+// With their points at (q, v).
+ContactList<ClosedContact> closed_points(const Model& model, const double* q, const double* v,
+                                         std::span<const Constraint::Closed> closed);
 
 }  // namespace rotorub

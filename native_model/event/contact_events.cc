@@ -10,168 +10,126 @@
 namespace rotorub {
 namespace {
 
+using Velocity = Constraint::Velocity;
+
 constexpr double kOnCircle = 1e-12;  // of the clearance: a gap that counts as 0
 
 }  // namespace
 
-// A start on the circle: moving outward it is an impact, at rest lasting contact.
-void EventIntegrator::begin_on_circles() {
-  const std::span<ClosedContact> touching = closed_now();
-  if (touching.empty()) return;
-  std::array<Constraint::Closed, kMaxContacts> on_circle{};
-  std::array<Resting, kMaxContacts> resting{};
-  std::size_t rests = 0;
-  for (std::size_t i = 0; i < touching.size(); ++i) {
-    const std::size_t k = touching[i].index;
-    if (touching[i].point.gap_rate < 0.0) return impact(k);
-    const bool rest = touching[i].point.gap_rate <= parameters_.zeno_velocity_threshold;
-    on_circle[i] = {k, rest ? Constraint::Velocity::kAlong : Constraint::Velocity::kKept};
-    if (rest) {
-      resting[rests++] = {k, false};
-    } else {
-      phase_.set(k, {Mode::kFree, 1.0, Departure::kRebound});
-    }
-  }
-  constraint_.project(motion_,
-                      std::span<const Constraint::Closed>(on_circle).first(touching.size()));
-  if (rests > 0) decide(std::span(resting).first(rests), Departure::kParting);
+void EventIntegrator::project(const Closed& closed) {
+  constraint_.project(motion_.t, motion_.q(), motion_.v(), closed);
 }
 
-std::span<ClosedContact> EventIntegrator::closed_now() {
-  std::size_t count = 0;
+EventIntegrator::Closed EventIntegrator::in_contact() const {
+  Closed closed;
+  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
+    if (phase_.in_contact(k)) closed.push_back({k, velocity_of(phase_.state(k).mode)});
+  }
+  return closed;
+}
+
+// In contact, or touching: nothing is known of their velocities.
+EventIntegrator::Closed EventIntegrator::on_circles() const {
+  Closed closed;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     const auto& contact = model_->auxiliary[k].contact;
     if (!contact) continue;
-    const ContactPoint point = contact_point(*model_, motion_.q(), motion_.v(), k);
-    if (phase_.in_contact(k) || point.gap <= kOnCircle * contact->clearance)
-      closed_[count++] = {k, point};
+    const double gap = contact_point(*model_, motion_.q(), motion_.v(), k).gap;
+    if (phase_.in_contact(k) || gap <= kOnCircle * contact->clearance)
+      closed.push_back({k, Velocity::kKept});
   }
-  return std::span(closed_).first(count);
+  return closed;
 }
 
-std::span<const Constraint::Closed> EventIntegrator::constrained() {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (!phase_.in_contact(k)) continue;
-    const bool sticks = phase_.state(k).mode == Mode::kStick;
-    constrained_[count++] = {k,
-                             sticks ? Constraint::Velocity::kStuck : Constraint::Velocity::kAlong};
+// A start on the circle: moving outward it is an impact, at rest lasting contact.
+void EventIntegrator::begin_on_circles() {
+  Closed touching, resting;
+  for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), on_circles())) {
+    if (c.point.gap_rate < 0.0) return impact(c.index);
+    const bool rests = c.point.gap_rate <= parameters_.zeno_velocity_threshold;
+    touching.push_back({c.index, rests ? Velocity::kAlong : Velocity::kKept});
+    if (rests) {
+      resting.push_back({c.index, Velocity::kAlong});
+    } else {
+      phase_.set(c.index, in_flight(Departure::kRebound));
+    }
   }
-  return std::span(constrained_).first(count);
+  if (touching.empty()) return;
+  project(touching);
+  if (!resting.empty()) decide(resting);
 }
 
 void EventIntegrator::impact(std::size_t contact) {
   first_touch(contact);
-  std::array<Constraint::Closed, kMaxContacts> kept{};
-  std::size_t count = 0;
-  for (const ClosedContact& c : closed_now())
-    kept[count++] = {c.index, Constraint::Velocity::kKept};
+  Closed closed = on_circles();
   // The located one is closed, whatever round-off says.
-  const auto last = kept.begin() + static_cast<std::ptrdiff_t>(count);
-  if (std::none_of(kept.begin(), last,
+  if (std::none_of(closed.begin(), closed.end(),
                    [&](const Constraint::Closed& c) { return c.contact == contact; })) {
-    kept[count++] = {contact, Constraint::Velocity::kKept};
+    closed.push_back({contact, Velocity::kKept});
   }
-  constraint_.project(motion_, std::span<const Constraint::Closed>(kept).first(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t k = kept[i].contact;
-    closed_[i] = {k, contact_point(*model_, motion_.q(), motion_.v(), k)};
+  project(closed);
+  const auto touching = closed_points(*model_, motion_.q(), motion_.v(), closed);
+  if (std::none_of(touching.begin(), touching.end(),
+                   [](const ClosedContact& c) { return c.point.gap_rate < 0.0; })) {
+    return begin_on_circles();  // it grazes
   }
-  const std::span<const ClosedContact> closed = std::span(closed_).first(count);
-  const bool closes = std::any_of(closed.begin(), closed.end(),
-                                  [](const ClosedContact& c) { return c.point.gap_rate < 0.0; });
-  if (!closes) return begin_on_circles();  // it grazes
-  if (impact_.rebounds(motion_, closed.front().point))
-    return impact_over_time(closed.front().point);
-  const CoupledImpactOutcome outcome =
-      coupled_impact(*model_, parameters_, closed, motion_, constraint_, observer_);
-  if (fails(outcome.status)) return;
-  std::array<Resting, kMaxContacts> resting{};
-  std::array<Constraint::Closed, kMaxContacts> along{};
-  std::size_t rests = 0;
-  for (std::size_t i = 0; i < closed.size(); ++i) {
-    const std::size_t k = closed[i].index;
-    if (outcome.struck[i]) first_touch(k);
-    if (outcome.rests[i]) {
-      along[rests] = {
-          k, outcome.stuck[i] ? Constraint::Velocity::kStuck : Constraint::Velocity::kAlong};
-      resting[rests++] = {k, outcome.stuck[i]};
+  const EventImpact::Outcome outcome = impacts_.run(motion_, touching, end_);
+  if (outcome.status != Status::kOk) {
+    return fail(outcome.status, outcome.status == Status::kAmbiguous
+                                    ? "the impact laws have several solutions"
+                                    : "the impact laws have no solution");
+  }
+  Closed resting;
+  for (const EventImpact::After& after : outcome.contacts) {
+    if (after.struck) first_touch(after.contact);
+    if (after.rests) {
+      resting.push_back({after.contact, after.stuck ? Velocity::kStuck : Velocity::kAlong});
     } else {
-      change_to(k, {Mode::kFree, 1.0, Departure::kRebound});
+      change_to(after.contact, in_flight(after.departure));
     }
   }
-  if (rests == 0) return;
-  constraint_.project(motion_, std::span<const Constraint::Closed>(along).first(rests));
-  decide(std::span(resting).first(rests), Departure::kParting);
-}
-
-void EventIntegrator::impact_over_time(const ContactPoint& touch) {
-  const EventImpact::Outcome outcome = impact_.run(motion_, touch, end_);
-  if (fails(outcome.status)) return;
-  switch (outcome.after) {
-    case EventImpact::Outcome::kParts:
-      return change_to(0, {Mode::kFree, 1.0, Departure::kRebound});
-    case EventImpact::Outcome::kInside:
-      return change_to(0, {Mode::kFree, 1.0, Departure::kInside});
-    case EventImpact::Outcome::kRests:
-      return decide(std::array{Resting{0, false}}, Departure::kParting);
-  }
-}
-
-bool EventIntegrator::fails(Status impact) {
-  if (impact == Status::kNoSolution) fail(impact, "the impact laws have no solution");
-  if (impact == Status::kAmbiguous) fail(impact, "the impact laws have several solutions");
-  return impact == Status::kNoSolution || impact == Status::kAmbiguous;
+  if (!resting.empty()) decide(resting);
 }
 
 // Lasting contact ends, or its friction changes.
-void EventIntegrator::margin_reached(std::size_t k) {
-  const Mode mode = phase_.state(k).mode;
+void EventIntegrator::margin_reached(std::size_t contact) {
+  const Mode mode = phase_.state(contact).mode;
   step_.evaluate(motion_);
-  const Multipliers force = phase_.multipliers(k);
-  const PhaseEnd end = end_of_phase(mode, phase_.margins(k), margin_scales(k));
+  const Multipliers force = phase_.multipliers(contact);
+  const PhaseEnd end = end_of_phase(mode, phase_.margins(contact), margin_scales(contact));
   const bool slides_off = mode == Mode::kSlide && end == PhaseEnd::kOpens;
-  const std::span<const Constraint::Closed> others = constrained();
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    if (others[i].contact != k) continue;
-    constrained_[i].velocity =
-        slides_off ? Constraint::Velocity::kAlong : Constraint::Velocity::kStuck;
+  Closed closed = in_contact();
+  for (Constraint::Closed& c : closed) {
+    if (c.contact == contact) c.velocity = slides_off ? Velocity::kAlong : Velocity::kStuck;
   }
-  constraint_.project(motion_, others);
+  project(closed);
   switch (end) {
     case PhaseEnd::kOpens:
-      return change_to(k, {Mode::kFree, 1.0, Departure::kLiftOff});
-    case PhaseEnd::kSlipStops: {
-      std::array<Resting, kMaxContacts> resting{};
-      for (std::size_t i = 0; i < others.size(); ++i) {
-        const std::size_t other = others[i].contact;
-        resting[i] = {other, other == k || phase_.state(other).mode == Mode::kStick};
-      }
-      return decide(std::span(resting).first(others.size()), Departure::kParting);
-    }
+      return change_to(contact, in_flight(Departure::kLiftOff));
+    case PhaseEnd::kSlipStops:
+      return decide(closed);
     case PhaseEnd::kSlipBegins:  // against friction at its limit
-      return change_to(k, {Mode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
+      return change_to(contact, {Mode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
   }
 }
 
-void EventIntegrator::decide(std::span<const Resting> resting, Departure parting) {
-  const std::size_t n = resting.size();
-  std::array<double, kMaxContacts> slips{}, friction{};
-  for (std::size_t i = 0; i < n; ++i) closed_[i].index = resting[i].contact;
-  const std::span<ClosedContact> closed = std::span(closed_).first(n);
+// What contacts on their circles with gap rate 0 do from here on.
+void EventIntegrator::decide(const Closed& resting) {
+  ContactList<ClosedContact> closed;
+  for (const Constraint::Closed& c : resting) closed.push_back({c.contact, {}});
   const Phase::Accelerations all = phase_.accelerations(motion_.t, motion_.y.data(), closed);
-  for (std::size_t i = 0; i < n; ++i) {
+  ContactList<double> slips, friction;
+  for (std::size_t i = 0; i < closed.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const std::size_t k = closed[i].index;
     force_scale_[k] = std::max(force_scale_[k], all.scale[at] / all.g(2 * at, 2 * at));
-    slips[i] = resting[i].slip_is_zero ? 0.0 : closed[i].point.slip;
-    friction[i] = model_->auxiliary[k].contact->friction.at(slips[i]);
+    slips.push_back(resting[i].velocity == Velocity::kStuck ? 0.0 : closed[i].point.slip);
+    friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
   }
-  const ContactDecisions decisions =
-      select_contact_modes(all.g, all.b, all.scale, std::span(slips).first(n),
-                           std::span(friction).first(n), parameters_.no_force, parting);
-  if (decisions[0].status != Status::kOk) return fail(decisions[0].status, decisions[0].reason);
-  for (std::size_t i = 0; i < n; ++i) change_to(resting[i].contact, decisions[i].next);
+  const ContactDecisions decided =
+      select_contact_modes(all.g, all.b, all.scale, slips, friction, parameters_.no_force);
+  if (decided.status != Status::kOk) return fail(decided.status, decided.reason);
+  for (std::size_t i = 0; i < resting.size(); ++i) change_to(resting[i].contact, decided.next[i]);
 }
 
 void EventIntegrator::change_to(std::size_t k, const ContactState& next) {
@@ -187,6 +145,10 @@ void EventIntegrator::first_touch(std::size_t k) {
 
 MarginScales EventIntegrator::margin_scales(std::size_t k) const {
   return {force_scale_[k], step_.largest_contact_speed(k)};
+}
+
+Constraint::Velocity EventIntegrator::velocity_of(Mode mode) {
+  return mode == Mode::kStick ? Velocity::kStuck : Velocity::kAlong;
 }
 
 }  // namespace rotorub

@@ -2,46 +2,39 @@
 // shaft with two auxiliary bearings has two of them.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 
 #include "native_model/contact/coupled_law.h"
-#include "native_model/event/first_contact.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
+
+// How a flight begins. On the circle F = |d|^2 - delta_0^2 has a root at its start that is known
+// exactly (location.h): a single one after an impact (gap 0), a double one where contact ends by a
+// jump of the loads (gap and gap rate 0), a triple one after a lift-off (gap acceleration 0 too).
+enum class Departure { kInside = 0, kRebound = 1, kParting = 2, kLiftOff = 3 };
 
 struct ContactState {
   Mode mode = Mode::kFree;
   double slip_sign = 1.0;                    // sliding only: sign of gdot_T
   Departure departure = Departure::kInside;  // free only: how the flight began
 };
+constexpr ContactState in_flight(Departure how) { return {Mode::kFree, 1.0, how}; }
 
-// What lasting contact needs: y = G L + b with forces L and accelerations y, (12)-(13).
-struct ContactAccelerations {
-  Delassus g;          // 1/kg
-  double normal;       // m/s^2, gddot_N without contact force
-  double tangential;   // m/s^2, gddot_T without contact force
-  double scale = 0.0;  // m/s^2, of what adds up to `normal`
-};
-
-struct ContactDecision {
+struct ContactDecisions {
   Status status = Status::kOk;  // else the laws have no solution, or several (Painleve)
-  ContactState next{};
-  const char* reason = "";  // of a status that is not ok
+  const char* reason = "";      // of a status that is not ok
+  ContactList<ContactState> next{};
 };
 
 // Contacts on their circles with gap rate 0, solved together: free, sliding or sticking from here
-// on. b and scale as Phase::Accelerations; slips: m/s, exactly 0 where it is known to be, and the
-// set-valued friction law decides; friction: mu at the slip. `parting`: how a flight would begin.
-// no_force: see EventParameters. The decisions of all, in the order of b; a status that is not ok
-// is in the first.
-using ContactDecisions = std::array<ContactDecision, kMaxContacts>;
+// on, in the order of b. b and scale as Phase::Accelerations; slips: m/s, exactly 0 where it is
+// known to be, and the set-valued friction law decides; friction: mu at the slip. no_force: see
+// EventParameters.
 ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
                                       const ContactVector& scale, std::span<const double> slips,
-                                      std::span<const double> friction, double no_force,
-                                      Departure parting);
+                                      std::span<const double> friction, double no_force);
 
 // Margins of lasting contact, positive while it lasts.
 struct Margins {

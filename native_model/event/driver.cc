@@ -26,7 +26,7 @@ EventIntegrator::EventIntegrator(const Model& model, const EventParameters& para
       stiffness_(model, parameters_),
       constraint_(model),
       observer_(model, parameters_, phase_),
-      impact_(model, parameters_, phase_, observer_),
+      impacts_(model, parameters_, phase_, constraint_, observer_),
       force_scale_(model.auxiliary.size(), kLeastForce) {
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) sampled_.emplace_back(model, k);
 }
@@ -100,7 +100,7 @@ void EventIntegrator::advance(double limit) {
     step_.restart(motion_);
     count_event();
   } else {
-    constraint_.project(motion_, constrained());
+    project(in_contact());
   }
   step_.meet(motion_);
   observer_.meet_energy(motion_);
@@ -108,7 +108,7 @@ void EventIntegrator::advance(double limit) {
 
 // By the step, or a part of it.
 void EventIntegrator::move_to(double now, std::optional<double> theta) {
-  observer_.watch(motion_, step_, &constraint_, now);
+  observer_.watch(motion_, step_, constraint_, now);
   if (theta) {
     step_.dense(*theta, motion_.y.data());
   } else {
@@ -167,15 +167,14 @@ void EventIntegrator::book_switches() {
 void EventIntegrator::arrive_at_break() {
   book_switches();
   sample_controllers();
-  std::array<Resting, kMaxContacts> resting{};
-  std::size_t count = 0;
+  Closed resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     const ContactState& state = phase_.state(k);
     const bool just_left =
         state.departure == Departure::kParting || state.departure == Departure::kLiftOff;
-    if (phase_.in_contact(k) || just_left) resting[count++] = {k, state.mode == Mode::kStick};
+    if (phase_.in_contact(k) || just_left) resting.push_back({k, velocity_of(state.mode)});
   }
-  if (count > 0) decide(std::span(resting).first(count), Departure::kParting);
+  if (!resting.empty()) decide(resting);
   step_.restart(motion_);
 }
 
@@ -200,11 +199,11 @@ void EventIntegrator::sample_controllers() {
 void EventIntegrator::fail_step() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (phase_.state(k).mode != Mode::kSlide) continue;
-    const Phase::Contact c = phase_.contact(k, motion_.t, motion_.y.data());
-    const Delassus& g = c.b.g;
+    ClosedContact c{k, {}};
+    const ContactMatrix g = phase_.accelerations(motion_.t, motion_.y.data(), std::span(&c, 1)).g;
     const double mu_sign =
         model_->auxiliary[k].contact->friction.at(c.point.slip) * phase_.state(k).slip_sign;
-    if (std::abs(carried(g, mu_sign)) < 1e-3 * g.nn) {
+    if (std::abs(g(0, 0) - mu_sign * g(0, 1)) < 1e-3 * g(0, 0)) {
       return fail(Status::kNoSolution,
                   "frictional jamming (Painleve): mu |G_NT| reaches G_NN, and the contact forces "
                   "grow without bound");

@@ -2,23 +2,20 @@
 // its dense output, the impact map in closed form, lasting contact as constrained modes, Zeno
 // accumulation closed. Works with every force, drive and controller of a Model.
 //
-//   smooth_step    moves between events                 contact_state  decides what contact does
-//   location       finds where they are                 observer       sees rows, energy, figures
-//   coupled_impact what happens at a closing contact   impact         one that takes time
+//   smooth_step  moves between events         contact_state  decides what contact does
+//   location     finds where they are         observer       sees rows, energy, figures
+//   impact       what happens at a closing contact
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "native_model/event/coupled_impact.h"
 #include "native_model/event/impact.h"
 #include "native_model/event/schedule.h"
-#include "native_model/event/stiffness.h"
+#include "native_model/event/smooth_step.h"
 #include "native_model/system/sampled_command.h"
 
 namespace rotorub {
@@ -51,29 +48,23 @@ class EventIntegrator {
   void sample_controllers();
   void move_to(double now, std::optional<double> theta);
   void lose(double theta);
-  bool fails(Status impact);
 
-  // Contact.
+  // Contact. What is said of a list of contacts is what is known of their velocities.
+  using Closed = ContactList<Constraint::Closed>;
   struct Found {
     double theta;  // within the step
     std::size_t contact;
   };
   std::optional<Found> find_event();
-  // Of all contacts on their circles at this instant, with their points: those in contact, those
-  // that touch.
-  std::span<ClosedContact> closed_now();
-  std::span<const Constraint::Closed> constrained();
+  Closed on_circles() const;
+  Closed in_contact() const;
   void impact(std::size_t contact);
-  void impact_over_time(const ContactPoint& touch);
   void margin_reached(std::size_t contact);
-  // On their circles with gap rate 0, each with what is known of its slip.
-  struct Resting {
-    std::size_t contact;
-    bool slip_is_zero;
-  };
-  void decide(std::span<const Resting> resting, Departure parting);
+  void decide(const Closed& resting);
   void change_to(std::size_t contact, const ContactState& next);
   void first_touch(std::size_t contact);
+  void project(const Closed& closed);
+  static Constraint::Velocity velocity_of(Mode mode);
   MarginScales margin_scales(std::size_t contact) const;
 
   void count_event();
@@ -89,17 +80,15 @@ class EventIntegrator {
   StiffnessWatch stiffness_;
   Constraint constraint_;
   Observer observer_;
-  EventImpact impact_;
+  EventImpact impacts_;
 
   Result result_;
   std::vector<SampledCommand> sampled_;  // of each auxiliary bearing
   double end_ = 0.0;                     // s
   std::vector<double> force_scale_;  // N, largest force met at each contact, carried or balanced
-  std::array<ClosedContact, kMaxContacts> closed_{};
-  std::array<Constraint::Closed, kMaxContacts> constrained_{};
-  int stalled_ = 0;          // events since the clock went on
-  double last_event_ = 0.0;  // s
-  double booked_ = 0.0;      // s, up to here the work of what is switched has been counted
+  int stalled_ = 0;                  // events since the clock went on
+  double last_event_ = 0.0;          // s
+  double booked_ = 0.0;              // s, up to here the work of what is switched has been counted
 };
 
 }  // namespace rotorub

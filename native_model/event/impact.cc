@@ -1,32 +1,101 @@
 #include "native_model/event/impact.h"
 
 #include <algorithm>
+#include <array>
 
 #include "native_model/contact/rebound.h"
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
+namespace {
+
+// Of the approach: a gap rate that round-off left of 0. Where all rebound alike a resting contact
+// stays at rest exactly.
+constexpr double kNoRate = 1e-12;
+
+}  // namespace
 
 EventImpact::EventImpact(const Model& model, const EventParameters& parameters, Phase& phase,
-                         Observer& observer)
+                         Constraint& constraint, Observer& observer)
     : model_(&model),
       parameters_(&parameters),
       phase_(&phase),
+      constraint_(&constraint),
       observer_(&observer),
       finite_(model) {}
 
-bool EventImpact::rebounds(const Motion& motion, const ContactPoint& touch) const {
+EventImpact::Outcome EventImpact::run(Motion& motion, std::span<const ClosedContact> closed,
+                                      double end) {
+  if (takes_time(motion, closed.front())) return over_time(motion, closed.front().point, end);
+  return at_once(motion, closed);
+}
+
+// Not where an accumulation ends, nor where the flight after it would be over before the impact is.
+// Then it is one in no time, without a rebound.
+bool EventImpact::takes_time(const Motion& motion, const ClosedContact& touch) const {
   const ContactParameters& c = *model_->first().contact;
-  if (c.impact_time() == 0.0 || -touch.gap_rate < parameters_->zeno_velocity_threshold)
-    return false;
-  const double pressed = -phase_->contact(0, motion.t, motion.y.data()).b.normal;
-  if (!(pressed > 0.0)) return true;
-  return flight_outlives(c.impact_time(), -c.restitution * touch.gap_rate, pressed);
+  const double approach = -touch.point.gap_rate;
+  if (c.impact_time() == 0.0 || approach < parameters_->zeno_velocity_threshold) return false;
+  ClosedContact only = touch;
+  const double pressed =
+      -phase_->accelerations(motion.t, motion.y.data(), std::span(&only, 1)).b[0];
+  return !(pressed > 0.0) || flight_outlives(c.impact_time(), c.restitution * approach, pressed);
+}
+
+EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const ClosedContact> closed) {
+  ContactList<ImpactLaw> laws;
+  ContactVector before(static_cast<Eigen::Index>(2 * closed.size()));
+  double approach = 0.0;
+  bool undone = false;  // of impacts that take time those come here that do not rebound
+  for (const ClosedContact& c : closed) {
+    const ContactParameters& contact = *model_->auxiliary[c.index].contact;
+    before.segment<2>(static_cast<Eigen::Index>(2 * laws.size())) << c.point.gap_rate, c.point.slip;
+    laws.push_back(contact.law());
+    undone = undone || contact.impact_time() > 0.0;
+    approach = std::max(approach, -c.point.gap_rate);
+  }
+  // Where an accumulation ends no contact rebounds: neither the one that closes nor those that it
+  // would knock open.
+  if (undone || approach < parameters_->zeno_velocity_threshold) {
+    for (ImpactLaw& law : laws) law = {law.friction, 0.0, 0.0};
+  }
+  const CoupledSolution solved =
+      solve_coupled_impact(delassus(*model_, motion.t, motion.q(), closed), before, laws);
+  Outcome out{status_of(solved.solutions)};
+  if (out.status != Status::kOk) return out;
+  ContactList<Constraint::Closed> resting;
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(2 * i);
+    const std::size_t contact = closed[i].index;
+    const double normal = solved.p[at], friction = solved.p[at + 1];
+    const bool rests = solved.y[at] <= kNoRate * approach;
+    const bool stuck = solved.sticks[i] && solved.y[at + 1] == 0.0;
+    out.contacts.push_back({contact, normal > 0.0, rests, stuck, Departure::kRebound});
+    if (rests) {
+      resting.push_back(
+          {contact, stuck ? Constraint::Velocity::kStuck : Constraint::Velocity::kAlong});
+    }
+    if (!(normal > 0.0)) continue;
+    constraint_->apply(motion.t, motion.q(), motion.v(), closed[i].point.e_r, normal, friction,
+                       contact);
+    Impact record;
+    record.t = motion.t;
+    record.contact = static_cast<int>(contact);
+    record.gap_rate_before = before[at];
+    record.slip_before = before[at + 1];
+    record.gap_rate_after = solved.y[at];
+    record.slip_after = solved.y[at + 1];
+    observer_->account(record, normal, friction, {before[at], before[at + 1]},
+                       {solved.y[at], solved.y[at + 1]});
+    observer_->record_impact(record);
+  }
+  if (!resting.empty()) constraint_->project(motion.t, motion.q(), motion.v(), resting);
+  return out;
 }
 
 // The clock goes on (system/finite_impact.h). A run that ends within the impact takes the part
 // until then.
-EventImpact::Outcome EventImpact::run(Motion& motion, const ContactPoint& touch, double end) {
+EventImpact::Outcome EventImpact::over_time(Motion& motion, const ContactPoint& touch, double end) {
   const Status status = finite_.begin(motion.t, motion.q(), motion.v(),
                                       phase_->command(0, motion.t, motion.y.data()), false);
   if (status != Status::kOk) return {status};
@@ -39,10 +108,7 @@ EventImpact::Outcome EventImpact::run(Motion& motion, const ContactPoint& touch,
     const bool cut = end - motion.t < tau;
     const double dt = cut ? end - motion.t : tau, until = cut ? end : motion.t + tau;
     const double *from = finite_.from(k), *to = finite_.to(k);
-    if (tau > 0.0) {
-      const Eigen::Vector2d force = finite_.phase_force(k);
-      observer_->watch(motion, {tau, until, from, to, force.x(), force.y()});
-    }
+    if (tau > 0.0) observer_->watch(motion, finite_, k, until);
     const FiniteImpact::Part part = finite_.part(k, dt);
     observer_->account(record, part.normal, part.friction, part.before, part.after);
     motion.integral(kExternalWork) += part.external_work;
@@ -59,13 +125,18 @@ EventImpact::Outcome EventImpact::run(Motion& motion, const ContactPoint& touch,
   record.gap_rate_after = after.gap_rate;
   record.slip_after = after.slip;
   observer_->record_impact(record);
-  if (finite_.is_inside() || motion.t >= end) return {status, Outcome::kInside};
+  Outcome out;
+  if (finite_.is_inside() || motion.t >= end) {
+    out.contacts.push_back({0, true, false, false, Departure::kInside});
+    return out;
+  }
   const double *q, *v, *a;
   const bool rests = finite_.finish(q, v, a);
   std::copy_n(q, motion.nq, motion.q());
   std::copy_n(v, motion.nq, motion.v());
   motion.integral(kExternalWork) += finite_.landing_work();
-  return {status, rests ? Outcome::kRests : Outcome::kParts};
+  out.contacts.push_back({0, true, rests, false, Departure::kRebound});
+  return out;
 }
 
 }  // namespace rotorub

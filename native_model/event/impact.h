@@ -1,7 +1,10 @@
-// An impact of the event-driven run that takes compression and expansion times, (15)-(19); of the
-// only contact.
+// Impacts of an event-driven run, (15)-(19): in no time, where every contact that is closed takes
+// part in one compression and one expansion; or, of an only contact, over the times of both.
 #pragma once
 
+#include <span>
+
+#include "native_model/dynamics/constraint.h"
 #include "native_model/event/observer.h"
 #include "native_model/system/finite_impact.h"
 
@@ -11,23 +14,34 @@ class EventImpact {
  public:
   // All must outlive it.
   EventImpact(const Model& model, const EventParameters& parameters, Phase& phase,
-              Observer& observer);
+              Constraint& constraint, Observer& observer);
 
-  // Whether it takes its times: not where an accumulation ends, nor where the flight after it would
-  // be over before the impact is. Then it is one in no time, without a rebound.
-  bool rebounds(const Motion& motion, const ContactPoint& touch) const;
-
+  // What became of a contact that was closed.
+  struct After {
+    std::size_t contact;
+    bool struck;          // it takes part with an impulse
+    bool rests;           // gdot_N = 0, and
+    bool stuck;           // gdot_T = 0; else a flight begins
+    Departure departure;  // so
+  };
   struct Outcome {
     Status status = Status::kOk;
-    enum { kParts, kRests, kInside } after = kRests;  // on the circle; kInside: not on it
+    ContactList<After> contacts{};
   };
-  // Moves the motion on, at most to `end` (s); tells the observer.
-  Outcome run(Motion& motion, const ContactPoint& touch, double end);
+  // At contacts on their circles, `closed` with their points; at least one of them closes. Changes
+  // the motion, whose clock goes on, at most to `end` (s), where it takes its times; tells the
+  // observer.
+  Outcome run(Motion& motion, std::span<const ClosedContact> closed, double end);
 
  private:
+  bool takes_time(const Motion& motion, const ClosedContact& touch) const;
+  Outcome at_once(Motion& motion, std::span<const ClosedContact> closed);
+  Outcome over_time(Motion& motion, const ContactPoint& touch, double end);
+
   const Model* model_;
   const EventParameters* parameters_;
   Phase* phase_;
+  Constraint* constraint_;
   Observer* observer_;
   FiniteImpact finite_;
 };

@@ -7,7 +7,8 @@
 
 namespace rotorub {
 
-// Free flight of one contact from `start`: where it closes.
+// Free flight of one contact from `start`: where it closes. Nothing is overlooked, grazing
+// included.
 std::optional<double> locate_contact(const Model& model, std::size_t contact, SmoothStep& step,
                                      const Motion& start, Departure departure);
 

@@ -1,7 +1,6 @@
 #include "native_model/event/observer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "native_model/contact/impact_record.h"
@@ -73,49 +72,50 @@ void Observer::bins_until(double now, bool flies, F&& impulse_at) {
   }
 }
 
-void Observer::watch(const Motion& from, SmoothStep& step, Constraint* constraint, double now) {
-  std::array<Constraint::Closed, kMaxContacts> closed;
-  std::size_t count = 0;
+void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constraint, double now) {
+  ContactList<Constraint::Closed> closed;
   for (std::size_t k = 0; k < phase_->contacts(); ++k) {
     if (!phase_->in_contact(k)) continue;
-    closed[count++] = {k, Constraint::Velocity::kKept};
+    closed.push_back({k, Constraint::Velocity::kKept});
     of_contacts_[k].contact_time += now - from.t;
   }
-  const bool contact = count > 0;
   const auto theta = [&](double t) { return (t - from.t) / step.length(); };
   for (double t = recorder_->next_time(); t < now; t = recorder_->next_time()) {
     step.dense(theta(t), row_.data());
-    if (contact) constraint->to_circles(t, row_.data(), from.v(), std::span(closed).first(count));
+    if (!closed.empty()) constraint.to_circles(t, row_.data(), from.v(), closed);
     recorder_->row(snapshot(t, row_.data()));
   }
-  bins_until(now, !contact, [&](double t) {
+  bins_until(now, closed.empty(), [&](double t) {
     double impulse = normal_impulse(from);
-    for (std::size_t i = 0; i < count; ++i) {
-      impulse += step.increment(from.index(kNormalImpulse, closed[i].contact), theta(t));
+    for (const Constraint::Closed& c : closed) {
+      impulse += step.increment(from.index(kNormalImpulse, c.contact), theta(t));
     }
     return impulse;
   });
-  if (contact) contact_time_ += now - from.t;
+  if (!closed.empty()) contact_time_ += now - from.t;
 }
 
-void Observer::watch(const Motion& from, const ImpactPhaseMotion& p) {
+void Observer::watch(const Motion& from, const FiniteImpact& impact, std::size_t phase,
+                     double now) {
+  const double duration = impact.duration(phase);
+  const double *v0 = impact.from(phase), *v1 = impact.to(phase);
+  const Eigen::Vector2d force = impact.phase_force(phase);
   // At its end the next phase begins, unless the run ends within.
-  const bool cut = p.until < from.t + p.duration;
-  for (double t = recorder_->next_time(); cut ? t <= p.until : t < p.until;
-       t = recorder_->next_time()) {
-    const double passed = t - from.t, share = passed / p.duration;
+  const bool cut = now < from.t + duration;
+  for (double t = recorder_->next_time(); cut ? t <= now : t < now; t = recorder_->next_time()) {
+    const double passed = t - from.t, share = passed / duration;
     for (int i = 0; i < from.nq; ++i) {
-      row_[static_cast<std::size_t>(i)] = from.q()[i] + passed * p.v1[i];
-      row_[static_cast<std::size_t>(from.nq + i)] = p.v0[i] + share * (p.v1[i] - p.v0[i]);
+      row_[static_cast<std::size_t>(i)] = from.q()[i] + passed * v1[i];
+      row_[static_cast<std::size_t>(from.nq + i)] = v0[i] + share * (v1[i] - v0[i]);
     }
     Snapshot s = snapshot(t, row_.data());
-    s.normal_force = p.normal;
-    s.friction_force = p.friction;
+    s.normal_force = force.x();
+    s.friction_force = force.y();
     recorder_->row(s);
   }
-  bins_until(p.until, false,
-             [&](double t) { return from.integral(kNormalImpulse) + p.normal * (t - from.t); });
-  contact_time_ += p.until - from.t;
+  bins_until(now, false,
+             [&](double t) { return from.integral(kNormalImpulse) + force.x() * (t - from.t); });
+  contact_time_ += now - from.t;
 }
 
 void Observer::arrive(const Motion& motion) {

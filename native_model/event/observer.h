@@ -2,23 +2,14 @@
 // the normal force, the energy balance and the other figures. It moves nothing.
 #pragma once
 
-#include <span>
-#include <string>
 #include <vector>
 
 #include "native_model/dynamics/constraint.h"
 #include "native_model/event/smooth_step.h"
+#include "native_model/system/finite_impact.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
-
-// One phase of an impact that takes time: coordinates go with v_1, velocities straight from v_0.
-struct ImpactPhaseMotion {
-  double duration;          // s, of the whole phase
-  double until;             // s, end of what there is of it
-  const double *v0, *v1;    // m/s, at the start and the end of the whole phase
-  double normal, friction;  // N
-};
 
 class Observer {
  public:
@@ -29,8 +20,8 @@ class Observer {
   void started(const Motion& motion);
 
   // Before the motion goes on to `now`: by a step, or by a part of an impact.
-  void watch(const Motion& from, SmoothStep& step, Constraint* constraint, double now);
-  void watch(const Motion& from, const ImpactPhaseMotion& phase);
+  void watch(const Motion& from, SmoothStep& step, Constraint& constraint, double now);
+  void watch(const Motion& from, const FiniteImpact& impact, std::size_t phase, double now);
   // Where it has arrived.
   void arrive(const Motion& motion);
   void meet_energy(const Motion& motion);

@@ -15,11 +15,6 @@ Phase::Phase(const Model& model)
       f_(Eigen::VectorXd::Zero(model.nq())),
       a_(Eigen::VectorXd::Zero(model.nq())) {}
 
-bool Phase::in_contact() const {
-  return std::any_of(at_.begin(), at_.end(),
-                     [](const AtContact& at) { return at.state.mode != Mode::kFree; });
-}
-
 Eigen::Vector2d Phase::command(std::size_t k, double t, const double* y) const {
   const AuxiliaryBearing& bearing = model_->auxiliary[k];
   if (!bearing.controller || bearing.sample_time > 0.0) return at_[k].held;  // recorded ones too
@@ -33,56 +28,51 @@ void Phase::accelerate(double t, const double* y) {
   solve_mass(*model_, t, q, f_.data(), a_.data());
 }
 
-Phase::Contact Phase::contact_of(std::size_t k, double t, const double* q, const double* v) const {
+// By the accelerations a_ of all other loads, without scales.
+Phase::Accelerations Phase::unloaded(double t, const double* y,
+                                     std::span<ClosedContact> closed) const {
   const Model& m = *model_;
-  const double radius = m.auxiliary[k].contact->radius;
-  Contact c;
-  c.point = contact_point(m, q, v, k);
-  const Eigen::Vector3d dd = contact_acceleration(m, a_.data(), k);
-  const double whirl = c.point.whirl_speed();
-  c.b.normal = -c.point.e_r.dot(dd.head<2>()) - whirl * whirl / c.point.delta;
-  c.b.tangential =
-      c.point.e_t().dot(dd.head<2>()) + radius * dd.z() + whirl / c.point.delta * c.point.gap_rate;
-  c.b.g = delassus(contact_admittance(m, t, q, k), c.point.e_r, radius);
-  return c;
+  const double *q = y, *v = y + m.nq();
+  const auto n = static_cast<Eigen::Index>(closed.size());
+  Accelerations all{{}, ContactVector(2 * n), {}};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    ClosedContact& c = closed[static_cast<std::size_t>(i)];
+    const ContactPoint& p = c.point = contact_point(m, q, v, c.index);
+    const Eigen::Vector3d dd = contact_acceleration(m, a_.data(), c.index);
+    const double whirl = p.whirl_speed(), radius = m.auxiliary[c.index].contact->radius;
+    all.b[2 * i] = -p.e_r.dot(dd.head<2>()) - whirl * whirl / p.delta;
+    all.b[2 * i + 1] = p.e_t().dot(dd.head<2>()) + radius * dd.z() + whirl / p.delta * p.gap_rate;
+    if (n > 1) continue;
+    const Delassus g = delassus(contact_admittance(m, t, q, c.index), p.e_r, radius);
+    all.g = Eigen::Matrix2d{{g.nn, g.nt}, {g.tn, g.tt}};
+  }
+  if (n > 1) all.g = delassus(m, t, q, closed);
+  return all;
 }
 
 // What adds up to the normal acceleration. Of one of several contacts that stands still while the
 // shaft moves, the motion that cancels there too.
-double Phase::scale_of(const Contact& c, const double* q, const double* v) const {
-  const double whirl = c.point.whirl_speed();
-  double scale = whirl * whirl / c.point.delta + std::abs(c.b.normal);
+double Phase::scale_of(const ContactPoint& point, double normal, const double* q,
+                       const double* v) const {
+  const double whirl = point.whirl_speed();
+  double scale = whirl * whirl / point.delta + std::abs(normal);
   for (int i = 0; i < model_->layout.mechanical(); ++i) {
     if (model_->layout.turns(i)) continue;
     scale += std::abs(model_->stiffness[i] * q[i] / model_->mass[i]);
-    if (at_.size() > 1) scale += v[i] * v[i] / c.point.delta;
+    if (at_.size() > 1) scale += v[i] * v[i] / point.delta;
   }
   return scale;
 }
 
-Phase::Contact Phase::contact(std::size_t k, double t, const double* y) {
-  const double *q = y, *v = y + model_->nq();
-  accelerate(t, y);
-  Contact c = contact_of(k, t, q, v);
-  c.b.scale = scale_of(c, q, v);
-  return c;
-}
-
 Phase::Accelerations Phase::accelerations(double t, const double* y,
                                           std::span<ClosedContact> closed) {
-  const double *q = y, *v = y + model_->nq();
   accelerate(t, y);
-  const auto n = static_cast<Eigen::Index>(closed.size());
-  Accelerations all{{}, ContactVector(2 * n), ContactVector(n)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    ClosedContact& c = closed[static_cast<std::size_t>(i)];
-    const Contact found = contact_of(c.index, t, q, v);
-    c.point = found.point;
-    all.b.segment<2>(2 * i) << found.b.normal, found.b.tangential;
-    all.scale[i] = scale_of(found, q, v);
-    if (n == 1) all.g = Eigen::Matrix2d{{found.b.g.nn, found.b.g.nt}, {found.b.g.tn, found.b.g.tt}};
+  Accelerations all = unloaded(t, y, closed);
+  all.scale.resize(static_cast<Eigen::Index>(closed.size()));
+  for (Eigen::Index i = 0; i < all.scale.size(); ++i) {
+    all.scale[i] =
+        scale_of(closed[static_cast<std::size_t>(i)].point, all.b[2 * i], y, y + model_->nq());
   }
-  if (n > 1) all.g = delassus(*model_, t, q, closed);
   return all;
 }
 
@@ -97,63 +87,54 @@ void Phase::set_margins(std::size_t k, double normal, double friction, double sl
   }
 }
 
-// The only one that is closed.
-void Phase::find_multiplier(std::size_t k, double t, const double* y, ContactPoint& point) {
-  const Contact c = contact_of(k, t, y, y + model_->nq());
-  const ContactState& state = at_[k].state;
-  PlanarImpulse<double> force{0.0, 0.0};
-  if (state.mode == Mode::kSlide) {
-    const double mu = model_->auxiliary[k].contact->friction.at(c.point.slip);
-    force.normal = slide(c.b.g, c.b.normal, mu * state.slip_sign);
-    force.friction = -mu * state.slip_sign * force.normal;
-  } else {
-    force = stick(c.b.g, c.b.normal, c.b.tangential);
-  }
-  point = c.point;
-  set_margins(k, force.normal, force.friction, c.point.slip);
-}
-
-// Unknown is the normal force of each, and of one that sticks its friction; gddot of each is 0.
-void Phase::find_multipliers(double t, const double* y, std::span<ClosedContact> closed) {
-  const double *q = y, *v = y + model_->nq();
-  const auto n = static_cast<Eigen::Index>(closed.size());
-  ContactVector b(2 * n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    ClosedContact& c = closed[static_cast<std::size_t>(i)];
-    const Contact found = contact_of(c.index, t, q, v);
-    c.point = found.point;
-    b.segment<2>(2 * i) << found.b.normal, found.b.tangential;
-  }
-  const ContactMatrix g = delassus(*model_, t, q, closed);
-  CaseSystem system(2 * n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const ClosedContact& c = closed[static_cast<std::size_t>(i)];
-    const ContactState& state = at_[c.index].state;
-    system.free(2 * i);
-    if (state.mode == Mode::kStick) {
-      system.free(2 * i + 1);
-    } else {
-      const double mu = model_->auxiliary[c.index].contact->friction.at(c.point.slip);
-      system.bring(2 * i + 1, -mu * state.slip_sign);
-    }
-  }
-  const ContactVector force = system.solve(g, b);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const ClosedContact& c = closed[static_cast<std::size_t>(i)];
-    set_margins(c.index, force[2 * i], force[2 * i + 1], c.point.slip);
-  }
-}
-
-// The contacts that are closed stand first in closed_; multipliers and margins of the others are
-// none.
-std::size_t Phase::find_closed() {
-  std::size_t count = 0;
+// Of all that are closed, which it gives. Unknown is the normal force of each, and of one that
+// sticks its friction; gddot of each is 0. Multipliers and margins of the others are none.
+ContactList<ClosedContact> Phase::find_multipliers(double t, const double* y) {
+  ContactList<ClosedContact> closed;
   for (std::size_t k = 0; k < at_.size(); ++k) {
     at_[k].multipliers = {};
     at_[k].margins = {kInfinity, kInfinity};
-    if (in_contact(k)) closed_[count++].index = k;
+    if (in_contact(k)) closed.push_back({k, {}});
   }
-  return count;
+  if (closed.empty()) return closed;
+  const Accelerations all = unloaded(t, y, closed);
+  // Of a sliding one, mu sign(gdot_T).
+  const auto mu_sign = [this](const ClosedContact& c) {
+    return model_->auxiliary[c.index].contact->friction.at(c.point.slip) *
+           at_[c.index].state.slip_sign;
+  };
+  const auto sticks = [this](const ClosedContact& c) {
+    return at_[c.index].state.mode == Mode::kStick;
+  };
+  if (closed.size() == 1) {
+    const ClosedContact& c = closed[0];
+    const Delassus g{all.g(0, 0), all.g(0, 1), all.g(1, 0), all.g(1, 1)};
+    PlanarImpulse<double> force{0.0, 0.0};
+    if (sticks(c)) {
+      force = stick(g, all.b[0], all.b[1]);
+    } else {
+      force.normal = slide(g, all.b[0], mu_sign(c));
+      force.friction = -mu_sign(c) * force.normal;
+    }
+    set_margins(c.index, force.normal, force.friction, c.point.slip);
+    return closed;
+  }
+  CaseSystem system(all.b.size());
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(2 * i);
+    system.free(row);
+    if (sticks(closed[i])) {
+      system.free(row + 1);
+    } else {
+      system.bring(row + 1, -mu_sign(closed[i]));
+    }
+  }
+  const ContactVector force = system.solve(all.g, all.b);
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(2 * i);
+    set_margins(closed[i].index, force[row], force[row + 1], closed[i].point.slip);
+  }
+  return closed;
 }
 
 void Phase::derivative(double t, const double* y, double* dy) {
@@ -168,11 +149,8 @@ void Phase::derivative(double t, const double* y, double* dy) {
   std::fill_n(integrals, integral_count(m), 0.0);
   integrals[kExternalWork] = power + extra_power(m, t, q, v);
 
-  const std::size_t count = find_closed();
-  const std::span<ClosedContact> closed = std::span(closed_).first(count);
-  if (count == 1) find_multiplier(closed[0].index, t, y, closed[0].point);
-  if (count > 1) find_multipliers(t, y, closed);
-  if (count > 0) f_.setZero();
+  const ContactList<ClosedContact> closed = find_multipliers(t, y);
+  if (!closed.empty()) f_.setZero();
   for (const ClosedContact& c : closed) {
     const double radius = m.auxiliary[c.index].contact->radius;
     const auto [normal, friction] = at_[c.index].multipliers;
@@ -183,7 +161,7 @@ void Phase::derivative(double t, const double* y, double* dy) {
     integrals[integral_index(kFrictionWork, c.index)] = friction * c.point.slip;
     integrals[kContactWork] += friction * (c.point.slip - held);
   }
-  if (count > 0) {
+  if (!closed.empty()) {
     solve_mass(m, t, q, f_.data(), f_.data());
     a_ += f_;
   }

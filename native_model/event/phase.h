@@ -11,18 +11,65 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "native_model/contact/kinematics.h"
-#include "native_model/dynamics/closed_contacts.h"
+#include "native_model/dynamics/constraint.h"
 #include "native_model/event/contact_state.h"
-#include "native_model/event/motion.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
+
+// Carried along with the state, for statistics and the energy balance; the first kOfContact for
+// each contact.
+enum Integral {
+  kNormalImpulse,
+  kFrictionImpulse,
+  kFrictionWork,
+  kContactWork,
+  kExternalWork,
+  kGapRateSquare,
+  kIntegrals
+};
+inline constexpr int kOfContact = 3;
+inline int integral_count(const Model& model) {
+  return kIntegrals + kOfContact * static_cast<int>(model.auxiliary.size() - 1);
+}
+
+// Among the integrals.
+inline int integral_index(Integral k, std::size_t contact) {
+  return contact == 0 ? k : kIntegrals + kOfContact * static_cast<int>(contact - 1) + k;
+}
+
+// What moves: time, and y as the integrator carries it.
+struct Motion {
+  explicit Motion(const Model& model)
+      : nq(model.nq()), y(static_cast<std::size_t>(2 * nq + integral_count(model))) {}
+  // From `start` on, with all integrals 0.
+  void begin(const State& start) {
+    t = start.t;
+    std::fill(y.begin(), y.end(), 0.0);
+    std::copy_n(start.q.data(), nq, q());
+    std::copy_n(start.v.data(), nq, v());
+  }
+  double* q() { return y.data(); }
+  double* v() { return y.data() + nq; }
+  const double* q() const { return y.data(); }
+  const double* v() const { return y.data() + nq; }
+  int index(Integral k, std::size_t contact = 0) const {
+    return 2 * nq + integral_index(k, contact);
+  }
+  double& integral(Integral k) { return y[static_cast<std::size_t>(index(k))]; }
+  double integral(Integral k, std::size_t contact = 0) const {
+    return y[static_cast<std::size_t>(index(k, contact))];
+  }
+
+  double t = 0.0;  // s
+  int nq;
+  std::vector<double> y;
+};
 
 // Of an instant that never comes, a bound that binds nothing.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -39,7 +86,6 @@ class Phase {
   void set(std::size_t contact, const ContactState& state) { at_[contact].state = state; }
   const ContactState& state(std::size_t contact) const { return at_[contact].state; }
   bool in_contact(std::size_t contact) const { return state(contact).mode != Mode::kFree; }
-  bool in_contact() const;  // at one of them
   std::size_t contacts() const { return at_.size(); }
 
   // Sampled controllers and recorded commands: the command is held; otherwise it follows the state.
@@ -59,11 +105,6 @@ class Phase {
   const Multipliers& multipliers(std::size_t contact) const { return at_[contact].multipliers; }
   const Margins& margins(std::size_t contact) const { return at_[contact].margins; }
 
-  struct Contact {
-    ContactPoint point;
-    ContactAccelerations b;
-  };
-  Contact contact(std::size_t contact, double t, const double* y);
   // Of all `closed`, whose points are filled in: gddot of each without contact forces is in b.
   struct Accelerations {
     ContactMatrix g;
@@ -81,17 +122,14 @@ class Phase {
     Outputs outputs{};
   };
   void accelerate(double t, const double* y);
-  Contact contact_of(std::size_t contact, double t, const double* q, const double* v) const;
-  double scale_of(const Contact& contact, const double* q, const double* v) const;
-  std::size_t find_closed();
-  void find_multiplier(std::size_t contact, double t, const double* y, ContactPoint& point);
-  void find_multipliers(double t, const double* y, std::span<ClosedContact> closed);
+  Accelerations unloaded(double t, const double* y, std::span<ClosedContact> closed) const;
+  double scale_of(const ContactPoint& point, double normal, const double* q, const double* v) const;
+  ContactList<ClosedContact> find_multipliers(double t, const double* y);
   void set_margins(std::size_t contact, double normal, double friction, double slip);
 
   const Model* model_;
   std::vector<AtContact> at_;  // of each auxiliary bearing
   std::vector<Eigen::Vector2d> commands_;
-  std::array<ClosedContact, kMaxContacts> closed_;
   Eigen::VectorXd f_, a_;  // loads and accelerations
 };
 

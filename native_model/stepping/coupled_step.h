@@ -14,7 +14,7 @@
 
 #include "native_model/contact/coupled_law.h"
 #include "native_model/contact/impact_record.h"
-#include "native_model/dynamics/closed_contacts.h"
+#include "native_model/dynamics/constraint.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kernel.h"
 

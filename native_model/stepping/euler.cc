@@ -6,7 +6,7 @@
 #include "native_model/contact/impact.h"
 #include "native_model/contact/impact_record.h"
 #include "native_model/contact/rebound.h"
-#include "native_model/dynamics/closed_contacts.h"
+#include "native_model/dynamics/constraint.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 

@@ -122,8 +122,9 @@ void FiniteImpact::land() {
   if (inside_) return;
   const bool parts = left.gap_rate > 0.0;
   const double stored = energy(m, end_, end_q_.data(), end_v_.data());
-  constraint_.project(end_, end_q_.data(), end_v_.data(),
-                      parts ? Constraint::Velocity::kKept : Constraint::Velocity::kAlong);
+  const Constraint::Closed closed{
+      0, parts ? Constraint::Velocity::kKept : Constraint::Velocity::kAlong};
+  constraint_.project(end_, end_q_.data(), end_v_.data(), {&closed, 1});
   landing_work_ = energy(m, end_, end_q_.data(), end_v_.data()) - stored;
   closes_ = parts ? 0.0 : 1.0;
 }

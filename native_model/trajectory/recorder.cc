@@ -6,9 +6,10 @@
 #include <limits>
 
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/trajectory/series.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
+
 namespace {
 
 // The contact's rate of work on the coordinates is N gdot_N + T gdot_T, without what the machine

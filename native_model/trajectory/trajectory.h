@@ -61,7 +61,7 @@ struct Statistics {
   double penetration_square = 0.0;                             // m^2 s, integral of penetration^2
   double force_square = 0.0;     // N^2 s, integral of (impulse of the step / step)^2 in contact
   double peak_force = 0.0;       // N, largest impulse of a step / step
-  double window_impulse = 0.0;   // N s, largest normal impulse within the window (impulse_window.h)
+  double window_impulse = 0.0;   // N s, largest normal impulse within the window (recorder.h)
   double gap_rate_square = 0.0;  // m^2/s, integral of gap_rate^2 from first touch
   double energy_start = 0.0;     // J
   double energy_end = 0.0;       // J

@@ -1,5 +1,5 @@
 // A case on a made-up run: passes, is refused, violates; and what the program says of it.
-#include "compare/check/case.h"
+#include "compare/check/scene_check.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "compare/check/output.h"
-#include "compare/check/scene_check.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "tests/compare/hand_made.h"

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "compare/check/laws.h"
 #include "compare/check/verdict.h"
 #include "tests/compare/hand_made.h"
 

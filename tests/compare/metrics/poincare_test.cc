@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/metrics/poincare.h"
+#include "compare/metrics/orbit.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {

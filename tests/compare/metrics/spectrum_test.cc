@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/metrics/spectrum.h"
+#include "compare/metrics/orbit.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {

@@ -1,4 +1,4 @@
-#include "compare/metrics/split.h"
+#include "compare/metrics/extrapolation.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,6 @@
 #include <limits>
 #include <sstream>
 
-#include "native_model/trajectory/part_file.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"

@@ -1,6 +1,6 @@
-// Whirl over frequency, forward and backward apart: what rotor dynamics calls the full spectrum (D.
-// E. Bently, C. T. Hatch, "Fundamentals of Rotating Machinery Diagnostics", 2002, chapter 8). By
-// FFTW.
+// Figures of the rotor's orbit: whirl over frequency, forward and backward apart, which rotor
+// dynamics calls the full spectrum (D. E. Bently, C. T. Hatch, "Fundamentals of Rotating Machinery
+// Diagnostics", 2002, chapter 8; by FFTW), and its places once a turn.
 #pragma once
 
 #include <complex>
@@ -38,5 +38,13 @@ Waterfall waterfall(std::span<const std::complex<double>> z, double h, std::size
 // within the run: cubic between rows, by its velocities. count >= 2.
 std::vector<std::complex<double>> even_orbit(const Trajectory& run, double from, double to,
                                              std::size_t count);
+
+// The rotor's places once a turn of its spin: a point for a synchronous motion, k points for one
+// that repeats after k turns, a closed curve for two frequencies, a cloud for chaos (Poincare
+// section at the keyphasor).
+
+// x + i y of the rotor at the contact, m, whenever spin_angle passes a multiple of 2 pi, either
+// way, from `from` (s) on. Linear between rows; empty for a rotor at rest.
+std::vector<std::complex<double>> poincare_points(const Trajectory& run, double from);
 
 }  // namespace rotorub

@@ -1,4 +1,4 @@
-#include "compare/align/divergence.h"
+#include "compare/metrics/divergence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +31,24 @@ Divergence divergence(const Trajectory& a, const Trajectory& b, double threshold
   }
   if (result.rows > 0) result.rms_distance = std::sqrt(square / static_cast<double>(result.rows));
   return result;
+}
+
+std::vector<Impact> first_impacts(const Trajectory& trajectory, std::size_t n) {
+  std::vector<Impact> first;
+  for (const Impact& impact : trajectory.impacts) {
+    if (first.size() == n) break;
+    if (counts(impact)) first.push_back(impact);
+  }
+  return first;
+}
+
+std::vector<ImpactPair> pair_impacts(const Trajectory& a, const Trajectory& b, std::size_t n) {
+  const auto first_a = first_impacts(a, n);
+  const auto first_b = first_impacts(b, n);
+  std::vector<ImpactPair> pairs(std::max(first_a.size(), first_b.size()));
+  for (std::size_t i = 0; i < first_a.size(); ++i) pairs[i].a = first_a[i];
+  for (std::size_t i = 0; i < first_b.size(); ++i) pairs[i].b = first_b[i];
+  return pairs;
 }
 
 }  // namespace rotorub

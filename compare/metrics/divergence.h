@@ -1,7 +1,8 @@
-// Where two runs of one scene part.
+// Two runs of one scene side by side: where they part, and their first impacts.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "native_model/trajectory/trajectory.h"
 
@@ -20,5 +21,16 @@ inline constexpr double kDivergenceShare = 0.01;  // threshold as a share of the
 
 // threshold: m, > 0.
 Divergence divergence(const Trajectory& a, const Trajectory& b, double threshold);
+
+// The n-th counted impact of each run; a run that has fewer leaves its side empty.
+struct ImpactPair {
+  std::optional<Impact> a, b;
+};
+
+// Pairs by order, up to `n` of them. With a soft contact an impact is an episode of contact.
+std::vector<ImpactPair> pair_impacts(const Trajectory& a, const Trajectory& b, std::size_t n);
+
+// The first n counted impacts.
+std::vector<Impact> first_impacts(const Trajectory& trajectory, std::size_t n);
 
 }  // namespace rotorub

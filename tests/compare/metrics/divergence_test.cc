@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "compare/align/divergence.h"
-#include "compare/align/impacts.h"
+#include "compare/metrics/divergence.h"
 #include "tests/compare/hand_made.h"
 
 namespace rotorub {

@@ -1,4 +1,4 @@
-#include "compare/metrics/spectrum.h"
+#include "compare/metrics/orbit.h"
 
 #include <Eigen/Core>
 #include <cassert>
@@ -6,9 +6,10 @@
 #include <numbers>
 
 #include "compare/metrics/fourier.h"
-#include "compare/metrics/interpolation.h"
+#include "compare/metrics/rows.h"
 
 namespace rotorub {
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -78,6 +79,22 @@ std::vector<Complex> even_orbit(const Trajectory& run, double from, double to, s
   std::vector<Complex> z;
   for (std::size_t k = 0; k < count; ++k) z.emplace_back(x[k], y[k]);
   return z;
+}
+
+std::vector<std::complex<double>> poincare_points(const Trajectory& run, double from) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const std::vector<double>&t = run.column("t"), &angle = run.column("spin_angle");
+  const std::vector<double>&x = run.column("rotor_x"), &y = run.column("rotor_y");
+  std::vector<std::complex<double>> points;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    const double before = std::floor(angle[i - 1] / kTurn), after = std::floor(angle[i] / kTurn);
+    if (before == after || t[i - 1] < from) continue;
+    // The last multiple that is passed: rows stand closer than a turn.
+    const double passed = kTurn * (after > before ? after : before);
+    const double share = (passed - angle[i - 1]) / (angle[i] - angle[i - 1]);
+    points.emplace_back(std::lerp(x[i - 1], x[i], share), std::lerp(y[i - 1], y[i], share));
+  }
+  return points;
 }
 
 }  // namespace rotorub
