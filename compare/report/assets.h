@@ -11,7 +11,7 @@ std::string_view player_css();
 // Scripts, each a bundle (RotorubEmbed.cmake): of pages with a scene's runs, and of all others.
 std::string_view report_js();
 std::string_view still_js();
-// The pages' templates (template.h).
+// The pages' templates (page_frame.h).
 std::string_view report_html();
 std::string_view run_html();
 std::string_view modes_html();

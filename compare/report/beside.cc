@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "compare/report/precision_plots.h"
+#include "compare/report/bench_page.h"
 #include "compare/sweep/folder.h"
 #include "native_model/scene/reader.h"
 

@@ -12,9 +12,8 @@
 #include "compare/measured/table.h"
 #include "compare/metrics/interpolation.h"
 #include "compare/report/pack/packed_run.h"
+#include "compare/report/plot_points.h"
 #include "compare/report/plots.h"
-#include "compare/report/rounded.h"
-#include "compare/report/thin.h"
 #include "compare/report/whirl_plots.h"
 
 namespace rotorub {

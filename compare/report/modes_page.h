@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -44,5 +45,16 @@ std::string modes_page(const scene::Scene& scene, const RotorAnalysis& analysis,
 // (null for the modal form), "modes" at rest and "whirl" at the scene's speed among them.
 nlohmann::json modes_plots(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
                            const std::vector<WhirlBranch>& branches);
+
+// The report's section on the free rotor: Campbell diagram with the scene's speed, and whirl shapes
+// at that speed (modes_page.h).
+
+struct RotorSection {
+  nlohmann::json
+      data;  // for the script page/campbell.js; null where the rotor has no whirl to show
+  nlohmann::json values;  // for the template rotor.html: "has_campbell", "has_shapes", "beyond",
+                          // "speed", "refusal"
+};
+RotorSection rotor_section(const scene::Scene& scene);
 
 }  // namespace rotorub

@@ -6,7 +6,7 @@
 #include "compare/base/units.h"
 #include "compare/modes/text.h"
 #include "compare/report/modes_page.h"
-#include "compare/report/rounded.h"
+#include "compare/report/plot_points.h"
 
 namespace rotorub {
 namespace {

@@ -1,15 +1,21 @@
 #include "compare/report/page_frame.h"
 
+#include <boost/algorithm/string/replace.hpp>
+#include <deque>
+#include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "compare/base/version.h"
 #include "compare/report/assets.h"
-#include "compare/report/template.h"
 #include "compare/report/web/scripts.h"
 
 namespace rotorub {
+
 namespace {
 
 // "</" would end the script element that holds the data.
@@ -59,6 +65,92 @@ std::string fill_page(std::string_view html, const nlohmann::json& values) {
                         {"transport", transport_html()},
                         {"contents", contents_html()},
                         {"rotor", rotor_html()}});
+}
+
+namespace {
+
+namespace mustache = kainjow::mustache;
+using nlohmann::json;
+
+bool shows(const json& value) {
+  if (value.is_boolean()) return value.get<bool>();
+  if (value.is_string()) return !value.get_ref<const std::string&>().empty();
+  return !value.empty();  // null, [] and {} are empty
+}
+
+// What the library asks for by name, from the values as they are. Left alone it would pass over a
+// name that it does not find.
+class StrictContext : public mustache::basic_context<std::string> {
+ public:
+  StrictContext(const json& values, const Partials& partials)
+      : partials_(partials), levels_{&values} {}
+
+  void push(const mustache::data*) override { levels_.push_back(asked_); }
+  void pop() override { levels_.pop_back(); }
+
+  const mustache::data* get(const std::string& name) const override {
+    asked_ = &look_up(name);
+    return &given_.emplace_back(data_of(*asked_));
+  }
+
+  const mustache::data* get_partial(const std::string& name) const override {
+    const auto found = partials_.find(name);
+    if (found == partials_.end()) throw std::logic_error("template: no partial {{" + name + "}}");
+    return &given_.emplace_back(std::string(found->second));
+  }
+
+ private:
+  const json& look_up(const std::string& name) const {
+    if (name == ".") return *levels_.back();
+    const json::json_pointer path("/" + boost::replace_all_copy(name, ".", "/"));
+    for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) {
+      if ((*level)->contains(path)) return (*level)->at(path);
+    }
+    throw std::logic_error("template: no value for {{" + name + "}}");
+  }
+
+  // A list, an object or `true` is the function that fills a section: in the place of text the
+  // library refuses it.
+  mustache::data data_of(const json& value) const {
+    if (value.is_number()) return value.dump();
+    if (!shows(value)) return false;
+    if (value.is_string()) return value.get_ref<const std::string&>();
+    return mustache::lambda2(
+        [this, &value](const std::string& text, const mustache::renderer& render) {
+          std::string out;
+          const auto fill = [&](const json& element) {
+            levels_.push_back(&element);
+            out += render(text, false);
+            levels_.pop_back();
+          };
+          if (value.is_array()) {
+            for (const json& element : value) fill(element);
+          } else {
+            fill(value);
+          }
+          return out;
+        });
+  }
+
+  const Partials& partials_;
+  mutable std::vector<const json*> levels_;  // innermost last
+  mutable const json* asked_ = nullptr;      // the value last given
+  mutable std::deque<mustache::data> given_;
+};
+
+}  // namespace
+
+std::string fill_template(std::string_view text, const json& values, const Partials& partials) {
+  mustache::mustache page{std::string(text)};
+  page.set_custom_escape([](const std::string& plain) {
+    // HTML 4 knows no &apos;
+    return boost::replace_all_copy(mustache::html_escape(plain), "&apos;", "&#39;");
+  });
+  StrictContext context(values, partials);
+  std::ostringstream out;
+  if (page.is_valid()) page.render(context, out);
+  if (!page.is_valid()) throw std::logic_error("template: " + page.error_message());
+  return out.str();
 }
 
 }  // namespace rotorub

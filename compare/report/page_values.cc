@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -13,13 +14,64 @@
 #include "compare/figures/figure_text.h"
 #include "compare/report/figure_values.h"
 #include "compare/report/measured_side.h"
-#include "compare/report/mode_values.h"
+#include "compare/report/plot_points.h"
 #include "compare/study/answer.h"
+#include "compare/study/resync_text.h"
 #include "compare/study/three_errors.h"
 #include "compare/study/verdict.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
+
+std::vector<PageColumn> page_columns(const SceneComparison& c) {
+  std::vector<PageColumn> columns{{&c.sides.front(), {}, false}};
+  if (c.shadow.side) columns.push_back({&*c.shadow.side, c.shadow.figures, false});
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    columns.push_back({&c.sides[k + 1], c.differences[k].judged(), true});
+  }
+  return columns;
+}
+
+std::string shadow_sentence(const SceneComparison& c) {
+  if (!c.shadow.side) return "No shadow: " + c.shadow.absent;
+  const std::string what = fmt::format("Shadow: the native stepper ({}) at MuJoCo's step",
+                                       c.shadow.side->trajectory.integrator);
+  if (!c.shadow.driven) {
+    return what +
+           ". What it is off by is the step's; what MuJoCo is off beyond it is the contact "
+           "model's.";
+  }
+  return what + ", driven by the commands of " + c.sides[1].label +
+         ". What it is off by is the step's, and what the open loop makes of it.";
+}
+
+nlohmann::json resync_rows(const SceneComparison& c) {
+  using nlohmann::json;
+  json rows = json::array();
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    if (!c.differences[k].resync) continue;
+    const Resync& r = *c.differences[k].resync;
+    for (const ResyncRow& row : r.rows) {
+      const ResyncFigure& f = *row.figure;
+      rows.push_back({{"side", c.sides[k + 1].label},
+                      {"onsets", r.onsets.size()},
+                      {"label", f.label},
+                      {"unit", f.unit},
+                      {"meaning", f.meaning},
+                      {"relative_to", f.relative_to},
+                      {"native", short_number(f.per_unit * row.native)},
+                      {"other", short_number(f.per_unit * row.mujoco)},
+                      {"median", percents(row.median) + " %"},
+                      {"ninetieth", percents(row.ninetieth) + " %"},
+                      {"worst", signed_percent(row.worst_signed)},
+                      {"time", fmt::format("{:.5g} s", row.worst_time)},
+                      {"tone", row.verdict == FigureVerdict::kWithin ? "good" : "bad"},
+                      {"verdict", to_string(row.verdict)}});
+    }
+  }
+  return rows;
+}
+
 namespace {
 
 using nlohmann::json;
@@ -187,6 +239,39 @@ json scene_values(const SceneComparison& c) {
           {"divergence", divergence_text(c)},
           {"conditions", condition_values(c)},
           {"text", c.scene.text}};
+}
+
+Trade trade_of(const Side& native) {
+  const Trajectory& t = native.trajectory;
+  Trade trade;
+  trade.contact_force = native.metrics.mean_force;
+  const auto &time = t.column("t"), &x = t.column("rotor_x"), &y = t.column("rotor_y");
+  const double from = (1.0 - kSettledShare) * t.end;
+  const bool driven = t.has("control_x");
+  double square = 0.0;
+  std::size_t rows = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (time[i] < from) continue;
+    trade.orbit = std::max(trade.orbit, std::hypot(x[i], y[i]));
+    if (driven)
+      square += std::pow(t.column("control_x")[i], 2) + std::pow(t.column("control_y")[i], 2);
+    ++rows;
+  }
+  if (rows > 0) trade.actuator_force = std::sqrt(square / static_cast<double>(rows));
+  return trade;
+}
+
+nlohmann::json trade_data(const std::vector<const SceneComparison*>& scenes) {
+  if (scenes.size() < 2) return nullptr;
+  nlohmann::json points = nlohmann::json::array();
+  for (const SceneComparison* scene : scenes) {
+    const Trade trade = trade_of(scene->sides.front());
+    points.push_back({{"name", scene->scene.name},
+                      {"orbit", rounded(1e3 * trade.orbit, 5)},
+                      {"contact", rounded(trade.contact_force, 5)},
+                      {"actuator", rounded(trade.actuator_force, 5)}});
+  }
+  return points;
 }
 
 }  // namespace rotorub

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "compare/report/assets.h"
+#include "compare/report/linear_maps.h"
 #include "compare/report/page_frame.h"
-#include "compare/report/rounded.h"
-#include "compare/report/rub_figures.h"
+#include "compare/report/plot_points.h"
 #include "compare/sweep/linear_map.h"
 
 namespace rotorub {

@@ -8,9 +8,7 @@
 
 #include "compare/metrics/poincare.h"
 #include "compare/metrics/spectrum.h"
-#include "compare/report/base64.h"
-#include "compare/report/rounded.h"
-#include "compare/report/thin.h"
+#include "compare/report/plot_points.h"
 
 namespace rotorub {
 namespace {

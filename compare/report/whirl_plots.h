@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "compare/report/shown_runs.h"
+#include "compare/report/plots.h"
 
 namespace rotorub {
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "native_model/rotor/modal_rotor.h"
-#include "renders/contact_marks.h"
+#include "renders/instant.h"
 #include "tests/renders/samples.h"
 
 namespace rotorub::renders {

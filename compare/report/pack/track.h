@@ -1,3 +1,21 @@
+// Columns of whole numbers in few bytes: differences, zigzag, base 128 (see Track::bytes).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rotorub {
+
+// Appends the column.
+void put_column(const std::vector<std::int64_t>& numbers, std::string& bytes);
+
+// Reads `count` numbers from `at` on, which it moves. Asserts that they are there.
+std::vector<std::int64_t> take_column(std::string_view bytes, std::size_t& at, std::size_t count);
+
 // One quantity of a run over time as few knots, so that a page can hold whole runs: adaptive, dense
 // where the quantity bends or jumps, and from which a reader gets it back within a tolerance at
 // every sample.
@@ -6,15 +24,6 @@
 // knot before: a third of the space of float32, and as fine at the end of a long run as at its
 // beginning, where a float32 tells times no better than to 2 us after 16 s. A reader counts in
 // ticks as well: it takes a time to the nearest one first, so that at a sample it is at the sample.
-#pragma once
-
-#include <cstddef>
-#include <cstdint>
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <vector>
-
-namespace rotorub {
 
 // Between two knots: the straight line, the cubic Hermite of values and rates, or the value of the
 // earlier.

@@ -8,8 +8,6 @@
 #include <limits>
 #include <random>
 
-#include "compare/report/pack/whole_numbers.h"
-
 namespace rotorub {
 namespace {
 

@@ -1,6 +1,6 @@
 // The report's figures beyond series: what control trades, the characteristics, the laws of each
 // impact.
-#include "compare/report/trade.h"
+#include "compare/report/page_values.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "compare/report/characteristics.h"
 #include "compare/report/plots.h"
+#include "compare/report/rig_values.h"
 #include "compare/study/scene_comparison.h"
 #include "native_model/scene/reader.h"
 

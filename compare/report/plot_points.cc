@@ -1,10 +1,30 @@
-#include "compare/report/thin.h"
+#include "compare/report/plot_points.h"
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
+#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 namespace rotorub {
+
+double rounded(double value, int digits) {
+  char text[40];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
+  double short_value = value;
+  std::from_chars(text, end.ptr, short_value);
+  return short_value;
+}
+
+nlohmann::json picked(const std::vector<double>& values, const std::vector<std::size_t>& which,
+                      int digits) {
+  nlohmann::json out = nlohmann::json::array();
+  for (const std::size_t i : which) out.push_back(rounded(values[i], digits));
+  return out;
+}
+
 namespace {
 
 using Indices = std::vector<std::size_t>;
@@ -53,6 +73,24 @@ Indices thin(const std::vector<double>& y, std::size_t first, std::size_t last,
   for_each_bucket(first, last, buckets,
                   [&](std::size_t begin, std::size_t end) { keep_extremes(y, begin, end, kept); });
   return in_order(std::move(kept), first, last);
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    // Three bytes to four digits of six bits.
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group <<= 8;
+      if (i + k < bytes.size()) group |= static_cast<std::uint8_t>(bytes[i + k]);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += i + k > bytes.size() ? '=' : kLetters[(group >> (18 - 6 * k)) & 0x3f];
+    }
+  }
+  return text;
 }
 
 }  // namespace rotorub
