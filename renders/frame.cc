@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "native_model/rotor/modal_rotor.h"
 #include "renders/framing.h"
 #include "renders/machine_view.h"
 #include "renders/palette.h"
@@ -19,11 +18,6 @@ namespace {
 
 constexpr double kTrailFilmTime = 0.9;  // s of film that the path reaches back
 constexpr double kSparkFilmTime = 0.3;  // s of film that an impact glows
-
-std::optional<ModeLines> lines_of(const scene::Scene& scene) {
-  if (!scene.rotor.geometry) return std::nullopt;
-  return modal_rotor(scene).lines;
-}
 
 ShownRun shown(const Trajectory& trajectory) {
   return {Playback(trajectory), engine_label(trajectory)};
@@ -104,9 +98,8 @@ void FramePainter::Parts::make_machines(const scene::Scene& scene, const RenderO
   for (const Playback* run : chosen) {
     ring_motion = std::max(ring_motion, run->largest_stator(framing.from, framing.to));
   }
-  const std::optional<ModeLines> lines = lines_of(scene);
   const auto make = [&](std::optional<double> magnification) {
-    return make_machine(scene, lines, chosen, framing.from, framing.to, magnification);
+    return make_machine(scene, chosen, framing.from, framing.to, magnification);
   };
   film.machine = make(options.machine_magnification);
   film.section = make(options.magnification.value_or(section_magnification(scene, ring_motion)));

@@ -49,16 +49,15 @@ template <typename Value>
 // The part of the runs that is shown: from shortly before the first touch of any, by default.
 void set_window(Framing& framing, std::span<const Playback* const> runs,
                 const RenderOptions& options) {
-  double start = -1e300, end = 1e300, touch = -1.0;
+  double start = -1e300, end = 1e300, touch = 1e300;
   for (const Playback* run : runs) {
     start = std::max(start, run->start());
     end = std::min(end, run->end());
-    const double own = run->first_touch();
-    if (own >= 0.0) touch = touch < 0.0 ? own : std::min(touch, own);
+    touch = std::min(touch, run->first_touch().value_or(touch));
   }
   framing.to = options.to.value_or(end);
   framing.from = start;
-  if (touch >= 0.0) framing.from = std::max(start, touch - kLeadIn * (framing.to - touch));
+  if (touch < 1e300) framing.from = std::max(start, touch - kLeadIn * (framing.to - touch));
   framing.from = options.from.value_or(framing.from);
   // A run of another engine may end a rounding error earlier.
   const double slack = kSlack * (end - start);

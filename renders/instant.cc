@@ -38,7 +38,7 @@ ValueScale gap_scale(std::span<const Playback* const> runs, double from, double 
                      double clearance) {
   ValueScale scale{0.0, 0.0, false};
   for (const Playback* run : runs) {
-    const double begin = std::clamp(run->first_touch(), from, to);
+    const double begin = std::clamp(run->first_touch().value_or(from), from, to);
     scale.high = std::max(scale.high, 1e6 * kRoom * run->gap_quantile(kGapShown, begin, to));
     scale.low = std::min(scale.low, 1e6 * run->gap_quantile(0.0, begin, to));
   }

@@ -81,7 +81,7 @@ void write_page(const ModesArguments& options, const scene::Scene& scene,
     bar.show(share, "Campbell diagram");
   });
   bar.clear();
-  write_file(options, modes_page(scene, campbell.analysis, campbell.range, campbell.branches));
+  write_file(options, modes_page(scene, campbell));
 }
 
 // ---------------------------------------------------------------- the map of lasting rubs

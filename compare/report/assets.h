@@ -27,7 +27,6 @@ std::string_view figures_html();    // meaning and unit of each
 std::string_view plots_html();      // a scene's plots and what is shown of them
 std::string_view player_html();     // a scene's live player
 std::string_view transport_html();  // time of player and plots
-std::string_view contents_html();   // links to the parts of the page
 std::string_view rotor_html();      // Campbell diagram and whirl shapes of a scene
 
 }  // namespace rotorub

@@ -18,15 +18,19 @@ struct PageHead {
 // page/report.js): plots that no clock moves; or also plots and player of a scene's runs.
 enum class Pictures { kPlots, kPlotsAndRig };
 
-// Template values of the page's frame: those of its head, "version", "css" and "scripts": plotly,
-// `data` in a script element, and the page's own. The scripts look in the data for "scenes" (live,
-// plots.h), "trade", "rotor" (modes_page.h), "benches" (bench_page.h) and "maps"
+// Template values of the page's frame: those of its head, "version", "css" and the script elements:
+// plotly, `data`, and the page's own. The scripts look in the data for "scenes" (live, plots.h),
+// "trade", "rotor" (modes_page.h), "benches" (bench_page.h) and "maps"
 // (sweep_page.h), each where the page has a place for it.
 nlohmann::json page_frame(const PageHead& head, const nlohmann::json& data,
                           Pictures pictures = Pictures::kPlots);
 
 // The page, with the partials that pages share: head, foot, cards, map, figures.
 std::string fill_page(std::string_view html, const nlohmann::json& values);
+
+// A short answer at the page's top (page/cards.html). tone: "", "good", "bad".
+nlohmann::json card(std::string_view title, std::string_view tone, std::string_view headline,
+                    std::string_view text);
 
 // A page from a template and values: Mustache (mustache(5)), by the library of that name,
 // and stricter.

@@ -1,4 +1,4 @@
-// The page's values of what the modes of compare and the shadow add.
+// What the report's template shows of one scene: texts, already worded and rounded.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,26 +17,15 @@ struct PageColumn {
 };
 std::vector<PageColumn> page_columns(const SceneComparison& comparison);
 
-// What the shadow is, or why there is none: a sentence.
-std::string shadow_sentence(const SceneComparison& comparison);
-
-// One row a contact model and figure; empty but in resync.
-nlohmann::json resync_rows(const SceneComparison& comparison);
-
-// What the report's template shows of one scene: texts, already worded and rounded.
-
 // Everything but films, plots and the scene's number.
 nlohmann::json scene_values(const SceneComparison& comparison);
 
-// What control trades: contact force and actuator force against the rotor's orbit, a point for each
-// scene.
-
-// Of the native run's last fifth (kSettledShare); forces of a scene that is never in contact, or
-// has no actuator, are 0.
+// What control trades: contact force and actuator force against the rotor's orbit. Of the native
+// run's last fifth (kSettledShare); forces of a scene that is never in contact, or has no actuator,
+// are 0.
 struct Trade {
-  double orbit = 0.0;  // m, largest distance of the rotor from the bearing's axis
-  double contact_force =
-      0.0;  // N, mean normal force, impulses of impacts with it, from first touch
+  double orbit = 0.0;           // m, largest distance of the rotor from the bearing's axis
+  double contact_force = 0.0;   // N, mean normal from first touch, impulses of impacts with it
   double actuator_force = 0.0;  // N, rms of the force on the ring
 };
 Trade trade_of(const Side& native);

@@ -30,19 +30,6 @@ ShownRuns shown_runs(const StoredRun& run, const std::optional<StoredRun>& shado
   return shown;
 }
 
-std::optional<double> first_touch(const Trajectory& trajectory) {
-  if (trajectory.statistics.first_touch >= 0.0) return trajectory.statistics.first_touch;
-  // A run that was read from its folder has no statistics.
-  std::optional<double> first;
-  if (!trajectory.impacts.empty()) first = trajectory.impacts.front().t;
-  if (!trajectory.has("normal_force")) return first;
-  const auto& force = trajectory.column("normal_force");
-  const auto row = std::find_if(force.begin(), force.end(), [](double f) { return f > 0.0; });
-  if (row == force.end()) return first;
-  const double t = trajectory.column("t")[static_cast<std::size_t>(row - force.begin())];
-  return first ? std::min(*first, t) : t;
-}
-
 namespace {
 
 using nlohmann::json;
@@ -50,6 +37,27 @@ using Values = std::vector<double>;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
+// Whether a plot is of the whole run, or of each contact where there are several.
+enum class PlotOf { kRun, kContact };
+
+struct PlotKind {
+  const char* key;
+  const char* title;
+  const char* unit;
+  const char* text;   // what is to be seen, half a sentence
+  const char* shape;  // class in the page: "", "wide", "square"
+  // What it is drawn over, and how traces.js draws it: "time", a series; "impacts" and "law", each
+  // impact a point, over time or on a law; "path", on the characteristic of what drives the run;
+  // "turns", the place over the last turns; "whirl", which no window changes.
+  const char* over;
+  PlotOf of;
+  // Whether there is data for it, at this contact.
+  bool (*shown)(const ShownRuns& shown, const Trajectory& trajectory, std::size_t contact);
+};
+struct ShownPlot {
+  const PlotKind* kind;
+  std::size_t contact;
+};
 bool has(const Trajectory& run, std::size_t contact, const char* column) {
   return run.has(column_of_contact(contact, column));
 }
@@ -135,6 +143,48 @@ constexpr PlotKind kKinds[] = {
      kRun, turns},
 };
 
+// Those that a run has data for.
+std::vector<ShownPlot> plot_kinds(const ShownRuns& shown) {
+  std::vector<ShownPlot> plots;
+  const std::size_t contacts = shown.scene->auxiliary.size();
+  for (const PlotKind& kind : kKinds) {
+    for (std::size_t k = 0; k < (kind.of == PlotOf::kContact ? contacts : 1); ++k) {
+      if (std::any_of(shown.runs.begin(), shown.runs.end(), [&](const ShownRun& run) {
+            return run.trajectory->rows() > 0 && kind.shown(shown, *run.trajectory, k);
+          }))
+        plots.push_back({&kind, k});
+    }
+  }
+  return plots;
+}
+
+// A part of the run that the page can zoom to.
+struct Window {
+  std::string name;
+  double from = 0.0, to = 0.0;  // s
+};
+
+// The whole run; the first contact (a tenth of a turn before to one turn after the first touch of
+// any run); the last two turns. Without a contact the whole and the end alone.
+std::vector<Window> plot_windows(const ShownRuns& shown) {
+  const scene::Scene& scene = *shown.scene;
+  const double end = scene.run.end;
+  const double speed = std::abs(scene.rotor.speed);
+  const double turn = speed > 0.0 ? std::min(kTurn / speed, end) : 0.05 * end;
+
+  std::vector<Window> windows{{"whole run", 0.0, end}};
+  double touch = end;
+  for (const ShownRun& run : shown.runs) {
+    touch = std::min(touch, renders::first_touch(*run.trajectory).value_or(end));
+  }
+  if (touch < end) {
+    windows.push_back(
+        {"first contact", std::max(0.0, touch - 0.1 * turn), std::min(end, touch + turn)});
+  }
+  windows.push_back({"last turns", std::max(0.0, end - 2.0 * turn), end});
+  return windows;
+}
+
 // The impacts of one contact. friction: its mu.
 json impact_data(const Trajectory& run, std::size_t contact, double friction) {
   Values t, normal, tangential, before, after, slip, share;
@@ -190,39 +240,6 @@ json motor_data(const scene::Scene& scene, const Trajectory& run) {
 
 }  // namespace
 
-std::vector<Window> plot_windows(const ShownRuns& shown) {
-  const scene::Scene& scene = *shown.scene;
-  const double end = scene.run.end;
-  const double speed = std::abs(scene.rotor.speed);
-  const double turn = speed > 0.0 ? std::min(kTurn / speed, end) : 0.05 * end;
-
-  std::vector<Window> windows{{"whole run", 0.0, end}};
-  double touch = end;
-  for (const ShownRun& run : shown.runs) {
-    touch = std::min(touch, first_touch(*run.trajectory).value_or(end));
-  }
-  if (touch < end) {
-    windows.push_back(
-        {"first contact", std::max(0.0, touch - 0.1 * turn), std::min(end, touch + turn)});
-  }
-  windows.push_back({"last turns", std::max(0.0, end - 2.0 * turn), end});
-  return windows;
-}
-
-std::vector<ShownPlot> plot_kinds(const ShownRuns& shown) {
-  std::vector<ShownPlot> plots;
-  const std::size_t contacts = shown.scene->auxiliary.size();
-  for (const PlotKind& kind : kKinds) {
-    for (std::size_t k = 0; k < (kind.of == PlotOf::kContact ? contacts : 1); ++k) {
-      if (std::any_of(shown.runs.begin(), shown.runs.end(), [&](const ShownRun& run) {
-            return run.trajectory->rows() > 0 && kind.shown(shown, *run.trajectory, k);
-          }))
-        plots.push_back({&kind, k});
-    }
-  }
-  return plots;
-}
-
 json plot_data(const ShownRuns& shown) {
   const scene::Scene& scene = *shown.scene;
   const std::optional<renders::Machine> machine = drawn_machine(shown);
@@ -234,10 +251,6 @@ json plot_data(const ShownRuns& shown) {
     if (!force.is_null()) side["tracks"]["force"] = std::move(force);
   }
   if (shown.measured && machine) sides.push_back(measured_side(shown, limit));
-  json spans = json::array();
-  for (const Window& w : plot_windows(shown)) {
-    spans.push_back({{"name", w.name}, {"from", w.from}, {"to", w.to}});
-  }
   json uncontrolled = nullptr;
   if (shown.uncontrolled && shown.uncontrolled->rows() > 0 && machine) {
     uncontrolled = {
@@ -248,7 +261,10 @@ json plot_data(const ShownRuns& shown) {
           {"motor", first ? motor_data(scene, *first) : json()},
           {"spin", first ? mean_spin(*first) : 0.0},
           {"uncontrolled", uncontrolled},
-          {"windows", spans},
+          {"windows", list_of(plot_windows(shown),
+                              [](const Window& w) -> json {
+                                return {{"name", w.name}, {"from", w.from}, {"to", w.to}};
+                              })},
           {"first_window", 0},
           {"rig", machine ? rig_values(scene, *machine) : json()},
           {"contacts", contacts_values(scene, machine)},
@@ -262,18 +278,18 @@ json live_values(const ShownRuns& shown) {
   const auto where = [&](std::size_t contact) {
     return several ? "contact " + scene.name_of(contact) : std::string();
   };
-  json plots = json::array(), windows = json::array(), legend = json::array(),
-       contacts = json::array();
-  for (const auto& [kind, contact] : plot_kinds(shown)) {
-    plots.push_back({{"key", kind->key},
-                     {"title", kind->title},
-                     {"where", kind->of == PlotOf::kContact ? where(contact) : ""},
-                     {"contact", contact},
-                     {"unit", kind->unit},
-                     {"text", kind->text},
-                     {"shape", kind->shape},
-                     {"over", kind->over}});
-  }
+  const json plots = list_of(plot_kinds(shown), [&](const ShownPlot& plot) -> json {
+    const auto& [kind, contact] = plot;
+    return {{"key", kind->key},
+            {"title", kind->title},
+            {"where", kind->of == PlotOf::kContact ? where(contact) : ""},
+            {"contact", contact},
+            {"unit", kind->unit},
+            {"text", kind->text},
+            {"shape", kind->shape},
+            {"over", kind->over}};
+  });
+  json windows = json::array(), legend = json::array(), contacts = json::array();
   for (const Window& window : plot_windows(shown))
     windows.push_back({{"index", windows.size()}, {"name", window.name}});
   for (const ShownRun& run : shown.runs) legend.push_back({{"label", run.label}});

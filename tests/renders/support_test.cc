@@ -20,7 +20,7 @@ Machine machine_of(const scene::Scene& scene) {
   const Trajectory run = resting_run({});
   const Playback playback(run);
   const std::array<const Playback*, 1> runs = {&playback};
-  return make_machine(scene, {}, runs, 0.0, 0.1, 40.0);
+  return make_machine(scene, runs, 0.0, 0.1, 40.0);
 }
 
 // Bodies of one colour whose axis lies across the shaft at 45 degrees, as that of a strut.

@@ -1,21 +1,3 @@
-// Columns of whole numbers in few bytes: differences, zigzag, base 128 (see Track::bytes).
-#pragma once
-
-#include <cstddef>
-#include <cstdint>
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <string_view>
-#include <vector>
-
-namespace rotorub {
-
-// Appends the column.
-void put_column(const std::vector<std::int64_t>& numbers, std::string& bytes);
-
-// Reads `count` numbers from `at` on, which it moves. Asserts that they are there.
-std::vector<std::int64_t> take_column(std::string_view bytes, std::size_t& at, std::size_t count);
-
 // One quantity of a run over time as few knots, so that a page can hold whole runs: adaptive, dense
 // where the quantity bends or jumps, and from which a reader gets it back within a tolerance at
 // every sample.
@@ -24,6 +6,15 @@ std::vector<std::int64_t> take_column(std::string_view bytes, std::size_t& at, s
 // knot before: a third of the space of float32, and as fine at the end of a long run as at its
 // beginning, where a float32 tells times no better than to 2 us after 16 s. A reader counts in
 // ticks as well: it takes a time to the nearest one first, so that at a sample it is at the sample.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace rotorub {
 
 // Between two knots: the straight line, the cubic Hermite of values and rates, or the value of the
 // earlier.
@@ -63,21 +54,7 @@ Track pack(TrackKind kind, const Samples& samples, bool floored = false);
 // (bytes in base 64).
 nlohmann::json track_json(const Track& track);
 
-// The knots of a track, and what lies between: the reader's side, for tests; tracks.js is the
-// page's.
-class UnpackedTrack {
- public:
-  explicit UnpackedTrack(const Track& track);
-  // Of a component; t is clamped to the knots' range. At a jump the value after it. 0 without
-  // knots.
-  double at(double t, std::size_t component) const;
-
- private:
-  TrackKind kind_;
-  bool floored_;
-  double start_, tick_;
-  std::vector<std::int64_t> ticks_;
-  std::vector<std::vector<double>> value_, rate_;
-};
+// Appends a column of whole numbers (see Track::bytes).
+void put_column(const std::vector<std::int64_t>& numbers, std::string& bytes);
 
 }  // namespace rotorub

@@ -8,8 +8,13 @@
 #include <limits>
 #include <random>
 
+#include "tests/compare/report/unpacked_track.h"
+
 namespace rotorub {
 namespace {
+
+using test::take_column;
+using test::UnpackedTrack;
 
 using Values = std::vector<double>;
 
