@@ -4,16 +4,14 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
+#include <string>
+#include <vector>
+
+#include "renders/palette.h"
 
 namespace rotorub::renders {
-
-struct Color {
-  float red, green, blue;
-  float alpha = 1.0F;
-
-  Color with_alpha(double value) const { return {red, green, blue, static_cast<float>(value)}; }
-};
 
 // How a surface takes light. `glow` adds its own colour, so that 1 shows the colour itself.
 struct Finish {
@@ -31,19 +29,17 @@ class Canvas {
  public:
   using Point = Eigen::Vector3d;
 
-  explicit Canvas(mjvScene& scene) : scene_(&scene) {}
+  // `model`: has the meshes, one geom each, in their order.
+  Canvas(mjvScene& scene, const mjModel& model) : scene_(&scene), model_(&model) {}
 
-  void clear() { scene_->ngeom = 0; }
   void finish(const Finish& finish) { finish_ = finish; }
 
   void cylinder(const Point& from, const Point& to, double radius, const Color& color);
-  void capsule(const Point& from, const Point& to, double radius, const Color& color);
   void sphere(const Point& center, double radius, const Color& color);
   void box(const Point& center, const Point& half_size, const Color& color,
            const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
   void arrow(const Point& from, const Point& to, double width, const Color& color);
-  void line(const Point& from, const Point& to, double pixels, const Color& color);
-  // A mesh of the stage, by its number there; `axes`: its turn.
+  // A mesh of the model as it was given, at `center`, turned by `axes`.
   void mesh(int id, const Point& center, const Eigen::Matrix3d& axes, const Color& color);
 
  private:
@@ -52,6 +48,7 @@ class Canvas {
   void connector(int type, const Point& from, const Point& to, double width, const Color& color);
 
   mjvScene* scene_;
+  const mjModel* model_;
   Finish finish_ = kMetal;
 };
 
@@ -71,5 +68,26 @@ View fitted(View view, std::span<const Eigen::Vector3d> points, double aspect, d
 
 // Soft light from above and the viewer's left, for a camera that looks along +Y or -X.
 void set_lights(mjvScene& scene, const Eigen::Vector3d& key_direction, float ambient);
+
+// Triangle meshes of the round parts that MuJoCo has no primitive for: rings, cut or whole.
+
+// Surfaces with a normal at each corner; triangles counter-clockwise seen from outside.
+struct Mesh {
+  std::string name;
+  std::vector<Eigen::Vector3d> points, normals;  // equally long
+  std::vector<std::array<int, 3>> triangles;
+};
+
+// A ring around the X axis, from X = -half_width to half_width. `from` and `to`: the angles kept,
+// rad, counted from Y towards Z, to - from in (0, 2 pi]; a part of a ring has flat ends.
+struct RingShape {
+  double inner_radius = 0.0;  // >= 0; 0: a disc
+  double outer_radius = 0.0;  // > inner_radius
+  double half_width = 0.0;    // > 0
+  double from = 0.0;
+  double to = 6.283185307179586;
+  int segments = 96;  // of the part kept
+};
+Mesh ring_mesh(const std::string& name, const RingShape& shape);
 
 }  // namespace rotorub::renders

@@ -3,17 +3,96 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <deque>
+#include <future>
 #include <initializer_list>
+#include <mutex>
+#include <semaphore>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
-#include "renders/film_crew.h"
-#include "renders/framing.h"
+#include "renders/frame.h"
+#include "renders/stage.h"
 #include "renders/video.h"
 
 namespace rotorub::renders {
 
 namespace {
+
+constexpr int kMostHands = 4;
+constexpr int kAhead = 3;  // frames that a hand may be ahead of what was fetched of it
+
+// The frames of a film in their order, painted by several threads. Each has a painter of its own,
+// so that the frames do not depend on how many there are.
+class FilmCrew {
+ public:
+  // Throws as FramePainter does. Scene, trajectories and options must outlive it.
+  FilmCrew(const scene::Scene& scene, const Trajectory& trajectory, const RenderOptions& options)
+      : own_(scene, trajectory, options),
+        hands_(std::min(hands_of(options), own_.framing().frames)),
+        painted_(static_cast<std::size_t>(own_.framing().frames)) {
+    for (int hand = 0; hand < hands_; ++hand) room_.emplace_back(kAhead);
+    for (int hand = 1; hand < hands_; ++hand) {
+      crew_.emplace_back([&, this, hand] { work(hand, scene, trajectory, options); });
+    }
+  }
+  ~FilmCrew() {
+    stopped_ = true;
+    for (auto& room : room_) room.release();
+  }
+  FilmCrew(const FilmCrew&) = delete;
+  FilmCrew& operator=(const FilmCrew&) = delete;
+
+  const Framing& framing() const { return own_.framing(); }
+  // The next frame, from the first to the last. Throws what painting it threw.
+  Picture next() {
+    const int frame = next_++, hand = frame % hands_;
+    if (hand == 0) return own_.paint(framing().time(frame));
+    Picture picture = painted_[static_cast<std::size_t>(frame)].get_future().get();
+    room_[static_cast<std::size_t>(hand)].release();
+    return picture;
+  }
+
+ private:
+  static int hands_of(const RenderOptions& options) {
+    if (options.threads > 0) return options.threads;
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostHands);
+  }
+
+  void work(int hand, const scene::Scene& scene, const Trajectory& trajectory,
+            const RenderOptions& options) {
+    int frame = hand;
+    try {
+      // MuJoCo's reader of XML serves one thread at a time.
+      std::unique_lock reading(reader_);
+      FramePainter painter(scene, trajectory, options);
+      reading.unlock();
+      for (; frame < painter.framing().frames; frame += hands_) {
+        room_[static_cast<std::size_t>(hand)].acquire();
+        if (stopped_) return;
+        painted_[static_cast<std::size_t>(frame)].set_value(
+            painter.paint(painter.framing().time(frame)));
+      }
+    } catch (...) {
+      painted_[static_cast<std::size_t>(frame)].set_exception(std::current_exception());
+    }
+  }
+
+  // Painters set this handler and put back the one before, thread by thread: with one around all of
+  // them every thread sets and puts back the same.
+  MujocoErrors errors_;
+  FramePainter own_;  // of the thread that calls next(), hand 0: frames 0, hands_, 2 hands_, ...
+  int hands_ = 1;
+  int next_ = 0;
+  std::vector<std::promise<Picture>> painted_;  // by frame
+  std::deque<std::counting_semaphore<>> room_;  // by hand: for frames that wait to be fetched
+  std::mutex reader_;
+  std::atomic<bool> stopped_ = false;
+  std::vector<std::jthread> crew_;
+};
 
 constexpr double kMostGifRate = 50.0;  // its clock counts 1/100 s, and browsers honour 2 of them
 constexpr double kMostGifBytes = 1e9;  // of all frames, which are kept for the palette
@@ -70,8 +149,7 @@ RenderResult render(const scene::Scene& scene, const Trajectory& trajectory,
   const Framing framing = crew.framing();
   const bool gif = format == FilmFormat::kGif;
   if (gif) check_gif_length(options, framing.frames);
-  VideoFile video(file, options.width, options.height,
-                  {gif, options.frames_per_second, options.quality});
+  VideoFile video(file, options.width, options.height, {gif, options.frames_per_second});
   for (int frame = 0; frame < framing.frames; ++frame) {
     video.add(crew.next());
     if (options.progress) options.progress(static_cast<double>(frame + 1) / framing.frames);
@@ -99,7 +177,7 @@ PictureResult render_still(const scene::Scene& scene, const Trajectory& trajecto
                     *t, framing.from, framing.to));
   }
   const double shown = t.value_or(hardest_impact(playback, framing));
-  write_picture(painter.paint(shown), file);
+  painter.paint(shown).write(file);
   return {framing, shown};
 }
 

@@ -7,8 +7,7 @@
 
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
-#include "renders/frame.h"
-#include "renders/options.h"
+#include "renders/framing.h"
 
 namespace rotorub::renders {
 

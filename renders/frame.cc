@@ -6,12 +6,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "native_model/rotor/modal_rotor.h"
 #include "renders/framing.h"
 #include "renders/machine_view.h"
-#include "renders/mujoco_errors.h"
 #include "renders/palette.h"
 #include "renders/panel.h"
+#include "renders/stage.h"
 
 namespace rotorub::renders {
 
@@ -20,13 +19,8 @@ namespace {
 constexpr double kTrailFilmTime = 0.9;  // s of film that the path reaches back
 constexpr double kSparkFilmTime = 0.3;  // s of film that an impact glows
 
-std::optional<ModeLines> lines_of(const scene::Scene& scene) {
-  if (!scene.rotor.geometry) return std::nullopt;
-  return modal_rotor(scene).lines;
-}
-
-ShownRun shown(const Trajectory& trajectory, const std::string& label) {
-  return {Playback(trajectory), label.empty() ? engine_label(trajectory) : label};
+ShownRun shown(const Trajectory& trajectory) {
+  return {Playback(trajectory), engine_label(trajectory)};
 }
 
 void check_view(const scene::Scene& scene, const RenderOptions& options) {
@@ -53,7 +47,6 @@ struct FramePainter::Parts {
   std::vector<Mesh> meshes;
   std::optional<MachineView> machine_view;
   std::optional<Stage> stage;  // none where no panel shows the machine
-  std::optional<SceneBuffer> machine_scene;
 
   Parts(const scene::Scene& scene, const Trajectory& trajectory, const RenderOptions& options);
   void take_runs(const Trajectory& trajectory, const RenderOptions& options);
@@ -79,11 +72,11 @@ FramePainter::Parts::Parts(const scene::Scene& scene, const Trajectory& trajecto
 }
 
 void FramePainter::Parts::take_runs(const Trajectory& trajectory, const RenderOptions& options) {
-  runs.push_back(shown(trajectory, options.engine_label));
-  if (options.beside != nullptr) runs.push_back(shown(*options.beside, options.beside_label));
+  runs.push_back(shown(trajectory));
+  if (options.beside != nullptr) runs.push_back(shown(*options.beside));
   shown_runs = runs.size();
-  for (const Trajectory* other : options.scaled_with) runs.push_back(shown(*other, ""));
-  if (options.shadow != nullptr) ghost = shown(*options.shadow, options.shadow_label);
+  for (const Trajectory* other : options.scaled_with) runs.push_back(shown(*other));
+  if (options.shadow != nullptr) ghost = shown(*options.shadow);
   if (ghost && ghost->playback.modes() != runs[0].playback.modes()) {
     throw std::runtime_error("render: the shadow's series has another number of bending modes");
   }
@@ -105,9 +98,8 @@ void FramePainter::Parts::make_machines(const scene::Scene& scene, const RenderO
   for (const Playback* run : chosen) {
     ring_motion = std::max(ring_motion, run->largest_stator(framing.from, framing.to));
   }
-  const std::optional<ModeLines> lines = lines_of(scene);
   const auto make = [&](std::optional<double> magnification) {
-    return make_machine(scene, lines, chosen, framing.from, framing.to, magnification);
+    return make_machine(scene, chosen, framing.from, framing.to, magnification);
   };
   film.machine = make(options.machine_magnification);
   film.section = make(options.magnification.value_or(section_magnification(scene, ring_motion)));
@@ -147,8 +139,7 @@ void FramePainter::Parts::make_stage(const RenderOptions& options) {
   machine_view.emplace(film.machine, meshes);
   stage.emplace(StageOptions{area.width, area.height, options.samples, palette::kBackground},
                 meshes);
-  machine_scene.emplace(stage->model());
-  machine_view->set_up(**machine_scene, area.aspect(), options.view == FilmView::kCloseUp);
+  machine_view->set_up(stage->scene(), area.aspect(), options.view == FilmView::kCloseUp);
 }
 
 void FramePainter::Parts::write_header(Sheet sheet, double t) const {
@@ -177,7 +168,7 @@ FramePainter::~FramePainter() = default;
 
 const Framing& FramePainter::framing() const { return parts_->framing; }
 
-Image FramePainter::paint(double t) {
+Picture FramePainter::paint(double t) {
   Parts& p = *parts_;
   Picture picture(p.width, p.height);
   Sheet sheet(picture, {0, 0, p.width, p.height});
@@ -191,14 +182,13 @@ Image FramePainter::paint(double t) {
     const Pose* other = ghost ? &*ghost : nullptr;
     if (p.stage) {
       const MujocoErrors errors;
-      p.stage->begin_picture();
-      p.machine_view->draw(*p.stage, **p.machine_scene, instant, other);
-      picture.put(p.stage->render(**p.machine_scene), p.panels[k].machine_area());
+      p.machine_view->draw(p.stage->canvas(), instant, other);
+      p.stage->render(picture, p.panels[k].machine_area());
     }
     p.panels[k].draw(sheet, instant, other, p.instant.trail_time);
   }
   p.write_header(sheet.part(p.layout.header), t);
-  return picture.image();
+  return picture;
 }
 
 }  // namespace rotorub::renders

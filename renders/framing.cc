@@ -4,11 +4,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace rotorub::renders {
 
 namespace {
+
+constexpr int kSteps = 8192;            // of the table
+constexpr double kFilmOfImpacts = 0.5;  // share of the film
+
+// First the first one, then by falling impulse, ties by time; those within `apart` of a chosen one
+// share its slow motion.
+std::vector<double> choose(std::span<const Strike> strikes, double from, double to, double apart) {
+  std::vector<const Strike*> candidates;
+  for (const Strike& strike : strikes) {
+    if (strike.t >= from && strike.t <= to) candidates.push_back(&strike);
+  }
+  const auto earlier = [](const Strike* a, const Strike* b) { return a->t < b->t; };
+  std::stable_sort(candidates.begin(), candidates.end(), earlier);
+  if (candidates.empty()) return {};
+  std::stable_sort(candidates.begin() + 1, candidates.end(),
+                   [](const Strike* a, const Strike* b) { return a->impulse > b->impulse; });
+  std::vector<double> chosen;
+  for (const Strike* strike : candidates) {
+    if (static_cast<int>(chosen.size()) == FilmClock::kMostImpacts) break;
+    const bool near = std::any_of(chosen.begin(), chosen.end(),
+                                  [&](double t) { return std::abs(t - strike->t) < apart; });
+    if (!near) chosen.push_back(strike->t);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
 
 constexpr double kLeadIn = 0.04;  // before the first contact, share of the rest of the run
 constexpr double kSlack = 1e-6;   // of the run, by which a window may go beyond it
@@ -19,27 +46,18 @@ template <typename Value>
   throw std::invalid_argument(fmt::format("render: {} = {}: {}", option, value, accepted));
 }
 
-void check_size(const char* option, int value, int least, int most, const char* accepted) {
-  if (value < least || value > most) refuse(option, value, accepted);
-}
-
-void check_positive(const char* option, const std::optional<double>& value) {
-  if (value && !(*value > 0.0 && std::isfinite(*value))) refuse(option, *value, "must be above 0");
-}
-
 // The part of the runs that is shown: from shortly before the first touch of any, by default.
 void set_window(Framing& framing, std::span<const Playback* const> runs,
                 const RenderOptions& options) {
-  double start = -1e300, end = 1e300, touch = -1.0;
+  double start = -1e300, end = 1e300, touch = 1e300;
   for (const Playback* run : runs) {
     start = std::max(start, run->start());
     end = std::min(end, run->end());
-    const double own = run->first_touch();
-    if (own >= 0.0) touch = touch < 0.0 ? own : std::min(touch, own);
+    touch = std::min(touch, run->first_touch().value_or(touch));
   }
   framing.to = options.to.value_or(end);
   framing.from = start;
-  if (touch >= 0.0) framing.from = std::max(start, touch - kLeadIn * (framing.to - touch));
+  if (touch < 1e300) framing.from = std::max(start, touch - kLeadIn * (framing.to - touch));
   framing.from = options.from.value_or(framing.from);
   // A run of another engine may end a rounding error earlier.
   const double slack = kSlack * (end - start);
@@ -54,28 +72,79 @@ void set_window(Framing& framing, std::span<const Playback* const> runs,
 
 }  // namespace
 
+FilmClock::FilmClock(double from, double to, double duration)
+    : from_(from), to_(to), base_(duration / (to - from)) {}
+
+FilmClock::FilmClock(double from, double to, double duration, std::span<const Strike> strikes)
+    : FilmClock(from, to, duration) {
+  // The bump's integral over u is 16/15.
+  const double share = kFilmOfImpacts / (1.0 - kFilmOfImpacts);
+  half_ = share * (to - from) / ((kStretch - 1.0) * kMostImpacts * 16.0 / 15.0);
+  impacts_ = choose(strikes, from, to, half_);
+  if (!impacts_.empty()) fill();
+}
+
+double FilmClock::stretch(double t) const {
+  double most = 0.0;
+  for (const double impact : impacts_) {
+    const double u = (t - impact) / half_;
+    if (std::abs(u) < 1.0) most = std::max(most, (1.0 - u * u) * (1.0 - u * u));
+  }
+  return 1.0 + (kStretch - 1.0) * most;
+}
+
+// film_: the integral of stretch(), by the trapezoidal rule, scaled to 1.
+void FilmClock::fill() {
+  const double step = (to_ - from_) / kSteps;
+  film_.assign(1, 0.0);
+  double before = stretch(from_);
+  for (int k = 1; k <= kSteps; ++k) {
+    const double now = stretch(from_ + k * step);
+    film_.push_back(film_.back() + 0.5 * (before + now) / kSteps);
+    before = now;
+  }
+  base_ /= film_.back();
+  for (double& value : film_) value /= film_.back();
+  film_.back() = 1.0;
+}
+
+double FilmClock::time(double share) const {
+  if (share <= 0.0) return from_;
+  if (share >= 1.0) return to_;
+  if (film_.empty()) return from_ + (to_ - from_) * share;
+  const auto after = std::upper_bound(film_.begin(), film_.end(), share);
+  const auto k = static_cast<std::size_t>(after - film_.begin());
+  const double within = (share - film_[k - 1]) / (film_[k] - film_[k - 1]);
+  return from_ + (to_ - from_) * (static_cast<double>(k - 1) + within) / kSteps;
+}
+
+double FilmClock::slow(double t) const { return base_ * stretch(t); }
+
+double FilmClock::slowest() const { return impacts_.empty() ? base_ : base_ * kStretch; }
+
 void check_options(const RenderOptions& options) {
-  check_size("width", options.width, 320, 3840, "320 to 3840 is accepted");
-  check_size("height", options.height, 180, 2160, "180 to 2160 is accepted");
-  if (!(options.frames_per_second >= 1.0 && options.frames_per_second <= 120.0)) {
-    refuse("frames per second", options.frames_per_second, "1 to 120 is accepted");
+  constexpr double kAboveZero = std::numeric_limits<double>::min();
+  constexpr double kFinite = std::numeric_limits<double>::max();
+  const struct {
+    const char* name;
+    std::optional<double> value;
+    double least, most;
+    const char* accepted;
+  } numbers[] = {
+      {"width", options.width, 320, 3840, "320 to 3840 is accepted"},
+      {"height", options.height, 180, 2160, "180 to 2160 is accepted"},
+      {"frames per second", options.frames_per_second, 1, 120, "1 to 120 is accepted"},
+      {"slow motion", options.slow_motion, kAboveZero, kFinite, "must be above 0"},
+      {"duration", options.duration, kAboveZero, kFinite, "must be above 0"},
+      {"magnification", options.magnification, 1, 1e6, "1 to 1e6 is accepted"},
+      {"magnification", options.machine_magnification, 1, 1e6, "1 to 1e6 is accepted"},
+  };
+  for (const auto& [name, value, least, most, accepted] : numbers) {
+    if (value && !(*value >= least && *value <= most)) refuse(name, *value, accepted);
   }
   if (options.samples != 0 && options.samples != 2 && options.samples != 4 &&
       options.samples != 8) {
     refuse("samples", options.samples, "0, 2, 4 or 8 is accepted");
-  }
-  if (options.quality < 0 || options.quality > 51) {
-    refuse("quality", options.quality, "0 (lossless) to 51 is accepted");
-  }
-  if (options.threads < 0 || options.threads > 64) {
-    refuse("threads", options.threads, "0 (one a processor) to 64 is accepted");
-  }
-  check_positive("slow motion", options.slow_motion);
-  check_positive("duration", options.duration);
-  for (const auto& magnification : {options.magnification, options.machine_magnification}) {
-    if (magnification && !(*magnification >= 1.0 && *magnification <= 1e6)) {
-      refuse("magnification", *magnification, "1 to 1e6 is accepted");
-    }
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renders/options.h"
+#include "renders/framing.h"
 #include "renders/sheet.h"
 
 namespace rotorub::renders {

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "native_model/rotor/modal_rotor.h"
+
 namespace rotorub::renders {
 
 namespace {
@@ -66,11 +68,12 @@ DrawnDisc drawn_disc(const scene::Disc& disc, const scene::RotorGeometry& geomet
   return {disc.z * unit, std::clamp(radius, 1.3 * shaft, 0.2), std::clamp(half_width, 0.006, 0.06)};
 }
 
-void draw_geometry(Machine& machine, const scene::Scene& scene, const ModeLines& lines) {
+void draw_geometry(Machine& machine, const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   machine.unit = 1.0 / geometry.length;
   const Eigen::VectorXd stations = shaft_stations(geometry);
   machine.z = stations * machine.unit;
+  const ModeLines lines = *modal_rotor(scene).lines;
   machine.modes_x = resample(lines.z, lines.x, stations);
   machine.modes_y = resample(lines.z, lines.y, stations);
   double thickest = 0.0;
@@ -240,12 +243,11 @@ Eigen::Vector3d Machine::tangent(const Eigen::Matrix2Xd& line, double station) c
   return (centre(line, after) - centre(line, before)).normalized();
 }
 
-Machine make_machine(const scene::Scene& scene, const std::optional<ModeLines>& lines,
-                     std::span<const Playback* const> runs, double from, double to,
-                     std::optional<double> magnification) {
+Machine make_machine(const scene::Scene& scene, std::span<const Playback* const> runs, double from,
+                     double to, std::optional<double> magnification) {
   Machine machine;
-  if (scene.rotor.geometry && lines) {
-    draw_geometry(machine, scene, *lines);
+  if (scene.rotor.geometry) {
+    draw_geometry(machine, scene);
     for (const Playback* run : runs) {
       if (machine.modes_x.cols() == run->modes()) continue;
       throw std::runtime_error(

@@ -12,7 +12,6 @@
 #include <span>
 #include <vector>
 
-#include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
 #include "native_model/system/model.h"
 #include "renders/playback.h"
@@ -90,13 +89,12 @@ struct Machine {
   Eigen::Vector3d tangent(const Eigen::Matrix2Xd& line, double station) const;
 };
 
-// `lines`: of the scene's modal rotor, geometry form; `runs`: all that are shown. Without a given
+// `runs`: all that are shown. Without a given
 // magnification: as large as makes the largest motion between `from` and `to` a tenth of the shaft,
 // within limits that keep the clearance visible, and rounded down to a plain number. Throws
 // std::runtime_error where a run has not the scene's number of modes.
-Machine make_machine(const scene::Scene& scene, const std::optional<ModeLines>& lines,
-                     std::span<const Playback* const> runs, double from, double to,
-                     std::optional<double> magnification);
+Machine make_machine(const scene::Scene& scene, std::span<const Playback* const> runs, double from,
+                     double to, std::optional<double> magnification);
 
 // For a picture of the contact alone, 1 without a contact: the clearance drawn as 0.45 of the
 // rotor's radius, less where the ring moves far (`motion`, m), rounded down to a plain number.

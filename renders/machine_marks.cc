@@ -48,21 +48,19 @@ void MachineView::draw_shadows(Canvas& canvas, const Pose& pose,
   }
 }
 
-void MachineView::draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
-                            const Color& color) const {
-  stage.draw_mesh(canvas, ring_, place_at(machine_.contact->z, section.ring),
-                  Eigen::Matrix3d::Identity(), color);
+void MachineView::draw_ring(Canvas& canvas, const DrawnSection& section, const Color& color) const {
+  canvas.mesh(ring_, place_at(machine_.contact->z, section.ring), Eigen::Matrix3d::Identity(),
+              color);
 }
 
 // What holds the ring: a housing on a pedestal, or springs or actuators at 45 degrees.
-void MachineView::draw_support(const Stage& stage, Canvas& canvas,
-                               const DrawnSection& section) const {
+void MachineView::draw_support(Canvas& canvas, const DrawnSection& section) const {
   const DrawnContact& contact = *machine_.contact;
   const DrawnSupport& support = machine_.support;
   canvas.finish(kMetal);
   if (support.fixed) {
-    stage.draw_mesh(canvas, housing_, place_at(contact.z, section.ring),
-                    Eigen::Matrix3d::Identity(), palette::kHousing);
+    canvas.mesh(housing_, place_at(contact.z, section.ring), Eigen::Matrix3d::Identity(),
+                palette::kHousing);
     draw_pedestal(canvas, contact.z, -1.08 * contact.ring_outer, 0.6 * contact.half_width,
                   0.5 * contact.ring_outer);
     return;

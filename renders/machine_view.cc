@@ -116,20 +116,17 @@ double MachineView::plate_right() const {
   return machine_.motor && *machine_.motor >= 0.5 ? 1.15 : 1.04;
 }
 
-void MachineView::draw(const Stage& stage, mjvScene& scene, const Instant& instant,
-                       const Pose* ghost) const {
-  Canvas canvas(scene);
-  canvas.clear();
-  draw_base(stage, canvas);
+void MachineView::draw(Canvas canvas, const Instant& instant, const Pose* ghost) const {
+  draw_base(canvas);
   const Eigen::Matrix2Xd line = machine_.centre_line(instant.pose);
   draw_shadows(canvas, instant.pose, line);
   canvas.finish(kMetal);
   draw_shaft(canvas, line, palette::kShaft, 1.0);
-  draw_bodies(stage, canvas, instant.pose, line);
+  draw_bodies(canvas, instant.pose, line);
   if (machine_.contact) {
     const DrawnSection section = drawn_section(machine_, instant.pose);
-    draw_ring(stage, canvas, section, palette::kRing);
-    draw_support(stage, canvas, section);
+    draw_ring(canvas, section, palette::kRing);
+    draw_support(canvas, section);
     draw_contact(canvas, instant, section);
   }
   draw_loads(canvas, instant.pose, line);
@@ -137,7 +134,7 @@ void MachineView::draw(const Stage& stage, mjvScene& scene, const Instant& insta
     canvas.finish(kMatt);
     const Color color = palette::kGhost.with_alpha(0.45);
     draw_shaft(canvas, machine_.centre_line(*ghost), color, kWithin);
-    if (machine_.contact) draw_ring(stage, canvas, drawn_section(machine_, *ghost), color);
+    if (machine_.contact) draw_ring(canvas, drawn_section(machine_, *ghost), color);
   }
 }
 
@@ -148,7 +145,7 @@ void MachineView::draw_pedestal(Canvas& canvas, double z, double top, double hal
              palette::kHousing);
 }
 
-void MachineView::draw_base(const Stage& stage, Canvas& canvas) const {
+void MachineView::draw_base(Canvas& canvas) const {
   canvas.finish(kMatt);
   constexpr double kPlateThickness = 0.012;
   const double left = plate_left();
@@ -158,7 +155,7 @@ void MachineView::draw_base(const Stage& stage, Canvas& canvas) const {
 
   for (const double z : machine_.bearings) {
     draw_pedestal(canvas, z, -1.6 * machine_.bearing_bore, 0.014, 1.6 * machine_.bearing_bore);
-    stage.draw_mesh(canvas, bearing_, {z, 0.0, 0.0}, kUpright, palette::kHousing);
+    canvas.mesh(bearing_, {z, 0.0, 0.0}, kUpright, palette::kHousing);
   }
   if (machine_.motor) {
     // On the outer side of the shaft's end, or around the shaft.
@@ -170,7 +167,7 @@ void MachineView::draw_base(const Stage& stage, Canvas& canvas) const {
   if (machine_.magnetic_bearing) {
     const DrawnMagneticBearing& magnet = *machine_.magnetic_bearing;
     draw_pedestal(canvas, magnet.z, -0.9 * magnet.outer, 0.6 * magnet.half_width, 0.03);
-    stage.draw_mesh(canvas, magnet_, {magnet.z, 0.0, 0.0}, kUpright, palette::kHousing);
+    canvas.mesh(magnet_, {magnet.z, 0.0, 0.0}, kUpright, palette::kHousing);
     for (int pole = 0; pole < 8; ++pole) {
       const double angle = (22.5 + 45.0 * pole) * kDegree;
       if (angle > kKeptTo - 2.0 * std::numbers::pi && angle < kKeptFrom) continue;
@@ -194,7 +191,7 @@ void MachineView::draw_shaft(Canvas& canvas, const Eigen::Matrix2Xd& line, const
   }
 }
 
-void MachineView::draw_bodies(const Stage& stage, Canvas& canvas, const Pose& pose,
+void MachineView::draw_bodies(Canvas& canvas, const Pose& pose,
                               const Eigen::Matrix2Xd& line) const {
   // A body sits square on the bent shaft and turns about it; its mark shows the turning.
   const auto draw = [&](double z, const Body& body, const Color& color) {
@@ -203,8 +200,8 @@ void MachineView::draw_bodies(const Stage& stage, Canvas& canvas, const Pose& po
         (Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), machine_.tangent(line, z)) *
          Eigen::AngleAxisd(pose.spin_angle, Vector3d::UnitX()))
             .toRotationMatrix();
-    stage.draw_mesh(canvas, body.solid, centre, axes, color);
-    stage.draw_mesh(canvas, body.mark, centre, axes, palette::kMark);
+    canvas.mesh(body.solid, centre, axes, color);
+    canvas.mesh(body.mark, centre, axes, palette::kMark);
   };
   for (std::size_t i = 0; i < discs_.size(); ++i) {
     draw(machine_.discs[i].z, discs_[i], palette::kDisc);

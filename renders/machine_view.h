@@ -4,19 +4,19 @@
 
 #include <vector>
 
-#include "renders/contact_marks.h"
+#include "renders/canvas.h"
+#include "renders/instant.h"
 #include "renders/machine.h"
-#include "renders/stage.h"
 
 namespace rotorub::renders {
 
 class MachineView {
  public:
-  // Adds its meshes to `meshes`; the stage made of them must be given to draw().
+  // Adds its meshes to `meshes`; the canvas of draw() is that of the stage made of them.
   MachineView(const Machine& machine, std::vector<Mesh>& meshes);
 
   // `ghost`: a second pose drawn translucent, or null.
-  void draw(const Stage& stage, mjvScene& scene, const Instant& instant, const Pose* ghost) const;
+  void draw(Canvas canvas, const Instant& instant, const Pose* ghost) const;
   // Sets camera and light for a picture of this shape (width / height): of the whole machine, or
   // close to the contact.
   void set_up(mjvScene& scene, double aspect, bool close) const;
@@ -24,16 +24,14 @@ class MachineView {
  private:
   double plate_left() const;
   double plate_right() const;
-  void draw_base(const Stage& stage, Canvas& canvas) const;
+  void draw_base(Canvas& canvas) const;
   void draw_pedestal(Canvas& canvas, double z, double top, double half_width,
                      double half_depth) const;
   void draw_shaft(Canvas& canvas, const Eigen::Matrix2Xd& line, const Color& color,
                   double thickness) const;
-  void draw_bodies(const Stage& stage, Canvas& canvas, const Pose& pose,
-                   const Eigen::Matrix2Xd& line) const;
-  void draw_ring(const Stage& stage, Canvas& canvas, const DrawnSection& section,
-                 const Color& color) const;
-  void draw_support(const Stage& stage, Canvas& canvas, const DrawnSection& section) const;
+  void draw_bodies(Canvas& canvas, const Pose& pose, const Eigen::Matrix2Xd& line) const;
+  void draw_ring(Canvas& canvas, const DrawnSection& section, const Color& color) const;
+  void draw_support(Canvas& canvas, const DrawnSection& section) const;
   void draw_strut(Canvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   void draw_contact(Canvas& canvas, const Instant& instant, const DrawnSection& section) const;
   void draw_shadows(Canvas& canvas, const Pose& pose, const Eigen::Matrix2Xd& line) const;

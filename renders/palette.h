@@ -1,9 +1,16 @@
 // The colours of the pictures, one meaning each in every view.
 #pragma once
 
-#include "renders/canvas.h"
+namespace rotorub::renders {
 
-namespace rotorub::renders::palette {
+struct Color {
+  float red, green, blue;
+  float alpha = 1.0F;
+
+  Color with_alpha(double value) const { return {red, green, blue, static_cast<float>(value)}; }
+};
+
+namespace palette {
 
 // Whole numbers of 255: MuJoCo's picture and the flat parts beside it have one shade.
 inline constexpr Color kBackground{244 / 255.0F, 246 / 255.0F, 250 / 255.0F};
@@ -34,4 +41,5 @@ inline constexpr Color kStrike{1.0F, 0.74F, 0.10F};     // an impact just now
 inline constexpr Color kTrail{0.09F, 0.24F, 0.60F};     // path of the rotor's centre
 inline constexpr Color kGhost{0.56F, 0.20F, 0.70F};     // the second trajectory
 
-}  // namespace rotorub::renders::palette
+}  // namespace palette
+}  // namespace rotorub::renders

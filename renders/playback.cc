@@ -36,6 +36,20 @@ Eigen::Vector2d direction(const Eigen::Vector2d& d) {
 
 }  // namespace
 
+std::optional<double> first_touch(const Trajectory& trajectory) {
+  std::optional<double> first;
+  const auto earlier = [&first](double t) { first = std::min(first.value_or(t), t); };
+  if (trajectory.statistics.first_touch >= 0.0) earlier(trajectory.statistics.first_touch);
+  // A run that was read from its folder has no statistics.
+  if (!trajectory.impacts.empty()) earlier(trajectory.impacts.front().t);
+  if (!trajectory.has("normal_force")) return first;
+  const auto& force = trajectory.column("normal_force");
+  const auto row = std::find_if(force.begin(), force.end(), [](double f) { return f > 0.0; });
+  if (row != force.end())
+    earlier(trajectory.column("t")[static_cast<std::size_t>(row - force.begin())]);
+  return first;
+}
+
 Eigen::Vector2d Pose::e_r() const { return direction(rotor - stator); }
 
 Playback::Playback(const Trajectory& trajectory)
@@ -141,18 +155,6 @@ Pose Playback::at(double t) const {
   pose.friction_force =
       lasting ? interpolate({friction_, nullptr}, row, pose.t, false) : (*friction_)[row];
   return pose;
-}
-
-double Playback::first_touch() const {
-  double first = trajectory_->statistics.first_touch;
-  const auto earlier = [&first](double t) { first = first < 0.0 ? t : std::min(first, t); };
-  if (!trajectory_->impacts.empty()) earlier(trajectory_->impacts.front().t);
-  for (std::size_t i = 0; i < time_->size(); ++i) {
-    if ((*normal_)[i] <= 0.0) continue;
-    earlier((*time_)[i]);
-    break;
-  }
-  return first;
 }
 
 double Playback::largest(const Track& x, const Track& y, double from, double to) const {

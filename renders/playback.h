@@ -35,6 +35,9 @@ struct Strike {
   Eigen::Vector2d e_r{1.0, 0.0};  // from the ring's centre to the point of contact
 };
 
+// Time of the first contact, s, from impacts and rows; nothing where it never touches.
+std::optional<double> first_touch(const Trajectory& trajectory);
+
 // Between two rows positions follow the cubic Hermite of positions and velocities; the straight
 // line where an impact lies between them, or where the velocities are not in the series. Two points
 // inside a ring never give one outside of it that way. Forces are interpolated within one contact
@@ -49,8 +52,7 @@ class Playback {
 
   double start() const { return time_->front(); }  // s
   double end() const { return time_->back(); }
-  // Time of the first contact, from impacts and rows; negative: none.
-  double first_touch() const;
+  std::optional<double> first_touch() const { return renders::first_touch(*trajectory_); }
   int modes() const { return static_cast<int>(x_.size()); }
   const std::vector<Strike>& strikes() const { return strikes_; }
   // Largest |stator| over the rows from `from` to `to`, m, and quantile of the normal

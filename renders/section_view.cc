@@ -202,7 +202,8 @@ void SectionView::draw_forces(Sheet& sheet, const Place& at, const Instant& inst
     const Vector2d across(-along[1], along[0]);
     const Vector2d cut = foot + 0.45 * tip;
     const double half = 1.2 * width / at.pixels;
-    sheet.line(at(cut - half * across), at(cut + half * across), 0.6 * width, palette::kPaper);
+    sheet.polyline(std::array{at(cut - half * across), at(cut + half * across)}, 0.6 * width,
+                   palette::kPaper);
   };
   if (instant.control.share > 0.0) {
     const Vector2d along = instant.pose.control.normalized();

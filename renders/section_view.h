@@ -3,7 +3,7 @@
 // the rotor's centre in the clearance circle, the point of contact and the forces.
 #pragma once
 
-#include "renders/contact_marks.h"
+#include "renders/instant.h"
 #include "renders/machine.h"
 #include "renders/sheet.h"
 

@@ -1,13 +1,23 @@
 #include "renders/sheet.h"
 
+#include <cairo-ft.h>
 #include <cairo.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <boost/locale/utf.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include "native_model/trajectory/output.h"
+
+namespace rotorub {
+// Embedded by renders/CMakeLists.txt.
+std::string_view font_regular();
+std::string_view font_bold();
+}  // namespace rotorub
 
 namespace rotorub::renders {
 
@@ -15,17 +25,44 @@ namespace {
 
 constexpr int kFadeSteps = 24;  // of a trail
 
+void check(FT_Error error) {
+  if (error != 0) throw std::runtime_error(fmt::format("the font: FreeType error {}", error));
+}
+
 void check(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
   throw std::runtime_error(std::string("the picture: ") + cairo_status_to_string(status));
 }
 
-// The row of the area in the surface: pixels of 32 bits, 0x00RRGGBB.
-std::uint32_t* pixels(cairo_surface_t* surface, const Area& area, int row) {
-  unsigned char* line =
-      cairo_image_surface_get_data(surface) +
-      static_cast<std::ptrdiff_t>(area.top + row) * cairo_image_surface_get_stride(surface);
-  return reinterpret_cast<std::uint32_t*>(line) + area.left;
+// Cairo keeps what it has drawn with, and so they are kept as long as the program runs.
+cairo_font_face_t* face_of(std::string_view file) {
+  FT_Library library = nullptr;
+  FT_Face face = nullptr;
+  check(FT_Init_FreeType(&library));
+  check(FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(file.data()),
+                           static_cast<FT_Long>(file.size()), 0, &face));
+  return cairo_ft_font_face_create_for_ft_face(face, FT_LOAD_TARGET_LIGHT);
+}
+
+// Cairo draws nothing more after what is no UTF-8, or one of Unicode's noncharacters.
+bool is_character(boost::locale::utf::code_point code) {
+  return boost::locale::utf::is_valid_codepoint(code) && (code & 0xFFFE) != 0xFFFE &&
+         !(code >= 0xFDD0 && code <= 0xFDEF);
+}
+
+// U+FFFD stands for each byte that belongs to no character.
+std::string as_utf8(std::string_view text) {
+  std::string all;
+  for (const char *at = text.data(), *end = at + text.size(); at != end;) {
+    const char* const begin = at;
+    if (is_character(boost::locale::utf::utf_traits<char>::decode(at, end))) {
+      all.append(begin, at);
+    } else {
+      all += "\uFFFD";
+      at = begin + 1;
+    }
+  }
+  return all;
 }
 
 void move_along(cairo_t* pen, std::span<const Sheet::Point> points, double longest = 1e300) {
@@ -40,42 +77,47 @@ void move_along(cairo_t* pen, std::span<const Sheet::Point> points, double longe
 Picture::Picture(int width, int height)
     : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
                cairo_surface_destroy) {
-  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> pen(cairo_create(surface()),
-                                                               cairo_destroy);
-  cairo_set_source_rgb(pen.get(), 1.0, 1.0, 1.0);
-  cairo_paint(pen.get());
-}
-
-Image Picture::image() const {
   check(cairo_surface_status(surface()));
-  cairo_surface_flush(surface());
-  Image picture{
-      cairo_image_surface_get_width(surface()), cairo_image_surface_get_height(surface()), {}};
-  picture.rgb.resize(3 * static_cast<std::size_t>(picture.width * picture.height));
-  std::uint8_t* to = picture.rgb.data();
-  for (int row = 0; row < picture.height; ++row) {
-    const std::uint32_t* from = pixels(surface(), {}, row);
-    for (int column = 0; column < picture.width; ++column) {
-      for (const int shift : {16, 8, 0}) *to++ = static_cast<std::uint8_t>(from[column] >> shift);
-    }
-  }
-  return picture;
+  Sheet(*this, {0, 0, width, height}).fill(0.0, 0.0, width, height, palette::kPaper);
 }
 
-void Picture::write(const std::filesystem::path& file) const {
-  check(cairo_surface_write_to_png(surface(), file.c_str()));
+int Picture::width() const { return cairo_image_surface_get_width(surface()); }
+int Picture::height() const { return cairo_image_surface_get_height(surface()); }
+
+std::span<const std::uint8_t> Picture::bytes() const {
+  cairo_surface_flush(surface());
+  return {cairo_image_surface_get_data(surface()),
+          static_cast<std::size_t>(height() * cairo_image_surface_get_stride(surface()))};
 }
 
-void Picture::put(const Image& picture, const Area& area) {
+std::array<std::uint8_t, 3> Picture::pixel(int column, int row) const {
+  const std::uint8_t* at = bytes().data() + 4 * (row * width() + column);
+  return {at[2], at[1], at[0]};
+}
+
+void Picture::put(const Area& area, const std::function<const std::uint8_t*(int row)>& row) {
   cairo_surface_flush(surface());
-  for (int row = 0; row < area.height; ++row) {
-    std::uint32_t* to = pixels(surface(), area, row);
-    const std::uint8_t* from = picture.pixel(0, row);
-    for (int column = 0; column < area.width; ++column, from += 3) {
-      to[column] = static_cast<std::uint32_t>(from[0] << 16 | from[1] << 8 | from[2]);
+  for (int y = 0; y < area.height; ++y) {
+    std::uint8_t* to =
+        cairo_image_surface_get_data(surface()) + 4 * ((area.top + y) * width() + area.left);
+    const std::uint8_t* from = row(y);
+    for (int column = 0; column < area.width; ++column, from += 3, to += 4) {
+      std::reverse_copy(from, from + 3, to);
     }
   }
   cairo_surface_mark_dirty(surface());
+}
+
+void Picture::write(const std::filesystem::path& file) const {
+  const std::filesystem::path part = part_of(file);
+  try {
+    check(cairo_surface_write_to_png(surface(), part.c_str()));
+    std::filesystem::rename(part, file);
+  } catch (const std::runtime_error& problem) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw std::runtime_error(fmt::format("{}: {}", file.string(), problem.what()));
+  }
 }
 
 Sheet::Sheet(const Picture& picture, const Area& area)
@@ -85,6 +127,13 @@ Sheet::Sheet(const Picture& picture, const Area& area)
   cairo_clip(pen_.get());
   cairo_set_line_join(pen_.get(), CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(pen_.get(), CAIRO_LINE_CAP_ROUND);
+  // Light: letters keep their widths and snap to rows alone.
+  cairo_font_options_t* const options = cairo_font_options_create();
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_SLIGHT);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_ON);
+  cairo_set_font_options(pen_.get(), options);
+  cairo_font_options_destroy(options);
 }
 
 void Sheet::fill(const Color& color) {
@@ -110,15 +159,11 @@ void Sheet::fill(double x, double y, double width, double height, const Color& c
   fill(color);
 }
 
-void Sheet::line(const Point& from, const Point& to, double width, const Color& color) {
-  polyline(std::array{from, to}, width, color);
-}
-
 void Sheet::bar(const Point& from, const Point& to, double width, const Color& color) {
   const Point along = (to - from).normalized();
   const Point half = 0.5 * width * Point(-along[1], along[0]);
   const std::array<Point, 4> corners = {from + half, from - half, to - half, to + half};
-  convex(corners, color);
+  polygon(corners, color);
 }
 
 void Sheet::polyline(std::span<const Point> points, double width, const Color& color) {
@@ -176,7 +221,7 @@ void Sheet::dashed_circle(const Point& center, double radius, double width, cons
   cairo_set_dash(pen_.get(), nullptr, 0, 0.0);
 }
 
-void Sheet::convex(std::span<const Point> corners, const Color& color) {
+void Sheet::polygon(std::span<const Point> corners, const Color& color) {
   move_along(pen_.get(), corners);
   fill(color);
 }
@@ -192,17 +237,33 @@ void Sheet::arrow(const Point& from, const Point& to, double width, const Color&
   if (length > head) bar(from, neck, width, color);
   const double half = 0.45 * head;
   const std::array<Point, 3> tip = {to, neck + half * across, neck - half * across};
-  convex(tip, color);
+  polygon(tip, color);
+}
+
+void Sheet::use_font(int size, Weight weight) const {
+  static cairo_font_face_t* const regular = face_of(font_regular());
+  static cairo_font_face_t* const bold = face_of(font_bold());
+  cairo_set_font_face(pen_.get(), weight == Weight::kBold ? bold : regular);
+  cairo_set_font_size(pen_.get(), size);
 }
 
 double Sheet::text(double x, double y, std::string_view words, int size, const Color& color,
                    Weight weight) {
+  use_font(size, weight);
   cairo_set_source_rgba(pen_.get(), color.red, color.green, color.blue, color.alpha);
-  return write_text(pen_.get(), words, x, std::round(y + 0.78 * size), size, weight);
+  cairo_move_to(pen_.get(), x, std::round(y + 0.78 * size));
+  cairo_show_text(pen_.get(), as_utf8(words).c_str());
+  double baseline = 0.0;
+  cairo_get_current_point(pen_.get(), &x, &baseline);
+  cairo_new_path(pen_.get());
+  return x;
 }
 
 double Sheet::text_width(std::string_view words, int size, Weight weight) const {
-  return renders::text_width(words, size, weight);
+  use_font(size, weight);
+  cairo_text_extents_t extents;
+  cairo_text_extents(pen_.get(), as_utf8(words).c_str(), &extents);
+  return extents.x_advance;
 }
 
 void Sheet::text_to(double x, double y, std::string_view words, int size, const Color& color,

@@ -1,17 +1,19 @@
-// Flat drawing by Cairo: what stands over and beside MuJoCo's rendering.
+// Pictures in memory, and flat drawing on them by Cairo.
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
 
-#include "renders/canvas.h"
-#include "renders/font.h"
-#include "renders/image.h"
+#include "renders/palette.h"
 
-struct _cairo_surface;  // Cairo's cairo_surface_t
+struct _cairo;          // Cairo's cairo_t
+struct _cairo_surface;  // its cairo_surface_t
 
 namespace rotorub::renders {
 
@@ -23,19 +25,29 @@ struct Area {
   double aspect() const { return static_cast<double>(width) / height; }
 };
 
-// A picture in the drawing, white at first.
+// White at first. A copy is the same picture. Throws std::runtime_error with Cairo's reason.
 class Picture {
  public:
   Picture(int width, int height);
-  // Both throw std::runtime_error with Cairo's reason.
-  Image image() const;
-  void write(const std::filesystem::path& file) const;  // PNG
-  void put(const Image& picture, const Area& area);     // of the area's size
+  int width() const;   // pixels
+  int height() const;  // pixels
+  // All of it: rows from the top down, without padding, a pixel blue, green, red and a byte that
+  // says nothing.
+  std::span<const std::uint8_t> bytes() const;
+  // Red, green, blue; row 0 is the top one.
+  std::array<std::uint8_t, 3> pixel(int column, int row) const;
+  // Another one into the area: row(k) gives its k-th row from the top, 3 bytes a pixel.
+  void put(const Area& area, const std::function<const std::uint8_t*(int row)>& row);
+  // As PNG: whole or not at all.
+  void write(const std::filesystem::path& file) const;
   _cairo_surface* surface() const { return surface_.get(); }
 
  private:
   std::shared_ptr<_cairo_surface> surface_;
 };
+
+// DejaVu Sans, which the program carries with it.
+enum class Weight { kRegular, kBold };
 
 // Coordinates are pixels of the area, x to the right, y down, (0, 0) its upper left corner; pixel i
 // covers [i, i + 1). Nothing is drawn outside of the area. Angles: rad, counter-clockwise as seen.
@@ -49,9 +61,8 @@ class Sheet {
   Sheet part(const Area& area) const { return {*picture_, area}; }  // of the picture
 
   void fill(double x, double y, double width, double height, const Color& color);
-  void line(const Point& from, const Point& to, double width, const Color& color);  // round ends
-  void bar(const Point& from, const Point& to, double width, const Color& color);   // flat ends
-  void polyline(std::span<const Point> points, double width, const Color& color);
+  void polyline(std::span<const Point> points, double width, const Color& color);  // round ends
+  void bar(const Point& from, const Point& to, double width, const Color& color);  // flat ends
   // A path that fades from its end, which is now, to its beginning. Two points farther apart than
   // `longest` are not joined.
   void trail(std::span<const Point> points, double width, const Color& color,
@@ -62,11 +73,10 @@ class Sheet {
   void sector(const Point& center, double inner, double outer, double from, double span,
               const Color& color);
   void dashed_circle(const Point& center, double radius, double width, const Color& color);
-  // Corners in either order.
-  void convex(std::span<const Point> corners, const Color& color);
   void arrow(const Point& from, const Point& to, double width, const Color& color);
 
-  // Text of one line, UTF-8, its capitals' top at about y; returns the x behind it.
+  // Text of one line, UTF-8, its capitals' top at about y; returns the x behind it. What the font
+  // lacks is its box. size: height of the em, pixels.
   double text(double x, double y, std::string_view words, int size, const Color& color,
               Weight weight = Weight::kRegular);
   double text_width(std::string_view words, int size, Weight weight = Weight::kRegular) const;
@@ -75,6 +85,8 @@ class Sheet {
                Weight weight = Weight::kRegular);
 
  private:
+  void use_font(int size, Weight weight) const;
+  void polygon(std::span<const Point> corners, const Color& color);
   // Of all that the path holds by now.
   void fill(const Color& color);
   void stroke(double width, const Color& color);

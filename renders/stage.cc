@@ -1,9 +1,9 @@
 #include "renders/stage.h"
 
+#include <GL/osmesa.h>
 #include <fmt/format.h>
 
 #include <cassert>
-#include <cstring>
 #include <iterator>
 #include <stdexcept>
 
@@ -13,7 +13,9 @@ namespace rotorub::renders {
 
 namespace {
 
-constexpr int kShapes = 4000;   // room of one scene
+constexpr int kDepthBits = 24, kStencilBits = 8;
+
+constexpr int kShapes = 4000;   // room of the scene
 constexpr int kRoundness = 32;  // sides of MuJoCo's round primitives, and
 constexpr int kStacks = 6;      // their layers; software rendering pays for every triangle
 
@@ -35,17 +37,7 @@ std::string mesh_mjcf(const Mesh& mesh) {
   return out + "\"/>\n";
 }
 
-mjModel* load(const std::string& mjcf) {
-  char error[1000] = "";
-  mjModel* model = plugin::load_text(mjcf, error, sizeof error);
-  if (model == nullptr) {
-    throw std::runtime_error(fmt::format("off-screen rendering: the stage's model: {}", error));
-  }
-  return model;
-}
-
-}  // namespace
-
+// A room with nothing but the meshes: size of the picture, background, quality.
 std::string stage_mjcf(const StageOptions& options, std::span<const Mesh> meshes) {
   const Color& sky = options.background;
   std::string out = fmt::format(
@@ -68,13 +60,49 @@ std::string stage_mjcf(const StageOptions& options, std::span<const Mesh> meshes
   return out + "  </worldbody>\n</mujoco>\n";
 }
 
-SceneBuffer::SceneBuffer(const mjModel& model) {
-  mjv_defaultScene(&scene_);
-  mjv_makeScene(&model, &scene_, kShapes);
-  scene_.flags[mjRND_SHADOW] = 0;
-  scene_.flags[mjRND_REFLECTION] = 0;
-  scene_.flags[mjRND_HAZE] = 0;
-  scene_.flags[mjRND_SKYBOX] = 1;
+mjModel* load(const std::string& mjcf) {
+  char error[1000] = "";
+  mjModel* model = plugin::load_text(mjcf, error, sizeof error);
+  if (model == nullptr) {
+    throw std::runtime_error(fmt::format("off-screen rendering: the stage's model: {}", error));
+  }
+  return model;
+}
+
+}  // namespace
+
+MujocoErrors::MujocoErrors() : previous_(mju_user_error) {
+  mju_user_error = [](const char* message) {
+    throw std::runtime_error(std::string("off-screen rendering: MuJoCo: ") + message);
+  };
+}
+
+GlContext::GlContext(int width, int height)
+    : context_(OSMesaCreateContextExt(OSMESA_RGBA, kDepthBits, kStencilBits, 0, nullptr)),
+      width_(width),
+      height_(height),
+      window_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+  if (context_ == nullptr) {
+    throw std::runtime_error("off-screen rendering: OSMesa cannot create an OpenGL context");
+  }
+  try {
+    make_current();
+  } catch (...) {
+    OSMesaDestroyContext(context_);
+    throw;
+  }
+}
+
+GlContext::~GlContext() {
+  OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+  OSMesaDestroyContext(context_);
+}
+
+void GlContext::make_current() {
+  if (!OSMesaMakeCurrent(context_, window_.data(), GL_UNSIGNED_BYTE, width_, height_)) {
+    throw std::runtime_error(fmt::format(
+        "off-screen rendering: OSMesa refuses a picture of {} x {} pixels", width_, height_));
+  }
 }
 
 Stage::Stage(const StageOptions& options, std::span<const Mesh> meshes)
@@ -86,45 +114,40 @@ Stage::Stage(const StageOptions& options, std::span<const Mesh> meshes)
     mjr_freeContext(&context_);
     throw std::runtime_error("off-screen rendering: MuJoCo has no off-screen buffer here");
   }
+  mjv_defaultScene(&scene_);
+  mjv_makeScene(model_.get(), &scene_, kShapes);
+  for (const int effect : {mjRND_SHADOW, mjRND_REFLECTION, mjRND_HAZE}) scene_.flags[effect] = 0;
+  scene_.flags[mjRND_SKYBOX] = 1;
   pixels_.resize(3 * static_cast<std::size_t>(options.width) *
                  static_cast<std::size_t>(options.height));
 }
 
 Stage::~Stage() {
+  mjv_freeScene(&scene_);
   gl_.make_current();
   mjr_freeContext(&context_);
 }
 
-void Stage::draw_mesh(Canvas& canvas, int id, const Eigen::Vector3d& center,
-                      const Eigen::Matrix3d& axes, const Color& color) const {
-  assert(id >= 0 && id < model_->nmesh);
-  const mjtNum* position = model_->geom_pos + 3 * id;  // one geom a mesh, in order
-  const mjtNum* turn = model_->geom_quat + 4 * id;
-  const Eigen::Quaterniond frame(turn[0], turn[1], turn[2], turn[3]);
-  canvas.mesh(id, center + axes * Eigen::Vector3d(position[0], position[1], position[2]),
-              axes * frame.toRotationMatrix(), color);
+Canvas Stage::canvas() {
+  scene_.ngeom = 0;
+  return {scene_, *model_};
 }
 
-void Stage::begin_picture() {
+void Stage::render(Picture& picture, const Area& area) {
+  assert(area.width == context_.offWidth && area.height == context_.offHeight);
   gl_.make_current();
   mjr_setBuffer(mjFB_OFFSCREEN, &context_);
-}
-
-Image Stage::render(mjvScene& scene) {
-  const mjrRect all{0, 0, width(), height()};
-  mjr_render(all, &scene, &context_);
+  const mjrRect all{0, 0, area.width, area.height};
+  mjr_render(all, &scene_, &context_);
   mjr_readPixels(pixels_.data(), nullptr, all, &context_);
   if (const int error = mjr_getError(); error != 0) {
     throw std::runtime_error(fmt::format("off-screen rendering: OpenGL error {:#x}", error));
   }
   // OpenGL counts rows from the bottom.
-  Image picture{width(), height(), std::vector<std::uint8_t>(pixels_.size())};
-  const std::size_t row = 3 * static_cast<std::size_t>(width());
-  for (std::size_t y = 0; y < static_cast<std::size_t>(height()); ++y) {
-    std::memcpy(picture.rgb.data() + y * row,
-                pixels_.data() + (static_cast<std::size_t>(height()) - 1 - y) * row, row);
-  }
-  return picture;
+  const std::size_t row = pixels_.size() / static_cast<std::size_t>(area.height);
+  picture.put(area, [&](int y) {
+    return pixels_.data() + static_cast<std::size_t>(area.height - 1 - y) * row;
+  });
 }
 
 }  // namespace rotorub::renders

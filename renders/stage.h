@@ -4,38 +4,57 @@
 
 #include <mujoco/mujoco.h>
 
-#include <Eigen/Geometry>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "renders/canvas.h"
-#include "renders/gl_context.h"
-#include "renders/image.h"
-#include "renders/mesh.h"
+#include "renders/sheet.h"
+
+struct osmesa_context;
 
 namespace rotorub::renders {
+
+// While it lives, an error of MuJoCo is thrown as std::runtime_error; by itself mju_error waits for
+// Enter and ends the process. MuJoCo's handler is global to the process; the one before comes back
+// at the end.
+class MujocoErrors {
+ public:
+  MujocoErrors();
+  ~MujocoErrors() { mju_user_error = previous_; }
+  MujocoErrors(const MujocoErrors&) = delete;
+  MujocoErrors& operator=(const MujocoErrors&) = delete;
+
+ private:
+  void (*previous_)(const char*);
+};
+
+// An OpenGL context that draws into memory: no display, no GPU, no window system (Mesa's OSMesa).
+// Current on the constructing thread from construction to destruction, which must be on that
+// thread.
+class GlContext {
+ public:
+  // Throws std::runtime_error where Mesa cannot make a context.
+  GlContext(int width, int height);
+  ~GlContext();
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+
+  // Makes this context the thread's again, after another one was used.
+  void make_current();
+
+ private:
+  osmesa_context* context_;
+  int width_, height_;
+  std::vector<std::uint8_t> window_;  // the default framebuffer; frames go to MuJoCo's own
+};
 
 struct StageOptions {
   int width = 960, height = 540;  // pixels, of the whole picture
   int samples = 4;                // for smooth edges; 0: none
   Color background{0.95F, 0.96F, 0.975F};
-};
-
-// The MJCF of a room with nothing but the meshes: size of the picture, background, quality.
-std::string stage_mjcf(const StageOptions& options, std::span<const Mesh> meshes);
-
-// One scene to draw into, with its room for shapes.
-class SceneBuffer {
- public:
-  explicit SceneBuffer(const mjModel& model);
-  ~SceneBuffer() { mjv_freeScene(&scene_); }
-  SceneBuffer(const SceneBuffer&) = delete;
-  SceneBuffer& operator=(const SceneBuffer&) = delete;
-  mjvScene& operator*() { return scene_; }
-
- private:
-  mjvScene scene_;
 };
 
 class Stage {
@@ -46,18 +65,12 @@ class Stage {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  const mjModel& model() const { return *model_; }
-  int width() const { return context_.offWidth; }
-  int height() const { return context_.offHeight; }
-
-  // MuJoCo keeps a mesh in its frame of inertia: draws mesh `id` as it was given, at `center`,
-  // turned by `axes`.
-  void draw_mesh(Canvas& canvas, int id, const Eigen::Vector3d& center, const Eigen::Matrix3d& axes,
-                 const Color& color) const;
-
-  void begin_picture();  // the context is current
-  // The scene as a picture of the stage's size.
-  Image render(mjvScene& scene);
+  // What is seen: camera and lights are the caller's, shapes come from the canvas.
+  mjvScene& scene() { return scene_; }
+  // For the next picture, without a shape yet.
+  Canvas canvas();
+  // The scene into that part of the picture, which has the stage's size.
+  void render(Picture& picture, const Area& area);
 
  private:
   struct ModelDeleter {
@@ -66,6 +79,7 @@ class Stage {
   GlContext gl_;
   std::unique_ptr<mjModel, ModelDeleter> model_;
   mjrContext context_;
+  mjvScene scene_;
   std::vector<std::uint8_t> pixels_;
 };
 

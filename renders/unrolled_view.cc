@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "renders/instant.h"
 #include "renders/palette.h"
-#include "renders/scales.h"
 
 namespace rotorub::renders {
 

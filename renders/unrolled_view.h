@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "renders/contact_marks.h"
+#include "renders/instant.h"
 #include "renders/playback.h"
 #include "renders/sheet.h"
 

@@ -55,6 +55,7 @@ double processor_seconds(pid_t process) {
 constexpr const char* kFilm =
     "-vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -preset veryfast -tune animation "
     "-pix_fmt yuv420p -colorspace bt709 -color_primaries bt709 -color_trc bt709 -threads 2 "
+    "-crf 25 "
     "-fflags +bitexact -flags:v +bitexact -movflags +faststart -f mp4";
 
 // One palette for all frames: ffmpeg keeps them until the last one has come.
@@ -65,11 +66,10 @@ constexpr const char* kGif =
 // Raw frames on standard input, nothing but errors on standard error. Not by the file's name: an
 // encoder that outlives us would write the file anew after the next run removed it.
 std::vector<std::string> arguments_of(int width, int height, const Encoding& encoding) {
-  std::istringstream words(
-      fmt::format("{} -nostdin -hide_banner -loglevel error -y -f rawvideo -pixel_format rgb24 "
-                  "-video_size {}x{} -framerate {} -i pipe:0 {} file:/dev/fd/{}",
-                  kEncoder, width, height, encoding.frames_per_second,
-                  encoding.gif ? kGif : fmt::format("{} -crf {}", kFilm, encoding.quality), kOut));
+  std::istringstream words(fmt::format(
+      "{} -nostdin -hide_banner -loglevel error -y -f rawvideo -pixel_format bgr0 "
+      "-video_size {}x{} -framerate {} -i pipe:0 {} file:/dev/fd/{}",
+      kEncoder, width, height, encoding.frames_per_second, encoding.gif ? kGif : kFilm, kOut));
   return {std::istream_iterator<std::string>(words), {}};
 }
 
@@ -207,10 +207,10 @@ VideoFile::~VideoFile() {
   if (log_ >= 0) close(log_);
 }
 
-void VideoFile::add(const Image& frame) {
-  assert(frame.width == width_ && frame.height == height_);
-  const std::uint8_t* data = frame.rgb.data();
-  std::size_t left = frame.rgb.size();
+void VideoFile::add(const Picture& frame) {
+  assert(frame.width() == width_ && frame.height() == height_);
+  const std::uint8_t* data = frame.bytes().data();
+  std::size_t left = frame.bytes().size();
   Patience patience(*this);
   while (left > 0) {
     const ssize_t sent = send(pipe_, data, left, MSG_NOSIGNAL | MSG_DONTWAIT);
@@ -272,20 +272,6 @@ void VideoFile::fail(const std::string& reason) {
   const std::string said = read_log(log_);
   throw std::runtime_error(
       fmt::format("{}: {}{}{}", file_.string(), reason, said.empty() ? "" : ": ", said));
-}
-
-void write_picture(const Image& picture, const std::filesystem::path& file) {
-  const std::filesystem::path part = part_of(file);
-  std::error_code error;
-  try {
-    Picture drawn(picture.width, picture.height);
-    drawn.put(picture, {0, 0, picture.width, picture.height});
-    drawn.write(part);
-    std::filesystem::rename(part, file);
-  } catch (const std::runtime_error& problem) {
-    std::filesystem::remove(part, error);
-    throw std::runtime_error(fmt::format("{}: {}", file.string(), problem.what()));
-  }
 }
 
 }  // namespace rotorub::renders

@@ -1,4 +1,4 @@
-// Pictures to a file: H.264 film (mp4) or animated GIF by the program `ffmpeg`, or a still.
+// Pictures to a film: H.264 film (mp4) or animated GIF by the program `ffmpeg`.
 #pragma once
 
 #include <sys/types.h>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "renders/image.h"
+#include "renders/sheet.h"
 
 namespace rotorub::renders {
 
@@ -16,7 +16,6 @@ inline constexpr double kPatience = 20.0;  // s
 struct Encoding {
   bool gif = false;                 // or H.264
   double frames_per_second = 25.0;  // > 0
-  int quality = 25;                 // x264's constant rate factor, 0 (lossless) to 51
   double patience = kPatience;      // s that ffmpeg may do nothing at all, until it is ended
 };
 
@@ -33,7 +32,7 @@ class VideoFile {
   VideoFile& operator=(const VideoFile&) = delete;
 
   // One more frame, of the size given above.
-  void add(const Image& frame);
+  void add(const Picture& frame);
   // Waits for ffmpeg, checks its exit status and puts the file in its place.
   void finish();
 
@@ -53,8 +52,5 @@ class VideoFile {
   int pipe_ = -1;  // raw frames to ffmpeg
   int log_ = -1;   // what ffmpeg says on standard error, in memory
 };
-
-// One picture as PNG, by Cairo. Whole or not at all. Throws std::runtime_error.
-void write_picture(const Image& picture, const std::filesystem::path& file);
 
 }  // namespace rotorub::renders

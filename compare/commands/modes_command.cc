@@ -19,9 +19,8 @@
 #include "compare/modes/control_text.h"
 #include "compare/modes/rub_map_text.h"
 #include "compare/modes/text.h"
-#include "compare/report/feedback_map_page.h"
+#include "compare/report/linear_maps.h"
 #include "compare/report/modes_page.h"
-#include "compare/report/rub_map_page.h"
 #include "native_model/control/library.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rub/feedback_map.h"
@@ -82,7 +81,7 @@ void write_page(const ModesArguments& options, const scene::Scene& scene,
     bar.show(share, "Campbell diagram");
   });
   bar.clear();
-  write_file(options, modes_page(scene, campbell.analysis, campbell.range, campbell.branches));
+  write_file(options, modes_page(scene, campbell));
 }
 
 // ---------------------------------------------------------------- the map of lasting rubs

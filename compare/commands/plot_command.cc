@@ -11,7 +11,7 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/stored_run.h"
-#include "compare/report/run_page.h"
+#include "compare/report/page.h"
 #include "compare/run_files/run_directory.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/printable.h"

@@ -11,7 +11,7 @@ std::string_view player_css();
 // Scripts, each a bundle (RotorubEmbed.cmake): of pages with a scene's runs, and of all others.
 std::string_view report_js();
 std::string_view still_js();
-// The pages' templates (template.h).
+// The pages' templates (page_frame.h).
 std::string_view report_html();
 std::string_view run_html();
 std::string_view modes_html();
@@ -27,7 +27,6 @@ std::string_view figures_html();    // meaning and unit of each
 std::string_view plots_html();      // a scene's plots and what is shown of them
 std::string_view player_html();     // a scene's live player
 std::string_view transport_html();  // time of player and plots
-std::string_view contents_html();   // links to the parts of the page
 std::string_view rotor_html();      // Campbell diagram and whirl shapes of a scene
 
 }  // namespace rotorub

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "compare/report/precision_plots.h"
+#include "compare/report/bench_page.h"
+#include "compare/report/plot_points.h"
 #include "compare/sweep/folder.h"
 #include "native_model/scene/reader.h"
 
@@ -50,15 +50,12 @@ void add_cases(const json& all, Beside& beside) {
     if (outcome == "violates")
       violations.push_back({{"scene", scene}, {"engine", engine}, {"reason", reason}});
   }
+  const json not_run = {{"outcome", "–"}, {"mark", ""}, {"tone", ""}, {"reason", "not run"}};
   for (const auto& [scene, by_engine] : rows) {
-    json cells = json::array();
-    for (const json& engine : engines) {
+    const json cells = list_of(engines, [&](const json& engine) {
       const auto found = by_engine.find(engine.get<std::string>());
-      cells.push_back(
-          found != by_engine.end()
-              ? found->second
-              : json{{"outcome", "–"}, {"mark", ""}, {"tone", ""}, {"reason", "not run"}});
-    }
+      return found != by_engine.end() ? found->second : not_run;
+    });
     beside.values["cases"].push_back({{"scene", scene}, {"cells", cells}});
   }
   beside.values["has_cases"] = !rows.empty();

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "compare/figures/figure_text.h"
-#include "compare/report/mode_values.h"
+#include "compare/report/page_values.h"
 #include "compare/study/verdict.h"
 
 namespace rotorub {

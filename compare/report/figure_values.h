@@ -1,5 +1,5 @@
 // The tables of figures in the report: texts, already worded and rounded. Rows of cells, one a
-// column of the page (page_columns of mode_values.h).
+// column of the page (page_columns of page_values.h).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -12,9 +12,8 @@
 #include "compare/measured/table.h"
 #include "compare/metrics/rows.h"
 #include "compare/report/pack/packed_run.h"
+#include "compare/report/plot_points.h"
 #include "compare/report/plots.h"
-#include "compare/report/rounded.h"
-#include "compare/report/thin.h"
 #include "compare/report/whirl_plots.h"
 
 namespace rotorub {
@@ -81,16 +80,19 @@ class SideMaker {
     add("current", {"current_1", "current_2"}, force_tolerance);
     add("spin_speed", {"spin_speed"}, force_tolerance);
     // Impacts it has none, at any contact.
-    json impacts = json::array();
-    for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
-      impacts.emplace_back();
-      for (const char* list : {"t", "y", "friction", "before", "after", "slip", "share"})
-        impacts.back()[list] = json::array();
-    }
-    return {{"label", kMeasured},       {"measured", true},      {"status", to_string(Status::kOk)},
-            {"start", laid_.t.front()}, {"end", laid_.t.back()}, {"tracks", tracks_},
-            {"holes", holes_},          {"absent", absent()},    {"whirl", whirl(limit)},
-            {"impacts", impacts}};
+    json none = json::object();
+    for (const char* list : {"t", "y", "friction", "before", "after", "slip", "share"})
+      none[list] = json::array();
+    return {{"label", kMeasured},
+            {"measured", true},
+            {"status", to_string(Status::kOk)},
+            {"start", laid_.t.front()},
+            {"end", laid_.t.back()},
+            {"tracks", tracks_},
+            {"holes", holes_},
+            {"absent", absent()},
+            {"whirl", whirl(limit)},
+            {"impacts", json(scene.auxiliary.size(), none)}};
   }
 
  private:
@@ -169,8 +171,7 @@ class SideMaker {
     Numbers distance;
     for (std::size_t i = 0; i < x.size(); ++i)
       distance.push_back(1e6 * std::hypot(rotor->value[0][i] - x[i], rotor->value[1][i] - y[i]));
-    const auto kept = thin(distance, 0, distance.size(), kPlotBuckets);
-    all["residual"] = {{"t", picked(rotor->t, kept, 7)}, {"y", picked(distance, kept, 4)}};
+    all["residual"] = distance_data(rotor->t, distance);
     return all;
   }
 
@@ -179,11 +180,7 @@ class SideMaker {
   json tracks_ = json::object(), holes_ = json::object();
 };
 
-json run_texts(const std::vector<std::string>& values) {
-  json cells = json::array();
-  for (const std::string& value : values) cells.push_back({{"value", value}});
-  return cells;
-}
+json cell(const std::string& value) { return {{"value", value}}; }
 
 }  // namespace
 
@@ -208,36 +205,36 @@ json sampled_force(const ShownRuns& shown, std::size_t run) {
 
 json measured_values(const std::optional<MeasuredRun>& run) {
   if (!run) return nullptr;
-  json labels = json::array(), figures = json::array(), columns = json::array();
-  for (const std::string& label : run->labels) labels.push_back({{"label", label}});
-  for (const MeasuredFigure& f : run->figures) {
-    std::vector<std::string> values;
-    for (const double value : f.runs) values.push_back(short_number(value * f.per_unit));
-    figures.push_back({{"label", f.label},
-                       {"unit", f.unit},
-                       {"measured", measured_value(f)},
-                       {"cells", run_texts(values)},
-                       {"meaning", f.meaning}});
-  }
-  for (const ColumnFit& c : run->columns) {
-    std::vector<std::string> values;
-    for (const ColumnResidual& r : c.runs)
-      values.push_back(fmt::format("{} · {}", residual_text(*c.what, r.rms), share_text(r)));
-    const ColumnResidual& native = c.runs.front();
-    columns.push_back({{"name", c.what->name},
-                       {"unit", residual_unit(*c.what)},
-                       {"cells", run_texts(values)},
-                       {"offset", residual_text(*c.what, native.offset)},
-                       {"good", c.good},
-                       {"missing", c.missing},
-                       {"clipped", c.clipped}});
-  }
+  const json figures = list_of(run->figures, [](const MeasuredFigure& f) -> json {
+    return {{"label", f.label},
+            {"unit", f.unit},
+            {"measured", measured_value(f)},
+            {"cells",
+             list_of(f.runs, [&](double value) { return cell(short_number(value * f.per_unit)); })},
+            {"meaning", f.meaning}};
+  });
+  const json columns = list_of(run->columns, [](const ColumnFit& c) -> json {
+    return {{"name", c.what->name},
+            {"unit", residual_unit(*c.what)},
+            {"cells", list_of(c.runs,
+                              [&](const ColumnResidual& r) {
+                                return cell(fmt::format("{} · {}", residual_text(*c.what, r.rms),
+                                                        share_text(r)));
+                              })},
+            {"offset", residual_text(*c.what, c.runs.front().offset)},
+            {"good", c.good},
+            {"missing", c.missing},
+            {"clipped", c.clipped}};
+  });
   return {{"file", run->file},
           {"samples", run->samples},
           {"interval", time_text(run->interval)},
           {"alignment", alignment_text(run->alignment)},
           {"ambiguous", run->alignment.ambiguous()},
-          {"labels", labels},
+          {"labels", list_of(run->labels,
+                             [](const std::string& l) -> json {
+                               return {{"label", l}};
+                             })},
           {"figures", figures},
           {"columns", columns},
           {"remarks", run->remarks},

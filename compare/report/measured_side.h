@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "compare/report/shown_runs.h"
+#include "compare/report/plots.h"
 
 namespace rotorub {
 

@@ -1,6 +1,7 @@
 #include "compare/report/modes_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,12 @@
 #include "compare/base/units.h"
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
+#include "compare/report/plot_points.h"
+#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
+
 namespace {
 
 using nlohmann::json;
@@ -25,30 +29,27 @@ std::string damping_text(double ratio) {
 }
 
 json spectrum_values(const WhirlSpectrum& spectrum) {
-  json rows = json::array();
-  for (const WhirlMode& mode : spectrum.modes) {
-    const double size = std::abs(mode.frequency);
-    const bool grows = mode.damping_ratio < -1e-9;
-    rows.push_back({{"sense", sense_of(mode, spectrum.speed)},
-                    {"hertz", fmt::format("{:.6g}", size * kHz)},
-                    {"radians", fmt::format("{:.6g}", size)},
-                    {"damping", damping_text(mode.damping_ratio)},
-                    {"tone", grows ? "bad" : ""},
-                    {"grows", grows}});
-  }
   return {{"speed", fmt::format("{} ({:.6g} rad/s)", rpm_text(spectrum.speed), spectrum.speed)},
-          {"rows", rows}};
+          {"rows", list_of(spectrum.modes, [&](const WhirlMode& mode) -> json {
+             const double size = std::abs(mode.frequency);
+             const bool grows = mode.damping_ratio < -1e-9;
+             return {{"sense", sense_of(mode, spectrum.speed)},
+                     {"hertz", fmt::format("{:.6g}", size * kHz)},
+                     {"radians", fmt::format("{:.6g}", size)},
+                     {"damping", damping_text(mode.damping_ratio)},
+                     {"tone", grows ? "bad" : ""},
+                     {"grows", grows}};
+           })}};
 }
 
 json critical_values(const std::vector<double>& speeds) {
-  json rows = json::array();
-  for (double speed : speeds) {
-    rows.push_back({{"number", rows.size() + 1},
-                    {"rpm", fmt::format("{:.6g}", speed * kRpm)},
-                    {"hertz", fmt::format("{:.6g}", speed * kHz)},
-                    {"radians", fmt::format("{:.7g}", speed)}});
-  }
-  return rows;
+  int number = 0;
+  return list_of(speeds, [&](double speed) -> json {
+    return {{"number", ++number},
+            {"rpm", fmt::format("{:.6g}", speed * kRpm)},
+            {"hertz", fmt::format("{:.6g}", speed * kHz)},
+            {"radians", fmt::format("{:.7g}", speed)}};
+  });
 }
 
 // The nearest critical speed, seen from the speed that the rotor runs at.
@@ -66,17 +67,18 @@ std::string nearest_text(const std::vector<double>& critical, double speed) {
 json critical_card(const RotorAnalysis& analysis) {
   constexpr std::size_t kShown = 3;
   const std::vector<double>& speeds = analysis.critical_speeds;
-  std::string headline;
-  for (std::size_t k = 0; k < std::min(kShown, speeds.size()); ++k) {
-    headline += (k > 0 ? ", " : "") + rpm_text(speeds[k]);
+  std::string headline = "none";
+  if (!speeds.empty()) {
+    std::vector<std::string> words;
+    for (const double speed : speeds) words.push_back(rpm_text(speed));
+    words.resize(std::min(kShown, words.size()));
+    headline = fmt::format("{}", fmt::join(words, ", "));
   }
   if (speeds.size() > kShown) headline += fmt::format(" and {} more", speeds.size() - kShown);
-  return {{"title", "Critical speeds"},
-          {"tone", ""},
-          {"headline", speeds.empty() ? "none" : headline},
-          {"text", analysis.system.isotropic
-                       ? "undamped; forward whirl, which unbalance excites"
-                       : "undamped; whirl of either sense, since the planes differ"}};
+  return card("Critical speeds", "", headline,
+              analysis.system.isotropic
+                  ? "undamped; forward whirl, which unbalance excites"
+                  : "undamped; whirl of either sense, since the planes differ");
 }
 
 bool runs_unstable(const scene::Scene& scene, const RotorAnalysis& analysis) {
@@ -96,43 +98,35 @@ json stability_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
     headline = fmt::format("stable up to {}", rpm_text(analysis.stability_bound));
     text = "where the search ends: 20 times the highest frequency";
   }
-  return {{"title", "Stability"},
-          {"tone", runs_unstable(scene, analysis) ? "bad"
-                   : analysis.stability_threshold ? ""
-                                                  : "good"},
-          {"headline", headline},
-          {"text", text}};
+  const char* tone = runs_unstable(scene, analysis) ? "bad"
+                     : analysis.stability_threshold ? ""
+                                                    : "good";
+  return card("Stability", tone, headline, text);
 }
 
 json running_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
   const double speed = std::abs(scene.rotor.speed);
   const bool unstable = runs_unstable(scene, analysis);
-  return {{"title", "The scene's speed"},
-          {"tone", unstable ? "bad" : ""},
-          {"headline", rpm_text(speed) + (unstable ? ", unstable" : "")},
-          {"text", nearest_text(analysis.critical_speeds, std::abs(speed))}};
+  return card("The scene's speed", unstable ? "bad" : "",
+              rpm_text(speed) + (unstable ? ", unstable" : ""),
+              nearest_text(analysis.critical_speeds, speed));
 }
 
 json shape_rows(const ModeShapes& shapes, const PlaneShapes& plane) {
-  json rows = json::array();
-  for (std::size_t i = 0; i < shapes.stations.size(); ++i) {
-    json cells = json::array();
-    for (Eigen::Index j = 0; j < plane.frequency.size(); ++j) {
-      cells.push_back(fmt::format("{:.4f}", plane.at_stations(static_cast<Eigen::Index>(i), j)));
-    }
-    rows.push_back({{"name", shapes.stations[i].name},
-                    {"z", fmt::format("{:.5g}", 1e3 * shapes.stations[i].z)},
-                    {"cells", cells}});
-  }
-  return rows;
+  Eigen::Index row = 0;
+  return list_of(shapes.stations, [&](const Station& station) -> json {
+    return {{"name", station.name},
+            {"z", fmt::format("{:.5g}", 1e3 * station.z)},
+            {"cells", list_of(plane.at_stations.row(row++),
+                              [](double value) { return fmt::format("{:.4f}", value); })}};
+  });
 }
 
 json plane_values(const std::string& name, const ModeShapes& shapes, const PlaneShapes& plane) {
-  json modes = json::array();
-  for (Eigen::Index j = 0; j < plane.frequency.size(); ++j) {
-    modes.push_back(
-        {{"number", j + 1}, {"hertz", fmt::format("{:.5g}", plane.frequency[j] * kHz)}});
-  }
+  int number = 0;
+  const json modes = list_of(plane.frequency, [&](double frequency) -> json {
+    return {{"number", ++number}, {"hertz", fmt::format("{:.5g}", frequency * kHz)}};
+  });
   return {{"plane", name}, {"modes", modes}, {"stations", shape_rows(shapes, plane)}};
 }
 
@@ -147,14 +141,13 @@ json planes_values(const RotorAnalysis& analysis) {
 }
 
 json torsion_values(const std::vector<TorsionMode>& modes) {
-  json rows = json::array();
-  for (const TorsionMode& mode : modes) {
-    rows.push_back({{"number", rows.size() + 1},
-                    {"hertz", fmt::format("{:.6g}", mode.frequency * kHz)},
-                    {"radians", fmt::format("{:.6g}", mode.frequency)},
-                    {"damping", damping_text(mode.damping_ratio)}});
-  }
-  return rows;
+  int number = 0;
+  return list_of(modes, [&](const TorsionMode& mode) -> json {
+    return {{"number", ++number},
+            {"hertz", fmt::format("{:.6g}", mode.frequency * kHz)},
+            {"radians", fmt::format("{:.6g}", mode.frequency)},
+            {"damping", damping_text(mode.damping_ratio)}};
+  });
 }
 
 }  // namespace
@@ -164,11 +157,10 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
   const auto first = std::upper_bound(speeds.begin(), speeds.end(), range);
   std::string text;
   if (first != speeds.end()) {
-    std::string list;
-    for (auto speed = first; speed != speeds.end(); ++speed)
-      list += fmt::format("{}{:.0f}", list.empty() ? "" : ", ", *speed * kRpm);
-    text = fmt::format("Beyond the diagram: {} critical speed{}, {} rpm.", speeds.end() - first,
-                       speeds.end() - first > 1 ? "s" : "", list);
+    std::vector<double> rpm;
+    for (auto speed = first; speed != speeds.end(); ++speed) rpm.push_back(*speed * kRpm);
+    text = fmt::format("Beyond the diagram: {} critical speed{}, {:.0f} rpm.", rpm.size(),
+                       rpm.size() > 1 ? "s" : "", fmt::join(rpm, ", "));
   }
   if (analysis.stability_threshold && *analysis.stability_threshold > range) {
     text += fmt::format("{}The threshold of stability, {}, lies beyond the diagram.",
@@ -179,35 +171,61 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
 
 Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::optional<double> range,
                      const std::function<void(double)>& progress) {
+  constexpr int kSpeeds = 161;
+  constexpr double kAccuracy = 1e-5;  // relative, of the curves: finer than a line
   const double top = range.value_or(campbell_range(scene, analysis));
-  auto branches = whirl_branches(condensed(analysis.system, top, kCampbellAccuracy),
-                                 even_speeds(top, kCampbellSpeeds), progress);
+  auto branches = whirl_branches(condensed(analysis.system, top, kAccuracy),
+                                 even_speeds(top, kSpeeds), progress);
   return {std::move(analysis), top, std::move(branches)};
 }
 
-std::string modes_page(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
-                       const std::vector<WhirlBranch>& branches) {
+std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
+  const RotorAnalysis& analysis = campbell.analysis;
   json values = page_frame({scene.name, "whirl of the free rotor",
                             "Where does it whirl, and where does it stay stable?"},
-                           {{"rotor", modes_plots(scene, analysis, range, branches)}});
-  json spectra = json::array();
-  for (const WhirlSpectrum& spectrum : analysis.spectra) {
-    spectra.push_back(spectrum_values(spectrum));
-  }
+                           {{"rotor", modes_plots(scene, campbell)}});
   values["hash"] = scene::scene_hash(scene);
   values["cards"] = json::array(
       {running_card(scene, analysis), critical_card(analysis), stability_card(scene, analysis)});
-  values["top"] = rpm_text(range);
-  values["beyond"] = beyond_text(analysis, range);
+  values["top"] = rpm_text(campbell.range);
+  values["beyond"] = beyond_text(analysis, campbell.range);
   values["has_shapes"] = analysis.shapes.has_value();
   values["planes"] = planes_values(analysis);
-  values["spectra"] = spectra;
+  values["spectra"] = list_of(analysis.spectra, spectrum_values);
   values["critical"] = critical_values(analysis.critical_speeds);
   values["stability"] = stability_text(analysis);
   values["has_torsion"] = !analysis.torsion.empty();
   values["torsion"] = torsion_values(analysis.torsion);
   values["text"] = scene.text;
   return fill_page(modes_html(), values);
+}
+
+RotorSection rotor_section(const scene::Scene& scene) {
+  constexpr int kWhirlShapes = 4;  // of either sense
+  RotorSection section;
+  section.values = {{"has_campbell", false},
+                    {"has_shapes", false},
+                    {"beyond", ""},
+                    {"speed", rpm_text(std::abs(scene.rotor.speed))},
+                    {"refusal", ""}};
+  try {
+    const Campbell campbell = campbell_of(scene, analyse_free_rotor(scene, {}));
+    section.data = modes_plots(scene, campbell);
+    section.values["has_campbell"] = true;
+    section.values["has_shapes"] = campbell.analysis.shapes.has_value();
+    section.values["beyond"] = beyond_text(campbell.analysis, campbell.range);
+    // Those at rest, and the higher ones, are on the page of `modes`.
+    if (campbell.analysis.shapes) {
+      json& shapes = section.data["shapes"];
+      shapes.erase("modes");
+      std::erase_if(shapes["whirl"].get_ref<json::array_t&>(),
+                    [](const json& whirl) { return whirl.at("number") > kWhirlShapes; });
+    }
+  } catch (const std::runtime_error& error) {
+    // The run has its page, whatever its rotor's eigenvalues are.
+    section.values["refusal"] = error.what();
+  }
+  return section;
 }
 
 }  // namespace rotorub

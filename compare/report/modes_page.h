@@ -3,7 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,14 +18,11 @@ namespace rotorub {
 // critical speeds and the threshold of stability, unless these lie far beyond the others.
 double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis);
 
-inline constexpr int kCampbellSpeeds = 161;
-inline constexpr double kCampbellAccuracy = 1e-5;  // relative, of the curves: finer than a line
-
 // The scene's free rotor as its diagram shows it.
 struct Campbell {
   RotorAnalysis analysis;
-  double range = 0.0;  // rad/s
-  std::vector<WhirlBranch> branches;
+  double range = 0.0;                 // rad/s
+  std::vector<WhirlBranch> branches;  // from 0 to `range` in even steps
 };
 // range: none: campbell_range. progress as of whirl_branches.
 Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis,
@@ -35,14 +32,19 @@ Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis,
 // What lies beyond the diagram, in a sentence; empty where nothing does.
 std::string beyond_text(const RotorAnalysis& analysis, double range);
 
-// branches: from 0 to `range` (rad/s) in even steps, as whirl_branches gives them.
-std::string modes_page(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
-                       const std::vector<WhirlBranch>& branches);
+std::string modes_page(const scene::Scene& scene, const Campbell& campbell);
 
 // What the page's script draws, in Hz, rpm, % and mm: "campbell" {"top", "running", "critical",
 // "threshold": null, "pieces", "torsion", "operating": the modes at the scene's speed} and "shapes"
 // (null for the modal form), "modes" at rest and "whirl" at the scene's speed among them.
-nlohmann::json modes_plots(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
-                           const std::vector<WhirlBranch>& branches);
+nlohmann::json modes_plots(const scene::Scene& scene, const Campbell& campbell);
+
+// The report's section on the free rotor: Campbell diagram with the scene's speed, and whirl shapes
+// at that speed.
+struct RotorSection {
+  nlohmann::json data;    // for page/rotor.js; null where the rotor has no whirl to show
+  nlohmann::json values;  // for the template rotor.html
+};
+RotorSection rotor_section(const scene::Scene& scene);
 
 }  // namespace rotorub

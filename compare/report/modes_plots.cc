@@ -6,7 +6,7 @@
 #include "compare/base/units.h"
 #include "compare/modes/text.h"
 #include "compare/report/modes_page.h"
-#include "compare/report/rounded.h"
+#include "compare/report/plot_points.h"
 
 namespace rotorub {
 namespace {
@@ -15,10 +15,9 @@ using nlohmann::json;
 
 constexpr int kPlotDigits = 7;
 
+double shown(double value) { return rounded(value, kPlotDigits); }
 json list(const Eigen::VectorXd& values, double factor) {
-  json out = json::array();
-  for (double value : values) out.push_back(rounded(value * factor, kPlotDigits));
-  return out;
+  return rounded_list(values, factor, kPlotDigits);
 }
 
 // A branch cut where its sense changes, each piece from the last point of the one before.
@@ -28,9 +27,9 @@ void add_pieces(const WhirlBranch& branch, json& pieces) {
   const auto add = [&](std::size_t k) {
     const WhirlMode& mode = branch.modes[k];
     const double ratio = std::abs(mode.damping_ratio) < kRoundOff ? 0.0 : mode.damping_ratio;
-    piece["speed"].push_back(rounded(branch.speed[k] * kRpm, kPlotDigits));
-    piece["frequency"].push_back(rounded(std::abs(mode.frequency) * kHz, kPlotDigits));
-    piece["damping"].push_back(rounded(100.0 * ratio, kPlotDigits));
+    piece["speed"].push_back(shown(branch.speed[k] * kRpm));
+    piece["frequency"].push_back(shown(std::abs(mode.frequency) * kHz));
+    piece["damping"].push_back(shown(100.0 * ratio));
   };
   for (std::size_t k = 0; k < branch.modes.size(); ++k) {
     const std::string sense = sense_of(branch.modes[k], branch.speed[k]);
@@ -49,36 +48,27 @@ void add_pieces(const WhirlBranch& branch, json& pieces) {
 
 // Where the branches are at the scene's speed.
 json operating(const WhirlSpectrum& spectrum) {
-  json modes = json::array();
-  for (const WhirlMode& mode : spectrum.modes) {
-    modes.push_back({{"sense", sense_of(mode, spectrum.speed)},
-                     {"frequency", rounded(std::abs(mode.frequency) * kHz, kPlotDigits)},
-                     {"damping", rounded(100.0 * mode.damping_ratio, kPlotDigits)}});
-  }
-  return modes;
+  return list_of(spectrum.modes, [&](const WhirlMode& mode) -> json {
+    return {{"sense", sense_of(mode, spectrum.speed)},
+            {"frequency", shown(std::abs(mode.frequency) * kHz)},
+            {"damping", shown(100.0 * mode.damping_ratio)}};
+  });
 }
 
-json campbell(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
-              const std::vector<WhirlBranch>& branches) {
-  json pieces = json::array();
-  for (const WhirlBranch& branch : branches) add_pieces(branch, pieces);
-  json critical = json::array();
-  for (double speed : analysis.critical_speeds) {
-    if (speed <= range) critical.push_back(rounded(speed * kRpm, kPlotDigits));
-  }
-  json threshold = nullptr;
-  if (analysis.stability_threshold) {
-    threshold = rounded(*analysis.stability_threshold * kRpm, kPlotDigits);
-  }
-  json torsion = json::array();
-  for (const TorsionMode& mode : analysis.torsion)
-    torsion.push_back(rounded(mode.frequency * kHz, kPlotDigits));
-  return {{"top", rounded(range * kRpm, kPlotDigits)},
-          {"torsion", torsion},
+json campbell_json(const scene::Scene& scene, const Campbell& campbell) {
+  const RotorAnalysis& analysis = campbell.analysis;
+  json pieces = json::array(), critical = json::array();
+  for (const WhirlBranch& branch : campbell.branches) add_pieces(branch, pieces);
+  for (const double speed : analysis.critical_speeds)
+    if (speed <= campbell.range) critical.push_back(shown(speed * kRpm));
+  const std::optional<double>& threshold = analysis.stability_threshold;
+  return {{"top", shown(campbell.range * kRpm)},
+          {"torsion", list_of(analysis.torsion,
+                              [](const TorsionMode& mode) { return shown(mode.frequency * kHz); })},
           {"operating", operating(whirl_spectrum(analysis.system, scene.rotor.speed))},
-          {"running", rounded(std::abs(scene.rotor.speed) * kRpm, kPlotDigits)},
+          {"running", shown(std::abs(scene.rotor.speed) * kRpm)},
           {"critical", critical},
-          {"threshold", threshold},
+          {"threshold", threshold ? json(shown(*threshold * kRpm)) : json(nullptr)},
           {"pieces", pieces}};
 }
 
@@ -89,7 +79,7 @@ json plane(const char* name, const PlaneShapes& shapes) {
     const double scale = 1.0 / shapes.shape.col(j).cwiseAbs().maxCoeff();
     modes.push_back({{"plane", name},
                      {"number", j + 1},
-                     {"frequency", rounded(shapes.frequency[j] * kHz, kPlotDigits)},
+                     {"frequency", shown(shapes.frequency[j] * kHz)},
                      {"shape", list(shapes.shape.col(j), scale)},
                      {"at_stations", list(shapes.at_stations.col(j), scale)}});
   }
@@ -99,55 +89,48 @@ json plane(const char* name, const PlaneShapes& shapes) {
 // mm; of a disc that is thin, from J_p = m r^2 / 2. Null without a polar moment.
 json disc_radius(const scene::Disc& disc) {
   if (!(disc.mass > 0.0 && disc.Jp > 0.0)) return nullptr;
-  return rounded(kMilli * std::sqrt(2.0 * disc.Jp / disc.mass), kPlotDigits);
+  return shown(kMilli * std::sqrt(2.0 * disc.Jp / disc.mass));
 }
 
 // A mode has its number among those of its sense.
 json whirl(const std::vector<WhirlShape>& shapes, double speed) {
   constexpr int kShapeDigits = 4;  // of a curve 1 high
-  json all = json::array();
   std::map<std::string, int> count;
-  for (const WhirlShape& whirl : shapes) {
-    json line = json::array();
-    for (const double value : whirl.shape) line.push_back(std::round(value * 1e4) / 1e4);
+  return list_of(shapes, [&](const WhirlShape& whirl) -> json {
     const std::string sense = sense_of(whirl.mode, speed);
-    all.push_back({{"sense", sense},
-                   {"number", ++count[sense]},
-                   {"frequency", rounded(std::abs(whirl.mode.frequency) * kHz, kPlotDigits)},
-                   {"roundness", rounded(whirl.roundness, kShapeDigits)},
-                   {"shape", line}});
-  }
-  return all;
+    return {{"sense", sense},
+            {"number", ++count[sense]},
+            {"frequency", shown(std::abs(whirl.mode.frequency) * kHz)},
+            {"roundness", rounded(whirl.roundness, kShapeDigits)},
+            {"shape", list_of(whirl.shape, [](double y) { return std::round(y * 1e4) / 1e4; })}};
+  });
 }
 
-json shapes(const scene::Scene& scene, const RotorAnalysis& analysis) {
+json shapes_json(const scene::Scene& scene, const RotorAnalysis& analysis) {
   if (!analysis.shapes) return nullptr;
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
-  json sections = json::array();
-  for (const scene::ShaftSection& section : geometry.sections) {
-    sections.push_back({{"from", kMilli * section.from},
-                        {"to", kMilli * section.to},
-                        {"diameter", kMilli * section.diameter},
-                        {"end_diameter", kMilli * section.outer_at(section.to)}});
-  }
-  json discs = json::array();
-  for (const scene::Disc& disc : geometry.discs) {
-    discs.push_back({{"z", kMilli * disc.z}, {"radius", disc_radius(disc)}});
-  }
-  json stations = json::array();
-  for (const Station& station : analysis.shapes->stations) {
-    stations.push_back({{"kind", to_string(station.kind)},
-                        {"name", station.name},
-                        {"z", rounded(kMilli * station.z, kPlotDigits)}});
-  }
   json modes = plane("x", analysis.shapes->x);
   if (!analysis.shapes->same_planes) {
     for (json& mode : plane("y", analysis.shapes->y)) modes.push_back(std::move(mode));
   }
   return {{"z", list(analysis.shapes->z, kMilli)},
-          {"stations", stations},
-          {"sections", sections},
-          {"discs", discs},
+          {"stations", list_of(analysis.shapes->stations,
+                               [](const Station& station) -> json {
+                                 return {{"kind", to_string(station.kind)},
+                                         {"name", station.name},
+                                         {"z", shown(kMilli * station.z)}};
+                               })},
+          {"sections", list_of(geometry.sections,
+                               [](const scene::ShaftSection& section) -> json {
+                                 return {{"from", kMilli * section.from},
+                                         {"to", kMilli * section.to},
+                                         {"diameter", kMilli * section.diameter},
+                                         {"end_diameter", kMilli * section.outer_at(section.to)}};
+                               })},
+          {"discs", list_of(geometry.discs,
+                            [](const scene::Disc& disc) -> json {
+                              return {{"z", kMilli * disc.z}, {"radius", disc_radius(disc)}};
+                            })},
           {"same_planes", analysis.shapes->same_planes},
           {"whirl", whirl(analysis.whirl_shapes, scene.rotor.speed)},
           {"modes", modes}};
@@ -174,10 +157,9 @@ double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis) 
   return kMargin * (shown > 0.0 ? shown : 1.0);
 }
 
-json modes_plots(const scene::Scene& scene, const RotorAnalysis& analysis, double range,
-                 const std::vector<WhirlBranch>& branches) {
-  return {{"campbell", campbell(scene, analysis, range, branches)},
-          {"shapes", shapes(scene, analysis)}};
+json modes_plots(const scene::Scene& scene, const Campbell& campbell) {
+  return {{"campbell", campbell_json(scene, campbell)},
+          {"shapes", shapes_json(scene, campbell.analysis)}};
 }
 
 }  // namespace rotorub

@@ -1,45 +1,69 @@
 #include "compare/report/page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
 #include "compare/base/format.h"
 #include "compare/base/version.h"
 #include "compare/report/assets.h"
-#include "compare/report/contents.h"
+#include "compare/report/modes_page.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/page_values.h"
+#include "compare/report/plot_points.h"
 #include "compare/report/plots.h"
-#include "compare/report/rotor_section.h"
-#include "compare/report/shown_runs.h"
-#include "compare/report/trade.h"
+#include "native_model/scene/reader.h"
 
 namespace rotorub {
+
 namespace {
 
 using nlohmann::json;
 
-json film_values(const std::vector<Film>& films) {
-  json all = json::array();
-  for (const Film& film : films) all.push_back({{"link", film.link}, {"caption", film.caption}});
-  return all;
+// Plots, player and free rotor of a scene: what the scripts draw. Adds what the template needs.
+json live_part(const ShownRuns& shown, json& values) {
+  values.update(live_values(shown));
+  RotorSection rotor = rotor_section(*shown.scene);
+  values["rotor"] = std::move(rotor.values);
+  json data = plot_data(shown);
+  data["rotor"] = std::move(rotor.data);
+  return data;
 }
 
-std::string names_of(const std::vector<PageScene>& scenes) {
-  std::string names;
-  for (const PageScene& scene : scenes) {
-    if (!names.empty()) names += ", ";
-    names += scene.comparison->scene.name;
-  }
-  return names;
+std::string engine_text(const Trajectory& t) {
+  return fmt::format("{}, integrator {}, contact {}", t.engine, t.integrator, t.contact_model);
+}
+
+std::string ending(const StoredRun& run) {
+  const Trajectory& t = run.trajectory;
+  if (t.status == Status::kOk) return fmt::format("{} simulated", time_text(t.end));
+  return fmt::format("ended at {} of {}: {}{}{}", time_text(t.end), time_text(run.scene.run.end),
+                     to_string(t.status), t.message.empty() ? "" : ", ", t.message);
+}
+
+json facts(const StoredRun& run, const std::optional<StoredRun>& shadow) {
+  const Trajectory& t = run.trajectory;
+  json rows = json::array();
+  const auto add = [&](const char* name, const std::string& value) {
+    rows.push_back({{"name", name}, {"value", value}});
+  };
+  add("rotorub", program_version());
+  add("scene hash", scene::scene_hash(run.scene));
+  add("run", engine_text(t));
+  if (shadow) add("shadow", engine_text(shadow->trajectory));
+  add("steps", fmt::format("{}", t.steps));
+  if (t.step > 0.0) add("step", time_text(t.step));
+  add("rows", fmt::format("{}", t.rows()));
+  add("impacts", fmt::format("{}", t.impacts.size()));
+  return rows;
 }
 
 }  // namespace
 
 std::string report_page(const std::vector<PageScene>& scenes, const Beside& beside) {
-  json pages = json::array();
-  json plots = json::array(), parts = json::array();
+  json pages = json::array(), plots = json::array();
+  std::vector<std::string> names;
   std::vector<const SceneComparison*> comparisons;
   for (const PageScene& scene : scenes) {
     const SceneComparison& comparison = *scene.comparison;
@@ -47,30 +71,27 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
     values["index"] = pages.size();
     values["id"] = fmt::format("scene-{}", pages.size() + 1);
     values["has_films"] = !scene.films.empty();
-    values["films"] = film_values(scene.films);
+    values["films"] = list_of(scene.films, [](const Film& film) -> json {
+      return {{"link", film.link}, {"caption", film.caption}};
+    });
     values["no_films"] = scene.no_films;
     values["setting"] = scene.setting;
-    const ShownRuns shown = shown_runs(comparison);
-    values.update(live_values(shown));
-    RotorSection rotor = rotor_section(comparison.scene);
-    values["rotor"] = std::move(rotor.values);
-    plots.push_back(plot_data(shown));
-    plots.back()["rotor"] = std::move(rotor.data);
-    parts.push_back(scene_contents(values));
+    plots.push_back(live_part(shown_runs(comparison), values));
     pages.push_back(std::move(values));
+    names.push_back(comparison.scene.name);
     comparisons.push_back(&comparison);
   }
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
   const CompareMode mode =
       scenes.empty() ? CompareMode::kLockstep : scenes.front().comparison->mode;
-  json values = page_frame({names_of(scenes), fmt::format("{} comparison", to_string(mode)),
-                            "Can MuJoCo's contact forces be trusted?"},
-                           {{"scenes", plots},
-                            {"trade", trade_data(comparisons)},
-                            {"benches", beside.benches},
-                            {"maps", beside.maps}},
-                           Pictures::kPlotsAndRig);
-  values["contents"] = report_contents(parts, scenes.size() > 1, beside.values);
+  json values = page_frame(
+      {fmt::format("{}", fmt::join(names, ", ")), fmt::format("{} comparison", to_string(mode)),
+       "Can MuJoCo's contact forces be trusted?"},
+      {{"scenes", plots},
+       {"trade", trade_data(comparisons)},
+       {"benches", beside.benches},
+       {"maps", beside.maps}},
+      Pictures::kPlotsAndRig);
   values.update(beside.values);
   values["has_benches"] = !beside.benches.empty();
   values["has_maps"] = !beside.maps.empty();
@@ -81,6 +102,21 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
   values["tolerance"] = percent_text(tolerance);
   values["scenes"] = pages;
   return fill_page(report_html(), values);
+}
+
+std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shadow) {
+  json live = json::object();
+  const json plots = live_part(shown_runs(run, shadow), live);
+  json values = page_frame({run.scene.name, "one run", run.scene.name}, {{"scenes", {plots}}},
+                           Pictures::kPlotsAndRig);
+  values.update(live);
+  values["id"] = "run";
+  values["engine"] = engine_text(run.trajectory);
+  values["ending"] = ending(run);
+  values["ended_well"] = run.trajectory.status == Status::kOk;
+  values["conditions"] = facts(run, shadow);
+  values["text"] = run.scene.text;
+  return fill_page(run_html(), values);
 }
 
 }  // namespace rotorub

@@ -2,10 +2,12 @@
 // a network.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/report/beside.h"
+#include "compare/run_files/run_directory.h"
 #include "compare/study/scene_comparison.h"
 
 namespace rotorub {
@@ -24,5 +26,9 @@ struct PageScene {
 
 // The whole page; beside: results of other commands, at its end.
 std::string report_page(const std::vector<PageScene>& scenes, const Beside& beside = {});
+
+// The page of one run: its plots and its live player, as in the report. shadow: the native model
+// that ran alongside, where there was one: the second run of the player.
+std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shadow);
 
 }  // namespace rotorub

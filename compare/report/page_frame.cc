@@ -1,53 +1,131 @@
 #include "compare/report/page_frame.h"
 
+#include <boost/algorithm/string/replace.hpp>
+#include <deque>
+#include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "compare/base/version.h"
 #include "compare/report/assets.h"
-#include "compare/report/template.h"
 #include "compare/report/web/scripts.h"
 
 namespace rotorub {
 namespace {
 
-// "</" would end the script element that holds the data.
-std::string for_script(std::string text) {
-  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3)) {
-    text.replace(at, 2, "<\\/");
-  }
-  return text;
+namespace mustache = kainjow::mustache;
+using nlohmann::json;
+
+bool shows(const json& value) {
+  if (value.is_boolean()) return value.get<bool>();
+  if (value.is_string()) return !value.get_ref<const std::string&>().empty();
+  return !value.empty();  // null, [] and {} are empty
 }
+
+// What the library asks for by name, from the values as they are. Left alone it would pass over a
+// name that it does not find.
+class StrictContext : public mustache::basic_context<std::string> {
+ public:
+  StrictContext(const json& values, const Partials& partials)
+      : partials_(partials), levels_{&values} {}
+
+  void push(const mustache::data*) override { levels_.push_back(asked_); }
+  void pop() override { levels_.pop_back(); }
+
+  const mustache::data* get(const std::string& name) const override {
+    asked_ = &look_up(name);
+    return &given_.emplace_back(data_of(*asked_));
+  }
+
+  const mustache::data* get_partial(const std::string& name) const override {
+    const auto found = partials_.find(name);
+    if (found == partials_.end()) throw std::logic_error("template: no partial {{" + name + "}}");
+    return &given_.emplace_back(std::string(found->second));
+  }
+
+ private:
+  const json& look_up(const std::string& name) const {
+    if (name == ".") return *levels_.back();
+    const json::json_pointer path("/" + boost::replace_all_copy(name, ".", "/"));
+    for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) {
+      if ((*level)->contains(path)) return (*level)->at(path);
+    }
+    throw std::logic_error("template: no value for {{" + name + "}}");
+  }
+
+  // A list, an object or `true` is the function that fills a section: in the place of text the
+  // library refuses it.
+  mustache::data data_of(const json& value) const {
+    if (value.is_number()) return value.dump();
+    if (!shows(value)) return false;
+    if (value.is_string()) return value.get_ref<const std::string&>();
+    return mustache::lambda2(
+        [this, &value](const std::string& text, const mustache::renderer& render) {
+          std::string out;
+          const auto fill = [&](const json& element) {
+            levels_.push_back(&element);
+            out += render(text, false);
+            levels_.pop_back();
+          };
+          if (value.is_array()) {
+            for (const json& element : value) fill(element);
+          } else {
+            fill(value);
+          }
+          return out;
+        });
+  }
+
+  const Partials& partials_;
+  mutable std::vector<const json*> levels_;  // innermost last
+  mutable const json* asked_ = nullptr;      // the value last given
+  mutable std::deque<mustache::data> given_;
+};
 
 }  // namespace
 
-nlohmann::json page_frame(const PageHead& head, const nlohmann::json& data, Pictures pictures) {
-  // Where there is a player, its own script starts plotly once the player is drawn.
+std::string fill_template(std::string_view text, const json& values, const Partials& partials) {
+  mustache::mustache page{std::string(text)};
+  page.set_custom_escape([](const std::string& plain) {
+    // HTML 4 knows no &apos;
+    return boost::replace_all_copy(mustache::html_escape(plain), "&apos;", "&#39;");
+  });
+  StrictContext context(values, partials);
+  std::ostringstream out;
+  if (page.is_valid()) page.render(context, out);
+  if (!page.is_valid()) throw std::logic_error("template: " + page.error_message());
+  return out.str();
+}
+
+json page_frame(const PageHead& head, const json& data, Pictures pictures) {
   const bool live = pictures == Pictures::kPlotsAndRig;
-  std::string scripts =
-      live ? "<script id=\"plotly\" type=\"text/plain\">\n" : "<script id=\"plotly\">\n";
-  scripts += plotly_js();
-  scripts += "\n</script>\n<script id=\"data\" type=\"application/json\">";
-  scripts += for_script(data.dump());
-  scripts += "</script>\n<script id=\"scripts\">\n";
-  scripts += live ? report_js() : still_js();
-  scripts += "\n</script>";
   std::string css(report_css());
   if (live) css += player_css();
   // The player's two sides.
-  const nlohmann::json places = {{{"place", 0}, {"which", "first"}},
-                                 {{"place", 1}, {"which", "second"}}};
+  const json places = {{{"place", 0}, {"which", "first"}}, {{"place", 1}, {"which", "second"}}};
   return {{"places", places},
           {"names", head.names},
           {"topic", head.topic},
           {"heading", head.heading},
           {"version", program_version()},
           {"css", std::move(css)},
-          {"scripts", std::move(scripts)}};
+          // Its script starts plotly once the player is drawn.
+          {"has_player", live},
+          {"plotly", plotly_js()},
+          // "</" would end the script element that holds the data.
+          {"data", boost::replace_all_copy(data.dump(), "</", "<\\/")},
+          {"scripts", live ? report_js() : still_js()}};
 }
 
-std::string fill_page(std::string_view html, const nlohmann::json& values) {
+json card(std::string_view title, std::string_view tone, std::string_view headline,
+          std::string_view text) {
+  return {{"title", title}, {"tone", tone}, {"headline", headline}, {"text", text}};
+}
+
+std::string fill_page(std::string_view html, const json& values) {
   return fill_template(html, values,
                        {{"head", head_html()},
                         {"foot", foot_html()},
@@ -57,7 +135,6 @@ std::string fill_page(std::string_view html, const nlohmann::json& values) {
                         {"plots", plots_html()},
                         {"player", player_html()},
                         {"transport", transport_html()},
-                        {"contents", contents_html()},
                         {"rotor", rotor_html()}});
 }
 

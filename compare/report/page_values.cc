@@ -3,26 +3,69 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "compare/base/format.h"
 #include "compare/base/palette.h"
+#include "compare/base/units.h"
 #include "compare/base/version.h"
 #include "compare/figures/figure_text.h"
 #include "compare/report/figure_values.h"
 #include "compare/report/measured_side.h"
-#include "compare/report/mode_values.h"
+#include "compare/report/plot_points.h"
 #include "compare/study/answer.h"
+#include "compare/study/resync_text.h"
 #include "compare/study/three_errors.h"
 #include "compare/study/verdict.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
+
 namespace {
 
 using nlohmann::json;
+
+std::string shadow_sentence(const SceneComparison& c) {
+  if (!c.shadow.side) return "No shadow: " + c.shadow.absent;
+  const std::string what = fmt::format("Shadow: the native stepper ({}) at MuJoCo's step",
+                                       c.shadow.side->trajectory.integrator);
+  if (!c.shadow.driven) {
+    return what +
+           ". What it is off by is the step's; what MuJoCo is off beyond it is the contact "
+           "model's.";
+  }
+  return what + ", driven by the commands of " + c.sides[1].label +
+         ". What it is off by is the step's, and what the open loop makes of it.";
+}
+
+json resync_rows(const SceneComparison& c) {
+  json rows = json::array();
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    if (!c.differences[k].resync) continue;
+    const Resync& r = *c.differences[k].resync;
+    for (const ResyncRow& row : r.rows) {
+      const ResyncFigure& f = *row.figure;
+      rows.push_back({{"side", c.sides[k + 1].label},
+                      {"onsets", r.onsets.size()},
+                      {"label", f.label},
+                      {"unit", f.unit},
+                      {"meaning", f.meaning},
+                      {"relative_to", f.relative_to},
+                      {"native", short_number(f.per_unit * row.native)},
+                      {"other", short_number(f.per_unit * row.mujoco)},
+                      {"median", percents(row.median) + " %"},
+                      {"ninetieth", percents(row.ninetieth) + " %"},
+                      {"worst", signed_percent(row.worst_signed)},
+                      {"time", fmt::format("{:.5g} s", row.worst_time)},
+                      {"tone", row.verdict == FigureVerdict::kWithin ? "good" : "bad"},
+                      {"verdict", to_string(row.verdict)}});
+    }
+  }
+  return rows;
+}
 
 const char* tone(Trust trust) {
   const Tone tone = tone_of(trust);
@@ -40,16 +83,6 @@ const char* mark(Trust trust) {
       break;
   }
   return "✗";
-}
-
-json side_values(const SceneComparison& c) {
-  json sides = json::array();
-  for (std::size_t k = 0; k < c.sides.size(); ++k) {
-    sides.push_back({{"label", c.sides[k].label},
-                     {"other", k > 0},
-                     {"settled", to_string(c.sides[k].metrics.settled.attractor)}});
-  }
-  return sides;
 }
 
 json verdict_values(const SceneComparison& c) {
@@ -74,41 +107,36 @@ json error_values(const LargestError& error) {
 
 // One row a contact model, none smaller than another.
 json answer_values(const SceneComparison& c) {
-  json rows = json::array();
   std::size_t side = 0;
-  for (const AnswerRow& row : answer(c)) {
+  return list_of(answer(c), [&](const AnswerRow& row) -> json {
     const ThreeErrors errors = three_errors(c, ++side);
-    rows.push_back({{"errors",
-                     {error_values(errors.contact), error_values(errors.step),
-                      error_values(errors.modes.value_or(LargestError()))}},
-                    {"contact", row.contact},
-                    {"question", row.question},
-                    {"tone", tone(row.trust)},
-                    {"mark", mark(row.trust)},
-                    {"trusted", to_string(row.trust)},
-                    {"why", row.why},
-                    {"cost", row.us_per_step > 0.0 ? fmt::format("{:.3g} µs", row.us_per_step)
-                                                   : std::string("–")},
-                    {"decides", row.decides},
-                    {"evidence", row.evidence}});
-  }
-  return rows;
+    return {{"errors",
+             {error_values(errors.contact), error_values(errors.step),
+              error_values(errors.modes.value_or(LargestError()))}},
+            {"contact", row.contact},
+            {"question", row.question},
+            {"tone", tone(row.trust)},
+            {"mark", mark(row.trust)},
+            {"trusted", to_string(row.trust)},
+            {"why", row.why},
+            {"cost", row.us_per_step > 0.0 ? fmt::format("{:.3g} µs", row.us_per_step) : "–"},
+            {"decides", row.decides},
+            {"evidence", row.evidence}};
+  });
 }
 
 json impact_rows(const SceneComparison& c) {
-  std::vector<std::vector<Impact>> columns;
   std::size_t count = 0;
   for (const SideDifference& d : c.differences) count = std::max(count, d.impacts.size());
+  std::vector<std::vector<Impact>> columns;
   for (const Side& side : c.sides) columns.push_back(first_impacts(side.trajectory, count));
   json rows = json::array();
   for (std::size_t i = 0; i < count; ++i) {
-    json cells = json::array();
-    for (const auto& column : columns) {
-      const bool has = i < column.size();
-      cells.push_back(
-          {{"time", has ? fmt::format("{:.4f}", 1e3 * column[i].t) : std::string("–")},
-           {"impulse", has ? short_number(1e3 * column[i].normal_impulse) : std::string("–")}});
-    }
+    const json cells = list_of(columns, [&](const std::vector<Impact>& column) -> json {
+      if (i >= column.size()) return {{"time", "–"}, {"impulse", "–"}};
+      return {{"time", fmt::format("{:.4f}", kMilli * column[i].t)},
+              {"impulse", short_number(kMilli * column[i].normal_impulse)}};
+    });
     rows.push_back({{"number", i + 1}, {"cells", cells}});
   }
   return rows;
@@ -152,6 +180,15 @@ json condition_values(const SceneComparison& c) {
 
 }  // namespace
 
+std::vector<PageColumn> page_columns(const SceneComparison& c) {
+  std::vector<PageColumn> columns{{&c.sides.front(), {}, false}};
+  if (c.shadow.side) columns.push_back({&*c.shadow.side, c.shadow.figures, false});
+  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    columns.push_back({&c.sides[k + 1], c.differences[k].judged(), true});
+  }
+  return columns;
+}
+
 json scene_values(const SceneComparison& c) {
   const json impacts = impact_rows(c);
   const json resync = resync_rows(c);
@@ -173,7 +210,10 @@ json scene_values(const SceneComparison& c) {
           {"step", time_text(c.scene.run.step)},
           {"end", time_text(c.scene.run.end)},
           {"hash", scene::scene_hash(c.scene)},
-          {"sides", side_values(c)},
+          {"sides", list_of(c.sides,
+                            [](const Side& side) -> json {
+                              return {{"label", side.label}};
+                            })},
           {"verdicts", verdict_values(c)},
           {"judged", figure_rows(c, true)},
           {"all", figure_rows(c, false)},
@@ -187,6 +227,37 @@ json scene_values(const SceneComparison& c) {
           {"divergence", divergence_text(c)},
           {"conditions", condition_values(c)},
           {"text", c.scene.text}};
+}
+
+Trade trade_of(const Side& native) {
+  const Trajectory& t = native.trajectory;
+  Trade trade;
+  trade.contact_force = native.metrics.mean_force;
+  const auto &time = t.column("t"), &x = t.column("rotor_x"), &y = t.column("rotor_y");
+  const double from = (1.0 - kSettledShare) * t.end;
+  const bool driven = t.has("control_x");
+  double square = 0.0;
+  std::size_t rows = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (time[i] < from) continue;
+    trade.orbit = std::max(trade.orbit, std::hypot(x[i], y[i]));
+    if (driven)
+      square += std::pow(t.column("control_x")[i], 2) + std::pow(t.column("control_y")[i], 2);
+    ++rows;
+  }
+  if (rows > 0) trade.actuator_force = std::sqrt(square / static_cast<double>(rows));
+  return trade;
+}
+
+json trade_data(const std::vector<const SceneComparison*>& scenes) {
+  if (scenes.size() < 2) return nullptr;
+  return list_of(scenes, [](const SceneComparison* scene) -> json {
+    const Trade trade = trade_of(scene->sides.front());
+    return {{"name", scene->scene.name},
+            {"orbit", rounded(kMilli * trade.orbit, 5)},
+            {"contact", rounded(trade.contact_force, 5)},
+            {"actuator", rounded(trade.actuator_force, 5)}};
+  });
 }
 
 }  // namespace rotorub

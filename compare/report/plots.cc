@@ -5,17 +5,31 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "compare/report/characteristics.h"
 #include "compare/report/measured_side.h"
-#include "compare/report/pack/gap_samples.h"
 #include "compare/report/pack/packed_run.h"
+#include "compare/report/plot_points.h"
 #include "compare/report/rig_values.h"
-#include "compare/report/rounded.h"
-#include "compare/report/thin.h"
 #include "compare/report/whirl_plots.h"
 #include "native_model/trajectory/columns.h"
 
 namespace rotorub {
+
+ShownRuns shown_runs(const SceneComparison& comparison) {
+  ShownRuns shown{&comparison.scene, {}, nullptr, nullptr};
+  for (const Side& side : comparison.sides) shown.runs.push_back({side.label, &side.trajectory});
+  if (comparison.measured) shown.measured = &*comparison.measured;
+  if (comparison.uncontrolled) shown.uncontrolled = &*comparison.uncontrolled;
+  return shown;
+}
+
+ShownRuns shown_runs(const StoredRun& run, const std::optional<StoredRun>& shadow) {
+  const Trajectory& t = run.trajectory;
+  ShownRuns shown{
+      &run.scene, {{t.engine == "mujoco" ? t.contact_model : "native", &t}}, nullptr, nullptr};
+  if (shadow) shown.runs.push_back({"shadow", &shadow->trajectory});
+  return shown;
+}
+
 namespace {
 
 using nlohmann::json;
@@ -23,6 +37,27 @@ using Values = std::vector<double>;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
+// Whether a plot is of the whole run, or of each contact where there are several.
+enum class PlotOf { kRun, kContact };
+
+struct PlotKind {
+  const char* key;
+  const char* title;
+  const char* unit;
+  const char* text;   // what is to be seen, half a sentence
+  const char* shape;  // class in the page: "", "wide", "square"
+  // What it is drawn over, and how traces.js draws it: "time", a series; "impacts" and "law", each
+  // impact a point, over time or on a law; "path", on the characteristic of what drives the run;
+  // "turns", the place over the last turns; "whirl", which no window changes.
+  const char* over;
+  PlotOf of;
+  // Whether there is data for it, at this contact.
+  bool (*shown)(const ShownRuns& shown, const Trajectory& trajectory, std::size_t contact);
+};
+struct ShownPlot {
+  const PlotKind* kind;
+  std::size_t contact;
+};
 bool has(const Trajectory& run, std::size_t contact, const char* column) {
   return run.has(column_of_contact(contact, column));
 }
@@ -108,6 +143,48 @@ constexpr PlotKind kKinds[] = {
      kRun, turns},
 };
 
+// Those that a run has data for.
+std::vector<ShownPlot> plot_kinds(const ShownRuns& shown) {
+  std::vector<ShownPlot> plots;
+  const std::size_t contacts = shown.scene->auxiliary.size();
+  for (const PlotKind& kind : kKinds) {
+    for (std::size_t k = 0; k < (kind.of == PlotOf::kContact ? contacts : 1); ++k) {
+      if (std::any_of(shown.runs.begin(), shown.runs.end(), [&](const ShownRun& run) {
+            return run.trajectory->rows() > 0 && kind.shown(shown, *run.trajectory, k);
+          }))
+        plots.push_back({&kind, k});
+    }
+  }
+  return plots;
+}
+
+// A part of the run that the page can zoom to.
+struct Window {
+  std::string name;
+  double from = 0.0, to = 0.0;  // s
+};
+
+// The whole run; the first contact (a tenth of a turn before to one turn after the first touch of
+// any run); the last two turns. Without a contact the whole and the end alone.
+std::vector<Window> plot_windows(const ShownRuns& shown) {
+  const scene::Scene& scene = *shown.scene;
+  const double end = scene.run.end;
+  const double speed = std::abs(scene.rotor.speed);
+  const double turn = speed > 0.0 ? std::min(kTurn / speed, end) : 0.05 * end;
+
+  std::vector<Window> windows{{"whole run", 0.0, end}};
+  double touch = end;
+  for (const ShownRun& run : shown.runs) {
+    touch = std::min(touch, renders::first_touch(*run.trajectory).value_or(end));
+  }
+  if (touch < end) {
+    windows.push_back(
+        {"first contact", std::max(0.0, touch - 0.1 * turn), std::min(end, touch + turn)});
+  }
+  windows.push_back({"last turns", std::max(0.0, end - 2.0 * turn), end});
+  return windows;
+}
+
 // The impacts of one contact. friction: its mu.
 json impact_data(const Trajectory& run, std::size_t contact, double friction) {
   Values t, normal, tangential, before, after, slip, share;
@@ -163,39 +240,6 @@ json motor_data(const scene::Scene& scene, const Trajectory& run) {
 
 }  // namespace
 
-std::vector<Window> plot_windows(const ShownRuns& shown) {
-  const scene::Scene& scene = *shown.scene;
-  const double end = scene.run.end;
-  const double speed = std::abs(scene.rotor.speed);
-  const double turn = speed > 0.0 ? std::min(kTurn / speed, end) : 0.05 * end;
-
-  std::vector<Window> windows{{"whole run", 0.0, end}};
-  double touch = end;
-  for (const ShownRun& run : shown.runs) {
-    touch = std::min(touch, first_touch(*run.trajectory).value_or(end));
-  }
-  if (touch < end) {
-    windows.push_back(
-        {"first contact", std::max(0.0, touch - 0.1 * turn), std::min(end, touch + turn)});
-  }
-  windows.push_back({"last turns", std::max(0.0, end - 2.0 * turn), end});
-  return windows;
-}
-
-std::vector<ShownPlot> plot_kinds(const ShownRuns& shown) {
-  std::vector<ShownPlot> plots;
-  const std::size_t contacts = shown.scene->auxiliary.size();
-  for (const PlotKind& kind : kKinds) {
-    for (std::size_t k = 0; k < (kind.of == PlotOf::kContact ? contacts : 1); ++k) {
-      if (std::any_of(shown.runs.begin(), shown.runs.end(), [&](const ShownRun& run) {
-            return run.trajectory->rows() > 0 && kind.shown(shown, *run.trajectory, k);
-          }))
-        plots.push_back({&kind, k});
-    }
-  }
-  return plots;
-}
-
 json plot_data(const ShownRuns& shown) {
   const scene::Scene& scene = *shown.scene;
   const std::optional<renders::Machine> machine = drawn_machine(shown);
@@ -207,10 +251,6 @@ json plot_data(const ShownRuns& shown) {
     if (!force.is_null()) side["tracks"]["force"] = std::move(force);
   }
   if (shown.measured && machine) sides.push_back(measured_side(shown, limit));
-  json spans = json::array();
-  for (const Window& w : plot_windows(shown)) {
-    spans.push_back({{"name", w.name}, {"from", w.from}, {"to", w.to}});
-  }
   json uncontrolled = nullptr;
   if (shown.uncontrolled && shown.uncontrolled->rows() > 0 && machine) {
     uncontrolled = {
@@ -221,7 +261,10 @@ json plot_data(const ShownRuns& shown) {
           {"motor", first ? motor_data(scene, *first) : json()},
           {"spin", first ? mean_spin(*first) : 0.0},
           {"uncontrolled", uncontrolled},
-          {"windows", spans},
+          {"windows", list_of(plot_windows(shown),
+                              [](const Window& w) -> json {
+                                return {{"name", w.name}, {"from", w.from}, {"to", w.to}};
+                              })},
           {"first_window", 0},
           {"rig", machine ? rig_values(scene, *machine) : json()},
           {"contacts", contacts_values(scene, machine)},
@@ -235,18 +278,18 @@ json live_values(const ShownRuns& shown) {
   const auto where = [&](std::size_t contact) {
     return several ? "contact " + scene.name_of(contact) : std::string();
   };
-  json plots = json::array(), windows = json::array(), legend = json::array(),
-       contacts = json::array();
-  for (const auto& [kind, contact] : plot_kinds(shown)) {
-    plots.push_back({{"key", kind->key},
-                     {"title", kind->title},
-                     {"where", kind->of == PlotOf::kContact ? where(contact) : ""},
-                     {"contact", contact},
-                     {"unit", kind->unit},
-                     {"text", kind->text},
-                     {"shape", kind->shape},
-                     {"over", kind->over}});
-  }
+  const json plots = list_of(plot_kinds(shown), [&](const ShownPlot& plot) -> json {
+    const auto& [kind, contact] = plot;
+    return {{"key", kind->key},
+            {"title", kind->title},
+            {"where", kind->of == PlotOf::kContact ? where(contact) : ""},
+            {"contact", contact},
+            {"unit", kind->unit},
+            {"text", kind->text},
+            {"shape", kind->shape},
+            {"over", kind->over}};
+  });
+  json windows = json::array(), legend = json::array(), contacts = json::array();
   for (const Window& window : plot_windows(shown))
     windows.push_back({{"index", windows.size()}, {"name", window.name}});
   for (const ShownRun& run : shown.runs) legend.push_back({{"label", run.label}});

@@ -1,38 +1,26 @@
 #include "compare/report/rig_values.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "compare/report/characteristics.h"
+#include "compare/base/units.h"
 #include "compare/report/pack/packed_run.h"
-#include "compare/report/rounded.h"
-#include "native_model/rotor/modal_rotor.h"
+#include "compare/report/plot_points.h"
+#include "native_model/bearing/drive.h"
+#include "native_model/system/model.h"
 
 namespace rotorub {
+
 namespace {
 
 using nlohmann::json;
 
-template <class Values>
-json numbers(const Values& values) {
-  json out = json::array();
-  for (const double value : values) out.push_back(rounded(value, kDigits));
-  return out;
-}
-
 // One array a mode.
 json shapes(const Eigen::MatrixXd& modes) {
-  json out = json::array();
-  for (Eigen::Index k = 0; k < modes.cols(); ++k) out.push_back(numbers(modes.col(k)));
-  return out;
-}
-
-json disc_values(const renders::Machine& machine) {
-  json out = json::array();
-  for (const renders::DrawnDisc& disc : machine.discs) {
-    out.push_back({{"z", disc.z}, {"radius", disc.radius}, {"half_width", disc.half_width}});
-  }
-  return out;
+  return list_of(modes.colwise(), [](const auto& mode) { return rounded_list(mode); });
 }
 
 // Nothing stands for a bearing that a force alone implies.
@@ -45,36 +33,57 @@ json magnet_values(const scene::Scene& scene, const renders::Machine& machine) {
           {"half_width", magnet.half_width}};
 }
 
+// m: how far from the middle the actuators' curves go.
+double shown_travel(const scene::Actuator& a) {
+  if (a.kind == scene::ActuatorKind::kTable)
+    return std::min(-a.table_position.front(), a.table_position.back());
+  return 0.4 * a.air_gap;
+}
+
+template <class Law>
+json curve(double from, double to, Law law) {
+  constexpr int kPoints = 61;
+  json x = json::array(), y = json::array();
+  for (int k = 0; k < kPoints; ++k) {
+    const double at = from + (to - from) * k / (kPoints - 1);
+    x.push_back(rounded(at));
+    y.push_back(rounded(law(at)));
+  }
+  return {{"x", x}, {"y", y}};
+}
+
 }  // namespace
 
 std::optional<renders::Machine> drawn_machine(const ShownRuns& shown) {
   for (const ShownRun& run : shown.runs) {
     if (run.trajectory->rows() == 0) continue;
-    const scene::Scene& scene = *shown.scene;
-    std::optional<ModeLines> lines;
-    if (scene.rotor.geometry) lines = modal_rotor(scene).lines;
     const renders::Playback playback(*run.trajectory);
     const std::array<const renders::Playback*, 1> runs = {&playback};
-    return renders::make_machine(scene, lines, runs, playback.start(), playback.end(),
+    return renders::make_machine(*shown.scene, runs, playback.start(), playback.end(),
                                  std::nullopt);
   }
   return std::nullopt;
 }
 
 json rig_values(const scene::Scene& scene, const renders::Machine& machine) {
-  return {{"unit", machine.unit},
-          {"magnification", machine.magnification},
-          {"has_shape", scene.rotor.geometry.has_value()},
-          {"z", numbers(machine.z)},
-          {"span_radius", numbers(machine.span_radius)},
-          {"modes_x", shapes(machine.modes_x)},
-          {"modes_y", shapes(machine.modes_y)},
-          {"bow", numbers(machine.bow)},
-          {"discs", disc_values(machine)},
-          {"bearings", scene.rotor.geometry ? json(machine.bearings) : json::array()},
-          {"magnetic_bearing", magnet_values(scene, machine)},
-          {"motor",
-           scene.drive && scene.rotor.geometry && machine.motor ? json(*machine.motor) : json()}};
+  return {
+      {"unit", machine.unit},
+      {"magnification", machine.magnification},
+      {"has_shape", scene.rotor.geometry.has_value()},
+      {"z", rounded_list(machine.z)},
+      {"span_radius", rounded_list(machine.span_radius)},
+      {"modes_x", shapes(machine.modes_x)},
+      {"modes_y", shapes(machine.modes_y)},
+      {"bow", rounded_list(machine.bow)},
+      {"discs",
+       list_of(machine.discs,
+               [](const renders::DrawnDisc& disc) -> json {
+                 return {{"z", disc.z}, {"radius", disc.radius}, {"half_width", disc.half_width}};
+               })},
+      {"bearings", scene.rotor.geometry ? json(machine.bearings) : json::array()},
+      {"magnetic_bearing", magnet_values(scene, machine)},
+      {"motor",
+       scene.drive && scene.rotor.geometry && machine.motor ? json(*machine.motor) : json()}};
 }
 
 json contacts_values(const scene::Scene& scene, const std::optional<renders::Machine>& machine) {
@@ -106,6 +115,28 @@ json contacts_values(const scene::Scene& scene, const std::optional<renders::Mac
                    {"actuator", actuator_curves(scene, k)}});
   }
   return all;
+}
+
+json actuator_curves(const scene::Scene& scene, std::size_t bearing) {
+  json curves = json::array();
+  const Model model = make_model(scene);
+  const auto& magnets = model.auxiliary[bearing].magnets;
+  if (!magnets) return curves;
+  const double travel = shown_travel(*scene.auxiliary[bearing].actuator);
+  const double most = magnets->current_limit;
+  for (const double part : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+    curves.push_back(
+        curve(-most, most, [&](double i) { return magnets->law->force(part * travel, i); }));
+    curves.back()["name"] = fmt::format("s = {:.3g} mm", kMilli * part * travel);
+  }
+  return curves;
+}
+
+json motor_curve(const scene::Scene& scene, double from, double to) {
+  if (!scene.drive) return nullptr;
+  const Drive drive(*scene.drive, scene.rotor.speed);
+  if (drive.follows() || drive.kind() == scene::DriveKind::kFree) return nullptr;
+  return curve(kRpm * from, kRpm * to, [&](double rpm) { return drive.torque(rpm / kRpm); });
 }
 
 }  // namespace rotorub

@@ -1,16 +1,17 @@
 #include "compare/report/sweep_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 
+#include "compare/base/units.h"
 #include "compare/report/assets.h"
+#include "compare/report/linear_maps.h"
 #include "compare/report/page_frame.h"
-#include "compare/report/rounded.h"
-#include "compare/report/rub_figures.h"
+#include "compare/report/plot_points.h"
 #include "compare/sweep/linear_map.h"
 
 namespace rotorub {
@@ -28,31 +29,28 @@ struct Unit {
   double per_si = 1.0;
 };
 Unit shown(const std::string& unit) {
-  if (unit == "rad/s") return {"Hz", 0.5 / std::numbers::pi};
+  if (unit == "rad/s") return {"Hz", kHz};
   return {unit, 1.0};
 }
 
 // The values of a key of a grid, in order.
 json grid_values(const Vary& vary, double per_si) {
-  json values = json::array();
-  for (std::int64_t i = 0; i < vary.count; ++i) {
-    if (vary.values.empty()) {
-      const double share =
-          vary.count > 1 ? static_cast<double>(i) / static_cast<double>(vary.count - 1) : 0.0;
-      values.push_back(rounded(per_si * sweep::between(vary, share), kDigits));
-      continue;
-    }
-    const sweep::Value& value = vary.values[static_cast<std::size_t>(i)];
-    values.push_back(value.number ? json(rounded(per_si * *value.number, kDigits))
-                                  : json(value.text));
+  if (!vary.values.empty()) {
+    return list_of(vary.values, [&](const sweep::Value& value) {
+      return value.number ? json(rounded(per_si * *value.number)) : json(value.text);
+    });
   }
-  return values;
+  const auto last = static_cast<double>(vary.count - 1);
+  std::vector<double> values;
+  for (std::int64_t i = 0; i < vary.count; ++i)
+    values.push_back(sweep::between(vary, vary.count > 1 ? static_cast<double>(i) / last : 0.0));
+  return rounded_list(values, per_si);
 }
 
 json field(const Statement& row, int column, double per_si) {
   if (row.is_nothing(column)) return nullptr;
   if (row.is_text(column)) return row.text(column);
-  return rounded(per_si * row.number(column), kDigits);
+  return rounded(per_si * row.number(column));
 }
 
 // Places of words in the order in which they come.
@@ -81,28 +79,24 @@ std::vector<std::int64_t> places(const sweep::Study& study, std::int64_t index) 
 }
 
 json keys_of(const sweep::Study& study, bool grid) {
-  json keys = json::array();
-  for (const Vary& vary : study.vary) {
+  return list_of(study.vary, [&](const Vary& vary) {
     const Unit unit = shown(vary.unit);
-    const bool even = vary.values.empty() && vary.spacing == sweep::Spacing::kLinear;
-    keys.push_back({{"name", vary.key},
-                    {"unit", unit.name},
-                    {"even", even},
-                    {"log", vary.spacing == sweep::Spacing::kLog}});
-    if (grid) keys.back()["values"] = grid_values(vary, unit.per_si);
-  }
-  return keys;
+    json key = {{"name", vary.key},
+                {"unit", unit.name},
+                {"even", vary.values.empty() && vary.spacing == sweep::Spacing::kLinear},
+                {"log", vary.spacing == sweep::Spacing::kLog}};
+    if (grid) key["values"] = grid_values(vary, unit.per_si);
+    return key;
+  });
 }
 
 json figures_json() {
-  json all = json::array();
-  for (const ResultColumn& column : sweep::result_columns()) {
-    all.push_back({{"name", column.name},
-                   {"unit", shown(column.unit).name},
-                   {"meaning", column.meaning},
-                   {"word", column.type == ResultColumn::Type::kWord}});
-  }
-  return all;
+  return list_of(sweep::result_columns(), [](const ResultColumn& column) -> json {
+    return {{"name", column.name},
+            {"unit", shown(column.unit).name},
+            {"meaning", column.meaning},
+            {"word", column.type == ResultColumn::Type::kWord}};
+  });
 }
 
 json failures(sweep::Store& store, std::size_t keys) {
@@ -123,19 +117,13 @@ json failures(sweep::Store& store, std::size_t keys) {
   return rows;
 }
 
-json card(const std::string& title, const std::string& tone, const std::string& headline,
-          const std::string& text) {
-  return {{"title", title}, {"tone", tone}, {"headline", headline}, {"text", text}};
-}
-
 json cards_of(sweep::Store& store) {
   const auto counts = store.count_by_status();
   const std::int64_t all = store.count();
   const auto ok = counts.contains("ok") ? counts.at("ok") : 0;
-  std::string others;
-  for (const auto& [status, count] : counts) {
-    if (status != "ok") others += fmt::format("{}{} {}", others.empty() ? "" : ", ", count, status);
-  }
+  std::vector<std::string> others, kinds;
+  for (const auto& [status, count] : counts)
+    if (status != "ok") others.push_back(fmt::format("{} {}", count, status));
   std::map<std::string, std::int64_t> attractors;
   std::optional<double> peak;
   std::int64_t peak_point = 0;
@@ -150,19 +138,17 @@ json cards_of(sweep::Store& store) {
     peak = row.number(force);
     peak_point = row.whole(0);
   });
-  std::string kinds;
-  for (const auto& [name, count] : attractors) {
-    kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, name);
-  }
-  return json::array(
-      {card("Points", ok == all ? "good" : "bad", fmt::format("{} of {} ran to their end", ok, all),
-            others.empty() ? "none failed" : others),
-       card("Attractors", "",
-            attractors.size() == 1 ? std::string("the same everywhere")
-                                   : fmt::format("{} kinds", attractors.size()),
-            kinds),
-       card("Largest peak force", "", peak ? fmt::format("{:.4g} N", *peak) : "none",
-            peak ? fmt::format("point {}", peak_point) : "")});
+  for (const auto& [name, count] : attractors) kinds.push_back(fmt::format("{} {}", count, name));
+  const auto joined = [](const auto& words) { return fmt::format("{}", fmt::join(words, ", ")); };
+  return {
+      card("Points", ok == all ? "good" : "bad", fmt::format("{} of {} ran to their end", ok, all),
+           others.empty() ? "none failed" : joined(others)),
+      card("Attractors", "",
+           attractors.size() == 1 ? "the same everywhere"
+                                  : fmt::format("{} kinds", attractors.size()),
+           joined(kinds)),
+      card("Largest peak force", "", peak ? fmt::format("{:.4g} N", *peak) : "none",
+           peak ? fmt::format("point {}", peak_point) : "")};
 }
 
 // The linear map's figures beside those of the runs. Row i of the plots of a whole grid is point i.
@@ -237,12 +223,12 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
       page_frame({kept.at("name"), "sweep", "What does it do, and where?"}, {{"maps", {plots}}});
   for (const char* name : {"maps", "cards", "linear", "linear_refused"})
     values[name] = kept.at(name);
-  json headings = json::array();
-  for (const Vary& vary : study.vary) headings.push_back({{"key", vary.key}, {"unit", vary.unit}});
   values["two"] = study.vary.size() > 1;
   const auto every = plots.at("every").get<std::int64_t>();
   values["thinned"] = every > 1 ? std::to_string(every) : "";
-  values["keys"] = headings;
+  values["keys"] = list_of(study.vary, [](const Vary& vary) -> json {
+    return {{"key", vary.key}, {"unit", vary.unit}};
+  });
   values["failures"] = failures(store, study.vary.size());
   values["figures"] = plots.at("figures");
   values["study"] = study.text;

@@ -7,9 +7,7 @@
 #include <string>
 
 #include "compare/metrics/orbit.h"
-#include "compare/report/base64.h"
-#include "compare/report/rounded.h"
-#include "compare/report/thin.h"
+#include "compare/report/plot_points.h"
 
 namespace rotorub {
 namespace {
@@ -94,13 +92,13 @@ json poincare_json(const Trajectory& run) {
   constexpr std::size_t kMost = 1500;
   const auto points = poincare_points(run, start_of_the_settled(run));
   if (points.empty()) return nullptr;
-  json x = json::array(), y = json::array();
+  Values x, y;
   const std::size_t every = (points.size() + kMost - 1) / kMost;
   for (std::size_t i = 0; i < points.size(); i += every) {
-    x.push_back(rounded(kMicro * points[i].real(), 5));
-    y.push_back(rounded(kMicro * points[i].imag(), 5));
+    x.push_back(points[i].real());
+    y.push_back(points[i].imag());
   }
-  return {{"x", x}, {"y", y}};
+  return {{"x", rounded_list(x, kMicro, 5)}, {"y", rounded_list(y, kMicro, 5)}};
 }
 
 // |rotor - first's rotor| at the times of both.
@@ -121,8 +119,7 @@ json residual_json(const Trajectory& run, const Trajectory& first) {
     }
   }
   if (times.size() < 2) return nullptr;
-  const auto kept = thin(distance, 0, distance.size(), 600);
-  return {{"t", picked(times, kept, 7)}, {"y", picked(distance, kept, 4)}};
+  return distance_data(times, distance);
 }
 
 // s, of the spin; of a rotor that hardly turns a twentieth of the run.
@@ -149,6 +146,11 @@ double shown_frequency(const ShownRuns& shown) {
   return limit;
 }
 
+json distance_data(const Values& t, const Values& distance) {
+  const auto kept = thin(distance, 0, distance.size(), kPlotBuckets);
+  return {{"t", picked(t, kept, 7)}, {"y", picked(distance, kept, 4)}};
+}
+
 json spectrum_data(const std::vector<std::complex<double>>& z, double h, double limit) {
   const FullSpectrum s = full_spectrum(z, h);
   const auto first = std::lower_bound(s.frequency.begin(), s.frequency.end(), -limit);
@@ -162,16 +164,11 @@ json spectrum_data(const std::vector<std::complex<double>>& z, double h, double 
 }
 
 json whirl_data(const Trajectory& run, const Trajectory* first, double limit) {
-  if (run.rows() < 2) {
-    return {{"spectrum", nullptr},
-            {"waterfall", nullptr},
-            {"poincare", nullptr},
-            {"residual", nullptr}};
-  }
-  return {{"spectrum", spectrum_json(run, limit)},
-          {"waterfall", waterfall_json(run, limit, turn_of(run))},
-          {"poincare", poincare_json(run)},
-          {"residual", first ? residual_json(run, *first) : json()}};
+  const bool any = run.rows() >= 2;
+  return {{"spectrum", any ? spectrum_json(run, limit) : json()},
+          {"waterfall", any ? waterfall_json(run, limit, turn_of(run)) : json()},
+          {"poincare", any ? poincare_json(run) : json()},
+          {"residual", any && first ? residual_json(run, *first) : json()}};
 }
 
 }  // namespace rotorub

@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "compare/report/shown_runs.h"
+#include "compare/report/plots.h"
 
 namespace rotorub {
 
@@ -27,5 +27,7 @@ nlohmann::json whirl_data(const Trajectory& run, const Trajectory* first, double
 
 // "spectrum" of it: of z (m) at even times h (s) apart, to `limit` (Hz) on either side.
 nlohmann::json spectrum_data(const std::vector<std::complex<double>>& z, double h, double limit);
+// "residual" of it: um over s.
+nlohmann::json distance_data(const std::vector<double>& t, const std::vector<double>& distance);
 
 }  // namespace rotorub

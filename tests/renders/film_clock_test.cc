@@ -1,4 +1,4 @@
-#include "renders/film_clock.h"
+#include "renders/framing.h"
 
 #include <gtest/gtest.h>
 

@@ -97,7 +97,6 @@ TEST(Framing, RefusesOptionsByName) {
       {"frames per second", [](RenderOptions& o) { o.frames_per_second = 0.0; }},
       {"frames per second", [](RenderOptions& o) { o.frames_per_second = value; }},
       {"samples", [](RenderOptions& o) { o.samples = 3; }},
-      {"quality", [](RenderOptions& o) { o.quality = 52; }},
       {"slow motion", [](RenderOptions& o) { o.slow_motion = 0.0; }},
       {"slow motion", [](RenderOptions& o) { o.slow_motion = value; }},
       {"duration", [](RenderOptions& o) { o.duration = -1.0; }},

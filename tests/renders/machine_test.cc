@@ -4,8 +4,7 @@
 
 #include <array>
 
-#include "native_model/rotor/modal_rotor.h"
-#include "renders/contact_marks.h"
+#include "renders/instant.h"
 #include "tests/renders/samples.h"
 
 namespace rotorub::renders {
@@ -34,7 +33,7 @@ TEST(Machine, DrawnCirclesTouchExactlyWhenTheGapIsZero) {
                                         .stator_x = 1e-4,
                                         .stator_y = -2e-4});
     const Playback playback(run);
-    const Machine machine = make_machine(scene, {}, one(playback), 0.0, 0.1, magnification);
+    const Machine machine = make_machine(scene, one(playback), 0.0, 0.1, magnification);
     const DrawnSection section = drawn_section(machine, playback.at(0.05));
     ASSERT_TRUE(machine.contact);
     EXPECT_NEAR((section.rotor - section.ring).norm() + machine.contact->rotor_radius,
@@ -46,13 +45,11 @@ TEST(Machine, DrawnCirclesTouchExactlyWhenTheGapIsZero) {
 TEST(Machine, ShaftPassesThroughTheRotorAtTheContact) {
   // The rig's second mode included: the line at the contact station is the plain sum.
   const scene::Scene rig = rig_of_two_modes();
-  const ModalRotor rotor = modal_rotor(rig);
-  ASSERT_TRUE(rotor.lines);
   Trajectory run = resting_run({.rotor_x = 3e-4, .rotor_y = 1e-4});
   run.series.push_back({"x_2", "m", std::vector<double>(run.rows(), -1e-4)});
   run.series.push_back({"y_2", "m", std::vector<double>(run.rows(), 2e-4)});
   const Playback playback(run);
-  const Machine machine = make_machine(rig, rotor.lines, one(playback), 0.0, 0.1, 10.0);
+  const Machine machine = make_machine(rig, one(playback), 0.0, 0.1, 10.0);
   const Eigen::Matrix2Xd line = machine.centre_line(playback.at(0.05));
   const Eigen::Vector3d centre = machine.centre(line, machine.contact->z);
   // Straight pieces between the stations of the drawing stand for a curve.
@@ -67,8 +64,7 @@ TEST(Machine, RigHasItsPartsAtTheirStations) {
   run.series.push_back({"x_2", "m", std::vector<double>(run.rows(), 0.0)});
   run.series.push_back({"y_2", "m", std::vector<double>(run.rows(), 0.0)});
   const Playback playback(run);
-  const Machine machine =
-      make_machine(rig, modal_rotor(rig).lines, one(playback), 0.0, 0.1, std::nullopt);
+  const Machine machine = make_machine(rig, one(playback), 0.0, 0.1, std::nullopt);
   EXPECT_DOUBLE_EQ(machine.unit, 1.0 / 0.6);
   ASSERT_EQ(machine.discs.size(), 1u) << "the sleeve is the rotor in the ring";
   EXPECT_DOUBLE_EQ(machine.discs[0].z, 0.5);
@@ -90,7 +86,7 @@ TEST(Machine, RigHasItsPartsAtTheirStations) {
 TEST(Machine, SpringlessRotorStaysStraight) {
   const Trajectory run = resting_run({.rotor_x = 1e-4});
   const Playback playback(run);
-  const Machine machine = make_machine(free_scene(), {}, one(playback), 0.0, 0.1, 10.0);
+  const Machine machine = make_machine(free_scene(), one(playback), 0.0, 0.1, 10.0);
   const Eigen::Matrix2Xd line = machine.centre_line(playback.at(0.05));
   EXPECT_NEAR(line.row(0).minCoeff(), line.row(0).maxCoeff(), kRoundOff);
   EXPECT_NEAR(line(0, 0), machine.displaced(1e-4), kRoundOff);

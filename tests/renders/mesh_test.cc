@@ -1,4 +1,4 @@
-#include "renders/mesh.h"
+#include "renders/canvas.h"
 
 #include <gtest/gtest.h>
 

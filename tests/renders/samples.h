@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -12,7 +13,7 @@
 
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/trajectory.h"
-#include "renders/image.h"
+#include "renders/sheet.h"
 
 namespace rotorub::renders {
 
@@ -148,6 +149,10 @@ class Folder {
   std::filesystem::path path_;
 };
 
+inline bool same(const Picture& a, const Picture& b) {
+  return std::ranges::equal(a.bytes(), b.bytes());
+}
+
 using Test = std::function<bool(int red, int green, int blue)>;
 
 // Pixels of a part of the picture, [left, right) x [top, bottom), that pass a test.
@@ -155,12 +160,12 @@ struct Found {
   int count = 0;
   double column = 0.0, row = 0.0;  // mean
 };
-inline Found find(const Image& picture, int left, int top, int right, int bottom,
+inline Found find(const Picture& picture, int left, int top, int right, int bottom,
                   const Test& test) {
   Found found;
   for (int row = top; row < bottom; ++row) {
     for (int column = left; column < right; ++column) {
-      const std::uint8_t* p = picture.pixel(column, row);
+      const auto p = picture.pixel(column, row);
       if (!test(p[0], p[1], p[2])) continue;
       ++found.count;
       found.column += column;
@@ -173,8 +178,8 @@ inline Found find(const Image& picture, int left, int top, int right, int bottom
   }
   return found;
 }
-inline Found find(const Image& picture, const Test& test) {
-  return find(picture, 0, 0, picture.width, picture.height, test);
+inline Found find(const Picture& picture, const Test& test) {
+  return find(picture, 0, 0, picture.width(), picture.height(), test);
 }
 
 // The colours that tell the parts apart, generously.

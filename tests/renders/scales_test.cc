@@ -1,10 +1,9 @@
-#include "renders/scales.h"
+#include "renders/instant.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "renders/contact_marks.h"
 #include "tests/renders/samples.h"
 
 namespace rotorub::renders {

@@ -21,11 +21,10 @@ struct Drawing {
   Drawing() : sheet(picture, {0, 0, kSide, kSide}) {}
 
   double ink(int left = 0, int top = 0, int right = kSide, int bottom = kSide) const {
-    const Image image = picture.image();
     double ink = 0.0;
     for (int row = top; row < bottom; ++row) {
       for (int column = left; column < right; ++column) {
-        ink += 1.0 - image.pixel(column, row)[0] / 255.0;
+        ink += 1.0 - picture.pixel(column, row)[0] / 255.0;
       }
     }
     return ink;
@@ -52,7 +51,7 @@ TEST(Sheet, ShapesHaveTheirAreas) {
   fill.sheet.fill(10.25, 20.5, 30.5, 40.25, kBlack);
   expect_area(fill, 30.5 * 40.25);
   Drawing line;
-  line.sheet.line({10.0, 20.0}, {70.0, 63.0}, 6.0, kBlack);
+  line.sheet.polyline(std::vector<Sheet::Point>{{10.0, 20.0}, {70.0, 63.0}}, 6.0, kBlack);
   expect_area(line, 6.0 * std::hypot(60.0, 43.0) + kHalfCircle * 9.0);
 }
 
@@ -85,7 +84,7 @@ TEST(Sheet, NothingLeavesItsArea) {
   Sheet part = drawing.sheet.part({20, 30, 40, 20});
   part.disc({0.0, 0.0}, 200.0, kBlack);
   part.text(-20.0, -5.0, "outside", 30, kBlack);
-  part.line({-50.0, 5.0}, {500.0, 5.0}, 300.0, kBlack);
+  part.bar({-50.0, 5.0}, {500.0, 5.0}, 300.0, kBlack);
   EXPECT_EQ(drawing.ink(), 40.0 * 20.0);
   EXPECT_EQ(drawing.ink(20, 30, 60, 50), 40.0 * 20.0);
 }
@@ -94,23 +93,33 @@ TEST(Font, HasTheLettersOfUnits) {
   const auto drawn = [](const char* letter) {
     Drawing drawing;
     drawing.sheet.text(40.0, 40.0, letter, 20, kBlack);
-    return drawing.picture.image().rgb;
+    const auto bytes = drawing.picture.bytes();
+    return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
   };
-  const auto nothing = drawn(""), box = drawn("\U000FFFFF");
+  const auto nothing = drawn(""), box = drawn("\U0010FFFD");
   EXPECT_NE(box, nothing);
   for (const char* letter : {"µ", "×", "°", "▲", "Ω", "m"}) {
     EXPECT_NE(drawn(letter), nothing) << letter;
     EXPECT_NE(drawn(letter), box) << letter;
   }
   // Digits are of one width, so that readings stand still.
-  EXPECT_EQ(text_width("1111", 17, Weight::kRegular), text_width("8888", 17, Weight::kRegular));
+  const Sheet sheet = Drawing().sheet;
+  EXPECT_EQ(sheet.text_width("1111", 17), sheet.text_width("8888", 17));
 }
 
+// A byte that is none has the sign for it, and does not end the drawing.
 TEST(Font, ReadsUtf8) {
-  EXPECT_EQ(characters("aµ▲"), (std::vector<char32_t>{U'a', U'µ', U'▲'}));
-  EXPECT_EQ(characters("\xff"
-                       "a\xc2"),
-            (std::vector<char32_t>{0xFFFD, U'a', 0xFFFD}));
+  const auto drawn = [](const char* words) {
+    Drawing drawing;
+    drawing.sheet.text(10.0, 40.0, words, 20, kBlack);
+    drawing.sheet.disc({80.0, 80.0}, 10.0, kBlack);
+    return drawing.picture;
+  };
+  EXPECT_TRUE(same(drawn("\xff"
+                         "a\xc2"),
+                   drawn("\uFFFDa\uFFFD")));
+  EXPECT_TRUE(same(drawn("\xef\xbf\xbf"), drawn("\uFFFD\uFFFD\uFFFD"))) << "U+FFFF";
+  EXPECT_FALSE(same(drawn("aµ"), drawn("a\uFFFD")));
 }
 
 TEST(Unrolled, ABounceOfThreeMicrometresIsSeen) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "renders/mujoco_errors.h"
 #include "tests/renders/samples.h"
 
 namespace rotorub::renders {
@@ -15,25 +14,24 @@ const Color kRed{1.0F, 0.0F, 0.0F};
 bool red(int r, int g, int b) { return r > 100 && g < 80 && b < 80; }
 
 // A picture of what `draw` puts before a camera that looks along -X: Y to the right, Z up.
-Image picture(const std::vector<Mesh>& meshes,
-              const std::function<void(const Stage&, Canvas&)>& draw) {
+Picture picture_of(const std::vector<Mesh>& meshes, const std::function<void(Canvas&)>& draw) {
   const MujocoErrors errors;
   Stage stage({kSize, kSize, 0, {1.0F, 1.0F, 1.0F}}, meshes);
-  SceneBuffer scene(stage.model());
   View view;
   view.position = {50.0, 0.0, 0.0};
   view.half_height = 1.0;
   view.depth = 2.0;
-  set_view(*scene, view);
-  set_lights(*scene, {-1.0, 0.0, 0.0}, 0.4F);
-  Canvas canvas(*scene);
-  draw(stage, canvas);
-  stage.begin_picture();
-  return stage.render(*scene);
+  set_view(stage.scene(), view);
+  set_lights(stage.scene(), {-1.0, 0.0, 0.0}, 0.4F);
+  Canvas canvas = stage.canvas();
+  draw(canvas);
+  Picture picture(kSize, kSize);
+  stage.render(picture, {0, 0, kSize, kSize});
+  return picture;
 }
 
 TEST(Stage, UpIsUpAndRightIsRight) {
-  const Image shown = picture({}, [](const Stage&, Canvas& canvas) {
+  const Picture shown = picture_of({}, [](Canvas& canvas) {
     canvas.sphere({0.0, 0.5, 0.3}, 0.1, kRed);
   });
   const Found ball = find(shown, red);
@@ -44,13 +42,13 @@ TEST(Stage, UpIsUpAndRightIsRight) {
 }
 
 TEST(Stage, ArrowReachesFromEndToEnd) {
-  const Image shown = picture({}, [](const Stage&, Canvas& canvas) {
+  const Picture shown = picture_of({}, [](Canvas& canvas) {
     canvas.arrow({0.0, -0.6, 0.0}, {0.0, 0.6, 0.0}, 0.05, kRed);
   });
   int first = kSize, last = 0;
   for (int row = 0; row < kSize; ++row) {
     for (int column = 0; column < kSize; ++column) {
-      const std::uint8_t* p = shown.pixel(column, row);
+      const auto p = shown.pixel(column, row);
       if (!red(p[0], p[1], p[2])) continue;
       first = std::min(first, column);
       last = std::max(last, column);
@@ -65,18 +63,16 @@ TEST(Stage, MeshIsDrawnAsItWasGiven) {
   // must be undone.
   const std::vector<Mesh> meshes{ring_mesh("quarter", {0.4, 0.8, 0.05, 0.0, 1.5707963, 24})};
   const auto drawn = [&](const Eigen::Matrix3d& axes) {
-    return picture(meshes, [&](const Stage& stage, Canvas& canvas) {
-      stage.draw_mesh(canvas, 0, {0.0, 0.0, 0.0}, axes, kRed);
-    });
+    return picture_of(meshes, [&](Canvas& canvas) { canvas.mesh(0, {0.0, 0.0, 0.0}, axes, kRed); });
   };
-  const Image upright = drawn(Eigen::Matrix3d::Identity());
+  const Picture upright = drawn(Eigen::Matrix3d::Identity());
   const int half = kSize / 2;
   const int inside = find(upright, half, 0, kSize, half, red).count;
   EXPECT_NEAR(inside, 0.25 * 3.14159 * (0.64 - 0.16) * kPixelsPerUnit * kPixelsPerUnit, 120);
   EXPECT_LT(find(upright, red).count - inside, 60);  // nothing beyond the quarter but its rim
 
   // Turned a quarter about X, from Y towards Z: now the upper left one.
-  const Image turned =
+  const Picture turned =
       drawn(Eigen::AngleAxisd(1.5707963, Eigen::Vector3d::UnitX()).toRotationMatrix());
   EXPECT_NEAR(find(turned, 0, 0, half, half, red).count, inside, 120);
 }

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "renders/machine_view.h"
-#include "renders/mujoco_errors.h"
 #include "renders/palette.h"
+#include "renders/stage.h"
 #include "tests/renders/samples.h"
 
 namespace rotorub::renders {
@@ -20,7 +20,7 @@ Machine machine_of(const scene::Scene& scene) {
   const Trajectory run = resting_run({});
   const Playback playback(run);
   const std::array<const Playback*, 1> runs = {&playback};
-  return make_machine(scene, {}, runs, 0.0, 0.1, 40.0);
+  return make_machine(scene, runs, 0.0, 0.1, 40.0);
 }
 
 // Bodies of one colour whose axis lies across the shaft at 45 degrees, as that of a strut.
@@ -29,13 +29,12 @@ int struts(const scene::Scene& scene, const Color& color) {
   std::vector<Mesh> meshes;
   const MachineView view(machine_of(scene), meshes);
   Stage stage({64, 64, 0, {1.0F, 1.0F, 1.0F}}, meshes);
-  SceneBuffer buffer(stage.model());
   const Trajectory run = resting_run({});
   const Playback playback(run);
-  view.draw(stage, *buffer, instant_at(playback, 0.05, {}, {}), nullptr);
+  view.draw(stage.canvas(), instant_at(playback, 0.05, {}, {}), nullptr);
   int count = 0;
-  for (int k = 0; k < (*buffer).ngeom; ++k) {
-    const mjvGeom& geom = (*buffer).geoms[k];
+  for (int k = 0; k < stage.scene().ngeom; ++k) {
+    const mjvGeom& geom = stage.scene().geoms[k];
     const double y = std::abs(static_cast<double>(geom.mat[5]));  // the third column: the axis
     const double z = std::abs(static_cast<double>(geom.mat[8]));
     const bool colored = geom.rgba[0] == color.red && geom.rgba[1] == color.green;

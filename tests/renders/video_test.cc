@@ -36,10 +36,10 @@ std::string bytes(const std::filesystem::path& file) {
   return out.str();
 }
 
-Image plain(int width, int height, std::uint8_t value) {
-  return {width, height,
-          std::vector<std::uint8_t>(
-              3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value)};
+Picture grey(int width, int height) {
+  Picture picture(width, height);
+  Sheet(picture, {0, 0, width, height}).fill(0.0, 0.0, width, height, {0.5F, 0.5F, 0.5F});
+  return picture;
 }
 
 RenderOptions short_film() {
@@ -158,7 +158,7 @@ TEST(Video, EncoderThatFailsAtTheEndIsNoticed) {
   std::filesystem::permissions(tools / "bin/ffmpeg", std::filesystem::perms::owner_all);
   const Path path((tools / "bin").string());
   VideoFile video(folder / "film.mp4", 64, 64, {});
-  for (int i = 0; i < 3; ++i) video.add(plain(64, 64, 128));
+  for (int i = 0; i < 3; ++i) video.add(grey(64, 64));
   try {
     video.finish();
     FAIL() << "the failure of the encoder was not noticed";
@@ -180,7 +180,7 @@ TEST(Video, EncoderThatHangsIsEnded) {
     encoding.patience = 0.5;
     VideoFile video(folder / "film.mp4", 640, 480, encoding);
     try {
-      for (int i = 0; i < 10; ++i) video.add(plain(640, 480, 128));  // more than a socket holds
+      for (int i = 0; i < 10; ++i) video.add(grey(640, 480));  // more than a socket holds
       video.finish();
       FAIL() << "waited for an encoder that hangs";
     } catch (const std::runtime_error& error) {
@@ -231,15 +231,19 @@ TEST(Video, GifHasItsFramesAndSize) {
 
 TEST(Video, StillKeepsEveryPixel) {
   const Folder folder;
-  Image picture = plain(6, 4, 10);
-  picture.rgb[0] = 250;  // red in the upper left corner
-  write_picture(picture, folder / "still.png");
+  Picture picture = grey(6, 4);
+  Sheet(picture, {0, 0, 1, 1}).fill(0.0, 0.0, 1.0, 1.0, {0.9F, 0.0F, 0.0F});  // upper left corner
+  picture.write(folder / "still.png");
   EXPECT_EQ(folder.entries(), 1u);
   const std::string command = "ffmpeg -v error -i '" + (folder / "still.png").string() +
                               "' -f rawvideo -pix_fmt rgb24 '" + (folder / "raw").string() + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
   const std::string raw = bytes(folder / "raw");
-  EXPECT_EQ(std::vector<std::uint8_t>(raw.begin(), raw.end()), picture.rgb);
+  std::string pixels;
+  for (int k = 0; k < 6 * 4; ++k) {
+    for (const std::uint8_t part : picture.pixel(k % 6, k / 6)) pixels += static_cast<char>(part);
+  }
+  EXPECT_EQ(raw, pixels);
 }
 
 TEST(Video, StillBeforeWhatAFilmShowsByDefault) {

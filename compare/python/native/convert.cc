@@ -1,10 +1,12 @@
 #include "compare/python/native/convert.h"
 
 #include <fmt/format.h>
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -60,6 +62,14 @@ std::filesystem::path path_of(const py::object& scene) {
   return py::module_::import("os").attr("fspath")(scene).cast<std::string>();
 }
 
+py::array_t<double> array_of(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+py::object parsed_json(const std::string& text) {
+  return py::module_::import("json").attr("loads")(text);
+}
+
 // numpy's words for numbers.
 py::object words_of(const std::vector<std::string>& words, const std::vector<int>& which) {
   const py::module_ numpy = py::module_::import("numpy");
@@ -80,6 +90,22 @@ py::dict series_dict(const Trajectory& t) {
   return all;
 }
 
+// A member, or what a function says, of each element.
+template <class List, class Value>
+py::array_t<double> column_of(const List& list, Value value) {
+  std::vector<double> values;
+  for (const auto& element : list) values.push_back(std::invoke(value, element));
+  return array_of(values);
+}
+
+// From 1 on, where there are several.
+template <class List>
+void add_contact(py::dict& all, const Trajectory& t, const List& list) {
+  if (t.contacts > 1) {
+    all["contact"] = column_of(list, [](const auto& element) { return element.contact + 1.0; });
+  }
+}
+
 py::dict impacts_dict(const Trajectory& t) {
   static constexpr double Impact::*kMembers[] = {&Impact::t,
                                                  &Impact::normal_impulse,
@@ -91,50 +117,28 @@ py::dict impacts_dict(const Trajectory& t) {
                                                  &Impact::energy_change};
   py::dict all;
   std::size_t k = 0;
-  for (const ColumnMeaning& column : impact_columns(false)) {
-    std::vector<double> values;
-    for (const Impact& impact : t.impacts) values.push_back(impact.*kMembers[k]);
-    all[py::str(std::string(column.name))] = array_of(values);
-    ++k;
-  }
-  if (t.contacts < 2) return all;
-  std::vector<double> contacts;
-  for (const Impact& impact : t.impacts) contacts.push_back(impact.contact + 1.0);
-  all["contact"] = array_of(contacts);
+  for (const ColumnMeaning& column : impact_columns(false))
+    all[py::str(std::string(column.name))] = column_of(t.impacts, kMembers[k++]);
+  add_contact(all, t, t.impacts);
   return all;
 }
 
 py::dict events_dict(const Trajectory& t) {
-  std::vector<double> times;
   std::vector<int> which;
-  for (const Event& event : t.events) {
-    times.push_back(event.t);
-    which.push_back(static_cast<int>(event.kind));
-  }
+  for (const Event& event : t.events) which.push_back(static_cast<int>(event.kind));
   std::vector<std::string> words;
   for (const EventKind kind : {EventKind::kImpact, EventKind::kSlide, EventKind::kStick,
                                EventKind::kLiftOff, EventKind::kReverse}) {
     words.emplace_back(to_string(kind));
   }
   py::dict all;
-  all["t"] = array_of(times);
+  all["t"] = column_of(t.events, &Event::t);
   all["event"] = words_of(words, which);
-  if (t.contacts < 2) return all;
-  std::vector<double> contacts;
-  for (const Event& event : t.events) contacts.push_back(event.contact + 1.0);
-  all["contact"] = array_of(contacts);
+  add_contact(all, t, t.events);
   return all;
 }
 
 }  // namespace
-
-py::array_t<double> array_of(const std::vector<double>& values) {
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
-py::object parsed_json(const std::string& text) {
-  return py::module_::import("json").attr("loads")(text);
-}
 
 std::vector<std::string> overrides_of(const py::object& changes) {
   std::vector<std::string> all;
@@ -196,13 +200,11 @@ py::dict points_dict(const std::vector<sweep::PointResult>& points) {
   const py::module_ numpy = py::module_::import("numpy");
   py::dict all;
   std::vector<std::string> statuses, reasons;
-  std::vector<double> numbers;
   for (const sweep::PointResult& p : points) {
-    numbers.push_back(static_cast<double>(p.point));
     statuses.push_back(p.status);
     reasons.push_back(p.reason);
   }
-  all["point"] = array_of(numbers);
+  all["point"] = column_of(points, [](const auto& p) { return static_cast<double>(p.point); });
   all["status"] = numpy.attr("array")(statuses, "str");
   all["reason"] = numpy.attr("array")(reasons, "str");
   for (const sweep::ResultColumn& column : sweep::result_columns()) {
@@ -212,12 +214,10 @@ py::dict points_dict(const std::vector<sweep::PointResult>& points) {
       all[column.name] = numpy.attr("array")(words, "str");
       continue;
     }
-    std::vector<double> values;
-    for (const auto& p : points) {
+    all[column.name] = column_of(points, [&](const sweep::PointResult& p) {
       const auto value = p.figures ? column.number(*p.figures) : std::nullopt;
-      values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
-    }
-    all[column.name] = array_of(values);
+      return value.value_or(std::numeric_limits<double>::quiet_NaN());
+    });
   }
   return all;
 }

@@ -1,7 +1,6 @@
 // Between Python's values and ours.
 #pragma once
 
-#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <functional>
@@ -32,8 +31,5 @@ pybind11::dict run_dict(const scene::Scene& scene, const Trajectory& trajectory)
 
 // {"point", ..., figures}: arrays in the order of the points; NaN and "" where there is none.
 pybind11::dict points_dict(const std::vector<sweep::PointResult>& points);
-
-pybind11::array_t<double> array_of(const std::vector<double>& values);
-pybind11::object parsed_json(const std::string& text);
 
 }  // namespace rotorub::python

@@ -6,13 +6,15 @@
 #include <pybind11/stl.h>
 
 #include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/base/version.h"
 #include "compare/engine/engine.h"
-#include "compare/python/native/background.h"
 #include "compare/python/native/convert.h"
 #include "compare/sweep/batch_run.h"
 #include "compare/sweep/point_scene.h"
@@ -41,6 +43,26 @@ Words with_run(const py::object& overrides, const py::object& step, const py::ob
   if (!end.is_none()) run["run.end"] = end;
   for (std::string& text : overrides_of(run)) all.push_back(std::move(text));
   return all;
+}
+
+// work(interrupt) on a thread of its own without Python's lock, so that other threads of Python run
+// meanwhile; its exception is thrown on. KeyboardInterrupt where a signal came.
+template <class Result>
+Result in_background(const std::function<Result(const std::atomic<bool>&)>& work) {
+  constexpr std::chrono::milliseconds kLook{50};  // a signal is Python's to handle, on this thread
+  std::atomic<bool> interrupt{false};
+  bool raised = false;
+  auto result = std::async(std::launch::async, [&] { return work(interrupt); });
+  {
+    const py::gil_scoped_release free;
+    while (result.wait_for(kLook) != std::future_status::ready) {
+      const py::gil_scoped_acquire lock;
+      if (interrupt || PyErr_CheckSignals() == 0) continue;
+      raised = interrupt = true;
+    }
+  }
+  if (raised) throw py::error_already_set();
+  return result.get();
 }
 
 // While it lives a scene's library may be opened, or not.

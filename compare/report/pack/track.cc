@@ -5,10 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/report/base64.h"
-#include "compare/report/pack/whole_numbers.h"
+#include "compare/report/plot_points.h"
 
 namespace rotorub {
+
 namespace {
 
 using Integers = std::vector<std::int64_t>;
@@ -36,16 +36,12 @@ double largest(const std::vector<std::vector<double>>& columns) {
   return most;
 }
 
-std::int64_t whole_ticks(double t, double start, double tick) {
-  return std::llround((t - start) / tick);
-}
-
 // The samples as whole numbers, and what a reader would make of any two of them as neighbours.
 class Quantised {
  public:
   Quantised(TrackKind kind, const Samples& samples, const Track& track)
       : kind_(kind), samples_(samples), track_(track) {
-    for (const double t : samples.t) ticks_.push_back(whole_ticks(t, track.start, track.tick));
+    for (const double t : samples.t) ticks_.push_back(std::llround((t - track.start) / track.tick));
     for (const auto& column : samples.value) values_.push_back(whole(column, track.quantum));
     for (const auto& column : samples.rate) rates_.push_back(whole(column, track.rate_quantum));
   }
@@ -130,6 +126,18 @@ std::vector<std::size_t> knots_of(TrackKind kind, const Quantised& q, std::size_
 
 }  // namespace
 
+void put_column(const std::vector<std::int64_t>& numbers, std::string& bytes) {
+  std::int64_t before = 0;
+  for (const std::int64_t number : numbers) {
+    const std::int64_t difference = number - before;
+    before = number;
+    auto rest = (static_cast<std::uint64_t>(difference) << 1) ^
+                static_cast<std::uint64_t>(difference >> 63);
+    for (; rest >= 128; rest >>= 7) bytes += static_cast<char>(0x80 | (rest & 0x7f));
+    bytes += static_cast<char>(rest);
+  }
+}
+
 const char* to_string(TrackKind kind) {
   switch (kind) {
     case TrackKind::kLinear:
@@ -172,39 +180,6 @@ nlohmann::json track_json(const Track& track) {
           {"start", track.start},          {"tick", track.tick},
           {"quantum", track.quantum},      {"rate_quantum", track.rate_quantum},
           {"data", base64(track.bytes)}};
-}
-
-UnpackedTrack::UnpackedTrack(const Track& track)
-    : kind_(track.kind), floored_(track.floored), start_(track.start), tick_(track.tick) {
-  std::size_t at = 0;
-  ticks_ = take_column(track.bytes, at, track.knots);
-  const auto columns = [&](double quantum) {
-    std::vector<std::vector<double>> all(track.components);
-    for (auto& column : all) {
-      for (const std::int64_t n : take_column(track.bytes, at, track.knots)) {
-        column.push_back(static_cast<double>(n) * quantum);
-      }
-    }
-    return all;
-  };
-  value_ = columns(track.quantum);
-  if (kind_ == TrackKind::kHermite) rate_ = columns(track.rate_quantum);
-}
-
-double UnpackedTrack::at(double t, std::size_t component) const {
-  if (ticks_.empty()) return 0.0;
-  const std::int64_t now = whole_ticks(t, start_, tick_);
-  const auto& y = value_[component];
-  const auto after = std::upper_bound(ticks_.begin(), ticks_.end(), now);
-  if (after == ticks_.begin()) return y.front();
-  const auto i = static_cast<std::size_t>(after - ticks_.begin()) - 1;
-  if (kind_ == TrackKind::kHold || i + 1 == ticks_.size()) return y[i];
-  const auto h = static_cast<double>(ticks_[i + 1] - ticks_[i]);
-  const double s = static_cast<double>(now - ticks_[i]) / h;
-  if (kind_ == TrackKind::kLinear) return (1.0 - s) * y[i] + s * y[i + 1];
-  const double between =
-      hermite(y[i], rate_[component][i], y[i + 1], rate_[component][i + 1], h * tick_, s);
-  return floored_ ? lifted(between, y[i], y[i + 1]) : between;
 }
 
 }  // namespace rotorub

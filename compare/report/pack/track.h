@@ -54,21 +54,7 @@ Track pack(TrackKind kind, const Samples& samples, bool floored = false);
 // (bytes in base 64).
 nlohmann::json track_json(const Track& track);
 
-// The knots of a track, and what lies between: the reader's side, for tests; tracks.js is the
-// page's.
-class UnpackedTrack {
- public:
-  explicit UnpackedTrack(const Track& track);
-  // Of a component; t is clamped to the knots' range. At a jump the value after it. 0 without
-  // knots.
-  double at(double t, std::size_t component) const;
-
- private:
-  TrackKind kind_;
-  bool floored_;
-  double start_, tick_;
-  std::vector<std::int64_t> ticks_;
-  std::vector<std::vector<double>> value_, rate_;
-};
+// Appends a column of whole numbers (see Track::bytes).
+void put_column(const std::vector<std::int64_t>& numbers, std::string& bytes);
 
 }  // namespace rotorub

@@ -1,4 +1,4 @@
-// The log-log plots of a bench as plotly takes them, from a scene's series (precision_plots.h).
+// The log-log plots of a bench as plotly takes them, from a scene's series (bench_page.h).
 import {axes, css, layout, short} from './style.js';
 
 // One colour a family's engine, one dash a setting.

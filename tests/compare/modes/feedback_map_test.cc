@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "compare/modes/control_text.h"
-#include "compare/report/feedback_map_page.h"
+#include "compare/report/linear_maps.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"
 

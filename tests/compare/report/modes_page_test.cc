@@ -37,19 +37,13 @@ scene::Scene jeffcott() {
   return s;
 }
 
-std::vector<WhirlBranch> branches_of(const RotorAnalysis& analysis) {
-  return whirl_branches(analysis.system, even_speeds(kRange, kSpeeds));
+Campbell campbell_of_test(const scene::Scene& s) {
+  RotorAnalysis analysis = analyse_rotor(s, {});
+  auto branches = whirl_branches(analysis.system, even_speeds(kRange, kSpeeds));
+  return {std::move(analysis), kRange, std::move(branches)};
 }
-
-json plots_of(const scene::Scene& s) {
-  const RotorAnalysis analysis = analyse_rotor(s, {});
-  return modes_plots(s, analysis, kRange, branches_of(analysis));
-}
-
-std::string page_of(const scene::Scene& s) {
-  const RotorAnalysis analysis = analyse_rotor(s, {});
-  return modes_page(s, analysis, kRange, branches_of(analysis));
-}
+json plots_of(const scene::Scene& s) { return modes_plots(s, campbell_of_test(s)); }
+std::string page_of(const scene::Scene& s) { return modes_page(s, campbell_of_test(s)); }
 
 // Between two strings.
 std::string part(const std::string& text, const std::string& from, const std::string& to) {

@@ -15,10 +15,13 @@
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/columns.h"
 #include "native_model/trajectory/recorder.h"
+#include "tests/compare/report/unpacked_track.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
+
+using test::UnpackedTrack;
 
 constexpr double kRound = 1.0 + 1e-9;
 

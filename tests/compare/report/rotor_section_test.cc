@@ -1,4 +1,4 @@
-#include "compare/report/rotor_section.h"
+#include "compare/report/modes_page.h"
 
 #include <gtest/gtest.h>
 

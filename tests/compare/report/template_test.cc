@@ -1,10 +1,10 @@
-#include "compare/report/template.h"
+#include "compare/report/page_frame.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "compare/report/base64.h"
+#include "compare/report/plot_points.h"
 
 namespace rotorub {
 namespace {

@@ -1,4 +1,4 @@
-#include "compare/report/thin.h"
+#include "compare/report/plot_points.h"
 
 #include <gtest/gtest.h>
 

@@ -8,10 +8,13 @@
 #include <limits>
 #include <random>
 
-#include "compare/report/pack/whole_numbers.h"
+#include "tests/compare/report/unpacked_track.h"
 
 namespace rotorub {
 namespace {
+
+using test::take_column;
+using test::UnpackedTrack;
 
 using Values = std::vector<double>;
 

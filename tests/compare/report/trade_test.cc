@@ -1,6 +1,6 @@
 // The report's figures beyond series: what control trades, the characteristics, the laws of each
 // impact.
-#include "compare/report/trade.h"
+#include "compare/report/page_values.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "compare/report/characteristics.h"
 #include "compare/report/plots.h"
+#include "compare/report/rig_values.h"
 #include "compare/study/scene_comparison.h"
 #include "native_model/scene/reader.h"
 
@@ -83,8 +83,9 @@ TEST(ImpactPlots, LieOnTheLawsThatTheyAreOf) {
                 1e-4 * impacts["y"][k].get<double>());
   }
   std::string kinds;
-  for (const ShownPlot& plot : plot_kinds(shown_runs(c)))
-    kinds += std::string(plot.kind->key) + ":" + plot.kind->over + " ";
+  const nlohmann::json live = live_values(shown_runs(c));
+  for (const nlohmann::json& plot : live.at("plots"))
+    kinds += plot.at("key").get<std::string>() + ":" + plot.at("over").get<std::string>() + " ";
   EXPECT_NE(kinds.find("friction_law:law"), std::string::npos) << kinds;
   EXPECT_NE(kinds.find("motor:path"), std::string::npos) << kinds;
   EXPECT_EQ(kinds.find("actuator:"), std::string::npos) << kinds;

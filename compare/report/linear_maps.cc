@@ -1,0 +1,268 @@
+#include "compare/report/linear_maps.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "compare/base/format.h"
+#include "compare/base/units.h"
+#include "compare/modes/control_text.h"
+#include "compare/modes/rub_analysis.h"
+#include "compare/report/assets.h"
+#include "compare/report/page_frame.h"
+#include "compare/report/plot_points.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using rub::FeedbackMap;
+using rub::FeedbackPoint;
+using rub::RubKind;
+using rub::RubMap;
+using rub::RubPoint;
+using rub::StandingRub;
+
+template <class Point>
+struct MapFigure {
+  const char *name, *unit, *meaning;
+  bool word, is_signed;
+  json (*value)(const Point&);
+};
+
+template <class Point, std::size_t count>
+json figures_json(const MapFigure<Point> (&figures)[count]) {
+  return list_of(figures, [](const MapFigure<Point>& f) -> json {
+    return {{"name", f.name}, {"unit", f.unit}, {"meaning", f.meaning},
+            {"word", f.word}, {"linear", true}, {"signed", f.is_signed}};
+  });
+}
+
+// A grid over the spin speed and the second key, whose values are shown as they are.
+template <class Point, std::size_t count, class Map>
+json map_plots(const Map& map, const char* second, const char* unit,
+               const std::vector<double>& values, const MapFigure<Point> (&figures)[count]) {
+  const auto key = [](const char* name, const char* of, json shown) -> json {
+    return {{"name", name}, {"unit", of}, {"even", true}, {"log", false}, {"values", shown}};
+  };
+  json columns(count, json::array()), places = {json::array(), json::array()};
+  json status = json::array();
+  for (std::size_t i = 0; i < map.speeds.size(); ++i) {
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      places[0].push_back(i);
+      places[1].push_back(j);
+      status.push_back(0);
+      for (std::size_t k = 0; k < count; ++k) columns[k].push_back(figures[k].value(map.at(i, j)));
+    }
+  }
+  return {{"kind", "grid"},
+          {"keys",
+           {key("spin speed", "Hz", rounded_list(map.speeds, kHz)),
+            key(second, unit, rounded_list(values))}},
+          {"figures", figures_json(figures)},
+          {"values", places},
+          {"columns", columns},
+          {"status", status},
+          {"statuses", {"ok"}},
+          {"every", 1}};
+}
+
+struct MapPage {
+  std::string topic, heading, lead;  // words above the maps
+  std::string option;                // of rotorub modes
+  std::vector<std::string> maps;     // the figure that each map shows first
+};
+
+// rule: null, or {"rows": [{"speed", "feedback", "from", "to", "decay", "force", "note"}], "keys"}.
+std::string map_page(const scene::Scene& scene, const MapPage& map, const json& cards,
+                     const json& plots, const json& rule) {
+  json values = page_frame({scene.name, map.topic, map.heading}, {{"maps", {plots}}});
+  values["lead"] = map.lead;
+  values["option"] = map.option;
+  values["maps"] = figure_choices(map.maps);
+  values["cards"] = cards;
+  values["figures"] = plots.at("figures");
+  values["rule"] = rule;
+  values["text"] = scene.text;
+  return fill_page(map_page_html(), values);
+}
+
+// Null for none, and for what is not finite.
+json shown(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? json(rounded(*value)) : json(nullptr);
+}
+
+// -------------------------------------------------------------------- rubs that last
+template <RubKind kind, class Value>
+json of_leading(const RubPoint& point, Value value) {
+  const StandingRub* leading = point.leading(kind);
+  return leading ? shown(value(*leading)) : json(nullptr);
+}
+
+double growth(const StandingRub& r) { return r.stability.growth; }
+double pair_frequency(const StandingRub& r) { return r.stability.frequency * kHz; }
+double force(const StandingRub& r) { return r.rub.normal_force; }
+double whirl(const StandingRub& r) { return r.rub.whirl * kHz; }
+
+constexpr MapFigure<RubPoint> kRubFigures[] = {
+    {kLinearAttractors, "", "what is stable by its eigenvalues, and so may coexist", true, false,
+     [](const RubPoint& p) { return json(attractors_text(p.attractors())); }},
+    {kLinearGrowth, "1/s", "synchronous rub, of its least stable pair: below 0 it is stable", false,
+     true, [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, growth); }},
+    {"linear: rub, frequency", "Hz", "synchronous rub, of that pair, seen from the turning frame",
+     false, false,
+     [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, pair_frequency); }},
+    {"linear: rub, normal force", "N", "synchronous rub", false, false,
+     [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, force); }},
+    {"linear: whip, growth rate", "1/s",
+     "backward whip that slips, load left out: below 0 it is stable", false, true,
+     [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, growth); }},
+    {"linear: whip, whirl", "Hz", "backward whip, its speed", false, false,
+     [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, whirl); }},
+    {"linear: whip, normal force", "N", "backward whip", false, false,
+     [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, force); }},
+    {"linear: rolling, normal force", "N", "backward rolling at the spin's pace, load left out",
+     false, false, [](const RubPoint& p) { return of_leading<RubKind::kRolling>(p, force); }},
+    {"linear: free orbit", "", "of the clearance, without contact", false, false,
+     [](const RubPoint& p) { return p.orbit ? shown(*p.orbit / p.clearance) : json(nullptr); }},
+};
+
+// How much of the map each attractor holds, and how much has none.
+json cards_of(const RubMap& map) {
+  std::array<int, 16> met{};
+  for (const RubPoint& point : map.points) ++met[point.attractors()];
+  const auto share = [&](int count) {
+    return fmt::format("{:.3g} %", 100.0 * count / static_cast<double>(map.points.size()));
+  };
+  const auto of = [&](unsigned bit) {
+    int all = 0;
+    for (unsigned k = 0; k < met.size(); ++k) all += k & bit ? met[k] : 0;
+    return share(all);
+  };
+  return {
+      card("Synchronous rub stable", "", of(rub::kForcedRub),
+           "the rotor slides round in step with its load"),
+      card("Backward whip stable", "", of(rub::kBackwardWhip), "it slides round against the spin"),
+      card("Rolling possible", "", of(rub::kRollingRub),
+           "once there, it rolls round against the spin, and presses hard"),
+      card("Nothing stable but rolling", "", share(met[0] + met[rub::kRollingRub]),
+           "a rotor that does not roll bounces for ever")};
+}
+
+// -------------------------------------------------------------------- feedback that calms them
+constexpr const char* kGrowth = "rub, growth rate";
+constexpr const char* kForce = "rub, normal force";
+
+constexpr MapFigure<FeedbackPoint> kFeedbackFigures[] = {
+    {kGrowth, "1/s", "of its least stable pair: below 0 it is stable", false, true,
+     [](const FeedbackPoint& p) { return p.forced ? shown(p.forced->growth) : json(nullptr); }},
+    {"rub, frequency", "Hz", "of that pair, seen from the turning frame", false, false,
+     [](const FeedbackPoint& p) {
+       return p.forced ? shown(kHz * p.forced->frequency) : json(nullptr);
+     }},
+    {kForce, "N", "of the forced rub", false, false,
+     [](const FeedbackPoint& p) { return shown(p.normal_force); }},
+    {"beside it", "", "what is stable beside the forced rub: the start decides", true, false,
+     [](const FeedbackPoint& p) { return json(p.whip ? "whip or rolling" : "nothing"); }},
+};
+
+json rule_rows(const FeedbackMap& map) {
+  json rows = json::array();
+  const auto rule = map.rule();
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const FeedbackPoint* p = rule[i] ? rule[i]->point : nullptr;
+    const auto number = [&](auto value) { return p ? short_number(value()) : std::string(); };
+    rows.push_back({{"speed", short_number(kHz * map.speeds[i])},
+                    {"feedback", number([&] { return p->feedback; })},
+                    {"from", number([&] { return rule[i]->from; })},
+                    {"to", number([&] { return rule[i]->to; })},
+                    {"decay", number([&] { return -p->forced->growth; })},
+                    {"force", number([&] { return *p->normal_force; })},
+                    {"note", !p        ? "no forced rub is stable"
+                             : p->whip ? "beside a whip"
+                                       : ""}});
+  }
+  return rows;
+}
+
+json cards_of(const FeedbackMap& map) {
+  const auto rule = map.rule();
+  const bool zero = map.feedbacks.front() == 0.0;
+  std::size_t calm = 0, without = 0;
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const auto& forced = map.at(i, 0).forced;
+    calm += rule[i].has_value();
+    without += forced && forced->stable;
+  }
+  const auto speeds = [&](std::size_t n) {
+    return fmt::format("at {} of {} speeds", n, rule.size());
+  };
+  json cards = {card("Some k makes the forced rub stable", "", speeds(calm),
+                     "where no such rub lasts, or no k calms it, there is none")};
+  if (zero) {
+    cards.push_back(card("It is stable without feedback", "", speeds(without),
+                         "there feedback only makes it decay faster"));
+  }
+  return cards;
+}
+
+}  // namespace
+
+json rub_figures() { return figures_json(kRubFigures); }
+
+std::vector<json> rub_values(const RubPoint& point) {
+  std::vector<json> values;
+  for (const auto& f : kRubFigures) values.push_back(f.value(point));
+  return values;
+}
+
+json figure_choices(const std::vector<std::string>& first) {
+  constexpr std::array kWhich = {"first", "second", "third", "fourth"};
+  json maps = json::array();
+  for (const std::string& name : first)
+    maps.push_back({{"first", name}, {"which", kWhich.at(maps.size())}});
+  return maps;
+}
+
+json rub_map_plots(const RubMap& map) {
+  return map_plots(map, "friction", "", map.frictions, kRubFigures);
+}
+
+json feedback_map_plots(const FeedbackMap& map) {
+  return map_plots(map, "feedback k", "N s/m", map.feedbacks, kFeedbackFigures);
+}
+
+std::string rub_map_page(const scene::Scene& scene, const RubMap& map) {
+  return map_page(
+      scene,
+      {"lasting rubs",
+       "Which rubs last, and where?",
+       "Steady rubs of rotor and ring over spin speed and friction, each judged by the eigenvalues "
+       "of its small perturbations with contact kept. The spin is held, and each load keeps its "
+       "ratio to it. Where several are stable, the start decides; where only rolling is, a rotor "
+       "that does not roll bounces. A stable rub may still be out of reach: these maps know "
+       "nothing of impacts.",
+       "--rub-map",
+       {kLinearAttractors, kLinearGrowth}},
+      cards_of(map), rub_map_plots(map), nullptr);
+}
+
+std::string feedback_map_page(const scene::Scene& scene, const FeedbackMap& map) {
+  return map_page(
+      scene,
+      {"cross-coupled feedback",
+       "Which feedback calms the rub?",
+       "The forced rub of the scene's friction with the force u = -k e_z x q' on the ring, q' the "
+       "ring's velocity, in its closed loop, over spin speed and k: judged by the eigenvalues of "
+       "its small perturbations with contact kept. The rule is the k under which it decays "
+       "fastest.",
+       "--feedback-map",
+       {kGrowth, kForce}},
+      cards_of(map), feedback_map_plots(map),
+      {{"rows", rule_rows(map)}, {"keys", feedback_keys(map)}});
+}
+
+}  // namespace rotorub
