@@ -1,5 +1,5 @@
 // The bodies of a generated MJCF: rotor with the modal chain, branch of the modes with a node at
-// the contact, ring.
+// the contact, ring; and the ghosts of the shadow.
 #pragma once
 
 #include <vector>
@@ -25,5 +25,9 @@ std::vector<int> order_beside_the_rotor(const Model& model);
 
 // Radius of the drawn disc at an auxiliary bearing, m.
 double drawn_radius(const scene::Scene& scene, std::size_t bearing = 0);
+
+// The ghosts: bodies that show where the shadow has rotor and ring. The plugin
+// moves them; without it they rest at the start. They take no part in the motion.
+void write_ghosts(XmlWriter& xml, const scene::Scene& scene, const Model& model);
 
 }  // namespace rotorub

@@ -11,7 +11,6 @@
 
 #include "compare/engine/step_watch.h"
 #include "native_model/control/command_record.h"
-#include "native_model/scene/contact_models.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 

@@ -1,6 +1,6 @@
 // The <pair> of each contact model, in the terms of either MuJoCo: before 3.9 seen below margin and
 // solved below margin - gap, since then seen below margin + gap and solved below margin.
-#include "mjcf/contact_pair.h"
+#include "mjcf/soft_contact.h"
 
 #include <gtest/gtest.h>
 

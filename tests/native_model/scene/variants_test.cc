@@ -1,11 +1,9 @@
-#include "native_model/scene/variants.h"
+#include "native_model/scene/reader.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
-
-#include "native_model/scene/reader.h"
 
 namespace rotorub::scene {
 namespace {
