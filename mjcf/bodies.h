@@ -17,6 +17,9 @@ void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model,
 void write_beside_the_rotor(XmlWriter& xml, const scene::Scene& scene, const Model& model,
                             const MujocoVersion& target);
 
+// The visible disc of the rotor at an auxiliary bearing, and what stands for it in the contact.
+void write_rotor_disc(XmlWriter& xml, const scene::Scene& scene, std::size_t bearing);
+
 // Index in q of each of MuJoCo's coordinates: chain, branch, ring, integrator. The layout's own
 // order where there is no branch.
 std::vector<int> joint_order(const Model& model);

@@ -15,6 +15,12 @@
 namespace rotorub {
 namespace {
 
+using namespace std::chrono_literals;
+constexpr auto kPatience = 2s;  // shorter work shows nothing
+constexpr auto kRefresh = 100ms;
+constexpr auto kLine = 30s;  // off a terminal
+constexpr int kWidth = 28;
+
 std::string_view variable(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
@@ -33,16 +39,6 @@ int columns_of(std::FILE* stream) {
   if (ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
   return static_cast<int>(kTerminalWidth);
 }
-
-namespace {
-
-using namespace std::chrono_literals;
-constexpr auto kPatience = 2s;  // shorter work shows nothing
-constexpr auto kRefresh = 100ms;
-constexpr auto kLine = 30s;  // off a terminal
-constexpr int kWidth = 28;
-
-}  // namespace
 
 std::string progress_bar(double share, double seconds, const std::string& what, int columns) {
   share = std::clamp(share, 0.0, 1.0);

@@ -103,30 +103,6 @@ rotorub compare rotor.toml \-o report
 .fi
 )";
 
-}  // namespace
-
-std::string man_page(const ProgramText& program) {
-  std::string title = program.name;
-  std::transform(title.begin(), title.end(), title.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  std::string text =
-      fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", title, program.version);
-  text += ".SH NAME\n" + program.name + " \\- " + printed(program.description) +
-          "\n.SH SYNOPSIS\n" + bold(program.name) + " [" + bold("--help") + " | " +
-          bold("--version") + "]\n";
-  for (const CommandText& command : program.commands) text += synopsis(program.name, command);
-  text += ".SH OPTIONS\n";
-  for (const OptionText& option : program.options) text += option_entry(option);
-  text += ".SH COMMANDS\n";
-  for (const CommandText& command : program.commands) {
-    text += ".SS " + command.name + "\n" + printed(command.description) + ".\n";
-    for (const OptionText& option : command.options) text += option_entry(option);
-  }
-  return text + kExitStatus + kRest;
-}
-
-namespace {
-
 std::string joined(const std::vector<std::string>& words, const char* between) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
@@ -167,6 +143,26 @@ std::string option_branch(const CommandText& command) {
 }
 
 }  // namespace
+
+std::string man_page(const ProgramText& program) {
+  std::string title = program.name;
+  std::transform(title.begin(), title.end(), title.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::string text =
+      fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", title, program.version);
+  text += ".SH NAME\n" + program.name + " \\- " + printed(program.description) +
+          "\n.SH SYNOPSIS\n" + bold(program.name) + " [" + bold("--help") + " | " +
+          bold("--version") + "]\n";
+  for (const CommandText& command : program.commands) text += synopsis(program.name, command);
+  text += ".SH OPTIONS\n";
+  for (const OptionText& option : program.options) text += option_entry(option);
+  text += ".SH COMMANDS\n";
+  for (const CommandText& command : program.commands) {
+    text += ".SS " + command.name + "\n" + printed(command.description) + ".\n";
+    for (const OptionText& option : command.options) text += option_entry(option);
+  }
+  return text + kExitStatus + kRest;
+}
 
 std::string bash_completion(const ProgramText& program) {
   std::vector<std::string> commands, options;
