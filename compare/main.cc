@@ -14,12 +14,10 @@
 #include "compare/base/version.h"
 #include "compare/commands/command.h"
 #include "compare/commands/command_line.h"
-#include "compare/commands/help_format.h"
-#include "compare/commands/interrupt.h"
 #include "compare/engine/engine.h"
 #include "compare/run_files/run_directory.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 #include "native_model/trajectory/output.h"
 
 namespace {
@@ -97,7 +95,7 @@ int rotorub_main(int argc, char** argv) {
       "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a "
       "native rigid-contact model",
       "rotorub");
-  program.formatter(std::make_shared<HelpFormat>());  // before its commands: they take it over
+  set_help_format(program);  // before its commands: they take it over
   program.set_version_flag("--version", version_line());
   program.require_subcommand(1);
   const std::vector<Command> commands{

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mjcf/names.h"
+#include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
 namespace {
@@ -26,14 +27,27 @@ constexpr const char* kMasslessAside =
 constexpr double kThickness = 0.15;
 constexpr double kRadiusWithoutContact = 0.02;
 
+// Wafers over the drawn faces, in terms of the disc's radius: the rotor's face is at 0.15 and its
+// mark ends at 0.1575, the ring's face is at 0.135.
+constexpr double kOverRotor = 0.165, kOverRing = 0.142, kHalf = 0.003;
+
+void write_ghost(XmlWriter& xml, const char* name, const Eigen::Vector3d& at, double radius,
+                 double half, const char* colour) {
+  xml.open(
+      fmt::format(R"(<body name="{}" mocap="true" pos="{} {} {}">)", name, at.x(), at.y(), at.z()));
+  xml.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
+                       R"(conaffinity="0" group="1" rgba="{}"/>)",
+                       name, radius, half, colour));
+  xml.close("body");
+}
+
 class Bodies {
  public:
   Bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model, const MujocoVersion& target)
       : xml_(xml),
         scene_(scene),
         model_(model),
-        massless_(target < MujocoVersion{3, 0, 0} ? kMassless : kMasslessAside),
-        radius_(drawn_radius(scene)) {}
+        massless_(target < MujocoVersion{3, 0, 0} ? kMassless : kMasslessAside) {}
 
   void write() {
     rotor();
@@ -97,25 +111,11 @@ class Bodies {
   }
 
   void rotor() {
-    const double r = radius_, half = kThickness * radius_;
     bending_joints(1.0);
     if (model_.layout.spin) joint(names::kSpinJoint, "hinge", "0 0 1", model_.layout.phi());
     torsion_joints(1.0);
     open_moving_body(names::kRotor);
-    xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
-                          R"(conaffinity="0" group="1" rgba="0.72 0.74 0.78 1"/>)",
-                          names::kRotor, r, half));
-    // A mark that shows the spin.
-    xml_.line(fmt::format(R"(<geom name="rotor_mark" type="box" pos="{} 0 {}" size="{} {} {}" )"
-                          R"(mass="0" contype="0" conaffinity="0" group="1" )"
-                          R"(rgba="0.85 0.3 0.1 1"/>)",
-                          0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half));
-    if (scene_.first().contact) {
-      // Stands for the disc in the pair; its size is of no meaning.
-      xml_.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
-                            R"(conaffinity="0" group="4"/>)",
-                            names::kRotorContact, 0.1 * r));
-    }
+    write_rotor_disc(xml_, scene_, 0);
     close_moving_body();
   }
 
@@ -195,12 +195,29 @@ class Bodies {
   const scene::Scene& scene_;
   const Model& model_;
   const char* massless_;
-  double radius_;                    // m, of the drawn disc
   std::vector<std::string> joints_;  // of the next moving body
   int open_bodies_ = 0;
 };
 
 }  // namespace
+
+void write_rotor_disc(XmlWriter& xml, const scene::Scene& scene, std::size_t bearing) {
+  const double r = drawn_radius(scene, bearing), half = kThickness * r;
+  const auto named = [bearing](const char* name) { return names::of_bearing(bearing, name); };
+  xml.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
+                       R"(conaffinity="0" group="1" rgba="0.72 0.74 0.78 1"/>)",
+                       named(names::kRotor), r, half));
+  // A mark that shows the spin.
+  xml.line(fmt::format(R"(<geom name="{}" type="box" pos="{} 0 {}" size="{} {} {}" )"
+                       R"(mass="0" contype="0" conaffinity="0" group="1" )"
+                       R"(rgba="0.85 0.3 0.1 1"/>)",
+                       named("rotor_mark"), 0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half));
+  if (!scene.auxiliary[bearing].contact) return;
+  // Stands for the disc in the pair; its size is of no meaning.
+  xml.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
+                       R"(conaffinity="0" group="4"/>)",
+                       named(names::kRotorContact), 0.1 * r));
+}
 
 void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model,
                   const MujocoVersion& target) {
@@ -246,6 +263,19 @@ std::vector<int> order_beside_the_rotor(const Model& model) {
 double drawn_radius(const scene::Scene& scene, std::size_t bearing) {
   const auto& contact = scene.auxiliary[bearing].contact;
   return contact ? contact->radius : kRadiusWithoutContact;
+}
+
+void write_ghosts(XmlWriter& xml, const scene::Scene& scene, const Model& model) {
+  const double r = drawn_radius(scene);
+  const auto over = [](const Eigen::Vector2d& centre, double z) {
+    return Eigen::Vector3d(centre.x(), centre.y(), z);
+  };
+  write_ghost(xml, names::kGhostRotor, over(rotor_point(model, model.q0.data()), kOverRotor * r), r,
+              kHalf * r, "0.95 0.6 0.1 0.3");
+  if (!model.layout.stator) return;
+  const double clearance = scene.first().contact ? scene.first().contact->clearance : 0.0;
+  write_ghost(xml, names::kGhostRing, over(ring_centre(model, model.q0.data()), kOverRing * r),
+              r + clearance, kHalf * r, "0.95 0.6 0.1 0.15");
 }
 
 }  // namespace rotorub

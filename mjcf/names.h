@@ -10,7 +10,7 @@ namespace rotorub::mjcf_names {
 
 // <custom><text>
 inline constexpr const char* kSceneText = "rotorub_scene";      // the scene's TOML
-inline constexpr const char* kContactText = "rotorub_contact";  // scene/contact_models.h
+inline constexpr const char* kContactText = "rotorub_contact";  // scene/scene.h
 
 // <custom> of a user's own model (plugin/own/own_config.h): texts, then numerics
 inline constexpr const char* kOwnMark = "rotorub_";  // in every name of ours in <custom>

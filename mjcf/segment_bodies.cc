@@ -115,20 +115,7 @@ void SegmentRotor::write_spinning(XmlWriter& xml, std::size_t k) const {
                        s.from - s.node, s.to - s.node, radius, kDrawn));
   for (std::size_t i = 0; i < scene_.auxiliary.size(); ++i) {
     const auto& contact = scene_.auxiliary[i].contact;
-    if (!contact || !here(contact->station)) continue;
-    // The visible disc at the contact, with a mark that shows the spin, and the geom of the pair.
-    const double r = drawn_radius(scene_, i), half = 0.15 * r;
-    const auto named = [i](const char* name) { return names::of_bearing(i, name); };
-    xml.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" {} )"
-                         R"(rgba="0.72 0.74 0.78 1"/>)",
-                         named(names::kRotor), r, half, kDrawn));
-    xml.line(fmt::format(R"(<geom name="{}" type="box" pos="{} 0 {}" size="{} {} {}" {} )"
-                         R"(rgba="0.85 0.3 0.1 1"/>)",
-                         named("rotor_mark"), 0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half,
-                         kDrawn));
-    xml.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
-                         R"(conaffinity="0" group="4"/>)",
-                         named(names::kRotorContact), 0.1 * r));
+    if (contact && here(contact->station)) write_rotor_disc(xml, scene_, i);
   }
   for (const scene::Disc& disc : geometry.discs) {
     if (!here(disc.z)) continue;
@@ -176,8 +163,12 @@ void SegmentRotor::write_bearing(XmlWriter& xml, std::size_t index) const {
   }
 }
 
-Eigen::VectorXd SegmentRotor::interleaved(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
-                                          const Eigen::VectorXd& spin) const {
+Eigen::VectorXd SegmentRotor::of_nodes(const Eigen::VectorXd& modal, double rigid_spin) const {
+  const Layout& l = model_.layout;
+  const Eigen::VectorXd spin =
+      (matrices_.shape_torsion * modal.segment(l.theta(), l.torsion)).array() + rigid_spin;
+  const Eigen::VectorXd x = matrices_.shape_x * modal.segment(l.x(), l.modes);
+  const Eigen::VectorXd y = matrices_.shape_y * modal.segment(l.y(), l.modes);
   Eigen::VectorXd all(2 * x.size() + spin.size());
   all.head<2>() << x[0], y[0];
   for (Eigen::Index k = 0; k < spin.size(); ++k) {
@@ -187,21 +178,9 @@ Eigen::VectorXd SegmentRotor::interleaved(const Eigen::VectorXd& x, const Eigen:
 }
 
 Eigen::VectorXd SegmentRotor::start_position() const {
-  const Layout& l = model_.layout;
-  const Eigen::VectorXd& q = model_.q0;
-  const Eigen::VectorXd spin =
-      (matrices_.shape_torsion * q.segment(l.theta(), l.torsion)).array() + model_.spin_angle;
-  return interleaved(matrices_.shape_x * q.segment(l.x(), l.modes),
-                     matrices_.shape_y * q.segment(l.y(), l.modes), spin);
+  return of_nodes(model_.q0, model_.spin_angle);
 }
 
-Eigen::VectorXd SegmentRotor::start_velocity() const {
-  const Layout& l = model_.layout;
-  const Eigen::VectorXd& v = model_.v0;
-  const Eigen::VectorXd spin =
-      (matrices_.shape_torsion * v.segment(l.theta(), l.torsion)).array() + model_.speed;
-  return interleaved(matrices_.shape_x * v.segment(l.x(), l.modes),
-                     matrices_.shape_y * v.segment(l.y(), l.modes), spin);
-}
+Eigen::VectorXd SegmentRotor::start_velocity() const { return of_nodes(model_.v0, model_.speed); }
 
 }  // namespace rotorub

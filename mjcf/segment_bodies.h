@@ -38,8 +38,8 @@ class SegmentRotor {
   void write_carrier(XmlWriter& xml, std::size_t k) const;
   void write_spinning(XmlWriter& xml, std::size_t k) const;
   void write_bearing(XmlWriter& xml, std::size_t index) const;
-  Eigen::VectorXd interleaved(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
-                              const Eigen::VectorXd& spin) const;
+  // A state of the modes in the order of MuJoCo's coordinates.
+  Eigen::VectorXd of_nodes(const Eigen::VectorXd& modal, double rigid_spin) const;
 
   const scene::Scene& scene_;
   const Model& model_;

@@ -7,6 +7,8 @@
 //   zeta > 1:  e = exp(-zeta/s ln((zeta+s)/(zeta-s))),  s = sqrt(zeta^2-1);   zeta = 1: e^-2.
 #pragma once
 
+#include "mjcf/mujoco_version.h"
+#include "native_model/contact/friction.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
@@ -43,5 +45,18 @@ SoftContact soft_contact(double restitution, double step, double stiffness = 0.0
 // with which an impact at v goes kConeDepth of the clearance deep.
 SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step);
 inline constexpr double kConeDepth = 0.005;
+
+// Attributes of the <pair> of a rub, as each of the plugin's contact models sets it.
+struct ContactPair {
+  int condim = 1;         // 3: MuJoCo's own friction cone
+  double friction = 0.0;  // mu, of both tangential directions; those of torsion and rolling are 0
+  SoftContact soft;       // solref is (-K, -B), solimp (d, d, 0.001)
+  double margin = 0.0;    // m, of `target`
+  double gap = 0.0;       // m, of `target`
+};
+
+// clearance: m, > 0; friction: mu >= 0. Nobody but `cone` has friction in MuJoCo's contact.
+ContactPair contact_pair(scene::ContactModel model, double clearance, const FrictionLaw& friction,
+                         const SoftContact& soft, const MujocoVersion& target);
 
 }  // namespace rotorub

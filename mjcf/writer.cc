@@ -7,14 +7,12 @@
 #include <string_view>
 
 #include "mjcf/bodies.h"
-#include "mjcf/contact_pair.h"
-#include "mjcf/ghosts.h"
 #include "mjcf/names.h"
 #include "mjcf/segment_bodies.h"
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
 #include "native_model/rotor/refusal.h"
-#include "native_model/scene/contact_models.h"
+#include "native_model/scene/scene.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/model_checks.h"

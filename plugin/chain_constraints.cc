@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "native_model/scene/contact_models.h"
+#include "native_model/scene/scene.h"
 #include "plugin/mujoco_derivatives.h"
 #include "plugin/mujoco_versions.h"
 

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "mjcf/names.h"
-#include "native_model/scene/contact_models.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/scene.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/model_checks.h"

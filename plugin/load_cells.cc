@@ -8,7 +8,7 @@
 
 #include "native_model/contact/coupled_law.h"
 #include "native_model/contact/kinematics.h"
-#include "native_model/scene/contact_models.h"
+#include "native_model/scene/scene.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
 #include "plugin/contact/axial_motion.h"

@@ -9,7 +9,7 @@
 
 #include "compare/bench/event_engine.h"
 #include "compare/peers/peers.h"
-#include "native_model/scene/old_words.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::bench {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "compare/base/format.h"
 #include "compare/base/json.h"
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::check {
 namespace {

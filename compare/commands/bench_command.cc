@@ -15,8 +15,7 @@
 #include "compare/bench/scene_bench.h"
 #include "compare/bench/table.h"
 #include "compare/commands/command.h"
-#include "compare/commands/interrupt.h"
-#include "compare/commands/progress.h"
+#include "compare/commands/terminal.h"
 #include "compare/report/bench_page.h"
 #include "compare/report/beside.h"
 #include "native_model/scene/reader.h"
@@ -56,21 +55,13 @@ bench::SceneReader reader_of(const BenchArguments& options, const std::string& f
 
 // Whatever is wrong with any scene is said before an hour is spent on the first.
 void check_scenes(const BenchArguments& options) {
-  std::vector<scene::Diagnostic> wrong;
-  for (const std::string& file : options.scenes) {
-    try {
-      const scene::Scene scene = read_scene(file, options);
-      if (!scene.first().contact) {
-        throw UsageError(
-            fmt::format("{}: levels of error are shares of contact.clearance; accepted is a scene "
-                        "with [contact]",
-                        file));
-      }
-    } catch (const scene::SceneError& error) {
-      wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
-    }
-  }
-  if (!wrong.empty()) throw scene::SceneError(wrong);
+  read_each(options.scenes, [&](const std::string& file) {
+    if (read_scene(file, options).first().contact) return;
+    throw UsageError(
+        fmt::format("{}: levels of error are shares of contact.clearance; accepted is a scene "
+                    "with [contact]",
+                    file));
+  });
 }
 
 void write_results(const BenchArguments& options, const bench::Machine& machine,
@@ -127,26 +118,19 @@ Command add_bench_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "bench", "Speed against error: every engine on a ladder of steps, timed in turns");
   app->add_option("SCENE", options->scenes, "Scene files (.toml)")->required();
-  app->add_option("--engines", options->engines,
-                  "Engines or families (native, mujoco, peer), separated by commas (default: all)")
-      ->type_name("LIST");
-  app->add_option(
-         "--steps", options->steps,
-         "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 us to "
-         "1 us)")
-      ->type_name("LIST");
-  app->add_option(
-         "--tolerances", options->tolerances,
-         "Tolerances of `event`, separated by commas (default: decades from 1e-4 to 1e-12)")
-      ->type_name("LIST");
-  app->add_option("--repeats", options->repeats, "Timed runs of each point")
-      ->type_name("N")
+  add_value(*app, "--engines", options->engines, "LIST",
+            "Engines or families (native, mujoco, peer), separated by commas (default: all)");
+  add_value(*app, "--steps", options->steps, "LIST",
+            "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 us to "
+            "1 us)");
+  add_value(*app, "--tolerances", options->tolerances, "LIST",
+            "Tolerances of `event`, separated by commas (default: decades from 1e-4 to 1e-12)");
+  add_value(*app, "--repeats", options->repeats, "N", "Timed runs of each point")
       ->capture_default_str();
-  app->add_option("-o,--output", options->folder,
-                  "Writes bench.json and the page bench.html there, with stability map and "
-                  "restitution table (hundreds of runs more)")
-      ->type_name("DIR");
-  app->add_option("--end", options->end, "End of the run, e.g. 0.5s (run.end)")->type_name("TIME");
+  add_value(*app, "-o,--output", options->folder, "DIR",
+            "Writes bench.json and the page bench.html there, with stability map and "
+            "restitution table (hundreds of runs more)");
+  add_value(*app, "--end", options->end, "TIME", "End of the run, e.g. 0.5s (run.end)");
   add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run_bench(*options); }};

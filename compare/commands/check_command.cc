@@ -14,8 +14,6 @@
 #include "compare/check/output.h"
 #include "compare/check/scene_check.h"
 #include "compare/commands/command.h"
-#include "compare/commands/interrupt.h"
-#include "compare/commands/progress.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/beside.h"
 #include "native_model/control/library.h"
@@ -76,8 +74,7 @@ std::optional<CheckedScene> refused_scene(const std::string& file, const scene::
 // Whatever is wrong with any scene is said before the first is run.
 std::vector<CheckedScene> checked_scenes(const CheckArguments& options) {
   std::vector<CheckedScene> all;
-  std::vector<scene::Diagnostic> wrong;
-  for (const std::string& file : scene_files(options.places)) {
+  read_each(scene_files(options.places), [&](const std::string& file) {
     try {
       CheckedScene one{read_scene(file, options), {}, ""};
       const auto& controller = one.scene.first().controller;
@@ -86,14 +83,11 @@ std::vector<CheckedScene> checked_scenes(const CheckArguments& options) {
       one.rules = check::rules_of(one.scene);
       all.push_back(std::move(one));
     } catch (const scene::SceneError& error) {
-      if (auto refused = refused_scene(file, error)) {
-        all.push_back(std::move(*refused));
-        continue;
-      }
-      wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
+      auto refused = refused_scene(file, error);
+      if (!refused) throw;
+      all.push_back(std::move(*refused));
     }
-  }
-  if (!wrong.empty()) throw scene::SceneError(wrong);
+  });
   return all;
 }
 
@@ -142,9 +136,8 @@ Command add_check_command(CLI::App& program) {
   app->add_option("SCENE", options->places, "Scene files (.toml), or folders of them")
       ->required()
       ->type_name("SCENE|DIR");
-  app->add_option("-o,--output", options->folder,
-                  "Writes check.json there, as --json prints it, for `compare --with`")
-      ->type_name("DIR");
+  add_value(*app, "-o,--output", options->folder, "DIR",
+            "Writes check.json there, as --json prints it, for `compare --with`");
   add_allow_library_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run_check(*options); }};

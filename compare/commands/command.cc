@@ -1,25 +1,29 @@
 #include "compare/commands/command.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cassert>
+#include <csignal>
 #include <filesystem>
+#include <iostream>
 #include <set>
+#include <stdexcept>
 
 #include "native_model/control/library.h"
-#include "native_model/scene/contact_models.h"
-#include "native_model/scene/printable.h"
+#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/scene.h"
+#include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
+#include "native_model/trajectory/output.h"
 
 namespace rotorub {
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
-  command
-      .add_option("--set", options.overrides,
-                  "Override a value of the scene, e.g. contact.friction=0.2; may be repeated")
-      ->type_name("TABLE.KEY=VALUE")
+  add_value(command, "--set", options.overrides, "TABLE.KEY=VALUE",
+            "Override a value of the scene, e.g. contact.friction=0.2; may be repeated")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
@@ -28,16 +32,13 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 }
 
 void add_run_options(CLI::App& command, CommonOptions& options) {
-  command.add_option("--step", options.step, "Fixed step, e.g. 10us (run.step)")->type_name("TIME");
-  command.add_option("--end", options.end, "End of the run, e.g. 0.5s (run.end)")
-      ->type_name("TIME");
+  add_value(command, "--step", options.step, "TIME", "Fixed step, e.g. 10us (run.step)");
+  add_value(command, "--end", options.end, "TIME", "End of the run, e.g. 0.5s (run.end)");
 }
 
 void add_controller_option(CLI::App& command, CommonOptions& options) {
-  command
-      .add_option("--controller", options.controller,
-                  "Your own controller, a shared library, in the place of the scene's")
-      ->type_name("FILE.so")
+  add_value(command, "--controller", options.controller, "FILE.so",
+            "Your own controller, a shared library, in the place of the scene's")
       ->check(CLI::ExistingFile)
       ->each([](const std::string& file) { allow_library(std::filesystem::absolute(file)); });
   add_allow_library_option(command, options);
@@ -92,6 +93,19 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
     }
   }
   return scene;
+}
+
+void read_each(const std::vector<std::string>& files,
+               const std::function<void(const std::string&)>& read) {
+  std::vector<scene::Diagnostic> wrong;
+  for (const std::string& file : files) {
+    try {
+      read(file);
+    } catch (const scene::SceneError& error) {
+      wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
+    }
+  }
+  if (!wrong.empty()) throw scene::SceneError(wrong);
 }
 
 OwnRun own_run(const CommonOptions& options) {
@@ -149,9 +163,68 @@ void say_failure(const scene::Scene& scene, const std::string& what, const Traje
              to_string(trajectory.status), trajectory.end, trajectory.message);
 }
 
+void write_or_print(const std::string& file, const std::string& text) {
+  if (file.empty()) {
+    std::cout << text;
+  } else {
+    write_whole(file, text);
+  }
+}
+
 int exit_code_of(Status status) {
   if (status == Status::kOk) return kDone;
   return status == Status::kInterrupted ? kStopped : kFailed;
+}
+
+namespace {
+
+std::atomic<bool> interrupt_flag{false};
+std::atomic<int> caught_signal{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
+              "set in a signal handler");
+
+// s that a program asked to end by whoever does not look at it (SIGTERM, SIGHUP) has for it.
+constexpr unsigned kGrace = 20;
+
+extern "C" void on_alarm(int) { _exit(128 + caught_signal.load()); }
+
+extern "C" void on_interrupt(int signal) {
+  caught_signal.store(signal);
+  interrupt_flag.store(true);
+  if (signal == SIGINT) return;
+  std::signal(SIGALRM, on_alarm);
+  alarm(kGrace);
+}
+
+}  // namespace
+
+void catch_interrupts() {
+  struct sigaction action = {};
+  action.sa_handler = on_interrupt;
+  sigemptyset(&action.sa_mask);
+  // Not restarted: a blocking call ends. Once only: the second signal has its default effect.
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup stays
+  }
+}
+
+const std::atomic<bool>& interrupted() { return interrupt_flag; }
+
+int interrupting_signal() { return caught_signal.load(); }
+
+StoredRun stored_run(const std::string& folder) {
+  try {
+    StoredRun run = read_run(folder);
+    check_series(run.trajectory, folder + "/series.csv");
+    return run;
+  } catch (const scene::SceneError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw UsageError(error.what());
+  }
 }
 
 }  // namespace rotorub

@@ -1,6 +1,7 @@
 // What the subcommands share: exit codes, common options, and how they join the program.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "compare/hdf5/module.h"
 #include "compare/own/own_machine.h"
+#include "compare/run_files/run_directory.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -38,6 +40,12 @@ struct CommonOptions {
   bool json = false, quiet = false;
 };
 
+// An option with a value, which help calls `type`.
+template <typename App, typename Value>
+auto* add_value(App& command, const char* option, Value& value, const char* type,
+                const std::string& words) {
+  return command.add_option(option, value, words)->type_name(type);
+}
 // --set, --json, --quiet, and --step and --end.
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_run_options(CLI::App& command, CommonOptions& options);
@@ -53,6 +61,11 @@ hdf5::ImageOf hdf5_of(const std::string& format);
 std::vector<std::string> overrides_of(const CommonOptions& options);
 // The scene with all overrides applied, --step and --end last. Throws scene::SceneError.
 scene::Scene read_scene(const std::string& file, const CommonOptions& options);
+
+// Reads each of the files; throws one scene::SceneError with everything that is wrong in any of
+// them.
+void read_each(const std::vector<std::string>& files,
+               const std::function<void(const std::string&)>& read);
 
 // --step and --end for a machine of the user's own; throws UsageError for --set, which it has no
 // keys for.
@@ -87,9 +100,22 @@ Command add_tune_command(CLI::App& program);
 // The manual of the program itself: added last.
 Command add_manual_command(CLI::App& program);
 
+// To the file, or without one to standard output.
+void write_or_print(const std::string& file, const std::string& text);
 // The exit code for the status of a run.
 int exit_code_of(Status status);
 // On standard error why a run did not come to its end; `what`: which run of the scene, "shadow: ".
 void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory);
+
+// SIGINT, SIGTERM and SIGHUP as a flag that long work polls. From now on the first of them sets the
+// flag, the second of its kind ends the program, as 20 s do after a SIGTERM or SIGHUP. One that the
+// program was started to ignore stays ignored.
+void catch_interrupts();
+const std::atomic<bool>& interrupted();
+int interrupting_signal();  // 0: none yet
+
+// The run in a folder, as a command is given it. Throws UsageError for a folder that is none of a
+// run, or of a broken one: a mistake of who named it.
+StoredRun stored_run(const std::string& folder);
 
 }  // namespace rotorub

@@ -2,30 +2,58 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <numeric>
+#include <memory>
+#include <string_view>
 
-#include "native_model/scene/printable.h"
+#include "compare/base/format.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub {
 namespace {
 
-// Insertions, deletions and replacements from one to the other (Levenshtein).
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
+// A name and its words, which begin on the next line where the name is long.
+std::string entry(const std::string& name, const std::string& words) {
+  constexpr std::size_t kColumn = 26;  // where the words begin
+  std::string lead = fmt::format("  {:<{}}", name, kColumn - 2);
+  std::string before;
+  if (lead.size() > kColumn || lead.back() != ' ') {
+    before = wrapped("  ", name, 6);
+    lead.assign(kColumn, ' ');
   }
-  return row.back();
+  return before + wrapped(lead, words);
+}
+
+class HelpFormat : public CLI::Formatter {
+ public:
+  std::string make_description(const CLI::App* app) const override {
+    const std::string words = app->get_description();
+    return words.empty() ? words : wrapped("", words);
+  }
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    return entry(make_option_name(option, is_positional) + make_option_opts(option),
+                 make_option_desc(option));
+  }
+  std::string make_subcommand(const CLI::App* command) const override {
+    return entry(command->get_name(), command->get_description());
+  }
+};
+
+// The command that a word is a slip of, or the beginning of; empty: none.
+std::string_view meant(std::string_view word, const std::vector<std::string_view>& commands) {
+  const std::string_view near = scene::nearest(word, commands);
+  if (!near.empty() || word.size() < 2) return near;
+  const auto begun = std::find_if(commands.begin(), commands.end(), [&](std::string_view command) {
+    return command.starts_with(word);
+  });
+  return begun == commands.end() ? std::string_view() : *begun;
 }
 
 }  // namespace
+
+void set_help_format(CLI::App& program) { program.formatter(std::make_shared<HelpFormat>()); }
 
 std::vector<std::string> with_help(std::vector<std::string> arguments) {
   if (arguments.empty() || arguments[0] != "help") return arguments;
@@ -37,26 +65,15 @@ std::vector<std::string> with_help(std::vector<std::string> arguments) {
 
 std::string unknown_command(const std::vector<std::string>& arguments,
                             const std::vector<std::string>& commands) {
-  std::string all;
-  for (const std::string& command : commands) all += (all.empty() ? "" : ", ") + command;
+  const std::vector<std::string_view> words(commands.begin(), commands.end());
+  const std::string all = scene::join(words);
   if (arguments.empty()) return "no command given; accepted are " + all;
-  if (arguments[0].starts_with("-")) return {};
   const std::string& word = arguments[0];
-  if (std::find(commands.begin(), commands.end(), word) != commands.end()) return {};
-  std::string nearest;
-  std::size_t least = 3;  // more than two slips is another word
-  for (const std::string& command : commands) {
-    const std::size_t slips = distance(word.substr(0, 20), command);
-    const bool starts = word.size() > 1 && command.starts_with(word);
-    if (slips < least && slips < command.size()) {
-      least = slips;
-      nearest = command;
-    } else if (starts && nearest.empty()) {
-      nearest = command;
-    }
-  }
+  if (word.starts_with("-") || std::find(words.begin(), words.end(), word) != words.end())
+    return {};
+  const std::string_view near = meant(word, words);
   return fmt::format("{}: no such command{}; accepted are {}", scene::printable(word),
-                     nearest.empty() ? "" : fmt::format(", did you mean {}?", nearest), all);
+                     near.empty() ? "" : fmt::format(", did you mean {}?", near), all);
 }
 
 }  // namespace rotorub

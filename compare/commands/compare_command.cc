@@ -12,18 +12,15 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/compare_output.h"
-#include "compare/commands/films.h"
-#include "compare/commands/interrupt.h"
-#include "compare/commands/progress.h"
 #include "compare/commands/terminal.h"
-#include "compare/commands/tuning.h"
+#include "compare/commands/tune_command.h"
 #include "compare/measured/reader.h"
 #include "compare/own/own_machine.h"
 #include "compare/study/json.h"
 #include "compare/study/table.h"
-#include "native_model/scene/contact_models.h"
-#include "native_model/scene/printable.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/scene.h"
+#include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
 #include "native_model/trajectory/output.h"
 
@@ -71,15 +68,8 @@ Subject read_subject(const std::string& file, const CompareArguments& options) {
 // All of them, or one SceneError with everything that is wrong in any of the scenes.
 std::vector<Subject> read_subjects(const CompareArguments& options) {
   std::vector<Subject> subjects;
-  std::vector<scene::Diagnostic> wrong;
-  for (const std::string& file : options.scenes) {
-    try {
-      subjects.push_back(read_subject(file, options));
-    } catch (const scene::SceneError& error) {
-      wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
-    }
-  }
-  if (!wrong.empty()) throw scene::SceneError(wrong);
+  read_each(options.scenes,
+            [&](const std::string& file) { subjects.push_back(read_subject(file, options)); });
   for (std::size_t a = 0; a < subjects.size(); ++a) {
     for (std::size_t b = a + 1; b < subjects.size(); ++b) {
       if (subjects[a].scene.name == subjects[b].scene.name) {
@@ -278,51 +268,44 @@ Command add_compare_command(CLI::App& program) {
          "every onset of contact and predicts it)")
       ->check(CLI::IsMember({"lockstep", "replay", "resync"}))
       ->capture_default_str();
-  app->add_option("--tolerance", options->tolerance,
-                  "On the judged figures, as 1% or 0.01: averages (mean normal force, lasting "
-                  "contact, total impulse, friction work, "
-                  "whirl, spin, ring speed, control force; least gap where nothing touches) and "
-                  "single moments (largest impact or impulse, hard impacts, rms "
-                  "gap rate)")
-      ->type_name("SHARE")
+  add_value(*app, "--tolerance", options->tolerance, "SHARE",
+            "On the judged figures, as 1% or 0.01: averages (mean normal force, lasting "
+            "contact, total impulse, friction work, "
+            "whirl, spin, ring speed, control force; least gap where nothing touches) and "
+            "single moments (largest impact or impulse, hard impacts, rms "
+            "gap rate)")
       ->capture_default_str();
   app->add_option("--contact", options->contact, "Whose verdict is the exit code; all are shown")
       ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()))
       ->capture_default_str();
-  app->add_option("--twins", options->twins,
-                  "Runs a few units in the last place apart, of native and, where these scatter, "
-                  "of the contact model that decides: "
-                  "how well a difference is known")
-      ->type_name("N")
+  add_value(*app, "--twins", options->twins, "N",
+            "Runs a few units in the last place apart, of native and, where these scatter, "
+            "of the contact model that decides: "
+            "how well a difference is known")
       ->capture_default_str();
   app->add_flag("--modes-ladder,!--no-modes-ladder", options->modes_ladder,
                 "The error of the bending modes kept, by native runs with up to twice as many "
                 "(default: on; geometry form only)");
-  app->add_option("-o,--output", options->folder, "Folder of the results")
-      ->type_name("DIR")
+  add_value(*app, "-o,--output", options->folder, "DIR", "Folder of the results")
       ->capture_default_str();
-  app->add_option("--with", options->with,
-                  "Folder of results that the report shows too: of bench, check or sweep with -o, "
-                  "or a folder of such "
-                  "folders; may be repeated")
-      ->type_name("DIR")
+  add_value(*app, "--with", options->with, "DIR",
+            "Folder of results that the report shows too: of bench, check or sweep with -o, "
+            "or a folder of such "
+            "folders; may be repeated")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  app->add_option(
-         "--measured", options->measured,
-         "A measured run of the one scene, laid beside its runs: a table with a header, t and any "
-         "of rotor, ring, "
-         "gap, force, current, each with its unit, as `t [ms], rotor_x [um]` (compare/README.md)")
-      ->type_name("CSV");
-  app->add_option("--measured-shift", options->measured_shift,
-                  "Time added to the record's, as 12.5ms (default: found by least squares)")
-      ->type_name("TIME");
-  app->add_option("--measured-angle", options->measured_angle,
-                  "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: "
-                  "found where x and y are "
-                  "measured)")
-      ->type_name("ANGLE");
+  add_value(
+      *app, "--measured", options->measured, "CSV",
+      "A measured run of the one scene, laid beside its runs: a table with a header, t and any "
+      "of rotor, ring, "
+      "gap, force, current, each with its unit, as `t [ms], rotor_x [um]` (compare/README.md)");
+  add_value(*app, "--measured-shift", options->measured_shift, "TIME",
+            "Time added to the record's, as 12.5ms (default: found by least squares)");
+  add_value(*app, "--measured-angle", options->measured_angle, "ANGLE",
+            "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: "
+            "found where x and y are "
+            "measured)");
   add_format_option(*app, options->format);
   app->add_flag("--tune", options->tune,
                 "Finds the fastest setting that can be trusted for each scene (rotorub tune), and "

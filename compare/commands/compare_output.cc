@@ -1,16 +1,23 @@
 #include "compare/commands/compare_output.h"
 
+#include <fmt/format.h>
+
+#include <cctype>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "compare/base/columns.h"
 #include "compare/base/json.h"
+#include "compare/commands/command.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/study/column_files.h"
 #include "compare/study/json.h"
 #include "native_model/trajectory/output.h"
 #include "native_model/trajectory/recorder.h"
+#include "renders/film.h"
 
 namespace rotorub {
+
 using std::filesystem::path;
 
 void write_runs(const path& folder, const SceneComparison& comparison, hdf5::ImageOf hdf5) {
@@ -33,6 +40,97 @@ void write_report(const path& folder, const std::vector<SceneComparison>& compar
   write_whole(folder / "compare.json", json_text(comparisons_json(comparisons)));
   write_whole(folder / kColumnsFile, columns_text(compare_columns_json()));
   if (!pages.empty()) write_whole(folder / "report.html", report_page(pages, beside));
+}
+
+namespace {
+
+// Quickly made and looked at.
+renders::RenderOptions film_options() {
+  renders::RenderOptions options;
+  options.frames_per_second = 25.0;
+  options.duration = 6.0;
+  return options;
+}
+
+// From the folder of the page, quoted as a URL asks for it (RFC 3986).
+std::string link_to(const std::string& scene, const std::filesystem::path& file) {
+  std::string link;
+  for (const char c : scene + "/" + file.filename().string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain =
+        std::isalnum(byte) || std::string_view("-._~/").find(c) != std::string_view::npos;
+    link += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return link;
+}
+
+// One film to be made: the native run, or a run of MuJoCo beside the native one.
+struct Job {
+  const SceneComparison* comparison = nullptr;
+  std::size_t side = 0;
+  std::filesystem::path file;
+};
+
+std::vector<Job> jobs_of(const std::filesystem::path& folder,
+                         const std::vector<SceneComparison>& comparisons) {
+  std::vector<Job> jobs;
+  for (const SceneComparison& c : comparisons) {
+    for (std::size_t k = 0; k < c.sides.size(); ++k) {
+      if (c.sides[k].trajectory.status != Status::kOk) continue;
+      jobs.push_back({&c, k, folder / c.scene.name / (c.sides[k].label + ".mp4")});
+    }
+  }
+  return jobs;
+}
+
+std::string caption(const std::string& label, bool beside, const renders::Framing& framing) {
+  std::string slow = fmt::format("slowed down {:.3g} times", framing.clock.base());
+  if (!framing.clock.impacts().empty()) {
+    slow += fmt::format(", {:.3g} times at impacts", framing.clock.slowest());
+  }
+  return fmt::format("{}{}; {}, displacements magnified {:.3g} times", label,
+                     beside ? " beside native" : "", slow, framing.magnification);
+}
+
+// Scales are of all runs of the scene, so that its films can be compared with each other too.
+Film make(const Job& job, const std::function<void(double)>& progress) {
+  const SceneComparison& c = *job.comparison;
+  renders::RenderOptions options = film_options();
+  options.progress = progress;
+  const bool beside = job.side > 0 && c.sides[0].trajectory.status == Status::kOk;
+  if (beside) options.beside = &c.reference(job.side).trajectory;
+  for (const Side& side : c.sides) {
+    if (side.trajectory.status == Status::kOk) options.scaled_with.push_back(&side.trajectory);
+  }
+  const auto made = renders::render(c.scene, c.sides[job.side].trajectory, options, job.file);
+  return Film{link_to(c.scene.name, job.file),
+              caption(c.sides[job.side].label, beside, made.framing)};
+}
+
+}  // namespace
+
+std::vector<SceneFilms> write_films(const std::filesystem::path& folder,
+                                    const std::vector<SceneComparison>& comparisons,
+                                    const std::atomic<bool>& interrupt,
+                                    const std::function<void(double)>& progress) {
+  std::vector<SceneFilms> all(comparisons.size());
+  const std::vector<Job> jobs = jobs_of(folder, comparisons);
+  for (std::size_t k = 0; k < jobs.size() && !interrupt; ++k) {
+    SceneFilms& scene = all[static_cast<std::size_t>(jobs[k].comparison - comparisons.data())];
+    try {
+      scene.films.push_back(make(jobs[k], [&](double share) {
+        if (interrupt) throw Interrupted();
+        if (progress) {
+          progress((static_cast<double>(k) + share) / static_cast<double>(jobs.size()));
+        }
+      }));
+    } catch (const Interrupted&) {
+      break;
+    } catch (const std::exception& error) {
+      if (scene.failure.empty()) scene.failure = error.what();
+    }
+  }
+  return all;
 }
 
 }  // namespace rotorub

@@ -12,7 +12,7 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/starter/starter.h"
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
 #include "native_model/trajectory/output.h"
 
@@ -135,9 +135,8 @@ Command add_init_command(CLI::App& program) {
        "LENGTH");
   size("--friction", options->friction, "Coefficient (default: " + standard.friction.text + ")",
        "NUMBER");
-  app->add_option("-o,--output", options->file,
-                  "File, or - for standard output (default: NAME.toml)")
-      ->type_name("FILE.toml");
+  add_value(*app, "-o,--output", options->file, "FILE.toml",
+            "File, or - for standard output (default: NAME.toml)");
   app->add_flag("--force", options->force, "Write over a file that is there");
   app->add_flag("--json", options->json, "Print where it went as JSON, and nothing else");
   app->add_flag("--quiet,-q", options->quiet, "Print nothing but errors");

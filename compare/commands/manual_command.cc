@@ -2,14 +2,13 @@
 // it.
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 #include <string>
 
 #include "compare/base/version.h"
 #include "compare/commands/command.h"
 #include "compare/manual/program_text.h"
-#include "native_model/trajectory/output.h"
+#include "compare/manual/scene_schema.h"
 
 namespace rotorub {
 namespace {
@@ -79,16 +78,23 @@ ProgramText text_of(const CLI::App& program) {
 
 int write_manual(const CLI::App& program, const ManualArguments& options) {
   const ProgramText words = text_of(program);
-  const std::string text = options.kind == "bash" ? bash_completion(words) : man_page(words);
-  if (options.file.empty()) {
-    std::cout << text;
-  } else {
-    write_whole(options.file, text);
-  }
+  write_or_print(options.file, options.kind == "bash" ? bash_completion(words) : man_page(words));
   return kDone;
 }
 
 }  // namespace
+
+Command add_schema_command(CLI::App& program) {
+  auto file = std::make_shared<std::string>();
+  CLI::App* app = program.add_subcommand(
+      "schema",
+      "The tables and keys of a scene as a JSON schema, with which an editor completes and checks");
+  add_value(*app, "-o,--output", *file, "FILE.json", "File (default: standard output)");
+  return {app, [file] {
+            write_or_print(*file, scene_schema());
+            return kDone;
+          }};
+}
 
 Command add_manual_command(CLI::App& program) {
   auto options = std::make_shared<ManualArguments>();
@@ -96,8 +102,7 @@ Command add_manual_command(CLI::App& program) {
   app->add_option("KIND", options->kind, "man: the manual page; bash: the completion")
       ->check(CLI::IsMember({"man", "bash"}))
       ->capture_default_str();
-  app->add_option("-o,--output", options->file, "File (default: standard output)")
-      ->type_name("FILE");
+  add_value(*app, "-o,--output", options->file, "FILE", "File (default: standard output)");
   return {app, [options, &program] { return write_manual(program, *options); }};
 }
 

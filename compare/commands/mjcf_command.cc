@@ -51,11 +51,9 @@ Command add_mjcf_command(CLI::App& program) {
   auto options = std::make_shared<MjcfArguments>();
   CLI::App* app = program.add_subcommand("mjcf", "Write a scene as MuJoCo's XML");
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  app->add_option("-o,--output", options->file, "File (default: standard output)")
-      ->type_name("FILE");
-  app->add_option("--mujoco", options->mujoco,
-                  "MuJoCo that shall read it (default: " + to_string(built_for()) + ")")
-      ->type_name("VERSION");
+  add_value(*app, "-o,--output", options->file, "FILE", "File (default: standard output)");
+  add_value(*app, "--mujoco", options->mujoco, "VERSION",
+            "MuJoCo that shall read it (default: " + to_string(built_for()) + ")");
   add_common_options(*app, *options);
   return {app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);

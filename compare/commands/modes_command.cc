@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -13,9 +14,7 @@
 
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
-#include "compare/commands/interrupt.h"
-#include "compare/commands/progress.h"
-#include "compare/commands/ranges.h"
+#include "compare/commands/terminal.h"
 #include "compare/modes/control_text.h"
 #include "compare/modes/rub_map_text.h"
 #include "compare/modes/text.h"
@@ -39,6 +38,52 @@ struct ModesArguments : CommonOptions {
   std::string map_feedbacks;
   std::string map_speeds, map_frictions;  // FROM:TO:COUNT; empty: not given
 };
+
+// ---------------------------------------------------------------- values as FROM:TO:COUNT
+[[noreturn]] void refuse_range(const char* option, const std::string& text,
+                               const std::string& why) {
+  throw UsageError(fmt::format("{} {}: {}; accepted is FROM:TO:COUNT", option, text, why));
+}
+
+double value_of(const char* option, const std::string& all, const std::string& part,
+                const scene::Quantity& quantity) {
+  const auto parsed = scene::parse_quantity(part, quantity);
+  if (!parsed.error.empty()) refuse_range(option, all, parsed.error);
+  return parsed.value;
+}
+
+int count_of(const char* option, const std::string& all, const std::string& part) {
+  int count = 0;
+  const auto end = std::from_chars(part.data(), part.data() + part.size(), count);
+  if (end.ec != std::errc() || end.ptr != part.data() + part.size() || count < 2 || count > 1000) {
+    refuse_range(option, all, "COUNT is a whole number from 2 to 1000");
+  }
+  return count;
+}
+
+// count values, count >= 2, both ends among them.
+std::vector<double> even_values(double from, double to, int count) {
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) {
+    values.push_back(k + 1 == count ? to : from + (to - from) * k / (count - 1));
+  }
+  return values;
+}
+
+// SI. From 0 on, ascending, 2 to 1,000 values.
+std::vector<double> range_values(const char* option, const std::string& text,
+                                 const scene::Quantity& quantity) {
+  const std::size_t first = text.find(':'), last = text.rfind(':');
+  if (first == std::string::npos || first == last || text.find(':', first + 1) != last) {
+    refuse_range(option, text, "it has three parts");
+  }
+  const double from = value_of(option, text, text.substr(0, first), quantity);
+  const double to = value_of(option, text, text.substr(first + 1, last - first - 1), quantity);
+  const int count = count_of(option, text, text.substr(last + 1));
+  if (!(from >= 0.0) || !(to > from))
+    refuse_range(option, text, "FROM is 0 or more and TO above it");
+  return even_values(from, to, count);
+}
 
 double speed_of(const char* option, const std::string& text) {
   const auto parsed = scene::parse_quantity(text, scene::kSpin);
@@ -209,35 +254,30 @@ Command add_modes_command(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("modes", "Whirl frequencies, critical speeds and mode shapes");
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  app->add_option("--speed", options->speeds,
-                  "Spin speed, e.g. \"4000 rpm\"; may be repeated (default: rotor.speed)")
-      ->type_name("SPEED")
+  add_value(*app, "--speed", options->speeds, "SPEED",
+            "Spin speed, e.g. \"4000 rpm\"; may be repeated (default: rotor.speed)")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
   CLI::Option* page =
-      app->add_option("-o,--output", options->output,
-                      "Writes a page with Campbell diagram and mode shapes, or of the map: a file "
-                      "that ends with "
-                      ".html, or a folder for modes.html, rub_map.html or feedback_map.html")
-          ->type_name("DIR|FILE.html");
-  app->add_option("--up-to", options->up_to,
-                  "Highest spin speed of the Campbell diagram (default: to show what matters)")
-      ->type_name("SPEED")
+      add_value(*app, "-o,--output", options->output, "DIR|FILE.html",
+                "Writes a page with Campbell diagram and mode shapes, or of the map: a file "
+                "that ends with "
+                ".html, or a folder for modes.html, rub_map.html or feedback_map.html");
+  add_value(*app, "--up-to", options->up_to, "SPEED",
+            "Highest spin speed of the Campbell diagram (default: to show what matters)")
       ->needs(page);
   CLI::Option* map = app->add_flag("--rub-map", options->rub_map,
                                    "A map over spin speed and friction: which lasting rubs are "
                                    "stable. Each load keeps its ratio to the spin");
-  app->add_option(
-         "--speeds", options->map_speeds,
-         "Spin speeds of the map, e.g. 10Hz:100Hz:40 (default: 60 from 0.2 to 2 times rotor.speed)")
-      ->type_name("FROM:TO:COUNT");
+  add_value(
+      *app, "--speeds", options->map_speeds, "FROM:TO:COUNT",
+      "Spin speeds of the map, e.g. 10Hz:100Hz:40 (default: 60 from 0.2 to 2 times rotor.speed)");
   CLI::Option* feedback = app->add_flag("--feedback-map", options->feedback_map,
                                         "Which cross-coupled feedback of the ring calms the forced "
                                         "rub, by its eigenvalues: a rule for k(Omega)");
-  app->add_option("--feedbacks", options->map_feedbacks,
-                  "Values of k of that map, e.g. 0:4000:81, N s/m")
-      ->type_name("FROM:TO:COUNT")
+  add_value(*app, "--feedbacks", options->map_feedbacks, "FROM:TO:COUNT",
+            "Values of k of that map, e.g. 0:4000:81, N s/m")
       ->needs(feedback);
   app->add_flag("--state-space", options->state_space,
                 "The plant of a controller as JSON: A, B, C of rotor and ring without contact, "
@@ -246,9 +286,8 @@ Command add_modes_command(CLI::App& program) {
       ->excludes(feedback)
       ->excludes(map);
   feedback->excludes(map);
-  app->add_option("--frictions", options->map_frictions,
-                  "Coefficients of friction of the map (default: 0.025:0.5:20)")
-      ->type_name("FROM:TO:COUNT")
+  add_value(*app, "--frictions", options->map_frictions, "FROM:TO:COUNT",
+            "Coefficients of friction of the map (default: 0.025:0.5:20)")
       ->needs(map);
   add_common_options(*app, *options);
   return {app, [options] {

@@ -10,11 +10,10 @@
 
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
-#include "compare/commands/stored_run.h"
 #include "compare/report/page.h"
 #include "compare/run_files/run_directory.h"
 #include "native_model/control/library.h"
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
@@ -67,8 +66,7 @@ Command add_plot_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("plot", "The page of a run: plots and a live player");
   app->add_option("RUN_DIR", options->folder, "Folder of a run, as `rotorub run -o DIR` wrote it")
       ->required();
-  app->add_option("-o,--output", options->file, "File (default: RUN_DIR/plot.html)")
-      ->type_name("FILE.html");
+  add_value(*app, "-o,--output", options->file, "FILE.html", "File (default: RUN_DIR/plot.html)");
   add_common_options(*app, *options);
   return {app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);

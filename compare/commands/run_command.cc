@@ -14,8 +14,6 @@
 #include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
-#include "compare/commands/interrupt.h"
-#include "compare/commands/progress.h"
 #include "compare/commands/terminal.h"
 #include "compare/engine/engine.h"
 #include "compare/metrics/above_modes.h"
@@ -23,9 +21,8 @@
 #include "compare/run_files/summary.h"
 #include "compare/study/table.h"
 #include "native_model/rotor/contact_mass.h"
-#include "native_model/scene/contact_models.h"
-#include "native_model/scene/old_words.h"
-#include "native_model/scene/printable.h"
+#include "native_model/scene/scene.h"
+#include "native_model/scene/text.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
@@ -148,9 +145,8 @@ Command add_run_command(CLI::App& program) {
   app->add_option("--contact", options->contact, "Of MuJoCo: how it solves the contact")
       ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()));
   add_run_options(*app, *options);
-  app->add_option("-o,--output", options->folder,
-                  "Folder of the results (default: runs/<scene>-<engine>)")
-      ->type_name("DIR");
+  add_value(*app, "-o,--output", options->folder, "DIR",
+            "Folder of the results (default: runs/<scene>-<engine>)");
   add_format_option(*app, options->format);
   add_controller_option(*app, *options);
   add_common_options(*app, *options);

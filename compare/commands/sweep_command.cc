@@ -14,8 +14,7 @@
 #include "compare/base/columns.h"
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
-#include "compare/commands/interrupt.h"
-#include "compare/commands/progress.h"
+#include "compare/commands/terminal.h"
 #include "compare/report/sweep_page.h"
 #include "compare/sweep/columns.h"
 #include "compare/sweep/csv.h"
@@ -254,17 +253,15 @@ Command add_sweep_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "sweep", "A scene over a grid, a Latin hypercube or a list of values; goes on where it was");
   app->add_option("STUDY", options->study, "Study file (.toml)")->required();
-  app->add_option("-o,--output", options->folder, "Folder of the results (default: runs/<study>)")
-      ->type_name("DIR");
+  add_value(*app, "-o,--output", options->folder, "DIR",
+            "Folder of the results (default: runs/<study>)");
   app->add_option("--jobs", options->jobs, "Threads (default: as many as processors)")
       ->check(CLI::Range(1, 4096));
-  app->add_option("--shard", options->shard, "Part i of n alone, in a file of its own")
-      ->type_name("i/n");
+  add_value(*app, "--shard", options->shard, "i/n", "Part i of n alone, in a file of its own");
   app->add_flag("--slurm", options->slurm, "Write and submit an array job, each task a shard");
   app->add_option("--tasks", options->tasks, "Tasks of the array job (default: 16)")
       ->check(CLI::Range(1, sweep::kMostShards));
-  app->add_option("--merge", options->merge, "Join the results of these folders' shards")
-      ->type_name("DIR...");
+  add_value(*app, "--merge", options->merge, "DIR...", "Join the results of these folders' shards");
   add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return sweep_study(*options); }};

@@ -1,15 +1,25 @@
 #include "compare/commands/terminal.h"
 
+#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
 #include "compare/base/format.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub {
 namespace {
+
+using namespace std::chrono_literals;
+constexpr auto kPatience = 2s;  // shorter work shows nothing
+constexpr auto kRefresh = 100ms;
+constexpr auto kLine = 30s;  // off a terminal
+constexpr int kWidth = 28;
 
 std::string_view variable(const char* name) {
   const char* value = std::getenv(name);
@@ -28,6 +38,47 @@ int columns_of(std::FILE* stream) {
   winsize size{};
   if (ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
   return static_cast<int>(kTerminalWidth);
+}
+
+std::string progress_bar(double share, double seconds, const std::string& what, int columns) {
+  share = std::clamp(share, 0.0, 1.0);
+  const auto full = static_cast<std::size_t>(share * kWidth);
+  const std::string bar = fmt::format("[{}{}] {:3.0f} %  {:.0f} s  ", std::string(full, '='),
+                                      std::string(kWidth - full, ' '), 100.0 * share, seconds);
+  // The last column stays free: a terminal may wrap as soon as it is written to.
+  const auto room = static_cast<std::size_t>(std::max(columns - 1, 0));
+  constexpr std::size_t kCut = 3;  // "..."
+  if (bar.size() + kCut >= room) return bar.substr(0, room);
+  return bar + scene::printable(what, room - bar.size() - kCut);
+}
+
+ProgressBar::ProgressBar(bool quiet)
+    : enabled_(!quiet), terminal_(is_terminal(stderr)), start_(Clock::now()), last_(start_) {}
+
+ProgressBar::~ProgressBar() { clear(); }
+
+void ProgressBar::show(double share, const std::string& what) {
+  if (!enabled_) return;
+  const auto now = Clock::now();
+  if (now - last_ < (terminal_ ? Clock::duration(kRefresh) : Clock::duration(kLine))) return;
+  if (now - start_ < kPatience) return;
+  last_ = now;
+  const double passed = std::chrono::duration<double>(now - start_).count();
+  if (terminal_) {
+    fmt::print(stderr, "\r\033[K{}", progress_bar(share, passed, what, columns_of(stderr)));
+    drawn_ = true;
+  } else {
+    fmt::print(stderr, "rotorub: {:.0f} % after {:.0f} s: {}\n",
+               100.0 * std::clamp(share, 0.0, 1.0), passed, scene::printable(what));
+  }
+  std::fflush(stderr);
+}
+
+void ProgressBar::clear() {
+  if (!drawn_) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+  drawn_ = false;
 }
 
 }  // namespace rotorub

@@ -1,7 +1,9 @@
-// What a stream is written to.
+// What a stream is written to, and how far long work is.
 #pragma once
 
+#include <chrono>
 #include <cstdio>
+#include <string>
 
 #include "compare/base/palette.h"
 
@@ -12,5 +14,29 @@ bool is_terminal(std::FILE* stream);
 Palette palette_of(std::FILE* stream);
 // Of a terminal; 80 where nothing else is known.
 int columns_of(std::FILE* stream);
+
+// How far a long piece of work is, on standard error: on a terminal a bar, from two seconds on;
+// elsewhere a line every half minute, so that a log of hours tells what they went into.
+class ProgressBar {
+ public:
+  explicit ProgressBar(bool quiet);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  // share: done of the whole, in [0, 1]. Cheap to call often.
+  void show(double share, const std::string& what);
+  // Wipes the bar away, so that other text can follow.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool enabled_, terminal_;
+  bool drawn_ = false;
+  Clock::time_point start_, last_;
+};
+
+// A bar of at most so many columns: "[=====     ]  50 %  12 s  what", cut where it would wrap.
+std::string progress_bar(double share, double seconds, const std::string& what, int columns);
 
 }  // namespace rotorub

@@ -3,17 +3,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/format.h"
 #include "compare/base/json.h"
+#include "compare/bench/ladder.h"
 #include "compare/commands/command.h"
-#include "compare/commands/progress.h"
 #include "compare/commands/terminal.h"
-#include "compare/commands/tuning.h"
+#include "compare/commands/tune_command.h"
 #include "compare/study/scene_comparison.h"
 #include "compare/tune/json.h"
 #include "compare/tune/scene_text.h"
@@ -23,6 +26,17 @@
 
 namespace rotorub {
 namespace {
+
+std::vector<double> tune_steps(const std::string& given, const scene::Scene& scene) {
+  std::vector<double> steps =
+      given.empty() ? bench::default_ladder().steps : bench::parse_steps(given);
+  // A slow machine may take more than the bench's steps. The scene's own step is one that its user
+  // has a reason for.
+  if (given.empty()) steps.insert(steps.end(), {1e-3, 5e-4, scene.run.step});
+  std::sort(steps.begin(), steps.end(), std::greater<>());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
+}
 
 struct TuneArguments : CommonOptions {
   std::string scene, tolerance = "1%", steps, file;
@@ -71,26 +85,55 @@ int run_tune(const TuneArguments& options) {
 
 }  // namespace
 
+tune::TuneResult tuned(const std::string& file, const scene::Scene& scene,
+                       const CommonOptions& options, double tolerance, int twins,
+                       const std::string& steps,
+                       const std::function<void(double, const std::string&)>& progress) {
+  tune::TuneParameters parameters;
+  parameters.tolerance = tolerance;
+  parameters.twins = twins;
+  parameters.steps = tune_steps(steps, scene);
+  parameters.interrupt = &interrupted();
+  parameters.progress = progress;
+  const auto reader = [&](const std::vector<std::string>& further) {
+    CommonOptions with = options;
+    with.overrides.insert(with.overrides.end(), further.begin(), further.end());
+    return read_scene(file, with);
+  };
+  tune::TuneResult result = tune::tune_scene(reader, parameters);
+  if (result.interrupted) throw Interrupted();
+  return result;
+}
+
+std::string setting_sentence(const tune::TuneResult& result) {
+  if (!result.choice.trusted) {
+    return fmt::format("none of {} can be trusted within {}", result.settings.size(),
+                       percent_text(result.tolerance));
+  }
+  const tune::JudgedSetting& s = result.settings[*result.choice.trusted];
+  return fmt::format("{}: {} us a step, the fastest of {} that can be trusted within {}",
+                     tune::text(s.setting), short_number(s.us_per_step), result.settings.size(),
+                     percent_text(result.tolerance));
+}
+
 Command add_tune_command(CLI::App& program) {
   auto options = std::make_shared<TuneArguments>();
   CLI::App* app = program.add_subcommand(
       "tune", "The fastest setting of MuJoCo whose contact forces can be trusted");
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  app->add_option("--tolerance", options->tolerance, "On the judged figures, as 1% or 0.01")
-      ->type_name("SHARE")
+  add_value(*app, "--tolerance", options->tolerance, "SHARE",
+            "On the judged figures, as 1% or 0.01")
       ->capture_default_str();
-  app->add_option("--steps", options->steps,
-                  "Steps that are tried, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 us, and "
-                  "the scene's)")
-      ->type_name("LIST");
-  app->add_option("--twins", options->twins,
-                  "Native runs a few units in the last place apart, whose spread tells what can be "
-                  "decided")
-      ->type_name("N")
+  add_value(*app, "--steps", options->steps, "LIST",
+            "Steps that are tried, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 us, and "
+            "the scene's)");
+  add_value(*app, "--twins", options->twins, "N",
+            "Native runs a few units in the last place apart, whose spread tells what can be "
+            "decided")
       ->capture_default_str();
-  app->add_option("-o,--output", options->file, "Writes the scene with the trusted setting there")
-      ->type_name("FILE.toml");
-  app->add_option("--end", options->end, "End of the run, e.g. 0.5s (run.end)")->type_name("TIME");
+  add_value(*app, "-o,--output", options->file, "FILE.toml",
+            "Writes the scene with the trusted setting there");
+  add_value(*app, "--end", options->end, "TIME", "End of the run, e.g. 0.5s (run.end)");
   add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run_tune(*options); }};

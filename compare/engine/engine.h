@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "native_model/control/command_record.h"
-#include "native_model/scene/contact_models.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "native_model/scene/diagnostic.h"
-#include "native_model/scene/printable.h"
-#include "native_model/scene/regular_file.h"
+#include "native_model/scene/reader.h"
+#include "native_model/scene/text.h"
 #include "native_model/trajectory/columns.h"
 
 namespace rotorub {

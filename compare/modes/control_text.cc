@@ -7,7 +7,7 @@
 
 #include "compare/base/format.h"
 #include "compare/base/units.h"
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub {
 namespace {

@@ -5,12 +5,11 @@
 #include <utility>
 
 #include "compare/engine/mujoco_model.h"
-#include "mjcf/contact_pair.h"
 #include "mjcf/mujoco_version.h"
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/scene/regular_file.h"
+#include "native_model/scene/reader.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model.h"
 #include "native_model/system/run_size.h"

@@ -17,7 +17,6 @@
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/record.h"
-#include "native_model/scene/regular_file.h"
 #include "native_model/trajectory/columns.h"
 #include "native_model/trajectory/output.h"
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "native_model/scene/printable.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub {

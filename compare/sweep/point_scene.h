@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/sweep/sample.h"
-#include "native_model/scene/variants.h"
+#include "native_model/scene/reader.h"
 
 namespace rotorub::sweep {
 

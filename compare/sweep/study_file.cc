@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "compare/sweep/study_reader.h"
-#include "native_model/scene/contact_models.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/scene/printable.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/scene.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::sweep {
 namespace {

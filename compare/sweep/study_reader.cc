@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "native_model/scene/old_words.h"
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::sweep {
 namespace {

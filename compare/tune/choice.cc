@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/scene/contact_models.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub::tune {
 namespace {

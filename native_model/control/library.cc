@@ -12,8 +12,8 @@
 #include "native_model/control/abi/rotorub/controller.h"
 #include "native_model/control/sensors.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/scene/printable.h"
 #include "native_model/scene/record.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub {
 namespace {

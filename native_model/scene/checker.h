@@ -1,4 +1,5 @@
-// Shared by the cross-checks: where a fault is reported, and checks that several parts need.
+// What single keys cannot show: combinations that contradict each other, and the defaults that
+// depend on other keys.
 #pragma once
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 
 namespace rotorub::scene {
 
+// Shared by the cross-checks: where a fault is reported, and checks that several parts need.
 struct Checker {
   const Scene& scene;
   const Record& record;
@@ -44,11 +46,19 @@ struct Checker {
   std::optional<std::size_t> torsion_modes() const;
 };
 
-void check_rotor(const Checker& check);  // [rotor] and its tables
-void check_bearing(
-    const Checker& check);  // [contact], [stator], [actuator] of one auxiliary bearing
-void check_control(const Checker& check);           // its [controller] and the tables below
-void check_magnetic_bearing(const Checker& check);  // [magnetic_bearing] and its control
-void check_parts(const Checker& check);             // everything else
+void check_run(const Checker& check);      // [run]
+void check_rotor(const Checker& check);    // [rotor] and its tables
+void check_loads(const Checker& check);    // [drive], [[force]], [magnetic_bearing] and its control
+void check_start(const Checker& check);    // [initial], [gravity], [mujoco]
+void check_bearing(const Checker& check);  // [contact], [stator], [actuator] of one bearing
+void check_gap_at_start(const Checker& check);  // the rotor is in its ring
+void check_control(const Checker& check);       // its [controller] and the tables below
+
+// Adds every contradiction to `diagnostics`. Keys that are already known to be faulty are left out.
+void validate(const Scene& scene, const Record& record, std::vector<Diagnostic>& diagnostics);
+
+// Fills in what follows from other keys: G from nu, lists of the modal form to their length, the
+// damping of torsion, output_times in order. Only for a scene without diagnostics.
+void complete(Scene& scene, const Record& record);
 
 }  // namespace rotorub::scene

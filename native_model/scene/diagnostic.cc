@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 namespace {

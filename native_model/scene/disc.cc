@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "native_model/scene/printable.h"
+#include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub::scene {
@@ -15,6 +15,8 @@ namespace {
 constexpr double kInertiaTolerance = 0.01;
 // Jp = mass eccentricity^2 is a point mass: meant, whatever the last digits.
 constexpr double kPointMassTolerance = 1e-9;
+
+constexpr std::string_view kByDimensions = "by `diameter`, `thickness`";
 
 // The disc with mass, Jt, Jp and eccentricity, whatever its words. The speed is the rotor's.
 Disc in_numbers(Disc disc, double rho, double speed) {
@@ -115,6 +117,39 @@ void check_inertia(const Checker& check, const std::string& path, const Disc& di
 }
 
 }  // namespace
+
+Table disc_table() {
+  return Table{
+      "rotor.disc",
+      "Rigid discs on the shaft.",
+      "none",
+      [](Scene& scene) -> void* { return &geometry_of(scene).discs.emplace_back(); },
+      {key<&Disc::z>("z", kLength, ">= 0", kRequired, "along the shaft").or_called("station"),
+       key<&Disc::mass>("mass", kMass, ">= 0", kByDimensions, ""),
+       key<&Disc::Jt>("Jt", kInertia, ">= 0", kByDimensions, "moment of inertia about a diameter"),
+       key<&Disc::Jp>("Jp", kInertia, ">= 0", kByDimensions,
+                      "moment of inertia about the shaft, at most 2 `Jt`"),
+       key<&Disc::diameter>("diameter", kLength, "> 0", "the three are given",
+                            "of a solid disc, whose `mass`, `Jt` and `Jp` follow"),
+       key<&Disc::inner_diameter>("inner_diameter", kLength, ">= 0", "0",
+                                  "its bore, below `diameter`: the shaft's part is the shaft's"),
+       key<&Disc::thickness>("thickness", kLength, "> 0", "the three are given",
+                             "along the shaft; needed with `diameter`"),
+       key<&Disc::rho>("rho", kDensity, "> 0", "`rotor.rho`", "of the disc with a `diameter`"),
+       key<&Disc::eccentricity>("eccentricity", kLength, ">= 0", kStandard,
+                                "of the centre of mass"),
+       key<&Disc::unbalance>("unbalance", kStaticMoment, ">= 0", "by `eccentricity`",
+                             "mass times eccentricity, in its place"),
+       key<&Disc::balance_grade>("balance_grade", kPure, "", "by `eccentricity`",
+                                 "of ISO 21940-11 in its place, as \"G 2.5\": an eccentricity of "
+                                 "2.5 mm/s over `balance_speed`"),
+       key<&Disc::balance_speed>("balance_speed", kSpin, "> 0", "`rotor.speed`",
+                                 "of `balance_grade`, the fastest in service"),
+       key<&Disc::phase>("phase", kAngle, "", kStandard,
+                         "of the eccentricity, from the rotor's own x axis")}}
+      .as_list()
+      .in(Form::kGeometry);
+}
 
 std::optional<double> balance_quality(std::string_view grade) {
   grade = trimmed(grade);

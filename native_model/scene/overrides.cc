@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "native_model/scene/printable.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"
 

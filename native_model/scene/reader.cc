@@ -8,45 +8,54 @@
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
+#include "native_model/scene/checker.h"
 #include "native_model/scene/overrides.h"
 #include "native_model/scene/rules.h"
 #include "native_model/scene/table_reader.h"
 #include "native_model/scene/toml_source.h"
-#include "native_model/scene/validate.h"
 
 namespace rotorub::scene {
 namespace {
 
 constexpr std::size_t kLargestFile = 16u << 20u;  // bytes; a device or a mistaken file ends here
 
-[[noreturn]] void refuse_file(const std::string& file, const std::string& reason) {
-  throw SceneError({{file, 0, {}, reason}});
+// By blocks rather than by size: a pipe has none. Throws std::runtime_error with the reason alone.
+std::string text_in(const std::filesystem::path& path, const char* expected, std::size_t most) {
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none))
+    throw std::runtime_error(std::string("is a folder; expected ") + expected);
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  std::array<char, 1u << 16u> block{};
+  while (file && (file.read(block.data(), block.size()) || file.gcount() > 0)) {
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > most) throw std::runtime_error("is over 16 MiB, too large for a scene");
+  }
+  if (!file.is_open() || file.bad())
+    throw std::runtime_error(std::string("cannot be read: ") + std::strerror(errno));
+  return text;
 }
 
 }  // namespace
 
-// Read by blocks rather than by size: a pipe has none.
 std::string file_text(const std::filesystem::path& path) {
-  std::error_code status;
-  if (std::filesystem::is_directory(path, status)) {
-    refuse_file(path.string(), "is a folder; expected a scene file (TOML)");
+  try {
+    return text_in(path, "a scene file (TOML)", kLargestFile);
+  } catch (const std::runtime_error& error) {
+    throw SceneError({{path.string(), 0, {}, error.what()}});
   }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    refuse_file(path.string(), std::string("cannot be read: ") + std::strerror(errno));
-  }
-  std::string text;
-  std::array<char, 1u << 16u> block{};
-  while (file.read(block.data(), block.size()) || file.gcount() > 0) {
-    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > kLargestFile)
-      refuse_file(path.string(), "is over 16 MiB, too large for a scene");
-  }
-  if (file.bad())
-    refuse_file(path.string(), std::string("cannot be read: ") + std::strerror(errno));
-  return text;
+}
+
+std::string regular_file_text(const std::filesystem::path& file) {
+  std::error_code none;
+  const std::filesystem::file_status status = std::filesystem::status(file, none);
+  if (std::filesystem::is_other(status))
+    throw std::runtime_error("is a device or a pipe; expected a file");
+  return text_in(file, "a file", std::string::npos);
 }
 
 std::string folder_of(const std::filesystem::path& file) {
@@ -93,6 +102,27 @@ std::string text_hash(std::string_view text) {
   std::array<char, 17> digits{};
   std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
   return digits.data();
+}
+
+Variants::Variants(const std::filesystem::path& file, std::span<const std::string> overrides)
+    : file_(file.string()), text_(file_text(file)) {
+  std::vector<Diagnostic> diagnostics;
+  std::optional<TomlNode> root = parse_toml(text_, file_, diagnostics);
+  if (!root || !diagnostics.empty()) throw SceneError(std::move(diagnostics));
+  apply_overrides(*root, overrides, diagnostics);
+  if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
+  root_ = std::move(*root);
+  if (!overrides.empty()) text_ = write_toml(root_);
+}
+
+Scene Variants::scene(std::span<const std::string> changes, bool with_text) const {
+  std::vector<Diagnostic> diagnostics;
+  TomlNode root = root_;
+  apply_overrides(root, changes, diagnostics);
+  std::string text = with_text ? write_toml(root) : std::string();
+  Scene scene = scene_of(root, file_, std::move(text), std::move(diagnostics));
+  scene.folder = folder_of(file_);
+  return scene;
 }
 
 }  // namespace rotorub::scene

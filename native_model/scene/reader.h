@@ -35,4 +35,27 @@ Scene scene_of(const TomlNode& root, const std::string& file_name, std::string t
 std::string scene_hash(const Scene& scene);
 std::string text_hash(std::string_view text);  // the same of any text
 
+// Many scenes from one text: it is read once, and each scene differs in a few values.
+class Variants {
+ public:
+  // `overrides` hold for all of them. Throws SceneError for what cannot be read as TOML or applied;
+  // whether it is a scene is asked of each variant, which may give what the text leaves out.
+  explicit Variants(const std::filesystem::path& file, std::span<const std::string> overrides = {});
+
+  // The scene with `changes` (overrides.h) on top, as read_scene gives it. Throws SceneError.
+  // with_text: Scene::text is that of the variant (MuJoCo's plugin reads it); else it is empty.
+  Scene scene(std::span<const std::string> changes, bool with_text) const;
+
+  const std::string& text() const { return text_; }  // with the overrides of all
+
+ private:
+  std::string file_, text_;
+  TomlNode root_;
+};
+
+// A file that is read whole. Throws std::runtime_error, with the reason alone ("cannot be read:
+// ...", "is a folder ..."), for what is no regular file: a device, to which a link may lead, has no
+// end.
+std::string regular_file_text(const std::filesystem::path& file);
+
 }  // namespace rotorub::scene

@@ -6,16 +6,17 @@
 // Units: m, kg, s, N, rad. Speeds of rotation and frequencies in rad/s.
 #pragma once
 
-#include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "native_model/contact/friction.h"
 #include "native_model/contact/most_contacts.h"
-#include "native_model/scene/controller.h"
+#include "native_model/scene/auxiliary_bearing.h"
 
 namespace rotorub {
 struct ModalRotor;  // rotor/modal_rotor.h
@@ -24,9 +25,6 @@ struct ModalRotor;  // rotor/modal_rotor.h
 namespace rotorub::scene {
 
 class Record;
-
-// The value along the bending planes x and y; a single number in the file means both.
-using PlanePair = Eigen::Vector2d;
 
 inline constexpr double kNever = 1e300;  // s, a switching time that is never reached
 
@@ -214,80 +212,6 @@ struct MagneticBearing {
   std::optional<BearingControl> control{};  // absent: it holds nothing
 };
 
-// ---------------------------------------------------------------- [contact]
-struct Contact {
-  double radius = 0.0;     // m, > 0, of the rotor at the contact
-  double clearance = 0.0;  // m, > 0, delta_0
-  FrictionLaw friction{};
-  double restitution = 0.0;             // 1, [0, 1], eps_N
-  double tangential_restitution = 0.0;  // 1, [0, 1], eps_T
-  double compression_time = 0.0;        // s, >= 0, tau_C
-  double expansion_time = 0.0;          // s, >= 0, tau_E
-  double station = 0.0;                 // m, geometry form
-  // m: of the ring's middle at rest from the line of x = y = 0, off which deflections are counted.
-  Eigen::Vector2d offset{0.0, 0.0};
-  // Modal form: value of each mode at the station; empty: all 1, as those of the first contact are.
-  std::vector<double> shape{}, torsion_shape{};
-};
-
-// ---------------------------------------------------------------- [stator], [actuator]
-// The ring turns about its axis, as the inner ring of an auxiliary ball bearing does: J Omega_r' =
-// torque of the contact - drag Omega_r. Dry friction of the balls is left out: it would hold the
-// ring still up to a torque, a second set-valued law beside the contact's.
-struct RingSpin {
-  double inertia = 0.0;  // kg m^2, > 0, polar, of all that turns with the ring
-  double drag = 0.0;     // N m s, >= 0, viscous, to the base
-  double speed = 0.0;    // rad/s, about +z, at t = 0
-};
-
-// The ring of the auxiliary bearing; absent: fixed to the base.
-struct Stator {
-  PlanePair mass{0.0, 0.0};            // kg, > 0
-  PlanePair damping{0.0, 0.0};         // N s/m, >= 0
-  PlanePair stiffness{0.0, 0.0};       // N/m, >= 0, mechanical spring to the base, always acting
-  std::optional<RingSpin> spin{};      // absent: the ring does not turn
-  Eigen::Vector2d position{0.0, 0.0};  // m, at t = 0, from where it is at rest
-  Eigen::Vector2d velocity{0.0, 0.0};  // m/s, at t = 0
-};
-
-enum class ActuatorKind { kIdeal, kElectromagnet, kTable };
-
-// Two axes at 45 degrees, a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2.
-struct Actuator {
-  ActuatorKind kind = ActuatorKind::kIdeal;
-  // ideal: the force asked for, limited
-  double force_limit = std::numeric_limits<double>::infinity();  // N, > 0, on each axis
-  // electromagnet: F(s, i) of bearing/electromagnet.h on each axis
-  double force_constant = 0.0;  // N m^2/A^2, k_m > 0
-  double bias_current = 0.0;    // A, i_0 > 0
-  double air_gap = 0.0;         // m, s_0 > 0
-  double stiffness = 0.0;       // N/m, c >= 0
-  // table: F(s, i) of bearing/force_table.h
-  std::vector<double> table_position{};  // m, ascending
-  std::vector<double> table_current{};   // A, ascending
-  std::vector<double> table_force{};     // N, position by position, one for each current
-  // both
-  double current_limit = 0.0;  // A, of |i|, > 0, at most bias_current or the table's; 0: that much
-  // The coil's current follows the one asked for: lag di/dt = asked - i, as far as |di/dt| is
-  // allowed and the amplifier's voltage reaches: L di/dt = u - R i, |u| <= voltage_limit.
-  double coil_lag = 0.0;                                                // s, >= 0; 0: at once
-  double current_rate_limit = std::numeric_limits<double>::infinity();  // A/s, > 0, needs coil_lag
-  double voltage_limit =
-      std::numeric_limits<double>::infinity();  // V, > 0, needs coil_lag and inductance
-  double inductance = 0.0;                      // H, > 0, L of an axis
-  double resistance = 0.0;                      // Ohm, >= 0, R of an axis
-};
-
-// ---------------------------------------------------------------- [[contact]]
-// One auxiliary bearing: where the rotor may touch, the ring there and what moves it.
-struct AuxiliaryBearing {
-  std::string name{};  // unique; empty: its number, from 1
-  std::optional<Contact> contact;
-  std::optional<Stator> stator;
-  std::optional<Actuator> actuator;
-  std::optional<Controller> controller;
-};
-
 // ---------------------------------------------------------------- [gravity], [initial], [mujoco]
 // Acceleration in the plane of the bending modes. Modal form: `participation` is the load of each
 // mode per unit acceleration (kg), default the modal mass.
@@ -321,6 +245,44 @@ struct Mujoco {
   double friction_reference = 0.0;  // 1/s, > 0: B_t of the cone's friction rows (0: MuJoCo's, B)
   bool shadow = false;              // the native model runs alongside, in user sensors
 };
+
+// The contact models of MuJoCo's side and their words: in scene files, options, columns and
+// reports.
+struct ContactWord {
+  ContactModel model;
+  const char* word;
+};
+
+// In the order of the enum, which is that of every table.
+inline constexpr std::array kContactModels{ContactWord{ContactModel::kRigid, "rigid"},
+                                           ContactWord{ContactModel::kCoulomb, "coulomb"},
+                                           ContactWord{ContactModel::kCone, "cone"},
+                                           ContactWord{ContactModel::kConeCoulomb, "cone-coulomb"}};
+
+constexpr const char* to_string(ContactModel model) {
+  return kContactModels[static_cast<std::size_t>(model)].word;
+}
+
+// Of a word; none: no contact model is called so.
+constexpr std::optional<ContactModel> contact_model(std::string_view word) {
+  for (const ContactWord& w : kContactModels) {
+    if (word == w.word) return w.model;
+  }
+  return std::nullopt;
+}
+
+// Normal force and friction are both found by MuJoCo's solver, in its friction cone.
+constexpr bool is_cone(ContactModel model) {
+  return model == ContactModel::kCone || model == ContactModel::kConeCoulomb;
+}
+
+// Container of words, as schemas and options take them.
+template <typename Words>
+Words contact_words() {
+  Words words;
+  for (const ContactWord& w : kContactModels) words.emplace_back(w.word);
+  return words;
+}
 
 // ---------------------------------------------------------------- the whole
 struct Scene {

@@ -97,10 +97,17 @@ const Key* Table::find(std::string_view name) const {
   return found == keys.end() ? nullptr : &*found;
 }
 
+RotorGeometry& geometry_of(Scene& scene) {
+  if (!scene.rotor.geometry) scene.rotor.geometry.emplace();
+  return *scene.rotor.geometry;
+}
+
 std::span<const Table> tables() {
   static const std::vector<Table> all = [] {
-    std::vector<Table> result = rotor_tables();
-    for (Table& table : part_tables()) result.push_back(std::move(table));
+    std::vector<Table> result{run_table()};
+    for (auto* tables : {rotor_tables, load_tables, bearing_tables, control_tables, start_tables}) {
+      for (Table& table : tables()) result.push_back(std::move(table));
+    }
     result.push_back(rule_table());
     return result;
   }();

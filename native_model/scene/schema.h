@@ -1,7 +1,7 @@
 // Every table and key that a scene may hold, as data: name, quantity, range, default, when it is
 // needed, where it is stored. The reader, the search for unknown keys and the reference
-// (mjcf/README.md) all work from this one description; the rows stand in schema_rotor.cc,
-// schema_bearing.cc, schema_control.cc and schema_parts.cc.
+// (mjcf/README.md) all work from this one description; the rows stand beside the
+// checks of what single keys cannot show: *_tables.cc, disc.cc, shaft_bearing.cc, rules.cc.
 #pragma once
 
 #include <limits>
@@ -118,12 +118,18 @@ const Table* find_table(std::string_view path);
 // [controller.sensors].
 bool is_part_of_contact(const Table& table);
 
-// The rows.
+// The rows, in their order.
+Table run_table();
 std::vector<Table> rotor_tables();
+std::vector<Table> load_tables();
 std::vector<Table> bearing_tables();
 std::vector<Table> control_tables();
-std::vector<Table> part_tables();
+std::vector<Table> start_tables();
 Table rule_table();
+// The geometry of a shaft, made if need be; its [[rotor.disc]] and [[rotor.bearing]].
+RotorGeometry& geometry_of(Scene& scene);
+Table disc_table();
+Table shaft_bearing_table();
 
 // ---------------------------------------------------------------- rows from pointers to members
 

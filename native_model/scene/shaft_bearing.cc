@@ -62,6 +62,41 @@ std::array<double, 8> coefficients_at(const ShaftBearing& bearing, double speed)
 
 }  // namespace
 
+Table shaft_bearing_table() {
+  return Table{
+      "rotor.bearing",
+      "Linear bearings between shaft and base, as springs and dashpots, or by the eight "
+      "coefficients of an oil film.",
+      "none",
+      [](Scene& scene) -> void* { return &geometry_of(scene).bearings.emplace_back(); },
+      {key<&ShaftBearing::z>("z", kLength, ">= 0", kRequired, "along the shaft")
+           .or_called("station"),
+       planes<&ShaftBearing::stiffness>("stiffness", kStiffness, ">= 0", "by `table_kxx`", ""),
+       planes<&ShaftBearing::damping>("damping", kDamping, ">= 0", kStandard, ""),
+       key<&ShaftBearing::cross_stiffness>(
+           "cross_stiffness", kStiffness, "", kStandard,
+           "[k_xy, k_yx], across the planes: -k_xy y on x, -k_yx x on y"),
+       key<&ShaftBearing::cross_damping>("cross_damping", kDamping, "", kStandard,
+                                         "[c_xy, c_yx], alike"),
+       key<&ShaftBearing::offset>("offset", kLength, "", kStandard,
+                                  "where it stands off the line of the others: its alignment"),
+       key<&ShaftBearing::table_speed>(
+           "table_speed", kSpin, "", "`stiffness` and the others at every speed",
+           "ascending, two or more: the coefficients follow the speed, by a smooth curve "
+           "through the points, held beyond the ends"),
+       key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "", "needed with `table_speed`",
+                                     "one for each speed"),
+       key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "", "0", "alike"),
+       key<&ShaftBearing::table_kyx>("table_kyx", kStiffness, "", "0", "alike"),
+       key<&ShaftBearing::table_kyy>("table_kyy", kStiffness, "", "`table_kxx`", "alike"),
+       key<&ShaftBearing::table_cxx>("table_cxx", kDamping, "", "0", "alike"),
+       key<&ShaftBearing::table_cxy>("table_cxy", kDamping, "", "0", "alike"),
+       key<&ShaftBearing::table_cyx>("table_cyx", kDamping, "", "0", "alike"),
+       key<&ShaftBearing::table_cyy>("table_cyy", kDamping, "", "`table_cxx`", "alike")}}
+      .as_list()
+      .in(Form::kGeometry);
+}
+
 void check_bearings(const Checker& check, const RotorGeometry& shaft) {
   for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
     const std::string path = list_element("rotor.bearing", i);

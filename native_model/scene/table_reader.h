@@ -40,18 +40,8 @@ class TableReader {
                 const std::string& path, void* object);
   void refuse_unknown(const TomlNode& node, std::string_view table_path, const std::string& path);
 
-  // Keeps that another value is expected; false.
-  bool refuse(const Key& key, const TomlNode& node, const std::string& path);
+  // The same of a value alone (value_reader.cc).
   bool read_value(const Key& key, const TomlNode& node, const std::string& path, Value& value);
-  bool read_number(const Key& key, const TomlNode& node, const std::string& path, double& number);
-  bool read_whole(const Key& key, const TomlNode& node, const std::string& path, int& whole);
-  bool read_word(const Key& key, const TomlNode& node, const std::string& path, int& index);
-  bool read_flag(const Key& key, const TomlNode& node, const std::string& path, int& flag);
-  bool read_text(const Key& key, const TomlNode& node, const std::string& path, std::string& text);
-  bool read_pair(const Key& key, const TomlNode& node, const std::string& path,
-                 Eigen::Vector2d& pair);
-  bool read_list(const Key& key, const TomlNode& node, const std::string& path,
-                 std::vector<double>& list);
 
   Scene& scene_;
   std::vector<Diagnostic>& diagnostics_;

@@ -1,4 +1,4 @@
-// Pieces of the text of scenes and of messages about them.
+// Numbers, paths and words in the text of scenes and of messages about them.
 #pragma once
 
 #include <cstddef>
@@ -15,5 +15,20 @@ std::string list_element(const std::string& list, std::size_t index);
 
 // Without the spaces and tabs around it.
 std::string_view trimmed(std::string_view text);
+
+inline constexpr std::size_t kQuotedLength = 60;  // of a value quoted in a message, bytes
+
+// Text that a user wrote, as it may stand in a message: on one line, without anything that a
+// terminal obeys: control characters, those that turn the direction of writing, and bytes that are
+// no UTF-8 are given as \n, \t, \x1b, \u202e. Longer than `most` bytes: cut there, between
+// characters, and ended with "...".
+std::string printable(std::string_view text, std::size_t most = kQuotedLength);
+
+// Today's name of a word that scenes, options and studies took in the last release, accepted until
+// 0.3 with a note; a word that has no other is its own.
+std::string_view current_word(std::string_view word);
+
+// "run.integrator: "paper" is called "midpoint" now; the old word is accepted until 0.3"
+std::string old_word_note(std::string_view where, std::string_view old_word);
 
 }  // namespace rotorub::scene

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <functional>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <tuple>
 
 #include "native_model/scene/key_depth.h"
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 
 // toml++ 3.3.0 asserts on bad input, [[[a]]] for one, and would end the program: off, here only.
 // Header only and in this file alone, so that no other copy of it is linked.
@@ -170,6 +173,16 @@ bool mend(std::vector<std::string>& lines, std::size_t index, bool duplicate,
 }
 
 }  // namespace
+
+const std::string& FileName::kept(std::string_view name) {
+  static const std::string none;
+  if (name.empty()) return none;
+  static std::mutex mutex;
+  static auto* const names = new std::set<std::string, std::less<>>;  // outlives every user
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto found = names->find(name);
+  return found != names->end() ? *found : *names->emplace(name).first;
+}
 
 TomlNode::TomlNode() = default;
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "native_model/scene/printable.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub::scene {

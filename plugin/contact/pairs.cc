@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
-#include "native_model/scene/contact_models.h"
+#include "native_model/scene/scene.h"
 #include "plugin/contact/body_space.h"
 #include "plugin/contact/cone.h"
 #include "plugin/contact/cone_correction.h"

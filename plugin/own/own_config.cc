@@ -5,7 +5,7 @@
 
 #include "mjcf/names.h"
 #include "native_model/contact/coupled_law.h"
-#include "native_model/scene/contact_models.h"
+#include "native_model/scene/scene.h"
 #include "plugin/contact/axial_motion.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"

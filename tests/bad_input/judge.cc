@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 #include "tests/bad_input/files.h"
 
 namespace rotorub::test {

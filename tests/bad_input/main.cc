@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 #include "tests/bad_input/cases.h"
 
 namespace {

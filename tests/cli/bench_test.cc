@@ -1,23 +1,18 @@
 // rotorub bench as a user starts it.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tests/cli/program.h"
 
 namespace rotorub::test {
 namespace {
 
 using Files = std::vector<std::string>;
-using nlohmann::json;
 
 TEST(CliBench, PrintsJsonAndNothingElse) {
   const Folder folder;
-  const Outcome done =
-      folder.run({"bench", shipped("bench_drop"), "--engines", "native-verlet,mujoco-rigid",
-                  "--steps", "100us,50us", "--repeats", "2", "--json"});
-  ASSERT_EQ(done.code, 0) << done.err;
-  const json all = json::parse(done.out);
+  const json all =
+      folder.json_of({"bench", shipped("bench_drop"), "--engines", "native-verlet,mujoco-rigid",
+                      "--steps", "100us,50us", "--repeats", "2", "--json"});
   const json& scene = all.at("scenes").at(0);
   EXPECT_EQ(scene.at("scene"), "bench_drop");
   ASSERT_EQ(scene.at("points").size(), 6u) << "two steps; MuJoCo with two integrators";
@@ -33,9 +28,8 @@ TEST(CliBench, PrintsJsonAndNothingElse) {
 TEST(CliBench, EachSceneHasItsTable) {
   const Folder folder;
   const Outcome done =
-      folder.run({"bench", shipped("bench_drop"), shipped("bench_billiard"), "--engines", "native",
-                  "--steps", "100us,50us,20us", "--tolerances", "1e-6,1e-9", "--repeats", "1"});
-  ASSERT_EQ(done.code, 0) << done.err;
+      folder.done({"bench", shipped("bench_drop"), shipped("bench_billiard"), "--engines", "native",
+                   "--steps", "100us,50us,20us", "--tolerances", "1e-6,1e-9", "--repeats", "1"});
   for (const char* part : {"bench_drop:", "bench_billiard:", "native-event", "closed form",
                            "a native integrator is the fastest"}) {
     EXPECT_TRUE(contains(done.out, part)) << part << "\n" << done.out;
@@ -46,11 +40,10 @@ TEST(CliBench, EachSceneHasItsTable) {
 TEST(CliBenchLong, WritesPageAndJson) {
   const Folder folder;
   const Outcome done =
-      folder.run({"bench", shipped("bench_drop"), "--engines", "native,mujoco-cone", "--steps",
-                  "100us,50us", "--repeats", "1", "-o", "deep/out"});
-  ASSERT_EQ(done.code, 0) << done.err;
+      folder.done({"bench", shipped("bench_drop"), "--engines", "native,mujoco-cone", "--steps",
+                   "100us,50us", "--repeats", "1", "-o", "deep/out"});
   EXPECT_EQ(folder.files(), (Files{"deep/out/bench.html", "deep/out/bench.json"}));
-  const json all = json::parse(folder.text("deep/out/bench.json"));
+  const json all = folder.json_in("deep/out/bench.json");
   EXPECT_TRUE(all.contains("restitution"));
   EXPECT_TRUE(all["scenes"][0].contains("stability"));
   EXPECT_TRUE(folder.text("deep/out/bench.html").ends_with("</html>\n"));

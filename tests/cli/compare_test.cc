@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -12,8 +11,6 @@
 
 namespace rotorub::test {
 namespace {
-
-using nlohmann::json;
 
 TEST(CliCompare, UnknownModesAndTolerancesAreRefused) {
   const Folder folder;
@@ -29,18 +26,16 @@ TEST(CliCompare, ReplaysTheCommands) {
       "compare", shipped("bench_ring"), "--mode",  "replay", "--end",
       "0.02",    "--no-video",          "--twins", "2",      "-o",
       "out"};
-  const Outcome none = folder.run(base);
-  EXPECT_EQ(none.code, 0) << none.out << none.err;
+  const Outcome none = folder.done(base);
   EXPECT_TRUE(contains(none.out, "Replay equals lockstep here: no controller")) << none.out;
 
   auto controlled = base;
   for (const char* set : {"controller.kind=passive", "controller.stiffness=5e4"}) {
     controlled.insert(controlled.end(), {"--set", set});
   }
-  const Outcome replayed = folder.run(controlled);
-  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  const Outcome replayed = folder.done(controlled);
   EXPECT_TRUE(contains(replayed.out, "Replay: each MuJoCo run")) << replayed.out;
-  const json all = json::parse(folder.text("out/compare.json"));
+  const json all = folder.json_in("out/compare.json");
   EXPECT_EQ(all.at("mode"), "replay");
   EXPECT_EQ(all.at("scenes")[0].at("shadow").at("commands_of"), "rigid");
   EXPECT_TRUE(contains(folder.text("out/report.html"), "replay comparison"));
@@ -52,10 +47,9 @@ TEST(CliCompare, ResyncJudgesContactByContact) {
   std::vector<std::string> call{
       "compare", shipped("bench_billiard"), "--mode", "resync", "--end", "0.05", "--no-video", "-o",
       "out"};
-  const Outcome rigid = folder.run(call);
-  EXPECT_EQ(rigid.code, 0) << rigid.out << rigid.err;
+  const Outcome rigid = folder.done(call);
   EXPECT_TRUE(contains(rigid.out, "onset")) << rigid.out;
-  const json all = json::parse(folder.text("out/compare.json"));
+  const json all = folder.json_in("out/compare.json");
   EXPECT_EQ(all.at("mode"), "resync");
   EXPECT_LT(all.at("scenes")[0]
                 .at("differences")
@@ -78,8 +72,7 @@ TEST(CliCompare, ExitCodeSaysWhetherTheyAgree) {
       "compare", shipped("bench_ring"), "--end", "0.1", "--no-video", "--json", "-o", "out"};
   auto loose = base;
   loose.insert(loose.end(), {"--tolerance", "10%"});
-  const Outcome agree = folder.run(loose);
-  EXPECT_EQ(agree.code, 0) << agree.out << agree.err;
+  const Outcome agree = folder.done(loose);
   EXPECT_TRUE(json::parse(agree.out).at("within").get<bool>());
 
   auto strict = base;
@@ -98,7 +91,7 @@ TEST(CliCompare, TheConeDecidesWhereAsked) {
   EXPECT_EQ(differ.code, 1) << differ.err;
   EXPECT_TRUE(contains(differ.out, "Exit code: by cone (--contact), which is outside 10 %"))
       << differ.out;
-  const json all = json::parse(folder.text("out/compare.json"));
+  const json all = folder.json_in("out/compare.json");
   EXPECT_EQ(all.at("contact"), "cone");
   ASSERT_EQ(all.at("answer").size(), 5U);
   EXPECT_EQ(all["answer"][0].at("contact"), "cone");
@@ -136,11 +129,10 @@ TEST(CliCompare, LeavesSeriesJsonAndReport) {
       }
     }
   }
-  const json compared = json::parse(folder.text("out/compare.json"));
+  const json compared = folder.json_in("out/compare.json");
   EXPECT_EQ(compared.at("scenes").size(), 2U);
   // What the metrics are stands beside them.
-  for (const json& key :
-       json::parse(folder.text("out/columns.json")).at("compare.json runs.*.metrics")) {
+  for (const json& key : folder.json_in("out/columns.json").at("compare.json runs.*.metrics")) {
     json value = compared.at("scenes")[0].at("runs").at("native").at("metrics");
     std::istringstream path(key.at("name").get<std::string>());
     for (std::string part; std::getline(path, part, '.');) value = json(value).at(part);

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
 
@@ -28,9 +27,8 @@ std::vector<std::string> run_with(const std::string& library,
 TEST(CliController, ALibraryTakesThePlaceOfTheScenes) {
   const Folder folder;
   const Outcome native =
-      folder.run(run_with("own_controller.so", {"--set", "controller.config.stiffness=1e5", "--set",
-                                                "controller.on=0"}));
-  ASSERT_EQ(native.code, 0) << native.err;
+      folder.done(run_with("own_controller.so", {"--set", "controller.config.stiffness=1e5",
+                                                 "--set", "controller.on=0"}));
   EXPECT_TRUE(contains(folder.text("out/series.csv"), "control_x")) << "as any controller";
   const Outcome mujoco = folder.run(run_with(
       "own_controller.so", {"--engine", "mujoco", "--set", "controller.config.stiffness=1e5"}));
@@ -49,7 +47,7 @@ TEST(CliController, AFailureIsExit3WithNameAndTime) {
     EXPECT_EQ(done.code, 3) << done.err;
     EXPECT_TRUE(contains(done.err, "controller_failed")) << done.err;
     EXPECT_TRUE(contains(done.err, "faulty at t = 0.002")) << done.err;
-    EXPECT_EQ(nlohmann::json::parse(done.out).at("status"), "controller_failed");
+    EXPECT_EQ(json::parse(done.out).at("status"), "controller_failed");
   }
 }
 
@@ -128,10 +126,8 @@ TEST_F(CliForeignLibrary, IsNoMatterOfShowing) {
 
 TEST(CliModes, GivesThePlantOfAController) {
   const Folder folder;
-  const Outcome done =
-      folder.run({"modes", shipped("paper_sliding"), "--state-space", "--set", "rotor.modes=2"});
-  ASSERT_EQ(done.code, 0) << done.err;
-  const auto plant = nlohmann::json::parse(done.out);
+  const json plant = folder.json_of(
+      {"modes", shipped("paper_sliding"), "--state-space", "--set", "rotor.modes=2"});
   EXPECT_EQ(plant.at("A").size(), 12u);
   EXPECT_EQ(plant.at("A")[0].size(), 12u);
   EXPECT_EQ(plant.at("B").size(), 12u);
@@ -147,13 +143,12 @@ TEST(CliModes, MapsTheFeedbackThatCalmsARub) {
   const std::vector<std::string> asked{"modes",       scene,           "--feedback-map",
                                        "--set",       "rotor.modes=2", "--speeds",
                                        "40Hz:60Hz:3", "--feedbacks",   "0:4000:9"};
-  const Outcome table = folder.run(asked);
-  ASSERT_EQ(table.code, 0) << table.err;
+  const Outcome table = folder.done(asked);
   EXPECT_TRUE(contains(table.out, "N s/m")) << table.out;
   EXPECT_TRUE(contains(table.out, "feedback_speed = [\"40 Hz\"")) << table.out;
   auto in_json = asked;
   in_json.push_back("--json");
-  const auto map = nlohmann::json::parse(folder.run(in_json).out).at("feedback_map");
+  const auto map = json::parse(folder.run(in_json).out).at("feedback_map");
   EXPECT_EQ(map.at("growth").size(), 3u);
   EXPECT_EQ(map.at("growth")[0].size(), 9u);
   EXPECT_EQ(map.at("rule").size(), 3u);

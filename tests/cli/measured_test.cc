@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -11,8 +10,6 @@
 
 namespace rotorub::test {
 namespace {
-
-using nlohmann::json;
 
 std::vector<std::string> comparison(const std::vector<std::string>& more) {
   std::vector<std::string> call{"compare", shipped("bench_ring"), "--end",      "0.05", "--twins",
@@ -24,11 +21,8 @@ std::vector<std::string> comparison(const std::vector<std::string>& more) {
 // A run's own series as measured by another clock: t + 0.25 s, in ms, x and y as sensors see them
 // that stand a quarter turn on (x' = y, y' = -x).
 void write_measurement(const Folder& folder, const std::string& name) {
-  EXPECT_EQ(folder
-                .run({"run", shipped("bench_ring"), "--integrator", "event", "--end", "0.05",
-                      "--set", "run.output_step=50us", "-o", "rig", "-q"})
-                .code,
-            0);
+  folder.done({"run", shipped("bench_ring"), "--integrator", "event", "--end", "0.05", "--set",
+               "run.output_step=50us", "-o", "rig", "-q"});
   std::istringstream series(folder.text("rig/series.csv"));
   std::ofstream out(folder.path() / name);
   out << "# rig 1, made by a test\nt [ms];rotor_x [mm];rotor_y [mm]\n";
@@ -50,7 +44,7 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
   EXPECT_LE(done.code, 1) << done.err;
   EXPECT_TRUE(contains(done.out, "measured: rig.csv, 1001 samples, 50 µs apart")) << done.out;
   EXPECT_TRUE(contains(done.out, "rotor's whirl, rms, µm")) << done.out;
-  const json all = json::parse(folder.text("out/compare.json")).at("scenes")[0].at("measured");
+  const json all = folder.json_in("out/compare.json").at("scenes")[0].at("measured");
   const json& alignment = all.at("alignment");
   // Integrators part by some nm here, which is some ns.
   EXPECT_NEAR(alignment.at("shift").get<double>(), -0.25, 1e-6);
@@ -62,7 +56,7 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
   }
   EXPECT_LT(all.at("columns").at("rotor_x").at("runs").at("native").at("share").get<double>(),
             1e-3);
-  EXPECT_TRUE(json::parse(folder.text("out/columns.json")).contains("compare.json measured"));
+  EXPECT_TRUE(folder.json_in("out/columns.json").contains("compare.json measured"));
   const std::string page = folder.text("out/report.html");
   for (const char* part : {"The measured run", "id=\"scene-1-measured\"", "data-side=\"measured\"",
                            "href=\"#scene-1-measured\""}) {
@@ -79,8 +73,7 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
 TEST(CliMeasured, IsInNoPageWithoutOne) {
   const Folder folder;
   EXPECT_LE(folder.run(comparison({})).code, 1);
-  EXPECT_TRUE(
-      json::parse(folder.text("out/compare.json")).at("scenes")[0].at("measured").is_null());
+  EXPECT_TRUE(folder.json_in("out/compare.json").at("scenes")[0].at("measured").is_null());
   EXPECT_FALSE(contains(folder.text("out/report.html"), "The measured run"));
 }
 

@@ -1,8 +1,6 @@
 // rotorub modes as a user starts it: the page, and what it refuses.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tests/cli/program.h"
 
 namespace rotorub::test {
@@ -12,8 +10,7 @@ using Files = std::vector<std::string>;
 
 TEST(CliModesPage, IsOneWholeFile) {
   const Folder folder;
-  const Outcome done = folder.run({"modes", shipped("paper_passive"), "-o", "deep/whirl.html"});
-  ASSERT_EQ(done.code, 0) << done.err;
+  const Outcome done = folder.done({"modes", shipped("paper_passive"), "-o", "deep/whirl.html"});
   EXPECT_EQ(folder.files(), Files{"deep/whirl.html"}) << "nothing left beside it";
   EXPECT_TRUE(contains(done.out, "written to deep/whirl.html")) << done.out;
   EXPECT_TRUE(contains(done.out, "mode shapes at rest")) << done.out;
@@ -27,15 +24,13 @@ TEST(CliModesPage, IsOneWholeFile) {
 TEST(CliModes, SaysWhatAnImpactMeets) {
   const Folder folder;
   const std::string rig = shipped("paper_passive");
-  const Outcome table = folder.run({"modes", rig});
-  ASSERT_EQ(table.code, 0) << table.err;
+  const Outcome table = folder.done({"modes", rig});
   EXPECT_TRUE(contains(table.out, "mass that an impact meets")) << table.out;
   const auto mass = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments{"modes", rig, "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome done = folder.run(arguments);
-    EXPECT_EQ(done.code, 0) << done.err;
-    return nlohmann::json::parse(done.out).at("contact_mass");
+    const Outcome done = folder.done(arguments);
+    return json::parse(done.out).at("contact_mass");
   };
   const auto own = mass({});
   EXPECT_EQ(own.at("kept_modes"), 8);
@@ -46,7 +41,7 @@ TEST(CliModes, SaysWhatAnImpactMeets) {
   EXPECT_GT(fewest.at("kept_modes"), 8) << "8 modes meet twice the mass";
   EXPECT_LT(fewest.at("kept").get<double>(), fewest.at("mesh").get<double>() * 1.4);
   const Outcome modal = folder.run({"modes", shipped("bench_ring"), "--json"});
-  EXPECT_TRUE(nlohmann::json::parse(modal.out).at("contact_mass").is_null());
+  EXPECT_TRUE(json::parse(modal.out).at("contact_mass").is_null());
 }
 
 TEST(CliModes, RefusesAutoWhereNoNumberDoes) {
@@ -60,20 +55,16 @@ TEST(CliModes, RefusesAutoWhereNoNumberDoes) {
 
 TEST(CliModesPage, GoesIntoAFolder) {
   const Folder folder;
-  const Outcome done = folder.run({"modes", shipped("bench_ring"), "-o", "out", "--json"});
-  ASSERT_EQ(done.code, 0) << done.err;
+  const Outcome done = folder.done({"modes", shipped("bench_ring"), "-o", "out", "--json"});
   EXPECT_EQ(folder.files(), Files{"out/modes.html"});
-  const nlohmann::json modes = nlohmann::json::parse(done.out);
+  const json modes = json::parse(done.out);
   EXPECT_TRUE(modes.at("mode_shapes").is_null()) << "modal form";
 }
 
 TEST(CliModesPage, ReachesUpToTheSpeedAskedFor) {
   const Folder folder;
-  ASSERT_EQ(folder
-                .run({"modes", shipped("bench_ring"), "-o", "ring.html", "--up-to", "12000 rpm",
-                      "--quiet"})
-                .code,
-            0);
+  folder.done(
+      {"modes", shipped("bench_ring"), "-o", "ring.html", "--up-to", "12000 rpm", "--quiet"});
   EXPECT_TRUE(contains(folder.text("ring.html"), "up to 12000 rpm"));
 }
 
@@ -96,22 +87,19 @@ TEST(CliModesRubs, MapOnTheTerminalInJsonAndAsAPage) {
   const Folder folder;
   const std::vector<std::string> map{"modes",       shipped("bench_whip"), "--rub-map", "--speeds",
                                      "40Hz:60Hz:3", "--frictions",         "0.1:0.25:4"};
-  const Outcome shown = folder.run(map);
-  ASSERT_EQ(shown.code, 0) << shown.err;
+  const Outcome shown = folder.done(map);
   EXPECT_TRUE(contains(shown.out, "      0.2 |VVV")) << shown.out;
   std::vector<std::string> more = map;
   more.insert(more.end(), {"--json", "-o", "out"});
-  const Outcome written = folder.run(more);
-  ASSERT_EQ(written.code, 0) << written.err;
+  const Outcome written = folder.done(more);
   EXPECT_EQ(folder.files(), Files{"out/rub_map.html"});
-  const nlohmann::json points = nlohmann::json::parse(written.out).at("rub_map").at("points");
+  const json points = json::parse(written.out).at("rub_map").at("points");
   EXPECT_EQ(points.size(), 12U);
 }
 
 TEST(CliModesRubs, AreToldWithTheWhirl) {
   const Folder folder;
-  const Outcome done = folder.run({"modes", shipped("bench_whip")});
-  ASSERT_EQ(done.code, 0) << done.err;
+  const Outcome done = folder.done({"modes", shipped("bench_whip")});
   EXPECT_TRUE(contains(done.out, "-501.9257")) << done.out;
   EXPECT_TRUE(contains(folder.run({"modes", shipped("paper_sliding")}).out, "controller.kind"));
 }

@@ -2,29 +2,23 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
 
 namespace rotorub::test {
 namespace {
 
-using nlohmann::json;
-
 TEST(CliPlot, WritesThePageOfARun) {
   const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "0.02", "-o", "out"}).code, 0);
-  const Outcome done = folder.run({"plot", "out", "--json"});
-  ASSERT_EQ(done.code, 0) << done.err;
-  const json summary = json::parse(done.out);
+  folder.done({"run", shipped("bench_ring"), "--end", "0.02", "-o", "out"});
+  const json summary = folder.json_of({"plot", "out", "--json"});
   EXPECT_EQ(summary.at("file"), "out/plot.html");
   EXPECT_EQ(summary.at("rows"), 1001);
   EXPECT_EQ(summary.at("shadow"), false);
   const std::string page = folder.text("out/plot.html");
   EXPECT_TRUE(contains(page, "bench_ring"));
   EXPECT_TRUE(contains(page, "\"label\":\"native\""));
-  const Outcome elsewhere = folder.run({"plot", "out", "-o", "pages/one.html"});
-  ASSERT_EQ(elsewhere.code, 0) << elsewhere.err;
+  const Outcome elsewhere = folder.done({"plot", "out", "-o", "pages/one.html"});
   EXPECT_EQ(folder.text("pages/one.html"), page) << "the same run, the same bytes";
   expect_whole_files(folder);
 }
@@ -32,11 +26,9 @@ TEST(CliPlot, WritesThePageOfARun) {
 TEST(CliPlot, HasTheShadowBesideARunOfMujoco) {
   const Folder folder;
   const Outcome run =
-      folder.run({"run", shipped("bench_ring"), "--engine", "mujoco", "--contact", "cone", "--end",
-                  "0.02", "--set", "mujoco.shadow=true", "-o", "out"});
-  ASSERT_EQ(run.code, 0) << run.err;
-  const Outcome done = folder.run({"plot", "out", "--json"});
-  ASSERT_EQ(done.code, 0) << done.err;
+      folder.done({"run", shipped("bench_ring"), "--engine", "mujoco", "--contact", "cone", "--end",
+                   "0.02", "--set", "mujoco.shadow=true", "-o", "out"});
+  const Outcome done = folder.done({"plot", "out", "--json"});
   EXPECT_EQ(json::parse(done.out).at("shadow"), true);
   const std::string page = folder.text("out/plot.html");
   EXPECT_TRUE(contains(page, "\"label\":\"cone\""));
@@ -53,7 +45,7 @@ TEST(CliPlot, RefusesWhatIsNoRun) {
   const Outcome empty = folder.run({"plot", "empty"});
   EXPECT_EQ(empty.code, 2);
   EXPECT_TRUE(contains(empty.err, "empty/summary.json")) << empty.err;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"}).code, 0);
+  folder.done({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"});
   const Outcome changed = folder.run({"plot", "out", "--set", "run.end=1"});
   EXPECT_EQ(changed.code, 2);
   EXPECT_TRUE(contains(changed.err, "--set")) << changed.err;
@@ -62,7 +54,7 @@ TEST(CliPlot, RefusesWhatIsNoRun) {
 // A series that somebody has edited is refused by its line, not drawn.
 TEST(CliPlot, RefusesASeriesThatIsNone) {
   const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"}).code, 0);
+  folder.done({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"});
   const std::string good = folder.text("out/series.csv");
   const auto refusal = [&](std::string text, const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);
@@ -82,11 +74,8 @@ TEST(CliPlot, RefusesASeriesThatIsNone) {
 
 TEST(CliPlot, NamesAColumnOfTheModesThatIsMissing) {
   const Folder folder;
-  ASSERT_EQ(folder
-                .run({"run", shipped("paper_passive"), "--set", "rotor.modes=2", "--end", "0.001",
-                      "-o", "out"})
-                .code,
-            0);
+  folder.done(
+      {"run", shipped("paper_passive"), "--set", "rotor.modes=2", "--end", "0.001", "-o", "out"});
   std::string text = folder.text("out/series.csv");
   text.replace(text.find(",vx_1"), 5, ",vx_7");
   std::ofstream(folder.path() / "out/series.csv") << text;
@@ -98,7 +87,7 @@ TEST(CliPlot, NamesAColumnOfTheModesThatIsMissing) {
 // A device has no end.
 TEST(CliPlot, ReadsFilesAlone) {
   const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"}).code, 0);
+  folder.done({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"});
   for (const char* file : {"series.csv", "impacts.csv", "summary.json", "scene.toml"}) {
     const std::filesystem::path there = folder.path() / "out" / file;
     const std::filesystem::path kept = folder.path() / "kept";

@@ -12,11 +12,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace rotorub::test {
+
+using nlohmann::json;
 
 struct Outcome {
   int code = -1;  // exit code; 128 + signal
@@ -104,6 +107,16 @@ class Folder {
   Outcome run(const std::vector<std::string>& arguments, Surroundings surroundings = {}) const {
     return Program(path_, arguments, std::move(surroundings)).wait();
   }
+  // The same of what must succeed, and what it then prints as JSON.
+  Outcome done(const std::vector<std::string>& arguments, Surroundings surroundings = {}) const {
+    Outcome outcome = run(arguments, std::move(surroundings));
+    EXPECT_EQ(outcome.code, 0) << testing::PrintToString(arguments) << outcome.out << outcome.err;
+    return outcome;
+  }
+  json json_of(const std::vector<std::string>& arguments, Surroundings surroundings = {}) const {
+    return json::parse(done(arguments, std::move(surroundings)).out);
+  }
+  json json_in(const std::string& file) const { return json::parse(text(file)); }
   std::string text(const std::string& file) const { return read_text(path_ / file); }
   bool has(const std::string& file) const { return std::filesystem::exists(path_ / file); }
 

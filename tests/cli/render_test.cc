@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
 
 namespace rotorub::test {
 namespace {
 
-using nlohmann::json;
 using Words = std::vector<std::string>;
 
 // A scene that runs at once.
@@ -31,16 +29,12 @@ std::pair<int, int> png_size(const std::string& png) {
 
 TEST(CliRender, SameSceneSameBytesOfAPicture) {
   const Folder folder;
-  const Outcome done =
-      folder.run(quick_render({"--png", "--size", "320x180", "--at", "5 ms", "--json"}));
-  ASSERT_EQ(done.code, 0) << done.err;
-  const json made = json::parse(done.out);
+  const json made =
+      folder.json_of(quick_render({"--png", "--size", "320x180", "--at", "5 ms", "--json"}));
   EXPECT_EQ(made.at("file"), "bench_ring.png");
   EXPECT_EQ(made.at("t"), 5e-3);
-  ASSERT_EQ(
-      folder.run(quick_render({"-o", "again.png", "--size", "320x180", "--at", "0.005"})).code, 0);
-  ASSERT_EQ(
-      folder.run(quick_render({"-o", "later.png", "--size", "320x180", "--at", "0.0045"})).code, 0);
+  folder.done(quick_render({"-o", "again.png", "--size", "320x180", "--at", "0.005"}));
+  folder.done(quick_render({"-o", "later.png", "--size", "320x180", "--at", "0.0045"}));
   const std::string picture = folder.text("bench_ring.png");
   EXPECT_EQ(png_size(picture), (std::pair{320, 180}));
   EXPECT_EQ(picture, folder.text("again.png"));
@@ -50,11 +44,9 @@ TEST(CliRender, SameSceneSameBytesOfAPicture) {
 
 TEST(CliRender, FilmIsAsItsFlagsSay) {
   const Folder folder;
-  const Outcome done =
-      folder.run(quick_render({"--gif", "--size", "321x180", "--from", "4 ms", "--to", "0.0045",
-                               "--slow", "800", "--fps", "10", "--title", "A bounce", "--json"}));
-  ASSERT_EQ(done.code, 0) << done.err;
-  const json made = json::parse(done.out);
+  const json made = folder.json_of(
+      quick_render({"--gif", "--size", "321x180", "--from", "4 ms", "--to", "0.0045", "--slow",
+                    "800", "--fps", "10", "--title", "A bounce", "--json"}));
   EXPECT_EQ(made.at("file"), "bench_ring.gif");
   EXPECT_EQ(made.at("from"), 4e-3);
   EXPECT_EQ(made.at("to"), 4.5e-3);
@@ -104,29 +96,26 @@ TEST(CliRender, RefusesBeforeAnythingRuns) {
 
 TEST(CliRender, ScenesAreChangedRunsAreNot) {
   const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"}).code,
-            0);
+  folder.done({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"});
   EXPECT_EQ(folder.run({"render", "out", "--step", "1e-5"}).code, 2);
   EXPECT_EQ(folder.run({"render", "nowhere.toml"}).code, 2);
   EXPECT_FALSE(folder.has("bench_ring.mp4"));
-  const Outcome picture = folder.run({"render", "out", "--png", "--size", "320x180", "--quiet"});
-  EXPECT_EQ(picture.code, 0) << picture.err;
+  const Outcome picture = folder.done({"render", "out", "--png", "--size", "320x180", "--quiet"});
   EXPECT_TRUE(folder.has("bench_ring.png"));
 }
 
 TEST(CliRender, RunsOfOneSceneSideBySide) {
   const Folder folder;
   const auto run = [&](const std::string& scene, const Words& more) {
-    const Outcome done = folder.run(with({"run", shipped(scene), "--end", "5ms", "--quiet"}, more));
-    ASSERT_EQ(done.code, 0) << done.err;
+    const Outcome done =
+        folder.done(with({"run", shipped(scene), "--end", "5ms", "--quiet"}, more));
   };
   run("bench_ring", {"-o", "native"});
   run("bench_ring", {"--engine", "mujoco", "--contact", "cone", "-o", "cone"});
   run("bench_drop", {"-o", "other"});
   const Words picture = {"render", "cone", "--png", "--size", "640x360", "--quiet"};
-  ASSERT_EQ(folder.run(with(picture, {"-o", "alone.png"})).code, 0);
-  const Outcome pair = folder.run(with(picture, {"--beside", "native", "-o", "pair.png"}));
-  ASSERT_EQ(pair.code, 0) << pair.err;
+  folder.done(with(picture, {"-o", "alone.png"}));
+  const Outcome pair = folder.done(with(picture, {"--beside", "native", "-o", "pair.png"}));
   EXPECT_NE(folder.text("alone.png"), folder.text("pair.png"));
   for (const char* wrong : {"nowhere", "other"}) {
     const Outcome refused = folder.run(with(picture, {"--beside", wrong}));
@@ -139,8 +128,7 @@ TEST(CliRender, RunsOfOneSceneSideBySide) {
 // and says so.
 TEST(CliRender, TellsOfRunsThatAreBrokenOrEndedEarly) {
   const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"}).code,
-            0);
+  folder.done({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"});
   const Words picture = {"render", "out", "--png", "--size", "320x180", "--quiet", "-o", "one.png"};
   const auto put = [&](const char* file, const std::string& text) {
     std::ofstream(folder.path() / file) << text;
@@ -151,8 +139,7 @@ TEST(CliRender, TellsOfRunsThatAreBrokenOrEndedEarly) {
   ASSERT_TRUE(contains(stopped, ok));
   stopped.replace(stopped.find(ok), ok.size(), "\"status\": \"diverged\"");
   put("out/summary.json", stopped);
-  const Outcome early = folder.run(picture);
-  EXPECT_EQ(early.code, 0) << early.err;
+  const Outcome early = folder.done(picture);
   EXPECT_TRUE(contains(early.err, "rotorub: out: ended at 0.005 s of 0.005 s: diverged"))
       << early.err;
   EXPECT_TRUE(folder.has("one.png"));
@@ -167,12 +154,9 @@ TEST(CliRender, TellsOfRunsThatAreBrokenOrEndedEarly) {
 
 TEST(CliRenderLong, WritesAFilm) {
   const Folder folder;
-  ASSERT_EQ(folder.run({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"}).code,
-            0);
-  const Outcome done =
-      folder.run({"render", "out", "--from", "4ms", "--slow", "500", "-o", "film.mp4", "--json"});
-  ASSERT_EQ(done.code, 0) << done.err;
-  const json made = json::parse(done.out);
+  folder.done({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"});
+  const json made = folder.json_of(
+      {"render", "out", "--from", "4ms", "--slow", "500", "-o", "film.mp4", "--json"});
   EXPECT_EQ(made.at("file"), "film.mp4");
   EXPECT_EQ(made.at("width"), 1280);
   EXPECT_EQ(made.at("frames"), 30) << "60 a second by default";

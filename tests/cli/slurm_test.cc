@@ -1,5 +1,4 @@
 // rotorub sweep --slurm on a real Slurm of one node.
-#include <nlohmann/json.hpp>
 
 #include "tests/cli/slurm_cluster.h"
 
@@ -32,15 +31,13 @@ TEST(LongSlurm, ATaskThatIsKilledAndSubmittedAgainLeavesTheSameTable) {
   }
   const Folder folder;
   std::ofstream(folder.path() / "study.toml") << study();
-  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "whole", "-q"}).code, 0);
+  folder.done({"sweep", "study.toml", "-o", "whole", "-q"});
 
   const SlurmCluster slurm;
   const std::vector<std::string> submit{"sweep",   "study.toml", "-o",     "out", "--slurm",
                                         "--tasks", "4",          "--jobs", "1",   "--json"};
-  const Outcome first = folder.run(submit, slurm.surroundings());
-  ASSERT_EQ(first.code, 0) << first.err;
-  const auto job = nlohmann::json::parse(first.out);
-  EXPECT_EQ(job.at("tasks"), nlohmann::json({1, 2, 3, 4}));
+  const json job = folder.json_of(submit, slurm.surroundings());
+  EXPECT_EQ(job.at("tasks"), json({1, 2, 3, 4}));
 
   // Task 3 has begun: SIGKILL to all that it runs.
   const std::string file = "out/results.3-of-4.sqlite";
@@ -51,21 +48,18 @@ TEST(LongSlurm, ATaskThatIsKilledAndSubmittedAgainLeavesTheSameTable) {
   EXPECT_EQ(folder.run(merge).code, 3) << "task 3 was to be killed before it was done";
 
   // Submitted again, it is the only one.
-  const Outcome second = folder.run(submit, slurm.surroundings());
-  ASSERT_EQ(second.code, 0) << second.err;
-  EXPECT_EQ(nlohmann::json::parse(second.out).at("tasks"), nlohmann::json({3}));
+  const Outcome second = folder.done(submit, slurm.surroundings());
+  EXPECT_EQ(json::parse(second.out).at("tasks"), json({3}));
   slurm.wait_for_all_jobs();
-  const Outcome merged = folder.run(merge);
-  ASSERT_EQ(merged.code, 0) << merged.err;
+  const Outcome merged = folder.done(merge);
   EXPECT_EQ(folder.text("out/results.csv"), folder.text("whole/results.csv"));
   for (const char* log : {"out/slurm-1.log", "out/slurm-3.log"}) {
     EXPECT_NE(folder.text(log).find("shard "), std::string::npos) << log;
   }
 
   // All is done: nothing is submitted.
-  const Outcome third = folder.run({"sweep", "study.toml", "-o", "out", "--slurm", "--tasks", "4"},
-                                   slurm.surroundings());
-  EXPECT_EQ(third.code, 0) << third.err;
+  const Outcome third = folder.done({"sweep", "study.toml", "-o", "out", "--slurm", "--tasks", "4"},
+                                    slurm.surroundings());
   EXPECT_NE(third.out.find("every shard is done"), std::string::npos) << third.out;
   // Another number of tasks would cut the points otherwise.
   EXPECT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "--slurm", "--tasks", "3"}).code, 2);

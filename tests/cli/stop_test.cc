@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tests/cli/program.h"
@@ -28,7 +27,7 @@ TEST(CliStop, ASignalKeepsPartialResults) {
     const Outcome stopped = program.wait();
     EXPECT_EQ(stopped.code, code) << stopped.err;
     expect_whole_files(folder);
-    EXPECT_EQ(nlohmann::json::parse(folder.text("out/summary.json")).at("status"), "interrupted");
+    EXPECT_EQ(folder.json_in("out/summary.json").at("status"), "interrupted");
   }
 }
 
@@ -65,9 +64,9 @@ TEST(CliStop, TheNextRunRemovesWhatAKilledOneLeft) {
     for (const std::string& file : files) std::ofstream(folder.path() / file) << "half";
   }
   const std::string drop = shipped("bench_drop");
-  ASSERT_EQ(folder.run({"run", drop, "--end", "1ms", "-o", "out"}).code, 0);
-  ASSERT_EQ(folder.run({"mjcf", drop, "-o", "drop.xml"}).code, 0);
-  ASSERT_EQ(folder.run({"render", "out", "--png", "--size", "320x180", "-o", "film.png"}).code, 0);
+  folder.done({"run", drop, "--end", "1ms", "-o", "out"});
+  folder.done({"mjcf", drop, "-o", "drop.xml"});
+  folder.done({"render", "out", "--png", "--size", "320x180", "-o", "film.png"});
   for (const std::string& file : stale) EXPECT_FALSE(folder.has(file)) << file;
   for (const std::string& file : others)
     EXPECT_TRUE(folder.has(file)) << file << " is somebody else's";
@@ -83,7 +82,7 @@ TEST(CliStop, AKilledFilmLeavesNothingAfterTheNext) {
   for (int tries = 0; tries < 300 && folder.files().empty(); ++tries)
     std::this_thread::sleep_for(20ms);
   EXPECT_EQ(program.kill_and_wait().code, 128 + SIGKILL);
-  EXPECT_EQ(folder.run(render).code, 0);
+  folder.done(render);
   EXPECT_EQ(folder.files(), std::vector<std::string>{"film.mp4"});
 }
 

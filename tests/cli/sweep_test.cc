@@ -1,6 +1,5 @@
 // rotorub sweep: what it leaves, and that what stops it leaves no trace.
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
 
@@ -36,9 +35,7 @@ TEST(Sweep, LeavesTableDatabasePageAndStudy) {
   const std::string text =
       study(3, 2, "integrator = \"verlet\"\nstep = \"100 us\"\nend = \"50 ms\"\n");
   write_study(folder, "study.toml", text);
-  const Outcome outcome = folder.run({"sweep", "study.toml", "-o", "out", "--json"});
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const auto summary = nlohmann::json::parse(outcome.out);
+  const json summary = folder.json_of({"sweep", "study.toml", "-o", "out", "--json"});
   EXPECT_EQ(summary.at("points"), 6);
   EXPECT_EQ(summary.at("done"), 6);
   EXPECT_EQ(summary.at("status").at("ok"), 6);
@@ -50,7 +47,7 @@ TEST(Sweep, LeavesTableDatabasePageAndStudy) {
   EXPECT_EQ(lines(folder.text("out/results.csv")), 7);
   // Again: nothing is left to do, and nothing changes.
   const std::string table = folder.text("out/results.csv");
-  EXPECT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "-q"}).code, 0);
+  folder.done({"sweep", "study.toml", "-o", "out", "-q"});
   EXPECT_EQ(folder.text("out/results.csv"), table);
 }
 
@@ -61,8 +58,8 @@ TEST(Sweep, DoesNotDependOnTheThreads) {
         "engine = \"mujoco\"\ncontact = \"rigid\"\nend = \"20 ms\"\n",
         "engine = \"mujoco\"\ncontact = \"cone\"\nend = \"20 ms\"\n"}) {
     write_study(folder, "study.toml", study(6, 2, run));
-    ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "one", "--jobs", "1", "-q"}).code, 0);
-    ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "many", "--jobs", "3", "-q"}).code, 0);
+    folder.done({"sweep", "study.toml", "-o", "one", "--jobs", "1", "-q"});
+    folder.done({"sweep", "study.toml", "-o", "many", "--jobs", "3", "-q"});
     EXPECT_EQ(folder.text("one/results.csv"), folder.text("many/results.csv")) << run;
     std::filesystem::remove_all(folder.path() / "one");
     std::filesystem::remove_all(folder.path() / "many");
@@ -77,8 +74,7 @@ TEST(Sweep, FailuresAreRows) {
           "\"\n[sample]\nkind = \"list\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1, -1, "
           "0.1]\n[[vary]]\nkey = \"run.step\"\nvalues = [1e-5, 1e-5, 0.02]\n[run]\nintegrator = "
           "\"paper\"\nend = \"40 ms\"\n");
-  const Outcome outcome = folder.run({"sweep", "study.toml", "-o", "out"});
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Outcome outcome = folder.done({"sweep", "study.toml", "-o", "out"});
   EXPECT_NE(outcome.out.find("3 points: 1 ok, 1 refused, 1 step_too_large"), std::string::npos)
       << outcome.out;
   const std::string table = folder.text("out/results.csv");
@@ -122,7 +118,7 @@ TEST(Sweep, AnotherStudyInTheSameFolderIsRefused) {
   const Folder folder;
   const std::string run = "integrator = \"verlet\"\nend = \"10 ms\"\n";
   write_study(folder, "study.toml", study(2, 1, run));
-  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "-q"}).code, 0);
+  folder.done({"sweep", "study.toml", "-o", "out", "-q"});
   const std::string table = folder.text("out/results.csv");
   write_study(folder, "study.toml", study(3, 1, run));
   const Outcome changed = folder.run({"sweep", "study.toml", "-o", "out"});
@@ -164,7 +160,7 @@ TEST(Sweep, InterruptedItSaysSoAndGoesOn) {
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_FALSE(folder.has("out/results.csv"));
-  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "-q"}).code, 0);
+  folder.done({"sweep", "study.toml", "-o", "out", "-q"});
   EXPECT_EQ(lines(folder.text("out/results.csv")), 601);
 }
 
@@ -172,7 +168,7 @@ TEST(Sweep, InterruptedItSaysSoAndGoesOn) {
 void expect_no_trace_of_kills(const std::string& text, const std::vector<std::string>& how) {
   const Folder folder;
   write_study(folder, "study.toml", text);
-  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "whole", "-q"}).code, 0);
+  folder.done({"sweep", "study.toml", "-o", "whole", "-q"});
   const std::string whole = folder.text("whole/results.csv");
   std::mt19937 random(20260101);
   std::vector<std::string> arguments{"sweep", "study.toml", "-o", "killed", "-q"};
@@ -185,7 +181,7 @@ void expect_no_trace_of_kills(const std::string& text, const std::vector<std::st
     if (program.kill_and_wait().code == 0) break;  // it was done before
   }
   EXPECT_GE(kills, 3) << "too quick to be killed: take more points";
-  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "killed", "-q"}).code, 0);
+  folder.done({"sweep", "study.toml", "-o", "killed", "-q"});
   EXPECT_EQ(folder.text("killed/results.csv"), whole);
   for (const std::string& file : folder.files()) {
     EXPECT_EQ(file.find(".part"), std::string::npos) << file;
@@ -205,7 +201,7 @@ TEST(LongSweep, KilledTenTimesItLeavesTheSameTableOfEnsembles) {
 TEST(LongSweep, ShardsOfWhichOneIsKilledAndRunAgainMergeIntoTheSameTable) {
   const Folder folder;
   write_study(folder, "study.toml", study(20, 20, "integrator = \"event\"\n"));
-  ASSERT_EQ(folder.run({"sweep", "study.toml", "-o", "whole", "-q"}).code, 0);
+  folder.done({"sweep", "study.toml", "-o", "whole", "-q"});
   const auto shard = [](int number) {
     return std::vector<std::string>{"sweep", "study.toml", "-o",
                                     "out",   "-q",         "--jobs",
@@ -216,14 +212,14 @@ TEST(LongSweep, ShardsOfWhichOneIsKilledAndRunAgainMergeIntoTheSameTable) {
     std::this_thread::sleep_for(150ms);
     EXPECT_EQ(victim.kill_and_wait().code, 128 + SIGKILL);
   }
-  for (const int number : {1, 2, 4}) ASSERT_EQ(folder.run(shard(number)).code, 0);
+  for (const int number : {1, 2, 4}) folder.done(shard(number));
   const std::vector<std::string> merge{"sweep", "study.toml", "-o", "out", "--merge", "out", "-q"};
   const Outcome early = folder.run(merge);
   EXPECT_EQ(early.code, 3);
   EXPECT_NE(early.err.find("missing"), std::string::npos) << early.err;
   EXPECT_FALSE(folder.has("out/results.csv"));
-  ASSERT_EQ(folder.run(shard(3)).code, 0);
-  ASSERT_EQ(folder.run(merge).code, 0);
+  folder.done(shard(3));
+  folder.done(merge);
   EXPECT_EQ(folder.text("out/results.csv"), folder.text("whole/results.csv"));
 }
 

@@ -28,8 +28,7 @@ class Terminal {
   std::string shown(const std::vector<std::string>& arguments,
                     std::vector<std::pair<std::string, std::string>> environment) {
     const Folder folder;
-    const Outcome outcome = folder.run(arguments, {std::move(environment), name_});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = folder.done(arguments, {std::move(environment), name_});
     std::string text;
     char buffer[4096];
     for (ssize_t n = 0; (n = read(master_, buffer, sizeof buffer)) > 0;) {
@@ -70,8 +69,7 @@ TEST(CliTerminal, AnUnknownCommandIsNamed) {
 
 TEST(CliTerminal, HelpOfACommand) {
   const Folder folder;
-  const Outcome help = folder.run({"help", "run"});
-  EXPECT_EQ(help.code, 0);
+  const Outcome help = folder.done({"help", "run"});
   EXPECT_EQ(help.out, folder.run({"run", "--help"}).out);
   EXPECT_TRUE(contains(help.out, "--integrator")) << help.out;
   EXPECT_EQ(folder.run({"help"}).out, folder.run({"--help"}).out);

@@ -1,22 +1,16 @@
 // rotorub tune as a user starts it.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tests/cli/program.h"
 
 namespace rotorub::test {
 namespace {
 
-using nlohmann::json;
-
 TEST(CliTune, FindsASettingWhoseOwnComparisonPasses) {
   const Folder folder;
-  const Outcome done =
-      folder.run({"tune", shipped("bench_ring"), "--end", "50ms", "--steps", "100us,50us,20us,10us",
-                  "--tolerance", "5%", "--twins", "4", "--json", "-o", "tuned.toml"});
-  ASSERT_EQ(done.code, 0) << done.err;
-  const json all = json::parse(done.out);
+  const json all = folder.json_of({"tune", shipped("bench_ring"), "--end", "50ms", "--steps",
+                                   "100us,50us,20us,10us", "--tolerance", "5%", "--twins", "4",
+                                   "--json", "-o", "tuned.toml"});
   for (const char* key :
        {"trusted", "next_cheaper", "model_error", "contact_error", "step_error"}) {
     EXPECT_TRUE(all.contains(key)) << key;
@@ -36,9 +30,8 @@ TEST(CliTune, FindsASettingWhoseOwnComparisonPasses) {
 
   ASSERT_TRUE(folder.has("tuned.toml"));
   EXPECT_TRUE(contains(folder.text("tuned.toml"), "contact = \"rigid\""));
-  const Outcome judged = folder.run({"compare", "tuned.toml", "--tolerance", "5%", "--twins", "4",
-                                     "--no-video", "--quiet", "-o", "out"});
-  EXPECT_EQ(judged.code, 0) << judged.err;
+  const Outcome judged = folder.done({"compare", "tuned.toml", "--tolerance", "5%", "--twins", "4",
+                                      "--no-video", "--quiet", "-o", "out"});
 }
 
 // What tune says of a setting, compare says of the scene that has it.
@@ -51,7 +44,7 @@ TEST(CliTune, JudgesAsCompareDoes) {
   words = {"compare", "--step", "50us", "--no-video", "--quiet", "-o", "out"};
   words.insert(words.end(), shared.begin(), shared.end());
   folder.run(words);
-  const json sides = json::parse(folder.text("out/compare.json"))["scenes"][0]["differences"];
+  const json sides = folder.json_in("out/compare.json")["scenes"][0]["differences"];
   int seen = 0;
   for (const json& s : all["settings"]) {
     const bool as_it_comes = s["solref_stiffness"].is_null() && s["solref_damping"].is_null() &&

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::test {
 

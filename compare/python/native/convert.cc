@@ -15,7 +15,6 @@
 #include "compare/base/json.h"
 #include "compare/run_files/summary.h"
 #include "native_model/scene/reader.h"
-#include "native_model/scene/variants.h"
 
 namespace py = pybind11;
 

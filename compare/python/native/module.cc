@@ -19,7 +19,7 @@
 #include "compare/sweep/batch_run.h"
 #include "compare/sweep/point_scene.h"
 #include "native_model/control/library.h"
-#include "native_model/scene/old_words.h"
+#include "native_model/scene/text.h"
 
 namespace py = pybind11;
 

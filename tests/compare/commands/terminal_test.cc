@@ -4,7 +4,7 @@
 
 #include "compare/base/palette.h"
 #include "compare/commands/command_line.h"
-#include "compare/commands/progress.h"
+#include "compare/commands/terminal.h"
 
 namespace rotorub {
 namespace {

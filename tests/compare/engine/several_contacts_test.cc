@@ -6,8 +6,8 @@
 
 #include "compare/engine/mujoco_engine.h"
 #include "mjcf/writer.h"
-#include "native_model/scene/contact_models.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/scene.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {

@@ -1,4 +1,4 @@
-#include "native_model/scene/printable.h"
+#include "native_model/scene/text.h"
 
 #include <gtest/gtest.h>
 

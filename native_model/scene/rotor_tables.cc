@@ -1,17 +1,23 @@
-// The rows of [run] and [rotor].
+// [rotor] and the tables below it, discs and bearings apart: rows, and what single keys cannot
+// show.
 
+#include <algorithm>
+#include <cmath>
+
+#include "native_model/scene/checker.h"
+#include "native_model/scene/disc.h"
 #include "native_model/scene/schema.h"
+#include "native_model/scene/shaft_bearing.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 namespace {
 
 constexpr std::string_view kAuto = "auto";
-constexpr std::string_view kByDimensions = "by `diameter`, `thickness`";
-
-RotorGeometry& geometry(Scene& scene) {
-  if (!scene.rotor.geometry) scene.rotor.geometry.emplace();
-  return *scene.rotor.geometry;
-}
+// Sections meet within this part of the length: stations are often rounded decimals.
+constexpr double kSectionTolerance = 1e-9;
+// Thinner than this part of the length no beam's eigenvalues can be found, or only in minutes.
+constexpr double kThinnest = 1e-6;
 
 template <auto Member>
 Key shaft(std::string_view name, const Quantity& quantity, std::string_view range,
@@ -33,22 +39,6 @@ Key modes() {
     if (!shaft->auto_modes) shaft->modes = value.whole;
   };
   return key;
-}
-
-Table run() {
-  return {
-      "run",
-      "How long, how finely and what to write.",
-      "the defaults",
-      [](Scene& scene) -> void* { return &scene.run; },
-      {key<&Run::end>("end", kTime, "> 0", kStandard, "end of the run, which starts at 0"),
-       key<&Run::step>("step", kTime, "> 0", kStandard, "step of `midpoint` and of MuJoCo"),
-       word<&Run::integrator>("integrator", {"event", "midpoint", "verlet", "euler"}, kStandard,
-                              "of the native engine"),
-       key<&Run::output_step>("output_step", kTime, "> 0", "`end` / 1000",
-                              "spacing of the rows of the series"),
-       key<&Run::output_times>("output_times", kTime, ">= 0", "none",
-                               "further exact times of rows, in any order, each at most `end`")}};
 }
 
 Table rotor() {
@@ -86,7 +76,7 @@ Table section() {
       "rotor.section",
       "Pieces of the shaft; together they cover 0 to `length` without gap or overlap.",
       "refused in the geometry form",
-      [](Scene& scene) -> void* { return &geometry(scene).sections.emplace_back(); },
+      [](Scene& scene) -> void* { return &geometry_of(scene).sections.emplace_back(); },
       {key<&ShaftSection::from>("from", kLength, ">= 0", kRequired, "first station"),
        key<&ShaftSection::to>("to", kLength, "> 0", kRequired, "last station"),
        key<&ShaftSection::diameter>("diameter", kLength, "> 0", kRequired, "outer diameter"),
@@ -98,74 +88,6 @@ Table section() {
        key<&ShaftSection::end_inner_diameter>("end_inner_diameter", kLength, ">= 0",
                                               "`inner_diameter`",
                                               "the bore at `to`, below `end_diameter`")}}
-      .as_list()
-      .in(Form::kGeometry);
-}
-
-Table disc() {
-  return Table{
-      "rotor.disc",
-      "Rigid discs on the shaft.",
-      "none",
-      [](Scene& scene) -> void* { return &geometry(scene).discs.emplace_back(); },
-      {key<&Disc::z>("z", kLength, ">= 0", kRequired, "along the shaft").or_called("station"),
-       key<&Disc::mass>("mass", kMass, ">= 0", kByDimensions, ""),
-       key<&Disc::Jt>("Jt", kInertia, ">= 0", kByDimensions, "moment of inertia about a diameter"),
-       key<&Disc::Jp>("Jp", kInertia, ">= 0", kByDimensions,
-                      "moment of inertia about the shaft, at most 2 `Jt`"),
-       key<&Disc::diameter>("diameter", kLength, "> 0", "the three are given",
-                            "of a solid disc, whose `mass`, `Jt` and `Jp` follow"),
-       key<&Disc::inner_diameter>("inner_diameter", kLength, ">= 0", "0",
-                                  "its bore, below `diameter`: the shaft's part is the shaft's"),
-       key<&Disc::thickness>("thickness", kLength, "> 0", "the three are given",
-                             "along the shaft; needed with `diameter`"),
-       key<&Disc::rho>("rho", kDensity, "> 0", "`rotor.rho`", "of the disc with a `diameter`"),
-       key<&Disc::eccentricity>("eccentricity", kLength, ">= 0", kStandard,
-                                "of the centre of mass"),
-       key<&Disc::unbalance>("unbalance", kStaticMoment, ">= 0", "by `eccentricity`",
-                             "mass times eccentricity, in its place"),
-       key<&Disc::balance_grade>("balance_grade", kPure, "", "by `eccentricity`",
-                                 "of ISO 21940-11 in its place, as \"G 2.5\": an eccentricity of "
-                                 "2.5 mm/s over `balance_speed`"),
-       key<&Disc::balance_speed>("balance_speed", kSpin, "> 0", "`rotor.speed`",
-                                 "of `balance_grade`, the fastest in service"),
-       key<&Disc::phase>("phase", kAngle, "", kStandard,
-                         "of the eccentricity, from the rotor's own x axis")}}
-      .as_list()
-      .in(Form::kGeometry);
-}
-
-Table bearing() {
-  return Table{
-      "rotor.bearing",
-      "Linear bearings between shaft and base, as springs and dashpots, or by the eight "
-      "coefficients of an oil film.",
-      "none",
-      [](Scene& scene) -> void* { return &geometry(scene).bearings.emplace_back(); },
-      {key<&ShaftBearing::z>("z", kLength, ">= 0", kRequired, "along the shaft")
-           .or_called("station"),
-       planes<&ShaftBearing::stiffness>("stiffness", kStiffness, ">= 0", "by `table_kxx`", ""),
-       planes<&ShaftBearing::damping>("damping", kDamping, ">= 0", kStandard, ""),
-       key<&ShaftBearing::cross_stiffness>(
-           "cross_stiffness", kStiffness, "", kStandard,
-           "[k_xy, k_yx], across the planes: -k_xy y on x, -k_yx x on y"),
-       key<&ShaftBearing::cross_damping>("cross_damping", kDamping, "", kStandard,
-                                         "[c_xy, c_yx], alike"),
-       key<&ShaftBearing::offset>("offset", kLength, "", kStandard,
-                                  "where it stands off the line of the others: its alignment"),
-       key<&ShaftBearing::table_speed>(
-           "table_speed", kSpin, "", "`stiffness` and the others at every speed",
-           "ascending, two or more: the coefficients follow the speed, by a smooth curve "
-           "through the points, held beyond the ends"),
-       key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "", "needed with `table_speed`",
-                                     "one for each speed"),
-       key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "", "0", "alike"),
-       key<&ShaftBearing::table_kyx>("table_kyx", kStiffness, "", "0", "alike"),
-       key<&ShaftBearing::table_kyy>("table_kyy", kStiffness, "", "`table_kxx`", "alike"),
-       key<&ShaftBearing::table_cxx>("table_cxx", kDamping, "", "0", "alike"),
-       key<&ShaftBearing::table_cxy>("table_cxy", kDamping, "", "0", "alike"),
-       key<&ShaftBearing::table_cyx>("table_cyx", kDamping, "", "0", "alike"),
-       key<&ShaftBearing::table_cyy>("table_cyy", kDamping, "", "`table_cxx`", "alike")}}
       .as_list()
       .in(Form::kGeometry);
 }
@@ -214,10 +136,134 @@ Table torsion() {
            .in(Form::kModal)}};
 }
 
+std::string metres(double z) { return std::to_string(z) + " m"; }
+
+// Sections in the order of the file cover 0 to length.
+void check_sections(const Checker& check, const RotorGeometry& shaft) {
+  if (!check.sound({"rotor.section"})) return;
+  if (shaft.sections.empty()) {
+    check.fail("rotor.section", "missing: [[rotor.section]] from 0 to rotor.length");
+    return;
+  }
+  bool sound = check.sound({"rotor.length"});
+  for (std::size_t i = 0; i < shaft.sections.size(); ++i) {
+    const std::string path = list_element("rotor.section", i);
+    const ShaftSection& section = shaft.sections[i];
+    if (check.sound({path + ".diameter", path + ".inner_diameter"}) &&
+        section.inner_diameter >= section.diameter) {
+      check.fail(path + ".inner_diameter",
+                 "must be below the outer diameter, " + metres(section.diameter));
+    }
+    const double end = section.end_diameter.value_or(section.diameter);
+    if (section.tapered() &&
+        check.sound({path + ".diameter", path + ".inner_diameter", path + ".end_diameter",
+                     path + ".end_inner_diameter"}) &&
+        section.end_inner_diameter.value_or(section.inner_diameter) >= end) {
+      check.fail(path + (section.end_inner_diameter ? ".end_inner_diameter" : ".end_diameter"),
+                 "the bore at `to` must be below the outer diameter there, " + metres(end));
+    }
+    const bool begins = section.diameter >= kThinnest * shaft.length;
+    const std::string thinner = path + (begins ? ".end_diameter" : ".diameter");
+    if (check.sound({thinner, "rotor.length"}) &&
+        (begins ? end : section.diameter) < kThinnest * shaft.length) {
+      check.fail(thinner, "too thin for a shaft: expected at least a millionth of rotor.length = " +
+                              metres(shaft.length));
+    }
+    if (!check.sound({path + ".from", path + ".to"})) {
+      sound = false;
+    } else if (section.to <= section.from) {
+      check.fail(path + ".to", "must be beyond `from`, " + metres(section.from));
+      sound = false;
+    }
+  }
+  if (!sound) return;
+
+  const double slack = kSectionTolerance * shaft.length;
+  double covered = 0.0;
+  for (std::size_t i = 0; i < shaft.sections.size(); ++i) {
+    const ShaftSection& section = shaft.sections[i];
+    if (std::abs(section.from - covered) > slack) {
+      check.fail(list_element("rotor.section", i) + ".from",
+                 "the sections must cover 0 to rotor.length in order, without gap or overlap: "
+                 "expected " +
+                     metres(covered) + ", got " + metres(section.from));
+    }
+    covered = section.to;
+  }
+  if (std::abs(covered - shaft.length) > slack) {
+    check.fail(list_element("rotor.section", shaft.sections.size() - 1) + ".to",
+               "the sections must cover 0 to rotor.length: expected " + metres(shaft.length) +
+                   ", got " + metres(covered));
+  }
+}
+
+void check_geometry(const Checker& check, const RotorGeometry& shaft) {
+  const Record& record = check.record;
+  check_sections(check, shaft);
+  check_discs(check, shaft);
+  check_bearings(check, shaft);
+  if (record.given("rotor.modes") && record.given("rotor.max_frequency")) {
+    check.fail("rotor.max_frequency", "give `modes` or `max_frequency`, not both");
+  }
+  if (!record.given("rotor.modes") && !record.given("rotor.max_frequency")) {
+    check.fail("rotor.modes",
+               "missing: expected `modes` (a whole number >= 1, or \"auto\") or `max_frequency`");
+  }
+  if (record.given("rotor.modes_tolerance") && !shaft.auto_modes && record.sound({"rotor.modes"})) {
+    check.fail("rotor.modes_tolerance", "belongs to modes = \"auto\"");
+  }
+  if (record.given("rotor.nu") && record.given("rotor.G")) {
+    check.fail("rotor.G", "give `nu` or `G`, not both");
+  }
+  if (check.scene.rotor.torsion && !record.given("rotor.nu") && !record.given("rotor.G")) {
+    check.fail("rotor.nu", "missing: torsion needs `nu` (in (-1, 0.5]) or `G` (in Pa)");
+  }
+}
+
+void check_modal(const Checker& check, const RotorModal& modal) {
+  if (const auto modes = check.bending_modes()) {
+    const auto same = [&](const char* name, const std::vector<double>& list) {
+      check.list_length(std::string("rotor.modal.") + name, list, *modes,
+                        "mode (rotor.modal.mass has " + std::to_string(*modes) + ")");
+    };
+    same("mass_y", modal.mass_y);
+    same("stiffness", modal.stiffness);
+    same("stiffness_y", modal.stiffness_y);
+    same("damping", modal.damping);
+    same("damping_y", modal.damping_y);
+    same("internal_damping", modal.internal_damping);
+    same("gyroscopic", modal.gyroscopic);
+  }
+  if (check.scene.drive && check.sound({"rotor.modal.inertia"}) && modal.inertia <= 0.0) {
+    check.fail("rotor.modal.inertia",
+               "with [drive] the spin is free and needs an inertia in kg m^2, > 0");
+  }
+}
+
+void check_modal_torsion(const Checker& check, const Torsion& torsion) {
+  const auto modes = check.torsion_modes();
+  if (!modes) return;
+  const auto same = [&](const char* name, const std::vector<double>& list) {
+    check.list_length(std::string("rotor.torsion.") + name, list, *modes,
+                      "torsion mode (rotor.torsion.inertia has " + std::to_string(*modes) + ")");
+  };
+  same("stiffness", torsion.stiffness);
+  same("damping", torsion.damping);
+  same("drive_shape", torsion.drive_shape);
+}
+
 }  // namespace
 
 std::vector<Table> rotor_tables() {
-  return {run(), rotor(), section(), disc(), bearing(), modal(), torsion()};
+  return {rotor(), section(), disc_table(), shaft_bearing_table(), modal(), torsion()};
+}
+
+void check_rotor(const Checker& check) {
+  const Rotor& rotor = check.scene.rotor;
+  if (rotor.geometry && rotor.modal) return;  // already refused
+  if (rotor.geometry) check_geometry(check, *rotor.geometry);
+  if (rotor.modal) check_modal(check, *rotor.modal);
+  if (rotor.modal && rotor.torsion) check_modal_torsion(check, *rotor.torsion);
 }
 
 }  // namespace rotorub::scene

@@ -1,6 +1,12 @@
-// The rows of the auxiliary bearing: contact, ring, actuator.
+// [contact], [stator] and [actuator] of an auxiliary bearing: rows, and what single keys cannot
+// show.
 
+#include <algorithm>
+#include <functional>
+
+#include "native_model/scene/checker.h"
 #include "native_model/scene/schema.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 namespace {
@@ -137,12 +143,145 @@ Table actuator() {
                                   {"electromagnet", "table"})}};
 }
 
+void check_ring(const Checker& check) {
+  const AuxiliaryBearing& bearing = check.bearing();
+  const bool has_ring = check.given("stator");
+  if (bearing.contact) check.station("contact.station", bearing.contact->station);
+  if (bearing.actuator && !has_ring) {
+    check.fail("actuator", "needs [stator]: the ring is fixed, and there is nothing to move");
+  }
+  if (bearing.stator && bearing.stator->spin && !check.given("contact")) {
+    check.fail("stator.spin", "needs [contact]: nothing else turns the ring");
+  }
+  for (const char* key : {"initial.stator", "initial.stator_velocity"}) {
+    if (!check.given(key) || check.index > 0) continue;
+    if (check.given("contact[0]")) {
+      check.fail(key,
+                 "is not known beside [[contact]]; accepted: position and velocity in each "
+                 "[contact.stator]");
+    } else if (!has_ring) {
+      check.fail(key, "needs [stator]: the ring is fixed and stays at [0, 0]");
+    }
+  }
+}
+
+void check_force_table(const Checker& check, const Actuator& actuator) {
+  constexpr std::size_t kLeast = 4;  // of a cubic
+  const std::vector<double>&position = actuator.table_position, &current = actuator.table_current;
+  bool sound = true;
+  const auto refuse = [&](const char* key, const std::string& reason) {
+    check.fail(key, reason);
+    sound = false;
+  };
+  for (const auto& [key, list] : {std::pair("actuator.table_position", &position),
+                                  std::pair("actuator.table_current", &current)}) {
+    if (!check.given(key) || !check.sound({key})) {
+      sound = false;
+    } else if (list->size() < kLeast) {
+      refuse(key, "expected four values or more");
+    } else if (std::adjacent_find(list->begin(), list->end(), std::greater_equal<>()) !=
+               list->end()) {
+      refuse(key, "must be strictly ascending");
+    }
+  }
+  if (sound && !(current.front() < 0.0 && current.back() > 0.0)) {
+    refuse("actuator.table_current", "must reach from below 0 to above 0");
+  }
+  if (!sound || !check.given("actuator.table_force") || !check.sound({"actuator.table_force"})) {
+    return;
+  }
+  const std::vector<double>& force = actuator.table_force;
+  if (force.size() != position.size() * current.size()) {
+    return check.fail("actuator.table_force",
+                      "expected " + std::to_string(position.size() * current.size()) +
+                          " values, for each position one for each current, got " +
+                          std::to_string(force.size()));
+  }
+  const double most = std::min(-current.front(), current.back());
+  if (check.sound({"actuator.current_limit"}) && actuator.current_limit > most) {
+    check.fail("actuator.current_limit",
+               "must be within the table, at most " + number_text(most) + " A");
+  }
+}
+
+void check_actuator(const Checker& check, const Actuator& actuator) {
+  if (actuator.kind == ActuatorKind::kIdeal) return;
+  if (actuator.kind == ActuatorKind::kTable) check_force_table(check, actuator);
+  if (actuator.kind == ActuatorKind::kElectromagnet &&
+      check.sound({"actuator.bias_current", "actuator.current_limit"}) &&
+      actuator.current_limit > actuator.bias_current) {
+    check.fail("actuator.current_limit",
+               "must be at most actuator.bias_current = " + number_text(actuator.bias_current) +
+                   " A: beyond it a magnet's current would turn round");
+  }
+  for (const char* key : {"actuator.current_rate_limit", "actuator.voltage_limit"}) {
+    if (check.given(key) && actuator.coil_lag == 0.0 && check.sound({"actuator.coil_lag"})) {
+      check.fail(key, "needs actuator.coil_lag: without it the current follows at once");
+    }
+  }
+  const bool limited = check.given("actuator.voltage_limit");
+  if (limited && !check.given("actuator.inductance")) {
+    check.fail("actuator.voltage_limit",
+               "needs actuator.inductance: inductance di/dt = u - resistance i");
+  }
+  for (const char* key : {"actuator.inductance", "actuator.resistance"}) {
+    if (!limited && check.given(key)) {
+      check.fail(key, "needs actuator.voltage_limit: a voltage without limit gives every current");
+    }
+  }
+}
+
+// Mode values at the station; the first contact is where the modes are scaled to 1.
+void check_contact_shapes(const Checker& check) {
+  if (!check.bearing().contact) return;
+  const Contact& contact = *check.bearing().contact;
+  const auto one = [&](const char* key, const std::vector<double>& shape,
+                       std::optional<std::size_t> modes, const char* of) {
+    if (modes) check.list_length(key, shape, *modes, of);
+    if (check.index > 0 ||
+        std::all_of(shape.begin(), shape.end(), [](double s) { return s == 1.0; }))
+      return;
+    check.fail(
+        key,
+        "must be 1 for each mode, as the modes are scaled to 1 at the first contact; accepted: "
+        "modes scaled so, or another contact first");
+  };
+  one("contact.shape", contact.shape, check.bending_modes(), "bending mode");
+  one("contact.torsion_shape", contact.torsion_shape, check.torsion_modes(), "torsion mode");
+}
+
+// Names are one of each; what stands once in a file stands for one bearing.
+void check_list(const Checker& check) {
+  for (std::size_t k = 0; k < check.index; ++k) {
+    if (check.scene.name_of(k) != check.scene.name_of(check.index)) continue;
+    check.fail("contact.name",
+               "is the name of " + list_element("contact", k) + " too; accepted: one of its own");
+  }
+  if (check.scene.auxiliary.size() < 2 || !check.bearing().contact) return;
+  for (const char* key : {"contact.compression_time", "contact.expansion_time"}) {
+    const Contact& c = *check.bearing().contact;
+    if ((key == std::string("contact.expansion_time") ? c.expansion_time : c.compression_time) ==
+        0.0)
+      continue;
+    check.fail(
+        key, "an impact that takes time is known of one contact alone; accepted beside others: 0");
+  }
+}
+
 }  // namespace
 
 std::vector<Table> bearing_tables() {
   std::vector<Table> all{contact(), stator(), ring_spin(), actuator()};
   all.front().or_list = true;
   return all;
+}
+
+void check_bearing(const Checker& check) {
+  check_ring(check);
+  if (check.bearing().actuator) check_actuator(check, *check.bearing().actuator);
+  check_contact_shapes(check);
+  check_gap_at_start(check);
+  check_list(check);
 }
 
 }  // namespace rotorub::scene

@@ -1,7 +1,11 @@
-// The rows of everything around the rotor but its auxiliary bearing: drive, forces, start, MuJoCo.
+// [drive], [[force]] and [magnetic_bearing]: rows, and what single keys cannot show.
 
-#include "native_model/scene/contact_models.h"
+#include <algorithm>
+
+#include "native_model/scene/checker.h"
 #include "native_model/scene/schema.h"
+#include "native_model/scene/shaft_bearing.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 namespace {
@@ -131,96 +135,118 @@ Table bearing_control() {
                                       "from here on neither current nor negative stiffness")}};
 }
 
-Table gravity() {
-  return {"gravity",
-          "A constant acceleration in the plane of bending.",
-          "none",
-          [](Scene& scene) -> void* { return &scene.gravity.emplace(); },
-          {key<&Gravity::acceleration>("acceleration", kAcceleration, "", kRequired,
-                                       "as of a falling body"),
-           key<&Gravity::participation>("participation", kMass, "", "the modal mass",
-                                        "load of each bending mode per unit acceleration")
-               .in(Form::kModal)}};
+void check_drive(const Checker& check, const Drive& drive) {
+  check.station("drive.station", drive.station);
+  if (drive.kind != DriveKind::kTable || !check.given("drive.table_speed") ||
+      !check.sound({"drive.table_speed"})) {
+    return;
+  }
+  const std::vector<double>& speed = drive.table_speed;
+  if (speed.size() < 2) check.fail("drive.table_speed", "expected two speeds or more");
+  check.ascending("drive.table_speed", speed);
+  check.list_length("drive.table_torque", drive.table_torque, speed.size(),
+                    "speed of drive.table_speed");
 }
 
-// A key of [initial] that is kept with the first ring, where there is one.
-template <auto Member>
-Key start_of_ring(std::string_view name, const Quantity& quantity, std::string_view meaning) {
-  Key result = key<Member>(name, quantity, "", kStandard, meaning);
-  result.store = [](void* object, const Value& value) {
-    if (auto& ring = static_cast<Scene*>(object)->first().stator) (*ring).*Member = value.pair;
-  };
-  return result;
+void check_forces(const Checker& check) {
+  const auto modes = check.bending_modes();
+  for (std::size_t i = 0; i < check.scene.forces.size(); ++i) {
+    const std::string path = list_element("force", i);
+    const Force& force = check.scene.forces[i];
+    check.station(path + ".station", force.station);
+    if (modes) check.list_length(path + ".shape", force.shape, *modes, "bending mode");
+    if (check.sound({path + ".on", path + ".off"}) && force.off < force.on) {
+      check.fail(path + ".off", "must not be before `on` = " + number_text(force.on) + " s");
+    }
+    const bool passes = force.kind == ForceKind::kChirp || force.kind == ForceKind::kPulse;
+    if (!passes || !check.sound({path + ".kind", path + ".on", path + ".off"})) continue;
+    const std::string kind = force.kind == ForceKind::kChirp ? "chirp" : "pulse";
+    if (!check.given(path + ".off")) {
+      check.fail(path, "kind \"" + kind + "\" needs `off`, the time at which it is over");
+    } else if (force.off == force.on) {
+      check.fail(path + ".off",
+                 "must be after `on` = " + number_text(force.on) + " s: a " + kind + " takes time");
+    }
+  }
 }
 
-Table initial() {
-  const std::string_view modal = "bending modes, one value a mode";
-  return {
-      "initial",
-      "State at t = 0. The spin speed is `rotor.speed`.",
-      "all 0",
-      [](Scene& scene) -> void* { return &scene; },
-      {key<&Scene::initial, &Initial::steady>("steady", kPure, "", kStandard,
-                                              "on the steady free orbit; not beside x, y, vx, vy, "
-                                              "stator and stator_velocity (A steady start)"),
-       key<&Scene::initial, &Initial::x>("x", kLength, "", "0", modal),
-       key<&Scene::initial, &Initial::y>("y", kLength, "", "0", modal),
-       key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", modal),
-       key<&Scene::initial, &Initial::vy>("vy", kVelocity, "", "0", modal),
-       key<&Scene::initial, &Initial::spin_angle>("spin_angle", kAngle, "", kStandard,
-                                                  "of the rotor's own x axis"),
-       key<&Scene::initial, &Initial::torsion>("torsion", kAngle, "", "0", "torsion modes"),
-       key<&Scene::initial, &Initial::torsion_speed>("torsion_speed", kSpin, "", "0",
-                                                     "torsion modes"),
-       start_of_ring<&Stator::position>("stator", kLength, "position of the ring; needs [stator]"),
-       start_of_ring<&Stator::velocity>("stator_velocity", kVelocity,
-                                        "of the ring; needs [stator]")}};
+// The bearings leave the shaft no rigid motion in this plane: they hold it at two stations.
+bool held_by_bearings(const RotorGeometry& shaft, double speed, int plane) {
+  double first = 0.0;
+  bool any = false;
+  for (const ShaftBearing& bearing : shaft.bearings) {
+    if (!(stiffness_at(bearing, speed)[plane] > 0.0)) continue;
+    if (any && bearing.z != first) return true;
+    first = bearing.z;
+    any = true;
+  }
+  return false;
 }
 
-Table mujoco() {
-  return {
-      "mujoco",
-      "How MuJoCo runs the scene.",
-      "the defaults",
-      [](Scene& scene) -> void* { return &scene.mujoco; },
-      {word<&Mujoco::rotor>("rotor", {"modal", "segments"}, kStandard,
-                            "modal chain, in the native model's coordinates; chain of rigid "
-                            "segments (geometry form only)"),
-       key<&Mujoco::segments>("segments", kPure, "in [2, 200]", kStandard,
-                              "pieces that the segment rotor's shaft is cut into"),
-       word<&Mujoco::contact>(
-           "contact", contact_words<std::vector<std::string_view>>(), kStandard,
-           "rigid impulses by the plugin; MuJoCo's soft normal contact with Coulomb friction by "
-           "the plugin; MuJoCo's own friction cone; the same with its normal reference corrected "
-           "for sliding, so that it obeys Coulomb's law"),
-       word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, kStandard,
-                                 "of MuJoCo"),
-       word<&Mujoco::solver>("solver", {"newton", "cg", "pgs"}, kStandard,
-                             "MuJoCo's constraint solver"),
-       key<&Mujoco::solref_stiffness>(
-           "solref_stiffness", kRateSquared, "> 0",
-           "chosen from the step, and for the cones from the scene's speeds",
-           "K of the soft contact (direct solref)"),
-       key<&Mujoco::solref_damping>("solref_damping", kRate, "> 0",
-                                    "that which bounces with contact.restitution",
-                                    "B of the soft contact (direct solref)"),
-       key<&Mujoco::friction_reference>(
-           "friction_reference", kRate, "> 0", "that of the normal row, as MuJoCo has it",
-           "B_t, with which the friction rows of contact model cone brake the slip (solreffriction "
-           "of MuJoCo 2.3.7 and later)"),
-       key<&Mujoco::shadow>("shadow", kPure, "", kStandard,
-                            "the native model runs alongside, step by step: its gap, forces and "
-                            "position are user sensors, and a ghost shows it (plugin/README.md)")}};
+// What nothing but the magnetic bearing holds; empty: nothing.
+std::string held_by_magnets(const Scene& scene, const MagneticBearing& magnetic) {
+  const char* planes[] = {"x", "y"};
+  if (scene.rotor.geometry) {
+    for (int plane : {0, 1}) {
+      if (held_by_bearings(*scene.rotor.geometry, scene.rotor.speed, plane)) continue;
+      return std::string("the shaft against rigid motion in plane ") + planes[plane];
+    }
+  }
+  if (!scene.rotor.modal) return {};
+  const RotorModal& modal = *scene.rotor.modal;
+  for (std::size_t k = 0; k < modal.stiffness.size(); ++k) {
+    const bool touched =
+        magnetic.shape.empty() || (k < magnetic.shape.size() && magnetic.shape[k] != 0.0);
+    const bool free_y = k < modal.stiffness_y.size() && modal.stiffness_y[k] == 0.0;
+    if (!touched || !(modal.stiffness[k] == 0.0 || free_y)) continue;
+    return "mode " + std::to_string(k + 1) + ", whose stiffness is 0, in plane " +
+           planes[modal.stiffness[k] == 0.0 ? 0 : 1];
+  }
+  return {};
+}
+
+// What it alone holds it must hold.
+void check_magnetic_bearing(const Checker& check) {
+  const auto& magnetic = check.scene.magnetic_bearing;
+  if (!magnetic) return;
+  check.station("magnetic_bearing.station", magnetic->station);
+  if (const auto modes = check.bending_modes()) {
+    check.list_length("magnetic_bearing.shape", magnetic->shape, *modes, "bending mode");
+  }
+  if (!magnetic->control || !check.sound({"magnetic_bearing.negative_stiffness",
+                                          "magnetic_bearing.control.force_per_current",
+                                          "magnetic_bearing.control.proportional"})) {
+    return;
+  }
+  const BearingControl& control = *magnetic->control;
+  if (control.integral > 0.0 && control.proportional == 0.0) {
+    check.fail("magnetic_bearing.control.integral",
+               "needs magnetic_bearing.control.proportional, whose force the integrator replaces "
+               "within P / I");
+  }
+  const double magnets = control.force_per_current * control.proportional;
+  const double against = magnetic->negative_stiffness;
+  if (magnets > against) return;
+  const std::string held = held_by_magnets(check.scene, *magnetic);
+  if (held.empty()) return;
+  check.fail("magnetic_bearing.control.proportional",
+             "times force_per_current is " + number_text(magnets) +
+                 " N/m, and negative_stiffness takes " + number_text(against) +
+                 " N/m of it: " + number_text(against - magnets) + " N/m too little to hold " +
+                 held + ", which nothing else holds; accepted: more than " +
+                 number_text(against / control.force_per_current) + " A/m");
 }
 
 }  // namespace
 
-std::vector<Table> part_tables() {
-  std::vector<Table> all{drive(), force(), magnetic_bearing(), bearing_control()};
-  for (Table& table : bearing_tables()) all.push_back(std::move(table));
-  for (Table& table : control_tables()) all.push_back(std::move(table));
-  for (Table table : {gravity(), initial(), mujoco()}) all.push_back(std::move(table));
-  return all;
+std::vector<Table> load_tables() {
+  return {drive(), force(), magnetic_bearing(), bearing_control()};
+}
+
+void check_loads(const Checker& check) {
+  if (check.scene.drive) check_drive(check, *check.scene.drive);
+  check_forces(check);
+  check_magnetic_bearing(check);
 }
 
 }  // namespace rotorub::scene

@@ -1,13 +1,13 @@
-#include "native_model/scene/validate.h"
+#include "native_model/scene/checker.h"
 
 #include <algorithm>
 #include <functional>
 
-#include "native_model/scene/checker.h"
 #include "native_model/scene/disc.h"
 #include "native_model/scene/shaft_bearing.h"
 
 namespace rotorub::scene {
+
 namespace {
 
 constexpr double kSteelPoisson = 0.3;  // where no torsion asks for G
@@ -62,7 +62,9 @@ std::optional<std::size_t> Checker::torsion_modes() const {
 void validate(const Scene& scene, const Record& record, std::vector<Diagnostic>& diagnostics) {
   const Checker check{scene, record, diagnostics};
   check_rotor(check);
-  check_parts(check);
+  check_run(check);
+  check_loads(check);
+  check_start(check);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const Checker of_bearing{scene, record, diagnostics, k};
     check_bearing(of_bearing);

@@ -1,0 +1,240 @@
+// [run], [gravity], [initial] and [mujoco]: rows, and what single keys cannot show.
+
+#include <algorithm>
+
+#include "native_model/scene/checker.h"
+#include "native_model/scene/schema.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub::scene {
+namespace {
+
+constexpr double kMostRows =
+    1e7;  // of a series; the engines know its columns too (system/run_size.h)
+constexpr double kGapTolerance =
+    1e-9;  // of the clearance: a rotor that starts on the ring is meant to
+
+Table gravity() {
+  return {"gravity",
+          "A constant acceleration in the plane of bending.",
+          "none",
+          [](Scene& scene) -> void* { return &scene.gravity.emplace(); },
+          {key<&Gravity::acceleration>("acceleration", kAcceleration, "", kRequired,
+                                       "as of a falling body"),
+           key<&Gravity::participation>("participation", kMass, "", "the modal mass",
+                                        "load of each bending mode per unit acceleration")
+               .in(Form::kModal)}};
+}
+
+// A key of [initial] that is kept with the first ring, where there is one.
+template <auto Member>
+Key start_of_ring(std::string_view name, const Quantity& quantity, std::string_view meaning) {
+  Key result = key<Member>(name, quantity, "", kStandard, meaning);
+  result.store = [](void* object, const Value& value) {
+    if (auto& ring = static_cast<Scene*>(object)->first().stator) (*ring).*Member = value.pair;
+  };
+  return result;
+}
+
+Table initial() {
+  const std::string_view modal = "bending modes, one value a mode";
+  return {
+      "initial",
+      "State at t = 0. The spin speed is `rotor.speed`.",
+      "all 0",
+      [](Scene& scene) -> void* { return &scene; },
+      {key<&Scene::initial, &Initial::steady>("steady", kPure, "", kStandard,
+                                              "on the steady free orbit; not beside x, y, vx, vy, "
+                                              "stator and stator_velocity (A steady start)"),
+       key<&Scene::initial, &Initial::x>("x", kLength, "", "0", modal),
+       key<&Scene::initial, &Initial::y>("y", kLength, "", "0", modal),
+       key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", modal),
+       key<&Scene::initial, &Initial::vy>("vy", kVelocity, "", "0", modal),
+       key<&Scene::initial, &Initial::spin_angle>("spin_angle", kAngle, "", kStandard,
+                                                  "of the rotor's own x axis"),
+       key<&Scene::initial, &Initial::torsion>("torsion", kAngle, "", "0", "torsion modes"),
+       key<&Scene::initial, &Initial::torsion_speed>("torsion_speed", kSpin, "", "0",
+                                                     "torsion modes"),
+       start_of_ring<&Stator::position>("stator", kLength, "position of the ring; needs [stator]"),
+       start_of_ring<&Stator::velocity>("stator_velocity", kVelocity,
+                                        "of the ring; needs [stator]")}};
+}
+
+Table mujoco() {
+  return {
+      "mujoco",
+      "How MuJoCo runs the scene.",
+      "the defaults",
+      [](Scene& scene) -> void* { return &scene.mujoco; },
+      {word<&Mujoco::rotor>("rotor", {"modal", "segments"}, kStandard,
+                            "modal chain, in the native model's coordinates; chain of rigid "
+                            "segments (geometry form only)"),
+       key<&Mujoco::segments>("segments", kPure, "in [2, 200]", kStandard,
+                              "pieces that the segment rotor's shaft is cut into"),
+       word<&Mujoco::contact>(
+           "contact", contact_words<std::vector<std::string_view>>(), kStandard,
+           "rigid impulses by the plugin; MuJoCo's soft normal contact with Coulomb friction by "
+           "the plugin; MuJoCo's own friction cone; the same with its normal reference corrected "
+           "for sliding, so that it obeys Coulomb's law"),
+       word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, kStandard,
+                                 "of MuJoCo"),
+       word<&Mujoco::solver>("solver", {"newton", "cg", "pgs"}, kStandard,
+                             "MuJoCo's constraint solver"),
+       key<&Mujoco::solref_stiffness>(
+           "solref_stiffness", kRateSquared, "> 0",
+           "chosen from the step, and for the cones from the scene's speeds",
+           "K of the soft contact (direct solref)"),
+       key<&Mujoco::solref_damping>("solref_damping", kRate, "> 0",
+                                    "that which bounces with contact.restitution",
+                                    "B of the soft contact (direct solref)"),
+       key<&Mujoco::friction_reference>(
+           "friction_reference", kRate, "> 0", "that of the normal row, as MuJoCo has it",
+           "B_t, with which the friction rows of contact model cone brake the slip (solreffriction "
+           "of MuJoCo 2.3.7 and later)"),
+       key<&Mujoco::shadow>("shadow", kPure, "", kStandard,
+                            "the native model runs alongside, step by step: its gap, forces and "
+                            "position are user sensors, and a ghost shows it (plugin/README.md)")}};
+}
+
+void check_initial_lists(const Checker& check) {
+  const Initial& initial = check.scene.initial;
+  if (const auto modes = check.bending_modes()) {
+    check.list_length("initial.x", initial.x, *modes, "bending mode");
+    check.list_length("initial.y", initial.y, *modes, "bending mode");
+    check.list_length("initial.vx", initial.vx, *modes, "bending mode");
+    check.list_length("initial.vy", initial.vy, *modes, "bending mode");
+    if (check.scene.gravity) {
+      check.list_length("gravity.participation", check.scene.gravity->participation, *modes,
+                        "bending mode");
+    }
+  }
+  const auto torsion_list = [&](const char* path, const std::vector<double>& list) {
+    if (check.given(path) && check.given("rotor") && !check.given("rotor.torsion")) {
+      check.fail(path, "needs [rotor.torsion]: the rotor has no torsion modes");
+    } else if (const auto modes = check.torsion_modes()) {
+      check.list_length(path, list, *modes, "torsion mode");
+    }
+  };
+  torsion_list("initial.torsion", initial.torsion);
+  torsion_list("initial.torsion_speed", initial.torsion_speed);
+}
+
+// All of the start that bends or moves the ring is given by `steady`.
+void check_steady(const Checker& check) {
+  if (!check.scene.initial.steady) return;
+  for (const char* key : {"initial.x", "initial.y", "initial.vx", "initial.vy", "initial.stator",
+                          "initial.stator_velocity"}) {
+    if (!check.given(key)) continue;
+    check.fail(key, "not beside initial.steady, which gives it; accepted: one of the two");
+  }
+}
+
+void check_mujoco(const Checker& check) {
+  const Scene& scene = check.scene;
+  for (std::size_t i = 0; i < scene.forces.size(); ++i) {
+    if (scene.forces[i].kind != ForceKind::kUnbalance || !scene.drive ||
+        scene.mujoco.rotor != MujocoRotor::kSegments) {
+      continue;
+    }
+    check.fail(
+        list_element("force", i) + ".kind",
+        "with a [drive] \"unbalance\" changes how spin and bending are coupled, and MuJoCo's "
+        "rigid segments keep their masses; accepted: mujoco.rotor = \"modal\", or no [drive]");
+  }
+  for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
+    const ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
+    if (scene.mujoco.rotor != MujocoRotor::kSegments) break;
+    const char* key = bearing.follows_speed()                ? ".table_speed"
+                      : !bearing.cross_stiffness.isZero(0.0) ? ".cross_stiffness"
+                      : !bearing.cross_damping.isZero(0.0)   ? ".cross_damping"
+                      : !bearing.offset.isZero(0.0)          ? ".offset"
+                                                             : nullptr;
+    if (key == nullptr) continue;
+    check.fail(list_element("rotor.bearing", i) + key,
+               "MuJoCo's rigid segments stand on springs and dashpots alone; accepted: "
+               "mujoco.rotor = \"modal\"");
+  }
+  if (scene.mujoco.rotor == MujocoRotor::kSegments && scene.rotor.modal) {
+    check.fail("mujoco.rotor",
+               "\"segments\" needs the rotor's geometry, and the scene gives its modes; accepted: "
+               "\"modal\"");
+  }
+}
+
+}  // namespace
+
+Table run_table() {
+  return {
+      "run",
+      "How long, how finely and what to write.",
+      "the defaults",
+      [](Scene& scene) -> void* { return &scene.run; },
+      {key<&Run::end>("end", kTime, "> 0", kStandard, "end of the run, which starts at 0"),
+       key<&Run::step>("step", kTime, "> 0", kStandard, "step of `midpoint` and of MuJoCo"),
+       word<&Run::integrator>("integrator", {"event", "midpoint", "verlet", "euler"}, kStandard,
+                              "of the native engine"),
+       key<&Run::output_step>("output_step", kTime, "> 0", "`end` / 1000",
+                              "spacing of the rows of the series"),
+       key<&Run::output_times>("output_times", kTime, ">= 0", "none",
+                               "further exact times of rows, in any order, each at most `end`")}};
+}
+
+std::vector<Table> start_tables() { return {gravity(), initial(), mujoco()}; }
+
+void check_run(const Checker& check) {
+  const Run& run = check.scene.run;
+  if (!check.sound({"run.end"})) return;
+  const std::string end = "run.end = " + number_text(run.end) + " s";
+  if (check.sound({"run.step"}) && run.step > run.end) {
+    check.fail("run.step", "must be at most " + end);
+  }
+  if (check.sound({"run.output_step"}) && run.end / run.series_step() > kMostRows) {
+    check.fail("run.output_step", "gives " + number_text(run.end / run.series_step()) +
+                                      " rows; expected at most 1e7 rows, one in " +
+                                      number_text(run.end / kMostRows) + " s");
+  }
+  if (!check.sound({"run.output_times"})) return;
+  for (std::size_t i = 0; i < run.output_times.size(); ++i) {
+    if (run.output_times[i] > run.end) {
+      check.fail(list_element("run.output_times", i), "must be in [0, " + end + "]");
+    }
+  }
+}
+
+// Modal form: the contact point is the plain sum of the modes. (In the geometry form a mode with a
+// node at the contact is scaled otherwise; that is known only once the modes are.)
+void check_gap_at_start(const Checker& check) {
+  const Scene& scene = check.scene;
+  const AuxiliaryBearing& bearing = check.bearing();
+  if (!scene.rotor.modal || !bearing.contact ||
+      !check.sound(
+          {"contact.clearance", "contact.shape", "initial.x", "initial.y", "initial.stator"})) {
+    return;
+  }
+  Eigen::Vector2d offset{0.0, 0.0};
+  if (bearing.stator) offset -= bearing.stator->position;
+  const std::vector<double>& shape = bearing.contact->shape;
+  const auto add = [&shape](const std::vector<double>& modes, double& sum) {
+    for (std::size_t i = 0; i < modes.size(); ++i)
+      sum += (i < shape.size() ? shape[i] : 1.0) * modes[i];
+  };
+  add(scene.initial.x, offset.x());
+  add(scene.initial.y, offset.y());
+  const double clearance = bearing.contact->clearance;
+  if (offset.norm() > clearance * (1.0 + kGapTolerance)) {
+    const char* key = check.given("initial.x")   ? "initial.x"
+                      : check.given("initial.y") ? "initial.y"
+                                                 : "initial.stator";
+    check.fail(key, "the rotor starts outside the ring, " + number_text(offset.norm()) +
+                        " m from its centre; expected at most " + check.place("contact.clearance") +
+                        " = " + number_text(clearance) + " m");
+  }
+}
+
+void check_start(const Checker& check) {
+  check_initial_lists(check);
+  check_steady(check);
+  check_mujoco(check);
+}
+
+}  // namespace rotorub::scene

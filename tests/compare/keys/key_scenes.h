@@ -1,0 +1,97 @@
+// Scenes in which, together, every key of the schema matters: the bases of pair_parts.h, each of
+// its parts, and what no pair needs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/support/pair_parts.h"
+
+namespace rotorub::test {
+
+struct KeyScene {
+  std::string name;
+  const char* base;
+  std::vector<std::string> overrides;
+};
+
+inline std::vector<KeyScene> key_scenes() {
+  std::vector<KeyScene> all{{"modal", kBaseModal, {}}, {"shaft", kBaseGeometry, {}}};
+  for (const Part& part : pair_parts()) {
+    if (!part.modal.empty()) all.push_back({"modal: " + part.name, kBaseModal, part.modal});
+    if (!part.geometry.empty())
+      all.push_back({"shaft: " + part.name, kBaseGeometry, part.geometry});
+  }
+  const auto modal = [&](const char* name, std::vector<std::string> overrides) {
+    all.push_back({std::string("modal: ") + name, kBaseModal, std::move(overrides)});
+  };
+  const auto shaft = [&](const char* name, std::vector<std::string> overrides) {
+    all.push_back({std::string("shaft: ") + name, kBaseGeometry, std::move(overrides)});
+  };
+
+  // Controllers, what they are shown, and what they command.
+  const std::string sampled = "sample_time=2.5e-4";
+  modal("pd", {"controller={kind='pd',on=0.5e-3,gap_time=4e-3,stiffness=5e4,damping=200.0,"
+               "preload=15.0}"});
+  modal("sampled sliding",
+        {"controller={kind='sliding',layer='adaptive',on=0.5e-3,gap_time=4e-3,bandwidth=400.0,"
+         "boundary_layer=0.1,switching_gain=60.0," +
+         sampled + "}"});
+  modal("sampled support",
+        {"controller={kind='passive',stiffness=4e4,damping=120.0," + sampled + "}"});
+  modal("noise", {"controller={kind='passive',stiffness=4e4,damping=120.0," + sampled +
+                  ",sensors={position_noise=1e-6}}"});
+  modal("cross-coupled", {"controller={kind='cross_coupled',feedback=[300.0,500.0],"
+                          "feedback_speed=[100.0,400.0],damping=50.0}"});
+  modal("two-phase",
+        {"controller={kind='two_phase',gap_time=3e-3,handover_time=2e-3,feedback=[300.0],"
+         "bandwidth=400.0,boundary_layer=0.1," +
+         sampled + "}"});
+  modal("lqr", {"controller={kind='lqr'," + sampled + "}"});
+  modal("lqg", {"controller={kind='lqg'," + sampled + "}"});
+  modal("limited force",
+        {"actuator={kind='ideal',force_limit=5.0}", "controller={kind='passive',stiffness=4e4}"});
+  const std::string magnets =
+      "actuator={kind='electromagnet',force_constant=3e-4,bias_current=3.0,air_gap=5e-3,"
+      "coil_lag=3e-4";
+  const std::string support = "controller={kind='passive',stiffness=4e4,damping=120.0}";
+  modal("limited rate", {magnets + ",current_rate_limit=500.0}", support});
+  modal("limited voltage",
+        {magnets + ",voltage_limit=1.0,inductance=5e-3,resistance=1.0}", support});
+  modal("actuator by a table",
+        {"actuator={kind='table',coil_lag=3e-4,table_position=[-2e-3,-1e-3,1e-3,2e-3],"
+         "table_current=[-3.0,-1.0,1.0,3.0],table_force=[-70.0,-22.0,24.0,80.0,-72.0,-21.0,23.0,"
+         "74.0,-74.0,-23.0,21.0,72.0,-80.0,-24.0,22.0,70.0]}",
+         support});
+
+  // Starts.
+  modal("steady", {"initial={steady=true}"});
+  modal("gravity and spin", {"gravity={acceleration=[0.5,-9.81]}", "drive={kind='free'}"});
+
+  // Several contacts.
+  const std::string contact = "radius=0.03,clearance=0.5e-3,friction=0.2,restitution=0.4";
+  const std::string ring = "stator={mass=1.0,damping=200.0,stiffness=1e5}";
+  modal("two contacts",
+        {"stator=none", "rotor.torsion={inertia=[4e-4],stiffness=[60.0]}", "drive={kind='free'}",
+         "contact=[{" + contact + "," + ring + "},{shape=[0.9]," + contact + "," + ring + "}]"});
+
+  // Shafts.
+  shaft("disc by its dimensions",
+        {"rotor.disc[0]={z=0.30,diameter=0.2,inner_diameter=0.02,thickness=8e-3,rho=7800.0,"
+         "unbalance=1e-3,phase=0.3}"});
+  shaft("balance grade",
+        {"rotor.disc[0].balance_grade='G 400'", "rotor.disc[0].balance_speed=300.0"});
+  shaft("cone", {"rotor.section[0].inner_diameter=4e-3", "rotor.section[0].end_diameter=0.02",
+                 "rotor.section[0].end_inner_diameter=5e-3"});
+  shaft("shear modulus",
+        {"rotor.nu=none", "rotor.G=8e10", "rotor.torsion={modes=1,damping_ratio=0.01}",
+         "drive={kind='linear',gain=2.0,speed=400.0,inertia=2e-3,station=0.1}"});
+  shaft("Poisson's ratio", {"rotor.torsion={modes=1,damping_ratio=0.01}",
+                            "drive={kind='linear',gain=2.0,speed=400.0,inertia=2e-3}"});
+  shaft("modes by themselves", {"initial=none", "rotor.modes='auto'", "rotor.modes_tolerance=0.2"});
+  shaft("modes by frequency", {"initial=none", "rotor.modes=none", "rotor.max_frequency=900.0"});
+  shaft("segments", {"mujoco={rotor='segments',segments=12}"});
+  return all;
+}
+
+}  // namespace rotorub::test
