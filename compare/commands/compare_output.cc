@@ -5,7 +5,6 @@
 #include "compare/base/columns.h"
 #include "compare/base/json.h"
 #include "compare/run_files/run_directory.h"
-#include "compare/study/column_files.h"
 #include "compare/study/json.h"
 #include "native_model/trajectory/output.h"
 #include "native_model/trajectory/recorder.h"

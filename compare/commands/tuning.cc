@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "compare/base/format.h"
-#include "compare/bench/ladder.h"
+#include "compare/bench/engines.h"
 #include "compare/commands/interrupt.h"
 
 namespace rotorub {

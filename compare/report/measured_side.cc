@@ -8,8 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/base/format.h"
+#include "compare/figures/figure.h"
+#include "compare/measured/output.h"
 #include "compare/measured/sampled_run.h"
-#include "compare/measured/table.h"
 #include "compare/metrics/interpolation.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/plots.h"
@@ -212,7 +213,7 @@ json measured_values(const std::optional<MeasuredRun>& run) {
   for (const std::string& label : run->labels) labels.push_back({{"label", label}});
   for (const MeasuredFigure& f : run->figures) {
     std::vector<std::string> values;
-    for (const double value : f.runs) values.push_back(short_number(value * f.per_unit));
+    for (const double value : f.runs) values.push_back(figure_value(f, value));
     figures.push_back({{"label", f.label},
                        {"unit", f.unit},
                        {"measured", measured_value(f)},

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/base/format.h"
+#include "compare/figures/figure.h"
 #include "compare/study/resync_text.h"
 
 namespace rotorub {
@@ -45,8 +45,8 @@ nlohmann::json resync_rows(const SceneComparison& c) {
                       {"unit", f.unit},
                       {"meaning", f.meaning},
                       {"relative_to", f.relative_to},
-                      {"native", short_number(f.per_unit * row.native)},
-                      {"other", short_number(f.per_unit * row.mujoco)},
+                      {"native", figure_value(f, row.native)},
+                      {"other", figure_value(f, row.mujoco)},
                       {"median", percents(row.median) + " %"},
                       {"ninetieth", percents(row.ninetieth) + " %"},
                       {"worst", signed_percent(row.worst_signed)},

@@ -10,12 +10,11 @@
 #include "compare/base/format.h"
 #include "compare/base/palette.h"
 #include "compare/base/version.h"
-#include "compare/figures/figure_text.h"
+#include "compare/figures/figure.h"
 #include "compare/report/figure_values.h"
 #include "compare/report/measured_side.h"
 #include "compare/report/mode_values.h"
 #include "compare/study/answer.h"
-#include "compare/study/three_errors.h"
 #include "compare/study/verdict.h"
 #include "native_model/scene/reader.h"
 

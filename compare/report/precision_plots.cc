@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "compare/bench/series.h"
+#include "compare/bench/work_precision.h"
 #include "compare/report/rounded.h"
 
 namespace rotorub {
@@ -30,7 +30,7 @@ json plot_point(const json& point) {
           {"outcome", point.at("outcome")}};
 }
 
-// Tolerances of one engine are one series (series.h).
+// Tolerances of one engine are one series (work_precision.h).
 bool belongs(const json& point, const json& series) {
   return point.at("engine") == series.at("engine") &&
          (point.at("step").is_null() ? series.at("setting") == ""
