@@ -4,102 +4,98 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 
-#include "compare/bench/event_engine.h"
 #include "compare/peers/peers.h"
+#include "native_model/run/run_native.h"
 #include "native_model/scene/text.h"
+#include "native_model/scene/units.h"
 
 namespace rotorub::bench {
 namespace {
 
-using Settings = std::vector<Setting>;
-
-// The scene in this variant, or why it cannot be had.
-void read(const SceneReader& reader, const std::vector<std::string>& overrides, Setting& setting) {
-  try {
-    setting.scene = std::make_shared<const scene::Scene>(reader(overrides));
-  } catch (const std::exception& error) {
-    setting.refusal = error.what();
-  }
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-// One setting on all steps of the ladder.
-void add_steps(Settings& all, const std::string& engine, const std::string& name,
-               const std::shared_ptr<const Engine>& runner, const SceneReader& reader,
-               const std::vector<std::string>& overrides, const std::vector<double>& steps) {
-  Setting setting{engine, name, {}, runner, nullptr, ""};
-  read(reader, overrides, setting);
-  for (const double step : steps) {
-    setting.step = step;
-    all.push_back(setting);
+// Entries in falling order, each once. `wrong`: why a value is not accepted; empty: it is.
+std::vector<double> parse_list(const char* option, const std::string& list,
+                               const scene::Quantity& quantity,
+                               const std::function<std::string(double)>& wrong) {
+  std::vector<double> values;
+  std::istringstream entries(list + ",");  // an entry after the last comma is one too
+  for (std::string entry; std::getline(entries, entry, ',');) {
+    const std::string text = trimmed(entry);
+    const auto parsed = scene::parse_quantity(text, quantity);
+    const std::string why = parsed.error.empty() ? wrong(parsed.value) : parsed.error;
+    if (!why.empty()) {
+      throw std::invalid_argument(fmt::format("{} {}: `{}`: {}", option, list, text, why));
+    }
+    values.push_back(parsed.value);
   }
+  if (values.empty()) throw std::invalid_argument(fmt::format("{}: the list is empty", option));
+  std::sort(values.begin(), values.end(), std::greater<>());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
 }
+
+class EventEngine final : public Engine {
+ public:
+  explicit EventEngine(const EventParameters& parameters) : parameters_(parameters) {}
+  std::string name() const override { return "native-event"; }
+  Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
+    NativeOptions options;
+    options.integrator = scene::Integrator::kEvent;
+    options.event = parameters_;
+    options.output_times = request.output_times;
+    options.progress = request.progress;
+    options.interrupt = request.interrupt;
+    return run_native(perturbed(scene, request.perturbation_ulps), options);
+  }
+
+ private:
+  EventParameters parameters_;
+};
+
+using Variants = std::vector<BenchEngine::Variant>;
 
 BenchEngine fixed_step(scene::Integrator integrator, const std::string& what) {
   const std::shared_ptr<const Engine> runner = native_engine(integrator);
-  const std::string name = runner->name();
-  return {name, Family::kNative, what, "", [=](const SceneReader& reader, const Ladder& ladder) {
-            Settings all;
-            add_steps(all, name, "", runner, reader, {}, ladder.steps);
-            return all;
-          }};
-}
-
-BenchEngine event() {
-  return {"native-event", Family::kNative,
-          "set-valued Poisson/Coulomb law, located events, DOP853 between them", "",
-          [](const SceneReader& reader, const Ladder& ladder) {
-            Settings all;
-            Setting setting{"native-event", "", {}, nullptr, nullptr, ""};
-            read(reader, {}, setting);
-            for (const double tolerance : ladder.tolerances) {
-              setting.setting = fmt::format("tolerance {:g}", tolerance);
-              setting.runner = event_engine(event_parameters(tolerance));
-              all.push_back(setting);
-            }
-            return all;
-          }};
+  return {runner->name(), Family::kNative, what, "", {{"", runner, {}}}};
 }
 
 // Soft contacts also at a stiffness that the step does not set: only they have a limit of their own
 // that is not the rigid contact.
 BenchEngine mujoco(scene::ContactModel contact, const std::string& what) {
   const std::shared_ptr<const Engine> runner = mujoco_engine(contact);
-  const std::string name = runner->name();
-  return {name, Family::kMujoco, what, "", [=](const SceneReader& reader, const Ladder& ladder) {
-            Settings all;
-            const auto add = [&](const std::string& setting, const std::string& integrator,
-                                 const std::vector<std::string>& further) {
-              std::vector<std::string> overrides{"mujoco.integrator=\"" + integrator + "\""};
-              overrides.insert(overrides.end(), further.begin(), further.end());
-              add_steps(all, name, setting, runner, reader, overrides, ladder.steps);
-            };
-            add("Euler", "euler", {});
-            add("implicit", "implicit", {});
-            if (contact != scene::ContactModel::kRigid) {
-              add(kFixedStiffnessName, "euler",
-                  {fmt::format("mujoco.solref_stiffness={:g}", kFixedStiffness)});
-            }
-            return all;
-          }};
+  const std::string euler = "mujoco.integrator=\"euler\"";
+  Variants variants{{"Euler", runner, {euler}},
+                    {"implicit", runner, {"mujoco.integrator=\"implicit\""}}};
+  if (contact != scene::ContactModel::kRigid) {
+    variants.push_back({kFixedStiffnessName,
+                        runner,
+                        {euler, fmt::format("mujoco.solref_stiffness={:g}", kFixedStiffness)}});
+  }
+  return {runner->name(), Family::kMujoco, what, "", variants};
 }
 
 BenchEngine peer(const peers::Peer& peer) {
-  return {peer.name, Family::kPeer, peer.what, peer.missing,
-          [=](const SceneReader& reader, const Ladder& ladder) {
-            Settings all;
-            for (const peers::PeerVariant& v : peer.variants) {
-              add_steps(all, peer.name, v.setting, v.engine, reader, {}, ladder.steps);
-            }
-            return all;
-          }};
+  Variants variants;
+  for (const peers::PeerVariant& v : peer.variants) variants.push_back({v.setting, v.engine, {}});
+  return {peer.name, Family::kPeer, peer.what, peer.missing, variants};
 }
 
 std::vector<BenchEngine> make_engines() {
   std::vector<BenchEngine> all{
-      event(),
+      {"native-event",
+       Family::kNative,
+       "set-valued Poisson/Coulomb law, located events, DOP853 between them",
+       "",
+       {{"", nullptr, {}}}},
       fixed_step(scene::Integrator::kVerlet,
                  "set-valued Poisson/Coulomb law, second-order fixed step through impacts"),
       fixed_step(scene::Integrator::kMidpoint,
@@ -122,16 +118,60 @@ std::string accepted() {
 
 }  // namespace
 
+Ladder default_ladder() {
+  return {{2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6, 1e-6},
+          {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}};
+}
+
+std::vector<double> parse_steps(const std::string& list) {
+  return parse_list("--steps", list, scene::kTime, [](double step) -> std::string {
+    return step > 0.0 ? "" : "accepted is a time above 0, as 10us";
+  });
+}
+
+std::vector<double> parse_tolerances(const std::string& list) {
+  return parse_list("--tolerances", list, scene::kPure, [](double tolerance) -> std::string {
+    return tolerance > 0.0 && tolerance < 1.0 ? "" : "accepted is a number in (0, 1), as 1e-8";
+  });
+}
+
+EventParameters event_parameters(double tolerance) {
+  const EventParameters standard;
+  EventParameters p;
+  p.tolerance = tolerance;
+  p.no_force = std::max(standard.no_force, 100.0 * tolerance);
+  return p;
+}
+
+std::unique_ptr<Engine> event_engine(const EventParameters& parameters) {
+  return std::make_unique<EventEngine>(parameters);
+}
+
 const char* to_string(Family family) {
-  switch (family) {
-    case Family::kNative:
-      return "native";
-    case Family::kMujoco:
-      return "mujoco";
-    case Family::kPeer:
-      return "peer";
+  constexpr const char* kWords[] = {"native", "mujoco", "peer"};
+  return kWords[static_cast<int>(family)];
+}
+
+std::vector<Setting> BenchEngine::settings(const SceneReader& reader, const Ladder& ladder) const {
+  std::vector<Setting> all;
+  for (const Variant& variant : variants) {
+    Setting one{name, variant.setting, {}, variant.runner, nullptr, ""};
+    try {
+      one.scene = std::make_shared<const scene::Scene>(reader(variant.overrides));
+    } catch (const std::exception& error) {
+      one.refusal = error.what();
+    }
+    for (const double rung : variant.runner ? ladder.steps : ladder.tolerances) {
+      if (variant.runner) {
+        one.step = rung;
+      } else {
+        one.setting = fmt::format("tolerance {:g}", rung);
+        one.runner = event_engine(event_parameters(rung));
+      }
+      all.push_back(one);
+    }
   }
-  return "";
+  return all;
 }
 
 const std::vector<BenchEngine>& bench_engines() {

@@ -2,25 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
 
 namespace rotorub::bench {
 
 const char* to_string(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kOk:
-      return "ok";
-    case Outcome::kChatter:
-      return "chatter";
-    case Outcome::kWrongAttractor:
-      return "wrong_attractor";
-    case Outcome::kDiverged:
-      return "diverged";
-    case Outcome::kRefused:
-      return "refused";
-  }
-  return "";
+  constexpr const char* kWords[] = {"ok", "chatter", "wrong_attractor", "diverged", "refused"};
+  return kWords[static_cast<int>(outcome)];
 }
 
 PointErrors point_errors(const Trajectory& trajectory, const Reference& reference) {
@@ -90,5 +83,137 @@ double Point::us_per_step() const {
 }
 
 double Point::real_time_factor() const { return wall.median > 0.0 ? end / wall.median : 0.0; }
+
+namespace {
+
+// The distance of each run that reached its end to the finest step of its series that did. `runs`:
+// one a point.
+void add_limit_errors(const std::vector<Trajectory>& runs, std::vector<Point>& points) {
+  const auto counts = [](const Point& p) { return p.finished() && p.setting.step; };
+  std::map<std::pair<std::string, std::string>, std::size_t> finest;  // by engine and setting
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Setting& s = points[k].setting;
+    if (!counts(points[k])) continue;
+    const auto [known, fresh] = finest.try_emplace({s.engine, s.setting}, k);
+    if (!fresh && *s.step < *points[known->second].setting.step) known->second = k;
+  }
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!counts(points[k])) continue;
+    const std::size_t limit = finest.at({points[k].setting.engine, points[k].setting.setting});
+    if (limit != k) points[k].limit_error = position_distance(runs[k], runs[limit]);
+  }
+}
+
+// The point of one setting, without a time. Whatever an engine throws is said of it, and the others
+// go on. `trajectory`: what was recorded.
+Point examine(const Setting& setting, const RunRequest& request, const Reference& reference,
+              const Settled& goal, Trajectory& trajectory) {
+  Point point;
+  point.setting = setting;
+  if (!setting.refusal.empty()) {
+    point.judgement = {Outcome::kRefused, setting.refusal};
+    return point;
+  }
+  try {
+    trajectory = setting.runner->run(*setting.scene, request);
+  } catch (const std::exception& error) {
+    point.judgement = {Outcome::kRefused, error.what()};
+    return point;
+  }
+  const bool whole = trajectory.status == Status::kOk;
+  if (whole) {
+    point.metrics = metrics(trajectory, contact_facts(*setting.scene));
+    point.errors = point_errors(trajectory, reference);
+  }
+  point.judgement = judge(trajectory, whole ? point.metrics->settled : Settled{}, goal,
+                          setting.scene->first().contact->clearance);
+  point.steps = trajectory.steps;
+  point.end = trajectory.end;
+  point.recorded_wall = trajectory.wall_s;
+  return point;
+}
+
+}  // namespace
+
+std::vector<Point> error_pass(const std::vector<Setting>& settings, const Reference& reference,
+                              const Progress& progress, const std::atomic<bool>* interrupt) {
+  std::vector<Point> points;
+  std::vector<Trajectory> runs;
+  const Settled goal = settled(reference.trajectory);
+  for (std::size_t k = 0; k < settings.size() && !stopped(interrupt); ++k) {
+    RunRequest request;
+    request.step = settings[k].step;
+    request.output_times = reference.times;
+    request.interrupt = interrupt;
+    request.progress = [&](double share) {
+      progress((static_cast<double>(k) + share) / static_cast<double>(settings.size()),
+               "errors: " + settings[k].engine);
+    };
+    Trajectory trajectory;
+    Point point = examine(settings[k], request, reference, goal, trajectory);
+    if (stopped(interrupt)) break;
+    points.push_back(std::move(point));
+    runs.push_back(std::move(trajectory));
+  }
+  add_limit_errors(runs, points);
+  return points;
+}
+
+int repeats_of(double seconds, const TimingParameters& parameters) {
+  const double fit = parameters.budget / std::max(seconds, 1e-12);
+  if (fit >= parameters.repeats) return parameters.repeats;
+  return std::min(parameters.repeats, std::max(parameters.fewest, static_cast<int>(fit)));
+}
+
+WallTime wall_time(std::vector<double> seconds) {
+  assert(!seconds.empty());
+  std::sort(seconds.begin(), seconds.end());
+  const std::size_t n = seconds.size();
+  const double median = n % 2 == 1 ? seconds[n / 2] : 0.5 * (seconds[n / 2 - 1] + seconds[n / 2]);
+  return {median, seconds.front(), seconds.back(), static_cast<int>(n)};
+}
+
+std::vector<WallTime> interleaved(const std::vector<std::function<double()>>& jobs,
+                                  const std::vector<double>& estimates,
+                                  const TimingParameters& parameters, const Progress& progress,
+                                  const std::atomic<bool>* interrupt) {
+  std::vector<std::vector<double>> seconds(jobs.size());
+  double whole = 1e-12, done = 0.0;
+  for (const double t : estimates) whole += t * repeats_of(t, parameters);
+  for (int round = 0; round < parameters.repeats; ++round) {
+    for (std::size_t k = 0; k < jobs.size() && !stopped(interrupt); ++k) {
+      if (round >= repeats_of(estimates[k], parameters)) continue;
+      const double taken = jobs[k]();
+      if (stopped(interrupt)) break;  // an interrupted run is no time
+      seconds[k].push_back(taken);
+      done += estimates[k];
+      progress(std::min(1.0, done / whole), "times");
+    }
+  }
+  std::vector<WallTime> times;
+  for (const auto& all : seconds) times.push_back(all.empty() ? WallTime{} : wall_time(all));
+  return times;
+}
+
+void timing_pass(std::vector<Point>& points, const TimingParameters& parameters,
+                 const Progress& progress, const std::atomic<bool>* interrupt) {
+  std::vector<std::function<double()>> jobs;
+  std::vector<double> estimates;
+  std::vector<Point*> timed;
+  for (Point& point : points) {
+    if (!point.finished()) continue;
+    RunRequest request;
+    request.step = point.setting.step;
+    request.output_times = std::vector<double>{};
+    request.interrupt = interrupt;
+    jobs.push_back([setting = point.setting, request] {
+      return setting.runner->run(*setting.scene, request).wall_s;
+    });
+    estimates.push_back(point.recorded_wall);
+    timed.push_back(&point);
+  }
+  const auto times = interleaved(jobs, estimates, parameters, progress, interrupt);
+  for (std::size_t k = 0; k < timed.size(); ++k) timed[k]->wall = times[k];
+}
 
 }  // namespace rotorub::bench

@@ -1,9 +1,13 @@
 // One point of the bench: a setting, how far it is from the reference, and what it costs.
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "compare/bench/engines.h"
 #include "compare/bench/reference.h"
 #include "compare/metrics/metrics.h"
 
@@ -48,7 +52,7 @@ struct Point {
   Judgement judgement;
   std::optional<PointErrors> errors;  // none: it did not reach the end
   std::optional<Metrics> metrics;     // of the recorded run, likewise
-  std::optional<double> limit_error;  // m: from its own finest step (limit.h)
+  std::optional<double> limit_error;  // m: from its own finest step
   std::int64_t steps = 0;
   double end = 0.0;            // s, simulated
   double recorded_wall = 0.0;  // s, of the run with its output on: how long others may take
@@ -58,5 +62,36 @@ struct Point {
   double us_per_step() const;       // 0 where it was not timed
   double real_time_factor() const;  // likewise
 };
+
+// The pass over the settings of a scene for their errors, with the output on: one run each. Series
+// of one engine and setting also get their distance to their own finest step (Point::limit_error),
+// which holds no error of the contact model.
+std::vector<Point> error_pass(const std::vector<Setting>& settings, const Reference& reference,
+                              const Progress& progress, const std::atomic<bool>* interrupt);
+
+// The pass for the times: repeated whole integrations with the output off, all points in turns.
+struct TimingParameters {
+  int repeats = 20;  // >= 1, of each
+  // s: a job whose repeats take longer than this in all is repeated less often, but
+  int fewest = 5;
+  double budget = 20.0;
+};
+
+// Repeats of a job that takes `seconds`.
+int repeats_of(double seconds, const TimingParameters& parameters);
+
+// Calls every job (it gives its own time, s) as often as it is due, in turns: job 1, 2, 3, 1, 2, 3,
+// ..., so that what slows the machine for a while slows all of them. `estimates`: s, one a job.
+std::vector<WallTime> interleaved(const std::vector<std::function<double()>>& jobs,
+                                  const std::vector<double>& estimates,
+                                  const TimingParameters& parameters, const Progress& progress,
+                                  const std::atomic<bool>* interrupt);
+
+// Times the points that reached the end.
+void timing_pass(std::vector<Point>& points, const TimingParameters& parameters,
+                 const Progress& progress, const std::atomic<bool>* interrupt);
+
+// Of values that are not empty: median, lowest, highest.
+WallTime wall_time(std::vector<double> seconds);
 
 }  // namespace rotorub::bench

@@ -2,19 +2,146 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <complex>
 #include <cstdint>
+#include <functional>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
-#include "compare/bench/closed_form.h"
-#include "compare/bench/event_engine.h"
+#include "compare/bench/engines.h"
+#include "native_model/oracles/annular_rub.h"
+#include "native_model/oracles/billiard.h"
+#include "native_model/oracles/drop.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub::bench {
 namespace {
+
+using Place = std::complex<double>;
+
+// One instant of a closed form.
+struct Exact {
+  Place rotor, stator;  // m
+  double normal = 0.0;  // N, of lasting contact
+};
+struct Form {
+  std::string name;
+  std::function<Exact(double)> at;
+};
+
+double first(const std::vector<double>& list) { return list.empty() ? 0.0 : list.front(); }
+Place start(const scene::Initial& i) { return {first(i.x), first(i.y)}; }
+Place start_velocity(const scene::Initial& i) { return {first(i.vx), first(i.vy)}; }
+Place of(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
+
+// One isotropic mode, a contact, and none of the parts that the closed forms know nothing of.
+bool is_plain(const scene::Scene& s) {
+  if (!s.rotor.modal || !s.first().contact || s.auxiliary.size() > 1) return false;
+  const scene::RotorModal& m = *s.rotor.modal;
+  const bool one_mode = m.mass.size() == 1 && m.mass == m.mass_y && m.stiffness == m.stiffness_y &&
+                        m.damping == m.damping_y && first(m.internal_damping) == 0.0 &&
+                        first(m.gyroscopic) == 0.0;
+  const bool turning_ring = s.first().stator && s.first().stator->spin;
+  return one_mode && !turning_ring && s.first().contact->offset.isZero(0.0) && !s.rotor.torsion &&
+         !s.drive && !s.magnetic_bearing && !s.first().actuator && !s.first().controller &&
+         !s.gravity && s.first().contact->compression_time == 0.0 &&
+         s.first().contact->expansion_time == 0.0 &&
+         s.first().contact->tangential_restitution == 0.0;
+}
+
+bool is_free_mass(const scene::Scene& s) {
+  const scene::RotorModal& m = *s.rotor.modal;
+  return first(m.stiffness) == 0.0 && first(m.damping) == 0.0 && !s.first().stator &&
+         s.first().contact->friction.none();
+}
+
+bool acts_throughout(const scene::Force& f, double end) {
+  const bool unshaped = f.shape.empty() || f.shape.front() == 1.0;
+  return f.on <= 0.0 && f.off >= end && f.ramp == 0.0 && unshaped;
+}
+
+std::optional<Form> billiard(const scene::Scene& s) {
+  const Place v = start_velocity(s.initial);
+  if (!is_free_mass(s) || !s.forces.empty() || s.first().contact->restitution != 1.0 ||
+      v == Place())
+    return {};
+  const Place x = start(s.initial);
+  const oracle::Billiard exact(s.first().contact->clearance, {x.real(), x.imag()},
+                               {v.real(), v.imag()});
+  return Form{"elastic billiard in a circle", [exact](double t) {
+                return Exact{of(exact.position(t)), {}, 0.0};
+              }};
+}
+
+// From rest at the centre along a constant force: straight down, wherever that is.
+std::optional<Form> drop(const scene::Scene& s) {
+  if (!is_free_mass(s) || s.forces.size() != 1 || s.first().contact->restitution >= 1.0) return {};
+  const scene::Force& f = s.forces.front();
+  if (f.kind != scene::ForceKind::kConstant || !acts_throughout(f, s.run.end)) return {};
+  if (f.vector.norm() == 0.0) return {};
+  if (start(s.initial) != Place() || start_velocity(s.initial) != Place()) return {};
+  const double load = f.vector.norm();
+  const Place down = of(f.vector) / load;
+  const oracle::Drop exact{s.first().contact->clearance, load / first(s.rotor.modal->mass),
+                           s.first().contact->restitution};
+  return Form{"drop with restitution, to rest", [=](double t) {
+                const double rest = t >= exact.rest_time() ? 1.0 : 0.0;
+                return Exact{(exact.height - exact.height_at(t)) * down, {}, rest * load};
+              }};
+}
+
+// The start has to be on the rub, up to the digits of a file.
+bool same(Place a, Place b, double size) { return std::abs(a - b) <= 1e-12 * size; }
+
+std::optional<Form> annular(const scene::Scene& s) {
+  if (s.forces.size() != 1) return {};
+  const scene::Force& f = s.forces.front();
+  if (f.kind != scene::ForceKind::kRotating || !acts_throughout(f, s.run.end)) return {};
+  if (f.phase != 0.0 || f.amplitude <= 0.0) return {};
+  const scene::RotorModal& m = *s.rotor.modal;
+  const oracle::Support rotor{first(m.mass), first(m.damping), first(m.stiffness)};
+  const scene::Contact& c = *s.first().contact;
+  if (!c.friction.is_constant()) return {};
+  const double mu = c.friction.coefficient;
+  std::optional<oracle::AnnularRub> rub;
+  const scene::Stator ring = s.first().stator.value_or(scene::Stator{});
+  if (!s.first().stator) {
+    rub = oracle::annular_rub(rotor, c.clearance, mu, f.amplitude, f.frequency);
+  } else {
+    const scene::Stator& r = *s.first().stator;
+    if (r.mass.x() != r.mass.y() || r.damping.x() != r.damping.y() ||
+        r.stiffness.x() != r.stiffness.y()) {
+      return {};
+    }
+    rub = oracle::annular_rub(rotor, {r.mass.x(), r.damping.x(), r.stiffness.x()}, c.clearance, mu,
+                              f.amplitude, f.frequency);
+  }
+  if (!rub || c.radius * s.rotor.speed + c.clearance * f.frequency <= 0.0) return {};
+  const double size = std::abs(rub->rotor), rate = f.frequency;
+  const Place turn{0.0, rate};
+  const bool starts_on = same(start(s.initial), rub->rotor, size) &&
+                         same(start_velocity(s.initial), turn * rub->rotor, rate * size) &&
+                         same(of(ring.position), rub->stator, size) &&
+                         same(of(ring.velocity), turn * rub->stator, rate * size);
+  if (!starts_on) return {};
+  return Form{"synchronous full annular rub", [rub = *rub, rate](double t) {
+                const Place phase = std::polar(1.0, rate * t);
+                return Exact{rub.rotor * phase, rub.stator * phase, rub.force};
+              }};
+}
+
+std::optional<Form> closed_form(const scene::Scene& scene) {
+  if (!is_plain(scene)) return {};
+  for (const auto& form : {billiard(scene), drop(scene), annular(scene)}) {
+    if (form) return form;
+  }
+  return {};
+}
 
 // m: some units in the last place of positions of a millimetre.
 constexpr double kClosedFormRoundOff = 1e-17;
@@ -29,6 +156,23 @@ Trajectory run_event(const scene::Scene& scene, const RunRequest& request, doubl
 }
 
 }  // namespace
+
+std::string put_closed_form(const scene::Scene& scene, Trajectory& trajectory) {
+  const auto form = closed_form(scene);
+  if (!form) return {};
+  const std::vector<double> times = trajectory.column("t");
+  for (Column& column : trajectory.series) {
+    const auto put = [&](const auto& value) {
+      for (std::size_t k = 0; k < times.size(); ++k) column.values[k] = value(form->at(times[k]));
+    };
+    if (column.name == "rotor_x") put([](const Exact& e) { return e.rotor.real(); });
+    if (column.name == "rotor_y") put([](const Exact& e) { return e.rotor.imag(); });
+    if (column.name == "stator_x") put([](const Exact& e) { return e.stator.real(); });
+    if (column.name == "stator_y") put([](const Exact& e) { return e.stator.imag(); });
+    if (column.name == "normal_force") put([](const Exact& e) { return e.normal; });
+  }
+  return form->name;
+}
 
 std::vector<double> common_times(const scene::Run& run, const std::vector<double>& steps) {
   constexpr double kNano = 1e-9;   // s

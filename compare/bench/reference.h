@@ -1,14 +1,20 @@
 // What errors are measured against: `event` at the tightest tolerance that round-off leaves a use
-// for, with an error estimate; and in place of its positions and normal force the closed form,
-// where the scene has one.
+// for, with an error estimate; and in place of its positions and normal force the closed form
+// (native_model/oracles), where the scene has one.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "compare/bench/setting.h"
+#include "compare/bench/engines.h"
+#include "native_model/scene/scene.h"
+#include "native_model/trajectory/trajectory.h"
 
 namespace rotorub::bench {
+
+// The closed form of the scene, if it has one: replaces positions and normal force, row by row.
+// Gives its name; empty where there is none.
+std::string put_closed_form(const scene::Scene& scene, Trajectory& trajectory);
 
 struct Reference {
   std::string source;         // what it is, in a few words

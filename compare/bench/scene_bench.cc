@@ -2,15 +2,51 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <stdexcept>
+#include <thread>
 
-#include "compare/bench/error_pass.h"
+#include "compare/base/version.h"
+#include "compare/bench/point.h"
 
 namespace rotorub::bench {
+namespace {
+
+// The value of the first line of /proc/cpuinfo that begins with `key`.
+std::string cpu_info(const std::string& key) {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const auto colon = line.find(": ");
+    if (line.rfind(key, 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+std::string widest(const std::string& flags) {
+  for (const char* name : {"avx512f", "avx2", "avx", "sse2"}) {
+    if ((" " + flags + " ").find(" " + std::string(name) + " ") != std::string::npos) return name;
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+Machine this_machine() {
+  Machine m;
+  m.processor = cpu_info("model name");
+  m.threads = static_cast<int>(std::thread::hardware_concurrency());
+  m.instructions = widest(cpu_info("flags"));
+#ifdef __clang__
+  m.compiler = "clang " __VERSION__;
+#else
+  m.compiler = "g++ " __VERSION__;
+#endif
+  m.mujoco = mujoco_version();
+  return m;
+}
 
 SceneBench bench_scene(const SceneReader& reader, const BenchParameters& parameters,
                        const Progress& progress, const std::atomic<bool>* interrupt) {
-  const auto stopped = [&] { return interrupt && interrupt->load(std::memory_order_relaxed); };
   SceneBench bench;
   bench.scene = reader({});
   bench.engines = parameters.engines;
@@ -38,10 +74,10 @@ SceneBench bench_scene(const SceneReader& reader, const BenchParameters& paramet
   timing_pass(bench.points, parameters.timing, part(0.1, 0.9), interrupt);
   bench.levels = levels(bench.points, bench.engines, bench.scene.first().contact->clearance,
                         bench.reference.error);
-  if (parameters.stability_map && !stopped()) {
+  if (parameters.stability_map && !stopped(interrupt)) {
     bench.stability = stability_map(reader, bench.scene, part(0.9, 1.0), interrupt);
   }
-  bench.interrupted = stopped();
+  bench.interrupted = stopped(interrupt);
   return bench;
 }
 

@@ -1,17 +1,26 @@
-// The bench of one scene: reference, points, and what they say.
+// The bench of one scene: reference, points, and what they say; and the machine that it ran on.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "compare/bench/engines.h"
-#include "compare/bench/levels.h"
 #include "compare/bench/point.h"
-#include "compare/bench/series.h"
-#include "compare/bench/stability_map.h"
-#include "compare/bench/timing_pass.h"
+#include "compare/bench/soft_contact.h"
+#include "compare/bench/work_precision.h"
 
 namespace rotorub::bench {
+
+// What times were measured on.
+struct Machine {
+  std::string processor;     // as the kernel names it
+  int threads = 0;           // hardware threads; every run here takes one
+  std::string instructions;  // the widest vector instructions of the processor
+  std::string compiler;
+  std::string mujoco;  // version
+};
+Machine this_machine();
 
 struct BenchParameters {
   Ladder ladder = default_ladder();

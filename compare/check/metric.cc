@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/figures/json.h"
+#include "compare/figures/figure.h"
 #include "compare/metrics/metrics.h"
 #include "compare/run_files/summary.h"
 

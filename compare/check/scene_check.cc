@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "compare/bench/event_engine.h"
+#include "compare/bench/engines.h"
 #include "compare/bench/reference.h"
 #include "compare/check/metric.h"
 #include "compare/check/verdict.h"

@@ -10,10 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/base/json.h"
-#include "compare/bench/json.h"
-#include "compare/bench/restitution.h"
+#include "compare/bench/output.h"
 #include "compare/bench/scene_bench.h"
-#include "compare/bench/table.h"
+#include "compare/bench/soft_contact.h"
 #include "compare/commands/command.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/bench_page.h"

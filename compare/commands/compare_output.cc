@@ -10,7 +10,6 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/run_files/run_directory.h"
-#include "compare/study/column_files.h"
 #include "compare/study/json.h"
 #include "native_model/trajectory/output.h"
 #include "native_model/trajectory/recorder.h"

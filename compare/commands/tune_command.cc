@@ -13,14 +13,13 @@
 
 #include "compare/base/format.h"
 #include "compare/base/json.h"
-#include "compare/bench/ladder.h"
+#include "compare/bench/engines.h"
 #include "compare/commands/command.h"
 #include "compare/commands/terminal.h"
 #include "compare/commands/tune_command.h"
 #include "compare/study/scene_comparison.h"
-#include "compare/tune/json.h"
-#include "compare/tune/scene_text.h"
-#include "compare/tune/table.h"
+#include "compare/tune/output.h"
+#include "compare/tune/setting.h"
 #include "compare/tune/tune.h"
 #include "native_model/trajectory/output.h"
 

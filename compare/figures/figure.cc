@@ -1,14 +1,24 @@
 #include "compare/figures/figure.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <deque>
 #include <limits>
-#include <numbers>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "compare/base/format.h"
+#include "compare/base/json.h"
+#include "compare/base/units.h"
 
 namespace rotorub {
 namespace {
 
-constexpr double kHertz = 1.0 / (2.0 * std::numbers::pi);
+using nlohmann::json;
+
 // m/s. Which part of its step an impact at 10 mm/s counts with moves the rms of a second by 0.03
 // mm/s either way: what rests but for that is not compared by a share of itself.
 constexpr double kGapRateResolution = 1e-3;
@@ -19,100 +29,207 @@ constexpr auto kAverage = Judged::kAverage;
 constexpr auto kPeak = Judged::kPeak;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-double or_none(const std::optional<double>& value) { return value.value_or(kNone); }
+template <auto Member>
+double of(const Metrics& m) {
+  if constexpr (std::is_same_v<decltype(m.*Member), const std::optional<double>&>) {
+    return (m.*Member).value_or(kNone);
+  } else {
+    return static_cast<double>(m.*Member);
+  }
+}
 
 const Figure kFigures[] = {
-    {"mean_force", "mean normal force", "N", 1.0, kRel, kAverage, true, true,
-     "Normal impulse over the time from first touch, divided by that time.",
-     [](const Metrics& m) { return m.mean_force; }},
-    {"lasting_fraction", "lasting contact", "%", 100.0, kPts, kAverage, true, true,
-     "Share of the time from first touch in lasting contact: without the steps of impacts, and "
-     "without what of a soft "
-     "contact is shorter than 20 of the scene's steps.",
-     [](const Metrics& m) { return m.lasting_fraction; }},
-    {"impulse_total", "total impulse", "N s", 1.0, kRel, kAverage, true, true,
-     "All the normal momentum that the ring gave to the rotor.",
-     [](const Metrics& m) { return m.impulse_total; }},
-    {"friction_work", "friction work", "J", 1.0, kRel, kAverage, true, true,
-     "Energy that friction took; never positive. Differences are relative to 1 mJ where it is "
-     "less.",
-     [](const Metrics& m) { return m.friction_work; }, 1e-3},
-    {"whirl_frequency", "whirl", "Hz", kHertz, kRel, kAverage, true, true,
-     "Mean turns per second of the rotor about the ring's centre, over the last fifth of the run; "
-     "negative: backward. Differences are relative to 1 Hz where it "
-     "is less.",
-     [](const Metrics& m) { return m.settled.whirl_frequency; }, 1.0 / kHertz},
-    {"spin_speed", "spin", "rad/s", 1.0, kRel, kAverage, true, true,
-     "Mean speed of a spin that is free, over the last fifth of the run.",
-     [](const Metrics& m) { return or_none(m.spin_speed); }, 1.0},
-    {"ring_speed", "ring speed", "rad/s", 1.0, kRel, kAverage, true, true,
-     "Mean speed of a ring that turns, over the last fifth of the run.",
-     [](const Metrics& m) { return or_none(m.ring_speed); }, 1.0},
-    {"control_force", "control force, rms", "N", 1.0, kRel, kAverage, true, true,
-     "What the controller asks of the actuator, over the whole run.",
-     [](const Metrics& m) { return or_none(m.control_force); }, 0.1},
-    {"near_miss", "least gap", "µm", 1e6, kRel, kAverage, true, true,
-     "How near a rotor came that never touches. Differences are relative to 10 µm where it is "
-     "less.",
-     [](const Metrics& m) { return m.first_touch ? kNone : or_none(m.least_gap); }, 1e-5},
-    {"impact_impulse", "largest impact", "N s", 1.0, kRel, kPeak, true, true,
-     "Largest normal impulse of one impact of a rigid law.",
-     [](const Metrics& m) { return or_none(m.impact_impulse); }},
-    {"window_impulse", "largest impulse", "N s", 1.0, kRel, kPeak, true, true,
-     "Largest normal impulse within 20 of the scene's steps, of which a soft contact makes an "
-     "impact; what a rigid law has within "
-     "them.",
-     [](const Metrics& m) { return or_none(m.window_impulse); }},
-    {"hard_impacts", "hard impacts", "", 1.0, kRel, kPeak, false, true,
-     "Impacts (soft contact: contact episodes) faster than 1 % of the fastest: of an accumulation "
-     "those that every useful step "
-     "tells apart. Of less than 100, one more or less is 1 %.",
-     [](const Metrics& m) { return static_cast<double>(m.hard_impacts); }, 100.0},
-    {"gap_rate_rms", "rms gap rate", "mm/s", 1e3, kRel, kPeak, true, true,
-     "How restless the contact is: rms of the speed of the gap from first touch. Differences are "
-     "relative to 1 mm/s where it is less.",
-     [](const Metrics& m) { return m.gap_rate_rms; }, kGapRateResolution},
-    {"contact_fraction", "contact, impacts too", "%", 100.0, kPts, kNo, true, true,
-     "Share of the time from first touch in which the rotor presses on the ring; an impact of a "
-     "fixed step counts as one step.",
-     [](const Metrics& m) { return m.contact_fraction; }},
-    {"force_deviation", "force scatter", "N", 1.0, kRel, kNo, true, true,
-     "Standard deviation of the step-averaged normal force from first touch; impacts make it grow "
-     "as the step shrinks.",
-     [](const Metrics& m) { return m.force_deviation; }},
-    {"peak_force", "impulse / step, max", "N", 1.0, kRel, kNo, true, true,
-     "Largest impulse of one step, divided by the step: no force of a rigid law, whose impact has "
-     "an impulse and no force; it grows "
-     "as the step shrinks.",
-     [](const Metrics& m) { return m.peak_force; }},
-    {"impacts", "impacts", "", 1.0, kRel, kNo, true, true,
-     "Impacts that close faster than 0.1 mm/s (soft contact: contact episodes).",
-     [](const Metrics& m) { return static_cast<double>(m.impacts); }},
-    {"max_penetration", "penetration, max", "µm", 1e6, kRel, kNo, true, false,
-     "How deep the rotor sank into the ring; a rigid contact allows what one step of flight gives.",
-     [](const Metrics& m) { return m.max_penetration; }},
-    {"rms_penetration", "penetration, rms", "µm", 1e6, kRel, kNo, true, false,
-     "Rms of the penetration over the time from first touch.",
-     [](const Metrics& m) { return m.rms_penetration; }},
-    {"whirl_penetration", "one step's depth", "µm", 1e6, kRel, kNo, false, false,
-     "(v_t dt)^2 / (2 delta_0): what one step along the tangent costs a whirling rotor.",
-     [](const Metrics& m) { return m.whirl_penetration; }},
-    {"energy_residual", "energy balance", "ppm", 1e6, kRel, kNo, false, false,
-     "|change of energy - work of all loads| over the largest energy met (of a contact at the end: "
-     "its force over the clearance); 0 for exact integration.",
-     [](const Metrics& m) { return m.energy_residual; }},
+    {{"mean_force", "mean normal force", "N", 1.0,
+      "Normal impulse over the time from first touch, divided by that time."},
+     {kRel, kAverage},
+     of<&Metrics::mean_force>},
+    {{"lasting_fraction", "lasting contact", "%", 100.0,
+      "Share of the time from first touch in lasting contact: without the steps of impacts, and "
+      "without what of a soft contact is shorter than 20 of the scene's steps."},
+     {kPts, kAverage},
+     of<&Metrics::lasting_fraction>},
+    {{"impulse_total", "total impulse", "N s", 1.0,
+      "All the normal momentum that the ring gave to the rotor."},
+     {kRel, kAverage},
+     of<&Metrics::impulse_total>},
+    {{"friction_work", "friction work", "J", 1.0,
+      "Energy that friction took; never positive. Differences are relative to 1 mJ where it is "
+      "less."},
+     {kRel, kAverage, 1e-3},
+     of<&Metrics::friction_work>},
+    {{"whirl_frequency", "whirl", "Hz", kHz,
+      "Mean turns per second of the rotor about the ring's centre, over the last fifth of the run; "
+      "negative: backward. Differences are relative to 1 Hz where it is less."},
+     {kRel, kAverage, 1.0 / kHz},
+     [](const Metrics& m) { return m.settled.whirl_frequency; }},
+    {{"spin_speed", "spin", "rad/s", 1.0,
+      "Mean speed of a spin that is free, over the last fifth of the run."},
+     {kRel, kAverage, 1.0},
+     of<&Metrics::spin_speed>},
+    {{"ring_speed", "ring speed", "rad/s", 1.0,
+      "Mean speed of a ring that turns, over the last fifth of the run."},
+     {kRel, kAverage, 1.0},
+     of<&Metrics::ring_speed>},
+    {{"control_force", "control force, rms", "N", 1.0,
+      "What the controller asks of the actuator, over the whole run."},
+     {kRel, kAverage, 0.1},
+     of<&Metrics::control_force>},
+    {{"near_miss", "least gap", "µm", 1e6,
+      "How near a rotor came that never touches. Differences are relative to 10 µm where it is "
+      "less."},
+     {kRel, kAverage, 1e-5},
+     [](const Metrics& m) { return m.first_touch ? kNone : of<&Metrics::least_gap>(m); }},
+    {{"impact_impulse", "largest impact", "N s", 1.0,
+      "Largest normal impulse of one impact of a rigid law."},
+     {kRel, kPeak},
+     of<&Metrics::impact_impulse>},
+    {{"window_impulse", "largest impulse", "N s", 1.0,
+      "Largest normal impulse within 20 of the scene's steps, of which a soft contact makes an "
+      "impact; what a rigid law has within them."},
+     {kRel, kPeak},
+     of<&Metrics::window_impulse>},
+    {{"hard_impacts", "hard impacts", "", 1.0,
+      "Impacts (soft contact: contact episodes) faster than 1 % of the fastest: of an accumulation "
+      "those that every useful step tells apart. Of less than 100, one more or less is 1 %."},
+     {kRel, kPeak, 100.0, false},
+     of<&Metrics::hard_impacts>},
+    {{"gap_rate_rms", "rms gap rate", "mm/s", 1e3,
+      "How restless the contact is: rms of the speed of the gap from first touch. Differences are "
+      "relative to 1 mm/s where it is less."},
+     {kRel, kPeak, kGapRateResolution},
+     of<&Metrics::gap_rate_rms>},
+    {{"contact_fraction", "contact, impacts too", "%", 100.0,
+      "Share of the time from first touch in which the rotor presses on the ring; an impact of a "
+      "fixed step counts as one step."},
+     {kPts, kNo},
+     of<&Metrics::contact_fraction>},
+    {{"force_deviation", "force scatter", "N", 1.0,
+      "Standard deviation of the step-averaged normal force from first touch; impacts make it grow "
+      "as the step shrinks."},
+     {kRel, kNo},
+     of<&Metrics::force_deviation>},
+    {{"peak_force", "impulse / step, max", "N", 1.0,
+      "Largest impulse of one step, divided by the step: no force of a rigid law, whose impact has "
+      "an impulse and no force; it grows as the step shrinks."},
+     {kRel, kNo},
+     of<&Metrics::peak_force>},
+    {{"impacts", "impacts", "", 1.0,
+      "Impacts that close faster than 0.1 mm/s (soft contact: contact episodes)."},
+     {kRel, kNo},
+     of<&Metrics::impacts>},
+    {{"max_penetration", "penetration, max", "µm", 1e6,
+      "How deep the rotor sank into the ring; a rigid contact allows what one step of flight "
+      "gives."},
+     {kRel, kNo, 0.0, true, false},
+     of<&Metrics::max_penetration>},
+    {{"rms_penetration", "penetration, rms", "µm", 1e6,
+      "Rms of the penetration over the time from first touch."},
+     {kRel, kNo, 0.0, true, false},
+     of<&Metrics::rms_penetration>},
+    {{"whirl_penetration", "one step's depth", "µm", 1e6,
+      "(v_t dt)^2 / (2 delta_0): what one step along the tangent costs a whirling rotor."},
+     {kRel, kNo, 0.0, false, false},
+     of<&Metrics::whirl_penetration>},
+    {{"energy_residual", "energy balance", "ppm", 1e6,
+      "|change of energy - work of all loads| over the largest energy met (of a contact at the "
+      "end: its force over the clearance); 0 for exact integration."},
+     {kRel, kNo, 0.0, false, false},
+     of<&Metrics::energy_residual>},
 };
 
+const ResidualFigure kResiduals[] = {
+    {"penetration", "largest penetration / delta_0 of a row", "law g ≥ 0",
+     "Deepest penetration in a recorded row, over the clearance.", &Residuals::penetration},
+    {"adhesion", "largest pull / F", "law λ ≥ 0",
+     "Largest pull (a contact cannot pull), over the mean force in contact.", &Residuals::adhesion},
+    {"complementarity", "largest gap times force / (delta_0 F)", "law g λ = 0",
+     "Largest product of open gap and force: force without touch.", &Residuals::complementarity},
+    {"cone", "largest |friction| beyond mu times normal force / F", "friction cone",
+     "Friction beyond mu times the normal force.", &Residuals::cone},
+    {"sliding", "largest departure from Coulomb's law where it slides / F", "sliding law",
+     "While sliding: distance of the friction from -mu λ sign(slip).", &Residuals::sliding},
+    {"power", "largest power that friction gave, over F times the largest slip", "friction brakes",
+     "Friction power above 0: friction that drives.", &Residuals::power},
+    {"gap_error", "largest |gap - (delta_0 - distance of the centres)| / delta_0", "series itself",
+     "Recorded gap against the gap of the recorded positions.", &Residuals::gap_error},
+};
+
+// What the metrics of a run hold beside its figures and residuals; "settled.from": within another.
+struct MetricKey {
+  const char *key, *unit, *meaning;
+  json (*value)(const Metrics&);
+};
+template <auto Member>
+json read(const Metrics& m) {
+  return m.*Member;
+}
+template <auto Member>
+json read_or_null(const Metrics& m) {
+  return number_or_null(m.*Member);
+}
+template <auto Member>
+json settled_at(const Metrics& m) {
+  return m.settled.*Member;
+}
+const MetricKey kMetricKeys[] = {
+    {"first_touch", "s", "time of the first contact; null: never",
+     read_or_null<&Metrics::first_touch>},
+    {"least_gap", "m",
+     "smallest gap of all rows and ends of steps; 0 or, by penetration, less where it touched; "
+     "null: no [contact]",
+     read_or_null<&Metrics::least_gap>},
+    {"friction_impulse", "N s", "on the rotor, signed along e_t", read<&Metrics::friction_impulse>},
+    {"real_time_factor", "", "simulated time over time taken; no result",
+     read<&Metrics::real_time_factor>},
+    {"settled.attractor", "", "what the last fifth of the run is",
+     [](const Metrics& m) { return json(to_string(m.settled.attractor)); }},
+    {"settled.from", "s", "where that begins", settled_at<&Settled::from>},
+    {"settled.contact_share", "", "share of its rows in contact",
+     settled_at<&Settled::contact_share>},
+    {"settled.whirl_frequency", "rad/s", "mean whirl there, forward positive",
+     settled_at<&Settled::whirl_frequency>},
+    {"settled.spin_speed", "rad/s", "mean spin speed there", settled_at<&Settled::spin_speed>},
+    {"settled.impacts", "", "counted impacts there", settled_at<&Settled::impacts>},
+    {"residuals.force_scale", "N",
+     "mean normal force of the rows in contact: F below, delta_0 the clearance",
+     [](const Metrics& m) { return json(m.residuals.force_scale); }},
+};
+
+std::vector<ColumnMeaning> make_metric_keys() {
+  static std::deque<std::string> names;  // that the keys point to
+  std::vector<ColumnMeaning> keys;
+  for (const Figure& f : kFigures) keys.push_back({f.key, figure_si_unit(f), f.meaning, ""});
+  for (const MetricKey& k : kMetricKeys) keys.push_back({k.key, k.unit, k.meaning, ""});
+  for (const ResidualFigure& r : kResiduals) {
+    keys.push_back({names.emplace_back(fmt::format("residuals.{}", r.key)), "", r.definition, ""});
+  }
+  return keys;
+}
+
 }  // namespace
+
+std::string figure_value(const FigureText& figure, double value) {
+  return short_number(value * figure.per_unit);
+}
+
+std::string figure_label(const FigureText& figure) {
+  return *figure.unit ? fmt::format("{}, {}", figure.label, figure.unit) : figure.label;
+}
+
+std::string_view figure_si_unit(const FigureText& figure) {
+  const std::string_view unit = figure.unit;
+  if (figure.per_unit == 1.0) return unit;
+  if (unit == "mm/s") return "m/s";
+  if (unit == "Hz" || unit == "rpm") return "rad/s";
+  return unit == "µm" ? "m" : "";  // %, ppm
+}
 
 std::span<const Figure> figures() { return kFigures; }
 
 const Figure& figure(const std::string& key) {
-  const Figure* found = nullptr;
-  for (const Figure& f : kFigures) {
-    if (key == f.key) found = &f;
-  }
-  assert(found);
+  const auto found = std::find_if(std::begin(kFigures), std::end(kFigures),
+                                  [&](const Figure& f) { return key == f.key; });
+  assert(found != std::end(kFigures));
   return *found;
 }
 
@@ -129,8 +246,59 @@ double deviation(const Figure& figure, double native, double other) {
 }
 
 double share_of(const Figure& figure, double native, double size) {
-  if (figure.scale == Scale::kPoints || size == 0.0) return std::abs(size);
-  return std::abs(size) / std::max(std::abs(native), figure.resolution);
+  if (figure.scale == Scale::kPoints || size == 0.0) return size;
+  return size / std::max(std::abs(native), figure.resolution);
+}
+
+SplitShares split_shares(const Figure& figure, double native, const Split& split) {
+  const auto share = [&](double part) {
+    const double apart = deviation(figure, native, native + part);
+    return split.valid && std::isfinite(apart) ? std::optional(apart) : std::nullopt;
+  };
+  return {share(split.model_gap), share(split.step_error - split.native_step_error)};
+}
+
+std::string deviation_text(const Figure& figure, double deviation) {
+  if (!figure.comparable) return "–";
+  const char* unit = figure.scale == Scale::kPoints ? "pts" : "%";
+  if (!std::isfinite(deviation)) return deviation > 0.0 ? "+∞" : "-∞";
+  const double percent = 100.0 * deviation;
+  const double size = std::abs(percent);
+  if (size < 0.005) return fmt::format("0.00 {}", unit);
+  if (size < 10.0) return fmt::format("{:+.2f} {}", percent, unit);
+  if (figure.scale == Scale::kPoints || percent < 1000.0) {
+    return fmt::format("{:+.0f} {}", percent, unit);
+  }
+  return "×" + short_number(std::round(1.0 + deviation));
+}
+
+std::string size_text(const Figure& figure, double size) {
+  const std::string text = deviation_text(figure, size);
+  return text.starts_with('+') ? text.substr(1) : text;
+}
+
+std::span<const ResidualFigure> residual_figures() { return kResiduals; }
+
+json residuals_json(const Residuals& residuals) {
+  json all = {{"force_scale", residuals.force_scale}};
+  for (const ResidualFigure& r : kResiduals) all[r.key] = residuals.*r.value;
+  return all;
+}
+
+json metrics_json(const Metrics& m) {
+  json all = {{"residuals", residuals_json(m.residuals)}};
+  for (const Figure& f : kFigures) all[f.key] = f.value(m);
+  for (const MetricKey& k : kMetricKeys) {
+    std::string path = fmt::format("/{}", k.key);
+    std::replace(path.begin(), path.end(), '.', '/');
+    all[json::json_pointer(path)] = k.value(m);
+  }
+  return all;
+}
+
+std::span<const ColumnMeaning> metric_keys() {
+  static const std::vector<ColumnMeaning> keys = make_metric_keys();
+  return keys;
 }
 
 }  // namespace rotorub

@@ -1,13 +1,31 @@
-// The figures that runs are compared by: one list that the table, the JSON, the page and the split
-// into model gap and step error all go by.
+// The registry of figures: the numbers that a run is described and compared by, one entry each. The
+// tables, the JSON, the pages, tune, and the split into model gap and step error all go by it.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "compare/metrics/extrapolation.h"
 #include "compare/metrics/metrics.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
+
+// How a figure is called and written, whatever it is a figure of: a run, one contact, a record.
+struct FigureText {
+  const char* key;      // in JSON
+  const char* label;    // in tables
+  const char* unit;     // of the value as written
+  double per_unit;      // written value = value in SI * per_unit
+  const char* meaning;  // one sentence
+};
+
+// The value, SI, in the unit that the figure is written in; the same on the terminal and in pages.
+std::string figure_value(const FigureText& figure, double value);
+std::string figure_label(const FigureText& figure);         // "mean normal force, N"
+std::string_view figure_si_unit(const FigureText& figure);  // of JSON; "": a number
 
 // How the difference of two values is judged and written.
 enum class Scale {
@@ -22,22 +40,21 @@ enum class Judged {
   kPeak      // of single moments: what an impact does
 };
 
-struct Figure {
-  const char* key;    // in JSON
-  const char* label;  // in tables
-  const char* unit;   // of the value as written
-  double per_unit;    // written value = value in SI * per_unit
+// How the values of two runs are compared.
+struct ComparisonRule {
   Scale scale;
   Judged judged;
-  bool split;           // converges with the step: split into model gap and step error
-  bool comparable;      // means the same for a soft and for a rigid contact: has a difference
-  const char* meaning;  // one sentence
-  double (*value)(const Metrics&);  // not a number: the run has no such figure
   // SI, kRelative: a difference is relative to the native value, or to this where that is smaller.
   // Of a count: one more or less among up to so many is 1 / resolution.
   double resolution = 0.0;
+  bool split = true;       // converges with the step: split into model gap and step error
+  bool comparable = true;  // means the same for a soft and for a rigid contact: has a difference
 
   bool is_judged() const { return judged != Judged::kNo; }
+};
+
+struct Figure : FigureText, ComparisonRule {
+  double (*value)(const Metrics&);  // not a number: the run has no such figure
 };
 
 std::span<const Figure> figures();
@@ -48,7 +65,37 @@ const Figure& figure(const std::string& key);
 // positive where the magnitude grows, 0 for two zeros, infinite where the native value alone is 0
 // and the figure has no resolution.
 double deviation(const Figure& figure, double native, double other);
-// A size in SI on the same scale, beside a native value; >= 0.
+// A size or a change in SI on the same scale, beside a native value; of its sign.
 double share_of(const Figure& figure, double native, double size);
+
+// What contact model and step each put a figure off by, on its scale: none where that cannot be
+// determined.
+struct SplitShares {
+  std::optional<double> contact;  // what remains as the step goes to 0
+  std::optional<double> step;     // what vanishes with it, MuJoCo's less the native one's
+};
+SplitShares split_shares(const Figure& figure, double native, const Split& split);
+
+// "+0.52 %", "-77 pts", "×188" on the figure's scale; "∞" where the native value is 0; "–" for a
+// figure that is not comparable.
+std::string deviation_text(const Figure& figure, double deviation);
+// The same of a size: without a plus.
+std::string size_text(const Figure& figure, double size);
+
+// The residuals of the laws of contact, of a run's rows.
+struct ResidualFigure {
+  const char* key;         // in JSON
+  const char* definition;  // half a sentence; F: Residuals::force_scale, delta_0: the clearance
+  const char* law;         // in pages: "law g ≥ 0"
+  const char* meaning;     // one sentence
+  double Residuals::*value;
+};
+std::span<const ResidualFigure> residual_figures();
+nlohmann::json residuals_json(const Residuals& residuals);
+
+// Figures (SI), settled state and residuals of a run, a number that is not finite as null; and what
+// the keys mean.
+nlohmann::json metrics_json(const Metrics& metrics);
+std::span<const ColumnMeaning> metric_keys();
 
 }  // namespace rotorub

@@ -6,10 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/measured/channel.h"
-#include "compare/measured/fitting.h"
-#include "compare/measured/lag_search.h"
-
 namespace rotorub {
 namespace {
 
@@ -41,12 +37,12 @@ struct Search {
     Alignment& a = found.alignment;
     a.shift_found = !shift;
     a.shift = shift ? *shift : best_shift(angle, a.next);
-    const Fitting fitting(record, run, channels, a.shift, 0.0, angle);
+    const Fitting fitting(run, channels, record.interval, a.shift, 0.0, angle);
     const Fit fit = fitting.at(a.shift);
     a.angle = fit.angle;
     a.correlation = fit.correlation();
     if (fit.run.norm() > 0.0) a.residual = fit.left().norm() / fit.run.norm();
-    const Fitting::Effects g = fitting.effects(fit, a.shift, 0.01 * record.interval);
+    const Fitting::Effects g = fitting.effects(fit, a.shift);
     const double across = g.ee > 0.0 ? g.de / g.ee : 0.0;
     found.own_effect = g.dd > 0.0 ? (g.dd - across * g.de) / g.dd : 0.0;
     found.values = fitting.values();
@@ -58,11 +54,7 @@ struct Search {
   }
 
   double best_shift(std::optional<double> angle, std::optional<LagScore>& next) const {
-    const auto scores = lag_scores(record, run, channels, angle);
-    if (scores.empty()) {
-      throw MeasuredError("record and run have too few samples in common, whatever the shift");
-    }
-    const BestLags lags = best_lags(scores);
+    const BestLags lags = best_lags(record, run, channels, angle);
     const LagScore& best = lags.best;
     if (best.correlation < kLeastCorrelation) {
       throw MeasuredError(fmt::format(
@@ -72,11 +64,9 @@ struct Search {
           best.shift, best.correlation, channels_text(names()), kLeastCorrelation));
     }
     next = lags.next;
-    const double h = scores.size() > 1 ? scores[1].shift - scores[0].shift : record.interval;
-    const double room = std::max(h, record.interval);
-    const Fitting wide(record, run, channels, best.shift, room, angle);
-    if (wide.values() < kLeastSamples) return best.shift;
-    return refined(wide, best.shift, h, record.interval);
+    const double room = std::max(lags.apart, record.interval);
+    const Fitting wide(run, channels, record.interval, best.shift, room, angle);
+    return wide.values() < kLeastSamples ? best.shift : wide.refined(best.shift, lags.apart);
   }
 
   std::vector<std::string> names() const {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/measured/lag_search.h"
+#include "compare/measured/fitting.h"
 #include "compare/measured/record.h"
 #include "compare/measured/sampled_run.h"
 
@@ -31,7 +31,7 @@ struct Alignment {
   AngleFrom angle_from = AngleFrom::kFound;
   std::vector<std::string>
       by;  // "rotor", "gap": what it was found by; empty: both are given and nothing moves
-  std::optional<double> correlation;  // [-1, 1], see lag_search.h; none where `by` is empty
+  std::optional<double> correlation;  // [-1, 1], see fitting.h; none where `by` is empty
   std::optional<double>
       residual;  // share: rms of what is left over the run's deviation, means taken off
   // Standard deviation if what is left is white noise (the least that any estimate has, Cramer and
@@ -54,7 +54,7 @@ inline constexpr double kLeastCorrelation = 0.5;
 // allows.
 inline constexpr double kLeastOwnEffect = 0.01, kNearCircle = 0.1;
 
-// By least squares: of all shifts the one of the highest correlation (lag_search.h), then between
+// By least squares: of all shifts the one of the highest correlation (fitting.h), then between
 // the grid's instants the least sum of squares of what is left, each channel by its scale, means
 // taken off (a sensor's zero is not known); the angle follows in closed form. Throws MeasuredError
 // where record and run do not overlap, or no shift makes them alike.

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "compare/base/units.h"
 #include "compare/metrics/orbit.h"
 #include "compare/metrics/rows.h"
 
@@ -56,67 +56,71 @@ std::optional<DominantWhirl> whirl(const Motion& m) {
   for (std::size_t k = 0; k < count; ++k) z.emplace_back(x[k], y[k]);
   return dominant_whirl(z, span / static_cast<double>(count - 1));
 }
-std::optional<double> frequency(const Motion& m) {
+template <double DominantWhirl::*Part>
+std::optional<double> dominant(const Motion& m) {
   const auto found = whirl(m);
-  return found ? std::optional(found->frequency) : std::nullopt;
-}
-std::optional<double> amplitude(const Motion& m) {
-  const auto found = whirl(m);
-  return found ? std::optional(found->amplitude) : std::nullopt;
+  return found ? std::optional((*found).*Part) : std::nullopt;
 }
 
 // y: with it a pair; an axis alone counts where the other is not measured.
 struct KnownFigure {
-  std::string_view x, y;
-  Statistic of;
-  Bound clipped;  // what clipped samples make of it
-  const char *key, *label, *unit;
-  double per_unit;
-  const char* meaning;
-  MeasuredFigure figure() const { return {key, label, unit, per_unit, meaning}; }
+  FigureText text;
+  struct From {
+    std::string_view x, y;
+    Statistic statistic;
+    Bound clipped = Bound::kNone;  // what clipped samples make of it
+  } from;
 };
 
-constexpr Bound kNone = Bound::kNone, kAtLeast = Bound::kAtLeast, kAtMost = Bound::kAtMost;
-constexpr double kMicro = 1e6, kRpm = 30.0 / std::numbers::pi;
+constexpr Bound kAtLeast = Bound::kAtLeast, kAtMost = Bound::kAtMost;
+constexpr double kMicro = 1e6;
 constexpr const char* kAlone =
     "Root mean square of it about its mean, where the other axis is not measured.";
 constexpr KnownFigure kKnown[] = {
-    {kContactForce, "", known_mean, kAtLeast, "mean_force", "mean force", "N", 1.0,
-     "Mean of the samples of force; of a run with its impacts, over the same time."},
-    {kContactForce, "", deviation, kNone, "force_deviation", "force scatter", "N", 1.0,
-     "Standard deviation of the same samples."},
-    {kContactForce, "", largest, kAtLeast, "peak_force", "peak force of a sample", "N", 1.0,
-     "Largest sample: an impact's force is averaged over it."},
-    {"gap", "", least, kAtMost, "least_gap", "least gap", "µm", kMicro,
-     "Smallest sample of the gap."},
-    {"gap", "", mean, kNone, "mean_gap", "mean gap", "µm", kMicro,
-     "Mean of the samples of the gap."},
-    {"gap", "", contact, kNone, "contact_fraction", "samples in contact", "%", 100.0,
-     "Share of the samples with a gap below 1 % of the clearance."},
-    {"rotor_x", "rotor_y", deviation, kNone, "rotor_rms", "rotor's whirl, rms", "µm", kMicro,
-     "Root mean square of the rotor's distance from its mean place."},
-    {"rotor_x", "rotor_y", farthest, kAtLeast, "rotor_largest", "rotor's whirl, largest", "µm",
-     kMicro, "Largest distance of the rotor from its mean place."},
-    {"rotor_x", "rotor_y", frequency, kNone, "rotor_frequency", "rotor's frequency", "Hz", 1.0,
-     "Frequency at which the rotor's whirl is largest; negative: backward."},
-    {"rotor_x", "rotor_y", amplitude, kNone, "rotor_amplitude", "amplitude there", "µm", kMicro,
-     "Amplitude of the whirl at that frequency, under a Hann window."},
-    {"rotor_x", "", deviation, kNone, "rotor_x_rms", "rotor along x, rms", "µm", kMicro, kAlone},
-    {"rotor_y", "", deviation, kNone, "rotor_y_rms", "rotor along y, rms", "µm", kMicro, kAlone},
-    {"ring_x", "ring_y", deviation, kNone, "ring_rms", "ring's motion, rms", "µm", kMicro,
-     "Root mean square of the ring's distance from its mean place."},
-    {"ring_x", "ring_y", frequency, kNone, "ring_frequency", "ring's frequency", "Hz", 1.0,
-     "Frequency at which the ring's whirl is largest; negative: backward."},
-    {"ring_x", "", deviation, kNone, "ring_x_rms", "ring along x, rms", "µm", kMicro, kAlone},
-    {"ring_y", "", deviation, kNone, "ring_y_rms", "ring along y, rms", "µm", kMicro, kAlone},
-    {"control_x", "control_y", rms, kNone, "control_rms", "control force, rms", "N", 1.0,
-     "Root mean square of the actuator's force."},
-    {"current_1", "", rms, kNone, "current_1_rms", "current 1, rms", "A", 1.0,
-     "Root mean square of the first axis' current."},
-    {"current_2", "", rms, kNone, "current_2_rms", "current 2, rms", "A", 1.0,
-     "Root mean square of the second axis' current."},
-    {"spin_speed", "", mean, kNone, "mean_spin", "mean spin speed", "rpm", kRpm,
-     "Mean of the samples of the spin speed."},
+    {{"mean_force", "mean force", "N", 1.0,
+      "Mean of the samples of force; of a run with its impacts, over the same time."},
+     {kContactForce, "", known_mean, kAtLeast}},
+    {{"force_deviation", "force scatter", "N", 1.0, "Standard deviation of the same samples."},
+     {kContactForce, "", deviation}},
+    {{"peak_force", "peak force of a sample", "N", 1.0,
+      "Largest sample: an impact's force is averaged over it."},
+     {kContactForce, "", largest, kAtLeast}},
+    {{"least_gap", "least gap", "µm", kMicro, "Smallest sample of the gap."},
+     {"gap", "", least, kAtMost}},
+    {{"mean_gap", "mean gap", "µm", kMicro, "Mean of the samples of the gap."}, {"gap", "", mean}},
+    {{"contact_fraction", "samples in contact", "%", 100.0,
+      "Share of the samples with a gap below 1 % of the clearance."},
+     {"gap", "", contact}},
+    {{"rotor_rms", "rotor's whirl, rms", "µm", kMicro,
+      "Root mean square of the rotor's distance from its mean place."},
+     {"rotor_x", "rotor_y", deviation}},
+    {{"rotor_largest", "rotor's whirl, largest", "µm", kMicro,
+      "Largest distance of the rotor from its mean place."},
+     {"rotor_x", "rotor_y", farthest, kAtLeast}},
+    {{"rotor_frequency", "rotor's frequency", "Hz", 1.0,
+      "Frequency at which the rotor's whirl is largest; negative: backward."},
+     {"rotor_x", "rotor_y", dominant<&DominantWhirl::frequency>}},
+    {{"rotor_amplitude", "amplitude there", "µm", kMicro,
+      "Amplitude of the whirl at that frequency, under a Hann window."},
+     {"rotor_x", "rotor_y", dominant<&DominantWhirl::amplitude>}},
+    {{"rotor_x_rms", "rotor along x, rms", "µm", kMicro, kAlone}, {"rotor_x", "", deviation}},
+    {{"rotor_y_rms", "rotor along y, rms", "µm", kMicro, kAlone}, {"rotor_y", "", deviation}},
+    {{"ring_rms", "ring's motion, rms", "µm", kMicro,
+      "Root mean square of the ring's distance from its mean place."},
+     {"ring_x", "ring_y", deviation}},
+    {{"ring_frequency", "ring's frequency", "Hz", 1.0,
+      "Frequency at which the ring's whirl is largest; negative: backward."},
+     {"ring_x", "ring_y", dominant<&DominantWhirl::frequency>}},
+    {{"ring_x_rms", "ring along x, rms", "µm", kMicro, kAlone}, {"ring_x", "", deviation}},
+    {{"ring_y_rms", "ring along y, rms", "µm", kMicro, kAlone}, {"ring_y", "", deviation}},
+    {{"control_rms", "control force, rms", "N", 1.0, "Root mean square of the actuator's force."},
+     {"control_x", "control_y", rms}},
+    {{"current_1_rms", "current 1, rms", "A", 1.0, "Root mean square of the first axis' current."},
+     {"current_1", "", rms}},
+    {{"current_2_rms", "current 2, rms", "A", 1.0, "Root mean square of the second axis' current."},
+     {"current_2", "", rms}},
+    {{"mean_spin", "mean spin speed", "rpm", kRpm, "Mean of the samples of the spin speed."},
+     {"spin_speed", "", mean}},
 };
 
 const HeldColumn* find(const std::vector<HeldColumn>& columns, std::string_view name) {
@@ -129,7 +133,7 @@ const HeldColumn* find(const std::vector<HeldColumn>& columns, std::string_view 
 Motion motion(const HeldColumn& x, const HeldColumn* y, std::optional<std::size_t> run,
               const FigureFacts& facts) {
   const auto value = [&](const HeldColumn& c, std::size_t i) {
-    return run ? c.runs[*run][i] : c.measured[i];
+    return run ? c.runs[*run][i] : c.value[i];
   };
   Motion m{{}, {}, {}, facts};
   std::vector<std::complex<double>> good, known;
@@ -155,34 +159,35 @@ const char* to_string(Bound bound) {
   return bound == Bound::kAtLeast ? "at least" : bound == Bound::kAtMost ? "at most" : "";
 }
 
-std::vector<MeasuredFigure> measured_figures() {
-  std::vector<MeasuredFigure> all;
-  for (const KnownFigure& k : kKnown) all.push_back(k.figure());
+std::vector<FigureText> measured_figures() {
+  std::vector<FigureText> all;
+  for (const KnownFigure& k : kKnown) all.push_back(k.text);
   return all;
 }
 
 std::vector<MeasuredFigure> figures_of(const std::vector<HeldColumn>& columns,
                                        const FigureFacts& facts) {
   std::vector<MeasuredFigure> all;
-  for (const KnownFigure& k : kKnown) {
-    const HeldColumn *x = find(columns, k.x), *y = find(columns, k.y);
-    if (!x || (!y && !k.y.empty())) continue;
-    const bool alone = k.y.empty() && x->what->axis != Axis::kNone;
+  for (const auto& [text, from] : kKnown) {
+    const HeldColumn *x = find(columns, from.x), *y = find(columns, from.y);
+    if (!x || (!y && !from.y.empty())) continue;
+    const bool alone = from.y.empty() && x->what->axis != Axis::kNone;
     if (alone && find(columns, (x->what + (x->what->axis == Axis::kX ? 1 : -1))->name)) continue;
-    if (k.x == "gap" && !facts.clearance) continue;
+    if (from.x == "gap" && !facts.clearance) continue;
     Motion record = motion(*x, y, {}, facts);
     if (record.good.size() < (y ? 2 : 1)) continue;
-    const auto measured = k.of(record);
+    const auto measured = from.statistic(record);
     if (!measured) continue;
-    MeasuredFigure figure = k.figure();
-    figure.measured = *measured;
+    MeasuredFigure figure{text, *measured};
     for (std::size_t r = 0; r < x->runs.size(); ++r) {
-      figure.runs.push_back(k.of(motion(*x, y, r, facts)).value_or(0.0));
+      figure.runs.push_back(from.statistic(motion(*x, y, r, facts)).value_or(0.0));
     }
     if (record.known.size() > record.good.size()) {
       // A sensor's upper limit is none to the least gap.
       record.known = record.good;
-      if (k.clipped != Bound::kAtMost || *measured < *k.of(record)) figure.bound = k.clipped;
+      if (from.clipped != kAtMost || *measured < *from.statistic(record)) {
+        figure.bound = from.clipped;
+      }
     }
     all.push_back(std::move(figure));
   }

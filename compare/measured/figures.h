@@ -10,11 +10,8 @@
 namespace rotorub {
 
 // A record's column on the run, and the same of each run: values at the same samples.
-struct HeldColumn {
-  const Measurable* what = nullptr;
-  std::vector<Sample> sample;             // one a value
-  std::vector<double> measured;           // SI
-  std::vector<std::vector<double>> runs;  // SI, each as `measured`
+struct HeldColumn : MeasuredColumn {
+  std::vector<std::vector<double>> runs;  // SI, each as `value`
 };
 
 // What every figure needs of the scene and the record.

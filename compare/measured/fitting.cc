@@ -1,16 +1,123 @@
 #include "compare/measured/fitting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/LevenbergMarquardt>
+
+#include "compare/metrics/fourier.h"
+#include "compare/metrics/rows.h"
 
 namespace rotorub {
 namespace {
 
+using Eigen::ArrayXcd;
+using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
+constexpr double kMostGrid = 1 << 19;        // instants of record and run together
 constexpr std::size_t kMostFitted = 200000;  // samples of a channel: more tell no more
+constexpr double kApart = 0.01;              // intervals of the record, of central differences
+
+VectorXcd without_mean(const VectorXcd& z) {
+  return z.size() == 0 ? z : VectorXcd(z.array() - z.mean());
+}
+
+double deviation(const VectorXcd& z) {
+  return z.size() == 0 ? 0.0 : without_mean(z).norm() / std::sqrt(static_cast<double>(z.size()));
+}
+
+// The samples of the record that are good, of x and of y where it is a pair.
+void take_record(const MeasuredColumn& x, const MeasuredColumn* y, const SampleTimes& all,
+                 Channel& channel) {
+  std::vector<std::complex<double>> values;
+  for (std::size_t i = 0; i < x.value.size(); ++i) {
+    if (x.sample[i] != Sample::kGood || (y && y->sample[i] != Sample::kGood)) continue;
+    channel.times.add(all, i);
+    values.emplace_back(x.value[i], y ? y->value[i] : 0.0);
+  }
+  channel.value = Eigen::Map<const VectorXcd>(values.data(), static_cast<Index>(values.size()));
+}
+
+struct Grid {
+  double h;                 // s
+  Index record, run, size;  // instants; size: of the transforms
+};
+
+Grid grid_of(const MeasuredRecord& record, const SampledRun& run) {
+  const double length = run.end() - run.start();
+  const double h = std::max(record.interval, (record.duration() + length) / (kMostGrid - 2.0));
+  const auto instants = [&](double time) { return static_cast<Index>(time / h + 1e-6) + 1; };
+  Grid grid{h, instants(record.duration()), instants(length), 1};
+  while (grid.size < grid.record + grid.run) grid.size *= 2;
+  return grid;
+}
+
+// The record on the grid, linear between neighbours, and whether it is there: 1, or 0 in a hole,
+// where neighbours are far apart.
+void lay_on_grid(const MeasuredRecord& record, const Channel& channel, const Grid& grid,
+                 ArrayXcd& value, ArrayXcd& there) {
+  value = there = ArrayXcd::Zero(grid.size);
+  std::vector<double> t, x, y;
+  for (const double at : channel.times.t) t.push_back((at - record.t.front()) / grid.h);
+  if (t.size() < 2) return;
+  for (const auto& z : channel.value) {
+    x.push_back(z.real());
+    y.push_back(z.imag());
+  }
+  const auto last = static_cast<double>(grid.record - 1);
+  const auto at = even_times(0.0, last, static_cast<std::size_t>(grid.record));
+  const auto real = linear(t, x, at), imag = linear(t, y, at);
+  const double far = 2.5 * std::max(record.interval / grid.h, 1.0);
+  for (std::size_t k = 0; k + 1 < t.size(); ++k) {
+    if (t[k + 1] - t[k] > far) continue;
+    for (double j = std::ceil(t[k] - 1e-6); j <= std::min(t[k + 1] + 1e-6, last); j += 1.0) {
+      const auto i = static_cast<std::size_t>(j);
+      value[static_cast<Index>(i)] = {real[i], imag[i]};
+      there[static_cast<Index>(i)] = 1.0;
+    }
+  }
+}
+
+// Sums over the samples in common at each lag, of one channel or of several.
+struct LagSums {
+  ArrayXd record, run, both, overlap;
+  ArrayXcd turned;  // of pairs whose angle is free
+  explicit LagSums(Index size)
+      : record(ArrayXd::Zero(size)), run(record), both(record), overlap(record), turned(record) {}
+};
+
+void add_channel(const MeasuredRecord& record, const SampledRun& run, const Channel& channel,
+                 const Grid& grid, std::optional<double> angle, LagSums& sums) {
+  Eigen::FFT<double> fourier;
+  const auto spectrum = [&](const VectorXcd& z) { return VectorXcd(fourier.fwd(z)); };
+  // sum_j conj(a_j) b_{j + l} at l, negative l from the end; of spectra.
+  const auto correlated = [&](const VectorXcd& a, const VectorXcd& b) {
+    const VectorXcd product = a.conjugate().cwiseProduct(b);
+    return ArrayXcd(VectorXcd(fourier.inv(product)));
+  };
+
+  ArrayXcd m, w, s = ArrayXcd::Zero(grid.size), v = s;
+  lay_on_grid(record, channel, grid, m, w);
+  const double end = run.start() + static_cast<double>(grid.run - 1) * grid.h;
+  const auto t = even_times(run.start(), end, static_cast<std::size_t>(grid.run));
+  s.head(grid.run) = channel.of(run, sample_times(t, grid.h)).array();
+  v.head(grid.run) = 1.0;
+
+  const auto M = spectrum(m), W = spectrum(w), S = spectrum(s), V = spectrum(v);
+  const ArrayXd count = correlated(W, V).real(), n = count.max(1.0);
+  const ArrayXcd sum_m = correlated(M, V), sum_s = correlated(W, S);  // sum_m: of conjugates
+  sums.overlap = sums.overlap.max(count);
+  sums.record += (correlated(spectrum(m.abs2()), V).real() - sum_m.abs2() / n).max(0.0);
+  sums.run += (correlated(W, spectrum(s.abs2())).real() - sum_s.abs2() / n).max(0.0);
+  const ArrayXcd both = correlated(M, S) - sum_m * sum_s / n;
+  if (channel.pair && !angle) {
+    sums.turned += both;
+  } else {
+    sums.both += (both * std::polar(1.0, channel.pair ? -*angle : 0.0)).real();
+  }
+}
 
 // What is left at a shift, for the library: x[0] intervals of the record after `shift`.
 struct LeftAt : Eigen::DenseFunctor<double> {
@@ -32,7 +139,6 @@ struct LeftAt : Eigen::DenseFunctor<double> {
     return 0;
   }
   int df(const VectorXd& x, Eigen::MatrixXd& slope) const {
-    constexpr double kApart = 0.01;
     slope = (at(x[0] + kApart) - at(x[0] - kApart)) / (2.0 * kApart);
     return 0;
   }
@@ -40,49 +146,128 @@ struct LeftAt : Eigen::DenseFunctor<double> {
 
 }  // namespace
 
+std::string Channel::name() const {
+  return std::string(pair ? what->name.substr(0, what->name.rfind('_')) : what->name);
+}
+
+VectorXcd Channel::of(const SampledRun& run, const SampleTimes& at) const {
+  using Values = Eigen::Map<const VectorXd>;
+  const std::vector<double> x = run.values(*what, at, pair ? 0.0 : frame);
+  VectorXcd z = Values(x.data(), static_cast<Index>(x.size())).cast<std::complex<double>>();
+  if (pair) z.imag() = Values(run.values(*(what + 1), at).data(), z.size());
+  return z / scale;
+}
+
+std::vector<Channel> channels_of(const MeasuredRecord& record, const SampledRun& run,
+                                 double angle) {
+  constexpr std::size_t kTimes = 4096;  // that tell the size of a motion
+  const SampleTimes all = sample_times(record.t, record.interval);
+  const SampleTimes of_run =
+      sample_times(even_times(run.start(), run.end(), kTimes), record.interval);
+  const auto column = [&](const Measurable& m) {
+    const MeasuredColumn* c = record.find(m.name);
+    return c && run.has(m) ? c : nullptr;
+  };
+  for (int group = 0; group < kChannelGroups; ++group) {
+    std::vector<Channel> found;
+    for (const Measurable& m : measurables()) {
+      const MeasuredColumn* x = column(m);
+      if (m.group != group || !x) continue;
+      if (m.axis == Axis::kY && column(*(&m - 1))) continue;  // stands with its x
+      const MeasuredColumn* y = m.axis == Axis::kX ? column(*(&m + 1)) : nullptr;
+      Channel channel{&m, y != nullptr, angle, 1.0, {}, {}};
+      take_record(*x, y, all, channel);
+      const double scale = deviation(channel.of(run, of_run));
+      if (!(scale > 0.0) || !(deviation(channel.value) > 0.0)) continue;
+      channel.scale = scale;
+      channel.value /= scale;
+      found.push_back(std::move(channel));
+    }
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
+BestLags best_lags(const MeasuredRecord& record, const SampledRun& run,
+                   const std::vector<Channel>& channels, std::optional<double> angle) {
+  const Grid grid = grid_of(record, run);
+  LagSums sums(grid.size);
+  for (const Channel& channel : channels) add_channel(record, run, channel, grid, angle, sums);
+  const double least =
+      std::max(kLeastOverlap * sums.overlap.maxCoeff(), static_cast<double>(kLeastSamples));
+  std::vector<LagScore> scores;  // ascending in shift
+  for (Index lag = 1 - grid.record; lag < grid.run; ++lag) {
+    const Index l = lag < 0 ? lag + grid.size : lag;
+    const double size = std::sqrt(sums.record[l] * sums.run[l]);
+    if (sums.overlap[l] < least || !(size > 0.0)) continue;
+    const double correlation = (std::abs(sums.turned[l]) + sums.both[l]) / size;
+    scores.push_back({run.start() - record.t.front() + static_cast<double>(lag) * grid.h,
+                      std::clamp(correlation, -1.0, 1.0)});
+  }
+  if (scores.empty()) {
+    throw MeasuredError("record and run have too few samples in common, whatever the shift");
+  }
+
+  const auto less = [](const LagScore& a, const LagScore& b) {
+    return a.correlation < b.correlation;
+  };
+  const auto best = std::max_element(scores.begin(), scores.end(), less);
+  const auto in_valley = [&](const LagScore& s) {
+    return s.correlation < kValley * best->correlation;
+  };
+  const auto after = std::find_if(best, scores.end(), in_valley);
+  const auto before =
+      std::find_if(std::make_reverse_iterator(best), scores.rend(), in_valley).base();
+  // A slope up to the valley's edge is no peak.
+  const auto is_peak = [&](auto at) {
+    return (at == scores.begin() || !less(*at, *(at - 1))) &&
+           (at + 1 == scores.end() || !less(*at, *(at + 1)));
+  };
+  BestLags found{*best, {}, grid.h};
+  for (auto at = scores.begin(); at != scores.end(); ++at) {
+    if (at == before) at = after;
+    if (at == scores.end()) break;
+    if (is_peak(at) && (!found.next || less(*found.next, *at))) found.next = *at;
+  }
+  return found;
+}
+
 double Fit::correlation() const {
   const double size = record.norm() * run.norm();
   return size > 0.0 ? record.dot(run).real() / size : 0.0;
 }
 
-Fitting::Fitting(const MeasuredRecord& record, const SampledRun& run,
-                 const std::vector<Channel>& channels, double shift, double room,
-                 std::optional<double> angle)
-    : run_(run), angle_(angle) {
-  const SampleTimes all = sample_times(record.t, record.interval);
-  const double inside = room - 1e-6 * record.interval;
+Fitting::Fitting(const SampledRun& run, const std::vector<Channel>& channels, double interval,
+                 double shift, double room, std::optional<double> angle)
+    : run_(run), interval_(interval), angle_(angle) {
+  const double inside = room - 1e-6 * interval;
   const double from = run.start() + inside - shift, to = run.end() - inside - shift;
   for (const bool pairs : {true, false}) {
     for (const Channel& channel : channels) {
-      if (channel.pair == pairs) add(channel, all, from, to);
+      if (channel.pair == pairs) add(channel, from, to);
     }
     if (pairs) pairs_ = record_.size();
   }
 }
 
-void Fitting::add(const Channel& channel, const SampleTimes& all, double from, double to) {
+void Fitting::add(const Channel& channel, double from, double to) {
+  const SampleTimes& all = channel.times;
   const bool averaged = channel.what->series.empty();
-  std::vector<Index> kept;  // of the channel's values
-  for (Index k = 0; k < channel.value.size(); ++k) {
-    const std::size_t i = channel.good[static_cast<std::size_t>(k)];
-    const double begin = averaged ? all.from[i] : all.t[i], end = averaged ? all.to[i] : all.t[i];
-    if (begin >= from && end <= to) kept.push_back(k);
+  const auto &begin = averaged ? all.from : all.t, &end = averaged ? all.to : all.t;
+  std::vector<std::size_t> kept;  // of the channel's values
+  for (std::size_t k = 0; k < all.t.size(); ++k) {
+    if (begin[k] >= from && end[k] <= to) kept.push_back(k);
   }
   Part part{&channel, {}, record_.size(), 0};
   VectorXcd m(static_cast<Index>(kept.size()));
   for (std::size_t k = 0; k < kept.size(); k += kept.size() / kMostFitted + 1) {
-    const std::size_t i = channel.good[static_cast<std::size_t>(kept[k])];
-    part.times.t.push_back(all.t[i]);
-    part.times.from.push_back(all.from[i]);
-    part.times.to.push_back(all.to[i]);
-    m[part.count++] = channel.value[kept[k]];
+    part.times.add(all, kept[k]);
+    m[part.count++] = channel.value[static_cast<Index>(kept[k])];
   }
   record_.conservativeResize(part.first + part.count);
   record_.tail(part.count) = without_mean(m.head(part.count));
   parts_.push_back(std::move(part));
 }
-
-std::size_t Fitting::values() const { return static_cast<std::size_t>(record_.size() + pairs_); }
 
 VectorXcd Fitting::run_at(double shift) const {
   VectorXcd all(record_.size());
@@ -99,7 +284,25 @@ Fit Fitting::at(double shift) const {
   return fit;
 }
 
-Fitting::Effects Fitting::effects(const Fit& fit, double shift, double h) const {
+double Fitting::refined(double shift, double h) const {
+  const auto left = [&](double by) { return at(by).left().squaredNorm(); };
+  const double middle = shift;
+  for (double by = -h; h > 1.5 * interval_ && by <= h; by += 0.5 * interval_) {
+    if (left(middle + by) < left(shift)) shift = middle + by;
+  }
+  LeftAt functor(*this, shift, interval_);
+  Eigen::LevenbergMarquardt<LeftAt> search(functor);
+  search.setFactor(1.0);  // the first step is an interval at most
+  search.setFtol(1e-15);
+  search.setXtol(1e-13);
+  VectorXd x = VectorXd::Zero(1);
+  search.minimize(x);
+  const double found = shift + x[0] * interval_;
+  return std::abs(x[0]) <= 1.0 && left(found) < left(shift) ? found : shift;
+}
+
+Fitting::Effects Fitting::effects(const Fit& fit, double shift) const {
+  const double h = kApart * interval_;
   Effects g;
   g.d = (run_at(shift + h) - run_at(shift - h)) / (2.0 * h);
   g.e = VectorXcd::Zero(g.d.size());
@@ -114,30 +317,13 @@ std::optional<double> Fitting::error(const VectorXcd& f, const Fit& fit) const {
   const VectorXcd left = fit.left();
   double scatter = 0.0;
   for (const Part& p : parts_) {
-    const auto numbers =
-        static_cast<double>(std::max<Index>(p.count * (p.channel->pair ? 2 : 1), 1));
-    const double noise = left.segment(p.first, p.count).squaredNorm() / numbers;
+    const Index numbers = std::max<Index>(p.count * (p.channel->pair ? 2 : 1), 1);
+    const double noise =
+        left.segment(p.first, p.count).squaredNorm() / static_cast<double>(numbers);
     scatter += noise * f.segment(p.first, p.count).squaredNorm();
   }
   if (!(f.squaredNorm() > 0.0)) return std::nullopt;
   return std::sqrt(scatter) / f.squaredNorm();
-}
-
-double refined(const Fitting& fitting, double shift, double h, double interval) {
-  const auto left = [&](double at) { return fitting.at(at).left().squaredNorm(); };
-  const double middle = shift;
-  for (double by = -h; h > 1.5 * interval && by <= h; by += 0.5 * interval) {
-    if (left(middle + by) < left(shift)) shift = middle + by;
-  }
-  LeftAt functor(fitting, shift, interval);
-  Eigen::LevenbergMarquardt<LeftAt> search(functor);
-  search.setFactor(1.0);  // the first step is an interval at most
-  search.setFtol(1e-15);
-  search.setXtol(1e-13);
-  VectorXd x = VectorXd::Zero(1);
-  search.minimize(x);
-  const double found = shift + x[0] * interval;
-  return std::abs(x[0]) <= 1.0 && left(found) < left(shift) ? found : shift;
 }
 
 }  // namespace rotorub

@@ -1,20 +1,68 @@
-// How well a record lies on a run at a shift, and the shift between the samples at which it lies
-// best.
+// How well a record lies on a run: by which signals, at every shift of an even grid, and between
+// its instants at the shift that leaves least.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "compare/measured/channel.h"
+#include "compare/measured/record.h"
+#include "compare/measured/sampled_run.h"
 
 namespace rotorub {
+
+// A column, or a pair x + i y that turns with the frame of the sensors. Values are shares of the
+// run's standard deviation.
+struct Channel {
+  const Measurable* what = nullptr;  // x, where it is a pair
+  bool pair = false;
+  double frame = 0.0;      // rad: of a column alone, that of the sensors where it is given
+  double scale = 1.0;      // SI: the run's standard deviation, > 0
+  SampleTimes times;       // of the record's samples that have a value, by its clock
+  Eigen::VectorXcd value;  // of these
+
+  std::string name() const;  // "rotor", "gap"
+  // Of the run; a pair in the scene's frame, x or y alone in that of the sensors.
+  Eigen::VectorXcd of(const SampledRun& run, const SampleTimes& at) const;
+};
+
+// Those of the first group (Measurable::group) that record and run both move in; empty where there
+// is none. angle: of the sensors' frame, rad, 0 where it is not given.
+std::vector<Channel> channels_of(const MeasuredRecord& record, const SampledRun& run, double angle);
+
+// What is known of a shift. With m the record's values, s the run's at the same instants, each less
+// its mean over the samples that both have and over the scale of its channel, and sums over samples
+// and channels,
+//
+//   correlation = Re sum conj(e^{i A} m) s  /  sqrt(sum |m|^2  sum |s|^2),
+//
+// A = arg sum conj(m) s over the pairs, or as given.
+struct LagScore {
+  double shift = 0.0;        // s, added to the record's times
+  double correlation = 0.0;  // [-1, 1]
+};
+
+// Of all shifts on an even grid at which record and run have at least kLeastOverlap of the shorter
+// one's samples in common, whatever the clock's zero: the best, and the best other peak that a
+// valley parts from it (correlations below kValley of the best). By Fourier transforms, of values
+// with holes (D. Padfield, "Masked object registration in the Fourier domain", IEEE Trans. Image
+// Process. 21, 2012). Throws MeasuredError where there is no such shift.
+struct BestLags {
+  LagScore best;
+  std::optional<LagScore> next;
+  double apart = 0.0;  // s, of the grid: the record's interval, more where that would be too many
+};
+inline constexpr double kLeastOverlap = 0.5, kValley = 0.9;
+BestLags best_lags(const MeasuredRecord& record, const SampledRun& run,
+                   const std::vector<Channel>& channels, std::optional<double> angle);
 
 // At a shift: the run's values and the record's, turned into the scene, each less its mean; of all
 // channels, pairs first, over their scales.
 struct Fit {
   double angle = 0.0;  // rad
   Eigen::VectorXcd run, record;
+
   Eigen::VectorXcd left() const { return record - run; }
   double correlation() const;  // 0 where one of them does not move
 };
@@ -23,20 +71,25 @@ struct Fit {
 // held; none: the best at each shift, in closed form.
 class Fitting {
  public:
-  Fitting(const MeasuredRecord& record, const SampledRun& run, const std::vector<Channel>& channels,
+  Fitting(const SampledRun& run, const std::vector<Channel>& channels, double interval,
           double shift, double room, std::optional<double> angle);
 
-  std::size_t values() const;  // real numbers fitted
+  // Real numbers fitted.
+  std::size_t values() const { return static_cast<std::size_t>(record_.size() + pairs_); }
   Fit at(double shift) const;
 
-  // What the shift (s) and the angle do to what is left: derivatives, d by central differences over
-  // `h` (s), e of a turn of the frame by a, which moves m by i a m: what is left grows as if the
-  // run went back by that. e is 0 where the angle is held.
+  // The shift within h (s, of the search's grid) of `shift` that leaves least: first coarse where
+  // the grid is wider than the record's interval, then by Levenberg and Marquardt.
+  double refined(double shift, double h) const;
+
+  // What the shift (s) and the angle do to what is left: derivatives, d by central differences, e
+  // of a turn of the frame by a, which moves m by i a m: what is left grows as if the run went back
+  // by that. e is 0 where the angle is held.
   struct Effects {
     Eigen::VectorXcd d, e;
     double dd, de, ee;  // products
   };
-  Effects effects(const Fit& fit, double shift, double h) const;
+  Effects effects(const Fit& fit, double shift) const;
 
   // Standard deviation of an estimate sum(f r) / sum(f f), where r, what is left, is white with a
   // variance of its own in each channel. None where f is nothing.
@@ -48,18 +101,15 @@ class Fitting {
     SampleTimes times;  // of the record's clock
     Eigen::Index first, count;
   };
-  void add(const Channel& channel, const SampleTimes& all, double from, double to);
+  void add(const Channel& channel, double from, double to);
   Eigen::VectorXcd run_at(double shift) const;
 
   const SampledRun& run_;
+  double interval_;  // s, of the record
   std::optional<double> angle_;
   std::vector<Part> parts_;
   Eigen::VectorXcd record_;  // less its means
   Eigen::Index pairs_ = 0;   // of its values, those of pairs
 };
-
-// The shift within h (s, of the search's grid) of `shift` that leaves least: first coarse where the
-// grid is wider than the record's interval (s), then by Levenberg and Marquardt.
-double refined(const Fitting& fitting, double shift, double h, double interval);
 
 }  // namespace rotorub

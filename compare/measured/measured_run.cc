@@ -7,8 +7,8 @@
 #include <cmath>
 #include <complex>
 
-#include "compare/measured/clipping.h"
 #include "compare/measured/figures.h"
+#include "compare/measured/record.h"
 #include "compare/metrics/orbit.h"
 
 namespace rotorub {
@@ -77,9 +77,7 @@ class LayingIn {
     for (const MeasuredColumn& c : record_.columns) {
       if (!c.what->name.starts_with("rotor_")) continue;
       const auto largest = [](const std::vector<double>& y) {
-        return Eigen::Map<const ArrayXd>(y.data(), static_cast<Eigen::Index>(y.size()))
-            .abs()
-            .maxCoeff();
+        return ArrayXd::Map(y.data(), static_cast<Eigen::Index>(y.size())).abs().maxCoeff();
       };
       const double measured = largest(c.value);  // what is missing is 0
       const double run = largest(native.column(std::string(c.what->series)));
@@ -113,19 +111,17 @@ class LayingIn {
   }
 
   void hold(const MeasuredColumn& c, const std::vector<SampledRun>& runs) {
-    HeldColumn held{c.what, {}, {}, {}};
+    HeldColumn held{{c.what, std::string(c.what->name), {}, {}}, {}};
     for (std::size_t k = 0; k < on_.size(); ++k) {
       const bool unknown = c.what->series.empty() && !whole_[k];
-      held.measured.push_back(c.value[on_[k]]);
+      held.value.push_back(c.value[on_[k]]);
       held.sample.push_back(unknown ? Sample::kMissing : c.sample[on_[k]]);
     }
     for (const SampledRun& run : runs) {
       held.runs.push_back(run.values(*c.what, times_, out_.alignment.angle));
     }
-    const auto count = [&](Sample kind) {
-      return static_cast<std::size_t>(std::count(held.sample.begin(), held.sample.end(), kind));
-    };
-    ColumnFit fit{c.what, count(Sample::kGood), count(Sample::kMissing), count(Sample::kClipped)};
+    ColumnFit fit{c.what, held.count(Sample::kGood), held.count(Sample::kMissing),
+                  held.count(Sample::kClipped)};
     if (fit.clipped > 0) {
       remark(
           "{}: {} samples at the sensor's limit are left out of residuals, and make extremes "
@@ -148,7 +144,7 @@ class LayingIn {
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (c.sample[i] != Sample::kGood) continue;
       run[k] = values[i];
-      left[k++] = c.measured[i] - values[i];
+      left[k++] = c.value[i] - values[i];
     }
     ColumnResidual r{std::sqrt(left.square().mean()), left.mean(), {}};
     const double deviation = std::sqrt((run - run.mean()).square().mean());
@@ -189,18 +185,15 @@ class LayingIn {
     laid.t = times_.t;
     const std::complex<double> turn = std::polar(1.0, out_.alignment.angle);
     for (auto x = held_.begin(); x != held_.end(); ++x) {
-      const auto column = [](const HeldColumn& c) {
-        return MeasuredColumn{c.what, std::string(c.what->name), c.measured, c.sample};
-      };
       if (x->what->axis == Axis::kNone || out_.alignment.angle == 0.0) {
-        laid.columns.push_back(column(*x));
+        laid.columns.push_back(*x);
         continue;
       }
       // A pair is turned; an axis alone cannot be.
       const auto y = std::find_if(held_.begin(), held_.end(),
                                   [&](const HeldColumn& c) { return c.what == x->what + 1; });
       if (x->what->axis != Axis::kX || y == held_.end()) continue;
-      MeasuredColumn own = column(*x), other = column(*y);
+      MeasuredColumn own = *x, other = *y;
       for (std::size_t i = 0; i < own.value.size(); ++i) {
         const auto z = turn * std::complex<double>(own.value[i], other.value[i]);
         own.value[i] = z.real();

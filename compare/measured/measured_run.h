@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/figures/figure.h"
 #include "compare/measured/alignment.h"
 #include "compare/measured/record.h"
 #include "native_model/scene/scene.h"
@@ -19,12 +20,7 @@ enum class Bound { kNone, kAtLeast, kAtMost };
 const char* to_string(Bound bound);  // "", "at least", "at most"
 
 // One figure of the record and, from the same samples, of each run.
-struct MeasuredFigure {
-  const char* key;
-  const char* label;
-  const char* unit;  // as written
-  double per_unit;   // written value = value in SI * per_unit
-  const char* meaning;
+struct MeasuredFigure : FigureText {
   double measured = 0.0;  // SI
   Bound bound = Bound::kNone;
   std::vector<double> runs{};  // SI, as MeasuredRun::labels
@@ -59,8 +55,8 @@ struct MeasuredRun {
       forces;  // N, of each run averaged over each of laid.t; empty: not measured
 };
 
-// Which figures there can be, for documents: their values are 0.
-std::vector<MeasuredFigure> measured_figures();
+// Which figures there can be, for documents.
+std::vector<FigureText> measured_figures();
 
 struct RunToHold {
   std::string label;

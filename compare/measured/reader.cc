@@ -48,31 +48,25 @@ const Measurable* measurable(std::string_view name) {
   return nullptr;
 }
 
-// Of the product's own series: by its name, or numbered from 1 ("x_2"). What a law shows of itself
-// ("control_<name>") counts too.
+// Of the product's own series, numbered ones ("x_2") and what a law shows of itself
+// ("control_<name>") among them.
 bool is_own_column(std::string_view name) {
-  for (const ColumnMeaning& c : series_columns()) {
-    const std::string_view own = c.name;
-    if (name == own) return true;
-    const std::size_t variable = own.find('<');
-    if (variable == std::string_view::npos || !name.starts_with(own.substr(0, variable))) continue;
-    const std::string_view rest = name.substr(variable);
-    const bool number = rest.find_first_not_of("0123456789") == std::string_view::npos;
-    if (!rest.empty() && (number || own.substr(variable) != "<n>")) return true;
-  }
-  return false;
+  constexpr std::string_view kLaw = "control_";
+  const std::string_view plain = contact_of_column(name).second;
+  const bool of_a_law = plain.starts_with(kLaw) && plain.size() > kLaw.size();
+  return of_a_law || series_column(name).name != "control_<name>";
 }
 
-std::string accepted_names() {
-  std::string all(kTime);
-  for (const Measurable& m : measurables()) all += fmt::format(", {}", m.name);
+std::vector<std::string_view> names() {
+  std::vector<std::string_view> all{kTime};
+  for (const Measurable& m : measurables()) all.push_back(m.name);
   return all;
 }
 
+std::string accepted_names() { return fmt::format("{}", fmt::join(names(), ", ")); }
+
 std::string unknown_reason(std::string_view name) {
-  std::vector<std::string_view> names{kTime};
-  for (const Measurable& m : measurables()) names.push_back(m.name);
-  const std::string_view near = scene::nearest(name, names);
+  const std::string_view near = scene::nearest(name, names());
   return fmt::format("no such column{}; accepted are {}, each with its unit in [ ]",
                      near.empty() ? "" : fmt::format(", did you mean {}?", near), accepted_names());
 }

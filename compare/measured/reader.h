@@ -23,7 +23,7 @@
 namespace rotorub {
 
 // Throws scene::SceneError with all that is wrong (file, line, column, reason, what is accepted),
-// the first kMostFaults of it. Clipped samples are not recognised yet: clipping.h.
+// the first kMostFaults of it. Clipped samples are not recognised yet: mark_clipped().
 MeasuredRecord read_measured(const std::filesystem::path& file);
 MeasuredRecord parse_measured(std::string_view text, const std::string& file);
 

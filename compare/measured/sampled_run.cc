@@ -19,6 +19,12 @@ SampleTimes sample_times(std::span<const double> t, double interval) {
   return times;
 }
 
+void SampleTimes::add(const SampleTimes& others, std::size_t index) {
+  t.push_back(others.t[index]);
+  from.push_back(others.from[index]);
+  to.push_back(others.to[index]);
+}
+
 SampleTimes shifted(SampleTimes times, double by) {
   for (std::vector<double>* all : {&times.t, &times.from, &times.to}) {
     for (double& t : *all) t += by;

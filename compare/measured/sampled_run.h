@@ -14,6 +14,8 @@ namespace rotorub {
 // or there is none.
 struct SampleTimes {
   std::vector<double> t, from, to;  // s, ascending
+
+  void add(const SampleTimes& others, std::size_t index);
 };
 SampleTimes sample_times(std::span<const double> t, double interval);
 SampleTimes shifted(SampleTimes times, double by);

@@ -1,21 +1,32 @@
 #include "compare/model_error/model_error.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "compare/base/format.h"
 #include "compare/base/in_parallel.h"
+#include "compare/base/json.h"
 #include "compare/engine/engine.h"
-#include "compare/figures/figure_text.h"
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/rows.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {
+
+// Each change smaller than the one before, by a margin that chance does not give.
+bool shrink(const std::vector<double>& changes) {
+  constexpr double kMargin = 0.9;
+  for (std::size_t i = 1; i < changes.size(); ++i) {
+    if (std::abs(changes[i]) > kMargin * std::abs(changes[i - 1])) return false;
+  }
+  return true;
+}
 
 // The scene with another number of modes. The native model reads no text: it is left as it is.
 scene::Scene with_modes(scene::Scene scene, int modes) {
@@ -45,6 +56,42 @@ Metrics run_with(const scene::Scene& scene, int modes, const ModelErrorParameter
 }
 
 }  // namespace
+
+const char* to_string(Convergence convergence) {
+  constexpr const char* kWords[] = {"converged", "trend", "no limit seen"};
+  return kWords[static_cast<int>(convergence)];
+}
+
+FigureLimit figure_limit(const Figure& figure, const std::vector<int>& modes,
+                         const std::vector<double>& values, double tolerance, double spread) {
+  assert(values.size() >= kFewestRungs && values.size() == modes.size());
+  FigureLimit result{&figure, values, Convergence::kNoLimit, 0.0, {}, {}};
+  const std::size_t k = values.size() - 1;
+  std::vector<double> changes;
+  for (std::size_t i = 1; i <= k; ++i) {
+    changes.push_back(share_of(figure, values[0], values[i] - values[i - 1]));
+  }
+  result.last_change = changes.back();
+  if (!std::isfinite(result.last_change)) return result;
+
+  const double noise = std::max(tolerance, spread);
+  const double off = share_of(figure, values[0], values[0] - values[k]);
+  if (std::abs(changes[k - 1]) <= noise && std::abs(changes[k - 2]) <= noise) {
+    result.convergence = Convergence::kConverged;
+    result.left = 0.0;
+    result.error = off;
+    return result;
+  }
+  const double left = result.last_change * modes[k - 1] / (modes[k] - modes[k - 1]);
+  const double value = std::abs(share_of(figure, values[0], values[k]));
+  // The last three changes: the first modes are each of their own kind.
+  const std::vector<double> last(changes.end() - 3, changes.end());
+  if (!shrink(last) || std::abs(left) >= 0.5 * value) return result;
+  result.convergence = Convergence::kTrend;
+  result.left = left;
+  result.error = off - left;
+  return result;
+}
 
 std::vector<int> mode_ladder(int modes) {
   const int apart = std::max(2, (modes + 1) / 3);
@@ -119,6 +166,26 @@ std::string model_error_table(const ModelError& error, const std::string& lead) 
   if (left.empty()) return text;
   return text + wrapped(lead + "* ", fmt::format("trend: to come beyond {} modes: {}",
                                                  error.modes.back(), left));
+}
+
+nlohmann::json model_error_json(const ModelError& error) {
+  using nlohmann::json;
+  json all = {{"modes", error.modes}};
+  if (!error.reason.empty()) {
+    all["reason"] = error.reason;
+    return all;
+  }
+  json by_figure = json::object();
+  for (const FigureLimit& f : error.figures) {
+    all[f.figure->key] = number_or_null(f.error);
+    by_figure[f.figure->key] = {{"values", f.values},
+                                {"convergence", to_string(f.convergence)},
+                                {"last_change", f.last_change},
+                                {"left", number_or_null(f.left)},
+                                {"error", number_or_null(f.error)}};
+  }
+  all["figures"] = by_figure;
+  return all;
 }
 
 }  // namespace rotorub

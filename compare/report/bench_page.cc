@@ -11,8 +11,8 @@
 
 #include "compare/base/format.h"
 #include "compare/base/units.h"
-#include "compare/bench/json.h"
-#include "compare/bench/series.h"
+#include "compare/bench/output.h"
+#include "compare/bench/work_precision.h"
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"

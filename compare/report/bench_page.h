@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/bench/machine.h"
-#include "compare/bench/restitution.h"
 #include "compare/bench/scene_bench.h"
+#include "compare/bench/soft_contact.h"
 
 namespace rotorub {
 

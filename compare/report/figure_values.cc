@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "compare/figures/figure_text.h"
+#include "compare/figures/figure.h"
 #include "compare/report/page_values.h"
 #include "compare/study/verdict.h"
 
@@ -46,26 +46,6 @@ json cells_of(const SceneComparison& c, std::size_t figure) {
   }
   return cells;
 }
-
-struct ResidualRow {
-  const char* label;
-  const char* meaning;
-  double Residuals::*value;
-};
-constexpr ResidualRow kResidualRows[] = {
-    {"law g ≥ 0", "Deepest penetration in a recorded row, over the clearance.",
-     &Residuals::penetration},
-    {"law λ ≥ 0", "Largest pull (a contact cannot pull), over the mean force in contact.",
-     &Residuals::adhesion},
-    {"law g λ = 0", "Largest product of open gap and force: force without touch.",
-     &Residuals::complementarity},
-    {"friction cone", "Friction beyond mu times the normal force.", &Residuals::cone},
-    {"sliding law", "While sliding: distance of the friction from -mu λ sign(slip).",
-     &Residuals::sliding},
-    {"friction brakes", "Friction power above 0: friction that drives.", &Residuals::power},
-    {"series itself", "Recorded gap against the gap of the recorded positions.",
-     &Residuals::gap_error},
-};
 
 }  // namespace
 
@@ -116,12 +96,12 @@ json split_rows(const SceneComparison& c) {
 
 json residual_rows(const SceneComparison& c) {
   json rows = json::array();
-  for (const ResidualRow& row : kResidualRows) {
+  for (const ResidualFigure& row : residual_figures()) {
     json cells = json::array();
     for (const PageColumn& column : page_columns(c)) {
       cells.push_back(fmt::format("{:.1e}", column.side->metrics.residuals.*row.value));
     }
-    rows.push_back({{"label", row.label}, {"meaning", row.meaning}, {"cells", cells}});
+    rows.push_back({{"label", row.law}, {"meaning", row.meaning}, {"cells", cells}});
   }
   return rows;
 }

@@ -8,8 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/base/format.h"
+#include "compare/figures/figure.h"
+#include "compare/measured/output.h"
 #include "compare/measured/sampled_run.h"
-#include "compare/measured/table.h"
 #include "compare/metrics/rows.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/plot_points.h"
@@ -209,8 +210,7 @@ json measured_values(const std::optional<MeasuredRun>& run) {
     return {{"label", f.label},
             {"unit", f.unit},
             {"measured", measured_value(f)},
-            {"cells",
-             list_of(f.runs, [&](double value) { return cell(short_number(value * f.per_unit)); })},
+            {"cells", list_of(f.runs, [&](double value) { return cell(figure_value(f, value)); })},
             {"meaning", f.meaning}};
   });
   const json columns = list_of(run->columns, [](const ColumnFit& c) -> json {

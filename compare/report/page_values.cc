@@ -12,13 +12,12 @@
 #include "compare/base/palette.h"
 #include "compare/base/units.h"
 #include "compare/base/version.h"
-#include "compare/figures/figure_text.h"
+#include "compare/figures/figure.h"
 #include "compare/report/figure_values.h"
 #include "compare/report/measured_side.h"
 #include "compare/report/plot_points.h"
 #include "compare/study/answer.h"
 #include "compare/study/resync_text.h"
-#include "compare/study/three_errors.h"
 #include "compare/study/verdict.h"
 #include "native_model/scene/reader.h"
 
@@ -54,8 +53,8 @@ json resync_rows(const SceneComparison& c) {
                       {"unit", f.unit},
                       {"meaning", f.meaning},
                       {"relative_to", f.relative_to},
-                      {"native", short_number(f.per_unit * row.native)},
-                      {"other", short_number(f.per_unit * row.mujoco)},
+                      {"native", figure_value(f, row.native)},
+                      {"other", figure_value(f, row.mujoco)},
                       {"median", percents(row.median) + " %"},
                       {"ninetieth", percents(row.ninetieth) + " %"},
                       {"worst", signed_percent(row.worst_signed)},

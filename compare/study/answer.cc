@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+#include <cmath>
+
 #include "compare/base/format.h"
-#include "compare/engine/engine.h"
+#include "compare/study/resync_text.h"
 
 namespace rotorub {
 namespace {
@@ -11,9 +14,7 @@ namespace {
 std::string reason(const SceneComparison& c, const Side& other, const SideDifference& d) {
   const Side& native = c.sides.front();
   for (const Side* side : {&native, &other}) {
-    if (side->trajectory.status == Status::kOk) continue;
-    return fmt::format("the {} run ended early ({}): {}", side->label,
-                       to_string(side->trajectory.status), side->trajectory.message);
+    if (side->trajectory.status != Status::kOk) return side->early_end();
   }
   if (d.resync) return why(*d.resync, c.tolerance);
   const bool untouched = !native.metrics.first_touch && !other.metrics.first_touch;
@@ -21,18 +22,11 @@ std::string reason(const SceneComparison& c, const Side& other, const SideDiffer
 }
 
 std::string question_of(const std::string& label) {
-  if (label == "cone-default") return "MuJoCo alone, by its default solref";
-  switch (scene::contact_model(label).value()) {
-    case scene::ContactModel::kRigid:
-      return "with the rigid law";
-    case scene::ContactModel::kCoulomb:
-      return "with Coulomb's friction beside it";
-    case scene::ContactModel::kCone:
-      return "MuJoCo alone";
-    case scene::ContactModel::kConeCoulomb:
-      return "with the corrected cone";
-  }
-  return "";
+  // As scene::ContactModel.
+  constexpr const char* kQuestions[] = {"with the rigid law", "with Coulomb's friction beside it",
+                                        "MuJoCo alone", "with the corrected cone"};
+  const auto contact = scene::contact_model(label);
+  return contact ? kQuestions[static_cast<int>(*contact)] : "MuJoCo alone, by its default solref";
 }
 
 // `rigid` is the native law in MuJoCo's step, `verlet`'s on the native coordinates.
@@ -43,22 +37,24 @@ std::string evidence_of(const SceneComparison& c, const Side& side) {
            "evidence of the rotor.";
   }
   return "rigid shares law and step with native verlet: agreement says that it was put in right. "
-         "That it is right, "
-         "closed forms, Siconos, ODE and MuJoCo's own rotor say (README, Evidence).";
+         "That it is right, closed forms, Siconos, ODE and MuJoCo's own rotor say (README, "
+         "Evidence).";
 }
 
 std::string what_it_did(const SceneComparison& c, const SideDifference& d) {
   const std::string tolerance = percent_text(c.tolerance);
-  switch (d.trust) {
-    case Trust::kYes:
-      return "which agrees within " + tolerance;
-    case Trust::kUndecidable:
-      return "of which nothing can be decided at " + tolerance + ": not taken for agreement";
-    case Trust::kAveragesOnly:
-    case Trust::kNo:
-      break;
+  if (d.trust == Trust::kYes) return "which agrees within " + tolerance;
+  if (d.trust != Trust::kUndecidable) return "which is outside " + tolerance;
+  return "of which nothing can be decided at " + tolerance + ": not taken for agreement";
+}
+
+void take(LargestError& largest, const Figure& figure, std::optional<double> share) {
+  if (!share) {
+    ++largest.untold;
+  } else if (!largest.figure || std::abs(*share) > std::abs(largest.share)) {
+    largest.figure = &figure;
+    largest.share = *share;
   }
-  return "which is outside " + tolerance;
 }
 
 }  // namespace
@@ -95,26 +91,37 @@ std::vector<std::string> own_notes(const SceneComparison& c) {
 }
 
 std::string mode_note(const SceneComparison& c) {
-  const std::string first = c.sides.size() > 1 ? c.sides[1].label : "";
-  switch (c.mode) {
-    case CompareMode::kLockstep:
-      break;
-    case CompareMode::kReplay:
-      if (!c.commands) {
-        return "Replay equals lockstep here: no controller commands the actuator.";
-      }
-      return "Replay: each MuJoCo run is compared with a native run under its own commands; "
-             "native, "
-             "shadow and twins are shown under those of " +
-             first + ".";
-    case CompareMode::kResync:
-      return std::string(
-                 "Resync: at every onset of contact the native model restarts from MuJoCo's "
-                 "state a step before it") +
-             (c.commands ? ", under MuJoCo's commands," : "") +
-             " and predicts that contact by event.";
+  if (c.mode == CompareMode::kReplay && !c.commands) {
+    return "Replay equals lockstep here: no controller commands the actuator.";
   }
-  return "";
+  if (c.mode == CompareMode::kReplay) {
+    return fmt::format(
+        "Replay: each MuJoCo run is compared with a native run under its own commands; native, "
+        "shadow and twins are shown under those of {}.",
+        c.sides.size() > 1 ? c.sides[1].label : "");
+  }
+  if (c.mode == CompareMode::kLockstep) return "";
+  return fmt::format(
+      "Resync: at every onset of contact the native model restarts from MuJoCo's state a step "
+      "before it{} and predicts that contact by event.",
+      c.commands ? ", under MuJoCo's commands," : "");
+}
+
+ThreeErrors three_errors(const SceneComparison& c, std::size_t side) {
+  assert(side >= 1 && side < c.sides.size());
+  ThreeErrors errors;
+  for (const FigureDifference& d : c.differences[side - 1].figures) {
+    const Figure& f = *d.figure;
+    if (!f.is_judged() || !f.split) continue;
+    const SplitShares shares = split_shares(f, f.value(c.reference(side).metrics), d.split);
+    take(errors.contact, f, shares.contact);
+    take(errors.step, f, shares.step);
+  }
+  if (c.model_error && !c.model_error->figures.empty()) {
+    errors.modes.emplace();
+    for (const FigureLimit& f : c.model_error->figures) take(*errors.modes, *f.figure, f.error);
+  }
+  return errors;
 }
 
 }  // namespace rotorub

@@ -2,6 +2,7 @@
 // and on the page.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,23 @@ std::vector<std::string> own_notes(const SceneComparison& comparison);
 
 // How the two sides are coupled, a sentence; empty in lockstep.
 std::string mode_note(const SceneComparison& comparison);
+
+// The judged figure that a fault puts off most.
+struct LargestError {
+  const Figure* figure = nullptr;  // null: of none can it be determined
+  double share = 0.0;              // of the native value, signed (points: as they are)
+  int untold = 0;                  // judged figures of which it cannot be determined
+};
+
+// What a contact model's figures are off by, by whose fault.
+struct ThreeErrors {
+  LargestError contact;  // what remains as the step goes to 0 (split.h)
+  LargestError step;     // what vanishes with it, MuJoCo's less the native one's
+  // Of the modes kept (model_error.h), the same on both sides; none: not asked for.
+  std::optional<LargestError> modes;
+};
+
+// `side`: of the comparison's, >= 1.
+ThreeErrors three_errors(const SceneComparison& comparison, std::size_t side);
 
 }  // namespace rotorub

@@ -1,33 +1,40 @@
 #include "compare/study/comparison_runs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "compare/own/own_machine.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {
 
 constexpr double kMujocoWork = 15.0;
 
-RunRequest without_rows(const scene::Scene& scene) {
-  RunRequest request;
-  request.output_times = std::vector<double>{scene.run.end};
-  return request;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
-
 void finish(Timing& timing) {
   if (timing.us_per_step.empty()) return;
-  timing.median = median(timing.us_per_step);
-  const auto [low, high] =
-      std::minmax_element(timing.us_per_step.begin(), timing.us_per_step.end());
-  timing.lowest = *low;
-  timing.highest = *high;
+  std::vector<double> times = timing.us_per_step;
+  std::sort(times.begin(), times.end());
+  const std::size_t n = times.size();
+  timing.median = n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2]);
+  timing.lowest = times.front();
+  timing.highest = times.back();
+}
+
+// A row at every step; each command acts about its instant.
+std::shared_ptr<const CommandRecord> commands_of(const Trajectory& t, double step) {
+  const bool magnets = t.has("current_1");
+  const auto& time = t.column("t");
+  const auto& x = t.column(magnets ? "current_1" : "control_x");
+  const auto& y = t.column(magnets ? "current_2" : "control_y");
+  auto record = std::make_shared<CommandRecord>();
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    record->add(i == 0 ? time[i] : time[i] - 0.5 * step, {x[i], y[i]});
+  }
+  return record;
 }
 
 }  // namespace
@@ -138,7 +145,8 @@ void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
   for (int pass = 0; pass < repeats; ++pass) {
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (runner.interrupted() || sides[k].trajectory.status != Status::kOk) continue;
-      RunRequest request = without_rows(runner.scene());
+      RunRequest request;
+      request.output_times = std::vector<double>{runner.scene().run.end};
       if (k == 0) request.commands = commands;
       const Trajectory t =
           runner.run(*all[k].engine, request, all[k].work, "timing " + all[k].label);
@@ -148,6 +156,71 @@ void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
     }
   }
   for (Side& side : sides) finish(side.timing);
+}
+
+bool has_commands(const scene::Scene& scene) {
+  return scene.first().controller && make_model(scene).first().controller != nullptr;
+}
+
+std::vector<double> replay_floor(Runner& runner, const scene::Scene& scene) {
+  std::vector<double> floor(figures().size(), 0.0);
+  if (scene.first().actuator && scene.first().actuator->coil_lag > 0.0) return floor;
+  const auto event = native_engine(scene::Integrator::kEvent);
+  const auto run = [&](const Engine& engine, RunRequest request) {
+    return runner.run(engine, std::move(request), kNativeWork, "replay of the native model");
+  };
+  // Rows at the steps alone.
+  RunRequest every;
+  every.output_times.emplace();
+  const double h = scene.run.step;
+  for (int k = 0; k * h <= scene.run.end * (1.0 + 1e-12); ++k) every.output_times->push_back(k * h);
+  Trajectory stepped;
+  try {
+    stepped = run(*native_engine(scene::Integrator::kVerlet), every);
+  } catch (const scene::SceneError&) {
+    return floor;
+  }
+  if (stepped.status != Status::kOk) return floor;
+  const auto facts = contact_facts(scene);
+  const Metrics closed = metrics(run(*event, every), facts);
+  every.commands = commands_of(stepped, h);
+  const Metrics open = metrics(run(*event, every), facts);
+  for (std::size_t k = 0; k < floor.size(); ++k) {
+    const Figure& f = figures()[k];
+    const double apart = std::abs(deviation(f, f.value(closed), f.value(open)));
+    if (std::isfinite(apart)) floor[k] = apart;
+  }
+  return floor;
+}
+
+ShadowColumn shadow_column(Runner& runner, const Side& native,
+                           std::shared_ptr<const CommandRecord> commands,
+                           const CompareOptions& options) {
+  ShadowColumn column;
+  column.driven = commands != nullptr;
+  RunRequest request;
+  request.commands = std::move(commands);
+  // Impacts that take time are verlet's alone.
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+    try {
+      column.side = runner.shown({"shadow", native_engine(integrator), kNativeWork}, request);
+      break;
+    } catch (const scene::SceneError& error) {
+      column.absent = error.what();
+    }
+  }
+  if (!column.side) return column;
+  if (column.side->trajectory.status != Status::kOk) {
+    const Trajectory& t = column.side->trajectory;
+    column.absent = fmt::format("it ended early ({}): {}", to_string(t.status), t.message);
+    column.side.reset();
+    return column;
+  }
+  for (const Figure& f : figures()) {
+    column.figures.push_back(
+        judged(f, f.value(native.metrics), f.value(column.side->metrics), options.tolerance));
+  }
+  return column;
 }
 
 }  // namespace rotorub

@@ -4,12 +4,15 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "compare/engine/engine.h"
 #include "compare/study/scene_comparison.h"
-#include "compare/study/side_difference.h"
 #include "compare/study/twins.h"
+#include "native_model/control/command_record.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub {
 
@@ -69,5 +72,42 @@ void leave_limits(const std::string& reason, Side& side);
 // `commands`: of the native side.
 void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
                std::shared_ptr<const CommandRecord> commands, std::vector<Side>& sides);
+
+// Replay: the commands of a MuJoCo run on tape, for native runs that are driven by them. Whether a
+// controller of the scene commands its actuator: without one there is nothing to replay, and replay
+// equals lockstep.
+bool has_commands(const scene::Scene& scene);
+
+// Records the commands of the actuators over a run, each command from when it acts to the next one.
+class CommandTape {
+ public:
+  // For one run; the tape must outlive it.
+  StepWatch watch() {
+    return [this](const WatchedStep& step) { add(step); };
+  }
+  void add(const WatchedStep& step) { record_->add(step.command_begin, step.command); }
+  std::shared_ptr<const CommandRecord> record() const { return record_; }
+
+ private:
+  std::shared_ptr<CommandRecord> record_ = std::make_shared<CommandRecord>();
+};
+
+// How well a replay at the scene's step can repeat a run at all: the commands of the native stepper
+// `verlet`, which closes its own loop, given to native `event`, against `event` in its own loop.
+// They share model and law; what they differ by is what the open loop makes of the commands' step
+// error, and an unstable one makes much of it. |deviation| of each figure, as figures(); 0 where
+// verlet does not run the scene, or where coils lag, whose commands a run does not keep.
+std::vector<double> replay_floor(Runner& runner, const scene::Scene& scene);
+
+// The native stepper at MuJoCo's step, beside the reference and MuJoCo: what it is off by is the
+// step's doing, what MuJoCo is off beyond it the contact model's.
+//
+// It is the plugin's shadow (plugin/shadow.h): the stepping of `midpoint`, from the same start, one
+// step a MuJoCo step. Where a controller commands the actuator, it is driven by the commands that
+// MuJoCo's were given in the run that decides; the plugin's own shadow closes its own loop there.
+// `native`: the column that it stands beside. `commands`: null without a controller.
+ShadowColumn shadow_column(Runner& runner, const Side& native,
+                           std::shared_ptr<const CommandRecord> commands,
+                           const CompareOptions& options);
 
 }  // namespace rotorub

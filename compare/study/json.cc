@@ -1,42 +1,49 @@
 #include "compare/study/json.h"
 
-#include <nlohmann/json.hpp>
+#include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "compare/base/columns.h"
 #include "compare/base/json.h"
 #include "compare/base/version.h"
-#include "compare/figures/json.h"
-#include "compare/measured/json.h"
-#include "compare/model_error/json.h"
+#include "compare/figures/figure.h"
+#include "compare/measured/output.h"
+#include "compare/model_error/model_error.h"
 #include "compare/run_files/summary.h"
 #include "compare/study/answer.h"
-#include "compare/study/mode_json.h"
 #include "compare/study/verdict.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
+
+// Values that are JSON as they are.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Extrapolation, values, limit, order, uncertainty, valid, reason)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Split, model_gap, step_error, native_step_error, uncertainty,
+                                   valid, reason)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Timing, us_per_step, median, lowest, highest)
+
 namespace {
 
 using nlohmann::json;
+using nlohmann::ordered_json;
+
+std::string section(std::string_view file, std::span<const ColumnMeaning> columns) {
+  return fmt::format("### `{}`\n\n{}\n", file, columns_table(columns));
+}
+
+json contact_json(const ContactResult& c) {
+  json all = json::object();
+  for (const ResyncFigure& f : resync_figures()) all[f.key] = c.*f.value;
+  return all;
+}
 
 json divergence_json(const Divergence& d) {
   return {{"threshold", d.threshold},
           {"time", number_or_null(d.time)},
           {"max_distance", d.max_distance},
           {"rms_distance", d.rms_distance}};
-}
-
-json extrapolation_json(const Extrapolation& e) {
-  return {{"values", e.values},           {"limit", e.limit}, {"order", e.order},
-          {"uncertainty", e.uncertainty}, {"valid", e.valid}, {"reason", e.reason}};
-}
-
-json split_json(const Split& s) {
-  return {{"model_gap", s.model_gap},
-          {"step_error", s.step_error},
-          {"native_step_error", s.native_step_error},
-          {"uncertainty", s.uncertainty},
-          {"valid", s.valid},
-          {"reason", s.reason}};
 }
 
 json impact_json(const std::optional<Impact>& impact) {
@@ -49,17 +56,65 @@ json impact_json(const std::optional<Impact>& impact) {
 json side_json(const scene::Scene& scene, const Side& side) {
   json limits = json::object();
   for (std::size_t k = 0; k < side.limits.size(); ++k) {
-    if (figures()[k].split) limits[figures()[k].key] = extrapolation_json(side.limits[k]);
+    if (figures()[k].split) limits[figures()[k].key] = side.limits[k];
   }
   return {{"engine", side.engine},
           {"summary", summary_json(scene, side.trajectory)},
           {"metrics", metrics_json(side.metrics)},
           {"step_to_zero", limits},
-          {"timing",
-           {{"us_per_step", side.timing.us_per_step},
-            {"median", side.timing.median},
-            {"lowest", side.timing.lowest},
-            {"highest", side.timing.highest}}}};
+          {"timing", side.timing}};
+}
+
+// The shadow's figures and how far they are from the native ones; null figures and a reason without
+// it.
+json shadow_json(const SceneComparison& c) {
+  if (!c.shadow.side) return {{"figures", nullptr}, {"reason", c.shadow.absent}};
+  json by_figure = json::object();
+  for (const JudgedFigure& f : c.shadow.figures) {
+    by_figure[f.figure->key] = {{"native", f.native},
+                                {"shadow", f.other},
+                                {"difference", f.other - f.native},
+                                {"deviation", f.is_absent() ? json() : json(f.deviation)}};
+  }
+  const Side& side = *c.shadow.side;
+  return {{"engine", side.engine},
+          {"commands_of", c.shadow.driven ? json(c.sides[1].label) : json(nullptr)},
+          {"summary", summary_json(c.scene, side.trajectory)},
+          {"figures", by_figure}};
+}
+
+// Rows and onsets of one contact model.
+json resync_json(const Resync& r) {
+  json rows = json::object(), onsets = json::array();
+  for (const ResyncRow& row : r.rows) {
+    rows[row.figure->key] = {{"native", row.native},
+                             {"other", row.mujoco},
+                             {"relative_to", row.figure->relative_to},
+                             {"bias", row.bias},
+                             {"median", row.median},
+                             {"ninetieth", row.ninetieth},
+                             {"worst", row.worst},
+                             {"worst_signed", row.worst_signed},
+                             {"worst_time", row.worst_time},
+                             {"verdict", to_string(row.verdict)},
+                             {"within", row.verdict == FigureVerdict::kWithin}};
+  }
+  for (const PredictedOnset& o : r.onsets) {
+    onsets.push_back({{"touch", o.touch},
+                      {"closing", o.closing},
+                      {"end", o.end},
+                      {"lasts", o.lasts},
+                      {"status", to_string(o.status)},
+                      {"native", contact_json(o.native)},
+                      {"other", contact_json(o.mujoco)}});
+  }
+  return {{"figures", rows},
+          {"onsets", onsets},
+          {"left_out", r.left_out},
+          {"failed", r.failed},
+          {"failure", r.failure},
+          {"shortest_flight_steps", kShortestFlight},
+          {"largest_impact", r.largest_impact}};
 }
 
 // One row a contact model.
@@ -95,7 +150,7 @@ json difference_json(const SceneComparison& comparison, const Side& side,
       entry["within"] = f.verdict == FigureVerdict::kWithin;
       entry["verdict"] = to_string(f.verdict);
     }
-    if (f.figure->split) entry["split"] = split_json(f.split);
+    if (f.figure->split) entry["split"] = f.split;
     by_figure[f.figure->key] = std::move(entry);
   }
   json impacts = json::array();
@@ -115,6 +170,19 @@ json difference_json(const SceneComparison& comparison, const Side& side,
 }
 
 }  // namespace
+
+ordered_json compare_columns_json() {
+  return {{"compare.json runs.*.metrics", columns_json(metric_keys())},
+          {"compare.json runs.*.summary", columns_json(summary_keys())},
+          {"compare.json measured", columns_json(measured_keys())}};
+}
+
+std::string columns_markdown() {
+  return section("series.csv", series_columns()) + section("impacts.csv", impact_columns()) +
+         section("events.csv", event_columns()) + section("summary.json", summary_keys()) +
+         section("compare.json: metrics of a run", metric_keys()) +
+         section("compare.json: a measured run", measured_keys());
+}
 
 json comparison_json(const SceneComparison& comparison) {
   json sides = json::object();

@@ -1,30 +1,102 @@
 #include "compare/study/resync.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "compare/base/format.h"
-#include "compare/study/resync_text.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/event/driver.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
+
+void OnsetWatch::step(const WatchedStep& s) {
+  if (s.normal_impulse > 0.0) {
+    if (flew()) meet(s);
+    if (open_) add(s);
+    flight_ = 0;
+  } else {
+    if (open_ && flight_ == 0) part(s);
+    ++flight_;
+  }
+  const Layout& l = model_->layout;
+  before_.t = s.t;
+  before_.q = Eigen::VectorXd::Zero(l.nq());
+  before_.v = Eigen::VectorXd::Zero(l.nq());
+  before_.q.head(l.coil()) = Eigen::Map<const Eigen::VectorXd>(s.q, l.coil());
+  before_.v.head(l.coil()) = Eigen::Map<const Eigen::VectorXd>(s.v, l.coil());
+  for (int k = 0; k < l.coils; ++k) before_.v[l.coil() + k] = s.current[k];
+}
+
+// A free phase is over.
+void OnsetWatch::meet(const WatchedStep& s) {
+  if (open_) onsets_.back().end = 0.5 * (last_force_ + s.t);
+  open_ = false;
+  const ContactPoint p = contact_point(*model_, before_.q.data(), before_.v.data());
+  if (p.gap <= 0.0 || p.gap_rate >= 0.0) {
+    ++left_out_;
+    return;
+  }
+  Onset onset;
+  onset.before = before_;
+  onset.touch = std::min(before_.t + p.gap / -p.gap_rate, s.t + s.h);
+  onset.closing = -p.gap_rate;
+  onsets_.push_back(std::move(onset));
+  open_ = true;
+  rebounded_ = false;
+  window_ = ImpulseWindow(kWindowSteps * s.h);
+}
+
+void OnsetWatch::add(const WatchedStep& s) {
+  Onset& o = onsets_.back();
+  ContactResult& c = o.mujoco;
+  if (s.impact && c.impulse == 0.0) o.touch = s.impact_time;
+  c.impulse += s.normal_impulse;
+  window_.add(s.impact ? s.impact_time : s.t, s.normal_impulse);
+  c.window_impulse = window_.largest();
+  // Force that is no impact's acts about the step's instant.
+  last_force_ = s.impact ? s.impact_time : s.t + 0.5 * s.h;
+  c.duration = std::max(0.0, last_force_ - o.touch);
+  if (s.impact && !rebounded_) {
+    c.rebound = s.gap_rate_after;
+    rebounded_ = true;
+  }
+}
+
+// The first step without a force after some with.
+void OnsetWatch::part(const WatchedStep& s) {
+  if (rebounded_) return;
+  onsets_.back().mujoco.rebound = contact_point(*model_, s.q, s.v).gap_rate;
+  rebounded_ = true;
+}
+
+std::vector<Onset> OnsetWatch::finish(double end) {
+  if (open_) {
+    onsets_.back().lasts = !flew();
+    onsets_.back().end = flew() ? 0.5 * (last_force_ + end) : end;
+  }
+  open_ = false;
+  return std::move(onsets_);
+}
+
 namespace {
 
 const ResyncFigure kResyncFigures[] = {
-    {"impulse", "impulse", "mN s", 1e3, "Normal impulse of the contact, its small bounces with it.",
-     "the contact's own, or the largest impact where that is more", &ContactResult::impulse},
-    {"window_impulse", "largest impulse", "mN s", 1e3,
-     "Largest normal impulse within 20 steps: an impact's, however many of them a soft contact "
-     "spreads it over.",
-     "the largest of all contacts", &ContactResult::window_impulse},
-    {"duration", "duration", "µs", 1e6, "From the touch to the last force.",
-     "the time until half-way through the next flight", &ContactResult::duration},
-    {"rebound", "rebound", "mm/s", 1e3,
-     "Gap rate after the first impact; of a soft contact where its force first ends.",
-     "the fastest approach of all contacts", &ContactResult::rebound},
+    {{"impulse", "impulse", "mN s", 1e3,
+      "Normal impulse of the contact, its small bounces with it."},
+     "the contact's own, or the largest impact where that is more",
+     &ContactResult::impulse},
+    {{"window_impulse", "largest impulse", "mN s", 1e3,
+      "Largest normal impulse within 20 steps: an impact's, however many of them a soft contact "
+      "spreads it over."},
+     "the largest of all contacts",
+     &ContactResult::window_impulse},
+    {{"duration", "duration", "µs", 1e6, "From the touch to the last force."},
+     "the time until half-way through the next flight",
+     &ContactResult::duration},
+    {{"rebound", "rebound", "mm/s", 1e3,
+      "Gap rate after the first impact; of a soft contact where its force first ends."},
+     "the fastest approach of all contacts",
+     &ContactResult::rebound},
 };
 
 constexpr std::size_t kImpulse = 0;  // its row
@@ -162,29 +234,6 @@ Resync judge_resync(std::vector<PredictedOnset> onsets, bool touches, double tol
   }
   r.trust = trust_of(r, tolerance);
   return r;
-}
-
-std::string why(const Resync& r, double tolerance) {
-  if (r.failed > 0) {
-    return fmt::format("{} of {} predictions did not end well, the first: {}", r.failed,
-                       r.onsets.size(), r.failure);
-  }
-  if (r.rows.empty()) return r.touches ? "contact, but no onset of it" : "nothing touches";
-  std::string far, near;
-  for (const ResyncRow& row : r.rows) {
-    if (row.verdict == FigureVerdict::kOutside) {
-      far += fmt::format("{}{} {}", far.empty() ? "" : ", ", row.figure->label,
-                         signed_percent(row.worst_signed));
-    } else {
-      near += fmt::format("{}{}", near.empty() ? "" : ", ", row.figure->label);
-    }
-  }
-  const std::string count =
-      fmt::format("{} {}", r.onsets.size(), r.onsets.size() == 1 ? "onset" : "onsets");
-  if (far.empty()) return fmt::format("the worst of {} within {}", count, percent_text(tolerance));
-  std::string text = fmt::format("the worst of {}: {}", count, far);
-  if (!near.empty()) text += fmt::format("; within {}: {}", percent_text(tolerance), near);
-  return text;
 }
 
 }  // namespace rotorub

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compare/base/format.h"
@@ -13,12 +14,8 @@ std::string onsets_text(const Resync& r) {
   return fmt::format("{} {}", r.onsets.size(), r.onsets.size() == 1 ? "onset" : "onsets");
 }
 
-const ResyncRow& furthest(const Resync& r) {
-  const ResyncRow* most = &r.rows.front();
-  for (const ResyncRow& row : r.rows) {
-    if (row.worst > most->worst) most = &row;
-  }
-  return *most;
+std::string failure_text(const Resync& r, const std::string& of = {}) {
+  return fmt::format("{}{} predictions did not end well, the first: {}", r.failed, of, r.failure);
 }
 
 }  // namespace
@@ -34,6 +31,24 @@ std::string signed_percent(double share) {
   return sign + percents(share) + " %";
 }
 
+std::string why(const Resync& r, double tolerance) {
+  if (r.failed > 0) return failure_text(r, fmt::format(" of {}", r.onsets.size()));
+  if (r.rows.empty()) return r.touches ? "contact, but no onset of it" : "nothing touches";
+  std::vector<std::string> far, near;
+  for (const ResyncRow& row : r.rows) {
+    if (row.verdict == FigureVerdict::kOutside) {
+      far.push_back(fmt::format("{} {}", row.figure->label, signed_percent(row.worst_signed)));
+    } else {
+      near.push_back(row.figure->label);
+    }
+  }
+  std::string text = fmt::format("the worst of {}", onsets_text(r));
+  if (far.empty()) return fmt::format("{} within {}", text, percent_text(tolerance));
+  text += fmt::format(": {}", fmt::join(far, ", "));
+  if (near.empty()) return text;
+  return fmt::format("{}; within {}: {}", text, percent_text(tolerance), fmt::join(near, ", "));
+}
+
 std::string resync_headline(const std::string& contact, const Resync& r, double tolerance) {
   const std::string within = percent_text(tolerance);
   if (r.failed > 0) {
@@ -47,7 +62,9 @@ std::string resync_headline(const std::string& contact, const Resync& r, double 
                : fmt::format("Nothing touches in MuJoCo ({}): there is no contact to predict.",
                              contact);
   }
-  const ResyncRow& off = furthest(r);
+  const ResyncRow& off =
+      *std::max_element(r.rows.begin(), r.rows.end(),
+                        [](const ResyncRow& a, const ResyncRow& b) { return a.worst < b.worst; });
   const std::string worst = fmt::format("{} {} at t = {:.5g} s", off.figure->label,
                                         signed_percent(off.worst_signed), off.worst_time);
   switch (r.trust) {
@@ -87,8 +104,7 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
         r.left_out, contact));
   }
   if (r.failed > 0) {
-    all.push_back(
-        fmt::format("{} predictions did not end well, the first: {}", r.failed, r.failure));
+    all.push_back(failure_text(r));
   }
   return all;
 }
@@ -102,12 +118,11 @@ std::string resync_table(const SceneComparison& c) {
     text += fmt::format("  {}: {}\n", c.sides[k + 1].label, onsets_text(r));
     for (const ResyncRow& row : r.rows) {
       const ResyncFigure& f = *row.figure;
-      text +=
-          fmt::format("{}   {:<23}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9.4g}\n",
-                      row.verdict == FigureVerdict::kOutside ? "!" : " ",
-                      fmt::format("{}, {}", f.label, f.unit), short_number(f.per_unit * row.native),
-                      short_number(f.per_unit * row.mujoco), percents(row.median),
-                      percents(row.ninetieth), percents(row.worst), row.worst_time);
+      text += fmt::format("{}   {:<23}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9.4g}\n",
+                          row.verdict == FigureVerdict::kOutside ? "!" : " ", figure_label(f),
+                          figure_value(f, row.native), figure_value(f, row.mujoco),
+                          percents(row.median), percents(row.ninetieth), percents(row.worst),
+                          row.worst_time);
     }
   }
   text += fmt::format(

@@ -8,6 +8,9 @@
 
 namespace rotorub {
 
+// Half a sentence, as why() of trust.h.
+std::string why(const Resync& resync, double tolerance);
+
 // Of one contact model: its verdict in one sentence, and what is behind it.
 std::string resync_headline(const std::string& contact, const Resync& resync, double tolerance);
 std::vector<std::string> resync_reasons(const std::string& contact, const Resync& resync);

@@ -1,13 +1,14 @@
 #include "compare/study/scene_comparison.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compare/own/own_machine.h"
 #include "compare/study/comparison_runs.h"
-#include "compare/study/replay.h"
-#include "compare/study/shadow_column.h"
-#include "compare/study/side_difference.h"
+#include "compare/study/twins.h"
 #include "compare/study/verdict.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/trajectory/recorder.h"
@@ -41,6 +42,28 @@ double total_work(const std::vector<Contestant>& all, const CompareOptions& opti
   if (options.mode == CompareMode::kReplay) total += 3.0 + 2.0 * (1.0 + 2.0 + 4.0);
   if (options.modes_ladder && ladder) total += kLadderWork;
   return total;
+}
+
+// One MuJoCo side against the native one, judged: all but the reasons. `threshold`: m, beyond which
+// two runs have parted.
+SideDifference side_difference(const Side& native, const Side& other, const Repeatability& natives,
+                               const Repeatability& others, const CompareOptions& options,
+                               double threshold) {
+  SideDifference d;
+  d.decides = other.label == to_string(options.contact);
+  for (std::size_t k = 0; k < figures().size(); ++k) {
+    const Figure& f = figures()[k];
+    d.figures.push_back({judged(f, natives.samples[k], others.samples[k], options.tolerance,
+                                natives.replay_floor[k]),
+                         natives.floor[k], natives.replay_floor[k],
+                         split(native.limits[k], other.limits[k])});
+  }
+  const bool ended_well =
+      native.trajectory.status == Status::kOk && other.trajectory.status == Status::kOk;
+  d.trust = ended_well ? trust(d.judged()) : Trust::kNo;
+  d.divergence = divergence(native.trajectory, other.trajectory, threshold);
+  d.impacts = pair_impacts(native.trajectory, other.trajectory, options.impacts);
+  return d;
 }
 
 // A comparison in the making.
@@ -237,7 +260,7 @@ class Comparison {
         d.resync = std::move(resyncs_[k - 1]);
         if (result_.sides[k].trajectory.status == Status::kOk) d.trust = d.resync->trust;
       }
-      d.reasons = reasons(result_, result_.sides[k], d);
+      d.reasons = reasons(result_, k, d);
       result_.differences.push_back(std::move(d));
     }
   }
@@ -255,7 +278,23 @@ class Comparison {
   std::vector<double> replay_floor_;                    // empty but in replay
 };
 
+constexpr const char* kModes[] = {"lockstep", "replay", "resync"};  // as CompareMode
+
 }  // namespace
+
+const char* to_string(CompareMode mode) { return kModes[static_cast<int>(mode)]; }
+
+CompareMode compare_mode_of(const std::string& name) {
+  const auto found = std::find(std::begin(kModes), std::end(kModes), name);
+  assert(found != std::end(kModes));
+  return static_cast<CompareMode>(found - std::begin(kModes));
+}
+
+std::string Side::early_end() const {
+  if (trajectory.status == Status::kOk) return "";
+  return fmt::format("the {} run ended early ({}): {}", label, to_string(trajectory.status),
+                     trajectory.message);
+}
 
 Status SceneComparison::status() const {
   for (std::size_t k = 0; k < std::min<std::size_t>(2, sides.size()); ++k) {

@@ -17,11 +17,23 @@
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/rows.h"
 #include "compare/model_error/model_error.h"
-#include "compare/study/mode.h"
 #include "compare/study/resync.h"
 #include "compare/study/trust.h"
 
 namespace rotorub {
+
+// How the two sides of a comparison are coupled.
+enum class CompareMode {
+  kLockstep,  // each side closes its own loop
+  kReplay,    // the native side is driven by the commands that MuJoCo's actuators were given: what
+              // differs is the contact, and not the closed loop
+  kResync     // at every onset of contact the native side restarts from MuJoCo's state and predicts
+              // that contact: says something even of trajectories that are chaotic
+};
+
+const char* to_string(CompareMode mode);  // "lockstep", "replay", "resync"
+// Of one of these names; asserts that it is one.
+CompareMode compare_mode_of(const std::string& name);
 
 class OwnMachine;  // compare/own/own_machine.h
 
@@ -63,6 +75,8 @@ struct Side {
   Metrics metrics;
   std::vector<Extrapolation> limits;  // as figures(); figures that are not split: values alone
   Timing timing;
+
+  std::string early_end() const;  // half a sentence; empty: it ended well
 };
 
 // One figure of one MuJoCo side against the native one.
@@ -72,7 +86,7 @@ struct FigureDifference : JudgedFigure {
   Split split;
 };
 
-// The native stepper at MuJoCo's step (shadow_column.h).
+// The native stepper at MuJoCo's step (comparison_runs.h).
 struct ShadowColumn {
   std::optional<Side> side;           // label "shadow"
   std::string absent;                 // why there is none

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "compare/base/format.h"
-#include "compare/figures/figure_text.h"
-#include "compare/measured/table.h"
+#include "compare/figures/figure.h"
+#include "compare/measured/output.h"
 #include "compare/study/answer.h"
 #include "compare/study/resync_text.h"
 #include "compare/study/verdict.h"
@@ -18,10 +18,6 @@ namespace {
 
 constexpr int kLabel = 24;
 constexpr int kValue = 9;  // native, shadow and four contact models: 80 columns
-
-std::string label_of(const Figure& f) {
-  return *f.unit ? fmt::format("{}, {}", f.label, f.unit) : std::string(f.label);
-}
 
 // MuJoCo's defaults have their row in the answer, and their column in the report.
 bool has_column(const Side& side) { return side.label != "cone-default"; }
@@ -36,17 +32,23 @@ std::string in_column(const JudgedFigure& f) {
   return text;
 }
 
-// A line of texts below the columns: native, its shadow, MuJoCo's.
-template <class Text, class OfShadow>
-std::string line(const SceneComparison& c, const std::string& label, Text text,
-                 OfShadow of_shadow) {
-  std::string all = fmt::format("{:<{}}", label, kLabel + 2);
-  for (std::size_t k = 0; k < c.sides.size(); ++k) {
-    if (has_column(c.sides[k])) all += fmt::format("{:>{}}", text(k), kValue);
-    if (k == 0 && c.shadow.side) all += fmt::format("{:>{}}", of_shadow(), kValue);
+// A line of texts below the columns: of native, of its shadow where there is one, and of each
+// MuJoCo side by its number.
+template <class Mujoco>
+std::string line(const SceneComparison& c, const std::string& label, const std::string& native,
+                 const std::string& shadow, Mujoco mujoco) {
+  std::string all = fmt::format("{:<{}}{:>{}}", label, kLabel + 2, native, kValue);
+  if (c.shadow.side) all += fmt::format("{:>{}}", shadow, kValue);
+  for (std::size_t k = 1; k < c.sides.size(); ++k) {
+    if (has_column(c.sides[k])) all += fmt::format("{:>{}}", mujoco(k), kValue);
   }
-  while (all.back() == ' ') all.pop_back();
+  all.erase(all.find_last_not_of(' ') + 1);
   return all + "\n";
+}
+
+std::string heading_line(const SceneComparison& c, const std::string& label,
+                         const std::string& native, const std::string& shadow) {
+  return line(c, label, native, shadow, [&](std::size_t k) { return heading(c.sides[k]); });
 }
 
 std::string marked(const Figure& f, const std::string& label) {
@@ -54,34 +56,26 @@ std::string marked(const Figure& f, const std::string& label) {
 }
 
 std::string value_lines(const SceneComparison& c) {
-  std::string text = line(
-      c, "", [&](std::size_t k) { return heading(c.sides[k]); }, [] { return "shadow"; });
+  std::string text = heading_line(c, "", "native", "shadow");
   for (const Figure& f : figures()) {
     if (is_absent(c, f)) continue;
-    text += line(
-        c, marked(f, label_of(f)),
-        [&](std::size_t k) { return figure_value(f, f.value(c.sides[k].metrics)); },
-        [&] { return figure_value(f, f.value(c.shadow.side->metrics)); });
+    const auto of = [&](const Side& side) { return figure_value(f, f.value(side.metrics)); };
+    text +=
+        line(c, marked(f, figure_label(f)), of(c.sides[0]), c.shadow.side ? of(*c.shadow.side) : "",
+             [&](std::size_t k) { return of(c.sides[k]); });
   }
-  return text + line(
-                    c, "  time of a step, µs",
-                    [&](std::size_t k) { return short_number(c.sides[k].timing.median); },
-                    [] { return ""; });
+  const auto cost = [](const Side& side) { return short_number(side.timing.median); };
+  return text + line(c, "  time of a step, µs", cost(c.sides[0]), "",
+                     [&](std::size_t k) { return cost(c.sides[k]); });
 }
 
 std::string difference_lines(const SceneComparison& c) {
-  std::string text = line(
-      c, "  difference from native",
-      [&](std::size_t k) { return k == 0 ? "" : heading(c.sides[k]); }, [] { return "shadow"; });
+  std::string text = heading_line(c, "  difference from native", "", "shadow");
   for (std::size_t i = 0; i < figures().size(); ++i) {
     const Figure& f = figures()[i];
     if (!f.comparable || is_absent(c, f)) continue;
-    text += line(
-        c, marked(f, f.label),
-        [&](std::size_t k) {
-          return k == 0 ? std::string() : in_column(c.differences[k - 1].figures[i]);
-        },
-        [&] { return in_column(c.shadow.figures[i]); });
+    text += line(c, marked(f, f.label), "", c.shadow.side ? in_column(c.shadow.figures[i]) : "",
+                 [&](std::size_t k) { return in_column(c.differences[k - 1].figures[i]); });
   }
   return text;
 }
@@ -93,49 +87,37 @@ std::string interval_lines(const SceneComparison& c) {
   std::string text;
   for (std::size_t i = 0; i < figures().size(); ++i) {
     const Figure& f = figures()[i];
-    const auto of = [&](std::size_t k) -> const FigureDifference& {
-      return c.differences[k - 1].figures[i];
-    };
-    bool scatters = false;
-    for (std::size_t k = 1; k < c.sides.size(); ++k)
-      scatters = scatters || of(k).interval >= kShown;
+    const bool scatters =
+        std::any_of(c.differences.begin(), c.differences.end(),
+                    [&](const SideDifference& d) { return d.figures[i].interval >= kShown; });
     if (!f.is_judged() || !scatters) continue;
-    text += line(
-        c, fmt::format("  ± {}", f.label),
-        [&](std::size_t k) { return k == 0 ? std::string() : size_text(f, of(k).interval); },
-        [] { return ""; });
-    text += line(
-        c, "    would be detected",
-        [&](std::size_t k) { return k == 0 ? std::string() : size_text(f, of(k).least_told); },
-        [] { return ""; });
+    const auto add = [&](const std::string& label, double FigureDifference::*size) {
+      text += line(c, label, "", "", [&](std::size_t k) {
+        return size_text(f, c.differences[k - 1].figures[i].*size);
+      });
+    };
+    add(fmt::format("  ± {}", f.label), &FigureDifference::interval);
+    add("    would be detected", &FigureDifference::least_told);
   }
   if (text.empty()) return text;
   const auto runs = [](int twins) {
     return fmt::format("{} run{}", twins + 1, twins == 0 ? "" : "s");
   };
   return text +
-         wrapped(
-             "  ± ",
-             fmt::format(
-                 "95 % of the difference of means: {} of native, {} of {}, one of the others; a "
-                 "difference as large as said below would be detected in 4 of 5 comparisons",
-                 runs(c.twins), runs(c.decider_twins), c.sides[1].label));
+         wrapped("  ± ", fmt::format("95 % of the difference of means: {} of native, {} of {}, one "
+                                     "of the others; a difference as large as said below would be "
+                                     "detected in 4 of 5 comparisons",
+                                     runs(c.twins), runs(c.decider_twins), c.sides[1].label));
 }
 
 // Replay: what the differences of each contact model are from.
 std::string reference_lines(const SceneComparison& c) {
   if (c.natives.empty()) return "";
-  std::string text = line(
-      c, "  native by commands of",
-      [&](std::size_t k) { return k == 0 ? "" : heading(c.sides[k]); }, [] { return ""; });
+  std::string text = heading_line(c, "  native by commands of", "", "");
   for (const Figure& f : figures()) {
     if (!f.is_judged()) continue;
-    text += line(
-        c, marked(f, label_of(f)),
-        [&](std::size_t k) {
-          return k == 0 ? std::string() : figure_value(f, f.value(c.reference(k).metrics));
-        },
-        [] { return ""; });
+    text += line(c, marked(f, figure_label(f)), "", "",
+                 [&](std::size_t k) { return figure_value(f, f.value(c.reference(k).metrics)); });
   }
   return text + "\n";
 }
@@ -175,7 +157,7 @@ std::string split_lines(const SceneComparison& c) {
       const auto value = [&](double v) { return figure_value(*d.figure, v); };
       unsure = unsure || !d.split.valid;
       text += fmt::format("{} {:<9}{:<{}}{:>11}{:>10}{:>10}{:>10}\n", d.split.valid ? " " : "?",
-                          heading(c.sides[k + 1]), label_of(*d.figure), kLabel,
+                          heading(c.sides[k + 1]), figure_label(*d.figure), kLabel,
                           value(d.split.difference), value(d.split.model_gap),
                           value(d.split.step_error), value(d.split.native_step_error));
     }
@@ -209,20 +191,9 @@ std::string answer_lines(const SceneComparison& c, const Palette& palette) {
   return text;
 }
 
-// Before the headline of a contact model; all of one width.
-const char* lead(Trust trust) {
-  switch (trust) {
-    case Trust::kYes:
-      return "  within       ";
-    case Trust::kAveragesOnly:
-      return "  AVERAGES     ";
-    case Trust::kUndecidable:
-      return "  undecidable  ";
-    case Trust::kNo:
-      break;
-  }
-  return "  OUTSIDE      ";
-}
+// Before the headline of a contact model, as Trust; all of one width.
+constexpr const char* kLeads[] = {"  within       ", "  AVERAGES     ", "  OUTSIDE      ",
+                                  "  undecidable  "};
 
 }  // namespace
 
@@ -250,9 +221,9 @@ std::string comparison_table(const SceneComparison& c, const Palette& palette) {
   if (c.measured) text += "\n" + measured_table(*c.measured);
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const SideDifference& d = c.differences[k];
+    const char* lead = kLeads[static_cast<int>(d.trust)];
     text += "\n" + palette.paint_first(tone_of(d.trust),
-                                       wrapped(lead(d.trust), headline(c, c.sides[k + 1], d)),
-                                       lead(d.trust));
+                                       wrapped(lead, headline(c, c.sides[k + 1], d)), lead);
     for (const std::string& reason : d.reasons) text += wrapped("               - ", reason);
   }
   return text;
@@ -266,24 +237,17 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
       palette.paint(t.status == Status::kOk ? Tone::kGood : Tone::kBad, to_string(t.status)),
       t.engine, t.integrator, t.contact_model, step, time_text(t.end), time_text(scene.run.end));
   if (!t.message.empty()) text += wrapped("  ", t.message);
-  if (m.first_touch) {
-    text += fmt::format("  {:<{}}{:>{}}\n", "first touch, ms", kLabel,
-                        short_number(1e3 * *m.first_touch), kValue);
-  }
-  if (m.least_gap && *m.least_gap > 0.0) {
-    text += fmt::format("  {:<{}}{:>{}}\n", "least gap, µm", kLabel,
-                        short_number(1e6 * *m.least_gap), kValue);
-  }
+  const auto add = [&](const std::string& label, const std::string& value) {
+    text += fmt::format("  {:<{}}{:>{}}\n", label, kLabel, value, kValue);
+  };
+  if (m.first_touch) add("first touch, ms", short_number(1e3 * *m.first_touch));
+  if (m.least_gap && *m.least_gap > 0.0) add("least gap, µm", short_number(1e6 * *m.least_gap));
   for (const Figure& f : figures()) {
-    if (std::isnan(f.value(m))) continue;
-    text +=
-        fmt::format("  {:<{}}{:>{}}\n", label_of(f), kLabel, figure_value(f, f.value(m)), kValue);
+    if (!std::isnan(f.value(m))) add(figure_label(f), figure_value(f, f.value(m)));
   }
-  text +=
-      fmt::format("  {:<{}}{:>{}}\n", "settles to", kLabel, to_string(m.settled.attractor), kValue);
-  text += fmt::format("  {:<{}}{:>{}}\n", "steps", kLabel, t.steps, kValue);
-  text += fmt::format("  {:<{}}{:>{}}\n", "time of a step, µs", kLabel, short_number(m.us_per_step),
-                      kValue);
+  add("settles to", to_string(m.settled.attractor));
+  add("steps", fmt::format("{}", t.steps));
+  add("time of a step, µs", short_number(m.us_per_step));
   return text;
 }
 

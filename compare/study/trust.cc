@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <ranges>
 
 #include "compare/base/format.h"
-#include "compare/figures/figure_text.h"
+#include "compare/figures/figure.h"
 
 namespace rotorub {
 namespace {
@@ -19,73 +20,26 @@ std::vector<JudgedFigure> those(const std::vector<JudgedFigure>& figures, Figure
   return found;
 }
 
-std::string with_deviations(const std::vector<JudgedFigure>& figures) {
-  std::string text;
-  for (const JudgedFigure& f : figures) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", f.figure->label, difference_text(f));
-  }
-  return text;
-}
-
-std::string labels(const std::vector<JudgedFigure>& figures) {
-  std::string text;
-  for (const JudgedFigure& f : figures) {
-    text += (text.empty() ? "" : ", ") + std::string(f.figure->label);
-  }
-  return text;
-}
-
-// "; undecidable at 1 %: hard impacts -0.7 ± 1.1 % (1.6 % would be detected)".
-std::string undecidable_text(const std::vector<JudgedFigure>& figures, double tolerance) {
-  std::string text;
-  for (const JudgedFigure& f : undecidable(figures)) {
-    text += fmt::format("{}{} {} ({} would be detected)", text.empty() ? "" : ", ", f.figure->label,
-                        difference_text(f), size_text(*f.figure, f.least_told));
-  }
-  return text.empty() ? text : "undecidable at " + percent_text(tolerance) + ": " + text;
+// "mean normal force +0.52 %, hard impacts -29 %": what `text` makes of each.
+template <class Text>
+std::string listed(const std::vector<JudgedFigure>& figures, Text text) {
+  return fmt::format("{}", fmt::join(figures | std::views::transform(text), ", "));
 }
 
 }  // namespace
 
 const char* to_string(FigureVerdict verdict) {
-  switch (verdict) {
-    case FigureVerdict::kNotJudged:
-      return "not judged";
-    case FigureVerdict::kWithin:
-      return "within";
-    case FigureVerdict::kOutside:
-      return "outside";
-    case FigureVerdict::kUndecidable:
-      return "undecidable";
-  }
-  return "";
+  constexpr const char* kWords[] = {"not judged", "within", "outside", "undecidable"};
+  return kWords[static_cast<int>(verdict)];
 }
 
 const char* to_string(Trust trust) {
-  switch (trust) {
-    case Trust::kYes:
-      return "yes";
-    case Trust::kAveragesOnly:
-      return "averages only";
-    case Trust::kNo:
-      return "no";
-    case Trust::kUndecidable:
-      return "undecidable";
-  }
-  return "";
+  constexpr const char* kWords[] = {"yes", "averages only", "no", "undecidable"};
+  return kWords[static_cast<int>(trust)];
 }
 
 Tone tone_of(Trust trust) {
-  switch (trust) {
-    case Trust::kYes:
-      return Tone::kGood;
-    case Trust::kAveragesOnly:
-    case Trust::kUndecidable:
-      return Tone::kPart;
-    case Trust::kNo:
-      break;
-  }
-  return Tone::kBad;
+  return trust == Trust::kYes ? Tone::kGood : trust == Trust::kNo ? Tone::kBad : Tone::kPart;
 }
 
 JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other,
@@ -148,13 +102,20 @@ std::vector<JudgedFigure> undecidable(const std::vector<JudgedFigure>& figures) 
 }
 
 std::string why(const std::vector<JudgedFigure>& figures, double tolerance) {
-  const auto far = outside(figures), near = those(figures, FigureVerdict::kWithin);
-  std::string text = with_deviations(far);
-  const auto add = [&](const std::string& part) {
-    if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
+  std::string text = listed(outside(figures), [](const JudgedFigure& f) {
+    return fmt::format("{} {}", f.figure->label, difference_text(f));
+  });
+  const auto add = [&](const char* verdict, const std::string& list) {
+    if (list.empty()) return;
+    text += fmt::format("{}{} {}: {}", text.empty() ? "" : "; ", verdict, percent_text(tolerance),
+                        list);
   };
-  if (!near.empty()) add("within " + percent_text(tolerance) + ": " + labels(near));
-  add(undecidable_text(figures, tolerance));
+  add("within", listed(those(figures, FigureVerdict::kWithin),
+                       [](const JudgedFigure& f) { return f.figure->label; }));
+  add("undecidable at", listed(undecidable(figures), [](const JudgedFigure& f) {
+        return fmt::format("{} {} ({} would be detected)", f.figure->label, difference_text(f),
+                           size_text(*f.figure, f.least_told));
+      }));
   return text;
 }
 

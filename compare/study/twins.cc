@@ -1,5 +1,8 @@
 #include "compare/study/twins.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "compare/base/in_parallel.h"
 
 namespace rotorub {
@@ -36,6 +39,30 @@ Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajector
   }
   if (stopped()) return {};
   return twins;
+}
+
+Repeatability repeatability(const Metrics& run, const Twins& twins) {
+  Repeatability r;
+  for (const Figure& f : figures()) {
+    double floor = 0.0;
+    for (const Metrics& m : twins.metrics) {
+      const double apart = std::abs(deviation(f, f.value(run), f.value(m)));
+      if (std::isfinite(apart)) floor = std::max(floor, apart);
+    }
+    r.floor.push_back(floor);
+    r.samples.push_back(figure_sample(f, run, twins.metrics));
+    r.replay_floor.push_back(0.0);
+  }
+  return r;
+}
+
+Divergence first_to_part(const Twins& twins, Divergence none) {
+  Divergence first = none;
+  for (const Divergence& d : twins.divergences) {
+    if (d.time && (!first.time || *d.time < *first.time)) first = d;
+    if (!first.time && d.max_distance >= first.max_distance) first = d;
+  }
+  return first;
 }
 
 }  // namespace rotorub

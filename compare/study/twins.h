@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/engine/engine.h"
+#include "compare/figures/figure_sample.h"
 #include "compare/metrics/divergence.h"
 #include "compare/metrics/metrics.h"
 
@@ -36,5 +37,17 @@ int twin_ulps(int index);
 // interrupt leaves both lists empty. `threshold`: m, beyond which two runs have parted.
 Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajectory& original,
                 double threshold, const TwinParameters& parameters);
+
+// Of each figure among a run and its twins.
+struct Repeatability {
+  std::vector<FigureSample> samples;  // as figures()
+  std::vector<double> floor;          // largest |deviation| of a twin
+  std::vector<double> replay_floor;   // see replay_floor(); 0 but in replay
+};
+Repeatability repeatability(const Metrics& run, const Twins& twins);
+
+// That of the twin that parts first; of those that never part the one that comes furthest. `none`:
+// without twins.
+Divergence first_to_part(const Twins& twins, Divergence none);
 
 }  // namespace rotorub

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compare/base/format.h"
-#include "compare/figures/figure_text.h"
+#include "compare/figures/figure.h"
 #include "compare/study/resync_text.h"
 
 namespace rotorub {
@@ -28,26 +28,14 @@ double scatter(const Metrics& m) {
 }
 
 const FigureDifference& of(const SideDifference& d, const char* key) {
-  return *std::find_if(d.figures.begin(), d.figures.end(), [&](const FigureDifference& f) {
-    return std::string(f.figure->key) == key;
-  });
+  return *std::find_if(d.figures.begin(), d.figures.end(),
+                       [&](const FigureDifference& f) { return f.figure == &figure(key); });
 }
 
 // The figure that is furthest off: of those outside, else of those within, else of the judged ones.
 const FigureDifference& worst(const SideDifference& d) {
-  const auto rank = [](const FigureDifference& f) {
-    switch (f.verdict) {
-      case FigureVerdict::kOutside:
-        return 3;
-      case FigureVerdict::kWithin:
-        return 2;
-      case FigureVerdict::kUndecidable:
-        return 1;
-      case FigureVerdict::kNotJudged:
-        break;
-    }
-    return 0;
-  };
+  constexpr int kRank[] = {0, 2, 3, 1};  // as FigureVerdict
+  const auto rank = [&](const FigureDifference& f) { return kRank[static_cast<int>(f.verdict)]; };
   return *std::max_element(d.figures.begin(), d.figures.end(),
                            [&](const FigureDifference& a, const FigureDifference& b) {
                              if (rank(a) != rank(b)) return rank(a) < rank(b);
@@ -70,8 +58,7 @@ std::string contact_sentence(const Side& native, const Side& other) {
   if (b < a - kOftenEnough) {
     return fmt::format(
         "{} chatters: in lasting contact {} of the time instead of {}, with a force scatter of "
-        "{:.0f} % of "
-        "the mean (rigid law: {:.0f} %)",
+        "{:.0f} % of the mean (rigid law: {:.0f} %)",
         other.label, time_share(b), time_share(a), percent(scatter(other.metrics)),
         percent(scatter(native.metrics)));
   }
@@ -167,29 +154,17 @@ std::string penetration_sentence(const SceneComparison& c, const Side& other) {
                      1e6 * other.metrics.max_penetration, percent(share));
 }
 
-std::size_t index_of(const SceneComparison& comparison, const Side& side) {
-  const auto& sides = comparison.sides;
-  return static_cast<std::size_t>(
-      std::find_if(sides.begin(), sides.end(),
-                   [&](const Side& s) { return s.label == side.label; }) -
-      sides.begin());
-}
-
 }  // namespace
 
-std::vector<std::string> reasons(const SceneComparison& comparison, const Side& other,
+std::vector<std::string> reasons(const SceneComparison& comparison, std::size_t side,
                                  const SideDifference& difference) {
-  const Side& native = comparison.reference(index_of(comparison, other));
+  const Side &native = comparison.reference(side), &other = comparison.sides[side];
   std::vector<std::string> all;
   const auto add = [&](std::string sentence) {
     if (!sentence.empty()) all.push_back(std::move(sentence));
   };
-  for (const Side* side : {&native, &other}) {
-    if (side->trajectory.status != Status::kOk) {
-      add(fmt::format("the {} run ended early ({}): {}", side->label,
-                      to_string(side->trajectory.status), side->trajectory.message));
-    }
-  }
+  add(native.early_end());
+  add(other.early_end());
   if (difference.resync) {
     for (std::string& reason : resync_reasons(other.label, *difference.resync)) add(reason);
     return all;

@@ -1,16 +1,96 @@
-// The fastest setting of MuJoCo that can be trusted for a scene.
+// The fastest setting of MuJoCo that can be trusted for a scene: a search over its settings, each
+// judged against the native model, and what the one found is still wrong by.
 #pragma once
 
 #include <atomic>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "compare/bench/engines.h"
+#include "compare/bench/point.h"
+#include "compare/figures/figure_sample.h"
+#include "compare/metrics/metrics.h"
 #include "compare/model_error/model_error.h"
 #include "compare/tune/choice.h"
-#include "compare/tune/errors.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub::tune {
+
+// The native side of every comparison, by the step: `event` has none of its own, but forces are
+// averaged over the step that they are compared at.
+struct Reference {
+  Metrics metrics;
+  std::vector<FigureSample> samples;  // of it and its twins, as figures()
+};
+
+// Runs what is asked for once. Throws std::runtime_error where `event` cannot run the scene to its
+// end.
+class References {
+ public:
+  References(const scene::Scene& scene, int twins, const std::atomic<bool>* interrupt)
+      : scene_(scene), twins_(twins), interrupt_(interrupt) {}
+  // window_step: see Runner. Of an interrupted run: what there is.
+  const Reference& at(double step, double window_step);
+
+ private:
+  const scene::Scene& scene_;
+  int twins_;
+  const std::atomic<bool>* interrupt_;
+  std::map<std::pair<double, double>, Reference> known_;  // by step and window_step
+};
+
+// Runs one setting: Metrics of a whole run with its cost in them, or a failure.
+struct Outcome {
+  Metrics metrics;
+  std::string failure;
+};
+// window_step: s, 20 of which are the window of the largest impulse (impulse_window.h). A setting
+// is judged with its own step's, as `compare` judges the scene that has it; runs at several steps
+// that are to converge share one.
+using Runner = std::function<Outcome(const Setting&, double window_step)>;
+using Judge = std::function<std::vector<JudgedFigure>(const Metrics&, double step)>;
+
+struct SearchParameters {
+  std::vector<double> steps;  // s, falling
+  std::vector<Setting> variants;
+  // A variant whose last cost of a step would make it dearer than the best by this factor is left
+  // out: the cost of a step is noisy, and need not be that of a larger one.
+  double margin = 1.2;
+  std::function<void(const Setting&)> before;  // each run; may be empty
+  const std::atomic<bool>* interrupt = nullptr;
+};
+
+// Every variant at ever smaller steps, until no smaller step can be cheaper than what is trusted
+// already. All settings that were run, in the order in which they were; what passes is run at half
+// of its step too (JudgedSetting::luck).
+std::vector<JudgedSetting> search(const SearchParameters& parameters, const Runner& run,
+                                  const Judge& judge, double tolerance);
+
+// The runner in MuJoCo, without output. `reader`: the scene with further overrides.
+Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* interrupt);
+
+// The judge by the references.
+Judge judge_by(References& references, double tolerance);
+
+// Measures again, in turns, those that the choice depends on: of a cost near that of the cheapest
+// trusted setting.
+void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
+                const bench::TimingParameters& parameters, const std::atomic<bool>* interrupt);
+
+// What a trusted setting is wrong by, and whose fault each part is: as shares of the native value
+// (points: as they are), one for each judged figure; none where it cannot be determined.
+struct ErrorParts {
+  std::vector<std::pair<const Figure*, SplitShares>> figures;
+  std::string reason;  // why there is nothing at all; empty: there is
+};
+
+// By runs at the step, a half and a quarter of it (compare/metrics/split.h).
+void split_errors(const Setting& setting, const Runner& run, References& references,
+                  ErrorParts& parts);
 
 struct TuneParameters {
   double tolerance = 0.01;    // share: on the judged figures

@@ -5,12 +5,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compare/bench/json.h"
-#include "compare/bench/table.h"
+#include "compare/bench/output.h"
 #include "compare/report/bench_page.h"
-#include "native_model/scene/reader.h"
 #include "tests/compare/bench/made_points.h"
 #include "tests/compare/hand_made.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub::bench {
 namespace {
@@ -22,7 +21,7 @@ using test::made_point;
 
 SceneBench made_bench() {
   SceneBench b;
-  b.scene = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml");
+  b.scene = test::shipped("bench_ring");
   b.reference.source = "made up";
   b.reference.trajectory =
       test::hand_made(1001, 1e-3, [](double t) { return test::sliding({}, t); });

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "compare/bench/closed_form.h"
-#include "compare/bench/event_engine.h"
+#include "compare/bench/engines.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"
 

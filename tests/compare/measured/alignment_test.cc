@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "compare/measured/clipping.h"
+#include "compare/measured/record.h"
 #include "tests/compare/hand_made.h"
 #include "tests/compare/measurement.h"
 #include "tests/support/native_run.h"

@@ -9,8 +9,7 @@
 #include <set>
 
 #include "compare/measured/figures.h"
-#include "compare/measured/json.h"
-#include "compare/measured/table.h"
+#include "compare/measured/output.h"
 #include "native_model/trajectory/output.h"
 #include "tests/compare/columns.h"
 #include "tests/compare/hand_made.h"

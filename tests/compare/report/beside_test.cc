@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "compare/bench/json.h"
+#include "compare/bench/output.h"
 #include "compare/report/page.h"
 #include "native_model/scene/reader.h"
 #include "tests/compare/bench/made_points.h"

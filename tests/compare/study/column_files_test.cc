@@ -1,6 +1,6 @@
-#include "compare/study/column_files.h"
-#include "compare/figures/json.h"
+#include "compare/figures/figure.h"
 #include "compare/run_files/summary.h"
+#include "compare/study/json.h"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +13,12 @@
 #include "compare/engine/engine.h"
 #include "compare/sweep/columns.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
 
 using nlohmann::json;
-
-scene::Scene shipped_scene(const std::string& name,
-                           std::vector<std::string> overrides = {"run.end=1e-3"}) {
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
-}
 
 Trajectory short_run(const scene::Scene& scene) {
   return native_engine(scene::Integrator::kVerlet)->run(scene, {});
@@ -82,7 +78,7 @@ std::set<std::string> names_of(std::span<const ColumnMeaning> columns) {
 TEST(ColumnFiles, NameTheKeysOfSummaryAndMetrics) {
   std::set<std::string> written;
   for (const char* name : {"paper_passive", "touchdown_ball_bearing"}) {
-    const scene::Scene scene = shipped_scene(name);
+    const scene::Scene scene = test::shipped(name, {"run.end=1e-3"});
     collect(summary_json(scene, short_run(scene)), "", written);
   }
   const scene::Scene several = scene::read_scene(kTwoRings, kShort);

@@ -1,9 +1,9 @@
 // Onsets in made-up steps, by hand.
-#include "compare/study/onsets.h"
+#include "compare/study/resync.h"
 
 #include <gtest/gtest.h>
 
-#include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
@@ -32,8 +32,7 @@ class MadeUpSteps : public testing::Test {
   std::vector<Onset> finish() { return watch_.finish(k_ * kStep); }
   double now() const { return k_ * kStep; }
 
-  const Model model_ =
-      make_model(scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_drop.toml", {}));
+  const Model model_ = make_model(test::shipped("bench_drop"));
   OnsetWatch watch_{model_};
 
  private:

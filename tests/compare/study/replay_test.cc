@@ -1,6 +1,6 @@
 // Replay: tapes of what MuJoCo's actuators were told, and comparisons by them; and the shadow's
 // column beside them.
-#include "compare/study/replay.h"
+#include "compare/study/comparison_runs.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include "compare/study/json.h"
 #include "compare/study/scene_comparison.h"
 #include "compare/study/table.h"
-#include "native_model/scene/reader.h"
 #include "tests/compare/columns.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 scene::Scene emulated(std::vector<std::string> more = {}) {
   more.insert(more.end(),
               {"controller.kind=passive", "controller.stiffness=5e4", "controller.damping=100"});
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml", more);
+  return test::shipped("bench_ring", more);
 }
 
 struct Taped {
@@ -145,8 +145,7 @@ TEST(Replay, IsToldByTableAndJson) {
 }
 
 TEST(Replay, WithoutAControllerItIsLockstepAndSaysSo) {
-  const scene::Scene scene = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
-                                               std::vector<std::string>{"run.end=0.02"});
+  const scene::Scene scene = test::shipped("bench_ring", {"run.end=0.02"});
   const SceneComparison replay = compared(scene, CompareMode::kReplay);
   const SceneComparison lockstep = compared(scene, CompareMode::kLockstep);
   EXPECT_FALSE(replay.commands);
@@ -188,10 +187,9 @@ TEST(ShadowColumn, IsVerletWhereImpactsTakeTime) {
   CompareOptions options;
   options.mode = CompareMode::kResync;
   options.timing_repeats = 1;
-  const scene::Scene scene =
-      scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
-                        std::vector<std::string>{"run.end=0.005", "contact.compression_time=2e-5",
-                                                 "contact.expansion_time=2e-5"});
+  const scene::Scene scene = test::shipped(
+      "bench_ring",
+      {"run.end=0.005", "contact.compression_time=2e-5", "contact.expansion_time=2e-5"});
   const SceneComparison c = compare_scene(scene, options);
   ASSERT_TRUE(c.shadow.side) << c.shadow.absent;
   EXPECT_EQ(c.shadow.side->trajectory.integrator, "verlet");

@@ -10,10 +10,11 @@
 #include "compare/report/page.h"
 #include "compare/study/answer.h"
 #include "compare/study/json.h"
+#include "compare/study/resync_text.h"
 #include "compare/study/table.h"
 #include "native_model/control/library.h"
-#include "native_model/scene/reader.h"
 #include "tests/compare/columns.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
@@ -21,9 +22,7 @@ namespace {
 // The libraries that are opened here are the tests' own.
 [[maybe_unused]] const bool resync_trusts = (set_scene_libraries(SceneLibraries::kAllowed), true);
 
-scene::Scene shipped(const std::string& name, const std::vector<std::string>& overrides) {
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
-}
+using test::shipped;
 
 // ---------------------------------------------------------------- distributions
 

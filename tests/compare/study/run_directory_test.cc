@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "compare/engine/engine.h"
-#include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
@@ -14,8 +14,7 @@ namespace {
 class RunDirectory : public testing::Test {
  protected:
   RunDirectory() {
-    scene_ = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
-                               std::vector<std::string>{"run.end=0.02"});
+    scene_ = test::shipped("bench_ring", {"run.end=0.02"});
     run_ = native_engine(scene::Integrator::kMidpoint)->run(scene_, {});
   }
   ~RunDirectory() override { std::filesystem::remove_all(own_); }
@@ -61,9 +60,7 @@ TEST_F(RunDirectory, NamesFileAndLineOfDamage) {
 // The shadow belongs to a MuJoCo run of its own scene.
 TEST_F(RunDirectory, TheShadowIsThatOfTheSameScene) {
   const auto scene_with = [](const char* friction) {
-    return scene::read_scene(
-        std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
-        std::vector<std::string>{"run.end=0.02", "mujoco.shadow=true", friction});
+    return test::shipped("bench_ring", {"run.end=0.02", "mujoco.shadow=true", friction});
   };
   const scene::Scene own = scene_with("contact.friction=0.15"),
                      other = scene_with("contact.friction=0.2");

@@ -12,16 +12,12 @@
 #include "compare/study/json.h"
 #include "compare/study/table.h"
 #include "compare/study/verdict.h"
-#include "native_model/scene/reader.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/compare/hand_made.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
-
-scene::Scene bench_ring(const std::vector<std::string>& overrides) {
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml", overrides);
-}
 
 // bench_ring settles to a sliding contact at about 10 ms: long enough to compare, quick to run.
 const SceneComparison& short_comparison() {
@@ -29,7 +25,7 @@ const SceneComparison& short_comparison() {
     CompareOptions options;
     options.timing_repeats = 1;
     options.tolerance = 0.05;
-    return compare_scene(bench_ring({"run.end=0.06"}), options);
+    return compare_scene(test::shipped("bench_ring", {"run.end=0.06"}), options);
   }();
   return comparison;
 }
@@ -187,7 +183,7 @@ TEST(SceneComparison, AnyContactMayDecide) {
   options.timing_repeats = 1;
   options.contact = scene::ContactModel::kCone;
   options.twins = 2;
-  const SceneComparison c = compare_scene(bench_ring({"run.end=0.02"}), options);
+  const SceneComparison c = compare_scene(test::shipped("bench_ring", {"run.end=0.02"}), options);
   ASSERT_EQ(c.sides.size(), 6U);
   EXPECT_EQ(c.sides[1].label, "cone");
   EXPECT_TRUE(c.differences[0].decides);
@@ -233,8 +229,8 @@ TEST(SceneComparison, AnInterruptKeepsWhatThereIs) {
   const std::atomic<bool> stop{true};
   CompareOptions options;
   options.interrupt = &stop;
-  const SceneComparison c =
-      compare_scene(bench_ring({"run.end=0.06", "run.integrator=midpoint"}), options);
+  const SceneComparison c = compare_scene(
+      test::shipped("bench_ring", {"run.end=0.06", "run.integrator=midpoint"}), options);
   EXPECT_TRUE(c.interrupted);
   ASSERT_EQ(c.sides.size(), 1U);
   EXPECT_EQ(c.sides[0].trajectory.status, Status::kInterrupted);
@@ -273,7 +269,7 @@ TEST(SceneComparison, NoContactIsNoPraise) {
   CompareOptions options;
   options.timing_repeats = 1;
   const SceneComparison c =
-      compare_scene(bench_ring({"run.end=0.02", "force[0].amplitude=1"}), options);
+      compare_scene(test::shipped("bench_ring", {"run.end=0.02", "force[0].amplitude=1"}), options);
   ASSERT_FALSE(c.differences.empty());
   EXPECT_TRUE(c.within());
   const std::string said = headline(c, c.sides[1], c.differences[0]);
@@ -283,7 +279,7 @@ TEST(SceneComparison, NoContactIsNoPraise) {
 
 // One unit in the last place of the clearance survives the first sums, whatever the start.
 TEST(Perturbed, MovesTheStartByAlmostNothing) {
-  const scene::Scene scene = bench_ring({});
+  const scene::Scene scene = test::shipped("bench_ring");
   const scene::Scene moved = perturbed(scene, 1);
   ASSERT_FALSE(moved.initial.x.empty());
   const double by = moved.initial.x[0] - (scene.initial.x.empty() ? 0.0 : scene.initial.x[0]);

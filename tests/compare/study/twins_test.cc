@@ -3,15 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
 
 class TwinRuns : public testing::Test {
  protected:
-  const scene::Scene scene_ = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml",
-                                                std::vector<std::string>{"run.end=0.02"});
+  const scene::Scene scene_ = test::shipped("bench_ring", {"run.end=0.02"});
   const std::unique_ptr<Engine> event_ = native_engine(scene::Integrator::kEvent);
 };
 

@@ -1,0 +1,182 @@
+#include "compare/measured/output.h"
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <nlohmann/json.hpp>
+
+#include "compare/base/format.h"
+#include "compare/base/json.h"
+#include "compare/base/units.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+const char* word_of(AngleFrom from) {
+  constexpr const char* kWords[] = {"given", "found", "no pair", "circle"};
+  return kWords[static_cast<int>(from)];
+}
+
+json alignment_json(const Alignment& a) {
+  json next = nullptr;
+  if (a.next) next = {{"shift", a.next->shift}, {"correlation", a.next->correlation}};
+  return {{"shift", a.shift},
+          {"shift_from", a.shift_found ? "found" : "given"},
+          {"shift_error", number_or_null(a.shift_error)},
+          {"angle", a.angle},
+          {"angle_from", word_of(a.angle_from)},
+          {"angle_error", number_or_null(a.angle_error)},
+          {"turn_for_shift", number_or_null(a.turn_for_shift)},
+          {"by", a.by},
+          {"correlation", number_or_null(a.correlation)},
+          {"residual", number_or_null(a.residual)},
+          {"next", next},
+          {"ambiguous", a.ambiguous()}};
+}
+
+std::vector<ColumnMeaning> make_measured_keys() {
+  static std::deque<std::string> names;  // that the keys point to
+  std::vector<ColumnMeaning> keys = {
+      {"file", "", "as given to --measured", ""},
+      {"samples", "", "samples of the record", ""},
+      {"interval", "s", "between its samples: the median", ""},
+      {"alignment.shift", "s", "added to the record's times it gives the scene's", ""},
+      {"alignment.shift_from", "", "found or given", ""},
+      {"alignment.shift_error", "s",
+       "standard deviation, if what is left is white noise; null: given", ""},
+      {"alignment.angle", "rad", "of the sensors' x axis in the scene, from x to y positive", ""},
+      {"alignment.angle_from", "",
+       "found, given, no pair (no x with its y is measured: 0) or circle (it cannot be "
+       "distinguished from a shift: 0)",
+       ""},
+      {"alignment.angle_error", "rad", "as shift_error; null: not found", ""},
+      {"alignment.turn_for_shift", "rad/s",
+       "what a shift is made up by of the angle, in a motion near to a circle; else null", ""},
+      {"alignment.by", "", "the quantities that it was found by", ""},
+      {"alignment.correlation", "",
+       "of them with the native run, means taken off; -1 to 1; null: none moves", ""},
+      {"alignment.residual", "",
+       "rms of what is left of them over the run's deviation from its mean", ""},
+      {"alignment.next", "", "shift and correlation of the next best beyond a valley; null: none",
+       ""},
+      {"alignment.ambiguous", "",
+       "whether it leaves less than twice what the best leaves, or less than 5 %: sqrt(1 - "
+       "correlation^2)",
+       ""},
+      {"columns.<name>.good", "", "samples on the run that are compared", ""},
+      {"columns.<name>.missing", "", "samples on the run without a value", ""},
+      {"columns.<name>.clipped", "", "samples at the sensor's limit", ""},
+      {"columns.<name>.runs.<run>.rms", "as the column",
+       "root mean square of record less run, in the sensors' frame", ""},
+      {"columns.<name>.runs.<run>.offset", "as the column", "mean of record less run", ""},
+      {"columns.<name>.runs.<run>.share", "",
+       "that rms over the run's deviation from its mean; null: the run does not move", ""},
+      {"figures.<name>.measured", "as the figure",
+       "of the record; a figure stands where its columns are measured", ""},
+      {"figures.<name>.bound", "", "at least or at most: the sensor was at its limit; else empty",
+       ""},
+      {"figures.<name>.runs.<run>", "as the figure", "of the run at the record's samples", ""},
+  };
+  for (const FigureText& f : measured_figures()) {
+    names.push_back(fmt::format("figures.{}", f.key));
+    keys.push_back({names.back(), figure_si_unit(f), f.meaning, ""});
+  }
+  keys.push_back({"remarks", "", "what was left out, and why", ""});
+  return keys;
+}
+
+constexpr int kNameWidth = 30;
+constexpr int kRunWidth = 10;
+
+std::string record_line(const std::string& label, const std::string& measured,
+                        const std::vector<std::string>& runs) {
+  std::string text = fmt::format("{:<{}}{:>{}}", label, kNameWidth, measured, kRunWidth);
+  for (const std::string& run : runs) text += fmt::format("{:>{}}", run, kRunWidth);
+  while (text.back() == ' ') text.pop_back();
+  return text + "\n";
+}
+
+// The unit that a quantity is written in, and SI values times it.
+struct WrittenUnit {
+  const char* unit;
+  double per_unit;
+};
+WrittenUnit written_unit(const Measurable& what) {
+  if (what.unit() == "m") return {"µm", 1e6};
+  if (what.unit() == "rad/s") return {"rpm", kRpm};
+  return {what.unit() == "N" ? "N" : "A", 1.0};
+}
+
+}  // namespace
+
+json measured_json(const MeasuredRun& run) {
+  json columns = json::object(), figures = json::object();
+  for (const ColumnFit& c : run.columns) {
+    json runs = json::object();
+    for (std::size_t r = 0; r < c.runs.size(); ++r) {
+      runs[run.labels[r]] = {{"rms", c.runs[r].rms},
+                             {"offset", c.runs[r].offset},
+                             {"share", number_or_null(c.runs[r].share)}};
+    }
+    columns[std::string(c.what->name)] = {
+        {"good", c.good}, {"missing", c.missing}, {"clipped", c.clipped}, {"runs", runs}};
+  }
+  for (const MeasuredFigure& f : run.figures) {
+    json runs = json::object();
+    for (std::size_t r = 0; r < f.runs.size(); ++r) runs[run.labels[r]] = f.runs[r];
+    figures[f.key] = {{"measured", f.measured}, {"bound", to_string(f.bound)}, {"runs", runs}};
+  }
+  return {{"file", run.file},         {"samples", run.samples},
+          {"interval", run.interval}, {"alignment", alignment_json(run.alignment)},
+          {"columns", columns},       {"figures", figures},
+          {"remarks", run.remarks}};
+}
+
+std::span<const ColumnMeaning> measured_keys() {
+  static const std::vector<ColumnMeaning> keys = make_measured_keys();
+  return keys;
+}
+
+std::string residual_unit(const Measurable& what) { return written_unit(what).unit; }
+
+std::string residual_text(const Measurable& what, double value) {
+  return short_number(value * written_unit(what).per_unit);
+}
+
+std::string share_text(const ColumnResidual& residual) {
+  return residual.share ? fmt::format("{:.3g} %", 100.0 * *residual.share) : std::string("–");
+}
+
+std::string measured_value(const MeasuredFigure& f) {
+  const char* sign = f.bound == Bound::kAtLeast ? "≥ " : f.bound == Bound::kAtMost ? "≤ " : "";
+  return sign + figure_value(f, f.measured);
+}
+
+std::string measured_table(const MeasuredRun& run) {
+  std::string text = wrapped("  measured: ", fmt::format("{}, {} samples, {} apart", run.file,
+                                                         run.samples, time_text(run.interval)));
+  text += wrapped("    ", alignment_text(run.alignment));
+  if (!run.figures.empty())
+    text += record_line("  at the record's samples", "measured", run.labels);
+  for (const MeasuredFigure& f : run.figures) {
+    std::vector<std::string> values;
+    for (const double value : f.runs) values.push_back(figure_value(f, value));
+    text += record_line("    " + figure_label(f), measured_value(f), values);
+  }
+  text += record_line("  record less run, rms", "", run.labels);
+  for (const ColumnFit& c : run.columns) {
+    std::vector<std::string> rms, shares;
+    for (const ColumnResidual& r : c.runs) {
+      rms.push_back(residual_text(*c.what, r.rms));
+      shares.push_back(share_text(r));
+    }
+    text += record_line(fmt::format("    {}, {}", c.what->name, residual_unit(*c.what)), "", rms);
+    text += record_line("      of its deviation", "", shares);
+  }
+  for (const std::string& remark : run.remarks) text += wrapped("    - ", remark);
+  return text;
+}
+
+}  // namespace rotorub

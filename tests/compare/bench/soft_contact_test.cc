@@ -1,0 +1,62 @@
+#include "compare/bench/soft_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mjcf/soft_contact.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub::bench {
+namespace {
+
+const Progress kQuiet = [](double, const std::string&) {};
+
+// A public benchmark of engines has it that MuJoCo's restitution cannot be set. The direct solref
+// sets it; the default does not.
+TEST(RestitutionLong, MujocoCanBeCalibrated) {
+  // Share of the approach speed: of a bounce of 300 steps, the last is whole.
+  constexpr double kCalibrated = 3e-3;
+  const auto rows = restitution_table(kQuiet, nullptr);
+  int calibrated = 0, defaults = 0;
+  for (const RestitutionRow& r : rows) {
+    ASSERT_EQ(r.failure, "") << r.engine;
+    if (r.setting == "K 1e6") {
+      // No damping makes it 0: see kMaxDampingRatio.
+      const double least = soft_restitution(kMaxDampingRatio);
+      EXPECT_NEAR(r.got, std::max(r.asked, least), kCalibrated) << r.engine << " " << r.asked;
+      ++calibrated;
+    } else if (r.setting == "default solref") {
+      EXPECT_NEAR(r.got, std::exp(-2.0), kCalibrated) << "whatever is asked, as " << r.asked;
+      ++defaults;
+    } else if (r.engine == "mujoco-rigid" || r.engine == "native-verlet") {
+      EXPECT_NEAR(r.got, r.asked, 1e-12) << r.engine;
+    }
+  }
+  EXPECT_EQ(calibrated, 22);
+  EXPECT_EQ(defaults, 11);
+}
+
+TEST(StabilityMapLong, HasACellForEveryStepStiffnessAndFriction) {
+  const std::string file = std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml";
+  const SceneReader reader = [&](const std::vector<std::string>& further) {
+    std::vector<std::string> all{"run.end=0.1"};
+    all.insert(all.end(), further.begin(), further.end());
+    return scene::read_scene(file, all);
+  };
+  const StabilityMap map = stability_map(reader, reader({}), kQuiet, nullptr);
+  ASSERT_EQ(map.frictions.size(), 3u);
+  EXPECT_EQ(map.cells.size(), 3u * map.steps.size() * (1 + 3 * map.stiffnesses.size()));
+  int cone_fine = 0;
+  for (const StabilityCell& c : map.cells) {
+    EXPECT_EQ(c.judgement.outcome == Outcome::kOk, c.judgement.reason.empty());
+    if (c.engine == "mujoco-rigid") {
+      EXPECT_EQ(c.judgement.outcome, Outcome::kOk) << c.step << " " << c.judgement.reason;
+    }
+    cone_fine += c.engine == "mujoco-cone" && c.judgement.outcome == Outcome::kOk ? 1 : 0;
+  }
+  EXPECT_EQ(cone_fine, 0) << "a rub that lasts chatters with the friction cone";
+}
+
+}  // namespace
+}  // namespace rotorub::bench
