@@ -10,6 +10,7 @@
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
+
 namespace {
 
 constexpr int kKinds = 3;
@@ -165,6 +166,20 @@ void keep_answer(int kind, const mjData* d, int id, mjtNum value) {
   const std::size_t at = static_cast<std::size_t>(kKinds * id + kind);
   pass.answers[at] = Answer::kFresh;
   pass.values[at] = value;
+}
+
+void update_smooth_force(const mjModel* m, mjData* d) {
+  compute_actuators(m, d);
+  const mjtNum* applied = d->xfrc_applied;
+  if (std::any_of(applied, applied + 6 * m->nbody, [](mjtNum f) { return f != 0.0; })) {
+    mj_fwdAcceleration(m, d);
+    return;
+  }
+  // The sum alone, without solving for the accelerations.
+  for (int i = 0; i < m->nv; ++i) {
+    const mjtNum actuator = actuator_count(m) > 0 ? d->qfrc_actuator[i] : 0.0;
+    d->qfrc_smooth[i] = d->qfrc_passive[i] - d->qfrc_bias[i] + d->qfrc_applied[i] + actuator;
+  }
 }
 
 }  // namespace rotorub::plugin

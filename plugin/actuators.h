@@ -43,4 +43,15 @@ void compare_actuators(const mjModel* m, const mjData* d);
 bool answer_given(int kind, const mjModel* m, const mjData* d, int id, mjtNum& value);
 void keep_answer(int kind, const mjData* d, int id, mjtNum value);
 
+// MuJoCo's generalised force without constraints, as it will be in the forward pass that is under
+// way: mjcb_control is called before it is summed up.
+
+// Brings d->qfrc_actuator up to date with ctrl; of qfrc_smooth and qacc_smooth, what smooth_force
+// needs.
+void update_smooth_force(const mjModel* m, mjData* d);
+
+// Of one degree of freedom: passive, bias, applied, actuators, and the bodies' xfrc_applied.
+// After update_smooth_force.
+inline double smooth_force(const mjData* d, int dof) { return d->qfrc_smooth[dof]; }
+
 }  // namespace rotorub::plugin

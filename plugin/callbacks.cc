@@ -4,7 +4,6 @@
 #include <atomic>
 
 #include "plugin/actuators.h"
-#include "plugin/links.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/passes.h"
 #include "plugin/places.h"

@@ -1,5 +1,5 @@
 #include "plugin/model_parameters.h"
-#include "plugin/chain_constraints.h"
+#include "plugin/generated_rotor.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
-#include "plugin/contact/axial_motion.h"
 #include "plugin/contact/constraint_probe.h"
+#include "plugin/contact/contact_memory.h"
 #include "plugin/contact/coupled_contacts.h"
-#include "plugin/contact/memory.h"
+#include "plugin/contact/relative_motion.h"
 #include "plugin/load_cells.h"
 #include "plugin/passes.h"
 

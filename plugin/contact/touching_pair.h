@@ -7,8 +7,8 @@
 
 #include "native_model/contact/kinematics.h"
 #include "plugin/config.h"
-#include "plugin/contact/axial_motion.h"
-#include "plugin/contact/body_space.h"
+#include "plugin/contact/contact_space.h"
+#include "plugin/contact/relative_motion.h"
 
 namespace rotorub::plugin {
 

@@ -7,7 +7,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "plugin/fingerprint.h"
+#include "plugin/config_cache.h"
 #include "plugin/hooks.h"
 #include "plugin/user_data.h"
 #include "tests/plugin/scenes.h"

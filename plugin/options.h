@@ -35,4 +35,9 @@ void refuse_sleep();     // mju_error
 void refuse_override();  // mju_error
 void refuse_silence();   // mju_error: neither mjcb_passive nor mjcb_control is called
 
+// What contact model `rigid` says of MuJoCo's fourth-order integrator.
+
+// mju_error for RK4: impulses are once a step, and its four stages are not.
+void refuse_runge_kutta();
+
 }  // namespace rotorub::plugin

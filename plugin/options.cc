@@ -1,8 +1,11 @@
-#include "plugin/skipped.h"
+#include "plugin/options.h"
 
 #include <algorithm>
 
+#include "plugin/mujoco_versions.h"
+
 namespace rotorub::plugin {
+
 namespace {
 
 // Stiffness and impedance of a row without either, once its reference is in `pos`.
@@ -66,6 +69,12 @@ void refuse_silence() {
   raise_error(
       "rotorub: <flag spring=\"disable\" damper=\"disable\" actuation=\"disable\"/>: MuJoCo then "
       "calls nothing that the contact could act in; accepted: one of them enabled");
+}
+
+void refuse_runge_kutta() {
+  raise_error(
+      "rotorub: <option integrator=\"RK4\">: contact model `rigid` gives its impulses once a step; "
+      "accepted: Euler, implicit (or contact model coulomb or cone)");
 }
 
 }  // namespace rotorub::plugin
