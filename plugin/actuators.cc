@@ -13,7 +13,11 @@ namespace rotorub::plugin {
 
 namespace {
 
-constexpr int kKinds = 3;
+constexpr int kKinds = 3;  // of ActuatorQuestion
+
+std::size_t place_of(ActuatorQuestion asked, int id) {
+  return static_cast<std::size_t>(kKinds * id + static_cast<int>(asked));
+}
 
 enum class Answer : char {
   kNone,
@@ -148,8 +152,9 @@ void compare_actuators(const mjModel* m, const mjData* d) {
   }
 }
 
-bool answer_given(int kind, const mjModel* m, const mjData* d, int id, mjtNum& value) {
-  const std::size_t at = static_cast<std::size_t>(kKinds * id + kind);
+bool answer_given(ActuatorQuestion asked, const mjModel* m, const mjData* d, int id,
+                  mjtNum& value) {
+  const std::size_t at = place_of(asked, id);
   if (pass.data != d || at >= pass.answers.size() || pass.answers[at] == Answer::kNone)
     return false;
   if (!pass.asking) {
@@ -161,9 +166,9 @@ bool answer_given(int kind, const mjModel* m, const mjData* d, int id, mjtNum& v
   return true;
 }
 
-void keep_answer(int kind, const mjData* d, int id, mjtNum value) {
+void keep_answer(ActuatorQuestion asked, const mjData* d, int id, mjtNum value) {
   if (!pass.asking || pass.data != d) return;
-  const std::size_t at = static_cast<std::size_t>(kKinds * id + kind);
+  const std::size_t at = place_of(asked, id);
   pass.answers[at] = Answer::kFresh;
   pass.values[at] = value;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "native_model/system/actuation.h"
+#include "plugin/actuators.h"
 #include "plugin/config.h"
 #include "plugin/generated_rotor.h"
 
@@ -33,9 +34,8 @@ Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mj
 //
 //   gain i + bias,   bias = F(s, 0),   gain = (F(s, i) - F(s, 0)) / i,
 //
-// F the law that the native model uses, s the actuator's length.
-
-// True for an actuator of ours whose force is F(s, i).
+// F the law that the native model uses, s the actuator's length. True for an actuator of ours whose
+// force is F(s, i).
 bool is_magnet(const Config& config, int actuator);
 
 // Current asked for, within MuJoCo's limits, A.
@@ -44,21 +44,9 @@ double asked_current(const mjModel* m, const mjData* d, int actuator);
 // Current of the coil, A.
 double coil_current(const mjModel* m, const mjData* d, int actuator);
 
-double magnet_gain(const Config& config, const mjModel* m, const mjData* d, int actuator);  // N/A
-double magnet_bias(const Config& config, const mjModel* m, const mjData* d, int actuator);  // N
-// d(activation)/dt of a lagging coil, A/s.
-double coil_rate(const Config& config, const mjModel* m, const mjData* d, int actuator);
-
-// Velocities at the time of the positions. MuJoCo's Euler step is semi-implicit,
-//   v_k = v_{k-1} + h a,   q_k = q_{k-1} + h v_k,
-// so its v_k is the velocity of half a step before t_k. A controller that weighs the gap rate
-// against a boundary layer sees the difference: in a whirl it is h/2 v_t^2 / delta. It is given
-//   v(t_k) = v_k + (v_k - v_{k-1}) / 2.
-
-// Notes the state's velocities for its time and writes v(t) (nq values) to `now`. Repeated calls at
-// one time give the same; without a step of the model's length before it, and for RK4, whose
-// velocities are not late, v(t) is the state's.
-void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
-                      double* now);
+// What MuJoCo asks of it: the gain, N/A, the bias, N, or the rate of a lagging coil's activation,
+// A/s.
+double magnet_answer(ActuatorQuestion asked, const Config& config, const mjModel* m,
+                     const mjData* d, int actuator);
 
 }  // namespace rotorub::plugin

@@ -156,6 +156,11 @@ std::string element(const mjModel* m, const char* tag, int type, int id, const c
   return "<" + std::string(tag) + " name=\"" + (name ? name : "") + "\"" + what + ">";
 }
 
+bool is_contact(const Config& config, int pair) {
+  return std::any_of(config.pairs.begin(), config.pairs.end(),
+                     [pair](const ContactPair& p) { return p.pair == pair; });
+}
+
 // The first one found, as `<joint name="x_1" limited>`; empty: none. Whether it is active or not.
 std::string added_constraint(const mjModel* m, const Config& config) {
   const Chain chain(m, config);
@@ -181,7 +186,7 @@ std::string added_constraint(const mjModel* m, const Config& config) {
   }
   for (int i = 0; i < m->npair; ++i) {
     const int a = m->pair_geom1[i], b = m->pair_geom2[i];
-    if (!collides_pairs(m) || i == config.pair) continue;
+    if (!collides_pairs(m) || is_contact(config, i)) continue;
     if (chain.has_geom(a) || chain.has_geom(b)) return element(m, "pair", mjOBJ_GEOM, a, "");
   }
   return {};
@@ -221,7 +226,7 @@ void choose_path(const mjModel* m, Config& config) {
   config.damping_added = damping_is_added(m, config);
   const std::string constraint = added_constraint(m, config);
   if (constraint.empty() && !config.damping_added) return;
-  config.general = true;
+  for (ContactPair& pair : config.pairs) pair.on_chain = false;
   config.verlet_data = -1;
   if (!config.model.coupled_mass()) return;
   const std::string added = constraint.empty() ? "what MuJoCo steps implicitly" : constraint;

@@ -67,8 +67,8 @@ void step_mass(const Config& config, const mjModel* m, double* diagonal);
 // the diagonal mass of `coulomb` know none of it; such a model takes the general path
 // (contact/pairs.h), of first order.
 
-// Sets config.general where anything can act on a body of the kinematic trees of rotor and ring,
-// and warns of what is left out then. `cone` is MuJoCo's own, and knows them.
+// Takes the contacts off the chain where anything can act on a body of the kinematic trees of rotor
+// and ring, and warns of what is left out then. `cone` is MuJoCo's own, and knows them.
 void choose_path(const mjModel* m, Config& config);
 
 // With `implicit` actuators whose force has a rate (servos), damped tendons, fluid; dampers of

@@ -5,34 +5,7 @@
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
-
 namespace {
-
-// Stiffness and impedance of a row without either, once its reference is in `pos`.
-constexpr double kOurs = 1.0;
-
-}  // namespace
-
-KeptReferences::KeptReferences(const mjModel* m, mjData* d)
-    : d_(d), room_(d), aref_(room_.numbers(d->nefc)), velocity_(room_.numbers(d->nefc)) {
-  for (int i = 0; i < d->nefc; ++i) {
-    const mjtNum* kbip = d->efc_KBIP + 4 * i;
-    if (kbip[0] == kOurs && kbip[2] == kOurs) d->efc_pos[i] = d->efc_margin[i];
-  }
-  mj_referenceConstraint(m, d);
-  std::copy_n(d->efc_aref, d->nefc, aref_);
-  std::copy_n(d->efc_vel, d->nefc, velocity_);
-}
-
-void KeptReferences::keep() {
-  for (int i = 0; i < d_->nefc; ++i) {
-    if (d_->efc_aref[i] == aref_[i]) continue;
-    mjtNum* kbip = d_->efc_KBIP + 4 * i;
-    if (kbip[0] * kbip[2] == 0.0) kbip[0] = kbip[2] = kOurs;
-    const double rest = d_->efc_aref[i] + kbip[1] * velocity_[i];
-    d_->efc_pos[i] = d_->efc_margin[i] - rest / (kbip[0] * kbip[2]);
-  }
-}
 
 bool may_fall_asleep(const Config& config, const mjModel* m) {
   if (!sleep_enabled(m)) return false;
@@ -46,35 +19,31 @@ bool may_fall_asleep(const Config& config, const mjModel* m) {
                      [m](int dof) { return dof >= 0 && tree_may_sleep(m, m->dof_bodyid[dof]); });
 }
 
-void refuse_sleep() {
-  raise_error(
-      "rotorub: <flag sleep=\"enable\"/>: rotor or ring would sleep under the plugin's loads; "
-      "accepted: sleep=\"never\" on the bodies that carry them, or \"disable\"");
+}  // namespace
+
+const char* refused_options(const Config& config, const mjModel* m) {
+  if (may_fall_asleep(config, m)) {
+    return "rotorub: <flag sleep=\"enable\"/>: rotor or ring would sleep under the plugin's loads; "
+           "accepted: sleep=\"never\" on the bodies that carry them, or \"disable\"";
+  }
+  if ((m->opt.enableflags & mjENBL_OVERRIDE) && config.has_soft()) {
+    return "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then takes o_margin, o_solref "
+           "and o_solimp of <option> for those of the rotor's <pair>, by which contact models "
+           "coulomb and cone are set; accepted: \"disable\", or contact model rigid";
+  }
+  return nullptr;
 }
 
-bool is_overridden(const Config& config, const mjModel* m) {
-  return (m->opt.enableflags & mjENBL_OVERRIDE) && config.has_soft();
+const char* refused_integrator(const Config& config, const mjModel* m) {
+  if (m->opt.integrator != mjINT_RK4 || !config.has_rigid()) return nullptr;
+  return "rotorub: <option integrator=\"RK4\">: contact model `rigid` gives its impulses once a "
+         "step; accepted: Euler, implicit (or contact model coulomb or cone)";
 }
 
-void refuse_override() {
-  raise_error(
-      "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then takes o_margin, o_solref and "
-      "o_solimp of <option> "
-      "for those of the rotor's <pair>, by which contact models coulomb and cone are set; "
-      "accepted: \"disable\", "
-      "or contact model rigid");
-}
-
-void refuse_silence() {
-  raise_error(
-      "rotorub: <flag spring=\"disable\" damper=\"disable\" actuation=\"disable\"/>: MuJoCo then "
-      "calls nothing that the contact could act in; accepted: one of them enabled");
-}
-
-void refuse_runge_kutta() {
-  raise_error(
-      "rotorub: <option integrator=\"RK4\">: contact model `rigid` gives its impulses once a step; "
-      "accepted: Euler, implicit (or contact model coulomb or cone)");
+const char* refused_silence(const mjModel* m) {
+  if (!passive_disabled(m) || !control_skipped(m)) return nullptr;
+  return "rotorub: <flag spring=\"disable\" damper=\"disable\" actuation=\"disable\"/>: MuJoCo "
+         "then calls nothing that the contact could act in; accepted: one of them enabled";
 }
 
 }  // namespace rotorub::plugin

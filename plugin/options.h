@@ -1,43 +1,24 @@
-// What MuJoCo of today leaves out of a step: mjcb_control where actuation is disabled, and what
-// sleeps.
+// MuJoCo's options and flags: which of them take a contact away, and which are refused.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
 #include "plugin/config.h"
-#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 
-// References of constraints that are changed before MuJoCo computes them,
-//   aref = -B vel - K I (pos - margin),
-// which it does after mjcb_passive. The constructor computes them; keep() makes MuJoCo find what
-// they were changed to since, by the rows' `pos`. May be done again in the same pass.
-class KeptReferences {
- public:
-  KeptReferences(const mjModel* m, mjData* d);
-  void keep();
+// False under mjDSBL_CONTACT or mjDSBL_CONSTRAINT: then `rigid` has none either.
+inline bool contact_enabled(const mjModel* m) {
+  return (m->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT)) == 0;
+}
 
- private:
-  mjData* d_;
-  StackFrame room_;
-  mjtNum *aref_, *velocity_;  // as MuJoCo has them
-};
-
-// True where MuJoCo may put the rotor or the ring to sleep (<flag sleep="enable">): it does not
-// wake for the plugin's loads.
-bool may_fall_asleep(const Config& config, const mjModel* m);
-
-// True where MuJoCo's solver takes <option>'s numbers for those of a contact that it solves for us.
-bool is_overridden(const Config& config, const mjModel* m);
-
-void refuse_sleep();     // mju_error
-void refuse_override();  // mju_error
-void refuse_silence();   // mju_error: neither mjcb_passive nor mjcb_control is called
-
-// What contact model `rigid` says of MuJoCo's fourth-order integrator.
-
-// mju_error for RK4: impulses are once a step, and its four stages are not.
-void refuse_runge_kutta();
+// Null, or the mju_error for options under which no pass is right: rotor or ring may be put to
+// sleep, from which the plugin's loads do not wake it, or MuJoCo's solver takes <option>'s numbers
+// for those of a contact that it solves for us.
+const char* refused_options(const Config& config, const mjModel* m);
+// Where the contact acts: null, or that impulses are once a step, and RK4's four stages are not.
+const char* refused_integrator(const Config& config, const mjModel* m);
+// Of newer MuJoCo: null, or that neither mjcb_passive nor mjcb_control is called.
+const char* refused_silence(const mjModel* m);
 
 }  // namespace rotorub::plugin

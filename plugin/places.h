@@ -83,6 +83,7 @@ class Place {
   // Who stands in front has called us before, and now has not: it is never let in front again. True
   // where it was so.
   bool distrust() {
+    if (!fronted()) return false;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       const Function there = std::atomic_ref(*global_).load();
@@ -91,12 +92,6 @@ class Place {
       chains_ = nullptr;
     }
     return take();
-  }
-
-  // True where who stands in front is not ours: it calls us.
-  bool fronted() const {
-    const Function there = expected_.load(std::memory_order_acquire);
-    return there && index_of(there) < 0;
   }
 
   // Where a link of ours is in the place, what it calls first goes back there. Others stay.
@@ -111,6 +106,11 @@ class Place {
   }
 
  private:
+  // True where who stands in front is not ours: it calls us.
+  bool fronted() const {
+    const Function there = expected_.load(std::memory_order_acquire);
+    return there && index_of(there) < 0;
+  }
   int index_of(Function f) const {
     for (int i = 0; i < kLinks; ++i) {
       if (links_[i] == f) return i;
@@ -238,18 +238,17 @@ template <auto& kPlace, auto kWork>
 using Links = LinksOf<typename std::remove_reference_t<decltype(kPlace)>::Type, kPlace, kWork>;
 
 // kWork(m, d, id, value) says true where the value is ours; else what was there gives it, or it is
-// kDefault.
-// kKind: of actuators.h. Ours stays in front, so that what it calls is asked once a pass.
-template <auto& kPlace, auto kWork, int kDefault, int kKind>
+// MuJoCo's: a gain of 1, and 0. Ours stays in front, so that what it calls is asked once a pass.
+template <auto& kPlace, auto kWork, ActuatorQuestion kAsked>
 struct Givers {
   static inline thread_local constinit LinkCall call;
 
   template <int K>
   static mjtNum link(const mjModel* m, const mjData* d, int id) {
-    mjtNum value = kDefault;
+    mjtNum value = kAsked == ActuatorQuestion::kGain ? 1.0 : 0.0;
     if (kWork(m, d, id, value)) return value;
     const mjfAct previous = kPlace.previous(K);
-    if (!previous || answer_given(kKind, m, d, id, value)) return value;
+    if (!previous || answer_given(kAsked, m, d, id, value)) return value;
     if (!kPlace.layered()) {
       value = previous(m, d, id);
     } else {
@@ -257,7 +256,7 @@ struct Givers {
       if (scope.again()) return value;
       scope.reaches([&] { value = previous(m, d, id); });
     }
-    keep_answer(kKind, d, id, value);
+    keep_answer(kAsked, d, id, value);
     return value;
   }
   static constexpr LinkTable<mjfAct> kTable = make_links<Givers, mjfAct>();

@@ -26,14 +26,9 @@ void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d);
 // a stage to 0 before it calls mjcb_sensor.
 void fill_late_sensors(const Config& config, const mjModel* m, mjData* d);
 
-// Where our user sensors are in mjData.sensordata. contact_sensors (config.h) finds those of one
-// contact.
-
-// Address of the user sensor of that name; -1: taken out, or another's. Throws ConfigError for
-// another size.
+// Where our user sensors are in mjData.sensordata; contact_sensors (config.h) finds those of one
+// contact. Address of the user sensor of that name; -1: taken out, or another's. Throws ConfigError
+// for another size.
 int sensor_address(const mjModel* m, const std::string& name, int dim);
-
-// All of a generated model but its shadow's. Throws ConfigError.
-SensorAddresses scene_sensors(const mjModel* m);
 
 }  // namespace rotorub::plugin

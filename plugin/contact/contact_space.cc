@@ -203,4 +203,28 @@ void ChainSpace::add_side_acceleration(const Eigen::Vector3d& normal,
   }
 }
 
+Eigen::Vector3d ContactRows::column(Eigen::Index k) const {
+  if (k == 2) return axial_column(e_r, radius);
+  return contact_load(e_r, radius, k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0);
+}
+
+ContactMatrix contact_matrix(std::span<const ContactRows* const> contacts, Eigen::Index rows,
+                             bool impact) {
+  const auto first = [rows](std::size_t i) { return rows * static_cast<Eigen::Index>(i); };
+  ContactMatrix a = ContactMatrix::Zero(first(contacts.size()), first(contacts.size()));
+  for (std::size_t j = 0; j < contacts.size(); ++j) {
+    for (Eigen::Index k = 0; k < (contacts[j]->axial ? rows : 2); ++k) {
+      const ContactSpace& from = contacts[j]->space(k);
+      const Eigen::Vector3d load = contacts[j]->column(k);
+      const auto answer = [&](const ContactSpace& at) -> Eigen::Vector3d {
+        return (impact ? at.admittance(from) : at.flexibility(from)) * load;
+      };
+      for (std::size_t i = 0; i < contacts.size(); ++i) {
+        a.col(first(j) + k).segment(first(i), rows) = contacts[i]->along(answer).head(rows);
+      }
+    }
+  }
+  return 0.5 * (a + a.transpose());
+}
+
 }  // namespace rotorub::plugin

@@ -1,4 +1,6 @@
-// Whether rotor and ring move against each other along the ring's axis. Then the contact slips in
+// How a rotor and its ring can move against each other, and do.
+//
+// Where they move against each other along the ring's axis, the contact slips in
 // two directions, along the ring's circle and along its axis,
 //   gdot_Z = z' + r (e_r,y omega_x - e_r,x omega_y),
 // z' of the rotor's centre against the point of the ring's axis beside it, omega the tilt rate of
@@ -24,28 +26,21 @@ namespace rotorub::plugin {
 // of more than a clearance where it is a hinge. Looked at in qpos0.
 bool slides_along_axis(const mjModel* m, const ContactPair& pair);
 
-// W_Z in the space of BodyRows::kAxis: gdot_Z of its rates, and the load of a friction of 1 along
-// the axis.
-inline Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius) {
-  return {1.0, radius * e_r.y(), -radius * e_r.x()};
-}
-
 // The axis of a round rotor (cylinder, capsule; other shapes have none) is tilted from its ring's
 // by 60 degrees or more in qpos0: it lies in it as no disc does.
 bool lies_across(const mjModel* m, const ContactPair& pair);
 
-// Whether the rotor can come to the ring within the step at all: a bound that needs neither
-// Jacobians nor the contact's own matrix. Nearly every step of a flight ends here.
-
 // Rates of the rotor's centre seen from the ring, (relative x, relative y, spin) as in
-// body_space.h: J qvel, from MuJoCo's body velocities. After its velocity stage.
+// a BodySpace: J qvel, from MuJoCo's body velocities. After its velocity stage.
 Eigen::Vector3d rates_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
                          const mjData* d);
 // Gap, rates and slip of the state.
 ContactPoint contact_point_of(const ContactPair& pair, const mjModel* m, const mjData* d);
 
-// The bound for the contacts of a pass, one after the other; what loads and constraints can change
-// is found once, where one of them asks. After update_smooth_force.
+// Whether the rotor can come to the ring within the step at all: a bound that needs neither
+// Jacobians nor the contact's own matrix. Nearly every step of a flight ends here. For the contacts
+// of a pass, one after the other; what loads and constraints can change is found once, where one of
+// them asks. After update_smooth_force.
 class Reach {
  public:
   Reach(const mjModel* m, mjData* d) : m_(m), d_(d) {}

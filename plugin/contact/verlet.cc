@@ -17,7 +17,7 @@
 #include "plugin/generated_rotor.h"
 #include "plugin/load_cells.h"
 #include "plugin/mujoco_versions.h"
-#include "plugin/passes.h"
+#include "plugin/options.h"
 #include "plugin/thread_memory.h"
 #include "plugin/user_data.h"
 

@@ -103,7 +103,7 @@ ContactPair make_pair(const mjModel* m, const PairName& name) {
   p.reach = half_length(m, p.rotor_geom, 0.0) + (own_number(m, name.of(names::kOwnWidth))
                                                      ? 0.5 * number(names::kOwnWidth, 0.0, kLength)
                                                      : half_length(m, p.ring_geom, 1e300));
-  p.given = own_numbers(m, p);
+  p.read = own_numbers(m, p);
   p.sensors = contact_sensors(m, name.prefix, name.suffix);
   p.axial = slides_along_axis(m, p);
   check_pair(m, name, p);
@@ -164,13 +164,8 @@ void map_own_contacts(const mjModel* m, Config& config) {
   }
   config.corrected_pairs = corrected_pairs(m);
   if (!config.pairs.empty()) {
-    // The first's axes are those of a twin (plugin/twin).
-    const ContactPair& first = config.pairs.front();
-    config.model.first().contact = first.contact;
-    config.contact = first.law;
-    config.rotor_geom = first.rotor_geom;
-    config.ring_geom = first.ring_geom;
-    config.pair = first.pair;
+    config.model.first().contact = config.pairs.front().contact;
+    config.contact = config.pairs.front().law;
   }
   if (config.pairs.size() > kMaxContacts) {
     refuse("<custom>", message("{} contacts; accepted: up to {} in a model",

@@ -31,7 +31,7 @@ namespace rotorub::plugin {
 // Throws ConfigError.
 void map_own_contacts(const mjModel* m, Config& config);
 
-// ContactPair::given of now: what a contact takes from them, or was held against, changes with
+// ContactPair::read of now: what a contact takes from them, or was held against, changes with
 // them.
 std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair);
 // Whether rotors and rings of m, of the config's fingerprint, move along their axes as in the

@@ -19,7 +19,7 @@ Probe::Probe(const mjModel* m, const Config& config, const mjData* start)
   std::copy_n(start->ctrl, m->nu, d_->ctrl);
   std::copy_n(start->act, m->na, d_->act);
   pose(VectorXd::Zero(m->nv));
-  const mjtNum* axes = d_->geom_xmat + 9 * config.ring_geom;
+  const mjtNum* axes = d_->geom_xmat + 9 * config.pairs.front().ring_geom;
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) axes_(i, k) = axes[3 * k + i];
   }
