@@ -10,9 +10,14 @@
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
+
 namespace {
 
-constexpr int kKinds = 3;
+constexpr int kKinds = 3;  // of ActuatorQuestion
+
+std::size_t place_of(ActuatorQuestion asked, int id) {
+  return static_cast<std::size_t>(kKinds * id + static_cast<int>(asked));
+}
 
 enum class Answer : char {
   kNone,
@@ -147,8 +152,9 @@ void compare_actuators(const mjModel* m, const mjData* d) {
   }
 }
 
-bool answer_given(int kind, const mjModel* m, const mjData* d, int id, mjtNum& value) {
-  const std::size_t at = static_cast<std::size_t>(kKinds * id + kind);
+bool answer_given(ActuatorQuestion asked, const mjModel* m, const mjData* d, int id,
+                  mjtNum& value) {
+  const std::size_t at = place_of(asked, id);
   if (pass.data != d || at >= pass.answers.size() || pass.answers[at] == Answer::kNone)
     return false;
   if (!pass.asking) {
@@ -160,11 +166,25 @@ bool answer_given(int kind, const mjModel* m, const mjData* d, int id, mjtNum& v
   return true;
 }
 
-void keep_answer(int kind, const mjData* d, int id, mjtNum value) {
+void keep_answer(ActuatorQuestion asked, const mjData* d, int id, mjtNum value) {
   if (!pass.asking || pass.data != d) return;
-  const std::size_t at = static_cast<std::size_t>(kKinds * id + kind);
+  const std::size_t at = place_of(asked, id);
   pass.answers[at] = Answer::kFresh;
   pass.values[at] = value;
+}
+
+void update_smooth_force(const mjModel* m, mjData* d) {
+  compute_actuators(m, d);
+  const mjtNum* applied = d->xfrc_applied;
+  if (std::any_of(applied, applied + 6 * m->nbody, [](mjtNum f) { return f != 0.0; })) {
+    mj_fwdAcceleration(m, d);
+    return;
+  }
+  // The sum alone, without solving for the accelerations.
+  for (int i = 0; i < m->nv; ++i) {
+    const mjtNum actuator = actuator_count(m) > 0 ? d->qfrc_actuator[i] : 0.0;
+    d->qfrc_smooth[i] = d->qfrc_passive[i] - d->qfrc_bias[i] + d->qfrc_applied[i] + actuator;
+  }
 }
 
 }  // namespace rotorub::plugin

@@ -11,6 +11,9 @@
 
 namespace rotorub::plugin {
 
+// What MuJoCo asks of an actuator: mjcb_act_gain, mjcb_act_bias, mjcb_act_dyn.
+enum class ActuatorQuestion : int { kGain, kBias, kRate };
+
 // A pass begins: mjcb_control of d.
 void begin_actuators(const mjData* d);
 
@@ -38,9 +41,13 @@ void expect_to_stand_before();
 // After MuJoCo's: warns once of an engine plugin that gave another force than to us.
 void compare_actuators(const mjModel* m, const mjData* d);
 
-// The answer of a callback of others: `kind` 0 to 2, one for each of the three.
-// given: true where there is one.
-bool answer_given(int kind, const mjModel* m, const mjData* d, int id, mjtNum& value);
-void keep_answer(int kind, const mjData* d, int id, mjtNum value);
+// The answer of a callback of others; given: true where there is one.
+bool answer_given(ActuatorQuestion asked, const mjModel* m, const mjData* d, int id, mjtNum& value);
+void keep_answer(ActuatorQuestion asked, const mjData* d, int id, mjtNum value);
+
+// Of MuJoCo's generalised force without constraints, as it will be in the forward pass that is
+// under way (mjcb_control is called before it is summed up): brings d->qfrc_actuator up to date
+// with ctrl, and d->qfrc_smooth.
+void update_smooth_force(const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

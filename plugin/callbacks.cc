@@ -2,9 +2,9 @@
 
 #include <array>
 #include <atomic>
+#include <utility>
 
 #include "plugin/actuators.h"
-#include "plugin/links.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/passes.h"
 #include "plugin/places.h"
@@ -30,14 +30,9 @@ void sensor(const mjModel* m, mjData* d, int stage) {
   if (callbacks_active()) sensor_pass(m, d, stage);
 }
 // Others' actuators have what MuJoCo gives without a callback, or what was installed before us.
-bool gain(const mjModel* m, const mjData* d, int id, mjtNum& value) {
-  return callbacks_active() && magnet_gain_of(m, d, id, value);
-}
-bool bias(const mjModel* m, const mjData* d, int id, mjtNum& value) {
-  return callbacks_active() && magnet_bias_of(m, d, id, value);
-}
-bool rate(const mjModel* m, const mjData* d, int id, mjtNum& value) {
-  return callbacks_active() && coil_rate_of(m, d, id, value);
+template <ActuatorQuestion kAsked>
+bool answer(const mjModel* m, const mjData* d, int id, mjtNum& value) {
+  return callbacks_active() && magnet_answers(kAsked, m, d, id, value);
 }
 
 // Action(place, links) for each of the callbacks.
@@ -46,9 +41,10 @@ void for_each_callback(Action action) {
   action(passive_place, Links<passive_place, passive>::kTable);
   action(control_place, Links<control_place, control>::kTable);
   action(sensor_place, Links<sensor_place, sensor>::kTable);
-  action(gain_place, Givers<gain_place, gain, 1, 0>::kTable);
-  action(bias_place, Givers<bias_place, bias, 0, 1>::kTable);
-  action(rate_place, Givers<rate_place, rate, 0, 2>::kTable);
+  using enum ActuatorQuestion;
+  action(gain_place, Givers<gain_place, answer<kGain>, kGain>::kTable);
+  action(bias_place, Givers<bias_place, answer<kBias>, kBias>::kTable);
+  action(rate_place, Givers<rate_place, answer<kRate>, kRate>::kTable);
 }
 
 // MuJoCo's table is of ordered types. Those of a scene are a sphere and a capsule, those of a
@@ -139,20 +135,16 @@ void keep_control() {
 }
 
 bool collision_was_lost(const Config& config, const mjModel* m) {
-  const auto keep = [m](int rotor_geom, int ring_geom) {
-    Place<mjfCollision>& place = collision_place(m, rotor_geom, ring_geom);
+  for (const ContactPair& pair : config.pairs) {
+    Place<mjfCollision>& place = collision_place(m, pair.rotor_geom, pair.ring_geom);
     if (!place.held() && place.take()) ++collisions_taken;
-  };
-  for (const ContactPair& pair : config.pairs) keep(pair.rotor_geom, pair.ring_geom);
+  }
   const int taken = collisions_taken.load(std::memory_order_acquire);
-  if (taken == 0) return false;
   static thread_local constinit int known = 0;
-  if (known == taken) return false;
-  known = taken;
-  return true;
+  return std::exchange(known, taken) != taken;
 }
 
-bool distrust_control() { return control_place.fronted() && control_place.distrust(); }
-bool distrust_passive() { return passive_place.fronted() && passive_place.distrust(); }
+bool distrust_control() { return control_place.distrust(); }
+bool distrust_passive() { return passive_place.distrust(); }
 
 }  // namespace rotorub::plugin

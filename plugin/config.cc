@@ -11,17 +11,17 @@
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/model_checks.h"
-#include "plugin/chain_constraints.h"
+#include "plugin/config_cache.h"
 #include "plugin/contact/verlet.h"
-#include "plugin/fingerprint.h"
+#include "plugin/generated_rotor.h"
 #include "plugin/load_cells.h"
 #include "plugin/message.h"
 #include "plugin/model_parameters.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/own/own_config.h"
 #include "plugin/own/own_names.h"
-#include "plugin/sensor_addresses.h"
-#include "plugin/shadow_config.h"
+#include "plugin/sensors.h"
+#include "plugin/shadow.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -89,44 +89,44 @@ void map_joints(const mjModel* m, Config& config) {
   }
 }
 
-// The geoms of a contact and their pair.
-struct Ends {
-  int rotor_geom, ring_geom, pair;
-};
-Ends find_contact_ends(const mjModel* m, std::size_t k) {
+// The k-th contact; data: in mjData.userdata.
+ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, int data) {
   const std::string rotor = names::of_bearing(k, names::kRotorContact);
   const std::string ring = names::of_bearing(k, names::kRingContact);
-  Ends ends{required(m, mjOBJ_GEOM, "geom", rotor), required(m, mjOBJ_GEOM, "geom", ring), -1};
-  const auto check = [&](int geom, const std::string& name, int type, const char* accepted) {
-    if (m->geom_type[geom] == type) return;
-    refuse(message("<geom name=\"{}\">", name), message("accepted type: {}", accepted));
+  const auto geom = [m](const std::string& name, int type, const char* accepted) {
+    const int id = required(m, mjOBJ_GEOM, "geom", name);
+    if (m->geom_type[id] != type) {
+      refuse(message("<geom name=\"{}\">", name), message("accepted type: {}", accepted));
+    }
+    return id;
   };
-  check(ends.rotor_geom, rotor, mjGEOM_SPHERE, "sphere");
-  check(ends.ring_geom, ring, mjGEOM_CAPSULE, "capsule");
-  ends.pair = find_pair(m, ends.rotor_geom, ends.ring_geom);
-  if (ends.pair < 0) {
+  ContactPair p;
+  p.law = config.contact;
+  p.contact = p.given = *config.model.auxiliary[k].contact;
+  p.rotor_geom = geom(rotor, mjGEOM_SPHERE, "sphere");
+  p.ring_geom = geom(ring, mjGEOM_CAPSULE, "capsule");
+  p.pair = find_pair(m, p.rotor_geom, p.ring_geom);
+  if (p.pair < 0) {
     refuse(message("<contact><pair geom1=\"{}\" geom2=\"{}\">", rotor, ring),
            "missing, but the scene in <custom> has a contact");
   }
-  return ends;
+  p.data = data;
+  p.sensors = contact_sensors(m, {}, names::of_bearing(k, {}));
+  if (const mjtNum* reference = own_number(m, names::kOwnFrictionReference)) {
+    p.friction_reference = *reference;
+  }
+  p.in_world = true;
+  p.on_chain = !config.segments;
+  p.held_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
+  return p;
 }
 
-// data: in mjData.userdata, of what the further contacts remember.
-void map_contacts(const mjModel* m, Config& config, int data) {
-  const Ends first = find_contact_ends(m, 0);
-  config.rotor_geom = first.rotor_geom;
-  config.ring_geom = first.ring_geom;
-  config.pair = first.pair;
-  for (std::size_t k = 1; k < config.model.auxiliary.size(); ++k) {
-    const Ends ends = find_contact_ends(m, k);
-    FurtherContact& c = config.further.emplace_back();
-    c.rotor_geom = ends.rotor_geom;
-    c.ring_geom = ends.ring_geom;
-    c.pair = ends.pair;
-    c.scene = *config.model.auxiliary[k].contact;
+// further: in mjData.userdata, of what the contacts beyond the first remember.
+void map_contacts(const mjModel* m, Config& config, int further) {
+  for (std::size_t k = 0; k < config.model.auxiliary.size(); ++k) {
     // Entry e of a pair stands at data + e (user_data.h).
-    c.data = data + kPairEntries * static_cast<int>(k - 1) - kFrictionForce;
-    c.sensors = contact_sensors(m, {}, names::of_bearing(k, {}));
+    const int data = k == 0 ? 0 : further + kPairEntries * static_cast<int>(k - 1) - kFrictionForce;
+    config.pairs.push_back(map_contact(m, config, k, data));
   }
 }
 
@@ -156,31 +156,92 @@ double next_id() {
   return 1.0 + count.fetch_add(1);
 }
 
-// The contacts of a generated model; the first one's sensors are the config's.
-std::vector<ContactPair> generated_pairs(const Config& config) {
-  if (!config.model.first().contact) return {};
-  ContactPair p;
-  p.law = config.contact;
-  p.contact = *config.model.first().contact;
-  p.rotor_geom = config.rotor_geom;
-  p.ring_geom = config.ring_geom;
-  p.pair = config.pair;
-  p.in_world = true;
-  p.on_chain = !config.segments && !config.general;
-  p.friction_reference = config.friction_reference;
-  p.held_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
-  std::vector<ContactPair> all{p};
-  for (std::size_t k = 0; k < config.further.size(); ++k) {
-    const FurtherContact& c = config.further[k];
-    ContactPair& q = all.emplace_back(p);
-    q.contact = *config.model.auxiliary[k + 1].contact;
-    q.rotor_geom = c.rotor_geom;
-    q.ring_geom = c.ring_geom;
-    q.pair = c.pair;
-    q.data = c.data;
-    q.sensors = c.sensors;
+// What the scene's own code throws, as a refusal of its text.
+template <typename Read>
+void read_scene(Read read) {
+  try {
+    read();
+  } catch (const ConfigError&) {
+    throw;
+  } catch (const std::exception& error) {
+    refuse(text_element(names::kSceneText), error.what());
   }
-  return all;
+}
+
+// Where the memories of the plugin's parts are in mjData.userdata; returns that of the contacts
+// beyond the first.
+int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
+  const ControlLoop* controller = config.model.first().loop.get();
+  const std::size_t loop = controller ? controller->memory_size() : 0;
+  int needed =
+      names::user_data_size(config.model.nq(), config.model.first().controller != nullptr, loop);
+  config.loop_data = needed - static_cast<int>(loop);
+  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
+    config.verlet_data = needed;
+    needed += verlet_data_size(config.model);
+  }
+  if (config.shadow) {
+    config.shadow->data = needed;
+    needed += names::shadow_data_size(ZeroOrderHold::memory_size(config.shadow->model),
+                                      MidpointStepper::memory_size(config.shadow->model));
+  }
+  const int further = needed;
+  needed += kPairEntries * static_cast<int>(scene.auxiliary.size() - 1);
+  if (m->nuserdata < needed) {
+    refuse("<size nuserdata>", message("at least {} needed", needed));
+  }
+  return further;
+}
+
+// The impacts of `rigid` that take time are those of the native step alone.
+void check_impacts(const scene::Scene& scene, const Config& config) {
+  if (config.contact != scene::ContactModel::kRigid) return;
+  const bool lags = config.model.first().magnets && config.model.first().magnets->coil_lag > 0.0;
+  const bool native = config.takes_native_steps() && !config.shadow && !lags;
+  read_scene([&] {
+    refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
+  });
+}
+
+Config own_config(const mjModel* m) {
+  Config config;
+  map_own_contacts(m, config);
+  return config;
+}
+
+Config generated_config(const mjModel* m) {
+  refuse_own_names(m);
+  Config config;
+  scene::Scene scene;
+  read_scene([&] {
+    scene = scene::parse_scene(scene_text(m), names::kSceneText);
+    refuse_several_in_mujoco(scene);
+    const Model whole = make_model(scene);
+    config.model = without_coils(whole);
+    if (scene.mujoco.shadow) {
+      config.shadow.emplace().model = whole.first().controller ? whole : with_ideal_actuator(whole);
+    }
+  });
+  const int further = map_memory(m, scene, config);
+  if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
+    read_scene([&] { map_segments(m, scene, config); });
+  } else {
+    map_joints(m, config);
+  }
+  if (scene.first().contact) {
+    config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
+    map_contacts(m, config, further);
+    if (!config.segments) choose_path(m, config);
+    if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);
+    check_impacts(scene, config);
+  }
+  map_actuators(m, config);
+  config.active = sensor_address(m, names::kActive, 1);
+  config.control_force = sensor_address(m, names::kControlForce, 2);
+  config.current = sensor_address(m, names::kCurrent, 2);
+  map_structure(m, config);
+  take_parameters(m, config);
+  return config;
 }
 
 }  // namespace
@@ -225,82 +286,9 @@ bool is_ours(const mjModel* m) { return scene_text(m) || has_own_names(m); }
 const char* scene_text(const mjModel* m) { return custom_text(m, names::kSceneText); }
 
 Config make_config(const mjModel* m) {
-  Config config;
-  if (!scene_text(m)) {
-    map_own_contacts(m, config);
-    map_load_cells(m, config);
-    config.fingerprint = fingerprint(m);
-    config.id = next_id();
-    return config;
-  }
-  refuse_own_names(m);
-  scene::Scene scene;
-  try {
-    scene = scene::parse_scene(scene_text(m), names::kSceneText);
-    refuse_several_in_mujoco(scene);
-    const Model whole = make_model(scene);
-    config.model = without_coils(whole);
-    if (scene.mujoco.shadow) {
-      config.shadow.emplace().model = whole.first().controller ? whole : with_ideal_actuator(whole);
-    }
-  } catch (const std::exception& error) {
-    refuse(text_element(names::kSceneText), error.what());
-  }
-  const std::size_t loop = config.model.first().loop ? config.model.first().loop->memory_size() : 0;
-  int needed =
-      names::user_data_size(config.model.nq(), config.model.first().controller != nullptr, loop);
-  config.loop_data = needed - static_cast<int>(loop);
-  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
-    config.verlet_data = needed;
-    needed += verlet_data_size(config.model);
-  }
-  if (config.shadow) {
-    config.shadow->data = needed;
-    needed += names::shadow_data_size(ZeroOrderHold::memory_size(config.shadow->model),
-                                      MidpointStepper::memory_size(config.shadow->model));
-  }
-  const int further_data = needed;
-  needed += kPairEntries * static_cast<int>(scene.auxiliary.size() - 1);
-  if (m->nuserdata < needed) {
-    refuse("<size nuserdata>", message("at least {} needed", needed));
-  }
-  if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
-    try {
-      map_segments(m, scene, config);
-    } catch (const scene::SceneError& error) {
-      refuse(text_element(names::kSceneText), error.what());
-    }
-  } else {
-    map_joints(m, config);
-  }
-  if (scene.first().contact) {
-    config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
-    if (const mjtNum* given = own_number(m, names::kOwnFrictionReference))
-      config.friction_reference = *given;
-    map_contacts(m, config, further_data);
-    if (!config.segments) choose_path(m, config);
-    if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);
-    try {
-      if (config.contact == scene::ContactModel::kRigid) {
-        const bool lags =
-            config.model.first().magnets && config.model.first().magnets->coil_lag > 0.0;
-        const bool native = config.takes_native_steps() && !config.shadow && !lags;
-        refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
-      }
-    } catch (const scene::SceneError& error) {
-      refuse(text_element(names::kSceneText), error.what());
-    }
-  }
-  map_actuators(m, config);
-  config.sensors = scene_sensors(m);
-  map_structure(m, config);
-  take_parameters(m, config);
-  config.pairs = generated_pairs(config);
+  Config config = scene_text(m) ? generated_config(m) : own_config(m);
   map_load_cells(m, config);
-  if (config.shadow) {
-    map_shadow(m, *config.shadow);
-    config.shadow->mark = mark_of(config.shadow->model);
-  }
+  if (config.shadow) map_shadow(m, *config.shadow);
   config.fingerprint = fingerprint(m);
   config.id = next_id();
   return config;
@@ -310,8 +298,6 @@ Config with_parameters(const Config& config, const mjModel* m) {
   if (config.own || damping_is_added(m, config) != config.damping_added) return make_config(m);
   Config other = config;
   take_parameters(m, other);
-  if (other.shadow) other.shadow->mark = mark_of(other.shadow->model);
-  other.pairs = generated_pairs(other);
   other.id = next_id();
   return other;
 }

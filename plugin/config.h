@@ -22,10 +22,10 @@ struct ScaledSensor {
   int reference = -1;  // in mjModel.sensor_user
 };
 
-// Addresses in mjData.sensordata; -1: the model has no such sensor.
+// Of one contact, in mjData.sensordata; -1: the model has no such sensor.
 struct SensorAddresses {
   int active = -1, gap = -1, gap_rate = -1, slip = -1;
-  int normal_force = -1, friction_force = -1, control_force = -1, current = -1;
+  int normal_force = -1, friction_force = -1;
   int gap_scaled = -1;  // of the clearance
   ScaledSensor normal_force_scaled, friction_force_scaled;
   // Asked for at another stage than that which MuJoCo has them at: told in mjcb_control.
@@ -37,19 +37,24 @@ struct ContactPair {
   scene::ContactModel law = scene::ContactModel::kRigid;
   ContactParameters contact{};
   int rotor_geom = -1, ring_geom = -1;
-  int pair = -1;         // their <pair>
-  double reach = 1e300;  // m: apart along the axis, they do not meet
-  std::array<mjtNum, 8>
-      given{};   // sizes of the two geoms, m, and the pair's frictions, as they were read
-  int data = 0;  // in mjData.userdata (user_data.h)
+  int pair = -1;  // their <pair>
+  int data = 0;   // in mjData.userdata (user_data.h)
   SensorAddresses sensors;
-  bool axial =
-      false;  // with friction, and one moves along the other's axis (contact/axial_motion.h)
-  bool in_world = false;  // the contact plane is the world's x and y, not that of the ring's geom
-  bool on_chain =
-      false;  // solved in the coordinates of the modal chain (contact/chain_space.h), not of bodies
-  double held_spin = 0.0;           // rad/s, of a rotor whose spin is no degree of freedom
   double friction_reference = 0.0;  // 1/s, B_t of contact model cone; 0: MuJoCo's
+
+  // Of a generated model. Contacts of the modal chain are solved in its own coordinates unless a
+  // user's constraints hold its bodies as well (generated_rotor.h).
+  bool on_chain = false;    // a ChainSpace (contact/contact_space.h); else a BodySpace
+  bool in_world = false;    // the contact plane is the world's x and y, not that of the ring's geom
+  double held_spin = 0.0;   // rad/s, of a rotor whose spin is no degree of freedom
+  ContactParameters given;  // by the scene, whose geoms draw it: "rotor" and "ring",
+  int rotor_shape = -1, ring_shape = -1;  // -1 where they are taken out
+
+  // Of a user's own model.
+  double reach = 1e300;          // m: apart along the axis, they do not meet
+  bool axial = false;            // with friction, and one moves along the other's axis
+                                 // (contact/relative_motion.h)
+  std::array<mjtNum, 8> read{};  // sizes of the two geoms, m, and the pair's frictions
 };
 
 // The native model that runs alongside (shadow.h). -1: no such sensor or ghost.
@@ -65,15 +70,6 @@ struct ShadowConfig {
   int ghost_rotor = -1, ghost_ring = -1;                 // in mjData.mocap_pos
 };
 
-// Where a further contact of a generated model stands, and what the scene says of it.
-struct FurtherContact {
-  int rotor_geom = -1, ring_geom = -1, pair = -1;
-  int rotor_shape = -1, ring_shape = -1;  // as Config's
-  ContactParameters scene{};
-  int data = 0;  // in mjData.userdata
-  SensorAddresses sensors;
-};
-
 struct Config {
   Model model;
   scene::ContactModel contact = scene::ContactModel::kRigid;
@@ -86,18 +82,16 @@ struct Config {
   std::optional<Segments> segments;  // the segment rotor
 
   // A user's own model with our contacts (own/own_config.h): filled are `pairs`, `memory`, and with
-  // the first pair `contact`, model.first().contact and geoms.
+  // the first pair `contact` and model.first().contact.
   bool own = false;
+  // The contacts of either, those of a generated model in the order of model.auxiliary.
   std::vector<ContactPair> pairs;
   // Further <pair>s of a user's own model, of any geoms, that are corrected for sliding
-  // (contact/cone_correction.h).
+  // (contact/cone.h).
   std::vector<int> corrected_pairs;
   int memory = 0, memory_size = 0;  // in mjData.userdata, of all that the plugin remembers
 
-  // A modal chain whose rotor or ring the user's constraints hold as well (chain_constraints.h):
-  // its contact is solved in the coordinates of bodies.
-  bool general = false;
-  bool damping_added = false;  // chain_constraints.h
+  bool damping_added = false;  // to a modal chain, by a user (generated_rotor.h)
 
   // MuJoCo's own sensors that feel the contact (load_cells.h), and whether mjcb_sensor is called
   // after them.
@@ -106,12 +100,10 @@ struct Config {
   // In mjData.userdata: what Model::loop remembers, after the pass done last (with native steps in
   // the slot that the step to come begins with).
   int loop_data = 0;
-  int verlet_data = -1;  // in mjData.userdata, of `rigid` on the modal chain; -1: none
-  int rotor_geom = -1, ring_geom = -1;  // of the contact pair; -1 without [contact]
-  int pair = -1;                        // their <pair>
-  std::vector<FurtherContact> further;  // contacts of a generated model, from the second on
-  int actuator[2] = {-1, -1};           // -1 without actuators
-  SensorAddresses sensors;
+  int verlet_data = -1;        // in mjData.userdata, of `rigid` on the modal chain; -1: none
+  int actuator[2] = {-1, -1};  // -1 without actuators
+  // Sensors of a generated model as a whole.
+  int active = -1, control_force = -1, current = -1;
   std::optional<ShadowConfig> shadow;
 
   bool has_contact() const { return !pairs.empty(); }
@@ -124,12 +116,8 @@ struct Config {
     return verlet_data >= 0 && contact == scene::ContactModel::kRigid;
   }
 
-  // Where mjModel has the scene's numbers (model_parameters.h), and what the scene says where it
-  // draws them: geoms "rotor" and "ring", -1 where they are taken out.
-  int rotor_shape = -1, ring_shape = -1;
-  std::optional<ContactParameters> scene_contact;
+  // Of the scene's numbers in mjModel (model_parameters.h).
   double scene_current_limit = 0.0;   // A, of magnets
-  double friction_reference = 0.0;    // 1/s, B_t of contact model cone; 0: MuJoCo's
   Eigen::Vector2d gravity{0.0, 0.0};  // m/s^2
   std::vector<int> rotor_bodies;      // of the modal chain, that carry no mass
 

@@ -1,19 +1,52 @@
 #include "plugin/control.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/control/sampling.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/trajectory.h"
-#include "plugin/magnets.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"
-#include "plugin/velocity_history.h"
 
 namespace rotorub::plugin {
 namespace {
+
+// Velocities at the time of the positions. MuJoCo's Euler step is semi-implicit,
+//   v_k = v_{k-1} + h a,   q_k = q_{k-1} + h v_k,
+// so its v_k is the velocity of half a step before t_k. A controller that weighs the gap rate
+// against a boundary layer sees the difference: in a whirl it is h/2 v_t^2 / delta. It is given
+//   v(t_k) = v_k + (v_k - v_{k-1}) / 2.
+// Notes the state's velocities for its time and writes v(t) (nq values) to `now`. Repeated calls at
+// one time give the same; without a step of the model's length before it, and for RK4, whose
+// velocities are not late, v(t) is the state's.
+void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
+                      double* now) {
+  const int n = config.model.nq();
+  const double* v = state.v();
+  double* data = d->userdata;
+  double* earlier = data + kUserDataSingle;
+  double* latest = earlier + n;
+  if (data[kHistoryLength] == 0.0 || d->time < data[kLatestTime]) {
+    data[kHistoryLength] = 1.0;
+  } else if (d->time > data[kLatestTime]) {
+    std::copy_n(latest, n, earlier);
+    data[kEarlierTime] = data[kLatestTime];
+    // kImpact is still that of the step before; a second pass at this time finds it changed.
+    data[kHistoryLength] = data[kImpact] == 0.0 ? 2.0 : 3.0;
+  }
+  std::copy_n(v, n, latest);
+  data[kLatestTime] = d->time;
+
+  const double h = m->opt.timestep;
+  // An impact of the step before is over: half a step of it is not to come.
+  const bool smooth = data[kHistoryLength] == 2.0 && m->opt.integrator != mjINT_RK4;
+  const bool stepped = std::abs(data[kLatestTime] - data[kEarlierTime] - h) < 1e-6 * h;
+  const double share = stepped && smooth ? 0.5 : 0.0;
+  for (int i = 0; i < n; ++i) now[i] = v[i] + share * (v[i] - earlier[i]);
+}
 
 Eigen::Vector2d command_of(const Config& config, const mjModel* m, mjData* d, const double* q,
                            const double* v) {
@@ -82,6 +115,40 @@ Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mj
   }
   if (!model.first().magnets) return actuator_state(config, m, d).force;
   return {asked_current(m, d, config.actuator[0]), asked_current(m, d, config.actuator[1])};
+}
+
+// MuJoCo clamps its own copy of ctrl.
+double asked_current(const mjModel* m, const mjData* d, int actuator) {
+  const int control = control_address(m, actuator);
+  const mjtNum* range = m->actuator_ctrlrange + 2 * control;
+  const bool clamps = m->actuator_ctrllimited[control] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
+  return clamps ? std::clamp(d->ctrl[control], range[0], range[1]) : d->ctrl[control];
+}
+
+bool is_magnet(const Config& config, int actuator) {
+  return config.model.first().magnets &&
+         (actuator == config.actuator[0] || actuator == config.actuator[1]);
+}
+
+double coil_current(const mjModel* m, const mjData* d, int actuator) {
+  const int address = activation_address(m, actuator);
+  return address < 0 ? asked_current(m, d, actuator) : d->act[address];
+}
+
+double magnet_answer(ActuatorQuestion asked, const Config& config, const mjModel* m,
+                     const mjData* d, int actuator) {
+  const MagneticActuator& magnets = *config.model.first().magnets;
+  const double place = d->actuator_length[force_address(m, actuator)];
+  const double current = coil_current(m, d, actuator);
+  switch (asked) {
+    case ActuatorQuestion::kGain:
+      return magnets.law->gain(place, current);
+    case ActuatorQuestion::kBias:
+      return magnets.law->force(place, 0.0);
+    case ActuatorQuestion::kRate:
+      break;
+  }
+  return (coil_load(magnets, asked_current(m, d, actuator), current) - current) / magnets.coil_lag;
 }
 
 }  // namespace rotorub::plugin

@@ -6,8 +6,9 @@
 #include <string>
 
 #include "native_model/system/actuation.h"
+#include "plugin/actuators.h"
 #include "plugin/config.h"
-#include "plugin/coordinates.h"
+#include "plugin/generated_rotor.h"
 
 namespace rotorub::plugin {
 
@@ -26,5 +27,26 @@ ActuatorState actuator_state(const Config& config, const mjModel* m, const mjDat
 // force on the ring, N, fixed frame, or with magnets the currents of the two axes, A. Without lag
 // it is what acted: with native steps the mean about the pass's instant.
 Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mjData* d);
+
+// The magnetic actuator in MuJoCo: two actuators of user gain and bias on the ring's axes. ctrl is
+// the current asked for, A; with a coil lag the activation is the coil's current, else ctrl is. The
+// force is
+//
+//   gain i + bias,   bias = F(s, 0),   gain = (F(s, i) - F(s, 0)) / i,
+//
+// F the law that the native model uses, s the actuator's length. True for an actuator of ours whose
+// force is F(s, i).
+bool is_magnet(const Config& config, int actuator);
+
+// Current asked for, within MuJoCo's limits, A.
+double asked_current(const mjModel* m, const mjData* d, int actuator);
+
+// Current of the coil, A.
+double coil_current(const mjModel* m, const mjData* d, int actuator);
+
+// What MuJoCo asks of it: the gain, N/A, the bias, N, or the rate of a lagging coil's activation,
+// A/s.
+double magnet_answer(ActuatorQuestion asked, const Config& config, const mjModel* m,
+                     const mjData* d, int actuator);
 
 }  // namespace rotorub::plugin

@@ -1,7 +1,4 @@
 #include "plugin/model_parameters.h"
-#include "plugin/chain_constraints.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +6,11 @@
 
 #include "mjcf/names.h"
 #include "native_model/dynamics/dynamics.h"
+#include "plugin/generated_rotor.h"
+#include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/own/own_config.h"
+#include "plugin/shadow.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -59,9 +60,8 @@ Eigen::Vector2d gravity_of(const mjModel* m) {
   return {m->opt.gravity[0], m->opt.gravity[1]};
 }
 
-// Of the k-th contact.
-double friction_of(const Config& config, const mjModel* m, std::size_t k) {
-  return m->pair_friction[5 * (k == 0 ? config.pair : config.further[k - 1].pair)];
+double friction_of(const ContactPair& pair, const mjModel* m) {
+  return m->pair_friction[5 * pair.pair];
 }
 
 // The limit of a controller's commands, N or A; `otherwise` where MuJoCo has none.
@@ -85,22 +85,19 @@ struct Circle {
 
 // The contact's circles as they are drawn. As long as they are those of the scene it is the scene's
 // numbers: their sum and difference would not be the same to the bit.
-Circle circle_of(const Config& config, const mjModel* m, std::size_t k) {
-  const ContactParameters& s = k == 0 ? *config.scene_contact : config.further[k - 1].scene;
-  const int rotor_shape = k == 0 ? config.rotor_shape : config.further[k - 1].rotor_shape;
-  const int ring_shape = k == 0 ? config.ring_shape : config.further[k - 1].ring_shape;
-  Circle drawn{s.radius, s.clearance};
-  if (rotor_shape < 0 || ring_shape < 0) return drawn;
-  const double rotor = m->geom_size[3 * rotor_shape];
-  const double ring = m->geom_size[3 * ring_shape];
-  if (rotor != s.radius || ring != s.radius + s.clearance) drawn = {rotor, ring - rotor};
-  return drawn;
+Circle circle_of(const ContactPair& pair, const mjModel* m) {
+  const Circle scene{pair.given.radius, pair.given.clearance};
+  if (pair.rotor_shape < 0 || pair.ring_shape < 0) return scene;
+  const double rotor = m->geom_size[3 * pair.rotor_shape];
+  const double ring = m->geom_size[3 * pair.ring_shape];
+  const bool same = rotor == scene.radius && ring == scene.radius + scene.clearance;
+  return same ? scene : Circle{rotor, ring - rotor};
 }
 
 // What a user's own model takes from its geoms (own/own_config.h).
 bool has_own_numbers(const Config& config, const mjModel* m) {
   return std::all_of(config.pairs.begin(), config.pairs.end(),
-                     [m](const ContactPair& p) { return p.given == own_numbers(m, p); });
+                     [m](const ContactPair& p) { return p.read == own_numbers(m, p); });
 }
 
 bool rotor_is_massless(const Config& config, const mjModel* m) {
@@ -159,13 +156,13 @@ void take_joints(const mjModel* m, Model& model, const Config& config) {
 }
 
 void take_contact(const mjModel* m, Model& model, const Config& config, std::size_t k) {
-  const Circle circle = circle_of(config, m, k);
+  const Circle circle = circle_of(config.pairs[k], m);
   if (!(circle.radius > 0.0) || !(circle.clearance > 0.0)) {
     refuse("<geom name=\"" + names::of_bearing(k, names::kRing) + "\">",
            message("size[0] = {} about a rotor of {} m; accepted: greater",
                    circle.radius + circle.clearance, circle.radius));
   }
-  const double friction = friction_of(config, m, k);
+  const double friction = friction_of(config.pairs[k], m);
   if (!(friction >= 0.0) || !std::isfinite(friction)) {
     refuse("<contact><pair>", message("friction[0] = {}; accepted: >= 0", friction));
   }
@@ -195,9 +192,7 @@ void take_limit(const mjModel* m, Model& model, const Config& config) {
 
 void take(const mjModel* m, Model& model, const Config& config) {
   take_joints(m, model, config);
-  for (std::size_t k = 0; model.first().contact && k < model.auxiliary.size(); ++k) {
-    take_contact(m, model, config, k);
-  }
+  for (std::size_t k = 0; k < config.pairs.size(); ++k) take_contact(m, model, config, k);
   if (model.first().controller) take_limit(m, model, config);
   const Eigen::Vector2d g = gravity_of(m);
   if (model.weight.size() > 0 || !g.isZero(0.0)) set_gravity(model, g);
@@ -218,10 +213,10 @@ bool has_parameters(const Config& config, const mjModel* m) {
     same = same && mass_of(config, m, i, dof) == model.mass[i] &&
            stiffness_of(m, dof) == model.stiffness[i] && m->dof_damping[dof] == model.damping[i];
   });
-  for (std::size_t k = 0; model.first().contact && k < model.auxiliary.size(); ++k) {
-    const ContactParameters& c = *model.auxiliary[k].contact;
-    same = same && circle_of(config, m, k) == Circle{c.radius, c.clearance} &&
-           friction_of(config, m, k) == c.friction.coefficient;
+  for (const ContactPair& pair : config.pairs) {
+    const ContactParameters& c = pair.contact;
+    same = same && circle_of(pair, m) == Circle{c.radius, c.clearance} &&
+           friction_of(pair, m) == c.friction.coefficient;
   }
   if (model.first().controller) {
     same = same && limit_of(config, m, scene_limit(config)) == limit_in(model);
@@ -233,8 +228,13 @@ void take_parameters(const mjModel* m, Config& config) {
   check_masses(m, config);
   for (const AuxiliaryBearing& at : config.model.auxiliary) check_ring_mass(m, config, at);
   take(m, config.model, config);
+  for (std::size_t k = 0; k < config.pairs.size(); ++k) {
+    config.pairs[k].contact = *config.model.auxiliary[k].contact;
+  }
   config.gravity = gravity_of(m);
-  if (config.shadow) take(m, config.shadow->model, config);
+  if (!config.shadow) return;
+  take(m, config.shadow->model, config);
+  config.shadow->mark = mark_of(config.shadow->model);
 }
 
 }  // namespace rotorub::plugin

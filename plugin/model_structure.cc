@@ -66,7 +66,7 @@ void check_mode(const mjModel* m, int joint, int rotor, double shape) {
 
 void check_chain(const mjModel* m, Config& config) {
   const Layout& l = config.model.layout;
-  const int rotor = m->geom_bodyid[config.rotor_geom];
+  const int rotor = m->geom_bodyid[config.pairs.front().rotor_geom];
   check_poses(m, rotor, Eigen::Vector2d::Zero());
   for (int i = 0; i < l.ring(); ++i) {
     const int dof = config.dof_address[static_cast<std::size_t>(i)];
@@ -90,7 +90,7 @@ void check_chain(const mjModel* m, Config& config) {
 }
 
 void check_rings(const mjModel* m, const Config& config) {
-  check_poses(m, m->geom_bodyid[config.ring_geom], config.model.first().ring_offset);
+  check_poses(m, m->geom_bodyid[config.pairs.front().ring_geom], config.model.first().ring_offset);
   for (const AuxiliaryBearing& at : config.model.auxiliary) {
     const auto check = [&](int coordinate, int axis, const char* along) {
       const int dof = config.dof_address[static_cast<std::size_t>(coordinate)];
@@ -131,8 +131,8 @@ void check_actuator(const mjModel* m, int k, int actuator) {
   }
 }
 
-int shape(const mjModel* m, const char* name) {
-  const int geom = mj_name2id(m, mjOBJ_GEOM, name);
+int shape(const mjModel* m, const std::string& name) {
+  const int geom = mj_name2id(m, mjOBJ_GEOM, name.c_str());
   return geom >= 0 && m->geom_type[geom] == mjGEOM_CYLINDER ? geom : -1;
 }
 
@@ -140,15 +140,12 @@ int shape(const mjModel* m, const char* name) {
 
 void map_structure(const mjModel* m, Config& config) {
   const Model& model = config.model;
-  config.scene_contact = model.first().contact;
   if (model.first().magnets) config.scene_current_limit = model.first().magnets->current_limit;
-  if (model.first().contact) {
-    config.rotor_shape = shape(m, names::kRotor);
-    config.ring_shape = shape(m, names::kRing);
-    for (std::size_t k = 0; k < config.further.size(); ++k) {
-      config.further[k].rotor_shape = shape(m, names::of_bearing(k + 1, names::kRotor).c_str());
-      config.further[k].ring_shape = shape(m, names::of_bearing(k + 1, names::kRing).c_str());
-    }
+  for (std::size_t k = 0; k < config.pairs.size(); ++k) {
+    config.pairs[k].rotor_shape = shape(m, names::of_bearing(k, names::kRotor));
+    config.pairs[k].ring_shape = shape(m, names::of_bearing(k, names::kRing));
+  }
+  if (config.has_contact()) {
     check_rings(m, config);
     if (!config.segments) check_chain(m, config);
   }

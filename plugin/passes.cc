@@ -7,25 +7,56 @@
 #include "plugin/actuators.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
-#include "plugin/contact/escape_guard.h"
+#include "plugin/contact/contact_memory.h"
 #include "plugin/contact/pairs.h"
-#include "plugin/contact/runge_kutta.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/control.h"
-#include "plugin/coordinates.h"
+#include "plugin/generated_rotor.h"
 #include "plugin/load_cells.h"
-#include "plugin/magnets.h"
 #include "plugin/mujoco_versions.h"
-#include "plugin/own/user_block.h"
-#include "plugin/passive.h"
-#include "plugin/segment_loads.h"
+#include "plugin/options.h"
+#include "plugin/segments.h"
 #include "plugin/sensors.h"
 #include "plugin/shadow.h"
-#include "plugin/skipped.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
+
+// References of constraints that are changed before MuJoCo computes them,
+//   aref = -B vel - K I (pos - margin),
+// which it does after mjcb_passive. The constructor computes them; keep() makes MuJoCo find what
+// they were changed to since, by the rows' `pos`. May be done again in the same pass.
+class KeptReferences {
+ public:
+  KeptReferences(const mjModel* m, mjData* d)
+      : d_(d), room_(d), aref_(room_.numbers(d->nefc)), velocity_(room_.numbers(d->nefc)) {
+    for (int i = 0; i < d->nefc; ++i) {
+      const mjtNum* kbip = d->efc_KBIP + 4 * i;
+      if (kbip[0] == kOurs && kbip[2] == kOurs) d->efc_pos[i] = d->efc_margin[i];
+    }
+    mj_referenceConstraint(m, d);
+    std::copy_n(d->efc_aref, d->nefc, aref_);
+    std::copy_n(d->efc_vel, d->nefc, velocity_);
+  }
+  void keep() {
+    for (int i = 0; i < d_->nefc; ++i) {
+      if (d_->efc_aref[i] == aref_[i]) continue;
+      mjtNum* kbip = d_->efc_KBIP + 4 * i;
+      if (kbip[0] * kbip[2] == 0.0) kbip[0] = kbip[2] = kOurs;
+      const double rest = d_->efc_aref[i] + kbip[1] * velocity_[i];
+      d_->efc_pos[i] = d_->efc_margin[i] - rest / (kbip[0] * kbip[2]);
+    }
+  }
+
+ private:
+  // Stiffness and impedance of a row without either, once its reference is in `pos`.
+  static constexpr double kOurs = 1.0;
+
+  mjData* d_;
+  StackFrame room_;
+  mjtNum *aref_, *velocity_;  // as MuJoCo has them
+};
 
 // Takes back what others have written over. Where another's function has collided the pair,
 // MuJoCo's soft contact is made anew, so that not even this pass goes without.
@@ -56,15 +87,10 @@ void notice_missed_control(const Config& config, mjData* d) {
       "had no contact; the plugin's comes first from now on");
 }
 
-}  // namespace
-
-namespace {
-
 void add_loads(const Config& config, const mjModel* m, mjData* d) {
   if (config.own) return;
-  if (config.segments) {
-    add_segment_loads(config, d);
-  } else if (!config.takes_native_steps()) {
+  if (config.segments) add_segment_loads(config, d);
+  if (!config.segments && !config.takes_native_steps()) {
     add_passive_force(config, m, d, Coordinates(config, d));
   }
   fill_sensors(config, m, d, mjSTAGE_VEL);
@@ -84,23 +110,20 @@ void refresh_velocity_stage(const Config& config, const mjModel* m, mjData* d) {
   fresh = 0.0;
 }
 
-// Loads, command and contact of this pass.
+// Command and contact of this pass.
 void act(const Config& config, const mjModel* m, mjData* d) {
-  if (config.own) {
-    apply_contacts(config, m, d);
-    fill_sensors_in_control(config, m, d);
+  if (config.takes_native_steps()) {
+    apply_verlet(config, m, d, Coordinates(config, d));
+    fill_sensors(config, m, d, mjSTAGE_VEL);
   } else {
-    const Coordinates state(config, d);
-    if (config.takes_native_steps()) {
-      apply_verlet(config, m, d, state);
-      fill_sensors(config, m, d, mjSTAGE_VEL);
-    } else {
-      write_command(config, m, d, state);
-      if (!config.has_contact()) return;
-      apply_contacts(config, m, d);
-    }
+    if (!config.own) write_command(config, m, d, Coordinates(config, d));
+    apply_contacts(config, m, d);
   }
-  if (!config.own && !config.has_soft()) fill_sensors(config, m, d, mjSTAGE_ACC);
+  if (config.own) {
+    fill_sensors_in_control(config, m, d);
+  } else if (config.has_rigid()) {
+    fill_sensors(config, m, d, mjSTAGE_ACC);
+  }
 }
 
 bool has_escaped(const Config& config, mjData* d) {
@@ -111,9 +134,9 @@ bool has_escaped(const Config& config, mjData* d) {
 }
 
 void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
-  if (config.has_rigid() && m->opt.integrator == mjINT_RK4) {
+  if (const char* why = refused_integrator(config, m)) {
     mark_active(config, d, false);
-    refuse_runge_kutta();
+    raise_error(why);
     return;
   }
   act(config, m, d);
@@ -142,12 +165,8 @@ void passive_pass(const mjModel* m, mjData* d) {
   compare_actuators(m, d);
   notice_missed_control(*config, d);
   mark_active(*config, d, false);
-  if (may_fall_asleep(*config, m)) {
-    refuse_sleep();
-    return;
-  }
-  if (is_overridden(*config, m)) {
-    refuse_override();
+  if (const char* why = refused_options(*config, m)) {
+    raise_error(why);
     return;
   }
   fresh_entry(*config, d) = fresh_mark(d);
@@ -158,8 +177,7 @@ void passive_pass(const mjModel* m, mjData* d) {
 
 void control_pass(const mjModel* m, mjData* d) {
   const Config* config = find_config(m, d);
-  if (!config || control_skipped(m) || may_fall_asleep(*config, m) || is_overridden(*config, m))
-    return;
+  if (!config || control_skipped(m) || refused_options(*config, m)) return;
   keep_callbacks();
   if (!block_is_ours(*config, d)) {
     refuse_clash(*config, m);
@@ -181,71 +199,34 @@ void sensor_pass(const mjModel* m, mjData* d, int stage) {
   if (stage >= told) fill_late_sensors(*config, m, d);
 }
 
-namespace {
-
-bool are(int g1, int g2, int rotor_geom, int ring_geom) {
-  return (g1 == rotor_geom && g2 == ring_geom) || (g1 == ring_geom && g2 == rotor_geom);
-}
-
-// The <pair>'s, where the model has one; it is not among the arguments of every version.
-double margin_of(const mjModel* m, int pair) { return pair >= 0 ? seen_below(m, pair) : 0.0; }
-
-void before_collision(const mjModel* m) {
-  keep_callbacks();
-  if (passive_disabled(m) && control_skipped(m)) refuse_silence();
-}
-
-}  // namespace
-
 bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int g1, int g2,
                   int& count) {
   // The first of a pass to need the numbers: with those of now.
   const Config* config = find_config_checked(m, d);
   if (!config) return false;
   compared = d;
-  const auto noticed = [m](int pair, scene::ContactModel contact, CollisionContact* of, int found) {
-    // `rigid` keeps it from MuJoCo's solver where the pair's gap does not.
-    const bool rigid = contact == scene::ContactModel::kRigid;
-    if (rigid && found > 0 && pair >= 0)
-      of->dist = std::max<mjtNum>(of->dist, solved_below(m, pair));
-    return found;
-  };
   for (const ContactPair& pair : config->pairs) {
-    if (!are(g1, g2, pair.rotor_geom, pair.ring_geom)) continue;
-    before_collision(m);
-    count = noticed(pair.pair, pair.law, con,
-                    collide_exactly(pair, d, con, g1, margin_of(m, pair.pair)));
+    if (std::minmax(g1, g2) != std::minmax(pair.rotor_geom, pair.ring_geom)) continue;
+    keep_callbacks();
+    if (const char* why = refused_silence(m)) raise_error(why);
+    // The <pair>'s margin, where the model has one; it is not among the arguments of every version.
+    const double margin = pair.pair >= 0 ? seen_below(m, pair.pair) : 0.0;
+    count = collide_exactly(pair, d, con, g1, margin);
+    // `rigid` keeps it from MuJoCo's solver where the pair's gap does not.
+    if (pair.law == scene::ContactModel::kRigid && count > 0 && pair.pair >= 0) {
+      con->dist = std::max<mjtNum>(con->dist, solved_below(m, pair.pair));
+    }
     return true;
   }
   return false;
 }
 
-namespace {
-
-// The config whose magnet this actuator is, or null.
-const Config* config_of_magnet(const mjModel* m, const mjData* d, int actuator) {
+bool magnet_answers(ActuatorQuestion asked, const mjModel* m, const mjData* d, int id,
+                    mjtNum& value) {
   const Config* config = find_config(m, d);
-  return config && is_magnet(*config, actuator) ? config : nullptr;
-}
-
-}  // namespace
-
-bool magnet_gain_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
-  const Config* config = config_of_magnet(m, d, id);
-  if (config) value = magnet_gain(*config, m, d, id);
-  return config;
-}
-
-bool magnet_bias_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
-  const Config* config = config_of_magnet(m, d, id);
-  if (config) value = magnet_bias(*config, m, d, id);
-  return config;
-}
-
-bool coil_rate_of(const mjModel* m, const mjData* d, int id, mjtNum& value) {
-  const Config* config = config_of_magnet(m, d, id);
-  if (config) value = coil_rate(*config, m, d, id);
-  return config;
+  if (!config || !is_magnet(*config, id)) return false;
+  value = magnet_answer(asked, *config, m, d, id);
+  return true;
 }
 
 }  // namespace rotorub::plugin

@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "plugin/actuators.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
@@ -12,17 +13,11 @@ void control_pass(const mjModel* m, mjData* d);
 void sensor_pass(const mjModel* m, mjData* d, int stage);
 
 // Of the actuators that are ours: true, and the value.
-bool magnet_gain_of(const mjModel* m, const mjData* d, int id, mjtNum& value);
-bool magnet_bias_of(const mjModel* m, const mjData* d, int id, mjtNum& value);
-bool coil_rate_of(const mjModel* m, const mjData* d, int id, mjtNum& value);
+bool magnet_answers(ActuatorQuestion asked, const mjModel* m, const mjData* d, int id,
+                    mjtNum& value);
 
 // Of the contact pair: true, and the number of contacts.
 bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int g1, int g2,
                   int& count);
-
-// False under mjDSBL_CONTACT or mjDSBL_CONSTRAINT: then `rigid` has none either.
-inline bool contact_enabled(const mjModel* m) {
-  return (m->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT)) == 0;
-}
 
 }  // namespace rotorub::plugin

@@ -14,9 +14,16 @@
 // of others runs; the one that orders who takes is never touched while the place is as left.
 #pragma once
 
+#include <mujoco/mujoco.h>
+
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <type_traits>
+#include <utility>
+
+#include "plugin/actuators.h"
 
 namespace rotorub::plugin {
 
@@ -76,6 +83,7 @@ class Place {
   // Who stands in front has called us before, and now has not: it is never let in front again. True
   // where it was so.
   bool distrust() {
+    if (!fronted()) return false;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       const Function there = std::atomic_ref(*global_).load();
@@ -84,12 +92,6 @@ class Place {
       chains_ = nullptr;
     }
     return take();
-  }
-
-  // True where who stands in front is not ours: it calls us.
-  bool fronted() const {
-    const Function there = expected_.load(std::memory_order_acquire);
-    return there && index_of(there) < 0;
   }
 
   // Where a link of ours is in the place, what it calls first goes back there. Others stay.
@@ -104,6 +106,11 @@ class Place {
   }
 
  private:
+  // True where who stands in front is not ours: it calls us.
+  bool fronted() const {
+    const Function there = expected_.load(std::memory_order_acquire);
+    return there && index_of(there) < 0;
+  }
   int index_of(Function f) const {
     for (int i = 0; i < kLinks; ++i) {
       if (links_[i] == f) return i;
@@ -185,6 +192,74 @@ class LinkScope {
   LinkCall outer_;
   unsigned bit_;
   bool nested_, again_;
+};
+
+// The functions that stand in MuJoCo's places (places.h): kLinks of them a place, of one work.
+
+template <typename Function>
+using LinkTable = std::array<Function, kLinks>;
+
+// Of a class with a template function `link<K>`.
+template <class Of, typename Function>
+constexpr LinkTable<Function> make_links() {
+  return []<int... K>(std::integer_sequence<int, K...>) {
+    return LinkTable<Function>{&Of::template link<K>...};
+  }
+  (std::make_integer_sequence<int, kLinks>());
+}
+
+// What was there first, then kWork(m, d, ...), once a call of the place.
+template <typename Function, auto& kPlace, auto kWork>
+struct LinksOf;
+
+template <typename... Rest, auto& kPlace, auto kWork>
+struct LinksOf<void (*)(const mjModel*, mjData*, Rest...), kPlace, kWork> {
+  using Function = void (*)(const mjModel*, mjData*, Rest...);
+  static inline thread_local constinit LinkCall call;
+
+  template <int K>
+  static void link(const mjModel* m, mjData* d, Rest... rest) {
+    const Function previous = kPlace.previous(K);
+    if (!kPlace.layered()) {
+      if (previous) previous(m, d, rest...);
+      kWork(m, d, rest...);
+      return;
+    }
+    LinkScope scope(call, d, K);
+    if (previous && !scope.again() && scope.reaches([&] { previous(m, d, rest...); })) {
+      kPlace.let_in_front(K);
+    }
+    if (scope.begin_work()) kWork(m, d, rest...);
+  }
+  static constexpr LinkTable<Function> kTable = make_links<LinksOf, Function>();
+};
+
+template <auto& kPlace, auto kWork>
+using Links = LinksOf<typename std::remove_reference_t<decltype(kPlace)>::Type, kPlace, kWork>;
+
+// kWork(m, d, id, value) says true where the value is ours; else what was there gives it, or it is
+// MuJoCo's: a gain of 1, and 0. Ours stays in front, so that what it calls is asked once a pass.
+template <auto& kPlace, auto kWork, ActuatorQuestion kAsked>
+struct Givers {
+  static inline thread_local constinit LinkCall call;
+
+  template <int K>
+  static mjtNum link(const mjModel* m, const mjData* d, int id) {
+    mjtNum value = kAsked == ActuatorQuestion::kGain ? 1.0 : 0.0;
+    if (kWork(m, d, id, value)) return value;
+    const mjfAct previous = kPlace.previous(K);
+    if (!previous || answer_given(kAsked, m, d, id, value)) return value;
+    if (!kPlace.layered()) {
+      value = previous(m, d, id);
+    } else {
+      LinkScope scope(call, d, K);
+      if (scope.again()) return value;
+      scope.reaches([&] { value = previous(m, d, id); });
+    }
+    keep_answer(kAsked, d, id, value);
+    return value;
+  }
+  static constexpr LinkTable<mjfAct> kTable = make_links<Givers, mjfAct>();
 };
 
 }  // namespace rotorub::plugin

@@ -15,6 +15,8 @@
 
 namespace rotorub::plugin {
 
+struct Config;
+
 // A joint of one coordinate: qpos[position], qvel[velocity].
 struct JointAddress {
   int position = -1, velocity = -1;
@@ -66,5 +68,11 @@ void native_velocity(const Segments& segments, const Model& model, const mjtNum*
 
 // Empty, or why MuJoCo's step cannot carry the chain: it is explicit in the springs.
 std::string segment_step_refusal(const Segments& segments, double step);
+
+// What the joints and tendons of the segment rotor do not have by themselves, as passive forces:
+// external and rotating damping of its modes, forces, magnetic bearing, drive, weight of the ring.
+// Springs, bearings, gyroscopics, unbalance and the rotor's weight are MuJoCo's own. Adds to
+// d->qfrc_passive. The config is that of a segment rotor.
+void add_segment_loads(const Config& config, mjData* d);
 
 }  // namespace rotorub::plugin

@@ -1,17 +1,34 @@
 #include "plugin/sensors.h"
 
+#include "mjcf/names.h"
 #include "native_model/dynamics/dynamics.h"
-#include "plugin/contact/body_space.h"
-#include "plugin/contact/forces.h"
-#include "plugin/contact/reach.h"
+#include "plugin/contact/contact_memory.h"
+#include "plugin/contact/contact_space.h"
+#include "plugin/contact/relative_motion.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/control.h"
-#include "plugin/coordinates.h"
+#include "plugin/generated_rotor.h"
+#include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
 #include "plugin/shadow.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
+
+namespace names = mjcf_names;
+
+ScaledSensor scaled_sensor(const mjModel* m, const std::string& name) {
+  ScaledSensor s;
+  s.address = sensor_address(m, name, 1);
+  if (s.address < 0) return s;
+  s.reference = count(m->nuser_sensor) * mj_name2id(m, mjOBJ_SENSOR, name.c_str());
+  if (m->nuser_sensor < 1 || !(m->sensor_user[s.reference] > 0.0)) {
+    refuse(message("<user name=\"{}\">", name),
+           "user[0] is the force that it has as 1; accepted: user=\"200\" for 200 N");
+  }
+  return s;
+}
 
 void put(mjData* d, int address, double value) {
   if (address >= 0) d->sensordata[address] = value;
@@ -27,56 +44,52 @@ void put(const mjModel* m, mjData* d, const ScaledSensor& sensor, double value) 
   if (sensor.address >= 0) d->sensordata[sensor.address] = value / m->sensor_user[sensor.reference];
 }
 
-void put_gap(mjData* d, const SensorAddresses& s, double gap, double clearance) {
-  put(d, s.gap, gap);
-  put(d, s.gap_scaled, gap / clearance);
-}
-
-void put_forces(const mjModel* m, mjData* d, const SensorAddresses& s,
-                const ContactForces& forces) {
-  put(d, s.normal_force, forces.normal);
-  put(d, s.friction_force, forces.friction);
-  put(m, d, s.normal_force_scaled, forces.normal);
-  put(m, d, s.friction_force_scaled, forces.friction);
-}
-
-void put_rates(mjData* d, const SensorAddresses& s, const ContactPoint& point) {
-  put(d, s.gap_rate, point.gap_rate);
-  put(d, s.slip, point.slip);
-}
-
 void put_active(const Config& config, mjData* d) {
   const double value = d->userdata[config.memory + kPassiveFresh] == kActed ? 1.0 : 0.0;
-  put(d, config.sensors.active, value);
+  put(d, config.active, value);
   for (const ContactPair& pair : config.pairs) put(d, pair.sensors.active, value);
 }
 
-bool has_gap(const SensorAddresses& s) { return s.gap >= 0 || s.gap_scaled >= 0; }
-bool has_rates(const SensorAddresses& s) { return s.gap_rate >= 0 || s.slip >= 0; }
-
-void put_gap(const ContactPair& pair, mjData* d) {
-  const double clearance = pair.contact.clearance;
-  put_gap(d, pair.sensors, clearance - position_of(pair, d).norm(), clearance);
+// Of the first contact of a generated model in the native coordinates, in which its loads are; of
+// others by the places of the geoms.
+bool in_native_coordinates(const Config& config, const ContactPair& pair) {
+  return !config.own && &pair == &config.pairs.front();
 }
 
-// Of a user's own model, and of a further contact of a generated one.
-void fill_pair_sensors(const ContactPair& pair, const mjModel* m, mjData* d, int stage) {
+void fill_gap(const Config& config, const ContactPair& pair, mjData* d) {
   const SensorAddresses& s = pair.sensors;
-  if (stage == mjSTAGE_POS && has_gap(s)) put_gap(pair, d);
-  if (stage == mjSTAGE_VEL && has_rates(s)) put_rates(d, s, contact_point_of(pair, m, d));
-  if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(pair, m, d));
+  if (s.gap < 0 && s.gap_scaled < 0) return;
+  const double clearance = pair.contact.clearance;
+  const double delta = in_native_coordinates(config, pair)
+                           ? separation(config.model, Coordinates(config, d).q()).norm()
+                           : position_of(pair, d).norm();
+  put(d, s.gap, clearance - delta);
+  put(d, s.gap_scaled, (clearance - delta) / clearance);
 }
 
-ContactPoint point_of(const Config& config, const mjData* d) {
+ContactPoint point_of(const Config& config, const ContactPair& pair, const mjModel* m,
+                      const mjData* d) {
+  if (!in_native_coordinates(config, pair)) return contact_point_of(pair, m, d);
   const Coordinates state(config, d);
   const double* v = config.takes_native_steps() ? velocities_of_pass(config, d) : state.v();
   return contact_point(config.model, state.q(), v);
 }
 
-double gap_of(const Config& config, const mjData* d) {
-  const double clearance = config.model.first().contact->clearance;
-  const Coordinates state(config, d);
-  return clearance - separation(config.model, state.q()).norm();
+void fill_rates(const Config& config, const ContactPair& pair, const mjModel* m, mjData* d) {
+  const SensorAddresses& s = pair.sensors;
+  if (s.gap_rate < 0 && s.slip < 0) return;
+  const ContactPoint point = point_of(config, pair, m, d);
+  put(d, s.gap_rate, point.gap_rate);
+  put(d, s.slip, point.slip);
+}
+
+void fill_forces(const ContactPair& pair, const mjModel* m, mjData* d) {
+  const SensorAddresses& s = pair.sensors;
+  const ContactForces forces = contact_forces(pair, m, d);
+  put(d, s.normal_force, forces.normal);
+  put(d, s.friction_force, forces.friction);
+  put(m, d, s.normal_force_scaled, forces.normal);
+  put(m, d, s.friction_force_scaled, forces.friction);
 }
 
 // Beside MuJoCo's own rotor what the shadow has come to (shadow.h).
@@ -106,46 +119,67 @@ void mark_active(const Config& config, mjData* d, bool acts) {
 
 void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d) {
   for (const ContactPair& pair : config.pairs) {
-    const SensorAddresses& s = pair.sensors;
-    if (s.gap_in_control) put_gap(pair, d);
-    if (s.rates_in_control) put_rates(d, s, contact_point_of(pair, m, d));
-    put_forces(m, d, s, contact_forces(pair, m, d));
+    if (pair.sensors.gap_in_control) fill_gap(config, pair, d);
+    if (pair.sensors.rates_in_control) fill_rates(config, pair, m, d);
+    if (config.own) fill_forces(pair, m, d);
   }
 }
 
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) {
-  if (config.own) {
-    for (const ContactPair& pair : config.pairs) fill_pair_sensors(pair, m, d, stage);
-    return;
-  }
-  const SensorAddresses& s = config.sensors;
-  if (stage == mjSTAGE_ACC && (s.control_force >= 0 || s.current >= 0)) {
+  if (stage == mjSTAGE_ACC && (config.control_force >= 0 || config.current >= 0)) {
     const ActuatorState actuator = actuator_state(config, m, d);
-    put(d, s.control_force, actuator.force);
-    put(d, s.current, actuator.current);
+    put(d, config.control_force, actuator.force);
+    put(d, config.current, actuator.current);
   }
   if (stage == mjSTAGE_VEL && config.shadow) fill_shadow_sensors(config, d);
-  for (std::size_t k = 1; k < config.pairs.size(); ++k)
-    fill_pair_sensors(config.pairs[k], m, d, stage);
-  if (!config.model.first().contact) return;
-  if (stage == mjSTAGE_ACC) put_forces(m, d, s, contact_forces(config, m, d));
-  if (stage == mjSTAGE_POS && has_gap(s)) {
-    put_gap(d, s, gap_of(config, d), config.model.first().contact->clearance);
+  for (const ContactPair& pair : config.pairs) {
+    if (stage == mjSTAGE_POS) fill_gap(config, pair, d);
+    if (stage == mjSTAGE_VEL) fill_rates(config, pair, m, d);
+    if (stage == mjSTAGE_ACC) fill_forces(pair, m, d);
   }
-  if (stage == mjSTAGE_VEL && has_rates(s)) put_rates(d, s, point_of(config, d));
 }
 
 void fill_late_sensors(const Config& config, const mjModel* m, mjData* d) {
   put_active(config, d);
-  if (config.own) {
-    fill_sensors_in_control(config, m, d);
-    return;
-  }
+  fill_sensors_in_control(config, m, d);
+  if (config.own) return;
   const bool cleared = mjVERSION_HEADER >= 300;
-  if (config.sensors.gap_in_control) fill_sensors(config, m, d, mjSTAGE_POS);
-  if (config.sensors.rates_in_control || (cleared && config.shadow))
-    fill_sensors(config, m, d, mjSTAGE_VEL);
+  if (cleared && config.shadow) fill_sensors(config, m, d, mjSTAGE_VEL);
   if (!config.has_soft()) fill_sensors(config, m, d, mjSTAGE_ACC);
+}
+
+int sensor_address(const mjModel* m, const std::string& name, int dim) {
+  const int id = mj_name2id(m, mjOBJ_SENSOR, name.c_str());
+  if (id < 0 || m->sensor_type[id] != mjSENS_USER) return -1;
+  if (m->sensor_dim[id] != dim) {
+    refuse(message("<user name=\"{}\">", name), message("accepted dim: {}", dim));
+  }
+  return m->sensor_adr[id];
+}
+
+SensorAddresses contact_sensors(const mjModel* m, const std::string& prefix,
+                                const std::string& suffix) {
+  const auto named = [&](const char* name) { return prefix + name + suffix; };
+  const auto address = [&](const char* name) { return sensor_address(m, named(name), 1); };
+  SensorAddresses s;
+  s.active = address(names::kActive);
+  s.gap = address(names::kGap);
+  s.gap_rate = address(names::kGapRate);
+  s.slip = address(names::kSlip);
+  s.normal_force = address(names::kNormalForce);
+  s.friction_force = address(names::kFrictionForce);
+  s.gap_scaled = address(names::kGapScaled);
+  s.normal_force_scaled = scaled_sensor(m, named(names::kNormalForceScaled));
+  s.friction_force_scaled = scaled_sensor(m, named(names::kFrictionForceScaled));
+  const auto elsewhere = [&](const char* name, int stage) {
+    const int id = mj_name2id(m, mjOBJ_SENSOR, named(name).c_str());
+    return id >= 0 && m->sensor_type[id] == mjSENS_USER && m->sensor_needstage[id] != stage;
+  };
+  s.gap_in_control =
+      elsewhere(names::kGap, mjSTAGE_POS) || elsewhere(names::kGapScaled, mjSTAGE_POS);
+  s.rates_in_control =
+      elsewhere(names::kGapRate, mjSTAGE_VEL) || elsewhere(names::kSlip, mjSTAGE_VEL);
+  return s;
 }
 
 }  // namespace rotorub::plugin

@@ -4,7 +4,10 @@
 // one remembers (native_model/control/control_loop.h).
 #pragma once
 
+#include <mujoco/mujoco.h>
+
 #include "mjcf/names.h"
+#include "plugin/config.h"
 
 namespace rotorub::plugin {
 
@@ -72,5 +75,18 @@ enum ShadowEntry : int {
   kShadowSingle     // behind them the memory of its ZeroOrderHold
 };
 static_assert(kShadowSingle == mjcf_names::kShadowSingle);
+
+// Our block in mjData.userdata of a user's own model, which others use too: it carries a check of
+// what we wrote, so that entries that others write over are noticed.
+
+// As we left it, or as a reset leaves it (all 0). True for generated models: theirs is nobody
+// else's.
+bool block_is_ours(const Config& config, const mjData* d);
+
+// After our own changes.
+void seal_block(const Config& config, const mjData* d);
+
+// mju_error that names the entries and how to move them.
+void refuse_clash(const Config& config, const mjModel* m);
 
 }  // namespace rotorub::plugin

@@ -12,7 +12,7 @@
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/config.h"
-#include "plugin/contact/forces.h"
+#include "plugin/contact/contact_memory.h"
 #include "plugin/contact/verlet.h"
 
 namespace rotorub {

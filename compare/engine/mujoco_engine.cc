@@ -15,7 +15,7 @@
 #include "native_model/system/run_size.h"
 #include "native_model/trajectory/recorder.h"
 #include "plugin/config.h"
-#include "plugin/coordinates.h"
+#include "plugin/generated_rotor.h"
 #include "plugin/hooks.h"
 
 namespace rotorub {

@@ -1,6 +1,16 @@
 #include "plugin/contact/cone.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "native_model/contact/disc_law.h"
+#include "plugin/actuators.h"
+#include "plugin/contact/constraint_probe.h"
+#include "plugin/mujoco_versions.h"
+
 namespace rotorub::plugin {
+
 // aref = -B v for a friction row; v is that of geom 2 against geom 1 along the frame's second axis:
 // minus the slip of the rotor's surface where the rotor is geom 1 (and e_t turned where it is not).
 void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjContact& contact) {
@@ -34,6 +44,252 @@ void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contac
     d->efc_aref[edge] += change;
     d->efc_aref[edge + 1] -= change;
   }
+}
+
+namespace {
+
+constexpr Eigen::Index kDirections = 3;  // the normal, and two tangents scaled by mu
+
+// One contact's rows in MuJoCo's solver.
+struct ConeRows {
+  const mjContact* contact;
+  int first = 0, count = 0;
+  double shift = 0.0;  // m/s^2, of the normal reference
+
+  bool slides_only() const { return contact->dim == 3; }
+};
+
+bool is_pyramid(const mjModel* m, const mjContact& c) { return c.dim > 1 && mj_isPyramidal(m); }
+int row_count(const mjModel* m, const mjContact& c) {
+  return is_pyramid(m, c) ? 2 * (c.dim - 1) : c.dim;
+}
+
+// y_N and z of the contact for y of its rows: direction 0 is the normal. A pyramid has two edges a
+// tangent, of y_N +- z_i.
+double along(const mjModel* m, const ConeRows& rows, const mjtNum* y, int direction) {
+  const mjtNum* own = y + rows.first;
+  if (!is_pyramid(m, *rows.contact))
+    return direction == 0 ? own[0] : rows.contact->friction[direction - 1] * own[direction];
+  const int edge = direction == 0 ? 0 : 2 * (direction - 1);
+  return 0.5 * (own[edge] + (direction == 0 ? 1.0 : -1.0) * own[edge + 1]);
+}
+
+// The transpose of `along`, added to a vector of rows.
+void add_along(const mjModel* m, const ConeRows& rows, int direction, mjtNum* vector) {
+  mjtNum* own = vector + rows.first;
+  if (!mj_isPyramidal(m)) {
+    own[direction] += direction == 0 ? 1.0 : rows.contact->friction[direction - 1];
+    return;
+  }
+  const int edge = direction == 0 ? 0 : 2 * (direction - 1);
+  own[edge] += 0.5;
+  own[edge + 1] += direction == 0 ? 0.5 : -0.5;
+}
+
+// |z| in the norm of the dual cone.
+double lift(const mjModel* m, const ConeRows& rows, const mjtNum* y) {
+  double sum = 0.0, largest = 0.0;
+  for (int i = 1; i < rows.contact->dim; ++i) {
+    const double z = along(m, rows, y, i);
+    sum += z * z;
+    largest = std::max(largest, std::abs(z));
+  }
+  return mj_isPyramidal(m) ? largest : std::sqrt(sum);
+}
+
+void shift_reference(const mjModel* m, mjData* d, const ConeRows& rows, double by) {
+  const int shifted = is_pyramid(m, *rows.contact) ? rows.count : 1;
+  for (int i = 0; i < shifted; ++i) d->efc_aref[rows.first + i] -= by;
+}
+
+// The reference of a contact on its ring, as the head of cone_correction.h says. False: the step
+// leaves the gap open, and the contact exerts nothing.
+bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curvature,
+                 const mjtNum* free) {
+  constexpr double kResting = -1e12;  // m/s^2
+  const double h = m->opt.timestep, late = m->opt.integrator == mjINT_RK4 ? 0.0 : 0.5 * h;
+  const mjtNum* kbip = d->efc_KBIP + 4 * rows.first;
+  const double gap = d->efc_pos[rows.first];
+  // The velocity of a semi-implicit step is that of half a step ago: on a circle it points outward
+  // by h/2 v_t^2 / delta.
+  const double rate = along(m, rows, d->efc_vel, 0);
+  const double stays = gap + h * (rate + h * (along(m, rows, free, 0) - curvature));
+  if (gap > 0.0 && stays > 0.0) {
+    shift_reference(m, d, rows, -kResting);
+    return false;
+  }
+  shift_reference(
+      m, d, rows,
+      kbip[0] * kbip[2] * d->efc_margin[rows.first] - curvature * (1.0 - late * kbip[1]));
+  return true;
+}
+
+// The contacts by themselves, from the free acceleration.
+class OwnCones {
+ public:
+  OwnCones(const mjModel* m, mjData* d, std::span<ConeRows> contacts)
+      : m_(m), d_(d), contacts_(contacts), room_(d), nv_(count(m->nv)) {
+    const auto n = static_cast<Eigen::Index>(contacts.size()) * kDirections;
+    columns_ = room_.numbers(static_cast<int>(n) * nv_);
+    solved_ = room_.numbers(static_cast<int>(n) * nv_);
+    mjtNum* rows = room_.numbers(d->nefc);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      std::fill_n(rows, d->nefc, 0.0);
+      add_along(m, of(i), direction(i), rows);
+      mj_mulJacTVec(m, d, columns_ + i * nv_, rows);
+    }
+    mj_solveM(m, d, solved_, columns_, static_cast<int>(n));
+  }
+
+  // |z| of each contact into `shift`; false: there is no solution.
+  bool solve() {
+    const auto n = static_cast<Eigen::Index>(contacts_.size()) * kDirections;
+    ContactMatrix a(n, n);
+    ContactVector b(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index j = 0; j <= i; ++j) {
+        a(i, j) = a(j, i) = mju_dot(columns_ + i * nv_, solved_ + j * nv_, nv_);
+      }
+      b[i] = mju_dot(columns_ + i * nv_, d_->qacc_smooth, nv_) -
+             along(m_, of(i), d_->efc_aref, direction(i));
+      a(i, i) += softness(i);
+    }
+    std::array<DiscSet, kMaxContacts> sets{};
+    for (DiscSet& set : sets) set.friction = 1.0;
+    const CoupledSolution s = solve_discs(a, b, std::span(sets).first(contacts_.size()));
+    if (s.solutions == 0) return false;
+    start_from(s.p);
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const auto z = s.y.segment<2>(static_cast<Eigen::Index>(k) * kDirections + 1);
+      contacts_[k].shift = mj_isPyramidal(m_) ? z.cwiseAbs().maxCoeff() : z.norm();
+    }
+    return true;
+  }
+
+  // Whether a row that is of none of them moves with them.
+  bool is_coupled() {
+    int own = 0;
+    for (const ConeRows& c : contacts_) own += c.count;
+    if (own == d_->nefc) return false;
+    mjtNum* product = room_.numbers(d_->nefc);
+    const mjtNum* diagonal = constraint_diagonal(d_);
+    const auto n = static_cast<Eigen::Index>(contacts_.size()) * kDirections;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double mobility = mju_dot(columns_ + i * nv_, solved_ + i * nv_, nv_);
+      mj_mulJacVec(m_, d_, product, solved_ + i * nv_);
+      for (int row = 0; row < d_->nefc; ++row) {
+        if (!is_own(row) && product[row] * product[row] > kApart * mobility * diagonal[row])
+          return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr double kApart = 1e-20;  // squared cosine of two rows that do not meet
+
+  const ConeRows& of(Eigen::Index i) const {
+    return contacts_[static_cast<std::size_t>(i / kDirections)];
+  }
+  static int direction(Eigen::Index i) { return static_cast<int>(i % kDirections); }
+
+  // MuJoCo's solver starts from the accelerations that these forces give. PGS, which moves one
+  // force at a time, else finds no way from 0: neither the normal force nor the friction is worth
+  // having without the other.
+  void start_from(const ContactVector& p) {
+    for (int dof = 0; dof < nv_; ++dof) {
+      double change = 0.0;
+      for (Eigen::Index i = 0; i < p.size(); ++i) change += p[i] * solved_[i * nv_ + dof];
+      if (change != 0.0) d_->qacc_warmstart[dof] = d_->qacc_smooth[dof] + change;
+    }
+  }
+
+  // MuJoCo's R along a direction.
+  double softness(Eigen::Index i) const {
+    const mjtNum* r = d_->efc_R + of(i).first;
+    const int k = direction(i);
+    if (mj_isPyramidal(m_)) return 0.25 * (r[k == 0 ? 0 : 2 * (k - 1)] + r[k == 0 ? 1 : 2 * k - 1]);
+    const double mu = k == 0 ? 1.0 : of(i).contact->friction[k - 1];
+    return mu * mu * r[k];
+  }
+  bool is_own(int row) const {
+    return std::any_of(contacts_.begin(), contacts_.end(), [row](const ConeRows& c) {
+      return row >= c.first && row < c.first + c.count;
+    });
+  }
+
+  const mjModel* m_;
+  mjData* d_;
+  std::span<ConeRows> contacts_;
+  StackFrame room_;
+  int nv_;
+  mjtNum *columns_, *solved_;
+};
+
+// MuJoCo's solver is asked what |z| comes of the shifts, and is given that, by secants. Contracts
+// by itself while mu^2 A_TT < A_NN; the secant ends where it does not.
+void ask_solver(const mjModel* m, mjData* d, std::span<ConeRows> contacts) {
+  constexpr int kMostAsked = 12;
+  constexpr double kSettled = 1e-7;  // of the shift
+  struct Answer {
+    double shift, lift;
+  };
+  std::vector<Answer> last;
+  ConstraintProbe probe(m, d);
+  StackFrame room(d);
+  mjtNum* y = room.numbers(d->nefc);
+  for (int asked = 0; asked < kMostAsked; ++asked) {
+    for (const ConeRows& c : contacts) shift_reference(m, d, c, c.shift);
+    probe.solve([](mjtNum*) {});
+    mj_mulJacVec(m, d, y, d->qacc);
+    for (int i = 0; i < d->nefc; ++i) y[i] += d->efc_R[i] * d->efc_force[i] - d->efc_aref[i];
+    for (const ConeRows& c : contacts) shift_reference(m, d, c, -c.shift);
+    bool settled = true;
+    std::vector<Answer> now;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      ConeRows& c = contacts[k];
+      now.push_back({c.shift, lift(m, c, y)});
+      const Answer& answer = now.back();
+      settled = settled && std::abs(answer.lift - answer.shift) <=
+                               kSettled * std::max(answer.lift, answer.shift);
+      c.shift = answer.lift;
+      if (last.empty() || answer.shift == last[k].shift) continue;
+      const double slope = (answer.lift - last[k].lift) / (answer.shift - last[k].shift);
+      if (std::abs(1.0 - slope) > 0.05) {
+        c.shift = std::max(0.0, (answer.lift - slope * answer.shift) / (1.0 - slope));
+      }
+    }
+    if (settled) break;
+    last = std::move(now);
+  }
+  probe.keep();
+}
+
+}  // namespace
+
+void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> contacts) {
+  if (contacts.empty()) return;
+  compute_actuators(m, d);
+  mj_fwdAcceleration(m, d);
+  StackFrame room(d);
+  mjtNum* free = room.numbers(d->nefc);
+  mj_mulJacVec(m, d, free, d->qacc_smooth);
+  std::vector<ConeRows> cones;
+  for (const SlidingContact& c : contacts) {
+    const ConeRows rows{c.contact, c.contact->efc_address, row_count(m, *c.contact)};
+    if (c.curvature && !follow_ring(m, d, rows, *c.curvature, free)) continue;
+    if (c.contact->dim >= 3) cones.push_back(rows);
+  }
+  if (cones.empty()) return;
+  bool exact =
+      cones.size() <= kMaxContacts && !mj_isPyramidal(m) &&
+      std::all_of(cones.begin(), cones.end(), [](const ConeRows& c) { return c.slides_only(); });
+  if (cones.size() <= kMaxContacts) {
+    OwnCones own(m, d, cones);
+    exact = own.solve() && exact && !own.is_coupled();
+  }
+  if (!exact) ask_solver(m, d, cones);
+  for (const ConeRows& c : cones) shift_reference(m, d, c, c.shift);
 }
 
 }  // namespace rotorub::plugin

@@ -10,15 +10,68 @@
 #include "native_model/contact/rebound.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/actuators.h"
-#include "plugin/contact/chain_space.h"
 #include "plugin/contact/constraint_probe.h"
-#include "plugin/contact/find_contact.h"
-#include "plugin/contact/touching_pair.h"
+#include "plugin/contact/contact_memory.h"
+#include "plugin/contact/contact_space.h"
+#include "plugin/contact/relative_motion.h"
 #include "plugin/load_cells.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
+
+// One contact in accelerations.
+struct TouchingPair : ContactRows {
+  const ContactPair* pair = nullptr;
+  int row = 0;  // of MuJoCo's solver
+  ContactPoint point{};
+  Eigen::Vector3d base{0.0, 0.0, 0.0};  // m/s^2, of y what is not the acceleration of a coordinate
+  double curvature = 0.0;  // m/s^2, towards the ring, with that of centres that go in circles
+  bool touches = false;
+  Eigen::Vector3d force{0.0, 0.0, 0.0};  // N, (normal, friction, friction along the axis)
+  bool sticks = false;
+
+  mjtNum* entry(mjData* d) const { return d->userdata + pair->data; }
+  Eigen::Vector3d normal() const { return contact_load(e_r, radius, force.x(), 0.0); }
+  Eigen::Vector3d friction() const { return contact_load(e_r, radius, 0.0, force.y()); }
+  // Of the force, what MuJoCo is given beside what its solver finds.
+  void add_side(mjtNum* to) const {
+    plane->add_side(normal(), friction(), to);
+    if (axial && force.z() != 0.0) axial->add_load(force.z() * column(2), to);
+  }
+  // The accelerations by all of it.
+  void add_acceleration(mjtNum* to) const {
+    plane->add_acceleration(normal(), to);
+    plane->add_side_acceleration(normal(), friction(), to);
+    if (axial && force.z() != 0.0) axial->add_acceleration(force.z() * column(2), to);
+  }
+};
+
+// row: of MuJoCo's solver; axial: null where it does not move along its axis.
+TouchingPair touching_pair(const ContactPair& pair, const ContactPlace& place,
+                           const ContactSpace& space, const ContactSpace* axial, const mjModel* m,
+                           const mjData* d, int row) {
+  const double h = m->opt.timestep;
+  Eigen::Vector3d rates = space.rates(d->qvel);
+  rates.z() += pair.held_spin;
+  const ContactPoint p = contact_kinematics(place.d, rates.head<2>(), rates.z(),
+                                            pair.contact.radius, pair.contact.clearance);
+  TouchingPair s{{&space, axial, p.e_r, pair.contact.radius}, &pair, row, p};
+  const double whirl = p.whirl_speed();
+  const Eigen::Vector2d turning =
+      pair.on_chain ? Eigen::Vector2d(0.0, 0.0) : turning_of(pair, place, m, d);
+  const double whirling = whirl * whirl / p.delta;
+  s.curvature = whirling + p.e_r.dot(turning);
+  // MuJoCo's a_ref with the gap rate of the state's own time: that of a semi-implicit step is of
+  // half a step ago.
+  const mjtNum* kbip = d->efc_KBIP + 4 * row;
+  const double reference =
+      -kbip[1] * (p.gap_rate + 0.5 * h * s.curvature) - kbip[0] * kbip[2] * p.gap;
+  s.base = {-s.curvature - reference,
+            p.slip / h + whirl / p.delta * p.gap_rate + p.e_t().dot(turning),
+            axial ? s.column(2).dot(axial->rates(d->qvel)) / h : 0.0};
+  return s;
+}
 
 // y without any force, free(space) the accelerations. A rebound that the loads undo within the step
 // is no flight.
@@ -50,6 +103,12 @@ struct Touching {
   std::size_t count = 0;
   Eigen::Index rows = 2;  // 3 where one moves along its axis
   Eigen::Index row(std::size_t k) const { return rows * static_cast<Eigen::Index>(k); }
+  std::span<const ImpactLaw> friction() const { return {laws.data(), count}; }
+  ContactMatrix matrix() const {
+    std::array<const ContactRows*, kMaxContacts> all{};
+    std::copy_n(at.begin(), count, all.begin());
+    return contact_matrix({all.data(), count}, rows, false);
+  }
 };
 
 Touching touching(TouchingPairs& contacts) {
@@ -61,26 +120,6 @@ Touching touching(TouchingPairs& contacts) {
     if (s.axial) t.rows = 3;
   }
   return t;
-}
-
-ContactMatrix matrix(const Touching& t) {
-  const Eigen::Index n = t.row(t.count);
-  ContactMatrix a = ContactMatrix::Zero(n, n);
-  for (std::size_t j = 0; j < t.count; ++j) {
-    for (Eigen::Index k = 0; k < t.rows; ++k) {
-      if (k == 2 && !t.at[j]->axial) continue;
-      const ContactSpace& from = k == 2 ? *t.at[j]->axial : *t.at[j]->space;
-      const Eigen::Vector3d load =
-          k == 2 ? t.at[j]->column() : t.at[j]->load(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0);
-      const auto answer = [&](const ContactSpace& at) -> Eigen::Vector3d {
-        return at.flexibility(from) * load;
-      };
-      for (std::size_t i = 0; i < t.count; ++i) {
-        a.col(t.row(j) + k).segment(t.row(i), t.rows) = t.at[i]->along(answer).head(t.rows);
-      }
-    }
-  }
-  return 0.5 * (a + a.transpose());
 }
 
 void put(Touching& t, const ContactVector& forces, const std::array<bool, kMaxContacts>& sticks) {
@@ -123,7 +162,7 @@ void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d)
   const auto warned = [d](const TouchingPair* s) { return s->entry(d)[kContactStatus] != 0.0; };
   const bool known =
       std::any_of(t.at.begin(), t.at.begin() + static_cast<std::ptrdiff_t>(t.count), warned);
-  if (!converged && !known) warn_unsolved(m, d, *t.at[0]->space);
+  if (!converged && !known) warn_unsolved(m, d, *t.at[0]->plane);
   for (std::size_t k = 0; k < t.count; ++k) {
     t.at[k]->entry(d)[kContactStatus] = converged ? 0.0 : static_cast<double>(Status::kNoSolution);
   }
@@ -143,7 +182,7 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   for (std::size_t k = 0; k < t.count; ++k) {
     b.segment(t.row(k), t.rows) = free[k].head(t.rows);
   }
-  const CoupledSolution s = solve_compression(matrix(t), b, std::span(t.laws).first(t.count));
+  const CoupledSolution s = solve_compression(t.matrix(), b, t.friction());
   if (s.solutions > 0) put(t, s.p, s.sticks);
 }
 
@@ -179,7 +218,7 @@ void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData*
     ForceResponse response(probe, t);
     const ContactVector none = ContactVector::Zero(t.row(t.count));
     const ConstrainedContact found =
-        solve_constrained(response, response.at(none), matrix(t), std::span(t.laws).first(t.count));
+        solve_constrained(response, response.at(none), t.matrix(), t.friction());
     if (found.solved) put(t, found.p, found.sticks);
     note_status(t, found.converged, m, d);
     ContactVector forces = none;
@@ -204,7 +243,7 @@ void note(const TouchingPair& s, mjData* d) {
   entry[kNormalForce] = s.force.x();
   entry[kFrictionForce] = s.force.y();
   entry[kMode] = static_cast<double>(mode_of(s.force.x(), s.sticks));
-  if (s.axial) note_contact(d, s.pair->data, s.point.e_r, s.force.z());
+  if (s.axial) note_contact(d, s.pair->data, s.e_r, s.force.z());
 }
 
 using AnySpace = std::variant<std::monostate, BodySpace, ChainSpace>;
@@ -253,7 +292,7 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
   bool beside = false;
   for (const TouchingPair& s : contacts.span()) {
     const std::span<const int> own = std::span(contacts.rows).first(contacts.count);
-    beside = beside || constraints_couple(m, d, *s.space, own) ||
+    beside = beside || constraints_couple(m, d, *s.plane, own) ||
              (s.axial && constraints_couple(m, d, *s.axial, own));
   }
   if (beside) {

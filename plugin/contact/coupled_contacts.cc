@@ -2,16 +2,7 @@
 
 #include <algorithm>
 
-#include "native_model/contact/kinematics.h"
-
 namespace rotorub::plugin {
-
-ContactColumns contact_columns(const Eigen::Vector2d& e_r, double radius) {
-  ContactColumns w;
-  w.col(0) = contact_load(e_r, radius, 1.0, 0.0);
-  w.col(1) = contact_load(e_r, radius, 0.0, 1.0);
-  return w;
-}
 
 // The step's answer to impulses of a subset, for those whom constraints hold.
 class CoupledContacts::Response final : public ContactResponse {
@@ -33,9 +24,10 @@ class CoupledContacts::Response final : public ContactResponse {
 CoupledContacts::CoupledContacts(const mjModel* m, mjData* d,
                                  std::span<CoupledMember* const> members, ConstraintProbe* probe)
     : d_(d), members_(members), probe_(probe), h_(m->opt.timestep) {
-  for (Closing& c : contacts_) c.lasting = c.sudden = Eigen::Vector3d::Zero();
-  for (const CoupledMember* at : members) {
-    if (at->axial) rows_ = 3;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const CoupledMember& at = *members[i];
+    contacts_[i].rows = {at.space, at.axial, {1.0, 0.0}, at.pair->contact.radius};
+    if (at.axial) rows_ = 3;
   }
 }
 
@@ -56,13 +48,12 @@ void CoupledContacts::give_none() {
 
 void CoupledContacts::add_forces(mjtNum* to) const {
   for (std::size_t i = 0; i < size(); ++i) {
-    const Closing& c = contacts_[i];
-    if (!c.closed) continue;
-    const CoupledMember& at = *members_[i];
-    if (!c.lasting.isZero(0.0)) at.space->add_load(c.w * c.lasting.head<2>() / h_, to);
-    if (!c.sudden.isZero(0.0)) at.space->add_impact(c.w * c.sudden.head<2>() / h_, to);
-    if (c.lasting.z() != 0.0) at.axial->add_load(c.w_axial * (c.lasting.z() / h_), to);
-    if (c.sudden.z() != 0.0) at.axial->add_impact(c.w_axial * (c.sudden.z() / h_), to);
+    for (const bool impact : {false, true}) {
+      const Eigen::Vector3d& p = impact ? contacts_[i].sudden : contacts_[i].lasting;
+      if (!contacts_[i].closed || p.isZero(0.0)) continue;
+      contacts_[i].rows.for_each_load(
+          p / h_, [&](const ContactSpace& at, const auto& load) { at.add(load, impact, to); });
+    }
   }
 }
 
@@ -71,13 +62,13 @@ Eigen::Vector3d CoupledContacts::end_of(const ContactSpace& at,
   if (probe_) return start + h_ * probe_->acceleration(at);
   Eigen::Vector3d end = start + h_ * at.response(d_->qfrc_smooth);
   for (std::size_t j = 0; j < size(); ++j) {
-    const Closing& c = contacts_[j];
-    if (!c.closed) continue;
-    const ContactSpace &plane = *members_[j]->space, *axial = members_[j]->axial;
-    if (!c.lasting.isZero(0.0)) end += at.flexibility(plane) * (c.w * c.lasting.head<2>());
-    if (!c.sudden.isZero(0.0)) end += at.admittance(plane) * (c.w * c.sudden.head<2>());
-    if (c.lasting.z() != 0.0) end += at.flexibility(*axial) * (c.w_axial * c.lasting.z());
-    if (c.sudden.z() != 0.0) end += at.admittance(*axial) * (c.w_axial * c.sudden.z());
+    for (const bool impact : {false, true}) {
+      const Eigen::Vector3d& p = impact ? contacts_[j].sudden : contacts_[j].lasting;
+      if (!contacts_[j].closed || p.isZero(0.0)) continue;
+      contacts_[j].rows.for_each_load(p, [&](const ContactSpace& from, const auto& load) {
+        end += (impact ? at.admittance(from) : at.flexibility(from)) * load;
+      });
+    }
   }
   return end;
 }
@@ -92,41 +83,23 @@ void CoupledContacts::find_ends() {
 }
 
 ContactVector CoupledContacts::rates(const ContactSubset& s) const {
-  ContactVector y = ContactVector::Zero(rows_ * static_cast<Eigen::Index>(s.count));
+  ContactVector y(rows_ * static_cast<Eigen::Index>(s.count));
   for (std::size_t k = 0; k < s.count; ++k) {
     const Closing& c = contacts_[s.index[k]];
     const Eigen::Index row = rows_ * static_cast<Eigen::Index>(k);
-    y.segment<2>(row) = c.w.transpose() * c.end;
+    const auto end = [&c](const ContactSpace& at) {
+      return &at == c.rows.axial ? c.axial_end : c.end;
+    };
+    y.segment(row, rows_) = c.rows.along(end).head(rows_);
     y[row] += s.offset[k];
-    if (members_[s.index[k]]->axial) y[row + 2] = c.w_axial.dot(c.axial_end);
   }
   return y;
 }
 
 ContactMatrix CoupledContacts::matrix(const ContactSubset& s) const {
-  const Eigen::Index n = rows_ * static_cast<Eigen::Index>(s.count);
-  ContactMatrix a = ContactMatrix::Zero(n, n);
-  const auto g = [&](const ContactSpace& at, const ContactSpace& from) {
-    return s.impact ? at.admittance(from) : at.flexibility(from);
-  };
-  for (std::size_t i = 0; i < s.count; ++i) {
-    for (std::size_t j = 0; j < s.count; ++j) {
-      const Closing &one = contacts_[s.index[i]], &two = contacts_[s.index[j]];
-      const CoupledMember &at = *members_[s.index[i]], &from = *members_[s.index[j]];
-      const Eigen::Index row = rows_ * static_cast<Eigen::Index>(i),
-                         column = rows_ * static_cast<Eigen::Index>(j);
-      a.block<2, 2>(row, column) = one.w.transpose() * g(*at.space, *from.space) * two.w;
-      if (from.axial)
-        a.block<2, 1>(row, column + 2) =
-            one.w.transpose() * g(*at.space, *from.axial) * two.w_axial;
-      if (at.axial)
-        a.block<1, 2>(row + 2, column) =
-            one.w_axial.transpose() * g(*at.axial, *from.space) * two.w;
-      if (at.axial && from.axial)
-        a(row + 2, column + 2) = one.w_axial.dot(g(*at.axial, *from.axial) * two.w_axial);
-    }
-  }
-  return 0.5 * (a + a.transpose());
+  std::array<const ContactRows*, kMaxContacts> all{};
+  for (std::size_t k = 0; k < s.count; ++k) all[k] = &contacts_[s.index[k]].rows;
+  return contact_matrix({all.data(), s.count}, rows_, s.impact);
 }
 
 void CoupledContacts::put(const ContactSubset& s, const ContactVector& p) {
@@ -145,12 +118,10 @@ void CoupledContacts::set_status(const ContactSubset& s, Status status) {
 bool CoupledContacts::solve(const ContactSubset& s, std::array<bool, kMaxContacts>& sticks) {
   const ContactMatrix a = matrix(s);
   const ContactVector free = rates(s);
-  if (probe_) return solve_held(s, a, free, sticks);
   std::array<ImpactLaw, kMaxContacts> all{};
-  for (std::size_t k = 0; k < s.count; ++k) {
-    all[k] = members_[s.index[k]]->contact->law();
-  }
+  for (std::size_t k = 0; k < s.count; ++k) all[k] = members_[s.index[k]]->pair->contact.law();
   const std::span<const ImpactLaw> laws(all.data(), s.count);
+  if (probe_) return solve_held(s, a, free, laws, sticks);
   const CoupledSolution found =
       s.impact ? solve_coupled_impact(a, free, laws) : solve_compression(a, free, laws);
   if (found.solutions != 1) {
@@ -163,14 +134,11 @@ bool CoupledContacts::solve(const ContactSubset& s, std::array<bool, kMaxContact
 }
 
 bool CoupledContacts::solve_held(const ContactSubset& s, const ContactMatrix& a,
-                                 const ContactVector& free,
+                                 const ContactVector& free, std::span<const ImpactLaw> laws,
                                  std::array<bool, kMaxContacts>& sticks) {
-  std::array<ImpactLaw, kMaxContacts> laws{};
-  for (std::size_t k = 0; k < s.count; ++k) laws[k] = members_[s.index[k]]->contact->law();
   Response response(*this, s);
-  const ConstrainedContact found =
-      s.impact ? solve_constrained_impact(response, free, a, std::span(laws).first(s.count))
-               : solve_constrained(response, free, a, std::span(laws).first(s.count));
+  const ConstrainedContact found = s.impact ? solve_constrained_impact(response, free, a, laws)
+                                            : solve_constrained(response, free, a, laws);
   converged_ = converged_ && found.converged;
   if (!found.solved || !found.converged) set_status(s, Status::kNoSolution);
   sticks = found.sticks;

@@ -4,7 +4,7 @@
 //   end_i = start_i + h a_i + sum_j G_ij w_j p_j,     w = (W_N, W_T), p = (normal, friction)
 //   impulses
 //
-// and where one of them moves along its ring's axis (axial_motion.h) with W_Z and the friction
+// and where one of them moves along its ring's axis (relative_motion.h) with W_Z and the friction
 // along the axis for a third. G is the flexibility of the step's matrix for what acts all through
 // it, the admittance of the mass for a blow; where MuJoCo's constraints hold a body, its solver is
 // asked instead (contact/constraint_probe.h).
@@ -23,19 +23,13 @@
 
 namespace rotorub::plugin {
 
-using ContactColumns = Eigen::Matrix<double, 3, 2>;
-// W_N and W_T as columns: the loads (x, y, torque) of a normal and of a friction impulse of 1.
-ContactColumns contact_columns(const Eigen::Vector2d& e_r, double radius);
-
 // A contact of the step that is being solved.
 struct Closing {
   bool closed = false;
   bool impact = false;  // by itself: it was open, and its rebound outlives the step
-  ContactColumns w;
-  Eigen::Vector3d w_axial;
-  Eigen::Vector2d e_r;
-  Eigen::Vector3d lasting,
-      sudden;  // N s, (normal, friction, friction along the axis) of the two parts
+  ContactRows rows;
+  // N s, (normal, friction, friction along the axis) of the two parts.
+  Eigen::Vector3d lasting{0.0, 0.0, 0.0}, sudden{0.0, 0.0, 0.0};
   Eigen::Vector3d end, axial_end;  // rates at the end of the step with all impulses so far
   RigidResult result;
 };
@@ -83,7 +77,7 @@ class CoupledContacts {
   // Rates at the end of the step in one space, `start` those at its beginning.
   Eigen::Vector3d end_of(const ContactSpace& at, const Eigen::Vector3d& start) const;
   bool solve_held(const ContactSubset& s, const ContactMatrix& a, const ContactVector& free,
-                  std::array<bool, kMaxContacts>& sticks);
+                  std::span<const ImpactLaw> laws, std::array<bool, kMaxContacts>& sticks);
   void set_status(const ContactSubset& s, Status status);
 
   mjData* d_;

@@ -4,12 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "plugin/contact/axial_motion.h"
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/coupled_contacts.h"
-#include "plugin/contact/memory.h"
-#include "plugin/load_cells.h"
-#include "plugin/passes.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -23,7 +19,7 @@ class CoupledStep {
     for (std::size_t i = 0; i < size(); ++i) {
       RigidStep& step = members_[i]->step;
       step.free = contacts_[i].end;
-      contacts_[i].closed = reaches_ring(step, members_[i]->contact->clearance);
+      contacts_[i].closed = reaches_ring(step, members_[i]->pair->contact.clearance);
     }
   }
 
@@ -32,20 +28,16 @@ class CoupledStep {
     for (std::size_t round = 0; round <= size() && contacts_.any_closed(); ++round) {
       if (!solve_closed()) {
         contacts_.give_none();
-        return;
+        break;
       }
       if (!close_driven()) break;
     }
-  }
-
-  bool converged() const { return contacts_.converged(); }
-  const RigidResult& result(std::size_t i) const { return contacts_[i].result; }
-  // Friction along the axis, N s.
-  double axial(std::size_t i) const { return contacts_[i].lasting.z() + contacts_[i].sudden.z(); }
-
-  // The step with all impulses is what the pass will find.
-  void keep() {
+    for (std::size_t i = 0; i < size(); ++i) {
+      members_[i]->result = contacts_[i].result;
+      members_[i]->axial_friction = contacts_[i].lasting.z() + contacts_[i].sudden.z();
+    }
     if (!probe_ || !contacts_.any_closed()) return;
+    // The step with all impulses is what the pass will find.
     contacts_.find_ends();
     probe_->keep();
   }
@@ -75,11 +67,10 @@ class CoupledStep {
       c.lasting = c.sudden = Eigen::Vector3d::Zero();
       c.result = {};
       if (!c.closed) continue;
-      const CoupledMember& at = *members_[i];
-      c.e_r = c.result.e_r = contact_normal(at.step, at.contact->clearance);
-      c.w = contact_columns(c.e_r, at.contact->radius);
-      c.w_axial = axial_column(c.e_r, at.contact->radius);
-      c.impact = is_impact(at.step, c.e_r, *at.contact);
+      const RigidStep& step = members_[i]->step;
+      const ContactParameters& contact = members_[i]->pair->contact;
+      c.rows.e_r = c.result.e_r = contact_normal(step, contact.clearance);
+      c.impact = is_impact(step, c.rows.e_r, contact);
     }
     contacts_.find_ends();
   }
@@ -110,7 +101,7 @@ class CoupledStep {
       const Closing& c = contacts_[i];
       if (!c.closed) continue;
       // What the lasting contacts hold back has no blow in this step.
-      if (c.impact && !reaches_ring(ended(i), members_[i]->contact->clearance)) continue;
+      if (c.impact && !reaches_ring(ended(i), members_[i]->pair->contact.clearance)) continue;
       impacts = impacts || c.impact;
       all.offset[all.count] = c.impact ? 0.0 : offset(i);
       all.index[all.count++] = i;
@@ -147,7 +138,8 @@ class CoupledStep {
   // y_N less gdot_N of a lasting contact.
   double offset(std::size_t i) const {
     const RigidStep step = ended(i);
-    return gap_over_step(step, *members_[i]->contact) + contacts_[i].e_r.dot(step.free.head<2>());
+    return gap_over_step(step, members_[i]->pair->contact) +
+           contacts_[i].rows.e_r.dot(step.free.head<2>());
   }
 
   // The step with the impulses so far in `free`.
@@ -162,7 +154,7 @@ class CoupledStep {
     bool any = false;
     for (std::size_t i = 0; i < size(); ++i) {
       Closing& c = contacts_[i];
-      if (c.closed || !reaches_ring(ended(i), members_[i]->contact->clearance)) continue;
+      if (c.closed || !reaches_ring(ended(i), members_[i]->pair->contact.clearance)) continue;
       c.closed = any = true;
     }
     return any;
@@ -173,43 +165,10 @@ class CoupledStep {
   CoupledContacts contacts_;
 };
 
-void note_results(const CoupledStep& step, const mjModel* m, mjData* d,
-                  std::span<CoupledMember* const> members) {
-  const CoupledMember* held = nullptr;
-  bool warned = false;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    ContactMemory memory(d, members[i]->data, m->opt.timestep);
-    warned = warned || memory.warned();
-    if (members[i]->held) held = members[i];
-    memory.note(step.result(i), m->opt.timestep);
-    if (members[i]->axial)
-      note_contact(d, members[i]->data, step.result(i).e_r, step.axial(i) / m->opt.timestep);
-  }
-  if (!step.converged() && held && !warned) warn_unsolved(m, d, *held->space);
-}
-
 }  // namespace
 
-bool moves_with(const CoupledMember& a, const CoupledMember& b) {
-  if (a.held && b.held) return true;
-  const auto answers = [](const ContactSpace* at, const ContactSpace* to) {
-    return at && to && !at->admittance(*to).isZero(0.0);
-  };
-  return answers(a.space, b.space) || answers(a.space, b.axial) || answers(a.axial, b.space) ||
-         answers(a.axial, b.axial);
-}
-
-void apply_coupled_step(const mjModel* m, mjData* d, std::span<CoupledMember* const> members) {
-  for (CoupledMember* at : members) {
-    ContactMemory memory(d, at->data, at->step.h);
-    if (contact_enabled(m)) memory.watch(at->step.d.norm(), *at->contact);
-    at->step.was_in_contact = memory.was_in_contact(at->step.d.norm(), at->contact->clearance);
-  }
-  if (!contact_enabled(m)) {
-    for (const CoupledMember* at : members)
-      ContactMemory(d, at->data, at->step.h).note({}, at->step.h);
-    return;
-  }
+void apply_coupled_step(const mjModel* m, mjData* d, std::span<CoupledMember* const> members,
+                        mjtNum* to) {
   const bool held =
       std::any_of(members.begin(), members.end(), [](const CoupledMember* at) { return at->held; });
   std::optional<ConstraintProbe> probe;
@@ -219,10 +178,8 @@ void apply_coupled_step(const mjModel* m, mjData* d, std::span<CoupledMember* co
   }
   CoupledStep step(m, d, members, held ? &*probe : nullptr);
   step.solve();
-  step.keep();
   probe.reset();
-  note_results(step, m, d, members);
-  step.add_forces(d->qfrc_passive);
+  step.add_forces(to);
 }
 
 }  // namespace rotorub::plugin

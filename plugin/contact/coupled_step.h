@@ -1,5 +1,5 @@
 // `rigid` over one step of MuJoCo for contacts that move together, two rings on one shaft: one
-// problem (contact/coupled_law.h), not one after the other.
+// problem (native_model/contact/coupled_law.h), not one after the other.
 //
 // A step has two parts. First contacts that last, (12)-(13), together over the step. Then the
 // impacts, in no time, with the velocities that those leave: (15)-(19) for all closed contacts at a
@@ -16,22 +16,24 @@
 
 namespace rotorub::plugin {
 
+// A contact of the pass.
 struct CoupledMember {
+  const ContactPair* pair = nullptr;
   const ContactSpace* space = nullptr;
-  const ContactParameters* contact = nullptr;
-  int data = 0;       // its memory (user_data.h)
   bool held = false;  // MuJoCo's constraints move with it
-  RigidStep step;     // h, d, bend, start
-  // Of a contact with friction that moves along its ring's axis (axial_motion.h), else null:
+  RigidStep step;     // h, d, bend, start, was_in_contact
+  // Of a contact with friction that moves along its ring's axis (relative_motion.h), else null:
   // (velocity along the axis, tilt rates about x and y).
   const ContactSpace* axial = nullptr;
   Eigen::Vector3d axial_start{0.0, 0.0, 0.0};
+
+  // What the step comes to.
+  RigidResult result;
+  double axial_friction = 0.0;  // N s, on the rotor along the axis
 };
 
-// True where an impulse of one changes the rates of the other: for what is held, it may.
-bool moves_with(const CoupledMember& a, const CoupledMember& b);
-
-// As apply_rigid_step.
-void apply_coupled_step(const mjModel* m, mjData* d, std::span<CoupledMember* const> members);
+// Fills the results, and adds the impulses as forces over the step. After update_smooth_force.
+void apply_coupled_step(const mjModel* m, mjData* d, std::span<CoupledMember* const> members,
+                        mjtNum* to);
 
 }  // namespace rotorub::plugin

@@ -6,11 +6,10 @@
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/scene/scene.h"
-#include "plugin/contact/body_space.h"
 #include "plugin/contact/cone.h"
-#include "plugin/contact/cone_correction.h"
+#include "plugin/contact/contact_space.h"
 #include "plugin/contact/coulomb.h"
-#include "plugin/contact/reach.h"
+#include "plugin/contact/relative_motion.h"
 #include "plugin/contact/rigid.h"
 
 namespace rotorub::plugin {

@@ -4,36 +4,90 @@
 #include <optional>
 
 #include "native_model/contact/coupled_law.h"
-#include "plugin/contact/body_space.h"
+#include "native_model/contact/kinematics.h"
+#include "plugin/actuators.h"
 #include "plugin/contact/constraint_probe.h"
+#include "plugin/contact/contact_memory.h"
+#include "plugin/contact/contact_space.h"
 #include "plugin/contact/coupled_step.h"
-#include "plugin/contact/memory.h"
-#include "plugin/contact/reach.h"
-#include "plugin/contact/rigid_step.h"
-#include "plugin/contact/smooth_force.h"
-#include "plugin/passes.h"
+#include "plugin/contact/relative_motion.h"
+#include "plugin/options.h"
 
 namespace rotorub::plugin {
 namespace {
 
-RigidStep begin_step(const ContactPair& pair, const ContactPlace& place, const BodySpace& space,
-                     const mjModel* m, const mjData* d) {
-  RigidStep step;
-  step.h = m->opt.timestep;
-  step.d = place.d;
-  step.bend = 0.5 * step.h * step.h * turning_of(pair, place, m, d);
-  step.start = space.rates(d->qvel);
-  step.start.z() += pair.held_spin;
-  return step;
+// A rotor that can neither slip nor spin (one slide) has G_TT = 0: a trace of it, that of a spin
+// that nothing is asked of, leaves the 2x2 problem solvable.
+Eigen::Matrix3d with_spin(Eigen::Matrix3d admittance, double radius) {
+  constexpr double kTrace = 1e-12;
+  if (admittance(2, 2) == 0.0) {
+    admittance(2, 2) = kTrace * (admittance(0, 0) + admittance(1, 1)) / (radius * radius);
+  }
+  return admittance;
 }
 
-void apply_one(const ContactPair& pair, const mjModel* m, mjData* d) {
-  const ContactPlace place = contact_place(pair, d);
-  const StepMatrix matrix(m, d);
-  BodySpace space(pair, place, m, d, matrix);
-  space.solve();
-  RigidStep step = begin_step(pair, place, space, m, d);
-  apply_rigid_step(m, d, space, step, pair.contact, pair.data);
+// False: no impulse of the contact opens the gap. Nothing that moves is beside the normal.
+bool can_open(const RigidStep& step, double clearance) {
+  const Eigen::Vector2d e_r = contact_normal(step, clearance);
+  const Eigen::Matrix2d g = step.lasting_admittance.topLeftCorner<2, 2>();
+  return e_r.dot(g * e_r) > 1e-12 * g.trace();
+}
+
+// From `free` of the step on.
+RigidResult solve(CoupledMember& at, StepResponse* held) {
+  RigidStep& step = at.step;
+  const ContactParameters& contact = at.pair->contact;
+  if (!reaches_ring(step, contact.clearance)) return {};
+  step.lasting_admittance = with_spin(at.space->flexibility(), contact.radius);
+  // Only what was open has an impact.
+  if (!step.was_in_contact) {
+    step.impact_admittance = with_spin(at.space->admittance(), contact.radius);
+  }
+  if (!can_open(step, contact.clearance)) {
+    RigidResult none;
+    none.status = Status::kNoSolution;
+    return none;
+  }
+  return solve_rigid_step(step, contact, held);
+}
+
+RigidResult solve_held(const mjModel* m, mjData* d, CoupledMember& at) {
+  mj_fwdAcceleration(m, d);
+  ConstraintProbe probe(m, d);
+  ProbedStep held(probe, *at.space, at.step.start, at.step.h);
+  at.step.free = held.end(Eigen::Vector3d::Zero(), false);
+  const RigidResult r = solve(at, &held);
+  if (r.normal > 0.0) {
+    held.end(contact_load(r.e_r, at.pair->contact.radius, r.normal, r.friction), r.impact);
+    probe.keep();
+  }
+  return r;
+}
+
+// A contact by itself, without motion along the axis.
+void apply_one(const mjModel* m, mjData* d, CoupledMember& at) {
+  const double h = at.step.h;
+  if (at.held) {
+    at.result = solve_held(m, d, at);
+  } else {
+    at.step.free = at.step.start + h * at.space->response(d->qfrc_smooth);
+    at.result = solve(at, nullptr);
+  }
+  const RigidResult& r = at.result;
+  if (!(r.normal > 0.0)) return;
+  const Eigen::Vector3d load =
+      contact_load(r.e_r, at.pair->contact.radius, r.normal / h, r.friction / h);
+  at.space->add(load, r.impact, d->qfrc_passive);
+}
+
+// True where an impulse of one changes the rates of the other: for what is held, it may.
+bool moves_with(const CoupledMember& a, const CoupledMember& b) {
+  if (a.held && b.held) return true;
+  const auto answers = [](const ContactSpace* at, const ContactSpace* to) {
+    return at && to && !at->admittance(*to).isZero(0.0);
+  };
+  return answers(a.space, b.space) || answers(a.space, b.axial) || answers(a.axial, b.space) ||
+         answers(a.axial, b.axial);
 }
 
 using Group = std::array<CoupledMember*, kMaxContacts>;
@@ -58,40 +112,67 @@ std::size_t take_group(std::span<CoupledMember> all, std::array<bool, kMaxContac
   return count;
 }
 
-void apply_several(std::span<const ContactPair* const> pairs, const mjModel* m, mjData* d) {
+void note_results(const mjModel* m, mjData* d, std::span<CoupledMember* const> group) {
+  const double h = m->opt.timestep;
+  const CoupledMember* unsolved = nullptr;
+  bool warned = false;
+  for (const CoupledMember* at : group) {
+    ContactMemory memory(d, at->pair->data, h);
+    warned = warned || memory.warned();
+    if (at->held && !at->result.converged) unsolved = at;
+    memory.note(at->result, h);
+    if (at->axial) note_contact(d, at->pair->data, at->result.e_r, at->axial_friction / h);
+  }
+  if (unsolved && !warned) warn_unsolved(m, d, *unsolved->space);
+}
+
+void solve_groups(const mjModel* m, mjData* d, std::span<CoupledMember> all) {
+  std::array<bool, kMaxContacts> left{};
+  left.fill(true);
+  Group group{};
+  while (const std::size_t count = take_group(all, left, group)) {
+    const std::span<CoupledMember* const> members(group.data(), count);
+    if (count == 1 && !group[0]->axial) {
+      apply_one(m, d, *group[0]);
+    } else {
+      apply_coupled_step(m, d, members, d->qfrc_passive);
+    }
+    note_results(m, d, members);
+  }
+}
+
+// The contacts that may close in this step.
+void solve_near(std::span<const ContactPair* const> pairs, const mjModel* m, mjData* d) {
+  const double h = m->opt.timestep;
   const StepMatrix matrix(m, d);
   // On the stack of mjData: the last made goes first.
   std::array<std::optional<BodySpace>, kMaxContacts> spaces, axial;
   std::array<CoupledMember, kMaxContacts> members;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const ContactPlace place = contact_place(*pairs[i], d);
-    BodySpace& space = spaces[i].emplace(*pairs[i], place, m, d, matrix);
-    space.solve();
+    const ContactPair& pair = *pairs[i];
     CoupledMember& member = members[i];
+    member.pair = &pair;
+    const ContactPlace place = contact_place(pair, d);
+    BodySpace& space = spaces[i].emplace(pair, place, m, d, matrix);
+    space.solve();
     member.space = &space;
-    member.contact = &pairs[i]->contact;
-    member.data = pairs[i]->data;
-    member.step = begin_step(*pairs[i], place, space, m, d);
-    member.held = contact_enabled(m) && constraints_couple(m, d, space);
-    if (!pairs[i]->axial) continue;
-    BodySpace& along = axial[i].emplace(*pairs[i], place, m, d, matrix, BodyRows::kAxis);
+    member.step.h = h;
+    member.step.d = place.d;
+    member.step.bend = 0.5 * h * h * turning_of(pair, place, m, d);
+    member.step.start = space.rates(d->qvel);
+    member.step.start.z() += pair.held_spin;
+    ContactMemory memory(d, pair.data, h);
+    memory.watch(place.d.norm(), pair.contact);
+    member.step.was_in_contact = memory.was_in_contact(place.d.norm(), pair.contact.clearance);
+    member.held = constraints_couple(m, d, space);
+    if (!pair.axial) continue;
+    BodySpace& along = axial[i].emplace(pair, place, m, d, matrix, BodyRows::kAxis);
     along.solve();
     member.axial = &along;
     member.axial_start = along.rates(d->qvel);
-    member.held = member.held || (contact_enabled(m) && constraints_couple(m, d, along));
+    member.held = member.held || constraints_couple(m, d, along);
   }
-  const std::span<CoupledMember> all(members.data(), pairs.size());
-  std::array<bool, kMaxContacts> left{};
-  left.fill(true);
-  Group group{};
-  while (const std::size_t count = take_group(all, left, group)) {
-    if (count == 1 && !group[0]->axial) {
-      CoupledMember& one = *group[0];
-      apply_rigid_step(m, d, *one.space, one.step, *one.contact, one.data);
-    } else {
-      apply_coupled_step(m, d, {group.data(), count});
-    }
-  }
+  solve_groups(m, d, {members.data(), pairs.size()});
   for (std::size_t i = pairs.size(); i-- > 0;) {
     axial[i].reset();
     spaces[i].reset();
@@ -117,16 +198,15 @@ void apply_rigid(std::span<const ContactPair> pairs, const mjModel* m, mjData* d
     facing[count++] = &pair;
     near = near || memory.was_in_contact() || reach.may_reach(pair);
   }
-  if (!near) {
-    for (std::size_t i = 0; i < count; ++i) {
-      ContactMemory memory(d, facing[i]->data, m->opt.timestep);
-      memory.watch(0.0, facing[i]->contact);  // within its ring, as far as that matters
-      memory.note({}, m->opt.timestep);
-    }
-  } else if (count == 1 && !facing[0]->axial) {
-    apply_one(*facing[0], m, d);
-  } else {
-    apply_several({facing.data(), count}, m, d);
+  if (near && contact_enabled(m)) {
+    solve_near({facing.data(), count}, m, d);
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    ContactMemory memory(d, facing[i]->data, m->opt.timestep);
+    // Within its ring, as far as that matters.
+    if (!near) memory.watch(0.0, facing[i]->contact);
+    memory.note({}, m->opt.timestep);
   }
 }
 

@@ -1,4 +1,7 @@
-// Contact model `rigid` in MuJoCo's coordinates: the contacts of one pass.
+// Contact model `rigid` in the coordinates of bodies (contact_space.h), of segments and of models
+// of the user's own: the contacts of one pass. A contact by itself is solved in closed form,
+// (12)-(19), those that move together as one problem (coupled_step.h), either with the constraints
+// of MuJoCo's solver that act on the same bodies (constraint_probe.h).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -9,7 +12,8 @@
 
 namespace rotorub::plugin {
 
-// Those of the pairs that are rigid. In mjcb_control; adds to d->qfrc_passive.
+// Those of the pairs that are rigid. In mjcb_control; adds their impulses to d->qfrc_passive, as
+// forces over the step, and notes them (contact_memory.h).
 void apply_rigid(std::span<const ContactPair> pairs, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

@@ -11,14 +11,14 @@
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "plugin/actuators.h"
-#include "plugin/contact/escape_guard.h"
+#include "plugin/contact/contact_memory.h"
 #include "plugin/control.h"
 #include "plugin/differences.h"
+#include "plugin/generated_rotor.h"
 #include "plugin/load_cells.h"
 #include "plugin/mujoco_versions.h"
-#include "plugin/passes.h"
-#include "plugin/passive.h"
-#include "plugin/thread_worker.h"
+#include "plugin/options.h"
+#include "plugin/thread_memory.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {

@@ -14,7 +14,7 @@
 #include <mujoco/mujoco.h>
 
 #include "plugin/config.h"
-#include "plugin/coordinates.h"
+#include "plugin/generated_rotor.h"
 
 namespace rotorub::plugin {
 

@@ -20,8 +20,10 @@
 #include <mujoco/mujoco.h>
 
 #include <array>
+#include <string>
 
 #include "plugin/config.h"
+#include "plugin/own/own_names.h"
 
 namespace rotorub::plugin {
 
@@ -29,11 +31,20 @@ namespace rotorub::plugin {
 // Throws ConfigError.
 void map_own_contacts(const mjModel* m, Config& config);
 
-// ContactPair::given of now: what a contact takes from them, or was held against, changes with
+// ContactPair::read of now: what a contact takes from them, or was held against, changes with
 // them.
 std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair);
 // Whether rotors and rings of m, of the config's fingerprint, move along their axes as in the
 // config.
 bool same_motion(const Config& config, const mjModel* m);
+
+// What the <pair> of a user's own model must say, so that MuJoCo's solver does the contact law's
+// share and no more.
+
+// "<contact><pair geom1=... geom2=...>"
+std::string pair_element(const mjModel* m, const ContactPair& pair);
+
+// Throws ConfigError.
+void check_pair(const mjModel* m, const PairName& name, const ContactPair& pair);
 
 }  // namespace rotorub::plugin

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "plugin/config.h"
-#include "plugin/twin/axis_joints.h"
+#include "plugin/twin/probe.h"
 
 namespace rotorub::plugin {
 

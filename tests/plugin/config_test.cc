@@ -7,7 +7,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "plugin/fingerprint.h"
+#include "plugin/config_cache.h"
 #include "plugin/hooks.h"
 #include "plugin/user_data.h"
 #include "tests/plugin/scenes.h"
@@ -78,8 +78,8 @@ TEST_F(ConfigTest, ReadsTheMapOfTheJoints) {
   const ModelPointer m = load(mjcf(shipped("paper_sliding")));
   const plugin::Config config = plugin::make_config(m.get());
   EXPECT_TRUE(config.same_order);
-  EXPECT_GE(config.rotor_geom, 0);
-  EXPECT_GE(config.ring_geom, 0);
+  EXPECT_GE(config.pairs.front().rotor_geom, 0);
+  EXPECT_GE(config.pairs.front().ring_geom, 0);
   EXPECT_GE(config.actuator[1], 0);
   EXPECT_TRUE(plugin::has_fingerprint(m.get(), config.fingerprint));
 }

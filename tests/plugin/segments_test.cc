@@ -11,7 +11,7 @@
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/run/run_native.h"
-#include "plugin/coordinates.h"
+#include "plugin/generated_rotor.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/linearised.h"
 #include "tests/support/mujoco_fixture.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "plugin/config_cache.h"
-#include "plugin/contact/forces.h"
+#include "plugin/contact/contact_memory.h"
 #include "tests/plugin/own/lift.h"
 
 namespace rotorub::test {

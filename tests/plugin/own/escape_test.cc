@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mjcf/writer.h"
-#include "plugin/contact/escape_guard.h"
+#include "plugin/contact/contact_memory.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/support/mujoco_fixture.h"

@@ -1,13 +1,13 @@
-#include "plugin/own/user_block.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/user_data.h"
 
 #include <bit>
 #include <cstdint>
 #include <cstdio>
 
-#include "plugin/user_data.h"
+#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
+
 namespace {
 
 // Of the entries that change but in our passes not: the mark of the config, and what the contacts

@@ -1,0 +1,147 @@
+// Under `rigid` no rotor is deeper in its ring than a start put it: where one is, the step is too
+// long for its motion, or something moves rotor or ring that the contact does not see. That is said
+// once, and `rotorub_active` is 0 meanwhile. What it knows stands beside the Status of the contact
+// laws, in kContactStatus.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <cmath>
+#include <limits>
+
+#include "native_model/contact/rigid_law.h"
+#include "native_model/trajectory/trajectory.h"
+#include "plugin/config.h"
+#include "plugin/load_cells.h"
+#include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+
+class EscapeGuard {
+ public:
+  // entry: of a contact, as of kFrictionForce and the others.
+  explicit EscapeGuard(mjtNum* entry) : state_(entry + kContactStatus) {}
+
+  // Of the number in kContactStatus.
+  static Status status_in(double number) {
+    return static_cast<Status>(static_cast<int>(number) % kWasInside);
+  }
+  Status status() const { return status_in(*state_); }
+  void set_status(Status status) { set(bits() - bits() % kWasInside + static_cast<int>(status)); }
+  bool is_outside() const { return (bits() & kIsOutside) != 0; }
+
+  // The state was written, or is the first: it may be anywhere.
+  void begin() { set(bits() & ~(kWasInside | kIsOutside)); }
+  // In every pass. gap, clearance: m, time: s.
+  void watch(double gap, double clearance, double time) {
+    constexpr double kDeep = 0.01;  // of the clearance
+    const bool inside = gap >= -kDeep * clearance;
+    const bool escaped = !inside && (bits() & kWasInside);
+    set((bits() & ~kIsOutside) | (inside ? kWasInside : 0) | (escaped ? kIsOutside : 0));
+    if (!escaped || (bits() & kWasTold)) return;
+    set(bits() | kWasTold);
+    warn(message("rotorub: the rotor is {} m deep in its ring at t = {} s, with a clearance of {} "
+                 "m: the step is too long "
+                 "for this motion, or rotor or ring is moved by what the contact does not see; "
+                 "rotorub_active is 0 while "
+                 "that lasts",
+                 -gap, time, clearance)
+             .c_str());
+  }
+
+ private:
+  enum { kWasInside = 16, kIsOutside = 32, kWasTold = 64 };
+  int bits() const { return static_cast<int>(*state_); }
+  void set(int bits) { *state_ = bits; }
+
+  mjtNum* state_;
+};
+
+// What `rigid` keeps in mjData.userdata: whether contact lasts, and what the step's impulses were.
+
+class ContactMemory {
+ public:
+  // Of the forward pass at d->time. A pass one step (h, s) later turns "now" into "before"; further
+  // passes at the same time (mj_forward before mj_step) find the same "before". Any other time was
+  // written: no contact lasts into it.
+  ContactMemory(mjData* d, int data, double h) : d_(d), data_(data), entry_(d->userdata + data) {
+    if (entry_[kContactTime] == d->time) return;
+    const double passed = d->time - entry_[kContactTime];
+    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(d->time);
+    const bool next = std::abs(passed - h) <= 1e-6 * h + rounding;
+    entry_[kContactTime] = d->time;
+    entry_[kContactBefore] = next ? entry_[kContactNow] : 0.0;
+    if (!next) EscapeGuard(entry_).begin();
+  }
+
+  // Whether contact lasted over the step before. It ends on the circle: a centre `delta` from the
+  // ring's that is inside it was written since.
+  bool was_in_contact(double delta, double clearance) const {
+    constexpr double kOnCircle = 0.01;  // of the clearance, that a step may leave open
+    return was_in_contact() && delta > (1.0 - kOnCircle) * clearance;
+  }
+  bool was_in_contact() const { return entry_[kContactBefore] != 0.0; }
+
+  // Of this pass; delta: m, between the centres.
+  void watch(double delta, const ContactParameters& c) {
+    const bool gives = c.impact_time() > 0.0;  // an impact that takes time goes deep
+    if (!gives) EscapeGuard(entry_).watch(c.clearance - delta, c.clearance, d_->time);
+  }
+  void begin_anew() { EscapeGuard(entry_).begin(); }
+
+  // The step before had no solution, and that was said.
+  bool warned() const { return EscapeGuard(entry_).status() != Status::kOk; }
+
+  // Forces are means over the step of length h (s).
+  void note(const RigidResult& r, double h) {
+    entry_[kContactNow] = r.mode == Mode::kFree ? 0.0 : 1.0;
+    entry_[kMode] = static_cast<double>(r.mode);
+    entry_[kNormalForce] = r.normal / h;
+    entry_[kFrictionForce] = r.friction / h;
+    // Once, not every step: MuJoCo writes its warnings to a file.
+    if (r.status != Status::kOk && r.converged && !warned()) {
+      warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
+    }
+    EscapeGuard(entry_).set_status(r.status);
+    entry_[kImpact] = r.impact ? 1.0 : 0.0;
+    if (r.normal > 0.0) note_contact(d_, data_, r.e_r);
+    if (!r.impact) return;
+    entry_[kGapRateBefore] = r.gap_rate_before;
+    entry_[kGapRateAfter] = r.gap_rate_after;
+    entry_[kSlipBefore] = r.slip_before;
+    entry_[kSlipAfter] = r.slip_after;
+  }
+
+ private:
+  const mjData* d_;
+  int data_;
+  mjtNum* entry_;
+};
+
+// The contact of two geoms among those of a forward pass.
+
+// Null: none, or not handed to the solver.
+const mjContact* find_contact(int rotor_geom, int ring_geom, const mjData* d);
+
+// The contact forces of a forward pass, whichever model made them.
+
+struct ContactForces {
+  double normal = 0.0;    // N, >= 0
+  double friction = 0.0;  // N, on the rotor along e_t
+  Mode mode = Mode::kFree;
+  // `rigid`: the forces are an impact's impulses over the step. Rates before and after it, m/s.
+  bool impact = false;
+  double impact_time = 0.0;  // s; 0: not known (segments, own models)
+  double gap_rate_before = 0.0, gap_rate_after = 0.0, slip_before = 0.0, slip_after = 0.0;
+  Status status = Status::kOk;  // `rigid`: of the contact laws
+};
+
+// After mj_forward or mj_step: of the forward pass done last.
+// Of several contacts the first.
+ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d);
+// Of one contact of a user's own model.
+ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d);
+
+}  // namespace rotorub::plugin
