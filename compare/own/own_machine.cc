@@ -14,7 +14,7 @@
 #include "native_model/scene/regular_file.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model.h"
-#include "native_model/system/run_size.h"
+#include "native_model/system/model_checks.h"
 #include "native_model/trajectory/impulse_window.h"
 #include "plugin/own/own_names.h"
 #include "plugin/twin/native_twin.h"

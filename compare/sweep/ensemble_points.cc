@@ -11,7 +11,6 @@
 #include "native_model/stepping/ensemble.h"
 #include "native_model/stepping/lane_model.h"
 #include "native_model/system/model_checks.h"
-#include "native_model/system/run_size.h"
 #include "native_model/trajectory/range_check.h"
 
 namespace rotorub::sweep {

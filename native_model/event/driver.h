@@ -19,7 +19,7 @@
 #include "native_model/event/impact.h"
 #include "native_model/event/schedule.h"
 #include "native_model/event/stiffness.h"
-#include "native_model/system/sampled_command.h"
+#include "native_model/system/actuation.h"
 
 namespace rotorub {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "native_model/contact/impact_record.h"
+#include "native_model/contact/impact.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 
