@@ -12,6 +12,7 @@
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
 #include "native_model/rotor/refusal.h"
+#include "native_model/scene/record.h"
 #include "native_model/scene/scene.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
@@ -25,12 +26,12 @@ namespace names = mjcf_names;
 void refuse_unsupported(const scene::Scene& scene) {
   const scene::Mujoco& mujoco = scene.mujoco;
   if (mujoco.rotor == scene::MujocoRotor::kSegments && !scene.rotor.geometry) {
-    refuse(scene, {{"", 0, "mujoco.rotor",
-                    "\"segments\" needs the rotor's geometry; accepted: \"modal\""}});
+    scene::refuse_at(scene, "mujoco.rotor",
+                     "\"segments\" needs the rotor's geometry; accepted: \"modal\"");
   }
   refuse_several_in_mujoco(scene);
   if (mujoco.integrator == scene::MujocoIntegrator::kRk4) {
-    refuse(scene, {{"", 0, "mujoco.integrator", "accepted: \"euler\", \"implicit\""}});
+    scene::refuse_at(scene, "mujoco.integrator", "accepted: \"euler\", \"implicit\"");
   }
 }
 
@@ -294,9 +295,8 @@ std::string mjcf(const scene::Scene& scene, const MujocoVersion& target) {
   try {
     return with_place(scene, [&] { return Document(scene, target).write(); });
   } catch (const NotFinite& error) {
-    refuse(scene,
-           {{"", 0, "",
-             std::string("too large for MuJoCo, the scene's numbers give ") + error.what()}});
+    scene::refuse_at(scene, "",
+                     std::string("too large for MuJoCo, the scene's numbers give ") + error.what());
   }
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/bearing/actuator_axes.h"
-#include "native_model/control/sampling.h"
+#include "native_model/bearing/actuator.h"
+#include "native_model/control/control_loop.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/trajectory.h"

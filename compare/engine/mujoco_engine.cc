@@ -12,7 +12,6 @@
 #include "native_model/control/library.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model_checks.h"
-#include "native_model/system/run_size.h"
 #include "native_model/trajectory/recorder.h"
 #include "plugin/config.h"
 #include "plugin/generated_rotor.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "native_model/control/linear_plant.h"
+#include "native_model/control/quadratic.h"
 #include "native_model/rub/feedback_map.h"
 #include "native_model/scene/scene.h"
 

@@ -12,7 +12,7 @@
 #include "native_model/scene/reader.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model.h"
-#include "native_model/system/run_size.h"
+#include "native_model/system/model_checks.h"
 #include "native_model/trajectory/recorder.h"
 #include "plugin/own/own_names.h"
 #include "plugin/twin/native_twin.h"

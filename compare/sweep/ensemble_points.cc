@@ -8,10 +8,10 @@
 #include "compare/sweep/point_scene.h"
 #include "compare/sweep/single_point.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/scene/diagnostic.h"
 #include "native_model/stepping/ensemble.h"
 #include "native_model/stepping/lane_model.h"
 #include "native_model/system/model_checks.h"
-#include "native_model/system/run_size.h"
 #include "native_model/trajectory/range_check.h"
 
 namespace rotorub::sweep {

@@ -12,13 +12,6 @@ constexpr double kLocal = 1e-4;     // share of the impulse that a later trial i
 constexpr double kRelative = 1e-9;  // of the rates that are to be changed
 constexpr double kFarOff = 1e-2;    // above this error, relative, new slopes are tried
 
-// The laws' answer to a line y = a p + b.
-struct Answer {
-  ContactVector p;
-  bool solved = true;
-  std::array<bool, kMaxContacts> sticks{};
-};
-
 // Numbers of each contact in a vector.
 Eigen::Index rows_of(const ContactVector& v, std::span<const ImpactLaw> laws) {
   return v.size() / static_cast<Eigen::Index>(laws.size());
@@ -74,7 +67,7 @@ double normal_beyond(const ContactVector& a, const ContactVector& b, Eigen::Inde
   return most;
 }
 
-// From p, y(p) on.
+// From p, y(p) on. law(a, b): the laws' answer to a line y = a p + b.
 template <typename Law>
 ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVector y,
                            Eigen::Index rows, Slopes& line, Law law) {
@@ -83,8 +76,8 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
   best.p = ContactVector::Zero(p.size());
   best.y = best.error = best.p;
   double least = 1e300;
-  Answer guess = law(line.expected, y - line.expected * p);
-  if (!guess.solved) guess.p = p;
+  CoupledSolution guess = law(line.expected, y - line.expected * p);
+  if (guess.solutions != 1) guess.p = p;
   const ContactVector none = ContactVector::Zero(p.size());
   double size =
       std::max(normal_beyond(guess.p, p, rows), kLocal * normal_beyond(guess.p, none, rows));
@@ -95,8 +88,8 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
   const double tolerance = kRelative * scale + response.accuracy();
   if (!line.known()) line.find(response, p, y, size);
   for (int k = 0; k < kIterations; ++k) {
-    const Answer next = law(line.a, y - line.a * p);
-    if (!next.solved) {
+    const CoupledSolution next = law(line.a, y - line.a * p);
+    if (next.solutions != 1) {
       best.solved = least < 1e300;
       return best;
     }
@@ -132,8 +125,7 @@ ConstrainedContact closed(ContactResponse& response, const ContactVector& free,
                           std::span<const ImpactLaw> laws, Slopes& line) {
   return iterate(response, ContactVector::Zero(free.size()), free, rows_of(free, laws), line,
                  [&](const ContactMatrix& a, const ContactVector& b) {
-                   const CoupledSolution s = solve_compression(a, b, laws);
-                   return Answer{s.p, s.solutions == 1, s.sticks};
+                   return solve_compression(a, b, laws);
                  });
 }
 
@@ -153,8 +145,10 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
   const ConstrainedContact c = closed(response, free, laws, line);
   if (!c.solved) return c;
   const auto expansion = [&](const ContactMatrix& a, const ContactVector& b) {
-    const CoupledSolution s = solve_expansion(a, b + a * c.p, laws, c.p);
-    return Answer{s.solutions > 0 ? ContactVector(c.p + s.p) : c.p, s.solutions == 1, {}};
+    CoupledSolution s = solve_expansion(a, b + a * c.p, laws, c.p);
+    if (s.solutions == 1) s.p += c.p;
+    s.sticks = {};  // that of an impact is not told
+    return s;
   };
   ConstrainedContact e = iterate(response, c.p, c.y, rows_of(free, laws), line, expansion);
   e.converged = e.converged && c.converged;

@@ -201,7 +201,7 @@ bool moves_both_ways(const ContactMatrix& a) {
   return a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0) > kSingular * a(0, 0) * a(1, 1);
 }
 
-// One contact with Coulomb's set that can move both ways: coulomb.h has it in closed form.
+// One contact with Coulomb's set that can move both ways: planar_contact.h has it in closed form.
 bool is_plain(const ContactMatrix& a, std::span<const ContactSet> sets) {
   return sets.size() == 1 && sets[0].least_normal == 0.0 && sets[0].side == 0.0 &&
          sets[0].slides == 0.0 && moves_both_ways(a);

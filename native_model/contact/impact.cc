@@ -1,8 +1,10 @@
 #include "native_model/contact/impact.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rotorub {
+
 namespace {
 
 using Point = PlanarImpulse<double>;
@@ -64,25 +66,15 @@ Rows rows(const ImpactInput& in, const Eigen::Vector3d& velocity, double tau) {
   return r;
 }
 
-ImpactPhase phase(const ImpactInput& in, const Rows& w, const Rows& row,
-                  const Eigen::Vector3d& end_velocity) {
-  const Eigen::Vector3d an = in.admittance * w.normal, at = in.admittance * w.tangential;
-  return {{row.normal.dot(an), row.normal.dot(at), row.tangential.dot(an), row.tangential.dot(at)},
-          row.normal.dot(end_velocity),
-          row.tangential.dot(end_velocity)};
-}
+// One phase: velocities at its end y = matrix L + velocity. With a finite duration tau the matrix
+// and the velocity hold the terms of (16): C_N = (W_N + What_N tau)^T M^-1 and so on.
+struct ImpactPhase {
+  Delassus matrix;
+  double gap_rate = 0.0;  // m/s, gdot_N at its end without impulse
+  double slip = 0.0;      // m/s, gdot_T at its end without impulse
+};
 
-}  // namespace
-
-ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction) {
-  ContactSet set;
-  set.friction = law.friction.at(slip);
-  set.least_normal = law.restitution * normal;
-  set.side = friction > 0.0 ? 1.0 : friction < 0.0 ? -1.0 : 0.0;
-  set.floor = law.restitution * law.tangential_restitution * std::abs(friction);
-  return set;
-}
-
+// The compression alone: fills the L_C and gdot_C. Each phase has the mu of its slip.
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   ImpactResult r;
   const CoulombSolution c =
@@ -101,6 +93,8 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   return r;
 }
 
+// The expansion that follows r's compression; the phase's rates are those at the end of the
+// expansion without its impulses. Fills the rest.
 void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
   if (r.status == Status::kNoSolution) return;
   const Expansion e{phase.matrix, phase.gap_rate, phase.slip,
@@ -117,6 +111,25 @@ void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
   r.gap_rate = closes ? 0.0 : e.gap_rate(p);
   const bool sticks = p.friction > e.set.low(p.normal) && p.friction < e.set.high(p.normal);
   r.slip = sticks ? 0.0 : e.slip(p);
+}
+
+ImpactPhase phase(const ImpactInput& in, const Rows& w, const Rows& row,
+                  const Eigen::Vector3d& end_velocity) {
+  const Eigen::Vector3d an = in.admittance * w.normal, at = in.admittance * w.tangential;
+  return {{row.normal.dot(an), row.normal.dot(at), row.tangential.dot(an), row.tangential.dot(at)},
+          row.normal.dot(end_velocity),
+          row.tangential.dot(end_velocity)};
+}
+
+}  // namespace
+
+ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction) {
+  ContactSet set;
+  set.friction = law.friction.at(slip);
+  set.least_normal = law.restitution * normal;
+  set.side = friction > 0.0 ? 1.0 : friction < 0.0 ? -1.0 : 0.0;
+  set.floor = law.restitution * law.tangential_restitution * std::abs(friction);
+  return set;
 }
 
 ImpactResult solve_impact(const Delassus& g, double gap_rate, double slip, const ImpactLaw& law) {
@@ -140,6 +153,16 @@ ImpactResult solve_impact(const ImpactInput& in, const ImpactLaw& law) {
   const Rows e = rows(in, compressed, in.expansion_time);
   expand(phase(in, w, e, compressed + in.acceleration * in.expansion_time), law, r);
   return r;
+}
+
+double restitution_beside_loads(double restitution, double approach, double load,
+                                double compression_time, double expansion_time) {
+  const double compressed = load * compression_time, expanded = load * expansion_time;
+  if (!(compressed > 0.0)) return restitution;
+  const double back = std::max(0.0, restitution * (approach + compressed) - expanded);
+  const double again = std::sqrt(back * (back + 2.0 * expanded));
+  if (again <= 0.5 * (1.0 + restitution) * approach) return restitution;
+  return restitution * approach / (approach + compressed);
 }
 
 }  // namespace rotorub

@@ -9,8 +9,11 @@
 //   L_TC = 0: the symmetric Coulomb set |L_TE| <= mu L_NE.
 #pragma once
 
-#include "native_model/contact/coulomb.h"
+#include <Eigen/Core>
+
 #include "native_model/contact/friction.h"
+#include "native_model/contact/kinematics.h"
+#include "native_model/contact/planar_contact.h"
 #include "native_model/numerics/status.h"
 
 namespace rotorub {
@@ -19,6 +22,23 @@ struct ImpactLaw {
   FrictionLaw friction{};
   double restitution = 0.0;             // eps_N in [0, 1]
   double tangential_restitution = 0.0;  // eps_T in [0, 1]
+};
+
+// The constants of one contact.
+struct ContactParameters {
+  double radius, clearance;  // m
+  FrictionLaw friction;
+  double restitution;                       // eps_N
+  double tangential_restitution;            // eps_T
+  double compression_time, expansion_time;  // s
+
+  ImpactLaw law() const { return {friction, restitution, tangential_restitution}; }
+  double impact_time() const { return compression_time + expansion_time; }  // s
+  // R / r. The surfaces meet at r e_r from the rotor's centre, which is at R e_r from the ring's,
+  // R = r + delta_0: so fast a ring that turns passes there, and with this lever friction turns it.
+  // With r in its place angular momentum would be lost: the force's moments about one point,
+  // delta_0 + r on the rotor and -R on the ring, add up to 0.
+  double surface_ratio() const { return (radius + clearance) / radius; }
 };
 
 // Where the impulses of one contact may lie: L_N >= n, L_T in [low(L_N), high(L_N)]. n = 0 and no
@@ -39,16 +59,8 @@ struct ContactSet {
     return side < 0.0 ? -floor : friction * normal;
   }
 };
-// Of the expansion that follows a compression of L_NC, L_TC (impact.h), with the mu of `slip`.
+// Of the expansion that follows a compression of L_NC, L_TC, with the mu of `slip`.
 ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction);
-
-// One phase: velocities at its end y = matrix L + velocity. With a finite duration tau the matrix
-// and the velocity hold the terms of (16): C_N = (W_N + What_N tau)^T M^-1 and so on.
-struct ImpactPhase {
-  Delassus matrix;
-  double gap_rate = 0.0;  // m/s, gdot_N at its end without impulse
-  double slip = 0.0;      // m/s, gdot_T at its end without impulse
-};
 
 struct ImpactResult {
   Status status = Status::kOk;
@@ -59,12 +71,6 @@ struct ImpactResult {
   double normal() const { return normal_compression + normal_expansion; }
   double friction() const { return friction_compression + friction_expansion; }
 };
-
-// The compression phase alone: fills the L_C and gdot_C. Each phase has the mu of phase.slip.
-ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law);
-// The expansion that follows `result`'s compression; phase.gap_rate and slip are those at the end
-// of the expansion without its impulses. Fills the rest.
-void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& result);
 
 // The classical, instantaneous law (tau_C = tau_E = 0): gap_rate and slip just before.
 ImpactResult solve_impact(const Delassus& g, double gap_rate, double slip, const ImpactLaw& law);
@@ -86,5 +92,76 @@ struct ImpactInput {
 //   What_N . Delta d = -(e_t . ddot) (e_t . Delta d) / delta,
 //   What_T . Delta d =  gdot_N (e_t . Delta d) / delta                                       (8)
 ImpactResult solve_impact(const ImpactInput& input, const ImpactLaw& law);
+
+// J, of an impulse between the rates (gdot_N, gdot_T) before and after it, which friction and
+// Poisson's law keep from being a gain.
+struct ImpulseWork {
+  double normal, friction;
+  double total() const { return normal + friction; }
+};
+inline ImpulseWork impulse_work(double normal, double friction, const Eigen::Vector2d& before,
+                                const Eigen::Vector2d& after) {
+  return {0.5 * normal * (before.x() + after.x()), 0.5 * friction * (before.y() + after.y())};
+}
+
+// What is known of an impact, or with a soft contact of an episode of contact. Impulses on the
+// rotor: normal >= 0, tangential signed along e_t. Speeds: gap rate (negative closing) and slip
+// gdot_T.
+struct Impact {
+  double t = 0.0;                                       // s
+  double normal_impulse = 0.0, friction_impulse = 0.0;  // N s
+  double gap_rate_before = 0.0, gap_rate_after = 0.0;   // m/s
+  double slip_before = 0.0, slip_after = 0.0;           // m/s
+  double energy_change = 0.0;                           // J, of the system, <= 0
+  int contact = 0;                                      // which of several, from 0
+};
+inline constexpr double kCountedGapRate = -1e-4;  // m/s: an impact counts below this
+inline bool counts(const Impact& impact) { return impact.gap_rate_before < kCountedGapRate; }
+
+// What follows an impact: flight, or lasting contact. Decided once, for every engine.
+//
+// Loads and the circle's curvature press with a = -gddot_N, so that the flight after a rebound of
+// the speed v lasts 2 v / a. A flight that is over too soon does not count: the impact has
+// restitution 0, and contact lasts. An accumulation of impacts ends so. Too soon is
+// - before the impact itself is, of one that takes time;
+// - within a fixed step, of an impact that is located in its step;
+// - within two, where it is not: the step's end then tells its speed with up to the fall of a whole
+// step, a h.
+//   Then bounces of v = eps_N v + a h keep themselves going for ever: an impact that takes no
+//   more than that from its speed has no restitution either (but for long flights, and without any
+//   loss there is no accumulation).
+
+// m/s^2, a, of the relative velocity (ddot, contact spin) and the loads' acceleration of the same,
+// along the outward normal e_r of a circle of radius delta (m): what turning of the normal adds is
+// (e_t . ddot)^2 / delta.
+inline double pressing(const Eigen::Vector2d& e_r, const Eigen::Vector3d& velocity,
+                       const Eigen::Vector3d& acceleration, double delta) {
+  const double whirl = e_r.x() * velocity.y() - e_r.y() * velocity.x();
+  return e_r.dot(acceleration.head<2>()) + whirl * whirl / delta;
+}
+
+// Whether a flight that begins with `speed` (m/s, of the gap) under `pressed` (m/s^2, a) outlives
+// `time` (s).
+inline bool flight_outlives(double time, double speed, double pressed) {
+  return 2.0 * speed > pressed * time;
+}
+
+// Of an impact that is not located in its step, h (s), with the speed `approach` (m/s).
+inline bool rebound_outlives_steps(double h, double restitution, double approach, double pressed) {
+  constexpr double kLeastSteps = 2.0, kMostSteps = 40.0;
+  const double rebound = restitution * approach;
+  if (!flight_outlives(kLeastSteps * h, rebound, pressed)) return false;
+  const bool feeds_itself = restitution < 1.0 && (1.0 - restitution) * approach <= pressed * h;
+  return !feeds_itself || flight_outlives(kMostSteps * h, rebound, pressed);
+}
+
+// eps_N of an impact that takes time, at the speed `approach` (m/s) beside loads that press with
+// `load` (m/s^2). Poisson's law returns a share of what the loads compress too: v' = eps_N (v + a
+// tau_C) - a tau_E, after the flight v'' = sqrt(v'^2 + 2 a tau_E v'), which above some eps_N has a
+// fixed point: impacts without end. So where the loads give back more than half of what restitution
+// takes, v'' > (1 + eps_N) v / 2, the approach's share alone is returned, eps_N v / (v + a tau_C):
+// the impacts fall off with eps_N, and contact comes to rest.
+double restitution_beside_loads(double restitution, double approach, double load,
+                                double compression_time, double expansion_time);
 
 }  // namespace rotorub

@@ -1,12 +1,13 @@
-// The linear algebra of one planar contact: the only place where its 2x2 systems are solved.
+// One planar contact with Coulomb friction: the only place where its 2x2 systems are solved.
 //
 //   y_N = a_nn L_N + a_nt L_T + b_N          y, b: gap rate and slip (or accelerations, or gaps)
 //   y_T = a_tn L_N + a_tt L_T + b_T          L: impulses (or forces)
 //
-// With a = W^T M^-1 W, L in N s: y in m/s. No branch and nothing but + - * /, so that T may be
-// double or a vector of independent contacts; which case holds is the caller's to decide
-// (coulomb.h).
+// With a = W^T M^-1 W, L in N s: y in m/s. The templates have no branch and nothing but + - * /, so
+// that T may be double or a vector of independent contacts.
 #pragma once
+
+#include <cstdint>
 
 namespace rotorub {
 
@@ -62,5 +63,35 @@ template <class T>
                                            const PlanarImpulse<T>& l) {
   return a.tn * l.normal + a.tt * l.friction + b_t;
 }
+
+// Which case holds, by the laws
+//
+//   y_N >= 0,   L_N >= 0,   y_N L_N = 0                                                  (13), (17)
+//   |L_T| <= mu L_N,   y_T != 0:  L_T = -mu L_N sign(y_T)
+//
+// Forces, impulses or step impulses alike: (12)-(13) with y_N the gap over the step, (16)-(17) the
+// compression phase, or accelerations. Friction is dissipative: L_T y_T <= 0.
+
+enum class Mode : std::uint8_t { kFree = 0, kSlide = 1, kStick = 2 };  // of a contact
+
+enum class ContactCase { kOpen, kStick, kSlidePositive, kSlideNegative };  // sign of the slip y_T
+
+struct CoulombSolution {
+  double normal = 0.0;    // L_N
+  double friction = 0.0;  // L_T
+  ContactCase contact_case = ContactCase::kOpen;
+  // Number of distinct solutions; 0: none (Painleve), above 1: the first of open, stick, slide is
+  // given. Both arise only where mu |a_nt| > a_nn, or with an unsymmetric matrix.
+  int solutions = 1;
+};
+
+inline Mode mode_of(double normal, bool sticks) {
+  return normal <= 0.0 ? Mode::kFree : sticks ? Mode::kStick : Mode::kSlide;
+}
+inline Mode mode_of(const CoulombSolution& s) {
+  return mode_of(s.normal, s.contact_case == ContactCase::kStick);
+}
+
+CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double mu);
 
 }  // namespace rotorub

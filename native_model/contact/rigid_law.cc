@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/contact/circle.h"
 #include "native_model/contact/constrained_law.h"
-#include "native_model/contact/coulomb.h"
 #include "native_model/contact/impact.h"
-#include "native_model/contact/rebound.h"
+#include "native_model/contact/kinematics.h"
+#include "native_model/contact/planar_contact.h"
 
 namespace rotorub {
 namespace {
@@ -41,33 +40,27 @@ ContactMatrix matrix_of(const Delassus& g) {
   return a;
 }
 
-// False: no solution.
-bool take(const ConstrainedContact& s, RigidResult& out) {
-  out.converged = s.converged;
-  if (!s.solved || !s.converged) out.status = Status::kNoSolution;
-  if (!s.solved) return false;
-  out.normal = s.p[0];
-  out.friction = s.p[1];
+// False: no impulse is given.
+bool take(Status status, double normal, double friction, RigidResult& out) {
+  out.status = status;
+  if (status != Status::kOk) return false;
+  out.normal = normal;
+  out.friction = friction;
   return true;
 }
+bool take(const ConstrainedContact& s, RigidResult& out) {
+  out.converged = s.converged;
+  if (s.solved) take(Status::kOk, s.p[0], s.p[1], out);
+  if (!s.solved || !s.converged) out.status = Status::kNoSolution;
+  return s.solved;
+}
 
-void set_rates(const Eigen::Vector2d& before, const Eigen::Vector2d& after, RigidResult& out) {
+void set_impact(const Eigen::Vector2d& before, const Eigen::Vector2d& after, RigidResult& out) {
+  out.impact = true;
   out.gap_rate_before = before.x();
   out.slip_before = before.y();
   out.gap_rate_after = after.x();
   out.slip_after = after.y();
-}
-
-void held_impact(const RigidStep& step, const ContactParameters& c, StepResponse& held,
-                 RigidResult& out) {
-  PlanarResponse response(held, out.e_r, c.radius, true, 0.0);
-  const ContactVector before = response.rates(step.free);
-  const ImpactLaw law = c.law();
-  const ConstrainedContact s = solve_constrained_impact(
-      response, before, matrix_of(delassus(step.impact_admittance, out.e_r, c.radius)), {&law, 1});
-  if (!take(s, out)) return;
-  out.impact = true;
-  set_rates(before, s.y, out);
 }
 
 void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
@@ -82,27 +75,10 @@ void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out)
   // The loads of the whole step are in `free`: what acts during the impact is taken back.
   in.velocity = step.free - in.acceleration * c.impact_time();
   const ImpactResult r = solve_impact(in, c.law());
-  if (r.status != Status::kOk) {
-    out.status = r.status;
-    return;
-  }
-  out.impact = true;
-  out.normal = r.normal();
-  out.friction = r.friction();
+  if (!take(r.status, r.normal(), r.friction(), out)) return;
   const Eigen::Vector3d after =
       step.free + in.admittance * contact_load(out.e_r, c.radius, out.normal, out.friction);
-  set_rates(rates_along(out.e_r, c.radius, step.free), rates_along(out.e_r, c.radius, after), out);
-}
-
-void held_lasting(const RigidStep& step, const ContactParameters& c, StepResponse& held,
-                  RigidResult& out) {
-  const double offset = gap_over_step(step, c) + out.e_r.dot(step.free.head<2>());
-  PlanarResponse response(held, out.e_r, c.radius, false, offset);
-  const ContactVector free = response.rates(step.free);
-  const ImpactLaw law = c.law();
-  const ConstrainedContact s = solve_constrained(
-      response, free, matrix_of(delassus(step.lasting_admittance, out.e_r, c.radius)), {&law, 1});
-  if (take(s, out)) out.mode = mode_of(out.normal, s.sticks[0]);
+  set_impact(rates_along(out.e_r, c.radius, step.free), rates_along(out.e_r, c.radius, after), out);
 }
 
 // (12), (13): y_N = gap / h at the end of the step, y_T = slip there.
@@ -110,11 +86,23 @@ void lasting(const RigidStep& step, const ContactParameters& c, RigidResult& out
   const double free = rates_along(out.e_r, c.radius, step.free).y();
   const CoulombSolution s = solve_coulomb(delassus(step.lasting_admittance, out.e_r, c.radius),
                                           gap_over_step(step, c), free, c.friction.at(free));
-  out.status = status_of(s.solutions);
-  if (out.status != Status::kOk) return;
-  out.normal = s.normal;
-  out.friction = s.friction;
-  out.mode = mode_of(s);
+  if (take(status_of(s.solutions), s.normal, s.friction, out)) out.mode = mode_of(s);
+}
+
+// Both of them beside constraints.
+void held_contact(bool impact, const RigidStep& step, const ContactParameters& c,
+                  StepResponse& held, RigidResult& out) {
+  const double offset = impact ? 0.0 : gap_over_step(step, c) + out.e_r.dot(step.free.head<2>());
+  PlanarResponse response(held, out.e_r, c.radius, impact, offset);
+  const ContactVector free = response.rates(step.free);
+  const ContactMatrix expected = matrix_of(
+      delassus(impact ? step.impact_admittance : step.lasting_admittance, out.e_r, c.radius));
+  const ImpactLaw law = c.law();
+  const ConstrainedContact s =
+      (impact ? solve_constrained_impact : solve_constrained)(response, free, expected, {&law, 1});
+  if (!take(s, out)) return;
+  if (impact) return set_impact(free, s.y, out);
+  out.mode = mode_of(out.normal, s.sticks[0]);
 }
 
 }  // namespace
@@ -137,7 +125,13 @@ bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactP
   return rebound_outlives_steps(step.h, c.restitution, closing, pressed);
 }
 
+// A depth that is there already (a start inside the ring's wall) is not thrown out in one step, as
+// it would come back as speed: kRecovery of it is, and no faster than by kRecoveryRate and
+//   kRecoveryShare, so that a deep start gains no energy to speak of.
 double gap_over_step(const RigidStep& step, const ContactParameters& c) {
+  constexpr double kRecovery = 0.2;        // share of a depth undone in a step, in (0, 1]
+  constexpr double kRecoveryRate = 2.0;    // 1/s, in clearances
+  constexpr double kRecoveryShare = 0.01;  // of the speed that is there
   const double gap = c.clearance - end_of(step).norm();
   const double depth = std::max(0.0, step.d.norm() - c.clearance);
   const double recovery = kRecovery * depth / step.h;
@@ -150,10 +144,11 @@ RigidResult solve_rigid_step(const RigidStep& step, const ContactParameters& con
                              StepResponse* held) {
   RigidResult out;
   out.e_r = contact_normal(step, contact.clearance);
-  if (is_impact(step, out.e_r, contact)) {
-    held ? held_impact(step, contact, *held, out) : impact(step, contact, out);
+  const bool hits = is_impact(step, out.e_r, contact);
+  if (held) {
+    held_contact(hits, step, contact, *held, out);
   } else {
-    held ? held_lasting(step, contact, *held, out) : lasting(step, contact, out);
+    (hits ? impact : lasting)(step, contact, out);
   }
   return out;
 }

@@ -9,20 +9,13 @@
 // - the gap of (12) is that of q_k+1, so that lasting contact does not drift;
 // - Poisson's law (15)-(19) is for a contact that was open, and whose rebound outlives the step: a
 //   rebound that the loads and the ring's curvature undo within it is lasting contact.
-// A depth that is there already (a start inside the ring's wall) is not thrown out in one step, as
-// it would come back as speed: kRecovery of it is, and no faster than by kRecoveryRate and
-//   kRecoveryShare, so that a deep start gains no energy to speak of.
 #pragma once
 
 #include <Eigen/Core>
 
-#include "native_model/contact/contact_parameters.h"
+#include "native_model/contact/impact.h"
 
 namespace rotorub {
-
-inline constexpr double kRecovery = 0.2;        // share of a depth undone in a step, in (0, 1]
-inline constexpr double kRecoveryRate = 2.0;    // 1/s, in clearances
-inline constexpr double kRecoveryShare = 0.01;  // of the speed that is there
 
 struct RigidStep {
   double h = 0.0;                      // s
@@ -65,11 +58,12 @@ inline Eigen::Vector2d end_of(const RigidStep& step) {
 bool reaches_ring(const RigidStep& step, double clearance);
 
 // Parts of solve_rigid_step, for contacts that are solved together (contact/coupled_step.h).
-// circle.h
+// Along the path of the step (kinematics.h).
 Eigen::Vector2d contact_normal(const RigidStep& step, double clearance);
 // An impact: the contact was open, and its rebound outlives the step.
 bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactParameters& contact);
-// y_N of (12) without the contact: gap / h at the end of the step, m/s.
+// y_N of (12) without the contact: gap / h at the end of the step, m/s; of a depth that is there
+// already (a start inside the ring's wall) a part.
 double gap_over_step(const RigidStep& step, const ContactParameters& contact);
 
 // The contact's impulses over a step that reaches the ring. With `held` they are solved together

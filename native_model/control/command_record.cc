@@ -4,11 +4,6 @@
 #include <cassert>
 
 namespace rotorub {
-namespace {
-
-const Eigen::Vector2d kNothing{0.0, 0.0};
-
-}  // namespace
 
 void CommandRecord::add(double t, const Eigen::Vector2d& told) {
   assert(begins_.empty() || t > begins_.back());
@@ -22,6 +17,7 @@ std::ptrdiff_t CommandRecord::piece(double t) const {
 }
 
 const Eigen::Vector2d& CommandRecord::command(std::ptrdiff_t piece) const {
+  static const Eigen::Vector2d kNothing{0.0, 0.0};
   return piece < 0 ? kNothing : commands_[static_cast<std::size_t>(piece)];
 }
 

@@ -1,11 +1,70 @@
 #include "native_model/control/control_loop.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
-#include "native_model/control/touch.h"
+#include "native_model/contact/kinematics.h"
+#include "native_model/control/abi/rotorub/controller.h"
 
 namespace rotorub {
 namespace {
+
+// A measurement as plain numbers, without its time.
+constexpr std::size_t kChannels = 14;
+using Channels = std::array<double, kChannels>;
+
+// Calls action(channel, number of m) for each of them, in order.
+template <class M, class Action>
+void for_each_channel(M& m, Action action) {
+  std::size_t at = 0;
+  for (auto* v : {&m.rotor, &m.stator, &m.rotor_velocity, &m.stator_velocity}) {
+    for (auto& x : *v) action(at++, x);
+  }
+  for (auto* x : {&m.spin_angle, &m.spin_speed}) action(at++, *x);
+  for (auto* v : {&m.current, &m.rotor_acceleration}) {
+    for (auto& x : *v) action(at++, x);
+  }
+}
+Channels channels_of(const Measurement& m) {
+  Channels c;
+  for_each_channel(m, [&c](std::size_t at, double x) { c[at] = x; });
+  return c;
+}
+void set_channels(const double* c, Measurement& m) {
+  for_each_channel(m, [c](std::size_t at, double& x) { x = c[at]; });
+}
+
+// What is remembered: samples taken, time and positions of the last one, and the delayed ones.
+enum SensorMemory : std::size_t { kTaken, kLastTime, kLastPosition, kBuffer = kLastPosition + 4 };
+
+std::uint64_t mixed(std::uint64_t x) {  // splitmix64, Steele et al. 2014
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+double uniform(std::uint64_t bits) {  // in (0, 1]
+  return (static_cast<double>(bits >> 11) + 1.0) * 0x1p-53;
+}
+
+double rounded(double x, double resolution) {
+  return resolution > 0.0 ? resolution * std::round(x / resolution) : x;
+}
+
+struct SeenGap {
+  double gap = 0.0, rate = 0.0;  // m, m/s
+};
+// A centred rotor's gap does not close.
+SeenGap seen_gap(const Measurement& now, double clearance) {
+  const Eigen::Vector2d d = now.rotor - now.stator;
+  const double delta = d.norm();
+  if (delta <= kNoNormal) return {clearance - delta, 0.0};
+  return {clearance - delta, -d.dot(now.rotor_velocity - now.stator_velocity) / delta};
+}
 
 // What is remembered, before what the sensors and the law do.
 enum LoopMemory : std::size_t {
@@ -19,6 +78,112 @@ enum LoopMemory : std::size_t {
 };
 
 }  // namespace
+
+double noise(int seed, std::int64_t sample, int channel) {
+  const std::uint64_t at =
+      mixed(mixed(static_cast<std::uint64_t>(seed)) ^
+            mixed(static_cast<std::uint64_t>(sample) * 64u + static_cast<std::uint64_t>(channel)));
+  // Box and Muller 1958.
+  return std::sqrt(-2.0 * std::log(uniform(mixed(at)))) *
+         std::cos(2.0 * std::numbers::pi * uniform(mixed(at + 1u)));
+}
+
+Sensors::Sensors(const scene::Sensors& settings, double sample_time)
+    : settings_(settings),
+      delay_(static_cast<std::size_t>(std::lround(settings.delay / sample_time))) {}
+
+std::size_t Sensors::memory_size() const {
+  const bool differences = settings_.velocity == scene::VelocitySensor::kDifference;
+  return delay_ > 0 || differences ? kBuffer + delay_ * kChannels : 0;
+}
+
+unsigned Sensors::measured() const {
+  const auto bit = [](bool is, unsigned value) { return is ? value : 0u; };
+  const bool velocity = settings_.velocity != scene::VelocitySensor::kNone;
+  return bit(settings_.rotor, ROTORUB_MEASURES_ROTOR) |
+         bit(settings_.stator, ROTORUB_MEASURES_STATOR) | bit(velocity, ROTORUB_MEASURES_VELOCITY) |
+         bit(settings_.spin, ROTORUB_MEASURES_SPIN) |
+         bit(settings_.current, ROTORUB_MEASURES_CURRENT);
+}
+
+Measurement Sensors::measure(const Measurement& now, double* memory) const {
+  Measurement shown = with_errors(now);
+  if (memory_size() == 0) return shown;
+  const bool first = memory[kTaken] == 0.0;
+  if (settings_.velocity == scene::VelocitySensor::kDifference) put_differences(shown, memory);
+  memory[kTaken] += 1.0;
+  return delay_ > 0 ? delayed(shown, memory + kBuffer, first) : shown;
+}
+
+Measurement Sensors::with_errors(const Measurement& now) const {
+  const Channels truth = channels_of(now);
+  Channels shown = truth;
+  const auto spoil = [&](int begin, int end, double sigma, double resolution) {
+    for (int i = begin; i < end; ++i) {
+      double& x = shown[static_cast<std::size_t>(i)];
+      if (sigma > 0.0) x += sigma * noise(settings_.seed, now.sample, i);
+      x = rounded(x, resolution);
+    }
+  };
+  const auto drop = [&](int begin, int end) {
+    std::fill(shown.begin() + begin, shown.begin() + end, 0.0);
+  };
+  const scene::Sensors& s = settings_;
+  spoil(0, 4, s.position_noise, s.position_resolution);
+  spoil(4, 8, s.velocity_noise, s.velocity_resolution);
+  spoil(10, 12, s.current_noise, s.current_resolution);
+  const bool velocity = s.velocity == scene::VelocitySensor::kMeasured;
+  if (!s.rotor) drop(0, 2);
+  if (!s.stator) drop(2, 4);
+  if (!s.rotor || !velocity) drop(4, 6);
+  if (!s.stator || !velocity) drop(6, 8);
+  if (!s.spin) drop(8, 10);
+  if (!s.current) drop(10, 12);
+  Measurement m = now;
+  set_channels(shown.data(), m);
+  return m;
+}
+
+// Backward differences of what is shown, 0 at the first sample.
+void Sensors::put_differences(Measurement& shown, double* memory) const {
+  double* last = memory + kLastPosition;
+  const double passed = shown.t - memory[kLastTime];
+  if (memory[kTaken] > 0.0 && passed > 0.0) {
+    shown.rotor_velocity = (shown.rotor - Eigen::Vector2d(last[0], last[1])) / passed;
+    shown.stator_velocity = (shown.stator - Eigen::Vector2d(last[2], last[3])) / passed;
+  }
+  memory[kLastTime] = shown.t;
+  last[0] = shown.rotor.x();
+  last[1] = shown.rotor.y();
+  last[2] = shown.stator.x();
+  last[3] = shown.stator.y();
+}
+
+// The oldest goes out, the newest comes in behind; the first sample stands for all before it.
+Measurement Sensors::delayed(const Measurement& shown, double* buffer, bool first) const {
+  const Channels newest = channels_of(shown);
+  double* end = buffer + delay_ * kChannels;
+  if (first) {
+    for (double* at = buffer; at != end; at += kChannels) std::ranges::copy(newest, at);
+  }
+  Measurement oldest = shown;
+  set_channels(buffer, oldest);
+  std::copy(buffer + kChannels, end, buffer);
+  std::ranges::copy(newest, end - kChannels);
+  return oldest;
+}
+
+bool touched(const Measurement& now, double clearance, double* state) {
+  // When the gap seen last would close, s (0: never), and its rate.
+  enum : std::size_t { kDue, kRate };
+  const SeenGap seen = seen_gap(now, clearance);
+  const bool due = state[kDue] > 0.0 && now.t >= state[kDue] && seen.rate > state[kRate];
+  state[kDue] = seen.rate < 0.0 ? now.t - seen.gap / seen.rate : 0.0;
+  state[kRate] = seen.rate;
+  // While contact lasts the gap is 0 but for what an engine's arithmetic leaves, of either sign.
+  constexpr double kClosed = 1e-5;  // of the clearance
+  return seen.gap <= kClosed * clearance || due;
+}
 
 ControlLoop::ControlLoop(std::shared_ptr<const Controller> law, const scene::Sensors& sensors,
                          const std::optional<scene::Trigger>& trigger, double sample_time,

@@ -1,13 +1,10 @@
 #include "native_model/control/controller.h"
 
-#include "native_model/control/cross_coupled.h"
-#include "native_model/control/emulated_support.h"
-#include "native_model/control/latency.h"
 #include "native_model/control/library.h"
 #include "native_model/control/quadratic.h"
+#include "native_model/control/radial_tracking.h"
+#include "native_model/control/ring_feedback.h"
 #include "native_model/control/sliding.h"
-#include "native_model/control/tracking_pd.h"
-#include "native_model/control/two_phase.h"
 
 namespace rotorub {
 namespace {

@@ -15,7 +15,7 @@
 
 namespace rotorub {
 
-struct LinearPlant;  // linear_plant.h
+struct LinearPlant;  // quadratic.h
 
 // What a controller sees at time t. Vectors in the fixed frame, contact plane.
 struct Measurement {

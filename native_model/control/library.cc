@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "native_model/control/abi/rotorub/controller.h"
-#include "native_model/control/sensors.h"
+#include "native_model/control/control_loop.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
@@ -28,10 +28,6 @@ constexpr const char* kPath = "ROTORUB_CONTROLLER_PATH";
 std::mutex mutex;
 std::vector<fs::path> scene_folders, allowed_files;
 SceneLibraries scene_libraries = SceneLibraries::kAsked;
-
-[[noreturn]] void refuse(const scene::Scene& scene, const char* key, const std::string& reason) {
-  throw scene::SceneError(scene::placed(scene, {{"", 0, key, reason}}));
-}
 
 std::vector<fs::path> folders_of(const std::string& list) {
   std::vector<fs::path> folders;
@@ -79,12 +75,13 @@ fs::path found_in(const scene::Scene& scene, const std::vector<fs::path>& folder
       refused = path;
     }
   }
-  if (refused.empty()) refuse(scene, kKey, "not found: looked for " + looked);
-  refuse(scene, kKey,
-         refused.string() +
-             " is not opened: a scene must not run code by itself; if you trust this one, say "
-             "--allow-library (Python: allow_library=True), or set " +
-             kPath + " to its folder");
+  if (refused.empty()) scene::refuse_at(scene, kKey, "not found: looked for " + looked);
+  scene::refuse_at(
+      scene, kKey,
+      refused.string() +
+          " is not opened: a scene must not run code by itself; if you trust this one, say "
+          "--allow-library (Python: allow_library=True), or set " +
+          kPath + " to its folder");
 }
 
 // What the library says, ended by 0 or not.
@@ -110,7 +107,8 @@ std::shared_ptr<void> opened(const scene::Scene& scene, const fs::path& path) {
   void* const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const char* why = dlerror();
-    refuse(scene, kKey, scene::printable(why != nullptr ? why : "cannot be loaded", kRoom));
+    scene::refuse_at(scene, kKey,
+                     scene::printable(why != nullptr ? why : "cannot be loaded", kRoom));
   }
   return {handle, [](void* h) { dlclose(h); }};
 }
@@ -119,7 +117,7 @@ std::shared_ptr<void> opened(const scene::Scene& scene, const fs::path& path) {
 const rotorub_controller* functions_of(const scene::Scene& scene, const fs::path& path,
                                        void* library) {
   const auto refuse_it = [&](const std::string& why) {
-    refuse(scene, kKey, path.string() + ": " + why);
+    scene::refuse_at(scene, kKey, path.string() + ": " + why);
   };
   const auto get =
       reinterpret_cast<rotorub_controller_get_function>(dlsym(library, ROTORUB_CONTROLLER_SYMBOL));
@@ -171,9 +169,9 @@ fs::path controller_library(const scene::Scene& scene) {
       scene.folder ? std::vector<fs::path>{*scene.folder} : scene_folders;
   folders.insert(folders.end(), open_folders.begin(), open_folders.end());
   if (folders.empty()) {
-    refuse(scene, kKey,
-           std::string("is not loaded: a model must not load code by itself; set ") + kPath +
-               " to the folder of the libraries that you trust");
+    scene::refuse_at(scene, kKey,
+                     std::string("is not loaded: a model must not load code by itself; set ") +
+                         kPath + " to the folder of the libraries that you trust");
   }
   if (!name.is_absolute()) return found_in(scene, folders, name, open_folders);
   // Of an MJCF, whose paths are absolute or none, setting the variable allows them.
@@ -186,7 +184,7 @@ fs::path controller_library(const scene::Scene& scene) {
 LibraryController::LibraryController(const scene::Scene& scene, const Plant& plant)
     : LibraryController(scene, controller_library(scene)) {
   if (functions_->command == ROTORUB_CURRENT && plant.current_limit <= 0.0) {
-    refuse(
+    scene::refuse_at(
         scene, kKey,
         name_ +
             " commands currents; accepted with [actuator] kind = \"electromagnet\" or \"table\"");
@@ -194,9 +192,9 @@ LibraryController::LibraryController(const scene::Scene& scene, const Plant& pla
   create(scene, plant);
   if (functions_->state_size != nullptr) state_size_ = functions_->state_size(self_);
   if (state_size_ > kLargestState) {
-    refuse(scene, kKey,
-           name_ + ": a state of " + std::to_string(state_size_) + " numbers; accepted: up to " +
-               std::to_string(kLargestState));
+    scene::refuse_at(scene, kKey,
+                     name_ + ": a state of " + std::to_string(state_size_) +
+                         " numbers; accepted: up to " + std::to_string(kLargestState));
   }
 }
 
@@ -228,7 +226,8 @@ void LibraryController::create(const scene::Scene& scene, const Plant& plant) {
   setup.config = entries.data();
   const std::string refused =
       failure_of([&](char* reason) { return functions_->create(&setup, &self_, reason, kRoom); });
-  if (!refused.empty()) refuse(scene, "controller.config", name_ + " refuses: " + refused);
+  if (!refused.empty())
+    scene::refuse_at(scene, "controller.config", name_ + " refuses: " + refused);
   created_ = true;
 }
 

@@ -2,22 +2,25 @@
 
 #include <Eigen/Cholesky>
 #include <cassert>
-#include <string>
 #include <vector>
 
-#include "native_model/bearing/actuator_axes.h"
+#include "native_model/bearing/actuator.h"
+#include "native_model/numerics/matrix_functions.h"
 #include "native_model/numerics/riccati.h"
-#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 
 namespace rotorub {
-namespace {
 
-[[noreturn]] void refuse(const scene::Scene& scene, const std::string& reason) {
-  throw scene::SceneError(scene::placed(scene, {{"", 0, "controller.kind", reason}}));
+// exp(T [A B; 0 0]) = [A_d B_d; 0 1] (Van Loan 1978).
+LinearPlant sampled(const LinearPlant& plant, double sample_time) {
+  const Eigen::Index n = plant.a.rows(), u = plant.b.cols(), m = u + plant.d.cols();
+  Eigen::MatrixXd block = Eigen::MatrixXd::Zero(n + m, n + m);
+  block.topLeftCorner(n, n) = sample_time * plant.a;
+  block.topRightCorner(n, m) << sample_time * plant.b, sample_time * plant.d;
+  const Eigen::MatrixXd over = matrix_exp(block);
+  return {over.topLeftCorner(n, n), over.block(0, n, n, u), over.topRightCorner(n, m - u), plant.c,
+          plant.coordinates};
 }
-
-}  // namespace
 
 QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& plant) {
   const scene::Controller& c = *scene.first().controller;
@@ -29,8 +32,8 @@ QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& p
   const Eigen::MatrixXd r = Eigen::Matrix2d::Identity() / (c.allowed_force * c.allowed_force);
   const auto cost = solve_riccati(a, b, q, r);
   if (!cost)
-    refuse(
-        scene,
+    scene::refuse_at(
+        scene, "controller.kind",
         "no feedback of the ring stabilises rotor and ring: a mode that grows is out of its reach");
   d.gain = riccati_gain(a, b, r, *cost);
   // The ring off its middle, the rotor at rest: what its springs ask for, by its own two rows.
@@ -45,7 +48,8 @@ QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& p
   const Eigen::MatrixXd errors =
       Eigen::Matrix4d::Identity() * (c.measurement_error * c.measurement_error);
   const auto spread = solve_riccati(a.transpose(), y.transpose(), w * w.transpose(), errors);
-  if (!spread) refuse(scene, "the positions do not show a mode that grows");
+  if (!spread)
+    scene::refuse_at(scene, "controller.kind", "the positions do not show a mode that grows");
   const Eigen::MatrixXd inner = y * *spread * y.transpose() + errors;
   d.filter = inner.llt().solve(y * *spread).transpose();
   return d;

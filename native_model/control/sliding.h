@@ -1,5 +1,5 @@
 // Sliding mode with boundary layer, (22)-(29) of the paper: the ring tracks the rotor at the gap
-// reference g_d(t), which falls smoothly from the gap at switch-on to 0 (gap_reference.h).
+// reference g_d(t), which falls smoothly from the gap at switch-on to 0 (radial_tracking.h).
 //
 //   q_fd = r_rotor - (delta_0 - g_d) e_r,    e = q_f - q_fd = (g_N - g_d) e_r
 //   s = edot + psi e
@@ -30,6 +30,7 @@
 #pragma once
 
 #include "native_model/control/controller.h"
+#include "native_model/control/ring_feedback.h"
 
 namespace rotorub {
 
@@ -62,6 +63,30 @@ class SlidingController final : public Controller {
   double lead_;               // s
   double filter_time_ = 0.0;  // s; 0: none
   double damping_ = 0.0;      // N s/m
+};
+
+// The paper's own law: sliding mode brings the ring to the rotor, and after the first small impact
+// cross-coupled feedback takes over (ring_feedback.h). At the hand-over, t_h, what the
+// first law asked and the second does not fades out, so that the force does not jump:
+//
+//   u = u_cross(t) + (u_track(t_h) - u_cross(t_h)) (1 - H((t - t_h) / T_h)),
+//
+// H the smooth step of the gap reference. An impact is seen as the sensors see it: touched(),
+// control_loop.h.
+class TwoPhase final : public Controller {
+ public:
+  TwoPhase(const scene::Controller& settings, const Plant& plant, double spin_speed = 0.0);
+  std::size_t state_size() const override;
+  void start(double* state) const override;
+  Eigen::Vector2d command(const Measurement& now, const SwitchOn& on, double* state) const override;
+  bool needs_rotor_acceleration() const override { return true; }
+  Gains ring_gains() const override { return track_.ring_gains(); }
+
+ private:
+  SlidingController track_;
+  CrossCoupled cross_;
+  double clearance_;      // m
+  double handover_time_;  // s, T_h
 };
 
 }  // namespace rotorub

@@ -16,7 +16,7 @@
 #include "native_model/event/impact.h"
 #include "native_model/event/schedule.h"
 #include "native_model/event/smooth_step.h"
-#include "native_model/system/sampled_command.h"
+#include "native_model/system/actuation.h"
 
 namespace rotorub {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "native_model/contact/rebound.h"
+#include "native_model/contact/impact.h"
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {

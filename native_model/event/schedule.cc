@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/control/sampling.h"
+#include "native_model/control/control_loop.h"
 
 namespace rotorub {
 

@@ -1,4 +1,4 @@
-// What cross-coupled feedback (control/cross_coupled.h) does to the rub that lasts: a rule for
+// What cross-coupled feedback (control/ring_feedback.h) does to the rub that lasts: a rule for
 // k(Omega). At each spin speed and k the forced rub of the scene's friction is found with the
 // ring's closed loop in it, and its least stable pair. The k under which that pair decays fastest
 // is the rule; where no rub lasts there is no rule.

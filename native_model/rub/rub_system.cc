@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "native_model/control/cross_coupled.h"
+#include "native_model/control/ring_feedback.h"
 #include "native_model/dynamics/linear_parts.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"

@@ -5,8 +5,8 @@
 
 #include "native_model/event/driver.h"
 #include "native_model/run/fixed_run.h"
+#include "native_model/scene/record.h"
 #include "native_model/system/model_checks.h"
-#include "native_model/system/run_size.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
@@ -56,9 +56,9 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
                                                                         : FiniteImpacts::kNone);
   for (std::size_t k = 0; model.auxiliary.size() > 1 && k < model.auxiliary.size(); ++k) {
     if (model.auxiliary[k].coil == kAbsent) continue;
-    refuse(with_bearing_alone(scene, k),
-           {{"", 0, "actuator.coil_lag",
-             "beside other contacts coils that lag need the integrator event; accepted here: 0"}});
+    scene::refuse_at(
+        with_bearing_alone(scene, k), "actuator.coil_lag",
+        "beside other contacts coils that lag need the integrator event; accepted here: 0");
   }
   return run_fixed(integrator, model, scene.run, step, options);
 }

@@ -58,12 +58,12 @@ struct Actuator {
   ActuatorKind kind = ActuatorKind::kIdeal;
   // ideal: the force asked for, limited
   double force_limit = std::numeric_limits<double>::infinity();  // N, > 0, on each axis
-  // electromagnet: F(s, i) of bearing/electromagnet.h on each axis
+  // electromagnet: F(s, i) of bearing/actuator.h on each axis
   double force_constant = 0.0;  // N m^2/A^2, k_m > 0
   double bias_current = 0.0;    // A, i_0 > 0
   double air_gap = 0.0;         // m, s_0 > 0
   double stiffness = 0.0;       // N/m, c >= 0
-  // table: F(s, i) of bearing/force_table.h
+  // table: F(s, i) of bearing/actuator.h
   std::vector<double> table_position{};  // m, ascending
   std::vector<double> table_current{};   // A, ascending
   std::vector<double> table_force{};     // N, position by position, one for each current

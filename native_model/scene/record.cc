@@ -62,4 +62,8 @@ std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagn
   return diagnostics;
 }
 
+void refuse_at(const Scene& scene, std::string key, std::string reason) {
+  throw SceneError(placed(scene, {{"", 0, std::move(key), std::move(reason)}}));
+}
+
 }  // namespace rotorub::scene

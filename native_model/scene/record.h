@@ -45,5 +45,7 @@ class Record {
 // What was found wrong after the reading: each diagnostic without a file is given the place of its
 // key. Of a scene that was made by hand the name alone is known.
 std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagnostics);
+// Throws SceneError with the one diagnostic.
+[[noreturn]] void refuse_at(const Scene& scene, std::string key, std::string reason);
 
 }  // namespace rotorub::scene

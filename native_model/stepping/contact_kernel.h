@@ -1,11 +1,11 @@
 // The contact in a fixed step, for one run or for many: where the straight path of a step leaves
 // the circle, lasting contact goes on or an impact begins. Lasting contact ends the step on the
-// circle (contact/lasting_contact.h): sliding on as in the step before in all lanes at once,
+// circle (contact/step_contact.h): sliding on as in the step before in all lanes at once,
 // anything else lane by lane. Impacts are the schemes' own (midpoint_step.h, verlet_step.h).
 #pragma once
 
-#include "native_model/contact/circle.h"
-#include "native_model/contact/lasting_contact.h"
+#include "native_model/contact/kinematics.h"
+#include "native_model/contact/step_contact.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kernel.h"
 
@@ -242,7 +242,7 @@ class ContactKernel : public LoadKernel<M> {
     lanes::set(normal_y_, lane, e_r.y());
   }
 
-  // The impulses of lasting_contact for the present free_; see contact/lasting_contact.h.
+  // The impulses of lasting_contact for the present free_; see contact/step_contact.h.
   ROTORUB_INLINE void press(const Mask& on, const Centre& d, const Centre& w) {
     const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(h_);
     const T ex = normal_x_, ey = normal_y_;

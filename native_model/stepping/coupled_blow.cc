@@ -1,7 +1,7 @@
 // One impact of a step of several contacts, with all that is closed there.
 #include <algorithm>
 
-#include "native_model/contact/rebound.h"
+#include "native_model/contact/impact.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/coupled_step.h"
 

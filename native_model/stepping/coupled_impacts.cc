@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "native_model/contact/circle.h"
-#include "native_model/contact/located_impact.h"
+#include "native_model/contact/kinematics.h"
+#include "native_model/contact/step_contact.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/coupled_verlet.h"
 #include "native_model/system/actuation.h"

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
-#include "native_model/contact/circle.h"
-#include "native_model/contact/rebound.h"
+#include "native_model/contact/impact.h"
+#include "native_model/contact/kinematics.h"
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
 namespace {
 
-constexpr double kLeastFlight = 2.0;  // steps, as of an impact that is not located (rebound.h)
+constexpr double kLeastFlight =
+    2.0;  // steps, as of an impact that is not located (contact/impact.h)
 
 }  // namespace
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/contact/circle.h"
+#include "native_model/contact/kinematics.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "native_model/contact/coupled_law.h"
-#include "native_model/contact/impact_record.h"
+#include "native_model/contact/impact.h"
 #include "native_model/dynamics/constraint.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kernel.h"
@@ -45,7 +45,7 @@ class CoupledStep : public FixedStepper, protected LoadKernel<Model> {
   static double slip(const Contact& c, const Eigen::Vector3d& velocity) {
     return rates_along(c.e_r, c.law.radius, velocity).y();
   }
-  // Whether the impact at the speed `approach` (m/s) is followed by a flight, contact/rebound.h.
+  // Whether the impact at the speed `approach` (m/s) is followed by a flight, contact/impact.h.
   virtual bool rebounds(const Contact& c, double approach, double pressed) const = 0;
 
   // ------------------------------------------------------------------ lasting contact
@@ -67,7 +67,7 @@ class CoupledStep : public FixedStepper, protected LoadKernel<Model> {
     std::array<ClosedContact, kMaxContacts> of{};
     std::array<bool, kMaxContacts> closed{}, rests{};  // before, and after
     std::array<ImpactLaw, kMaxContacts> laws{};
-    std::array<double, kMaxContacts> pressed{};  // m/s^2, contact/rebound.h
+    std::array<double, kMaxContacts> pressed{};  // m/s^2, contact/impact.h
     ContactVector before = ContactVector(2 * kMaxContacts);
     ContactMatrix g;
     CoupledSolution s;

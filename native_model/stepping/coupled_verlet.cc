@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "native_model/contact/rebound.h"
+#include "native_model/contact/impact.h"
 
 namespace rotorub {
 

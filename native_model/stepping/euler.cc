@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "native_model/contact/impact.h"
-#include "native_model/contact/impact_record.h"
-#include "native_model/contact/rebound.h"
 #include "native_model/dynamics/constraint.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"

@@ -29,9 +29,9 @@ class EulerStepper : public FixedStepper {
   struct Closing {
     std::size_t index = 0;
     Eigen::Vector2d e_r{1.0, 0.0};
-    bool impact = false;  // with a rebound that outlives its steps (contact/rebound.h)
-    double gap_rate = 0.0, slip = 0.0;    // m/s, without contact
-    double end = 0.0;                     // m/s, the gap of the step's end over h
+    bool impact = false;                // with a rebound that outlives its steps (contact/impact.h)
+    double gap_rate = 0.0, slip = 0.0;  // m/s, without contact
+    double end = 0.0;                   // m/s, the gap of the step's end over h
     double normal = 0.0, friction = 0.0;  // N s
     bool sticks = false;
   };

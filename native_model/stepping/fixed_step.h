@@ -8,7 +8,7 @@
 #include <memory>
 #include <span>
 
-#include "native_model/contact/located_impact.h"
+#include "native_model/contact/step_contact.h"
 #include "native_model/system/model.h"
 #include "native_model/trajectory/trajectory.h"
 

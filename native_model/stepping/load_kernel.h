@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "native_model/bearing/actuator_axes.h"
+#include "native_model/bearing/actuator.h"
 #include "native_model/dynamics/equations.h"
 #include "native_model/stepping/lane_model.h"
 #include "native_model/stepping/sized_model.h"

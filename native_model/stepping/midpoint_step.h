@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "native_model/contact/circle.h"
-#include "native_model/contact/rebound.h"
+#include "native_model/contact/impact.h"
+#include "native_model/contact/kinematics.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/contact_kernel.h"
 
@@ -90,7 +90,7 @@ class MidpointKernel : public ContactKernel<M> {
   }
 
   // Poisson's law in one lane where the contact closes. Without a flight after it
-  // (contact/rebound.h) the middle closes the gap, by the least change in the norm of M, and
+  // (contact/impact.h) the middle closes the gap, by the least change in the norm of M, and
   // contact lasts.
   ROTORUB_SLOW void collide(int lane, std::int64_t k) {
     const Model& m = lane_model(*this->m_, lane);

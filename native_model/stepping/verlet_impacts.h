@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "native_model/contact/located_impact.h"
+#include "native_model/contact/step_contact.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/contact_kernel.h"
 #include "native_model/system/finite_impact.h"

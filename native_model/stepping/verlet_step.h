@@ -7,7 +7,7 @@
 //      half a kick.
 //   2. The straight path q_k + h v_f stays in the ring: done.
 //   3. It leaves the circle, out of flight: Poisson's law where it does (verlet_impacts.h).
-//   4. Lasting contact: the step ends on the circle (contact/lasting_contact.h); where a load or
+//   4. Lasting contact: the step ends on the circle (contact/step_contact.h); where a load or
 //   the
 //      command jumps within it, verlet_jumps.h.
 #pragma once

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "native_model/bearing/actuator_axes.h"
-#include "native_model/control/sampling.h"
+#include "native_model/bearing/actuator.h"
+#include "native_model/control/control_loop.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/stepped_loads.h"
 #include "native_model/system/actuation.h"

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "native_model/stepping/fixed_step.h"
-#include "native_model/system/sampled_command.h"
+#include "native_model/system/actuation.h"
 
 namespace rotorub {
 

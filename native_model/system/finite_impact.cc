@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "native_model/contact/impact.h"
-#include "native_model/contact/rebound.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 

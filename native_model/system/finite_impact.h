@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-#include "native_model/contact/impact_record.h"
+#include "native_model/contact/impact.h"
 #include "native_model/contact/kinematics.h"
 #include "native_model/dynamics/constraint.h"
 #include "native_model/numerics/status.h"

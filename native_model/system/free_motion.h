@@ -1,21 +1,40 @@
 // The periodic answer of the free rotor to all that acts at t = 0 (steady_orbit.h has the
-// equations).
+// equations), and how far its orbit goes.
 #pragma once
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "native_model/scene/scene.h"
 #include "native_model/system/model.h"
-#include "native_model/system/orbit_size.h"
 
 namespace rotorub {
+
+// An orbit of several frequencies, d(t) = centre + sum_j Re(a_j e^{i nu_j t}), a_j a complex
+// vector: an ellipse.
+struct OrbitPart {
+  double frequency;            // rad/s, >= 0; 0: a constant, its real part
+  Eigen::Vector2cd amplitude;  // m
+};
+
+struct OrbitSize {
+  Eigen::Vector2d centre{0.0, 0.0};  // m
+  std::vector<OrbitPart> parts;
+
+  // m: the most of |d| over all time, to 1e-6. Frequencies in the ratio of whole numbers up to
+  // kHighest come back, and one period is looked through. Others meet in every phase sooner or
+  // later: it is the largest over directions u of centre . u + sum |a_j . u|.
+  double largest() const;
+
+  static constexpr int kHighest = 24;
+};
 
 struct FreeMotion {
   Eigen::VectorXd q, v;              // 2 n: m, m/s, at t = 0
   Eigen::Vector2d stored{0.0, 0.0};  // A, what a magnetic bearing's integrator holds at t = 0
-  Eigen::Vector2d current{
-      0.0, 0.0};      // A, the most of its current on each axis: the sum over all frequencies
+  // A, the most of its current on each axis: the sum over all frequencies.
+  Eigen::Vector2d current{0.0, 0.0};
   OrbitSize orbit{};  // of the rotor's centre at the contact, m
 };
 

@@ -5,14 +5,13 @@
 #include <numbers>
 #include <utility>
 
-#include "native_model/bearing/actuator_axes.h"
-#include "native_model/bearing/electromagnet.h"
-#include "native_model/bearing/force_table.h"
+#include "native_model/bearing/actuator.h"
+#include "native_model/control/quadratic.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/equations.h"
 #include "native_model/rotor/magnetic_support.h"
+#include "native_model/scene/record.h"
 #include "native_model/system/model_checks.h"
-#include "native_model/system/plant_of.h"
 #include "native_model/system/steady_orbit.h"
 
 namespace rotorub {
@@ -176,7 +175,7 @@ void fill_actuator(const scene::Scene& scene, std::size_t k, Model& model) {
         std::make_shared<ForceTable>(ForceGrid{a.table_position, a.table_current, a.table_force});
     const std::string reason = table->refusal();
     if (!reason.empty())
-      refuse(with_bearing_alone(scene, k), {{"", 0, "actuator.table_force", reason}});
+      scene::refuse_at(with_bearing_alone(scene, k), "actuator.table_force", reason);
     magnets.law = table;
     most = std::min(-a.table_current.front(), a.table_current.back());
   }

@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
+#include "native_model/bearing/actuator.h"
 #include "native_model/bearing/drive.h"
-#include "native_model/bearing/force_law.h"
 #include "native_model/bearing/magnetic_feedback.h"
-#include "native_model/contact/contact_parameters.h"
+#include "native_model/contact/impact.h"
 #include "native_model/control/command_record.h"
 #include "native_model/control/control_loop.h"
 #include "native_model/control/controller.h"
@@ -207,5 +207,8 @@ Model without_offsets(Model model);
 Model without_controller(Model model);
 // The same driven by the commands of another run instead of its controller; as it is for null.
 Model replayed(Model model, std::shared_ptr<const CommandRecord> commands);
+// The linear plant (control/quadratic.h) about an auxiliary bearing with a ring and a contact, at
+// the spin speed `speed` (rad/s), held; spin, torsion, an angle of the ring and coils are left out.
+LinearPlant plant_of(const Model& model, std::size_t bearing, double speed);
 
 }  // namespace rotorub

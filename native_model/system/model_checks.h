@@ -1,16 +1,15 @@
-// What of a scene only the model shows to be wrong; everything else is refused with the scene's
-// file. All of them throw scene::SceneError.
+// What of a scene only the model shows to be wrong, and runs that are too large; everything else is
+// refused with the scene's file. All of them throw scene::SceneError.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
-#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/scene.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
-
-[[noreturn]] void refuse(const scene::Scene& scene, std::vector<scene::Diagnostic> diagnostics);
 
 void check_size(const scene::Scene& scene, int nq);
 void check_unbalances(const scene::Scene& scene, std::size_t count);
@@ -40,5 +39,19 @@ void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
 void refuse_several_in_mujoco(const scene::Scene& scene);
 // Within an electromagnet's core there is no start.
 void check_initial_ring(const scene::Scene& scene, std::size_t bearing);
+
+// Whether a run can be done at all is known before its first step. Days of computing on any
+// machine.
+inline constexpr double kMostSteps = 1e10;
+// Numbers of a series: 2 GB of memory, 5 GB of text.
+inline constexpr double kMostSeriesValues = 2.5e8;
+
+// More than kMostSteps of `fixed_step`, s, or samples of the controller.
+void check_steps(const scene::Scene& scene, double fixed_step);
+
+// These and the rows of the series. fixed_step: s, absent for an integrator that chooses its own.
+// times: of the rows, if they are not those of the scene.
+void check_run_size(const scene::Scene& scene, const Model& model, std::optional<double> fixed_step,
+                    const std::vector<double>* times = nullptr);
 
 }  // namespace rotorub

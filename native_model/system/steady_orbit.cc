@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/bearing/actuator_axes.h"
+#include "native_model/bearing/actuator.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
 #include "native_model/system/free_motion.h"
@@ -66,39 +66,6 @@ Eigen::Vector2d ring_at_rest(const scene::Scene& scene, const Model& m) {
   refuse_steady(scene, pulled);
 }
 
-}  // namespace
-
-void add_steady_orbit(const scene::Scene& scene, Model& m) {
-  const Layout& l = m.layout;
-  FreeMotion motion = free_motion(scene, m);
-  m.q0.head(2 * l.modes) += motion.q;
-  m.v0.head(2 * l.modes) += motion.v;
-  m.v0.segment(l.integral(), l.integrals) += motion.stored.head(l.integrals);
-  if (m.feedback) check_current(scene, *m.feedback, motion.current.maxCoeff());
-  OrbitSize& orbit = motion.orbit;
-  if (l.stator) {
-    const Eigen::Vector2d place = ring_at_rest(scene, m);
-    m.q0.segment<2>(l.ring()) += place;
-    orbit.centre = -place;
-  }
-  orbit.centre -= m.first().ring_offset;
-  if (l.torsion && m.drive && scene.initial.torsion.empty()) {
-    const double torque = m.drive->torque(0.0, 0.0, m.speed);
-    m.q0.segment(l.theta(), l.torsion) +=
-        torque * m.drive_shape.cwiseQuotient(m.stiffness.segment(l.theta(), l.torsion));
-  }
-
-  if (!m.first().contact) return;
-  const double largest = orbit.largest(), clearance = m.first().contact->clearance;
-  if (largest < clearance) return;
-  refuse_steady(scene,
-                "the steady free orbit touches: it comes to " + scene::number_text(largest) +
-                    " m from the middle of the ring; accepted: less than contact.clearance = " +
-                    scene::number_text(clearance) + " m, or false and a start of your own");
-}
-
-namespace {
-
 // When another set of loads has come to act in full, s; 0 first.
 std::vector<double> changes(const Model& m) {
   std::vector<double> all{0.0};
@@ -128,6 +95,34 @@ Model with_loads_of(Model m, double t) {
 }
 
 }  // namespace
+
+void add_steady_orbit(const scene::Scene& scene, Model& m) {
+  const Layout& l = m.layout;
+  FreeMotion motion = free_motion(scene, m);
+  m.q0.head(2 * l.modes) += motion.q;
+  m.v0.head(2 * l.modes) += motion.v;
+  m.v0.segment(l.integral(), l.integrals) += motion.stored.head(l.integrals);
+  if (m.feedback) check_current(scene, *m.feedback, motion.current.maxCoeff());
+  OrbitSize& orbit = motion.orbit;
+  if (l.stator) {
+    const Eigen::Vector2d place = ring_at_rest(scene, m);
+    m.q0.segment<2>(l.ring()) += place;
+    orbit.centre = -place;
+  }
+  orbit.centre -= m.first().ring_offset;
+  if (l.torsion && m.drive && scene.initial.torsion.empty()) {
+    const double torque = m.drive->torque(0.0, 0.0, m.speed);
+    m.q0.segment(l.theta(), l.torsion) +=
+        torque * m.drive_shape.cwiseQuotient(m.stiffness.segment(l.theta(), l.torsion));
+  }
+  if (!m.first().contact) return;
+  const double largest = orbit.largest(), clearance = m.first().contact->clearance;
+  if (largest < clearance) return;
+  refuse_steady(scene,
+                "the steady free orbit touches: it comes to " + scene::number_text(largest) +
+                    " m from the middle of the ring; accepted: less than contact.clearance = " +
+                    scene::number_text(clearance) + " m, or false and a start of your own");
+}
 
 FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
   m.speed = speed;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "native_model/bearing/actuator_axes.h"
+#include "native_model/bearing/actuator.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/scene/text.h"
 

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "native_model/contact/constrained_law.h"
-#include "native_model/contact/rebound.h"
+#include "native_model/contact/impact.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/actuators.h"
 #include "plugin/contact/constraint_probe.h"
@@ -115,7 +115,8 @@ Touching touching(TouchingPairs& contacts) {
   Touching t;
   for (TouchingPair& s : contacts.span()) {
     if (!s.touches) continue;
-    t.laws[t.count].friction = s.pair->contact.friction;
+    // The law at the slip: the rates of this problem are accelerations.
+    t.laws[t.count].friction = s.pair->contact.friction.at(s.point.slip);
     t.at[t.count++] = &s;
     if (s.axial) t.rows = 3;
   }

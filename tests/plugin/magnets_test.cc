@@ -8,7 +8,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/bearing/electromagnet.h"
+#include "native_model/bearing/actuator.h"
 #include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "native_model/control/emulated_support.h"
+#include "native_model/control/ring_feedback.h"
 #include "native_model/control/sliding.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/run_native.h"

@@ -13,6 +13,7 @@
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/actuation.h"
+#include "tests/support/refusal.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // What an interpreter keeps to its end is no leak of ours.
@@ -70,13 +71,10 @@ scene::Scene read(const std::string& library, const std::string& config = "",
   return s;
 }
 
+// What the scene is refused with, in words; empty: it is accepted.
 std::string refusal(const scene::Scene& scene) {
-  try {
-    make_model(scene);
-  } catch (const scene::SceneError& error) {
-    return error.what();
-  }
-  return "";
+  const scene::Diagnostic d = test::refusal(scene);
+  return d.reason.empty() ? "" : to_string(d);
 }
 
 void expect_said(const std::string& said, const std::vector<std::string>& words) {
@@ -136,12 +134,10 @@ TEST(Library, RefusalsNameKeyAndReason) {
 
 TEST(Library, IsRefusedWithoutASampleTimeAndConfigByOtherKinds) {
   const auto parse = [](const std::vector<std::string>& overrides) -> std::string {
-    try {
+    const auto wrong = test::refusals([&] {
       scene::parse_scene(text("faulty_controller.so", "gain = 1"), "own.toml", overrides);
-    } catch (const scene::SceneError& error) {
-      return error.what();
-    }
-    return "";
+    });
+    return wrong.empty() ? "" : to_string(wrong.front());
   };
   EXPECT_EQ(parse({}), "");
   expect_said(parse({"controller.sample_time=0"}), {"controller.sample_time", "> 0"});

@@ -8,13 +8,13 @@
 #include <complex>
 #include <vector>
 
-#include "native_model/control/cross_coupled.h"
 #include "native_model/control/quadratic.h"
+#include "native_model/control/ring_feedback.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/numerics/riccati.h"
 #include "native_model/rub/rub_stability.h"
 #include "native_model/run/run_native.h"
-#include "native_model/system/plant_of.h"
+#include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
 
 namespace rotorub {

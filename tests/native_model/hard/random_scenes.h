@@ -105,7 +105,7 @@ class RandomScenes {
     controller.kind =
         chance(0.7) ? scene::ControllerKind::kSliding : scene::ControllerKind::kPassive;
     controller.on = chance(0.5) ? 0.0 : between(0.0, 0.01);
-    // A sliding law refuses to be later (control/latency.h).
+    // A sliding law refuses to be later (control/radial_tracking.h).
     const bool slides = controller.kind == scene::ControllerKind::kSliding;
     if (chance(0.5)) controller.sample_time = decade(5e-5, slides ? 3e-4 : 1e-3);
     controller.stiffness = between(0.0, 1e5);

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "native_model/bearing/actuator_axes.h"
-#include "native_model/bearing/electromagnet.h"
+#include "native_model/bearing/actuator.h"
 #include "native_model/numerics/matrix_functions.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "native_model/bearing/force_table.h"
+#include "native_model/bearing/actuator.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/event/driver.h"
 #include "native_model/scene/reader.h"

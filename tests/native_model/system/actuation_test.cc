@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "native_model/bearing/actuator_axes.h"
+#include "native_model/bearing/actuator.h"
 #include "native_model/dynamics/dynamics.h"
 #include "tests/support/machine.h"
 

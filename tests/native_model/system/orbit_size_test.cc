@@ -1,6 +1,6 @@
 // The largest distance of an orbit: circles and ellipses, off the origin, of one and more
 // frequencies.
-#include "native_model/system/orbit_size.h"
+#include "native_model/system/free_motion.h"
 
 #include <gtest/gtest.h>
 

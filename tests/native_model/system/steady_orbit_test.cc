@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-#include "native_model/bearing/actuator_axes.h"
+#include "native_model/bearing/actuator.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
-#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
 #include "tests/native_model/system/steady_scenes.h"
+#include "tests/support/refusal.h"
 
 namespace rotorub {
 namespace {
@@ -17,14 +17,9 @@ using test::magnetic_ring;
 using test::steady;
 
 std::string refusal(const scene::Scene& s) {
-  try {
-    make_model(s);
-  } catch (const scene::SceneError& error) {
-    EXPECT_EQ(error.diagnostics().size(), 1U);
-    EXPECT_EQ(error.diagnostics()[0].key, "initial.steady");
-    return error.diagnostics()[0].reason;
-  }
-  return {};
+  const scene::Diagnostic d = test::refusal(s);
+  EXPECT_TRUE(d.reason.empty() || d.key == "initial.steady") << d.key;
+  return d.reason;
 }
 
 void expect_refused(const scene::Scene& s, const std::string& reason) {
@@ -110,15 +105,13 @@ steady = true
   EXPECT_NO_THROW(make_model(scene::parse_scene(text, "s.toml")));
   for (const char* key : {"x", "y", "vx", "vy", "stator", "stator_velocity"}) {
     const bool ring = std::string(key).starts_with("stator");
-    try {
+    const auto wrong = test::refusals([&] {
       scene::parse_scene(text + key + (ring ? " = [0.0, 0.0]\n" : " = [0.0]\n"), "s.toml");
-      ADD_FAILURE() << key;
-    } catch (const scene::SceneError& error) {
-      ASSERT_EQ(error.diagnostics().size(), 1U);
-      EXPECT_EQ(error.diagnostics()[0].key, std::string("initial.") + key);
-      EXPECT_EQ(error.diagnostics()[0].line, 17);
-      EXPECT_NE(error.diagnostics()[0].reason.find("steady"), std::string::npos);
-    }
+    });
+    ASSERT_EQ(wrong.size(), 1U) << key;
+    EXPECT_EQ(wrong[0].key, std::string("initial.") + key);
+    EXPECT_EQ(wrong[0].line, 17);
+    EXPECT_NE(wrong[0].reason.find("steady"), std::string::npos);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "native_model/bearing/actuator_axes.h"
+#include "native_model/bearing/actuator.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/jeffcott.h"
 

@@ -1,9 +1,10 @@
-#include "native_model/contact/coulomb.h"
+#include "native_model/contact/planar_contact.h"
 
 #include <cassert>
 #include <cmath>
 
 namespace rotorub {
+
 namespace {
 
 // Sliding with slip of the given sign, whether or not that comes true.

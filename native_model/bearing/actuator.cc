@@ -1,8 +1,9 @@
-#include "native_model/bearing/force_table.h"
+#include "native_model/bearing/actuator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <unsupported/Eigen/Splines>
 
 #include "native_model/numerics/root.h"
 
@@ -20,7 +21,49 @@ Curve through(const Eigen::MatrixXd& points, const std::vector<double>& at) {
   return Eigen::SplineFitting<Curve>::Interpolate(points, 3, parameters);
 }
 
+using Basis = Eigen::Spline<double, 1, 3>;
+// The four cubic B-splines of an axis that are not 0 at x, and the place of the first.
+template <class Axis>
+Eigen::Index basis(const Axis& axis, double x, Basis::BasisVectorType& values) {
+  const double u = std::clamp((x - axis.first) / (axis.last - axis.first), 0.0, 1.0);
+  values = Basis::BasisFunctions(u, 3, axis.knots);
+  return Basis::Span(u, 3, axis.knots) - 3;
+}
+
 }  // namespace
+
+Electromagnet::Gaps Electromagnet::gaps(double s) const {
+  const double reach = kReach * p_.air_gap, at = std::clamp(s, -reach, reach);
+  const double near = p_.air_gap - at, far = p_.air_gap + at;
+  return {1.0 / (near * near), 1.0 / (far * far)};
+}
+
+double Electromagnet::force(double s, double i) const {
+  const Gaps g = gaps(s);
+  const double pull = p_.bias_current + i, oppose = p_.bias_current - i;
+  return p_.force_constant * (g.pulling * pull * pull - g.opposing * oppose * oppose) -
+         p_.stiffness * s;
+}
+
+double Electromagnet::gain(double s, double i) const {
+  const Gaps g = gaps(s);
+  return p_.force_constant *
+         (2.0 * p_.bias_current * (g.pulling + g.opposing) + i * (g.pulling - g.opposing));
+}
+
+// With A, B = 1/(s_0 -+ s)^2 and y = (F + c s)/k_m:
+//   (A - B) i^2 + 2 i_0 (A + B) i + (A - B) i_0^2 - y = 0,
+// the root that rises with y, without cancellation.
+double Electromagnet::current(double s, double force, double limit) const {
+  const Gaps g = gaps(s);
+  const double i0 = p_.bias_current, sum = g.pulling + g.opposing;
+  const double difference = g.pulling - g.opposing;
+  const double y = (force + p_.stiffness * s) / p_.force_constant;
+  const double square = 4.0 * i0 * i0 * g.pulling * g.opposing + difference * y;
+  if (!(square > 0.0)) return std::copysign(limit, y);  // no current gives so much
+  const double i = (y - difference * i0 * i0) / (i0 * sum + std::sqrt(square));
+  return std::clamp(i, -limit, limit);
+}
 
 ForceTable::ForceTable(const ForceGrid& grid) : nodes_s_(grid.position), nodes_i_(grid.current) {
   const auto rows = static_cast<Eigen::Index>(grid.position.size());
@@ -35,15 +78,9 @@ ForceTable::ForceTable(const ForceGrid& grid) : nodes_s_(grid.position), nodes_i
   current_ = {grid.current.front(), grid.current.back(), over_current.knots()};
 }
 
-Eigen::Index ForceTable::Axis::basis(double x, Spline::BasisVectorType& values) const {
-  const double u = std::clamp((x - first) / (last - first), 0.0, 1.0);
-  values = Spline::BasisFunctions(u, 3, knots);
-  return Spline::Span(u, 3, knots) - 3;
-}
-
 double ForceTable::force(double s, double i) const {
-  Spline::BasisVectorType over_s, over_i;
-  const Eigen::Index row = position_.basis(s, over_s), column = current_.basis(i, over_i);
+  Basis::BasisVectorType over_s, over_i;
+  const Eigen::Index row = basis(position_, s, over_s), column = basis(current_, i, over_i);
   double sum = 0.0;
   for (Eigen::Index a = 0; a < 4; ++a) {
     for (Eigen::Index b = 0; b < 4; ++b)

@@ -1,4 +1,4 @@
-#include "native_model/control/cross_coupled.h"
+#include "native_model/control/ring_feedback.h"
 
 #include <algorithm>
 #include <cmath>

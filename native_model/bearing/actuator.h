@@ -1,0 +1,107 @@
+// The actuator of a ring: two axes at 45 degrees, a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2, and
+// the force F(s, i) of each, (2) of the paper: a pure function of the ring's displacement s along
+// the axis (m) and of the control current i (A).
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace rotorub {
+
+inline constexpr double kHalfRoot = 0.70710678118654752440;  // 1/sqrt 2
+
+// (a_1 . r, a_2 . r) of a vector in the fixed frame.
+inline Eigen::Vector2d to_axes(const Eigen::Vector2d& r) {
+  return {kHalfRoot * (r.x() + r.y()), kHalfRoot * (r.y() - r.x())};
+}
+
+// s_1 a_1 + s_2 a_2, in the fixed frame.
+inline Eigen::Vector2d from_axes(const Eigen::Vector2d& s) {
+  return {kHalfRoot * (s.x() - s.y()), kHalfRoot * (s.x() + s.y())};
+}
+
+class ForceLaw {
+ public:
+  virtual ~ForceLaw() = default;
+  // N, along the axis. Finite for every finite s and i.
+  virtual double force(double s, double i) const = 0;
+  // N/A: (F(s, i) - F(s, 0)) / i, at i = 0 its limit.
+  virtual double gain(double s, double i) const = 0;
+  // The inverse, for feedback linearisation: A, the current within +- limit whose force at s comes
+  // nearest to `force` (N).
+  virtual double current(double s, double force, double limit) const = 0;
+  // m: |s| from which on the axis no longer exists, as the ring would be in a core.
+  virtual double reach() const { return std::numeric_limits<double>::infinity(); }
+};
+
+// Two electromagnets that pull against each other with a bias current,
+//
+//   F(s, i) = k_m [ ((i_0 + i)/(s_0 - s))^2 - ((i_0 - i)/(s_0 + s))^2 ] - c s
+//
+// F rises with i for |i| <= i_0. At s = i = 0 it has the slopes 4 k_m i_0 / s_0^2 (N/A) and
+// 4 k_m i_0^2 / s_0^3 - c (N/m: it pulls away from the middle).
+class Electromagnet final : public ForceLaw {
+ public:
+  struct Parameters {
+    double force_constant = 0.0;  // N m^2/A^2, k_m > 0
+    double bias_current = 0.0;    // A, i_0 > 0
+    double air_gap = 0.0;         // m, s_0 > 0
+    double stiffness = 0.0;       // N/m, c >= 0
+  };
+  explicit Electromagnet(const Parameters& parameters) : p_(parameters) {}
+
+  // The ring's stop at the cores is not modelled: beyond kReach of the air gap the magnets pull as
+  // they do there.
+  static constexpr double kReach = 0.99;
+
+  double force(double s, double i) const override;
+  double gain(double s, double i) const override;
+  double current(double s, double force, double limit) const override;
+  double reach() const override { return p_.air_gap; }
+
+ private:
+  // 1/(s_0 - s)^2 and 1/(s_0 + s)^2.
+  struct Gaps {
+    double pulling, opposing;
+  };
+  Gaps gaps(double s) const;
+
+  Parameters p_;
+};
+
+// F(s, i) of a magnetic actuator from measured or computed values on a grid, by a bicubic spline
+// that goes through them. Beyond the grid the value at its edge is held.
+struct ForceGrid {
+  std::vector<double> position;  // m, ascending, kLeast or more
+  std::vector<double> current;   // A, ascending, kLeast or more, from below 0 to above 0
+  std::vector<double> force;     // N, position by position, one for each current; rising with it
+  static constexpr std::size_t kLeast = 4;  // of a cubic
+};
+
+class ForceTable final : public ForceLaw {
+ public:
+  // The grid is in order (scene validation); ask refusal() before inverting.
+  explicit ForceTable(const ForceGrid& grid);
+
+  double force(double s, double i) const override;
+  double gain(double s, double i) const override;
+  double current(double s, double force, double limit) const override;
+
+  // Empty, or why the spline has no inverse: where between the points it falls with the current.
+  std::string refusal() const;
+
+ private:
+  // Cubic B-splines over one side of the grid, its values mapped to [0, 1].
+  struct Axis {
+    double first = 0.0, last = 1.0;
+    Eigen::Array<double, 1, Eigen::Dynamic> knots;
+  };
+
+  Axis position_, current_;
+  std::vector<double> nodes_s_, nodes_i_;
+  Eigen::MatrixXd control_;  // points, position x current
+};
+
+}  // namespace rotorub

@@ -1,0 +1,31 @@
+// What a scene is refused with.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "native_model/scene/diagnostic.h"
+#include "native_model/system/model.h"
+
+namespace rotorub::test {
+
+// The diagnostics that `action` throws; none: it accepts.
+template <class Action>
+std::vector<scene::Diagnostic> refusals(Action action) {
+  try {
+    action();
+  } catch (const scene::SceneError& error) {
+    return error.diagnostics();
+  }
+  return {};
+}
+
+// The only one of make_model; one without a reason where it accepts.
+inline scene::Diagnostic refusal(const scene::Scene& scene) {
+  const std::vector<scene::Diagnostic> all = refusals([&] { make_model(scene); });
+  EXPECT_LE(all.size(), 1u);
+  return all.empty() ? scene::Diagnostic{} : all.front();
+}
+
+}  // namespace rotorub::test
