@@ -7,8 +7,7 @@
 #include <optional>
 
 #include "native_model/oracles/annular_rub.h"
-#include "native_model/oracles/billiard.h"
-#include "native_model/oracles/drop.h"
+#include "native_model/oracles/bounces.h"
 
 namespace rotorub::bench {
 namespace {

@@ -22,7 +22,7 @@
 #include "compare/run_files/run_directory.h"
 #include "compare/run_files/summary.h"
 #include "compare/study/table.h"
-#include "native_model/rotor/contact_mass.h"
+#include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/contact_models.h"
 #include "native_model/scene/old_words.h"
 #include "native_model/scene/printable.h"

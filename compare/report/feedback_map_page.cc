@@ -6,7 +6,7 @@
 
 #include "compare/base/format.h"
 #include "compare/base/units.h"
-#include "compare/modes/control_text.h"
+#include "compare/modes/rub_map_text.h"
 #include "compare/report/map_page.h"
 
 namespace rotorub {

@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "native_model/rub/feedback_map.h"
+#include "native_model/rub/rub_map.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {

@@ -146,9 +146,9 @@ json planes_values(const RotorAnalysis& analysis) {
       {plane_values("plane x", shapes, shapes.x), plane_values("plane y", shapes, shapes.y)});
 }
 
-json torsion_values(const std::vector<TorsionMode>& modes) {
+json torsion_values(const std::vector<WhirlMode>& modes) {
   json rows = json::array();
-  for (const TorsionMode& mode : modes) {
+  for (const WhirlMode& mode : modes) {
     rows.push_back({{"number", rows.size() + 1},
                     {"hertz", fmt::format("{:.6g}", mode.frequency * kHz)},
                     {"radians", fmt::format("{:.6g}", mode.frequency)},

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/base/units.h"
-#include "compare/modes/text.h"
+#include "compare/modes/rotor_analysis.h"
 #include "compare/report/modes_page.h"
 #include "compare/report/rounded.h"
 
@@ -71,7 +71,7 @@ json campbell(const scene::Scene& scene, const RotorAnalysis& analysis, double r
     threshold = rounded(*analysis.stability_threshold * kRpm, kPlotDigits);
   }
   json torsion = json::array();
-  for (const TorsionMode& mode : analysis.torsion)
+  for (const WhirlMode& mode : analysis.torsion)
     torsion.push_back(rounded(mode.frequency * kHz, kPlotDigits));
   return {{"top", rounded(range * kRpm, kPlotDigits)},
           {"torsion", torsion},

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "native_model/numerics/polynomial.h"
+#include "native_model/numerics/root.h"
 
 namespace rotorub {
 
