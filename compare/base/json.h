@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "native_model/rotor/contact_mass.h"
+#include "native_model/rotor/mode_truncation.h"
 
 namespace rotorub {
 

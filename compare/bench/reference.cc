@@ -15,8 +15,7 @@
 
 #include "compare/bench/engines.h"
 #include "native_model/oracles/annular_rub.h"
-#include "native_model/oracles/billiard.h"
-#include "native_model/oracles/drop.h"
+#include "native_model/oracles/bounces.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub::bench {

@@ -20,7 +20,7 @@
 #include "compare/run_files/run_directory.h"
 #include "compare/run_files/summary.h"
 #include "compare/study/table.h"
-#include "native_model/rotor/contact_mass.h"
+#include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/scene.h"
 #include "native_model/scene/text.h"
 #include "native_model/trajectory/output.h"

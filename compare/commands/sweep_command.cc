@@ -16,10 +16,9 @@
 #include "compare/commands/command.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/sweep_page.h"
-#include "compare/sweep/columns.h"
-#include "compare/sweep/csv.h"
 #include "compare/sweep/folder.h"
-#include "compare/sweep/slurm.h"
+#include "compare/sweep/point_result.h"
+#include "compare/sweep/shard.h"
 #include "compare/sweep/sweep_run.h"
 #include "native_model/trajectory/output.h"
 

@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub {
-
 namespace {
 
 // The scene's own where none are asked for.
@@ -45,6 +48,102 @@ void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
   for (double speed : speeds) analysis.orbits.push_back(free_orbit(free, model, speed));
 }
 
+using nlohmann::json;
+
+std::string mode_row(const char* name, const WhirlMode& mode) {
+  const double size = std::abs(mode.frequency);
+  return fmt::format("  {:<12}{:>14.7g}{:>14.7g}{:>16.4g}\n", name, size, size * kHz,
+                     mode.damping_ratio);
+}
+
+std::string spectrum_table(const WhirlSpectrum& spectrum) {
+  std::string text =
+      fmt::format("at {:.6g} rad/s ({:.6g} rpm)\n", spectrum.speed, spectrum.speed * kRpm);
+  text += fmt::format("  {:<12}{:>14}{:>14}{:>16}\n", "whirl", "rad/s", "Hz", "damping ratio");
+  for (const WhirlMode& mode : spectrum.modes) {
+    text += mode_row(sense_of(mode, spectrum.speed), mode);
+  }
+  return text;
+}
+
+// A column for each mode: its frequency at rest, then its value at each station.
+std::string plane_table(const std::vector<Station>& stations, const PlaneShapes& plane) {
+  constexpr Eigen::Index kColumns = 6;
+  const Eigen::Index n = std::min(kColumns, plane.frequency.size());
+  std::string text = fmt::format("  {:<18}{:>10}", "station", "z / mm");
+  for (Eigen::Index j = 0; j < n; ++j) {
+    text += fmt::format("{:>13}", fmt::format("{:.5g} Hz", plane.frequency[j] * kHz));
+  }
+  text += "\n";
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    text += fmt::format("  {:<18}{:>10.5g}", stations[i].name, 1e3 * stations[i].z);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      text += fmt::format("{:>13.4f}", plane.at_stations(static_cast<Eigen::Index>(i), j));
+    }
+    text += "\n";
+  }
+  const Eigen::Index left = plane.frequency.size() - n;
+  if (left > 0) text += fmt::format("  and {} higher modes, in the output of --json\n", left);
+  return text;
+}
+
+std::string shapes_table(const RotorAnalysis& analysis) {
+  if (!analysis.shapes) {
+    return "mode shapes: none, the scene gives its modes without a shaft; each is 1 at the "
+           "contact\n";
+  }
+  const ModeShapes& shapes = *analysis.shapes;
+  const std::string title = "mode shapes at rest, 1 at the contact or at the peak";
+  if (shapes.same_planes) {
+    return fmt::format("{}, planes x and y alike\n", title) +
+           plane_table(shapes.stations, shapes.x);
+  }
+  return fmt::format("{}, plane x\n", title) + plane_table(shapes.stations, shapes.x) +
+         fmt::format("\n{}, plane y\n", title) + plane_table(shapes.stations, shapes.y);
+}
+
+std::string torsion_table(const RotorAnalysis& analysis) {
+  if (analysis.torsion.empty()) return "";
+  std::string text = "\ntorsion, elastic modes\n";
+  for (const WhirlMode& mode : analysis.torsion) text += mode_row("torsion", mode);
+  return text;
+}
+
+std::string contact_mass_text(const std::optional<ContactMass>& mass) {
+  if (!mass) return "";
+  return fmt::format(
+      "\nmass that an impact meets at the contact\n  {:.4g} kg with the {} modes kept, {:.4g} kg "
+      "with all {} of the mesh{}\n",
+      mass->kept, mass->kept_modes, mass->mesh, mass->mesh_modes,
+      mass->truncated() ? ": impacts are those of the modes kept" : "");
+}
+
+std::vector<double> list(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
+
+json plane_json(const PlaneShapes& plane) {
+  json modes = json::array();
+  for (Eigen::Index j = 0; j < plane.frequency.size(); ++j) {
+    modes.push_back({{"frequency", plane.frequency[j]},
+                     {"shape", list(plane.shape.col(j))},
+                     {"at_stations", list(plane.at_stations.col(j))}});
+  }
+  return modes;
+}
+
+json shapes_json(const std::optional<ModeShapes>& shapes) {
+  if (!shapes) return nullptr;
+  json stations = json::array();
+  for (const Station& station : shapes->stations) {
+    stations.push_back(
+        {{"kind", to_string(station.kind)}, {"name", station.name}, {"z", station.z}});
+  }
+  return {{"z", list(shapes->z)},
+          {"stations", stations},
+          {"same_planes", shapes->same_planes},
+          {"x", plane_json(shapes->x)},
+          {"y", plane_json(shapes->y)}};
+}
+
 }  // namespace
 
 RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>& speeds) {
@@ -74,6 +173,92 @@ std::string stability_text(const RotorAnalysis& analysis) {
   if (std::isinf(analysis.stability_bound)) return "no whirl grows at any speed";
   return fmt::format("no whirl grows up to {:.5g} rad/s ({:.5g} rpm)", analysis.stability_bound,
                      analysis.stability_bound * kRpm);
+}
+
+json response_json(const RotorAnalysis& analysis, std::size_t at) {
+  const FreeOrbit& orbit = analysis.orbits[at];
+  if (!orbit.largest)
+    return {{"orbit", nullptr}, {"least_gap", nullptr}, {"refused", orbit.refused}};
+  return {{"orbit", *orbit.largest},
+          {"least_gap", analysis.clearance - *orbit.largest},
+          {"refused", nullptr}};
+}
+
+std::string response_text(const RotorAnalysis& analysis, std::size_t at) {
+  constexpr double kMicro = 1e6;
+  const FreeOrbit& orbit = analysis.orbits[at];
+  if (!orbit.largest) return fmt::format("  response at the contact: none, {}\n", orbit.refused);
+  const double gap = analysis.clearance - *orbit.largest;
+  return fmt::format(
+      "  response at the contact: {:.5g} um from the middle of the ring, {}\n",
+      kMicro * *orbit.largest,
+      gap > 0.0 ? fmt::format("least gap {:.5g} um", kMicro * gap)
+                : fmt::format("it touches: {:.5g} um beyond the clearance", -kMicro * gap));
+}
+
+json modes_json(const RotorAnalysis& analysis) {
+  json spectra = json::array();
+  for (const WhirlSpectrum& spectrum : analysis.spectra) {
+    const RubAnalyses& rubs = analysis.rubs.front();
+    const std::size_t at = spectra.size();
+    spectra.push_back(
+        {{"speed", spectrum.speed},
+         {"modes", whirls_json(spectrum.modes)},
+         {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[at])},
+         {"response", analysis.orbits.empty() ? json(nullptr) : response_json(analysis, at)}});
+    for (const RubAnalyses& of : analysis.rubs) {
+      if (of.contact.empty()) break;  // there is one
+      spectra.back()["contacts"].push_back(
+          {{"name", of.contact},
+           {"rub", of.at.empty() ? json(nullptr) : rub_json(of.at[at])},
+           {"rub_refused", of.refused.empty() ? json(nullptr) : json(of.refused)}});
+    }
+  }
+  json result{{"speeds", spectra},
+              {"critical_speeds", analysis.critical_speeds},
+              {"stability_threshold", nullptr},
+              {"stability_bound", nullptr},
+              {"torsion", whirls_json(analysis.torsion)},
+              {"contact_mass", contact_mass_json(analysis.contact_mass)},
+              {"mode_shapes", shapes_json(analysis.shapes)},
+              {"rub_refused", nullptr}};
+  if (!analysis.rubs.front().refused.empty()) result["rub_refused"] = analysis.rubs.front().refused;
+  if (analysis.stability_threshold) result["stability_threshold"] = *analysis.stability_threshold;
+  if (std::isfinite(analysis.stability_bound)) {
+    result["stability_bound"] = analysis.stability_bound;
+  }
+  return result;
+}
+
+std::string modes_table(const std::string& name, const RotorAnalysis& analysis) {
+  std::string text = fmt::format("{}: whirl of the free rotor\n", name);
+  for (std::size_t i = 0; i < analysis.spectra.size(); ++i) {
+    text += "\n" + spectrum_table(analysis.spectra[i]);
+    if (!analysis.orbits.empty()) text += response_text(analysis, i);
+  }
+  text += torsion_table(analysis);
+
+  text += fmt::format("\ncritical speeds, undamped, {}\n",
+                      analysis.system.isotropic ? "forward whirl" : "whirl of either sense");
+  for (double speed : analysis.critical_speeds) {
+    text += fmt::format("  {:.7g} rad/s ({:.7g} rpm)\n", speed, speed * kRpm);
+  }
+  if (analysis.critical_speeds.empty()) text += "  none\n";
+
+  text += "\n" + stability_text(analysis) + "\n" + contact_mass_text(analysis.contact_mass);
+  text += "\n" + shapes_table(analysis);
+  for (const RubAnalyses& of : analysis.rubs) {
+    if (!of.contact.empty()) text += fmt::format("\ncontact {}, the others open\n", of.contact);
+    for (const RubAnalysis& rubs : of.at) text += "\n" + rub_table(rubs);
+    if (!of.refused.empty()) text += fmt::format("\nrotor and ring together: {}\n", of.refused);
+  }
+  return text;
+}
+
+const char* to_string(StationKind kind) {
+  constexpr std::array<const char*, 6> kNames{"disc",  "bearing",          "contact",
+                                              "drive", "magnetic_bearing", "force"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace rotorub

@@ -1,15 +1,16 @@
-// Everything that `rotorub modes` says of a rotor, computed once for text, JSON and page.
+// Everything that `rotorub modes` says of a rotor, computed once for text, JSON and page: whirl at
+// given spin speeds, critical speeds, the threshold of stability, mode shapes, lasting rubs.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/modes/rub_analysis.h"
 #include "native_model/rotor/campbell.h"
-#include "native_model/rotor/contact_mass.h"
 #include "native_model/rotor/mode_shapes.h"
-#include "native_model/rotor/whirl_shapes.h"
+#include "native_model/rotor/mode_truncation.h"
 #include "native_model/rotor/whirl_system.h"
 #include "native_model/scene/scene.h"
 #include "native_model/system/steady_orbit.h"
@@ -24,7 +25,7 @@ struct RotorAnalysis {
   double stability_bound = 0.0;               // rad/s, may be infinite (campbell.h)
   std::optional<ModeShapes> shapes;           // geometry form only
   std::vector<WhirlShape> whirl_shapes;       // at the scene's own speed; geometry form only
-  std::vector<TorsionMode> torsion;
+  std::vector<WhirlMode> torsion;
   std::vector<RubAnalyses> rubs;  // of each contact, at the same speeds as the spectra
   std::vector<FreeOrbit> orbits;  // at the same speeds, of the modes kept; none without a contact
   double clearance = 0.0;         // m, of the contact
@@ -43,5 +44,28 @@ const char* sense_of(const WhirlMode& mode, double speed);
 // One sentence without a full stop: "unstable above ...", "no whirl grows up to ...", or at any
 // speed.
 std::string stability_text(const RotorAnalysis& analysis);
+
+// As JSON (public contract):
+// {"speeds": [{"speed", "modes": [{"frequency", "damping_ratio"}]}], "critical_speeds": [],
+// "stability_threshold": null, "stability_bound"}: rad/s; forward whirl positive, backward
+// negative; modes by rising absolute frequency. No threshold up to the bound: null; a bound of
+// null: nothing can grow at any speed.
+//
+// And "torsion": [{"frequency", "damping_ratio"}], "mode_shapes": {"z": m, "stations": [{"kind",
+// "name", "z"}], "same_planes", "x", "y": [{"frequency": rad/s at rest, undamped, "shape": along z,
+// "at_stations"}]}; modes scaled as the coordinates of a run are (mode_shapes.h). Modal form:
+// "mode_shapes" is null. With a [contact] each speed has "response": {"orbit": m or null, how far
+// the free rotor's centre goes from the ring's under unbalance, weight and forces
+// (system/steady_orbit.h), "least_gap": m, < 0 where it would touch, or null, "refused": why there
+// is no such orbit, or null}, and "rub": rub_analysis.h; where its rubs cannot be analysed it is
+// null, and "rub_refused" says why.
+nlohmann::json modes_json(const RotorAnalysis& analysis);
+
+// The same for people, with Hz and rpm; ends with a line break. Of the shapes, the values at the
+// stations, of the first modes.
+std::string modes_table(const std::string& name, const RotorAnalysis& analysis);
+
+// "disc", "bearing", "contact", "drive", "magnetic_bearing", "force".
+const char* to_string(StationKind kind);
 
 }  // namespace rotorub

@@ -21,31 +21,16 @@ using rub::RubKind;
 using rub::RubPoint;
 using rub::StandingRub;
 
-// By rising |frequency|, as every spectrum here; backward first where they are equal to round-off.
 std::vector<WhirlMode> whirls(const std::vector<rub::Complex>& eigenvalues) {
-  constexpr double kReal = 1e-9, kEqual = 1e-9;
+  constexpr double kReal = 1e-9;
   std::vector<WhirlMode> modes;
   for (const rub::Complex& s : eigenvalues) {
     const double size = std::abs(s);
     const bool real = std::abs(s.imag()) <= kReal * size;
     modes.push_back({real ? 0.0 : s.imag(), size > 0.0 ? -s.real() / size : 0.0});
   }
-  std::sort(modes.begin(), modes.end(), [](const WhirlMode& a, const WhirlMode& b) {
-    return std::abs(a.frequency) < std::abs(b.frequency);
-  });
-  for (std::size_t i = 0; i + 1 < modes.size(); ++i) {
-    const double a = modes[i].frequency, b = modes[i + 1].frequency;
-    if (a > 0.0 && b < 0.0 && a + b >= -kEqual * a) std::swap(modes[i], modes[i + 1]);
-  }
+  sort_by_frequency(modes, [](const WhirlMode& mode) { return mode.frequency; });
   return modes;
-}
-
-json whirls_json(const std::vector<WhirlMode>& modes) {
-  json all = json::array();
-  for (const WhirlMode& mode : modes) {
-    all.push_back({{"frequency", mode.frequency}, {"damping_ratio", mode.damping_ratio}});
-  }
-  return all;
 }
 
 std::string whirls_table(const char* title, const std::vector<WhirlMode>& modes, double speed) {
@@ -82,6 +67,25 @@ std::string growth_text(double growth) {
   return std::isfinite(growth) ? fmt::format("{:.4g}", growth) : "-";
 }
 
+std::string rub_row(const rub::SteadyRub& rub, const rub::Stability& s) {
+  return fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14}{:>14.6g}  {}\n",
+                     rub::to_string(rub.kind), rub.whirl, rub.normal_force, rub.friction,
+                     growth_text(s.growth), s.frequency, s.stable ? "stable" : "unstable");
+}
+
+json stability_json(const rub::Stability& s) {
+  return {
+      {"growth_rate", number_or_null(s.growth)}, {"frequency", s.frequency}, {"stable", s.stable}};
+}
+
+// What force and motion a rub has, and whether it lasts.
+json steady_json(const rub::SteadyRub& rub, const rub::Stability& stability) {
+  json all = stability_json(stability);
+  all.update(
+      {{"whirl", rub.whirl}, {"normal_force", rub.normal_force}, {"friction", rub.friction}});
+  return all;
+}
+
 std::string orbit_text(const RubPoint& point) {
   if (!point.orbit) return "free orbit: none, loads of several frequencies draw no circle";
   const double share = *point.orbit / point.clearance;
@@ -108,11 +112,7 @@ std::string driven_text(const RubAnalysis& analysis) {
   if (!analysis.driven.empty())
     text += "\nthe same where torsion and the speed under the motor give way\n";
   for (std::size_t k = 0; k < analysis.driven.size(); ++k) {
-    const StandingRub& r = analysis.point.rubs[k];
-    const rub::Stability& s = analysis.driven[k];
-    text += fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14}{:>14.6g}  {}\n",
-                        rub::to_string(r.rub.kind), r.rub.whirl, r.rub.normal_force, r.rub.friction,
-                        growth_text(s.growth), s.frequency, s.stable ? "stable" : "unstable");
+    text += rub_row(analysis.point.rubs[k].rub, analysis.driven[k]);
   }
   if (!analysis.rolling.empty()) {
     text += "\nbackward rolling at a speed that the motor keeps\n";
@@ -181,6 +181,14 @@ std::vector<RubAnalyses> analyse_rubs(const scene::Scene& scene,
   return all;
 }
 
+json whirls_json(const std::vector<WhirlMode>& modes) {
+  json all = json::array();
+  for (const WhirlMode& mode : modes) {
+    all.push_back({{"frequency", mode.frequency}, {"damping_ratio", mode.damping_ratio}});
+  }
+  return all;
+}
+
 std::string attractors_text(unsigned attractors) {
   std::string text;
   for (const auto& [bit, name] :
@@ -194,14 +202,8 @@ std::string attractors_text(unsigned attractors) {
 json rub_point_json(const RubPoint& point) {
   json rubs = json::array(), ranges = json::array(), attractors = json::array();
   for (const StandingRub& r : point.rubs) {
-    rubs.push_back({{"kind", rub::to_string(r.rub.kind)},
-                    {"whirl", r.rub.whirl},
-                    {"normal_force", r.rub.normal_force},
-                    {"friction", r.rub.friction},
-                    {"slip", r.rub.slip},
-                    {"stable", r.stability.stable},
-                    {"growth_rate", number_or_null(r.stability.growth)},
-                    {"frequency", r.stability.frequency}});
+    rubs.push_back(steady_json(r.rub, r.stability));
+    rubs.back().update({{"kind", rub::to_string(r.rub.kind)}, {"slip", r.rub.slip}});
   }
   for (const auto& [from, to] : point.rolling_ranges) ranges.push_back({from, number_or_null(to)});
   for (const unsigned bit :
@@ -222,22 +224,12 @@ json rub_json(const RubAnalysis& analysis) {
   result["ring"] = whirls_json(analysis.ring);
   result["joined"] = whirls_json(analysis.joined);
   if (analysis.driven.empty() && analysis.rolling.empty()) return result;
-  const auto stability = [](const rub::Stability& s) {
-    return json{{"growth_rate", number_or_null(s.growth)},
-                {"frequency", s.frequency},
-                {"stable", s.stable}};
-  };
   json& driven = result["driven"] = json::array();
-  for (const rub::Stability& s : analysis.driven) driven.push_back(stability(s));
+  for (const rub::Stability& s : analysis.driven) driven.push_back(stability_json(s));
   json& rolling = result["driven_rolling"] = json::array();
   for (const rub::DrivenRolling& r : analysis.rolling) {
-    json one = stability(r.stability);
-    one.update({{"speed", r.speed},
-                {"torque", r.torque},
-                {"whirl", r.rub.whirl},
-                {"normal_force", r.rub.normal_force},
-                {"friction", r.rub.friction}});
-    rolling.push_back(std::move(one));
+    rolling.push_back(steady_json(r.rub, r.stability));
+    rolling.back().update({{"speed", r.speed}, {"torque", r.torque}});
   }
   return result;
 }
@@ -253,12 +245,7 @@ std::string rub_table(const RubAnalysis& analysis) {
                       point.friction);
   text += fmt::format("  {:<10}{:>14}{:>14}{:>12}{:>14}{:>14}\n", "rub", "whirl rad/s", "force / N",
                       "friction", "growth 1/s", "at rad/s");
-  for (const StandingRub& r : point.rubs) {
-    text += fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14}{:>14.6g}  {}\n",
-                        rub::to_string(r.rub.kind), r.rub.whirl, r.rub.normal_force, r.rub.friction,
-                        growth_text(r.stability.growth), r.stability.frequency,
-                        r.stability.stable ? "stable" : "unstable");
-  }
+  for (const StandingRub& r : point.rubs) text += rub_row(r.rub, r.stability);
   if (point.rubs.empty()) text += "  none\n";
   text += "  " + orbit_text(point) + "\n  " + rolling_text(point) + "\n";
   text += "  attractors: " + attractors_text(point.attractors()) + "\n";

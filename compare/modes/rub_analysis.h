@@ -34,6 +34,9 @@ struct RubAnalyses {
 // scene whose rubs cannot be analysed is no error here.
 std::vector<RubAnalyses> analyse_rubs(const scene::Scene& scene, const std::vector<double>& speeds);
 
+// [{"frequency": rad/s, "damping_ratio"}], as of every spectrum.
+nlohmann::json whirls_json(const std::vector<WhirlMode>& modes);
+
 // "no contact", "synchronous rub", "backward whip", "rolling", joined by " + "; "none stable". The
 // words of a sweep's attractors.
 std::string attractors_text(unsigned attractors);

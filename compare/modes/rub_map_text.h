@@ -1,10 +1,13 @@
-// The map of lasting rubs over spin speed and friction as JSON and as a picture of characters.
+// Maps of lasting rubs, over spin speed and friction or cross-coupled feedback, as JSON and text;
+// and the plant that a control engineer asks of a scene.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "native_model/control/quadratic.h"
 #include "native_model/rub/rub_map.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub {
 
@@ -14,5 +17,17 @@ nlohmann::json rub_map_json(const rub::RubMap& map);
 
 // Spin speed across, friction up, a letter for what may coexist, and their meaning.
 std::string rub_map_picture(const std::string& name, const rub::RubMap& map);
+
+// {"speed", "states": [names], "inputs", "outputs", "A", "B", "C"}: rows of numbers, SI.
+nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant);
+
+// {"speeds", "feedbacks", "growth": rows of 1/s or null, "stable", "normal_force", "rule": [N s/m
+// or null]}
+nlohmann::json feedback_map_json(const rub::FeedbackMap& map);
+// The rule as a scene's keys, two lines; empty where no k is stable at any speed.
+std::string feedback_keys(const rub::FeedbackMap& map);
+// A line a speed: the k under which the forced rub decays fastest, and from where to where it is
+// stable; then feedback_keys.
+std::string feedback_map_table(const std::string& name, const rub::FeedbackMap& map);
 
 }  // namespace rotorub

@@ -140,9 +140,9 @@ json planes_values(const RotorAnalysis& analysis) {
       {plane_values("plane x", shapes, shapes.x), plane_values("plane y", shapes, shapes.y)});
 }
 
-json torsion_values(const std::vector<TorsionMode>& modes) {
+json torsion_values(const std::vector<WhirlMode>& modes) {
   int number = 0;
-  return list_of(modes, [&](const TorsionMode& mode) -> json {
+  return list_of(modes, [&](const WhirlMode& mode) -> json {
     return {{"number", ++number},
             {"hertz", fmt::format("{:.6g}", mode.frequency * kHz)},
             {"radians", fmt::format("{:.6g}", mode.frequency)},

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/base/units.h"
-#include "compare/modes/text.h"
+#include "compare/modes/rotor_analysis.h"
 #include "compare/report/modes_page.h"
 #include "compare/report/plot_points.h"
 
@@ -64,7 +64,7 @@ json campbell_json(const scene::Scene& scene, const Campbell& campbell) {
   const std::optional<double>& threshold = analysis.stability_threshold;
   return {{"top", shown(campbell.range * kRpm)},
           {"torsion", list_of(analysis.torsion,
-                              [](const TorsionMode& mode) { return shown(mode.frequency * kHz); })},
+                              [](const WhirlMode& mode) { return shown(mode.frequency * kHz); })},
           {"operating", operating(whirl_spectrum(analysis.system, scene.rotor.speed))},
           {"running", shown(std::abs(scene.rotor.speed) * kRpm)},
           {"critical", critical},

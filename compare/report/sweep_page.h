@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "compare/sweep/point_scene.h"
+#include "compare/sweep/sample.h"
 #include "compare/sweep/store.h"
 
 namespace rotorub {

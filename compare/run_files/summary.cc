@@ -7,7 +7,7 @@
 #include "compare/base/json.h"
 #include "compare/base/version.h"
 #include "compare/metrics/above_modes.h"
-#include "native_model/rotor/contact_mass.h"
+#include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {

@@ -57,17 +57,18 @@ Statement::Statement(Database& database, const std::string& sql) : database_(&da
   if (code != SQLITE_OK) database.fail(code);
 }
 
-void Statement::bind(int place, std::int64_t value) {
-  sqlite3_bind_int64(statement_.get(), place, value);
+void Statement::bind(int place, const Cell& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+    sqlite3_bind_int64(statement_.get(), place, *whole);
+  } else if (const auto* number = std::get_if<double>(&value)) {
+    sqlite3_bind_double(statement_.get(), place, *number);
+  } else if (const auto* text = std::get_if<std::string>(&value)) {
+    sqlite3_bind_text(statement_.get(), place, text->data(), static_cast<int>(text->size()),
+                      SQLITE_TRANSIENT);
+  } else {
+    sqlite3_bind_null(statement_.get(), place);
+  }
 }
-void Statement::bind(int place, double value) {
-  sqlite3_bind_double(statement_.get(), place, value);
-}
-void Statement::bind(int place, const std::string& value) {
-  sqlite3_bind_text(statement_.get(), place, value.data(), static_cast<int>(value.size()),
-                    SQLITE_TRANSIENT);
-}
-void Statement::bind_nothing(int place) { sqlite3_bind_null(statement_.get(), place); }
 
 bool Statement::step() {
   const int code = sqlite3_step(statement_.get());

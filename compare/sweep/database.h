@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -22,15 +23,14 @@ class DatabaseError : public std::runtime_error {
 
 class Database;
 
+// A value of a row; the first: nothing.
+using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
+
 // A prepared statement; parameters and columns are counted from 1 and from 0, as in SQLite.
 class Statement {
  public:
   Statement(Database& database, const std::string& sql);
-  void bind(int place, std::int64_t value);
-  void bind(int place, double value);
-  void bind(int place, const std::string& value);
-  void bind(int place, const char* value) { bind(place, std::string(value)); }
-  void bind_nothing(int place);
+  void bind(int place, const Cell& value);
   bool step();  // true: a row
   void run();   // steps to the end and is ready for another time
   int columns() const;

@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "compare/engine/engine.h"
-#include "compare/sweep/point_scene.h"
-#include "compare/sweep/single_point.h"
+#include "compare/sweep/point_run.h"
+#include "compare/sweep/sample.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/stepping/ensemble.h"

@@ -1,5 +1,9 @@
 #include "compare/sweep/folder.h"
 
+#include <charconv>
+#include <fstream>
+#include <stdexcept>
+
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
@@ -8,6 +12,34 @@ namespace {
 
 bool is_other(const std::filesystem::path& file, const std::string& text) {
   return std::filesystem::exists(file) && scene::file_text(file) != text;
+}
+
+void append_text(std::string& line, const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    line += text;
+    return;
+  }
+  line += '"';
+  for (const char c : text) line.append(c == '"' ? 2 : 1, c);
+  line += '"';
+}
+
+void append_number(std::string& line, double value) {
+  char digits[40];
+  const auto end =
+      std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17);
+  line.append(digits, end.ptr);
+}
+
+void append_field(std::string& line, const Statement& row, int column) {
+  if (row.is_nothing(column)) return;
+  if (row.is_text(column)) {
+    append_text(line, row.text(column));
+  } else if (row.is_whole(column)) {
+    line += std::to_string(row.whole(column));
+  } else {
+    append_number(line, row.number(column));
+  }
 }
 
 }  // namespace
@@ -29,6 +61,33 @@ void keep_study(const std::filesystem::path& folder, const PointScenes& scenes) 
     }
   }
   for (const auto& [name, text] : files) write_whole(folder / name, text);
+}
+
+// Line by line: the table may be larger than the memory.
+void write_csv(Store& store, const std::filesystem::path& file) {
+  const std::filesystem::path aside = part_of(file);
+  std::ofstream out(aside, std::ios::binary | std::ios::trunc);
+  std::string line;
+  for (const std::string& name : store.names()) {
+    if (!line.empty()) line += ',';
+    append_text(line, name);
+  }
+  out << line << '\n';
+  store.each([&](const Statement& row) {
+    line.clear();
+    for (int column = 0; column < row.columns(); ++column) {
+      if (column > 0) line += ',';
+      append_field(line, row, column);
+    }
+    out << line << '\n';
+  });
+  out.close();
+  if (!out) {
+    std::error_code none;
+    std::filesystem::remove(aside, none);
+    throw std::runtime_error("cannot write " + file.string());
+  }
+  std::filesystem::rename(aside, file);
 }
 
 }  // namespace rotorub::sweep

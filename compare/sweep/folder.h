@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "compare/sweep/point_scene.h"
+#include "compare/sweep/sample.h"
 #include "compare/sweep/store.h"
 
 namespace rotorub::sweep {
@@ -21,5 +21,10 @@ StudyIdentity identity_of(const PointScenes& scenes);
 // Makes the folder and keeps study and scene in it, with the overrides of the command line. Throws
 // StoreMismatch where there are results of another study.
 void keep_study(const std::filesystem::path& folder, const PointScenes& scenes);
+
+// The rows of a store as text, in the study's order: a header line, then one line a point, 17
+// significant digits; fields with commas, quotes or line breaks in double quotes (RFC 4180),
+// nothing where there is no value. Whole or not at all.
+void write_csv(Store& store, const std::filesystem::path& file);
 
 }  // namespace rotorub::sweep

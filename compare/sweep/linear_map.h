@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/sweep/point_scene.h"
+#include "compare/sweep/sample.h"
 #include "native_model/rub/rub_map.h"
 
 namespace rotorub::sweep {

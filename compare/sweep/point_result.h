@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "compare/metrics/attractor.h"
+#include "compare/sweep/study_file.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub::sweep {
@@ -54,5 +56,12 @@ std::span<const ResultColumn> result_columns();
 // Rows that tell where a run has settled, evenly spaced over its last fifth, both ends included.
 inline constexpr int kSettledRows = 41;
 double settled_row(double end, int row);  // s, of row 0 .. kSettledRows - 1
+
+// What the columns of results.csv are, in columns.json beside it:
+// {"results.csv": [{"name", "unit", "meaning"}, ...]}, the study's own columns in their order.
+nlohmann::ordered_json sweep_columns_json(const Study& study);
+
+// Markdown: the table of all of them in compare/sweep/README.md.
+std::string sweep_columns_markdown();
 
 }  // namespace rotorub::sweep

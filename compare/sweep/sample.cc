@@ -2,10 +2,51 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <optional>
+
+#include "native_model/scene/overrides.h"
+#include "native_model/system/model.h"
 
 namespace rotorub::sweep {
+
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30u)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27u)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31u);
+}
+
+std::uint64_t mixed(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+  return mixed(mixed(mixed(a) ^ b) ^ c);
+}
+
+Permutation::Permutation(std::uint64_t n, std::uint64_t key)
+    : n_(n), key_(key), half_bits_(std::max(1, (static_cast<int>(std::bit_width(n - 1)) + 1) / 2)) {
+  assert(n >= 1);
+}
+
+std::uint64_t Permutation::once(std::uint64_t x) const {
+  const std::uint64_t mask = (std::uint64_t{1} << half_bits_) - 1;
+  std::uint64_t left = x >> half_bits_, right = x & mask;
+  for (std::uint64_t round = 0; round < kRounds; ++round) {
+    const std::uint64_t next = left ^ (mixed(key_, round, right) & mask);
+    left = right;
+    right = next;
+  }
+  return (left << half_bits_) | right;
+}
+
+std::uint64_t Permutation::at(std::uint64_t place) const {
+  assert(place < n_);
+  do place = once(place);
+  while (place >= n_);
+  return place;
+}
+
 namespace {
 
 Value number(double value) { return {fmt::format("{}", value), value}; }
@@ -17,6 +58,12 @@ Value grid_value(const Vary& vary, std::int64_t i) {
   if (!vary.values.empty()) return vary.values[static_cast<std::size_t>(i)];
   if (vary.count == 1) return number(vary.from);
   return number(between(vary, static_cast<double>(i) / static_cast<double>(vary.count - 1)));
+}
+
+std::vector<std::string> joined(const std::vector<std::string>& a, std::span<const std::string> b) {
+  std::vector<std::string> all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  return all;
 }
 
 }  // namespace
@@ -75,6 +122,52 @@ std::vector<Value> Sample::at(std::int64_t index) const {
     }
   }
   return values;
+}
+
+PointScenes::PointScenes(const Study& study, std::span<const std::string> overrides)
+    : study_(&study), sample_(study), variants_(study.scene, joined(study.overrides, overrides)) {
+  std::vector<scene::Diagnostic> twice;
+  for (const std::string& text : overrides) {
+    const std::string key = text.substr(0, text.find_last_not_of(" \t", text.find('=') - 1) + 1);
+    if (!study.varies(key)) continue;
+    twice.push_back({scene::kOverrideFile, 0, key, "varies in the study; set another key"});
+  }
+  if (!twice.empty()) throw scene::SceneError(std::move(twice));
+}
+
+scene::Scene PointScenes::at(std::int64_t index) const {
+  const std::vector<Value> values = sample_.at(index);
+  std::vector<std::string> changes;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Vary& vary = study_->vary[k];
+    changes.push_back(vary.key + "=" + values[k].text);
+    for (const std::string& key : vary.also) changes.push_back(key + "=" + values[k].text);
+  }
+  return variants_.scene(changes, study_->engine == EngineKind::kMujoco);
+}
+
+void PointScenes::check() const {
+  std::optional<scene::SceneError> first;
+  for (const std::int64_t index : {std::int64_t{0}, sample_.size() / 2, sample_.size() - 1}) {
+    try {
+      make_model(at(index));
+      return;
+    } catch (const scene::SceneError& error) {
+      if (!first) first = error;
+    }
+  }
+  throw *first;
+}
+
+std::string reason_of(const scene::SceneError& error) {
+  std::string text;
+  for (scene::Diagnostic d : error.diagnostics()) {
+    // The row's own values came as overrides; of the scene the line is enough.
+    d.file = d.file == scene::kOverrideFile ? std::string()
+                                            : std::filesystem::path(d.file).filename().string();
+    text += (text.empty() ? "" : "; ") + scene::to_string(d);
+  }
+  return text;
 }
 
 }  // namespace rotorub::sweep

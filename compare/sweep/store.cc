@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "compare/base/version.h"
@@ -20,27 +21,17 @@ std::map<std::string, std::string> read_meta(Database& database, const std::stri
 }
 
 const char* sql_type(ResultColumn::Type type) {
-  switch (type) {
-    case ResultColumn::Type::kNumber:
-      return "REAL";
-    case ResultColumn::Type::kWhole:
-      return "INTEGER";
-    case ResultColumn::Type::kWord:
-      return "TEXT";
-  }
-  return "";
+  constexpr std::array<const char*, 3> kTypes{"REAL", "INTEGER", "TEXT"};
+  return kTypes[static_cast<std::size_t>(type)];
 }
 
-void bind(Statement& insert, int place, const ResultColumn& column, const Figures& figures) {
-  if (column.type == ResultColumn::Type::kWord) return insert.bind(place, column.word(figures));
-  const std::optional<double> value = column.number(figures);
-  if (!value) {
-    insert.bind_nothing(place);
-  } else if (column.type == ResultColumn::Type::kWhole) {
-    insert.bind(place, static_cast<std::int64_t>(*value));
-  } else {
-    insert.bind(place, *value);
-  }
+Cell cell_of(const ResultColumn& column, const std::optional<Figures>& figures) {
+  if (!figures) return {};
+  if (column.type == ResultColumn::Type::kWord) return column.word(*figures);
+  const std::optional<double> value = column.number(*figures);
+  if (!value) return {};
+  if (column.type == ResultColumn::Type::kWhole) return static_cast<std::int64_t>(*value);
+  return *value;
 }
 
 }  // namespace
@@ -123,20 +114,12 @@ void Store::add(std::span<const PointResult> results, const Sample& sample) {
     int place = 1;
     insert.bind(place++, result.point);
     for (const Value& value : sample.at(result.point)) {
-      if (value.number) {
-        insert.bind(place++, *value.number);
-      } else {
-        insert.bind(place++, value.text);
-      }
+      insert.bind(place++, value.number ? Cell(*value.number) : Cell(value.text));
     }
     insert.bind(place++, result.status);
     insert.bind(place++, result.reason);
     for (const ResultColumn& column : result_columns()) {
-      if (result.figures) {
-        bind(insert, place++, column, *result.figures);
-      } else {
-        insert.bind_nothing(place++);
-      }
+      insert.bind(place++, cell_of(column, result.figures));
     }
     insert.run();
   }

@@ -95,7 +95,7 @@ void read_range(const StudyTable& table, const scene::Key* key, SampleKind kind,
   }
   const auto from = table.number("from", key->quantity), to = table.number("to", key->quantity);
   constexpr std::array<std::string_view, 2> kSpacings{"linear", "log"};
-  if (table.word("spacing", kSpacings).value_or("linear") == "log") vary.spacing = Spacing::kLog;
+  vary.spacing = table.word<Spacing>("spacing", kSpacings).value_or(Spacing::kLinear);
   if (from && to) {
     vary.from = *from;
     vary.to = *to;
@@ -160,11 +160,10 @@ Vary read_vary(const TomlNode& node, const std::string& path, SampleKind kind,
 void read_sample(const TomlNode& node, Study& study, Diagnostics& diagnostics) {
   const StudyTable table(node, "sample", {"kind", "runs", "seed"}, diagnostics);
   constexpr std::array<std::string_view, 3> kKinds{"grid", "latin_hypercube", "list"};
-  const auto kind = table.word("kind", kKinds);
+  const auto kind = table.word<SampleKind>("kind", kKinds);
   if (!table.has("kind")) table.missing("kind", "one of " + scene::join(kKinds));
-  if (kind == "latin_hypercube") study.kind = SampleKind::kLatinHypercube;
-  if (kind == "list") study.kind = SampleKind::kList;
   if (!kind) return;
+  study.kind = *kind;
   if (study.kind == SampleKind::kLatinHypercube) {
     if (!table.has("runs")) table.missing("runs", "how many points, 1 or more");
     study.runs = table.whole("runs", 1, kMostPoints).value_or(1);
@@ -228,20 +227,17 @@ void read_run(const TomlNode& node, Study& study, Diagnostics& diagnostics) {
   constexpr std::array<std::string_view, 2> kEngines{"native", "mujoco"};
   constexpr std::array<std::string_view, 4> kIntegrators{"event", "midpoint", "verlet", "euler"};
   static const auto kContacts = scene::contact_words<std::vector<std::string_view>>();
-  if (table.word("engine", kEngines) == "mujoco") study.engine = EngineKind::kMujoco;
-  const auto place = [](const auto& words, const std::string& word) {
-    return std::find(words.begin(), words.end(), word) - words.begin();
-  };
-  if (const auto word = table.word("integrator", kIntegrators)) {
-    study.integrator = static_cast<scene::Integrator>(place(kIntegrators, *word));
+  study.engine = table.word<EngineKind>("engine", kEngines).value_or(EngineKind::kNative);
+  study.integrator = table.word<scene::Integrator>("integrator", kIntegrators);
+  study.contact = table.word<scene::ContactModel>("contact", kContacts);
+  if (study.integrator) {
     if (study.engine == EngineKind::kMujoco) {
       table.fail("integrator", "belongs to engine = \"native\"; MuJoCo's is mujoco.integrator");
     }
     if (study.varies("run.integrator")) table.fail("integrator", "run.integrator varies");
   }
-  if (const auto word = table.word("contact", kContacts)) {
-    study.contact = static_cast<scene::ContactModel>(place(kContacts, *word));
-    if (study.engine == EngineKind::kNative && *word != "rigid") {
+  if (study.contact) {
+    if (study.engine == EngineKind::kNative && *study.contact != scene::ContactModel::kRigid) {
       table.fail("contact", "belongs to engine = \"mujoco\"; the native engine accepts: rigid");
     }
     if (study.varies("mujoco.contact")) table.fail("contact", "mujoco.contact varies");

@@ -65,12 +65,14 @@ std::optional<std::string> StudyTable::text(std::string_view key) const {
   return std::nullopt;
 }
 
-std::optional<std::string> StudyTable::word(std::string_view key,
-                                            std::span<const std::string_view> words) const {
-  auto given = text(key);
-  if (given) given = scene::current_word(*given);
-  if (!given || std::find(words.begin(), words.end(), *given) != words.end()) return given;
-  fail(key, fmt::format("`{}`; accepted: {}", scene::printable(*given), scene::join(words)));
+std::optional<std::size_t> StudyTable::place_of(std::string_view key,
+                                                std::span<const std::string_view> words) const {
+  const auto given = text(key);
+  if (!given) return std::nullopt;
+  const std::string word(scene::current_word(*given));
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  fail(key, fmt::format("`{}`; accepted: {}", scene::printable(word), scene::join(words)));
   return std::nullopt;
 }
 

@@ -25,8 +25,12 @@ class StudyTable {
   bool has(std::string_view key) const { return find(key) != nullptr; }
   // Nothing: absent, or reported.
   std::optional<std::string> text(std::string_view key) const;
-  std::optional<std::string> word(std::string_view key,
-                                  std::span<const std::string_view> words) const;
+  // Which of the words, which stand in the order of an enum.
+  template <typename Enum>
+  std::optional<Enum> word(std::string_view key, std::span<const std::string_view> words) const {
+    const std::optional<std::size_t> place = place_of(key, words);
+    return place ? std::optional(static_cast<Enum>(*place)) : std::nullopt;
+  }
   std::optional<std::int64_t> whole(std::string_view key, std::int64_t least,
                                     std::int64_t most) const;
   std::optional<double> number(std::string_view key, const scene::Quantity& quantity) const;
@@ -37,6 +41,8 @@ class StudyTable {
 
  private:
   std::string path_of(std::string_view key) const;
+  std::optional<std::size_t> place_of(std::string_view key,
+                                      std::span<const std::string_view> words) const;
 
   const scene::TomlNode* node_;
   std::string path_;

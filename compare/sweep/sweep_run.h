@@ -4,7 +4,7 @@
 #include <atomic>
 #include <functional>
 
-#include "compare/sweep/point_scene.h"
+#include "compare/sweep/sample.h"
 #include "compare/sweep/store.h"
 
 namespace rotorub::sweep {

@@ -7,7 +7,6 @@
 #include <boost/math/tools/roots.hpp>
 
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/numerics/polynomial.h"
 #include "native_model/numerics/root.h"
 #include "native_model/trajectory/range_check.h"
 

@@ -1,7 +1,10 @@
 #include "native_model/numerics/eigenvalues.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace rotorub {
 namespace {
@@ -45,6 +48,157 @@ std::optional<SymmetricModes> modes_of_symmetric(const Solver& solver) {
   return SymmetricModes{*found, solver.eigenvectors()};
 }
 
+using Eigen::Index;
+
+std::optional<EigenModes> all_modes(const Eigen::MatrixXd& A) { return real_modes(A); }
+std::optional<EigenModes> all_modes(const Eigen::MatrixXcd& A) { return complex_modes(A); }
+
+// (A - sigma)^-1 on states (W q, q'), with one factorisation:
+//   (C + sigma B + sigma^2) q = -b - (B + sigma) W^-1 a,   q' = W^-1 a + sigma q.
+template <class Matrix>
+class ShiftedInverse {
+ public:
+  using Vector = Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, 1>;
+
+  ShiftedInverse(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W, double shift)
+      : rates_(B), W_(W.cast<typename Matrix::Scalar>()), shift_(shift) {
+    rates_.diagonal().array() += shift;
+    solver_.compute(C + shift * rates_);
+  }
+  Vector operator()(const Vector& z) const {
+    const Index n = W_.size();
+    const Vector rate = z.head(n).cwiseQuotient(W_);
+    const Vector q = -solver_.solve(z.tail(n) + rates_ * rate);
+    Vector y(2 * n);
+    y << W_.cwiseProduct(q), rate + shift_ * q;
+    return y;
+  }
+
+ private:
+  Matrix rates_;
+  Vector W_;
+  double shift_;
+  Eigen::PartialPivLU<Matrix> solver_;
+};
+
+// V, orthonormal, with (A - sigma)^-1 V_m = V_M H, M >= m: V_m are the first m columns.
+template <class Matrix>
+class Arnoldi {
+ public:
+  using Vector = typename ShiftedInverse<Matrix>::Vector;
+
+  Arnoldi(ShiftedInverse<Matrix> inverse, Index size, Index most)
+      : inverse_(std::move(inverse)),
+        V_(size, most + kStarts),
+        H_(Matrix::Zero(most + kStarts, most)) {
+    // Of real equations one start in each half of the coordinates: where two planes know nothing of
+    // each other each has its own, and an eigenvalue that both have is found twice. None is
+    // orthogonal to a mode by symmetry.
+    const Index all = size / 2, part = all / kStarts;
+    for (Index start = 0; start < kStarts; ++start) {
+      Vector z = Vector::Zero(size);
+      for (Index k = 0; k < part; ++k) {
+        const Index at = start * part + k;
+        z[at] = z[all + at] = 1.0 + 0.7 * static_cast<double>(k) / static_cast<double>(part);
+      }
+      add(std::move(z), nullptr);
+    }
+  }
+
+  // Up to m columns; false where no new direction is left.
+  bool extend(Index m) {
+    for (; done_ < m; ++done_) {
+      if (done_ == columns_) return false;
+      add(inverse_(V_.col(done_)), &H_);
+    }
+    return true;
+  }
+  Index done() const { return done_; }
+  Matrix square() const { return H_.topLeftCorner(done_, done_); }
+  Matrix rest() const { return H_.block(done_, 0, columns_ - done_, done_); }
+  auto basis() const { return V_.leftCols(done_); }
+
+ private:
+  static constexpr Index kStarts = Eigen::NumTraits<typename Matrix::Scalar>::IsComplex ? 1 : 2;
+
+  // What of z the columns do not have becomes the next one.
+  void add(Vector z, Matrix* products) {
+    constexpr double kNothing = 1e-13;  // round-off of what was taken off
+    constexpr int kPasses = 2;          // the second takes off what round-off left of the first
+    const double size = z.norm();
+    for (int pass = 0; pass < kPasses; ++pass) {
+      const Vector share = V_.leftCols(columns_).adjoint() * z;
+      z.noalias() -= V_.leftCols(columns_) * share;
+      if (products) products->col(done_).head(columns_) += share;
+    }
+    const double left = z.norm();
+    if (!(left > kNothing * size)) return;
+    if (products) (*products)(columns_, done_) = left;
+    V_.col(columns_++) = z / left;
+  }
+
+  ShiftedInverse<Matrix> inverse_;
+  Matrix V_, H_;
+  Index columns_ = 0, done_ = 0;
+};
+
+// The eigenvalues that the columns so far tell, from the nearest to the shift on to the first that
+// they do not: less a few, so that none is passed over that shows late.
+template <class Matrix>
+std::optional<LowestModes> found(const Arnoldi<Matrix>& arnoldi, double shift) {
+  constexpr double kAccuracy = 1e-11;
+  constexpr std::size_t kMargin = 4;
+  const std::optional<EigenModes> modes = all_modes(arnoldi.square());
+  if (!modes) return {};
+  const Eigen::VectorXcd& theta = modes->values;
+  const Eigen::VectorXd missing =
+      (arnoldi.rest().template cast<std::complex<double>>() * modes->vectors).colwise().norm();
+  std::vector<Index> order(static_cast<std::size_t>(theta.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return std::abs(theta[a]) > std::abs(theta[b]); });
+  const auto bad = std::find_if(order.begin(), order.end(), [&](Index k) {
+    return !(missing[k] <= kAccuracy * std::abs(theta[k]));
+  });
+  const auto known = static_cast<std::size_t>(bad - order.begin());
+  order.resize(known - std::min(known, kMargin));
+
+  // Within this distance of 0 as of the shift none is missing.
+  LowestModes lowest;
+  if (order.empty()) return lowest;
+  const double radius = 1.0 / std::abs(theta[order.back()]) - shift;
+  const auto value = [&](Index k) { return shift + 1.0 / theta[k]; };
+  std::erase_if(order, [&](Index k) { return std::abs(value(k)) > radius; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return std::abs(value(a)) < std::abs(value(b)); });
+  const auto count = static_cast<Index>(order.size());
+  const Index half = arnoldi.basis().rows() / 2;
+  lowest.values.resize(count);
+  Eigen::MatrixXcd y(arnoldi.done(), count);
+  for (Index j = 0; j < count; ++j) {
+    const Index k = order[static_cast<std::size_t>(j)];
+    lowest.values[j] = value(k);
+    y.col(j) = modes->vectors.col(k);
+  }
+  lowest.rates = arnoldi.basis().bottomRows(half).template cast<std::complex<double>>() * y;
+  return lowest;
+}
+
+template <class Matrix>
+std::optional<LowestModes> search(const Matrix& B, const Matrix& C, const Eigen::VectorXd& W,
+                                  double shift, Index guess, const Enough& enough) {
+  const Index size = 2 * W.size(), most = size / 2, first = 2 * guess + 12;
+  if (first > most || !B.allFinite() || !C.allFinite()) return {};
+  Arnoldi<Matrix> arnoldi(ShiftedInverse<Matrix>(B, C, W, shift), size, most);
+  for (Index m = first; m <= most; m += m / 4) {
+    if (!arnoldi.extend(m) || !arnoldi.square().allFinite()) return {};
+    std::optional<LowestModes> lowest = found(arnoldi, shift);
+    if (!lowest) return {};
+    if (enough(lowest->values)) return lowest;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::optional<Values> real_eigenvalues(const MatrixXd& A) {
@@ -74,6 +228,18 @@ std::optional<SymmetricModes> symmetric_modes(const MatrixXd& A, const MatrixXd&
 std::optional<VectorXd> symmetric_eigenvalues(const MatrixXd& A, const MatrixXd& B) {
   return symmetric_values(
       Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(A, B, Eigen::EigenvaluesOnly));
+}
+
+std::optional<LowestModes> lowest_modes(const Eigen::MatrixXd& B, const Eigen::MatrixXd& C,
+                                        const Eigen::VectorXd& W, double shift, Index guess,
+                                        const Enough& enough) {
+  return search(B, C, W, shift, guess, enough);
+}
+
+std::optional<LowestModes> lowest_modes(const Eigen::MatrixXcd& B, const Eigen::MatrixXcd& C,
+                                        const Eigen::VectorXd& W, double shift, Index guess,
+                                        const Enough& enough) {
+  return search(B, C, W, shift, guess, enough);
 }
 
 }  // namespace rotorub

@@ -1,10 +1,16 @@
 // Whirl of the rotor at given spin speeds: the eigenvalues s of the damped gyroscopic system with
-// circulatory terms (whirl_system.h), critical speeds and the threshold of stability.
+// circulatory terms (whirl_system.h), critical speeds, the threshold of stability and the curves of
+// Campbell's diagram.
 //
 // Frequencies of the geometry form are those of the untruncated shaft; of each of its planes the
 // `kept` lowest modes are shown. Small deflections, no contact.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -12,6 +18,35 @@
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
+
+// s of the mode x + i y ~ e^{s t} (forward: Im s > 0, backward: Im s < 0), and q' of it: isotropic
+// planes: n, of x + i y; else 2 n, those of x before those of y, of the value of the complex pair
+// with Im s > 0.
+struct Whirl {
+  std::complex<double> s;
+  Eigen::VectorXcd rates;
+};
+
+// Two for each mode kept, those of least |s|; isotropic planes: as many forward as backward.
+// Ordered by |Im s|, backward before forward where they are equal. Throws std::runtime_error where
+// the iteration does not converge.
+std::vector<Whirl> whirls(const WhirlSystem& system, double speed);
+std::vector<std::complex<double>> whirl_eigenvalues(const WhirlSystem& system, double speed);
+
+// By rising |frequency|; those of both senses that differ by round-off alone, as whirl at rest
+// does, backward first, as it is at speed.
+template <typename T, typename Frequency>
+void sort_by_frequency(std::vector<T>& all, const Frequency& frequency) {
+  constexpr double kEqual = 1e-9;
+  std::sort(all.begin(), all.end(), [&](const T& a, const T& b) {
+    return std::abs(frequency(a)) < std::abs(frequency(b));
+  });
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    const double first = frequency(all[i]), second = frequency(all[i + 1]);
+    const bool equal = std::abs(second) - std::abs(first) <= kEqual * std::abs(first);
+    if (equal && first > 0.0 && second < 0.0) std::swap(all[i], all[i + 1]);
+  }
+}
 
 struct WhirlMode {
   // rad/s, Im s: forward whirl positive, backward negative, 0 where overdamped. For anisotropic
@@ -55,5 +90,30 @@ double stability_bound(const WhirlSystem& system);
 // Sizes of the speeds in that sense at which the bearings' tables have a point, rad/s, ascending, 0
 // first.
 std::vector<double> table_speeds(const WhirlSystem& system, double sense = 1.0);
+
+// A curve of Campbell's diagram: one mode over a connected range of speeds. Where modes cross, each
+// keeps to its own branch.
+struct WhirlBranch {
+  std::vector<double> speed;     // rad/s, ascending
+  std::vector<WhirlMode> modes;  // at each speed
+};
+
+// speeds: rad/s, ascending and close: a mode is taken for the one whose frequency and growth
+// continue those of the speeds before. Where none does (a mode comes into or leaves the kept ones,
+// or two meet and are overdamped), a branch ends and another begins. By the |frequency| that each
+// begins with.
+// progress: told the share done in [0, 1] after each speed; may throw to stop.
+// Throws std::runtime_error where the eigenvalues do not converge.
+std::vector<WhirlBranch> whirl_branches(const WhirlSystem& system,
+                                        const std::vector<double>& speeds,
+                                        const std::function<void(double)>& progress = {});
+
+// The system in so few of its leading coordinates (those of the lowest modes) that the kept modes
+// at rest and at `speed` (rad/s) keep their s to `accuracy`, relative; many spectra then cost
+// little.
+WhirlSystem condensed(const WhirlSystem& system, double speed, double accuracy);
+
+// 0 to highest in equal steps (rad/s, count >= 2 of them).
+std::vector<double> even_speeds(double highest, int count);
 
 }  // namespace rotorub

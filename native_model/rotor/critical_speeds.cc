@@ -6,11 +6,8 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <optional>
-#include <utility>
 
 #include "native_model/numerics/eigenvalues.h"
-#include "native_model/numerics/extremes.h"
 #include "native_model/numerics/root.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/rotor/refusal.h"
@@ -18,23 +15,16 @@
 namespace rotorub {
 namespace {
 
-// What an iteration found; refuses the rotor where it found nothing.
-template <typename Values>
-Values found(std::optional<Values> values) {
-  if (!values) throw RotorNotSolvable("no eigenvalues can be found");
-  return *std::move(values);
-}
-
 // Positive Omega of K u = Omega^2 A u for symmetric K and A, A not necessarily definite.
 std::vector<double> synchronous_speeds(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A) {
   std::vector<double> inverse_squares;
   if (Eigen::LLT<Eigen::MatrixXd>(K).info() == Eigen::Success) {
-    const Eigen::VectorXd values = found(symmetric_eigenvalues(A, K));
+    const Eigen::VectorXd values = found_by(symmetric_eigenvalues(A, K));
     inverse_squares.assign(values.begin(), values.end());
   } else {
     // A magnetic bearing stronger than the shaft: K^-1 A, whose real eigenvalues count.
     constexpr double kReal = 1e-9;
-    for (const std::complex<double>& mu : found(real_eigenvalues(K.fullPivLu().solve(A)))) {
+    for (const std::complex<double>& mu : found_by(real_eigenvalues(K.fullPivLu().solve(A)))) {
       if (std::abs(mu.imag()) <= kReal * std::abs(mu)) inverse_squares.push_back(mu.real());
     }
   }

@@ -1,8 +1,10 @@
 // Refusals of a rotor that only its matrices can show, at the place in the scene's file.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
@@ -14,6 +16,14 @@ namespace rotorub {
 class RotorNotSolvable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+// What an iteration found; refuses the rotor where it found nothing.
+template <typename Found>
+Found found_by(std::optional<Found> iteration,
+               const char* refusal = "no eigenvalues can be found") {
+  if (!iteration) throw RotorNotSolvable(refusal);
+  return *std::move(iteration);
+}
 
 // action(), with its refusals at the place of their keys, and with what cannot be solved as a
 // refusal of the whole rotor.

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "native_model/rotor/legendre.h"
+#include "native_model/rotor/shaft_basis.h"
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub {
@@ -32,11 +32,8 @@ std::pair<double, double> supports(const scene::RotorGeometry& geometry, int pla
 // M, G and the gravity load of the shaft itself, by Gauss quadrature exact for every product.
 void add_shaft(const scene::RotorGeometry& geometry, RitzBending& ritz) {
   for (const ShaftElement& element : ritz.basis.mesh()) {
-    const GaussRule rule =
-        gauss_legendre(element.functions + 2 + (element.tapered() ? kTaperDegree / 2 : 0));
-    for (int i = 0; i < rule.node.size(); ++i) {
-      const double z = element.from + 0.5 * element.length() * (1.0 + rule.node[i]);
-      const double dz = 0.5 * element.length() * rule.weight[i];
+    for_each_point(element, element.functions + 2, [&](double z, double, double weight) {
+      const double dz = 0.5 * element.length() * weight;
       const Eigen::RowVectorXd u = ritz.basis.deflection(z);
       const Eigen::RowVectorXd u_z = ritz.basis.slope(z);
       const double mass = geometry.rho * element.area(z) * dz;
@@ -44,7 +41,7 @@ void add_shaft(const scene::RotorGeometry& geometry, RitzBending& ritz) {
       ritz.mass += mass * u.transpose() * u + tilt * u_z.transpose() * u_z;
       ritz.gyroscopic += 2.0 * tilt * u_z.transpose() * u_z;
       ritz.gravity += mass * u.transpose();
-    }
+    });
   }
 }
 

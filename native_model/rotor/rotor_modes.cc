@@ -5,12 +5,78 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <optional>
 
-#include "native_model/rotor/auto_modes.h"
-#include "native_model/rotor/magnetic_support.h"
+#include "native_model/numerics/eigenvalues.h"
+#include "native_model/rotor/mode_truncation.h"
+#include "native_model/rotor/refusal.h"
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub {
+
+PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
+  const SymmetricModes found =
+      found_by(symmetric_modes(mass, stiffness), "no eigenmodes of the shaft can be found");
+  // Ascending omega^-2, so the modes come in reverse. Those that round-off leaves without a
+  // frequency of their own are given the highest one that can be distinguished from zero.
+  const Eigen::VectorXd compliance = found.values.reverse();
+  const double least = std::numeric_limits<double>::epsilon() * compliance[0];
+  if (!(least > 0.0))
+    throw RotorNotSolvable("mass or stiffness of the shaft is not positive to working precision");
+
+  PlanarModes modes;
+  modes.frequency = compliance.cwiseMax(least).cwiseSqrt().cwiseInverse();
+  modes.shape = found.vectors.rowwise().reverse();
+  for (Eigen::Index j = 0; j < modes.shape.cols(); ++j) {
+    const double norm = modes.shape.col(j).dot(mass * modes.shape.col(j));
+    modes.shape.col(j) /= std::sqrt(norm);
+  }
+  return modes;
+}
+
+PlanarModes free_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
+                       double reference) {
+  constexpr double kFree = 1e-9;  // of the square of the reference: what round-off leaves
+  const double shift = reference * reference;
+  PlanarModes modes = planar_modes(mass, stiffness + shift * mass);
+  for (double& omega : modes.frequency) {
+    const double square = omega * omega - shift;
+    omega = square > kFree * shift ? std::sqrt(square) : 0.0;
+  }
+  return modes;
+}
+
+ModalSums modal_sums(const PlanarModes& modes, const Eigen::RowVectorXd& u) {
+  const Eigen::VectorXd square = (u * modes.shape).cwiseAbs2().transpose();
+  ModalSums sums{square, square.cwiseQuotient(modes.frequency.cwiseAbs2())};
+  for (auto* sum : {&sums.mobility, &sums.flexibility}) {
+    std::partial_sum(sum->begin(), sum->end(), sum->begin());
+  }
+  return sums;
+}
+
+MagneticSupport magnetic_support(const scene::Scene& scene) {
+  if (!scene.magnetic_bearing) return {};
+  const scene::MagneticBearing& bearing = *scene.magnetic_bearing;
+  if (!bearing.control) return {-bearing.negative_stiffness, 0.0, 0.0};
+  const scene::BearingControl& c = *bearing.control;
+  const double stiffness = c.force_per_current * c.proportional - bearing.negative_stiffness;
+  MagneticSupport support;
+  if (c.fails_at > 0.0) support = {stiffness, c.force_per_current * c.derivative, 0.0};
+  if (scene.rotor.geometry && !scene.rotor.assembled) support.held = std::max(0.0, stiffness);
+  return support;
+}
+
+scene::RotorGeometry supported(const scene::Scene& scene) {
+  scene::RotorGeometry geometry = *scene.rotor.geometry;
+  const double held = magnetic_support(scene).held;
+  if (held > 0.0) {
+    geometry.bearings.push_back({scene.magnetic_bearing->station, {held, held}, {0.0, 0.0}});
+  }
+  return geometry;
+}
+
 namespace {
 
 // Gyroscopic stiffening lifts forward whirl: waves up to this multiple of the frequency at rest.
@@ -19,10 +85,10 @@ constexpr double kWhirlMargin = 2.0;
 // Where elements must end beside discs and bearings: every station a force may act on the shaft.
 std::vector<double> loaded_stations(const scene::Scene& scene) {
   std::vector<double> stations;
-  for (const scene::Force& force : scene.forces) stations.push_back(force.station);
-  if (scene.magnetic_bearing) stations.push_back(scene.magnetic_bearing->station);
-  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
-    if (bearing.contact) stations.push_back(bearing.contact->station);
+  for (const Station& station : stations_of(scene)) {
+    if (station.kind == StationKind::kForce || station.kind == StationKind::kMagneticBearing ||
+        station.kind == StationKind::kContact)
+      stations.push_back(station.z);
   }
   return stations;
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "native_model/rotor/powers.h"
+#include "native_model/rotor/shaft_basis.h"
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub {
@@ -18,14 +19,7 @@ namespace {
 std::vector<double> stations(const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   std::vector<double> all{0.0, geometry.length};
-  for (const scene::Disc& disc : geometry.discs) all.push_back(disc.z);
-  for (const scene::ShaftBearing& bearing : geometry.bearings) all.push_back(bearing.z);
-  for (const scene::Force& force : scene.forces) all.push_back(force.station);
-  if (scene.magnetic_bearing) all.push_back(scene.magnetic_bearing->station);
-  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
-    if (bearing.contact) all.push_back(bearing.contact->station);
-  }
-  if (scene.drive) all.push_back(scene.drive->station);
+  for (const Station& station : stations_of(scene)) all.push_back(station.z);
   std::sort(all.begin(), all.end());
   constexpr double kSame = 1e-9;  // of the length
   const auto same = [&](double a, double b) { return b - a <= kSame * geometry.length; };

@@ -2,9 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "native_model/rotor/magnetic_support.h"
-#include "native_model/rotor/mode_scaling.h"
-#include "native_model/rotor/planar_modes.h"
+#include "native_model/rotor/modal_reduction.h"
 #include "native_model/rotor/rotor_modes.h"
 #include "native_model/rotor/segment_chain.h"
 #include "native_model/scene/diagnostic.h"

@@ -13,7 +13,6 @@
 #include "native_model/numerics/root.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/rotor/refusal.h"
-#include "native_model/rotor/whirl_eigenvalues.h"
 
 namespace rotorub {
 namespace {
@@ -37,9 +36,8 @@ double growth_of(const Complex& s) { return s.real() / std::abs(s); }
 bool passive(const WhirlSystem& system) {
   const auto holds = [](const Eigen::MatrixXd& K) {
     constexpr double kRoundOff = 1e-14;
-    const std::optional<Eigen::VectorXd> values = symmetric_eigenvalues(K);
-    if (!values) throw RotorNotSolvable("no eigenvalues can be found");
-    return values->minCoeff() >= -kRoundOff * values->maxCoeff();
+    const Eigen::VectorXd values = found_by(symmetric_eigenvalues(K));
+    return values.minCoeff() >= -kRoundOff * values.maxCoeff();
   };
   return system.films.empty() && system.internal_xy.isZero(0.0) && holds(system.stiffness_x) &&
          holds(system.stiffness_y);

@@ -5,7 +5,6 @@
 #include <complex>
 #include <utility>
 
-#include "native_model/rotor/magnetic_support.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rotor/rotor_modes.h"

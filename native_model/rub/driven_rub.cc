@@ -4,9 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "native_model/numerics/extremes.h"
 #include "native_model/numerics/root.h"
-#include "native_model/rub/perturbation.h"
+#include "native_model/rub/rub_stability.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 #include "native_model/system/model.h"

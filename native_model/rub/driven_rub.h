@@ -1,7 +1,7 @@
 // Lasting rubs with the spin free under its motor, and with torsion: what a speed that gives way
 // does to them.
 //
-// y of perturbation.h, then phi (free spin) and theta (k torsion modes). U: unbalance, f: loads
+// y of rub_stability.h, then phi (free spin) and theta (k torsion modes). U: unbalance, f: loads
 // locked to phi, both in the frame of the rub; T: the motor's torque, d its mode values there, c_t
 // those at the contact; lambda (1 + i tau) the force of the rotor on the ring, p the change of its
 // tangential part. What the rows of a in rub_stability.h gain, and the rows of phi and theta:

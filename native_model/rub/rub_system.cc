@@ -30,87 +30,74 @@ bool crosses(const scene::Controller& c) {
          c.kind == scene::ControllerKind::kTwoPhase;
 }
 
+// Refuses the scene at a key where `so`.
+struct Checks {
+  const scene::Scene& scene;
+  void operator()(bool so, const std::string& key, const std::string& why) const {
+    if (so) refuse(scene, key, why);
+  }
+};
+
 // Linear: it works without a limit for ever, or has failed.
-void check_feedback(const scene::Scene& scene, const scene::BearingControl& control) {
+void check_feedback(const Checks& check, const scene::BearingControl& control) {
   if (control.fails_at == 0.0) return;
-  if (control.fails_at < scene::kNever) {
-    refuse(
-        scene, "magnetic_bearing.control.fails_at",
+  const std::string path = "magnetic_bearing.control.";
+  check(control.fails_at < scene::kNever, path + "fails_at",
         "before and after are two machines; accepted are 0 (it has failed) and never (left out)");
-  }
-  if (control.integral > 0.0) {
-    refuse(scene, "magnetic_bearing.control.integral",
-           "the analysis has no state for an integrator; accepted are 0 (left out), or "
-           "magnetic_bearing.control.fails_at = 0");
-  }
-  if (std::isfinite(control.current_limit)) {
-    refuse(scene, "magnetic_bearing.control.current_limit",
-           "at the limit the magnets' forces are not linear; accepted are none (left out), or "
-           "magnetic_bearing.control.fails_at = 0");
-  }
+  check(control.integral > 0.0, path + "integral",
+        "the analysis has no state for an integrator; accepted are 0 (left out), or "
+        "magnetic_bearing.control.fails_at = 0");
+  check(std::isfinite(control.current_limit), path + "current_limit",
+        "at the limit the magnets' forces are not linear; accepted are none (left out), or "
+        "magnetic_bearing.control.fails_at = 0");
 }
 
 // What the scene itself shows.
 void check(const scene::Scene& scene) {
-  if (!scene.first().contact) refuse(scene, "contact", "the scene has no [contact]");
+  const Checks check{scene};
+  const scene::AuxiliaryBearing& first = scene.first();
+  check(!first.contact, "contact", "the scene has no [contact]");
   refuse_several_contacts(scene, "a steady rub");
-  const char* planes = "both planes must be alike, give one number for x and y";
-  if (scene.first().stator) {
-    if (scene.first().stator->spin) {
-      refuse(scene, "stator.spin",
-             "its speed would have to be found with the rub, sliding or rolling; accepted is a "
-             "ring that "
-             "does not turn");
-    }
-    if (differ(scene.first().stator->mass)) refuse(scene, "stator.mass", planes);
-    if (differ(scene.first().stator->damping)) refuse(scene, "stator.damping", planes);
-    if (differ(scene.first().stator->stiffness)) refuse(scene, "stator.stiffness", planes);
+  if (first.stator) {
+    const char* planes = "both planes must be alike, give one number for x and y";
+    check(first.stator->spin.has_value(), "stator.spin",
+          "its speed would have to be found with the rub, sliding or rolling; accepted is a ring "
+          "that does not turn");
+    check(differ(first.stator->mass), "stator.mass", planes);
+    check(differ(first.stator->damping), "stator.damping", planes);
+    check(differ(first.stator->stiffness), "stator.stiffness", planes);
   }
   for (std::size_t k = 0; k < scene.forces.size(); ++k) {
     const scene::Force& force = scene.forces[k];
-    if (force.kind == scene::ForceKind::kConstant && !force.vector.isZero(0.0)) {
-      refuse(scene, "force[" + std::to_string(k) + "].kind",
-             "a constant force points one way, so no whirl is steady; accepted are rotating ones");
-    }
-    if (force.kind == scene::ForceKind::kChirp || force.kind == scene::ForceKind::kPulse) {
-      refuse(scene, "force[" + std::to_string(k) + "].kind",
-             "under a force that passes no whirl is steady; accepted are rotating and synchronous "
-             "ones");
-    }
+    const std::string key = scene::list_element("force", k) + ".kind";
+    check(force.kind == scene::ForceKind::kConstant && !force.vector.isZero(0.0), key,
+          "a constant force points one way, so no whirl is steady; accepted are rotating ones");
+    check(force.kind == scene::ForceKind::kChirp || force.kind == scene::ForceKind::kPulse, key,
+          "under a force that passes no whirl is steady; accepted are rotating and synchronous "
+          "ones");
   }
-  if (scene.gravity && !scene.gravity->acceleration.isZero(0.0)) {
-    refuse(scene, "gravity", "weight points one way, so no whirl is steady");
-  }
+  check(scene.gravity && !scene.gravity->acceleration.isZero(0.0), "gravity",
+        "weight points one way, so no whirl is steady");
   for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
     const scene::ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
     const std::string path = scene::list_element("rotor.bearing", i);
-    if (!bearing.offset.isZero(0.0)) {
-      refuse(
-          scene, path + ".offset",
+    check(!bearing.offset.isZero(0.0), path + ".offset",
           "a bearing off the line bends the shaft one way, so no whirl is steady; accepted is 0");
-    }
-    if (bearing.follows_speed() || bearing.crosses()) {
-      refuse(scene, path + (bearing.follows_speed() ? ".table_speed" : ".cross_stiffness"),
-             "the analysis has springs and dashpots alone; accepted are bearings without tables "
-             "and crosses");
-    }
+    check(bearing.follows_speed() || bearing.crosses(),
+          path + (bearing.follows_speed() ? ".table_speed" : ".cross_stiffness"),
+          "the analysis has springs and dashpots alone; accepted are bearings without tables and "
+          "crosses");
   }
-  if (!scene.first().contact->offset.isZero(0.0)) {
-    refuse(scene, "contact.offset",
-           "the ring is out of the middle of the whirl, and none is steady; accepted is 0");
-  }
+  check(!first.contact->offset.isZero(0.0), "contact.offset",
+        "the ring is out of the middle of the whirl, and none is steady; accepted is 0");
   if (scene.magnetic_bearing && scene.magnetic_bearing->control) {
-    check_feedback(scene, *scene.magnetic_bearing->control);
+    check_feedback(check, *scene.magnetic_bearing->control);
   }
-  if (scene.first().controller &&
-      scene.first().controller->kind != scene::ControllerKind::kPassive &&
-      !crosses(*scene.first().controller)) {
-    refuse(scene, "controller.kind", "accepted are passive, cross_coupled and two_phase");
-  }
-  if (scene.first().actuator && scene.first().actuator->kind != scene::ActuatorKind::kIdeal) {
-    refuse(scene, "actuator.kind",
-           "the magnets' forces are not linear; accepted is an ideal actuator");
-  }
+  check(first.controller && first.controller->kind != scene::ControllerKind::kPassive &&
+            !crosses(*first.controller),
+        "controller.kind", "accepted are passive, cross_coupled and two_phase");
+  check(first.actuator && first.actuator->kind != scene::ActuatorKind::kIdeal, "actuator.kind",
+        "the magnets' forces are not linear; accepted is an ideal actuator");
 }
 
 bool same(const ModeShape& shape) { return shape.x == shape.y; }

@@ -2,10 +2,10 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
-#include "native_model/numerics/extremes.h"
 #include "native_model/numerics/root.h"
 #include "native_model/rub/rub_stability.h"
 
@@ -55,15 +55,8 @@ std::vector<double> resonance_points(const std::vector<Complex>& poles, double l
 }
 
 const char* to_string(RubKind kind) {
-  switch (kind) {
-    case RubKind::kForced:
-      return "forced";
-    case RubKind::kWhip:
-      return "whip";
-    case RubKind::kRolling:
-      break;
-  }
-  return "rolling";
+  constexpr std::array<const char*, 3> kNames{"forced", "whip", "rolling"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 double free_orbit(const RubSystem& system, const RotatingLoad& load) {

@@ -10,7 +10,7 @@ namespace rotorub::scene {
 namespace {
 
 constexpr double kMostRows =
-    1e7;  // of a series; the engines know its columns too (system/run_size.h)
+    1e7;  // of a series; the engines know its columns too (system/model_checks.h)
 constexpr double kGapTolerance =
     1e-9;  // of the clearance: a rotor that starts on the ring is meant to
 

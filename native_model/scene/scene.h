@@ -108,7 +108,7 @@ struct RotorGeometry {
   double rho = 0.0;                     // kg/m^3, > 0
   std::optional<int> modes;             // bending modes kept in each plane, >= 1
   bool auto_modes = false;              // as few as modes_tolerance allows; then `modes` is empty
-  double modes_tolerance = 0.01;        // share, in (0, 1): rotor/auto_modes.h
+  double modes_tolerance = 0.01;        // share, in (0, 1): rotor/mode_truncation.h
   std::optional<double> max_frequency;  // rad/s: modes kept up to this frequency
   double damping_ratio = 0.0;           // external modal damping, >= 0
   double internal_damping_ratio = 0.0;  // rotating modal damping, >= 0

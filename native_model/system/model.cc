@@ -9,7 +9,7 @@
 #include "native_model/control/quadratic.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/equations.h"
-#include "native_model/rotor/magnetic_support.h"
+#include "native_model/rotor/rotor_modes.h"
 #include "native_model/scene/record.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/system/steady_orbit.h"

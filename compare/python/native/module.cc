@@ -16,8 +16,8 @@
 #include "compare/base/version.h"
 #include "compare/engine/engine.h"
 #include "compare/python/native/convert.h"
-#include "compare/sweep/batch_run.h"
-#include "compare/sweep/point_scene.h"
+#include "compare/sweep/point_run.h"
+#include "compare/sweep/sample.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/text.h"
 

@@ -1,11 +1,11 @@
-#include "compare/modes/text.h"
+#include "compare/modes/rotor_analysis.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/oracles/friswell_rotor.h"
+#include "tests/support/oracles/shafts.h"
 
 namespace rotorub {
 namespace {

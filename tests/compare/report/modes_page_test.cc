@@ -8,7 +8,7 @@
 
 #include "compare/base/units.h"
 #include "compare/report/web/scripts.h"
-#include "tests/support/oracles/friswell_rotor.h"
+#include "tests/support/oracles/shafts.h"
 
 namespace rotorub {
 namespace {

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "compare/engine/engine.h"
-#include "compare/sweep/columns.h"
+#include "compare/sweep/point_result.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"
 

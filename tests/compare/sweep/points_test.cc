@@ -2,11 +2,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <span>
 
 #include "compare/engine/engine.h"
 #include "compare/sweep/ensemble_points.h"
-#include "compare/sweep/point_scene.h"
-#include "compare/sweep/single_point.h"
+#include "compare/sweep/point_run.h"
+#include "compare/sweep/sample.h"
 #include "native_model/scene/reader.h"
 #include "tests/compare/sweep/studies.h"
 
@@ -24,6 +25,15 @@ std::string frictions(const std::string& values) {
          "\n[run]\nend = \"60 ms\"\nstep = \"20 us\"\n";
 }
 
+// A study in a folder of its own, and its points.
+struct Made {
+  StudyFolder folder;
+  Study study;
+  PointScenes scenes;
+  explicit Made(const std::string& text, std::span<const std::string> set = {})
+      : study(folder.study(text)), scenes(study, set) {}
+};
+
 std::vector<PointScene> all_points(const PointScenes& scenes) {
   std::vector<PointScene> points;
   for (std::int64_t i = 0; i < scenes.sample().size(); ++i) points.push_back({i, scenes.at(i)});
@@ -34,6 +44,20 @@ std::vector<PointResult> ordered(std::vector<PointResult> results) {
   std::sort(results.begin(), results.end(),
             [](const PointResult& a, const PointResult& b) { return a.point < b.point; });
   return results;
+}
+
+// check(many, one): each point of an ensemble, and its run alone.
+template <typename Check>
+void expect_runs(const PointScenes& scenes, scene::Integrator integrator, const Check& check) {
+  const auto together = run_ensembles(all_points(scenes), integrator, kGoOn);
+  ASSERT_EQ(together.size(), static_cast<std::size_t>(scenes.sample().size()));
+  for (const PointResult& many : together) {
+    SCOPED_TRACE(many.point);
+    const auto one =
+        run_single(many.point, scenes.at(many.point), *native_engine(integrator), kGoOn);
+    ASSERT_TRUE(one && one->ok() && many.ok()) << many.reason;
+    check(many, *one);
+  }
 }
 
 // Every column, bit for bit.
@@ -52,11 +76,9 @@ void expect_same(const PointResult& a, const PointResult& b) {
 }
 
 TEST(EnsemblePoints, APointAmongOthersIsThePointAlone) {
-  const StudyFolder folder;
-  const Study study = folder.study(frictions("[0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6]"));
-  const PointScenes scenes(study, {});
+  const Made made(frictions("[0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6]"));
   for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    const auto points = all_points(scenes);
+    const auto points = all_points(made.scenes);
     const auto together = ordered(run_ensembles(points, integrator, kGoOn));
     ASSERT_EQ(together.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -72,15 +94,10 @@ TEST(EnsemblePoints, APointAmongOthersIsThePointAlone) {
 // halves: those figures agree to round-off. The first touch of `verlet` is that of its step.
 TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
   constexpr double kRoundOff = 1e-12;  // relative, of sums over 3000 steps
-  const StudyFolder folder;
-  const Study study = folder.study(frictions("[0.1, 0.3]"));
-  const PointScenes scenes(study, {});
+  const Made made(frictions("[0.1, 0.3]"));
   for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    for (const PointResult& many : run_ensembles(all_points(scenes), integrator, kGoOn)) {
-      const auto one =
-          run_single(many.point, scenes.at(many.point), *native_engine(integrator), kGoOn);
-      ASSERT_TRUE(one && one->ok() && many.ok());
-      const Figures &a = *many.figures, &b = *one->figures;
+    expect_runs(made.scenes, integrator, [&](const PointResult& many, const PointResult& one) {
+      const Figures &a = *many.figures, &b = *one.figures;
       EXPECT_EQ(a.steps, b.steps);
       EXPECT_EQ(a.impacts, b.impacts);
       EXPECT_EQ(a.settled.attractor, b.settled.attractor);
@@ -89,21 +106,20 @@ TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
       EXPECT_NEAR(a.peak_force, b.peak_force, kRoundOff * b.peak_force);
       EXPECT_LE(*a.first_touch, *b.first_touch);
       EXPECT_NEAR(*a.first_touch, *b.first_touch, 20e-6);
-      if (integrator != scene::Integrator::kMidpoint) continue;
+      if (integrator != scene::Integrator::kMidpoint) return;
       EXPECT_EQ(a.first_touch, b.first_touch);
       EXPECT_EQ(a.impulse_total, b.impulse_total);
       EXPECT_EQ(a.peak_force, b.peak_force);
       EXPECT_EQ(a.mean_force, b.mean_force);
       EXPECT_NEAR(a.contact_fraction, b.contact_fraction, kRoundOff);
-    }
+    });
   }
 }
 
 // Points of several contacts are in no lane, and in every figure the run alone.
 TEST(EnsemblePoints, OfSeveralContactsAreTheirRuns) {
-  const StudyFolder folder;
-  const Study study = folder.study("scene = \"" + std::string(ROTORUB_SOURCE_DIR) +
-                                   R"(/tests/native_model/event/two_rings/rub.toml"
+  const Made made("scene = \"" + std::string(ROTORUB_SOURCE_DIR) +
+                  R"(/tests/native_model/event/two_rings/rub.toml"
 [sample]
 kind = "grid"
 [[vary]]
@@ -113,18 +129,15 @@ values = [0.05, 0.2]
 end = "30 ms"
 step = "20 us"
 )");
-  const PointScenes scenes(study, {});
   for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    const auto points = ordered(run_ensembles(all_points(scenes), integrator, kGoOn));
-    ASSERT_EQ(points.size(), 2u);
-    for (const PointResult& many : points) {
-      const auto one =
-          run_single(many.point, scenes.at(many.point), *native_engine(integrator), kGoOn);
-      ASSERT_TRUE(one && many.ok()) << many.reason;
+    std::vector<double> work;
+    expect_runs(made.scenes, integrator, [&](const PointResult& many, const PointResult& one) {
       EXPECT_GT(many.figures->impacts, 0);
-      expect_same(many, *one);
-    }
-    EXPECT_NE(points[0].figures->friction_work, points[1].figures->friction_work);
+      expect_same(many, one);
+      work.push_back(many.figures->friction_work.value());
+    });
+    ASSERT_EQ(work.size(), 2u);
+    EXPECT_NE(work[0], work[1]);
   }
 }
 
@@ -133,8 +146,7 @@ step = "20 us"
 // round-off itself.
 TEST(EnsemblePoints, HaveTheImpactsFrictionAndDepthOfARun) {
   constexpr double kRoundOff = 1e-11, kDepth = 1e-15;  // relative; m
-  const StudyFolder folder;
-  const Study study = folder.study(of_ring() + R"([sample]
+  const Made made(of_ring() + R"([sample]
 kind = "list"
 [[vary]]
 key = "contact.friction"
@@ -152,15 +164,10 @@ values = [150, 150, 300, 150, 1]
 end = "60 ms"
 step = "20 us"
 )");
-  const PointScenes scenes(study, {});
   double deepest = 0.0;
   for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    for (const PointResult& many : run_ensembles(all_points(scenes), integrator, kGoOn)) {
-      SCOPED_TRACE(many.point);
-      const auto one =
-          run_single(many.point, scenes.at(many.point), *native_engine(integrator), kGoOn);
-      ASSERT_TRUE(one && one->ok() && many.ok());
-      const Figures &a = *many.figures, &b = *one->figures;
+    expect_runs(made.scenes, integrator, [&](const PointResult& many, const PointResult& one) {
+      const Figures &a = *many.figures, &b = *one.figures;
       ASSERT_TRUE(a.peak_impulse && a.friction_work && a.max_penetration);
       EXPECT_NEAR(*a.peak_impulse, *b.peak_impulse, kRoundOff * *b.peak_impulse);
       EXPECT_NEAR(*a.friction_work, *b.friction_work, kRoundOff * std::abs(*b.friction_work));
@@ -168,7 +175,7 @@ step = "20 us"
       EXPECT_EQ(*a.peak_impulse > 0.0, many.point != 4) << "1 N never touches";
       EXPECT_EQ(*a.friction_work < 0.0, many.point != 4);
       deepest = std::max(deepest, *b.max_penetration);
-    }
+    });
   }
   EXPECT_GT(deepest, 1e-9)
       << "`midpoint` goes into the ring, so that there is something to compare";
@@ -177,8 +184,7 @@ step = "20 us"
 // They are in contact as long as they take, with the force of that time.
 TEST(EnsemblePoints, ImpactsThatTakeTimeHaveTheirDuration) {
   constexpr double kRoundOff = 1e-11;  // relative
-  const StudyFolder folder;
-  const Study study = folder.study(of_ring() + R"([sample]
+  const Made made(of_ring() + R"([sample]
 kind = "list"
 [[vary]]
 key = "contact.compression_time"
@@ -190,25 +196,19 @@ values = ["14 us", "0.5 ms", "2 us"]
 end = "20 ms"
 step = "10 us"
 )");
-  const PointScenes scenes(study, {});
-  for (const PointResult& many :
-       run_ensembles(all_points(scenes), scene::Integrator::kVerlet, kGoOn)) {
-    SCOPED_TRACE(many.point);
-    const auto one = run_single(many.point, scenes.at(many.point),
-                                *native_engine(scene::Integrator::kVerlet), kGoOn);
-    ASSERT_TRUE(one && one->ok() && many.ok());
-    const Figures &a = *many.figures, &b = *one->figures;
+  const auto verlet = scene::Integrator::kVerlet;
+  expect_runs(made.scenes, verlet, [&](const PointResult& many, const PointResult& one) {
+    const Figures &a = *many.figures, &b = *one.figures;
     EXPECT_NEAR(a.peak_force, b.peak_force, kRoundOff * b.peak_force);
     EXPECT_NEAR(a.impulse_total, b.impulse_total, kRoundOff * b.impulse_total);
     // The first touch of an ensemble is the beginning of its step.
     EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 2e-3 * b.contact_fraction);
     EXPECT_EQ(a.settled.contact_share, b.settled.contact_share);
-  }
+  });
 }
 
 TEST(EnsemblePoints, OtherPartsStepsAndEndsComeApart) {
-  const StudyFolder folder;
-  const Study study = folder.study(of_ring() + R"([sample]
+  const Made made(of_ring() + R"([sample]
 kind = "list"
 [[vary]]
 key = "run.step"
@@ -220,9 +220,8 @@ values = ["20 ms", "20 ms", "20 ms", "30 ms"]
 key = "gravity"
 values = ["none", "{acceleration = [0, -9.81]}", "none", "none"]
 )");
-  const PointScenes scenes(study, {});
   const auto results =
-      ordered(run_ensembles(all_points(scenes), scene::Integrator::kVerlet, kGoOn));
+      ordered(run_ensembles(all_points(made.scenes), scene::Integrator::kVerlet, kGoOn));
   ASSERT_EQ(results.size(), 4u);
   for (const PointResult& result : results) ASSERT_TRUE(result.ok()) << result.reason;
   EXPECT_EQ(results[0].figures->steps, 1000);
@@ -232,8 +231,7 @@ values = ["none", "{acceleration = [0, -9.81]}", "none", "none"]
 }
 
 TEST(EnsemblePoints, FailuresSayWhatARunSays) {
-  const StudyFolder folder;
-  const Study study = folder.study(of_ring() + R"([sample]
+  const Made made(of_ring() + R"([sample]
 kind = "list"
 [[vary]]
 key = "run.step"
@@ -241,8 +239,7 @@ values = ["20 us", "10 ms"]
 [run]
 end = "20 ms"
 )");
-  const PointScenes scenes(study, {});
-  const auto points = all_points(scenes);
+  const auto points = all_points(made.scenes);
   const auto results = ordered(run_ensembles(points, scene::Integrator::kMidpoint, kGoOn));
   EXPECT_TRUE(results[0].ok());
   EXPECT_EQ(results[1].status, "step_too_large");
@@ -253,30 +250,27 @@ end = "20 ms"
 }
 
 TEST(EnsemblePoints, InterruptedTheyAreNoResults) {
-  const StudyFolder folder;
-  const Study study = folder.study(frictions("[0.1, 0.2]"));
-  const PointScenes scenes(study, {});
+  const Made made(frictions("[0.1, 0.2]"));
   const std::atomic<bool> stop{true};
-  EXPECT_TRUE(run_ensembles(all_points(scenes), scene::Integrator::kVerlet, stop).empty());
+  EXPECT_TRUE(run_ensembles(all_points(made.scenes), scene::Integrator::kVerlet, stop).empty());
 }
 
 TEST(PointScenes, AreThoseOfSet) {
-  const StudyFolder folder;
-  const Study study = folder.study(of_ring() + R"([sample]
+  const std::string set[] = {"contact.friction=0.2"};
+  const Made made(of_ring() + R"([sample]
 kind = "grid"
 [[vary]]
 key = "rotor.speed"
 also = ["drive.speed"]
 values = ["40 Hz", 12.5]
-)");
-  const std::string set[] = {"contact.friction=0.2"};
-  const PointScenes scenes(study, set);
-  const scene::Scene point = scenes.at(1);
+)",
+                  set);
+  const scene::Scene point = made.scenes.at(1);
   EXPECT_EQ(point.rotor.speed, 12.5);
   EXPECT_EQ(point.drive->speed, 12.5);
   EXPECT_EQ(point.first().contact->friction.coefficient, 0.2);
   const std::string twice[] = {"rotor.speed=3"};
-  EXPECT_THROW(PointScenes(study, twice), scene::SceneError);
+  EXPECT_THROW(PointScenes(made.study, twice), scene::SceneError);
 }
 
 TEST(PointScenes, OfTheShippedStudy) {
@@ -311,11 +305,8 @@ TEST(ResultColumns, AreInTheReadme) {
 }
 
 TEST(PointScenes, AStudyThatNothingCanComeOfIsRefused) {
-  const StudyFolder folder;
-  const Study study = folder.study(frictions("[-1, -2, -3]"));
-  EXPECT_THROW(PointScenes(study, {}).check(), scene::SceneError);
-  const Study some = folder.study(frictions("[-1, 0.1]"));
-  EXPECT_NO_THROW(PointScenes(some, {}).check());
+  EXPECT_THROW(Made(frictions("[-1, -2, -3]")).scenes.check(), scene::SceneError);
+  EXPECT_NO_THROW(Made(frictions("[-1, 0.1]")).scenes.check());
 }
 
 }  // namespace

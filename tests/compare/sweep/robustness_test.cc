@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/sweep/point_scene.h"
+#include "compare/sweep/sample.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/support/native_run.h"
 

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "compare/sweep/csv.h"
-#include "compare/sweep/slurm.h"
+#include "compare/sweep/folder.h"
+#include "compare/sweep/shard.h"
 #include "native_model/scene/reader.h"
 #include "tests/compare/sweep/studies.h"
 

@@ -11,7 +11,7 @@
 #include "native_model/control/quadratic.h"
 #include "native_model/control/ring_feedback.h"
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/numerics/riccati.h"
+#include "native_model/numerics/matrix_functions.h"
 #include "native_model/rub/rub_stability.h"
 #include "native_model/run/run_native.h"
 #include "native_model/system/model.h"

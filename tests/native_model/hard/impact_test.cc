@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "native_model/oracles/drop.h"
+#include "native_model/oracles/bounces.h"
 #include "tests/native_model/hard/rules.h"
 
 namespace rotorub {

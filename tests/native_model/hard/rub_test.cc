@@ -8,7 +8,7 @@
 
 #include "native_model/oracles/annular_rub.h"
 #include "tests/native_model/hard/rules.h"
-#include "tests/support/oracles/backward_whip.h"
+#include "tests/support/oracles/elastic_whip.h"
 
 namespace rotorub {
 namespace {

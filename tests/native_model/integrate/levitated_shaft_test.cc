@@ -9,7 +9,7 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/rotor/campbell.h"
-#include "native_model/rotor/magnetic_support.h"
+#include "native_model/rotor/rotor_modes.h"
 #include "native_model/rub/rub_system.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"

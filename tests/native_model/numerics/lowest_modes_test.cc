@@ -1,5 +1,5 @@
 // The lowest eigenvalues of a quadratic problem against all of them, and against a closed form.
-#include "native_model/numerics/lowest_modes.h"
+#include "native_model/numerics/eigenvalues.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,6 @@
 #include <complex>
 #include <cstdlib>
 #include <vector>
-
-#include "native_model/numerics/eigenvalues.h"
 
 namespace rotorub {
 namespace {

@@ -1,4 +1,4 @@
-#include "native_model/numerics/polynomial.h"
+#include "native_model/numerics/root.h"
 
 #include <gtest/gtest.h>
 

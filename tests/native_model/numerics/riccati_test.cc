@@ -1,5 +1,5 @@
 // The Riccati equation against closed forms, its own residual, and the poles that it places.
-#include "native_model/numerics/riccati.h"
+#include "native_model/numerics/matrix_functions.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "tests/support/oracles/friswell_rotor.h"
-#include "tests/support/oracles/rayleigh_shaft.h"
+#include "tests/support/oracles/shafts.h"
 
 namespace rotorub::oracle {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/rotor/campbell.h"
-#include "native_model/rotor/whirl_eigenvalues.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"

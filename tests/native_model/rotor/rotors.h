@@ -7,8 +7,7 @@
 
 #include "native_model/rotor/campbell.h"
 #include "native_model/scene/scene.h"
-#include "tests/support/oracles/friswell_rotor.h"
-#include "tests/support/oracles/rayleigh_shaft.h"
+#include "tests/support/oracles/shafts.h"
 
 namespace rotorub::test {
 
@@ -94,5 +93,10 @@ inline scene::Scene jeffcott(double mass, double stiffness, double damping) {
   s.rotor.modal = modal;
   return s;
 }
+
+// How right frequencies are, relative.
+
+inline constexpr double kBeam = 1e-7;   // what beam frequencies must be right to
+inline constexpr double kTight = 1e-9;  // closed forms in few modes
 
 }  // namespace rotorub::test

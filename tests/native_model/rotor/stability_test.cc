@@ -10,7 +10,6 @@
 
 #include "native_model/rotor/campbell.h"
 #include "tests/native_model/rotor/rotors.h"
-#include "tests/native_model/rotor/tolerances.h"
 
 namespace rotorub {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/rotor_modes.h"
-#include "native_model/rotor/torsion.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/text.h"
 

@@ -1,4 +1,4 @@
-#include "native_model/rotor/torsion.h"
+#include "native_model/rotor/modal_rotor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "native_model/rotor/whirl_branches.h"
+#include "native_model/rotor/campbell.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/numerics/eigenvalues.h"
-#include "native_model/rub/perturbation.h"
+#include "native_model/rub/rub_stability.h"
 #include "native_model/rub/steady_rub.h"
 #include "native_model/system/model.h"
 

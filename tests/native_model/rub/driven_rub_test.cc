@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "native_model/numerics/eigenvalues.h"
-#include "native_model/rub/perturbation.h"
+#include "native_model/rub/rub_stability.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/system/model.h"
 #include "tests/native_model/hard/rules.h"

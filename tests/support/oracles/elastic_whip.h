@@ -1,3 +1,32 @@
+// Exact: dry friction backward whip, on a rigid and on an elastic ring.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "native_model/oracles/annular_rub.h"
+
+namespace rotorub::oracle {
+
+// Dry friction backward whip on a rigid fixed ring without excitation, psi' = -nu:
+//
+//   nu' = mu nu^2 - (d/m) nu - mu omega_0^2          until rolling at nu = Omega r / delta_0
+//
+// In contact iff nu > omega_0; grows iff nu > (d + sqrt(d^2 + 4 mu^2 m k)) / (2 mu m).
+struct BackwardWhip {
+  double mass, damping, stiffness;  // kg, N s/m, N/m
+  double friction;                  // mu > 0
+  double clearance;                 // m
+
+  double natural_frequency() const;  // rad/s, omega_0
+  double growth_threshold() const;   // rad/s
+  // nu(t) from nu(0) = start, while sliding lasts; start above the growth threshold: before
+  // blow_up.
+  double whirl_speed(double start, double t) const;  // rad/s
+  double blow_up(double start) const;                // s, infinity below the threshold
+  double normal_force(double nu) const;              // N, m delta_0 (nu^2 - omega_0^2)
+};
+
 // Exact: dry friction backward whirl on an elastic ring without excitation (Black 1968), the spin
 // held. Rotor (m, d, k) and ring (M, D, K) circle in contact, psi' = -nu, nu > 0. With the force
 // lambda (1 + i tau) e^{i psi} of the rotor on the ring
@@ -10,14 +39,6 @@
 // tau is the friction that the motion asks for. Up to tau <= mu it can be had without slip
 // (rolling). A slip r Omega - delta_0 nu > 0 gives mu, neither more nor less: a whip that slips
 // stands at tau = mu, and friction speeds up a whirl of tau < mu. Existence is not stability.
-#pragma once
-
-#include <complex>
-#include <vector>
-
-#include "native_model/oracles/annular_rub.h"
-
-namespace rotorub::oracle {
 
 // At psi = 0; everything turns with e^{-i nu t}.
 struct CircularWhirl {

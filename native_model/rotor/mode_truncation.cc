@@ -1,5 +1,6 @@
-#include "native_model/rotor/auto_modes.h"
+#include "native_model/rotor/mode_truncation.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -8,9 +9,26 @@
 #include <string>
 #include <vector>
 
+#include "native_model/rotor/rotor_modes.h"
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub {
+
+std::optional<ContactMass> contact_mass(const scene::Scene& scene) {
+  if (!scene.first().contact || !scene.rotor.geometry) return {};
+  const RotorModes modes = rotor_modes(scene);
+  const Eigen::RowVectorXd u = modes.ritz.basis.deflection(scene.first().contact->station);
+  const auto of_kept = [&](const PlanarModes& plane) {
+    return 1.0 / modal_sums(plane, u).mobility[modes.kept - 1];
+  };
+  ContactMass mass;
+  mass.kept = std::min(of_kept(modes.x), of_kept(modes.y));
+  mass.mesh = 1.0 / u.dot(modes.ritz.mass.llt().solve(u.transpose()));
+  mass.kept_modes = modes.kept;
+  mass.mesh_modes = static_cast<int>(u.size());
+  return mass;
+}
+
 namespace {
 
 // Something that the kept modes must know: of a sum over modes that rises to its value of all modes

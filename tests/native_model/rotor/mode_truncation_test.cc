@@ -1,5 +1,5 @@
-// As few modes as the tolerance allows, against trying every number.
-#include "native_model/rotor/auto_modes.h"
+// The modes that are not kept: as few modes as the tolerance allows, against trying every number;
+// what an impact meets.
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
 #include "tests/native_model/rotor/rotors.h"
 
@@ -90,6 +92,44 @@ TEST(AutoModes, NeedsNoSleeveWithoutAContact) {
   EXPECT_GT(one, 1);
   EXPECT_GT(tenth, one);
   EXPECT_LT(tenth, kMostAutoModes);
+}
+
+// The effective mass at the contact: known for a shaft that is all sleeve, and falling with the
+// modes.
+
+scene::Scene shipped_rig(const std::vector<std::string>& overrides = {}) {
+  return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/paper_passive.toml", overrides);
+}
+
+ContactMass of(const scene::Scene& scene) { return contact_mass(scene).value(); }
+
+TEST(ContactMass, FallsWithTheModesWithoutASleeve) {
+  double last = 1e9;
+  for (const char* modes : {"rotor.modes=1", "rotor.modes=2", "rotor.modes=8", "rotor.modes=20"}) {
+    const ContactMass mass = of(shipped_rig({modes}));
+    EXPECT_LT(mass.kept, 0.9 * last) << modes;
+    EXPECT_LT(mass.mesh, mass.kept) << "all modes are softer";
+    EXPECT_GT(mass.mesh, 0.0);
+    last = mass.kept;
+  }
+  EXPECT_TRUE(of(shipped_rig({"rotor.modes=2"})).truncated());
+}
+
+// A sleeve of 50 kg is what an impact meets, whatever the modes, once one of them is its own.
+TEST(ContactMass, OfAHeavySleeveIsTheSleeve) {
+  const scene::Scene scene =
+      shipped_rig({"rotor.disc[1]={z=0.24,mass=50.0,Jt=1e-2,Jp=2e-2,eccentricity=0.0,phase=0.0}",
+                   "rotor.modes=12"});
+  const ContactMass mass = of(scene);
+  EXPECT_NEAR(mass.mesh, 50.0, 1.0);
+  EXPECT_NEAR(mass.kept, mass.mesh, 0.02 * mass.mesh);
+  EXPECT_FALSE(mass.truncated());
+}
+
+TEST(ContactMass, IsNotAskedOfModalData) {
+  EXPECT_FALSE(
+      contact_mass(scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/bench_ring.toml"))
+          .has_value());
 }
 
 }  // namespace

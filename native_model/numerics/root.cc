@@ -1,9 +1,7 @@
-#include "native_model/numerics/polynomial.h"
+#include "native_model/numerics/root.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "native_model/numerics/root.h"
 
 namespace rotorub {
 namespace {

@@ -1,0 +1,139 @@
+#include "compare/sweep/point_run.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "compare/base/in_parallel.h"
+#include "compare/sweep/ensemble_points.h"
+#include "compare/sweep/sample.h"
+
+namespace rotorub::sweep {
+namespace {
+
+Figures figures_of(const Trajectory& t) {
+  const Statistics& s = t.statistics;
+  Figures f;
+  f.end = t.end;
+  f.steps = t.steps;
+  if (s.first_touch >= 0.0) f.first_touch = s.first_touch;
+  f.contact_fraction = t.contact_fraction();
+  f.mean_force = t.mean_force();
+  f.peak_force = s.peak_force;
+  f.impulse_total = s.impulse_total;
+  f.settled = settled(t);
+  f.peak_impulse = 0.0;
+  for (const Impact& impact : t.impacts) {
+    f.impacts += counts(impact) ? 1 : 0;
+    f.peak_impulse = std::max(*f.peak_impulse, impact.normal_impulse);
+  }
+  f.friction_work = s.friction_work;
+  f.max_penetration = s.max_penetration;
+  f.energy_residual = s.energy_residual();
+  return f;
+}
+
+constexpr std::int64_t kEnsemblePoints = 32;  // of a batch: whole groups on every instruction set
+
+}  // namespace
+
+std::unique_ptr<Engine> engine_of(const Study& study, const scene::Scene& scene) {
+  if (study.engine == EngineKind::kMujoco) {
+    return mujoco_engine(study.contact.value_or(scene.mujoco.contact));
+  }
+  return native_engine(study.integrator.value_or(scene.run.integrator));
+}
+
+PointResult refused(std::int64_t point, std::string reason) {
+  PointResult result;
+  result.point = point;
+  result.status = kRefused;
+  result.reason = std::move(reason);
+  return result;
+}
+
+std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& scene,
+                                      const Engine& engine, const std::atomic<bool>& interrupt) {
+  RunRequest request;
+  request.interrupt = &interrupt;
+  request.output_times.emplace();
+  for (int row = 0; row < kSettledRows; ++row) {
+    request.output_times->push_back(settled_row(scene.run.end, row));
+  }
+  try {
+    const Trajectory trajectory = engine.run(scene, request);
+    if (trajectory.status == Status::kInterrupted) return std::nullopt;
+    PointResult result;
+    result.point = point;
+    result.status = to_string(trajectory.status);
+    result.reason = trajectory.message;
+    if (trajectory.status == Status::kOk) {
+      result.reason.clear();
+      result.figures = figures_of(trajectory);
+    }
+    return result;
+  } catch (const scene::SceneError& error) {
+    return refused(point, reason_of(error));
+  } catch (const std::invalid_argument& error) {
+    return refused(point, error.what());
+  } catch (const std::runtime_error& error) {
+    return refused(point, error.what());
+  }
+}
+
+std::vector<PointResult> run_batch(const Study& study, const std::vector<std::int64_t>& points,
+                                   const SceneOfPoint& scene_at,
+                                   const std::atomic<bool>& interrupt) {
+  std::vector<PointResult> out;
+  std::map<scene::Integrator, std::vector<PointScene>> together;
+  for (const std::int64_t point : points) {
+    if (interrupt) return {};
+    try {
+      PointScene made{point, scene_at(point)};
+      const auto integrator = study.integrator.value_or(made.scene.run.integrator);
+      if (study.engine == EngineKind::kNative && has_ensemble(integrator)) {
+        together[integrator].push_back(std::move(made));
+      } else if (auto result =
+                     run_single(point, made.scene, *engine_of(study, made.scene), interrupt)) {
+        out.push_back(std::move(*result));
+      }
+    } catch (const scene::SceneError& error) {
+      out.push_back(refused(point, reason_of(error)));
+    }
+  }
+  for (const auto& [integrator, members] : together) {
+    for (PointResult& result : run_ensembles(members, integrator, interrupt)) {
+      out.push_back(std::move(result));
+    }
+  }
+  return out;
+}
+
+std::int64_t batch_size(const Study& study) {
+  // Where each point says its integrator, any of them may be one with ensembles.
+  const bool together =
+      study.engine == EngineKind::kNative && (!study.integrator || has_ensemble(*study.integrator));
+  return together ? kEnsemblePoints : 1;
+}
+
+std::vector<PointResult> run_points(const Study& study, std::int64_t count,
+                                    const SceneOfPoint& scene_at,
+                                    const std::atomic<bool>& interrupt) {
+  std::vector<PointResult> all(static_cast<std::size_t>(count));
+  for (PointResult& result : all) result.status.clear();
+  const std::int64_t size = batch_size(study);
+  in_parallel(
+      static_cast<std::size_t>((count + size - 1) / size), &interrupt, {}, [&](std::size_t k) {
+        const std::int64_t begin = static_cast<std::int64_t>(k) * size;
+        std::vector<std::int64_t> points(static_cast<std::size_t>(std::min(size, count - begin)));
+        std::iota(points.begin(), points.end(), begin);
+        for (PointResult& result : run_batch(study, points, scene_at, interrupt)) {
+          all[static_cast<std::size_t>(result.point)] = std::move(result);
+        }
+      });
+  return all;
+}
+
+}  // namespace rotorub::sweep
